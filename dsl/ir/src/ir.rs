@@ -1,0 +1,608 @@
+//! The IR: a module of types, constants and functions, all typed.
+//!
+//! * Types and functions are named by handles into the module's tables; a definition refers only to
+//!   earlier entries of its own table, so there is no recursion.
+//! * Control flow is statements; a value that depends on control flow is a local that the statements
+//!   assign. Expressions have no effect, save that calls may write through `RefMut` arguments.
+//! * Operations mean what Rust means: integer arithmetic is checked, indices are checked, a shift by
+//!   the width or more is a fault, float operations round once to nearest.
+//! * Evaluation is left to right, operands before the operation.
+//! * Every node carries its [`Span`]. Spans never influence the emitted C.
+
+use alloc::boxed::Box;
+use alloc::string::String;
+use alloc::vec::Vec;
+
+use crate::number::{Float, Int, Scalar};
+
+macro_rules! handles {
+    ($($(#[$doc:meta])* $name:ident),* $(,)?) => {$(
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        pub struct $name(pub u32);
+
+        impl $name {
+            /// The handle as an index into its table.
+            pub const fn index(self) -> usize {
+                self.0 as usize
+            }
+        }
+    )*};
+}
+
+handles! {
+    /// A struct of [`Module::structs`].
+    StructId,
+    /// An enum of [`Module::enums`].
+    EnumId,
+    /// A constant of [`Module::consts`].
+    ConstId,
+    /// A function of [`Module::functions`].
+    FunctionId,
+    /// A local of [`Function::locals`].
+    LocalId,
+}
+
+/// Where a node stands in the author's source. Lines and columns count from 1; line 0: nowhere.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Span {
+    /// Index into [`Module::files`].
+    pub file: u32,
+    /// Line, from 1.
+    pub line: u32,
+    /// Column, from 1.
+    pub column: u32,
+}
+
+/// Everything that one generation compiles.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Module {
+    /// The Rust package.
+    pub name: String,
+    /// Source files, relative to the workspace, with forward slashes.
+    pub files: Vec<String>,
+    /// Structs; fields refer to earlier ones.
+    pub structs: Vec<Struct>,
+    /// Enums.
+    pub enums: Vec<Enum>,
+    /// Named constants.
+    pub consts: Vec<Const>,
+    /// Functions; callees before callers.
+    pub functions: Vec<Function>,
+}
+
+/// Plain data, or the state of a component.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Struct {
+    /// The author's name, `Pid`.
+    pub name: String,
+    /// The Rust module, `models::attitude`.
+    pub module: String,
+    /// The author's doc comment, a line each.
+    pub docs: Vec<String>,
+    /// Fields, in the author's order.
+    pub fields: Vec<Field>,
+    /// For a component: its initial state as words, in the order of [`Module::leaves`].
+    pub initial: Option<Vec<u64>>,
+    /// Where its name stands.
+    pub span: Span,
+}
+
+/// A field of a [`Struct`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Field {
+    /// The author's name.
+    pub name: String,
+    /// The author's doc comment, a line each.
+    pub docs: Vec<String>,
+    /// Its type.
+    pub ty: Type,
+}
+
+/// An enum without payload.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Enum {
+    /// The author's name.
+    pub name: String,
+    /// The Rust module.
+    pub module: String,
+    /// The author's doc comment, a line each.
+    pub docs: Vec<String>,
+    /// Variants, in the author's order.
+    pub variants: Vec<Variant>,
+    /// Where its name stands.
+    pub span: Span,
+}
+
+/// A variant of an [`Enum`]; its word is its index.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Variant {
+    /// The author's name.
+    pub name: String,
+    /// The author's doc comment, a line each.
+    pub docs: Vec<String>,
+}
+
+/// A constant that rustc evaluated.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Const {
+    /// The author's name, `GRAVITY`.
+    pub name: String,
+    /// The Rust module of its first use.
+    pub module: String,
+    /// Its type.
+    pub ty: Type,
+    /// Its value as words, in the order of [`Module::leaves`].
+    pub words: Vec<u64>,
+}
+
+/// The type of a value.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Type {
+    /// No value.
+    Unit,
+    /// One word.
+    Scalar(Scalar),
+    /// `[element; len]`.
+    Array {
+        /// The type of each element.
+        element: Box<Type>,
+        /// How many.
+        len: u32,
+    },
+    /// nalgebra's `SMatrix<element, rows, cols>`; a vector has one column. Stored by columns.
+    Matrix {
+        /// The type of each element.
+        element: Scalar,
+        /// Rows.
+        rows: u32,
+        /// Columns.
+        cols: u32,
+    },
+    /// A struct.
+    Struct(StructId),
+    /// An enum.
+    Enum(EnumId),
+}
+
+/// A function, a method or an entry point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Function {
+    /// The author's name, `step`.
+    pub name: String,
+    /// The Rust module, `models::attitude`.
+    pub module: String,
+    /// The type whose method or associated function it is.
+    pub owner: Option<Owner>,
+    /// What it is to its callers.
+    pub role: Role,
+    /// The author's doc comment, a line each.
+    pub docs: Vec<String>,
+    /// Every local; the first [`Function::params`] of them are the parameters.
+    pub locals: Vec<Local>,
+    /// How many of the locals are parameters.
+    pub params: u32,
+    /// The type of the result; never a reference.
+    pub result: Type,
+    /// The name to give to the result where C needs one (an output pointer).
+    pub result_name: String,
+    /// What it does. Every path ends in `Return` unless the result is `Unit`.
+    pub body: Block,
+    /// Where its name stands.
+    pub span: Span,
+}
+
+/// The type that a method belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum Owner {
+    Struct(StructId),
+    Enum(EnumId),
+}
+
+/// What a function is to its callers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// Called by the firmware; the author's claim that no fault is left, if any.
+    Entry {
+        /// Generation has to prove that no fault is left.
+        infallible: bool,
+    },
+    /// Called by other modules: a free function, or a method of plain data.
+    Public,
+    /// Called only beside its definition: a component's own method.
+    Private,
+}
+
+/// A parameter or a variable. Names need not be unique; handles are.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Local {
+    /// The author's name (or one made for a value that the author left unnamed).
+    pub name: String,
+    /// The type of the value, of the pointee for a reference.
+    pub ty: Type,
+    /// How it is held.
+    pub mode: Mode,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+/// How a local is held.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mode {
+    /// A parameter by value (the callee's own copy), or a variable.
+    Value,
+    /// A parameter `&T`.
+    Ref,
+    /// A parameter `&mut T`.
+    RefMut,
+}
+
+/// Statements in sequence; locals declared in it end with it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Block(pub Vec<Stmt>);
+
+/// A statement.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stmt {
+    /// What it does.
+    pub kind: StmtKind,
+    /// Where it starts.
+    pub span: Span,
+    /// The author's `//` comment lines right above it, without the slashes.
+    pub comments: Vec<String>,
+}
+
+/// What a statement does.
+#[derive(Clone, Debug, PartialEq)]
+pub enum StmtKind {
+    /// Declares a local (mode `Value`), with its first value unless later statements assign it.
+    Let {
+        /// The local.
+        local: LocalId,
+        /// Its first value.
+        value: Option<Expr>,
+    },
+    /// Writes `value` to `place`: the value is evaluated first, then the indices of the place.
+    Assign {
+        /// Where to.
+        place: Place,
+        /// What.
+        value: Expr,
+    },
+    /// Calls for effect, or any expression whose value is not wanted.
+    Expr(Expr),
+    /// `if`.
+    If {
+        /// A `bool`.
+        condition: Expr,
+        /// When true.
+        then: Block,
+        /// When false.
+        otherwise: Block,
+    },
+    /// `match` on an integer or an enum; some arm always matches.
+    Match {
+        /// An integer or an enum.
+        scrutinee: Expr,
+        /// In order; values of different arms are distinct.
+        arms: Vec<Arm>,
+        /// Everything else. Always present for integers; absent for an enum whose arms name all.
+        otherwise: Option<Block>,
+    },
+    /// `for variable in from..to`, or `from..=to`; the bounds are evaluated once, before.
+    For {
+        /// The local that counts, declared here, an integer, not assigned by the body.
+        variable: LocalId,
+        /// The first value.
+        from: Expr,
+        /// The last value, plus one unless `inclusive`.
+        to: Expr,
+        /// Whether `to` itself is run.
+        inclusive: bool,
+        /// Counts down from the last to the first (`.rev()`).
+        reversed: bool,
+        /// What is repeated.
+        body: Block,
+    },
+    /// Ends the function with `fault` unless `condition` holds. Written by the pass that makes faults
+    /// explicit; after it no operation faults by itself.
+    Check {
+        /// A `bool` that cannot fault.
+        condition: Expr,
+        /// What to report.
+        fault: Fault,
+    },
+    /// Ends the function.
+    Return(Option<Expr>),
+    /// Ends the innermost loop.
+    Break,
+    /// Ends this pass of the innermost loop.
+    Continue,
+}
+
+/// Why a function could not go on: where Rust would panic.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Fault {
+    /// Integer arithmetic left its type.
+    Overflow,
+    /// An integer was divided by zero.
+    DivisionByZero,
+    /// A shift by the width or more.
+    Shift,
+    /// An index beyond the end.
+    Index,
+    /// `clamp` with bounds that are not `low <= high`.
+    Clamp,
+    /// An enum that holds none of its variants (a caller broke the precondition).
+    Variant,
+    /// An assertion of the author's.
+    Assertion,
+}
+
+/// An arm of a [`StmtKind::Match`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Arm {
+    /// Integers, or indices of variants; at least one.
+    pub values: Vec<i128>,
+    /// What it does.
+    pub body: Block,
+}
+
+/// An expression.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Expr {
+    /// What it computes.
+    pub kind: ExprKind,
+    /// The type of its value.
+    pub ty: Type,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// What an expression computes.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ExprKind {
+    /// A scalar or an enum, as a word.
+    Literal(u64),
+    /// A named constant.
+    Const(ConstId),
+    /// The value at a place.
+    Load(Place),
+    /// One operand, a scalar, result of the same type.
+    Unary(UnaryOp, Box<Expr>),
+    /// Two scalars of one type (a shift's right side may be any integer), result of the left's type.
+    Binary(BinaryOp, Box<Expr>, Box<Expr>),
+    /// Two scalars or enums of one type, result `bool`.
+    Compare(CompareOp, Box<Expr>, Box<Expr>),
+    /// Short-circuit; `bool`s.
+    Logic(LogicOp, Box<Expr>, Box<Expr>),
+    /// Rust's `as`: from a scalar or enum to the scalar that is the node's type.
+    Cast(Box<Expr>),
+    /// A function of scalars that the DSL defines; operands and result of one scalar type.
+    Intrinsic(Intrinsic, Vec<Expr>),
+    /// A call.
+    Call(FunctionId, Vec<Argument>),
+    /// A struct, its fields in the order of the definition.
+    Struct(Vec<Expr>),
+    /// An array of these elements.
+    Array(Vec<Expr>),
+    /// An array or matrix with this value everywhere.
+    Splat(Box<Expr>),
+    /// A matrix of these elements, by columns.
+    Matrix(Vec<Expr>),
+    /// A routine of linear algebra.
+    Routine(Routine, Vec<Expr>),
+}
+
+/// What a call passes.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Argument {
+    /// To a parameter of mode `Value`.
+    Value(Expr),
+    /// To a parameter of mode `Ref`: any value; a place is not copied.
+    Ref(Expr),
+    /// To a parameter of mode `RefMut`.
+    RefMut(Place),
+}
+
+/// Where a value is held: a local, then steps into it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Place {
+    /// A parameter or variable.
+    pub root: LocalId,
+    /// Steps inward.
+    pub steps: Vec<Step>,
+    /// The type of what is there.
+    pub ty: Type,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// One step into a value.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Step {
+    /// A field of a struct, by index.
+    Field(u32),
+    /// An element of an array; the index is of any integer type, checked.
+    Index(Expr),
+    /// An element of a matrix by row and column, each checked.
+    Element(Expr, Expr),
+}
+
+/// Operators of one operand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum UnaryOp {
+    /// `-x`; on integers a fault for the smallest value.
+    Neg,
+    /// `!x` on `bool` and integers.
+    Not,
+}
+
+/// Operators of two operands. On integers: a fault where Rust panics.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum BinaryOp {
+    Add,
+    Sub,
+    Mul,
+    Div,
+    Rem,
+    And,
+    Or,
+    Xor,
+    Shl,
+    Shr,
+}
+
+/// Comparisons; on floats as IEEE 754 has them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum CompareOp {
+    Eq,
+    Ne,
+    Lt,
+    Le,
+    Gt,
+    Ge,
+}
+
+/// Short-circuit operators.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum LogicOp {
+    And,
+    Or,
+}
+
+/// Functions of scalars that hardware or a few instructions give, the same on every target.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Intrinsic {
+    /// `sqrt(x)`, floats, rounded once.
+    Sqrt,
+    /// `|x|`; on signed integers a fault for the smallest value.
+    Abs,
+    /// The smaller: −0 < +0; a NaN gives the other operand.
+    Min,
+    /// The larger: −0 < +0; a NaN gives the other operand.
+    Max,
+    /// `clamp(x, low, high)`: NaN stays NaN; a fault unless `low <= high`.
+    Clamp,
+    /// `floor(x)`, floats.
+    Floor,
+    /// The bits of a float as the unsigned integer of its width; every NaN has the canonical bits.
+    ToBits,
+    /// The float with these bits.
+    FromBits,
+    /// `copysign(magnitude, sign)`, floats; a NaN counts as positive sign.
+    Copysign,
+    /// Sum, integers, modulo 2^bits.
+    WrappingAdd,
+    /// Difference, integers, modulo 2^bits.
+    WrappingSub,
+    /// Product, integers, modulo 2^bits.
+    WrappingMul,
+}
+
+/// Routines of linear algebra: each in the operation order of the nalgebra routine it stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Routine {
+    /// `a + b`, each element.
+    Add,
+    /// `a - b`, each element.
+    Sub,
+    /// `-a`, each element.
+    Neg,
+    /// `a * s` for a matrix and a scalar, each element `a * s`.
+    Scale,
+    /// `a / s` for a matrix and a scalar, each element `a / s`.
+    Unscale,
+    /// `a.component_mul(&b)`.
+    ComponentMul,
+    /// `a.component_div(&b)`.
+    ComponentDiv,
+    /// `a * b`: per output the first product, then k ascending `y = a_k * b_k + y`.
+    Product,
+    /// `a.tr_mul(&b)`: per output the `dot` of a column of `a` and a column of `b`.
+    TrMul,
+    /// `a.transpose()`.
+    Transpose,
+    /// `a.dot(&b)`: 2: `p0+p1`; 3: `(p0+p1)+p2`; 4: `(p0+p2)+(p1+p3)`; else 0 with eight lanes.
+    Dot,
+    /// `a.cross(&b)`.
+    Cross,
+    /// `a.norm()`: `sqrt` of the sum over columns (from 0) of `dot(c, c)`.
+    Norm,
+    /// `a.norm_squared()`: the sum over columns (from 0) of `dot(c, c)`.
+    NormSquared,
+}
+
+impl Type {
+    /// `bool`.
+    pub const BOOL: Type = Type::Scalar(Scalar::Bool);
+    /// `f64`.
+    pub const F64: Type = Type::Scalar(Scalar::Float(Float::F64));
+    /// `f32`.
+    pub const F32: Type = Type::Scalar(Scalar::Float(Float::F32));
+    /// `usize`.
+    pub const USIZE: Type = Type::Scalar(Scalar::Int(Int::Usize));
+
+    /// Whether a value is one word: a scalar or an enum.
+    pub fn is_word(&self) -> bool {
+        matches!(self, Type::Scalar(_) | Type::Enum(_))
+    }
+
+    /// Whether values have parts: arrays, matrices, structs.
+    pub fn is_aggregate(&self) -> bool {
+        matches!(self, Type::Array { .. } | Type::Matrix { .. } | Type::Struct(_))
+    }
+
+    /// The integer type, if it is one.
+    pub fn as_int(&self) -> Option<Int> {
+        match self {
+            Type::Scalar(Scalar::Int(int)) => Some(*int),
+            _ => None,
+        }
+    }
+
+    /// The float type, if it is one.
+    pub fn as_float(&self) -> Option<Float> {
+        match self {
+            Type::Scalar(Scalar::Float(float)) => Some(*float),
+            _ => None,
+        }
+    }
+}
+
+impl Module {
+    /// The one-word types that a value of type `ty` is made of, in the order in which its words
+    /// travel: fields in order, elements in order, matrices by columns.
+    pub fn leaves(&self, ty: &Type) -> Vec<Type> {
+        match ty {
+            Type::Unit => Vec::new(),
+            Type::Scalar(_) | Type::Enum(_) => alloc::vec![ty.clone()],
+            Type::Array { element, len } => {
+                let one = self.leaves(element);
+                (0..*len).flat_map(|_| one.iter().cloned()).collect()
+            }
+            Type::Matrix { element, rows, cols } => {
+                alloc::vec![Type::Scalar(*element); (*rows * *cols) as usize]
+            }
+            Type::Struct(id) => {
+                self.structs[id.index()].fields.iter().flat_map(|field| self.leaves(&field.ty)).collect()
+            }
+        }
+    }
+}
+
+impl Function {
+    /// The parameters.
+    pub fn parameters(&self) -> &[Local] {
+        &self.locals[..self.params as usize]
+    }
+
+    /// A local by its handle.
+    pub fn local(&self, id: LocalId) -> &Local {
+        &self.locals[id.index()]
+    }
+}

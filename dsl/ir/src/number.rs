@@ -1,0 +1,132 @@
+//! The scalar types, their ranges, and how a scalar travels as one 64-bit word.
+//!
+//! A *word* is the form in which values cross every border (constants, the interpreter, a C process):
+//! a float is its bits, zero-extended; an integer is sign- or zero-extended; `bool` is 0 or 1.
+
+use serde::{Deserialize, Serialize};
+
+/// An integer type. `usize` and `isize` are 64 bits wide on every target, as in the simulation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[allow(missing_docs)]
+pub enum Int {
+    I8,
+    I16,
+    I32,
+    I64,
+    Isize,
+    U8,
+    U16,
+    U32,
+    U64,
+    Usize,
+}
+
+impl Int {
+    /// All of them.
+    pub const ALL: [Int; 10] = [
+        Int::I8,
+        Int::I16,
+        Int::I32,
+        Int::I64,
+        Int::Isize,
+        Int::U8,
+        Int::U16,
+        Int::U32,
+        Int::U64,
+        Int::Usize,
+    ];
+
+    /// Width in bits.
+    pub const fn bits(self) -> u32 {
+        match self {
+            Int::I8 | Int::U8 => 8,
+            Int::I16 | Int::U16 => 16,
+            Int::I32 | Int::U32 => 32,
+            Int::I64 | Int::U64 | Int::Isize | Int::Usize => 64,
+        }
+    }
+
+    /// Whether values below zero exist.
+    pub const fn signed(self) -> bool {
+        matches!(self, Int::I8 | Int::I16 | Int::I32 | Int::I64 | Int::Isize)
+    }
+
+    /// The smallest value.
+    pub const fn min(self) -> i128 {
+        if self.signed() { -(1i128 << (self.bits() - 1)) } else { 0 }
+    }
+
+    /// The largest value.
+    pub const fn max(self) -> i128 {
+        if self.signed() { (1i128 << (self.bits() - 1)) - 1 } else { (1i128 << self.bits()) - 1 }
+    }
+
+    /// The name of the type in Rust.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Int::I8 => "i8",
+            Int::I16 => "i16",
+            Int::I32 => "i32",
+            Int::I64 => "i64",
+            Int::Isize => "isize",
+            Int::U8 => "u8",
+            Int::U16 => "u16",
+            Int::U32 => "u32",
+            Int::U64 => "u64",
+            Int::Usize => "usize",
+        }
+    }
+
+    /// The value that a word stands for.
+    pub const fn from_word(self, word: u64) -> i128 {
+        if self.signed() { word as i64 as i128 } else { word as i128 }
+    }
+}
+
+/// A floating-point type.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[allow(missing_docs)]
+pub enum Float {
+    F32,
+    F64,
+}
+
+impl Float {
+    /// The name of the type in Rust.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Float::F32 => "f32",
+            Float::F64 => "f64",
+        }
+    }
+}
+
+/// A type whose values are one word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[allow(missing_docs)]
+pub enum Scalar {
+    Bool,
+    Int(Int),
+    Float(Float),
+}
+
+impl Scalar {
+    /// The scalar type that Rust calls `name`.
+    pub fn from_name(name: &str) -> Option<Scalar> {
+        match name {
+            "bool" => Some(Scalar::Bool),
+            "f32" => Some(Scalar::Float(Float::F32)),
+            "f64" => Some(Scalar::Float(Float::F64)),
+            _ => Int::ALL.into_iter().find(|int| int.name() == name).map(Scalar::Int),
+        }
+    }
+
+    /// The name of the type in Rust.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Scalar::Bool => "bool",
+            Scalar::Int(int) => int.name(),
+            Scalar::Float(float) => float.name(),
+        }
+    }
+}

@@ -1,0 +1,442 @@
+//! The parser: what all its parts share, and the items of a module.
+//!
+//! Invariants: every loop consumes a token or ends; what nests is counted against the limits.
+
+use alloc::collections::BTreeMap;
+use alloc::format;
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
+
+use crate::ir::{
+    Block, Const, ConstId, Enum, EnumId, Field, Function, FunctionId, Local, LocalId, Module,
+    Owner, Role, Span, Struct, StructId, Type, Variant,
+};
+
+use super::MAX_NESTING;
+use super::lex::{Lexeme, ParseError, Token, lex};
+use super::names::is_word;
+use super::print::{TypeId, owner_id};
+use super::scope::Scope;
+
+/// How many equal words one `word * count` may stand for.
+pub(super) const LONGEST_RUN: usize = 1 << 16;
+
+pub(super) type Parsed<T> = Result<T, ParseError>;
+
+/// Reads the text form of a module.
+pub fn parse(text: &str) -> Parsed<Module> {
+    let mut parser = Parser {
+        lexemes: lex(text)?,
+        at: 0,
+        comments: Vec::new(),
+        nesting: 0,
+        module: Module::default(),
+        types: BTreeMap::new(),
+        consts: BTreeMap::new(),
+        functions: BTreeMap::new(),
+        locals: Locals::default(),
+    };
+    parser.skip_comments();
+    parser.items()?;
+    Ok(parser.module)
+}
+
+/// What a bare name stands for.
+#[derive(Clone, Copy)]
+pub(super) enum Found<T> {
+    One(T),
+    Many,
+}
+
+/// Names and what they stand for, as far as the text has been read.
+pub(super) type Names<K, T> = BTreeMap<K, Found<T>>;
+
+pub(super) struct Parser {
+    lexemes: Vec<Lexeme>,
+    at: usize,
+    /// The comment lines right before the next token.
+    comments: Vec<String>,
+    nesting: u32,
+    pub module: Module,
+    pub types: Names<String, TypeId>,
+    pub consts: Names<String, ConstId>,
+    pub functions: Names<(Option<TypeId>, String), FunctionId>,
+    pub locals: Locals,
+}
+
+/// The locals of the function that is being read.
+#[derive(Default)]
+pub(super) struct Locals {
+    pub known: BTreeMap<u32, Local>,
+    pub names: Names<String, LocalId>,
+    pub next: u32,
+    /// References to locals that were not yet declared: to be checked at the end.
+    pub ahead: Vec<(u32, Option<String>, ParseError)>,
+}
+
+/// Adds a definition to the names.
+pub(super) fn define<K: Ord, T>(names: &mut Names<K, T>, name: K, id: T) {
+    names.entry(name).and_modify(|found| *found = Found::Many).or_insert(Found::One(id));
+}
+
+impl Parser {
+    pub fn scope(&self) -> Scope<'_> {
+        Scope { module: &self.module, functions: self.module.functions.len() }
+    }
+
+    /// The token `ahead` places on, comments not counted.
+    pub fn ahead(&self, ahead: usize) -> &Token {
+        let rest = self.lexemes[self.at..].iter().map(|lexeme| &lexeme.token);
+        let mut rest = rest.filter(|token| !matches!(token, Token::Comment(_)));
+        rest.nth(ahead).unwrap_or(&Token::End)
+    }
+
+    pub fn peek(&self) -> &Token {
+        &self.lexemes[self.at].token
+    }
+
+    /// Goes on to the next token, unless at the end.
+    pub fn bump(&mut self) -> Token {
+        let token = self.peek().clone();
+        if token != Token::End {
+            self.at += 1;
+            self.comments.clear();
+            self.skip_comments();
+        }
+        token
+    }
+
+    fn skip_comments(&mut self) {
+        while let Token::Comment(line) = &self.lexemes[self.at].token {
+            self.comments.push(line.clone());
+            self.at += 1;
+        }
+    }
+
+    /// The comment lines right before the next token.
+    pub fn take_comments(&mut self) -> Vec<String> {
+        core::mem::take(&mut self.comments)
+    }
+
+    pub fn error(&self, message: impl Into<String>) -> ParseError {
+        let Lexeme { line, column, .. } = self.lexemes[self.at];
+        ParseError { line, column, message: message.into() }
+    }
+
+    pub fn fail<T>(&self, message: impl Into<String>) -> Parsed<T> {
+        Err(self.error(message))
+    }
+
+    pub fn sees(&self, mark: &str) -> bool {
+        matches!(self.peek(), Token::Mark(found) if *found == mark)
+    }
+
+    pub fn sees_word(&self, word: &str) -> bool {
+        matches!(self.peek(), Token::Name(found) if found == word)
+    }
+
+    /// Takes the mark if it is next.
+    pub fn eat(&mut self, mark: &str) -> bool {
+        let found = self.sees(mark);
+        if found {
+            self.bump();
+        }
+        found
+    }
+
+    /// Takes the word if it is next.
+    pub fn eat_word(&mut self, word: &str) -> bool {
+        let found = self.sees_word(word);
+        if found {
+            self.bump();
+        }
+        found
+    }
+
+    pub fn expect(&mut self, mark: &str) -> Parsed<()> {
+        if self.eat(mark) { Ok(()) } else { self.fail(format!("expected `{mark}`")) }
+    }
+
+    pub fn expect_word(&mut self, word: &str) -> Parsed<()> {
+        if self.eat_word(word) { Ok(()) } else { self.fail(format!("expected `{word}`")) }
+    }
+
+    /// A name of the author's.
+    pub fn name(&mut self) -> Parsed<String> {
+        match self.peek() {
+            Token::Quoted(_) => {}
+            Token::Name(name) if !is_word(name) => {}
+            _ => return self.fail("expected a name"),
+        }
+        match self.bump() {
+            Token::Quoted(name) | Token::Name(name) => Ok(name),
+            _ => self.fail("expected a name"),
+        }
+    }
+
+    /// A plain number.
+    pub fn number(&mut self) -> Parsed<u32> {
+        if let Token::Number { digits, suffix } = self.peek()
+            && suffix.is_empty()
+            && let Ok(number) = digits.parse()
+        {
+            self.bump();
+            return Ok(number);
+        }
+        self.fail("expected a whole number below 2^32")
+    }
+
+    /// Reads what stands one level deeper.
+    pub fn nested<T>(&mut self, read: impl FnOnce(&mut Parser) -> Parsed<T>) -> Parsed<T> {
+        if self.nesting >= MAX_NESTING {
+            return self.fail(format!("nested deeper than {MAX_NESTING} levels"));
+        }
+        self.nesting += 1;
+        let result = read(self);
+        self.nesting -= 1;
+        result
+    }
+
+    /// `@column`, `@line:column`, `@file:line:column` against `base`, if it is next.
+    pub fn span(&mut self, base: Span) -> Parsed<Option<Span>> {
+        if !self.eat("@") {
+            return Ok(None);
+        }
+        let mut parts = [0; 3];
+        let mut count = 0;
+        loop {
+            parts[count] = self.number()?;
+            count += 1;
+            if count == 3 || !self.sees(":") || !matches!(self.ahead(1), Token::Number { .. }) {
+                break;
+            }
+            self.bump();
+        }
+        Ok(Some(match (count, parts) {
+            (1, [column, ..]) => Span { column, ..base },
+            (2, [line, column, _]) => Span { file: base.file, line, column },
+            (_, [file, line, column]) => Span { file, line, column },
+        }))
+    }
+
+    fn docs(&mut self) -> Vec<String> {
+        let mut docs = Vec::new();
+        while let Token::Doc(line) = self.peek() {
+            docs.push(line.clone());
+            self.bump();
+        }
+        docs
+    }
+
+    fn items(&mut self) -> Parsed<()> {
+        if self.eat_word("module") {
+            self.module.name = self.name()?;
+        }
+        while *self.peek() != Token::End {
+            if self.eat_word("file") {
+                match self.bump() {
+                    Token::Quoted(file) => self.module.files.push(file),
+                    _ => return self.fail("expected a file's path in quotes"),
+                }
+                continue;
+            }
+            let docs = self.docs();
+            let span = self.span(Span::default())?.unwrap_or_default();
+            if self.eat_word("struct") {
+                self.structure(docs, span)?;
+            } else if self.eat_word("enum") {
+                self.enumeration(docs, span)?;
+            } else if self.eat_word("const") {
+                self.constant()?;
+            } else {
+                self.function(docs, span)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// ` in module`.
+    fn home(&mut self) -> Parsed<String> {
+        let mut home = String::new();
+        if self.eat_word("in") {
+            home = self.name()?;
+            while self.eat("::") {
+                home = home + "::" + &self.name()?;
+            }
+        }
+        Ok(home)
+    }
+
+    fn structure(&mut self, docs: Vec<String>, span: Span) -> Parsed<()> {
+        let name = self.name()?;
+        let module = self.home()?;
+        let mut fields = Vec::new();
+        self.expect("{")?;
+        while !self.eat("}") {
+            let docs = self.docs();
+            let name = self.name()?;
+            self.expect(":")?;
+            let ty = self.ty()?;
+            fields.push(Field { name, docs, ty });
+            if !self.eat(",") && !self.sees("}") {
+                return self.fail("expected `,` or `}`");
+            }
+        }
+        let initial = if self.eat("=") { Some(self.words()?) } else { None };
+        let id = TypeId::Struct(StructId(self.module.structs.len() as u32));
+        define(&mut self.types, name.clone(), id);
+        self.module.structs.push(Struct { name, module, docs, fields, initial, span });
+        Ok(())
+    }
+
+    fn enumeration(&mut self, docs: Vec<String>, span: Span) -> Parsed<()> {
+        let name = self.name()?;
+        let module = self.home()?;
+        let mut variants = Vec::new();
+        self.expect("{")?;
+        while !self.eat("}") {
+            let docs = self.docs();
+            variants.push(Variant { name: self.name()?, docs });
+            if !self.eat(",") && !self.sees("}") {
+                return self.fail("expected `,` or `}`");
+            }
+        }
+        let id = TypeId::Enum(EnumId(self.module.enums.len() as u32));
+        define(&mut self.types, name.clone(), id);
+        self.module.enums.push(Enum { name, module, docs, variants, span });
+        Ok(())
+    }
+
+    fn constant(&mut self) -> Parsed<()> {
+        let name = self.name()?;
+        let module = self.home()?;
+        self.expect(":")?;
+        let ty = self.ty()?;
+        self.expect("=")?;
+        let words = if self.sees("[") { self.words()? } else { alloc::vec![self.word()?] };
+        let id = ConstId(self.module.consts.len() as u32);
+        define(&mut self.consts, name.clone(), id);
+        self.module.consts.push(Const { name, module, ty, words });
+        Ok(())
+    }
+
+    /// `[word, word * count, …]`.
+    fn words(&mut self) -> Parsed<Vec<u64>> {
+        let mut words = Vec::new();
+        self.expect("[")?;
+        while !self.eat("]") {
+            let word = self.word()?;
+            let count = if self.eat("*") { self.number()? as usize } else { 1 };
+            if count > LONGEST_RUN {
+                return self.fail(format!("at most {LONGEST_RUN} words at once"));
+            }
+            words.resize(words.len() + count, word);
+            if !self.eat(",") && !self.sees("]") {
+                return self.fail("expected `,` or `]`");
+            }
+        }
+        Ok(words)
+    }
+
+    fn function(&mut self, docs: Vec<String>, span: Span) -> Parsed<()> {
+        let role = if self.eat_word("entry") {
+            Role::Entry { infallible: self.eat_word("infallible") }
+        } else if self.eat_word("private") {
+            Role::Private
+        } else {
+            Role::Public
+        };
+        if !self.eat_word("fn") {
+            return self.fail("expected `struct`, `enum`, `const` or `fn`");
+        }
+        let owner = match matches!(self.peek(), Token::Name(word) if is_word(word))
+            || matches!(self.ahead(1), Token::Mark("::"))
+        {
+            true => {
+                let owner = self.type_id()?;
+                self.expect("::")?;
+                Some(owner)
+            }
+            false => None,
+        };
+        let name = self.name()?;
+        let module = self.home()?;
+        self.locals = Locals::default();
+        let params = self.parameters(span)?;
+        let result = if self.eat("->") { self.ty()? } else { Type::Unit };
+        let result_name = if self.eat_word("as") { self.name()? } else { String::new() };
+        let body = self.body(span)?;
+        let locals = self.finish_locals()?;
+        let id = FunctionId(self.module.functions.len() as u32);
+        define(&mut self.functions, (owner.map(owner_id), name.clone()), id);
+        self.module.functions.push(Function {
+            name,
+            module,
+            owner,
+            role,
+            docs,
+            locals,
+            params,
+            result,
+            result_name,
+            body,
+            span,
+        });
+        Ok(())
+    }
+
+    /// The struct or enum that a function belongs to.
+    fn type_id(&mut self) -> Parsed<Owner> {
+        Ok(match self.type_reference()? {
+            TypeId::Struct(id) => Owner::Struct(id),
+            TypeId::Enum(id) => Owner::Enum(id),
+        })
+    }
+
+    fn parameters(&mut self, span: Span) -> Parsed<u32> {
+        self.expect("(")?;
+        let mut params = 0;
+        while !self.eat(")") {
+            if self.binding(span)? != (LocalId(params), true) {
+                return self.fail("parameters are declared in order, each with its type");
+            }
+            params += 1;
+            if !self.eat(",") && !self.sees(")") {
+                return self.fail("expected `,` or `)`");
+            }
+        }
+        Ok(params)
+    }
+
+    fn body(&mut self, span: Span) -> Parsed<Block> {
+        self.expect("{")?;
+        while self.eat_word("var") {
+            if !self.binding(span)?.1 {
+                return self.fail("`var` declares a local with its type");
+            }
+            self.expect(";")?;
+        }
+        self.statements(span)
+    }
+
+    /// The table of locals, without gaps.
+    fn finish_locals(&mut self) -> Parsed<Vec<Local>> {
+        let Locals { known, ahead, .. } = core::mem::take(&mut self.locals);
+        for (id, name, mut error) in ahead {
+            let found = known.get(&id).map(|local| &local.name);
+            if found != name.as_ref() {
+                error.message = match found {
+                    Some(found) => format!("local {id} is called `{found}`"),
+                    None => format!("there is no local {id}"),
+                };
+                return Err(error);
+            }
+        }
+        let count = known.len();
+        if let Some(gap) = (0..count as u32).find(|id| !known.contains_key(id)) {
+            return self
+                .fail(format!("local {gap} is not declared, yet later ones are").to_string());
+        }
+        Ok(known.into_values().collect())
+    }
+}

@@ -1,0 +1,456 @@
+//! Prints the items of a module.
+//!
+//! Invariant: a name stands bare only where the parser, which has read what is above and nothing else,
+//! finds exactly the same thing by it.
+
+use alloc::collections::BTreeMap;
+use alloc::format;
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
+use core::fmt::Write;
+
+use crate::ir::{
+    ConstId, EnumId, Field, Function, FunctionId, LocalId, Mode, Module, Owner, Role, Span, Struct,
+    StructId, Type, Variant,
+};
+use crate::number::{Float, Scalar};
+
+use super::names::shown;
+use super::scope::Scope;
+
+/// The text form of a module.
+pub fn print(module: &Module) -> String {
+    let mut printer = Printer::new(module);
+    printer.module();
+    printer.out
+}
+
+/// A struct or an enum: they share one space of names.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum TypeId {
+    Struct(StructId),
+    Enum(EnumId),
+}
+
+/// How often each name is defined.
+struct Uses<'m> {
+    types: BTreeMap<&'m str, u32>,
+    consts: BTreeMap<&'m str, u32>,
+    functions: BTreeMap<(Option<TypeId>, &'m str), u32>,
+}
+
+pub(super) struct Printer<'m> {
+    pub out: String,
+    pub module: &'m Module,
+    pub indent: usize,
+    uses: Uses<'m>,
+    structs_above: usize,
+    pub functions_above: usize,
+    pub locals: LocalsAbove<'m>,
+}
+
+/// The locals of the function that is being printed.
+#[derive(Default)]
+pub(super) struct LocalsAbove<'m> {
+    pub function: Option<&'m Function>,
+    pub uses: BTreeMap<&'m str, u32>,
+    pub declared: Vec<bool>,
+    /// The number that the next declaration has if it states none.
+    pub next: u32,
+}
+
+pub(super) fn owner_id(owner: Owner) -> TypeId {
+    match owner {
+        Owner::Struct(id) => TypeId::Struct(id),
+        Owner::Enum(id) => TypeId::Enum(id),
+    }
+}
+
+impl<'m> Printer<'m> {
+    fn new(module: &'m Module) -> Self {
+        let mut uses =
+            Uses { types: BTreeMap::new(), consts: BTreeMap::new(), functions: BTreeMap::new() };
+        let structs = module.structs.iter().map(|definition| definition.name.as_str());
+        for name in structs.chain(module.enums.iter().map(|definition| definition.name.as_str())) {
+            *uses.types.entry(name).or_default() += 1;
+        }
+        for definition in &module.consts {
+            *uses.consts.entry(&definition.name).or_default() += 1;
+        }
+        for function in &module.functions {
+            let key = (function.owner.map(owner_id), function.name.as_str());
+            *uses.functions.entry(key).or_default() += 1;
+        }
+        Printer {
+            out: String::new(),
+            module,
+            indent: 0,
+            uses,
+            structs_above: 0,
+            functions_above: 0,
+            locals: LocalsAbove::default(),
+        }
+    }
+
+    pub fn scope(&self) -> Scope<'m> {
+        Scope { module: self.module, functions: self.functions_above }
+    }
+
+    /// Appends formatted text.
+    pub fn put(&mut self, text: core::fmt::Arguments<'_>) {
+        // Writing to a string cannot fail.
+        let _ = self.out.write_fmt(text);
+    }
+
+    /// Starts a line.
+    pub fn line(&mut self) {
+        if !self.out.is_empty() && !self.out.ends_with('\n') {
+            self.out.push('\n');
+        }
+        for _ in 0..self.indent {
+            self.out.push_str("  ");
+        }
+    }
+
+    /// A doc or comment line.
+    pub fn remarks(&mut self, slashes: &str, lines: &[String]) {
+        for text in lines {
+            self.line();
+            let plain = !text.chars().any(|next| next != '\t' && next.is_control());
+            match text.as_str() {
+                "" => self.out.push_str(slashes),
+                _ if plain => self.put(format_args!("{slashes} {text}")),
+                _ => self.put(format_args!("{slashes}{text:?}")),
+            }
+            self.out.push('\n');
+        }
+    }
+
+    fn module(&mut self) {
+        let module = self.module;
+        self.put(format_args!("module {}\n", shown(&module.name)));
+        for file in &module.files {
+            self.put(format_args!("file {file:?}\n"));
+        }
+        for definition in &module.enums {
+            let head = ("enum", definition.name.as_str(), definition.module.as_str());
+            self.head(&definition.docs, definition.span, head);
+            self.out.push_str(" {\n");
+            self.variants(&definition.variants);
+            self.out.push_str("}\n");
+        }
+        for (index, definition) in module.structs.iter().enumerate() {
+            self.structs_above = index;
+            self.structure(definition);
+        }
+        self.structs_above = module.structs.len();
+        if !module.consts.is_empty() {
+            self.out.push('\n');
+        }
+        for definition in &module.consts {
+            let name = shown(&definition.name);
+            let home = home(&definition.module);
+            self.put(format_args!("const {name}{home}: {} = ", self.ty(&definition.ty)));
+            self.words(&definition.words, &definition.ty);
+            self.out.push('\n');
+        }
+        for (index, function) in module.functions.iter().enumerate() {
+            self.functions_above = index;
+            self.function(function);
+        }
+    }
+
+    /// Docs, span, and `keyword name in module` of an item.
+    fn head(&mut self, docs: &[String], span: Span, (keyword, name, module): (&str, &str, &str)) {
+        self.out.push('\n');
+        self.remarks("///", docs);
+        let place = relative(span, Span::default(), Span::default());
+        let gap = if place.is_empty() { "" } else { " " };
+        self.put(format_args!("{place}{gap}{keyword} {}{}", shown(name), home(module)));
+    }
+
+    fn variants(&mut self, variants: &[Variant]) {
+        self.indent = 1;
+        for variant in variants {
+            self.remarks("///", &variant.docs);
+            self.line();
+            self.put(format_args!("{},\n", shown(&variant.name)));
+        }
+        self.indent = 0;
+    }
+
+    fn structure(&mut self, definition: &Struct) {
+        let head = ("struct", definition.name.as_str(), definition.module.as_str());
+        self.head(&definition.docs, definition.span, head);
+        self.out.push_str(" {\n");
+        self.indent = 1;
+        for Field { name, docs, ty } in &definition.fields {
+            self.remarks("///", docs);
+            self.line();
+            self.put(format_args!("{}: {},\n", shown(name), self.ty(ty)));
+        }
+        self.indent = 0;
+        self.out.push('}');
+        if let Some(initial) = &definition.initial {
+            self.out.push_str(" = ");
+            let mut leaves = Vec::new();
+            for field in &definition.fields {
+                self.leaves(&field.ty, self.structs_above, initial.len(), &mut leaves);
+            }
+            self.word_list(initial, &leaves);
+        }
+        self.out.push('\n');
+    }
+
+    fn function(&mut self, function: &'m Function) {
+        self.locals = LocalsAbove { function: Some(function), ..LocalsAbove::default() };
+        self.locals.declared = alloc::vec![false; function.locals.len()];
+        for local in &function.locals {
+            *self.locals.uses.entry(&local.name).or_default() += 1;
+        }
+        let keyword = match function.role {
+            Role::Entry { infallible: true } => "entry infallible fn",
+            Role::Entry { infallible: false } => "entry fn",
+            Role::Public => "fn",
+            Role::Private => "private fn",
+        };
+        let place = relative(function.span, Span::default(), Span::default());
+        self.out.push('\n');
+        self.remarks("///", &function.docs);
+        if !place.is_empty() {
+            self.put(format_args!("{place} "));
+        }
+        let owner = function
+            .owner
+            .map_or(String::new(), |owner| format!("{}::", self.type_name(owner_id(owner))));
+        let name = shown(&function.name);
+        self.put(format_args!("{keyword} {owner}{name}{}(", home(&function.module)));
+        let params = (function.params as usize).min(function.locals.len());
+        for index in 0..params {
+            if index > 0 {
+                self.out.push_str(", ");
+            }
+            self.declare(LocalId(index as u32), function.span);
+        }
+        self.out.push(')');
+        if function.result != Type::Unit || !function.result_name.is_empty() {
+            self.put(format_args!(" -> {}", self.ty(&function.result)));
+        }
+        if !function.result_name.is_empty() {
+            self.put(format_args!(" as {}", shown(&function.result_name)));
+        }
+        self.body(function);
+        self.out.push('\n');
+    }
+
+    /// `name: type@span`, with the handle where the name or the number does not follow by itself.
+    pub fn declare(&mut self, id: LocalId, base: Span) {
+        let Some(function) = self.locals.function else { return };
+        let local = function.local(id);
+        if id.0 != self.locals.next || self.locals.uses.get(local.name.as_str()) != Some(&1) {
+            self.put(format_args!("%{}.", id.0));
+        }
+        let mode = match local.mode {
+            Mode::Value => "",
+            Mode::Ref => "&",
+            Mode::RefMut => "&mut ",
+        };
+        let (name, ty) = (shown(&local.name), self.ty(&local.ty));
+        self.put(format_args!("{name}: {mode}{ty}{}", relative(local.span, base, base)));
+        self.locals.declared[id.index()] = true;
+        self.locals.next = id.0.wrapping_add(1);
+    }
+
+    /// A type as it stands in the text.
+    pub fn ty(&self, ty: &Type) -> String {
+        match ty {
+            Type::Unit => "unit".to_string(),
+            Type::Scalar(scalar) => scalar.name().to_string(),
+            Type::Array { element, len } => format!("[{}; {len}]", self.ty(element)),
+            Type::Matrix { element, rows, cols } => {
+                format!("matrix<{}, {rows}, {cols}>", element.name())
+            }
+            Type::Struct(id) => self.type_name(TypeId::Struct(*id)),
+            Type::Enum(id) => self.type_name(TypeId::Enum(*id)),
+        }
+    }
+
+    /// The name of a struct or an enum.
+    pub fn type_name(&self, id: TypeId) -> String {
+        let (keyword, index, name, above) = match id {
+            TypeId::Struct(id) => {
+                let definition = self.module.structs.get(id.index());
+                let name = definition.map(|found| found.name.as_str());
+                ("struct", id.0, name, id.index() < self.structs_above)
+            }
+            TypeId::Enum(id) => {
+                let definition = self.module.enums.get(id.index());
+                ("enum", id.0, definition.map(|found| found.name.as_str()), true)
+            }
+        };
+        let unique = name.is_some_and(|name| self.uses.types.get(name) == Some(&1));
+        bare_or_handle(&format!("{keyword}#"), index, name, unique && above)
+    }
+
+    /// The name of a function, as a call has it.
+    pub fn function_name(&self, id: FunctionId) -> String {
+        let found = self.module.functions.get(id.index());
+        let Some(function) = found.filter(|_| id.index() < self.functions_above) else {
+            return bare_or_handle("#", id.0, found.map(|function| function.name.as_str()), false);
+        };
+        let owner = function.owner.map(owner_id);
+        let unique = self.uses.functions.get(&(owner, function.name.as_str())) == Some(&1);
+        let path = owner.map(|owner| self.type_name(owner));
+        match path {
+            Some(path) if unique && !path.contains('#') => {
+                format!("{path}::{}", shown(&function.name))
+            }
+            None if unique => shown(&function.name),
+            _ => bare_or_handle("#", id.0, Some(&function.name), false),
+        }
+    }
+
+    /// The name of a constant, as an expression has it: locals come first.
+    pub fn const_name(&self, id: ConstId) -> String {
+        let name = self.module.consts.get(id.index()).map(|found| found.name.as_str());
+        let unique = name.is_some_and(|name| {
+            self.uses.consts.get(name) == Some(&1) && !self.locals.uses.contains_key(name)
+        });
+        bare_or_handle("const#", id.0, name, unique)
+    }
+
+    /// The name of a local that a statement or a place refers to.
+    pub fn local_name(&self, id: LocalId) -> String {
+        let locals = self.locals.function.map_or(&[][..], |function| &function.locals);
+        let name = locals.get(id.index()).map(|local| local.name.as_str());
+        let unique = name.is_some_and(|name| self.locals.uses.get(name) == Some(&1));
+        let declared = self.locals.declared.get(id.index()) == Some(&true);
+        bare_or_handle("%", id.0, name, unique && declared)
+    }
+
+    /// The words of a constant.
+    fn words(&mut self, words: &[u64], ty: &Type) {
+        let mut leaves = Vec::new();
+        self.leaves(ty, self.structs_above, words.len(), &mut leaves);
+        match (words, leaves.as_slice()) {
+            (&[word], &[scalar]) if !ty.is_aggregate() => {
+                self.out.push_str(&shown_word(word, scalar))
+            }
+            _ => self.word_list(words, &leaves),
+        }
+    }
+
+    /// The scalars that a value is made of, as many as are wanted; structs from `above` on count as empty.
+    fn leaves(&self, ty: &Type, above: usize, wanted: usize, leaves: &mut Vec<Option<Scalar>>) {
+        let mut repeat = |count: usize, scalar| {
+            leaves.resize(leaves.len().saturating_add(count).min(wanted), scalar);
+        };
+        match ty {
+            Type::Unit => {}
+            Type::Scalar(scalar) => repeat(1, Some(*scalar)),
+            Type::Enum(_) => repeat(1, None),
+            Type::Matrix { element, rows, cols } => {
+                repeat((*rows as usize).saturating_mul(*cols as usize), Some(*element));
+            }
+            Type::Array { element, len } => {
+                for _ in 0..*len {
+                    let before = leaves.len();
+                    self.leaves(element, above, wanted, leaves);
+                    if leaves.len() == before || leaves.len() >= wanted {
+                        break;
+                    }
+                }
+            }
+            Type::Struct(id) if id.index() < above => {
+                for field in &self.module.structs[id.index()].fields {
+                    self.leaves(&field.ty, id.index(), wanted, leaves);
+                }
+            }
+            Type::Struct(_) => {}
+        }
+    }
+
+    fn word_list(&mut self, words: &[u64], leaves: &[Option<Scalar>]) {
+        self.out.push('[');
+        let shown = words
+            .iter()
+            .enumerate()
+            .map(|(index, word)| shown_word(*word, leaves.get(index).copied().flatten()));
+        let shown: Vec<String> = shown.collect();
+        let mut rest = shown.as_slice();
+        while let Some(first) = rest.first() {
+            let same =
+                rest.iter().take(super::parse::LONGEST_RUN).take_while(|word| *word == first);
+            let run = same.count();
+            let gap = if rest.len() == shown.len() { "" } else { ", " };
+            if run >= 4 {
+                self.put(format_args!("{gap}{first} * {run}"));
+                rest = &rest[run..];
+            } else {
+                self.put(format_args!("{gap}{first}"));
+                rest = &rest[1..];
+            }
+        }
+        self.out.push(']');
+    }
+}
+
+/// ` in module`, unless that is empty.
+fn home(module: &str) -> String {
+    let parts: Vec<&str> = module.split("::").collect();
+    if module.is_empty() {
+        String::new()
+    } else if parts.iter().all(|part| shown(part) == *part) {
+        format!(" in {module}")
+    } else {
+        format!(" in {module:?}")
+    }
+}
+
+fn bare_or_handle(sigil: &str, index: u32, name: Option<&str>, bare: bool) -> String {
+    match name {
+        Some(name) if bare => shown(name),
+        Some(name) => format!("{sigil}{index}.{}", shown(name)),
+        None => format!("{sigil}{index}._"),
+    }
+}
+
+/// ` @…`: nothing where `span` is `default`, else what differs from `base`.
+pub(super) fn relative(span: Span, default: Span, base: Span) -> String {
+    let Span { file, line, column } = span;
+    if span == default {
+        String::new()
+    } else if file != base.file {
+        format!("@{file}:{line}:{column}")
+    } else if line != base.line {
+        format!("@{line}:{column}")
+    } else {
+        format!("@{column}")
+    }
+}
+
+/// A word of a constant: readable where that reads back to the same bits.
+fn shown_word(word: u64, scalar: Option<Scalar>) -> String {
+    let readable = match scalar {
+        Some(Scalar::Bool) if word <= 1 => Some((word == 1).to_string()),
+        Some(Scalar::Int(int)) if int.signed() => Some((word as i64).to_string()),
+        Some(Scalar::Float(float)) => shown_float(word, float),
+        Some(Scalar::Int(_)) | None => Some(word.to_string()),
+        Some(Scalar::Bool) => None,
+    };
+    readable.unwrap_or_else(|| format!("{word:#x}"))
+}
+
+/// A float in decimal, with its suffix, unless it is infinite or NaN.
+pub(super) fn shown_float(word: u64, float: Float) -> Option<String> {
+    match float {
+        Float::F64 => {
+            let value = f64::from_bits(word);
+            value.is_finite().then(|| format!("{value:?}"))
+        }
+        Float::F32 => {
+            let value = f32::from_bits(u32::try_from(word).ok()?);
+            value.is_finite().then(|| format!("{value:?}f32"))
+        }
+    }
+}

@@ -1,0 +1,100 @@
+//! The type that an expression has by its operands, the same for the printer and the parser: the
+//! printer states a type only where it differs.
+//!
+//! Invariant: nothing that the parser has not yet read is looked at.
+//!
+//! Absent: checks. Where operands make no sense the answer is `None`, or something the printer will
+//! find different from the stated type.
+
+use alloc::boxed::Box;
+
+use crate::ir::{ExprKind, Intrinsic, Module, Place, Routine, Step, Type};
+use crate::number::{Float, Int, Scalar};
+
+/// What has been defined above the place where one stands.
+pub(super) struct Scope<'a> {
+    pub module: &'a Module,
+    /// How many functions are complete.
+    pub functions: usize,
+}
+
+impl Scope<'_> {
+    /// The type of what `place` names, when its root has the type `root`.
+    pub fn place(&self, root: Option<&Type>, place: &Place) -> Option<Type> {
+        let mut ty = root?.clone();
+        for step in &place.steps {
+            ty = match (step, ty) {
+                (Step::Field(field), Type::Struct(id)) => {
+                    let fields = &self.module.structs.get(id.index())?.fields;
+                    fields.get(*field as usize)?.ty.clone()
+                }
+                (Step::Index(_), Type::Array { element, .. }) => *element,
+                (Step::Element(..), Type::Matrix { element, .. }) => Type::Scalar(element),
+                _ => return None,
+            };
+        }
+        Some(ty)
+    }
+
+    /// The type of an expression of this kind; literals, structs and empty lists say it themselves.
+    pub fn expr(&self, kind: &ExprKind) -> Option<Type> {
+        match kind {
+            ExprKind::Literal(_) | ExprKind::Struct(_) | ExprKind::Cast(_) => None,
+            ExprKind::Splat(_) | ExprKind::Matrix(_) => None,
+            ExprKind::Const(id) => self.module.consts.get(id.index()).map(|known| known.ty.clone()),
+            ExprKind::Load(place) => Some(place.ty.clone()),
+            ExprKind::Unary(_, operand) | ExprKind::Binary(_, operand, _) => {
+                Some(operand.ty.clone())
+            }
+            ExprKind::Compare(..) | ExprKind::Logic(..) => Some(Type::BOOL),
+            ExprKind::Intrinsic(function, operands) => intrinsic(*function, &operands.first()?.ty),
+            ExprKind::Call(id, _) => {
+                let known = self.module.functions.get(..self.functions)?.get(id.index())?;
+                Some(known.result.clone())
+            }
+            ExprKind::Array(elements) => Some(Type::Array {
+                element: Box::new(elements.first()?.ty.clone()),
+                len: u32::try_from(elements.len()).ok()?,
+            }),
+            ExprKind::Routine(what, operands) => {
+                routine(*what, &operands.first()?.ty, operands.get(1).map(|operand| &operand.ty))
+            }
+        }
+    }
+}
+
+/// The type of a matrix of these dimensions, or with one dimension of an array.
+pub(super) fn spread(element: &Type, rows: u32, cols: Option<u32>) -> Option<Type> {
+    match (cols, element) {
+        (None, _) => Some(Type::Array { element: Box::new(element.clone()), len: rows }),
+        (Some(cols), Type::Scalar(element)) => Some(Type::Matrix { element: *element, rows, cols }),
+        _ => None,
+    }
+}
+
+fn intrinsic(function: Intrinsic, operand: &Type) -> Option<Type> {
+    let scalar = match (function, operand) {
+        (Intrinsic::ToBits, Type::Scalar(Scalar::Float(Float::F64))) => Scalar::Int(Int::U64),
+        (Intrinsic::ToBits, Type::Scalar(Scalar::Float(Float::F32))) => Scalar::Int(Int::U32),
+        (Intrinsic::FromBits, Type::Scalar(Scalar::Int(Int::U64))) => Scalar::Float(Float::F64),
+        (Intrinsic::FromBits, Type::Scalar(Scalar::Int(Int::U32))) => Scalar::Float(Float::F32),
+        (Intrinsic::ToBits | Intrinsic::FromBits, _) => return None,
+        _ => return Some(operand.clone()),
+    };
+    Some(Type::Scalar(scalar))
+}
+
+fn routine(what: Routine, first: &Type, second: Option<&Type>) -> Option<Type> {
+    let Type::Matrix { element, rows, cols } = *first else { return None };
+    let second_cols = || match second? {
+        Type::Matrix { cols, .. } => Some(*cols),
+        _ => None,
+    };
+    Some(match what {
+        Routine::Product => Type::Matrix { element, rows, cols: second_cols()? },
+        Routine::TrMul => Type::Matrix { element, rows: cols, cols: second_cols()? },
+        Routine::Transpose => Type::Matrix { element, rows: cols, cols: rows },
+        Routine::Dot | Routine::Norm | Routine::NormSquared => Type::Scalar(element),
+        _ => first.clone(),
+    })
+}

@@ -1,0 +1,337 @@
+//! The author's syntax as the attribute macros hand it on, and the package that carries it.
+//!
+//! The tree has no types of its own: where rustc had something to infer, a node names a *witness
+//! slot*, and [`Function::slots`] gives the type that rustc put there. Names are still the author's;
+//! shadowing and scopes are resolved when the tree becomes IR.
+//!
+//! Must not know: what an operation means. That is the typifier's.
+
+use alloc::boxed::Box;
+use alloc::string::String;
+use alloc::vec::Vec;
+
+use serde::{Deserialize, Serialize};
+
+use crate::number::Scalar;
+
+/// What a package of models hands to the compiler.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Package {
+    /// The Rust package.
+    pub name: String,
+    /// Its licence, as its manifest has it.
+    pub license: String,
+    /// Types, each after those it is made of.
+    pub types: Vec<Definition>,
+    /// Functions, callees before callers.
+    pub functions: Vec<Function>,
+    /// What the builder itself had to refuse.
+    pub errors: Vec<Refusal>,
+}
+
+/// Line and column in a file, both from 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Site(pub u32, pub u32);
+
+/// Something that cannot be compiled, found while building.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Refusal {
+    /// The source file, as rustc names it.
+    pub file: String,
+    /// Where.
+    pub site: Site,
+    /// What is wrong.
+    pub message: String,
+    /// What to write instead.
+    pub remedy: String,
+}
+
+/// A type as rustc decided it.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub enum Ty {
+    /// `()`.
+    Unit,
+    /// `bool`, an integer or a float.
+    Scalar(Scalar),
+    /// `[T; n]`.
+    Array(Box<Ty>, u32),
+    /// `SMatrix<T, rows, cols>`.
+    Matrix(Scalar, u32, u32),
+    /// A struct or enum, by its path.
+    Named(String),
+    /// `&T`, or `&mut T` when true.
+    Ref(Box<Ty>, bool),
+}
+
+/// A struct or an enum.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Definition {
+    /// Its Rust path, `models::attitude::Pid`.
+    pub path: String,
+    /// The author's doc comment, a line each.
+    pub docs: Vec<String>,
+    /// The source file, as rustc names it.
+    pub file: String,
+    /// Where its name stands.
+    pub site: Site,
+    /// Which of the two.
+    pub kind: DefinitionKind,
+}
+
+/// The two kinds of [`Definition`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum DefinitionKind {
+    /// A struct; a component has an initial state.
+    Struct {
+        /// Fields, in the author's order.
+        fields: Vec<Field>,
+        /// The initial state of a component, as words.
+        initial: Option<Vec<u64>>,
+    },
+    /// An enum without payload: names and docs of the variants.
+    Enum(Vec<(String, Vec<String>)>),
+}
+
+/// A field of a struct.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Field {
+    /// The author's name.
+    pub name: String,
+    /// The author's doc comment, a line each.
+    pub docs: Vec<String>,
+    /// Its type.
+    pub ty: Ty,
+}
+
+/// A function with all that rustc decided about it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Function {
+    /// Its Rust path, `models::attitude::Pid::torque`: unique.
+    pub path: String,
+    /// The module that it stands in, `models::attitude`.
+    pub module: String,
+    /// The source file, as rustc names it.
+    pub file: String,
+    /// The path of the type whose method it is.
+    pub owner: Option<String>,
+    /// What the author wrote.
+    pub tree: FunctionTree,
+    /// The types of the slots.
+    pub slots: Vec<Ty>,
+    /// What the calls of the tree call.
+    pub callees: Vec<Callee>,
+    /// The values of the paths that are constants.
+    pub constants: Vec<Constant>,
+}
+
+/// What a call calls.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Callee {
+    /// A function of the package, by its path.
+    Function(String),
+    /// An operation that the DSL knows, by name.
+    Builtin(String),
+}
+
+/// A path that rustc evaluated.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Constant {
+    /// Its type.
+    pub ty: Ty,
+    /// Its value.
+    pub words: Vec<u64>,
+}
+
+/// What the author wrote: signature and body.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FunctionTree {
+    /// The author's name.
+    pub name: String,
+    /// Where the name stands.
+    pub site: Site,
+    /// The author's doc comment, a line each.
+    pub docs: Vec<String>,
+    /// What it is to its callers.
+    pub role: Role,
+    /// Parameters, `self` included.
+    pub params: Vec<Param>,
+    /// The slot of the result.
+    pub result: u32,
+    /// The body.
+    pub body: Block,
+}
+
+/// What a function is to its callers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[allow(missing_docs)]
+pub enum Role {
+    Entry { infallible: bool },
+    Public,
+    Private,
+}
+
+/// A parameter.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Param {
+    /// The author's name; `self` for the receiver.
+    pub name: String,
+    /// Its type.
+    pub slot: u32,
+    /// Where it stands.
+    pub site: Site,
+}
+
+/// Statements, then perhaps a value.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Block {
+    /// The statements.
+    pub stmts: Vec<Stmt>,
+    /// The expression without a semicolon at the end.
+    pub tail: Option<Box<Expr>>,
+}
+
+/// A statement.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Stmt {
+    /// `let name = value;`
+    Let {
+        /// The author's name.
+        name: String,
+        /// Its type.
+        slot: u32,
+        /// Its first value.
+        value: Option<Expr>,
+        /// Where the statement starts.
+        site: Site,
+    },
+    /// An expression for its effect.
+    Expr(Expr),
+}
+
+/// An expression.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Expr {
+    /// What it is.
+    pub kind: ExprKind,
+    /// Where it stands.
+    pub site: Site,
+    /// The slot that holds its type, where rustc had something to decide.
+    pub slot: Option<u32>,
+}
+
+/// The kinds of [`Expr`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum ExprKind {
+    /// `true`, `false`.
+    Bool(bool),
+    /// Digits in base ten, and the suffix if any.
+    Int(String, Option<Scalar>),
+    /// Digits as the author wrote them without underscores, and the suffix if any.
+    Float(String, Option<Scalar>),
+    /// A local by its name.
+    Local(String),
+    /// A path that is no local: index into [`Function::constants`]; the author's last segment.
+    Path(u32, String),
+    /// `-x`, `!x`.
+    Unary(UnaryOp, Box<Expr>),
+    /// `a + b` and the like.
+    Binary(BinaryOp, Box<Expr>, Box<Expr>),
+    /// `place = value`, or `place += value` and the like.
+    Assign(Option<BinaryOp>, Box<Expr>, Box<Expr>),
+    /// A call, a method's receiver first: index into [`Function::callees`].
+    Call(u32, Vec<Expr>),
+    /// `base.name`.
+    Field(Box<Expr>, String),
+    /// `base[index]`.
+    Index(Box<Expr>, Box<Expr>),
+    /// `(a, b)`, only as the index of a matrix.
+    Tuple(Vec<Expr>),
+    /// `Name { field: value, … }`.
+    Struct(Vec<(String, Expr)>),
+    /// `[a, b, …]`.
+    Array(Vec<Expr>),
+    /// `[value; n]`.
+    Repeat(Box<Expr>),
+    /// `&x`, or `&mut x` when true.
+    Ref(bool, Box<Expr>),
+    /// `*x`.
+    Deref(Box<Expr>),
+    /// `x as T`.
+    Cast(Box<Expr>),
+    /// `if`.
+    If(Box<Expr>, Block, Option<Box<Expr>>),
+    /// `match`.
+    Match(Box<Expr>, Vec<Arm>),
+    /// `{ … }`.
+    Block(Block),
+    /// `for name in from..to`.
+    For {
+        /// The author's name.
+        name: String,
+        /// Its type.
+        slot: u32,
+        /// The range.
+        range: Box<Range>,
+        /// What is repeated.
+        body: Block,
+    },
+    /// `return value`.
+    Return(Option<Box<Expr>>),
+    /// `break`.
+    Break,
+    /// `continue`.
+    Continue,
+    /// `assert!(condition)`.
+    Assert(Box<Expr>),
+}
+
+/// The range of a `for`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[allow(missing_docs)]
+pub struct Range {
+    pub from: Expr,
+    pub to: Expr,
+    pub inclusive: bool,
+    pub reversed: bool,
+}
+
+/// An arm of a `match`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Arm {
+    /// Literals or paths; empty: `_`.
+    pub patterns: Vec<Expr>,
+    /// Its value.
+    pub body: Expr,
+}
+
+/// Operators of one operand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[allow(missing_docs)]
+pub enum UnaryOp {
+    Neg,
+    Not,
+}
+
+/// Operators of two operands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[allow(missing_docs)]
+pub enum BinaryOp {
+    Add,
+    Sub,
+    Mul,
+    Div,
+    Rem,
+    And,
+    Or,
+    Xor,
+    Shl,
+    Shr,
+    Eq,
+    Ne,
+    Lt,
+    Le,
+    Gt,
+    Ge,
+    LogicAnd,
+    LogicOr,
+}

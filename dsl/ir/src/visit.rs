@@ -1,0 +1,158 @@
+//! Walks over statements, expressions and places, children in the order in which they are evaluated.
+//!
+//! Implement [`Visit`] (to read) or [`VisitMut`] (to rewrite) and override what matters; an override
+//! goes on to the children by calling the `walk_…` function of the same name.
+//!
+//! Invariants: every node is met exactly once; a place that is written is met after the value that is
+//! written to it; a declaration is met after the value (or the bounds) it starts from.
+//!
+//! Absent: types, handles' tables, meaning. The walks never look outside the node they are given.
+
+use crate::ir::{Argument, Block, Expr, ExprKind, LocalId, Place, Step, Stmt, StmtKind};
+
+/// What is done with a place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Access {
+    /// Its value is loaded.
+    Read,
+    /// An assignment replaces its value.
+    Write,
+    /// It is lent to a call that may do both.
+    Lend,
+}
+
+macro_rules! visitor {
+    (
+        $(#[$doc:meta])* $visitor:ident($($mutable:tt)?) =>
+        $walk_block:ident $walk_stmt:ident $walk_expr:ident $walk_place:ident
+    ) => {
+        $(#[$doc])*
+        pub trait $visitor {
+            /// A block.
+            fn block(&mut self, block: &$($mutable)? Block) {
+                $walk_block(self, block);
+            }
+            /// A statement.
+            fn stmt(&mut self, stmt: &$($mutable)? Stmt) {
+                $walk_stmt(self, stmt);
+            }
+            /// An expression.
+            fn expr(&mut self, expr: &$($mutable)? Expr) {
+                $walk_expr(self, expr);
+            }
+            /// A place, and what is done with it.
+            fn place(&mut self, place: &$($mutable)? Place, access: Access) {
+                let _ = access;
+                $walk_place(self, place);
+            }
+            /// The local that a `let` or a `for` declares.
+            fn declaration(&mut self, local: &$($mutable)? LocalId) {
+                let _ = local;
+            }
+        }
+
+        /// The statements of a block.
+        pub fn $walk_block<V: $visitor + ?Sized>(visitor: &mut V, block: &$($mutable)? Block) {
+            for stmt in &$($mutable)? block.0 {
+                visitor.stmt(stmt);
+            }
+        }
+
+        /// The parts of a statement.
+        pub fn $walk_stmt<V: $visitor + ?Sized>(visitor: &mut V, stmt: &$($mutable)? Stmt) {
+            match &$($mutable)? stmt.kind {
+                StmtKind::Let { local, value } => {
+                    if let Some(value) = value {
+                        visitor.expr(value);
+                    }
+                    visitor.declaration(local);
+                }
+                StmtKind::Assign { place, value } => {
+                    visitor.expr(value);
+                    visitor.place(place, Access::Write);
+                }
+                StmtKind::Expr(expr) | StmtKind::Return(Some(expr)) => visitor.expr(expr),
+                StmtKind::If { condition, then, otherwise } => {
+                    visitor.expr(condition);
+                    visitor.block(then);
+                    visitor.block(otherwise);
+                }
+                StmtKind::Match { scrutinee, arms, otherwise } => {
+                    visitor.expr(scrutinee);
+                    for arm in arms {
+                        visitor.block(&$($mutable)? arm.body);
+                    }
+                    if let Some(otherwise) = otherwise {
+                        visitor.block(otherwise);
+                    }
+                }
+                StmtKind::For { variable, from, to, body, .. } => {
+                    visitor.expr(from);
+                    visitor.expr(to);
+                    visitor.declaration(variable);
+                    visitor.block(body);
+                }
+                StmtKind::Check { condition, .. } => visitor.expr(condition),
+                StmtKind::Return(None) | StmtKind::Break | StmtKind::Continue => {}
+            }
+        }
+
+        /// The operands of an expression.
+        pub fn $walk_expr<V: $visitor + ?Sized>(visitor: &mut V, expr: &$($mutable)? Expr) {
+            match &$($mutable)? expr.kind {
+                ExprKind::Literal(_) | ExprKind::Const(_) => {}
+                ExprKind::Load(place) => visitor.place(place, Access::Read),
+                ExprKind::Unary(_, operand) | ExprKind::Cast(operand) | ExprKind::Splat(operand) => {
+                    visitor.expr(operand);
+                }
+                ExprKind::Binary(_, left, right)
+                | ExprKind::Compare(_, left, right)
+                | ExprKind::Logic(_, left, right) => {
+                    visitor.expr(left);
+                    visitor.expr(right);
+                }
+                ExprKind::Call(_, arguments) => {
+                    for argument in arguments {
+                        match argument {
+                            Argument::Value(expr) | Argument::Ref(expr) => visitor.expr(expr),
+                            Argument::RefMut(place) => visitor.place(place, Access::Lend),
+                        }
+                    }
+                }
+                ExprKind::Intrinsic(_, operands)
+                | ExprKind::Struct(operands)
+                | ExprKind::Array(operands)
+                | ExprKind::Matrix(operands)
+                | ExprKind::Routine(_, operands) => {
+                    for operand in operands {
+                        visitor.expr(operand);
+                    }
+                }
+            }
+        }
+
+        /// The indices of a place.
+        pub fn $walk_place<V: $visitor + ?Sized>(visitor: &mut V, place: &$($mutable)? Place) {
+            for step in &$($mutable)? place.steps {
+                match step {
+                    Step::Field(_) => {}
+                    Step::Index(index) => visitor.expr(index),
+                    Step::Element(row, column) => {
+                        visitor.expr(row);
+                        visitor.expr(column);
+                    }
+                }
+            }
+        }
+    };
+}
+
+visitor! {
+    /// Reads every node under the one it is started on.
+    Visit() => walk_block walk_stmt walk_expr walk_place
+}
+
+visitor! {
+    /// Rewrites every node under the one it is started on, in place.
+    VisitMut(mut) => walk_block_mut walk_stmt_mut walk_expr_mut walk_place_mut
+}

@@ -1,0 +1,64 @@
+//! Free functions: the native item, its carrier, and in a generation build the builder.
+
+use bessemer_ir::tree::Role;
+use proc_macro2::TokenStream;
+use quote::{ToTokens, quote};
+
+use crate::builder::{self, Subject};
+use crate::lower::{Refusals, refuse};
+use crate::redirect;
+
+/// `#[function]`.
+pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
+    let mut refusals = Refusals::default();
+    if !arguments.is_empty() {
+        refusals.add(syn::spanned::Spanned::span(&arguments), refuse::ARGUMENTS);
+    }
+    let mut function = match syn::parse2::<syn::Item>(item.clone()) {
+        Ok(syn::Item::Fn(function)) => function,
+        Ok(other) => {
+            refusals.add(refuse::first_token(&other), refuse::NOT_A_FUNCTION);
+            return with_errors(refusals, item);
+        }
+        Err(error) => return with_errors(Refusals::from(error), item),
+    };
+    if let Some(receiver) = function.sig.receiver() {
+        refusals.add(receiver.self_token.span, refuse::METHOD_ALONE);
+        return with_errors(refusals, item);
+    }
+    let subject = Subject {
+        attributes: &function.attrs,
+        visibility: &function.vis,
+        signature: &function.sig,
+        body: &function.block,
+        role: Role::Public,
+        method: false,
+    };
+    let builder = builder::build(&subject, &mut refusals);
+    let (visibility, name) = (&function.vis, &function.sig.ident);
+    // Carries the companion; here in every build, so that a clash of names shows in `cargo check`.
+    let carrier = quote! {
+        #[doc(hidden)]
+        #[allow(non_camel_case_types, dead_code)]
+        #visibility struct #name {}
+    };
+    if refusals.is_empty() {
+        redirect::block(&mut function.block);
+    } else {
+        refuse_body(&mut function.attrs, &mut function.block, refusals);
+    }
+    let function = function.into_token_stream();
+    quote! { #function #carrier #builder }
+}
+
+fn with_errors(refusals: Refusals, item: TokenStream) -> TokenStream {
+    let errors = refusals.into_tokens();
+    quote! { #errors #item }
+}
+
+/// Puts the errors in place of the body: rustc has nothing to add to what was refused, and callers
+/// still find the function.
+pub fn refuse_body(attributes: &mut Vec<syn::Attribute>, body: &mut syn::Block, refusals: Refusals) {
+    attributes.push(syn::parse_quote!(#[allow(unused, clippy::all)]));
+    body.stmts = vec![syn::Stmt::Expr(syn::Expr::Verbatim(refusals.into_tokens()), None)];
+}

@@ -1,0 +1,102 @@
+//! Functions and methods that the DSL does not have, as far as their names show it.
+//!
+//! The name alone could be the author's own. So a method counts as known to be absent only with as
+//! many arguments as the absent one takes, and never on `self`; `Type::method(&value)` always means
+//! the author's.
+
+use syn::spanned::Spanned;
+
+use super::refuse::{self, Reason};
+use super::text;
+
+/// Names, how many arguments they take beside the receiver, and what to write instead.
+const ABSENT: &[(&str, usize, &str)] = &[
+    ("exp exp2 exp_m1 ln ln_1p log2 log10 cbrt", 0, SERIES),
+    ("sinh cosh tanh asinh acosh atanh", 0, SERIES),
+    ("log", 1, SERIES),
+    ("asin", 0, "write `x.atan2((1.0 - x * x).sqrt())`"),
+    ("acos", 0, "write `(1.0 - x * x).sqrt().atan2(x)`"),
+    ("atan", 0, "write `x.atan2(1.0)`"),
+    ("sin_cos", 0, "call `sin` and `cos`"),
+    ("powi powf pow", 1, "multiply: `x * x * x`"),
+    ("recip", 0, "write `1.0 / x`"),
+    ("hypot", 1, "write `(x * x + y * y).sqrt()`"),
+    ("mul_add", 2, "write `x * a + b`: rounded twice, it is the same on every target"),
+    ("round", 0, "write `(x + 0.5).floor()`"),
+    ("ceil", 0, "write `-(-x).floor()`"),
+    ("trunc", 0, "write `x.abs().floor().copysign(x)`"),
+    ("fract", 0, "write `x - x.floor()`"),
+    ("signum is_sign_negative is_sign_positive", 0, "take the sign from `1.0_f64.copysign(x)`"),
+    ("to_degrees", 0, "write `x * (180.0 / PI)`"),
+    ("to_radians", 0, "write `x * (PI / 180.0)`"),
+    ("rem_euclid div_euclid", 1, "write `(x / y).floor()`, and `x - y * (x / y).floor()`"),
+    ("is_nan is_finite is_infinite", 0, "compare with a limit: `x.abs() <= f64::MAX` is false for NaN and infinities"),
+    ("cmp partial_cmp total_cmp eq ne lt le gt ge", 1, "compare with `<`, `==` and the like"),
+    ("checked_add checked_sub checked_mul checked_div", 1, WIDER),
+    ("saturating_add saturating_sub saturating_mul", 1, WIDER),
+    ("overflowing_add overflowing_sub overflowing_mul", 1, WIDER),
+    ("into", 0, "write the type: `x as f64`"),
+    ("clone", 0, "derive `Copy` too: then the value copies itself"),
+    ("min max", 0, "compare the elements in a loop"),
+    ("lu qr cholesky svd determinant try_inverse", 0, "write the elimination out: it is a loop over the columns"),
+];
+
+const SERIES: &str = "write its series as a function marked `#[function]`, or take the value as an input";
+const WIDER: &str = "compute in a wider type, then `clamp`";
+
+/// Those that are absent for a reason of their own, with their arguments.
+const REASONS: &[(&str, usize, Reason)] = &[
+    ("iter iter_mut into_iter sum enumerate windows chunks", 0, refuse::ITERATOR),
+    ("map zip for_each step_by filter", 1, refuse::ITERATOR),
+    ("fold", 2, refuse::ITERATOR),
+    ("unwrap unwrap_or_default is_some is_none is_ok is_err", 0, refuse::OPTION),
+    ("expect unwrap_or", 1, refuse::OPTION),
+    ("to_vec to_string to_owned", 0, refuse::HEAP),
+    ("push extend", 1, refuse::HEAP),
+    ("pop", 0, refuse::HEAP),
+    ("euler_angles axis_angle scaled_axis", 0, refuse::NALGEBRA_ANGLES),
+    ("angle", 1, refuse::NALGEBRA_ANGLES),
+    ("slerp", 2, refuse::NALGEBRA_ANGLES),
+    ("as_slice as_ref as_mut", 0, refuse::SLICE),
+];
+
+/// Constructors and methods of nalgebra that go through the platform's sine and cosine.
+const ANGLES: &[&str] = &[
+    "from_euler_angles", "from_axis_angle", "from_scaled_axis", "from_angle", "rotation",
+    "new_rotation", "new_rotation_wrt_point", "face_towards", "look_at_rh", "look_at_lh",
+];
+
+/// The reason for a method call whose name shows it to be out of reach.
+pub fn method(call: &syn::ExprMethodCall) -> Option<Reason> {
+    named(&text(&call.method), call.args.len())
+}
+
+fn named(name: &str, arguments: usize) -> Option<Reason> {
+    let is = |names: &str, count: usize| count == arguments && names.split(' ').any(|it| it == name);
+    if let Some((.., reason)) = REASONS.iter().find(|(names, count, _)| is(names, *count)) {
+        return Some(reason.clone());
+    }
+    let (.., remedy) = ABSENT.iter().find(|(names, count, _)| is(names, *count))?;
+    Some(Reason::new(format!("`{name}` is not in the DSL yet"), remedy))
+}
+
+/// The reason for a function that its path shows to be out of reach.
+pub fn function(function: &syn::ExprPath) -> Option<Reason> {
+    let names: Vec<_> = function.path.segments.iter().map(|segment| text(&segment.ident)).collect();
+    let [.., owner, last] = names.as_slice() else { return None };
+    if ANGLES.contains(&last.as_str()) {
+        return Some(refuse::NALGEBRA_ANGLES);
+    }
+    if let Some(reason) = refuse::named_type(&syn::Ident::new(owner, function.span()).into()) {
+        return Some(reason);
+    }
+    if bessemer_ir::Scalar::from_name(owner).is_some() {
+        let remedy = (last == "from").then(|| Reason::new(format!("`{owner}::from` is not in the DSL yet"), "write the type: `x as f64`"));
+        return remedy.or_else(|| (0..3).find_map(|arguments| named(last, arguments)).filter(|_| !["min", "max"].contains(&last.as_str())));
+    }
+    match names[0].as_str() {
+        "std" => Some(refuse::STD),
+        "core" | "alloc" => Some(refuse::CORE),
+        _ => (last == "default").then_some(refuse::ABSENT_DEFAULT),
+    }
+}

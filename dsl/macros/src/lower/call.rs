@@ -1,0 +1,127 @@
+//! Calls: the witness copy calls the *companion* in place of the function.
+//!
+//! * `wrap(x)` becomes `wrap::__call(x)`: a struct of the function's name carries its companion, so
+//!   that aliases, globs and re-exports follow by themselves.
+//! * `x.torque(e)` becomes `x.__b_torque(e)`, `Pid::new(…)` becomes `Pid::__b_new(…)`: the companion
+//!   stands beside the method, so that rustc resolves it in its own order.
+//!
+//! A companion returns what the function returns, and beside it, in a slot, which function it was.
+
+use bessemer_ir::tree::ExprKind;
+use quote::{format_ident, quote_spanned};
+use syn::spanned::Spanned;
+
+use super::{Lowering, absent, callee_name, expr::UNIT, refuse, text};
+use crate::redirect;
+
+impl Lowering<'_> {
+    pub(super) fn call(&mut self, it: &mut syn::ExprCall) -> ExprKind {
+        let arguments: Vec<_> = it.args.iter_mut().map(|argument| self.value(argument)).collect();
+        let syn::Expr::Path(function) = &mut *it.func else {
+            self.refusals.add(it.func.span(), refuse::FUNCTION_VALUE);
+            return UNIT;
+        };
+        let local = function.path.get_ident().is_some_and(|name| self.is_local(&text(name)));
+        let reason = if local {
+            // A closure or a function pointer was refused where it came from.
+            self.refusals.is_empty().then_some(refuse::FUNCTION_VALUE)
+        } else if self.is_itself(&function.path) {
+            Some(refuse::RECURSION)
+        } else {
+            absent::function(function)
+        };
+        if let Some(reason) = reason {
+            self.refusals.add(function.span(), reason);
+            return UNIT;
+        }
+        let Some(companion) = companion(function) else {
+            self.refusals.add(function.span(), refuse::CONSTRUCTOR);
+            return UNIT;
+        };
+        function.path = companion;
+        ExprKind::Call(self.take(it.span(), it), arguments)
+    }
+
+    pub(super) fn method_call(&mut self, it: &mut syn::ExprMethodCall) -> ExprKind {
+        let mut arguments = vec![self.value(&mut it.receiver)];
+        arguments.extend(it.args.iter_mut().map(|argument| self.value(argument)));
+        let own = matches!(&arguments[0].kind, ExprKind::Local(name) if name == "self");
+        let itself = own && self.method && it.method == self.name;
+        let reason = match own {
+            true => itself.then_some(refuse::RECURSION),
+            false => absent::method(it),
+        };
+        if let Some(reason) = reason {
+            self.refusals.add(it.method.span(), reason);
+            return UNIT;
+        }
+        it.method = companion_name(&it.method);
+        ExprKind::Call(self.take(it.span(), it), arguments)
+    }
+
+    /// Whether `path` names the function that is being lowered.
+    fn is_itself(&self, path: &syn::Path) -> bool {
+        let names: Vec<_> = path.segments.iter().map(|segment| text(&segment.ident)).collect();
+        let name = self.name.as_str();
+        match self.method {
+            true => names == ["Self", name],
+            false => names == [name] || names == ["self", name],
+        }
+    }
+
+    /// Wraps a call of a companion so that a slot learns which function it is.
+    fn take<T: WitnessCall>(&mut self, span: proc_macro2::Span, call: &mut T) -> u32 {
+        let callee = self.callees;
+        self.callees += 1;
+        call.wrap(span, &callee_name(callee));
+        callee
+    }
+}
+
+/// The name of the companion of a method.
+pub fn companion_name(method: &syn::Ident) -> syn::Ident {
+    format_ident!("__b_{method}", span = method.span())
+}
+
+/// The path of the companion: none if the path is a constructor.
+fn companion(function: &syn::ExprPath) -> Option<syn::Path> {
+    let mut path = function.path.clone();
+    let upper = |ident: &syn::Ident| ident.to_string().starts_with(|first: char| first.is_uppercase());
+    let last = path.segments.last()?.clone();
+    if upper(&last.ident) {
+        return None;
+    }
+    if redirect::associated(function.qself.as_ref(), &path) {
+        path.segments.last_mut()?.ident = companion_name(&last.ident);
+    } else {
+        // The arguments of a turbofish belong to the companion.
+        let call = syn::PathSegment { ident: syn::Ident::new("__call", last.ident.span()), arguments: last.arguments };
+        path.segments.last_mut()?.arguments = syn::PathArguments::None;
+        path.segments.push(call);
+    }
+    Some(path)
+}
+
+/// A call that can be wrapped where it stands.
+trait WitnessCall {
+    fn wrap(&mut self, span: proc_macro2::Span, callee: &syn::Ident);
+}
+
+impl WitnessCall for syn::ExprCall {
+    fn wrap(&mut self, span: proc_macro2::Span, callee: &syn::Ident) {
+        let call = self.clone();
+        *self.func = syn::Expr::Verbatim(quote_spanned! { span => __take });
+        self.args = syn::parse_quote! { &#callee, #call };
+    }
+}
+
+impl WitnessCall for syn::ExprMethodCall {
+    fn wrap(&mut self, span: proc_macro2::Span, callee: &syn::Ident) {
+        // `slot.__take(call)`, so that the expression stays a method call.
+        let call = self.clone();
+        *self.receiver = syn::Expr::Verbatim(quote_spanned! { span => #callee });
+        self.method = syn::Ident::new("__take", call.method.span());
+        self.turbofish = None;
+        self.args = syn::parse_quote! { #call };
+    }
+}

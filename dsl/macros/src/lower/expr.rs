@@ -1,0 +1,288 @@
+//! Expressions: which are values (seen by a slot), which are places, which the DSL does not take.
+
+use bessemer_ir::Scalar;
+use bessemer_ir::tree::{self, BinaryOp, ExprKind, UnaryOp};
+use quote::ToTokens;
+use syn::spanned::Spanned;
+
+use super::{Lowering, refuse, signature, site, text};
+
+impl Lowering<'_> {
+    /// An expression whose value is wanted.
+    pub(super) fn value(&mut self, expr: &mut syn::Expr) -> tree::Expr {
+        self.lower(expr, true)
+    }
+
+    /// An expression for its effect.
+    pub(super) fn statement(&mut self, expr: &mut syn::Expr) -> tree::Expr {
+        self.lower(expr, false)
+    }
+
+    fn lower(&mut self, expr: &mut syn::Expr, value: bool) -> tree::Expr {
+        let place = site(expr.span());
+        let (kind, seen) = self.kind(expr, value);
+        let slot = match (&kind, seen) {
+            (ExprKind::Path(index, _), _) => self.constants.get(*index as usize).map(|(slot, _)| *slot),
+            (_, true) => Some(self.see(expr)),
+            _ => None,
+        };
+        tree::Expr { kind, site: place, slot }
+    }
+
+    /// The kind of `expr`, and whether a slot has to see its value.
+    fn kind(&mut self, expr: &mut syn::Expr, value: bool) -> (ExprKind, bool) {
+        match expr {
+            syn::Expr::Lit(it) => (self.literal(&it.lit), false),
+            syn::Expr::Path(it) => (self.path(it), false),
+            syn::Expr::Paren(it) => self.kind(&mut it.expr, value),
+            syn::Expr::Group(it) => self.kind(&mut it.expr, value),
+            syn::Expr::Unary(it) => self.unary(it),
+            syn::Expr::Binary(it) => self.binary(it),
+            syn::Expr::Assign(it) => {
+                let (value, place) = (self.value(&mut it.right), self.value(&mut it.left));
+                (ExprKind::Assign(None, Box::new(place), Box::new(value)), false)
+            }
+            syn::Expr::Call(it) => (self.call(it), value),
+            syn::Expr::MethodCall(it) => (self.method_call(it), value),
+            syn::Expr::Field(it) => (self.field(it), false),
+            syn::Expr::Index(it) => {
+                let (base, index) = (self.value(&mut it.expr), self.index(&mut it.index));
+                (ExprKind::Index(Box::new(base), Box::new(index)), false)
+            }
+            syn::Expr::Tuple(it) => {
+                if !it.elems.is_empty() {
+                    self.refusals.add(it.paren_token.span.join(), refuse::TUPLE);
+                }
+                (self.tuple(it), false)
+            }
+            syn::Expr::Struct(it) => (self.struct_literal(it), true),
+            syn::Expr::Array(it) => {
+                (ExprKind::Array(it.elems.iter_mut().map(|element| self.value(element)).collect()), true)
+            }
+            syn::Expr::Repeat(it) => (ExprKind::Repeat(Box::new(self.value(&mut it.expr))), true),
+            syn::Expr::Reference(it) => {
+                let inner = self.value(&mut it.expr);
+                (ExprKind::Ref(it.mutability.is_some(), Box::new(inner)), false)
+            }
+            syn::Expr::Cast(it) => {
+                signature::check_type(&it.ty, self.refusals);
+                (ExprKind::Cast(Box::new(self.value(&mut it.expr))), true)
+            }
+            _ => self.control(expr, value),
+        }
+    }
+
+    fn control(&mut self, expr: &mut syn::Expr, value: bool) -> (ExprKind, bool) {
+        match expr {
+            syn::Expr::If(it) => {
+                let value = value && it.else_branch.is_some();
+                (self.if_expr(it, value), value)
+            }
+            syn::Expr::Match(it) => (self.match_expr(it, value), value),
+            syn::Expr::Block(it) => {
+                self.refuse_label(it.label.as_ref().map(|label| &label.name), None);
+                (ExprKind::Block(self.block(&mut it.block)), value)
+            }
+            syn::Expr::ForLoop(it) => (self.for_loop(it).unwrap_or(UNIT), false),
+            syn::Expr::Return(it) => (self.return_expr(it), false),
+            syn::Expr::Break(it) => {
+                self.refuse_label(it.label.as_ref(), it.expr.as_deref());
+                (ExprKind::Break, false)
+            }
+            syn::Expr::Continue(it) => {
+                self.refuse_label(it.label.as_ref(), None);
+                (ExprKind::Continue, false)
+            }
+            syn::Expr::Macro(it) => (self.macro_call(&mut it.mac).map_or(UNIT, |expr| expr.kind), false),
+            other => {
+                let (span, reason) = refuse::expression(other);
+                self.refusals.add(span, reason);
+                self.inside(other);
+                (UNIT, false)
+            }
+        }
+    }
+
+    /// Looks for more to refuse in what was refused.
+    fn inside(&mut self, refused: &mut syn::Expr) {
+        match refused {
+            syn::Expr::While(it) => {
+                self.value(&mut it.cond);
+                self.block(&mut it.body);
+            }
+            syn::Expr::Loop(it) => {
+                self.block(&mut it.body);
+            }
+            syn::Expr::Unsafe(it) => {
+                self.block(&mut it.block);
+            }
+            syn::Expr::Try(it) => {
+                self.value(&mut it.expr);
+            }
+            _ => {}
+        }
+    }
+
+    /// What stands in brackets: an index, or the row and column of a matrix.
+    fn index(&mut self, index: &mut syn::Expr) -> tree::Expr {
+        match index {
+            syn::Expr::Tuple(it) if it.elems.len() == 2 => {
+                let site = site(it.span());
+                tree::Expr { kind: self.tuple(it), site, slot: None }
+            }
+            syn::Expr::Range(it) => {
+                self.refusals.add(it.span(), refuse::PART);
+                tree::Expr { kind: UNIT, site: Default::default(), slot: None }
+            }
+            other => self.value(other),
+        }
+    }
+
+    fn tuple(&mut self, it: &mut syn::ExprTuple) -> ExprKind {
+        ExprKind::Tuple(it.elems.iter_mut().map(|element| self.value(element)).collect())
+    }
+
+    fn literal(&mut self, literal: &syn::Lit) -> ExprKind {
+        match literal {
+            syn::Lit::Bool(it) => return ExprKind::Bool(it.value),
+            syn::Lit::Int(it) => {
+                let suffix = Scalar::from_name(it.suffix());
+                if it.suffix().is_empty() || suffix.is_some() {
+                    return match suffix {
+                        Some(Scalar::Float(_)) => ExprKind::Float(it.base10_digits().into(), suffix),
+                        _ => ExprKind::Int(it.base10_digits().into(), suffix),
+                    };
+                }
+                self.refusals.add(it.span(), refuse::WIDE_INTEGER);
+            }
+            syn::Lit::Float(it) => {
+                return ExprKind::Float(it.base10_digits().into(), Scalar::from_name(it.suffix()));
+            }
+            syn::Lit::Byte(it) => return ExprKind::Int(it.value().to_string(), Some(Scalar::Int(bessemer_ir::Int::U8))),
+            syn::Lit::Char(it) => self.refusals.add(it.span(), refuse::CHAR),
+            other => self.refusals.add(other.span(), refuse::STRING),
+        }
+        UNIT
+    }
+
+    fn path(&mut self, it: &mut syn::ExprPath) -> ExprKind {
+        if it.qself.is_none()
+            && let Some(ident) = it.path.get_ident()
+            && self.is_local(&text(ident))
+        {
+            let name = text(ident);
+            if name == "self" {
+                // In the copy, which is a closure, the receiver is an ordinary parameter.
+                it.path = syn::Path::from(syn::Ident::new(signature::RECEIVER, ident.span()));
+            }
+            return ExprKind::Local(name);
+        }
+        self.constant(it.to_token_stream(), &it.path).kind
+    }
+
+    fn unary(&mut self, it: &mut syn::ExprUnary) -> (ExprKind, bool) {
+        let operand = Box::new(self.value(&mut it.expr));
+        match it.op {
+            syn::UnOp::Neg(_) => {
+                // A negative literal is a literal.
+                let literal = matches!(operand.kind, ExprKind::Int(..) | ExprKind::Float(..));
+                (ExprKind::Unary(UnaryOp::Neg, operand), !literal)
+            }
+            syn::UnOp::Not(_) => (ExprKind::Unary(UnaryOp::Not, operand), true),
+            _ => (ExprKind::Deref(operand), false),
+        }
+    }
+
+    fn binary(&mut self, it: &mut syn::ExprBinary) -> (ExprKind, bool) {
+        if let Some(op) = compound(&it.op) {
+            let (place, value) = (self.value(&mut it.left), self.value(&mut it.right));
+            return (ExprKind::Assign(Some(op), Box::new(place), Box::new(value)), false);
+        }
+        let Some(op) = operator(&it.op) else {
+            self.refusals.add(it.op.span(), refuse::SYNTAX);
+            return (UNIT, false);
+        };
+        let (left, right) = (self.value(&mut it.left), self.value(&mut it.right));
+        (ExprKind::Binary(op, Box::new(left), Box::new(right)), is_arithmetic(op))
+    }
+
+    fn field(&mut self, it: &mut syn::ExprField) -> ExprKind {
+        let base = self.value(&mut it.base);
+        match &it.member {
+            syn::Member::Named(name) => ExprKind::Field(Box::new(base), text(name)),
+            syn::Member::Unnamed(index) => {
+                self.refusals.add(index.span, refuse::TUPLE);
+                UNIT
+            }
+        }
+    }
+
+    fn struct_literal(&mut self, it: &mut syn::ExprStruct) -> ExprKind {
+        if let Some(dots) = &it.dot2_token {
+            self.refusals.add(dots.span(), refuse::STRUCT_UPDATE);
+        }
+        let mut fields = Vec::new();
+        for field in &mut it.fields {
+            let name = match &field.member {
+                syn::Member::Named(name) => text(name),
+                syn::Member::Unnamed(index) => {
+                    self.refusals.add(index.span, refuse::TUPLE_STRUCT);
+                    continue;
+                }
+            };
+            field.colon_token.get_or_insert_default();
+            fields.push((name, self.value(&mut field.expr)));
+        }
+        ExprKind::Struct(fields)
+    }
+}
+
+/// What stands for an expression that was refused.
+pub(super) const UNIT: ExprKind = ExprKind::Tuple(Vec::new());
+
+/// The operator behind `+=` and the like.
+pub(super) fn compound(op: &syn::BinOp) -> Option<BinaryOp> {
+    Some(match op {
+        syn::BinOp::AddAssign(_) => BinaryOp::Add,
+        syn::BinOp::SubAssign(_) => BinaryOp::Sub,
+        syn::BinOp::MulAssign(_) => BinaryOp::Mul,
+        syn::BinOp::DivAssign(_) => BinaryOp::Div,
+        syn::BinOp::RemAssign(_) => BinaryOp::Rem,
+        syn::BinOp::BitAndAssign(_) => BinaryOp::And,
+        syn::BinOp::BitOrAssign(_) => BinaryOp::Or,
+        syn::BinOp::BitXorAssign(_) => BinaryOp::Xor,
+        syn::BinOp::ShlAssign(_) => BinaryOp::Shl,
+        syn::BinOp::ShrAssign(_) => BinaryOp::Shr,
+        _ => return None,
+    })
+}
+
+fn operator(op: &syn::BinOp) -> Option<BinaryOp> {
+    Some(match op {
+        syn::BinOp::Add(_) => BinaryOp::Add,
+        syn::BinOp::Sub(_) => BinaryOp::Sub,
+        syn::BinOp::Mul(_) => BinaryOp::Mul,
+        syn::BinOp::Div(_) => BinaryOp::Div,
+        syn::BinOp::Rem(_) => BinaryOp::Rem,
+        syn::BinOp::BitAnd(_) => BinaryOp::And,
+        syn::BinOp::BitOr(_) => BinaryOp::Or,
+        syn::BinOp::BitXor(_) => BinaryOp::Xor,
+        syn::BinOp::Shl(_) => BinaryOp::Shl,
+        syn::BinOp::Shr(_) => BinaryOp::Shr,
+        syn::BinOp::Eq(_) => BinaryOp::Eq,
+        syn::BinOp::Ne(_) => BinaryOp::Ne,
+        syn::BinOp::Lt(_) => BinaryOp::Lt,
+        syn::BinOp::Le(_) => BinaryOp::Le,
+        syn::BinOp::Gt(_) => BinaryOp::Gt,
+        syn::BinOp::Ge(_) => BinaryOp::Ge,
+        syn::BinOp::And(_) => BinaryOp::LogicAnd,
+        syn::BinOp::Or(_) => BinaryOp::LogicOr,
+        _ => return None,
+    })
+}
+
+/// Whether the type of the result depends on the operands; comparisons and logic give `bool`.
+fn is_arithmetic(op: BinaryOp) -> bool {
+    use BinaryOp::*;
+    matches!(op, Add | Sub | Mul | Div | Rem | And | Or | Xor | Shl | Shr)
+}

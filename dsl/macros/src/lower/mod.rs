@@ -1,0 +1,249 @@
+//! From syn's tree to the tree that travels, and to the witness copy, in one walk.
+//!
+//! Each method lowers one syntactic form and at the same time turns it, in place, into its witness
+//! form: the same code with every value passed through a slot, so that rustc's inference can be read
+//! off. Spans, parentheses and the author's own `&` survive; an error in the copy is the original's.
+//!
+//! What the DSL does not take is refused at its own token, all of it at once ([`refuse`]).
+//!
+//! Must not know: types, or what a call means.
+
+mod absent;
+mod call;
+mod control;
+mod expr;
+mod pattern;
+pub mod refuse;
+mod signature;
+mod strip;
+
+use bessemer_ir::tree;
+use proc_macro2::{Span, TokenStream};
+use quote::{format_ident, quote, quote_spanned};
+use syn::ext::IdentExt;
+use syn::spanned::Spanned;
+
+pub use refuse::Refusals;
+pub use bessemer_ir::tree::Site;
+pub use signature::{Parameter, check_field, parameters};
+pub use strip::{check_attributes, strip};
+
+/// The walk over one function.
+pub struct Lowering<'a> {
+    /// What was refused so far.
+    pub refusals: &'a mut Refusals,
+    scopes: Vec<Vec<String>>,
+    slots: u32,
+    callees: u32,
+    /// Paths that rustc has to evaluate: the slot, and the path.
+    pub constants: Vec<(u32, TokenStream)>,
+    /// `const` items of the body: the builder needs them too.
+    pub items: Vec<syn::Item>,
+    /// The function's own name, and whether it is a method: to tell a direct recursion.
+    name: String,
+    method: bool,
+}
+
+/// Line and column of `span`, both from 1.
+pub fn site(span: Span) -> Site {
+    let start = span.start();
+    Site(start.line as u32, start.column as u32 + 1)
+}
+
+/// A name as it travels: without the `r#` of a raw one.
+pub fn text(ident: &syn::Ident) -> String {
+    ident.unraw().to_string()
+}
+
+/// The name of a slot in the builder.
+pub fn slot_name(slot: u32) -> syn::Ident {
+    format_ident!("__s{slot}")
+}
+
+/// The name of a callee's slot in the builder.
+pub fn callee_name(callee: u32) -> syn::Ident {
+    format_ident!("__c{callee}")
+}
+
+impl<'a> Lowering<'a> {
+    /// A walk over the function or method called `name`, with nothing seen yet.
+    pub fn new(name: &syn::Ident, method: bool, refusals: &'a mut Refusals) -> Lowering<'a> {
+        Lowering {
+            refusals,
+            scopes: vec![Vec::new()],
+            slots: 0,
+            callees: 0,
+            constants: Vec::new(),
+            items: Vec::new(),
+            name: text(name),
+            method,
+        }
+    }
+
+    /// How many slots, and how many callees, the walk has used.
+    pub fn counts(&self) -> (u32, u32) {
+        (self.slots, self.callees)
+    }
+
+    /// A fresh slot.
+    pub fn slot(&mut self) -> u32 {
+        self.slots += 1;
+        self.slots - 1
+    }
+
+    /// Makes `name` a local of the innermost scope.
+    pub fn bind(&mut self, name: &str) {
+        if let Some(scope) = self.scopes.last_mut() {
+            scope.push(name.to_owned());
+        }
+    }
+
+    fn is_local(&self, name: &str) -> bool {
+        self.scopes.iter().any(|scope| scope.iter().any(|local| local == name))
+    }
+
+    fn scoped<T>(&mut self, walk: impl FnOnce(&mut Self) -> T) -> T {
+        self.scopes.push(Vec::new());
+        let result = walk(self);
+        self.scopes.pop();
+        result
+    }
+
+    /// Turns `expr` into `see(&slot, expr)` and gives the slot.
+    fn see(&mut self, expr: &mut syn::Expr) -> u32 {
+        let slot = self.slot();
+        let name = slot_name(slot);
+        *expr = syn::Expr::Verbatim(quote_spanned! { expr.span() => __see(&#name, #expr) });
+        slot
+    }
+
+    /// The statement `look(&slot, &place);`.
+    fn look(&self, slot: u32, place: &syn::Ident) -> syn::Stmt {
+        let name = slot_name(slot);
+        syn::Stmt::Expr(syn::Expr::Verbatim(quote_spanned! { place.span() => __look(&#name, &#place) }), Some(Default::default()))
+    }
+
+    /// Lowers a block; its locals end with it.
+    pub fn block(&mut self, block: &mut syn::Block) -> tree::Block {
+        self.scoped(|walk| walk.statements(&mut block.stmts))
+    }
+
+    fn statements(&mut self, stmts: &mut Vec<syn::Stmt>) -> tree::Block {
+        let mut lowered = tree::Block::default();
+        let originals = std::mem::take(stmts);
+        let last = originals.len().saturating_sub(1);
+        for (index, mut stmt) in originals.into_iter().enumerate() {
+            match &mut stmt {
+                syn::Stmt::Local(local) => {
+                    let (tree, look) = self.local(local);
+                    lowered.stmts.extend(tree);
+                    stmts.push(stmt);
+                    stmts.extend(look);
+                    continue;
+                }
+                syn::Stmt::Item(item) => {
+                    self.item(item);
+                    continue;
+                }
+                syn::Stmt::Expr(expr, semicolon) => {
+                    if semicolon.is_none() && index == last && !is_unit_control(expr) {
+                        lowered.tail = Some(Box::new(self.value(expr)));
+                    } else {
+                        lowered.stmts.push(tree::Stmt::Expr(self.statement(expr)));
+                    }
+                }
+                syn::Stmt::Macro(mac) => {
+                    if let Some(tree) = self.macro_statement(mac) {
+                        lowered.stmts.push(tree::Stmt::Expr(tree));
+                    }
+                }
+            }
+            stmts.push(stmt);
+        }
+        lowered
+    }
+
+    fn item(&mut self, item: &syn::Item) {
+        match item {
+            // The outermost block holds them after the scope of the parameters.
+            syn::Item::Const(_) | syn::Item::Use(_) if self.scopes.len() == 2 => self.items.push(item.clone()),
+            syn::Item::Const(it) => self.refusals.add(it.const_token.span, refuse::NESTED_CONST),
+            syn::Item::Use(it) => self.refusals.add(it.use_token.span, refuse::NESTED_CONST),
+            syn::Item::Static(it) => self.refusals.add(it.static_token.span, refuse::STATIC),
+            other => self.refusals.add(refuse::first_token(other), refuse::NESTED_ITEM),
+        }
+    }
+
+    fn local(&mut self, local: &mut syn::Local) -> (Option<tree::Stmt>, Option<syn::Stmt>) {
+        let site = site(local.let_token.span);
+        let value = local.init.as_mut().map(|init| {
+            let value = self.value(&mut init.expr);
+            if let Some((token, _)) = &init.diverge {
+                self.refusals.add(token.span, refuse::LET_ELSE);
+            }
+            value
+        });
+        if let syn::Pat::Type(typed) = &local.pat {
+            signature::check_type(&typed.ty, self.refusals);
+        }
+        let destructured = local.init.as_ref().is_some_and(|init| init.diverge.is_some());
+        let quiet = &mut Refusals::default();
+        // `let … else` has its own reason.
+        let refusals = if destructured { quiet } else { &mut *self.refusals };
+        let Some(ident) = pattern::simple_name(&local.pat, refusals) else {
+            return (None, None);
+        };
+        let slot = self.slot();
+        pattern::name_wild(&mut local.pat);
+        let name = text(&ident);
+        self.bind(&name);
+        let look = if local.init.is_some() {
+            Some(self.look(slot, &ident))
+        } else {
+            pattern::make_mutable(&mut local.pat);
+            let slot = slot_name(slot);
+            local.init = Some(syn::LocalInit {
+                eq_token: Default::default(),
+                expr: Box::new(syn::Expr::Verbatim(quote! { __any(&#slot) })),
+                diverge: None,
+            });
+            None
+        };
+        (Some(tree::Stmt::Let { name, slot, value, site }), look)
+    }
+
+    fn macro_statement(&mut self, mac: &mut syn::StmtMacro) -> Option<tree::Expr> {
+        self.macro_call(&mut mac.mac)
+    }
+
+    /// Lowers `assert!(condition)`; every other macro is refused.
+    fn macro_call(&mut self, mac: &mut syn::Macro) -> Option<tree::Expr> {
+        use syn::punctuated::Punctuated;
+        let span = mac.path.span();
+        let name = mac.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default();
+        if name != "assert" {
+            self.refusals.add(span, refuse::macro_call(&name));
+            return None;
+        }
+        let parser = Punctuated::<syn::Expr, syn::Token![,]>::parse_terminated;
+        let Ok(mut arguments) = mac.parse_body_with(parser) else {
+            self.refusals.add(span, refuse::SYNTAX);
+            return None;
+        };
+        let condition = self.value(arguments.first_mut()?);
+        let witness = &arguments[0];
+        mac.tokens = quote! { #witness };
+        Some(tree::Expr { kind: tree::ExprKind::Assert(Box::new(condition)), site: site(span), slot: None })
+    }
+}
+
+/// Whether an expression at the end of a block is a statement all the same: loops, `if` without
+/// `else`, assignments.
+fn is_unit_control(expr: &syn::Expr) -> bool {
+    match expr {
+        syn::Expr::ForLoop(_) | syn::Expr::While(_) | syn::Expr::Assign(_) | syn::Expr::Return(_) => true,
+        syn::Expr::If(it) => it.else_branch.is_none(),
+        syn::Expr::Binary(it) => expr::compound(&it.op).is_some(),
+        _ => false,
+    }
+}

@@ -1,0 +1,205 @@
+//! What the DSL does not take, and what to write instead.
+//!
+//! Every reason says what is wrong in the author's terms, then the remedy. A construct that is absent
+//! here and from the lowering is refused as [`SYNTAX`]: never a panic, never wrong C.
+
+use std::borrow::Cow;
+
+use proc_macro2::{Span, TokenStream, TokenTree};
+use quote::ToTokens;
+use syn::spanned::Spanned;
+
+/// Why something is refused.
+#[derive(Clone)]
+pub struct Reason {
+    what: Cow<'static, str>,
+    remedy: &'static str,
+}
+
+impl Reason {
+    /// A reason that names what the author wrote.
+    pub fn new(what: String, remedy: &'static str) -> Reason {
+        Reason { what: Cow::Owned(what), remedy }
+    }
+}
+
+/// Everything refused in one item, in the order of the source.
+#[derive(Default)]
+pub struct Refusals {
+    errors: Vec<syn::Error>,
+}
+
+impl Refusals {
+    /// Refuses what stands at `span`.
+    pub fn add(&mut self, span: Span, reason: Reason) {
+        self.errors.push(syn::Error::new(span, format!("{}\nhelp: {}", reason.what, reason.remedy)));
+    }
+
+    /// Whether nothing was refused.
+    pub fn is_empty(&self) -> bool {
+        self.errors.is_empty()
+    }
+
+    /// The errors as tokens, each at its place.
+    pub fn into_tokens(mut self) -> TokenStream {
+        self.errors.sort_by_key(|error| {
+            let start = error.span().start();
+            (start.line, start.column)
+        });
+        self.errors.into_iter().map(|error| error.into_compile_error()).collect()
+    }
+}
+
+impl From<syn::Error> for Refusals {
+    fn from(error: syn::Error) -> Refusals {
+        Refusals { errors: vec![error] }
+    }
+}
+
+/// Where `syntax` begins, behind its attributes: its first token.
+pub fn first_token(syntax: &impl ToTokens) -> Span {
+    let mut tokens = syntax.to_token_stream().into_iter();
+    loop {
+        match tokens.next() {
+            Some(TokenTree::Punct(it)) if it.as_char() == '#' => drop(tokens.next()),
+            Some(token) => return token.span(),
+            None => return Span::call_site(),
+        }
+    }
+}
+
+macro_rules! reasons {
+    ($($name:ident: $what:literal, $remedy:literal;)*) => {$(
+        pub const $name: Reason = Reason { what: Cow::Borrowed($what), remedy: $remedy };
+    )*};
+}
+
+reasons! {
+    SYNTAX: "this syntax is not part of the DSL", "write it with `let`, `if`, `match`, `for`, calls and arithmetic";
+    ARGUMENTS: "this attribute takes no arguments", "leave them out";
+    NOT_A_FUNCTION: "`#[function]` stands on a free function", "a struct, an enum and an `impl` block take `#[data]`, or `#[component]`";
+    METHOD_ALONE: "a method is part of its `impl` block", "mark the `impl` block `#[data]` or `#[component]`, and leave `#[function]` out";
+    NOT_DATA: "this attribute stands on a struct, an enum or an `impl` block", "a free function takes `#[function]`";
+    EMPTY_STRUCT: "C has no struct without fields", "give it a field, or write its methods as functions marked `#[function]`";
+    EMPTY_ENUM: "C has no enum without variants", "give it a variant";
+    COMPONENT_ENUM: "a component is a struct", "keep the enum in a field of one, and mark it `#[data]`";
+    IMPL_ITEM: "this is not part of an `impl` block of the DSL", "write methods and constants";
+    CFG: "what `#[cfg]` leaves out of the Rust would still be in the C", "put `#[cfg]` on the whole item, above the attribute of the DSL";
+    ATTRIBUTE: "this attribute has no meaning in the C", "leave it out; lint levels and doc comments may stay";
+    UNNAMED: "a parameter's name reaches the C", "give it one that starts with an underscore: `_period`";
+    NESTED_CONST: "a block inside a function has no names of its own in the DSL", "move it to the top of the function";
+    CONST_BLOCK: "`const` blocks are not in the DSL", "declare a `const`, and use its name";
+    IGNORED: "`_` is not a place in the DSL", "write `let _ = …;`";
+    PART: "a part of an array has no type of its own in the C", "pass the whole array, and the indices";
+    ABSENT_DEFAULT: "`Default` cannot be called from a model", "write the value out, or a function of your own that returns it";
+    CORE: "functions of the standard library are not in the DSL", "write it out, or use the method of the same name";
+    ROTATION: "nalgebra's rotations are not in the DSL yet", "use `Matrix3<f64>`, built from `sin` and `cos`";
+    LET_ELSE: "`let … else` is not in the DSL yet", "write a `match` or an `if` with an early `return`";
+    DESTRUCTURING: "this pattern takes a value apart", "bind a name, then read its fields: `let pair = …; let first = pair.first;`";
+    GUARD: "guards are not in the DSL yet", "put an `if` inside the arm";
+    RANGE_PATTERN: "range patterns are not in the DSL yet", "compare with `if low <= x && x <= high`, or list the values: `1 | 2 | 3`";
+    BINDING_PATTERN: "this pattern binds a name", "write `_`, and use the value that is matched";
+    PAYLOAD_PATTERN: "enums with payload are not in the DSL yet", "keep the payload in fields beside a plain enum";
+    PATTERN: "this pattern is not in the DSL", "match on integers, plain variants and `_`";
+    ENUM_PAYLOAD: "a variant with payload is not in the DSL yet", "keep the payload in fields of a struct, beside a plain enum";
+    DISCRIMINANT: "explicit discriminants are not in the DSL yet", "leave the values to the DSL; convert with a `match` where a protocol fixes them";
+    TUPLE: "tuples are not in the DSL yet", "name the parts: a struct marked `#[data]`";
+    TUPLE_TYPE: "tuples are not in the DSL yet", "declare a struct with named fields, marked `#[data]`";
+    TUPLE_STRUCT: "a struct of the DSL has named fields", "give each field a name: it reaches the C";
+    UNION: "a union's bytes have no type that the C could check", "use a struct, and `to_bits`/`from_bits` for the bits of a float";
+    STRUCT_UPDATE: "`..` is not in the DSL yet", "copy the value, then assign the fields that differ";
+    CHAR: "`char` is not in the DSL", "use `u8` for bytes: `b'A'` as a number";
+    STRING: "text is not in the DSL yet", "use an enum for a choice, or `[u8; N]` for bytes";
+    WIDE_INTEGER: "C99 has no 128-bit integer", "use `u64` or `i64`";
+    FUNCTION_VALUE: "functions are not values in the DSL", "call the function by its name";
+    FUNCTION_POINTER: "function pointers hide what is called from the stack analysis", "choose with an `enum` and a `match`";
+    CONSTRUCTOR: "tuple constructors are not in the DSL yet", "use a struct with named fields: `Name { field: value }`";
+    RECURSION: "recursion has no bound that the C could promise", "write a loop over a range";
+    LABEL: "labels are not in the DSL yet", "move the inner loop into a function, and `return` from it";
+    BREAK_VALUE: "`break` with a value is not in the DSL yet", "assign a variable, then `break`";
+    OPEN_RANGE: "this range is open, so the loop has no bound", "write both ends: `for i in 0..n`";
+    ITERATOR: "`for` takes a range in the DSL", "write `for i in 0..n` and index with `i`";
+    WHILE: "`while` has no bound that the C could promise", "write `for _ in 0..LIMIT` with a `break`";
+    LOOP: "`loop` has no bound that the C could promise", "write `for _ in 0..LIMIT` with a `break`";
+    CLOSURE: "closures are not in the DSL yet", "write a function marked `#[function]`";
+    TRY: "`?` is not in the DSL yet", "return a plain enum that says what went wrong, and `match` on it";
+    ASYNC: "there is no executor in firmware that a model could await", "write a component whose `step` is called once per period";
+    UNSAFE: "`unsafe` has no meaning that the C could keep", "use indices and `to_bits`/`from_bits`";
+    RAW_BORROW: "raw pointers are not in the DSL", "pass `&` or `&mut`";
+    POINTER: "raw pointers are not in the DSL", "pass `&T` or `&mut T`";
+    EXTERN: "external functions are not in the DSL yet", "call them from the firmware, and pass the result as an input";
+    SLICE: "a slice's length is not known when the C is written", "pass an array by reference: `&[T; N]`";
+    TRAIT_OBJECT: "trait objects need a table of function pointers", "name the type, or choose with an `enum` and a `match`";
+    IMPL_TRAIT: "`impl Trait` hides the type that the C has to name", "name the type";
+    GENERIC: "generic functions and types are not in the DSL yet", "write it for `f64`";
+    RETURNED_REFERENCE: "a result is a value in the DSL", "return a copy, or the index of the element";
+    REFERENCE_FIELD: "a reference in a struct would let two owners share memory in the C", "hold the value, or pass the reference to the method";
+    NEVER: "a function that never returns would hang the firmware", "return a value";
+    RECEIVER: "this receiver is not in the DSL", "write `self`, `&self` or `&mut self`";
+    STATIC: "a `static` is a global in the C", "use `const`, or a field of the component";
+    NESTED_ITEM: "items inside a function are not in the DSL", "move it out, next to the function";
+    YIELD: "generators are not in the DSL", "keep the state in a component, and step it";
+    RANGE_VALUE: "a range is not a value in the DSL", "write it in a `for`";
+    TRAIT_IMPL: "trait implementations are not in the DSL yet", "put the methods into an `impl` block of the type";
+    LET_CONDITION: "`let` in a condition is not in the DSL yet", "compare with `==`, or `match` on a plain enum";
+    HEAP: "a model has no heap", "use an array of fixed length: `[T; N]`";
+    DYNAMIC_MATRIX: "the size of a dynamic matrix is not known when the C is written", "use `SMatrix<f64, R, C>` or `SVector<f64, N>`";
+    OPTION: "`Option` and `Result` are not in the DSL yet", "use a plain enum, or a `bool` beside the value";
+    NALGEBRA_ANGLES: "nalgebra takes sine and cosine from the platform here, so the bits would depend on the target", "build the matrix from `sin` and `cos` of the DSL";
+    STD: "std is not there on the target", "use `core`, and pass what the platform provides as an input";
+    SHARED_CELL: "shared mutable state is not in the DSL", "keep it in a field of the component, behind `&mut self`";
+    FORMAT: "text is not formatted on the target", "return the numbers, and format them where they are shown";
+    PANIC: "a panic has no counterpart in the C", "write `assert!(condition)`: it becomes a fault of the entry point";
+    ASSERT: "of the assertions, the DSL has `assert!`", "write `assert!(left == right)`";
+    ENTRY_ARGUMENT: "`#[entry]` takes nothing, or `infallible`", "write `#[entry]` or `#[entry(infallible)]`";
+    ENTRY_ALONE: "`#[entry]` stands on a method inside an `impl` block marked `#[component]`", "mark the `impl` block, or call a free function from an entry point";
+    ENTRY_OF_DATA: "plain data has no entry points", "mark the struct and this block `#[component]`";
+    MACRO: "this macro is not part of the DSL", "write the expression out, or a function marked `#[function]`";
+}
+
+/// The reason for a macro that is not taken.
+pub fn macro_call(name: &str) -> Reason {
+    match name {
+        "format" | "print" | "println" | "eprint" | "eprintln" | "write" | "writeln" | "dbg" => FORMAT,
+        "panic" | "todo" | "unimplemented" | "unreachable" => PANIC,
+        "assert_eq" | "assert_ne" | "debug_assert" | "debug_assert_eq" | "debug_assert_ne" => ASSERT,
+        "vec" => HEAP,
+        _ => MACRO,
+    }
+}
+
+/// The reason for an expression that is not taken, and where to say it.
+pub fn expression(expr: &syn::Expr) -> (Span, Reason) {
+    match expr {
+        syn::Expr::While(it) => (it.while_token.span, WHILE),
+        syn::Expr::Loop(it) => (it.loop_token.span, LOOP),
+        syn::Expr::Closure(it) => (first_token(it), CLOSURE),
+        syn::Expr::Try(it) => (it.question_token.span, TRY),
+        syn::Expr::Async(it) => (it.async_token.span, ASYNC),
+        syn::Expr::Await(it) => (it.await_token.span, ASYNC),
+        syn::Expr::Unsafe(it) => (it.unsafe_token.span, UNSAFE),
+        syn::Expr::RawAddr(it) => (first_token(it), RAW_BORROW),
+        syn::Expr::Range(it) => (it.limits.span(), RANGE_VALUE),
+        syn::Expr::Yield(it) => (it.yield_token.span, YIELD),
+        syn::Expr::Const(it) => (it.const_token.span, CONST_BLOCK),
+        syn::Expr::Infer(it) => (it.underscore_token.span, IGNORED),
+        syn::Expr::Let(it) => (it.let_token.span, LET_CONDITION),
+        other => (other.span(), SYNTAX),
+    }
+}
+
+/// The reason for a type that its name shows to be out of reach.
+pub fn named_type(path: &syn::Path) -> Option<Reason> {
+    let name = path.segments.last()?.ident.to_string();
+    Some(match name.as_str() {
+        "Vec" | "Box" | "String" | "Rc" | "Arc" | "VecDeque" | "HashMap" | "BTreeMap" | "HashSet" | "BTreeSet" | "BinaryHeap" => HEAP,
+        "DMatrix" | "DVector" | "RowDVector" | "MatrixXx1" | "Matrix1xX" | "OMatrix" | "DMatrixView" | "Dyn" => DYNAMIC_MATRIX,
+        "Option" | "Result" => OPTION,
+        "Cell" | "RefCell" | "Mutex" | "RwLock" | "AtomicBool" | "AtomicU32" | "AtomicUsize" => SHARED_CELL,
+        "Rotation2" | "Rotation3" | "Quaternion" | "UnitQuaternion" | "UnitComplex" | "Isometry2" | "Isometry3" => ROTATION,
+        "u128" | "i128" => WIDE_INTEGER,
+        "char" => CHAR,
+        "str" => STRING,
+        _ => return None,
+    })
+}

@@ -1,0 +1,147 @@
+//! Signatures and types, as far as syntax can tell what the DSL does not take.
+
+use bessemer_ir::tree::Site;
+use quote::{ToTokens, quote};
+use syn::spanned::Spanned;
+use syn::visit::{self, Visit};
+
+use super::{Refusals, pattern, refuse, site, text};
+
+/// What the witness copy calls `self`.
+pub const RECEIVER: &str = "__self";
+
+/// A parameter as the tree and the companions need it.
+pub struct Parameter {
+    /// The author's name; `self` for the receiver.
+    pub name: String,
+    /// The name in the witness copy.
+    pub ident: syn::Ident,
+    /// The pattern in the witness copy.
+    pub pattern: proc_macro2::TokenStream,
+    /// Its type.
+    pub ty: proc_macro2::TokenStream,
+    /// Where it stands.
+    pub site: Site,
+}
+
+/// The parameters of a signature, after refusing what the DSL does not take in one.
+pub fn parameters(signature: &syn::Signature, refusals: &mut Refusals) -> Vec<Parameter> {
+    check_signature(signature, refusals);
+    signature.inputs.iter().filter_map(|input| parameter(input, refusals)).collect()
+}
+
+fn parameter(input: &syn::FnArg, refusals: &mut Refusals) -> Option<Parameter> {
+    match input {
+        syn::FnArg::Receiver(it) => {
+            let ty = match &it.kind {
+                syn::ReceiverKind::Reference(_, _, mutable) => quote! { & #mutable Self },
+                syn::ReceiverKind::Value => quote! { Self },
+                _ => {
+                    refusals.add(it.self_token.span, refuse::RECEIVER);
+                    return None;
+                }
+            };
+            let receiver = syn::Ident::new(RECEIVER, it.self_token.span);
+            let mutability = &it.mutability;
+            Some(Parameter {
+                name: "self".into(),
+                pattern: quote! { #mutability #receiver },
+                ident: receiver,
+                ty,
+                site: site(it.self_token.span),
+            })
+        }
+        syn::FnArg::Typed(it) => {
+            check_type(&it.ty, refusals);
+            if let syn::Pat::Wild(it) = &*it.pat {
+                refusals.add(it.underscore_token.span, refuse::UNNAMED);
+                return None;
+            }
+            let ident = pattern::simple_name(&it.pat, refusals)?;
+            Some(Parameter {
+                name: text(&ident),
+                pattern: it.pat.to_token_stream(),
+                ty: it.ty.to_token_stream(),
+                site: site(ident.span()),
+                ident,
+            })
+        }
+    }
+}
+
+fn check_signature(signature: &syn::Signature, refusals: &mut Refusals) {
+    if let Some(token) = &signature.asyncness {
+        refusals.add(token.span, refuse::ASYNC);
+    }
+    if let syn::Safety::Unsafe(token) = &signature.safety {
+        refusals.add(token.span, refuse::UNSAFE);
+    }
+    if let Some(abi) = &signature.abi {
+        refusals.add(abi.extern_token.span, refuse::EXTERN);
+    }
+    for parameter in &signature.generics.params {
+        if !matches!(parameter, syn::GenericParam::Lifetime(_)) {
+            refusals.add(parameter.span(), refuse::GENERIC);
+        }
+    }
+    if let syn::ReturnType::Type(_, ty) = &signature.output {
+        match &**ty {
+            syn::Type::Reference(it) => refusals.add(it.and_token.span, refuse::RETURNED_REFERENCE),
+            syn::Type::Never(it) => refusals.add(it.bang_token.span, refuse::NEVER),
+            ty => check_type(ty, refusals),
+        }
+    }
+}
+
+/// Refuses the types that syntax alone shows to be out of reach.
+pub fn check_type(ty: &syn::Type, refusals: &mut Refusals) {
+    Types { refusals, field: false }.visit_type(ty);
+}
+
+/// The same for the field of a struct, which holds no reference.
+pub fn check_field(ty: &syn::Type, refusals: &mut Refusals) {
+    Types { refusals, field: true }.visit_type(ty);
+}
+
+struct Types<'a> {
+    refusals: &'a mut Refusals,
+    field: bool,
+}
+
+impl<'ast> Visit<'ast> for Types<'_> {
+    fn visit_type(&mut self, ty: &'ast syn::Type) {
+        let reason = match ty {
+            syn::Type::Ptr(_) => refuse::POINTER,
+            syn::Type::Slice(_) => refuse::SLICE,
+            syn::Type::TraitObject(_) => refuse::TRAIT_OBJECT,
+            syn::Type::ImplTrait(_) => refuse::IMPL_TRAIT,
+            syn::Type::Tuple(it) if !it.elems.is_empty() => refuse::TUPLE_TYPE,
+            syn::Type::FnPtr(_) => refuse::FUNCTION_POINTER,
+            syn::Type::Macro(_) => refuse::MACRO,
+            syn::Type::Never(_) => refuse::NEVER,
+            // Of a text or a slice, the more telling reason is its own.
+            syn::Type::Reference(it) if self.field && !is_unsized(&it.elem) => refuse::REFERENCE_FIELD,
+            syn::Type::Path(it) => match refuse::named_type(&it.path) {
+                Some(reason) => reason,
+                None => return visit::visit_type(self, ty),
+            },
+            _ => return visit::visit_type(self, ty),
+        };
+        let place = match ty {
+            syn::Type::Path(it) => it.path.segments.last().map_or_else(|| ty.span(), |last| last.ident.span()),
+            _ => ty.span(),
+        };
+        self.refusals.add(place, reason);
+    }
+
+    /// Lengths of arrays are rustc's to evaluate.
+    fn visit_expr(&mut self, _: &'ast syn::Expr) {}
+}
+
+fn is_unsized(ty: &syn::Type) -> bool {
+    match ty {
+        syn::Type::Slice(_) | syn::Type::TraitObject(_) => true,
+        syn::Type::Path(it) => it.path.is_ident("str"),
+        _ => false,
+    }
+}

@@ -1,0 +1,62 @@
+//! What a copy of the author's code cannot keep: attributes and lifetimes.
+//!
+//! Attributes that would make the C differ from the Rust are refused here.
+
+use syn::spanned::Spanned;
+use syn::visit_mut::{self, VisitMut};
+
+use super::{Refusals, refuse};
+
+/// Refuses the attributes of an item, field or method that would make the C differ from the Rust.
+///
+/// `#[cfg]` above the DSL's attribute is gone by now: rustc has acted on it.
+pub fn check_attributes(attributes: &[syn::Attribute], refusals: &mut Refusals) {
+    for attribute in attributes {
+        if attribute.path().is_ident("cfg") || attribute.path().is_ident("cfg_attr") {
+            refusals.add(attribute.path().span(), refuse::CFG);
+        }
+    }
+}
+
+/// Takes attributes and lifetimes off a copy of a function.
+pub fn strip(signature: &mut syn::Signature, body: &mut syn::Block, refusals: &mut Refusals) {
+    let mut strip = Strip { refusals };
+    for input in &mut signature.inputs {
+        strip.visit_fn_arg_mut(input);
+    }
+    strip.visit_return_type_mut(&mut signature.output);
+    strip.visit_block_mut(body);
+}
+
+struct Strip<'a> {
+    refusals: &'a mut Refusals,
+}
+
+/// Those that change nothing about what the code does.
+const HARMLESS: &[&str] = &["allow", "warn", "deny", "forbid", "expect", "doc"];
+
+impl VisitMut for Strip<'_> {
+    fn visit_attributes_mut(&mut self, attributes: &mut Vec<syn::Attribute>) {
+        check_attributes(attributes, self.refusals);
+        for attribute in attributes.drain(..) {
+            let path = attribute.path();
+            let name = path.segments.first().map(|first| first.ident.to_string()).unwrap_or_default();
+            let tool = ["rustfmt", "clippy"].contains(&name.as_str());
+            if !tool && !name.starts_with("cfg") && !HARMLESS.contains(&name.as_str()) {
+                self.refusals.add(path.span(), refuse::ATTRIBUTE);
+            }
+        }
+    }
+
+    fn visit_type_reference_mut(&mut self, ty: &mut syn::TypeReference) {
+        visit_mut::visit_type_reference_mut(self, ty);
+        ty.lifetime = None;
+    }
+
+    fn visit_receiver_mut(&mut self, receiver: &mut syn::Receiver) {
+        visit_mut::visit_receiver_mut(self, receiver);
+        if let syn::ReceiverKind::Reference(_, lifetime, _) = &mut receiver.kind {
+            *lifetime = None;
+        }
+    }
+}

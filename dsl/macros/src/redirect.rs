@@ -1,0 +1,85 @@
+//! The one change that the attributes make to the native item: the closed set of scalar methods goes
+//! to the DSL.
+//!
+//! `x.sin()` becomes `x.dsl_sin()`, `f64::sin(x)` becomes `f64::dsl_sin(x)` (and so for every type,
+//! since `f64` may go by another name); the traits of `bessemer::math` answer. Inherent methods win over traits in Rust, so a prelude could not do it:
+//! `abs` is always core's, and `sin` is std's as soon as any linked crate brings std.
+
+use proc_macro2::Span;
+use syn::visit_mut::{self, VisitMut};
+
+/// The methods that the DSL owns: their result in the last bits, at ±0 or for NaN depends on the
+/// platform, or they do not exist without std.
+pub const OWNED: &[&str] = &[
+    "abs", "acos", "acosh", "asin", "asinh", "atan", "atan2", "atanh", "cbrt", "ceil", "clamp",
+    "copysign", "cos", "cosh", "exp", "exp2", "exp_m1", "floor", "fract", "hypot", "ln", "ln_1p",
+    "log", "log10", "log2", "max", "min", "mul_add", "powf", "powi", "rem_euclid", "round",
+    "signum", "sin", "sin_cos", "sinh", "sqrt", "tan", "tanh", "to_bits", "to_degrees",
+    "to_radians", "trunc",
+];
+
+/// The DSL's name of an owned method.
+pub fn owned(name: &syn::Ident) -> Option<syn::Ident> {
+    let text = name.to_string();
+    OWNED.contains(&text.as_str()).then(|| syn::Ident::new(&format!("dsl_{text}"), name.span()))
+}
+
+/// Rewrites every call in `block`, and brings the DSL's traits into its scope.
+pub fn block(block: &mut syn::Block) {
+    let mut redirect = Redirect { used: false };
+    redirect.visit_block_mut(block);
+    if redirect.used {
+        let import = syn::parse_quote_spanned! { Span::call_site() =>
+            #[allow(unused_imports)]
+            use ::bessemer::math::{FloatMethods as _, OrderMethods as _};
+        };
+        block.stmts.insert(0, import);
+    }
+}
+
+/// Whether a path ends in a function of a type, and not of a module.
+pub fn associated(qself: Option<&syn::QSelf>, path: &syn::Path) -> bool {
+    let before = path.segments.iter().rev().nth(1).map(|segment| segment.ident.to_string());
+    qself.is_some()
+        || before.is_some_and(|before| {
+            before.starts_with(|first: char| first.is_uppercase())
+                || bessemer_ir::Scalar::from_name(&before).is_some()
+        })
+}
+
+struct Redirect {
+    used: bool,
+}
+
+impl VisitMut for Redirect {
+    fn visit_expr_method_call_mut(&mut self, call: &mut syn::ExprMethodCall) {
+        visit_mut::visit_expr_method_call_mut(self, call);
+        if let Some(name) = owned(&call.method) {
+            call.method = name;
+            self.used = true;
+        }
+    }
+
+    fn visit_expr_path_mut(&mut self, path: &mut syn::ExprPath) {
+        visit_mut::visit_expr_path_mut(self, path);
+        if associated(path.qself.as_ref(), &path.path)
+            && let Some(last) = path.path.segments.last_mut()
+            && let Some(name) = owned(&last.ident)
+        {
+            last.ident = name;
+            self.used = true;
+        }
+    }
+
+    /// Assertions hold the author's expressions as tokens.
+    fn visit_macro_mut(&mut self, mac: &mut syn::Macro) {
+        use syn::punctuated::Punctuated;
+        let parser = Punctuated::<syn::Expr, syn::Token![,]>::parse_terminated;
+        if let Ok(mut arguments) = mac.parse_body_with(parser) {
+            for argument in &mut arguments {
+                self.visit_expr_mut(argument);
+            }
+            mac.tokens = quote::ToTokens::into_token_stream(arguments);
+        }
+    }
+}

@@ -1,0 +1,204 @@
+//! The companions of the operations that the DSL knows: scalar methods and nalgebra's.
+//!
+//! One trait per kind of receiver, resolved by rustc as it resolves the method itself. The marker
+//! names the operation; what it means is the typifier's business.
+
+use alloc::borrow::ToOwned;
+
+use bessemer_ir::tree;
+use nalgebra::{SMatrix, Scalar};
+
+use super::slot::ScalarType;
+use super::{Builder, Called, Callee};
+
+macro_rules! markers {
+    ($($marker:ident: $name:literal;)*) => {$(
+        #[doc = concat!("`", $name, "`.")]
+        pub struct $marker;
+        impl Callee for $marker {
+            fn callee(_: &mut Builder) -> tree::Callee {
+                tree::Callee::Builtin($name.to_owned())
+            }
+        }
+    )*};
+}
+
+markers! {
+    Sqrt: "sqrt"; Floor: "floor"; ToBits: "to_bits"; FromBits: "from_bits"; Copysign: "copysign";
+    Abs: "abs"; Min: "min"; Max: "max"; Clamp: "clamp";
+    WrappingAdd: "wrapping_add"; WrappingSub: "wrapping_sub"; WrappingMul: "wrapping_mul";
+    New: "matrix_new"; Zeros: "zeros"; Identity: "identity"; FromElement: "from_element";
+    Transpose: "transpose"; Dot: "dot"; Cross: "cross"; Norm: "norm"; NormSquared: "norm_squared";
+    ComponentMul: "component_mul"; ComponentDiv: "component_div"; TrMul: "tr_mul";
+}
+
+/// Methods of floats.
+#[allow(missing_docs)]
+pub trait FloatBuiltins: Sized {
+    type Bits;
+    type Sin: Callee;
+    type Cos: Callee;
+    type Tan: Callee;
+    type Atan2: Callee;
+    fn __b_sqrt(self) -> Called<Sqrt, Self> {
+        unreachable!()
+    }
+    fn __b_floor(self) -> Called<Floor, Self> {
+        unreachable!()
+    }
+    fn __b_copysign(self, _sign: Self) -> Called<Copysign, Self> {
+        unreachable!()
+    }
+    fn __b_to_bits(self) -> Called<ToBits, Self::Bits> {
+        unreachable!()
+    }
+    fn __b_from_bits(_bits: Self::Bits) -> Called<FromBits, Self> {
+        unreachable!()
+    }
+    fn __b_sin(self) -> Called<Self::Sin, Self> {
+        unreachable!()
+    }
+    fn __b_cos(self) -> Called<Self::Cos, Self> {
+        unreachable!()
+    }
+    fn __b_tan(self) -> Called<Self::Tan, Self> {
+        unreachable!()
+    }
+    fn __b_atan2(self, _x: Self) -> Called<Self::Atan2, Self> {
+        unreachable!()
+    }
+}
+
+impl FloatBuiltins for f64 {
+    type Bits = u64;
+    type Sin = crate::math::sine::sin;
+    type Cos = crate::math::sine::cos;
+    type Tan = crate::math::tangent::tan;
+    type Atan2 = crate::math::arctangent::atan2;
+}
+
+impl FloatBuiltins for f32 {
+    type Bits = u32;
+    type Sin = crate::math::single::sinf;
+    type Cos = crate::math::single::cosf;
+    type Tan = crate::math::single::tanf;
+    type Atan2 = crate::math::single::atan2f;
+}
+
+/// Methods of numbers that are ordered, and of integers.
+#[allow(missing_docs)]
+pub trait OrderBuiltins: Sized {
+    fn __b_abs(self) -> Called<Abs, Self> {
+        unreachable!()
+    }
+    fn __b_min(self, _other: Self) -> Called<Min, Self> {
+        unreachable!()
+    }
+    fn __b_max(self, _other: Self) -> Called<Max, Self> {
+        unreachable!()
+    }
+    fn __b_clamp(self, _low: Self, _high: Self) -> Called<Clamp, Self> {
+        unreachable!()
+    }
+    fn __b_wrapping_add(self, _other: Self) -> Called<WrappingAdd, Self> {
+        unreachable!()
+    }
+    fn __b_wrapping_sub(self, _other: Self) -> Called<WrappingSub, Self> {
+        unreachable!()
+    }
+    fn __b_wrapping_mul(self, _other: Self) -> Called<WrappingMul, Self> {
+        unreachable!()
+    }
+}
+
+macro_rules! ordered {
+    ($($ty:ty),*) => { $(impl OrderBuiltins for $ty {})* };
+}
+ordered!(f32, f64, i8, i16, i32, i64, isize, u8, u16, u32, u64, usize);
+
+/// Methods of matrices and vectors.
+#[allow(missing_docs)]
+pub trait MatrixBuiltins<T, const R: usize, const C: usize>: Sized {
+    fn __b_zeros() -> Called<Zeros, Self> {
+        unreachable!()
+    }
+    fn __b_from_element(_element: T) -> Called<FromElement, Self> {
+        unreachable!()
+    }
+    fn __b_repeat(_element: T) -> Called<FromElement, Self> {
+        unreachable!()
+    }
+    fn __b_transpose(&self) -> Called<Transpose, SMatrix<T, C, R>> {
+        unreachable!()
+    }
+    fn __b_dot(&self, _other: &Self) -> Called<Dot, T> {
+        unreachable!()
+    }
+    fn __b_norm(&self) -> Called<Norm, T> {
+        unreachable!()
+    }
+    fn __b_norm_squared(&self) -> Called<NormSquared, T> {
+        unreachable!()
+    }
+    fn __b_component_mul(&self, _other: &Self) -> Called<ComponentMul, Self> {
+        unreachable!()
+    }
+    fn __b_component_div(&self, _other: &Self) -> Called<ComponentDiv, Self> {
+        unreachable!()
+    }
+    fn __b_tr_mul<const K: usize>(
+        &self,
+        _other: &SMatrix<T, R, K>,
+    ) -> Called<TrMul, SMatrix<T, C, K>> {
+        unreachable!()
+    }
+}
+
+impl<T: ScalarType + Scalar, const R: usize, const C: usize> MatrixBuiltins<T, R, C>
+    for SMatrix<T, R, C>
+{
+}
+
+/// The identity of a square matrix.
+pub trait IdentityBuiltin: Sized {
+    #[allow(missing_docs)]
+    fn __b_identity() -> Called<Identity, Self> {
+        unreachable!()
+    }
+}
+
+impl<T: ScalarType + Scalar, const N: usize> IdentityBuiltin for SMatrix<T, N, N> {}
+
+/// The cross product.
+pub trait CrossBuiltin: Sized {
+    #[allow(missing_docs)]
+    fn __b_cross(&self, _other: &Self) -> Called<Cross, Self> {
+        unreachable!()
+    }
+}
+
+impl<T: ScalarType + Scalar> CrossBuiltin for SMatrix<T, 3, 1> {}
+
+macro_rules! constructors {
+    ($($name:ident($($argument:ident),*) for $(($rows:literal, $cols:literal)),*;)*) => {$(
+        /// `new` with this many elements, by rows.
+        #[allow(missing_docs, clippy::too_many_arguments)]
+        pub trait $name<T>: Sized {
+            fn __b_new($($argument: T),*) -> Called<New, Self> {
+                let _ = ($($argument,)*);
+                unreachable!()
+            }
+        }
+        $(impl<T: ScalarType + Scalar> $name<T> for SMatrix<T, $rows, $cols> {})*
+    )*};
+}
+
+constructors! {
+    New2(a, b) for (2, 1), (1, 2);
+    New3(a, b, c) for (3, 1), (1, 3);
+    New4(a, b, c, d) for (4, 1), (1, 4), (2, 2);
+    New5(a, b, c, d, e) for (5, 1);
+    New6(a, b, c, d, e, f) for (6, 1), (2, 3), (3, 2);
+    New9(a, b, c, d, e, f, g, h, i) for (3, 3);
+    New16(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p) for (4, 4);
+}

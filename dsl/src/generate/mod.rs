@@ -1,0 +1,35 @@
+//! What the expansions of the attributes call in a generation build; nothing for authors.
+//!
+//! A builder's slots tell what rustc decided ([`slot`]); companions tell which function a call means,
+//! the DSL's own operations among them ([`builtin`]); [`Builder`] collects the package.
+
+mod builder;
+pub mod builtin;
+mod slot;
+
+pub use alloc::string::String;
+pub use bessemer_ir::tree;
+pub use builder::{
+    Builder, Callee, Named, Registered, Witness, data, field, function, package, path, variant,
+    words,
+};
+pub use inventory;
+pub use slot::{Called, DslType, Seen, Slot, constant, list};
+
+/// What a builder imports; the names begin with `__` so that they never meet an author's.
+pub mod prelude {
+    pub use super::builtin::{FloatBuiltins as _, MatrixBuiltins as _, OrderBuiltins as _};
+    pub use super::builtin::{New2 as _, New3 as _, New4 as _, New5 as _, New6 as _, New9 as _, New16 as _};
+    pub use super::builtin::{CrossBuiltin as _, IdentityBuiltin as _};
+    pub use super::slot::{__any, __look, __result, __see, __take};
+}
+
+/// Registers an item with the package; expanded by the attributes.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __register {
+    ($registered:expr) => {
+        $crate::generate::inventory::submit! { $registered }
+    };
+}
+pub use crate::__register as register;

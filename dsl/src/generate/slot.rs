@@ -1,0 +1,206 @@
+//! Witness slots: phantom places through which rustc tells the types that it inferred.
+
+use alloc::boxed::Box;
+use alloc::vec::Vec;
+use core::marker::PhantomData;
+
+use bessemer_ir::tree::{self, Ty};
+use bessemer_ir::{Float, Int, Scalar};
+use nalgebra::SMatrix;
+
+use super::{Builder, Callee};
+use crate::Plain;
+
+/// A place for a type.
+pub struct Slot<T>(PhantomData<fn() -> T>);
+
+/// What a companion returns: the type of the result, and the marker of the function.
+pub struct Called<M, R>(PhantomData<fn() -> (M, R)>);
+
+/// A type of the DSL.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a type of the DSL",
+    label = "not a type of the DSL",
+    note = "the DSL has scalars, arrays, nalgebra's `SMatrix` and `SVector`, and types marked `#[data]` or `#[component]`"
+)]
+pub trait DslType {
+    /// The type, and what it is made of, told to the package.
+    fn ty(cx: &mut Builder) -> Ty;
+}
+
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a type of the DSL",
+    label = "not a type of the DSL",
+    note = "the DSL has scalars, arrays, nalgebra's `SMatrix` and `SVector`, and types marked `#[data]` or `#[component]`"
+)]
+/// A type without the lifetime of its reference, so that a slot outside a closure can hold it.
+pub trait Seen {
+    /// The type that the slot holds.
+    type Slot;
+}
+
+/// Stands for `&T` in a slot.
+pub struct Shared<T>(PhantomData<fn() -> T>);
+
+/// Stands for `&mut T` in a slot.
+pub struct Exclusive<T>(PhantomData<fn() -> T>);
+
+impl<T> Slot<T> {
+    /// A slot of a type still to be inferred.
+    #[allow(clippy::new_without_default)]
+    pub const fn new() -> Slot<T> {
+        Slot(PhantomData)
+    }
+
+    /// The type that rustc put here.
+    pub fn ty(&self, cx: &mut Builder) -> Ty
+    where
+        T: DslType,
+    {
+        T::ty(cx)
+    }
+
+    /// The function that rustc put here.
+    pub fn callee(&self, cx: &mut Builder) -> tree::Callee
+    where
+        T: Callee,
+    {
+        T::callee(cx)
+    }
+
+    /// As [`__take`], in the form of a method.
+    pub fn __take<R>(&self, _: Called<T, R>) -> R {
+        unreachable!("a witness copy is never run")
+    }
+}
+
+/// Passes a value through, and its type into the slot.
+pub fn __see<T>(_: &Slot<T>, value: T) -> T {
+    value
+}
+
+/// Tells a slot the type of a place.
+pub fn __look<T: Seen>(_: &Slot<T::Slot>, _: &T) {}
+
+/// Stands for a value that is assigned later.
+pub fn __any<T>(_: &Slot<T>) -> T {
+    unreachable!("a witness copy is never run")
+}
+
+/// Tells a slot a type that the author wrote.
+pub fn __result<T>(_: &Slot<T>) {}
+
+/// The result of a call; the slot learns which function it was.
+pub fn __take<M, R>(_: &Slot<M>, _: Called<M, R>) -> R {
+    unreachable!("a witness copy is never run")
+}
+
+/// The value of a path that rustc evaluated.
+pub fn constant<T: DslType + Plain>(cx: &mut Builder, _: &Slot<T>, value: T) -> tree::Constant {
+    tree::Constant { ty: T::ty(cx), words: super::words(&value) }
+}
+
+/// An array as a list.
+pub fn list<T, const N: usize>(items: [T; N]) -> Vec<T> {
+    Vec::from(items)
+}
+
+macro_rules! scalars {
+    ($($ty:ty => $scalar:expr;)*) => {$(
+        impl DslType for $ty {
+            fn ty(_: &mut Builder) -> Ty {
+                Ty::Scalar($scalar)
+            }
+        }
+        impl Seen for $ty {
+            type Slot = $ty;
+        }
+        impl ScalarType for $ty {
+            const SCALAR: Scalar = $scalar;
+        }
+    )*};
+}
+
+/// A scalar of the DSL.
+pub trait ScalarType {
+    /// Which one.
+    const SCALAR: Scalar;
+}
+
+scalars! {
+    bool => Scalar::Bool;
+    f32 => Scalar::Float(Float::F32);
+    f64 => Scalar::Float(Float::F64);
+    i8 => Scalar::Int(Int::I8);
+    i16 => Scalar::Int(Int::I16);
+    i32 => Scalar::Int(Int::I32);
+    i64 => Scalar::Int(Int::I64);
+    isize => Scalar::Int(Int::Isize);
+    u8 => Scalar::Int(Int::U8);
+    u16 => Scalar::Int(Int::U16);
+    u32 => Scalar::Int(Int::U32);
+    u64 => Scalar::Int(Int::U64);
+    usize => Scalar::Int(Int::Usize);
+}
+
+impl DslType for () {
+    fn ty(_: &mut Builder) -> Ty {
+        Ty::Unit
+    }
+}
+
+impl Seen for () {
+    type Slot = ();
+}
+
+impl<T: DslType, const N: usize> DslType for [T; N] {
+    fn ty(cx: &mut Builder) -> Ty {
+        Ty::Array(Box::new(T::ty(cx)), N as u32)
+    }
+}
+
+impl<T, const N: usize> Seen for [T; N] {
+    type Slot = [T; N];
+}
+
+impl<T: ScalarType, const R: usize, const C: usize> DslType for SMatrix<T, R, C> {
+    fn ty(_: &mut Builder) -> Ty {
+        Ty::Matrix(T::SCALAR, R as u32, C as u32)
+    }
+}
+
+impl<T, const R: usize, const C: usize> Seen for SMatrix<T, R, C> {
+    type Slot = SMatrix<T, R, C>;
+}
+
+impl<T: DslType> DslType for &T {
+    fn ty(cx: &mut Builder) -> Ty {
+        Ty::Ref(Box::new(T::ty(cx)), false)
+    }
+}
+
+impl<T: DslType> DslType for &mut T {
+    fn ty(cx: &mut Builder) -> Ty {
+        Ty::Ref(Box::new(T::ty(cx)), true)
+    }
+}
+
+impl<T> Seen for &T {
+    type Slot = Shared<T>;
+}
+
+impl<T> Seen for &mut T {
+    type Slot = Exclusive<T>;
+}
+
+impl<T: DslType> DslType for Shared<T> {
+    fn ty(cx: &mut Builder) -> Ty {
+        Ty::Ref(Box::new(T::ty(cx)), false)
+    }
+}
+
+impl<T: DslType> DslType for Exclusive<T> {
+    fn ty(cx: &mut Builder) -> Ty {
+        Ty::Ref(Box::new(T::ty(cx)), true)
+    }
+}

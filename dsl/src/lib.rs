@@ -1,0 +1,76 @@
+//! What the author of a model imports: the attributes, the prelude and the elementary functions.
+//!
+//! A model is ordinary Rust over scalars, arrays, nalgebra's fixed matrices and its own plain data.
+//! The attributes leave it as written, save that scalar methods (`x.sin()`, `x.min(y)`) go to
+//! [`math`], which computes the same bits on every target.
+//!
+//! ```
+//! use bessemer::prelude::*;
+//!
+//! /// A first-order low-pass filter.
+//! #[component]
+//! #[derive(Clone, Debug, Default, PartialEq)]
+//! pub struct LowPass {
+//!     /// The filtered signal.
+//!     level: f64,
+//! }
+//!
+//! #[component]
+//! impl LowPass {
+//!     /// One period: moves the level by `share` (0 to 1) of the way to `signal`.
+//!     #[entry(infallible)]
+//!     pub fn step(&mut self, share: f64, signal: f64) -> f64 {
+//!         self.level += share * (signal - self.level);
+//!         self.level
+//!     }
+//! }
+//!
+//! let mut filter = LowPass::default();
+//! assert_eq!(filter.step(0.5, 8.0), 4.0);
+//! assert_eq!(filter.step(0.5, 8.0), 6.0);
+//! ```
+//!
+//! `no_std` all the way down: a model never sees the platform's mathematics.
+
+#![no_std]
+
+#[cfg(feature = "generate")]
+extern crate alloc;
+extern crate self as bessemer;
+
+pub use bessemer_macros::{component, data, entry, function};
+pub use nalgebra;
+pub use plain::Plain;
+
+#[cfg(feature = "generate")]
+#[doc(hidden)]
+pub mod generate;
+pub mod math;
+mod plain;
+
+/// What a model imports with one line: `use bessemer::prelude::*;`.
+pub mod prelude {
+    pub use crate::{component, data, entry, function};
+    pub use nalgebra::{
+        Matrix2, Matrix3, Matrix4, Matrix6, SMatrix, SVector, Vector2, Vector3, Vector4, Vector5,
+        Vector6,
+    };
+}
+
+/// The whole of a package's `src/bin/tree.rs`: prints the tree that the generator reads.
+///
+/// ```ignore
+/// bessemer::print_tree!(models);
+/// ```
+#[cfg(feature = "generate")]
+#[macro_export]
+macro_rules! print_tree {
+    ($models:ident) => {
+        extern crate $models as _;
+
+        fn main() {
+            let (name, license) = (env!("CARGO_PKG_NAME"), env!("CARGO_PKG_LICENSE"));
+            println!("{}", $crate::generate::package(name, license));
+        }
+    };
+}

@@ -1,0 +1,142 @@
+//! The scalar functions, owned by the DSL so that every target computes the same bits.
+//!
+//! In an annotated item `x.sin()` is rewritten to `x.dsl_sin()`, and the traits here answer it. What
+//! hardware gives exactly (`sqrt`, `abs`, `floor`, …) is an operation of the IR; the elementary
+//! functions are written in the DSL itself, so that the C that a target runs is made from the Rust
+//! that the simulation runs.
+//!
+//! Defined here where Rust leaves room: `min` and `max` take −0 for less than +0, and a NaN gives the
+//! other operand; a NaN has a positive sign and canonical bits for `copysign` and `to_bits`.
+//!
+//! Accuracy: 2 ulp up to 1.6e6 rad; beyond that the result is defined and bounded, but no longer
+//! accurate.
+
+pub mod arctangent;
+pub mod single;
+pub mod sine;
+pub mod tangent;
+
+/// Methods of floats that the attributes redirect to the DSL.
+pub trait FloatMethods: Copy {
+    /// The unsigned integer of the same width.
+    type Bits;
+    /// The square root, correctly rounded.
+    fn dsl_sqrt(self) -> Self;
+    /// The largest integer not above.
+    fn dsl_floor(self) -> Self;
+    /// This magnitude with the sign of `sign`.
+    fn dsl_copysign(self, sign: Self) -> Self;
+    /// The bits; every NaN has the canonical ones.
+    fn dsl_to_bits(self) -> Self::Bits;
+    /// Sine of an angle in rad.
+    fn dsl_sin(self) -> Self;
+    /// Cosine of an angle in rad.
+    fn dsl_cos(self) -> Self;
+    /// Tangent of an angle in rad.
+    fn dsl_tan(self) -> Self;
+    /// The angle of the point (`x`, `self`) in rad, −π to π.
+    fn dsl_atan2(self, x: Self) -> Self;
+}
+
+/// Methods of ordered numbers that the attributes redirect to the DSL.
+pub trait OrderMethods: Copy {
+    /// The magnitude.
+    fn dsl_abs(self) -> Self;
+    /// The smaller of two: −0 < +0, and a NaN gives the other.
+    fn dsl_min(self, other: Self) -> Self;
+    /// The larger of two: −0 < +0, and a NaN gives the other.
+    fn dsl_max(self, other: Self) -> Self;
+    /// The nearest value from `low` to `high`; NaN stays NaN.
+    ///
+    /// # Panics
+    /// Unless `low <= high`: a fault of the entry point.
+    fn dsl_clamp(self, low: Self, high: Self) -> Self;
+}
+
+macro_rules! floats {
+    ($($float:ident, $bits:ident, $sqrt:ident, $floor:ident, $nan:literal,
+        $sin:path, $cos:path, $tan:path, $atan2:path;)*) => {$(
+        impl FloatMethods for $float {
+            type Bits = $bits;
+            fn dsl_sqrt(self) -> $float {
+                libm::$sqrt(self)
+            }
+            fn dsl_floor(self) -> $float {
+                libm::$floor(self)
+            }
+            fn dsl_copysign(self, sign: $float) -> $float {
+                // The sign of a NaN differs between machines.
+                let sign = if sign.is_nan() { 0.0 } else { sign };
+                self.copysign(sign)
+            }
+            fn dsl_to_bits(self) -> $bits {
+                if self.is_nan() { $nan } else { self.to_bits() }
+            }
+            fn dsl_sin(self) -> $float {
+                $sin(self)
+            }
+            fn dsl_cos(self) -> $float {
+                $cos(self)
+            }
+            fn dsl_tan(self) -> $float {
+                $tan(self)
+            }
+            fn dsl_atan2(self, x: $float) -> $float {
+                $atan2(self, x)
+            }
+        }
+
+        impl OrderMethods for $float {
+            fn dsl_abs(self) -> $float {
+                self.abs()
+            }
+            fn dsl_min(self, other: $float) -> $float {
+                let first = self < other
+                    || other.is_nan()
+                    || (self == other && self.is_sign_negative());
+                if first { self } else { other }
+            }
+            fn dsl_max(self, other: $float) -> $float {
+                let first = self > other
+                    || other.is_nan()
+                    || (self == other && self.is_sign_positive());
+                if first { self } else { other }
+            }
+            fn dsl_clamp(self, low: $float, high: $float) -> $float {
+                self.clamp(low, high)
+            }
+        }
+    )*};
+}
+
+floats! {
+    f64, u64, sqrt, floor, 0x7ff8_0000_0000_0000,
+        sine::sin, sine::cos, tangent::tan, arctangent::atan2;
+    f32, u32, sqrtf, floorf, 0x7fc0_0000,
+        single::sinf, single::cosf, single::tanf, single::atan2f;
+}
+
+macro_rules! integers {
+    ($($int:ident: $abs:expr),*) => {$(
+        impl OrderMethods for $int {
+            fn dsl_abs(self) -> $int {
+                let abs: fn($int) -> $int = $abs;
+                abs(self)
+            }
+            fn dsl_min(self, other: $int) -> $int {
+                if other < self { other } else { self }
+            }
+            fn dsl_max(self, other: $int) -> $int {
+                if other > self { other } else { self }
+            }
+            fn dsl_clamp(self, low: $int, high: $int) -> $int {
+                Ord::clamp(self, low, high)
+            }
+        }
+    )*};
+}
+
+integers! {
+    i8: i8::abs, i16: i16::abs, i32: i32::abs, i64: i64::abs, isize: isize::abs,
+    u8: |x| x, u16: |x| x, u32: |x| x, u64: |x| x, usize: |x| x
+}

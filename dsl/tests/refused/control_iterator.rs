@@ -1,0 +1,19 @@
+#![no_std]
+extern crate std;
+
+use bessemer::prelude::*;
+
+/// By iterators.
+#[function]
+pub fn iterator(samples: &[f64; 4]) -> f64 {
+    let mut sum = samples.iter().sum::<f64>();
+    for sample in samples {
+        sum += sample;
+    }
+    for i in (0..4).step_by(2) {
+        sum += samples[i];
+    }
+    sum
+}
+
+fn main() {}

@@ -1,0 +1,25 @@
+#![no_std]
+extern crate std;
+
+use bessemer::prelude::*;
+
+/// Not a function.
+#[function]
+pub struct Gain {
+    /// Its value.
+    pub value: f64,
+}
+
+/// Not data.
+#[data]
+pub fn twice(x: f64) -> f64 {
+    2.0 * x
+}
+
+/// An argument too many.
+#[function(inline)]
+pub fn thrice(x: f64) -> f64 {
+    3.0 * x
+}
+
+fn main() {}

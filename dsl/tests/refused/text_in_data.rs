@@ -1,0 +1,15 @@
+#![no_std]
+extern crate std;
+
+use bessemer::prelude::*;
+
+/// Named.
+#[data]
+pub struct Channel {
+    /// Its name.
+    pub name: &'static str,
+    /// Its sign.
+    pub sign: char,
+}
+
+fn main() {}

@@ -1,0 +1,16 @@
+#![no_std]
+extern crate std;
+
+use bessemer::prelude::*;
+
+/// Panics.
+#[function]
+pub fn panic(x: f64) -> f64 {
+    if x < 0.0 {
+        panic!("negative: {x}");
+    }
+    assert_eq!(x, x);
+    todo!()
+}
+
+fn main() {}
