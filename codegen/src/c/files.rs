@@ -1,0 +1,465 @@
+//! Which file holds what, in which order.
+//!
+//! * A component has its own pair of files; a Rust module's data, enums and functions share another.
+//! * Types stand in headers; functions in sources, prototypes of public ones in headers.
+//! * Inside a file everything stands in the order of the Rust source, save that C wants types before
+//!   their uses; static functions are declared at the top instead of being moved.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use bessemer_ir::{EnumId, Function, FunctionId, Owner, Scalar, Span, StructId, Type};
+
+use super::helpers::closure;
+use super::lower::{self, Context, Uses};
+use super::names::{FAULTS, Returned, Signature};
+use super::print::Printer;
+use super::shell::{Shell, frame};
+use super::tree::{Declarator, Init, Item, Lines, Origin};
+use super::{CFile, Options, init, literal};
+
+/// What one pair of files holds.
+#[derive(Default)]
+struct Unit {
+    types: Vec<TypeId>,
+    functions: Vec<Callable>,
+    modules: BTreeSet<String>,
+    component: Option<String>,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum TypeId {
+    Struct(StructId),
+    Enum(EnumId),
+}
+
+#[derive(Clone, Copy)]
+enum Callable {
+    Init(StructId),
+    Function(FunctionId),
+}
+
+/// All files, by name.
+pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {
+    let mut list = Vec::new();
+    if context.faults.any() {
+        list.push(status_header(context, options));
+    }
+    for (name, unit) in units(context) {
+        let writer = Writer { context, options, name, unit };
+        list.push(writer.header());
+        if !writer.unit.functions.is_empty() {
+            list.push(writer.source());
+        }
+    }
+    list.sort_by(|a, b| a.name.cmp(&b.name));
+    list
+}
+
+fn units(context: Context<'_>) -> BTreeMap<String, Unit> {
+    let (module, names) = (context.module, context.names);
+    let mut units: BTreeMap<String, Unit> = BTreeMap::new();
+    for (index, item) in module.structs.iter().enumerate() {
+        let id = StructId(index as u32);
+        let unit = units.entry(names.struct_file(module, id)).or_default();
+        unit.types.push(TypeId::Struct(id));
+        unit.modules.insert(item.module.clone());
+        if item.initial.is_some() {
+            unit.functions.push(Callable::Init(id));
+            unit.component = Some(item.name.clone());
+        }
+    }
+    for (index, item) in module.enums.iter().enumerate() {
+        let unit = units.entry(names.module_file(&item.module)).or_default();
+        unit.types.push(TypeId::Enum(EnumId(index as u32)));
+        unit.modules.insert(item.module.clone());
+    }
+    for (index, item) in module.functions.iter().enumerate() {
+        let id = FunctionId(index as u32);
+        let unit = units.entry(names.function_file(module, id)).or_default();
+        unit.functions.push(Callable::Function(id));
+        unit.modules.insert(item.module.clone());
+    }
+    for unit in units.values_mut() {
+        unit.types.sort_by_key(|id| place(context, type_span(context, *id)));
+        unit.functions.sort_by_key(|callable| match callable {
+            Callable::Init(id) => place(context, type_span(context, TypeId::Struct(*id))),
+            Callable::Function(id) => place(context, module.functions[id.index()].span),
+        });
+    }
+    units
+}
+
+fn place(context: Context<'_>, span: Span) -> (String, u32, u32) {
+    let file = context.module.files.get(span.file as usize).cloned().unwrap_or_default();
+    (file, span.line, span.column)
+}
+
+fn type_span(context: Context<'_>, id: TypeId) -> Span {
+    match id {
+        TypeId::Struct(id) => context.module.structs[id.index()].span,
+        TypeId::Enum(id) => context.module.enums[id.index()].span,
+    }
+}
+
+fn origin(span: Span) -> Origin {
+    Origin { file: span.file, line: span.line }
+}
+
+/// `models::attitude::Height::step`.
+fn rust_path(context: Context<'_>, function: &Function) -> String {
+    let owner = match function.owner {
+        Some(Owner::Struct(id)) => format!("{}::", context.module.structs[id.index()].name),
+        Some(Owner::Enum(id)) => format!("{}::", context.module.enums[id.index()].name),
+        None => String::new(),
+    };
+    format!("{}::{owner}{}", function.module, function.name)
+}
+
+struct Writer<'a> {
+    context: Context<'a>,
+    options: &'a Options,
+    name: String,
+    unit: Unit,
+}
+
+impl Writer<'_> {
+    fn summary(&self) -> String {
+        match &self.unit.component {
+            Some(component) => format!("the component {component}."),
+            None if self.unit.functions.is_empty() => "types.".to_owned(),
+            None if self.unit.types.is_empty() => "functions.".to_owned(),
+            None => "types and functions.".to_owned(),
+        }
+    }
+
+    fn header(&self) -> CFile {
+        let mut items = Vec::new();
+        let mut includes = Includes::default();
+        let mut done = Vec::new();
+        for id in &self.unit.types {
+            self.type_item(*id, &mut done, &mut items, &mut includes);
+        }
+        for callable in &self.unit.functions {
+            match callable {
+                Callable::Init(id) => items.push(Item::Prototype {
+                    docs: init::docs(),
+                    head: init::head(self.context, *id),
+                    origin: origin(self.context.module.structs[id.index()].span),
+                    function: String::new(),
+                }),
+                Callable::Function(id) => {
+                    let signature = self.context.names.signature(*id);
+                    if !signature.is_static {
+                        includes.signature(self.context, signature);
+                        items.push(self.prototype(*id, true));
+                    }
+                }
+            }
+        }
+        self.file("h", &items, includes)
+    }
+
+    fn source(&self) -> CFile {
+        let (module, names) = (self.context.module, self.context.names);
+        let mut uses = Uses::default();
+        let mut includes = Includes::default();
+        let mut definitions = Vec::new();
+        let mut prototypes = Vec::new();
+        for callable in &self.unit.functions {
+            let id = match callable {
+                Callable::Init(id) => {
+                    definitions.push(init::item(self.context, *id, &mut uses));
+                    continue;
+                }
+                Callable::Function(id) => *id,
+            };
+            let function = &module.functions[id.index()];
+            let signature = names.signature(id);
+            let lowered = lower::function(self.context, id, &mut uses);
+            if signature.is_static {
+                prototypes.push(self.prototype(id, false));
+            }
+            if signature.returned == Returned::Status {
+                includes.own.insert(names.status.header.clone());
+            }
+            definitions.push(Item::Function {
+                docs: if signature.is_static { function.docs.clone() } else { Vec::new() },
+                head: names.head(signature),
+                body: lowered.body,
+                origin: origin(function.span),
+                function: rust_path(self.context, function),
+            });
+        }
+        let mut items = self.constants(&uses, &mut includes);
+        for helper in closure(&uses.helpers) {
+            uses.math |= helper.needs_math();
+            uses.string |= helper.needs_string();
+            items.push(Item::Verbatim(helper.text()));
+        }
+        items.append(&mut prototypes);
+        items.append(&mut definitions);
+        includes.system.extend(["float.h", "stdbool.h", "stdint.h"]);
+        includes.system.extend(uses.math.then_some("math.h"));
+        includes.system.extend(uses.string.then_some("string.h"));
+        includes.own.append(&mut uses.headers);
+        self.file("c", &items, includes)
+    }
+
+    fn constants(&self, uses: &Uses, includes: &mut Includes) -> Vec<Item> {
+        let module = self.context.module;
+        let mut list: Vec<Item> = Vec::new();
+        let mut ids: Vec<_> = uses.consts.iter().copied().collect();
+        ids.sort_by_key(|id| self.context.names.constant(*id));
+        ids.dedup_by_key(|id| self.context.names.constant(*id));
+        for id in ids {
+            let item = &module.consts[id.index()];
+            includes.ty(self.context, &item.ty);
+            let mut declarator =
+                self.context.names.declarator(&item.ty, self.context.names.constant(id));
+            declarator.ty.insert_str(0, "const ");
+            let mut words = item.words.as_slice();
+            let init = constant_init(self.context, &item.ty, &mut words);
+            let leaves = module.leaves(&item.ty);
+            if leaves.iter().zip(&item.words).any(|(ty, word)| literal::needs_math(ty, *word)) {
+                includes.system.insert("math.h");
+            }
+            list.push(Item::Constant(declarator, init));
+        }
+        list
+    }
+
+    fn prototype(&self, id: FunctionId, documented: bool) -> Item {
+        let function = &self.context.module.functions[id.index()];
+        Item::Prototype {
+            docs: if documented { function.docs.clone() } else { Vec::new() },
+            head: self.context.names.head(self.context.names.signature(id)),
+            origin: origin(function.span),
+            function: rust_path(self.context, function),
+        }
+    }
+
+    /// A type, after those of this file that it needs.
+    fn type_item(
+        &self,
+        id: TypeId,
+        done: &mut Vec<TypeId>,
+        items: &mut Vec<Item>,
+        includes: &mut Includes,
+    ) {
+        if done.contains(&id) {
+            return;
+        }
+        done.push(id);
+        let (module, names) = (self.context.module, self.context.names);
+        match id {
+            TypeId::Enum(id) => {
+                let item = &module.enums[id.index()];
+                let names = &names.enums[id.index()];
+                let docs = item.variants.iter().map(|variant| variant.docs.clone());
+                items.push(Item::Enum {
+                    docs: item.docs.clone(),
+                    name: names.ty.clone(),
+                    variants: docs.zip(names.variants.iter().cloned()).collect(),
+                    origin: origin(item.span),
+                });
+            }
+            TypeId::Struct(id) => {
+                let item = &module.structs[id.index()];
+                for field in &item.fields {
+                    includes.ty(self.context, &field.ty);
+                    if let Some(needed) = named(&field.ty)
+                        && self.unit.types.contains(&needed)
+                    {
+                        self.type_item(needed, done, items, includes);
+                    }
+                }
+                items.push(self.struct_item(id, includes));
+            }
+        }
+    }
+
+    fn struct_item(&self, id: StructId, includes: &mut Includes) -> Item {
+        let item = &self.context.module.structs[id.index()];
+        let names = &self.context.names.structs[id.index()];
+        let held = item.fields.iter().zip(&names.fields).filter(|(field, _)| field.ty != Type::Unit);
+        let mut fields: Vec<(Vec<String>, Declarator)> = held
+            .map(|(field, name)| (field.docs.clone(), self.context.names.declarator(&field.ty, name)))
+            .collect();
+        if let Some(fault) = &names.fault {
+            let status = &self.context.names.status;
+            includes.own.insert(status.header.clone());
+            let docs = format!("The fault that stopped the component; {} while it runs.", status.ok);
+            let field = Declarator {
+                ty: status.ty.clone(),
+                name: fault.clone(),
+                dimensions: String::new(),
+            };
+            fields.push((vec![docs], field));
+        }
+        Item::Struct {
+            docs: item.docs.clone(),
+            name: names.ty.clone(),
+            fields,
+            origin: origin(item.span),
+        }
+    }
+
+    fn file(&self, extension: &str, items: &[Item], mut includes: Includes) -> CFile {
+        let name = format!("{}.{extension}", self.name);
+        let header = format!("{}.h", self.name);
+        includes.own.remove(&header);
+        let source: Vec<&str> = self.unit.modules.iter().map(String::as_str).collect();
+        let shell = Shell {
+            file: &name,
+            header: &header,
+            summary: &self.summary(),
+            source: &source.join(", "),
+            license: &self.options.license,
+            system_includes: includes.system.into_iter().map(str::to_owned).collect(),
+            own_includes: includes.own.into_iter().collect(),
+        };
+        assemble(self.context, &name, &shell, extension == "h", items)
+    }
+}
+
+fn assemble(context: Context<'_>, name: &str, shell: &Shell<'_>, is_header: bool, items: &[Item]) -> CFile {
+    let (before, after) = frame(shell, is_header);
+    let first_line = before.matches('\n').count() as u32 + 1;
+    let mut printer = Printer::new(&context.module.files, first_line);
+    let mut before_it: Option<&Item> = None;
+    for item in items {
+        // Constants stand together, and so do prototypes without a comment.
+        let together = match (before_it, item) {
+            (None, _) | (Some(Item::Constant(..)), Item::Constant(..)) => true,
+            (Some(Item::Prototype { .. }), Item::Prototype { docs, .. }) => docs.is_empty(),
+            _ => false,
+        };
+        printer.item(item, !together);
+        before_it = Some(item);
+    }
+    let (body, map) = printer.finish();
+    let text = format!("{before}{body}{}", after.trim_start_matches('\n'));
+    let text = if is_header { text.replacen("#ifdef __cplusplus\n}", "\n#ifdef __cplusplus\n}", 1) } else { text };
+    CFile { name: name.to_owned(), text, map }
+}
+
+/// The header of the status type: what a call can come to.
+fn status_header(context: Context<'_>, options: &Options) -> CFile {
+    let status = &context.names.status;
+    let mut variants = vec![(vec!["All is well.".to_owned()], status.ok.clone())];
+    for fault in FAULTS {
+        let docs = match fault {
+            bessemer_ir::Fault::Overflow => "Integer arithmetic left its type.",
+            bessemer_ir::Fault::DivisionByZero => "An integer was divided by zero.",
+            bessemer_ir::Fault::Shift => "A shift by the width of the type or more.",
+            bessemer_ir::Fault::Index => "An index beyond the end.",
+            bessemer_ir::Fault::Clamp => "Bounds that are not low <= high.",
+            bessemer_ir::Fault::Variant => "An enum that holds none of its values.",
+            bessemer_ir::Fault::Assertion => "An assertion does not hold.",
+        };
+        variants.push((vec![docs.to_owned()], status.fault(fault)));
+    }
+    let item = Item::Enum {
+        docs: vec!["What a call came to. After a fault its outputs are as they were.".to_owned()],
+        name: status.ty.clone(),
+        variants,
+        origin: Origin { file: 0, line: 0 },
+    };
+    let shell = Shell {
+        file: &status.header,
+        header: &status.header,
+        summary: "what a call came to.",
+        source: &context.module.name,
+        license: &options.license,
+        system_includes: Vec::new(),
+        own_includes: Vec::new(),
+    };
+    assemble(context, &status.header, &shell, true, &[item])
+}
+
+/// The struct or enum that a type is made of, if one.
+fn named(ty: &Type) -> Option<TypeId> {
+    match ty {
+        Type::Struct(id) => Some(TypeId::Struct(*id)),
+        Type::Enum(id) => Some(TypeId::Enum(*id)),
+        Type::Array { element, .. } => named(element),
+        _ => None,
+    }
+}
+
+fn constant_init(context: Context<'_>, ty: &Type, words: &mut &[u64]) -> Init {
+    let list = |items: Vec<(Option<String>, Init)>, lines| Init::List { items, lines };
+    match ty {
+        Type::Struct(id) => {
+            let names = &context.names.structs[id.index()].fields;
+            let fields = context.module.structs[id.index()].fields.iter().zip(names);
+            let fields = fields.filter(|(field, _)| field.ty != Type::Unit);
+            let items = fields.map(|(field, name)| {
+                (Some(name.clone()), constant_init(context, &field.ty, words))
+            });
+            list(items.collect(), Lines::Fill)
+        }
+        Type::Array { element, len } => {
+            let items = (0..*len).map(|_| (None, constant_init(context, element, words)));
+            list(items.collect(), Lines::Fill)
+        }
+        Type::Matrix { element, rows, cols } => {
+            let element = Type::Scalar(*element);
+            let items = (0..rows * cols).map(|_| (None, constant_init(context, &element, words)));
+            let groups = *rows > 1 && *cols > 1;
+            let lines = if groups { Lines::Groups(*rows as usize) } else { Lines::Fill };
+            list(items.collect(), lines)
+        }
+        _ => {
+            let (word, rest) = words.split_first().expect("the validator counts words");
+            *words = rest;
+            Init::Value(literal::word(context.names, ty, *word))
+        }
+    }
+}
+
+/// What a file includes.
+#[derive(Default)]
+struct Includes {
+    system: BTreeSet<&'static str>,
+    own: BTreeSet<String>,
+}
+
+impl Includes {
+    fn ty(&mut self, context: Context<'_>, ty: &Type) {
+        match ty {
+            Type::Unit => {}
+            Type::Scalar(scalar) => self.scalar(*scalar),
+            Type::Matrix { element, .. } => self.scalar(*element),
+            Type::Array { element, .. } => self.ty(context, element),
+            Type::Struct(id) => {
+                self.own.insert(context.names.structs[id.index()].header.clone());
+            }
+            Type::Enum(id) => {
+                self.own.insert(context.names.enums[id.index()].header.clone());
+            }
+        }
+    }
+
+    fn scalar(&mut self, scalar: Scalar) {
+        match scalar {
+            Scalar::Bool => self.system.extend(["stdbool.h"]),
+            Scalar::Int(_) => self.system.extend(["stdint.h"]),
+            Scalar::Float(_) => {}
+        }
+    }
+
+    fn signature(&mut self, context: Context<'_>, signature: &Signature) {
+        for param in &signature.params {
+            self.ty(context, &param.ty);
+        }
+        match &signature.returned {
+            Returned::Nothing => {}
+            Returned::Value(ty) => self.ty(context, ty),
+            Returned::Status => {
+                self.own.insert(context.names.status.header.clone());
+            }
+        }
+    }
+}
+

@@ -1,0 +1,401 @@
+//! Small functions that a file carries with it where C has no operator that means what Rust means.
+//!
+//! Each is `static`, has no state and no undefined behaviour for any operand, and is emitted only in
+//! the files that use it. Its name says what it does and on what type; its text depends on nothing
+//! else, so that it never changes in one file for the sake of another.
+
+use std::collections::BTreeSet;
+
+use bessemer_ir::{Float, Int, Scalar};
+
+use super::names::scalar_type;
+
+/// A helper; the order is the order in a file: what another calls comes first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Helper {
+    /// The signed integer with the bits of an unsigned one.
+    Wrap(Int),
+    /// The smaller of two.
+    Min(Scalar),
+    /// The larger of two.
+    Max(Scalar),
+    /// The nearest within bounds.
+    Clamp(Scalar),
+    /// The absolute value of an integer.
+    Abs(Int),
+    /// Bits shifted left, signed.
+    ShiftLeft(Int),
+    /// Rust's `>>` on signed integers.
+    ShiftRight(Int),
+    /// Rust's `as` from float to integer.
+    FromFloat(Int, Float),
+    /// The bits of a float.
+    Bits(Float),
+    /// The float with these bits.
+    FromBits(Float),
+    /// One number's size with another's sign.
+    Copysign(Float),
+    /// The scalar product of the columns of two matrices.
+    Dot(Float),
+    /// The sum of the squares of a matrix.
+    NormSquared(Float),
+}
+
+impl Helper {
+    /// `usize` is `u64` in C.
+    fn plain(int: Int) -> Int {
+        match int {
+            Int::Usize => Int::U64,
+            Int::Isize => Int::I64,
+            other => other,
+        }
+    }
+
+    /// The helper with types that C tells apart.
+    pub fn normal(self) -> Helper {
+        let scalar = |scalar| match scalar {
+            Scalar::Int(int) => Scalar::Int(Helper::plain(int)),
+            other => other,
+        };
+        match self {
+            Helper::Wrap(int) => Helper::Wrap(Helper::plain(int)),
+            Helper::Min(ty) => Helper::Min(scalar(ty)),
+            Helper::Max(ty) => Helper::Max(scalar(ty)),
+            Helper::Clamp(ty) => Helper::Clamp(scalar(ty)),
+            Helper::Abs(int) => Helper::Abs(Helper::plain(int)),
+            Helper::ShiftLeft(int) => Helper::ShiftLeft(Helper::plain(int)),
+            Helper::ShiftRight(int) => Helper::ShiftRight(Helper::plain(int)),
+            Helper::FromFloat(int, float) => Helper::FromFloat(Helper::plain(int), float),
+            other => other,
+        }
+    }
+
+    /// Its name in C.
+    pub fn name(self) -> String {
+        match self.normal() {
+            Helper::Wrap(int) => format!("wrap_{}", int.name()),
+            Helper::Min(ty) => format!("min_{}", ty.name()),
+            Helper::Max(ty) => format!("max_{}", ty.name()),
+            Helper::Clamp(ty) => format!("clamp_{}", ty.name()),
+            Helper::Abs(int) => format!("abs_{}", int.name()),
+            Helper::ShiftLeft(int) => format!("shift_left_{}", int.name()),
+            Helper::ShiftRight(int) => format!("shift_right_{}", int.name()),
+            Helper::FromFloat(int, float) => format!("{}_from_{}", int.name(), float.name()),
+            Helper::Bits(float) => format!("bits_of_{}", float.name()),
+            Helper::FromBits(float) => format!("{}_from_bits", float.name()),
+            Helper::Copysign(float) => format!("copysign_{}", float.name()),
+            Helper::Dot(float) => format!("dot_{}", float.name()),
+            Helper::NormSquared(float) => format!("norm_squared_{}", float.name()),
+        }
+    }
+
+    /// The helpers that it calls.
+    fn needs(self) -> Option<Helper> {
+        match self {
+            Helper::ShiftLeft(int) => Some(Helper::Wrap(int)),
+            Helper::NormSquared(float) => Some(Helper::Dot(float)),
+            _ => None,
+        }
+    }
+
+    /// Whether it needs `math.h`.
+    pub fn needs_math(self) -> bool {
+        match self {
+            Helper::Min(ty) | Helper::Max(ty) => matches!(ty, Scalar::Float(_)),
+            Helper::Copysign(_) => true,
+            _ => false,
+        }
+    }
+
+    /// Whether it needs `string.h`.
+    pub fn needs_string(self) -> bool {
+        matches!(self, Helper::Bits(_) | Helper::FromBits(_))
+    }
+
+    /// Its definition.
+    pub fn text(self) -> String {
+        let name = self.name();
+        match self.normal() {
+            Helper::Wrap(int) => wrap(&name, int),
+            Helper::Min(Scalar::Float(float)) => extreme(&name, float, "smaller", "<", ""),
+            Helper::Max(Scalar::Float(float)) => extreme(&name, float, "larger", ">", "!"),
+            Helper::Min(ty) => choose(&name, ty, "smaller", "<"),
+            Helper::Max(ty) => choose(&name, ty, "larger", ">"),
+            Helper::Clamp(ty) => clamp(&name, ty),
+            Helper::Abs(int) => absolute(&name, int),
+            Helper::ShiftLeft(int) => shift_left(&name, int),
+            Helper::ShiftRight(int) => shift_right(&name, int),
+            Helper::FromFloat(int, float) => from_float(&name, int, float),
+            Helper::Bits(float) => bits(&name, float),
+            Helper::FromBits(float) => from_bits(&name, float),
+            Helper::Copysign(float) => copysign(&name, float),
+            Helper::Dot(float) => dot(&name, float),
+            Helper::NormSquared(float) => norm_squared(&name, float),
+        }
+    }
+}
+
+/// Every helper there can be: none of their names is free for a local.
+pub fn is_helper_name(name: &str) -> bool {
+    let floats = ["f32", "f64"];
+    let prefixes =
+        ["wrap_", "min_", "max_", "clamp_", "abs_", "shift_left_", "shift_right_", "copysign_", "dot_",
+        "norm_squared_"];
+    let scalar = |text: &str| Scalar::from_name(text).is_some();
+    prefixes.iter().any(|prefix| name.strip_prefix(prefix).is_some_and(scalar))
+        || name.split_once("_from_").is_some_and(|(to, from)| {
+            scalar(to) && (floats.contains(&from) || from == "bits")
+        })
+        || name.strip_prefix("bits_of_").is_some_and(scalar)
+}
+
+/// The helpers with those that they call.
+pub fn closure(helpers: &BTreeSet<Helper>) -> BTreeSet<Helper> {
+    helpers.iter().flat_map(|helper| [Some(*helper), helper.needs()]).flatten().collect()
+}
+
+fn int_type(int: Int) -> &'static str {
+    scalar_type(Scalar::Int(int))
+}
+
+fn float_type(float: Float) -> &'static str {
+    scalar_type(Scalar::Float(float))
+}
+
+/// The unsigned type of an integer's width.
+pub fn unsigned_type(int: Int) -> String {
+    format!("uint{}_t", int.bits())
+}
+
+fn wrap(name: &str, int: Int) -> String {
+    let (ty, bits) = (int_type(int), int.bits());
+    let negative = if bits < 32 {
+        format!("({ty})(-1 - ({ty})(UINT{bits}_MAX - bits))")
+    } else {
+        format!("-1 - ({ty})(UINT{bits}_MAX - bits)")
+    };
+    format!(
+        "/* The signed integer with these bits. */
+static {ty} {name}(uint{bits}_t bits)
+{{
+    return bits <= (uint{bits}_t)INT{bits}_MAX ? ({ty})bits : {negative};
+}}"
+    )
+}
+
+fn extreme(name: &str, float: Float, word: &str, op: &str, not: &str) -> String {
+    let ty = float_type(float);
+    format!(
+        "/* The {word} of two numbers: -0 < +0, and a NaN gives the other. */
+static {ty} {name}({ty} a, {ty} b)
+{{
+    if (a {op} b || b != b) {{
+        return a;
+    }}
+    if (a == b) {{
+        return {not}signbit(a) ? a : b;
+    }}
+    return b;
+}}"
+    )
+}
+
+fn choose(name: &str, scalar: Scalar, word: &str, op: &str) -> String {
+    let ty = scalar_type(scalar);
+    format!(
+        "/* The {word} of two integers. */
+static {ty} {name}({ty} a, {ty} b)
+{{
+    return a {op} b ? a : b;
+}}"
+    )
+}
+
+fn clamp(name: &str, scalar: Scalar) -> String {
+    let ty = scalar_type(scalar);
+    let nan = if matches!(scalar, Scalar::Float(_)) { "; NaN stays NaN" } else { "" };
+    format!(
+        "/* The number nearest to value from low to high{nan}. */
+static {ty} {name}({ty} value, {ty} low, {ty} high)
+{{
+    if (value < low) {{
+        return low;
+    }}
+    return value > high ? high : value;
+}}"
+    )
+}
+
+fn absolute(name: &str, int: Int) -> String {
+    let ty = int_type(int);
+    let negated = if int.bits() < 32 { format!("({ty})-value") } else { "-value".to_owned() };
+    format!(
+        "/* The absolute value; value is not the smallest of its type. */
+static {ty} {name}({ty} value)
+{{
+    return value < 0 ? {negated} : value;
+}}"
+    )
+}
+
+fn shift_left(name: &str, int: Int) -> String {
+    let (ty, bits) = (int_type(int), int.bits());
+    let wrap = Helper::Wrap(int).name();
+    let shifted = if bits < 32 {
+        format!("(uint{bits}_t)((uint32_t)value << count)")
+    } else {
+        format!("(uint{bits}_t)value << count")
+    };
+    format!(
+        "/* The bits of value shifted left by count, which is less than {bits}. */
+static {ty} {name}({ty} value, uint32_t count)
+{{
+    return {wrap}({shifted});
+}}"
+    )
+}
+
+fn shift_right(name: &str, int: Int) -> String {
+    let (ty, bits) = (int_type(int), int.bits());
+    let (negative, positive) = if bits < 32 {
+        (format!("({ty})~(~value >> count)"), format!("({ty})(value >> count)"))
+    } else {
+        ("~(~value >> count)".to_owned(), "value >> count".to_owned())
+    };
+    format!(
+        "/* value divided by 2^count and rounded down; count is less than {bits}. */
+static {ty} {name}({ty} value, uint32_t count)
+{{
+    return value < 0 ? {negative} : {positive};
+}}"
+    )
+}
+
+fn from_float(name: &str, int: Int, float: Float) -> String {
+    let (ty, value) = (int_type(int), float_type(float));
+    let suffix = if float == Float::F32 { "F" } else { "" };
+    let (above, limit) = (int.max() + 1, integer_name(int, "MAX"));
+    let above = format!("{above}.0{suffix}");
+    let (below, floor) = if int.signed() {
+        (format!("{}.0{suffix}", int.min()), integer_name(int, "MIN"))
+    } else {
+        (format!("0.0{suffix}"), "0".to_owned())
+    };
+    format!(
+        "/* The integer nearest to value towards zero, within its type; 0 for a NaN. */
+static {ty} {name}({value} value)
+{{
+    if (value != value) {{
+        return 0;
+    }}
+    if (value <= {below}) {{
+        return {floor};
+    }}
+    return value >= {above} ? {limit} : ({ty})value;
+}}"
+    )
+}
+
+fn integer_name(int: Int, which: &str) -> String {
+    format!("{}INT{}_{which}", if int.signed() { "" } else { "U" }, int.bits())
+}
+
+fn bits(name: &str, float: Float) -> String {
+    let (ty, bits, nan) = match float {
+        Float::F32 => ("float", 32, "0x7FC00000U"),
+        Float::F64 => ("double", 64, "UINT64_C(0x7FF8000000000000)"),
+    };
+    format!(
+        "/* The bits of a number; every NaN has the same. */
+static uint{bits}_t {name}({ty} value)
+{{
+    uint{bits}_t bits = {nan};
+    if (value == value) {{
+        memcpy(&bits, &value, sizeof bits);
+    }}
+    return bits;
+}}"
+    )
+}
+
+fn from_bits(name: &str, float: Float) -> String {
+    let (ty, bits) = match float {
+        Float::F32 => ("float", 32),
+        Float::F64 => ("double", 64),
+    };
+    format!(
+        "/* The number with these bits. */
+static {ty} {name}(uint{bits}_t bits)
+{{
+    {ty} value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}}"
+    )
+}
+
+fn copysign(name: &str, float: Float) -> String {
+    let (ty, f) = if float == Float::F32 { ("float", "f") } else { ("double", "") };
+    format!(
+        "/* The size of one number with the sign of another; a NaN counts as positive. */
+static {ty} {name}({ty} size, {ty} sign)
+{{
+    return sign != sign ? fabs{f}(size) : copysign{f}(size, sign);
+}}"
+    )
+}
+
+fn dot(name: &str, float: Float) -> String {
+    let ty = float_type(float);
+    let zero = if float == Float::F32 { "0.0F" } else { "0.0" };
+    let mut lanes = String::new();
+    for lane in 1..8 {
+        lanes.push_str(&format!("            lane[{lane}] += a[i + {lane}U] * b[i + {lane}U];\n"));
+    }
+    let zeros = [zero; 8].join(", ");
+    format!(
+        "/* The scalar product of two matrices by columns, in eight lanes and in nalgebra's order. */
+static {ty} {name}(const {ty} *a, const {ty} *b, uint32_t rows, uint32_t columns)
+{{
+    {ty} sum = {zero};
+    for (uint32_t column = 0U; column < columns; column++) {{
+        {ty} lane[8] = {{{zeros}}};
+        const uint32_t end = (column + 1U) * rows;
+        uint32_t i = column * rows;
+        for (; end - i >= 8U; i += 8U) {{
+            lane[0] += a[i] * b[i];
+{lanes}        }}
+        sum += lane[0] + lane[4];
+        sum += lane[1] + lane[5];
+        sum += lane[2] + lane[6];
+        sum += lane[3] + lane[7];
+        for (; i < end; i++) {{
+            sum += a[i] * b[i];
+        }}
+    }}
+    return sum;
+}}"
+    )
+}
+
+fn norm_squared(name: &str, float: Float) -> String {
+    let ty = float_type(float);
+    let zero = if float == Float::F32 { "0.0F" } else { "0.0" };
+    let dot = Helper::Dot(float).name();
+    format!(
+        "/* The sum of the squares of a matrix, column by column and in nalgebra's order. */
+static {ty} {name}(const {ty} *a, uint32_t rows, uint32_t columns)
+{{
+    {ty} sum = {zero};
+    for (uint32_t column = 0U; column < columns; column++) {{
+        const {ty} *x = &a[column * rows];
+        if (rows == 4U) {{
+            sum += (x[0] * x[0] + x[2] * x[2]) + (x[1] * x[1] + x[3] * x[3]);
+        }} else {{
+            sum += {dot}(x, x, rows, 1U);
+        }}
+    }}
+    return sum;
+}}"
+    )
+}

@@ -1,0 +1,179 @@
+//! The function that sets a component to its initial state.
+
+use std::collections::BTreeSet;
+
+use bessemer_ir::{Module, StructId, Type};
+
+use super::literal;
+use super::lower::{Context, Uses};
+use super::tree::{Declarator, Expr, Head, Init, Item, Lines, Origin, Step, Stmt, StmtKind, plain};
+
+/// Up to so many equal elements are set by a line each.
+const LINES: usize = 4;
+/// Up to so many different words are set by a line each; more come from a table.
+const WORDS: usize = 16;
+
+/// The head of a component's `init`.
+pub fn head(context: Context<'_>, id: StructId) -> Head {
+    let names = &context.names.structs[id.index()];
+    let this = Declarator {
+        ty: format!("{} *", names.ty),
+        name: "self".to_owned(),
+        dimensions: String::new(),
+    };
+    Head {
+        is_static: false,
+        result: "void".to_owned(),
+        name: names.init.clone().expect("only components have it"),
+        params: vec![this],
+    }
+}
+
+/// Its doc comment.
+pub fn docs() -> Vec<String> {
+    vec!["Sets the initial state; call it before anything else.".to_owned()]
+}
+
+/// Its definition.
+pub fn item(context: Context<'_>, id: StructId, uses: &mut Uses) -> Item {
+    let component = &context.module.structs[id.index()];
+    let words = component.initial.as_deref().expect("only components have it");
+    let this = Expr::unary("*", Expr::name("self"));
+    let mut writer = Writer { context, uses, body: Vec::new(), depth: 0, tables: BTreeSet::new() };
+    writer.fields(&this, id, words);
+    Item::Function {
+        docs: Vec::new(),
+        head: head(context, id),
+        body: writer.body,
+        origin: Origin { file: component.span.file, line: component.span.line },
+        function: format!("{}::{}", component.module, component.name),
+    }
+}
+
+struct Writer<'a> {
+    context: Context<'a>,
+    uses: &'a mut Uses,
+    body: Vec<Stmt>,
+    /// Loops around.
+    depth: usize,
+    tables: BTreeSet<String>,
+}
+
+impl Writer<'_> {
+    fn fields(&mut self, place: &Expr, id: StructId, words: &[u64]) {
+        let module = self.context.module;
+        let names = &self.context.names.structs[id.index()];
+        let fields = &module.structs[id.index()].fields;
+        let mut rest = words;
+        for (field, name) in fields.iter().zip(&names.fields) {
+            let (own, later) = rest.split_at(count(module, &field.ty));
+            self.value(place.clone().field(name), &field.ty, own);
+            rest = later;
+        }
+        if let Some(fault) = &names.fault {
+            self.set(place.clone().field(fault), Expr::name(&self.context.names.status.ok));
+        }
+    }
+
+    fn set(&mut self, place: Expr, value: Expr) {
+        self.body.push(plain(StmtKind::Assign(place, "=", value)));
+    }
+
+    fn value(&mut self, place: Expr, ty: &Type, words: &[u64]) {
+        match ty {
+            Type::Unit => {}
+            Type::Scalar(_) | Type::Enum(_) => {
+                self.uses.math |= literal::needs_math(ty, words[0]);
+                let value = literal::word(self.context.names, ty, words[0]);
+                self.set(place, value);
+            }
+            Type::Struct(id) => self.structure(place, *id, words),
+            Type::Array { element, len } => self.array(place, element, *len as usize, words),
+            Type::Matrix { element, rows, cols } => {
+                let element = Type::Scalar(*element);
+                self.array(place, &element, (rows * cols) as usize, words);
+            }
+        }
+    }
+
+    /// A component inside another sets itself, if it starts as it does on its own.
+    fn structure(&mut self, place: Expr, id: StructId, words: &[u64]) {
+        let item = &self.context.module.structs[id.index()];
+        let names = &self.context.names.structs[id.index()];
+        match &names.init {
+            Some(init) if item.initial.as_deref() == Some(words) => {
+                self.uses.headers.insert(names.header.clone());
+                let call = Expr::call(init, vec![place.address()]);
+                self.body.push(plain(StmtKind::Expr(call)));
+            }
+            _ => self.fields(&place, id, words),
+        }
+    }
+
+    fn array(&mut self, place: Expr, element: &Type, len: usize, words: &[u64]) {
+        let size = words.len() / len.max(1);
+        let parts: Vec<&[u64]> = words.chunks(size.max(1)).collect();
+        let equal = parts.windows(2).all(|pair| pair[0] == pair[1]);
+        if equal && len > LINES {
+            let counter = ["i", "j", "k", "l", "m", "n"][self.depth.min(5)];
+            let outer = std::mem::take(&mut self.body);
+            self.depth += 1;
+            self.value(place.at(Expr::name(counter)), element, parts[0]);
+            self.depth -= 1;
+            let body = std::mem::replace(&mut self.body, outer);
+            self.body.push(plain(count_up(counter, len, body)));
+        } else if element.is_word() && len > WORDS {
+            self.table(place, element, words);
+        } else {
+            for (index, part) in parts.iter().enumerate() {
+                self.value(place.clone().at(Expr::name(index.to_string())), element, part);
+            }
+        }
+    }
+
+    fn table(&mut self, place: Expr, element: &Type, words: &[u64]) {
+        let field = match &place {
+            Expr::Arrow(_, field) | Expr::Member(_, field) => field.clone(),
+            _ => "values".to_owned(),
+        };
+        let tables = &self.tables;
+        let name = super::names::unique(&format!("initial_{field}"), |name| tables.contains(name));
+        self.tables.insert(name.clone());
+        let items = words.iter().map(|word| {
+            (None, Init::Value(literal::word(self.context.names, element, *word)))
+        });
+        let init = Init::List { items: items.collect(), lines: Lines::Fill };
+        let declarator = Declarator {
+            ty: format!("static const {}", self.context.names.word(element)),
+            name: name.clone(),
+            dimensions: format!("[{}]", words.len()),
+        };
+        self.body.push(plain(StmtKind::Declare(declarator, Some(init))));
+        let size = Expr::call("sizeof", vec![Expr::name(&name)]);
+        let copy = Expr::call("memcpy", vec![place, Expr::name(name), size]);
+        self.body.push(plain(StmtKind::Expr(copy)));
+        self.uses.string = true;
+        self.uses.math |= words.iter().any(|word| literal::needs_math(element, *word));
+    }
+}
+
+fn count_up(counter: &str, count: usize, body: Vec<Stmt>) -> StmtKind {
+    let name = Expr::name(counter);
+    StmtKind::For {
+        init: (
+            Declarator {
+                ty: "uint32_t".to_owned(),
+                name: counter.to_owned(),
+                dimensions: String::new(),
+            },
+            Expr::name("0U"),
+        ),
+        condition: Expr::binary("<", name.clone(), Expr::name(format!("{count}U"))),
+        step: Some(Step::Expr(Expr::Postfix(Box::new(name), "++"))),
+        body,
+    }
+}
+
+fn count(module: &Module, ty: &Type) -> usize {
+    module.leaves(ty).len()
+}

@@ -1,0 +1,74 @@
+//! Words as C constants that read back to the same bits.
+
+use bessemer_ir::{Float, Int, Scalar, Type};
+
+use super::names::Names;
+use super::tree::Expr;
+
+/// A scalar or an enum.
+pub fn word(names: &Names, ty: &Type, word: u64) -> Expr {
+    match ty {
+        Type::Scalar(Scalar::Bool) => Expr::name(if word == 0 { "false" } else { "true" }),
+        Type::Scalar(Scalar::Int(int)) => integer(*int, int.from_word(word)),
+        Type::Scalar(Scalar::Float(float)) => number(*float, word),
+        Type::Enum(id) => Expr::name(names.variant(*id, word)),
+        other => unreachable!("no word: {other:?}"),
+    }
+}
+
+/// A float from its bits.
+pub fn number(float: Float, bits: u64) -> Expr {
+    let (magnitude, negative) = match float {
+        Float::F64 => {
+            let value = f64::from_bits(bits);
+            let text = match value.abs() {
+                value if value.is_nan() => "(double)NAN".to_owned(),
+                value if value.is_infinite() => "(double)INFINITY".to_owned(),
+                value => format!("{value:?}"),
+            };
+            (text, value.is_sign_negative() && !value.is_nan())
+        }
+        Float::F32 => {
+            let value = f32::from_bits(bits as u32);
+            let text = match value.abs() {
+                value if value.is_nan() => "NAN".to_owned(),
+                value if value.is_infinite() => "INFINITY".to_owned(),
+                value => format!("{value:?}F"),
+            };
+            (text, value.is_sign_negative() && !value.is_nan())
+        }
+    };
+    let value = match magnitude.strip_prefix("(double)") {
+        Some(name) => Expr::cast("double", Expr::name(name)),
+        None => Expr::Name(magnitude),
+    };
+    if negative { Expr::unary("-", value) } else { value }
+}
+
+/// Whether [`number`] needs `math.h` for these bits.
+pub fn needs_math(ty: &Type, word: u64) -> bool {
+    match ty.as_float() {
+        Some(Float::F64) => !f64::from_bits(word).is_finite(),
+        Some(Float::F32) => !f32::from_bits(word as u32).is_finite(),
+        None => false,
+    }
+}
+
+/// An integer, with the suffix of its type.
+pub fn integer(int: Int, value: i128) -> Expr {
+    if value == int.min() && int.signed() {
+        return Expr::name(format!("INT{}_MIN", int.bits()));
+    }
+    if value == int.max() && int.bits() > 8 {
+        let unsigned = if int.signed() { "" } else { "U" };
+        return Expr::name(format!("{unsigned}INT{}_MAX", int.bits()));
+    }
+    let digits = value.unsigned_abs();
+    let magnitude = Expr::name(match (int.bits(), int.signed()) {
+        (64, true) => format!("INT64_C({digits})"),
+        (64, false) => format!("UINT64_C({digits})"),
+        (_, true) => format!("{digits}"),
+        (_, false) => format!("{digits}U"),
+    });
+    if value < 0 { Expr::unary("-", magnitude) } else { magnitude }
+}

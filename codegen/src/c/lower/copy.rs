@@ -1,0 +1,273 @@
+//! Values of many words: initialisers, copies, fills, constructors.
+
+use bessemer_ir::{Expr as Ir, ExprKind, Place, Step, Type};
+
+use super::super::analysis::{overlap, reads};
+use super::super::tree::{Declarator, Expr, Init, Lines, Step as ForStep, StmtKind};
+use super::Lower;
+use super::stmt::is_simple;
+
+/// Up to so many words are copied by a line each.
+const LINES: u32 = 4;
+/// Up to so many equal words stand in an initialiser.
+const LISTED: u32 = 16;
+
+impl Lower<'_> {
+    /// Writes a value to `dest`. `place`: the author's place that it is, if other operands may share
+    /// storage with it.
+    pub(super) fn store(&mut self, dest: Expr, place: Option<&Place>, value: &Ir) {
+        if let ExprKind::Call(callee, arguments) = &value.kind
+            && (value.ty.is_aggregate() || self.context.faults.fallible(*callee))
+        {
+            self.call_into(*callee, arguments, dest, &value.ty);
+            return;
+        }
+        if value.ty.is_word() {
+            let value = self.word(value);
+            self.assign(dest, value);
+            return;
+        }
+        let built = matches!(
+            value.kind,
+            ExprKind::Struct(_) | ExprKind::Array(_) | ExprKind::Matrix(_) | ExprKind::Splat(_)
+        );
+        if built && place.is_some_and(|place| reads(value, place)) {
+            self.store_through_copy(dest, value);
+            return;
+        }
+        match &value.kind {
+            ExprKind::Load(from) => {
+                let shared = place.is_some_and(|place| overlap(place, from));
+                let from = self.place(from);
+                if from != dest {
+                    self.copy(dest, from, &value.ty, shared);
+                }
+            }
+            ExprKind::Const(_) => {
+                let from = self.operand(value);
+                self.copy(dest, from, &value.ty, false);
+            }
+            ExprKind::Routine(routine, operands) => {
+                self.store_routine(dest, place, (*routine, operands), value);
+            }
+            _ => self.construct(dest, value),
+        }
+    }
+
+    /// Builds the value beside its destination, which it reads.
+    pub(super) fn store_through_copy(&mut self, dest: Expr, value: &Ir) {
+        let block = self.scope(|lower| {
+            let name = lower.fresh("next");
+            lower.define(&value.ty, &name, value, true);
+            lower.copy(dest, Expr::name(name), &value.ty, false);
+        });
+        self.emit(StmtKind::Block(block));
+    }
+
+    /// Part by part.
+    fn construct(&mut self, dest: Expr, value: &Ir) {
+        match (&value.kind, &value.ty) {
+            (ExprKind::Struct(items), Type::Struct(id)) => {
+                let names = &self.context.names.structs[id.index()];
+                for (item, field) in items.iter().zip(&names.fields) {
+                    self.store(dest.clone().field(field), None, item);
+                }
+                if let Some(field) = &names.fault {
+                    let ok = Expr::name(&self.context.names.status.ok);
+                    self.assign(dest.field(field), ok);
+                }
+            }
+            (ExprKind::Array(items), _) => {
+                for (index, item) in items.iter().enumerate() {
+                    self.store(dest.clone().at(Expr::name(index.to_string())), None, item);
+                }
+            }
+            (ExprKind::Matrix(items), Type::Matrix { rows, cols, .. }) => {
+                for (index, item) in items.iter().enumerate() {
+                    let (row, column) = (index as u32 % rows, index as u32 / rows);
+                    let element = super::place::element(dest.clone(), (*rows, *cols), row, column);
+                    self.store(element, None, item);
+                }
+            }
+            (ExprKind::Splat(item), ty) => self.fill(dest, ty, item),
+            (kind, _) => unreachable!("the validator refuses {kind:?} as a whole value"),
+        }
+    }
+
+    /// The same value everywhere.
+    fn fill(&mut self, dest: Expr, ty: &Type, item: &Ir) {
+        let count = length(ty);
+        let simple = matches!(item.kind, ExprKind::Literal(_) | ExprKind::Const(_) | ExprKind::Load(_));
+        if count <= LINES && (simple || !item.ty.is_word()) {
+            for index in 0..count {
+                self.store(dest.clone().at(Expr::name(index.to_string())), None, item);
+            }
+            return;
+        }
+        let mut value = None;
+        if item.ty.is_word() && !simple {
+            let once = self.word(item);
+            let name = self.fresh("value");
+            self.declare(&item.ty, &name, Some(Init::Value(once)), true);
+            value = Some(Expr::name(name));
+        }
+        self.count_up(count, |lower, index| match value {
+            Some(value) => lower.assign(dest.at(index), value),
+            None => lower.store(dest.at(index), None, item),
+        });
+    }
+
+    /// `for (uint32_t i = 0U; i < count; i++) { body }`.
+    pub(super) fn count_up(&mut self, count: u32, body: impl FnOnce(&mut Self, Expr)) {
+        self.count_from("i", 0, count, body);
+    }
+
+    /// The same, with a name for the counter and a first value.
+    pub(super) fn count_from(
+        &mut self,
+        name: &str,
+        first: u32,
+        count: u32,
+        body: impl FnOnce(&mut Self, Expr),
+    ) {
+        if first + 1 == count {
+            return body(self, Expr::name(first.to_string()));
+        }
+        if first >= count {
+            return;
+        }
+        let mut counter = String::new();
+        let body = self.scope(|lower| {
+            counter = lower.fresh(name);
+            body(lower, Expr::name(&counter));
+        });
+        self.bytes += 4;
+        let counter_name = Expr::name(&counter);
+        self.emit(StmtKind::For {
+            init: (
+                Declarator { ty: "uint32_t".to_owned(), name: counter, dimensions: String::new() },
+                Expr::name(format!("{first}U")),
+            ),
+            condition: Expr::binary("<", counter_name.clone(), Expr::name(format!("{count}U"))),
+            step: Some(ForStep::Expr(Expr::Postfix(Box::new(counter_name), "++"))),
+            body,
+        });
+    }
+
+    /// Copies a whole value; `shared`: source and destination may be one.
+    pub(super) fn copy(&mut self, dest: Expr, from: Expr, ty: &Type, shared: bool) {
+        if ty.is_word() || matches!(ty, Type::Struct(_)) {
+            self.assign(dest, from);
+            return;
+        }
+        let (element, dimensions) = self.context.names.type_parts(ty);
+        if dimensions.matches('[').count() == 1 && length(ty) <= LINES {
+            for index in 0..length(ty) {
+                let at = Expr::name(index.to_string());
+                self.assign(dest.clone().at(at.clone()), from.clone().at(at));
+            }
+            return;
+        }
+        self.uses.string = true;
+        let size = Expr::call("sizeof", vec![Expr::name(format!("{element}{dimensions}"))]);
+        let function = if shared { "memmove" } else { "memcpy" };
+        self.emit(StmtKind::Expr(Expr::call(function, vec![dest, from, size])));
+    }
+
+    /// Whether C has an initialiser for a value.
+    pub(super) fn initialisable(&self, value: &Ir) -> bool {
+        match &value.kind {
+            ExprKind::Call(callee, _) => value.ty.is_word() && !self.context.faults.fallible(*callee),
+            _ if value.ty.is_word() => true,
+            ExprKind::Load(_) | ExprKind::Const(_) => matches!(value.ty, Type::Struct(_)),
+            ExprKind::Struct(items) | ExprKind::Array(items) | ExprKind::Matrix(items) => {
+                items.iter().all(|item| self.initialisable(item))
+            }
+            ExprKind::Splat(item) => {
+                is_zero(value)
+                    || length(&value.ty) <= LISTED
+                        && matches!(item.kind, ExprKind::Literal(_) | ExprKind::Const(_))
+                        && item.ty.is_word()
+            }
+            ExprKind::Routine(routine, operands) => self.is_straight(*routine, operands, &value.ty),
+            _ => false,
+        }
+    }
+
+    /// The initialiser.
+    pub(super) fn initialiser(&mut self, value: &Ir) -> Init {
+        if value.ty.is_word() {
+            return Init::Value(self.word(value));
+        }
+        match (&value.kind, &value.ty) {
+            (ExprKind::Struct(items), Type::Struct(id)) => {
+                let fields = &self.context.names.structs[id.index()].fields;
+                let items = items.iter().zip(fields);
+                let items = items.map(|(item, name)| (Some(name.clone()), self.initialiser(item)));
+                Init::List { items: items.collect(), lines: Lines::Fill }
+            }
+            (ExprKind::Splat(item), ty) => {
+                let count = if is_zero(value) { 1 } else { length(ty) };
+                let items = (0..count).map(|_| (None, self.initialiser(item)));
+                Init::List { items: items.collect(), lines: Lines::Fill }
+            }
+            (ExprKind::Array(items) | ExprKind::Matrix(items), ty) => {
+                let lines = match ty {
+                    Type::Matrix { rows, cols, .. } if *rows > 1 && *cols > 1 => {
+                        Lines::Groups(*rows as usize)
+                    }
+                    _ => Lines::Fill,
+                };
+                let items = items.iter().map(|item| (None, self.initialiser(item)));
+                Init::List { items: items.collect(), lines }
+            }
+            (ExprKind::Routine(routine, operands), ty) => {
+                let (elements, lines) = self.straight(*routine, operands, ty, None);
+                let items = elements.into_iter().map(|element| (None, Init::Value(element)));
+                Init::List { items: items.collect(), lines }
+            }
+            _ => Init::Value(self.operand(value)),
+        }
+    }
+
+    /// A value to compute with more than once: itself if that is simple, else a constant.
+    pub(super) fn once(&mut self, name: &str, value: &Ir, place: Option<&Place>) -> Expr {
+        let lowered = self.word(value);
+        let disturbed = place.is_some_and(|place| reads(value, place));
+        if is_simple(&lowered) && !disturbed {
+            return lowered;
+        }
+        let name = self.fresh(name);
+        self.declare(&value.ty, &name, Some(Init::Value(lowered)), true);
+        Expr::name(name)
+    }
+}
+
+/// How many elements an array or a matrix has.
+fn length(ty: &Type) -> u32 {
+    match ty {
+        Type::Array { len, .. } => *len,
+        Type::Matrix { rows, cols, .. } => rows * cols,
+        _ => 1,
+    }
+}
+
+/// Whether every word of a value is zero: what C leaves out of an initialiser is zero too.
+fn is_zero(value: &Ir) -> bool {
+    match &value.kind {
+        ExprKind::Literal(word) => *word == 0,
+        ExprKind::Splat(item) => is_zero(item),
+        _ => false,
+    }
+}
+
+/// Whether a place has an index that reads what one of `written` holds.
+pub(super) fn indexed_by(place: &Place, written: &[&Place]) -> bool {
+    place.steps.iter().any(|step| match step {
+        Step::Field(_) => false,
+        Step::Index(index) => written.iter().any(|place| reads(index, place)),
+        Step::Element(row, column) => {
+            written.iter().any(|place| reads(row, place) || reads(column, place))
+        }
+    })
+}

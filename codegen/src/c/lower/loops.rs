@@ -1,0 +1,212 @@
+//! `for` over ranges.
+//!
+//! A range that includes its end may end at the largest value of its type, where `i <= end` never
+//! fails; unless the bound is known to be smaller, a flag ends the loop.
+
+use bessemer_ir::{Block, Expr as Ir, ExprKind, Int, LocalId, Scalar, StmtKind as IrKind, Type};
+
+use super::super::analysis::{reads_local, walk_expr, walk_exprs, walk_stmts};
+use super::super::literal;
+use super::super::names::scalar_type;
+use super::super::tree::{Declarator, Expr, Init, Step, StmtKind};
+use super::Lower;
+use super::place::is_small;
+
+/// The pieces of a loop that its form decides.
+struct Head {
+    first: Expr,
+    condition: Expr,
+    step: Option<Step>,
+    /// What the body begins with.
+    begin: Option<StmtKind>,
+}
+
+impl Lower<'_> {
+    pub(super) fn for_(
+        &mut self,
+        variable: LocalId,
+        (from, to): (&Ir, &Ir),
+        inclusive: bool,
+        reversed: bool,
+        body: &Block,
+    ) {
+        let ty = self.function.local(variable).ty.clone();
+        let int = ty.as_int().expect("the validator asks for an integer");
+        let range = self.range(from).zip(self.range(to));
+        let names = self.live.len();
+        let outside = std::mem::take(&mut self.out);
+
+        // The bound that is read again and again must hold still.
+        let (from, to) = if reversed {
+            (self.bound(from, "first", range.is_some(), body), self.start(to, range.is_some()))
+        } else {
+            (self.start(from, range.is_some()), self.bound(to, "end", range.is_some(), body))
+        };
+        let last = literal_value(&to.1, int).or(range.map(|range| range.1.1));
+        let flagged = inclusive && last.is_none_or(|last| last >= int.max());
+        let flag = flagged.then(|| self.flag(&from.0, &to.0));
+
+        let wanted = self.function.local(variable).name.clone();
+        if wanted.starts_with('_') && wanted.trim_matches('_').is_empty() {
+            let name = self.fresh("i");
+            self.bindings[variable.index()] = Some(super::Binding { name, pointer: false });
+        } else {
+            self.bind(variable);
+        }
+        self.counters[variable.index()] = range.map(|(from, to)| {
+            let last = if inclusive { to.1 } else { to.1 - 1 };
+            (from.0, last.max(from.0))
+        });
+        let counter = self.bindings[variable.index()].as_ref().expect("just bound").name.clone();
+        let ty = if range.is_some() { "uint32_t" } else { scalar_type(Scalar::Int(int)) };
+        let head = match flag {
+            Some(flag) => flagged_head(&counter, (from.0, to.0), int, reversed, flag),
+            None if reversed => self.head_down(&counter, (from, to), int, inclusive),
+            None => Head {
+                first: from.0,
+                condition: Expr::binary(if inclusive { "<=" } else { "<" }, Expr::name(&counter), to.0),
+                step: Some(Step::Expr(Expr::Postfix(Box::new(Expr::name(&counter)), "++"))),
+                begin: None,
+            },
+        };
+        self.bytes += 8;
+        self.finish(Declarator { ty: ty.to_owned(), name: counter, dimensions: String::new() }, head, body);
+        self.live.truncate(names);
+        let mut stmts = std::mem::replace(&mut self.out, outside);
+        if stmts.len() == 1 {
+            self.out.append(&mut stmts);
+        } else {
+            self.emit(StmtKind::Block(stmts));
+        }
+    }
+
+    fn finish(&mut self, counter: Declarator, head: Head, body: &Block) {
+        let origin = self.origin;
+        let body = self.scope(|lower| {
+            if let Some(begin) = head.begin {
+                lower.emit(begin);
+            }
+            lower.block_into(body, false);
+        });
+        self.origin = origin;
+        self.emit(StmtKind::For {
+            init: (counter, head.first),
+            condition: head.condition,
+            step: head.step,
+            body,
+        });
+    }
+
+    fn head_down(
+        &mut self,
+        counter: &str,
+        (from, to): ((Expr, Ir), (Expr, Ir)),
+        int: Int,
+        inclusive: bool,
+    ) -> Head {
+        let i = || Expr::name(counter);
+        let first = match literal_value(&to.1, int) {
+            Some(value) if inclusive => literal_like(&to.0, int, value + 1),
+            _ if inclusive => Expr::binary("+", to.0, Expr::name("1U")),
+            _ => to.0,
+        };
+        // Below the first value the counter must not fall where that would leave its type.
+        let falls = !int.signed() || literal_value(&from.1, int).is_some_and(|value| value > int.min());
+        if falls {
+            let condition = Expr::binary(">", Expr::Postfix(Box::new(i()), "--"), from.0);
+            Head { first, condition, step: None, begin: None }
+        } else {
+            let down = StmtKind::Expr(Expr::Postfix(Box::new(i()), "--"));
+            Head { first, condition: Expr::binary(">", i(), from.0), step: None, begin: Some(down) }
+        }
+    }
+
+    /// `bool more = from <= to;`
+    fn flag(&mut self, from: &Expr, to: &Expr) -> String {
+        let name = self.fresh("more");
+        let value = Expr::binary("<=", from.clone(), to.clone());
+        self.declare(&Type::BOOL, &name, Some(Init::Value(value)), false);
+        name
+    }
+
+    /// A bound that is read once.
+    fn start(&mut self, value: &Ir, narrow: bool) -> (Expr, Ir) {
+        let lowered = self.bound_value(value, narrow);
+        let wide = narrow && self.is_wide(value);
+        (if wide { Expr::cast("uint32_t", lowered) } else { lowered }, value.clone())
+    }
+
+    /// A bound that is read before every pass.
+    fn bound(&mut self, value: &Ir, name: &str, narrow: bool, body: &Block) -> (Expr, Ir) {
+        let lowered = self.bound_value(value, narrow);
+        if !holds_still(value, body) {
+            let name = self.fresh(name);
+            self.declare(&value.ty, &name, Some(Init::Value(lowered)), true);
+            return (Expr::name(name), value.clone());
+        }
+        (lowered, value.clone())
+    }
+
+    fn bound_value(&mut self, value: &Ir, narrow: bool) -> Expr {
+        if narrow { self.narrow(value, false) } else { self.word(value) }
+    }
+}
+
+/// A loop that a flag ends: `for (T i = from; more; i = more ? i + 1 : i) { more = i < to; … }`.
+fn flagged_head(counter: &str, (from, to): (Expr, Expr), int: Int, reversed: bool, flag: String) -> Head {
+    let i = || Expr::name(counter);
+    let more = || Expr::name(&flag);
+    let (op, compare) = if reversed { ("-", ">") } else { ("+", "<") };
+    let (first, last) = if reversed { (to, from) } else { (from, to) };
+    let one = Expr::name(if int.signed() { "1" } else { "1U" });
+    let stepped = Expr::binary(op, i(), one);
+    let next = Expr::Conditional(Box::new(more()), Box::new(stepped), Box::new(i()));
+    let next = if is_small(int) { Expr::cast(scalar_type(Scalar::Int(int)), next) } else { next };
+    let ahead = Expr::binary(compare, i(), last);
+    Head {
+        first,
+        condition: more(),
+        step: Some(Step::Assign(i(), next)),
+        begin: Some(StmtKind::Assign(more(), "=", ahead)),
+    }
+}
+
+fn literal_value(expr: &Ir, int: Int) -> Option<i128> {
+    match expr.kind {
+        ExprKind::Literal(word) => Some(int.from_word(word)),
+        _ => None,
+    }
+}
+
+/// A literal in the form of another: `4U` where that was `3U`.
+fn literal_like(other: &Expr, int: Int, value: i128) -> Expr {
+    match other {
+        Expr::Name(text) if text.ends_with('U') && text.starts_with(|c: char| c.is_ascii_digit()) => {
+            Expr::name(format!("{value}U"))
+        }
+        _ => literal::integer(int, value),
+    }
+}
+
+/// Whether a bound keeps its value while the body runs, and costs little to read.
+fn holds_still(value: &Ir, body: &Block) -> bool {
+    let mut still = true;
+    walk_expr(value, &mut |expr| {
+        still &= !matches!(expr.kind, ExprKind::Call(..) | ExprKind::Routine(..));
+    });
+    walk_stmts(body, &mut |stmt| {
+        if let IrKind::Assign { place, .. } = &stmt.kind {
+            still &= !reads_local(value, place.root);
+        }
+    });
+    walk_exprs(body, &mut |expr| {
+        if let ExprKind::Call(_, arguments) = &expr.kind {
+            for argument in arguments {
+                if let bessemer_ir::Argument::RefMut(place) = argument {
+                    still &= !reads_local(value, place.root);
+                }
+            }
+        }
+    });
+    still
+}

@@ -1,0 +1,366 @@
+//! From a function of the explicit IR to statements of the C tree.
+//!
+//! What it relies on (the passes establish it, the validator checks it):
+//! * aggregates stand only as the whole value of `Let`, `Assign`, `Return`, or are lent as arguments;
+//! * calls stand only as the whole value of a statement, save pure ones of words;
+//! * no operation faults: `Check` statements stand before them.
+//!
+//! What it adds: conversions where C's promotions differ from Rust's types; a name for every local; a
+//! temporary wherever a result would be written over an operand.
+
+mod call;
+mod copy;
+mod loops;
+mod numbers;
+mod place;
+mod range;
+mod routine;
+mod stmt;
+mod word;
+
+use std::collections::BTreeSet;
+
+use bessemer_ir::{
+    Block, ConstId, ExprKind, Function, FunctionId, LocalId, Mode, Module, Owner, Role, Span,
+    StmtKind as IrKind, Type,
+};
+
+use super::analysis::{Faults, Usage, walk_exprs, walk_stmts};
+use super::helpers::{Helper, is_helper_name};
+use super::layout::size_of;
+use super::names::{Names, Signature, local_name, unique};
+use super::tree::{Declarator, Expr, Init, Origin, Stmt, StmtKind, plain};
+
+/// What a file must contain or include for the functions in it.
+#[derive(Clone, Debug, Default)]
+pub struct Uses {
+    /// Helper functions.
+    pub helpers: BTreeSet<Helper>,
+    /// Named constants.
+    pub consts: BTreeSet<ConstId>,
+    /// Emitted headers.
+    pub headers: BTreeSet<String>,
+    /// `math.h`.
+    pub math: bool,
+    /// `string.h`.
+    pub string: bool,
+}
+
+/// What all functions share.
+#[derive(Clone, Copy)]
+pub struct Context<'a> {
+    /// The module.
+    pub module: &'a Module,
+    /// Its names.
+    pub names: &'a Names,
+    /// Who can fault.
+    pub faults: &'a Faults,
+}
+
+/// A lowered function.
+pub struct Lowered {
+    /// The body.
+    pub body: Vec<Stmt>,
+    /// Bytes of the variables that it declares.
+    pub locals: u64,
+}
+
+/// How a local is written in C.
+#[derive(Clone, Debug)]
+struct Binding {
+    name: String,
+    /// A pointer to what the local stands for.
+    pointer: bool,
+}
+
+/// The state of lowering one function.
+pub(super) struct Lower<'a> {
+    context: Context<'a>,
+    function: &'a Function,
+    signature: &'a Signature,
+    usage: Usage,
+    bindings: Vec<Option<Binding>>,
+    /// Per local: the range of a loop counter that C holds in 32 bits.
+    counters: Vec<Option<(i128, i128)>>,
+    /// The names that are visible here.
+    live: Vec<String>,
+    out: Vec<Stmt>,
+    origin: Option<Origin>,
+    uses: &'a mut Uses,
+    /// The variable that holds a callee's status.
+    status: String,
+    /// Where the component keeps the fault that stopped it.
+    latch: Option<Expr>,
+    /// Whether the function looks at that before it runs.
+    looks: bool,
+    /// The local that is the result, and stands in the caller's storage from the start.
+    in_place: Option<LocalId>,
+    bytes: u64,
+}
+
+/// Lowers the body of a function; notes in `uses` what it needs.
+pub fn function<'a>(context: Context<'a>, id: FunctionId, uses: &'a mut Uses) -> Lowered {
+    let function = &context.module.functions[id.index()];
+    let mut lower = Lower {
+        context,
+        function,
+        signature: context.names.signature(id),
+        usage: Usage::new(function),
+        bindings: vec![None; function.locals.len()],
+        counters: vec![None; function.locals.len()],
+        live: Vec::new(),
+        out: Vec::new(),
+        origin: None,
+        uses,
+        status: String::new(),
+        latch: None,
+        looks: false,
+        in_place: None,
+        bytes: 0,
+    };
+    lower.parameters();
+    lower.prologue();
+    lower.block_into(&function.body, true);
+    lower.epilogue();
+    Lowered { body: lower.out, locals: lower.bytes }
+}
+
+impl<'a> Lower<'a> {
+    fn parameters(&mut self) {
+        let function = self.function;
+        self.live = self.signature.params.iter().map(|param| param.name.clone()).collect();
+        for (index, local) in function.parameters().iter().enumerate() {
+            let name = self.signature.params[index].name.clone();
+            let array = matches!(local.ty, Type::Array { .. } | Type::Matrix { .. });
+            let by_value = local.ty.is_word() && local.mode != Mode::RefMut;
+            self.bindings[index] = Some(Binding { name, pointer: !array && !by_value });
+        }
+    }
+
+    /// What stands before the author's first statement.
+    fn prologue(&mut self) {
+        let function = self.function;
+        if self.calls_fallible() {
+            self.status = self.fresh("status");
+            let ty = self.context.names.status.ty.clone();
+            self.emit(StmtKind::Declare(
+                Declarator { ty, name: self.status.clone(), dimensions: String::new() },
+                None,
+            ));
+        }
+        self.check_latch();
+        self.in_place = self.result_local();
+        for (index, local) in function.parameters().iter().enumerate() {
+            let own = local.mode == Mode::Value && local.ty.is_aggregate() && self.usage.assigned[index];
+            let name = self.signature.params[index].name.clone();
+            if own {
+                // The author's own copy, which the caller must not see change.
+                let copy = self.fresh(&format!("own_{name}"));
+                let from = self.bindings[index].clone().expect("bound above");
+                let from = bound(&from);
+                self.declare(&local.ty, &copy, None, false);
+                self.copy(Expr::name(&copy), from, &local.ty, false);
+                self.bindings[index] = Some(Binding { name: copy, pointer: false });
+            } else if !self.usage.read[index] && !self.usage.assigned[index] && !(index == 0 && self.looks) {
+                self.emit(StmtKind::Expr(Expr::cast("void", Expr::name(name))));
+            }
+        }
+    }
+
+    /// A component that a fault has stopped does not run.
+    fn check_latch(&mut self) {
+        let (Role::Entry { .. }, Some(Owner::Struct(owner))) = (self.function.role, self.function.owner)
+        else {
+            return;
+        };
+        let Some(first) = self.function.parameters().first() else { return };
+        let names = &self.context.names.structs[owner.index()];
+        let Some(field) = names.fault.as_ref().filter(|_| first.ty == Type::Struct(owner)) else { return };
+        if self.signature.returned != super::names::Returned::Status || first.mode == Mode::Value {
+            return;
+        }
+        let fault = Expr::unary("*", Expr::name(&self.signature.params[0].name)).field(field);
+        let ok = Expr::name(&self.context.names.status.ok);
+        let back = StmtKind::Return(Some(fault.clone()));
+        self.emit(StmtKind::If {
+            condition: Expr::binary("!=", fault.clone(), ok),
+            then: vec![plain(back)],
+            otherwise: Vec::new(),
+        });
+        self.looks = true;
+        self.latch = (first.mode == Mode::RefMut).then_some(fault);
+    }
+
+    /// The local that every `return` gives back, if it can be built where the caller wants it: a
+    /// fault would leave it half done there, so only without any.
+    fn result_local(&self) -> Option<LocalId> {
+        if self.is_fallible() || !self.function.result.is_aggregate() {
+            return None;
+        }
+        let declared = self.function.body.0.iter().filter_map(|stmt| match stmt.kind {
+            IrKind::Let { local, .. } => Some(local),
+            _ => None,
+        });
+        let declared: Vec<LocalId> = declared.collect();
+        let mut returned: Vec<Option<LocalId>> = Vec::new();
+        walk_stmts(&self.function.body, &mut |stmt| {
+            if let IrKind::Return(value) = &stmt.kind {
+                returned.push(value.as_ref().and_then(|value| match &value.kind {
+                    ExprKind::Load(place) if place.steps.is_empty() => Some(place.root),
+                    _ => None,
+                }));
+            }
+        });
+        let first = returned.first().copied().flatten()?;
+        let same = returned.iter().all(|other| *other == Some(first));
+        (same && declared.contains(&first)).then_some(first)
+    }
+
+    fn calls_fallible(&self) -> bool {
+        let mut found = false;
+        walk_exprs(&self.function.body, &mut |expr| {
+            if let ExprKind::Call(callee, _) = &expr.kind {
+                found |= self.context.faults.fallible(*callee);
+            }
+        });
+        found
+    }
+
+    /// A fallible function that returns nothing still says that all is well.
+    fn epilogue(&mut self) {
+        let returns = matches!(self.out.last().map(|stmt| &stmt.kind), Some(StmtKind::Return(_)));
+        if self.function.result == Type::Unit && self.is_fallible() && !returns {
+            self.origin = None;
+            self.emit_ok();
+        }
+    }
+
+    fn is_fallible(&self) -> bool {
+        self.signature.returned == super::names::Returned::Status
+    }
+
+    fn emit_ok(&mut self) {
+        let ok = Expr::name(&self.context.names.status.ok);
+        self.emit(StmtKind::Return(Some(ok)));
+    }
+
+    /// Appends a statement.
+    fn emit(&mut self, kind: StmtKind) {
+        self.out.push(Stmt { kind, origin: self.origin });
+    }
+
+    /// `place = value`, or `place += …` where it is that.
+    fn assign(&mut self, place: Expr, value: Expr) {
+        match value {
+            Expr::Binary(op, left, right) if *left == place && compound(op).is_some() => {
+                self.emit(StmtKind::Assign(place, compound(op).expect("just seen"), *right));
+            }
+            value => self.emit(StmtKind::Assign(place, "=", value)),
+        }
+    }
+
+    /// Runs `inner` in a scope of its own; its statements are the result.
+    fn scope(&mut self, inner: impl FnOnce(&mut Self)) -> Vec<Stmt> {
+        let (names, outer) = (self.live.len(), std::mem::take(&mut self.out));
+        inner(self);
+        self.live.truncate(names);
+        std::mem::replace(&mut self.out, outer)
+    }
+
+    fn block(&mut self, block: &Block, tail: bool) -> Vec<Stmt> {
+        self.scope(|lower| lower.block_into(block, tail))
+    }
+
+    /// A name that nothing visible has.
+    fn fresh(&mut self, wanted: &str) -> String {
+        let wanted = local_name(wanted);
+        let live = &self.live;
+        let names = self.context.names;
+        let taken = |name: &str| {
+            live.iter().any(|other| other == name)
+                || is_helper_name(name)
+                || names.functions.iter().any(|function| function.name == name)
+                || names.consts.iter().any(|constant| constant == name)
+        };
+        // Beside the result's own name, a local is the value that it will get.
+        let result = self.signature.params.get(self.function.params as usize);
+        let wanted = match result {
+            Some(param) if param.name == wanted => format!("{wanted}_value"),
+            _ => wanted,
+        };
+        let name = unique(&wanted, taken);
+        self.live.push(name.clone());
+        name
+    }
+
+    /// Names a local of the author's.
+    fn bind(&mut self, local: LocalId) -> String {
+        let author = &self.function.local(local).name;
+        let name = self.fresh(if author == "_" { "unused" } else { author });
+        self.bindings[local.index()] = Some(Binding { name: name.clone(), pointer: false });
+        name
+    }
+
+    /// The storage that the caller gives for the result.
+    fn result_storage(&self) -> Option<Expr> {
+        let param = self.signature.params.get(self.function.params as usize)?;
+        let array = matches!(param.ty, Type::Array { .. } | Type::Matrix { .. });
+        Some(bound(&Binding { name: param.name.clone(), pointer: !array }))
+    }
+
+    /// Declares a variable.
+    fn declare(&mut self, ty: &Type, name: &str, init: Option<Init>, constant: bool) {
+        self.bytes += size_of(self.context, ty);
+        let mut declarator = self.context.names.declarator(ty, name);
+        if constant {
+            declarator.ty.insert_str(0, "const ");
+        }
+        self.include_type(ty);
+        self.emit(StmtKind::Declare(declarator, init));
+    }
+
+    /// Notes the header of a type.
+    fn include_type(&mut self, ty: &Type) {
+        match ty {
+            Type::Struct(id) => {
+                self.uses.headers.insert(self.context.names.structs[id.index()].header.clone());
+            }
+            Type::Enum(id) => {
+                self.uses.headers.insert(self.context.names.enums[id.index()].header.clone());
+            }
+            Type::Array { element, .. } => self.include_type(element),
+            _ => {}
+        }
+    }
+
+    fn at(&mut self, span: Span) {
+        self.origin = (span.line > 0).then_some(Origin { file: span.file, line: span.line });
+    }
+
+    fn helper(&mut self, helper: Helper, arguments: Vec<Expr>) -> Expr {
+        self.uses.math |= helper.needs_math();
+        self.uses.string |= helper.needs_string();
+        self.uses.helpers.insert(helper.normal());
+        Expr::call(helper.name(), arguments)
+    }
+}
+
+fn bound(binding: &Binding) -> Expr {
+    let name = Expr::name(&binding.name);
+    if binding.pointer { Expr::unary("*", name) } else { name }
+}
+
+fn compound(op: &str) -> Option<&'static str> {
+    Some(match op {
+        "+" => "+=",
+        "-" => "-=",
+        "*" => "*=",
+        "/" => "/=",
+        "&" => "&=",
+        "|" => "|=",
+        "^" => "^=",
+        "<<" => "<<=",
+        ">>" => ">>=",
+        _ => return None,
+    })
+}

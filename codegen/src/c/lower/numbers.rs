@@ -1,0 +1,135 @@
+//! Operators, conversions and functions of numbers.
+
+use bessemer_ir::{BinaryOp, Expr as Ir, Float, Int, Intrinsic, Scalar, Type};
+
+use super::super::helpers::{Helper, unsigned_type};
+use super::super::names::scalar_type;
+use super::super::tree::Expr;
+use super::Lower;
+use super::place::is_small;
+use super::word::narrowed;
+
+impl Lower<'_> {
+    /// `a op b` on two values of type `ty`; no shift.
+    pub(super) fn arithmetic(&mut self, op: BinaryOp, ty: &Type, a: Expr, b: Expr) -> Expr {
+        let boolean = *ty == Type::BOOL;
+        let symbol = match op {
+            BinaryOp::Add => "+",
+            BinaryOp::Sub => "-",
+            BinaryOp::Mul => "*",
+            BinaryOp::Div => "/",
+            BinaryOp::Rem => match ty.as_float() {
+                Some(float) => return self.math("fmod", float, vec![a, b]),
+                None => "%",
+            },
+            // The operands have no effects, so whether both are computed does not show.
+            BinaryOp::And if boolean => "&&",
+            BinaryOp::Or if boolean => "||",
+            BinaryOp::Xor if boolean => "!=",
+            BinaryOp::And => "&",
+            BinaryOp::Or => "|",
+            BinaryOp::Xor => "^",
+            BinaryOp::Shl | BinaryOp::Shr => unreachable!("shifts have operands of two types"),
+        };
+        narrowed(ty, Expr::binary(symbol, a, b))
+    }
+
+    /// A shift by less than the width.
+    pub(super) fn shift(&mut self, op: BinaryOp, left: &Ir, right: &Ir) -> Expr {
+        let int = left.ty.as_int().expect("the validator asks for integers");
+        let (value, count) = (self.word(left), self.word(right));
+        let left_shift = op == BinaryOp::Shl;
+        if int.signed() {
+            let helper = if left_shift { Helper::ShiftLeft(int) } else { Helper::ShiftRight(int) };
+            let plain = matches!(right.ty.as_int(), Some(Int::U8 | Int::U16 | Int::U32));
+            let count = if plain { count } else { Expr::cast("uint32_t", count) };
+            return self.helper(helper, vec![value, count]);
+        }
+        // Promoted to `int`, the bits of a small unsigned integer could be shifted into the sign.
+        let value = if is_small(int) && left_shift { Expr::cast("uint32_t", value) } else { value };
+        narrowed(&left.ty, Expr::binary(if left_shift { "<<" } else { ">>" }, value, count))
+    }
+
+    /// Rust's `as`.
+    pub(super) fn cast(&mut self, operand: &Ir, to: &Type) -> Expr {
+        let Type::Scalar(target) = to else { unreachable!("casts give scalars") };
+        let same = matches!(operand.ty, Type::Scalar(from) if scalar_type(from) == scalar_type(*target));
+        if same {
+            return self.word(operand);
+        }
+        let narrow = self.counts(operand) && self.range(operand).is_some() && !self.is_wide(operand);
+        if narrow && *target == Scalar::Int(Int::U32) {
+            return self.narrow(operand, false);
+        }
+        let value = if narrow { self.narrow(operand, false) } else { self.word(operand) };
+        let ty = scalar_type(*target);
+        match (&operand.ty, target) {
+            (Type::Scalar(Scalar::Float(float)), Scalar::Int(int)) => {
+                self.helper(Helper::FromFloat(*int, *float), vec![value])
+            }
+            (Type::Scalar(Scalar::Int(from)), Scalar::Int(int)) if int.signed() && !fits(*from, *int) => {
+                let bits = Expr::cast(&unsigned_type(*int), value);
+                self.helper(Helper::Wrap(*int), vec![bits])
+            }
+            (Type::Enum(id), Scalar::Int(int)) if int.signed() => {
+                let last = self.context.module.enums[id.index()].variants.len() as i128 - 1;
+                if last <= Int::max(*int) {
+                    Expr::cast(ty, value)
+                } else {
+                    let bits = Expr::cast(&unsigned_type(*int), value);
+                    self.helper(Helper::Wrap(*int), vec![bits])
+                }
+            }
+            _ => Expr::cast(ty, value),
+        }
+    }
+
+    /// A function of scalars.
+    pub(super) fn intrinsic(&mut self, intrinsic: Intrinsic, operands: &[Ir], ty: &Type) -> Expr {
+        let of = &operands[0].ty;
+        let Type::Scalar(scalar) = *of else { unreachable!("intrinsics take scalars") };
+        let mut values: Vec<Expr> = operands.iter().map(|operand| self.word(operand)).collect();
+        match (intrinsic, of.as_float(), of.as_int()) {
+            (Intrinsic::Sqrt, Some(float), _) => self.math("sqrt", float, values),
+            (Intrinsic::Floor, Some(float), _) => self.math("floor", float, values),
+            (Intrinsic::Abs, Some(float), _) => self.math("fabs", float, values),
+            (Intrinsic::Abs, _, Some(int)) if int.signed() => self.helper(Helper::Abs(int), values),
+            (Intrinsic::Abs, _, Some(_)) => values.remove(0),
+            (Intrinsic::Min, ..) => self.helper(Helper::Min(scalar), values),
+            (Intrinsic::Max, ..) => self.helper(Helper::Max(scalar), values),
+            (Intrinsic::Clamp, ..) => self.helper(Helper::Clamp(scalar), values),
+            (Intrinsic::ToBits, Some(float), _) => self.helper(Helper::Bits(float), values),
+            (Intrinsic::FromBits, ..) => {
+                let float = ty.as_float().expect("the validator asks for a float");
+                self.helper(Helper::FromBits(float), values)
+            }
+            (Intrinsic::Copysign, Some(float), _) => self.helper(Helper::Copysign(float), values),
+            (Intrinsic::WrappingAdd, _, Some(int)) => self.wrapping("+", int, values),
+            (Intrinsic::WrappingSub, _, Some(int)) => self.wrapping("-", int, values),
+            (Intrinsic::WrappingMul, _, Some(int)) => self.wrapping("*", int, values),
+            _ => unreachable!("the validator refuses {intrinsic:?} of {of:?}"),
+        }
+    }
+
+    /// Modulo 2^bits, through unsigned arithmetic.
+    fn wrapping(&mut self, op: &'static str, int: Int, values: Vec<Expr>) -> Expr {
+        let [a, b] = <[Expr; 2]>::try_from(values).expect("two operands");
+        let wide = unsigned_type(if is_small(int) { Int::U32 } else { int });
+        let own = int.signed() || is_small(int);
+        let operand = |value| if own { Expr::cast(&wide, value) } else { value };
+        let result = Expr::binary(op, operand(a), operand(b));
+        let bits = if is_small(int) { Expr::cast(&unsigned_type(int), result) } else { result };
+        if int.signed() { self.helper(Helper::Wrap(int), vec![bits]) } else { bits }
+    }
+
+    /// A function of `math.h`.
+    pub(super) fn math(&mut self, name: &str, float: Float, values: Vec<Expr>) -> Expr {
+        self.uses.math = true;
+        Expr::call(if float == Float::F32 { format!("{name}f") } else { name.to_owned() }, values)
+    }
+}
+
+/// Whether every value of one integer type is one of another.
+fn fits(from: Int, to: Int) -> bool {
+    from.min() >= to.min() && from.max() <= to.max()
+}

@@ -1,0 +1,119 @@
+//! Places, indices, and elements of matrices.
+
+use bessemer_ir::{Expr as Ir, ExprKind, Int, Place, Scalar, Step, Type};
+
+use super::super::tree::Expr;
+use super::{Lower, bound};
+
+impl Lower<'_> {
+    /// A place as an lvalue.
+    pub(super) fn place(&mut self, place: &Place) -> Expr {
+        let function = self.function;
+        let binding = self.bindings[place.root.index()].clone();
+        let mut value = bound(&binding.expect("a local is declared before its use"));
+        let mut ty = function.local(place.root).ty.clone();
+        for step in &place.steps {
+            (value, ty) = self.step(value, &ty, step);
+        }
+        value
+    }
+
+    fn step(&mut self, value: Expr, ty: &Type, step: &Step) -> (Expr, Type) {
+        match (step, ty) {
+            (Step::Field(field), Type::Struct(id)) => {
+                let name = &self.context.names.structs[id.index()].fields[*field as usize];
+                let item = &self.context.module.structs[id.index()];
+                (value.field(name), item.fields[*field as usize].ty.clone())
+            }
+            (Step::Index(index), Type::Array { element, .. }) => {
+                (value.at(self.index(index)), (**element).clone())
+            }
+            (Step::Index(index), Type::Matrix { element, .. }) => {
+                (value.at(self.index(index)), Type::Scalar(*element))
+            }
+            (Step::Element(row, column), Type::Matrix { element, rows, cols }) => {
+                let (row, column) = (self.index(row), self.index(column));
+                (value.at(offset((*rows, *cols), row, column)), Type::Scalar(*element))
+            }
+            (step, ty) => unreachable!("the validator refuses {step:?} into {ty:?}"),
+        }
+    }
+
+    /// An index: any integer does, so widening to `usize` and suffixes are left out.
+    pub(super) fn index(&mut self, index: &Ir) -> Expr {
+        if let ExprKind::Literal(word) = index.kind {
+            return Expr::name(word.to_string());
+        }
+        if self.range(index).is_some() {
+            return self.narrow(index, true);
+        }
+        match &index.kind {
+            ExprKind::Cast(inner)
+                if index.ty == Type::USIZE && inner.ty.as_int().is_some_and(|int| !int.signed()) =>
+            {
+                self.index(inner)
+            }
+            _ => self.word(index),
+        }
+    }
+
+    /// The value that stands at an aggregate's place or in its constant.
+    pub(super) fn operand(&mut self, expr: &Ir) -> Expr {
+        match &expr.kind {
+            ExprKind::Load(place) => self.place(place),
+            ExprKind::Const(id) => {
+                self.uses.consts.insert(*id);
+                self.include_type(&expr.ty);
+                Expr::name(self.context.names.constant(*id))
+            }
+            _ => {
+                let name = self.fresh("value");
+                self.define(&expr.ty, &name, expr, true);
+                Expr::name(name)
+            }
+        }
+    }
+
+    /// What is passed for a parameter that C takes by address.
+    pub(super) fn address(value: Expr, ty: &Type) -> Expr {
+        match ty {
+            Type::Array { .. } | Type::Matrix { .. } => value,
+            _ => value.address(),
+        }
+    }
+}
+
+/// `row + rows * column`, where an element of a matrix of this shape stands.
+pub(super) fn offset((rows, cols): (u32, u32), row: Expr, column: Expr) -> Expr {
+    match (rows, cols) {
+        (_, 1) => row,
+        (1, _) => column,
+        _ => {
+            let start = Expr::binary("*", Expr::name(rows.to_string()), column);
+            Expr::binary("+", row, start)
+        }
+    }
+}
+
+/// The element of a matrix at a fixed row and column.
+pub(super) fn element(matrix: Expr, shape: (u32, u32), row: u32, column: u32) -> Expr {
+    let number = |value: u32| Expr::name(value.to_string());
+    matrix.at(offset(shape, number(row), number(column)))
+}
+
+/// The shape of a matrix type.
+pub(super) fn shape(ty: &Type) -> (Scalar, u32, u32) {
+    match ty {
+        Type::Matrix { element, rows, cols } => (*element, *rows, *cols),
+        Type::Array { element, len } => match **element {
+            Type::Scalar(scalar) => (scalar, *len, 1),
+            _ => unreachable!("routines take matrices: {ty:?}"),
+        },
+        _ => unreachable!("routines take matrices: {ty:?}"),
+    }
+}
+
+/// Whether an integer type is narrower than C's `int`.
+pub(super) fn is_small(int: Int) -> bool {
+    int.bits() < 32
+}

@@ -1,0 +1,369 @@
+//! Routines of linear algebra, each in nalgebra's order of operations.
+//!
+//! Small results are written out, a line per element; larger ones are loops. Element-wise routines
+//! that nest are one loop over all of them.
+
+use bessemer_ir::{BinaryOp, Expr as Ir, ExprKind, Float, Place, Routine, Scalar, Type};
+
+use super::super::analysis::reads;
+use super::super::helpers::Helper;
+use super::super::literal;
+use super::super::tree::{Expr, Init, Lines};
+use super::Lower;
+use super::place::{element, offset, shape};
+
+/// Up to so many elements an element-wise routine is written out.
+const ELEMENTS: u32 = 4;
+/// Up to so many multiplications a product is written out.
+const PRODUCTS: u32 = 64;
+/// Up to so many elements a transposition is written out.
+const MOVES: u32 = 16;
+/// Up to so many terms a scalar product is written out.
+const TERMS: u32 = 8;
+
+/// Element-wise routines as one expression over the elements.
+enum Fused {
+    /// The element of a matrix of this shape.
+    Matrix(Expr, (u32, u32)),
+    /// The same value everywhere.
+    Scalar(Expr),
+    Binary(BinaryOp, Box<Fused>, Box<Fused>),
+    Neg(Box<Fused>),
+}
+
+/// Which element.
+enum At<'e> {
+    Fixed(u32, u32),
+    Counted(&'e Expr),
+}
+
+/// A column of a matrix.
+#[derive(Clone)]
+struct Column {
+    matrix: Expr,
+    shape: (u32, u32),
+    index: u32,
+}
+
+impl Column {
+    fn element(&self, row: u32) -> Expr {
+        element(self.matrix.clone(), self.shape, row, self.index)
+    }
+}
+
+impl Lower<'_> {
+    /// Whether a routine's result is written out element by element.
+    pub(super) fn is_straight(&self, routine: Routine, operands: &[Ir], ty: &Type) -> bool {
+        let (_, rows, cols) = shape(ty);
+        match routine {
+            Routine::Product => rows * cols * shape(&operands[0].ty).2 <= PRODUCTS,
+            Routine::TrMul => rows * cols * shape(&operands[0].ty).1 <= PRODUCTS,
+            Routine::Transpose => rows * cols <= MOVES,
+            Routine::Cross => true,
+            _ => rows * cols <= ELEMENTS,
+        }
+    }
+
+    /// The elements of a straight result by columns, and how a list shows them.
+    pub(super) fn straight(
+        &mut self,
+        routine: Routine,
+        operands: &[Ir],
+        ty: &Type,
+        place: Option<&Place>,
+    ) -> (Vec<Expr>, Lines) {
+        let (scalar, rows, cols) = shape(ty);
+        let each = (0..cols).flat_map(|column| (0..rows).map(move |row| (row, column)));
+        match routine {
+            Routine::Product | Routine::TrMul | Routine::Transpose | Routine::Cross => {
+                let list: Vec<(Expr, (u32, u32))> = operands
+                    .iter()
+                    .map(|operand| {
+                        let (_, rows, cols) = shape(&operand.ty);
+                        (self.operand(operand), (rows, cols))
+                    })
+                    .collect();
+                let elements = each.map(|(row, column)| match routine {
+                    Routine::Product => self.product_element(scalar, &list, row, column),
+                    Routine::TrMul => {
+                        let a = Column { matrix: list[0].0.clone(), shape: list[0].1, index: row };
+                        let b = Column { matrix: list[1].0.clone(), shape: list[1].1, index: column };
+                        self.dot_columns(float(scalar), &a, &b)
+                    }
+                    Routine::Transpose => element(list[0].0.clone(), list[0].1, column, row),
+                    _ => self.cross_element(scalar, &list, row + column),
+                });
+                let elements: Vec<Expr> = elements.collect();
+                let group = Lines::Groups(rows as usize);
+                let moved = routine == Routine::Transpose && rows > 1 && cols > 1;
+                (elements, if moved { group } else { Lines::Each })
+            }
+            _ => {
+                let fused = self.fuse(routine, operands, place);
+                let elements =
+                    each.map(|(row, column)| self.fused_element(&fused, scalar, &At::Fixed(row, column)));
+                (elements.collect(), Lines::Each)
+            }
+        }
+    }
+
+    /// Writes a routine's result to `dest`.
+    pub(super) fn store_routine(
+        &mut self,
+        dest: Expr,
+        place: Option<&Place>,
+        (routine, operands): (Routine, &[Ir]),
+        value: &Ir,
+    ) {
+        if !is_element_wise(routine) && place.is_some_and(|place| reads(value, place)) {
+            self.store_through_copy(dest, value);
+            return;
+        }
+        let (scalar, rows, cols) = shape(&value.ty);
+        if self.is_straight(routine, operands, &value.ty) {
+            let (elements, _) = self.straight(routine, operands, &value.ty, place);
+            for (index, value) in elements.into_iter().enumerate() {
+                let (row, column) = (index as u32 % rows, index as u32 / rows);
+                self.assign(element(dest.clone(), (rows, cols), row, column), value);
+            }
+            return;
+        }
+        match routine {
+            Routine::Product => self.product_loops(&dest, scalar, operands, (rows, cols)),
+            Routine::TrMul => self.tr_mul_loops(&dest, scalar, operands, (rows, cols)),
+            Routine::Transpose => {
+                let from = self.operand(&operands[0]);
+                self.count_from("column", 0, cols, |lower, column| {
+                    lower.count_from("row", 0, rows, |lower, row| {
+                        let value = from.at(offset((cols, rows), column.clone(), row.clone()));
+                        lower.assign(dest.at(offset((rows, cols), row, column)), value);
+                    });
+                });
+            }
+            _ => {
+                let fused = self.fuse(routine, operands, place);
+                self.count_up(rows * cols, |lower, index| {
+                    let value = lower.fused_element(&fused, scalar, &At::Counted(&index));
+                    lower.assign(dest.at(index), value);
+                });
+            }
+        }
+    }
+
+    fn fuse(&mut self, routine: Routine, operands: &[Ir], place: Option<&Place>) -> Fused {
+        let op = match routine {
+            Routine::Add => BinaryOp::Add,
+            Routine::Sub => BinaryOp::Sub,
+            Routine::Scale | Routine::ComponentMul => BinaryOp::Mul,
+            Routine::Unscale | Routine::ComponentDiv => BinaryOp::Div,
+            Routine::Neg => return Fused::Neg(Box::new(self.fuse_operand(&operands[0], place))),
+            _ => unreachable!("{routine:?} is not element-wise"),
+        };
+        let left = self.fuse_operand(&operands[0], place);
+        let right = self.fuse_operand(&operands[1], place);
+        Fused::Binary(op, Box::new(left), Box::new(right))
+    }
+
+    fn fuse_operand(&mut self, operand: &Ir, place: Option<&Place>) -> Fused {
+        if operand.ty.is_word() {
+            return Fused::Scalar(self.once("factor", operand, place));
+        }
+        match &operand.kind {
+            ExprKind::Routine(routine, operands) if is_element_wise(*routine) => {
+                self.fuse(*routine, operands, place)
+            }
+            ExprKind::Splat(item) => Fused::Scalar(self.once("factor", item, place)),
+            _ => {
+                let (_, rows, cols) = shape(&operand.ty);
+                Fused::Matrix(self.operand(operand), (rows, cols))
+            }
+        }
+    }
+
+    fn fused_element(&mut self, fused: &Fused, scalar: Scalar, at: &At<'_>) -> Expr {
+        let ty = Type::Scalar(scalar);
+        match (fused, at) {
+            (Fused::Scalar(value), _) => value.clone(),
+            (Fused::Matrix(matrix, shape), At::Fixed(row, column)) => {
+                element(matrix.clone(), *shape, *row, *column)
+            }
+            (Fused::Matrix(matrix, _), At::Counted(index)) => matrix.clone().at((*index).clone()),
+            (Fused::Neg(inner), _) => {
+                let inner = self.fused_element(inner, scalar, at);
+                super::word::narrowed(&ty, Expr::unary("-", inner))
+            }
+            (Fused::Binary(op, left, right), _) => {
+                let left = self.fused_element(left, scalar, at);
+                let right = self.fused_element(right, scalar, at);
+                self.arithmetic(*op, &ty, left, right)
+            }
+        }
+    }
+
+    /// `a[r][0]*b[0][c] + a[r][1]*b[1][c] + …`: the first product, then the others in order.
+    fn product_element(
+        &mut self,
+        scalar: Scalar,
+        list: &[(Expr, (u32, u32))],
+        row: u32,
+        column: u32,
+    ) -> Expr {
+        let ty = Type::Scalar(scalar);
+        let ((a, a_shape), (b, b_shape)) = (&list[0], &list[1]);
+        let mut sum: Option<Expr> = None;
+        for k in 0..a_shape.1 {
+            let left = element(a.clone(), *a_shape, row, k);
+            let right = element(b.clone(), *b_shape, k, column);
+            let term = self.arithmetic(BinaryOp::Mul, &ty, left, right);
+            sum = Some(match sum {
+                None => term,
+                Some(sum) => self.arithmetic(BinaryOp::Add, &ty, sum, term),
+            });
+        }
+        sum.expect("matrices are not empty")
+    }
+
+    fn cross_element(&mut self, scalar: Scalar, list: &[(Expr, (u32, u32))], index: u32) -> Expr {
+        let ty = Type::Scalar(scalar);
+        let (y, z) = ((index + 1) % 3, (index + 2) % 3);
+        let part = |which: usize, index: u32| list[which].0.clone().at(Expr::name(index.to_string()));
+        let left = self.arithmetic(BinaryOp::Mul, &ty, part(0, y), part(1, z));
+        let right = self.arithmetic(BinaryOp::Mul, &ty, part(0, z), part(1, y));
+        self.arithmetic(BinaryOp::Sub, &ty, left, right)
+    }
+
+    fn product_loops(&mut self, dest: &Expr, scalar: Scalar, operands: &[Ir], (rows, cols): (u32, u32)) {
+        let ty = Type::Scalar(scalar);
+        let depth = shape(&operands[0].ty).2;
+        let (a, b) = (self.operand(&operands[0]), self.operand(&operands[1]));
+        self.count_from("column", 0, cols, |lower, column| {
+            lower.count_from("row", 0, rows, |lower, row| {
+                let term = |lower: &mut Self, k: Expr| {
+                    let left = a.clone().at(offset((rows, depth), row.clone(), k.clone()));
+                    let right = b.clone().at(offset((depth, cols), k, column.clone()));
+                    lower.arithmetic(BinaryOp::Mul, &ty, left, right)
+                };
+                let first = term(lower, Expr::name("0"));
+                let sum = lower.fresh("sum");
+                lower.declare(&ty, &sum, Some(Init::Value(first)), false);
+                lower.count_from("k", 1, depth, |lower, k| {
+                    let term = term(lower, k);
+                    let total = lower.arithmetic(BinaryOp::Add, &ty, Expr::name(&sum), term);
+                    lower.assign(Expr::name(&sum), total);
+                });
+                let place = dest.clone().at(offset((rows, cols), row.clone(), column.clone()));
+                lower.assign(place, Expr::name(&sum));
+            });
+        });
+    }
+
+    fn tr_mul_loops(&mut self, dest: &Expr, scalar: Scalar, operands: &[Ir], (rows, cols): (u32, u32)) {
+        let depth = shape(&operands[0].ty).1;
+        let (a, b) = (self.operand(&operands[0]), self.operand(&operands[1]));
+        let pick = |matrix: &Expr, cols: u32, index: &Expr, k: u32| {
+            matrix.clone().at(offset((depth, cols), Expr::name(k.to_string()), index.clone()))
+        };
+        self.count_from("column", 0, cols, |lower, column| {
+            lower.count_from("row", 0, rows, |lower, row| {
+                let value = if (2..=4).contains(&depth) {
+                    let terms = (0..depth).map(|k| {
+                        Expr::binary("*", pick(&a, rows, &row, k), pick(&b, cols, &column, k))
+                    });
+                    small_dot(terms.collect())
+                } else {
+                    let ends = [pick(&a, rows, &row, 0).address(), pick(&b, cols, &column, 0).address()];
+                    lower.dot_call(float(scalar), ends, (depth, 1))
+                };
+                lower.assign(dest.clone().at(offset((rows, cols), row, column)), value);
+            });
+        });
+    }
+
+    /// `a.dot(&b)`.
+    pub(super) fn dot_product(&mut self, a: &Ir, b: &Ir) -> Expr {
+        let (scalar, rows, cols) = shape(&a.ty);
+        let (left, right) = (self.operand(a), self.operand(b));
+        let shape = (rows, cols);
+        if cols == 1 && (2..=4).contains(&rows) {
+            let column = |matrix| Column { matrix, shape, index: 0 };
+            return self.dot_columns(float(scalar), &column(left), &column(right));
+        }
+        if rows >= TERMS || rows * cols > TERMS {
+            return self.dot_call(float(scalar), [left, right], shape);
+        }
+        let each = (0..cols).flat_map(|column| (0..rows).map(move |row| (row, column)));
+        let terms = each.map(|(row, column)| {
+            let left = element(left.clone(), shape, row, column);
+            Expr::binary("*", left, element(right.clone(), shape, row, column))
+        });
+        terms.fold(zero(float(scalar)), |sum, term| Expr::binary("+", sum, term))
+    }
+
+    /// `a.norm_squared()`: the columns' products with themselves, summed from zero. A product of a
+    /// column with itself is never −0, so that the zero does not show.
+    pub(super) fn norm_squared(&mut self, a: &Ir) -> Expr {
+        let (scalar, rows, cols) = shape(&a.ty);
+        let matrix = self.operand(a);
+        if cols == 1 {
+            let column = Column { matrix, shape: (rows, cols), index: 0 };
+            return self.dot_columns(float(scalar), &column, &column);
+        }
+        let number = |value: u32| Expr::name(format!("{value}U"));
+        self.helper(Helper::NormSquared(float(scalar)), vec![matrix, number(rows), number(cols)])
+    }
+
+    /// The product of two columns.
+    fn dot_columns(&mut self, float: Float, a: &Column, b: &Column) -> Expr {
+        let rows = a.shape.0;
+        if rows >= TERMS {
+            let start = |column: &Column| match column.index {
+                0 => column.matrix.clone(),
+                _ => column.element(0).address(),
+            };
+            return self.dot_call(float, [start(a), start(b)], (rows, 1));
+        }
+        let terms = (0..rows).map(|row| Expr::binary("*", a.element(row), b.element(row)));
+        if (2..=4).contains(&rows) {
+            return small_dot(terms.collect());
+        }
+        terms.fold(zero(float), |sum, term| Expr::binary("+", sum, term))
+    }
+
+    fn dot_call(&mut self, float: Float, [a, b]: [Expr; 2], (rows, cols): (u32, u32)) -> Expr {
+        let number = |value: u32| Expr::name(format!("{value}U"));
+        self.helper(Helper::Dot(float), vec![a, b, number(rows), number(cols)])
+    }
+}
+
+/// nalgebra's order for two, three and four terms.
+fn small_dot(terms: Vec<Expr>) -> Expr {
+    let add = |a, b| Expr::binary("+", a, b);
+    match <[Expr; 4]>::try_from(terms) {
+        Ok([a, b, c, d]) => add(add(a, c), add(b, d)),
+        Err(terms) => terms.into_iter().reduce(add).expect("two or three terms"),
+    }
+}
+
+fn is_element_wise(routine: Routine) -> bool {
+    matches!(
+        routine,
+        Routine::Add
+            | Routine::Sub
+            | Routine::Neg
+            | Routine::Scale
+            | Routine::Unscale
+            | Routine::ComponentMul
+            | Routine::ComponentDiv
+    )
+}
+
+fn float(scalar: Scalar) -> Float {
+    match scalar {
+        Scalar::Float(float) => float,
+        _ => unreachable!("the validator asks for floats"),
+    }
+}
+
+fn zero(float: Float) -> Expr {
+    literal::number(float, 0)
+}

@@ -1,0 +1,259 @@
+//! Statements, save loops and calls.
+
+use bessemer_ir::{
+    Arm, Block, Expr as Ir, ExprKind, Fault, LocalId, Place, Stmt as IrStmt, StmtKind as IrKind, Type,
+};
+
+use super::super::literal;
+use super::super::tree::{Expr, Init, Stmt, StmtKind, SwitchArm, plain};
+use super::Lower;
+
+impl Lower<'_> {
+    /// Lowers the statements of a block into the open one; `tail`: the function ends after them.
+    pub(super) fn block_into(&mut self, block: &Block, tail: bool) {
+        for (index, stmt) in block.0.iter().enumerate() {
+            if !stmt.comments.is_empty() {
+                self.origin = None;
+                self.emit(StmtKind::Comment(stmt.comments.clone()));
+            }
+            self.at(stmt.span);
+            self.stmt(stmt, tail && index + 1 == block.0.len());
+        }
+    }
+
+    fn stmt(&mut self, stmt: &IrStmt, tail: bool) {
+        match &stmt.kind {
+            IrKind::Let { local, value } => self.let_(*local, value.as_ref()),
+            IrKind::Assign { place, value } => self.assignment(place, value),
+            IrKind::Expr(value) => self.effect(value),
+            IrKind::If { condition, then, otherwise } => {
+                let condition = self.word(condition);
+                let origin = self.origin;
+                let then = self.block(then, tail);
+                let otherwise = self.block(otherwise, tail);
+                self.origin = origin;
+                self.emit(StmtKind::If { condition, then, otherwise });
+            }
+            IrKind::Match { scrutinee, arms, otherwise } => {
+                self.match_(scrutinee, arms, otherwise.as_ref(), tail);
+            }
+            IrKind::For { variable, from, to, inclusive, reversed, body } => {
+                self.for_(*variable, (from, to), *inclusive, *reversed, body);
+            }
+            IrKind::Check { condition, fault } => self.check(condition, *fault),
+            IrKind::Return(value) => self.return_(value.as_ref(), tail),
+            IrKind::Break => self.emit(StmtKind::Break),
+            IrKind::Continue => self.emit(StmtKind::Continue),
+        }
+    }
+
+    fn let_(&mut self, local: LocalId, value: Option<&Ir>) {
+        let ty = self.function.local(local).ty.clone();
+        if self.in_place == Some(local) {
+            self.let_in_place(local, value);
+            return;
+        }
+        let constant = value.is_some() && !self.usage.assigned[local.index()];
+        // Named after its value is lowered, bound before: the value may not use it.
+        match value {
+            None => {
+                let name = self.bind(local);
+                self.declare(&ty, &name, None, false);
+            }
+            Some(value) if ty.is_word() && !self.is_status_call(value) => {
+                let value = self.word(value);
+                let name = self.bind(local);
+                self.declare(&ty, &name, Some(Init::Value(value)), constant);
+            }
+            // A constant that is not written to needs no copy.
+            Some(Ir { kind: ExprKind::Const(_), .. }) if constant => {
+                let Expr::Name(name) = self.operand(value.expect("just seen")) else { return };
+                self.bindings[local.index()] = Some(super::Binding { name, pointer: false });
+                return;
+            }
+            Some(value) => {
+                let name = self.bind(local);
+                self.define(&ty, &name, value, constant);
+            }
+        }
+        if !self.usage.read[local.index()] && ty != Type::Unit {
+            let name = self.bindings[local.index()].as_ref().expect("just bound").name.clone();
+            self.emit(StmtKind::Expr(Expr::cast("void", Expr::name(name))));
+        }
+    }
+
+    /// The local that is the result stands where the caller wants it.
+    fn let_in_place(&mut self, local: LocalId, value: Option<&Ir>) {
+        let name = self.signature.params[self.function.params as usize].name.clone();
+        let dest = self.result_storage().expect("only aggregates are built in place");
+        self.bindings[local.index()] =
+            Some(super::Binding { name, pointer: matches!(dest, Expr::Unary(..)) });
+        if let Some(value) = value {
+            self.store(dest, None, value);
+        }
+    }
+
+    /// Declares `name` with a value: with an initialiser where C has one for it.
+    pub(super) fn define(&mut self, ty: &Type, name: &str, value: &Ir, constant: bool) {
+        if *ty == Type::Unit {
+            self.effect(value);
+            return;
+        }
+        if ty.is_word() && !self.is_status_call(value) {
+            let value = self.word(value);
+            self.declare(ty, name, Some(Init::Value(value)), constant);
+        } else if self.initialisable(value) {
+            let init = self.initialiser(value);
+            self.declare(ty, name, Some(init), constant);
+        } else {
+            self.declare(ty, name, None, false);
+            self.store(Expr::name(name), None, value);
+        }
+    }
+
+    fn is_status_call(&self, value: &Ir) -> bool {
+        matches!(&value.kind, ExprKind::Call(callee, _) if self.context.faults.fallible(*callee))
+    }
+
+    fn assignment(&mut self, place: &Place, value: &Ir) {
+        if place.ty == Type::Unit {
+            self.effect(value);
+            return;
+        }
+        if let ExprKind::Call(callee, arguments) = &value.kind {
+            self.call_into_place(*callee, arguments, place);
+            return;
+        }
+        let dest = self.place(place);
+        self.store(dest, Some(place), value);
+    }
+
+    fn check(&mut self, condition: &Ir, fault: Fault) {
+        let fault = Expr::name(self.context.names.status.fault(fault));
+        let then = self.scope(|lower| lower.fail(fault));
+        match condition.kind {
+            ExprKind::Literal(0) => self.out.extend(then),
+            ExprKind::Literal(_) => {}
+            _ => {
+                let condition = self.negated(condition);
+                self.emit(StmtKind::If { condition, then, otherwise: Vec::new() });
+            }
+        }
+    }
+
+    /// Ends the function with a status that is not OK.
+    pub(super) fn fail(&mut self, status: Expr) {
+        match self.latch.clone() {
+            None => self.emit(StmtKind::Return(Some(status))),
+            Some(latch) => {
+                self.emit(StmtKind::Assign(latch, "=", status.clone()));
+                self.emit(StmtKind::Return(Some(status)));
+            }
+        }
+    }
+
+    fn return_(&mut self, value: Option<&Ir>, tail: bool) {
+        match (value, self.result_storage()) {
+            (Some(_), Some(_)) if self.in_place.is_some() => {}
+            (Some(value), Some(dest)) => self.store(dest, None, value),
+            (Some(value), None) if value.ty.is_word() => {
+                let value = self.word(value);
+                self.emit(StmtKind::Return(Some(value)));
+                return;
+            }
+            (Some(value), None) => self.effect(value),
+            (None, _) => {}
+        }
+        if self.is_fallible() {
+            self.emit_ok();
+        } else if !tail {
+            self.emit(StmtKind::Return(None));
+        }
+    }
+
+    fn match_(&mut self, scrutinee: &Ir, arms: &[Arm], otherwise: Option<&Block>, tail: bool) {
+        let blocks: Vec<&Block> = arms.iter().map(|arm| &arm.body).chain(otherwise).collect();
+        if blocks.iter().any(|block| breaks(block)) {
+            self.match_as_ifs(scrutinee, arms, otherwise, tail);
+            return;
+        }
+        let value = self.word(scrutinee);
+        let origin = self.origin;
+        let mut list: Vec<SwitchArm> = Vec::new();
+        for (index, arm) in arms.iter().enumerate() {
+            let labels = arm.values.iter().map(|value| self.label(&scrutinee.ty, *value)).collect();
+            // Where the arms name every variant, the last stands for whatever else there might be.
+            let default = otherwise.is_none() && index + 1 == arms.len();
+            list.push(SwitchArm { labels, default, body: self.block(&arm.body, tail) });
+        }
+        if let Some(block) = otherwise {
+            let body = self.block(block, tail);
+            list.push(SwitchArm { labels: Vec::new(), default: true, body });
+        }
+        self.origin = origin;
+        self.emit(StmtKind::Switch { scrutinee: value, arms: list });
+    }
+
+    /// A `switch` takes `break` for itself; where an arm leaves a loop, the match becomes `if`s.
+    fn match_as_ifs(&mut self, scrutinee: &Ir, arms: &[Arm], otherwise: Option<&Block>, tail: bool) {
+        let origin = self.origin;
+        let mut value = self.word(scrutinee);
+        if !is_simple(&value) || self.is_assigned(scrutinee) {
+            let name = self.fresh("selector");
+            self.declare(&scrutinee.ty, &name, Some(Init::Value(value)), true);
+            value = Expr::name(name);
+        }
+        let mut chain: Vec<Stmt> =
+            otherwise.map(|block| self.block(block, tail)).unwrap_or_default();
+        for (index, arm) in arms.iter().enumerate().rev() {
+            let body = self.block(&arm.body, tail);
+            if otherwise.is_none() && index + 1 == arms.len() {
+                chain = body;
+                continue;
+            }
+            let tests = arm.values.iter().map(|label| {
+                Expr::binary("==", value.clone(), self.label(&scrutinee.ty, *label))
+            });
+            let condition = tests.reduce(|a, b| Expr::binary("||", a, b)).expect("an arm has values");
+            chain = vec![plain(StmtKind::If { condition, then: body, otherwise: chain })];
+        }
+        match <[Stmt; 1]>::try_from(chain) {
+            Ok([stmt]) => self.out.push(Stmt { origin, ..stmt }),
+            Err(body) => self.emit(StmtKind::Block(body)),
+        }
+    }
+
+    fn is_assigned(&self, expr: &Ir) -> bool {
+        match &expr.kind {
+            ExprKind::Load(place) => self.usage.assigned[place.root.index()],
+            _ => true,
+        }
+    }
+
+    fn label(&self, ty: &Type, value: i128) -> Expr {
+        literal::word(self.context.names, ty, value as u64)
+    }
+}
+
+/// Whether a value can be read again without cost or harm.
+pub(super) fn is_simple(value: &Expr) -> bool {
+    match value {
+        Expr::Name(_) => true,
+        Expr::Unary("-" | "*", inner) => is_simple(inner),
+        Expr::Member(inner, _) | Expr::Arrow(inner, _) => is_simple(inner),
+        Expr::Index(array, index) => is_simple(array) && matches!(**index, Expr::Name(_)),
+        _ => false,
+    }
+}
+
+/// Whether a block leaves the loop around it.
+fn breaks(block: &Block) -> bool {
+    block.0.iter().any(|stmt| match &stmt.kind {
+        IrKind::Break => true,
+        IrKind::If { then, otherwise, .. } => breaks(then) || breaks(otherwise),
+        IrKind::Match { arms, otherwise, .. } => {
+            arms.iter().any(|arm| breaks(&arm.body)) || otherwise.as_ref().is_some_and(breaks)
+        }
+        _ => false,
+    })
+}

@@ -1,0 +1,165 @@
+//! Expressions of one word.
+//!
+//! Invariant: what [`Lower::word`] returns has exactly the C type of its IR type, save for literals
+//! and for comparisons, which C makes `int`.
+
+use bessemer_ir::{BinaryOp, CompareOp, Expr as Ir, ExprKind, LogicOp, Routine, Scalar, Type, UnaryOp};
+
+use super::super::literal;
+use super::super::names::scalar_type;
+use super::super::tree::Expr;
+use super::Lower;
+
+impl Lower<'_> {
+    /// The value of an expression of one word.
+    pub(super) fn word(&mut self, expr: &Ir) -> Expr {
+        if self.counts(expr) && self.range(expr).is_some() {
+            let narrow = self.narrow(expr, false);
+            return if self.is_wide(expr) { narrow } else { Expr::cast("uint64_t", narrow) };
+        }
+        match &expr.kind {
+            ExprKind::Literal(word) => {
+                self.uses.math |= literal::needs_math(&expr.ty, *word);
+                literal::word(self.context.names, &expr.ty, *word)
+            }
+            ExprKind::Const(id) => {
+                self.uses.consts.insert(*id);
+                Expr::name(self.context.names.constant(*id))
+            }
+            ExprKind::Load(place) => self.load(place),
+            ExprKind::Unary(op, operand) => self.unary(*op, operand),
+            ExprKind::Binary(op, left, right) => self.binary(*op, left, right),
+            ExprKind::Compare(op, left, right) => self.compare(*op, left, right),
+            ExprKind::Logic(op, left, right) => {
+                let op = match op {
+                    LogicOp::And => "&&",
+                    LogicOp::Or => "||",
+                };
+                Expr::binary(op, self.word(left), self.word(right))
+            }
+            ExprKind::Cast(operand) => self.cast(operand, &expr.ty),
+            ExprKind::Intrinsic(intrinsic, operands) => self.intrinsic(*intrinsic, operands, &expr.ty),
+            ExprKind::Call(callee, arguments) => self.call_value(*callee, arguments),
+            ExprKind::Routine(routine, operands) => self.scalar_routine(*routine, operands),
+            ExprKind::Struct(_) | ExprKind::Array(_) | ExprKind::Splat(_) | ExprKind::Matrix(_) => {
+                unreachable!("no word: {expr:?}")
+            }
+        }
+    }
+
+    fn load(&mut self, place: &bessemer_ir::Place) -> Expr {
+        let value = self.place(place);
+        if self.counter(place).is_some() { Expr::cast("uint64_t", value) } else { value }
+    }
+
+    fn unary(&mut self, op: UnaryOp, operand: &Ir) -> Expr {
+        let value = self.word(operand);
+        match (op, &operand.ty) {
+            (UnaryOp::Not, Type::Scalar(Scalar::Bool)) => Expr::unary("!", value),
+            (UnaryOp::Not, ty) => narrowed(ty, Expr::unary("~", value)),
+            (UnaryOp::Neg, ty) => narrowed(ty, Expr::unary("-", value)),
+        }
+    }
+
+    fn binary(&mut self, op: BinaryOp, left: &Ir, right: &Ir) -> Expr {
+        if matches!(op, BinaryOp::Shl | BinaryOp::Shr) {
+            return self.shift(op, left, right);
+        }
+        let (a, b) = (self.word(left), self.word(right));
+        self.arithmetic(op, &left.ty, a, b)
+    }
+
+    fn compare(&mut self, op: CompareOp, left: &Ir, right: &Ir) -> Expr {
+        let (a, b) = if (self.counts(left) || self.counts(right))
+            && self.range(left).is_some()
+            && self.range(right).is_some()
+        {
+            (self.narrow(left, false), self.narrow(right, false))
+        } else {
+            (self.word(left), self.word(right))
+        };
+        Expr::binary(comparison(op), a, b)
+    }
+
+    /// The negation of a condition, as a reader would put it: comparisons turned round where that is
+    /// the same (on floats only `==` and `!=`, for the sake of NaN).
+    pub(super) fn negated(&mut self, condition: &Ir) -> Expr {
+        match &condition.kind {
+            ExprKind::Literal(word) => Expr::name(if *word == 0 { "true" } else { "false" }),
+            ExprKind::Unary(UnaryOp::Not, inner) => self.word(inner),
+            ExprKind::Compare(op, left, right) if turns(*op, &left.ty) => {
+                self.compare(turned(*op), left, right)
+            }
+            ExprKind::Logic(op, left, right) if has_negation(left) && has_negation(right) => {
+                let op = match op {
+                    LogicOp::And => "||",
+                    LogicOp::Or => "&&",
+                };
+                Expr::binary(op, self.negated(left), self.negated(right))
+            }
+            _ => Expr::unary("!", self.word(condition)),
+        }
+    }
+
+    fn scalar_routine(&mut self, routine: Routine, operands: &[Ir]) -> Expr {
+        match routine {
+            Routine::Dot => self.dot_product(&operands[0], &operands[1]),
+            Routine::NormSquared => self.norm_squared(&operands[0]),
+            Routine::Norm => {
+                let float = operands[0].ty.clone();
+                let square = self.norm_squared(&operands[0]);
+                self.uses.math = true;
+                let single = matches!(
+                    float,
+                    Type::Matrix { element: Scalar::Float(bessemer_ir::Float::F32), .. }
+                );
+                Expr::call(if single { "sqrtf" } else { "sqrt" }, vec![square])
+            }
+            _ => unreachable!("{routine:?} gives a matrix"),
+        }
+    }
+}
+
+/// A value that C promoted to `int`, back in its type.
+pub(super) fn narrowed(ty: &Type, value: Expr) -> Expr {
+    match ty.as_int() {
+        Some(int) if super::place::is_small(int) => Expr::cast(scalar_type(Scalar::Int(int)), value),
+        _ => value,
+    }
+}
+
+fn comparison(op: CompareOp) -> &'static str {
+    match op {
+        CompareOp::Eq => "==",
+        CompareOp::Ne => "!=",
+        CompareOp::Lt => "<",
+        CompareOp::Le => "<=",
+        CompareOp::Gt => ">",
+        CompareOp::Ge => ">=",
+    }
+}
+
+fn turned(op: CompareOp) -> CompareOp {
+    match op {
+        CompareOp::Eq => CompareOp::Ne,
+        CompareOp::Ne => CompareOp::Eq,
+        CompareOp::Lt => CompareOp::Ge,
+        CompareOp::Le => CompareOp::Gt,
+        CompareOp::Gt => CompareOp::Le,
+        CompareOp::Ge => CompareOp::Lt,
+    }
+}
+
+fn turns(op: CompareOp, ty: &Type) -> bool {
+    ty.as_float().is_none() || matches!(op, CompareOp::Eq | CompareOp::Ne)
+}
+
+fn has_negation(condition: &Ir) -> bool {
+    match &condition.kind {
+        ExprKind::Unary(UnaryOp::Not, _) => true,
+        ExprKind::Compare(op, left, _) => turns(*op, &left.ty),
+        ExprKind::Logic(_, left, right) => has_negation(left) && has_negation(right),
+        ExprKind::Load(_) => true,
+        _ => false,
+    }
+}

@@ -1,0 +1,84 @@
+//! The C back end: explicit IR in, C99 files out.
+//!
+//! lowering ([`lower`]) → C tree ([`tree`]) → printer ([`print`]) → file shells ([`shell`]). [`names`]
+//! decides every identifier beforehand, and serves whoever has to call the emitted C.
+//!
+//! Invariants: the same module gives the same bytes; the text of a function depends on that function,
+//! the faces of its callees, and its types; no line numbers, dates or versions in the C; no state, no
+//! heap, no recursion, every loop bounded. It knows nothing of Rust's front end, and changes nothing
+//! in the IR.
+
+mod analysis;
+mod files;
+mod helpers;
+mod init;
+mod layout;
+mod layout_text;
+mod literal;
+mod lower;
+pub mod names;
+mod print;
+mod report;
+mod reserved;
+mod shell;
+mod spelling;
+mod tree;
+
+use bessemer_ir::Module;
+
+pub use report::{EntryReport, report};
+
+use analysis::Faults;
+use names::Names;
+
+/// What the user decides about the C.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Options {
+    /// Stands before the name of every type and function.
+    pub prefix: String,
+    /// The stem of the status type: `bessemer` gives `bessemer_status_t`.
+    pub status: String,
+    /// The SPDX expression of the emitted files.
+    pub license: String,
+}
+
+impl Default for Options {
+    fn default() -> Options {
+        Options {
+            prefix: String::new(),
+            status: "bessemer".to_owned(),
+            license: "MIT OR Apache-2.0".to_owned(),
+        }
+    }
+}
+
+/// An emitted file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CFile {
+    /// `height.h`.
+    pub name: String,
+    /// What is in it.
+    pub text: String,
+    /// Where its lines come from, in order.
+    pub map: Vec<MapLine>,
+}
+
+/// A line of C and the line of Rust that it comes from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MapLine {
+    /// Line of the C file, from 1.
+    pub c_line: u32,
+    /// The Rust file, relative to the workspace.
+    pub rust_file: String,
+    /// Line of the Rust file, from 1.
+    pub rust_line: u32,
+    /// The Rust path of the function, empty for a type.
+    pub function: String,
+}
+
+/// Emits a module that the passes have made explicit; files in the order of their names.
+pub fn emit(module: &Module, options: &Options) -> Vec<CFile> {
+    let faults = Faults::new(module);
+    let names = Names::with_faults(module, options, &faults);
+    files::files(lower::Context { module, names: &names, faults: &faults }, options)
+}

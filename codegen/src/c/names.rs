@@ -1,0 +1,503 @@
+//! The C name of every item, and the C signature of every function.
+//!
+//! Whoever calls emitted C (a test harness, a header for another language) builds on this module.
+//!
+//! * A type is its Rust name in snake case with `_t`; an enum's variants are prefixed by it in
+//!   capitals. A method is prefixed by its type, a free function by its module's last segment.
+//! * A name that is reserved, or that two items want, is qualified by the module: `Mode` in
+//!   `models::flight` becomes `flight_mode_t`, since `mode_t` is POSIX's. Every item that wants the
+//!   name is qualified, so that the order of the items does not matter.
+//! * A field, parameter or variable with a reserved name gets a `_` at its end.
+//! * An item's name depends on nothing but the items that want the same name.
+
+use std::collections::BTreeMap;
+
+use bessemer_ir::{
+    Const, ConstId, EnumId, Fault, Function, FunctionId, Int, Mode, Module, Owner, Scalar, StructId, Type,
+};
+
+use super::Options;
+use super::analysis::Faults;
+use super::reserved::{is_keyword, is_reserved_for_locals, is_reserved_globally};
+use super::spelling::{identifier, last_segment, relative, screaming, snake};
+use super::tree::{Declarator, Head};
+
+/// The names of a struct.
+#[derive(Clone, Debug)]
+pub struct StructNames {
+    /// What its functions are prefixed with, `pid`.
+    pub base: String,
+    /// The type, `pid_t`.
+    pub ty: String,
+    /// The fields, in order.
+    pub fields: Vec<String>,
+    /// The field that holds the fault which stopped the component, if it can fault. It comes last.
+    pub fault: Option<String>,
+    /// The function that sets a component to its initial state.
+    pub init: Option<String>,
+    /// The header that declares it, `altitude.h`.
+    pub header: String,
+}
+
+/// The names of an enum.
+#[derive(Clone, Debug)]
+pub struct EnumNames {
+    /// What its functions are prefixed with, `mode`.
+    pub base: String,
+    /// The type.
+    pub ty: String,
+    /// The enumerators, in order.
+    pub variants: Vec<String>,
+    /// The header that declares it.
+    pub header: String,
+}
+
+/// How a parameter is passed in C.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Passing {
+    /// A word, by value.
+    Value,
+    /// A pointer to const, or an array of const elements.
+    Input,
+    /// A pointer or an array that is read and written.
+    InOut,
+    /// A pointer or an array that only receives the result.
+    Output,
+}
+
+/// A parameter of a C function.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Param {
+    /// Its name.
+    pub name: String,
+    /// The type of the value, of the pointee for a pointer.
+    pub ty: Type,
+    /// How it is passed.
+    pub passing: Passing,
+}
+
+/// What a C function returns.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Returned {
+    /// `void`.
+    Nothing,
+    /// The result itself.
+    Value(Type),
+    /// The status.
+    Status,
+}
+
+/// The C face of a function.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Signature {
+    /// Its name.
+    pub name: String,
+    /// Whether only its own file can call it.
+    pub is_static: bool,
+    /// The parameters of the Rust function, in order; after them the result's, if it has one.
+    pub params: Vec<Param>,
+    /// What it returns.
+    pub returned: Returned,
+    /// The header that declares it (for a static function, the one beside its source).
+    pub header: String,
+}
+
+/// The names of the status type and its values.
+#[derive(Clone, Debug)]
+pub struct StatusNames {
+    /// The type, `bessemer_status_t`.
+    pub ty: String,
+    /// No fault.
+    pub ok: String,
+    /// The header.
+    pub header: String,
+    prefix: String,
+}
+
+/// Every fault, in the order of its number in C (from 1).
+pub const FAULTS: [Fault; 7] = [
+    Fault::Overflow,
+    Fault::DivisionByZero,
+    Fault::Shift,
+    Fault::Index,
+    Fault::Clamp,
+    Fault::Variant,
+    Fault::Assertion,
+];
+
+impl StatusNames {
+    /// The enumerator of a fault.
+    pub fn fault(&self, fault: Fault) -> String {
+        let word = match fault {
+            Fault::Overflow => "OVERFLOW",
+            Fault::DivisionByZero => "DIVISION_BY_ZERO",
+            Fault::Shift => "SHIFT",
+            Fault::Index => "INDEX",
+            Fault::Clamp => "CLAMP",
+            Fault::Variant => "VARIANT",
+            Fault::Assertion => "ASSERTION",
+        };
+        format!("{}_{word}", self.prefix)
+    }
+}
+
+/// The names of a whole module.
+#[derive(Clone, Debug)]
+pub struct Names {
+    /// Per [`StructId`].
+    pub structs: Vec<StructNames>,
+    /// Per [`EnumId`].
+    pub enums: Vec<EnumNames>,
+    /// Per [`ConstId`].
+    pub consts: Vec<String>,
+    /// Per [`FunctionId`].
+    pub functions: Vec<Signature>,
+    /// The status type.
+    pub status: StatusNames,
+    files: BTreeMap<String, String>,
+}
+
+impl Names {
+    /// Names everything.
+    pub fn new(module: &Module, options: &Options) -> Names {
+        Names::with_faults(module, options, &Faults::new(module))
+    }
+
+    pub(crate) fn with_faults(module: &Module, options: &Options, faults: &Faults) -> Names {
+        let stem = identifier(&options.status);
+        let mut names = Names {
+            structs: Vec::new(),
+            enums: Vec::new(),
+            consts: const_names(module),
+            functions: Vec::new(),
+            status: StatusNames {
+                ty: format!("{stem}_status_t"),
+                ok: format!("{}_STATUS_OK", stem.to_uppercase()),
+                header: format!("{stem}_status.h"),
+                prefix: format!("{}_STATUS", stem.to_uppercase()),
+            },
+            files: file_names(module),
+        };
+        names.name_types(module, options, faults);
+        names.name_functions(module, options, faults);
+        names
+    }
+
+    /// The file, without extension, of a Rust module's types and functions.
+    pub fn module_file(&self, rust_module: &str) -> String {
+        self.files.get(rust_module).cloned().unwrap_or_else(|| last_segment(rust_module))
+    }
+
+    /// The file, without extension, of a struct: a component's own, or its module's.
+    pub fn struct_file(&self, module: &Module, id: StructId) -> String {
+        let item = &module.structs[id.index()];
+        let own_module = self.module_file(&item.module);
+        if item.initial.is_none() {
+            return own_module;
+        }
+        let own = snake(&item.name);
+        let taken = own != own_module && self.files.values().any(|file| *file == own)
+            || module.structs.iter().enumerate().any(|(index, other)| {
+                index != id.index() && other.initial.is_some() && snake(&other.name) == own
+            });
+        if taken { format!("{own_module}_{own}") } else { own }
+    }
+
+    /// The file, without extension, of a function.
+    pub fn function_file(&self, module: &Module, id: FunctionId) -> String {
+        let function = &module.functions[id.index()];
+        match function.owner {
+            Some(Owner::Struct(owner)) if module.structs[owner.index()].initial.is_some() => {
+                self.struct_file(module, owner)
+            }
+            _ => self.module_file(&function.module),
+        }
+    }
+
+    /// The C type of a word.
+    pub fn word(&self, ty: &Type) -> String {
+        match ty {
+            Type::Scalar(scalar) => scalar_type(*scalar).to_owned(),
+            Type::Enum(id) => self.enums[id.index()].ty.clone(),
+            other => unreachable!("no word: {other:?}"),
+        }
+    }
+
+    /// `type name[dimensions]` of a variable or a field.
+    pub fn declarator(&self, ty: &Type, name: &str) -> Declarator {
+        let (ty, dimensions) = self.type_parts(ty);
+        Declarator { ty, name: name.to_owned(), dimensions }
+    }
+
+    /// The type of the innermost element, and the dimensions around it.
+    pub fn type_parts(&self, ty: &Type) -> (String, String) {
+        match ty {
+            Type::Unit => ("void".to_owned(), String::new()),
+            Type::Scalar(_) | Type::Enum(_) => (self.word(ty), String::new()),
+            Type::Struct(id) => (self.structs[id.index()].ty.clone(), String::new()),
+            Type::Matrix { element, rows, cols } => {
+                (scalar_type(*element).to_owned(), format!("[{}]", rows * cols))
+            }
+            Type::Array { element, len } => {
+                let (ty, inner) = self.type_parts(element);
+                (ty, format!("[{len}]{inner}"))
+            }
+        }
+    }
+
+    /// A parameter as C declares it.
+    pub fn param(&self, param: &Param) -> Declarator {
+        let mut declarator = self.declarator(&param.ty, &param.name);
+        let pointer = declarator.dimensions.is_empty();
+        match param.passing {
+            Passing::Value => return declarator,
+            Passing::Input => declarator.ty.insert_str(0, "const "),
+            Passing::InOut | Passing::Output => {}
+        }
+        if pointer {
+            declarator.ty.push_str(" *");
+        }
+        declarator
+    }
+
+    /// The head of a function.
+    pub fn head(&self, signature: &Signature) -> Head {
+        Head {
+            is_static: signature.is_static,
+            result: match &signature.returned {
+                Returned::Nothing => "void".to_owned(),
+                Returned::Value(ty) => self.word(ty),
+                Returned::Status => self.status.ty.clone(),
+            },
+            name: signature.name.clone(),
+            params: signature.params.iter().map(|param| self.param(param)).collect(),
+        }
+    }
+
+    fn name_types(&mut self, module: &Module, options: &Options, faults: &Faults) {
+        let wanted: Vec<(&str, &str)> = (module.structs.iter().map(|item| (&*item.name, &*item.module)))
+            .chain(module.enums.iter().map(|item| (&*item.name, &*item.module)))
+            .collect();
+        let base = |name: &str, rust_module: &str| {
+            let own = snake(name);
+            let rivals = wanted.iter().filter(|(other, _)| snake(other) == own).count();
+            let base = if rivals > 1 || is_reserved_globally(&format!("{}{own}_t", options.prefix)) {
+                format!("{}_{own}", self.module_file(rust_module))
+            } else {
+                own
+            };
+            format!("{}{base}", options.prefix)
+        };
+        let bases: Vec<String> = wanted.iter().map(|(name, path)| base(name, path)).collect();
+        for (index, item) in module.structs.iter().enumerate() {
+            let id = StructId(index as u32);
+            let fields: Vec<String> = item.fields.iter().map(|field| field_name(&field.name)).collect();
+            let hidden = ["fault", "latched_fault"].into_iter().find(|name| fields.iter().all(|f| f != name));
+            let fault = hidden.filter(|_| faults.latched(id)).map(str::to_owned);
+            let base = bases[index].clone();
+            self.structs.push(StructNames {
+                ty: format!("{base}_t"),
+                init: item.initial.as_ref().map(|_| format!("{base}_init")),
+                header: format!("{}.h", self.struct_file(module, id)),
+                base,
+                fields,
+                fault,
+            });
+        }
+        for (item, base) in module.enums.iter().zip(&bases[module.structs.len()..]) {
+            let prefix = base.to_uppercase();
+            self.enums.push(EnumNames {
+                base: base.clone(),
+                ty: format!("{base}_t"),
+                variants: (item.variants.iter())
+                    .map(|variant| format!("{prefix}_{}", screaming(&variant.name)))
+                    .collect(),
+                header: format!("{}.h", self.module_file(&item.module)),
+            });
+        }
+    }
+
+    fn name_functions(&mut self, module: &Module, options: &Options, faults: &Faults) {
+        let short: Vec<String> =
+            module.functions.iter().map(|function| self.short_name(function, options)).collect();
+        let mut wanted: BTreeMap<&str, u32> = BTreeMap::new();
+        let inits = self.structs.iter().filter_map(|names| names.init.as_deref());
+        for name in short.iter().map(String::as_str).chain(inits) {
+            *wanted.entry(name).or_default() += 1;
+        }
+        let chosen: Vec<String> = (module.functions.iter().zip(&short))
+            .map(|(function, name)| {
+                if wanted[name.as_str()] > 1 || is_reserved_globally(name) {
+                    long_name(self, module, function, options)
+                } else {
+                    name.clone()
+                }
+            })
+            .collect();
+        let locally = called_in_own_file_only(self, module);
+        for (index, function) in module.functions.iter().enumerate() {
+            let id = FunctionId(index as u32);
+            let (params, returned) = passing(function, faults.fallible(id));
+            self.functions.push(Signature {
+                name: chosen[index].clone(),
+                is_static: function.role == bessemer_ir::Role::Private && locally[index],
+                params,
+                returned,
+                header: format!("{}.h", self.function_file(module, id)),
+            });
+        }
+    }
+
+    fn short_name(&self, function: &Function, options: &Options) -> String {
+        let name = identifier(&function.name);
+        match function.owner {
+            Some(Owner::Struct(id)) => format!("{}_{name}", self.structs[id.index()].base),
+            Some(Owner::Enum(id)) => format!("{}_{name}", self.enums[id.index()].base),
+            None => format!("{}{}_{name}", options.prefix, self.module_file(&function.module)),
+        }
+    }
+}
+
+/// The C type of a scalar.
+pub fn scalar_type(scalar: Scalar) -> &'static str {
+    match scalar {
+        Scalar::Bool => "bool",
+        Scalar::Float(bessemer_ir::Float::F32) => "float",
+        Scalar::Float(bessemer_ir::Float::F64) => "double",
+        Scalar::Int(int) => match int {
+            Int::I8 => "int8_t",
+            Int::I16 => "int16_t",
+            Int::I32 => "int32_t",
+            Int::I64 | Int::Isize => "int64_t",
+            Int::U8 => "uint8_t",
+            Int::U16 => "uint16_t",
+            Int::U32 => "uint32_t",
+            Int::U64 | Int::Usize => "uint64_t",
+        },
+    }
+}
+
+/// The name of a field.
+pub fn field_name(name: &str) -> String {
+    let name = identifier(name);
+    if is_keyword(&name) { format!("{name}_") } else { name }
+}
+
+/// The name that a local asks for.
+pub fn local_name(name: &str) -> String {
+    let name = identifier(name);
+    if is_reserved_for_locals(&name) { format!("{name}_") } else { name }
+}
+
+/// `name`, or `name_2`, `name_3`, …: the first that is free.
+pub fn unique(name: &str, taken: impl Fn(&str) -> bool) -> String {
+    if !taken(name) {
+        return name.to_owned();
+    }
+    let candidates = (2..).map(|number| format!("{name}_{number}"));
+    candidates.into_iter().find(|candidate| !taken(candidate)).expect("numbers do not end")
+}
+
+/// `attitude_pid_torque`: the whole module path, the owner, the name.
+fn long_name(names: &Names, module: &Module, function: &Function, options: &Options) -> String {
+    let owner = match function.owner {
+        Some(Owner::Struct(id)) => format!("{}_", snake(&module.structs[id.index()].name)),
+        Some(Owner::Enum(id)) => format!("{}_", snake(&module.enums[id.index()].name)),
+        None => String::new(),
+    };
+    let path = identifier(&function.module.replace("::", "_"));
+    let name = format!("{}{path}_{owner}{}", options.prefix, identifier(&function.name));
+    let taken = |name: &str| names.structs.iter().any(|item| item.init.as_deref() == Some(name));
+    if taken(&name) { format!("{name}_fn") } else { name }
+}
+
+/// The parameters and what is returned.
+fn passing(function: &Function, fallible: bool) -> (Vec<Param>, Returned) {
+    let mut params: Vec<Param> = Vec::new();
+    for local in function.parameters() {
+        let wanted = local_name(&local.name);
+        let name = unique(&wanted, |name| params.iter().any(|param| param.name == name));
+        let passing = match (local.mode, local.ty.is_word()) {
+            (Mode::RefMut, _) => Passing::InOut,
+            (_, true) => Passing::Value,
+            (_, false) => Passing::Input,
+        };
+        params.push(Param { name, ty: local.ty.clone(), passing });
+    }
+    let result = &function.result;
+    if *result != Type::Unit && (fallible || result.is_aggregate()) {
+        let wanted = local_name(&function.result_name);
+        let wanted = if wanted == "_" { "result".to_owned() } else { wanted };
+        let name = unique(&wanted, |name| params.iter().any(|param| param.name == name));
+        params.push(Param { name, ty: result.clone(), passing: Passing::Output });
+    }
+    let returned = match (fallible, result.is_word()) {
+        (true, _) => Returned::Status,
+        (false, true) => Returned::Value(result.clone()),
+        (false, false) => Returned::Nothing,
+    };
+    (params, returned)
+}
+
+/// Which functions are called from their own file only.
+fn called_in_own_file_only(names: &Names, module: &Module) -> Vec<bool> {
+    let files: Vec<String> = (0..module.functions.len())
+        .map(|index| names.function_file(module, FunctionId(index as u32)))
+        .collect();
+    let mut locally = vec![true; module.functions.len()];
+    for (caller, function) in module.functions.iter().enumerate() {
+        super::analysis::walk_exprs(&function.body, &mut |expr| {
+            if let bessemer_ir::ExprKind::Call(callee, _) = &expr.kind {
+                locally[callee.index()] &= files[callee.index()] == files[caller];
+            }
+        });
+    }
+    locally
+}
+
+/// The names of constants: the author's own; qualified where two differ in value.
+fn const_names(module: &Module) -> Vec<String> {
+    let same = |a: &Const, b: &Const| a.ty == b.ty && a.words == b.words;
+    (module.consts.iter())
+        .map(|item| {
+            let own = identifier(&item.name);
+            let rival = |other: &Const| identifier(&other.name) == own && !same(item, other);
+            if module.consts.iter().any(rival) || is_reserved_globally(&own) {
+                screaming(&format!("{}_{own}", relative(&item.module).join("_")))
+            } else {
+                own
+            }
+        })
+        .collect()
+}
+
+/// The file of each Rust module: its last segment, or the whole path where two end alike.
+fn file_names(module: &Module) -> BTreeMap<String, String> {
+    let paths: std::collections::BTreeSet<&str> = (module.structs.iter().map(|item| &*item.module))
+        .chain(module.enums.iter().map(|item| &*item.module))
+        .chain(module.functions.iter().map(|item| &*item.module))
+        .collect();
+    let file = |path: &str| {
+        let own = last_segment(path);
+        let rivals = paths.iter().filter(|other| last_segment(other) == own).count();
+        if rivals > 1 { relative(path).join("_") } else { own }
+    };
+    paths.iter().map(|path| ((*path).to_owned(), file(path))).collect()
+}
+
+impl Names {
+    /// The name of a constant.
+    pub fn constant(&self, id: ConstId) -> &str {
+        &self.consts[id.index()]
+    }
+
+    /// The name of an enum's variant.
+    pub fn variant(&self, id: EnumId, index: u64) -> &str {
+        &self.enums[id.index()].variants[index as usize]
+    }
+
+    /// The face of a function.
+    pub fn signature(&self, id: FunctionId) -> &Signature {
+        &self.functions[id.index()]
+    }
+}

@@ -1,0 +1,415 @@
+//! The printer: from the C tree to text, with the line of each statement for the map.
+//!
+//! It decides indentation, line breaks, braces, comments' form. It knows nothing of the IR.
+
+use super::MapLine;
+use super::layout_text::{Pieces, WIDTH, fill, flat};
+use super::tree::{Declarator, Head, Init, Item, Lines, Origin, Step, Stmt, StmtKind, SwitchArm};
+
+/// Columns of one level.
+const INDENT: usize = 4;
+
+/// Text under construction.
+pub struct Printer<'a> {
+    files: &'a [String],
+    text: String,
+    line: u32,
+    map: Vec<MapLine>,
+    function: String,
+    level: usize,
+}
+
+impl<'a> Printer<'a> {
+    /// A printer whose first line is number `first_line` of its file.
+    pub fn new(files: &'a [String], first_line: u32) -> Printer<'a> {
+        Printer {
+            files,
+            text: String::new(),
+            line: first_line,
+            map: Vec::new(),
+            function: String::new(),
+            level: 0,
+        }
+    }
+
+    /// The text and its map.
+    pub fn finish(self) -> (String, Vec<MapLine>) {
+        (self.text, self.map)
+    }
+
+    fn margin(&self) -> usize {
+        self.level * INDENT
+    }
+
+    fn put(&mut self, text: &str) {
+        if !text.is_empty() {
+            let margin = self.margin();
+            self.text.push_str(&" ".repeat(margin));
+            self.text.push_str(text);
+        }
+        self.end_line();
+    }
+
+    fn end_line(&mut self) {
+        self.text.push('\n');
+        self.line += 1;
+    }
+
+    fn put_filled(&mut self, pieces: Pieces, further: usize) {
+        for line in fill(&pieces.finish(), self.margin(), further) {
+            self.text.push_str(&line);
+            self.end_line();
+        }
+    }
+
+    fn mark(&mut self, origin: Option<Origin>) {
+        if let Some(origin) = origin
+            && origin.line > 0
+        {
+            self.map.push(MapLine {
+                c_line: self.line,
+                rust_file: self.files.get(origin.file as usize).cloned().unwrap_or_default(),
+                rust_line: origin.line,
+                function: self.function.clone(),
+            });
+        }
+    }
+
+    /// Prints an item, with an empty line before it unless it is the first.
+    pub fn item(&mut self, item: &Item, gap: bool) {
+        if gap {
+            self.end_line();
+        }
+        self.function.clear();
+        match item {
+            Item::Struct { docs, name, fields, origin } => {
+                self.docs(docs);
+                self.mark(Some(*origin));
+                self.put("typedef struct {");
+                self.level += 1;
+                for (docs, field) in fields {
+                    self.docs(docs);
+                    self.put(&format!("{};", field.text()));
+                }
+                self.level -= 1;
+                self.put(&format!("}} {name};"));
+            }
+            Item::Enum { docs, name, variants, origin } => {
+                self.docs(docs);
+                self.mark(Some(*origin));
+                self.put("typedef enum {");
+                self.level += 1;
+                for (index, (docs, variant)) in variants.iter().enumerate() {
+                    self.docs(docs);
+                    let comma = if index + 1 < variants.len() { "," } else { "" };
+                    self.put(&format!("{variant} = {index}{comma}"));
+                }
+                self.level -= 1;
+                self.put(&format!("}} {name};"));
+            }
+            Item::Constant(declarator, init) => self.declare("static ", declarator, Some(init)),
+            Item::Prototype { docs, head, origin, function } => {
+                self.docs(docs);
+                self.function.clone_from(function);
+                self.mark(Some(*origin));
+                self.head(head, ";");
+            }
+            Item::Function { docs, head, body, origin, function } => {
+                self.docs(docs);
+                self.function.clone_from(function);
+                self.mark(Some(*origin));
+                self.head(head, "");
+                self.put("{");
+                self.block(body);
+                self.put("}");
+            }
+            Item::Verbatim(text) => {
+                for line in text.lines() {
+                    self.put(line);
+                }
+            }
+        }
+    }
+
+    fn head(&mut self, head: &Head, end: &str) {
+        let mut pieces = Pieces::default();
+        let storage = if head.is_static { "static " } else { "" };
+        let gap = if head.result.ends_with('*') { "" } else { " " };
+        pieces.glue(&format!("{storage}{}{gap}{}(", head.result, head.name));
+        if head.params.is_empty() {
+            pieces.glue("void");
+        }
+        for (index, param) in head.params.iter().enumerate() {
+            if index > 0 {
+                pieces.glue(",");
+            }
+            pieces.allow_break(0);
+            if index > 0 {
+                pieces.glue(" ");
+            }
+            pieces.glue(&param.text());
+        }
+        pieces.glue(&format!("){end}"));
+        self.put_filled(pieces, INDENT);
+    }
+
+    /// A doc comment.
+    fn docs(&mut self, docs: &[String]) {
+        self.comment("/**", docs);
+    }
+
+    fn comment(&mut self, open: &str, lines: &[String]) {
+        let lines: Vec<String> = lines.iter().map(|line| comment_text(line)).collect();
+        let first = lines.iter().position(|line| !line.is_empty());
+        let Some(first) = first else { return };
+        let last = lines.iter().rposition(|line| !line.is_empty()).unwrap_or(first);
+        if first == last
+            && lines[first].chars().count() + self.margin() + open.len() + 4 <= WIDTH
+        {
+            self.put(&format!("{open} {} */", lines[first]));
+            return;
+        }
+        self.put(open);
+        for line in &lines[first..=last] {
+            self.put(format!(" * {line}").trim_end());
+        }
+        self.put(" */");
+    }
+
+    fn block(&mut self, block: &[Stmt]) {
+        self.level += 1;
+        for (index, stmt) in block.iter().enumerate() {
+            if index > 0 && matches!(stmt.kind, StmtKind::Comment(_)) {
+                self.end_line();
+            }
+            self.mark(stmt.origin);
+            self.stmt(&stmt.kind);
+        }
+        self.level -= 1;
+    }
+
+    fn stmt(&mut self, kind: &StmtKind) {
+        match kind {
+            StmtKind::Comment(lines) => self.comment("/*", lines),
+            StmtKind::Declare(declarator, init) => self.declare("", declarator, init.as_ref()),
+            StmtKind::Expr(expr) => {
+                let mut pieces = Pieces::default();
+                pieces.expr(expr, 0);
+                pieces.glue(";");
+                self.put_filled(pieces, INDENT);
+            }
+            StmtKind::Assign(place, op, value) => {
+                let mut pieces = Pieces::default();
+                pieces.expr(place, 20);
+                pieces.glue(&format!(" {op} "));
+                pieces.expr(value, 0);
+                pieces.glue(";");
+                self.put_filled(pieces, INDENT);
+            }
+            StmtKind::If { condition, then, otherwise } => {
+                self.if_chain("", condition, then, otherwise);
+            }
+            StmtKind::Switch { scrutinee, arms } => {
+                self.put(&format!("switch ({}) {{", flat(scrutinee)));
+                for arm in arms {
+                    self.arm(arm);
+                }
+                self.put("}");
+            }
+            StmtKind::For { init, condition, step, body } => {
+                let step = match step {
+                    None => String::new(),
+                    Some(Step::Expr(expr)) => format!(" {}", flat(expr)),
+                    Some(Step::Assign(place, value)) => format!(" {} = {}", flat(place), flat(value)),
+                };
+                let (counter, first) = init;
+                let mut pieces = Pieces::default();
+                pieces.glue(&format!("for ({} = {};", counter.text(), flat(first)));
+                pieces.allow_break(0);
+                pieces.glue(&format!(" {};", flat(condition)));
+                pieces.allow_break(0);
+                pieces.glue(&format!("{step}) {{"));
+                self.put_filled(pieces, 2 * INDENT);
+                self.block(body);
+                self.put("}");
+            }
+            StmtKind::Return(None) => self.put("return;"),
+            StmtKind::Return(Some(value)) => {
+                let mut pieces = Pieces::default();
+                pieces.glue("return ");
+                pieces.expr(value, 0);
+                pieces.glue(";");
+                self.put_filled(pieces, INDENT);
+            }
+            StmtKind::Break => self.put("break;"),
+            StmtKind::Continue => self.put("continue;"),
+            StmtKind::Block(block) => {
+                self.put("{");
+                self.block(block);
+                self.put("}");
+            }
+        }
+    }
+
+    fn if_chain(&mut self, before: &str, condition: &super::tree::Expr, then: &[Stmt], otherwise: &[Stmt]) {
+        let mut pieces = Pieces::default();
+        pieces.glue(&format!("{before}if ("));
+        pieces.expr(condition, 0);
+        pieces.glue(") {");
+        self.put_filled(pieces, 2 * INDENT);
+        self.block(then);
+        match otherwise {
+            [] => self.put("}"),
+            [Stmt { kind: StmtKind::If { condition, then, otherwise }, origin }] => {
+                self.mark(*origin);
+                self.if_chain("} else ", condition, then, otherwise);
+            }
+            _ => {
+                self.put("} else {");
+                self.block(otherwise);
+                self.put("}");
+            }
+        }
+    }
+
+    fn arm(&mut self, arm: &SwitchArm) {
+        // A label must be followed by a statement, not by a declaration: braces give the scope.
+        let declares = arm.body.iter().any(|stmt| matches!(stmt.kind, StmtKind::Declare(..)));
+        let brace = if declares { " {" } else { "" };
+        let mut labels: Vec<String> =
+            arm.labels.iter().map(|label| format!("case {}:", flat(label))).collect();
+        if arm.default {
+            labels.push("default:".to_owned());
+        }
+        for (index, label) in labels.iter().enumerate() {
+            let last = index + 1 == labels.len();
+            self.put(&format!("{label}{}", if last { brace } else { "" }));
+        }
+        self.block(&arm.body);
+        let leaves = matches!(
+            arm.body.last().map(|stmt| &stmt.kind),
+            Some(StmtKind::Return(_) | StmtKind::Continue)
+        );
+        if !leaves {
+            self.level += 1;
+            self.put("break;");
+            self.level -= 1;
+        }
+        if declares {
+            self.put("}");
+        }
+    }
+
+    fn declare(&mut self, storage: &str, declarator: &Declarator, init: Option<&Init>) {
+        let head = format!("{storage}{}", declarator.text());
+        match init {
+            None => self.put(&format!("{head};")),
+            Some(Init::Value(value)) => {
+                let mut pieces = Pieces::default();
+                pieces.glue(&format!("{head} = "));
+                pieces.expr(value, 0);
+                pieces.glue(";");
+                self.put_filled(pieces, INDENT);
+            }
+            Some(list) => {
+                let one = format!("{head} = {};", flat_init(list));
+                if one.chars().count() + self.margin() <= WIDTH && !by_lines(list) {
+                    self.put(&one);
+                } else {
+                    self.list(&format!("{head} = "), list, ";");
+                }
+            }
+        }
+    }
+
+    fn list(&mut self, before: &str, init: &Init, after: &str) {
+        let Init::List { items, lines } = init else { unreachable!("called with a list") };
+        self.put(&format!("{before}{{"));
+        self.level += 1;
+        let plain = items.iter().all(|(name, init)| name.is_none() && is_value(init));
+        if *lines == Lines::Fill && plain {
+            let mut pieces = Pieces::default();
+            for (index, (_, item)) in items.iter().enumerate() {
+                pieces.allow_break(0);
+                let gap = if index > 0 { " " } else { "" };
+                let comma = if index + 1 < items.len() { "," } else { "" };
+                pieces.glue(&format!("{gap}{}{comma}", flat_init(item)));
+            }
+            self.put_filled(pieces, 0);
+        } else {
+            let size = if let Lines::Groups(size) = lines { *size } else { 1 };
+            for (index, group) in items.chunks(size).enumerate() {
+                let last = (index + 1) * size >= items.len();
+                self.group(group, if last { "" } else { "," });
+            }
+        }
+        self.level -= 1;
+        self.put(&format!("}}{after}"));
+    }
+
+    fn group(&mut self, group: &[(Option<String>, Init)], end: &str) {
+        if let [(name, list @ Init::List { .. })] = group {
+            let name = name.as_ref().map(|name| format!(".{name} = ")).unwrap_or_default();
+            let one = format!("{name}{}{end}", flat_init(list));
+            if one.chars().count() + self.margin() <= WIDTH && !by_lines(list) {
+                self.put(&one);
+            } else {
+                self.list(&name, list, end);
+            }
+            return;
+        }
+        let mut pieces = Pieces::default();
+        for (index, (name, item)) in group.iter().enumerate() {
+            if index > 0 {
+                pieces.glue(",");
+                pieces.allow_break(0);
+                pieces.glue(" ");
+            }
+            if let Some(name) = name {
+                pieces.glue(&format!(".{name} = "));
+            }
+            match item {
+                Init::Value(value) => pieces.expr(value, 1),
+                list => pieces.glue(&flat_init(list)),
+            }
+        }
+        pieces.glue(end);
+        self.put_filled(pieces, INDENT);
+    }
+}
+
+fn is_value(init: &Init) -> bool {
+    matches!(init, Init::Value(_))
+}
+
+/// Whether a list has more lines than one whatever its length.
+fn by_lines(init: &Init) -> bool {
+    match init {
+        Init::Value(_) => false,
+        Init::List { items, lines } => {
+            matches!(lines, Lines::Groups(size) if items.len() > *size)
+                || items.iter().any(|(_, item)| by_lines(item))
+        }
+    }
+}
+
+fn flat_init(init: &Init) -> String {
+    match init {
+        Init::Value(value) => flat(value),
+        Init::List { items, .. } => {
+            let items: Vec<String> = items
+                .iter()
+                .map(|(name, item)| match name {
+                    Some(name) => format!(".{name} = {}", flat_init(item)),
+                    None => flat_init(item),
+                })
+                .collect();
+            format!("{{{}}}", items.join(", "))
+        }
+    }
+}
+
+/// The author's comment, with what would end or upset a C comment taken apart.
+fn comment_text(line: &str) -> String {
+    line.strip_prefix(' ').unwrap_or(line).trim_end().replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?").replace('\t', "    ")
+}

@@ -1,0 +1,54 @@
+//! What stands around the body of a file: banner, guards, includes. The text is in
+//! `codegen/templates/`.
+
+use tera::{Context, Tera};
+
+/// The mark that the body takes the place of.
+const BODY: &str = "\u{1}body\u{1}";
+
+/// What a shell needs to know.
+pub struct Shell<'a> {
+    /// `height.h`.
+    pub file: &'a str,
+    /// `height.h` in `height.c`.
+    pub header: &'a str,
+    /// A line that says what is inside.
+    pub summary: &'a str,
+    /// The Rust modules it comes from.
+    pub source: &'a str,
+    /// The SPDX expression.
+    pub license: &'a str,
+    /// `<…>`, sorted.
+    pub system_includes: Vec<String>,
+    /// `"…"`, sorted.
+    pub own_includes: Vec<String>,
+}
+
+/// The text before and after the body.
+pub fn frame(shell: &Shell<'_>, is_header: bool) -> (String, String) {
+    let mut context = Context::new();
+    context.insert("file", shell.file);
+    context.insert("header", shell.header);
+    context.insert("summary", shell.summary);
+    context.insert("source", shell.source);
+    context.insert("license", shell.license);
+    context.insert("guard", &guard(shell.file));
+    context.insert("system_includes", &shell.system_includes);
+    context.insert("own_includes", &shell.own_includes);
+    context.insert("body", BODY);
+    let (name, template) = if is_header {
+        ("header.h", include_str!("../../templates/header.h.tera"))
+    } else {
+        ("source.c", include_str!("../../templates/source.c.tera"))
+    };
+    let mut tera = Tera::default();
+    tera.add_raw_template(name, template).expect("the templates parse: a test renders them");
+    let text = tera.render(name, &context).expect("the templates render: a test renders them");
+    let (before, after) = text.split_once(BODY).expect("the templates have a body");
+    (before.to_owned(), after.to_owned())
+}
+
+/// `height.h` → `HEIGHT_H`.
+fn guard(file: &str) -> String {
+    file.replace(['.', '-'], "_").to_uppercase()
+}

@@ -1,0 +1,77 @@
+//! From Rust's spelling of names to C's.
+
+/// A Rust identifier as a C identifier: ASCII letters, digits and `_`.
+pub fn identifier(name: &str) -> String {
+    let name = name.strip_prefix("r#").unwrap_or(name);
+    let mut out = String::new();
+    for letter in name.chars() {
+        match letter {
+            'a'..='z' | 'A'..='Z' | '0'..='9' | '_' => out.push(letter),
+            _ => match greek(letter) {
+                Some(word) => out.push_str(word),
+                None if letter.is_alphanumeric() => out.push_str(&format!("u{:04x}", letter as u32)),
+                None => out.push('_'),
+            },
+        }
+    }
+    // A leading `_` says that Rust must not complain; in C it is reserved.
+    let out = match out.trim_start_matches('_') {
+        "" => "unused".to_owned(),
+        rest => rest.to_owned(),
+    };
+    if out.starts_with(|letter: char| letter.is_ascii_digit()) { format!("n{out}") } else { out }
+}
+
+/// `PidGains` → `pid_gains`, `LQR` → `lqr`, `Axis3D` → `axis3_d`.
+pub fn snake(name: &str) -> String {
+    let letters: Vec<char> = identifier(name).chars().collect();
+    let mut out = String::new();
+    for (index, letter) in letters.iter().enumerate() {
+        let before = index.checked_sub(1).map(|at| letters[at]);
+        let after = letters.get(index + 1);
+        let starts_word = letter.is_ascii_uppercase()
+            && before.is_some_and(|before| {
+                before.is_ascii_lowercase()
+                    || before.is_ascii_digit()
+                    || before.is_ascii_uppercase() && after.is_some_and(char::is_ascii_lowercase)
+            });
+        if starts_word {
+            out.push('_');
+        }
+        out.push(letter.to_ascii_lowercase());
+    }
+    out
+}
+
+/// `TakeOff` → `TAKE_OFF`.
+pub fn screaming(name: &str) -> String {
+    snake(&if name.chars().any(char::is_lowercase) { name.to_owned() } else { name.to_lowercase() })
+        .to_uppercase()
+}
+
+/// The segments of a module path below the crate; the crate itself for its root.
+pub fn relative(path: &str) -> Vec<String> {
+    let segments: Vec<String> = path.split("::").map(snake).collect();
+    if segments.len() > 1 { segments[1..].to_vec() } else { segments }
+}
+
+/// The last segment of a module path.
+pub fn last_segment(path: &str) -> String {
+    relative(path).pop().unwrap_or_default()
+}
+
+fn greek(letter: char) -> Option<&'static str> {
+    const SMALL: [&str; 25] = [
+        "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa", "lambda",
+        "mu", "nu", "xi", "omicron", "pi", "rho", "sigma", "sigma", "tau", "upsilon", "phi", "chi",
+        "psi", "omega",
+    ];
+    const CAPITAL: [&str; 25] = [
+        "Alpha", "Beta", "Gamma", "Delta", "Epsilon", "Zeta", "Eta", "Theta", "Iota", "Kappa", "Lambda",
+        "Mu", "Nu", "Xi", "Omicron", "Pi", "Rho", "", "Sigma", "Tau", "Upsilon", "Phi", "Chi", "Psi",
+        "Omega",
+    ];
+    let at = |first: char| (letter as u32).checked_sub(first as u32).map(|offset| offset as usize);
+    let pick = |table: &[&'static str; 25], first| at(first).and_then(|offset| table.get(offset).copied());
+    pick(&SMALL, 'α').or_else(|| pick(&CAPITAL, 'Α'))
+}

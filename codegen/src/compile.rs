@@ -1,0 +1,77 @@
+//! The whole way: tree, typed IR, checked IR, explicit IR, C.
+//!
+//! Validation is the only gate, and stands before and after the passes: what comes behind it may
+//! assume what it checks.
+
+use bessemer_ir::Module;
+use bessemer_ir::tree::Package;
+
+use crate::c::{self, CFile, EntryReport};
+use crate::diagnostic::Diagnostic;
+use crate::source::Sources;
+use crate::{passes, typify, validate};
+
+pub use crate::c::Options;
+
+/// A package as IR and as C.
+pub struct Compiled {
+    /// The IR as the author wrote it: what the interpreter runs.
+    pub module: Module,
+    /// The IR that the C is printed from: faults explicit, one step a statement.
+    pub explicit: Module,
+    /// The C.
+    pub files: Vec<CFile>,
+    /// What there is to call, and what it costs.
+    pub entries: Vec<EntryReport>,
+    /// The checks that are left in each function, and why.
+    pub checks: passes::Report,
+}
+
+/// Compiles a package.
+///
+/// # Errors
+/// Everything that is wrong with it, at the author's lines.
+pub fn compile(
+    package: &Package,
+    sources: &Sources,
+    options: &Options,
+) -> Result<Compiled, Vec<Diagnostic>> {
+    let options = &Options { license: package.license.clone(), ..options.clone() };
+    let module = typify::typify(package, sources)?;
+    gate(&module)?;
+    let (explicit, checks) = passes::explicit(module.clone())
+        .map_err(|errors| errors.iter().map(|error| unproved(&module, error)).collect::<Vec<_>>())?;
+    gate(&explicit)?;
+    let files = c::emit(&explicit, options);
+    let entries = c::report(&explicit, options, &files);
+    Ok(Compiled { module, explicit, files, entries, checks })
+}
+
+/// Validation; what it finds is a fault of the tool, since the author's were found before.
+fn gate(module: &Module) -> Result<(), Vec<Diagnostic>> {
+    validate::validate(module).map_err(|errors| {
+        errors.iter().map(|error| place(module, error.span, error)).collect()
+    })
+}
+
+/// A claim of the author's that could not be proved; anything else is a fault of the tool.
+fn unproved(module: &Module, error: &passes::Error) -> Diagnostic {
+    let (span, help) = match error {
+        passes::Error::Fallible { check, .. } => (
+            check.span,
+            "rule the fault out (a constant index, a smaller type, a comparison before), or write `#[entry]`",
+        ),
+        passes::Error::Tool(_) => Default::default(),
+    };
+    Diagnostic { help: help.to_owned(), ..place(module, span, error) }
+}
+
+fn place(module: &Module, span: bessemer_ir::Span, message: &dyn std::fmt::Display) -> Diagnostic {
+    Diagnostic {
+        file: module.files.get(span.file as usize).cloned().unwrap_or_default(),
+        line: span.line,
+        column: span.column,
+        message: message.to_string(),
+        help: String::new(),
+    }
+}

@@ -1,0 +1,191 @@
+//! The folder of the C: compared, or replaced whole.
+//!
+//! A new folder is laid out beside the old one and takes its name in one step; until then nothing of
+//! the old one has changed. Files whose bytes stay keep their time stamps.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use similar::TextDiff;
+
+use super::Error;
+use super::manifest::{self, Manifest};
+
+/// Files by name.
+#[derive(Default)]
+pub struct Files(BTreeMap<String, String>);
+
+impl Files {
+    /// Adds a file.
+    pub fn add(&mut self, name: &str, text: String) {
+        self.0.insert(name.to_owned(), text);
+    }
+
+    /// Their names, in order.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.0.keys().map(String::as_str)
+    }
+}
+
+/// Compares the folder with what it should hold.
+pub(super) fn check(
+    folder: &Path,
+    files: &Files,
+    manifest: &Manifest,
+    colour: bool,
+) -> Result<(), Error> {
+    let present = read(folder)?;
+    let mut difference = String::new();
+    for (name, text) in &files.0 {
+        diff(name, present.get(name), Some(text), colour, &mut difference);
+    }
+    for (name, text) in &present {
+        if name != manifest::NAME && !files.0.contains_key(name) {
+            diff(name, Some(text), None, colour, &mut difference);
+        }
+    }
+    let earlier = present.get(manifest::NAME);
+    if earlier.and_then(|earlier| manifest.date_if_same(earlier)).is_none() {
+        let date = "the day of generation";
+        diff(manifest::NAME, earlier, Some(&manifest.text(date)), colour, &mut difference);
+    }
+    if difference.is_empty() { Ok(()) } else { Err(Error::Stale(difference)) }
+}
+
+fn diff(name: &str, old: Option<&String>, new: Option<&String>, colour: bool, out: &mut String) {
+    let (before, after) = (old.map_or("", String::as_str), new.map_or("", String::as_str));
+    if before == after && old.is_some() == new.is_some() {
+        return;
+    }
+    let old_name = if old.is_some() { format!("committed/{name}") } else { "/dev/null".into() };
+    let new_name = if new.is_some() { format!("generated/{name}") } else { "/dev/null".into() };
+    let diff = TextDiff::from_lines(before, after);
+    let text = diff.unified_diff().context_radius(2).header(&old_name, &new_name).to_string();
+    if !colour {
+        out.push_str(&text);
+        return;
+    }
+    for line in text.lines() {
+        let sgr = match line.as_bytes().first() {
+            Some(b'+') => "\u{1b}[32m",
+            Some(b'-') => "\u{1b}[31m",
+            Some(b'@') => "\u{1b}[36m",
+            _ => "",
+        };
+        out.push_str(sgr);
+        out.push_str(line);
+        out.push_str(if sgr.is_empty() { "\n" } else { "\u{1b}[0m\n" });
+    }
+}
+
+/// Makes the folder hold `files` and the manifest; gives the names of those that changed.
+pub(super) fn write(folder: &Path, files: Files, manifest: &Manifest) -> Result<Vec<String>, Error> {
+    let present = read(folder)?;
+    refuse_foreign(folder, &present)?;
+    let mut changed: Vec<String> =
+        files.0.iter().filter(|(name, text)| present.get(*name) != Some(text)).map(|(name, _)| name.clone()).collect();
+    let removed = present.keys().filter(|name| {
+        name.as_str() != manifest::NAME && !files.0.contains_key(*name)
+    });
+    changed.extend(removed.cloned());
+    let earlier = present.get(manifest::NAME);
+    if changed.is_empty() && earlier.is_some_and(|earlier| manifest.date_if_same(earlier).is_some()) {
+        return Ok(changed);
+    }
+    let today = time::OffsetDateTime::now_utc().date().to_string();
+    let mut all = files.0;
+    all.insert(manifest::NAME.to_owned(), manifest.text(&today));
+    replace(folder, &all, &present)?;
+    changed.push(manifest::NAME.to_owned());
+    Ok(changed)
+}
+
+fn read(folder: &Path) -> Result<BTreeMap<String, String>, Error> {
+    let mut files = BTreeMap::new();
+    let entries = match fs::read_dir(folder) {
+        Ok(entries) => entries,
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(files),
+        Err(source) => return Err(Error::File { path: folder.to_owned(), source }),
+    };
+    for entry in entries {
+        let path = entry.map_err(|source| Error::File { path: folder.to_owned(), source })?.path();
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let bytes = fs::read(&path).map_err(|source| Error::File { path, source })?;
+        files.insert(name, String::from_utf8_lossy(&bytes).into_owned());
+    }
+    Ok(files)
+}
+
+/// The folder is replaced whole, so it may hold nothing that would be lost.
+fn refuse_foreign(folder: &Path, present: &BTreeMap<String, String>) -> Result<(), Error> {
+    let ours = present.get(manifest::NAME).map(|text| manifest::files_of(text)).unwrap_or_default();
+    let foreign = present.keys().find(|name| *name != manifest::NAME && !ours.contains(name));
+    match foreign {
+        Some(file) => Err(Error::Foreign { folder: folder.to_owned(), file: file.clone() }),
+        None => Ok(()),
+    }
+}
+
+/// Lays the folder out anew beside the old one, then swaps the two.
+fn replace(
+    folder: &Path,
+    files: &BTreeMap<String, String>,
+    present: &BTreeMap<String, String>,
+) -> Result<(), Error> {
+    let failed = |path: &Path| {
+        let path = path.to_owned();
+        move |source| Error::File { path: path.clone(), source }
+    };
+    let parent = folder.parent().map_or_else(|| PathBuf::from("."), Path::to_path_buf);
+    fs::create_dir_all(&parent).map_err(failed(&parent))?;
+    let stage = tempfile::Builder::new()
+        .prefix(".bessemer-")
+        .tempdir_in(&parent)
+        .map_err(failed(&parent))?;
+    let fresh = stage.path().join("new");
+    fs::create_dir(&fresh).map_err(failed(&fresh))?;
+    for (name, text) in files {
+        let path = fresh.join(name);
+        let kept = present.get(name) == Some(text)
+            && fs::hard_link(folder.join(name), &path).is_ok();
+        if !kept {
+            fs::write(&path, text).map_err(failed(&path))?;
+        }
+    }
+    let old = stage.path().join("old");
+    if folder.exists() {
+        fs::rename(folder, &old).map_err(failed(folder))?;
+    }
+    fs::rename(&fresh, folder).map_err(|source| {
+        // Back to how it was; if that fails too, the old folder is still in the stage.
+        let _ = fs::rename(&old, folder);
+        Error::File { path: folder.to_owned(), source }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_folder_with_a_strangers_file_is_left_alone() {
+        let present = BTreeMap::from([("notes.txt".to_owned(), String::new())]);
+        let error = refuse_foreign(Path::new("out"), &present);
+        assert!(matches!(error, Err(Error::Foreign { file, .. }) if file == "notes.txt"));
+    }
+
+    #[test]
+    fn a_folder_that_cannot_be_replaced_stays_as_it_was() -> Result<(), Box<dyn std::error::Error>> {
+        let dir = tempfile::tempdir()?;
+        let folder = dir.path().join("generated");
+        let old = BTreeMap::from([("a.c".to_owned(), "old".to_owned())]);
+        replace(&folder, &old, &BTreeMap::new())?;
+        // A name that no file can have: the new folder cannot be laid out.
+        let bad = BTreeMap::from([("a.c".to_owned(), "new".to_owned()), ("x/y.c".to_owned(), String::new())]);
+        assert!(replace(&folder, &bad, &old).is_err());
+        assert_eq!(read(&folder)?, old);
+        assert_eq!(fs::read_dir(dir.path())?.count(), 1, "no stage is left behind");
+        Ok(())
+    }
+}

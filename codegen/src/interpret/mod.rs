@@ -1,0 +1,119 @@
+//! An interpreter of the IR: the third leg beside native Rust and the emitted C.
+//!
+//! Arguments and results are words, in the order of [`Module::leaves`]. Operations mean what Rust
+//! means; where Rust leaves bits open (`min` of zeros, a NaN's sign) they mean what the DSL means.
+//!
+//! Invariants:
+//! * The module has passed [`validate`](crate::validate::validate()); anything else may panic.
+//! * Evaluation is strictly left to right, operands before the operation.
+//! * A function call allocates nothing once the memory has grown to what the call needs.
+//!
+//! Absent: C, passes, every optimisation that could change an order. It must stay small enough to be
+//! believed by reading it.
+
+mod layout;
+mod routine;
+mod run;
+mod scalar;
+
+use bessemer_ir::{Fault, FunctionId, Mode, Module, Span};
+
+use crate::validate::{WordsError, words_fit};
+use layout::Layout;
+
+/// Why a call gave no result.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Stop {
+    /// Rust would have panicked.
+    #[error("{fault:?} in function {} at {}:{}:{}", function.0, span.file, span.line, span.column)]
+    Fault {
+        /// What happened.
+        fault: Fault,
+        /// The function in which it happened, which a called function may be.
+        function: FunctionId,
+        /// The operation.
+        span: Span,
+    },
+    /// The call took more statements than [`Interpreter::limit`] allows.
+    #[error("the call takes too many statements")]
+    Limit,
+    /// The module has no such function.
+    #[error("there is no function {}", .0.0)]
+    Function(FunctionId),
+    /// Too many arguments or too few.
+    #[error("the function takes {expected} arguments, not {found}")]
+    Arguments {
+        /// Its parameters.
+        expected: usize,
+        /// What was given.
+        found: usize,
+    },
+    /// An argument is no value of its parameter's type.
+    #[error("argument {index}: {problem}")]
+    Argument {
+        /// Which one.
+        index: usize,
+        /// What is wrong with it.
+        problem: WordsError,
+    },
+}
+
+/// Calls `function` of a validated module; see [`Interpreter::call`].
+pub fn call(
+    module: &Module,
+    function: FunctionId,
+    arguments: &mut [Vec<u64>],
+) -> Result<Vec<u64>, Stop> {
+    Interpreter::new(module).call(function, arguments)
+}
+
+/// Runs functions of one validated module, keeping its memory between calls.
+pub struct Interpreter<'m> {
+    module: &'m Module,
+    layout: Layout,
+    memory: Vec<u64>,
+    limit: u64,
+}
+
+impl<'m> Interpreter<'m> {
+    /// An interpreter of `module`, which must have been validated.
+    pub fn new(module: &'m Module) -> Interpreter<'m> {
+        Interpreter { module, layout: Layout::new(module), memory: Vec::new(), limit: u64::MAX }
+    }
+
+    /// Lets each call execute no more than this many statements (random programs may count to 2^64).
+    pub fn limit(&mut self, statements: u64) {
+        self.limit = statements;
+    }
+
+    /// Calls a function: an argument for each parameter, `self` included, each as words. Those of mode
+    /// `RefMut` are updated in place, also when a fault ends the call: then they hold what had been
+    /// written until the fault. The result is the function's value as words.
+    pub fn call(
+        &mut self,
+        function: FunctionId,
+        arguments: &mut [Vec<u64>],
+    ) -> Result<Vec<u64>, Stop> {
+        let Some(definition) = self.module.functions.get(function.index()) else {
+            return Err(Stop::Function(function));
+        };
+        let parameters = definition.parameters();
+        if parameters.len() != arguments.len() {
+            return Err(Stop::Arguments { expected: parameters.len(), found: arguments.len() });
+        }
+        for (index, (local, words)) in parameters.iter().zip(&*arguments).enumerate() {
+            words_fit(self.module, &local.ty, words)
+                .map_err(|problem| Stop::Argument { index, problem })?;
+        }
+        let given: Vec<&[u64]> = arguments.iter().map(Vec::as_slice).collect();
+        let mut run = run::Run::new(self.module, &self.layout, &mut self.memory, self.limit);
+        let (outcome, addresses) = run.enter(function, &given);
+        for ((local, words), address) in parameters.iter().zip(arguments).zip(addresses) {
+            if local.mode == Mode::RefMut {
+                let lent = &self.memory[address..address + words.len()];
+                words.copy_from_slice(lent);
+            }
+        }
+        outcome
+    }
+}

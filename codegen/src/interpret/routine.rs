@@ -1,0 +1,217 @@
+//! Linear algebra in the order of operations of nalgebra 0.35, element by element.
+//!
+//! Invariants: sums run in exactly the order that `bessemer_ir::Routine` states; a product is never
+//! fused with a sum; the result lies apart from the operands.
+//!
+//! Absent: tiling, unrolling, any cleverness. This is the reference that kernels are held against.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use bessemer_ir::{Float, Routine, Scalar, Type};
+
+/// A float type, as the routines need it.
+trait Real:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    const ZERO: Self;
+    fn of(word: u64) -> Self;
+    fn word(self) -> u64;
+    fn root(self) -> Self;
+}
+
+impl Real for f64 {
+    const ZERO: f64 = 0.0;
+    fn of(word: u64) -> f64 {
+        f64::from_bits(word)
+    }
+    fn word(self) -> u64 {
+        self.to_bits()
+    }
+    fn root(self) -> f64 {
+        self.sqrt()
+    }
+}
+
+impl Real for f32 {
+    const ZERO: f32 = 0.0;
+    fn of(word: u64) -> f32 {
+        f32::from_bits(word as u32)
+    }
+    fn word(self) -> u64 {
+        u64::from(self.to_bits())
+    }
+    fn root(self) -> f32 {
+        self.sqrt()
+    }
+}
+
+/// The shape of an operand: rows and columns, one by one for a scalar.
+fn shape(ty: &Type) -> (usize, usize) {
+    match ty {
+        Type::Matrix { rows, cols, .. } => (*rows as usize, *cols as usize),
+        _ => (1, 1),
+    }
+}
+
+/// An operand: its type, and where it starts in memory.
+#[derive(Clone, Copy)]
+pub(super) struct Operand<'m> {
+    pub ty: &'m Type,
+    pub at: usize,
+}
+
+/// Computes `routine` of `operands` into the words from `out` on.
+pub(super) fn routine(memory: &mut [u64], routine: Routine, operands: &[Operand<'_>], out: usize) {
+    let a = operands[0];
+    let b = operands.get(1).copied().unwrap_or(a);
+    match a.ty {
+        // Moves words, whatever they are.
+        Type::Matrix { .. } if routine == Routine::Transpose => transpose(memory, a, out),
+        Type::Matrix { element: Scalar::Float(Float::F64), .. } => {
+            compute::<f64>(memory, routine, a, b, out);
+        }
+        Type::Matrix { element: Scalar::Float(Float::F32), .. } => {
+            compute::<f32>(memory, routine, a, b, out);
+        }
+        _ => unreachable!("validated: routines take matrices of floats"),
+    }
+}
+
+fn transpose(memory: &mut [u64], a: Operand<'_>, out: usize) {
+    let (rows, cols) = shape(a.ty);
+    for row in 0..rows {
+        for col in 0..cols {
+            memory[out + col + row * cols] = memory[a.at + row + col * rows];
+        }
+    }
+}
+
+fn compute<R: Real>(
+    memory: &mut [u64],
+    routine: Routine,
+    a: Operand<'_>,
+    b: Operand<'_>,
+    out: usize,
+) {
+    let (rows, cols) = shape(a.ty);
+    let len = rows * cols;
+    match routine {
+        Routine::Add => each::<R>(memory, len, a.at, b.at, out, |x, y| x + y),
+        Routine::Sub => each::<R>(memory, len, a.at, b.at, out, |x, y| x - y),
+        Routine::ComponentMul => each::<R>(memory, len, a.at, b.at, out, |x, y| x * y),
+        Routine::ComponentDiv => each::<R>(memory, len, a.at, b.at, out, |x, y| x / y),
+        Routine::Neg => each::<R>(memory, len, a.at, a.at, out, |x, _| -x),
+        Routine::Scale => scaled::<R>(memory, len, a.at, b.at, out, |x, s| x * s),
+        Routine::Unscale => scaled::<R>(memory, len, a.at, b.at, out, |x, s| x / s),
+        Routine::Product => product::<R>(memory, a, b, out),
+        Routine::TrMul => {
+            let outputs = shape(b.ty).1;
+            for row in 0..cols {
+                for col in 0..outputs {
+                    let sum = dot::<R>(memory, (rows, 1), a.at + row * rows, b.at + col * rows);
+                    memory[out + row + col * cols] = sum.word();
+                }
+            }
+        }
+        Routine::Dot => memory[out] = dot::<R>(memory, (rows, cols), a.at, b.at).word(),
+        Routine::Cross => cross::<R>(memory, a.at, b.at, out),
+        Routine::NormSquared => memory[out] = norm_squared::<R>(memory, a).word(),
+        Routine::Norm => memory[out] = norm_squared::<R>(memory, a).root().word(),
+        Routine::Transpose => unreachable!("done before"),
+    }
+}
+
+fn each<R: Real>(
+    memory: &mut [u64],
+    len: usize,
+    a: usize,
+    b: usize,
+    out: usize,
+    op: impl Fn(R, R) -> R,
+) {
+    for index in 0..len {
+        let value = op(R::of(memory[a + index]), R::of(memory[b + index]));
+        memory[out + index] = value.word();
+    }
+}
+
+fn scaled<R: Real>(
+    memory: &mut [u64],
+    len: usize,
+    a: usize,
+    scalar: usize,
+    out: usize,
+    op: impl Fn(R, R) -> R,
+) {
+    let scalar = R::of(memory[scalar]);
+    for index in 0..len {
+        memory[out + index] = op(R::of(memory[a + index]), scalar).word();
+    }
+}
+
+/// The first product, not 0 plus it; then k ascending `a_k * b_k + y`.
+fn product<R: Real>(memory: &mut [u64], a: Operand<'_>, b: Operand<'_>, out: usize) {
+    let (rows, inner) = shape(a.ty);
+    let cols = shape(b.ty).1;
+    for col in 0..cols {
+        for row in 0..rows {
+            let term = |k: usize| {
+                R::of(memory[a.at + row + k * rows]) * R::of(memory[b.at + k + col * inner])
+            };
+            let sum = (1..inner).fold(term(0), |sum, k| term(k) + sum);
+            memory[out + row + col * rows] = sum.word();
+        }
+    }
+}
+
+/// `dot` of two operands of this shape: special orders for columns of 2, 3 and 4, else eight lanes
+/// along each column.
+fn dot<R: Real>(memory: &[u64], (rows, cols): (usize, usize), a: usize, b: usize) -> R {
+    let term = |index: usize| R::of(memory[a + index]) * R::of(memory[b + index]);
+    match (rows, cols) {
+        (2, 1) => return term(0) + term(1),
+        (3, 1) => return (term(0) + term(1)) + term(2),
+        (4, 1) => return (term(0) + term(2)) + (term(1) + term(3)),
+        _ => {}
+    }
+    let mut sum = R::ZERO;
+    for col in 0..cols {
+        let mut lanes = [R::ZERO; 8];
+        let first = col * rows;
+        let blocks = rows / 8;
+        for block in 0..blocks {
+            for (lane, value) in lanes.iter_mut().enumerate() {
+                *value = *value + term(first + block * 8 + lane);
+            }
+        }
+        for lane in 0..4 {
+            sum = sum + (lanes[lane] + lanes[lane + 4]);
+        }
+        for row in blocks * 8..rows {
+            sum = sum + term(first + row);
+        }
+    }
+    sum
+}
+
+fn norm_squared<R: Real>(memory: &[u64], a: Operand<'_>) -> R {
+    let (rows, cols) = shape(a.ty);
+    (0..cols).fold(R::ZERO, |sum, col| {
+        let column = a.at + col * rows;
+        sum + dot::<R>(memory, (rows, 1), column, column)
+    })
+}
+
+fn cross<R: Real>(memory: &mut [u64], a: usize, b: usize, out: usize) {
+    let x = |index: usize| R::of(memory[a + index]);
+    let y = |index: usize| R::of(memory[b + index]);
+    let values = [x(1) * y(2) - x(2) * y(1), x(2) * y(0) - x(0) * y(2), x(0) * y(1) - x(1) * y(0)];
+    for (index, value) in values.into_iter().enumerate() {
+        memory[out + index] = value.word();
+    }
+}

@@ -1,0 +1,396 @@
+//! Execution of statements and evaluation of expressions.
+//!
+//! Memory is one stack of words. A frame holds a function's locals; values in passing lie above it and
+//! go when their statement ends. An address is an index into the memory.
+//!
+//! Invariants: a value is written where nothing that is still to be read lies (an assignment of many
+//! words goes through a copy); memory above `top` is free.
+
+use bessemer_ir::{
+    Argument, Block, Expr, ExprKind, Fault, Function, FunctionId, Int, LogicOp, Mode, Module,
+    Place, Routine, Span, Step, Stmt, StmtKind, Type,
+};
+
+use super::layout::Layout;
+use super::routine::{Operand, routine};
+use super::{Stop, scalar};
+
+/// One call from outside, with all that it calls.
+pub(super) struct Run<'m, 'r> {
+    module: &'m Module,
+    layout: &'r Layout,
+    memory: &'r mut Vec<u64>,
+    top: usize,
+    /// How many statements may still be executed.
+    left: u64,
+}
+
+/// One function in execution.
+#[derive(Clone, Copy)]
+struct Frame<'m, 'r> {
+    id: FunctionId,
+    function: &'m Function,
+    /// Where each local lies, from `base`.
+    offsets: &'r [usize],
+    base: usize,
+    /// Where the result goes.
+    result: usize,
+}
+
+impl Frame<'_, '_> {
+    fn fault<T>(&self, fault: Fault, span: Span) -> Result<T, Stop> {
+        Err(Stop::Fault { fault, function: self.id, span })
+    }
+
+    fn at<T>(&self, span: Span, outcome: Result<T, Fault>) -> Result<T, Stop> {
+        outcome.or_else(|fault| self.fault(fault, span))
+    }
+}
+
+/// What a statement leads to.
+enum Flow {
+    Next,
+    Break,
+    Continue,
+    Return,
+}
+
+impl<'m, 'r> Run<'m, 'r> {
+    pub fn new(
+        module: &'m Module,
+        layout: &'r Layout,
+        memory: &'r mut Vec<u64>,
+        left: u64,
+    ) -> Self {
+        Run { module, layout, memory, top: 0, left }
+    }
+
+    /// Calls from outside: the outcome, and where each argument lies now.
+    pub fn enter(
+        &mut self,
+        id: FunctionId,
+        arguments: &[&[u64]],
+    ) -> (Result<Vec<u64>, Stop>, Vec<usize>) {
+        let size = self.layout.size(&self.module.functions[id.index()].result);
+        let result = self.allocate(size);
+        let frame = self.frame(id, result);
+        let mut addresses = Vec::new();
+        for (index, (local, words)) in frame.function.locals.iter().zip(arguments).enumerate() {
+            let slot = frame.base + frame.offsets[index];
+            let address = match local.mode {
+                Mode::Value => slot,
+                Mode::Ref | Mode::RefMut => {
+                    let address = self.allocate(words.len());
+                    self.memory[slot] = address as u64;
+                    address
+                }
+            };
+            self.memory[address..address + words.len()].copy_from_slice(words);
+            addresses.push(address);
+        }
+        let outcome = self.block(frame, &frame.function.body);
+        (outcome.map(|_| self.memory[result..result + size].to_vec()), addresses)
+    }
+
+    fn allocate(&mut self, words: usize) -> usize {
+        let address = self.top;
+        self.top += words;
+        if self.memory.len() < self.top {
+            self.memory.resize(self.top, 0);
+        }
+        address
+    }
+
+    fn frame(&mut self, id: FunctionId, result: usize) -> Frame<'m, 'r> {
+        let locals = self.layout.locals(id);
+        let base = self.allocate(locals.size);
+        let function = &self.module.functions[id.index()];
+        Frame { id, function, offsets: &locals.offsets, base, result }
+    }
+
+    fn copy(&mut self, from: usize, to: usize, words: usize) {
+        self.memory.copy_within(from..from + words, to);
+    }
+
+    fn block(&mut self, frame: Frame<'m, 'r>, block: &'m Block) -> Result<Flow, Stop> {
+        for stmt in &block.0 {
+            let top = self.top;
+            self.left = self.left.checked_sub(1).ok_or(Stop::Limit)?;
+            let flow = self.stmt(frame, stmt)?;
+            self.top = top;
+            if !matches!(flow, Flow::Next) {
+                return Ok(flow);
+            }
+        }
+        Ok(Flow::Next)
+    }
+
+    fn stmt(&mut self, frame: Frame<'m, 'r>, stmt: &'m Stmt) -> Result<Flow, Stop> {
+        match &stmt.kind {
+            StmtKind::Let { local, value } => {
+                if let Some(value) = value {
+                    let slot = frame.base + frame.offsets[local.index()];
+                    self.value(frame, value, slot)?;
+                }
+            }
+            StmtKind::Assign { place, value } if value.ty.is_word() => {
+                let word = self.word(frame, value)?;
+                let address = self.address(frame, place)?;
+                self.memory[address] = word;
+            }
+            StmtKind::Assign { place, value } => {
+                let size = self.layout.size(&value.ty);
+                let copy = self.allocate(size);
+                self.value(frame, value, copy)?;
+                let address = self.address(frame, place)?;
+                self.copy(copy, address, size);
+            }
+            StmtKind::Expr(expr) => {
+                let unused = self.allocate(self.layout.size(&expr.ty));
+                self.value(frame, expr, unused)?;
+            }
+            StmtKind::If { condition, then, otherwise } => {
+                let holds = self.word(frame, condition)? != 0;
+                return self.block(frame, if holds { then } else { otherwise });
+            }
+            StmtKind::Match { scrutinee, arms, otherwise } => {
+                let word = self.word(frame, scrutinee)?;
+                let value =
+                    scrutinee.ty.as_int().map_or(i128::from(word), |int| int.from_word(word));
+                let arm = arms.iter().find(|arm| arm.values.contains(&value));
+                return match arm.map(|arm| &arm.body).or(otherwise.as_ref()) {
+                    Some(body) => self.block(frame, body),
+                    None => frame.fault(Fault::Variant, scrutinee.span),
+                };
+            }
+            StmtKind::For { .. } => return self.repeat(frame, stmt),
+            StmtKind::Check { condition, fault } => {
+                if self.word(frame, condition)? == 0 {
+                    return frame.fault(*fault, stmt.span);
+                }
+            }
+            StmtKind::Return(value) => {
+                if let Some(value) = value {
+                    self.value(frame, value, frame.result)?;
+                }
+                return Ok(Flow::Return);
+            }
+            StmtKind::Break => return Ok(Flow::Break),
+            StmtKind::Continue => return Ok(Flow::Continue),
+        }
+        Ok(Flow::Next)
+    }
+
+    fn repeat(&mut self, frame: Frame<'m, 'r>, stmt: &'m Stmt) -> Result<Flow, Stop> {
+        let StmtKind::For { variable, from, to, inclusive, reversed, body } = &stmt.kind else {
+            unreachable!("called for loops only")
+        };
+        let Some(int) = from.ty.as_int() else { unreachable!("validated: bounds are integers") };
+        let first = int.from_word(self.word(frame, from)?);
+        let last = int.from_word(self.word(frame, to)?) - i128::from(!inclusive);
+        let slot = frame.base + frame.offsets[variable.index()];
+        let mut passed = 0;
+        while first + passed <= last {
+            let value = if *reversed { last - passed } else { first + passed };
+            passed += 1;
+            self.left = self.left.checked_sub(1).ok_or(Stop::Limit)?;
+            self.memory[slot] = value as u64;
+            match self.block(frame, body)? {
+                Flow::Next | Flow::Continue => {}
+                Flow::Break => break,
+                Flow::Return => return Ok(Flow::Return),
+            }
+        }
+        Ok(Flow::Next)
+    }
+
+    /// Where a place lies; its indices are evaluated and checked in order.
+    fn address(&mut self, frame: Frame<'m, 'r>, place: &'m Place) -> Result<usize, Stop> {
+        let local = frame.function.local(place.root);
+        let slot = frame.base + frame.offsets[place.root.index()];
+        let mut address = match local.mode {
+            Mode::Value => slot,
+            Mode::Ref | Mode::RefMut => self.memory[slot] as usize,
+        };
+        let mut ty = &local.ty;
+        for step in &place.steps {
+            match (step, ty) {
+                (Step::Field(field), Type::Struct(id)) => {
+                    address += self.layout.fields(*id).offsets[*field as usize];
+                    ty = &self.module.structs[id.index()].fields[*field as usize].ty;
+                }
+                (Step::Index(index), Type::Array { element, len }) => {
+                    address += self.index(frame, index, *len)? * self.layout.size(element);
+                    ty = element;
+                }
+                (Step::Element(row, col), Type::Matrix { rows, cols, .. }) => {
+                    address += self.index(frame, row, *rows)?;
+                    address += self.index(frame, col, *cols)? * *rows as usize;
+                    ty = &place.ty;
+                }
+                _ => unreachable!("validated: steps fit the types they step into"),
+            }
+        }
+        Ok(address)
+    }
+
+    fn index(&mut self, frame: Frame<'m, 'r>, index: &'m Expr, len: u32) -> Result<usize, Stop> {
+        let word = self.word(frame, index)?;
+        match index.ty.as_int().unwrap_or(Int::Usize).from_word(word) {
+            value if 0 <= value && value < i128::from(len) => Ok(value as usize),
+            _ => frame.fault(Fault::Index, index.span),
+        }
+    }
+
+    /// Evaluates an expression of one word.
+    fn word(&mut self, frame: Frame<'m, 'r>, expr: &'m Expr) -> Result<u64, Stop> {
+        match &expr.kind {
+            ExprKind::Literal(word) => Ok(*word),
+            ExprKind::Const(id) => Ok(self.module.consts[id.index()].words[0]),
+            ExprKind::Load(place) => {
+                let address = self.address(frame, place)?;
+                Ok(self.memory[address])
+            }
+            ExprKind::Unary(op, operand) => {
+                let word = self.word(frame, operand)?;
+                frame.at(expr.span, scalar::unary(*op, &expr.ty, word))
+            }
+            ExprKind::Binary(op, left, right) => {
+                let (a, b) = (self.word(frame, left)?, self.word(frame, right)?);
+                frame.at(expr.span, scalar::binary(*op, &expr.ty, a, &right.ty, b))
+            }
+            ExprKind::Compare(op, left, right) => {
+                let (a, b) = (self.word(frame, left)?, self.word(frame, right)?);
+                Ok(u64::from(scalar::compare(*op, &left.ty, a, b)))
+            }
+            ExprKind::Logic(op, left, right) => match (op, self.word(frame, left)? != 0) {
+                (LogicOp::And, false) => Ok(0),
+                (LogicOp::Or, true) => Ok(1),
+                _ => self.word(frame, right),
+            },
+            ExprKind::Cast(operand) => {
+                let word = self.word(frame, operand)?;
+                Ok(scalar::cast(&operand.ty, &expr.ty, word))
+            }
+            ExprKind::Intrinsic(function, operands) => {
+                let mut words = [0; 3];
+                for (word, operand) in words.iter_mut().zip(operands) {
+                    *word = self.word(frame, operand)?;
+                }
+                frame.at(expr.span, scalar::intrinsic(*function, &operands[0].ty, &words))
+            }
+            ExprKind::Call(..) | ExprKind::Routine(..) => {
+                let top = self.top;
+                let address = self.allocate(1);
+                self.value(frame, expr, address)?;
+                self.top = top;
+                Ok(self.memory[address])
+            }
+            ExprKind::Struct(_) | ExprKind::Array(_) | ExprKind::Splat(_) | ExprKind::Matrix(_) => {
+                unreachable!("validated: an aggregate is not one word")
+            }
+        }
+    }
+
+    /// Evaluates an expression of any type into the words from `out` on.
+    fn value(&mut self, frame: Frame<'m, 'r>, expr: &'m Expr, out: usize) -> Result<(), Stop> {
+        match &expr.kind {
+            ExprKind::Load(place) => {
+                let address = self.address(frame, place)?;
+                self.copy(address, out, self.layout.size(&expr.ty));
+            }
+            ExprKind::Const(id) => {
+                let words = &self.module.consts[id.index()].words;
+                self.memory[out..out + words.len()].copy_from_slice(words);
+            }
+            ExprKind::Call(callee, arguments) => self.call(frame, *callee, arguments, out)?,
+            ExprKind::Struct(parts) | ExprKind::Array(parts) | ExprKind::Matrix(parts) => {
+                let mut at = out;
+                for part in parts {
+                    self.value(frame, part, at)?;
+                    at += self.layout.size(&part.ty);
+                }
+            }
+            ExprKind::Splat(part) => {
+                self.value(frame, part, out)?;
+                let size = self.layout.size(&part.ty);
+                for at in (out..out + self.layout.size(&expr.ty)).step_by(size).skip(1) {
+                    self.copy(out, at, size);
+                }
+            }
+            ExprKind::Routine(what, operands) => self.routine(frame, *what, operands, out)?,
+            _ => self.memory[out] = self.word(frame, expr)?,
+        }
+        Ok(())
+    }
+
+    fn routine(
+        &mut self,
+        frame: Frame<'m, 'r>,
+        what: Routine,
+        operands: &'m [Expr],
+        out: usize,
+    ) -> Result<(), Stop> {
+        let top = self.top;
+        let mut evaluated = Vec::with_capacity(2);
+        for (index, operand) in operands.iter().enumerate() {
+            let at = match &operand.kind {
+                // Read where it lies, unless what follows could write there.
+                ExprKind::Load(place) if operands[index + 1..].iter().all(is_plain) => {
+                    self.address(frame, place)?
+                }
+                _ => {
+                    let at = self.allocate(self.layout.size(&operand.ty));
+                    self.value(frame, operand, at)?;
+                    at
+                }
+            };
+            evaluated.push(Operand { ty: &operand.ty, at });
+        }
+        routine(self.memory, what, &evaluated, out);
+        self.top = top;
+        Ok(())
+    }
+
+    fn call(
+        &mut self,
+        frame: Frame<'m, 'r>,
+        id: FunctionId,
+        arguments: &'m [Argument],
+        out: usize,
+    ) -> Result<(), Stop> {
+        let top = self.top;
+        let callee = self.frame(id, out);
+        for (index, argument) in arguments.iter().enumerate() {
+            let slot = callee.base + callee.offsets[index];
+            match argument {
+                Argument::Value(expr) => self.value(frame, expr, slot)?,
+                Argument::Ref(Expr { kind: ExprKind::Load(place), .. })
+                | Argument::RefMut(place) => {
+                    self.memory[slot] = self.address(frame, place)? as u64;
+                }
+                Argument::Ref(expr) => {
+                    let at = self.allocate(self.layout.size(&expr.ty));
+                    self.value(frame, expr, at)?;
+                    self.memory[slot] = at as u64;
+                }
+            }
+        }
+        self.block(callee, &callee.function.body)?;
+        self.top = top;
+        Ok(())
+    }
+}
+
+/// Whether evaluating `expr` certainly writes nothing.
+fn is_plain(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Literal(_) | ExprKind::Const(_) => true,
+        ExprKind::Load(place) => place.steps.iter().all(|step| match step {
+            Step::Field(_) => true,
+            Step::Index(index) => is_plain(index),
+            Step::Element(row, col) => is_plain(row) && is_plain(col),
+        }),
+        _ => false,
+    }
+}

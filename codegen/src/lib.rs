@@ -1,0 +1,14 @@
+//! From the tree of a package of models to C99.
+//!
+//! [`compile`] is the whole way, stage by stage; [`generate`] is the command line's work around it.
+//! Each stage takes the form before it and gives the form behind it; none imports another.
+
+pub mod c;
+pub mod compile;
+pub mod diagnostic;
+pub mod generate;
+pub mod interpret;
+pub mod passes;
+pub mod source;
+pub mod typify;
+pub mod validate;

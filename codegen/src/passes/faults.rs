@@ -1,0 +1,320 @@
+//! Which conditions an operation needs so as not to fault, and which of them are not known to hold.
+//!
+//! Precondition: the operands are fault-free themselves. Postcondition: each condition is fault-free
+//! IR, true exactly where Rust would not panic; what [`Facts`] proves is left out, half by half.
+//! Integers of up to 32 bits are widened and compared; wider ones are compared with what is left to
+//! the limit.
+
+use bessemer_ir::{
+    BinaryOp, CompareOp, Expr, ExprKind, Fault, Int, Intrinsic, LogicOp, Module, Scalar, Span, Step,
+    Type, UnaryOp,
+};
+
+use super::facts::Facts;
+use super::places::located;
+use super::ranges::Interval;
+
+/// A condition that has to be checked before an operation.
+pub(crate) struct Obligation {
+    pub(crate) condition: Expr,
+    pub(crate) fault: Fault,
+    /// Where the operation stands.
+    pub(crate) span: Span,
+    /// Why it could not be proved, in words.
+    pub(crate) reason: String,
+}
+
+/// What the operation at the root of `expr` needs.
+pub(crate) fn of_expr(expr: &Expr, facts: &Facts) -> Vec<Obligation> {
+    let needs = Needs { facts, span: expr.span };
+    match &expr.kind {
+        ExprKind::Unary(UnaryOp::Neg, x) => needs.of_negation(x),
+        ExprKind::Intrinsic(Intrinsic::Abs, args) => {
+            args.first().map_or_else(Vec::new, |x| needs.of_negation(x))
+        }
+        ExprKind::Intrinsic(Intrinsic::Clamp, args) => match args.as_slice() {
+            [_, low, high] => {
+                let reason = "the bounds are not known to be in order".to_string();
+                needs.all(vec![compare(CompareOp::Le, low, high)], Fault::Clamp, reason)
+            }
+            _ => Vec::new(),
+        },
+        ExprKind::Binary(op, a, b) => needs.of_binary(*op, a, b),
+        _ => Vec::new(),
+    }
+}
+
+/// What a step into a value of type `container` needs.
+pub(crate) fn of_step(container: &Type, step: &Step, facts: &Facts) -> Vec<Obligation> {
+    let index = |index: &Expr, len: u32, what: &str| {
+        Needs { facts, span: index.span }.of_index(index, len, what)
+    };
+    match (container, step) {
+        (Type::Array { len, .. }, Step::Index(at)) => index(at, *len, "elements"),
+        (Type::Matrix { rows, cols, .. }, Step::Element(row, column)) => {
+            let mut all = index(row, *rows, "rows");
+            all.extend(index(column, *cols, "columns"));
+            all
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// Which operands of an operator a condition asks for their sign first: facts have to hold of them, so
+/// they have to be locals or fields.
+pub(crate) fn signs_matter(op: BinaryOp, ty: &Type) -> (bool, bool) {
+    let Some(int) = ty.as_int().filter(|int| int.bits() == 64) else { return (false, false) };
+    match op {
+        BinaryOp::Add | BinaryOp::Sub => (false, int.signed()),
+        BinaryOp::Mul => (int.signed(), true),
+        _ => (false, false),
+    }
+}
+
+/// The type of what a step leads to.
+pub(crate) fn step_type(module: &Module, container: &Type, step: &Step) -> Option<Type> {
+    match (container, step) {
+        (Type::Struct(id), Step::Field(field)) => {
+            Some(module.structs.get(id.index())?.fields.get(*field as usize)?.ty.clone())
+        }
+        (Type::Array { element, .. }, Step::Index(_)) => Some((**element).clone()),
+        (Type::Matrix { element, .. }, Step::Element(..)) => Some(Type::Scalar(*element)),
+        _ => None,
+    }
+}
+
+/// An operation at a point.
+struct Needs<'f, 'm> {
+    facts: &'f Facts<'m>,
+    span: Span,
+}
+
+impl Needs<'_, '_> {
+    /// The obligation of all `conditions` that are not known to hold, if any.
+    fn all(&self, conditions: Vec<Expr>, fault: Fault, reason: String) -> Vec<Obligation> {
+        let open = conditions.into_iter().filter(|condition| !self.facts.proves(condition));
+        let condition = open.reduce(|a, b| logic(LogicOp::And, a, b));
+        let condition = condition.map(|condition| located(&condition, self.span));
+        let obligation = |condition| Obligation { condition, fault, span: self.span, reason };
+        condition.map(obligation).into_iter().collect()
+    }
+
+    fn of_index(&self, index: &Expr, len: u32, what: &str) -> Vec<Obligation> {
+        let Some(int) = index.ty.as_int() else { return Vec::new() };
+        let mut conditions = at_least(index, int, 0);
+        conditions.extend(below(index, int, i128::from(len)));
+        let reason = format!("index {} of {len} {what}", self.described(index));
+        self.all(conditions, Fault::Index, reason)
+    }
+
+    fn of_negation(&self, x: &Expr) -> Vec<Obligation> {
+        let Some(int) = x.ty.as_int() else { return Vec::new() };
+        let reason = format!("the opposite of {} may leave {}", self.described(x), int.name());
+        let condition = compare(CompareOp::Ne, x, &literal(int.min(), int));
+        self.all(vec![condition], Fault::Overflow, reason)
+    }
+
+    fn of_binary(&self, op: BinaryOp, a: &Expr, b: &Expr) -> Vec<Obligation> {
+        let (Some(int), Some(right)) = (a.ty.as_int(), b.ty.as_int()) else { return Vec::new() };
+        let overflow = |sign: &str, conditions| {
+            let (a, b) = (self.described(a), self.described(b));
+            let reason = format!("{a} {sign} {b} may leave {}", int.name());
+            self.all(conditions, Fault::Overflow, reason)
+        };
+        let exact = self.facts.range(a).exact(op, self.facts.range(b));
+        match op {
+            BinaryOp::Add | BinaryOp::Sub | BinaryOp::Mul if exact.within(Interval::of(int)) => {
+                Vec::new()
+            }
+            BinaryOp::Add => overflow("+", sum(a, b, int, self.facts)),
+            BinaryOp::Sub => overflow("-", difference(a, b, int, self.facts)),
+            BinaryOp::Mul => overflow("*", product(a, b, int, self.facts)),
+            BinaryOp::Div | BinaryOp::Rem => {
+                let nonzero = compare(CompareOp::Ne, b, &literal(0, int));
+                let reason = format!("the divisor {} may be 0", self.described(b));
+                let mut all = self.all(vec![nonzero], Fault::DivisionByZero, reason);
+                all.extend(overflow("/", quotient(a, b, int)));
+                all
+            }
+            BinaryOp::Shl | BinaryOp::Shr => {
+                let mut conditions = at_least(b, right, 0);
+                conditions.extend(below(b, right, i128::from(int.bits())));
+                let reason = format!("shift by {} of {} bits", self.described(b), int.bits());
+                self.all(conditions, Fault::Shift, reason)
+            }
+            BinaryOp::And | BinaryOp::Or | BinaryOp::Xor => Vec::new(),
+        }
+    }
+
+    /// The range of a value in words, shorter where nothing is known.
+    fn described(&self, x: &Expr) -> String {
+        match x.ty.as_int() {
+            Some(int) if self.facts.range(x) == Interval::of(int) => int.name().to_string(),
+            _ => self.facts.range(x).to_string(),
+        }
+    }
+}
+
+fn sum(a: &Expr, b: &Expr, int: Int, facts: &Facts) -> Vec<Expr> {
+    if let Some(c) = constant(b, facts) {
+        shifted(a, int, -c)
+    } else if let Some(c) = constant(a, facts) {
+        shifted(b, int, -c)
+    } else if int.bits() < 64 {
+        wide(BinaryOp::Add, a, b, Int::I64, int)
+    } else {
+        let room = |limit, sign| {
+            let rest = binary(BinaryOp::Sub, &literal(limit, int), b);
+            compare(sign, a, &rest)
+        };
+        let up = room(int.max(), CompareOp::Le);
+        if !int.signed() {
+            return vec![up];
+        }
+        let down = room(int.min(), CompareOp::Ge);
+        vec![unless(b, CompareOp::Lt, up, facts), unless(b, CompareOp::Gt, down, facts)]
+    }
+}
+
+fn difference(a: &Expr, b: &Expr, int: Int, facts: &Facts) -> Vec<Expr> {
+    if let Some(c) = constant(b, facts) {
+        shifted(a, int, c)
+    } else if !int.signed() {
+        vec![compare(CompareOp::Le, b, a)]
+    } else if int.bits() < 64 {
+        wide(BinaryOp::Sub, a, b, Int::I64, int)
+    } else {
+        let room = |limit, sign| {
+            let rest = binary(BinaryOp::Add, &literal(limit, int), b);
+            compare(sign, a, &rest)
+        };
+        let up = room(int.max(), CompareOp::Le);
+        let down = room(int.min(), CompareOp::Ge);
+        vec![unless(b, CompareOp::Gt, up, facts), unless(b, CompareOp::Lt, down, facts)]
+    }
+}
+
+/// `x - c` stays within the type.
+fn shifted(x: &Expr, int: Int, c: i128) -> Vec<Expr> {
+    if c >= 0 { at_least(x, int, int.min() + c) } else { at_most(x, int, int.max() + c) }
+}
+
+fn product(a: &Expr, b: &Expr, int: Int, facts: &Facts) -> Vec<Expr> {
+    match (constant(a, facts), constant(b, facts)) {
+        (_, Some(c)) => scaled(a, int, c),
+        (Some(c), None) => scaled(b, int, c),
+        _ if int == Int::U32 => wide(BinaryOp::Mul, a, b, Int::U64, int),
+        _ if int.bits() < 64 => wide(BinaryOp::Mul, a, b, Int::I64, int),
+        _ => long_product(a, b, int, facts),
+    }
+}
+
+/// `x * c` stays within the type.
+fn scaled(x: &Expr, int: Int, c: i128) -> Vec<Expr> {
+    let (low, high) = match c {
+        0 => return Vec::new(),
+        c if c > 0 => (int.min() / c, int.max() / c),
+        c => (int.max() / c, int.min() / c),
+    };
+    let mut conditions = at_least(x, int, low);
+    conditions.extend(at_most(x, int, high));
+    conditions
+}
+
+/// `a * b` of 64 bits stays within the type: a condition for each pair of signs.
+fn long_product(a: &Expr, b: &Expr, int: Int, facts: &Facts) -> Vec<Expr> {
+    let zero = literal(0, int);
+    let over = |limit, by| binary(BinaryOp::Div, &literal(limit, int), by);
+    if !int.signed() {
+        let fits = compare(CompareOp::Le, a, &over(int.max(), b));
+        return vec![otherwise(compare(CompareOp::Eq, b, &zero), fits, facts)];
+    }
+    let case = |a_off, b_off, fits| {
+        let (a, b) = (compare(a_off, a, &zero), compare(b_off, b, &zero));
+        otherwise(a, otherwise(b, fits, facts), facts)
+    };
+    use CompareOp::{Ge, Le};
+    vec![
+        case(Le, Le, compare(Le, a, &over(int.max(), b))),
+        case(Le, Ge, compare(Ge, b, &over(int.min(), a))),
+        case(Ge, Le, compare(Ge, a, &over(int.min(), b))),
+        case(Ge, Ge, compare(Ge, b, &over(int.max(), a))),
+    ]
+}
+
+fn quotient(a: &Expr, b: &Expr, int: Int) -> Vec<Expr> {
+    if !int.signed() {
+        return Vec::new();
+    }
+    let smallest = compare(CompareOp::Ne, a, &literal(int.min(), int));
+    let opposite = compare(CompareOp::Ne, b, &literal(-1, int));
+    vec![logic(LogicOp::Or, smallest, opposite)]
+}
+
+/// The exact result, in the wider type, lies within the narrower.
+fn wide(op: BinaryOp, a: &Expr, b: &Expr, to: Int, int: Int) -> Vec<Expr> {
+    let cast = |x: &Expr| {
+        let ty = Type::Scalar(Scalar::Int(to));
+        Expr { kind: ExprKind::Cast(Box::new(x.clone())), ty, span: x.span }
+    };
+    let exact = binary(op, &cast(a), &cast(b));
+    let mut conditions = at_least(&exact, to, int.min());
+    conditions.extend(at_most(&exact, to, int.max()));
+    conditions
+}
+
+/// `condition`, which need not hold where `b` compares so with 0.
+fn unless(b: &Expr, sign: CompareOp, condition: Expr, facts: &Facts) -> Expr {
+    let Some(int) = b.ty.as_int() else { return condition };
+    otherwise(compare(sign, b, &literal(0, int)), condition, facts)
+}
+
+/// `excuse || condition`, shorter where it is known that there is no excuse.
+fn otherwise(excuse: Expr, condition: Expr, facts: &Facts) -> Expr {
+    if facts.range(&excuse) == Interval::one(0) {
+        condition
+    } else {
+        logic(LogicOp::Or, excuse, condition)
+    }
+}
+
+fn at_least(x: &Expr, int: Int, low: i128) -> Vec<Expr> {
+    if low <= int.min() { Vec::new() } else { vec![compare(CompareOp::Ge, x, &literal(low, int))] }
+}
+
+fn at_most(x: &Expr, int: Int, high: i128) -> Vec<Expr> {
+    if high >= int.max() { Vec::new() } else { vec![compare(CompareOp::Le, x, &literal(high, int))] }
+}
+
+fn below(x: &Expr, int: Int, end: i128) -> Vec<Expr> {
+    if end > int.max() { Vec::new() } else { vec![compare(CompareOp::Lt, x, &literal(end, int))] }
+}
+
+/// The value, if it is written as a number or a named constant.
+fn constant(x: &Expr, facts: &Facts) -> Option<i128> {
+    match x.kind {
+        ExprKind::Literal(_) | ExprKind::Const(_) => facts.range(x).single(),
+        _ => None,
+    }
+}
+
+fn literal(value: i128, int: Int) -> Expr {
+    let word = if int.signed() { value as i64 as u64 } else { value as u64 };
+    let ty = Type::Scalar(Scalar::Int(int));
+    Expr { kind: ExprKind::Literal(word), ty, span: Span::default() }
+}
+
+fn binary(op: BinaryOp, a: &Expr, b: &Expr) -> Expr {
+    let kind = ExprKind::Binary(op, Box::new(a.clone()), Box::new(b.clone()));
+    Expr { kind, ty: a.ty.clone(), span: a.span }
+}
+
+fn compare(op: CompareOp, a: &Expr, b: &Expr) -> Expr {
+    let kind = ExprKind::Compare(op, Box::new(a.clone()), Box::new(b.clone()));
+    Expr { kind, ty: Type::BOOL, span: a.span }
+}
+
+fn logic(op: LogicOp, a: Expr, b: Expr) -> Expr {
+    let span = a.span;
+    Expr { kind: ExprKind::Logic(op, Box::new(a), Box::new(b)), ty: Type::BOOL, span }
+}

@@ -1,0 +1,404 @@
+//! Expressions made explicit: from any IR expression to statements and an expression that is left.
+//!
+//! Precondition: a valid module. Postcondition, for the expression that is left:
+//! * it stands where [`positions`](super::positions) allows it: calls that fault, write or take
+//!   aggregates are statements of their own, and so are aggregates in the midst of an expression;
+//! * it cannot fault once the statements before it have run, and it has no effect (a call that is a
+//!   whole value excepted);
+//! * the statements before it have the effects and the faults of the original, in its order.
+//!
+//! How the order is kept: operands are taken left to right; what each leaves is pure and fault-free, so
+//! that it may be evaluated later, unless a later operand's call writes what it reads: then it is kept
+//! in a local in front of that call. What already is as it has to be is left alone.
+
+use bessemer_ir::{
+    Argument, Expr, ExprKind, FunctionId, Local, LocalId, LogicOp, Mode, Place, Span, Step, Stmt,
+    StmtKind, Type, UnaryOp,
+};
+
+use super::faults::{self, Obligation, step_type};
+use super::names::{self, Purpose};
+use super::places::{lent, load, moves, reads, weight, whole, writes};
+use super::positions::{self, Position, accepts};
+use super::statements::Lowering;
+
+/// What is read in a check and again in the statement may weigh as much as this.
+const LIGHT: usize = 4;
+
+impl Lowering<'_> {
+    /// Makes `expr` explicit, to stand at `position`.
+    pub(super) fn lower(&mut self, expr: Expr, position: Position, purpose: Purpose) -> Expr {
+        let expr = self.node(expr);
+        if accepts(self.callees, position, &expr) { expr } else { self.keep(expr, purpose) }
+    }
+
+    /// A word within an expression.
+    pub(super) fn word(&mut self, expr: Expr) -> Expr {
+        self.lower(expr, Position::Nested, Purpose::Operand)
+    }
+
+    fn node(&mut self, expr: Expr) -> Expr {
+        let Expr { kind, ty, span } = expr;
+        let kind = match kind {
+            ExprKind::Literal(_) | ExprKind::Const(_) => kind,
+            ExprKind::Load(place) => ExprKind::Load(self.place(place)),
+            ExprKind::Unary(op, x) => ExprKind::Unary(op, Box::new(self.word(*x))),
+            ExprKind::Cast(x) => ExprKind::Cast(Box::new(self.word(*x))),
+            ExprKind::Binary(op, a, b) => {
+                let (a, b) = self.pair(*a, *b);
+                ExprKind::Binary(op, Box::new(a), Box::new(b))
+            }
+            ExprKind::Compare(op, a, b) => {
+                let (a, b) = self.pair(*a, *b);
+                ExprKind::Compare(op, Box::new(a), Box::new(b))
+            }
+            ExprKind::Logic(op, a, b) => return self.logic(op, *a, *b, span),
+            ExprKind::Call(callee, arguments) => self.call(callee, arguments),
+            ExprKind::Splat(x) => {
+                let x = self.lower(*x, Position::Repeated, Purpose::Part("element"));
+                ExprKind::Splat(Box::new(x))
+            }
+            kind => self.list(kind, &ty),
+        };
+        self.secure(Expr { kind, ty, span })
+    }
+
+    /// Two words, left to right.
+    pub(super) fn pair(&mut self, a: Expr, b: Expr) -> (Expr, Expr) {
+        let mut a = self.word(a);
+        let start = self.out.len();
+        let b = self.word(b);
+        self.protect(start, |this, at, written| this.protect_value(&mut a, at, written));
+        (a, b)
+    }
+
+    /// Constructors, intrinsics and routines: operands in a list.
+    fn list(&mut self, kind: ExprKind, ty: &Type) -> ExprKind {
+        let module = self.module;
+        let part = |index: usize| match ty {
+            Type::Struct(id) => {
+                Some(module.structs.get(id.index())?.fields.get(index)?.name.as_str())
+            }
+            _ => None,
+        };
+        let parts: Vec<Option<&str>> = match &kind {
+            ExprKind::Struct(operands) => (0..operands.len()).map(part).collect(),
+            _ => Vec::new(),
+        };
+        let mut lower_all = |operands: &[Expr]| {
+            let mut done: Vec<Expr> = Vec::new();
+            for (index, operand) in operands.iter().enumerate() {
+                let start = self.out.len();
+                let purpose = parts.get(index).copied().flatten().map_or(Purpose::Operand, Purpose::Part);
+                let lowered =
+                    self.lower(operand.clone(), positions::operand(&kind, operand), purpose);
+                self.protect(start, |this, at, written| {
+                    done.iter_mut().for_each(|done| this.protect_value(done, at, written));
+                });
+                done.push(lowered);
+            }
+            done
+        };
+        match &kind {
+            ExprKind::Intrinsic(which, operands) => ExprKind::Intrinsic(*which, lower_all(operands)),
+            ExprKind::Routine(which, operands) => ExprKind::Routine(*which, lower_all(operands)),
+            ExprKind::Struct(operands) => ExprKind::Struct(lower_all(operands)),
+            ExprKind::Array(operands) => ExprKind::Array(lower_all(operands)),
+            ExprKind::Matrix(operands) => ExprKind::Matrix(lower_all(operands)),
+            _ => kind,
+        }
+    }
+
+    fn call(&mut self, callee: FunctionId, arguments: Vec<Argument>) -> ExprKind {
+        let module = self.module;
+        let parameters = module.functions.get(callee.index()).map_or(&[][..], |f| f.parameters());
+        let mut done: Vec<Argument> = Vec::new();
+        for (index, argument) in arguments.into_iter().enumerate() {
+            let start = self.out.len();
+            let purpose = parameters.get(index).map_or(Purpose::Operand, |p| Purpose::Part(&p.name));
+            let position = positions::argument(&argument).map(|(_, position)| position);
+            let lowered = match (argument, position) {
+                (Argument::Value(value), Some(at)) => Argument::Value(self.lower(value, at, purpose)),
+                (Argument::Ref(value), Some(at)) => Argument::Ref(self.lower(value, at, purpose)),
+                (Argument::RefMut(place), _) => Argument::RefMut(self.place(place)),
+                (argument, None) => argument,
+            };
+            self.protect(start, |this, at, written| {
+                done.iter_mut().for_each(|done| this.protect_argument(done, at, written));
+            });
+            done.push(lowered);
+        }
+        self.part_from_lent(&mut done);
+        ExprKind::Call(callee, done)
+    }
+
+    /// Copies the aggregates that the same call may write through another argument.
+    fn part_from_lent(&mut self, arguments: &mut [Argument]) {
+        let lent: Vec<Place> = arguments
+            .iter()
+            .filter_map(|argument| match argument {
+                Argument::RefMut(place) => Some(place.clone()),
+                _ => None,
+            })
+            .collect();
+        for argument in arguments {
+            if let Argument::Value(value) = argument
+                && value.ty.is_aggregate()
+                && reads(value, &lent)
+            {
+                let name = self.name_of(value, "copy");
+                *value = self.keep(value.clone(), Purpose::Named(&name));
+            }
+        }
+    }
+
+    /// Short circuit: an `if`, where the right side needs statements of its own.
+    fn logic(&mut self, op: LogicOp, a: Expr, b: Expr, span: Span) -> Expr {
+        let a = self.word(a);
+        let before = self.facts.clone();
+        self.facts.assume(&a, op == LogicOp::And);
+        let outer = std::mem::take(&mut self.out);
+        let b = self.word(b);
+        let mut then = std::mem::replace(&mut self.out, outer);
+        let within = std::mem::replace(&mut self.facts, before);
+        let logic = |a: Expr, b: Expr| {
+            let kind = ExprKind::Logic(op, Box::new(a), Box::new(b));
+            Expr { kind, ty: Type::BOOL, span }
+        };
+        if then.is_empty() {
+            return logic(a, b);
+        }
+        let start = ExprKind::Literal(u64::from(op == LogicOp::Or));
+        let start = Expr { kind: start, ty: Type::BOOL, span };
+        let name = logic(start.clone(), start.clone());
+        let name = self.wish(Purpose::Operand, &name);
+        let Some(local) = self.declare(&name, start) else { return logic(a, b) };
+        let place = Place { ty: Type::BOOL, span, ..whole(local) };
+        let mut within = within;
+        within.assign(&place, within.value(&b));
+        self.facts.join(&within);
+        then.push(Stmt { kind: StmtKind::Assign { place, value: b }, span, comments: Vec::new() });
+        self.emit(when(op, a, then, span), span);
+        load(local, &Type::BOOL, span)
+    }
+
+    /// Makes the indices of a place explicit.
+    pub(super) fn place(&mut self, place: Place) -> Place {
+        let Place { root, steps, ty, span } = place;
+        let mut container = Some(self.function.local(root).ty.clone());
+        let mut done = Place { root, steps: Vec::new(), ty: ty.clone(), span };
+        for step in steps {
+            let start = self.out.len();
+            let mut step = match step {
+                Step::Field(field) => Step::Field(field),
+                Step::Index(index) => Step::Index(self.word(index)),
+                Step::Element(row, column) => {
+                    let (row, column) = self.pair(row, column);
+                    Step::Element(row, column)
+                }
+            };
+            self.protect(start, |this, at, written| this.protect_place(&mut done, at, written));
+            if let Some(container) = &container {
+                self.secure_step(container, &mut step, &done);
+            }
+            container = container.and_then(|container| step_type(self.module, &container, &step));
+            done.steps.push(step);
+        }
+        done
+    }
+
+    fn secure_step(&mut self, container: &Type, step: &mut Step, of: &Place) {
+        if faults::of_step(container, step, &self.facts).is_empty() {
+            return;
+        }
+        let of = names::place(self.module, &self.function, of);
+        match step {
+            Step::Field(_) => {}
+            Step::Index(index) => self.lighten(index, Purpose::Named(&format!("{of}_index"))),
+            Step::Element(row, column) => {
+                self.lighten(row, Purpose::Named(&format!("{of}_row")));
+                self.lighten(column, Purpose::Named(&format!("{of}_column")));
+            }
+        }
+        for obligation in faults::of_step(container, step, &self.facts) {
+            self.check(obligation);
+        }
+    }
+
+    /// Checks what the operation at the root of `expr` needs.
+    fn secure(&mut self, mut expr: Expr) -> Expr {
+        if faults::of_expr(&expr, &self.facts).is_empty() {
+            return expr;
+        }
+        match &mut expr.kind {
+            ExprKind::Unary(_, x) => self.lighten(x, Purpose::Operand),
+            ExprKind::Binary(op, a, b) => {
+                let signs = faults::signs_matter(*op, &expr.ty);
+                for (operand, sign) in [(a, signs.0), (b, signs.1)] {
+                    if sign && !bare(operand) {
+                        **operand = self.keep((**operand).clone(), Purpose::Operand);
+                    }
+                    self.lighten(operand, Purpose::Operand);
+                }
+            }
+            ExprKind::Intrinsic(_, operands) => {
+                operands.iter_mut().for_each(|operand| self.lighten(operand, Purpose::Operand));
+            }
+            _ => {}
+        }
+        for obligation in faults::of_expr(&expr, &self.facts) {
+            self.check(obligation);
+        }
+        expr
+    }
+
+    /// A value that will be written more than once is kept in a local, unless it is short.
+    fn lighten(&mut self, expr: &mut Expr, purpose: Purpose) {
+        if weight(expr) > LIGHT {
+            *expr = self.keep(expr.clone(), purpose);
+        }
+    }
+
+    fn check(&mut self, obligation: Obligation) {
+        let Obligation { condition, fault, span, reason } = obligation;
+        if self.facts.proves(&condition) {
+            return; // Another half of the same operation has just been checked.
+        }
+        self.facts.assume(&condition, true);
+        self.remain(fault, span, reason);
+        self.emit(StmtKind::Check { condition, fault }, span);
+    }
+
+    /// Keeps a value in a local of its own, from here on.
+    pub(super) fn keep(&mut self, expr: Expr, purpose: Purpose) -> Expr {
+        let (ty, span) = (expr.ty.clone(), expr.span);
+        let name = self.wish(purpose, &expr);
+        match self.declare(&name, expr.clone()) {
+            Some(local) => load(local, &ty, span),
+            None => expr,
+        }
+    }
+
+    /// Declares a local with a value. There are never so many that handles run out.
+    fn declare(&mut self, name: &str, value: Expr) -> Option<LocalId> {
+        let span = value.span;
+        let local = self.new_local(name, &value)?;
+        let known = self.facts.value(&value);
+        self.facts.forget(&lent(&value));
+        self.facts.assign(&whole(local), known);
+        self.emit(StmtKind::Let { local, value: Some(value) }, span);
+        Some(local)
+    }
+
+    fn new_local(&mut self, name: &str, value: &Expr) -> Option<LocalId> {
+        let local = LocalId(u32::try_from(self.function.locals.len()).ok()?);
+        let name = self.names.fresh(name);
+        let (ty, span) = (value.ty.clone(), value.span);
+        self.function.locals.push(Local { name, ty, mode: Mode::Value, span });
+        Some(local)
+    }
+
+    pub(super) fn emit(&mut self, kind: StmtKind, span: Span) {
+        self.out.push(Stmt { kind, span, comments: Vec::new() });
+    }
+
+    /// If the statements from `start` on write anything: keeps what `of` protects in front of them.
+    pub(super) fn protect(
+        &mut self,
+        start: usize,
+        of: impl FnOnce(&mut Self, &mut usize, &[Place]),
+    ) {
+        let written = writes(self.out.iter().skip(start));
+        if !written.is_empty() {
+            let mut at = start;
+            of(self, &mut at, &written);
+        }
+    }
+
+    /// Keeps `value` in front of the statement `at`, if it reads what is written there.
+    pub(super) fn protect_value(&mut self, value: &mut Expr, at: &mut usize, written: &[Place]) {
+        if !reads(value, written) {
+            return;
+        }
+        let name = match value.kind {
+            ExprKind::Load(_) => self.name_of(value, "before"),
+            _ => self.wish(Purpose::Operand, value),
+        };
+        self.keep_at(value, at, &name);
+    }
+
+    /// Keeps `value` in front of the statement `at`.
+    pub(super) fn keep_at(&mut self, value: &mut Expr, at: &mut usize, name: &str) {
+        let Some(local) = self.new_local(name, value) else { return };
+        let kept = load(local, &value.ty, value.span);
+        let value = std::mem::replace(value, kept);
+        let span = value.span;
+        let kind = StmtKind::Let { local, value: Some(value) };
+        self.out.insert(*at, Stmt { kind, span, comments: Vec::new() });
+        *at += 1;
+    }
+
+    fn protect_argument(&mut self, argument: &mut Argument, at: &mut usize, written: &[Place]) {
+        match argument {
+            Argument::Value(value) => self.protect_value(value, at, written),
+            Argument::Ref(value) => {
+                if let ExprKind::Load(place) = &mut value.kind {
+                    self.protect_place(place, at, written);
+                }
+            }
+            Argument::RefMut(place) => self.protect_place(place, at, written),
+        }
+    }
+
+    fn protect_place(&mut self, place: &mut Place, at: &mut usize, written: &[Place]) {
+        if !moves(place, written) {
+            return;
+        }
+        for step in &mut place.steps {
+            match step {
+                Step::Field(_) => {}
+                Step::Index(index) => self.protect_value(index, at, written),
+                Step::Element(row, column) => {
+                    self.protect_value(row, at, written);
+                    self.protect_value(column, at, written);
+                }
+            }
+        }
+    }
+
+    /// The name to wish for what is kept of the present statement.
+    pub(super) fn wish(&self, purpose: Purpose, expr: &Expr) -> String {
+        names::wish(self.module, &self.function, &self.base, purpose, expr)
+    }
+
+    fn name_of(&self, value: &Expr, role: &str) -> String {
+        match &value.kind {
+            ExprKind::Load(place) => {
+                format!("{}_{role}", names::place(self.module, &self.function, place))
+            }
+            _ => role.to_string(),
+        }
+    }
+}
+
+/// Whether a value is a number, a constant, a local or a field.
+fn bare(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Literal(_) | ExprKind::Const(_) => true,
+        ExprKind::Load(place) => place.steps.iter().all(|step| matches!(step, Step::Field(_))),
+        _ => false,
+    }
+}
+
+/// The `if` that runs the right side of a short circuit.
+pub(super) fn when(op: LogicOp, condition: Expr, then: Vec<Stmt>, span: Span) -> StmtKind {
+    let condition = match op {
+        LogicOp::And => condition,
+        LogicOp::Or => {
+            let kind = ExprKind::Unary(UnaryOp::Not, Box::new(condition));
+            Expr { kind, ty: Type::BOOL, span }
+        }
+    };
+    let then = bessemer_ir::Block(then);
+    StmtKind::If { condition, then, otherwise: bessemer_ir::Block::default() }
+}

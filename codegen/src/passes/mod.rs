@@ -1,0 +1,174 @@
+//! From valid IR to explicit IR: what the C back end can write down as it stands.
+//!
+//! Precondition: a valid module. Postcondition, verified by [`check`]:
+//! * **F1** aggregates stand only as whole values, as operands that are places or constants, and as
+//!   trees of constructors or of element-wise routines; nothing is written where it is still read;
+//! * **F2** calls stand only as whole values or for their effect, unless they take and give words and
+//!   cannot fault;
+//! * **F3** no operation faults by itself: a [`StmtKind::Check`](bessemer_ir::StmtKind::Check) stands
+//!   before each that could not be proved;
+//! * **F4** the bounds of a loop do not change while it runs.
+//!
+//! The meaning stays: the same results, and the same fault first. Absent: optimisation. No constant is
+//! folded, nothing is reordered, no local of the author's is renamed, and code that is explicit already
+//! comes out as it went in.
+
+mod explicit;
+mod facts;
+mod faults;
+mod flatten;
+mod names;
+mod places;
+mod positions;
+mod ranges;
+mod statements;
+
+pub use explicit::{Problem, Rule, check};
+
+use bessemer_ir::visit::{Visit, walk_expr, walk_stmt};
+use bessemer_ir::{Expr, ExprKind, Fault, Function, FunctionId, Module, Role, Span, Stmt, StmtKind};
+use thiserror::Error;
+
+use positions::Callee;
+
+/// A check that is left, because the operation could not be proved not to fault.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Remaining {
+    /// What it reports.
+    pub fault: Fault,
+    /// Where the operation stands.
+    pub span: Span,
+    /// Why it could not be proved, in words.
+    pub reason: String,
+}
+
+/// The checks that are left.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Report {
+    /// Those of each function's own, without its callees', in the order of
+    /// [`Module::functions`](bessemer_ir::Module::functions).
+    pub functions: Vec<Vec<Remaining>>,
+}
+
+/// Why a module could not be made explicit.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum Error {
+    /// An entry point claims that it has no fault left, and has one.
+    #[error(
+        "`{entry}` is not infallible: in `{function}`, {fault:?}: {}",
+        .check.reason
+    )]
+    Fallible {
+        /// The entry point.
+        entry: String,
+        /// The function that holds the check, the entry itself or what it calls.
+        function: String,
+        /// The fault, once more, for the message.
+        fault: Fault,
+        /// The check.
+        check: Remaining,
+    },
+    /// The passes broke their own promise: an error of the tool.
+    #[error("error of the tool: {0}")]
+    Tool(#[from] Problem),
+}
+
+/// Makes a valid module explicit, and lists the checks that are left.
+///
+/// # Errors
+/// For each check that is left in an entry point (or in what it calls) that claims to be infallible.
+pub fn explicit(module: Module) -> Result<(Module, Report), Vec<Error>> {
+    let mut report = Report::default();
+    let mut callees = Vec::new();
+    let mut functions = Vec::new();
+    for function in &module.functions {
+        let (function, remaining) = statements::function(&module, &callees, function.clone());
+        callees.push(Callee::of(&function, may_fault(&function, &callees)));
+        functions.push(function);
+        report.functions.push(remaining);
+    }
+    let module = Module { functions, ..module };
+    let mut errors: Vec<Error> = check(&module).into_iter().map(Error::from).collect();
+    errors.extend(broken_claims(&module, &report));
+    if let (false, Ok(p)) = (errors.is_empty(), std::env::var("PDBG")) { let _ = std::fs::write(p, bessemer_ir::text::print(&module)); }
+    if errors.is_empty() { Ok((module, report)) } else { Err(errors) }
+}
+
+/// Which functions of an explicit module may end in a fault.
+pub fn fallible(module: &Module) -> Vec<bool> {
+    callees(module).into_iter().map(|callee| callee.fallible).collect()
+}
+
+fn callees(module: &Module) -> Vec<Callee> {
+    module.functions.iter().fold(Vec::new(), |mut callees, function| {
+        callees.push(Callee::of(function, may_fault(function, &callees)));
+        callees
+    })
+}
+
+/// What a function calls, and whether it checks anything itself.
+#[derive(Default)]
+struct Calls {
+    checks: bool,
+    called: Vec<FunctionId>,
+}
+
+impl Calls {
+    fn of(function: &Function) -> Calls {
+        let mut calls = Calls::default();
+        calls.block(&function.body);
+        calls
+    }
+}
+
+impl Visit for Calls {
+    fn stmt(&mut self, stmt: &Stmt) {
+        self.checks |= matches!(stmt.kind, StmtKind::Check { .. });
+        walk_stmt(self, stmt);
+    }
+    fn expr(&mut self, expr: &Expr) {
+        if let ExprKind::Call(callee, _) = &expr.kind {
+            self.called.push(*callee);
+        }
+        walk_expr(self, expr);
+    }
+}
+
+fn may_fault(function: &Function, callees: &[Callee]) -> bool {
+    let calls = Calls::of(function);
+    let faults = |id: &FunctionId| callees.get(id.index()).is_some_and(|callee| callee.fallible);
+    calls.checks || calls.called.iter().any(faults)
+}
+
+/// An error for each check that an infallible entry point can reach.
+fn broken_claims(module: &Module, report: &Report) -> Vec<Error> {
+    let mut errors = Vec::new();
+    for (index, entry) in module.functions.iter().enumerate() {
+        if entry.role != (Role::Entry { infallible: true }) {
+            continue;
+        }
+        for reached in reached(module, index) {
+            let (function, checks) = (&module.functions[reached], &report.functions[reached]);
+            errors.extend(checks.iter().map(|check| Error::Fallible {
+                entry: entry.name.clone(),
+                function: function.name.clone(),
+                fault: check.fault,
+                check: check.clone(),
+            }));
+        }
+    }
+    errors
+}
+
+/// A function and all that it calls; callees before callers.
+fn reached(module: &Module, index: usize) -> Vec<usize> {
+    let mut reached = vec![false; module.functions.len()];
+    reached[index] = true;
+    for caller in (0..=index).rev() {
+        if reached[caller] {
+            let calls = Calls::of(&module.functions[caller]);
+            calls.called.iter().filter(|id| id.index() < caller).for_each(|id| reached[id.index()] = true);
+        }
+    }
+    (0..=index).filter(|index| reached[*index]).collect()
+}

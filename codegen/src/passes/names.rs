@@ -1,0 +1,139 @@
+//! Names for the values that the passes have to keep: from what they are and what they are for.
+
+use std::collections::HashSet;
+
+use bessemer_ir::{
+    BinaryOp, Expr, ExprKind, Function, Intrinsic, Module, Place, Routine, Step, UnaryOp,
+};
+
+/// Names in use in a function.
+pub(crate) struct Names(HashSet<String>);
+
+impl Names {
+    pub(crate) fn of(function: &Function) -> Names {
+        Names(function.locals.iter().map(|local| local.name.clone()).collect())
+    }
+
+    /// `wanted`, or `wanted_2`, `wanted_3`, … if it is taken.
+    pub(crate) fn fresh(&mut self, wanted: &str) -> String {
+        let mut name = wanted.to_string();
+        let mut count = 1;
+        while !self.0.insert(name.clone()) {
+            count += 1;
+            name = format!("{wanted}_{count}");
+        }
+        name
+    }
+}
+
+/// What a value is for.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Purpose<'a> {
+    /// Nothing better than what it is.
+    Operand,
+    /// A part, or a parameter, of this name.
+    Part(&'a str),
+    /// This, whatever it is a part of.
+    Named(&'a str),
+}
+
+/// The name to wish for `expr`, kept on the way to the destination `base`.
+pub(crate) fn wish(
+    module: &Module,
+    function: &Function,
+    base: &str,
+    purpose: Purpose,
+    expr: &Expr,
+) -> String {
+    let role = match purpose {
+        Purpose::Named(name) => return name.to_string(),
+        Purpose::Part(name) => name.to_string(),
+        Purpose::Operand => kind(module, function, expr),
+    };
+    match base {
+        "" => role,
+        base if base == role => format!("{base}_value"),
+        base => format!("{base}_{role}"),
+    }
+}
+
+/// The name of what a place leads to: the last field, or the local.
+pub(crate) fn place(module: &Module, function: &Function, place: &Place) -> String {
+    let root = function.local(place.root);
+    let mut name = &root.name;
+    let mut ty = Some(root.ty.clone());
+    for step in &place.steps {
+        let container = ty.take();
+        ty = container.as_ref().and_then(|ty| super::faults::step_type(module, ty, step));
+        if let (Step::Field(field), Some(bessemer_ir::Type::Struct(id))) = (step, &container)
+            && let Some(field) = module.structs[id.index()].fields.get(*field as usize)
+        {
+            name = &field.name;
+        }
+    }
+    name.clone()
+}
+
+/// One word for what an expression is.
+fn kind(module: &Module, function: &Function, expr: &Expr) -> String {
+    match &expr.kind {
+        ExprKind::Literal(_) | ExprKind::Struct(_) => "value".to_string(),
+        ExprKind::Const(id) => module.consts[id.index()].name.to_lowercase(),
+        ExprKind::Load(from) => place(module, function, from),
+        ExprKind::Unary(UnaryOp::Neg, _) => "opposite".to_string(),
+        ExprKind::Unary(UnaryOp::Not, _) => "inverse".to_string(),
+        ExprKind::Binary(op, ..) => binary(*op).to_string(),
+        ExprKind::Compare(..) | ExprKind::Logic(..) => "condition".to_string(),
+        ExprKind::Cast(inner) => kind(module, function, inner),
+        ExprKind::Intrinsic(which, _) => intrinsic(*which).to_string(),
+        ExprKind::Call(callee, _) => module.functions[callee.index()].name.clone(),
+        ExprKind::Array(_) | ExprKind::Splat(_) => "elements".to_string(),
+        ExprKind::Matrix(_) => "matrix".to_string(),
+        ExprKind::Routine(which, _) => routine(*which).to_string(),
+    }
+}
+
+fn binary(op: BinaryOp) -> &'static str {
+    match op {
+        BinaryOp::Add => "sum",
+        BinaryOp::Sub => "difference",
+        BinaryOp::Mul => "product",
+        BinaryOp::Div => "quotient",
+        BinaryOp::Rem => "remainder",
+        BinaryOp::And | BinaryOp::Or | BinaryOp::Xor => "bits",
+        BinaryOp::Shl | BinaryOp::Shr => "shifted",
+    }
+}
+
+fn intrinsic(which: Intrinsic) -> &'static str {
+    match which {
+        Intrinsic::Sqrt => "root",
+        Intrinsic::Abs => "magnitude",
+        Intrinsic::Min => "smaller",
+        Intrinsic::Max => "larger",
+        Intrinsic::Clamp => "clamped",
+        Intrinsic::Floor => "floor",
+        Intrinsic::ToBits => "bits",
+        Intrinsic::FromBits => "value",
+        Intrinsic::Copysign => "signed",
+        Intrinsic::WrappingAdd => "sum",
+        Intrinsic::WrappingSub => "difference",
+        Intrinsic::WrappingMul => "product",
+    }
+}
+
+fn routine(which: Routine) -> &'static str {
+    match which {
+        Routine::Add => "sum",
+        Routine::Sub => "difference",
+        Routine::Neg => "opposite",
+        Routine::Scale | Routine::Unscale => "scaled",
+        Routine::ComponentMul | Routine::Product | Routine::TrMul => "product",
+        Routine::ComponentDiv => "quotient",
+        Routine::Transpose => "transposed",
+        Routine::Dot => "dot",
+        Routine::Cross => "cross",
+        Routine::Norm => "norm",
+        Routine::NormSquared => "norm_squared",
+    }
+}

@@ -1,0 +1,89 @@
+//! The grammar of explicit IR: which expressions may stand where.
+
+use bessemer_ir::{Argument, Expr, ExprKind, Function, Mode, Role};
+
+use super::places::elementwise;
+
+/// Where an expression stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Position {
+    /// The whole value of a `let`, an assignment or a `return`.
+    Whole,
+    /// A word within an expression.
+    Nested,
+    /// A part of a constructor.
+    Part,
+    /// A matrix operand of a routine that works element by element.
+    Elementwise,
+    /// The value that a splat repeats.
+    Repeated,
+    /// An operand that is read many times.
+    Leaf,
+    /// What a reference is taken of.
+    Reference,
+}
+
+/// What a caller has to know of a function.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Callee {
+    /// It may end in a fault.
+    pub(crate) fallible: bool,
+    /// Its result travels through a pointer.
+    pub(crate) through_pointer: bool,
+    /// A call may stand within an expression.
+    pub(crate) nests: bool,
+}
+
+impl Callee {
+    pub(crate) fn of(function: &Function, fallible: bool) -> Callee {
+        let status = fallible || function.role == Role::Entry { infallible: false };
+        let words = function.parameters().iter().all(|p| p.mode == Mode::Value && p.ty.is_word());
+        Callee {
+            fallible,
+            through_pointer: status || function.result.is_aggregate(),
+            nests: !status && words && function.result.is_word(),
+        }
+    }
+}
+
+/// Whether `expr`, itself well made, may stand at `position`.
+pub(crate) fn accepts(callees: &[Callee], position: Position, expr: &Expr) -> bool {
+    use Position::{Elementwise, Nested, Part, Reference, Repeated, Whole};
+    match &expr.kind {
+        _ if position == Whole => true,
+        ExprKind::Call(callee, _) => {
+            let nests = callees.get(callee.index()).is_some_and(|callee| callee.nests);
+            nests && matches!(position, Nested | Part)
+        }
+        ExprKind::Const(_) | ExprKind::Load(_) => true,
+        ExprKind::Literal(_) => position != Reference,
+        _ if expr.ty.is_word() => matches!(position, Nested | Part),
+        ExprKind::Struct(_) | ExprKind::Array(_) | ExprKind::Matrix(_) => position == Part,
+        ExprKind::Splat(_) => matches!(position, Part | Repeated),
+        ExprKind::Routine(routine, _) => position == Elementwise && elementwise(*routine),
+        _ => false,
+    }
+}
+
+/// The position of an operand of an expression that is no call.
+pub(crate) fn operand(parent: &ExprKind, operand: &Expr) -> Position {
+    match parent {
+        ExprKind::Struct(_) | ExprKind::Array(_) | ExprKind::Matrix(_) => Position::Part,
+        ExprKind::Splat(_) => Position::Repeated,
+        ExprKind::Routine(routine, _) if elementwise(*routine) && operand.ty.is_aggregate() => {
+            Position::Elementwise
+        }
+        ExprKind::Routine(..) => Position::Leaf,
+        _ => Position::Nested,
+    }
+}
+
+/// The position of the value of an argument, if it has one.
+pub(crate) fn argument(argument: &Argument) -> Option<(&Expr, Position)> {
+    match argument {
+        Argument::Value(value) if value.ty.is_aggregate() => Some((value, Position::Leaf)),
+        Argument::Value(value) => Some((value, Position::Nested)),
+        Argument::Ref(value) => Some((value, Position::Reference)),
+        Argument::RefMut(_) => None,
+    }
+}

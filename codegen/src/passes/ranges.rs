@@ -1,0 +1,228 @@
+//! Intervals of integers, and what each operation makes of them.
+//!
+//! Invariant: every function over-approximates the exact results of operations that do not fault.
+//! Bounds that leave `i128` saturate, which no 64-bit type can tell from the truth.
+
+use bessemer_ir::{BinaryOp, CompareOp, Int, Intrinsic};
+
+/// All integers from `low` to `high`; never empty. `bool` is 0 or 1, an enum the index of its variant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Interval {
+    pub(crate) low: i128,
+    pub(crate) high: i128,
+}
+
+impl Interval {
+    pub(crate) const BOOL: Interval = Interval { low: 0, high: 1 };
+
+    pub(crate) fn new(a: i128, b: i128) -> Interval {
+        Interval { low: a.min(b), high: a.max(b) }
+    }
+
+    pub(crate) fn one(value: i128) -> Interval {
+        Interval { low: value, high: value }
+    }
+
+    pub(crate) fn of(int: Int) -> Interval {
+        Interval { low: int.min(), high: int.max() }
+    }
+
+    pub(crate) fn within(self, other: Interval) -> bool {
+        other.low <= self.low && self.high <= other.high
+    }
+
+    pub(crate) fn single(self) -> Option<i128> {
+        (self.low == self.high).then_some(self.low)
+    }
+
+    pub(crate) fn hull(self, other: Interval) -> Interval {
+        Interval { low: self.low.min(other.low), high: self.high.max(other.high) }
+    }
+
+    /// What both hold. Where that is nothing the code is unreachable: then the nearest bound of
+    /// `self`, so that to know more of the operands is never to know less of the result.
+    pub(crate) fn meet(self, other: Interval) -> Interval {
+        Interval {
+            low: other.low.clamp(self.low, self.high),
+            high: other.high.clamp(self.low, self.high),
+        }
+    }
+
+    fn magnitude(self) -> i128 {
+        self.low.saturating_abs().max(self.high.saturating_abs())
+    }
+
+    fn corners(self, other: Interval, f: impl Fn(i128, i128) -> i128) -> Interval {
+        let all = [
+            f(self.low, other.low),
+            f(self.low, other.high),
+            f(self.high, other.low),
+            f(self.high, other.high),
+        ];
+        all.into_iter().map(Interval::one).fold(Interval::one(all[0]), Interval::hull)
+    }
+
+    pub(crate) fn add(self, other: Interval) -> Interval {
+        Interval {
+            low: self.low.saturating_add(other.low),
+            high: self.high.saturating_add(other.high),
+        }
+    }
+
+    pub(crate) fn sub(self, other: Interval) -> Interval {
+        Interval {
+            low: self.low.saturating_sub(other.high),
+            high: self.high.saturating_sub(other.low),
+        }
+    }
+
+    fn div(self, by: Interval) -> Interval {
+        if by.low > 0 || by.high < 0 {
+            self.corners(by, i128::saturating_div)
+        } else {
+            let magnitude = self.magnitude();
+            Interval { low: -magnitude, high: magnitude }
+        }
+    }
+
+    fn rem(self, by: Interval) -> Interval {
+        let largest = (by.magnitude() - 1).max(0);
+        Interval {
+            low: if self.low < 0 { -largest.min(self.low.saturating_neg()) } else { 0 },
+            high: if self.high > 0 { largest.min(self.high) } else { 0 },
+        }
+    }
+
+    fn and(self, other: Interval, all: Interval) -> Interval {
+        match (self.low >= 0, other.low >= 0) {
+            (true, true) => Interval { low: 0, high: self.high.min(other.high) },
+            (true, false) => Interval { low: 0, high: self.high },
+            (false, true) => Interval { low: 0, high: other.high },
+            (false, false) => all,
+        }
+    }
+
+    fn or(self, other: Interval, all: Interval) -> Interval {
+        if self.low < 0 || other.low < 0 {
+            return all;
+        }
+        let bits = 128 - self.high.max(other.high).leading_zeros();
+        Interval { low: 0, high: ((1i128 << bits.min(126)) - 1).min(all.high) }
+    }
+
+    fn shl(self, by: Interval, all: Interval) -> Interval {
+        let by = by.meet(Interval::new(0, 63));
+        let largest = 1i128 << by.high.clamp(0, 63);
+        let smallest = 1i128 << by.low.clamp(0, 63);
+        let exact = self.corners(Interval::new(smallest, largest), i128::saturating_mul);
+        if exact.within(all) { exact } else { all }
+    }
+
+    fn shr(self, by: Interval) -> Interval {
+        let by = by.meet(Interval::new(0, 63));
+        self.corners(by, |value, bits| value >> bits.clamp(0, 63))
+    }
+
+    pub(crate) fn min(self, other: Interval) -> Interval {
+        Interval { low: self.low.min(other.low), high: self.high.min(other.high) }
+    }
+
+    pub(crate) fn max(self, other: Interval) -> Interval {
+        Interval { low: self.low.max(other.low), high: self.high.max(other.high) }
+    }
+
+    pub(crate) fn abs(self) -> Interval {
+        let low = if self.low > 0 { self.low } else { (-self.high).max(0) };
+        Interval { low, high: self.magnitude() }
+    }
+
+    /// `!x` in a type whose values are `all`.
+    pub(crate) fn not(self, all: Interval) -> Interval {
+        let total = all.low + all.high;
+        Interval { low: total - self.high, high: total - self.low }
+    }
+
+    /// The sum, the difference or the product, whatever the type; of other operators, everything.
+    pub(crate) fn exact(self, op: BinaryOp, other: Interval) -> Interval {
+        match op {
+            BinaryOp::Add => self.add(other),
+            BinaryOp::Sub => self.sub(other),
+            BinaryOp::Mul => self.corners(other, i128::saturating_mul),
+            _ => Interval { low: i128::MIN, high: i128::MAX },
+        }
+    }
+
+    /// The result of an operator in a type whose values are `all`.
+    pub(crate) fn binary(self, op: BinaryOp, other: Interval, all: Interval) -> Interval {
+        let result = match op {
+            BinaryOp::Add | BinaryOp::Sub | BinaryOp::Mul => self.exact(op, other),
+            BinaryOp::Div => self.div(other),
+            BinaryOp::Rem => self.rem(other),
+            BinaryOp::And => self.and(other, all),
+            BinaryOp::Or | BinaryOp::Xor => self.or(other, all),
+            BinaryOp::Shl => self.shl(other, all),
+            BinaryOp::Shr => self.shr(other),
+        };
+        all.meet(result)
+    }
+
+    /// The result of a comparison.
+    pub(crate) fn compare(self, op: CompareOp, other: Interval) -> Interval {
+        let known = match op {
+            CompareOp::Lt if self.high < other.low => Some(true),
+            CompareOp::Lt if self.low >= other.high => Some(false),
+            CompareOp::Le if self.high <= other.low => Some(true),
+            CompareOp::Le if self.low > other.high => Some(false),
+            CompareOp::Gt => return other.compare(CompareOp::Lt, self),
+            CompareOp::Ge => return other.compare(CompareOp::Le, self),
+            CompareOp::Eq | CompareOp::Ne => self.equal(other).map(|is| is == (op == CompareOp::Eq)),
+            CompareOp::Lt | CompareOp::Le => None,
+        };
+        known.map_or(Interval::BOOL, |known| Interval::one(i128::from(known)))
+    }
+
+    fn equal(self, other: Interval) -> Option<bool> {
+        if self.high < other.low || other.high < self.low {
+            Some(false)
+        } else {
+            (self.single().is_some() && self == other).then_some(true)
+        }
+    }
+
+    /// The result of an intrinsic on integers in a type whose values are `all`.
+    pub(crate) fn intrinsic(which: Intrinsic, args: &[Interval], all: Interval) -> Interval {
+        let wrapped = |exact: Interval| if exact.within(all) { exact } else { all };
+        match (which, args) {
+            (Intrinsic::Abs, [x]) => all.meet(x.abs()),
+            (Intrinsic::Min, [x, y]) => x.min(*y),
+            (Intrinsic::Max, [x, y]) => x.max(*y),
+            (Intrinsic::Clamp, [x, low, high]) => x.max(*low).min(*high),
+            (Intrinsic::WrappingAdd, [x, y]) => wrapped(x.add(*y)),
+            (Intrinsic::WrappingSub, [x, y]) => wrapped(x.sub(*y)),
+            (Intrinsic::WrappingMul, [x, y]) => wrapped(x.corners(*y, i128::saturating_mul)),
+            _ => all,
+        }
+    }
+
+    /// What is left when one value is known not to occur.
+    pub(crate) fn without(self, value: i128) -> Interval {
+        if self.low == self.high {
+            self
+        } else if value == self.low {
+            Interval { low: self.low + 1, high: self.high }
+        } else if value == self.high {
+            Interval { low: self.low, high: self.high - 1 }
+        } else {
+            self
+        }
+    }
+}
+
+impl std::fmt::Display for Interval {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self.single() {
+            Some(value) => write!(f, "{value}"),
+            None => write!(f, "{}..={}", self.low, self.high),
+        }
+    }
+}

@@ -1,0 +1,240 @@
+//! Statements made explicit, one function at a time.
+//!
+//! Pre- and postcondition: see [`flatten`](super::flatten). In addition, a value that would be written
+//! into a place that it still reads goes through a local; the bounds of a loop that its body changes,
+//! or that call, are kept before it; a check that is known to hold goes away.
+
+use bessemer_ir::{
+    Arm, Block, Expr, ExprKind, Fault, Function, LocalId, Module, Place, Span, Stmt,
+    StmtKind,
+};
+
+use super::Remaining;
+use super::facts::Facts;
+use super::flatten::when;
+use super::names::{self, Names, Purpose};
+use super::places::{disturbs, lent, load, moves, reads, weight, whole, writes};
+use super::positions::{Callee, Position};
+use super::ranges::Interval;
+
+/// A function on its way.
+pub(super) struct Lowering<'m> {
+    pub(super) module: &'m Module,
+    /// Of the functions before this one.
+    pub(super) callees: &'m [Callee],
+    pub(super) function: Function,
+    pub(super) facts: Facts<'m>,
+    /// The statements of the block so far.
+    pub(super) out: Vec<Stmt>,
+    /// What the statement writes to, as the stem of names.
+    pub(super) base: String,
+    pub(super) names: Names,
+    remaining: Vec<Remaining>,
+}
+
+/// Makes one function explicit; the checks that it needs.
+pub(super) fn function(
+    module: &Module,
+    callees: &[Callee],
+    mut function: Function,
+) -> (Function, Vec<Remaining>) {
+    let body = std::mem::take(&mut function.body);
+    let names = Names::of(&function);
+    let facts = Facts::new(module);
+    let (out, base, remaining) = (Vec::new(), String::new(), Vec::new());
+    let mut lowering = Lowering { module, callees, function, facts, out, base, names, remaining };
+    let body = lowering.block(body);
+    let Lowering { mut function, remaining, .. } = lowering;
+    function.body = body;
+    (function, remaining)
+}
+
+impl Lowering<'_> {
+    fn block(&mut self, block: Block) -> Block {
+        let outer = std::mem::take(&mut self.out);
+        block.0.into_iter().for_each(|stmt| self.stmt(stmt));
+        Block(std::mem::replace(&mut self.out, outer))
+    }
+
+    fn stmt(&mut self, stmt: Stmt) {
+        let Stmt { kind, span, comments } = stmt;
+        let start = self.out.len();
+        self.base.clear();
+        match kind {
+            StmtKind::Let { local, value } => self.declaration(local, value, span),
+            StmtKind::Assign { place, value } => self.assign(place, value, span),
+            StmtKind::Expr(expr) => self.effect(expr, span),
+            StmtKind::If { condition, then, otherwise } => self.branch(condition, then, otherwise, span),
+            StmtKind::Match { scrutinee, arms, otherwise } => {
+                self.select(scrutinee, arms, otherwise, span);
+            }
+            StmtKind::For { .. } => self.repeat(kind, span),
+            StmtKind::Check { condition, fault } => self.assertion(condition, fault, span),
+            StmtKind::Return(Some(value)) => {
+                self.base = self.function.result_name.clone();
+                let value = self.lower(value, Position::Whole, Purpose::Operand);
+                self.emit(StmtKind::Return(Some(value)), span);
+            }
+            StmtKind::Return(None) | StmtKind::Break | StmtKind::Continue => self.emit(kind, span),
+        }
+        if let Some(first) = self.out.get_mut(start)
+            && !comments.is_empty()
+        {
+            first.comments = comments;
+        }
+    }
+
+    fn declaration(&mut self, local: LocalId, value: Option<Expr>, span: Span) {
+        self.base = self.function.local(local).name.clone();
+        let value = value.map(|value| self.lower(value, Position::Whole, Purpose::Operand));
+        let known = value.as_ref().and_then(|value| self.facts.value(value));
+        self.facts.forget(&value.as_ref().map(lent).unwrap_or_default());
+        self.facts.assign(&whole(local), known);
+        self.emit(StmtKind::Let { local, value }, span);
+    }
+
+    fn assign(&mut self, place: Place, value: Expr, span: Span) {
+        self.base = names::place(self.module, &self.function, &place);
+        let mut value = self.lower(value, Position::Whole, Purpose::Operand);
+        let (known, written) = (self.facts.value(&value), lent(&value));
+        self.facts.forget(&written);
+        let start = self.out.len();
+        let place = self.place(place);
+        if self.is_statement(&value) && (self.out.len() > start || moves(&place, &written)) {
+            let next = self.wish(Purpose::Part("next"), &value);
+            self.keep_at(&mut value, &mut start.clone(), &next);
+        } else {
+            self.protect(start, |this, at, written| this.protect_value(&mut value, at, written));
+        }
+        if disturbs(&place, &value, self.through_pointer(&value)) {
+            value = self.keep(value, Purpose::Part("next"));
+        }
+        self.facts.assign(&place, known);
+        self.emit(StmtKind::Assign { place, value }, span);
+    }
+
+    /// Whether a value is a call that has to be a statement.
+    fn is_statement(&self, value: &Expr) -> bool {
+        match &value.kind {
+            ExprKind::Call(callee, _) => !self.callees.get(callee.index()).is_some_and(|c| c.nests),
+            _ => false,
+        }
+    }
+
+    /// Whether the result of a value that is a call travels through a pointer.
+    fn through_pointer(&self, value: &Expr) -> bool {
+        match &value.kind {
+            ExprKind::Call(callee, _) => self.callees.get(callee.index()).is_some_and(|c| c.through_pointer),
+            _ => false,
+        }
+    }
+
+    fn effect(&mut self, expr: Expr, span: Span) {
+        match expr.kind {
+            ExprKind::Logic(op, condition, effect) => {
+                let effect = Stmt { kind: StmtKind::Expr(*effect), span, comments: Vec::new() };
+                self.stmt(Stmt {
+                    kind: when(op, *condition, vec![effect], span),
+                    span,
+                    comments: Vec::new(),
+                });
+            }
+            _ => {
+                let expr = self.lower(expr, Position::Whole, Purpose::Operand);
+                if expr.ty.is_aggregate() && !matches!(expr.kind, ExprKind::Call(..)) {
+                    return;
+                }
+                self.facts.forget(&lent(&expr));
+                self.emit(StmtKind::Expr(expr), span);
+            }
+        }
+    }
+
+    fn branch(&mut self, condition: Expr, then: Block, otherwise: Block, span: Span) {
+        let condition = self.word(condition);
+        let other = self.facts.assuming(&condition, false);
+        self.facts.assume(&condition, true);
+        let then = self.block(then);
+        let facts = std::mem::replace(&mut self.facts, other);
+        let otherwise = self.block(otherwise);
+        let ends = vec![(facts, diverges(&then)), (self.facts.clone(), diverges(&otherwise))];
+        self.facts.after(ends);
+        self.emit(StmtKind::If { condition, then, otherwise }, span);
+    }
+
+    fn select(&mut self, scrutinee: Expr, arms: Vec<Arm>, otherwise: Option<Block>, span: Span) {
+        let scrutinee = self.word(scrutinee);
+        let before = self.facts.clone();
+        let mut ends = Vec::new();
+        let mut all = Vec::new();
+        let mut done = Vec::new();
+        for Arm { values, body } in arms {
+            self.facts = before.clone();
+            self.facts.select(&scrutinee, &values);
+            let body = self.block(body);
+            ends.push((self.facts.clone(), diverges(&body)));
+            all.extend(values.iter().copied());
+            done.push(Arm { values, body });
+        }
+        let otherwise = otherwise.map(|otherwise| {
+            self.facts = before.clone();
+            self.facts.exclude(&scrutinee, all);
+            let otherwise = self.block(otherwise);
+            ends.push((self.facts.clone(), diverges(&otherwise)));
+            otherwise
+        });
+        self.facts = before;
+        self.facts.after(ends);
+        self.emit(StmtKind::Match { scrutinee, arms: done, otherwise }, span);
+    }
+
+    fn repeat(&mut self, kind: StmtKind, span: Span) {
+        let StmtKind::For { variable, from, to, inclusive, reversed, body } = kind else { return };
+        let name = self.function.local(variable).name.clone();
+        let ty = self.function.local(variable).ty.clone();
+        let (mut from, mut to) = self.pair(from, to);
+        let written = writes(&body.0);
+        let changes = |bound: &Expr| reads(bound, &written) || weight(bound) >= 100;
+        if changes(&from) {
+            from = self.keep(from, Purpose::Named(&format!("{name}_start")));
+        }
+        if changes(&to) {
+            to = self.keep(to, Purpose::Named(&format!("{name}_end")));
+        }
+        let ranges: (Interval, Interval) = (self.facts.range(&from), self.facts.range(&to));
+        self.facts.enter_loop(variable, &written);
+        let head = self.facts.clone();
+        let counter = load(variable, &ty, span);
+        self.facts.enter_body(&counter, (&from, &to), ranges, inclusive);
+        let body = self.block(body);
+        self.facts = head;
+        self.emit(StmtKind::For { variable, from, to, inclusive, reversed, body }, span);
+    }
+
+    /// A check of the author's.
+    fn assertion(&mut self, condition: Expr, fault: Fault, span: Span) {
+        let condition = self.word(condition);
+        if self.facts.proves(&condition) {
+            return;
+        }
+        self.facts.assume(&condition, true);
+        self.remain(fault, span, "it is not known to hold".to_string());
+        self.emit(StmtKind::Check { condition, fault }, span);
+    }
+
+    pub(super) fn remain(&mut self, fault: Fault, span: Span, reason: String) {
+        self.remaining.push(Remaining { fault, span, reason });
+    }
+}
+
+/// Whether control never reaches the end of a block.
+pub(super) fn diverges(block: &Block) -> bool {
+    block.0.iter().any(|stmt| match &stmt.kind {
+        StmtKind::Return(_) | StmtKind::Break | StmtKind::Continue => true,
+        StmtKind::If { then, otherwise, .. } => diverges(then) && diverges(otherwise),
+        StmtKind::Match { arms, otherwise, .. } => {
+            arms.iter().all(|arm| diverges(&arm.body)) && otherwise.as_ref().is_none_or(diverges)
+        }
+        _ => false,
+    })
+}

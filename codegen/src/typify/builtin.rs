@@ -1,0 +1,192 @@
+//! The DSL's own operations: which IR node each is, and the type of its result.
+
+use bessemer_ir::tree;
+use bessemer_ir::{Expr, ExprKind, Float, Int, Intrinsic, Routine, Scalar, Type};
+
+use super::expr::{OUR_FAULT, Operand};
+use super::function::Lowering;
+use super::{Result, problem};
+
+/// What a builtin lowers to.
+enum Meaning {
+    Scalar(Intrinsic),
+    Linear(Routine),
+    New,
+    Zeros,
+    Identity,
+    Splat,
+}
+
+fn meaning(name: &str) -> Option<Meaning> {
+    use Meaning::{Linear, Scalar};
+    Some(match name {
+        "sqrt" => Scalar(Intrinsic::Sqrt),
+        "floor" => Scalar(Intrinsic::Floor),
+        "to_bits" => Scalar(Intrinsic::ToBits),
+        "from_bits" => Scalar(Intrinsic::FromBits),
+        "copysign" => Scalar(Intrinsic::Copysign),
+        "abs" => Scalar(Intrinsic::Abs),
+        "min" => Scalar(Intrinsic::Min),
+        "max" => Scalar(Intrinsic::Max),
+        "clamp" => Scalar(Intrinsic::Clamp),
+        "wrapping_add" => Scalar(Intrinsic::WrappingAdd),
+        "wrapping_sub" => Scalar(Intrinsic::WrappingSub),
+        "wrapping_mul" => Scalar(Intrinsic::WrappingMul),
+        "transpose" => Linear(Routine::Transpose),
+        "dot" => Linear(Routine::Dot),
+        "cross" => Linear(Routine::Cross),
+        "norm" => Linear(Routine::Norm),
+        "norm_squared" => Linear(Routine::NormSquared),
+        "component_mul" => Linear(Routine::ComponentMul),
+        "component_div" => Linear(Routine::ComponentDiv),
+        "tr_mul" => Linear(Routine::TrMul),
+        "matrix_new" => Meaning::New,
+        "zeros" => Meaning::Zeros,
+        "identity" => Meaning::Identity,
+        "from_element" => Meaning::Splat,
+        _ => return None,
+    })
+}
+
+impl Lowering<'_, '_> {
+    pub(super) fn builtin(
+        &mut self,
+        name: &str,
+        arguments: &[tree::Expr],
+        expr: &tree::Expr,
+    ) -> Result<Expr> {
+        let Some(meaning) = meaning(name) else {
+            return problem(expr.site, format!("`{name}` has no meaning"), OUR_FAULT);
+        };
+        match meaning {
+            Meaning::Scalar(op) => self.intrinsic(op, arguments, expr),
+            Meaning::Linear(routine) => self.routine(routine, arguments, expr),
+            _ => {
+                let ty = self.slot_of(expr)?;
+                self.constructor(&meaning, arguments, ty, expr)
+            }
+        }
+    }
+
+    fn intrinsic(
+        &mut self,
+        op: Intrinsic,
+        arguments: &[tree::Expr],
+        expr: &tree::Expr,
+    ) -> Result<Expr> {
+        // Operands and result are of one type, save for the two that change it.
+        let expected = match op {
+            Intrinsic::ToBits => None,
+            Intrinsic::FromBits => match self.slot_of(expr)?.as_float() {
+                Some(Float::F32) => Some(Type::Scalar(Scalar::Int(Int::U32))),
+                _ => Some(Type::Scalar(Scalar::Int(Int::U64))),
+            },
+            _ => expr.slot.map(|slot| self.slot(slot, expr.site)).transpose()?,
+        };
+        let values = self.uniform(arguments, expected)?;
+        let Some(first) = values.first() else {
+            return problem(expr.site, "this takes an operand", OUR_FAULT);
+        };
+        let ty = match (op, first.ty.as_float(), first.ty.as_int()) {
+            (Intrinsic::ToBits, Some(Float::F32), _) => Type::Scalar(Scalar::Int(Int::U32)),
+            (Intrinsic::ToBits, Some(Float::F64), _) => Type::Scalar(Scalar::Int(Int::U64)),
+            (Intrinsic::FromBits, _, Some(Int::U32)) => Type::F32,
+            (Intrinsic::FromBits, _, Some(Int::U64)) => Type::F64,
+            _ => first.ty.clone(),
+        };
+        self.node(ExprKind::Intrinsic(op, values), ty, expr.site)
+    }
+
+    fn uniform(
+        &mut self,
+        arguments: &[tree::Expr],
+        expected: Option<Type>,
+    ) -> Result<Vec<Expr>> {
+        let roles = ["left", "middle", "right"];
+        let operands: Vec<_> = arguments
+            .iter()
+            .enumerate()
+            .map(|(index, expr)| Operand {
+                expr,
+                expected: expected.clone(),
+                role: roles.get(index).copied().unwrap_or("element"),
+            })
+            .collect();
+        self.operands(&operands)
+    }
+
+    fn routine(
+        &mut self,
+        routine: Routine,
+        arguments: &[tree::Expr],
+        expr: &tree::Expr,
+    ) -> Result<Expr> {
+        let values = self.uniform(arguments, None)?;
+        let shape = |index: usize| match values.get(index).map(|value| &value.ty) {
+            Some(Type::Matrix { element, rows, cols }) => Some((*element, *rows, *cols)),
+            _ => None,
+        };
+        let Some((element, rows, cols)) = shape(0) else {
+            return problem(expr.site, "this takes a matrix or vector", OUR_FAULT);
+        };
+        let ty = match routine {
+            Routine::Transpose => Type::Matrix { element, rows: cols, cols: rows },
+            Routine::Dot | Routine::Norm | Routine::NormSquared => Type::Scalar(element),
+            Routine::TrMul => match shape(1) {
+                Some((_, _, right)) => Type::Matrix { element, rows: cols, cols: right },
+                None => return problem(expr.site, "this takes a matrix or vector", OUR_FAULT),
+            },
+            _ => Type::Matrix { element, rows, cols },
+        };
+        self.node(ExprKind::Routine(routine, values), ty, expr.site)
+    }
+
+    fn constructor(
+        &mut self,
+        meaning: &Meaning,
+        arguments: &[tree::Expr],
+        ty: Type,
+        expr: &tree::Expr,
+    ) -> Result<Expr> {
+        let Type::Matrix { element, rows, cols } = ty else {
+            return problem(expr.site, "this is not a matrix", OUR_FAULT);
+        };
+        let scalar = Type::Scalar(element);
+        let kind = match meaning {
+            Meaning::New => {
+                // The author writes rows; the IR, as nalgebra, stores columns.
+                let by_rows = self.uniform(arguments, Some(scalar))?;
+                let by_columns = (0..rows * cols)
+                    .map(|index| by_rows[((index % rows) * cols + index / rows) as usize].clone())
+                    .collect();
+                ExprKind::Matrix(by_columns)
+            }
+            Meaning::Splat => {
+                let value = self.uniform(arguments, Some(scalar))?;
+                match value.into_iter().next() {
+                    Some(value) => ExprKind::Splat(Box::new(value)),
+                    None => return problem(expr.site, "this takes an element", OUR_FAULT),
+                }
+            }
+            Meaning::Identity => {
+                let elements = (0..rows * cols).map(|index| {
+                    self.number(u32::from(index % rows == index / rows), element, expr)
+                });
+                ExprKind::Matrix(elements.collect())
+            }
+            _ => ExprKind::Splat(Box::new(self.number(0, element, expr))),
+        };
+        self.node(kind, ty, expr.site)
+    }
+
+    /// The literal 0 or 1 of a scalar type.
+    fn number(&mut self, value: u32, scalar: Scalar, expr: &tree::Expr) -> Expr {
+        let word = match scalar {
+            Scalar::Float(Float::F64) => f64::from(value).to_bits(),
+            Scalar::Float(Float::F32) => u64::from((value as f32).to_bits()),
+            _ => u64::from(value),
+        };
+        let span = self.span(expr.site);
+        Expr { kind: ExprKind::Literal(word), ty: Type::Scalar(scalar), span }
+    }
+}

@@ -1,0 +1,343 @@
+//! Control flow: statements, and values that control flow decides.
+
+use bessemer_ir::tree::{self, Site};
+use bessemer_ir::{
+    Arm, Block, Expr, ExprKind, Fault, Int, LocalId, Mode, Place, Scalar, StmtKind, Type,
+};
+
+use super::function::{Lowering, Target, control_with_value};
+use super::{Result, problem};
+
+impl Lowering<'_, '_> {
+    /// Computes `expr` and sends its value to `target`.
+    pub(super) fn into(&mut self, expr: &tree::Expr, target: &Target) -> Result<()> {
+        match &expr.kind {
+            tree::ExprKind::If(condition, then, Some(otherwise)) => {
+                let span = self.span(expr.site);
+                let condition = self.value(condition, Some(&Type::BOOL))?;
+                let then = self.block_into(then, target)?;
+                let otherwise = self.branch_into(otherwise, target)?;
+                self.emit(StmtKind::If { condition, then, otherwise }, span);
+                Ok(())
+            }
+            tree::ExprKind::Match(scrutinee, arms) => {
+                self.match_stmt(expr.site, scrutinee, arms, Some(target))
+            }
+            tree::ExprKind::Block(block) => {
+                let Block(stmts) = self.block_into(block, target)?;
+                self.out.extend(stmts);
+                Ok(())
+            }
+            tree::ExprKind::Return(_) | tree::ExprKind::Break | tree::ExprKind::Continue => {
+                self.effect(expr)
+            }
+            _ => self.store(expr, target),
+        }
+    }
+
+    fn store(&mut self, expr: &tree::Expr, target: &Target) -> Result<()> {
+        let ty = match target {
+            Target::Place(place) => place.ty.clone(),
+            Target::Return => self.result.clone(),
+        };
+        let value = self.value(expr, Some(&ty))?;
+        self.agree(&value.ty, &ty, expr.site)?;
+        let span = value.span;
+        let kind = match target {
+            Target::Place(place) => StmtKind::Assign { place: place.clone(), value },
+            Target::Return => StmtKind::Return(Some(value)),
+        };
+        self.emit(kind, span);
+        Ok(())
+    }
+
+    fn block_into(&mut self, block: &tree::Block, target: &Target) -> Result<Block> {
+        self.scoped(|inner| {
+            inner.stmts(block)?;
+            match &block.tail {
+                Some(tail) => inner.into(tail, target),
+                // Every path has left: `return`, `break` or `continue`.
+                None => Ok(()),
+            }
+        })
+    }
+
+    /// `else`: an `if`, or a block that is the branch itself.
+    fn branch_into(&mut self, expr: &tree::Expr, target: &Target) -> Result<Block> {
+        match &expr.kind {
+            tree::ExprKind::Block(block) => self.block_into(block, target),
+            _ => self.scoped(|inner| inner.into(expr, target)),
+        }
+    }
+
+    /// Runs `expr` for its effect.
+    pub(super) fn effect(&mut self, expr: &tree::Expr) -> Result<()> {
+        let span = self.span(expr.site);
+        match &expr.kind {
+            tree::ExprKind::Assign(op, place, value) => self.assign(*op, place, value, expr.site),
+            tree::ExprKind::If(condition, then, otherwise) => {
+                let condition = self.value(condition, Some(&Type::BOOL))?;
+                let then = self.block_effect(then)?;
+                let otherwise = match otherwise {
+                    Some(otherwise) => match &otherwise.kind {
+                        tree::ExprKind::Block(block) => self.block_effect(block)?,
+                        _ => self.scoped(|inner| inner.effect(otherwise))?,
+                    },
+                    None => Block::default(),
+                };
+                self.emit(StmtKind::If { condition, then, otherwise }, span);
+                Ok(())
+            }
+            tree::ExprKind::Match(scrutinee, arms) => {
+                self.match_stmt(expr.site, scrutinee, arms, None)
+            }
+            tree::ExprKind::Block(block) => {
+                let Block(stmts) = self.block_effect(block)?;
+                self.out.extend(stmts);
+                Ok(())
+            }
+            tree::ExprKind::For { name, slot, range, body } => {
+                self.for_stmt(expr.site, name, *slot, range, body)
+            }
+            tree::ExprKind::Return(value) => self.return_stmt(value.as_deref(), expr.site),
+            tree::ExprKind::Break => {
+                self.emit(StmtKind::Break, span);
+                Ok(())
+            }
+            tree::ExprKind::Continue => {
+                self.emit(StmtKind::Continue, span);
+                Ok(())
+            }
+            tree::ExprKind::Assert(condition) => self.assert_stmt(condition, expr.site),
+            tree::ExprKind::Tuple(parts) if parts.is_empty() => Ok(()),
+            _ => {
+                let value = self.value(expr, None)?;
+                self.emit(StmtKind::Expr(value), span);
+                Ok(())
+            }
+        }
+    }
+
+    fn block_effect(&mut self, block: &tree::Block) -> Result<Block> {
+        self.scoped(|inner| {
+            inner.stmts(block)?;
+            match &block.tail {
+                Some(tail) => inner.effect(tail),
+                None => Ok(()),
+            }
+        })
+    }
+
+    fn return_stmt(&mut self, value: Option<&tree::Expr>, site: Site) -> Result<()> {
+        match value {
+            Some(value) if self.result != Type::Unit => {
+                let naming = std::mem::replace(&mut self.naming, "result".into());
+                self.into(value, &Target::Return)?;
+                self.naming = naming;
+            }
+            Some(value) => {
+                self.effect(value)?;
+                let span = self.span(site);
+                self.emit(StmtKind::Return(None), span);
+            }
+            None => {
+                let span = self.span(site);
+                self.emit(StmtKind::Return(None), span);
+            }
+        }
+        Ok(())
+    }
+
+    fn assert_stmt(&mut self, condition: &tree::Expr, site: Site) -> Result<()> {
+        let naming = std::mem::replace(&mut self.naming, String::new());
+        let condition = self.value(condition, Some(&Type::BOOL))?;
+        // A check's condition cannot fault, so it is computed first.
+        let condition = self.temporary("asserted", condition);
+        self.naming = naming;
+        let span = self.span(site);
+        self.emit(StmtKind::Check { condition, fault: Fault::Assertion }, span);
+        Ok(())
+    }
+
+    /// `place = value`, `place op= value`.
+    fn assign(
+        &mut self,
+        op: Option<tree::BinaryOp>,
+        place: &tree::Expr,
+        value: &tree::Expr,
+        site: Site,
+    ) -> Result<()> {
+        let name = self.name_of(place);
+        let naming = std::mem::replace(&mut self.naming, name);
+        let span = self.span(site);
+        match op {
+            None if control_with_value(value) => {
+                let target = self.writable(place)?;
+                self.into(value, &Target::Place(target))?;
+            }
+            None => {
+                let ty = self.place_type(place)?;
+                let value = self.value(value, Some(&ty))?;
+                self.agree(&value.ty, &ty, site)?;
+                let place = self.writable(place)?;
+                self.emit(StmtKind::Assign { place, value }, span);
+            }
+            Some(op) => {
+                let ty = self.place_type(place)?;
+                let expected = self.compound_operand(op, &ty);
+                let mut value = self.value(value, expected.as_ref())?;
+                let place = self.writable(place)?;
+                if !place.steps.iter().all(super::place::is_fixed) && !is_simple(&value) {
+                    // Rust computes the operand before the place.
+                    value = self.temporary("operand", value);
+                }
+                let kind = ExprKind::Load(place.clone());
+                let current = Expr { kind, ty: ty.clone(), span: place.span };
+                let value = self.binary_node(op, current, value, site)?;
+                self.agree(&value.ty, &ty, site)?;
+                self.emit(StmtKind::Assign { place, value }, span);
+            }
+        }
+        self.naming = naming;
+        Ok(())
+    }
+
+    fn for_stmt(
+        &mut self,
+        site: Site,
+        name: &str,
+        slot: u32,
+        range: &tree::Range,
+        body: &tree::Block,
+    ) -> Result<()> {
+        let (ty, span) = (self.slot(slot, site)?, self.span(site));
+        let from = self.value(&range.from, Some(&ty))?;
+        let to = self.value(&range.to, Some(&ty))?;
+        let mut variable = LocalId(0);
+        let body = self.scoped(|inner| {
+            let name = if name.starts_with('_') { "pass" } else { name };
+            variable = inner.declare(name, ty, Mode::Value, span);
+            inner.stmts(body)
+        })?;
+        let (inclusive, reversed) = (range.inclusive, range.reversed);
+        self.emit(StmtKind::For { variable, from, to, inclusive, reversed, body }, span);
+        Ok(())
+    }
+
+    /// `match`, its value to `target` if one is wanted.
+    fn match_stmt(
+        &mut self,
+        site: Site,
+        scrutinee: &tree::Expr,
+        arms: &[tree::Arm],
+        target: Option<&Target>,
+    ) -> Result<()> {
+        let span = self.span(site);
+        let scrutinee = self.value(scrutinee, None)?;
+        let mut lowered: Vec<Arm> = Vec::new();
+        let mut otherwise = None;
+        for arm in arms {
+            let values = self.arm_values(arm, &scrutinee.ty)?;
+            let body = self.scoped(|inner| match (target, &arm.body.kind) {
+                (Some(target), _) => inner.into(&arm.body, target),
+                (None, _) => inner.effect(&arm.body),
+            })?;
+            match values {
+                // Earlier arms win, in Rust and so here.
+                Some(mut values) => {
+                    values.retain(|value| !lowered.iter().any(|arm| arm.values.contains(value)));
+                    if !values.is_empty() {
+                        lowered.push(Arm { values, body });
+                    }
+                }
+                None => {
+                    otherwise = Some(body);
+                    break;
+                }
+            }
+        }
+        if scrutinee.ty == Type::BOOL {
+            return self.match_bool(scrutinee, lowered, otherwise, span);
+        }
+        if lowered.is_empty() {
+            self.emit(StmtKind::Expr(scrutinee), span);
+            self.out.extend(otherwise.unwrap_or_default().0);
+            return Ok(());
+        }
+        self.emit(StmtKind::Match { scrutinee, arms: lowered, otherwise }, span);
+        Ok(())
+    }
+
+    fn match_bool(
+        &mut self,
+        condition: Expr,
+        arms: Vec<Arm>,
+        otherwise: Option<Block>,
+        span: bessemer_ir::Span,
+    ) -> Result<()> {
+        let mut arms: Vec<(bool, Block)> =
+            arms.into_iter().map(|arm| (arm.values.contains(&1), arm.body)).collect();
+        let mut take = |wanted: bool| {
+            arms.iter().position(|(value, _)| *value == wanted).map(|index| arms.remove(index).1)
+        };
+        let (then, els) = (take(true), take(false));
+        let otherwise = otherwise.unwrap_or_default();
+        let then = then.unwrap_or_else(|| otherwise.clone());
+        let els = els.unwrap_or(otherwise);
+        self.emit(StmtKind::If { condition, then, otherwise: els }, span);
+        Ok(())
+    }
+
+    /// The values that an arm names; none for `_`.
+    fn arm_values(&mut self, arm: &tree::Arm, ty: &Type) -> Result<Option<Vec<i128>>> {
+        if arm.patterns.is_empty() {
+            return Ok(None);
+        }
+        let mut values = Vec::new();
+        for pattern in &arm.patterns {
+            let literal = self.value(pattern, Some(ty))?;
+            self.agree(&literal.ty, ty, pattern.site)?;
+            let word = match &literal.kind {
+                ExprKind::Literal(word) => *word,
+                ExprKind::Const(id) => self.cx.module.consts[id.index()].words[0],
+                _ => 0,
+            };
+            let value = match ty {
+                Type::Scalar(Scalar::Int(int)) => int.from_word(word),
+                Type::Enum(_) | Type::Scalar(Scalar::Bool) => Int::U64.from_word(word),
+                _ => {
+                    return problem(
+                        pattern.site,
+                        "`match` takes integers and plain enums in the DSL",
+                        "compare with `if`",
+                    );
+                }
+            };
+            values.push(value);
+        }
+        Ok(Some(values))
+    }
+
+    /// What to call what goes into a place: its last field, or its variable.
+    fn name_of(&self, place: &tree::Expr) -> String {
+        match &place.kind {
+            tree::ExprKind::Local(name) | tree::ExprKind::Field(_, name) => name.clone(),
+            tree::ExprKind::Index(base, _)
+            | tree::ExprKind::Deref(base)
+            | tree::ExprKind::Ref(_, base) => self.name_of(base),
+            _ => "value".into(),
+        }
+    }
+
+    /// The place that an assignment writes.
+    fn writable(&mut self, expr: &tree::Expr) -> Result<Place> {
+        match self.place(expr)? {
+            Some(place) => Ok(place),
+            None => problem(expr.site, "this is not a place to assign", "assign a variable or a field"),
+        }
+    }
+}
+
+fn is_simple(expr: &Expr) -> bool {
+    matches!(expr.kind, ExprKind::Literal(_) | ExprKind::Const(_) | ExprKind::Load(_))
+}

@@ -1,0 +1,531 @@
+//! Expressions: each gets its type from its operands, and rustc's slot has to agree.
+
+use bessemer_ir::tree::{self, BinaryOp as Op, Site};
+use bessemer_ir::{
+    visit::{self, Visit}, Argument, BinaryOp, CompareOp, Expr, ExprKind, FunctionId, LocalId, LogicOp, Mode, Place,
+    Routine, Stmt, StmtKind, Type, UnaryOp,
+};
+
+use super::function::{Lowering, Target, control_with_value};
+use super::{Result, literal, problem};
+
+/// The remedy where the tool contradicts itself.
+pub(super) const OUR_FAULT: &str = "this is a fault of Bessemer; please report it with this line";
+
+/// An operand still to be lowered: the expression, the type expected of it, and its role.
+pub(super) struct Operand<'e> {
+    pub expr: &'e tree::Expr,
+    pub expected: Option<Type>,
+    pub role: &'static str,
+}
+
+impl Lowering<'_, '_> {
+    /// The value of `expr`; what it needs done before is emitted.
+    pub(super) fn value(&mut self, expr: &tree::Expr, expected: Option<&Type>) -> Result<Expr> {
+        let value = self.bare_value(expr, expected)?;
+        if let Some(slot) = expr.slot {
+            let rustc = self.slot(slot, expr.site)?;
+            self.agree(&value.ty, &rustc, expr.site)?;
+        }
+        Ok(value)
+    }
+
+    fn bare_value(&mut self, expr: &tree::Expr, expected: Option<&Type>) -> Result<Expr> {
+        let site = expr.site;
+        match &expr.kind {
+            tree::ExprKind::Bool(value) => {
+                self.node(ExprKind::Literal(u64::from(*value)), Type::BOOL, site)
+            }
+            tree::ExprKind::Int(digits, suffix) => {
+                self.integer(digits, false, *suffix, expected, site)
+            }
+            tree::ExprKind::Float(digits, suffix) => {
+                let scalar = literal::float_type(*suffix, expected);
+                let word = literal::float(digits, scalar, site)?;
+                self.node(ExprKind::Literal(word), Type::Scalar(scalar), site)
+            }
+            tree::ExprKind::Path(index, name) => self.path(*index, name, site),
+            tree::ExprKind::Unary(op, operand) => self.unary(*op, operand, expected, site),
+            tree::ExprKind::Binary(op, left, right) => self.binary(*op, left, right, expr),
+            tree::ExprKind::Call(callee, arguments) => self.call(*callee, arguments, expr),
+            tree::ExprKind::Struct(fields) => self.struct_value(fields, expr),
+            tree::ExprKind::Array(elements) => self.array(elements, expr),
+            tree::ExprKind::Repeat(element) => {
+                let ty = self.slot_of(expr)?;
+                let Type::Array { element: inner, .. } = &ty else {
+                    return problem(site, "this is not an array", OUR_FAULT);
+                };
+                let element = self.value(element, Some(inner))?;
+                self.node(ExprKind::Splat(Box::new(element)), ty, site)
+            }
+            tree::ExprKind::Cast(operand) => self.cast(operand, expr),
+            _ if control_with_value(expr) => self.control_value(expr, expected),
+            _ => match self.place(expr)? {
+                Some(place) => {
+                    let ty = place.ty.clone();
+                    self.node(ExprKind::Load(place), ty, site)
+                }
+                None => match &expr.kind {
+                    tree::ExprKind::Ref(_, inner) | tree::ExprKind::Deref(inner) => {
+                        self.value(inner, expected)
+                    }
+                    _ => problem(site, "this has no value", "write a value here"),
+                },
+            },
+        }
+    }
+
+    pub(super) fn node(&mut self, kind: ExprKind, ty: Type, site: Site) -> Result<Expr> {
+        let span = self.span(site);
+        Ok(Expr { kind, ty, span })
+    }
+
+    pub(super) fn slot_of(&self, expr: &tree::Expr) -> Result<Type> {
+        match expr.slot {
+            Some(slot) => self.slot(slot, expr.site),
+            None => problem(expr.site, "rustc was not asked for this type", OUR_FAULT),
+        }
+    }
+
+    fn integer(
+        &mut self,
+        digits: &str,
+        negative: bool,
+        suffix: Option<bessemer_ir::Scalar>,
+        expected: Option<&Type>,
+        site: Site,
+    ) -> Result<Expr> {
+        let scalar = literal::integer_type(suffix, expected);
+        let word = literal::integer(digits, negative, scalar, site)?;
+        self.node(ExprKind::Literal(word), Type::Scalar(scalar), site)
+    }
+
+    fn path(&mut self, index: u32, name: &str, site: Site) -> Result<Expr> {
+        let source = self.source;
+        let Some(constant) = source.constants.get(index as usize) else {
+            return problem(site, "the tree names a constant that is not there", OUR_FAULT);
+        };
+        let ty = self.cx.value_type(&constant.ty, site)?;
+        if let (Type::Enum(_), [word]) = (&ty, constant.words.as_slice()) {
+            return self.node(ExprKind::Literal(*word), ty, site);
+        }
+        let id = self.cx.constant(&self.module_path(), name, &ty, &constant.words);
+        self.node(ExprKind::Const(id), ty, site)
+    }
+
+    fn unary(
+        &mut self,
+        op: tree::UnaryOp,
+        operand: &tree::Expr,
+        expected: Option<&Type>,
+        site: Site,
+    ) -> Result<Expr> {
+        if let (tree::UnaryOp::Neg, tree::ExprKind::Int(digits, suffix)) = (op, &operand.kind) {
+            return self.integer(digits, true, *suffix, expected, site);
+        }
+        let operand = self.value(operand, expected)?;
+        let ty = operand.ty.clone();
+        let kind = match (op, &ty) {
+            (tree::UnaryOp::Neg, Type::Matrix { .. }) => {
+                ExprKind::Routine(Routine::Neg, vec![operand])
+            }
+            (tree::UnaryOp::Neg, Type::Scalar(_)) => {
+                ExprKind::Unary(UnaryOp::Neg, Box::new(operand))
+            }
+            (tree::UnaryOp::Not, Type::Scalar(_)) => {
+                ExprKind::Unary(UnaryOp::Not, Box::new(operand))
+            }
+            _ => return problem(site, "this operator does not take that type", "use a method"),
+        };
+        self.node(kind, ty, site)
+    }
+
+    fn binary(
+        &mut self,
+        op: Op,
+        left: &tree::Expr,
+        right: &tree::Expr,
+        expr: &tree::Expr,
+    ) -> Result<Expr> {
+        if let Some(op) = logic(op) {
+            return self.logic(op, left, right, expr.site);
+        }
+        let (for_left, for_right) = match (compare(op), expr.slot) {
+            (None, Some(slot)) => {
+                let result = self.slot(slot, expr.site)?;
+                let element = self.compound_operand(op, &result);
+                let left = match &result {
+                    Type::Matrix { element, .. } => Some(Type::Scalar(*element)),
+                    other => Some(other.clone()),
+                };
+                (left, element)
+            }
+            _ => {
+                let common = self.literal_partner(left, right)?;
+                (common.clone(), common)
+            }
+        };
+        let operands = self.operands(&[
+            Operand { expr: left, expected: for_left, role: "left" },
+            Operand { expr: right, expected: for_right, role: "right" },
+        ])?;
+        let [left, right] = two(operands, expr.site)?;
+        self.binary_node(op, left, right, expr.site)
+    }
+
+    /// What a literal on one side of a comparison is compared with.
+    fn literal_partner(&mut self, left: &tree::Expr, right: &tree::Expr) -> Result<Option<Type>> {
+        for (one, other) in [(left, right), (right, left)] {
+            if is_unsuffixed(one) && !is_unsuffixed(other) {
+                // Looked at for its type alone: what it emits is dropped.
+                let (statements, locals) = (std::mem::take(&mut self.out), self.locals.len());
+                let ty = self.value(other, None).map(|value| value.ty);
+                self.out = statements;
+                self.locals.truncate(locals);
+                return ty.map(Some);
+            }
+        }
+        Ok(None)
+    }
+
+    /// What the right operand of an arithmetic operator is expected to be.
+    pub(super) fn compound_operand(&self, op: Op, result: &Type) -> Option<Type> {
+        match (op, result) {
+            (Op::Shl | Op::Shr, _) => None,
+            (_, Type::Matrix { element, .. }) => Some(Type::Scalar(*element)),
+            (_, other) => Some(other.clone()),
+        }
+    }
+
+    pub(super) fn binary_node(
+        &mut self,
+        op: Op,
+        left: Expr,
+        right: Expr,
+        site: Site,
+    ) -> Result<Expr> {
+        let (left_ty, right_ty) = (left.ty.clone(), right.ty.clone());
+        if let Some(op) = compare(op) {
+            if left_ty != right_ty || !left_ty.is_word() {
+                return problem(site, "only scalars and plain enums are compared", "compare parts");
+            }
+            let kind = ExprKind::Compare(op, Box::new(left), Box::new(right));
+            return self.node(kind, Type::BOOL, site);
+        }
+        let Some(plain) = arithmetic(op) else {
+            return problem(site, "this operator is not in the DSL", OUR_FAULT);
+        };
+        let (kind, ty) = match (&left_ty, &right_ty) {
+            (Type::Scalar(_), Type::Scalar(_)) => {
+                (ExprKind::Binary(plain, Box::new(left), Box::new(right)), left_ty)
+            }
+            (Type::Matrix { .. }, _) | (_, Type::Matrix { .. }) => {
+                return self.matrix_binary(op, left, right, site);
+            }
+            _ => return problem(site, "this operator does not take these types", "use a method"),
+        };
+        self.node(kind, ty, site)
+    }
+
+    fn matrix_binary(&mut self, op: Op, left: Expr, right: Expr, site: Site) -> Result<Expr> {
+        let (left_ty, right_ty) = (left.ty.clone(), right.ty.clone());
+        let (routine, arguments, ty) = match (op, &left_ty, &right_ty) {
+            (Op::Add, Type::Matrix { .. }, _) => (Routine::Add, vec![left, right], left_ty),
+            (Op::Sub, Type::Matrix { .. }, _) => (Routine::Sub, vec![left, right], left_ty),
+            (Op::Mul, Type::Matrix { element, rows, .. }, Type::Matrix { cols, .. }) => {
+                let ty = Type::Matrix { element: *element, rows: *rows, cols: *cols };
+                (Routine::Product, vec![left, right], ty)
+            }
+            (Op::Mul, Type::Matrix { .. }, _) => (Routine::Scale, vec![left, right], left_ty),
+            (Op::Mul, _, Type::Matrix { .. }) => (Routine::Scale, vec![right, left], right_ty),
+            (Op::Div, Type::Matrix { .. }, Type::Scalar(_)) => {
+                (Routine::Unscale, vec![left, right], left_ty)
+            }
+            _ => return problem(site, "this operator does not take these types", "use a method"),
+        };
+        self.node(ExprKind::Routine(routine, arguments), ty, site)
+    }
+
+    /// `&&` and `||`: where the right side needs statements, they run only if it does.
+    fn logic(
+        &mut self,
+        op: LogicOp,
+        left: &tree::Expr,
+        right: &tree::Expr,
+        site: Site,
+    ) -> Result<Expr> {
+        let left = self.value(left, Some(&Type::BOOL))?;
+        let outer = std::mem::take(&mut self.out);
+        let right = self.value(right, Some(&Type::BOOL));
+        let inner = std::mem::replace(&mut self.out, outer);
+        let right = right?;
+        if inner.is_empty() {
+            let kind = ExprKind::Logic(op, Box::new(left), Box::new(right));
+            return self.node(kind, Type::BOOL, site);
+        }
+        let held = self.temporary("holds", left);
+        let ExprKind::Load(place) = held.kind.clone() else {
+            return problem(site, "a temporary is not a place", OUR_FAULT);
+        };
+        let span = held.span;
+        let mut body = inner;
+        body.push(Stmt {
+            kind: StmtKind::Assign { place, value: right },
+            span,
+            comments: Vec::new(),
+        });
+        let (body, empty) = (bessemer_ir::Block(body), bessemer_ir::Block::default());
+        let (then, otherwise) = match op {
+            LogicOp::And => (body, empty),
+            LogicOp::Or => (empty, body),
+        };
+        self.emit(StmtKind::If { condition: held.clone(), then, otherwise }, span);
+        Ok(held)
+    }
+
+    fn struct_value(&mut self, fields: &[(String, tree::Expr)], expr: &tree::Expr) -> Result<Expr> {
+        let ty = self.slot_of(expr)?;
+        let Type::Struct(id) = ty else {
+            return problem(expr.site, "this is not a struct", OUR_FAULT);
+        };
+        let declared = self.cx.module.structs[id.index()].fields.clone();
+        let expected = |name: &str| declared.iter().find(|field| field.name == name);
+        let operands: Vec<_> = fields
+            .iter()
+            .map(|(name, value)| Operand {
+                expr: value,
+                expected: expected(name).map(|field| field.ty.clone()),
+                role: "part",
+            })
+            .collect();
+        // In the author's order; then into the order of the definition.
+        let mut values: Vec<_> = self.operands(&operands)?.into_iter().map(Some).collect();
+        let mut ordered = Vec::new();
+        for field in &declared {
+            let index = fields.iter().position(|(name, _)| *name == field.name);
+            let value = index.and_then(|index| values[index].take());
+            let Some(value) = value else {
+                return problem(expr.site, format!("`{}` is missing", field.name), OUR_FAULT);
+            };
+            self.agree(&value.ty, &field.ty, expr.site)?;
+            ordered.push(value);
+        }
+        self.node(ExprKind::Struct(ordered), ty, expr.site)
+    }
+
+    fn array(&mut self, elements: &[tree::Expr], expr: &tree::Expr) -> Result<Expr> {
+        let ty = self.slot_of(expr)?;
+        let Type::Array { element, .. } = &ty else {
+            return problem(expr.site, "this is not an array", OUR_FAULT);
+        };
+        let operands: Vec<_> = elements
+            .iter()
+            .map(|expr| Operand { expr, expected: Some((**element).clone()), role: "element" })
+            .collect();
+        let elements = self.operands(&operands)?;
+        self.node(ExprKind::Array(elements), ty, expr.site)
+    }
+
+    fn cast(&mut self, operand: &tree::Expr, expr: &tree::Expr) -> Result<Expr> {
+        let ty = self.slot_of(expr)?;
+        // rustc gives an integer literal the type that it is cast to, if that is an integer.
+        let expected = ty.as_int().map(|_| ty.clone());
+        let operand = self.value(operand, expected.as_ref())?;
+        if !operand.ty.is_word() || !matches!(ty, Type::Scalar(_)) {
+            return problem(expr.site, "`as` converts scalars", "convert the parts");
+        }
+        self.node(ExprKind::Cast(Box::new(operand)), ty, expr.site)
+    }
+
+    /// Control flow as part of an expression: into a local of its own.
+    fn control_value(&mut self, expr: &tree::Expr, expected: Option<&Type>) -> Result<Expr> {
+        let ty = match (expr.slot, expected) {
+            (Some(_), _) => self.slot_of(expr)?,
+            (None, Some(ty)) => ty.clone(),
+            (None, None) => return problem(expr.site, "rustc was not asked for this type", OUR_FAULT),
+        };
+        let span = self.span(expr.site);
+        let local = self.temporary_local("choice", ty.clone(), span);
+        self.emit(StmtKind::Let { local, value: None }, span);
+        let place = Place { root: local, steps: Vec::new(), ty: ty.clone(), span };
+        self.into(expr, &Target::Place(place.clone()))?;
+        Ok(Expr { kind: ExprKind::Load(place), ty, span })
+    }
+
+    /// Lowers operands left to right. Where a later one needs statements, what came before and could
+    /// change by them is computed first.
+    pub(super) fn operands(&mut self, operands: &[Operand<'_>]) -> Result<Vec<Expr>> {
+        let mut values: Vec<Expr> = Vec::new();
+        for (index, operand) in operands.iter().enumerate() {
+            let mark = self.out.len();
+            let value = self.value(operand.expr, operand.expected.as_ref())?;
+            if self.out.len() > mark {
+                let later = self.out.split_off(mark);
+                for (value, operand) in values.iter_mut().zip(&operands[..index]) {
+                    if !is_settled(value, &later) {
+                        *value = self.temporary(operand.role, value.clone());
+                    }
+                }
+                self.out.extend(later);
+            }
+            values.push(value);
+        }
+        Ok(values)
+    }
+
+    fn call(&mut self, callee: u32, arguments: &[tree::Expr], expr: &tree::Expr) -> Result<Expr> {
+        match self.source.callees.get(callee as usize) {
+            Some(tree::Callee::Builtin(name)) => self.builtin(name, arguments, expr),
+            Some(tree::Callee::Function(path)) => match self.cx.functions.get(path) {
+                Some(id) => self.call_function(*id, arguments, expr),
+                None => problem(
+                    expr.site,
+                    format!("`{path}` could not be compiled"),
+                    "see the error in it",
+                ),
+            },
+            None => problem(expr.site, "the tree names a callee that is not there", OUR_FAULT),
+        }
+    }
+
+    fn call_function(
+        &mut self,
+        id: FunctionId,
+        arguments: &[tree::Expr],
+        expr: &tree::Expr,
+    ) -> Result<Expr> {
+        let callee = &self.cx.module.functions[id.index()];
+        let parameters: Vec<_> =
+            callee.parameters().iter().map(|local| (local.mode, local.ty.clone())).collect();
+        let result = callee.result.clone();
+        let mut passed = Vec::new();
+        for (argument, (mode, ty)) in arguments.iter().zip(parameters) {
+            let mark = self.out.len();
+            let next = match mode {
+                Mode::RefMut => match self.place(argument)? {
+                    Some(place) => Argument::RefMut(place),
+                    None => {
+                        let value = self.value(argument, Some(&ty))?;
+                        let held = self.temporary("argument", value);
+                        let ExprKind::Load(place) = held.kind else {
+                            return problem(argument.site, "a temporary is not a place", OUR_FAULT);
+                        };
+                        Argument::RefMut(place)
+                    }
+                },
+                Mode::Ref => Argument::Ref(self.value(argument, Some(&ty))?),
+                Mode::Value => Argument::Value(self.value(argument, Some(&ty))?),
+            };
+            self.settle(&mut passed, mark);
+            passed.push(next);
+        }
+        self.node(ExprKind::Call(id, passed), result, expr.site)
+    }
+
+    /// Computes earlier arguments before the statements since `mark`, where those could change them.
+    fn settle(&mut self, passed: &mut [Argument], mark: usize) {
+        if self.out.len() == mark {
+            return;
+        }
+        let later = self.out.split_off(mark);
+        for argument in passed {
+            if let Argument::Value(value) | Argument::Ref(value) = argument
+                && !is_settled(value, &later)
+            {
+                *value = self.temporary("argument", value.clone());
+            }
+        }
+        self.out.extend(later);
+    }
+}
+
+pub(super) fn two<T>(values: Vec<T>, site: Site) -> Result<[T; 2]> {
+    match <[T; 2]>::try_from(values) {
+        Ok(values) => Ok(values),
+        Err(_) => problem(site, "this takes two operands", OUR_FAULT),
+    }
+}
+
+/// Whether `value` is the same before and after `later`.
+fn is_settled(value: &Expr, later: &[Stmt]) -> bool {
+    match &value.kind {
+        ExprKind::Literal(_) | ExprKind::Const(_) => true,
+        ExprKind::Load(place) => {
+            place.steps.iter().all(super::place::is_fixed)
+                && !later.iter().any(|stmt| writes(stmt, place.root))
+        }
+        _ => false,
+    }
+}
+
+/// Whether a statement may write what `local` holds. Answers yes too often rather than too rarely.
+fn writes(stmt: &Stmt, local: LocalId) -> bool {
+    match &stmt.kind {
+        StmtKind::Let { value, .. } => value.as_ref().is_some_and(|value| passes(value, local)),
+        StmtKind::Assign { place, value } => place.root == local || passes(value, local),
+        StmtKind::Expr(value) => passes(value, local),
+        _ => true,
+    }
+}
+
+/// Whether an expression passes `local` to a call that may write it.
+fn passes(expr: &Expr, local: LocalId) -> bool {
+    struct Passes(LocalId, bool);
+    impl Visit for Passes {
+        fn expr(&mut self, expr: &Expr) {
+            if let ExprKind::Call(_, arguments) = &expr.kind {
+                self.1 |= arguments.iter().any(
+                    |argument| matches!(argument, Argument::RefMut(place) if place.root == self.0),
+                );
+            }
+            visit::walk_expr(self, expr);
+        }
+    }
+    let mut passes = Passes(local, false);
+    passes.expr(expr);
+    passes.1
+}
+
+fn is_unsuffixed(expr: &tree::Expr) -> bool {
+    match &expr.kind {
+        tree::ExprKind::Int(_, None) | tree::ExprKind::Float(_, None) => true,
+        tree::ExprKind::Unary(_, operand) => is_unsuffixed(operand),
+        _ => false,
+    }
+}
+
+fn logic(op: Op) -> Option<LogicOp> {
+    match op {
+        Op::LogicAnd => Some(LogicOp::And),
+        Op::LogicOr => Some(LogicOp::Or),
+        _ => None,
+    }
+}
+
+fn compare(op: Op) -> Option<CompareOp> {
+    Some(match op {
+        Op::Eq => CompareOp::Eq,
+        Op::Ne => CompareOp::Ne,
+        Op::Lt => CompareOp::Lt,
+        Op::Le => CompareOp::Le,
+        Op::Gt => CompareOp::Gt,
+        Op::Ge => CompareOp::Ge,
+        _ => return None,
+    })
+}
+
+fn arithmetic(op: Op) -> Option<BinaryOp> {
+    Some(match op {
+        Op::Add => BinaryOp::Add,
+        Op::Sub => BinaryOp::Sub,
+        Op::Mul => BinaryOp::Mul,
+        Op::Div => BinaryOp::Div,
+        Op::Rem => BinaryOp::Rem,
+        Op::And => BinaryOp::And,
+        Op::Or => BinaryOp::Or,
+        Op::Xor => BinaryOp::Xor,
+        Op::Shl => BinaryOp::Shl,
+        Op::Shr => BinaryOp::Shr,
+        _ => return None,
+    })
+}

@@ -1,0 +1,345 @@
+//! One function: its parameters, its scopes, and its statements in order.
+
+use bessemer_ir::tree::{self, Site, Ty};
+use bessemer_ir::{
+    Block, Expr, ExprKind, Function, Local, LocalId, Mode, Owner, Place, Role, Span, Stmt,
+    StmtKind, Type,
+};
+
+use super::types::{show, split};
+use super::{Context, Result, names, problem};
+
+/// A function being lowered.
+pub(super) struct Lowering<'a, 'c> {
+    pub cx: &'a mut Context<'c>,
+    pub source: &'a tree::Function,
+    pub locals: Vec<Local>,
+    /// Innermost scope last; in each, later bindings shadow.
+    scopes: Vec<Vec<(String, Binding)>>,
+    /// The statements of the block being lowered, so far.
+    pub out: Vec<Stmt>,
+    /// What to call a value that the author left unnamed here.
+    pub naming: String,
+    pub result: Type,
+}
+
+/// What a name means.
+#[derive(Clone)]
+pub(super) enum Binding {
+    /// A local of its own.
+    Local(LocalId),
+    /// A reference to a place.
+    Alias(Place),
+}
+
+/// Where a value goes.
+#[derive(Clone)]
+pub(super) enum Target {
+    /// To a place.
+    Place(Place),
+    /// Out of the function.
+    Return,
+}
+
+/// Lowers a function; its callees are in the module already.
+pub(super) fn lower(cx: &mut Context<'_>, source: &tree::Function) -> Result<Function> {
+    let tree = &source.tree;
+    let span = cx.span(&source.file, tree.site);
+    let owner = match &source.owner {
+        None => None,
+        Some(path) => match cx.types.get(path) {
+            Some(Type::Struct(id)) => Some(Owner::Struct(*id)),
+            Some(Type::Enum(id)) => Some(Owner::Enum(*id)),
+            _ => return problem(tree.site, format!("`{path}` was not built"), "mark it `#[data]`"),
+        },
+    };
+    let result = cx.value_type(slot_type(source, tree.result, tree.site)?, tree.site)?;
+    let mut lowering = Lowering {
+        cx,
+        source,
+        locals: Vec::new(),
+        scopes: vec![Vec::new()],
+        out: Vec::new(),
+        naming: "value".into(),
+        result: result.clone(),
+    };
+    lowering.parameters()?;
+    lowering.body(&tree.body)?;
+    let result_name = result_name(lowering.cx, tree, &result);
+    Ok(Function {
+        name: tree.name.clone(),
+        module: source.module.clone(),
+        owner,
+        role: match tree.role {
+            tree::Role::Entry { infallible } => Role::Entry { infallible },
+            tree::Role::Public => Role::Public,
+            tree::Role::Private => Role::Private,
+        },
+        docs: tree.docs.clone(),
+        params: tree.params.len() as u32,
+        result_name,
+        body: Block(lowering.out),
+        locals: lowering.locals,
+        result,
+        span,
+    })
+}
+
+/// The author's name for the result if the body ends in one, else the name of its type.
+fn result_name(cx: &Context<'_>, tree: &tree::FunctionTree, result: &Type) -> String {
+    if let Some(tree::ExprKind::Local(name)) = tree.body.tail.as_ref().map(|tail| &tail.kind)
+        && name != "self"
+        && tree.params.iter().all(|param| param.name != *name)
+    {
+        return name.clone();
+    }
+    match result {
+        Type::Struct(id) => names::snake(&cx.module.structs[id.index()].name),
+        Type::Enum(id) => names::snake(&cx.module.enums[id.index()].name),
+        _ => "result".into(),
+    }
+}
+
+fn slot_type(source: &tree::Function, slot: u32, site: Site) -> Result<&Ty> {
+    match source.slots.get(slot as usize) {
+        Some(ty) => Ok(ty),
+        None => problem(site, "the tree names a slot that is not there", super::expr::OUR_FAULT),
+    }
+}
+
+impl Lowering<'_, '_> {
+    fn parameters(&mut self) -> Result<()> {
+        for param in &self.source.tree.params {
+            let ty = slot_type(self.source, param.slot, param.site)?;
+            let mode = match ty {
+                Ty::Ref(_, false) => Mode::Ref,
+                Ty::Ref(_, true) => Mode::RefMut,
+                _ => Mode::Value,
+            };
+            let ty = self.cx.pointee(ty, param.site)?;
+            let span = self.span(param.site);
+            self.declare(&param.name, ty, mode, span);
+        }
+        Ok(())
+    }
+
+    fn body(&mut self, block: &tree::Block) -> Result<()> {
+        self.stmts(block)?;
+        let Some(tail) = &block.tail else { return Ok(()) };
+        let mark = self.out.len();
+        if self.result == Type::Unit {
+            self.effect(tail)?;
+        } else {
+            self.naming = "result".into();
+            self.into(tail, &Target::Return)?;
+        }
+        self.comment(mark, tail.site);
+        Ok(())
+    }
+
+    pub(super) fn span(&mut self, site: Site) -> Span {
+        self.cx.span(&self.source.file, site)
+    }
+
+    /// The type in a slot, as that of a value.
+    pub(super) fn slot(&self, slot: u32, site: Site) -> Result<Type> {
+        self.cx.value_type(slot_type(self.source, slot, site)?, site)
+    }
+
+    fn slot_is_reference(&self, slot: u32, site: Site) -> Result<bool> {
+        Ok(matches!(slot_type(self.source, slot, site)?, Ty::Ref(..)))
+    }
+
+    /// A new local that `name` means from here on.
+    pub(super) fn declare(&mut self, name: &str, ty: Type, mode: Mode, span: Span) -> LocalId {
+        let id = LocalId(self.locals.len() as u32);
+        self.locals.push(Local { name: name.to_owned(), ty, mode, span });
+        self.bind(name, Binding::Local(id));
+        id
+    }
+
+    fn bind(&mut self, name: &str, binding: Binding) {
+        if let Some(scope) = self.scopes.last_mut() {
+            scope.push((name.to_owned(), binding));
+        }
+    }
+
+    pub(super) fn lookup(&self, name: &str, site: Site) -> Result<Binding> {
+        let found = self.scopes.iter().rev().flat_map(|scope| scope.iter().rev());
+        match found.into_iter().find(|(known, _)| known == name) {
+            Some((_, binding)) => Ok(binding.clone()),
+            None => problem(site, format!("`{name}` is not known here"), super::expr::OUR_FAULT),
+        }
+    }
+
+    pub(super) fn emit(&mut self, kind: StmtKind, span: Span) {
+        self.out.push(Stmt { kind, span, comments: Vec::new() });
+    }
+
+    /// Gives the author's comments above `site` to the first statement since `mark`.
+    fn comment(&mut self, mark: usize, Site(line, _): Site) {
+        if let Some(stmt) = self.out.get_mut(mark)
+            && stmt.comments.is_empty()
+        {
+            stmt.comments = self.cx.sources.comments_above(&self.source.file, line);
+        }
+    }
+
+    /// Lowers in a scope of its own, into a block of its own.
+    pub(super) fn scoped(&mut self, lower: impl FnOnce(&mut Self) -> Result<()>) -> Result<Block> {
+        self.scopes.push(Vec::new());
+        let outer = std::mem::take(&mut self.out);
+        let done = lower(self);
+        let inner = std::mem::replace(&mut self.out, outer);
+        self.scopes.pop();
+        done.map(|()| Block(inner))
+    }
+
+    /// The statements of a block, without its tail.
+    pub(super) fn stmts(&mut self, block: &tree::Block) -> Result<()> {
+        for stmt in &block.stmts {
+            let mark = self.out.len();
+            let site = match stmt {
+                tree::Stmt::Let { name, slot, value, site } => {
+                    self.let_stmt(name, *slot, value.as_ref(), *site)?;
+                    *site
+                }
+                tree::Stmt::Expr(expr) => {
+                    self.effect(expr)?;
+                    expr.site
+                }
+            };
+            self.comment(mark, site);
+        }
+        Ok(())
+    }
+
+    fn let_stmt(
+        &mut self,
+        name: &str,
+        slot: u32,
+        value: Option<&tree::Expr>,
+        site: Site,
+    ) -> Result<()> {
+        if self.slot_is_reference(slot, site)? {
+            return self.alias(name, value, site);
+        }
+        let (ty, span) = (self.slot(slot, site)?, self.span(site));
+        if ty == Type::Unit {
+            return match value {
+                Some(value) => self.effect(value),
+                None => Ok(()),
+            };
+        }
+        let naming = std::mem::replace(&mut self.naming, name.to_owned());
+        match value {
+            Some(value) if !control_with_value(value) => {
+                // The name means the new local only after its value.
+                let value = self.value(value, Some(&ty))?;
+                self.agree(&value.ty, &ty, site)?;
+                let local = self.declare(name, ty, Mode::Value, span);
+                self.emit(StmtKind::Let { local, value: Some(value) }, span);
+            }
+            _ => self.let_control(name, ty, value, span)?,
+        }
+        self.naming = naming;
+        Ok(())
+    }
+
+    /// `let name = if …`: declared first, then assigned on every path.
+    fn let_control(
+        &mut self,
+        name: &str,
+        ty: Type,
+        value: Option<&tree::Expr>,
+        span: Span,
+    ) -> Result<()> {
+        let local = LocalId(self.locals.len() as u32);
+        self.locals.push(Local { name: name.to_owned(), ty: ty.clone(), mode: Mode::Value, span });
+        self.emit(StmtKind::Let { local, value: None }, span);
+        if let Some(value) = value {
+            let place = Place { root: local, steps: Vec::new(), ty, span };
+            self.into(value, &Target::Place(place))?;
+        }
+        self.bind(name, Binding::Local(local));
+        Ok(())
+    }
+
+    /// `let name = &place`: another name for the place.
+    fn alias(&mut self, name: &str, value: Option<&tree::Expr>, site: Site) -> Result<()> {
+        let place = match value {
+            Some(value) => self.place(value)?,
+            None => None,
+        };
+        let fixed = |place: &Place| {
+            place.steps.iter().all(|step| match step {
+                bessemer_ir::Step::Field(_) => true,
+                bessemer_ir::Step::Index(index) => is_literal(index),
+                bessemer_ir::Step::Element(row, col) => is_literal(row) && is_literal(col),
+            })
+        };
+        match place {
+            Some(place) if fixed(&place) => {
+                self.bind(name, Binding::Alias(place));
+                Ok(())
+            }
+            _ => problem(
+                site,
+                "a reference in a variable names a fixed place in the DSL",
+                "copy the value: `let x = *place;`, or pass the reference as an argument",
+            ),
+        }
+    }
+
+    /// A temporary that holds `value`; named for what it is part of.
+    pub(super) fn temporary(&mut self, role: &str, value: Expr) -> Expr {
+        let (ty, span) = (value.ty.clone(), value.span);
+        let local = self.temporary_local(role, ty.clone(), span);
+        self.emit(StmtKind::Let { local, value: Some(value) }, span);
+        let place = Place { root: local, steps: Vec::new(), ty: ty.clone(), span };
+        Expr { kind: ExprKind::Load(place), ty, span }
+    }
+
+    pub(super) fn temporary_local(&mut self, role: &str, ty: Type, span: Span) -> LocalId {
+        let name = if self.naming.is_empty() { role.into() } else { format!("{}_{role}", self.naming) };
+        let id = LocalId(self.locals.len() as u32);
+        self.locals.push(Local { name, ty, mode: Mode::Value, span });
+        id
+    }
+
+    /// Holds a computed type against rustc's.
+    pub(super) fn agree(&self, computed: &Type, rustc: &Type, site: Site) -> Result<()> {
+        if computed == rustc {
+            return Ok(());
+        }
+        let module = &self.cx.module;
+        problem(
+            site,
+            format!(
+                "Bessemer takes this for `{}`, rustc for `{}`",
+                show(module, computed),
+                show(module, rustc)
+            ),
+            super::expr::OUR_FAULT,
+        )
+    }
+
+    /// The module in which the function stands.
+    pub(super) fn module_path(&self) -> String {
+        if self.source.module.is_empty() {
+            split(&self.source.path).0.to_owned()
+        } else {
+            self.source.module.clone()
+        }
+    }
+}
+
+/// Whether `expr` is control flow that has a value.
+pub(super) fn control_with_value(expr: &tree::Expr) -> bool {
+    use tree::ExprKind::{Block, If, Match};
+    matches!(expr.kind, If(..) | Match(..) | Block(..))
+}
+
+pub(super) fn is_literal(expr: &Expr) -> bool {
+    matches!(expr.kind, ExprKind::Literal(_) | ExprKind::Const(_))
+}

@@ -1,0 +1,107 @@
+//! From the tree to the typed IR.
+//!
+//! Resolves names and scopes, computes every type from the bottom up and holds it against the slot in
+//! which rustc put its own; gives operators and the DSL's operations their IR nodes; turns control
+//! flow that has a value into statements that assign it.
+//!
+//! Must not know: C, or how an operation is computed. It does not infer: a type that does not follow
+//! from the operands comes from a slot.
+
+mod builtin;
+mod control;
+mod expr;
+mod function;
+mod literal;
+mod names;
+mod place;
+mod types;
+
+use std::collections::HashMap;
+
+use bessemer_ir::tree::{self, Package, Site};
+use bessemer_ir::{FunctionId, Module, Span};
+
+use crate::diagnostic::Diagnostic;
+use crate::source::Sources;
+
+/// What was wrong, where, and what to write instead.
+struct Problem {
+    site: Site,
+    message: String,
+    help: String,
+}
+
+type Result<T, E = Problem> = std::result::Result<T, E>;
+
+fn problem<T>(site: Site, message: impl Into<String>, help: impl Into<String>) -> Result<T> {
+    Err(Problem { site, message: message.into(), help: help.into() })
+}
+
+/// The typed module of a package, or everything that is wrong with it.
+pub fn typify(package: &Package, sources: &Sources) -> Result<Module, Vec<Diagnostic>> {
+    let mut errors: Vec<Diagnostic> = package.errors.iter().map(refusal).collect();
+    let mut cx = Context::new(package, sources);
+    for definition in &package.types {
+        if let Err(problem) = cx.define(definition) {
+            errors.push(diagnostic(&definition.file, problem));
+        }
+    }
+    for function in &package.functions {
+        match function::lower(&mut cx, function) {
+            Ok(lowered) => {
+                let id = FunctionId(cx.module.functions.len() as u32);
+                cx.module.functions.push(lowered);
+                cx.functions.insert(function.path.clone(), id);
+            }
+            Err(problem) => errors.push(diagnostic(&function.file, problem)),
+        }
+    }
+    if errors.is_empty() { Ok(cx.module) } else { Err(errors) }
+}
+
+fn diagnostic(file: &str, problem: Problem) -> Diagnostic {
+    let Problem { site: Site(line, column), message, help } = problem;
+    Diagnostic { file: file.to_owned(), line, column, message, help }
+}
+
+fn refusal(refusal: &tree::Refusal) -> Diagnostic {
+    let Site(line, column) = refusal.site;
+    Diagnostic {
+        file: refusal.file.clone(),
+        line,
+        column,
+        message: refusal.message.clone(),
+        help: refusal.remedy.clone(),
+    }
+}
+
+/// The module so far, and what its names mean.
+struct Context<'a> {
+    module: Module,
+    sources: &'a Sources,
+    files: HashMap<String, u32>,
+    types: HashMap<String, bessemer_ir::Type>,
+    functions: HashMap<String, FunctionId>,
+}
+
+impl<'a> Context<'a> {
+    fn new(package: &Package, sources: &'a Sources) -> Context<'a> {
+        let module = Module { name: package.name.clone(), ..Module::default() };
+        Context {
+            module,
+            sources,
+            files: HashMap::new(),
+            types: HashMap::new(),
+            functions: HashMap::new(),
+        }
+    }
+
+    fn span(&mut self, file: &str, Site(line, column): Site) -> Span {
+        let next = self.module.files.len() as u32;
+        let index = *self.files.entry(file.to_owned()).or_insert(next);
+        if index == next {
+            self.module.files.push(file.to_owned());
+        }
+        Span { file: index, line, column }
+    }
+}

@@ -1,0 +1,169 @@
+//! Places: where values are held.
+
+use bessemer_ir::tree;
+use bessemer_ir::{Expr, ExprKind, Int, Place, Scalar, Step, Type};
+
+use super::function::{Binding, Lowering, is_literal};
+use super::{Result, problem};
+
+/// Whether a step never depends on a value that is computed.
+pub(super) fn is_fixed(step: &Step) -> bool {
+    match step {
+        Step::Field(_) => true,
+        Step::Index(index) => is_literal(index),
+        Step::Element(row, col) => is_literal(row) && is_literal(col),
+    }
+}
+
+impl Lowering<'_, '_> {
+    /// The place that `expr` names; none if it is a value.
+    pub(super) fn place(&mut self, expr: &tree::Expr) -> Result<Option<Place>> {
+        let span = self.span(expr.site);
+        match &expr.kind {
+            tree::ExprKind::Local(name) => Ok(Some(match self.lookup(name, expr.site)? {
+                Binding::Alias(place) => place,
+                Binding::Local(root) => {
+                    let ty = self.locals[root.index()].ty.clone();
+                    Place { root, steps: Vec::new(), ty, span }
+                }
+            })),
+            tree::ExprKind::Deref(inner) | tree::ExprKind::Ref(_, inner) => self.place(inner),
+            tree::ExprKind::Field(base, name) => {
+                let base = self.base(base)?;
+                self.field(base, name, expr).map(Some)
+            }
+            tree::ExprKind::Index(base, index) => {
+                let base = self.base(base)?;
+                self.element(base, index, expr).map(Some)
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// What is taken apart: a place, or a value held in a temporary.
+    fn base(&mut self, expr: &tree::Expr) -> Result<Place> {
+        if let Some(place) = self.place(expr)? {
+            return Ok(place);
+        }
+        let value = self.value(expr, None)?;
+        let role = match &value.ty {
+            Type::Struct(id) => super::names::snake(&self.cx.module.structs[id.index()].name),
+            Type::Matrix { .. } => "vector".into(),
+            _ => "elements".into(),
+        };
+        let naming = std::mem::take(&mut self.naming);
+        let held = self.temporary(&role, value);
+        self.naming = naming;
+        match held.kind {
+            ExprKind::Load(place) => Ok(place),
+            _ => problem(expr.site, "a temporary is not a place", super::expr::OUR_FAULT),
+        }
+    }
+
+    fn field(&mut self, mut base: Place, name: &str, expr: &tree::Expr) -> Result<Place> {
+        let (step, ty) = self.field_step(&base.ty, name, expr)?;
+        base.steps.push(step);
+        base.ty = ty;
+        base.span = self.span(expr.site);
+        Ok(base)
+    }
+
+    fn field_step(&mut self, base: &Type, name: &str, expr: &tree::Expr) -> Result<(Step, Type)> {
+        match base {
+            Type::Struct(id) => {
+                let fields = &self.cx.module.structs[id.index()].fields;
+                if let Some(index) = fields.iter().position(|field| field.name == name) {
+                    return Ok((Step::Field(index as u32), fields[index].ty.clone()));
+                }
+            }
+            Type::Matrix { element, rows, cols } => {
+                let row = ["x", "y", "z", "w", "a", "b"].iter().position(|axis| *axis == name);
+                if let Some(row) = row.filter(|row| *cols == 1 && (*row as u32) < *rows) {
+                    let (row, col) = (self.index_literal(row as u64, expr), self.index_literal(0, expr));
+                    return Ok((Step::Element(row, col), Type::Scalar(*element)));
+                }
+            }
+            _ => {}
+        }
+        problem(expr.site, format!("`{name}` is not a field that the DSL knows"), "use an index")
+    }
+
+    fn element(&mut self, mut base: Place, index: &tree::Expr, expr: &tree::Expr) -> Result<Place> {
+        let (step, ty) = match base.ty.clone() {
+            Type::Array { element, .. } => {
+                let index = self.value(index, Some(&Type::USIZE))?;
+                (Step::Index(index), *element)
+            }
+            Type::Matrix { element, rows, cols } => {
+                (self.matrix_step(index, rows, cols, expr)?, Type::Scalar(element))
+            }
+            _ => {
+                return problem(
+                    expr.site,
+                    "only arrays, matrices and vectors have elements in the DSL",
+                    "use `[T; N]`, or a vector",
+                );
+            }
+        };
+        base.steps.push(step);
+        base.ty = ty;
+        base.span = self.span(expr.site);
+        Ok(base)
+    }
+
+    fn matrix_step(
+        &mut self,
+        index: &tree::Expr,
+        rows: u32,
+        cols: u32,
+        expr: &tree::Expr,
+    ) -> Result<Step> {
+        if let tree::ExprKind::Tuple(parts) = &index.kind
+            && let [row, col] = parts.as_slice()
+        {
+            let row = self.value(row, Some(&Type::USIZE))?;
+            let col = self.value(col, Some(&Type::USIZE))?;
+            return Ok(Step::Element(row, col));
+        }
+        let index = self.value(index, Some(&Type::USIZE))?;
+        if cols == 1 {
+            return Ok(Step::Element(index, self.index_literal(0, expr)));
+        }
+        if rows == 1 {
+            return Ok(Step::Element(self.index_literal(0, expr), index));
+        }
+        match index.kind {
+            ExprKind::Literal(word) => {
+                let (row, col) = (word % u64::from(rows), word / u64::from(rows));
+                Ok(Step::Element(self.index_literal(row, expr), self.index_literal(col, expr)))
+            }
+            _ => problem(expr.site, "a matrix takes a row and a column", "write `m[(row, column)]`"),
+        }
+    }
+
+    pub(super) fn index_literal(&mut self, word: u64, expr: &tree::Expr) -> Expr {
+        let span = self.span(expr.site);
+        Expr { kind: ExprKind::Literal(word), ty: Type::Scalar(Scalar::Int(Int::Usize)), span }
+    }
+
+    /// The type at a place that is to be assigned, without computing its indices.
+    pub(super) fn place_type(&mut self, expr: &tree::Expr) -> Result<Type> {
+        match &expr.kind {
+            tree::ExprKind::Local(name) => Ok(match self.lookup(name, expr.site)? {
+                Binding::Alias(place) => place.ty,
+                Binding::Local(root) => self.locals[root.index()].ty.clone(),
+            }),
+            tree::ExprKind::Deref(inner) | tree::ExprKind::Ref(_, inner) => self.place_type(inner),
+            tree::ExprKind::Field(base, name) => {
+                let base = self.place_type(base)?;
+                Ok(self.field_step(&base, name, expr)?.1)
+            }
+            tree::ExprKind::Index(base, _) => match self.place_type(base)? {
+                Type::Array { element, .. } => Ok(*element),
+                Type::Matrix { element, .. } => Ok(Type::Scalar(element)),
+                other => Ok(other),
+            },
+            _ => problem(expr.site, "this is not a place to assign", "assign a variable or a field"),
+        }
+    }
+}

@@ -1,0 +1,110 @@
+//! Definitions and types: from paths to handles.
+
+use bessemer_ir::tree::{Definition, DefinitionKind, Site, Ty};
+use bessemer_ir::{Const, ConstId, Enum, EnumId, Field, Struct, StructId, Type, Variant};
+
+use super::{Context, Result, problem};
+
+/// Module and name of a path.
+pub(super) fn split(path: &str) -> (&str, &str) {
+    path.rsplit_once("::").unwrap_or(("", path))
+}
+
+/// A type in the words of its author.
+pub(super) fn show(module: &bessemer_ir::Module, ty: &Type) -> String {
+    match ty {
+        Type::Unit => "()".into(),
+        Type::Scalar(scalar) => scalar.name().into(),
+        Type::Array { element, len } => format!("[{}; {len}]", show(module, element)),
+        Type::Matrix { element, rows, cols } => format!("SMatrix<{}, {rows}, {cols}>", element.name()),
+        Type::Struct(id) => module.structs[id.index()].name.clone(),
+        Type::Enum(id) => module.enums[id.index()].name.clone(),
+    }
+}
+
+impl Context<'_> {
+    pub(super) fn define(&mut self, definition: &Definition) -> Result<()> {
+        let (module, name) = split(&definition.path);
+        let (module, name) = (module.to_owned(), name.to_owned());
+        let span = self.span(&definition.file, definition.site);
+        let docs = definition.docs.clone();
+        let ty = match &definition.kind {
+            DefinitionKind::Struct { fields, initial } => {
+                let fields = fields
+                    .iter()
+                    .map(|field| {
+                        let ty = self.value_type(&field.ty, definition.site)?;
+                        Ok(Field { name: field.name.clone(), docs: field.docs.clone(), ty })
+                    })
+                    .collect::<Result<_>>()?;
+                let initial = initial.clone();
+                self.module.structs.push(Struct { name, module, docs, fields, initial, span });
+                Type::Struct(StructId(self.module.structs.len() as u32 - 1))
+            }
+            DefinitionKind::Enum(variants) => {
+                let variants = variants
+                    .iter()
+                    .map(|(name, docs)| Variant { name: name.clone(), docs: docs.clone() })
+                    .collect();
+                self.module.enums.push(Enum { name, module, docs, variants, span });
+                Type::Enum(EnumId(self.module.enums.len() as u32 - 1))
+            }
+        };
+        self.types.insert(definition.path.clone(), ty);
+        Ok(())
+    }
+
+    /// The type of a value; references are refused.
+    pub(super) fn value_type(&self, ty: &Ty, site: Site) -> Result<Type> {
+        match ty {
+            Ty::Ref(..) => problem(
+                site,
+                "a reference is not a value in the DSL",
+                "hold the value itself, or pass the reference as an argument",
+            ),
+            ty => self.pointee(ty, site),
+        }
+    }
+
+    /// The type of a value, or of what a reference refers to.
+    pub(super) fn pointee(&self, ty: &Ty, site: Site) -> Result<Type> {
+        Ok(match ty {
+            Ty::Unit => Type::Unit,
+            Ty::Scalar(scalar) => Type::Scalar(*scalar),
+            Ty::Array(element, len) => {
+                Type::Array { element: Box::new(self.value_type(element, site)?), len: *len }
+            }
+            Ty::Matrix(element, rows, cols) => {
+                Type::Matrix { element: *element, rows: *rows, cols: *cols }
+            }
+            Ty::Named(path) => match self.types.get(path) {
+                Some(ty) => ty.clone(),
+                None => {
+                    return problem(site, format!("`{path}` was not built"), "mark it `#[data]`");
+                }
+            },
+            Ty::Ref(inner, _) => self.pointee(inner, site)?,
+        })
+    }
+
+    /// A named constant of `module`; one entry for each name and value.
+    pub(super) fn constant(&mut self, module: &str, name: &str, ty: &Type, words: &[u64]) -> ConstId {
+        let consts = &mut self.module.consts;
+        let same = |constant: &Const| {
+            constant.module == module
+                && constant.name == name
+                && constant.ty == *ty
+                && constant.words == words
+        };
+        let index = consts.iter().position(same).unwrap_or_else(|| {
+            consts.push(Const {
+                name: name.to_owned(),
+                module: module.to_owned(),
+                ty: ty.clone(),
+                words: words.to_vec(),
+            });
+            consts.len() - 1
+        });
+        ConstId(index as u32)
+    }
+}

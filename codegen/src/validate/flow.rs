@@ -1,0 +1,106 @@
+//! What is known of a function's locals at one point of it: declared, in scope, assigned.
+//!
+//! Invariant: where no path leads, everything counts as assigned, so that joining paths is "and".
+
+use bessemer_ir::{Function, LocalId, Mode};
+
+use super::problem::Problem;
+
+/// The locals of a function at the point that is being looked at.
+pub(super) struct Flow {
+    declared: Vec<bool>,
+    visible: Vec<bool>,
+    counters: Vec<bool>,
+    references: Vec<bool>,
+    assigned: Vec<bool>,
+}
+
+impl Flow {
+    /// At the start: parameters are declared and assigned.
+    pub fn new(function: &Function) -> Flow {
+        let count = function.locals.len();
+        let params: Vec<bool> = (0..count).map(|index| index < function.params as usize).collect();
+        Flow {
+            declared: params.clone(),
+            visible: params.clone(),
+            counters: vec![false; count],
+            references: function.locals.iter().map(|local| local.mode == Mode::Ref).collect(),
+            assigned: params,
+        }
+    }
+
+    /// A `let`, or the variable of a `for`.
+    pub fn declare(&mut self, id: LocalId, assigned: bool, counter: bool) -> Result<(), Problem> {
+        let index = id.index();
+        match self.declared.get(index) {
+            None => return Err(Problem::UnknownLocal(id)),
+            Some(true) => return Err(Problem::DeclaredTwice(id)),
+            Some(false) => {}
+        }
+        self.declared[index] = true;
+        self.visible[index] = true;
+        self.counters[index] = counter;
+        self.assigned[index] = assigned;
+        Ok(())
+    }
+
+    /// The end of the block that declares these.
+    pub fn forget(&mut self, ids: &[LocalId]) {
+        for id in ids {
+            self.visible[id.index()] = false;
+        }
+    }
+
+    /// A use that needs the local's value.
+    pub fn read(&self, id: LocalId) -> Result<(), Problem> {
+        self.see(id)?;
+        if self.assigned[id.index()] { Ok(()) } else { Err(Problem::NotAssigned(id)) }
+    }
+
+    /// A write to the whole local, or to part of it.
+    pub fn write(&mut self, id: LocalId, whole: bool) -> Result<(), Problem> {
+        self.see(id)?;
+        if self.references[id.index()] {
+            return Err(Problem::WrittenReference(id));
+        }
+        if self.counters[id.index()] {
+            return Err(Problem::WrittenCounter(id));
+        }
+        if !whole {
+            return self.read(id);
+        }
+        self.assigned[id.index()] = true;
+        Ok(())
+    }
+
+    fn see(&self, id: LocalId) -> Result<(), Problem> {
+        match self.visible.get(id.index()) {
+            None => Err(Problem::UnknownLocal(id)),
+            Some(false) => Err(Problem::NotInScope(id)),
+            Some(true) => Ok(()),
+        }
+    }
+
+    /// What is assigned here.
+    pub fn assigned(&self) -> Vec<bool> {
+        self.assigned.clone()
+    }
+
+    /// Goes back to where this was assigned.
+    pub fn rewind(&mut self, assigned: Vec<bool>) {
+        self.assigned = assigned;
+    }
+
+    /// The statements that follow are not reached.
+    pub fn diverge(&mut self) {
+        self.assigned.fill(true);
+    }
+}
+
+/// What is assigned where two paths meet.
+pub(super) fn join(mut one: Vec<bool>, other: &[bool]) -> Vec<bool> {
+    for (one, other) in one.iter_mut().zip(other) {
+        *one &= other;
+    }
+    one
+}

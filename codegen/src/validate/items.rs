@@ -1,0 +1,195 @@
+//! Checks of types, constants and signatures.
+
+use std::collections::BTreeSet;
+
+use bessemer_ir::{
+    ConstId, EnumId, Function, FunctionId, LocalId, Mode, Module, Owner, Span, StructId, Type,
+};
+
+use super::MAX_NESTING;
+use super::problem::{Error, Problem, Subject};
+use super::words::words_fit;
+
+/// The most words that a value may have (128 MiB in the interpreter).
+pub const MAX_WORDS: u64 = 1 << 24;
+
+/// The words of types, which this also checks.
+pub(super) struct Sizes<'m> {
+    module: &'m Module,
+    /// Of each struct that has been checked.
+    structs: Vec<u64>,
+}
+
+impl Sizes<'_> {
+    /// The words of a type, if it is a sound one.
+    pub fn of(&self, ty: &Type) -> Result<u64, Problem> {
+        self.size(ty, 0)
+    }
+
+    fn size(&self, ty: &Type, depth: u32) -> Result<u64, Problem> {
+        if depth > MAX_NESTING {
+            return Err(Problem::NestedTooDeep);
+        }
+        let size = match ty {
+            Type::Unit => return Err(Problem::UnitValue),
+            Type::Scalar(_) => 1,
+            Type::Enum(id) if id.index() < self.module.enums.len() => 1,
+            Type::Enum(id) => return Err(Problem::UnknownEnum(*id)),
+            Type::Array { element, len } => {
+                self.size(element, depth + 1)?.saturating_mul(u64::from(*len))
+            }
+            Type::Matrix { rows, cols, .. } => u64::from(*rows).saturating_mul(u64::from(*cols)),
+            Type::Struct(id) => match self.structs.get(id.index()) {
+                Some(0) => 1, // Reported where it is defined.
+                Some(size) => *size,
+                None if id.index() < self.module.structs.len() => {
+                    return Err(Problem::LaterStruct(*id));
+                }
+                None => return Err(Problem::UnknownStruct(*id)),
+            },
+        };
+        match size {
+            0 => Err(Problem::EmptyType),
+            _ if size > MAX_WORDS => Err(Problem::TypeTooLarge),
+            _ => Ok(size),
+        }
+    }
+}
+
+struct Items<'m> {
+    module: &'m Module,
+    sizes: Sizes<'m>,
+    errors: Vec<Error>,
+}
+
+/// Checks everything but the bodies of functions.
+pub(super) fn check(module: &Module) -> (Sizes<'_>, Vec<Error>) {
+    let sizes = Sizes { module, structs: Vec::new() };
+    let mut items = Items { module, sizes, errors: Vec::new() };
+    items.enums();
+    items.structs();
+    items.consts();
+    for (index, function) in module.functions.iter().enumerate() {
+        items.function(FunctionId(index as u32), function);
+    }
+    (items.sizes, items.errors)
+}
+
+/// That a span which stands somewhere names a file of the module.
+pub(super) fn check_span(module: &Module, span: Span) -> Result<(), Problem> {
+    if span.line == 0 || (span.file as usize) < module.files.len() {
+        Ok(())
+    } else {
+        Err(Problem::UnknownFile(span.file))
+    }
+}
+
+impl Items<'_> {
+    fn note(&mut self, subject: Subject, span: Span, result: Result<(), Problem>) {
+        if let Err(problem) = result {
+            self.errors.push(Error { problem, subject, span });
+        }
+    }
+
+    fn enums(&mut self) {
+        for (index, definition) in self.module.enums.iter().enumerate() {
+            let subject = Subject::Enum(EnumId(index as u32));
+            let span = definition.span;
+            self.note(subject, span, check_span(self.module, span));
+            if definition.variants.is_empty() {
+                self.note(subject, span, Err(Problem::EmptyType));
+            }
+            let names = definition.variants.iter().map(|variant| &variant.name);
+            self.note(subject, span, distinct(names));
+        }
+    }
+
+    fn structs(&mut self) {
+        for (index, definition) in self.module.structs.iter().enumerate() {
+            let subject = Subject::Struct(StructId(index as u32));
+            let span = definition.span;
+            self.note(subject, span, check_span(self.module, span));
+            let names = definition.fields.iter().map(|field| &field.name);
+            self.note(subject, span, distinct(names));
+            let mut size = 0u64;
+            for field in &definition.fields {
+                match self.sizes.of(&field.ty) {
+                    Ok(words) => size = size.saturating_add(words),
+                    Err(problem) => self.note(subject, span, Err(problem)),
+                }
+            }
+            if definition.fields.is_empty() {
+                self.note(subject, span, Err(Problem::EmptyType));
+            } else if size > MAX_WORDS {
+                self.note(subject, span, Err(Problem::TypeTooLarge));
+            }
+            self.sizes.structs.push(size);
+        }
+        // Only now may types be walked: before, they could have been endless.
+        if self.errors.is_empty() {
+            self.initial_states();
+        }
+    }
+
+    fn initial_states(&mut self) {
+        for (index, definition) in self.module.structs.iter().enumerate() {
+            if let Some(initial) = &definition.initial {
+                let id = StructId(index as u32);
+                let fit = words_fit(self.module, &Type::Struct(id), initial);
+                self.note(Subject::Struct(id), definition.span, fit.map_err(Problem::from));
+            }
+        }
+    }
+
+    fn consts(&mut self) {
+        let sound = self.errors.is_empty();
+        for (index, definition) in self.module.consts.iter().enumerate() {
+            let subject = Subject::Const(ConstId(index as u32));
+            let size = self.sizes.of(&definition.ty).map(|_| ());
+            if sound && size.is_ok() {
+                let fit = words_fit(self.module, &definition.ty, &definition.words);
+                self.note(subject, Span::default(), fit.map_err(Problem::from));
+            }
+            self.note(subject, Span::default(), size);
+        }
+    }
+
+    fn function(&mut self, id: FunctionId, function: &Function) {
+        let subject = Subject::Function(id);
+        self.note(subject, function.span, check_span(self.module, function.span));
+        let (params, locals) = (function.params, function.locals.len());
+        if params as usize > locals {
+            let problem = Problem::ParameterCount { params, locals };
+            self.note(subject, function.span, Err(problem));
+        }
+        let owner = match function.owner {
+            Some(Owner::Struct(owner)) => self.sizes.of(&Type::Struct(owner)).map(|_| ()),
+            Some(Owner::Enum(owner)) => self.sizes.of(&Type::Enum(owner)).map(|_| ()),
+            None => Ok(()),
+        };
+        self.note(subject, function.span, owner);
+        if function.result != Type::Unit {
+            let size = self.sizes.of(&function.result);
+            self.note(subject, function.span, size.map(|_| ()));
+        }
+        for (index, local) in function.locals.iter().enumerate() {
+            self.note(subject, local.span, check_span(self.module, local.span));
+            let size = self.sizes.of(&local.ty);
+            self.note(subject, local.span, size.map(|_| ()));
+            if local.mode != Mode::Value && index >= params as usize {
+                let problem = Problem::ReferenceLocal(LocalId(index as u32));
+                self.note(subject, local.span, Err(problem));
+            }
+        }
+    }
+}
+
+fn distinct<'n>(names: impl Iterator<Item = &'n String>) -> Result<(), Problem> {
+    let mut seen = BTreeSet::new();
+    for name in names {
+        if !seen.insert(name) {
+            return Err(Problem::DuplicateName(name.clone()));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,99 @@
+//! Whether words are values of a type: the form in which values cross every border.
+//!
+//! Absent: allocation. A value is checked where it lies, so that the interpreter can check what it is
+//! given at every call.
+
+use bessemer_ir::{Float, Module, Scalar, Type};
+
+/// What is wrong with words that should be a value.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum WordsError {
+    /// Too few or too many.
+    #[error("{expected} words make a value of this type, not {found}")]
+    Count {
+        /// What the type takes.
+        expected: usize,
+        /// What there is.
+        found: usize,
+    },
+    /// One of them is no value of its leaf's type.
+    #[error("word {index}, {word:#x}, is no value of its type")]
+    Value {
+        /// Which one.
+        index: usize,
+        /// What it is.
+        word: u64,
+    },
+}
+
+/// Whether `word` is a value of `ty`, a scalar or an enum.
+pub fn word_fits(module: &Module, ty: &Type, word: u64) -> bool {
+    match ty {
+        Type::Scalar(Scalar::Bool) => word <= 1,
+        &Type::Scalar(Scalar::Int(int)) => {
+            let value = int.from_word(word);
+            int.min() <= value && value <= int.max()
+        }
+        Type::Scalar(Scalar::Float(Float::F32)) => word <= u64::from(u32::MAX),
+        Type::Scalar(Scalar::Float(Float::F64)) => true,
+        Type::Enum(id) => (module.enums.get(id.index()))
+            .is_some_and(|definition| word < definition.variants.len() as u64),
+        _ => false,
+    }
+}
+
+/// Whether `words` are a value of `ty`, a type that [`validate`](super::validate) accepts.
+pub fn words_fit(module: &Module, ty: &Type, words: &[u64]) -> Result<(), WordsError> {
+    let expected = words_in(module, ty);
+    if words.len() != expected {
+        return Err(WordsError::Count { expected, found: words.len() });
+    }
+    match check(module, ty, words, 0) {
+        Ok(_) => Ok(()),
+        Err(index) => Err(WordsError::Value { index, word: words[index] }),
+    }
+}
+
+/// How many words a value of `ty` takes.
+pub fn words_in(module: &Module, ty: &Type) -> usize {
+    match ty {
+        Type::Unit => 0,
+        Type::Scalar(_) | Type::Enum(_) => 1,
+        Type::Array { element, len } => words_in(module, element) * *len as usize,
+        Type::Matrix { rows, cols, .. } => *rows as usize * *cols as usize,
+        Type::Struct(id) => {
+            let fields = &module.structs[id.index()].fields;
+            fields.iter().map(|field| words_in(module, &field.ty)).sum()
+        }
+    }
+}
+
+/// Checks a value that starts at `at`; the index after it, or of the first bad word.
+fn check(module: &Module, ty: &Type, words: &[u64], mut at: usize) -> Result<usize, usize> {
+    match ty {
+        Type::Unit => {}
+        Type::Scalar(_) | Type::Enum(_) => {
+            if !word_fits(module, ty, words[at]) {
+                return Err(at);
+            }
+            at += 1;
+        }
+        Type::Array { element, len } => {
+            for _ in 0..*len {
+                at = check(module, element, words, at)?;
+            }
+        }
+        Type::Matrix { element, rows, cols } => {
+            let element = Type::Scalar(*element);
+            for _ in 0..*rows as usize * *cols as usize {
+                at = check(module, &element, words, at)?;
+            }
+        }
+        Type::Struct(id) => {
+            for field in &module.structs[id.index()].fields {
+                at = check(module, &field.ty, words, at)?;
+            }
+        }
+    }
+    Ok(at)
+}

@@ -1,0 +1,67 @@
+//! The compilers at hand, with every warning that the emitted C must not raise.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use bessemer_codegen::c::CFile;
+
+/// What the project promises to compile without a warning under.
+pub const FLAGS: &[&str] = &[
+    "-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-Wconversion", "-Wdouble-promotion",
+    "-Wshadow", "-Wstrict-prototypes", "-Wmissing-prototypes", "-ffp-contract=off",
+];
+
+const COMPILERS: &[&str] = &["gcc", "clang", "arm-linux-gnueabihf-gcc"];
+
+/// Whether a program is installed.
+pub fn is_there(program: &str) -> bool {
+    Command::new(program).arg("--version").output().is_ok_and(|output| output.status.success())
+}
+
+/// Writes files into a folder of their own.
+pub fn folder(name: &str, files: &[CFile]) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).expect("the target folder is writable");
+    for file in files {
+        std::fs::write(folder.join(&file.name), &file.text).expect("the target folder is writable");
+    }
+    folder
+}
+
+/// Compiles every source with every compiler and level, every header as C and as C++.
+pub fn check(name: &str, files: &[CFile]) {
+    let folder = folder(&format!("check-{name}"), files);
+    for compiler in COMPILERS.iter().filter(|compiler| is_there(compiler)) {
+        for file in files.iter().filter(|file| file.name.ends_with(".c")) {
+            for level in ["-O0", "-O1", "-O2", "-O3"] {
+                run(Command::new(compiler).args(FLAGS).args([level, "-c", "-o", "/dev/null", &file.name]), &folder);
+            }
+        }
+        for file in files.iter().filter(|file| file.name.ends_with(".h")) {
+            let main = format!("#include \"{0}\"\n#include \"{0}\"\nint main(void) {{ return 0; }}\n", file.name);
+            std::fs::write(folder.join("alone.c"), main).expect("the target folder is writable");
+            run(Command::new(compiler).args(FLAGS).args(["-c", "-o", "/dev/null", "alone.c"]), &folder);
+        }
+    }
+    for compiler in ["g++", "clang++"].iter().filter(|compiler| is_there(compiler)) {
+        for file in files.iter().filter(|file| file.name.ends_with(".h")) {
+            let flags = ["-x", "c++", "-std=c++11", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-fsyntax-only"];
+            std::fs::write(folder.join("alone.cpp"), format!("#include \"{}\"\n", file.name))
+                .expect("the target folder is writable");
+            run(Command::new(compiler).args(flags).arg("alone.cpp"), &folder);
+        }
+    }
+}
+
+/// Runs a command in a folder; what it prints, or a panic with its complaint.
+pub fn run(command: &mut Command, folder: &Path) -> String {
+    let output = command.current_dir(folder).output().expect("it is installed");
+    assert!(
+        output.status.success(),
+        "{command:?} in {}:\n{}",
+        folder.display(),
+        String::from_utf8_lossy(&output.stderr)
+    );
+    String::from_utf8(output.stdout).expect("UTF-8")
+}
