@@ -1,0 +1,35 @@
+//! How to turn: the loops of roll, pitch and yaw (thesis, eqs. (3.15), (3.18), (3.19)).
+//!
+//! Knows the angles only as three errors: frames and motors are for others.
+
+use crate::parameters::Parameters;
+use bessemer::prelude::*;
+
+/// Holds roll, pitch and yaw.
+#[component]
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Attitude {
+    /// Integrals of the errors of roll, pitch and yaw, rad·s.
+    pub integral: Vector3<f64>,
+}
+
+#[component]
+impl Attitude {
+    /// One control period: the torques about the axes of roll, pitch and yaw, N·m.
+    #[entry(infallible)]
+    pub fn step(
+        &mut self,
+        parameters: &Parameters,
+        error: &Vector3<f64>,
+        error_rate: &Vector3<f64>,
+    ) -> Vector3<f64> {
+        let integral = self.integral;
+        self.integral += error * parameters.period;
+
+        Vector3::new(
+            parameters.roll.respond(error.x, integral.x, error_rate.x),
+            parameters.pitch.respond(error.y, integral.y, error_rate.y),
+            parameters.yaw.respond(error.z, integral.z, error_rate.z),
+        )
+    }
+}

@@ -1,0 +1,77 @@
+//! The aircraft's orientation: frames, angles and their rates (thesis, ch. 2).
+//!
+//! The angles are those of a passive rotation: a positive body rate lowers them. Nothing here knows
+//! of forces or of control.
+
+use bessemer::prelude::*;
+
+/// Sines and cosines of roll θ1, pitch θ2 and yaw θ3.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Orientation {
+    /// sin θ1.
+    pub s1: f64,
+    /// cos θ1.
+    pub c1: f64,
+    /// sin θ2.
+    pub s2: f64,
+    /// cos θ2.
+    pub c2: f64,
+    /// sin θ3.
+    pub s3: f64,
+    /// cos θ3.
+    pub c3: f64,
+}
+
+#[data]
+impl Orientation {
+    /// The orientation at the given roll, pitch and yaw, rad.
+    pub fn of(angles: &Vector3<f64>) -> Orientation {
+        Orientation {
+            s1: angles.x.sin(),
+            c1: angles.x.cos(),
+            s2: angles.y.sin(),
+            c2: angles.y.cos(),
+            s3: angles.z.sin(),
+            c3: angles.z.cos(),
+        }
+    }
+
+    /// Rotation from the body frame to the inertial frame (thesis, eq. (2.11)).
+    #[rustfmt::skip]
+    pub fn rotation(&self) -> Matrix3<f64> {
+        let s1 = self.s1;
+        let c1 = self.c1;
+        let s2 = self.s2;
+        let c2 = self.c2;
+        let s3 = self.s3;
+        let c3 = self.c3;
+        Matrix3::new(
+            c2 * c3,                c2 * s3,                -s2,
+            s1 * s2 * c3 - c1 * s3, s1 * s2 * s3 + c1 * c3, s1 * c2,
+            c1 * s2 * c3 + s1 * s3, c1 * s2 * s3 - s1 * c3, c1 * c2,
+        )
+    }
+
+    /// Body rates per rate of the angles: T in ω = T θ̇ (thesis, eq. (2.16)).
+    ///
+    /// Its columns are the axes about which roll, pitch and yaw turn, seen from the body.
+    #[rustfmt::skip]
+    pub fn rate_matrix(&self) -> Matrix3<f64> {
+        Matrix3::new(
+            -self.c2 * self.c3,  self.s3,  0.0,
+            -self.c2 * self.s3, -self.c3,  0.0,
+             self.s2,            0.0,     -1.0,
+        )
+    }
+
+    /// Rates of the angles at the given body rates (thesis, eq. (2.17)), rad/s.
+    ///
+    /// Singular at a pitch of ±π/2.
+    pub fn angle_rates(&self, body_rates: &Vector3<f64>) -> Vector3<f64> {
+        let along = self.c3 * body_rates.x + self.s3 * body_rates.y;
+        let across = self.s3 * body_rates.x - self.c3 * body_rates.y;
+        let roll_rate = -along / self.c2;
+        Vector3::new(roll_rate, across, self.s2 * roll_rate - body_rates.z)
+    }
+}

@@ -1,0 +1,91 @@
+//! A pilot flying a mission in closed loop, recorded step by step.
+//!
+//! Knows the pilot only through its trait, and passes no judgement.
+
+use crate::mission::Mission;
+use crate::pilot::Pilot;
+use crate::plant::{Body, Loads, State};
+use crate::vehicle::Vehicle;
+use models::{Command, Parameters, Sensed, Target};
+
+/// One control period, as it was flown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Step {
+    /// Its beginning, s.
+    pub time: f64,
+    /// Where the aircraft was.
+    pub state: State,
+    /// What the pilot sensed.
+    pub sensed: Sensed,
+    /// What was asked of the pilot.
+    pub target: Target,
+    /// What the pilot commanded.
+    pub command: Command,
+    /// What the pilot remembered afterwards, as words: see [`Pilot::state`].
+    pub memory: Vec<u64>,
+}
+
+/// A flight as it was flown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Flight {
+    /// Every control period, in order.
+    pub steps: Vec<Step>,
+    /// Where the aircraft ended.
+    pub end: State,
+}
+
+/// Flies a mission in the given vehicle: one step of the pilot per control period, its command held.
+pub fn fly(
+    vehicle: &Vehicle,
+    parameters: &Parameters,
+    mission: &Mission,
+    pilot: &mut impl Pilot,
+) -> Flight {
+    let period = parameters.period;
+    let count = (mission.duration / period).round() as usize;
+    let body = Body {
+        mass: vehicle.mass,
+        inertia: vehicle.inertia,
+    };
+
+    let mut state = mission.start;
+    let mut steps = Vec::with_capacity(count);
+    for n in 0..count {
+        let time = n as f64 * period;
+        let sensed = sense(&state);
+        let target = mission.target(time);
+        let command = pilot.step(&sensed, &target);
+        let memory = pilot.state();
+        steps.push(Step {
+            time,
+            state,
+            sensed,
+            target,
+            command,
+            memory,
+        });
+
+        let squares = command
+            .motors
+            .map(|motor| motor * parameters.mixer.square_per_command);
+        let (thrust, torque) = vehicle.loads(squares.as_slice());
+        let torque = torque + mission.twist(time);
+        let loads = Loads {
+            thrust,
+            torque,
+            wind: mission.wind,
+        };
+        state = state.after(&body, &loads, period);
+    }
+    Flight { steps, end: state }
+}
+
+/// What perfect sensors make of a state.
+pub fn sense(state: &State) -> Sensed {
+    Sensed {
+        position: state.position,
+        angles: state.angles,
+        velocity: state.body_velocity(),
+        rates: state.rates,
+    }
+}

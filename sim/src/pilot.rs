@@ -1,0 +1,51 @@
+//! Whatever can fly the aircraft.
+//!
+//! The model itself, its emitted C and the interpreter of its IR all fly behind one trait, so that
+//! no flight can tell which of them it has on board.
+
+use models::{Command, Controller, Parameters, Sensed, Target};
+
+/// A controller, however it is carried out.
+pub trait Pilot {
+    /// One control period.
+    fn step(&mut self, sensed: &Sensed, target: &Target) -> Command;
+
+    /// Everything that the controller remembers, as words: an `f64` by its bits, a `bool` as 0 or
+    /// 1, in the order in which the model declares its fields.
+    fn state(&self) -> Vec<u64>;
+}
+
+/// The model, as rustc compiles it.
+#[derive(Clone, Debug)]
+pub struct Native {
+    parameters: Parameters,
+    controller: Controller,
+}
+
+impl Native {
+    /// The controller in its initial state.
+    pub fn new(parameters: Parameters) -> Self {
+        Self {
+            parameters,
+            controller: Controller::default(),
+        }
+    }
+}
+
+impl Pilot for Native {
+    fn step(&mut self, sensed: &Sensed, target: &Target) -> Command {
+        self.controller.step(&self.parameters, sensed, target)
+    }
+
+    fn state(&self) -> Vec<u64> {
+        let Controller {
+            height,
+            attitude,
+            landed,
+        } = &self.controller;
+        let mut words = vec![height.integral.to_bits()];
+        words.extend(attitude.integral.iter().map(|value| value.to_bits()));
+        words.push(u64::from(*landed));
+        words
+    }
+}

@@ -1,0 +1,133 @@
+//! The aircraft's motion (thesis, eqs. (2.18)–(2.29)): twelve states, RK4, a floor at z = 0.
+//!
+//! Knows loads, not motors; and nothing of who commands them.
+
+use nalgebra::{Matrix3, SVector, Vector3};
+
+/// Acceleration of gravity, m/s².
+pub const GRAVITY: f64 = 9.81;
+
+/// Where the aircraft is, and how it moves (thesis, eq. (2.18)).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct State {
+    /// Position in the inertial frame, z upwards, m.
+    pub position: Vector3<f64>,
+    /// Euler angles: roll, pitch, yaw, rad.
+    pub angles: Vector3<f64>,
+    /// Velocity in the inertial frame, m/s.
+    pub velocity: Vector3<f64>,
+    /// Angular velocity in the body frame, rad/s.
+    pub rates: Vector3<f64>,
+}
+
+/// What acts on the aircraft, held over one step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Loads {
+    /// Thrust of the motors along the body's z, N.
+    pub thrust: f64,
+    /// Torque about the body's axes, N·m.
+    pub torque: Vector3<f64>,
+    /// Force of the air in the inertial frame, N.
+    pub wind: Vector3<f64>,
+}
+
+/// A rigid body: what resists the loads.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Body {
+    /// Mass, kg.
+    pub mass: f64,
+    /// Moments of inertia about the body axes, kg·m².
+    pub inertia: Vector3<f64>,
+}
+
+/// Rotation from the body frame to the inertial frame (thesis, eq. (2.11)), as the product of
+/// its three turns.
+pub fn rotation(angles: &Vector3<f64>) -> Matrix3<f64> {
+    let (s1, c1) = angles.x.sin_cos();
+    let (s2, c2) = angles.y.sin_cos();
+    let (s3, c3) = angles.z.sin_cos();
+    let roll = Matrix3::new(1.0, 0.0, 0.0, 0.0, c1, s1, 0.0, -s1, c1);
+    let pitch = Matrix3::new(c2, 0.0, -s2, 0.0, 1.0, 0.0, s2, 0.0, c2);
+    let yaw = Matrix3::new(c3, s3, 0.0, -s3, c3, 0.0, 0.0, 0.0, 1.0);
+    roll * pitch * yaw
+}
+
+/// Rates of the Euler angles (thesis, eq. (2.17)), rad/s.
+pub fn angle_rates(angles: &Vector3<f64>, rates: &Vector3<f64>) -> Vector3<f64> {
+    let (s3, c3) = angles.z.sin_cos();
+    let along = c3 * rates.x + s3 * rates.y;
+    Vector3::new(
+        -along / angles.y.cos(),
+        s3 * rates.x - c3 * rates.y,
+        -angles.y.tan() * along - rates.z,
+    )
+}
+
+impl State {
+    /// Velocity in the body frame, m/s.
+    pub fn body_velocity(&self) -> Vector3<f64> {
+        rotation(&self.angles).transpose() * self.velocity
+    }
+
+    /// Whether every figure is finite.
+    pub fn is_finite(&self) -> bool {
+        self.vector().iter().all(|value| value.is_finite())
+    }
+
+    /// The state after `period` seconds: one step of RK4 under held loads, above the floor.
+    pub fn after(&self, body: &Body, loads: &Loads, period: f64) -> State {
+        let start = self.vector();
+        let slope = |at: SVector<f64, 12>| State::from_vector(&at).slope(body, loads);
+        let k1 = slope(start);
+        let k2 = slope(start + k1 * (period / 2.0));
+        let k3 = slope(start + k2 * (period / 2.0));
+        let k4 = slope(start + k3 * period);
+        let end = start + (k1 + k2 * 2.0 + k3 * 2.0 + k4) * (period / 6.0);
+        State::from_vector(&end).above_floor()
+    }
+
+    /// Rate of every state (thesis, eqs. (2.17), (2.23), (2.24), (2.28), (2.29)).
+    fn slope(&self, body: &Body, loads: &Loads) -> SVector<f64, 12> {
+        let push = rotation(&self.angles) * Vector3::new(0.0, 0.0, loads.thrust) + loads.wind;
+        let momentum = body.inertia.component_mul(&self.rates);
+        let turn = loads.torque - self.rates.cross(&momentum);
+        State {
+            position: self.velocity,
+            angles: angle_rates(&self.angles, &self.rates),
+            velocity: push / body.mass - Vector3::new(0.0, 0.0, GRAVITY),
+            rates: turn.component_div(&body.inertia),
+        }
+        .vector()
+    }
+
+    /// The floor takes what falls: the aircraft rests there until its thrust lifts it.
+    fn above_floor(self) -> State {
+        if self.position.z > 0.0 || self.velocity.z > 0.0 {
+            return self;
+        }
+        State {
+            position: Vector3::new(self.position.x, self.position.y, 0.0),
+            angles: self.angles,
+            ..State::default()
+        }
+    }
+
+    fn vector(&self) -> SVector<f64, 12> {
+        let mut all = SVector::<f64, 12>::zeros();
+        let parts = [self.position, self.angles, self.velocity, self.rates];
+        for (n, part) in parts.iter().enumerate() {
+            all.fixed_rows_mut::<3>(3 * n).copy_from(part);
+        }
+        all
+    }
+
+    fn from_vector(all: &SVector<f64, 12>) -> State {
+        let part = |n: usize| all.fixed_rows::<3>(3 * n).into_owned();
+        State {
+            position: part(0),
+            angles: part(1),
+            velocity: part(2),
+            rates: part(3),
+        }
+    }
+}
