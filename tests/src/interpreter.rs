@@ -1,0 +1,36 @@
+//! The IR's interpreter as a leg: a component's state, and calls of one entry point.
+
+use bessemer_codegen::interpret::{Interpreter, Stop};
+use bessemer_ir::{FunctionId, Module, Owner};
+
+/// A component whose entry point the interpreter runs.
+pub struct Interpreted<'m> {
+    interpreter: Interpreter<'m>,
+    entry: FunctionId,
+    state: Vec<u64>,
+}
+
+impl<'m> Interpreted<'m> {
+    /// The component that `entry` belongs to, in its initial state.
+    pub fn new(module: &'m Module, entry: FunctionId) -> Interpreted<'m> {
+        let state = match module.functions[entry.index()].owner {
+            Some(Owner::Struct(id)) => module.structs[id.index()].initial.clone(),
+            _ => None,
+        };
+        let interpreter = Interpreter::new(module);
+        Interpreted { interpreter, entry, state: state.unwrap_or_default() }
+    }
+
+    /// One call; gives the words of the result, then those of the state.
+    ///
+    /// # Errors
+    /// The fault.
+    pub fn step(&mut self, arguments: &[Vec<u64>]) -> Result<Vec<u64>, Stop> {
+        let mut all = vec![self.state.clone()];
+        all.extend_from_slice(arguments);
+        let mut result = self.interpreter.call(self.entry, &mut all)?;
+        self.state.clone_from(&all[0]);
+        result.extend_from_slice(&self.state);
+        Ok(result)
+    }
+}

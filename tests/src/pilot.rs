@@ -1,0 +1,84 @@
+//! The flight's controller behind the simulation's own trait, whichever leg carries it out.
+
+use bessemer_codegen::compile::Compiled;
+use bessemer_ir::{FunctionId, Role};
+use models::{Command, Parameters, Sensed, Target};
+use sim::Pilot;
+
+use crate::interpreter::Interpreted;
+use crate::process::{Error, Process};
+use crate::toolchain::Toolchain;
+use crate::{value, words};
+
+/// The entry point `owner::name` of a module.
+pub fn entry(compiled: &Compiled, owner: &str, name: &str) -> Option<FunctionId> {
+    let module = &compiled.module;
+    let index = module.functions.iter().position(|function| {
+        let of = match function.owner {
+            Some(bessemer_ir::Owner::Struct(id)) => module.structs[id.index()].name.as_str(),
+            _ => "",
+        };
+        matches!(function.role, Role::Entry { .. }) && function.name == name && of == owner
+    })?;
+    Some(FunctionId(index as u32))
+}
+
+enum Leg<'m> {
+    Interpreter(Interpreted<'m>),
+    C(Box<Process>),
+}
+
+/// A pilot whose controller is the interpreter or a C process.
+pub struct Wired<'m> {
+    leg: Leg<'m>,
+    parameters: Vec<u64>,
+    state: Vec<u64>,
+}
+
+impl<'m> Wired<'m> {
+    /// The controller in the interpreter.
+    pub fn interpreted(compiled: &'m Compiled, entry: FunctionId, parameters: &Parameters) -> Self {
+        let leg = Leg::Interpreter(Interpreted::new(&compiled.module, entry));
+        Wired { leg, parameters: words(parameters), state: Vec::new() }
+    }
+
+    /// The controller as C.
+    ///
+    /// # Errors
+    /// What the compiler or the system said.
+    pub fn c(
+        compiled: &Compiled,
+        entry: FunctionId,
+        toolchain: &Toolchain,
+        parameters: &Parameters,
+    ) -> Result<Self, Error> {
+        let leg = Leg::C(Box::new(Process::start(compiled, entry, toolchain)?));
+        Ok(Wired { leg, parameters: words(parameters), state: Vec::new() })
+    }
+}
+
+impl Pilot for Wired<'_> {
+    /// # Panics
+    /// If the leg faults or dies: the flight is over.
+    fn step(&mut self, sensed: &Sensed, target: &Target) -> Command {
+        let arguments = [self.parameters.clone(), words(sensed), words(target)];
+        let results = match &mut self.leg {
+            Leg::Interpreter(leg) => match leg.step(&arguments) {
+                Ok(results) => results,
+                Err(stop) => panic!("the interpreter stopped: {stop}"),
+            },
+            Leg::C(process) => match process.step(&arguments.concat()) {
+                Ok(results) if results[0] == 0 => results[1..].to_vec(),
+                Ok(results) => panic!("the C reports fault {}", results[0]),
+                Err(error) => panic!("the C stopped: {error}"),
+            },
+        };
+        let command: Command = value(&results);
+        self.state = results[words(&command).len()..].to_vec();
+        command
+    }
+
+    fn state(&self) -> Vec<u64> {
+        self.state.clone()
+    }
+}

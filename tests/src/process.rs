@@ -1,0 +1,131 @@
+//! Emitted C as a process: built in a folder of its own, stepped through pipes.
+
+use std::io::{BufReader, BufWriter, Read, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Child, ChildStdin, ChildStdout, Stdio};
+
+use bessemer_codegen::compile::Compiled;
+use bessemer_ir::FunctionId;
+use tempfile::TempDir;
+
+use crate::harness;
+use crate::toolchain::Toolchain;
+
+/// Why a leg could not run.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// The compiler refused.
+    #[error("{0}")]
+    Compile(String),
+    /// The process or its files failed.
+    #[error("{0}")]
+    Io(#[from] std::io::Error),
+}
+
+/// Emitted C in a temporary folder.
+pub struct Folder {
+    folder: TempDir,
+    sources: Vec<PathBuf>,
+}
+
+/// A running entry point.
+pub struct Process {
+    child: Child,
+    input: BufWriter<ChildStdin>,
+    output: BufReader<ChildStdout>,
+    results: usize,
+    // Holds the program while it runs.
+    _folder: TempDir,
+}
+
+/// Writes the C of `compiled` to a folder.
+///
+/// # Errors
+/// What the file system said.
+pub fn lay_out(compiled: &Compiled) -> Result<Folder, Error> {
+    let folder = tempfile::tempdir()?;
+    let mut sources = Vec::new();
+    for file in &compiled.files {
+        let path = folder.path().join(&file.name);
+        std::fs::write(&path, &file.text)?;
+        if file.name.ends_with(".c") {
+            sources.push(path);
+        }
+    }
+    Ok(Folder { folder, sources })
+}
+
+impl Folder {
+    /// The folder.
+    pub fn path(&self) -> &Path {
+        self.folder.path()
+    }
+
+    /// The C sources in it.
+    pub fn sources(&self) -> &[PathBuf] {
+        &self.sources
+    }
+}
+
+impl Process {
+    /// Compiles the C of `compiled` with a program around `entry`, and starts it.
+    ///
+    /// # Errors
+    /// What the compiler or the system said.
+    pub fn start(
+        compiled: &Compiled,
+        entry: FunctionId,
+        toolchain: &Toolchain,
+    ) -> Result<Process, Error> {
+        let Folder { folder, mut sources } = lay_out(compiled)?;
+        let main = folder.path().join("harness_main.c");
+        std::fs::write(&main, harness::program(&compiled.explicit, entry))?;
+        sources.push(main);
+        let program = folder.path().join("harness");
+        toolchain.link(&sources, &program).map_err(Error::Compile)?;
+        let mut child = toolchain
+            .runner(&program)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()?;
+        let (Some(input), Some(output)) = (child.stdin.take(), child.stdout.take()) else {
+            return Err(Error::Compile("the process has no pipes".into()));
+        };
+        let module = &compiled.explicit;
+        let function = &module.functions[entry.index()];
+        let state = match function.owner {
+            Some(bessemer_ir::Owner::Struct(id)) => {
+                module.leaves(&bessemer_ir::Type::Struct(id)).len()
+            }
+            _ => 0,
+        };
+        let results = 1 + module.leaves(&function.result).len() + state;
+        let (input, output) = (BufWriter::new(input), BufReader::new(output));
+        Ok(Process { child, input, output, results, _folder: folder })
+    }
+
+    /// One call: the arguments' words in; status, result and state out.
+    ///
+    /// # Errors
+    /// The process died.
+    pub fn step(&mut self, arguments: &[u64]) -> Result<Vec<u64>, Error> {
+        for word in arguments {
+            self.input.write_all(&word.to_le_bytes())?;
+        }
+        self.input.flush()?;
+        let mut results = Vec::with_capacity(self.results);
+        for _ in 0..self.results {
+            let mut bytes = [0; 8];
+            self.output.read_exact(&mut bytes)?;
+            results.push(u64::from_le_bytes(bytes));
+        }
+        Ok(results)
+    }
+}
+
+impl Drop for Process {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}

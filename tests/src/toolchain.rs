@@ -1,0 +1,159 @@
+//! The compilers that emitted C goes through, and how a program of each is run.
+//!
+//! `BESSEMER_LEGS` says what must be there: `all` with the Cortex-A9, `host` without; unset, whatever
+//! is there is used, so that a plain `cargo test` passes with one C compiler.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// The warnings under which emitted C is clean, as C99, and no contraction.
+pub const FLAGS: &[&str] = &[
+    "-std=c99",
+    "-Wall",
+    "-Wextra",
+    "-Wpedantic",
+    "-Werror",
+    "-Wconversion",
+    "-Wdouble-promotion",
+    "-Wshadow",
+    "-Wstrict-prototypes",
+    "-Wmissing-prototypes",
+    "-ffp-contract=off",
+];
+
+/// The flags of the Cortex-A9: hard float, VFPv3; NEON would flush subnormals.
+pub const CORTEX_A9: &[&str] =
+    &["-mcpu=cortex-a9", "-mfpu=vfpv3", "-mfloat-abi=hard", "-static"];
+
+/// A compiler at a level of optimisation.
+#[derive(Clone, Debug)]
+pub struct Toolchain {
+    /// `gcc`, `clang`, `arm-linux-gnueabihf-gcc`.
+    pub compiler: &'static str,
+    /// `0` to `3`.
+    pub level: u32,
+    /// What runs its programs, for another machine than this.
+    pub emulator: Option<&'static [&'static str]>,
+}
+
+impl Toolchain {
+    /// As a test names it: `gcc -O2`.
+    pub fn name(&self) -> String {
+        format!("{} -O{}", self.compiler, self.level)
+    }
+
+    /// A command that compiles with the project's warnings; sources and outputs are the caller's.
+    pub fn command(&self) -> Command {
+        let mut build = cc::Build::new();
+        build
+            .compiler(self.compiler)
+            .no_default_flags(true)
+            .cargo_metadata(false)
+            .host(HOST)
+            .target(HOST)
+            .opt_level(self.level);
+        let mut command = match build.try_get_compiler() {
+            Ok(tool) => tool.to_command(),
+            Err(_) => Command::new(self.compiler),
+        };
+        command.args(FLAGS).arg(format!("-O{}", self.level));
+        if self.emulator.is_some() {
+            command.args(CORTEX_A9);
+        }
+        command
+    }
+
+    /// Compiles and links `sources` into `program`.
+    ///
+    /// # Errors
+    /// What the compiler said.
+    pub fn link(&self, sources: &[PathBuf], program: &Path) -> Result<(), String> {
+        run(self.command().args(sources).arg("-o").arg(program).arg("-lm"))
+    }
+
+    /// A command that runs `program`.
+    pub fn runner(&self, program: &Path) -> Command {
+        match self.emulator {
+            Some([emulator, arguments @ ..]) => {
+                let mut command = Command::new(emulator);
+                command.args(arguments).arg(program);
+                command
+            }
+            _ => Command::new(program),
+        }
+    }
+}
+
+const HOST: &str = "x86_64-unknown-linux-gnu";
+
+/// Runs a command; what it said if it failed.
+///
+/// # Errors
+/// Its output.
+pub fn run(command: &mut Command) -> Result<(), String> {
+    match command.output() {
+        Ok(output) if output.status.success() => Ok(()),
+        Ok(output) => Err(format!(
+            "{command:?}\n{}{}",
+            String::from_utf8_lossy(&output.stdout),
+            String::from_utf8_lossy(&output.stderr)
+        )),
+        Err(error) => Err(format!("{command:?}: {error}")),
+    }
+}
+
+/// Which legs a run must have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Legs {
+    Present,
+    Host,
+    All,
+}
+
+fn legs() -> Legs {
+    match std::env::var("BESSEMER_LEGS").as_deref() {
+        Ok("all") => Legs::All,
+        Ok("host") => Legs::Host,
+        _ => Legs::Present,
+    }
+}
+
+fn there(program: &str) -> bool {
+    Command::new(program).arg("--version").output().is_ok_and(|output| output.status.success())
+}
+
+/// gcc and clang on this machine at -O0, -O2 and -O3.
+pub fn host() -> Vec<Toolchain> {
+    let compilers: Vec<&str> = ["gcc", "clang"]
+        .into_iter()
+        .filter(|compiler| legs() != Legs::Present || there(compiler))
+        .collect();
+    compilers
+        .into_iter()
+        .flat_map(|compiler| {
+            [0, 2, 3].map(|level| Toolchain { compiler, level, emulator: None })
+        })
+        .collect()
+}
+
+/// The Cortex-A9 under emulation, at the same levels.
+pub fn target() -> Vec<Toolchain> {
+    let compiler = "arm-linux-gnueabihf-gcc";
+    let wanted = match legs() {
+        Legs::All => true,
+        Legs::Host => false,
+        Legs::Present => there(compiler) && there("qemu-arm"),
+    };
+    if !wanted {
+        return Vec::new();
+    }
+    let emulator: &[&str] = &["qemu-arm", "-cpu", "cortex-a9"];
+    [0, 2, 3].map(|level| Toolchain { compiler, level, emulator: Some(emulator) }).into()
+}
+
+/// Every toolchain of this run.
+pub fn all() -> Vec<Toolchain> {
+    let mut all = host();
+    all.extend(target());
+    all
+}

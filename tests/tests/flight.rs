@@ -1,0 +1,74 @@
+//! Software and processor in the loop: the whole flight, every output and every state by bits.
+//!
+//! The plant flies with each leg in turn, closed loop; a single differing bit would part the flights.
+
+use std::thread;
+
+use bessemer_tests::pilot::{Wired, entry};
+use bessemer_tests::toolchain::{self, Toolchain};
+use bessemer_tests::{flight_models, words};
+use models::Parameters;
+use sim::{Flight, Mission, Native, Pilot, Vehicle, fly};
+
+fn flown(pilot: &mut impl Pilot) -> Flight {
+    fly(&Vehicle::mambo(), &Parameters::mambo(), &Mission::every_channel(), pilot)
+}
+
+/// The first step at which two flights part, and how.
+fn parting(one: &Flight, other: &Flight) -> Option<String> {
+    assert_eq!(one.steps.len(), 6000);
+    assert_eq!(other.steps.len(), 6000);
+    one.steps.iter().zip(&other.steps).enumerate().find_map(|(step, (one, other))| {
+        let (outputs, others) = (words(&one.command), words(&other.command));
+        let differs = !same(&outputs, &others) || !same(&one.memory, &other.memory);
+        differs.then(|| {
+            format!("step {step}: {outputs:x?} {:x?} / {others:x?} {:x?}", one.memory, other.memory)
+        })
+    })
+}
+
+/// Bits, save that any NaN is any NaN.
+fn same(one: &[u64], other: &[u64]) -> bool {
+    let equal = |(a, b): (&u64, &u64)| {
+        a == b || (f64::from_bits(*a).is_nan() && f64::from_bits(*b).is_nan())
+    };
+    one.len() == other.len() && one.iter().zip(other).all(equal)
+}
+
+#[test]
+fn the_interpreter_flies_the_same_bits() {
+    let compiled = flight_models();
+    let step = entry(compiled, "Controller", "step").expect("the controller has a step");
+    let native = flown(&mut Native::new(Parameters::mambo()));
+    let mut pilot = Wired::interpreted(compiled, step, &Parameters::mambo());
+    assert_eq!(parting(&native, &flown(&mut pilot)), None);
+}
+
+fn fly_c(toolchains: &[Toolchain]) {
+    let compiled = flight_models();
+    let step = entry(compiled, "Controller", "step").expect("the controller has a step");
+    let native = flown(&mut Native::new(Parameters::mambo()));
+    thread::scope(|scope| {
+        for toolchain in toolchains {
+            let native = &native;
+            scope.spawn(move || {
+                let mut pilot = Wired::c(compiled, step, toolchain, &Parameters::mambo())
+                    .unwrap_or_else(|error| panic!("{}: {error}", toolchain.name()));
+                let parted = parting(native, &flown(&mut pilot));
+                assert_eq!(parted, None, "{}", toolchain.name());
+            });
+        }
+    });
+    let names: Vec<String> = toolchains.iter().map(Toolchain::name).collect();
+    println!("6000 steps bit-equal: {}", names.join(", "));
+}
+
+#[test]
+fn the_c_flies_the_same_bits_on_this_machine() {
+    fly_c(&toolchain::host());
+}
+
+#[test]
+fn the_c_flies_the_same_bits_on_the_cortex_a9() {
+    fly_c(&toolchain::target());
+}

@@ -1,0 +1,235 @@
+//! The command line: what can be asked, and the help that teaches it.
+//!
+//! Invariant: only data and help texts; nothing is done here.
+
+use clap::builder::styling::{AnsiColor, Styles};
+use clap::{Args, Parser, Subcommand};
+
+const STYLES: Styles = Styles::styled()
+    .header(AnsiColor::Green.on_default().bold())
+    .usage(AnsiColor::Green.on_default().bold())
+    .literal(AnsiColor::Cyan.on_default().bold())
+    .placeholder(AnsiColor::Cyan.on_default());
+
+const EXAMPLES: &str = "\
+First steps:
+  cargo xtask gen               Write the C of every model into generated/
+  cargo xtask test --install    Install what the tests need, then run all of them
+
+What needs what:
+  gen       Rust, nothing else
+  test      also rustfmt and clippy, gcc, g++ and clang, and for the ARM part
+            arm-linux-gnueabihf-gcc and qemu-arm
+  test --host
+            the same without the ARM part
+  doctor    nothing: it tells what is there and what is missing
+
+Plain `cargo test` works too: it runs what needs no cross tools.";
+
+/// Bessemer: controllers written in Rust, delivered as readable C99 that computes the same bits.
+#[derive(Debug, Parser)]
+#[command(name = "cargo xtask", bin_name = "cargo xtask", version, styles = STYLES, after_help = EXAMPLES)]
+pub struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub task: Task,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub enum Task {
+    /// Compile every model in models/ to C, into generated/
+    Gen(Gen),
+    /// Run everything that must pass: format, lints, freshness of generated/, all tests
+    Test(Test),
+    /// List the tools that are there and those that are missing
+    Doctor(Doctor),
+    /// Measure the generated C (not built yet)
+    Bench(Bench),
+    /// Fly a model against the simulated plant
+    Sim(Sim),
+}
+
+/// Arguments of `gen`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  cargo xtask gen            Bring generated/ up to date
+  cargo xtask gen --check    Fail, with a diff, if generated/ is stale
+
+Needs Rust, nothing else. The output is written whole or not at all.")]
+pub struct Gen {
+    /// Write nothing; fail, with a diff, if what is committed is stale
+    #[arg(long)]
+    pub check: bool,
+}
+
+/// Whether generation writes or only compares.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Mode {
+    /// Bring the output up to date.
+    Write,
+    /// Compare, and fail if the output is stale.
+    Check,
+}
+
+impl Gen {
+    /// What the flags ask for.
+    #[must_use]
+    pub fn mode(&self) -> Mode {
+        if self.check { Mode::Check } else { Mode::Write }
+    }
+}
+
+/// Arguments of `test`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  cargo xtask test              Run everything; if a tool is missing, print the line that installs it, and fail
+  cargo xtask test --install    The same, but install what is missing first (apt, as root or through sudo)
+  cargo xtask test --host       Leave out what runs on the emulated Cortex-A9
+
+Stages: format, lints, gen --check, documentation tests, tests. The first that fails ends the run.
+The tests learn what to run from BESSEMER_LEGS: `all`, or `host` with --host.")]
+pub struct Test {
+    /// Install what is missing first, with apt-get (as root or through sudo) and rustup
+    #[arg(long)]
+    pub install: bool,
+    /// Leave out the ARM part: neither the cross compiler nor QEMU is needed
+    #[arg(long)]
+    pub host: bool,
+}
+
+/// Arguments of `doctor`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  cargo xtask doctor           A table, and the one line that installs what is missing
+  cargo xtask doctor --json    The same for a program
+
+Exit code 1 if something that `cargo xtask test` needs is missing.")]
+pub struct Doctor {
+    /// Print JSON instead of a table
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Arguments of `bench`.
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Not built yet: it comes with the linear algebra. Until then it fails with exit code 2."
+)]
+pub struct Bench {
+    /// Measure the short list only
+    #[arg(long)]
+    pub quick: bool,
+}
+
+/// Arguments of `sim`.
+#[derive(Debug, Args)]
+pub struct Sim {
+    /// The flight to fly; without it, the flights are listed
+    pub flight: Option<String>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    fn parse(line: &[&str]) -> Result<Task, clap::error::ErrorKind> {
+        let words = std::iter::once("cargo xtask").chain(line.iter().copied());
+        Arguments::try_parse_from(words)
+            .map(|arguments| arguments.task)
+            .map_err(|error| error.kind())
+    }
+
+    #[test]
+    fn the_definition_is_sound() {
+        Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn gen_writes_unless_told_to_check() {
+        assert!(matches!(parse(&["gen"]), Ok(Task::Gen(wanted)) if wanted.mode() == Mode::Write));
+        assert!(
+            matches!(parse(&["gen", "--check"]), Ok(Task::Gen(wanted)) if wanted.mode() == Mode::Check)
+        );
+    }
+
+    #[test]
+    fn test_installs_nothing_unless_told() {
+        assert!(matches!(
+            parse(&["test"]),
+            Ok(Task::Test(Test {
+                install: false,
+                host: false
+            }))
+        ));
+        assert!(matches!(
+            parse(&["test", "--install"]),
+            Ok(Task::Test(Test {
+                install: true,
+                host: false
+            }))
+        ));
+        assert!(matches!(
+            parse(&["test", "--host"]),
+            Ok(Task::Test(Test {
+                install: false,
+                host: true
+            }))
+        ));
+        assert!(matches!(
+            parse(&["test", "--host", "--install"]),
+            Ok(Task::Test(Test {
+                install: true,
+                host: true
+            }))
+        ));
+    }
+
+    #[test]
+    fn the_rest_is_read() {
+        assert!(matches!(
+            parse(&["doctor", "--json"]),
+            Ok(Task::Doctor(Doctor { json: true }))
+        ));
+        assert!(matches!(
+            parse(&["bench", "--quick"]),
+            Ok(Task::Bench(Bench { quick: true }))
+        ));
+        assert!(matches!(
+            parse(&["sim"]),
+            Ok(Task::Sim(Sim { flight: None }))
+        ));
+        assert!(
+            matches!(parse(&["sim", "hover"]), Ok(Task::Sim(Sim { flight: Some(name) })) if name == "hover")
+        );
+    }
+
+    #[test]
+    fn nonsense_is_refused() {
+        use clap::error::ErrorKind;
+        assert_eq!(parse(&["tset"]).err(), Some(ErrorKind::InvalidSubcommand));
+        assert_eq!(
+            parse(&["gen", "--install"]).err(),
+            Some(ErrorKind::UnknownArgument)
+        );
+        assert_eq!(
+            parse(&[]).err(),
+            Some(ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand)
+        );
+    }
+
+    #[test]
+    fn every_command_has_help() {
+        for command in Arguments::command().get_subcommands() {
+            assert!(
+                command.get_about().is_some(),
+                "{} has no help",
+                command.get_name()
+            );
+        }
+    }
+}

@@ -1,0 +1,132 @@
+//! What can go wrong, in the user's terms, with the remedy where one is known.
+//!
+//! Invariant: every failure of a command is an [`Error`]; the remedy is one line that can be pasted into a shell, or
+//! a sentence when no such line exists.
+
+use anstyle::{AnsiColor, Style};
+use bessemer_codegen::generate;
+use std::process::ExitStatus;
+
+/// How a command that ran to its end came out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Outcome {
+    /// Exit code 0.
+    Good,
+    /// Exit code 1, with everything already said.
+    Bad,
+}
+
+/// Why a command could not do its work.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// The command is planned but does not exist yet.
+    #[error("`cargo xtask {command}` is not built yet; it comes with {with}")]
+    NotYet {
+        /// The command, as typed.
+        command: &'static str,
+        /// The work that brings it.
+        with: &'static str,
+    },
+    /// Tools are missing, and installing was not asked for.
+    #[error("missing: {}", tools.join(", "))]
+    Missing {
+        /// Their names.
+        tools: Vec<&'static str>,
+        /// The line that installs them; none if this system has no apt-get.
+        line: Option<String>,
+    },
+    /// Tools are still missing although the installation went through.
+    #[error("installed, but still not usable: {}", tools.join(", "))]
+    StillMissing {
+        /// Their names.
+        tools: Vec<&'static str>,
+    },
+    /// Installing needs rights that we have no way to get.
+    #[error("cannot install {}: not root, and there is no sudo", tools.join(", "))]
+    NoRights {
+        /// Their names.
+        tools: Vec<&'static str>,
+        /// The line to run as root.
+        line: String,
+    },
+    /// A step of the installation failed; its output has been printed.
+    #[error("`{step}` failed ({status})")]
+    Install {
+        /// The command that was run.
+        step: String,
+        /// How it ended.
+        status: ExitStatus,
+    },
+    /// A stage of `test` failed; its output has been printed.
+    #[error("{stage} failed ({status})")]
+    Stage {
+        /// The stage's name.
+        stage: &'static str,
+        /// How its program ended.
+        status: ExitStatus,
+        /// What puts it right, where one line does.
+        remedy: Option<&'static str>,
+    },
+    /// The generator could not do its work.
+    #[error(transparent)]
+    Generate(#[from] bessemer_codegen::generate::Error),
+    /// A program could not be started or listened to.
+    #[error("cannot run `{program}`: {source}")]
+    Spawn {
+        /// The program.
+        program: String,
+        /// The system's reason.
+        source: std::io::Error,
+    },
+}
+
+impl Error {
+    /// What the user can do about it.
+    #[must_use]
+    pub fn remedy(&self) -> Option<String> {
+        match self {
+            Self::Missing {
+                line: Some(line), ..
+            }
+            | Self::NoRights { line, .. } => Some(line.clone()),
+            Self::Missing { line: None, .. } => Some(
+                "there is no apt-get here: install them with this system's own package manager"
+                    .to_owned(),
+            ),
+            Self::Stage { remedy, .. } => remedy.map(str::to_owned),
+            Self::Generate(error) => error.remedy().map(str::to_owned),
+            Self::StillMissing { .. } => Some("cargo xtask doctor".to_owned()),
+            Self::NotYet { .. } | Self::Install { .. } | Self::Spawn { .. } => None,
+        }
+    }
+
+    /// The exit code: 2 for what does not exist (as for a mistyped command), 1 for the rest.
+    #[must_use]
+    pub fn code(&self) -> u8 {
+        match self {
+            Self::NotYet { .. } => 2,
+            _ => 1,
+        }
+    }
+
+    /// Says it on standard error, coloured on a terminal.
+    pub fn print(&self) {
+        let red = Style::new().bold().fg_color(Some(AnsiColor::Red.into()));
+        let cyan = Style::new().bold().fg_color(Some(AnsiColor::Cyan.into()));
+        match self {
+            // Diagnostics and differences stand as they are.
+            Self::Generate(generate::Error::Models(said) | generate::Error::Refused(said)) => {
+                anstream::eprint!("{said}");
+                anstream::eprintln!("{red}error{red:#}: the models do not compile");
+            }
+            Self::Generate(generate::Error::Stale(difference)) => {
+                anstream::eprint!("{difference}");
+                anstream::eprintln!("{red}error{red:#}: generated/ is stale");
+            }
+            _ => anstream::eprintln!("{red}error{red:#}: {self}"),
+        }
+        if let Some(remedy) = self.remedy() {
+            anstream::eprintln!("{cyan}to do{cyan:#}: {remedy}");
+        }
+    }
+}

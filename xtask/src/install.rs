@@ -1,0 +1,184 @@
+//! How what is missing is installed: the plan, the one line that shows it, and carrying it out.
+//!
+//! Invariants:
+//! - the line printed and the steps run are made of the same words;
+//! - apt-get is asked for nothing but what is missing, asks nothing, and waits for a lock held by another;
+//! - a [`Plan`] is only made where apt-get works, or where nothing has to come from it.
+//!
+//! What it must not know: why a tool is needed.
+
+use crate::error::Error;
+use crate::stages::{self, Progress};
+use crate::tools::{Machine, Source, Tool};
+use std::process::{Command, ExitStatus};
+
+/// How root's rights are got.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Rights {
+    /// We are root.
+    Root,
+    /// Through sudo.
+    Sudo,
+    /// There is no way; the user has to become root.
+    None,
+}
+
+/// What has to be installed, and how.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Plan {
+    components: Vec<&'static str>,
+    packages: Vec<&'static str>,
+    rights: Rights,
+}
+
+/// One command of the installation.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Step {
+    name: &'static str,
+    words: Vec<String>,
+    as_root: bool,
+}
+
+const WAIT: &str = "DPkg::Lock::Timeout=900";
+
+impl Plan {
+    /// How to install `tools` on this machine; none if there is nothing to do or apt-get is needed and absent.
+    #[must_use]
+    pub fn of(tools: &[&'static Tool], machine: &dyn Machine) -> Option<Self> {
+        let (mut components, mut packages) = (Vec::new(), Vec::new());
+        for tool in tools {
+            match tool.source {
+                Source::Component(name) => components.push(name),
+                Source::Package(name) => packages.push(name),
+                Source::Rust => {}
+            }
+        }
+        let possible = packages.is_empty() || machine.version("apt-get").is_some();
+        let needed = !(packages.is_empty() && components.is_empty());
+        (possible && needed).then(|| Self {
+            components,
+            packages,
+            rights: rights(machine),
+        })
+    }
+
+    /// The one line that does it, for a shell.
+    #[must_use]
+    pub fn line(&self) -> String {
+        let steps = self.steps();
+        let join = |as_root: bool| {
+            let chosen = steps.iter().filter(|step| step.as_root == as_root);
+            chosen
+                .map(|step| step.words.join(" "))
+                .collect::<Vec<_>>()
+                .join(" && ")
+        };
+        let (own, root) = (join(false), join(true));
+        let root = if self.rights == Rights::None && !root.is_empty() {
+            format!("su -c '{root}'")
+        } else {
+            root
+        };
+        [own, root]
+            .into_iter()
+            .filter(|part| !part.is_empty())
+            .collect::<Vec<_>>()
+            .join(" && ")
+    }
+
+    /// Carries it out.
+    ///
+    /// # Errors
+    /// [`Error::NoRights`] before anything is touched, [`Error::Install`] at the first step that fails.
+    pub fn carry_out(&self, tools: &[&'static Tool], progress: &mut Progress) -> Result<(), Error> {
+        if self.rights == Rights::None && !self.packages.is_empty() {
+            return Err(Error::NoRights {
+                tools: tools.iter().map(|tool| tool.name).collect(),
+                line: self.line(),
+            });
+        }
+        let names: Vec<_> = tools.iter().map(|tool| tool.name).collect();
+        anstream::eprintln!("installing what is missing: {}", names.join(", "));
+        for step in self.steps() {
+            self.run(&step, progress)?;
+        }
+        Ok(())
+    }
+
+    /// Sudo may ask for a password, so it gets the terminal for itself; the rest runs behind the progress line.
+    fn run(&self, step: &Step, progress: &mut Progress) -> Result<(), Error> {
+        let Some((program, arguments)) = step.words.split_first() else {
+            return Ok(());
+        };
+        let mut command = Command::new(program);
+        command.args(arguments);
+        let verdict = |status: ExitStatus| match status.success() {
+            true => Ok(()),
+            false => Err(Error::Install {
+                step: step.words.join(" "),
+                status,
+            }),
+        };
+        if step.as_root && self.rights == Rights::Sudo {
+            progress.open(step.name, || verdict(stages::attached(&mut command)?))
+        } else {
+            progress.closed(step.name, |voice| {
+                verdict(stages::captured(&mut command, voice)?)
+            })
+        }
+    }
+
+    fn steps(&self) -> Vec<Step> {
+        let mut steps = Vec::new();
+        if !self.components.is_empty() {
+            let words = words("rustup component add", &self.components);
+            steps.push(Step {
+                name: "rustup component add",
+                words,
+                as_root: false,
+            });
+        }
+        if !self.packages.is_empty() {
+            let sudo = if self.rights == Rights::Sudo {
+                "sudo "
+            } else {
+                ""
+            };
+            let update = words(&format!("{sudo}apt-get update -o {WAIT}"), &[]);
+            let quiet = format!("{sudo}env DEBIAN_FRONTEND=noninteractive apt-get install -y");
+            let install = words(
+                &format!("{quiet} --no-install-recommends -o {WAIT}"),
+                &self.packages,
+            );
+            steps.push(Step {
+                name: "apt-get update",
+                words: update,
+                as_root: true,
+            });
+            steps.push(Step {
+                name: "apt-get install",
+                words: install,
+                as_root: true,
+            });
+        }
+        steps
+    }
+}
+
+fn rights(machine: &dyn Machine) -> Rights {
+    if machine.is_root() {
+        Rights::Root
+    } else if machine.version("sudo").is_some() {
+        Rights::Sudo
+    } else {
+        Rights::None
+    }
+}
+
+fn words(start: &str, rest: &[&str]) -> Vec<String> {
+    start
+        .split_whitespace()
+        .chain(rest.iter().copied())
+        .map(str::to_owned)
+        .collect()
+}

@@ -1,0 +1,34 @@
+//! Entry of `cargo xtask`: reads the arguments, hands over, turns the outcome into an exit code.
+//!
+//! Invariant: no decision is taken here; everything else is in the library, where tests reach it.
+
+use std::process::ExitCode;
+
+use clap::Parser;
+use xtask::args::{Arguments, Task};
+use xtask::error::{Error, Outcome};
+use xtask::tools::ThisMachine;
+use xtask::{bench, doctor, generate, project, sim, test};
+
+fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    match perform(&arguments.task) {
+        Ok(Outcome::Good) => ExitCode::SUCCESS,
+        Ok(Outcome::Bad) => ExitCode::FAILURE,
+        Err(error) => {
+            error.print();
+            ExitCode::from(error.code())
+        }
+    }
+}
+
+fn perform(task: &Task) -> Result<Outcome, Error> {
+    let root = project::root();
+    match task {
+        Task::Gen(wanted) => generate::run(&root, wanted.mode()),
+        Task::Test(wanted) => test::run(&root, wanted, &ThisMachine),
+        Task::Doctor(wanted) => doctor::run(wanted, &ThisMachine),
+        Task::Bench(wanted) => bench::run(wanted),
+        Task::Sim(wanted) => sim::run(wanted),
+    }
+}

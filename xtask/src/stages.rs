@@ -1,0 +1,237 @@
+//! Stages with a name, a moving line while they run, and their time when they are over.
+//!
+//! Invariants:
+//! - everything goes to standard error; standard output belongs to results;
+//! - off a terminal a stage is two plain lines, its start and its end;
+//! - what a captured program printed is shown in full if it fails, and not at all if it succeeds;
+//! - a program that is attached has the terminal for itself: no moving line beside it.
+//!
+//! What it must not know: which stages there are.
+
+use crate::error::Error;
+use anstyle::{AnsiColor, Style};
+use indicatif::{ProgressBar, ProgressStyle};
+use std::io::{BufRead, BufReader, IsTerminal, Read};
+use std::process::{Command, ExitStatus, Stdio};
+use std::sync::mpsc::{self, Sender};
+use std::time::{Duration, Instant};
+
+const GREEN: Style = Style::new()
+    .bold()
+    .fg_color(Some(anstyle::Color::Ansi(AnsiColor::Green)));
+
+/// Runs stages and remembers how long each took.
+#[derive(Debug)]
+pub struct Progress {
+    moving: bool,
+    done: Vec<(String, Duration)>,
+}
+
+impl Default for Progress {
+    fn default() -> Self {
+        Self {
+            moving: std::io::stderr().is_terminal(),
+            done: Vec::new(),
+        }
+    }
+}
+
+impl Progress {
+    /// A stage whose programs are captured; `work` gets a voice for the moving line.
+    ///
+    /// # Errors
+    /// Those of `work`.
+    pub fn closed<T>(
+        &mut self,
+        name: &str,
+        work: impl FnOnce(&Voice) -> Result<T, Error>,
+    ) -> Result<T, Error> {
+        let voice = Voice::new(name, self.moving);
+        let start = Instant::now();
+        let outcome = work(&voice);
+        voice.bar.finish_and_clear();
+        self.end(name, start, outcome.is_ok());
+        outcome
+    }
+
+    /// A stage whose programs have the terminal for themselves.
+    ///
+    /// # Errors
+    /// Those of `work`.
+    pub fn open<T>(
+        &mut self,
+        name: &str,
+        work: impl FnOnce() -> Result<T, Error>,
+    ) -> Result<T, Error> {
+        anstream::eprintln!("{GREEN}{name}{GREEN:#} ...");
+        let start = Instant::now();
+        let outcome = work();
+        self.end(name, start, outcome.is_ok());
+        outcome
+    }
+
+    /// The stages that went through, with their times, as one line.
+    #[must_use]
+    pub fn summary(&self) -> String {
+        let each = |(name, time): &(String, Duration)| format!("{name} {}", seconds(*time));
+        self.done.iter().map(each).collect::<Vec<_>>().join(", ")
+    }
+
+    fn end(&mut self, name: &str, start: Instant, good: bool) {
+        if good {
+            let time = start.elapsed();
+            anstream::eprintln!("{GREEN}{name}{GREEN:#} ok, {}", seconds(time));
+            self.done.push((name.to_owned(), time));
+        }
+    }
+}
+
+/// What a stage says on its moving line.
+#[derive(Debug)]
+pub struct Voice {
+    bar: ProgressBar,
+}
+
+impl Voice {
+    fn new(name: &str, moving: bool) -> Self {
+        if !moving {
+            anstream::eprintln!("{name} ...");
+            return Self {
+                bar: ProgressBar::hidden(),
+            };
+        }
+        let bar = ProgressBar::new_spinner().with_prefix(name.to_owned());
+        if let Ok(style) =
+            ProgressStyle::with_template("{spinner} {prefix:.bold} {elapsed:.dim} {wide_msg:.dim}")
+        {
+            bar.set_style(style);
+        }
+        bar.enable_steady_tick(Duration::from_millis(100));
+        Self { bar }
+    }
+
+    /// Shows the last thing that happened.
+    pub fn say(&self, line: &str) {
+        let plain = anstream::adapter::strip_str(line).to_string();
+        self.bar.set_message(plain.trim().to_owned());
+    }
+}
+
+/// Runs the program with the terminal for itself.
+///
+/// # Errors
+/// [`Error::Spawn`] if it does not start.
+pub fn attached(command: &mut Command) -> Result<ExitStatus, Error> {
+    command
+        .status()
+        .map_err(|source| spawn_error(command, source))
+}
+
+/// Runs the program with both its outputs captured, its last line on the moving line. If it fails, prints them.
+///
+/// # Errors
+/// [`Error::Spawn`] if it does not start.
+pub fn captured(command: &mut Command, voice: &Voice) -> Result<ExitStatus, Error> {
+    if anstream::AutoStream::choice(&std::io::stderr()) != anstream::ColorChoice::Never {
+        command.env("CARGO_TERM_COLOR", "always");
+    }
+    command
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped());
+    let mut child = command
+        .spawn()
+        .map_err(|source| spawn_error(command, source))?;
+    let (sender, lines) = mpsc::channel();
+    listen(child.stdout.take(), sender.clone());
+    listen(child.stderr.take(), sender);
+    let mut heard = Vec::new();
+    for line in lines {
+        voice.say(&line);
+        heard.push(line);
+    }
+    let status = child
+        .wait()
+        .map_err(|source| spawn_error(command, source))?;
+    if !status.success() {
+        voice
+            .bar
+            .suspend(|| heard.iter().for_each(|line| anstream::eprintln!("{line}")));
+    }
+    Ok(status)
+}
+
+/// Sends the stream's lines, from a thread of its own, until the stream ends.
+fn listen(stream: Option<impl Read + Send + 'static>, sender: Sender<String>) {
+    let Some(stream) = stream else { return };
+    std::thread::spawn(move || {
+        let mut reader = BufReader::new(stream);
+        let mut bytes = Vec::new();
+        while reader
+            .read_until(b'\n', &mut bytes)
+            .is_ok_and(|count| count > 0)
+        {
+            let line = String::from_utf8_lossy(&bytes).trim_end().to_owned();
+            bytes.clear();
+            if sender.send(line).is_err() {
+                break;
+            }
+        }
+    });
+}
+
+fn spawn_error(command: &Command, source: std::io::Error) -> Error {
+    Error::Spawn {
+        program: command.get_program().to_string_lossy().into_owned(),
+        source,
+    }
+}
+
+fn seconds(time: Duration) -> String {
+    format!("{:.1} s", time.as_secs_f64())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn quiet() -> Voice {
+        Voice {
+            bar: ProgressBar::hidden(),
+        }
+    }
+
+    #[test]
+    fn a_program_that_does_not_start_is_named() {
+        let outcome = captured(&mut Command::new("no-such-program-anywhere"), &quiet());
+        assert!(
+            matches!(outcome, Err(Error::Spawn { program, .. }) if program == "no-such-program-anywhere")
+        );
+    }
+
+    #[test]
+    fn both_outputs_are_read_to_the_end() -> Result<(), Error> {
+        // More than a pipe holds, on both: a reader that minds only one of them would hang.
+        let script = "i=0; while [ $i -lt 20000 ]; do echo out; echo err >&2; i=$((i+1)); done";
+        let status = captured(Command::new("sh").args(["-c", script]), &quiet())?;
+        assert!(status.success());
+        Ok(())
+    }
+
+    #[test]
+    fn only_stages_that_went_through_are_in_the_summary() {
+        let mut progress = Progress {
+            moving: false,
+            done: Vec::new(),
+        };
+        let good = progress.closed("format", |_| Ok(()));
+        let bad: Result<(), Error> = progress.closed("lints", |_| Err(Error::Stale));
+        assert!(good.is_ok() && bad.is_err());
+        assert!(
+            progress.summary().starts_with("format 0.0 s"),
+            "{}",
+            progress.summary()
+        );
+        assert!(!progress.summary().contains("lints"));
+    }
+}

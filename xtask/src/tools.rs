@@ -1,0 +1,299 @@
+//! The tools that the commands need: which, what for, whether they work here, and where they come from.
+//!
+//! Invariants:
+//! - a tool counts as there only if it ran: rustup leaves a `rustfmt` on the path that only says that it is absent,
+//!   and Debian's compilers come without the headers of the C library;
+//! - nothing here changes the machine.
+//!
+//! What it must not know: how something is installed (`install`), how it is shown (`doctor`).
+
+use std::process::{Command, Stdio};
+
+/// What cannot be done without the tool.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Need {
+    /// Everything, `gen` included.
+    Everything,
+    /// `test`, with and without `--host`.
+    Host,
+    /// `test` without `--host`: what runs on the emulated target.
+    Target,
+}
+
+impl Need {
+    /// As the user reads it.
+    #[must_use]
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::Everything => "everything",
+            Self::Host => "test",
+            Self::Target => "test (not --host)",
+        }
+    }
+}
+
+/// How to see whether the tool is there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Probe {
+    /// The program answers `--version`.
+    Version(&'static str),
+    /// The compiler finds the C library's headers.
+    Headers(&'static str),
+}
+
+/// Where the tool comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Source {
+    /// Rust itself, without which this program would not run.
+    Rust,
+    /// A component of the Rust toolchain, by rustup.
+    Component(&'static str),
+    /// A Debian package.
+    Package(&'static str),
+}
+
+/// A tool.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Tool {
+    /// Its name, as the user knows it.
+    pub name: &'static str,
+    /// What it is used for.
+    pub purpose: &'static str,
+    /// What cannot be done without it.
+    pub need: Need,
+    /// How to see whether it is there.
+    pub probe: Probe,
+    /// Where it comes from.
+    pub source: Source,
+}
+
+/// Every tool that some command needs, in the order in which they are listed.
+pub const TOOLS: &[Tool] = &[
+    Tool {
+        name: "rustc",
+        purpose: "builds the models and these commands",
+        need: Need::Everything,
+        probe: Probe::Version("rustc"),
+        source: Source::Rust,
+    },
+    Tool {
+        name: "rustfmt",
+        purpose: "checks the format of the Rust",
+        need: Need::Host,
+        probe: Probe::Version("rustfmt"),
+        source: Source::Component("rustfmt"),
+    },
+    Tool {
+        name: "clippy",
+        purpose: "lints the Rust",
+        need: Need::Host,
+        probe: Probe::Version("cargo-clippy"),
+        source: Source::Component("clippy"),
+    },
+    Tool {
+        name: "gcc",
+        purpose: "compiles the emitted C",
+        need: Need::Host,
+        probe: Probe::Version("gcc"),
+        source: Source::Package("gcc"),
+    },
+    Tool {
+        name: "g++",
+        purpose: "compiles the emitted headers as C++",
+        need: Need::Host,
+        probe: Probe::Version("g++"),
+        source: Source::Package("g++"),
+    },
+    Tool {
+        name: "clang",
+        purpose: "compiles the emitted C a second time",
+        need: Need::Host,
+        probe: Probe::Version("clang"),
+        source: Source::Package("clang"),
+    },
+    Tool {
+        name: "C library",
+        purpose: "headers and libraries for the above",
+        need: Need::Host,
+        probe: Probe::Headers("gcc"),
+        source: Source::Package("libc6-dev"),
+    },
+    Tool {
+        name: "arm-linux-gnueabihf-gcc",
+        purpose: "compiles the emitted C for a Cortex-A9",
+        need: Need::Target,
+        probe: Probe::Version("arm-linux-gnueabihf-gcc"),
+        source: Source::Package("gcc-arm-linux-gnueabihf"),
+    },
+    Tool {
+        name: "ARM C library",
+        purpose: "headers and libraries for the above",
+        need: Need::Target,
+        probe: Probe::Headers("arm-linux-gnueabihf-gcc"),
+        source: Source::Package("libc6-dev-armhf-cross"),
+    },
+    Tool {
+        name: "qemu-arm",
+        purpose: "runs it on an emulated Cortex-A9",
+        need: Need::Target,
+        probe: Probe::Version("qemu-arm"),
+        source: Source::Package("qemu-user"),
+    },
+];
+
+/// What the commands may ask of the machine they run on.
+pub trait Machine {
+    /// What the program says to `--version`; none if it is absent or does not work.
+    fn version(&self, program: &str) -> Option<String>;
+    /// Whether the compiler can preprocess a file that includes headers of the C library.
+    fn finds_headers(&self, compiler: &str) -> bool;
+    /// Whether we may do anything here.
+    fn is_root(&self) -> bool;
+}
+
+/// The machine that this program runs on.
+#[derive(Debug, Clone, Copy)]
+pub struct ThisMachine;
+
+impl Machine for ThisMachine {
+    fn version(&self, program: &str) -> Option<String> {
+        answer(Command::new(program).arg("--version"))
+    }
+
+    fn finds_headers(&self, compiler: &str) -> bool {
+        answer(Command::new(compiler).args(["-x", "c", "-E", "-include", "math.h", "/dev/null"]))
+            .is_some()
+    }
+
+    fn is_root(&self) -> bool {
+        answer(Command::new("id").arg("-u")).is_some_and(|user| user.trim() == "0")
+    }
+}
+
+/// What the command prints, if it starts and succeeds.
+fn answer(command: &mut Command) -> Option<String> {
+    let output = command
+        .stdin(Stdio::null())
+        .stderr(Stdio::null())
+        .output()
+        .ok()?;
+    output
+        .status
+        .success()
+        .then(|| String::from_utf8_lossy(&output.stdout).into_owned())
+}
+
+/// What was found out about one tool.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Finding {
+    /// The tool.
+    pub tool: &'static Tool,
+    /// Its version, or `found` for what has none; none if it is missing.
+    pub found: Option<String>,
+}
+
+impl Finding {
+    /// Whether the tool is not there.
+    #[must_use]
+    pub fn is_missing(&self) -> bool {
+        self.found.is_none()
+    }
+}
+
+/// Looks every tool up.
+#[must_use]
+pub fn survey(machine: &dyn Machine) -> Vec<Finding> {
+    let look = |tool: &'static Tool| match tool.probe {
+        Probe::Version(program) => machine.version(program).map(|answer| number(&answer)),
+        Probe::Headers(compiler) => machine.finds_headers(compiler).then(|| "found".to_owned()),
+    };
+    TOOLS
+        .iter()
+        .map(|tool| Finding {
+            tool,
+            found: look(tool),
+        })
+        .collect()
+}
+
+/// The tools that are missing for the needs given.
+#[must_use]
+pub fn missing(findings: &[Finding], needs: &[Need]) -> Vec<&'static Tool> {
+    let wanted = |finding: &&Finding| finding.is_missing() && needs.contains(&finding.tool.need);
+    findings
+        .iter()
+        .filter(wanted)
+        .map(|finding| finding.tool)
+        .collect()
+}
+
+/// The version number in what a program says about itself: the first word made of digits and points, or else the
+/// first that begins with a digit, or else the whole line.
+fn number(answer: &str) -> String {
+    let line = answer.lines().next().unwrap_or_default().trim();
+    let starts = |word: &&str| word.starts_with(|letter: char| letter.is_ascii_digit());
+    let plain = |word: &&str| {
+        starts(word)
+            && word
+                .chars()
+                .all(|letter| letter.is_ascii_digit() || letter == '.')
+    };
+    let words = || line.split_whitespace();
+    words()
+        .find(plain)
+        .or_else(|| words().find(starts))
+        .unwrap_or(line)
+        .to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_number_is_found_in_what_real_tools_say() {
+        let cases = [
+            ("rustc 1.95.0 (f2d3ce0bd 2026-03-21)\n", "1.95.0"),
+            (
+                "rustfmt 1.9.0-stable (59807616e1 2026-04-14)",
+                "1.9.0-stable",
+            ),
+            ("clippy 0.1.95 (59807616e1 2026-04-14)", "0.1.95"),
+            (
+                "gcc (Debian 12.2.0-14+deb12u1) 12.2.0\nCopyright (C) 2022",
+                "12.2.0",
+            ),
+            (
+                "Debian clang version 14.0.6\nTarget: x86_64-pc-linux-gnu",
+                "14.0.6",
+            ),
+            (
+                "Ubuntu clang version 14.0.0-1ubuntu1.1",
+                "14.0.0-1ubuntu1.1",
+            ),
+            (
+                "qemu-arm version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)",
+                "7.2.22",
+            ),
+            ("nightly", "nightly"),
+        ];
+        for (answer, expected) in cases {
+            assert_eq!(number(answer), expected, "{answer}");
+        }
+    }
+
+    #[test]
+    fn what_does_not_exist_is_not_there() {
+        assert_eq!(ThisMachine.version("no-such-program-anywhere"), None);
+        assert!(!ThisMachine.finds_headers("no-such-compiler-anywhere"));
+    }
+
+    #[test]
+    fn what_started_us_is_there() {
+        assert!(
+            ThisMachine
+                .version("rustc")
+                .is_some_and(|answer| answer.starts_with("rustc"))
+        );
+    }
+}

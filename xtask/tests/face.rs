@@ -1,0 +1,300 @@
+//! The decisions of the command-line face, on made-up machines: what is missing, what is printed, what is refused.
+
+use std::collections::{BTreeMap, BTreeSet};
+use xtask::args::Test;
+use xtask::doctor;
+use xtask::error::Error;
+use xtask::install::Plan;
+use xtask::stages::Progress;
+use xtask::test::prepare;
+use xtask::tools::{Machine, Need, Tool, missing, survey};
+
+/// A machine that has what the test says.
+#[derive(Default)]
+struct Fake {
+    programs: BTreeMap<&'static str, &'static str>,
+    headers: BTreeSet<&'static str>,
+    root: bool,
+}
+
+impl Machine for Fake {
+    fn version(&self, program: &str) -> Option<String> {
+        self.programs.get(program).map(|&answer| answer.to_owned())
+    }
+
+    fn finds_headers(&self, compiler: &str) -> bool {
+        self.headers.contains(compiler)
+    }
+
+    fn is_root(&self) -> bool {
+        self.root
+    }
+}
+
+impl Fake {
+    /// A fresh Debian with Rust and a C compiler, as a user without rights.
+    fn fresh() -> Self {
+        let programs = [
+            ("rustc", "rustc 1.95.0 (f2d3ce0bd 2026-03-21)"),
+            ("rustfmt", "rustfmt 1.9.0-stable (59807616e1 2026-04-14)"),
+            ("cargo-clippy", "clippy 0.1.95 (59807616e1 2026-04-14)"),
+            ("gcc", "gcc (Debian 12.2.0-14+deb12u1) 12.2.0"),
+            ("apt-get", "apt 2.6.1 (amd64)"),
+        ];
+        Self {
+            programs: programs.into(),
+            headers: ["gcc"].into(),
+            root: false,
+        }
+    }
+
+    /// The same with the host compilers.
+    fn host() -> Self {
+        Self::fresh()
+            .with("g++", "g++ (Debian 12.2.0-14+deb12u1) 12.2.0")
+            .with("clang", "Debian clang version 14.0.6")
+    }
+
+    /// The same with everything.
+    fn full() -> Self {
+        let mut fake = Self::host()
+            .with(
+                "arm-linux-gnueabihf-gcc",
+                "arm-linux-gnueabihf-gcc (Debian 12.2.0-14) 12.2.0",
+            )
+            .with(
+                "qemu-arm",
+                "qemu-arm version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)",
+            );
+        fake.headers.insert("arm-linux-gnueabihf-gcc");
+        fake
+    }
+
+    fn with(mut self, program: &'static str, answer: &'static str) -> Self {
+        self.programs.insert(program, answer);
+        self
+    }
+
+    fn without(mut self, program: &str) -> Self {
+        self.programs.remove(program);
+        self
+    }
+
+    fn rooted(mut self) -> Self {
+        self.root = true;
+        self
+    }
+}
+
+const ALL: &[Need] = &[Need::Everything, Need::Host, Need::Target];
+
+fn lacking(machine: &Fake) -> Vec<&'static Tool> {
+    missing(&survey(machine), ALL)
+}
+
+fn line(machine: &Fake) -> Option<String> {
+    Plan::of(&lacking(machine), machine).map(|plan| plan.line())
+}
+
+fn table(machine: &Fake) -> String {
+    let plan = Plan::of(&lacking(machine), machine);
+    anstream::adapter::strip_str(&doctor::table(&survey(machine), plan.as_ref())).to_string()
+}
+
+#[track_caller]
+fn same(actual: &str, expected: &str) {
+    assert!(
+        actual == expected,
+        "expected:\n{expected}\nactual:\n{actual}"
+    );
+}
+
+#[test]
+fn root_installs_with_apt_alone() {
+    let machine = Fake::host().rooted();
+    assert_eq!(
+        line(&machine).as_deref(),
+        Some(
+            "apt-get update -o DPkg::Lock::Timeout=900 && \
+             env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends \
+             -o DPkg::Lock::Timeout=900 gcc-arm-linux-gnueabihf libc6-dev-armhf-cross qemu-user"
+        )
+    );
+}
+
+#[test]
+fn others_install_through_sudo() {
+    let machine = Fake::full()
+        .without("clang")
+        .with("sudo", "Sudo version 1.9.13p3");
+    assert_eq!(
+        line(&machine).as_deref(),
+        Some(
+            "sudo apt-get update -o DPkg::Lock::Timeout=900 && \
+             sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends \
+             -o DPkg::Lock::Timeout=900 clang"
+        )
+    );
+}
+
+#[test]
+fn without_sudo_the_line_becomes_root_by_itself() {
+    let machine = Fake::full().without("clang").without("rustfmt");
+    assert_eq!(
+        line(&machine).as_deref(),
+        Some(
+            "rustup component add rustfmt && \
+             su -c 'apt-get update -o DPkg::Lock::Timeout=900 && \
+             env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends \
+             -o DPkg::Lock::Timeout=900 clang'"
+        )
+    );
+}
+
+#[test]
+fn components_of_rust_need_no_rights() {
+    let machine = Fake::full()
+        .without("rustfmt")
+        .without("cargo-clippy")
+        .without("apt-get");
+    assert_eq!(
+        line(&machine).as_deref(),
+        Some("rustup component add rustfmt clippy")
+    );
+}
+
+#[test]
+fn there_is_no_line_without_apt_or_without_need() {
+    assert_eq!(line(&Fake::fresh().without("apt-get")), None);
+    assert_eq!(line(&Fake::full()), None);
+}
+
+#[test]
+fn a_compiler_without_headers_is_not_enough() {
+    let mut machine = Fake::full().rooted();
+    machine.headers.remove("arm-linux-gnueabihf-gcc");
+    let names: Vec<_> = lacking(&machine).iter().map(|tool| tool.name).collect();
+    assert_eq!(names, ["ARM C library"]);
+    assert!(line(&machine).is_some_and(|line| line.ends_with(" libc6-dev-armhf-cross")));
+}
+
+#[test]
+fn the_table_of_a_machine_with_everything() {
+    same(
+        &table(&Fake::full()),
+        "\
+tool                     version       needed for         what for
+rustc                    1.95.0        everything         builds the models and these commands
+rustfmt                  1.9.0-stable  test               checks the format of the Rust
+clippy                   0.1.95        test               lints the Rust
+gcc                      12.2.0        test               compiles the emitted C
+g++                      12.2.0        test               compiles the emitted headers as C++
+clang                    14.0.6        test               compiles the emitted C a second time
+C library                found         test               headers and libraries for the above
+arm-linux-gnueabihf-gcc  12.2.0        test (not --host)  compiles the emitted C for a Cortex-A9
+ARM C library            found         test (not --host)  headers and libraries for the above
+qemu-arm                 7.2.22        test (not --host)  runs it on an emulated Cortex-A9
+
+Everything is there: `cargo xtask test` can run.
+",
+    );
+}
+
+#[test]
+fn the_conclusion_says_what_can_run_and_what_to_do() {
+    let conclusion = |machine: &Fake| {
+        table(machine)
+            .split_once("\n\n")
+            .map(|parts| parts.1.to_owned())
+    };
+    assert_eq!(
+        conclusion(&Fake::host().rooted()).as_deref(),
+        Some(
+            "Missing: arm-linux-gnueabihf-gcc, ARM C library, qemu-arm. `cargo xtask test --host` can run.\n\
+             To install, run this line, or `cargo xtask test --install`:\n  \
+             apt-get update -o DPkg::Lock::Timeout=900 && env DEBIAN_FRONTEND=noninteractive apt-get install -y \
+             --no-install-recommends -o DPkg::Lock::Timeout=900 \
+             gcc-arm-linux-gnueabihf libc6-dev-armhf-cross qemu-user\n"
+        )
+    );
+    assert_eq!(
+        conclusion(&Fake::full().without("clang").without("apt-get")).as_deref(),
+        Some(
+            "Missing: clang.\n\
+             There is no apt-get here: install them with this system's own package manager.\n"
+        )
+    );
+}
+
+#[test]
+fn the_json_says_the_same() {
+    let machine = Fake::host().rooted();
+    let plan = Plan::of(&lacking(&machine), &machine);
+    let value = doctor::json(&survey(&machine), plan.as_ref());
+    assert_eq!(value["ready"]["gen"], true);
+    assert_eq!(value["ready"]["test --host"], true);
+    assert_eq!(value["ready"]["test"], false);
+    assert_eq!(value["install"].as_str(), line(&machine).as_deref());
+    assert_eq!(value["tools"][3]["version"], "12.2.0");
+    assert_eq!(value["tools"][9]["name"], "qemu-arm");
+    assert_eq!(value["tools"][9]["found"], false);
+    assert_eq!(value["tools"][9]["package"], "qemu-user");
+}
+
+#[test]
+fn test_refuses_to_start_and_prints_one_line() {
+    let machine = Fake::fresh().with("sudo", "Sudo version 1.9.13p3");
+    let outcome = prepare(
+        &Test {
+            install: false,
+            host: false,
+        },
+        &machine,
+        &mut Progress::default(),
+    );
+    let error = outcome.expect_err("tools are missing");
+    assert_eq!(
+        error.to_string(),
+        "missing: g++, clang, arm-linux-gnueabihf-gcc, ARM C library, qemu-arm"
+    );
+    let remedy = error.remedy().expect("there is apt-get");
+    assert_eq!(remedy.lines().count(), 1);
+    assert_eq!(Some(remedy), line(&machine));
+    assert_eq!(error.code(), 1);
+}
+
+#[test]
+fn test_of_the_host_does_without_the_arm_tools() {
+    let wanted = Test {
+        install: false,
+        host: true,
+    };
+    assert!(prepare(&wanted, &Fake::host(), &mut Progress::default()).is_ok());
+    let outcome = prepare(&wanted, &Fake::fresh(), &mut Progress::default());
+    assert!(matches!(outcome, Err(Error::Missing { tools, .. }) if tools == ["g++", "clang"]));
+}
+
+#[test]
+fn installing_without_rights_stops_before_it_starts() {
+    let outcome = prepare(
+        &Test {
+            install: true,
+            host: false,
+        },
+        &Fake::host(),
+        &mut Progress::default(),
+    );
+    let Err(Error::NoRights { line, .. }) = outcome else {
+        panic!("{outcome:?}")
+    };
+    assert!(line.starts_with("su -c 'apt-get update"), "{line}");
+}
+
+#[test]
+fn nothing_is_installed_when_everything_is_there() {
+    let wanted = Test {
+        install: true,
+        host: false,
+    };
+    assert!(prepare(&wanted, &Fake::full(), &mut Progress::default()).is_ok());
+}

@@ -1,0 +1,263 @@
+//! House rules over the whole repository, which no other tool checks.
+//!
+//! Each test collects every offence before it fails, so that one run shows them all.
+
+use proc_macro2::{TokenStream, TokenTree};
+use serde_json::Value;
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// The longest that a Rust file written by hand may be.
+const LONGEST: usize = 600;
+
+/// A file of the repository: its path from the root, with `/`, and its text.
+struct File {
+    path: String,
+    text: String,
+}
+
+impl File {
+    fn is_rust(&self) -> bool {
+        self.path.ends_with(".rs") && !self.path.starts_with("generated/")
+    }
+
+    /// Whether it is part of a crate's own code, not of its tests, examples or benchmarks.
+    fn is_source(&self) -> bool {
+        self.is_rust() && self.path.split('/').any(|folder| folder == "src")
+    }
+}
+
+fn root() -> PathBuf {
+    xtask::project::root()
+}
+
+/// The text files of the repository, those not yet added included.
+fn files() -> Vec<File> {
+    let root = root();
+    let paths = listed(&root).unwrap_or_else(|| walked(&root));
+    let read = |path: String| {
+        std::fs::read_to_string(root.join(&path))
+            .ok()
+            .map(|text| File { path, text })
+    };
+    let files: Vec<File> = paths.into_iter().filter_map(read).collect();
+    assert!(
+        files.iter().any(|file| file.path == "xtask/tests/tidy.rs"),
+        "the files were not found"
+    );
+    files
+}
+
+/// What git knows or would add; none if this is no git checkout.
+fn listed(root: &Path) -> Option<Vec<String>> {
+    let arguments = [
+        "ls-files",
+        "-z",
+        "--cached",
+        "--others",
+        "--exclude-standard",
+    ];
+    let output = Command::new("git")
+        .args(arguments)
+        .current_dir(root)
+        .output()
+        .ok()?;
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    output
+        .status
+        .success()
+        .then(|| text.split_terminator('\0').map(str::to_owned).collect())
+}
+
+/// Every file below `root`, for a source archive without git: build products and hidden state aside.
+fn walked(root: &Path) -> Vec<String> {
+    let (mut found, mut folders) = (Vec::new(), vec![root.to_owned()]);
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(&folder).into_iter().flatten().flatten() {
+            let (path, name) = (entry.path(), entry.file_name());
+            if path.is_dir() {
+                if name != "target" && name != ".git" {
+                    folders.push(path);
+                }
+            } else if let Ok(path) = path.strip_prefix(root) {
+                found.push(path.to_string_lossy().replace('\\', "/"));
+            }
+        }
+    }
+    found
+}
+
+#[track_caller]
+fn none(rule: &str, offences: &[String]) {
+    assert!(
+        offences.is_empty(),
+        "{rule}:\n  {}\n",
+        offences.join("\n  ")
+    );
+}
+
+#[test]
+fn no_rust_file_is_long() {
+    let length = |file: &File| file.text.lines().count();
+    let long = files()
+        .into_iter()
+        .filter(|file| file.is_rust() && length(file) > LONGEST);
+    let offences: Vec<_> = long
+        .map(|file| format!("{}: {} lines", file.path, length(&file)))
+        .collect();
+    none("a Rust file has at most 600 lines; split it", &offences);
+}
+
+#[test]
+fn every_module_says_what_it_is() {
+    let opening = |file: &File| {
+        let mut lines = file.text.lines().map(str::trim);
+        lines
+            .find(|line| !line.is_empty() && !line.starts_with("#!["))
+            .unwrap_or_default()
+            .to_owned()
+    };
+    let mute = files()
+        .into_iter()
+        .filter(|file| file.is_source() && !opening(file).starts_with("//!"));
+    let offences: Vec<_> = mute.map(|file| file.path).collect();
+    none(
+        "a source file starts with `//!`: its purpose, its invariants, what it must not know",
+        &offences,
+    );
+}
+
+#[test]
+fn no_file_names_a_machine() {
+    // In pieces, so that this file does not offend.
+    let banned = [
+        ["/wo", "rk/"],
+        ["/ro", "ot/"],
+        ["arti", "factory"],
+        ["index.", "crates.io"],
+    ]
+    .map(|parts| parts.concat());
+    let mut offences = Vec::new();
+    for file in files().iter().filter(|file| file.path != "Cargo.lock") {
+        for (index, line) in file.text.lines().enumerate() {
+            let names = banned.iter().filter(|name| line.contains(name.as_str()));
+            offences.extend(names.map(|name| format!("{}:{}: {name}", file.path, index + 1)));
+        }
+    }
+    none(
+        "no file names a folder of one machine or the host of a registry",
+        &offences,
+    );
+}
+
+#[test]
+fn every_dependency_is_explained() {
+    let explained = std::fs::read_to_string(root().join("ARCHITECTURE.md")).expect(
+        "ARCHITECTURE.md is missing; it has to say, in `backticks`, why each dependency is there",
+    );
+    let unexplained = dependencies()
+        .into_iter()
+        .filter(|name| !explained.contains(&format!("`{name}`")));
+    none(
+        "ARCHITECTURE.md says, in `backticks`, why each dependency is there",
+        &unexplained.collect::<Vec<_>>(),
+    );
+}
+
+/// The names of the dependencies of all members, of every kind, those within the workspace aside.
+fn dependencies() -> BTreeSet<String> {
+    let output = xtask::project::cargo(
+        &root(),
+        &[
+            "metadata",
+            "--no-deps",
+            "--offline",
+            "--format-version",
+            "1",
+        ],
+    )
+    .output()
+    .expect("cargo starts");
+    assert!(
+        output.status.success(),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    let metadata: Value =
+        serde_json::from_slice(&output.stdout).expect("cargo metadata prints JSON");
+    let packages = metadata["packages"].as_array().into_iter().flatten();
+    let all = packages.flat_map(|package| package["dependencies"].as_array().into_iter().flatten());
+    let foreign = all.filter(|dependency| dependency["path"].is_null());
+    let names: BTreeSet<_> = foreign
+        .filter_map(|dependency| dependency["name"].as_str())
+        .map(str::to_owned)
+        .collect();
+    assert!(names.contains("clap"), "the dependencies were not found");
+    names
+}
+
+/// C is called from tests and benchmarks only, so the rest needs no `unsafe`.
+#[test]
+fn no_source_is_unsafe() {
+    let calls_c = |file: &File| file.path.starts_with("tests/") || file.path.starts_with("bench/");
+    let mut offences = Vec::new();
+    for file in files()
+        .iter()
+        .filter(|file| file.is_source() && !calls_c(file))
+    {
+        match file.text.parse::<TokenStream>() {
+            Ok(tokens) => unsafe_lines(tokens, &mut |line| {
+                offences.push(format!("{}:{line}", file.path))
+            }),
+            Err(error) => offences.push(format!("{}: {error}", file.path)),
+        }
+    }
+    none(
+        "`unsafe` only where C is called, in tests and benchmarks",
+        &offences,
+    );
+}
+
+/// Reports the line of each `unsafe` that opens a block or an item. Texts and comments are not tokens of that kind,
+/// and `Token![unsafe]`, as a macro that refuses it writes, opens nothing.
+fn unsafe_lines(tokens: TokenStream, report: &mut dyn FnMut(usize)) {
+    let mut tokens = tokens.into_iter().peekable();
+    while let Some(token) = tokens.next() {
+        match token {
+            TokenTree::Group(group) => unsafe_lines(group.stream(), report),
+            TokenTree::Ident(word) if word == "unsafe" && tokens.peek().is_some_and(opens) => {
+                report(word.span().start().line);
+            }
+            _ => {}
+        }
+    }
+}
+
+fn opens(token: &TokenTree) -> bool {
+    match token {
+        TokenTree::Group(group) => group.delimiter() == proc_macro2::Delimiter::Brace,
+        TokenTree::Ident(word) => ["fn", "impl", "trait", "extern"]
+            .iter()
+            .any(|keyword| word == keyword),
+        _ => false,
+    }
+}
+
+#[test]
+fn the_search_for_unsafe_finds_it() {
+    let found = |text: &str| {
+        let mut lines = Vec::new();
+        unsafe_lines(text.parse().expect("Rust"), &mut |line| lines.push(line));
+        lines.len()
+    };
+    assert_eq!(found("fn f() { let x = 1; unsafe { g() } }"), 1);
+    assert_eq!(
+        found("unsafe fn f() {} unsafe impl A for B {} unsafe extern \"C\" {}"),
+        3
+    );
+    assert_eq!(
+        found("//! `unsafe { }`\nfn f() { input.peek(Token![unsafe]); say(\"unsafe { }\") }"),
+        0
+    );
+}
