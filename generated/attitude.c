@@ -36,10 +36,7 @@ void attitude_init(attitude_t *self)
 void attitude_step(attitude_t *self, const parameters_t *parameters, const double error[3],
     const double error_rate[3], double result[3])
 {
-    double integral[3];
-    integral[0] = self->integral[0];
-    integral[1] = self->integral[1];
-    integral[2] = self->integral[2];
+    const double integral[3] = {self->integral[0], self->integral[1], self->integral[2]};
     self->integral[0] += error[0] * parameters->period;
     self->integral[1] += error[1] * parameters->period;
     self->integral[2] += error[2] * parameters->period;

@@ -71,7 +71,13 @@ double sine_sine_of_rest(double x)
     const double z = x * x;
     const double high = S11 + z * (S13 + z * (S15 + z * S17));
     const double tail = S3 + z * (S5 + z * (S7 + z * (S9 + z * high)));
-    return x + x * z * tail;
+
+    /* A zero keeps its sign. */
+    if (x == 0.0) {
+        return x;
+    } else {
+        return x + x * z * tail;
+    }
 }
 
 double sine_cosine_of_rest(double x)

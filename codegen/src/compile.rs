@@ -39,8 +39,9 @@ pub fn compile(
     let options = &Options { license: package.license.clone(), ..options.clone() };
     let module = typify::typify(package, sources)?;
     gate(&module)?;
-    let (explicit, checks) = passes::explicit(module.clone())
-        .map_err(|errors| errors.iter().map(|error| unproved(&module, error)).collect::<Vec<_>>())?;
+    let (explicit, checks) = passes::explicit(module.clone()).map_err(|errors| {
+        errors.iter().map(|error| unproved(&module, error)).collect::<Vec<_>>()
+    })?;
     gate(&explicit)?;
     let files = c::emit(&explicit, options);
     let entries = c::report(&explicit, options, &files);
@@ -49,9 +50,8 @@ pub fn compile(
 
 /// Validation; what it finds is a fault of the tool, since the author's were found before.
 fn gate(module: &Module) -> Result<(), Vec<Diagnostic>> {
-    validate::validate(module).map_err(|errors| {
-        errors.iter().map(|error| place(module, error.span, error)).collect()
-    })
+    validate::validate(module)
+        .map_err(|errors| errors.iter().map(|error| place(module, error.span, error)).collect())
 }
 
 /// A claim of the author's that could not be proved; anything else is a fault of the tool.

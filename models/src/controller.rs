@@ -30,10 +30,7 @@ impl Controller {
         let height = sensed.position.z;
         self.landed = target.land && (self.landed || height < parameters.touch_down);
         if self.landed {
-            return Command {
-                motors: Vector4::zeros(),
-                speeds: Vector4::zeros(),
-            };
+            return Command { motors: Vector4::zeros(), speeds: Vector4::zeros() };
         }
 
         let orientation = Orientation::of(&sensed.angles);

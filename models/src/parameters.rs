@@ -82,29 +82,13 @@ impl Parameters {
             mass: airframe.mass,
             takeoff_gain: 0.2,
             touch_down: 0.02,
-            height: Gains {
-                p: 1.5,
-                i: 0.05,
-                d: 0.3,
-            },
+            height: Gains { p: 1.5, i: 0.05, d: 0.3 },
             // Negative: to go forward is to lean the other way, since the angles are passive.
             x: Damped { p: -0.24, d: -0.1 },
             y: Damped { p: -0.24, d: -0.1 },
-            roll: Gains {
-                p: 0.01,
-                i: 0.01,
-                d: 0.0028,
-            },
-            pitch: Gains {
-                p: 0.014,
-                i: 0.01,
-                d: 0.002,
-            },
-            yaw: Gains {
-                p: 0.005,
-                i: 0.0,
-                d: 0.0012,
-            },
+            roll: Gains { p: 0.01, i: 0.01, d: 0.0028 },
+            pitch: Gains { p: 0.014, i: 0.01, d: 0.002 },
+            yaw: Gains { p: 0.005, i: 0.0, d: 0.0012 },
             mixer: Mixer {
                 allocation: airframe.allocation(),
                 spins: airframe.spins,

@@ -24,10 +24,7 @@ fn rotation(angles: &Vector3<f64>) -> Matrix3<f64> {
 fn rotation_is_orthonormal_and_proper() {
     for angles in samples() {
         let r = rotation(&angles);
-        assert!(
-            (r * r.transpose() - Matrix3::identity()).norm() < 1e-14,
-            "{angles}"
-        );
+        assert!((r * r.transpose() - Matrix3::identity()).norm() < 1e-14, "{angles}");
         assert!((r.determinant() - 1.0).abs() < 1e-14, "{angles}");
     }
 }
@@ -61,14 +58,8 @@ fn rates_match_the_numerical_derivative_of_the_rotation() {
         let body_rates = Vector3::new(spin[(2, 1)], spin[(0, 2)], spin[(1, 0)]);
 
         let orientation = Orientation::of(&angles);
-        assert!(
-            (orientation.rate_matrix() * angle_rates - body_rates).norm() < 1e-9,
-            "{angles}"
-        );
-        assert!(
-            (orientation.angle_rates(&body_rates) - angle_rates).norm() < 1e-8,
-            "{angles}"
-        );
+        assert!((orientation.rate_matrix() * angle_rates - body_rates).norm() < 1e-9, "{angles}");
+        assert!((orientation.angle_rates(&body_rates) - angle_rates).norm() < 1e-8, "{angles}");
     }
 }
 

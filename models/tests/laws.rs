@@ -12,11 +12,7 @@ fn close(a: f64, b: f64) -> bool {
 #[test]
 fn takeoff_pushes_a_fifth_more_than_the_weight() {
     let mut height = Height::default();
-    let target = Target {
-        take_off: true,
-        position: Vector3::z(),
-        ..Target::default()
-    };
+    let target = Target { take_off: true, position: Vector3::z(), ..Target::default() };
     let thrust = height.step(&Parameters::mambo(), &target, 0.3, 1.0);
     assert!(close(thrust, 1.2 * WEIGHT), "{thrust}");
     assert_eq!(height, Height::default(), "the integral waits");
@@ -40,11 +36,7 @@ fn height_adds_its_three_terms() {
 #[test]
 fn to_go_forward_is_to_pitch_down_and_to_go_left_is_to_roll_up() {
     let parameters = Parameters::mambo();
-    let target = Target {
-        position: Vector3::new(1.0, 2.0, 3.0),
-        yaw: 0.7,
-        ..Target::default()
-    };
+    let target = Target { position: Vector3::new(1.0, 2.0, 3.0), yaw: 0.7, ..Target::default() };
     let velocity = Vector3::new(0.3, 0.2, 0.1);
     let wanted = horizontal::lean(&parameters, &target, &Vector3::zeros(), &velocity);
     let expected = Vector3::new(0.24 * 2.0 - 0.1 * 0.2, -0.24 * 1.0 + 0.1 * 0.3, 0.7);
@@ -53,9 +45,7 @@ fn to_go_forward_is_to_pitch_down_and_to_go_left_is_to_roll_up() {
 
 #[test]
 fn attitude_adds_the_terms_of_each_axis() {
-    let mut attitude = Attitude {
-        integral: Vector3::new(1.0, 2.0, 3.0),
-    };
+    let mut attitude = Attitude { integral: Vector3::new(1.0, 2.0, 3.0) };
     let error = Vector3::new(0.1, 0.2, 0.3);
     let error_rate = Vector3::new(0.4, 0.5, 0.6);
     let torque = attitude.step(&Parameters::mambo(), &error, &error_rate);
@@ -66,42 +56,20 @@ fn attitude_adds_the_terms_of_each_axis() {
     );
     assert!((torque - expected).norm() < 1e-15, "{torque}");
     let integral = Vector3::new(1.0, 2.0, 3.0) + error * 0.005;
-    assert!(
-        (attitude.integral - integral).norm() < 1e-15,
-        "{attitude:?}"
-    );
+    assert!((attitude.integral - integral).norm() < 1e-15, "{attitude:?}");
 }
 
 #[test]
 fn motors_stop_on_touch_down_and_stay_stopped() {
     let parameters = Parameters::mambo();
     let mut controller = Controller::default();
-    let mut target = Target {
-        land: true,
-        ..Target::default()
-    };
-    let at = |z: f64| Sensed {
-        position: Vector3::new(0.0, 0.0, z),
-        ..Sensed::default()
-    };
+    let mut target = Target { land: true, ..Target::default() };
+    let at = |z: f64| Sensed { position: Vector3::new(0.0, 0.0, z), ..Sensed::default() };
 
-    assert!(
-        controller
-            .step(&parameters, &at(0.05), &target)
-            .motors
-            .min()
-            > 0.0
-    );
-    assert_eq!(
-        controller.step(&parameters, &at(0.019), &target).motors,
-        Vector4::zeros()
-    );
+    assert!(controller.step(&parameters, &at(0.05), &target).motors.min() > 0.0);
+    assert_eq!(controller.step(&parameters, &at(0.019), &target).motors, Vector4::zeros());
     let bounce = controller.step(&parameters, &at(0.05), &target);
-    assert_eq!(
-        bounce.motors,
-        Vector4::zeros(),
-        "a bounce does not start them"
-    );
+    assert_eq!(bounce.motors, Vector4::zeros(), "a bounce does not start them");
 
     target.land = false;
     target.take_off = true;
@@ -111,19 +79,8 @@ fn motors_stop_on_touch_down_and_stay_stopped() {
 #[test]
 fn torque_lowers_the_angle() {
     // Positive roll error: the left pair (arms 1, 2) pushes less, so that the passive angle grows.
-    let sensed = Sensed {
-        angles: Vector3::new(-0.01, 0.0, 0.0),
-        ..Sensed::default()
-    };
+    let sensed = Sensed { angles: Vector3::new(-0.01, 0.0, 0.0), ..Sensed::default() };
     let command = Controller::default().step(&Parameters::mambo(), &sensed, &Target::default());
-    assert!(
-        command.motors[0] < command.motors[3],
-        "{:?}",
-        command.motors
-    );
-    assert!(
-        command.motors[1] < command.motors[2],
-        "{:?}",
-        command.motors
-    );
+    assert!(command.motors[0] < command.motors[3], "{:?}", command.motors);
+    assert!(command.motors[1] < command.motors[2], "{:?}", command.motors);
 }

@@ -44,9 +44,7 @@ fn motors_produce_what_is_wanted() {
 #[test]
 fn hover_is_half_of_full_power() {
     let parameters = Parameters::mambo();
-    let command = parameters
-        .mixer
-        .mix(parameters.mass * GRAVITY, &Vector3::zeros());
+    let command = parameters.mixer.mix(parameters.mass * GRAVITY, &Vector3::zeros());
     for motor in &command.motors {
         assert!((motor - 264.4).abs() < 0.1, "{motor}");
     }
@@ -64,11 +62,7 @@ fn speeds_carry_the_signs_of_rotation() {
     // Table A.1: the largest motor speed is 2630.7 rad/s.
     let command = Parameters::mambo().mixer.mix(100.0, &Vector3::zeros());
     let largest = Vector4::new(2630.7, -2630.7, 2630.7, -2630.7);
-    assert!(
-        (command.speeds - largest).amax() < 0.1,
-        "{}",
-        command.speeds
-    );
+    assert!((command.speeds - largest).amax() < 0.1, "{}", command.speeds);
 }
 
 #[test]

@@ -43,10 +43,7 @@ pub fn fly(
 ) -> Flight {
     let period = parameters.period;
     let count = (mission.duration / period).round() as usize;
-    let body = Body {
-        mass: vehicle.mass,
-        inertia: vehicle.inertia,
-    };
+    let body = Body { mass: vehicle.mass, inertia: vehicle.inertia };
 
     let mut state = mission.start;
     let mut steps = Vec::with_capacity(count);
@@ -56,25 +53,12 @@ pub fn fly(
         let target = mission.target(time);
         let command = pilot.step(&sensed, &target);
         let memory = pilot.state();
-        steps.push(Step {
-            time,
-            state,
-            sensed,
-            target,
-            command,
-            memory,
-        });
+        steps.push(Step { time, state, sensed, target, command, memory });
 
-        let squares = command
-            .motors
-            .map(|motor| motor * parameters.mixer.square_per_command);
+        let squares = command.motors.map(|motor| motor * parameters.mixer.square_per_command);
         let (thrust, torque) = vehicle.loads(squares.as_slice());
         let torque = torque + mission.twist(time);
-        let loads = Loads {
-            thrust,
-            torque,
-            wind: mission.wind,
-        };
+        let loads = Loads { thrust, torque, wind: mission.wind };
         state = state.after(&body, &loads, period);
     }
     Flight { steps, end: state }

@@ -7,6 +7,7 @@
 //! | [`pilot`] | whatever can fly it: the model, its emitted C, the interpreter of its IR |
 //! | [`mission`] | what is asked of the pilot, when, and what air the aircraft meets |
 //! | [`flight`] | a pilot flying a mission in closed loop, recorded step by step |
+//! | [`report`] | a flight as a person wants to read it |
 //! | [`verdict`] | whether the flight settled after each manoeuvre, and landed |
 //!
 //! The plant shares no code with the model that flies it, save its data: a fault in one must not
@@ -16,6 +17,7 @@ pub mod flight;
 pub mod mission;
 pub mod pilot;
 pub mod plant;
+pub mod report;
 pub mod vehicle;
 pub mod verdict;
 

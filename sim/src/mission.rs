@@ -93,17 +93,8 @@ impl Mission {
     /// needs. The yaw step drives every motor to a limit. The updraft is there for the integral of
     /// the height, the gusts for the mixer.
     pub fn every_channel() -> Self {
-        let manoeuvre = |name, begins, action| Manoeuvre {
-            name,
-            begins,
-            action,
-        };
-        let gust = |name, begins, torque| Gust {
-            name,
-            begins,
-            lasts: 0.02,
-            torque,
-        };
+        let manoeuvre = |name, begins, action| Manoeuvre { name, begins, action };
+        let gust = |name, begins, torque| Gust { name, begins, lasts: 0.02, torque };
         Self {
             duration: 30.0,
             start: State {
@@ -112,14 +103,7 @@ impl Mission {
                 ..State::default()
             },
             manoeuvres: vec![
-                manoeuvre(
-                    "take-off",
-                    0.0,
-                    Action::TakeOff {
-                        burn: 1.0,
-                        height: 1.0,
-                    },
-                ),
+                manoeuvre("take-off", 0.0, Action::TakeOff { burn: 1.0, height: 1.0 }),
                 manoeuvre("yaw step", 13.0, Action::Turn(FRAC_PI_2)),
                 manoeuvre("x step", 15.0, Action::Go(1.0, 0.0)),
                 manoeuvre("landing", 25.75, Action::Land(0.25)),

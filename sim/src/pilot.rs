@@ -3,6 +3,7 @@
 //! The model itself, its emitted C and the interpreter of its IR all fly behind one trait, so that
 //! no flight can tell which of them it has on board.
 
+use bessemer::Plain;
 use models::{Command, Controller, Parameters, Sensed, Target};
 
 /// A controller, however it is carried out.
@@ -25,10 +26,7 @@ pub struct Native {
 impl Native {
     /// The controller in its initial state.
     pub fn new(parameters: Parameters) -> Self {
-        Self {
-            parameters,
-            controller: Controller::default(),
-        }
+        Self { parameters, controller: Controller::default() }
     }
 }
 
@@ -38,14 +36,8 @@ impl Pilot for Native {
     }
 
     fn state(&self) -> Vec<u64> {
-        let Controller {
-            height,
-            attitude,
-            landed,
-        } = &self.controller;
-        let mut words = vec![height.integral.to_bits()];
-        words.extend(attitude.integral.iter().map(|value| value.to_bits()));
-        words.push(u64::from(*landed));
+        let mut words = Vec::new();
+        self.controller.store(&mut |word| words.push(word));
         words
     }
 }

@@ -123,11 +123,6 @@ impl State {
 
     fn from_vector(all: &SVector<f64, 12>) -> State {
         let part = |n: usize| all.fixed_rows::<3>(3 * n).into_owned();
-        State {
-            position: part(0),
-            angles: part(1),
-            velocity: part(2),
-            rates: part(3),
-        }
+        State { position: part(0), angles: part(1), velocity: part(2), rates: part(3) }
     }
 }

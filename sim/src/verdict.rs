@@ -23,13 +23,7 @@ pub struct Tolerance {
 
 impl Default for Tolerance {
     fn default() -> Self {
-        Self {
-            height: 0.01,
-            place: 0.02,
-            yaw: 1f64.to_radians(),
-            window: 0.5,
-            cross_rate: 0.05,
-        }
+        Self { height: 0.01, place: 0.02, yaw: 1f64.to_radians(), window: 0.5, cross_rate: 0.05 }
     }
 }
 
@@ -60,11 +54,7 @@ impl Errors {
 
 /// The larger magnitude; what is not a number counts as infinite.
 fn worst(so_far: f64, value: f64) -> f64 {
-    if value.is_nan() {
-        f64::INFINITY
-    } else {
-        so_far.max(value.abs())
-    }
+    if value.is_nan() { f64::INFINITY } else { so_far.max(value.abs()) }
 }
 
 /// How a flight did just before the manoeuvre that follows.
@@ -104,11 +94,7 @@ pub enum Fault {
 impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Fault::Unsettled(Settled {
-                manoeuvre,
-                by,
-                errors,
-            }) => write!(
+            Fault::Unsettled(Settled { manoeuvre, by, errors }) => write!(
                 f,
                 "{manoeuvre}: not settled by {by} s: {:.1} mm in height, {:.1} mm in the plane, {:.2}° in yaw",
                 1e3 * errors.height,
@@ -118,14 +104,9 @@ impl fmt::Display for Fault {
             Fault::Turned { gust, rate } => {
                 write!(f, "{gust}: turned at {rate:.3} rad/s about another axis")
             }
-            Fault::NotLanded {
-                height,
-                place,
-                command,
-            } => write!(
-                f,
-                "not landed: {height:.3} m up, {place:.3} m away, motors at {command:.0}",
-            ),
+            Fault::NotLanded { height, place, command } => {
+                write!(f, "not landed: {height:.3} m up, {place:.3} m away, motors at {command:.0}",)
+            }
         }
     }
 }
@@ -163,22 +144,14 @@ pub fn cross_rate(flight: &Flight, gust: &Gust) -> f64 {
     let axis = gust.torque.normalize();
     let blowing = |step: &&Step| gust.begins <= step.time && step.time <= gust.ends();
     let across = |step: &Step| step.state.rates.cross(&axis).norm();
-    flight
-        .steps
-        .iter()
-        .filter(blowing)
-        .map(across)
-        .fold(0.0, worst)
+    flight.steps.iter().filter(blowing).map(across).fold(0.0, worst)
 }
 
 fn gust_faults(flight: &Flight, mission: &Mission, tolerance: &Tolerance) -> Vec<Fault> {
     let fault = |gust: &Gust| {
         let rate = cross_rate(flight, gust);
         let turned = rate > tolerance.cross_rate;
-        turned.then_some(Fault::Turned {
-            gust: gust.name,
-            rate,
-        })
+        turned.then_some(Fault::Turned { gust: gust.name, rate })
     };
     mission.gusts.iter().filter_map(fault).collect()
 }
@@ -189,11 +162,7 @@ fn landing_fault(flight: &Flight, tolerance: &Tolerance) -> Option<Fault> {
     let place = (last.target.position - flight.end.position).xy().norm();
     let command = last.command.motors.max();
     let landed = height == 0.0 && place < tolerance.place && command == 0.0;
-    (!landed).then_some(Fault::NotLanded {
-        height,
-        place,
-        command,
-    })
+    (!landed).then_some(Fault::NotLanded { height, place, command })
 }
 
 impl Tolerance {
@@ -224,12 +193,7 @@ pub fn saturations(flight: &Flight, largest_command: f64) -> Vec<Saturation> {
             let at_limit = |step: &&Step| !step.target.land && step.command.motors[motor] == limit;
             let mut steps = flight.steps.iter().filter(at_limit).peekable();
             if let Some(first) = steps.peek().map(|step| step.time) {
-                found.push(Saturation {
-                    motor,
-                    upper,
-                    first,
-                    periods: steps.count(),
-                });
+                found.push(Saturation { motor, upper, first, periods: steps.count() });
             }
         }
     }

@@ -32,10 +32,7 @@ fn each_motor_saturates() {
     let (_, flight) = flown();
     let found = saturations(&flight, Parameters::mambo().mixer.largest_command);
     for motor in 0..4 {
-        assert!(
-            found.iter().any(|at| at.motor == motor),
-            "motor {motor}: {found:#?}"
-        );
+        assert!(found.iter().any(|at| at.motor == motor), "motor {motor}: {found:#?}");
     }
     for upper in [true, false] {
         assert!(found.iter().any(|at| at.upper == upper), "{found:#?}");

@@ -7,10 +7,7 @@ use sim::{Layout, State, Vehicle};
 
 fn body() -> Body {
     let airframe = Airframe::mambo();
-    Body {
-        mass: airframe.mass,
-        inertia: airframe.inertia,
-    }
+    Body { mass: airframe.mass, inertia: airframe.inertia }
 }
 
 #[test]
@@ -45,10 +42,7 @@ fn any_even_number_of_equal_motors_balances() {
 
 #[test]
 fn falling_is_a_parabola() {
-    let start = State {
-        position: Vector3::new(0.0, 0.0, 10.0),
-        ..State::default()
-    };
+    let start = State { position: Vector3::new(0.0, 0.0, 10.0), ..State::default() };
     let mut state = start;
     for _ in 0..200 {
         state = state.after(&body(), &Loads::default(), 0.005);
@@ -80,14 +74,8 @@ fn tumbling_keeps_energy_and_angular_momentum() {
 #[test]
 fn the_floor_holds_what_the_thrust_does_not() {
     let weight = body().mass * GRAVITY;
-    let under = Loads {
-        thrust: 0.9 * weight,
-        ..Loads::default()
-    };
-    let over = Loads {
-        thrust: 1.1 * weight,
-        ..Loads::default()
-    };
+    let under = Loads { thrust: 0.9 * weight, ..Loads::default() };
+    let over = Loads { thrust: 1.1 * weight, ..Loads::default() };
     let rest = State::default().after(&body(), &under, 0.005);
     assert_eq!(rest, State::default());
     assert!(rest.after(&body(), &over, 0.005).position.z > 0.0);

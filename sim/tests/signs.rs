@@ -33,12 +33,7 @@ fn faults(parameters: Parameters) -> Vec<Fault> {
     let mission = Mission::every_channel();
     let mut pilot = Native::new(parameters);
     // The plant and its control period stay those of the Mambo, whatever the pilot believes.
-    let flight = fly(
-        &Vehicle::mambo(),
-        &Parameters::mambo(),
-        &mission,
-        &mut pilot,
-    );
+    let flight = fly(&Vehicle::mambo(), &Parameters::mambo(), &mission, &mut pilot);
     judge(&flight, &mission, &Tolerance::default())
 }
 
@@ -54,10 +49,7 @@ fn every_gain_has_its_sign() {
         let gain = knob(&mut parameters);
         assert!(*gain != 0.0, "{name} has no sign");
         *gain = -*gain;
-        assert!(
-            !faults(parameters).is_empty(),
-            "{name} may as well be negated"
-        );
+        assert!(!faults(parameters).is_empty(), "{name} may as well be negated");
     }
 }
 
@@ -70,10 +62,7 @@ fn every_mixer_entry_has_its_sign() {
             assert!(*entry != 0.0, "entry ({motor}, {load}) has no sign");
             *entry = -*entry;
             let faults = faults(parameters);
-            assert!(
-                !faults.is_empty(),
-                "entry ({motor}, {load}) may as well be negated"
-            );
+            assert!(!faults.is_empty(), "entry ({motor}, {load}) may as well be negated");
         }
     }
 }

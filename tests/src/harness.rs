@@ -42,7 +42,8 @@ pub fn program(module: &Module, entry: FunctionId) -> String {
         Returned::Nothing => format!("        {call};\n        put(0);\n"),
         Returned::Status => format!("        put((uint64_t){call});\n"),
         Returned::Value(ty) => {
-            let _ = writeln!(declarations, "    static {};", names.declarator(ty, "result_").text());
+            let _ =
+                writeln!(declarations, "    static {};", names.declarator(ty, "result_").text());
             put(ty, "result_", &mut writes);
             format!("        result_ = {call};\n        put(0);\n")
         }

@@ -9,6 +9,7 @@ pub mod interpreter;
 pub mod pilot;
 pub mod process;
 pub mod toolchain;
+pub mod workspace;
 
 use std::path::PathBuf;
 

@@ -83,11 +83,8 @@ impl Process {
         sources.push(main);
         let program = folder.path().join("harness");
         toolchain.link(&sources, &program).map_err(Error::Compile)?;
-        let mut child = toolchain
-            .runner(&program)
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .spawn()?;
+        let mut child =
+            toolchain.runner(&program).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
         let (Some(input), Some(output)) = (child.stdin.take(), child.stdout.take()) else {
             return Err(Error::Compile("the process has no pipes".into()));
         };

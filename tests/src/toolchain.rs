@@ -22,8 +22,7 @@ pub const FLAGS: &[&str] = &[
 ];
 
 /// The flags of the Cortex-A9: hard float, VFPv3; NEON would flush subnormals.
-pub const CORTEX_A9: &[&str] =
-    &["-mcpu=cortex-a9", "-mfpu=vfpv3", "-mfloat-abi=hard", "-static"];
+pub const CORTEX_A9: &[&str] = &["-mcpu=cortex-a9", "-mfpu=vfpv3", "-mfloat-abi=hard", "-static"];
 
 /// A compiler at a level of optimisation.
 #[derive(Clone, Debug)]
@@ -130,9 +129,7 @@ pub fn host() -> Vec<Toolchain> {
         .collect();
     compilers
         .into_iter()
-        .flat_map(|compiler| {
-            [0, 2, 3].map(|level| Toolchain { compiler, level, emulator: None })
-        })
+        .flat_map(|compiler| [0, 2, 3].map(|level| Toolchain { compiler, level, emulator: None }))
         .collect()
 }
 

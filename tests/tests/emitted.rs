@@ -66,7 +66,8 @@ fn it_has_no_heap_and_no_memory_of_its_own() {
             }
         }
     }
-    let allowed = ["sqrt", "sqrtf", "floor", "floorf", "fabs", "fabsf", "copysign", "memcpy", "memset"];
+    let allowed =
+        ["sqrt", "sqrtf", "floor", "floorf", "fabs", "fabsf", "copysign", "memcpy", "memset"];
     for name in called {
         let known = defined.contains(&name) || allowed.contains(&name.as_str());
         assert!(known || name == "_GLOBAL_OFFSET_TABLE_", "`{name}` is called");
@@ -77,7 +78,11 @@ fn it_has_no_heap_and_no_memory_of_its_own() {
 fn every_loop_counts_to_a_bound() {
     for file in &flight_models().files {
         for line in file.text.lines().map(str::trim) {
-            assert!(!line.starts_with("while") && !line.starts_with("do "), "{}: {line}", file.name);
+            assert!(
+                !line.starts_with("while") && !line.starts_with("do "),
+                "{}: {line}",
+                file.name
+            );
             assert!(!line.starts_with("goto"), "{}: {line}", file.name);
             if let Some(head) = line.strip_prefix("for (") {
                 assert_eq!(head.matches(';').count(), 2, "{}: {line}", file.name);
@@ -100,7 +105,12 @@ fn it_says_nothing_that_ages() {
 fn what_is_committed_is_what_the_models_give() {
     for file in &flight_models().files {
         let committed = std::fs::read_to_string(root().join("generated").join(&file.name));
-        assert_eq!(committed.ok().as_ref(), Some(&file.text), "{}: run `cargo xtask gen`", file.name);
+        assert_eq!(
+            committed.ok().as_ref(),
+            Some(&file.text),
+            "{}: run `cargo xtask gen`",
+            file.name
+        );
     }
 }
 
@@ -112,7 +122,10 @@ fn the_controller_keeps_its_authors_words() {
         file.map(|file| file.text.as_str()).unwrap_or_default()
     };
     let (header, source) = (text("height.h"), text("height.c"));
-    assert!(header.contains("/** One control period: the thrust to command (thesis, eq. (3.14)), N. */"));
+    assert!(
+        header
+            .contains("/** One control period: the thrust to command (thesis, eq. (3.14)), N. */")
+    );
     assert!(header.contains("/** Integral of the height error, m·s. */"));
     for line in [
         "const double weight = parameters->mass * GRAVITY;",

@@ -3,81 +3,11 @@
 //! A firmware team pays for every changed line with a retest. A copy of the flight models is changed
 //! as an author would change it, generated again, and the two folders are compared.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::fs;
-use std::path::Path;
 
-use bessemer_codegen::generate::{self, Job};
 use bessemer_tests::root;
-use tempfile::TempDir;
-
-type Files = BTreeMap<String, String>;
-
-/// A workspace of its own that holds a copy of the flight models.
-struct Copy(TempDir);
-
-impl Copy {
-    fn new() -> Copy {
-        let folder = tempfile::tempdir().expect("a temporary folder");
-        let (root, copy) = (root().canonicalize().expect("the workspace"), Copy(folder));
-        copy_folder(&root.join("models"), &copy.path("models"));
-        let lock = fs::read_to_string(root.join("Cargo.lock")).expect("the lock file");
-        fs::write(copy.path("Cargo.lock"), lock).expect("a lock file");
-        let workspace = fs::read_to_string(root.join("Cargo.toml")).expect("the manifest");
-        let start = workspace.find("members").expect("members");
-        let end = start + workspace[start..].find('\n').expect("a line");
-        let workspace = workspace
-            .replace(&workspace[start..end], "members = [\"models\"]")
-            .replace("path = \"", &format!("path = \"{}/", root.display()))
-            .replace(&format!("path = \"{}/models\"", root.display()), "path = \"models\"");
-        fs::write(copy.path("Cargo.toml"), workspace).expect("a manifest");
-        // One target folder for all, so that only the models are built anew.
-        fs::create_dir(copy.path(".cargo")).expect("a folder");
-        let config = format!("[build]\ntarget-dir = \"{}\"\n", root.join("target").display());
-        fs::write(copy.path(".cargo/config.toml"), config).expect("a configuration");
-        copy
-    }
-
-    fn path(&self, name: &str) -> std::path::PathBuf {
-        self.0.path().join(name)
-    }
-
-    /// Replaces `old` by `new` in each source file that has it.
-    fn replace(&self, old: &str, new: &str) {
-        let mut found = false;
-        for entry in fs::read_dir(self.path("models/src")).expect("the sources").flatten() {
-            let Ok(text) = fs::read_to_string(entry.path()) else { continue };
-            found |= text.contains(old);
-            fs::write(entry.path(), text.replace(old, new)).expect("a source file");
-        }
-        assert!(found, "`{old}` is not in the models");
-    }
-
-    fn generate(&self, version: &str) -> Files {
-        let mut job = Job::new(self.0.path(), "models");
-        job.version = version.to_owned();
-        generate::generate(&job).unwrap_or_else(|error| panic!("{error}"));
-        let entries = fs::read_dir(&job.output).expect("the output").flatten();
-        entries
-            .map(|entry| {
-                let text = fs::read_to_string(entry.path()).expect("a generated file");
-                (entry.file_name().to_string_lossy().into_owned(), text)
-            })
-            .collect()
-    }
-}
-
-fn copy_folder(from: &Path, to: &Path) {
-    fs::create_dir_all(to).expect("a folder");
-    for entry in fs::read_dir(from).expect("a folder").flatten() {
-        let (path, target) = (entry.path(), to.join(entry.file_name()));
-        if path.is_dir() {
-            copy_folder(&path, &target);
-        } else {
-            fs::copy(&path, &target).expect("a file");
-        }
-    }
-}
+use bessemer_tests::workspace::{Files, Workspace};
 
 /// The names of the files that differ.
 fn moved(before: &Files, after: &Files) -> Vec<String> {
@@ -88,32 +18,37 @@ fn moved(before: &Files, after: &Files) -> Vec<String> {
 /// One test, since all of it is one package built again and again.
 #[test]
 fn only_what_must_move_moves() {
-    let copy = Copy::new();
+    let copy = Workspace::with_flight_models().expect("a workspace");
+    let generate = |version: &str| copy.generate(version).unwrap_or_else(|error| panic!("{error}"));
+    let replace = |old: &str, new: &str| copy.replace(old, new).expect("the sources");
     let version = env!("CARGO_PKG_VERSION");
-    let before = copy.generate(version);
+    let before = generate(version);
 
     let committed = fs::read_to_string(root().join("generated/height.c")).expect("committed C");
     assert_eq!(before["height.c"], committed, "the place of the workspace does not matter");
-    assert_eq!(moved(&before, &copy.generate(version)), [""; 0], "generating twice");
+    assert_eq!(moved(&before, &generate(version)), [""; 0], "generating twice");
 
     // The tool's version: the manifest alone.
-    assert_eq!(moved(&before, &copy.generate("99.0.0")), ["manifest.json"]);
+    assert_eq!(moved(&before, &generate("99.0.0")), ["manifest.json"]);
 
     // A comment on top of a model: the map of its lines, no C.
-    copy.replace("//! How hard to push: the height loop", "// A comment.\n//! How hard to push: the height loop");
-    let commented = copy.generate(version);
+    replace(
+        "//! How hard to push: the height loop",
+        "// A comment.\n//! How hard to push: the height loop",
+    );
+    let commented = generate(version);
     assert_eq!(moved(&before, &commented), ["height.c.map", "height.h.map"]);
 
     // A constant: the one C file that uses it, and there one line.
-    copy.replace("GRAVITY: f64 = 9.81;", "GRAVITY: f64 = 9.80665;");
-    let heavier = copy.generate(version);
+    replace("GRAVITY: f64 = 9.81;", "GRAVITY: f64 = 9.80665;");
+    let heavier = generate(version);
     assert_eq!(moved(&commented, &heavier), ["height.c"]);
     let lines = commented["height.c"].lines().zip(heavier["height.c"].lines());
     assert_eq!(lines.filter(|(one, other)| one != other).count(), 1);
 
     // A shared type: the files that name it, and there the lines that name it.
-    copy.replace("Target", "Goal");
-    let renamed = copy.generate(version);
+    replace("Target", "Goal");
+    let renamed = generate(version);
     let naming: Vec<String> = heavier
         .iter()
         .filter(|(name, text)| !name.ends_with(".map") && text.contains("target_t"))
@@ -137,8 +72,8 @@ fn only_what_must_move_moves() {
         pub fn step(&mut self, goal: &Goal) {\n        if goal.land {\n            \
         self.landings += 1.0;\n        }\n    }\n}\n";
     fs::write(copy.path("models/src/counter.rs"), model).expect("a source file");
-    copy.replace("pub mod height;", "pub mod counter;\npub mod height;");
-    let added = copy.generate(version);
+    replace("pub mod height;", "pub mod counter;\npub mod height;");
+    let added = generate(version);
     let new = ["counter.c", "counter.c.map", "counter.h", "counter.h.map", "manifest.json"];
     assert_eq!(moved(&renamed, &added), new);
 }

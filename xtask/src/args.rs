@@ -2,6 +2,8 @@
 //!
 //! Invariant: only data and help texts; nothing is done here.
 
+use std::path::PathBuf;
+
 use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Args, Parser, Subcommand};
 
@@ -130,6 +132,9 @@ pub struct Bench {
 pub struct Sim {
     /// The flight to fly; without it, the flights are listed
     pub flight: Option<String>,
+    /// Write every step as comma-separated values
+    #[arg(long, value_name = "FILE")]
+    pub csv: Option<PathBuf>,
 }
 
 #[cfg(test)]
@@ -159,52 +164,28 @@ mod tests {
 
     #[test]
     fn test_installs_nothing_unless_told() {
-        assert!(matches!(
-            parse(&["test"]),
-            Ok(Task::Test(Test {
-                install: false,
-                host: false
-            }))
-        ));
+        assert!(matches!(parse(&["test"]), Ok(Task::Test(Test { install: false, host: false }))));
         assert!(matches!(
             parse(&["test", "--install"]),
-            Ok(Task::Test(Test {
-                install: true,
-                host: false
-            }))
+            Ok(Task::Test(Test { install: true, host: false }))
         ));
         assert!(matches!(
             parse(&["test", "--host"]),
-            Ok(Task::Test(Test {
-                install: false,
-                host: true
-            }))
+            Ok(Task::Test(Test { install: false, host: true }))
         ));
         assert!(matches!(
             parse(&["test", "--host", "--install"]),
-            Ok(Task::Test(Test {
-                install: true,
-                host: true
-            }))
+            Ok(Task::Test(Test { install: true, host: true }))
         ));
     }
 
     #[test]
     fn the_rest_is_read() {
-        assert!(matches!(
-            parse(&["doctor", "--json"]),
-            Ok(Task::Doctor(Doctor { json: true }))
-        ));
-        assert!(matches!(
-            parse(&["bench", "--quick"]),
-            Ok(Task::Bench(Bench { quick: true }))
-        ));
-        assert!(matches!(
-            parse(&["sim"]),
-            Ok(Task::Sim(Sim { flight: None }))
-        ));
+        assert!(matches!(parse(&["doctor", "--json"]), Ok(Task::Doctor(Doctor { json: true }))));
+        assert!(matches!(parse(&["bench", "--quick"]), Ok(Task::Bench(Bench { quick: true }))));
+        assert!(matches!(parse(&["sim"]), Ok(Task::Sim(Sim { flight: None, csv: None }))));
         assert!(
-            matches!(parse(&["sim", "hover"]), Ok(Task::Sim(Sim { flight: Some(name) })) if name == "hover")
+            matches!(parse(&["sim", "hover"]), Ok(Task::Sim(Sim { flight: Some(name), .. })) if name == "hover")
         );
     }
 
@@ -212,24 +193,14 @@ mod tests {
     fn nonsense_is_refused() {
         use clap::error::ErrorKind;
         assert_eq!(parse(&["tset"]).err(), Some(ErrorKind::InvalidSubcommand));
-        assert_eq!(
-            parse(&["gen", "--install"]).err(),
-            Some(ErrorKind::UnknownArgument)
-        );
-        assert_eq!(
-            parse(&[]).err(),
-            Some(ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand)
-        );
+        assert_eq!(parse(&["gen", "--install"]).err(), Some(ErrorKind::UnknownArgument));
+        assert_eq!(parse(&[]).err(), Some(ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand));
     }
 
     #[test]
     fn every_command_has_help() {
         for command in Arguments::command().get_subcommands() {
-            assert!(
-                command.get_about().is_some(),
-                "{} has no help",
-                command.get_name()
-            );
+            assert!(command.get_about().is_some(), "{} has no help", command.get_name());
         }
     }
 }

@@ -1,32 +1,21 @@
-//! `cargo xtask bench`: a place kept free for the measurements.
+//! `cargo xtask bench`: hands over to the program of the `bench` crate.
 //!
-//! Invariant: while nothing is measured, nothing is printed that could pass for a measurement.
+//! What it must not know: what is measured.
 
 use crate::args::Bench;
 use crate::error::{Error, Outcome};
+use crate::{project, stages};
+use std::path::Path;
 
-/// Says that there are no measurements yet.
+/// Runs the measurements that there are.
 ///
 /// # Errors
-/// Always [`Error::NotYet`].
-pub fn run(wanted: &Bench) -> Result<Outcome, Error> {
-    let Bench { quick: _ } = wanted;
-    Err(Error::NotYet {
-        command: "bench",
-        with: "the linear algebra",
-    })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn it_does_not_pretend() {
-        let outcome = run(&Bench { quick: true });
-        assert!(
-            matches!(&outcome, Err(error) if error.code() == 2),
-            "{outcome:?}"
-        );
+/// [`Error::Spawn`] if cargo does not start.
+pub fn run(root: &Path, wanted: &Bench) -> Result<Outcome, Error> {
+    let mut command = project::cargo(root, &["run", "--quiet", "--package", "bench", "--"]);
+    if wanted.quick {
+        command.arg("--quick");
     }
+    let status = stages::attached(&mut command)?;
+    Ok(if status.success() { Outcome::Good } else { Outcome::Bad })
 }

@@ -12,9 +12,7 @@ use std::fmt::Write as _;
 
 const HOST: &[Need] = &[Need::Everything, Need::Host];
 const ALL: &[Need] = &[Need::Everything, Need::Host, Need::Target];
-const RED: Style = Style::new()
-    .bold()
-    .fg_color(Some(anstyle::Color::Ansi(AnsiColor::Red)));
+const RED: Style = Style::new().bold().fg_color(Some(anstyle::Color::Ansi(AnsiColor::Red)));
 const GREEN: Style = Style::new().fg_color(Some(anstyle::Color::Ansi(AnsiColor::Green)));
 const BOLD: Style = Style::new().bold();
 
@@ -31,28 +29,16 @@ pub fn run(wanted: &Doctor, machine: &dyn Machine) -> Result<Outcome, Error> {
         table(&findings, plan.as_ref())
     };
     anstream::print!("{text}");
-    Ok(if tools::missing(&findings, ALL).is_empty() {
-        Outcome::Good
-    } else {
-        Outcome::Bad
-    })
+    Ok(if tools::missing(&findings, ALL).is_empty() { Outcome::Good } else { Outcome::Bad })
 }
 
 /// The table for people, with colour codes, which the stream drops where they are not wanted.
 #[must_use]
 pub fn table(findings: &[Finding], plan: Option<&Plan>) -> String {
     let width = |cell: fn(&Finding) -> &str| {
-        findings
-            .iter()
-            .map(|finding| cell(finding).len())
-            .max()
-            .unwrap_or(0)
+        findings.iter().map(|finding| cell(finding).len()).max().unwrap_or(0)
     };
-    let (names, versions, needs) = (
-        width(name),
-        width(version).max("version".len()),
-        width(need),
-    );
+    let (names, versions, needs) = (width(name), width(version).max("version".len()), width(need));
     let mut text = format!(
         "{BOLD}{:names$}  {:versions$}  {:needs$}  what for{BOLD:#}\n",
         "tool", "version", "needed for"

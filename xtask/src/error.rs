@@ -85,10 +85,9 @@ impl Error {
     #[must_use]
     pub fn remedy(&self) -> Option<String> {
         match self {
-            Self::Missing {
-                line: Some(line), ..
+            Self::Missing { line: Some(line), .. } | Self::NoRights { line, .. } => {
+                Some(line.clone())
             }
-            | Self::NoRights { line, .. } => Some(line.clone()),
             Self::Missing { line: None, .. } => Some(
                 "there is no apt-get here: install them with this system's own package manager"
                     .to_owned(),

@@ -28,7 +28,10 @@ pub fn run(root: &Path, mode: Mode) -> Result<Outcome, Error> {
         let files = summary.compiled.files.len();
         match summary.changed.len() {
             0 => anstream::println!("\n{files} files in generated/, all up to date"),
-            changed => anstream::println!("\n{files} files in generated/, {changed} changed: {}", summary.changed.join(" ")),
+            changed => anstream::println!(
+                "\n{files} files in generated/, {changed} changed: {}",
+                summary.changed.join(" ")
+            ),
         }
     }
     Ok(Outcome::Good)

@@ -55,11 +55,7 @@ impl Plan {
         }
         let possible = packages.is_empty() || machine.version("apt-get").is_some();
         let needed = !(packages.is_empty() && components.is_empty());
-        (possible && needed).then(|| Self {
-            components,
-            packages,
-            rights: rights(machine),
-        })
+        (possible && needed).then(|| Self { components, packages, rights: rights(machine) })
     }
 
     /// The one line that does it, for a shell.
@@ -68,10 +64,7 @@ impl Plan {
         let steps = self.steps();
         let join = |as_root: bool| {
             let chosen = steps.iter().filter(|step| step.as_root == as_root);
-            chosen
-                .map(|step| step.words.join(" "))
-                .collect::<Vec<_>>()
-                .join(" && ")
+            chosen.map(|step| step.words.join(" ")).collect::<Vec<_>>().join(" && ")
         };
         let (own, root) = (join(false), join(true));
         let root = if self.rights == Rights::None && !root.is_empty() {
@@ -79,11 +72,7 @@ impl Plan {
         } else {
             root
         };
-        [own, root]
-            .into_iter()
-            .filter(|part| !part.is_empty())
-            .collect::<Vec<_>>()
-            .join(" && ")
+        [own, root].into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" && ")
     }
 
     /// Carries it out.
@@ -114,17 +103,12 @@ impl Plan {
         command.args(arguments);
         let verdict = |status: ExitStatus| match status.success() {
             true => Ok(()),
-            false => Err(Error::Install {
-                step: step.words.join(" "),
-                status,
-            }),
+            false => Err(Error::Install { step: step.words.join(" "), status }),
         };
         if step.as_root && self.rights == Rights::Sudo {
             progress.open(step.name, || verdict(stages::attached(&mut command)?))
         } else {
-            progress.closed(step.name, |voice| {
-                verdict(stages::captured(&mut command, voice)?)
-            })
+            progress.closed(step.name, |voice| verdict(stages::captured(&mut command, voice)?))
         }
     }
 
@@ -132,34 +116,16 @@ impl Plan {
         let mut steps = Vec::new();
         if !self.components.is_empty() {
             let words = words("rustup component add", &self.components);
-            steps.push(Step {
-                name: "rustup component add",
-                words,
-                as_root: false,
-            });
+            steps.push(Step { name: "rustup component add", words, as_root: false });
         }
         if !self.packages.is_empty() {
-            let sudo = if self.rights == Rights::Sudo {
-                "sudo "
-            } else {
-                ""
-            };
+            let sudo = if self.rights == Rights::Sudo { "sudo " } else { "" };
             let update = words(&format!("{sudo}apt-get update -o {WAIT}"), &[]);
             let quiet = format!("{sudo}env DEBIAN_FRONTEND=noninteractive apt-get install -y");
-            let install = words(
-                &format!("{quiet} --no-install-recommends -o {WAIT}"),
-                &self.packages,
-            );
-            steps.push(Step {
-                name: "apt-get update",
-                words: update,
-                as_root: true,
-            });
-            steps.push(Step {
-                name: "apt-get install",
-                words: install,
-                as_root: true,
-            });
+            let install =
+                words(&format!("{quiet} --no-install-recommends -o {WAIT}"), &self.packages);
+            steps.push(Step { name: "apt-get update", words: update, as_root: true });
+            steps.push(Step { name: "apt-get install", words: install, as_root: true });
         }
         steps
     }
@@ -176,9 +142,5 @@ fn rights(machine: &dyn Machine) -> Rights {
 }
 
 fn words(start: &str, rest: &[&str]) -> Vec<String> {
-    start
-        .split_whitespace()
-        .chain(rest.iter().copied())
-        .map(str::to_owned)
-        .collect()
+    start.split_whitespace().chain(rest.iter().copied()).map(str::to_owned).collect()
 }

@@ -16,9 +16,7 @@ use std::process::{Command, ExitStatus, Stdio};
 use std::sync::mpsc::{self, Sender};
 use std::time::{Duration, Instant};
 
-const GREEN: Style = Style::new()
-    .bold()
-    .fg_color(Some(anstyle::Color::Ansi(AnsiColor::Green)));
+const GREEN: Style = Style::new().bold().fg_color(Some(anstyle::Color::Ansi(AnsiColor::Green)));
 
 /// Runs stages and remembers how long each took.
 #[derive(Debug)]
@@ -29,10 +27,7 @@ pub struct Progress {
 
 impl Default for Progress {
     fn default() -> Self {
-        Self {
-            moving: std::io::stderr().is_terminal(),
-            done: Vec::new(),
-        }
+        Self { moving: std::io::stderr().is_terminal(), done: Vec::new() }
     }
 }
 
@@ -96,9 +91,7 @@ impl Voice {
     fn new(name: &str, moving: bool) -> Self {
         if !moving {
             anstream::eprintln!("{name} ...");
-            return Self {
-                bar: ProgressBar::hidden(),
-            };
+            return Self { bar: ProgressBar::hidden() };
         }
         let bar = ProgressBar::new_spinner().with_prefix(name.to_owned());
         if let Ok(style) =
@@ -122,9 +115,7 @@ impl Voice {
 /// # Errors
 /// [`Error::Spawn`] if it does not start.
 pub fn attached(command: &mut Command) -> Result<ExitStatus, Error> {
-    command
-        .status()
-        .map_err(|source| spawn_error(command, source))
+    command.status().map_err(|source| spawn_error(command, source))
 }
 
 /// Runs the program with both its outputs captured, its last line on the moving line. If it fails, prints them.
@@ -135,13 +126,8 @@ pub fn captured(command: &mut Command, voice: &Voice) -> Result<ExitStatus, Erro
     if anstream::AutoStream::choice(&std::io::stderr()) != anstream::ColorChoice::Never {
         command.env("CARGO_TERM_COLOR", "always");
     }
-    command
-        .stdin(Stdio::null())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped());
-    let mut child = command
-        .spawn()
-        .map_err(|source| spawn_error(command, source))?;
+    command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().map_err(|source| spawn_error(command, source))?;
     let (sender, lines) = mpsc::channel();
     listen(child.stdout.take(), sender.clone());
     listen(child.stderr.take(), sender);
@@ -150,13 +136,9 @@ pub fn captured(command: &mut Command, voice: &Voice) -> Result<ExitStatus, Erro
         voice.say(&line);
         heard.push(line);
     }
-    let status = child
-        .wait()
-        .map_err(|source| spawn_error(command, source))?;
+    let status = child.wait().map_err(|source| spawn_error(command, source))?;
     if !status.success() {
-        voice
-            .bar
-            .suspend(|| heard.iter().for_each(|line| anstream::eprintln!("{line}")));
+        voice.bar.suspend(|| heard.iter().for_each(|line| anstream::eprintln!("{line}")));
     }
     Ok(status)
 }
@@ -167,10 +149,7 @@ fn listen(stream: Option<impl Read + Send + 'static>, sender: Sender<String>) {
     std::thread::spawn(move || {
         let mut reader = BufReader::new(stream);
         let mut bytes = Vec::new();
-        while reader
-            .read_until(b'\n', &mut bytes)
-            .is_ok_and(|count| count > 0)
-        {
+        while reader.read_until(b'\n', &mut bytes).is_ok_and(|count| count > 0) {
             let line = String::from_utf8_lossy(&bytes).trim_end().to_owned();
             bytes.clear();
             if sender.send(line).is_err() {
@@ -181,10 +160,7 @@ fn listen(stream: Option<impl Read + Send + 'static>, sender: Sender<String>) {
 }
 
 fn spawn_error(command: &Command, source: std::io::Error) -> Error {
-    Error::Spawn {
-        program: command.get_program().to_string_lossy().into_owned(),
-        source,
-    }
+    Error::Spawn { program: command.get_program().to_string_lossy().into_owned(), source }
 }
 
 fn seconds(time: Duration) -> String {
@@ -196,9 +172,7 @@ mod tests {
     use super::*;
 
     fn quiet() -> Voice {
-        Voice {
-            bar: ProgressBar::hidden(),
-        }
+        Voice { bar: ProgressBar::hidden() }
     }
 
     #[test]
@@ -220,18 +194,12 @@ mod tests {
 
     #[test]
     fn only_stages_that_went_through_are_in_the_summary() {
-        let mut progress = Progress {
-            moving: false,
-            done: Vec::new(),
-        };
+        let mut progress = Progress { moving: false, done: Vec::new() };
         let good = progress.closed("format", |_| Ok(()));
-        let bad: Result<(), Error> = progress.closed("lints", |_| Err(Error::Stale));
+        let bad: Result<(), Error> =
+            progress.closed("lints", |_| Err(Error::StillMissing { tools: vec![] }));
         assert!(good.is_ok() && bad.is_err());
-        assert!(
-            progress.summary().starts_with("format 0.0 s"),
-            "{}",
-            progress.summary()
-        );
+        assert!(progress.summary().starts_with("format 0.0 s"), "{}", progress.summary());
         assert!(!progress.summary().contains("lints"));
     }
 }

@@ -35,39 +35,19 @@ pub fn run(root: &Path, wanted: &Test, machine: &dyn Machine) -> Result<Outcome,
         command
     };
 
-    check(
-        &mut progress,
-        "format",
-        cargo(&["fmt", "--all", "--check"]),
-        Some("cargo fmt --all"),
-    )?;
-    let lints = cargo(&[
-        "clippy",
-        "--workspace",
-        "--all-targets",
-        "--",
-        "-D",
-        "warnings",
-    ]);
+    check(&mut progress, "format", cargo(&["fmt", "--all", "--check"]), Some("cargo fmt --all"))?;
+    let lints = cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]);
     check(&mut progress, "lints", lints, None)?;
     progress.open("gen --check", || generate::run(root, Mode::Check))?;
+    show(&mut progress, "documentation tests", cargo(&["test", "--workspace", "--doc"]))?;
+    // Features of a package alone: in a workspace build they would reach the models of every test.
     show(
         &mut progress,
-        "documentation tests",
-        cargo(&["test", "--workspace", "--doc"]),
+        "witness tests",
+        cargo(&["test", "--package", "bessemer", "--features", "generate", "--tests"]),
     )?;
     anstream::eprintln!("passed: {}; now the tests", progress.summary());
-    attach(
-        "tests",
-        cargo(&[
-            "test",
-            "--workspace",
-            "--lib",
-            "--bins",
-            "--examples",
-            "--tests",
-        ]),
-    )?;
+    attach("tests", cargo(&["test", "--workspace", "--lib", "--bins", "--examples", "--tests"]))?;
     Ok(Outcome::Good)
 }
 
@@ -82,20 +62,11 @@ pub fn prepare(wanted: &Test, machine: &dyn Machine, progress: &mut Progress) ->
     }
     let plan = Plan::of(&missing, machine);
     let Some(plan) = plan.as_ref().filter(|_| wanted.install) else {
-        return Err(Error::Missing {
-            tools: names(&missing),
-            line: plan.map(|plan| plan.line()),
-        });
+        return Err(Error::Missing { tools: names(&missing), line: plan.map(|plan| plan.line()) });
     };
     plan.carry_out(&missing, progress)?;
     let left = lacking(wanted, machine);
-    if left.is_empty() {
-        Ok(())
-    } else {
-        Err(Error::StillMissing {
-            tools: names(&left),
-        })
-    }
+    if left.is_empty() { Ok(()) } else { Err(Error::StillMissing { tools: names(&left) }) }
 }
 
 fn lacking(wanted: &Test, machine: &dyn Machine) -> Vec<&'static Tool> {
@@ -122,9 +93,7 @@ fn check(
     mut command: Command,
     remedy: Option<&'static str>,
 ) -> Result<(), Error> {
-    progress.closed(stage, |voice| {
-        verdict(stage, stages::captured(&mut command, voice)?, remedy)
-    })
+    progress.closed(stage, |voice| verdict(stage, stages::captured(&mut command, voice)?, remedy))
 }
 
 /// A stage that shows its own output.
@@ -141,13 +110,5 @@ fn verdict(
     status: ExitStatus,
     remedy: Option<&'static str>,
 ) -> Result<(), Error> {
-    if status.success() {
-        Ok(())
-    } else {
-        Err(Error::Stage {
-            stage,
-            status,
-            remedy,
-        })
-    }
+    if status.success() { Ok(()) } else { Err(Error::Stage { stage, status, remedy }) }
 }

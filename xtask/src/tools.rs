@@ -172,15 +172,8 @@ impl Machine for ThisMachine {
 
 /// What the command prints, if it starts and succeeds.
 fn answer(command: &mut Command) -> Option<String> {
-    let output = command
-        .stdin(Stdio::null())
-        .stderr(Stdio::null())
-        .output()
-        .ok()?;
-    output
-        .status
-        .success()
-        .then(|| String::from_utf8_lossy(&output.stdout).into_owned())
+    let output = command.stdin(Stdio::null()).stderr(Stdio::null()).output().ok()?;
+    output.status.success().then(|| String::from_utf8_lossy(&output.stdout).into_owned())
 }
 
 /// What was found out about one tool.
@@ -207,24 +200,14 @@ pub fn survey(machine: &dyn Machine) -> Vec<Finding> {
         Probe::Version(program) => machine.version(program).map(|answer| number(&answer)),
         Probe::Headers(compiler) => machine.finds_headers(compiler).then(|| "found".to_owned()),
     };
-    TOOLS
-        .iter()
-        .map(|tool| Finding {
-            tool,
-            found: look(tool),
-        })
-        .collect()
+    TOOLS.iter().map(|tool| Finding { tool, found: look(tool) }).collect()
 }
 
 /// The tools that are missing for the needs given.
 #[must_use]
 pub fn missing(findings: &[Finding], needs: &[Need]) -> Vec<&'static Tool> {
     let wanted = |finding: &&Finding| finding.is_missing() && needs.contains(&finding.tool.need);
-    findings
-        .iter()
-        .filter(wanted)
-        .map(|finding| finding.tool)
-        .collect()
+    findings.iter().filter(wanted).map(|finding| finding.tool).collect()
 }
 
 /// The version number in what a program says about itself: the first word made of digits and points, or else the
@@ -233,17 +216,10 @@ fn number(answer: &str) -> String {
     let line = answer.lines().next().unwrap_or_default().trim();
     let starts = |word: &&str| word.starts_with(|letter: char| letter.is_ascii_digit());
     let plain = |word: &&str| {
-        starts(word)
-            && word
-                .chars()
-                .all(|letter| letter.is_ascii_digit() || letter == '.')
+        starts(word) && word.chars().all(|letter| letter.is_ascii_digit() || letter == '.')
     };
     let words = || line.split_whitespace();
-    words()
-        .find(plain)
-        .or_else(|| words().find(starts))
-        .unwrap_or(line)
-        .to_owned()
+    words().find(plain).or_else(|| words().find(starts)).unwrap_or(line).to_owned()
 }
 
 #[cfg(test)]
@@ -254,27 +230,12 @@ mod tests {
     fn the_number_is_found_in_what_real_tools_say() {
         let cases = [
             ("rustc 1.95.0 (f2d3ce0bd 2026-03-21)\n", "1.95.0"),
-            (
-                "rustfmt 1.9.0-stable (59807616e1 2026-04-14)",
-                "1.9.0-stable",
-            ),
+            ("rustfmt 1.9.0-stable (59807616e1 2026-04-14)", "1.9.0-stable"),
             ("clippy 0.1.95 (59807616e1 2026-04-14)", "0.1.95"),
-            (
-                "gcc (Debian 12.2.0-14+deb12u1) 12.2.0\nCopyright (C) 2022",
-                "12.2.0",
-            ),
-            (
-                "Debian clang version 14.0.6\nTarget: x86_64-pc-linux-gnu",
-                "14.0.6",
-            ),
-            (
-                "Ubuntu clang version 14.0.0-1ubuntu1.1",
-                "14.0.0-1ubuntu1.1",
-            ),
-            (
-                "qemu-arm version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)",
-                "7.2.22",
-            ),
+            ("gcc (Debian 12.2.0-14+deb12u1) 12.2.0\nCopyright (C) 2022", "12.2.0"),
+            ("Debian clang version 14.0.6\nTarget: x86_64-pc-linux-gnu", "14.0.6"),
+            ("Ubuntu clang version 14.0.0-1ubuntu1.1", "14.0.0-1ubuntu1.1"),
+            ("qemu-arm version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)", "7.2.22"),
             ("nightly", "nightly"),
         ];
         for (answer, expected) in cases {
@@ -290,10 +251,6 @@ mod tests {
 
     #[test]
     fn what_started_us_is_there() {
-        assert!(
-            ThisMachine
-                .version("rustc")
-                .is_some_and(|answer| answer.starts_with("rustc"))
-        );
+        assert!(ThisMachine.version("rustc").is_some_and(|answer| answer.starts_with("rustc")));
     }
 }

@@ -41,11 +41,7 @@ impl Fake {
             ("gcc", "gcc (Debian 12.2.0-14+deb12u1) 12.2.0"),
             ("apt-get", "apt 2.6.1 (amd64)"),
         ];
-        Self {
-            programs: programs.into(),
-            headers: ["gcc"].into(),
-            root: false,
-        }
+        Self { programs: programs.into(), headers: ["gcc"].into(), root: false }
     }
 
     /// The same with the host compilers.
@@ -58,14 +54,8 @@ impl Fake {
     /// The same with everything.
     fn full() -> Self {
         let mut fake = Self::host()
-            .with(
-                "arm-linux-gnueabihf-gcc",
-                "arm-linux-gnueabihf-gcc (Debian 12.2.0-14) 12.2.0",
-            )
-            .with(
-                "qemu-arm",
-                "qemu-arm version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)",
-            );
+            .with("arm-linux-gnueabihf-gcc", "arm-linux-gnueabihf-gcc (Debian 12.2.0-14) 12.2.0")
+            .with("qemu-arm", "qemu-arm version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)");
         fake.headers.insert("arm-linux-gnueabihf-gcc");
         fake
     }
@@ -103,10 +93,7 @@ fn table(machine: &Fake) -> String {
 
 #[track_caller]
 fn same(actual: &str, expected: &str) {
-    assert!(
-        actual == expected,
-        "expected:\n{expected}\nactual:\n{actual}"
-    );
+    assert!(actual == expected, "expected:\n{expected}\nactual:\n{actual}");
 }
 
 #[test]
@@ -124,9 +111,7 @@ fn root_installs_with_apt_alone() {
 
 #[test]
 fn others_install_through_sudo() {
-    let machine = Fake::full()
-        .without("clang")
-        .with("sudo", "Sudo version 1.9.13p3");
+    let machine = Fake::full().without("clang").with("sudo", "Sudo version 1.9.13p3");
     assert_eq!(
         line(&machine).as_deref(),
         Some(
@@ -153,14 +138,8 @@ fn without_sudo_the_line_becomes_root_by_itself() {
 
 #[test]
 fn components_of_rust_need_no_rights() {
-    let machine = Fake::full()
-        .without("rustfmt")
-        .without("cargo-clippy")
-        .without("apt-get");
-    assert_eq!(
-        line(&machine).as_deref(),
-        Some("rustup component add rustfmt clippy")
-    );
+    let machine = Fake::full().without("rustfmt").without("cargo-clippy").without("apt-get");
+    assert_eq!(line(&machine).as_deref(), Some("rustup component add rustfmt clippy"));
 }
 
 #[test]
@@ -202,11 +181,8 @@ Everything is there: `cargo xtask test` can run.
 
 #[test]
 fn the_conclusion_says_what_can_run_and_what_to_do() {
-    let conclusion = |machine: &Fake| {
-        table(machine)
-            .split_once("\n\n")
-            .map(|parts| parts.1.to_owned())
-    };
+    let conclusion =
+        |machine: &Fake| table(machine).split_once("\n\n").map(|parts| parts.1.to_owned());
     assert_eq!(
         conclusion(&Fake::host().rooted()).as_deref(),
         Some(
@@ -244,14 +220,8 @@ fn the_json_says_the_same() {
 #[test]
 fn test_refuses_to_start_and_prints_one_line() {
     let machine = Fake::fresh().with("sudo", "Sudo version 1.9.13p3");
-    let outcome = prepare(
-        &Test {
-            install: false,
-            host: false,
-        },
-        &machine,
-        &mut Progress::default(),
-    );
+    let outcome =
+        prepare(&Test { install: false, host: false }, &machine, &mut Progress::default());
     let error = outcome.expect_err("tools are missing");
     assert_eq!(
         error.to_string(),
@@ -265,10 +235,7 @@ fn test_refuses_to_start_and_prints_one_line() {
 
 #[test]
 fn test_of_the_host_does_without_the_arm_tools() {
-    let wanted = Test {
-        install: false,
-        host: true,
-    };
+    let wanted = Test { install: false, host: true };
     assert!(prepare(&wanted, &Fake::host(), &mut Progress::default()).is_ok());
     let outcome = prepare(&wanted, &Fake::fresh(), &mut Progress::default());
     assert!(matches!(outcome, Err(Error::Missing { tools, .. }) if tools == ["g++", "clang"]));
@@ -276,25 +243,14 @@ fn test_of_the_host_does_without_the_arm_tools() {
 
 #[test]
 fn installing_without_rights_stops_before_it_starts() {
-    let outcome = prepare(
-        &Test {
-            install: true,
-            host: false,
-        },
-        &Fake::host(),
-        &mut Progress::default(),
-    );
-    let Err(Error::NoRights { line, .. }) = outcome else {
-        panic!("{outcome:?}")
-    };
+    let outcome =
+        prepare(&Test { install: true, host: false }, &Fake::host(), &mut Progress::default());
+    let Err(Error::NoRights { line, .. }) = outcome else { panic!("{outcome:?}") };
     assert!(line.starts_with("su -c 'apt-get update"), "{line}");
 }
 
 #[test]
 fn nothing_is_installed_when_everything_is_there() {
-    let wanted = Test {
-        install: true,
-        host: false,
-    };
+    let wanted = Test { install: true, host: false };
     assert!(prepare(&wanted, &Fake::full(), &mut Progress::default()).is_ok());
 }

@@ -37,9 +37,7 @@ fn files() -> Vec<File> {
     let root = root();
     let paths = listed(&root).unwrap_or_else(|| walked(&root));
     let read = |path: String| {
-        std::fs::read_to_string(root.join(&path))
-            .ok()
-            .map(|text| File { path, text })
+        std::fs::read_to_string(root.join(&path)).ok().map(|text| File { path, text })
     };
     let files: Vec<File> = paths.into_iter().filter_map(read).collect();
     assert!(
@@ -51,23 +49,10 @@ fn files() -> Vec<File> {
 
 /// What git knows or would add; none if this is no git checkout.
 fn listed(root: &Path) -> Option<Vec<String>> {
-    let arguments = [
-        "ls-files",
-        "-z",
-        "--cached",
-        "--others",
-        "--exclude-standard",
-    ];
-    let output = Command::new("git")
-        .args(arguments)
-        .current_dir(root)
-        .output()
-        .ok()?;
+    let arguments = ["ls-files", "-z", "--cached", "--others", "--exclude-standard"];
+    let output = Command::new("git").args(arguments).current_dir(root).output().ok()?;
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    output
-        .status
-        .success()
-        .then(|| text.split_terminator('\0').map(str::to_owned).collect())
+    output.status.success().then(|| text.split_terminator('\0').map(str::to_owned).collect())
 }
 
 /// Every file below `root`, for a source archive without git: build products and hidden state aside.
@@ -90,22 +75,15 @@ fn walked(root: &Path) -> Vec<String> {
 
 #[track_caller]
 fn none(rule: &str, offences: &[String]) {
-    assert!(
-        offences.is_empty(),
-        "{rule}:\n  {}\n",
-        offences.join("\n  ")
-    );
+    assert!(offences.is_empty(), "{rule}:\n  {}\n", offences.join("\n  "));
 }
 
 #[test]
 fn no_rust_file_is_long() {
     let length = |file: &File| file.text.lines().count();
-    let long = files()
-        .into_iter()
-        .filter(|file| file.is_rust() && length(file) > LONGEST);
-    let offences: Vec<_> = long
-        .map(|file| format!("{}: {} lines", file.path, length(&file)))
-        .collect();
+    let long = files().into_iter().filter(|file| file.is_rust() && length(file) > LONGEST);
+    let offences: Vec<_> =
+        long.map(|file| format!("{}: {} lines", file.path, length(&file))).collect();
     none("a Rust file has at most 600 lines; split it", &offences);
 }
 
@@ -118,9 +96,8 @@ fn every_module_says_what_it_is() {
             .unwrap_or_default()
             .to_owned()
     };
-    let mute = files()
-        .into_iter()
-        .filter(|file| file.is_source() && !opening(file).starts_with("//!"));
+    let mute =
+        files().into_iter().filter(|file| file.is_source() && !opening(file).starts_with("//!"));
     let offences: Vec<_> = mute.map(|file| file.path).collect();
     none(
         "a source file starts with `//!`: its purpose, its invariants, what it must not know",
@@ -131,13 +108,8 @@ fn every_module_says_what_it_is() {
 #[test]
 fn no_file_names_a_machine() {
     // In pieces, so that this file does not offend.
-    let banned = [
-        ["/wo", "rk/"],
-        ["/ro", "ot/"],
-        ["arti", "factory"],
-        ["index.", "crates.io"],
-    ]
-    .map(|parts| parts.concat());
+    let banned = [["/wo", "rk/"], ["/ro", "ot/"], ["arti", "factory"], ["index.", "crates.io"]]
+        .map(|parts| parts.concat());
     let mut offences = Vec::new();
     for file in files().iter().filter(|file| file.path != "Cargo.lock") {
         for (index, line) in file.text.lines().enumerate() {
@@ -145,10 +117,7 @@ fn no_file_names_a_machine() {
             offences.extend(names.map(|name| format!("{}:{}: {name}", file.path, index + 1)));
         }
     }
-    none(
-        "no file names a folder of one machine or the host of a registry",
-        &offences,
-    );
+    none("no file names a folder of one machine or the host of a registry", &offences);
 }
 
 #[test]
@@ -156,9 +125,8 @@ fn every_dependency_is_explained() {
     let explained = std::fs::read_to_string(root().join("ARCHITECTURE.md")).expect(
         "ARCHITECTURE.md is missing; it has to say, in `backticks`, why each dependency is there",
     );
-    let unexplained = dependencies()
-        .into_iter()
-        .filter(|name| !explained.contains(&format!("`{name}`")));
+    let unexplained =
+        dependencies().into_iter().filter(|name| !explained.contains(&format!("`{name}`")));
     none(
         "ARCHITECTURE.md says, in `backticks`, why each dependency is there",
         &unexplained.collect::<Vec<_>>(),
@@ -169,30 +137,18 @@ fn every_dependency_is_explained() {
 fn dependencies() -> BTreeSet<String> {
     let output = xtask::project::cargo(
         &root(),
-        &[
-            "metadata",
-            "--no-deps",
-            "--offline",
-            "--format-version",
-            "1",
-        ],
+        &["metadata", "--no-deps", "--offline", "--format-version", "1"],
     )
     .output()
     .expect("cargo starts");
-    assert!(
-        output.status.success(),
-        "{}",
-        String::from_utf8_lossy(&output.stderr)
-    );
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let metadata: Value =
         serde_json::from_slice(&output.stdout).expect("cargo metadata prints JSON");
     let packages = metadata["packages"].as_array().into_iter().flatten();
     let all = packages.flat_map(|package| package["dependencies"].as_array().into_iter().flatten());
     let foreign = all.filter(|dependency| dependency["path"].is_null());
-    let names: BTreeSet<_> = foreign
-        .filter_map(|dependency| dependency["name"].as_str())
-        .map(str::to_owned)
-        .collect();
+    let names: BTreeSet<_> =
+        foreign.filter_map(|dependency| dependency["name"].as_str()).map(str::to_owned).collect();
     assert!(names.contains("clap"), "the dependencies were not found");
     names
 }
@@ -202,21 +158,15 @@ fn dependencies() -> BTreeSet<String> {
 fn no_source_is_unsafe() {
     let calls_c = |file: &File| file.path.starts_with("tests/") || file.path.starts_with("bench/");
     let mut offences = Vec::new();
-    for file in files()
-        .iter()
-        .filter(|file| file.is_source() && !calls_c(file))
-    {
+    for file in files().iter().filter(|file| file.is_source() && !calls_c(file)) {
         match file.text.parse::<TokenStream>() {
-            Ok(tokens) => unsafe_lines(tokens, &mut |line| {
-                offences.push(format!("{}:{line}", file.path))
-            }),
+            Ok(tokens) => {
+                unsafe_lines(tokens, &mut |line| offences.push(format!("{}:{line}", file.path)))
+            }
             Err(error) => offences.push(format!("{}: {error}", file.path)),
         }
     }
-    none(
-        "`unsafe` only where C is called, in tests and benchmarks",
-        &offences,
-    );
+    none("`unsafe` only where C is called, in tests and benchmarks", &offences);
 }
 
 /// Reports the line of each `unsafe` that opens a block or an item. Texts and comments are not tokens of that kind,
@@ -237,9 +187,9 @@ fn unsafe_lines(tokens: TokenStream, report: &mut dyn FnMut(usize)) {
 fn opens(token: &TokenTree) -> bool {
     match token {
         TokenTree::Group(group) => group.delimiter() == proc_macro2::Delimiter::Brace,
-        TokenTree::Ident(word) => ["fn", "impl", "trait", "extern"]
-            .iter()
-            .any(|keyword| word == keyword),
+        TokenTree::Ident(word) => {
+            ["fn", "impl", "trait", "extern"].iter().any(|keyword| word == keyword)
+        }
         _ => false,
     }
 }
@@ -252,10 +202,7 @@ fn the_search_for_unsafe_finds_it() {
         lines.len()
     };
     assert_eq!(found("fn f() { let x = 1; unsafe { g() } }"), 1);
-    assert_eq!(
-        found("unsafe fn f() {} unsafe impl A for B {} unsafe extern \"C\" {}"),
-        3
-    );
+    assert_eq!(found("unsafe fn f() {} unsafe impl A for B {} unsafe extern \"C\" {}"), 3);
     assert_eq!(
         found("//! `unsafe { }`\nfn f() { input.peek(Token![unsafe]); say(\"unsafe { }\") }"),
         0

@@ -4,8 +4,8 @@
 //! Invariant: a fact about a function depends on that function and its callees only.
 
 use bessemer_ir::{
-    Argument, Block, Expr, ExprKind, Function, FunctionId, LocalId, Module, Mode, Owner, Place, Role,
-    Step, Stmt, StmtKind, StructId,
+    Argument, Block, Expr, ExprKind, Function, FunctionId, LocalId, Mode, Module, Owner, Place,
+    Role, Step, Stmt, StmtKind, StructId,
 };
 
 /// Who can fault.
@@ -98,17 +98,26 @@ impl Usage {
                 }
             }
         });
-        walk_exprs(&function.body, &mut |expr| match &expr.kind {
-            ExprKind::Load(place) => usage.read[place.root.index()] = true,
-            ExprKind::Call(_, arguments) => {
-                for argument in arguments {
-                    if let Argument::RefMut(place) = argument {
-                        usage.assigned[place.root.index()] = true;
-                        usage.read[place.root.index()] = true;
+        walk_stmts(&function.body, &mut |stmt| {
+            // What flows back into the same variable does not use it.
+            let own = match &stmt.kind {
+                StmtKind::Assign { place, .. } if place.steps.is_empty() => Some(place.root),
+                _ => None,
+            };
+            walk_own_exprs(stmt, &mut |expr| match &expr.kind {
+                ExprKind::Load(place) if Some(place.root) != own => {
+                    usage.read[place.root.index()] = true;
+                }
+                ExprKind::Call(_, arguments) => {
+                    for argument in arguments {
+                        if let Argument::RefMut(place) = argument {
+                            usage.assigned[place.root.index()] = true;
+                            usage.read[place.root.index()] = true;
+                        }
                     }
                 }
-            }
-            _ => {}
+                _ => {}
+            });
         });
         usage
     }
@@ -183,7 +192,12 @@ fn inner_blocks(stmt: &Stmt) -> Vec<&Block> {
 
 /// Visits every expression of a block.
 pub fn walk_exprs(block: &Block, visit: &mut dyn FnMut(&Expr)) {
-    walk_stmts(block, &mut |stmt| match &stmt.kind {
+    walk_stmts(block, &mut |stmt| walk_own_exprs(stmt, visit));
+}
+
+/// Visits the expressions of a statement, without those of the statements in it.
+fn walk_own_exprs(stmt: &Stmt, visit: &mut dyn FnMut(&Expr)) {
+    match &stmt.kind {
         StmtKind::Let { value: Some(value), .. } => walk_expr(value, visit),
         StmtKind::Assign { place, value } => {
             walk_expr(value, visit);
@@ -199,7 +213,7 @@ pub fn walk_exprs(block: &Block, visit: &mut dyn FnMut(&Expr)) {
             walk_expr(to, visit);
         }
         _ => {}
-    });
+    }
 }
 
 /// Visits an expression and all inside it.
@@ -240,4 +254,22 @@ fn walk_place(place: &Place, visit: &mut dyn FnMut(&Expr)) {
             }
         }
     }
+}
+
+/// Which functions anything can call: those that other files see, and what they call.
+pub fn reachable(module: &Module, is_static: impl Fn(FunctionId) -> bool) -> Vec<bool> {
+    let count = module.functions.len();
+    let mut reached: Vec<bool> =
+        (0..count).map(|index| !is_static(FunctionId(index as u32))).collect();
+    // Callees stand before callers.
+    for index in (0..count).rev() {
+        if reached[index] {
+            walk_exprs(&module.functions[index].body, &mut |expr| {
+                if let ExprKind::Call(callee, _) = &expr.kind {
+                    reached[callee.index()] = true;
+                }
+            });
+        }
+    }
+    reached
 }

@@ -9,6 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use bessemer_ir::{EnumId, Function, FunctionId, Owner, Scalar, Span, StructId, Type};
 
+use super::analysis::reachable;
 use super::helpers::closure;
 use super::lower::{self, Context, Uses};
 use super::names::{FAULTS, Returned, Signature};
@@ -73,7 +74,8 @@ fn units(context: Context<'_>) -> BTreeMap<String, Unit> {
         unit.types.push(TypeId::Enum(EnumId(index as u32)));
         unit.modules.insert(item.module.clone());
     }
-    for (index, item) in module.functions.iter().enumerate() {
+    let reached = reachable(module, |id| names.signature(id).is_static);
+    for (index, item) in module.functions.iter().enumerate().filter(|(index, _)| reached[*index]) {
         let id = FunctionId(index as u32);
         let unit = units.entry(names.function_file(module, id)).or_default();
         unit.functions.push(Callable::Function(id));
@@ -281,14 +283,18 @@ impl Writer<'_> {
     fn struct_item(&self, id: StructId, includes: &mut Includes) -> Item {
         let item = &self.context.module.structs[id.index()];
         let names = &self.context.names.structs[id.index()];
-        let held = item.fields.iter().zip(&names.fields).filter(|(field, _)| field.ty != Type::Unit);
+        let held =
+            item.fields.iter().zip(&names.fields).filter(|(field, _)| field.ty != Type::Unit);
         let mut fields: Vec<(Vec<String>, Declarator)> = held
-            .map(|(field, name)| (field.docs.clone(), self.context.names.declarator(&field.ty, name)))
+            .map(|(field, name)| {
+                (field.docs.clone(), self.context.names.declarator(&field.ty, name))
+            })
             .collect();
         if let Some(fault) = &names.fault {
             let status = &self.context.names.status;
             includes.own.insert(status.header.clone());
-            let docs = format!("The fault that stopped the component; {} while it runs.", status.ok);
+            let docs =
+                format!("The fault that stopped the component; {} while it runs.", status.ok);
             let field = Declarator {
                 ty: status.ty.clone(),
                 name: fault.clone(),
@@ -322,7 +328,13 @@ impl Writer<'_> {
     }
 }
 
-fn assemble(context: Context<'_>, name: &str, shell: &Shell<'_>, is_header: bool, items: &[Item]) -> CFile {
+fn assemble(
+    context: Context<'_>,
+    name: &str,
+    shell: &Shell<'_>,
+    is_header: bool,
+    items: &[Item],
+) -> CFile {
     let (before, after) = frame(shell, is_header);
     let first_line = before.matches('\n').count() as u32 + 1;
     let mut printer = Printer::new(&context.module.files, first_line);
@@ -339,7 +351,11 @@ fn assemble(context: Context<'_>, name: &str, shell: &Shell<'_>, is_header: bool
     }
     let (body, map) = printer.finish();
     let text = format!("{before}{body}{}", after.trim_start_matches('\n'));
-    let text = if is_header { text.replacen("#ifdef __cplusplus\n}", "\n#ifdef __cplusplus\n}", 1) } else { text };
+    let text = if is_header {
+        text.replacen("#ifdef __cplusplus\n}", "\n#ifdef __cplusplus\n}", 1)
+    } else {
+        text
+    };
     CFile { name: name.to_owned(), text, map }
 }
 
@@ -462,4 +478,3 @@ impl Includes {
         }
     }
 }
-

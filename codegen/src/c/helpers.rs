@@ -15,6 +15,9 @@ use super::names::scalar_type;
 pub enum Helper {
     /// The signed integer with the bits of an unsigned one.
     Wrap(Int),
+    /// A small signed integer as `uint32_t`. A cast would do, but for gcc, which complains of the sign
+    /// wherever such a cast is an operand.
+    Extend(Int),
     /// The smaller of two.
     Min(Scalar),
     /// The larger of two.
@@ -74,6 +77,7 @@ impl Helper {
     pub fn name(self) -> String {
         match self.normal() {
             Helper::Wrap(int) => format!("wrap_{}", int.name()),
+            Helper::Extend(int) => format!("u32_from_{}", int.name()),
             Helper::Min(ty) => format!("min_{}", ty.name()),
             Helper::Max(ty) => format!("max_{}", ty.name()),
             Helper::Clamp(ty) => format!("clamp_{}", ty.name()),
@@ -117,6 +121,7 @@ impl Helper {
         let name = self.name();
         match self.normal() {
             Helper::Wrap(int) => wrap(&name, int),
+            Helper::Extend(int) => extend(&name, int),
             Helper::Min(Scalar::Float(float)) => extreme(&name, float, "smaller", "<", ""),
             Helper::Max(Scalar::Float(float)) => extreme(&name, float, "larger", ">", "!"),
             Helper::Min(ty) => choose(&name, ty, "smaller", "<"),
@@ -138,13 +143,22 @@ impl Helper {
 /// Every helper there can be: none of their names is free for a local.
 pub fn is_helper_name(name: &str) -> bool {
     let floats = ["f32", "f64"];
-    let prefixes =
-        ["wrap_", "min_", "max_", "clamp_", "abs_", "shift_left_", "shift_right_", "copysign_", "dot_",
-        "norm_squared_"];
+    let prefixes = [
+        "wrap_",
+        "min_",
+        "max_",
+        "clamp_",
+        "abs_",
+        "shift_left_",
+        "shift_right_",
+        "copysign_",
+        "dot_",
+        "norm_squared_",
+    ];
     let scalar = |text: &str| Scalar::from_name(text).is_some();
     prefixes.iter().any(|prefix| name.strip_prefix(prefix).is_some_and(scalar))
         || name.split_once("_from_").is_some_and(|(to, from)| {
-            scalar(to) && (floats.contains(&from) || from == "bits")
+            scalar(to) && (floats.contains(&from) || matches!(from, "bits" | "i8" | "i16"))
         })
         || name.strip_prefix("bits_of_").is_some_and(scalar)
 }
@@ -179,6 +193,17 @@ fn wrap(name: &str, int: Int) -> String {
 static {ty} {name}(uint{bits}_t bits)
 {{
     return bits <= (uint{bits}_t)INT{bits}_MAX ? ({ty})bits : {negative};
+}}"
+    )
+}
+
+fn extend(name: &str, int: Int) -> String {
+    let ty = int_type(int);
+    format!(
+        "/* The value modulo 2^32. */
+static uint32_t {name}({ty} value)
+{{
+    return (uint32_t)value;
 }}"
     )
 }

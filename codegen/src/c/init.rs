@@ -139,9 +139,9 @@ impl Writer<'_> {
         let tables = &self.tables;
         let name = super::names::unique(&format!("initial_{field}"), |name| tables.contains(name));
         self.tables.insert(name.clone());
-        let items = words.iter().map(|word| {
-            (None, Init::Value(literal::word(self.context.names, element, *word)))
-        });
+        let items = words
+            .iter()
+            .map(|word| (None, Init::Value(literal::word(self.context.names, element, *word))));
         let init = Init::List { items: items.collect(), lines: Lines::Fill };
         let declarator = Declarator {
             ty: format!("static const {}", self.context.names.word(element)),

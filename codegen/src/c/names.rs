@@ -13,12 +13,14 @@
 use std::collections::BTreeMap;
 
 use bessemer_ir::{
-    Const, ConstId, EnumId, Fault, Function, FunctionId, Int, Mode, Module, Owner, Scalar, StructId, Type,
+    Const, ConstId, EnumId, Fault, Function, FunctionId, Int, Mode, Module, Owner, Scalar,
+    StructId, Type,
 };
 
 use super::Options;
 use super::analysis::Faults;
-use super::reserved::{is_keyword, is_reserved_for_locals, is_reserved_globally};
+use super::helpers::is_helper_name;
+use super::reserved::{is_keyword, is_reserved_file, is_reserved_for_locals, is_reserved_globally};
 use super::spelling::{identifier, last_segment, relative, screaming, snake};
 use super::tree::{Declarator, Head};
 
@@ -196,21 +198,26 @@ impl Names {
             return own_module;
         }
         let own = snake(&item.name);
-        let taken = own != own_module && self.files.values().any(|file| *file == own)
+        let taken = is_reserved_file(&own)
+            || own != own_module && self.files.values().any(|file| *file == own)
             || module.structs.iter().enumerate().any(|(index, other)| {
                 index != id.index() && other.initial.is_some() && snake(&other.name) == own
             });
         if taken { format!("{own_module}_{own}") } else { own }
     }
 
-    /// The file, without extension, of a function.
+    /// The file, without extension, of a function. One that takes a component stands beside it: the
+    /// component's header may need that of the module, which must then not need the component's.
     pub fn function_file(&self, module: &Module, id: FunctionId) -> String {
         let function = &module.functions[id.index()];
         match function.owner {
             Some(Owner::Struct(owner)) if module.structs[owner.index()].initial.is_some() => {
                 self.struct_file(module, owner)
             }
-            _ => self.module_file(&function.module),
+            _ => match component_in_signature(module, function) {
+                Some(component) => self.struct_file(module, component),
+                None => self.module_file(&function.module),
+            },
         }
     }
 
@@ -275,13 +282,15 @@ impl Names {
     }
 
     fn name_types(&mut self, module: &Module, options: &Options, faults: &Faults) {
-        let wanted: Vec<(&str, &str)> = (module.structs.iter().map(|item| (&*item.name, &*item.module)))
-            .chain(module.enums.iter().map(|item| (&*item.name, &*item.module)))
-            .collect();
+        let wanted: Vec<(&str, &str)> =
+            (module.structs.iter().map(|item| (&*item.name, &*item.module)))
+                .chain(module.enums.iter().map(|item| (&*item.name, &*item.module)))
+                .collect();
         let base = |name: &str, rust_module: &str| {
             let own = snake(name);
             let rivals = wanted.iter().filter(|(other, _)| snake(other) == own).count();
-            let base = if rivals > 1 || is_reserved_globally(&format!("{}{own}_t", options.prefix)) {
+            let base = if rivals > 1 || is_reserved_globally(&format!("{}{own}_t", options.prefix))
+            {
                 format!("{}_{own}", self.module_file(rust_module))
             } else {
                 own
@@ -291,8 +300,11 @@ impl Names {
         let bases: Vec<String> = wanted.iter().map(|(name, path)| base(name, path)).collect();
         for (index, item) in module.structs.iter().enumerate() {
             let id = StructId(index as u32);
-            let fields: Vec<String> = item.fields.iter().map(|field| field_name(&field.name)).collect();
-            let hidden = ["fault", "latched_fault"].into_iter().find(|name| fields.iter().all(|f| f != name));
+            let fields: Vec<String> =
+                item.fields.iter().map(|field| field_name(&field.name)).collect();
+            let hidden = ["fault", "latched_fault"]
+                .into_iter()
+                .find(|name| fields.iter().all(|f| f != name));
             let fault = hidden.filter(|_| faults.latched(id)).map(str::to_owned);
             let base = bases[index].clone();
             self.structs.push(StructNames {
@@ -337,7 +349,14 @@ impl Names {
         let locally = called_in_own_file_only(self, module);
         for (index, function) in module.functions.iter().enumerate() {
             let id = FunctionId(index as u32);
-            let (params, returned) = passing(function, faults.fallible(id));
+            let taken = |name: &str| {
+                let types = self.structs.iter().map(|names| &names.ty);
+                let mut types = types.chain(self.enums.iter().map(|names| &names.ty));
+                is_helper_name(name)
+                    || types.any(|ty| ty == name)
+                    || chosen.iter().chain(&self.consts).any(|other| other == name)
+            };
+            let (params, returned) = passing(function, faults.fallible(id), &taken);
             self.functions.push(Signature {
                 name: chosen[index].clone(),
                 is_static: function.role == bessemer_ir::Role::Private && locally[index],
@@ -394,7 +413,8 @@ pub fn unique(name: &str, taken: impl Fn(&str) -> bool) -> String {
     if !taken(name) {
         return name.to_owned();
     }
-    let candidates = (2..).map(|number| format!("{name}_{number}"));
+    let gap = if name.ends_with('_') { "" } else { "_" };
+    let candidates = (2..).map(|number| format!("{name}{gap}{number}"));
     candidates.into_iter().find(|candidate| !taken(candidate)).expect("numbers do not end")
 }
 
@@ -412,11 +432,16 @@ fn long_name(names: &Names, module: &Module, function: &Function, options: &Opti
 }
 
 /// The parameters and what is returned.
-fn passing(function: &Function, fallible: bool) -> (Vec<Param>, Returned) {
+fn passing(
+    function: &Function,
+    fallible: bool,
+    taken: &dyn Fn(&str) -> bool,
+) -> (Vec<Param>, Returned) {
     let mut params: Vec<Param> = Vec::new();
     for local in function.parameters() {
         let wanted = local_name(&local.name);
-        let name = unique(&wanted, |name| params.iter().any(|param| param.name == name));
+        let name =
+            unique(&wanted, |name| taken(name) || params.iter().any(|param| param.name == name));
         let passing = match (local.mode, local.ty.is_word()) {
             (Mode::RefMut, _) => Passing::InOut,
             (_, true) => Passing::Value,
@@ -426,9 +451,10 @@ fn passing(function: &Function, fallible: bool) -> (Vec<Param>, Returned) {
     }
     let result = &function.result;
     if *result != Type::Unit && (fallible || result.is_aggregate()) {
-        let wanted = local_name(&function.result_name);
-        let wanted = if wanted == "_" { "result".to_owned() } else { wanted };
-        let name = unique(&wanted, |name| params.iter().any(|param| param.name == name));
+        let unnamed = matches!(function.result_name.as_str(), "" | "_");
+        let wanted = local_name(if unnamed { "result" } else { &function.result_name });
+        let name =
+            unique(&wanted, |name| taken(name) || params.iter().any(|param| param.name == name));
         params.push(Param { name, ty: result.clone(), passing: Passing::Output });
     }
     let returned = match (fallible, result.is_word()) {
@@ -437,6 +463,20 @@ fn passing(function: &Function, fallible: bool) -> (Vec<Param>, Returned) {
         (false, false) => Returned::Nothing,
     };
     (params, returned)
+}
+
+/// The last component that a function takes or gives.
+fn component_in_signature(module: &Module, function: &Function) -> Option<StructId> {
+    let types = function.parameters().iter().map(|local| &local.ty).chain([&function.result]);
+    types.filter_map(|ty| component_in(module, ty)).max()
+}
+
+fn component_in(module: &Module, ty: &Type) -> Option<StructId> {
+    match ty {
+        Type::Struct(id) => module.structs[id.index()].initial.is_some().then_some(*id),
+        Type::Array { element, .. } => component_in(module, element),
+        _ => None,
+    }
 }
 
 /// Which functions are called from their own file only.
@@ -480,7 +520,12 @@ fn file_names(module: &Module) -> BTreeMap<String, String> {
     let file = |path: &str| {
         let own = last_segment(path);
         let rivals = paths.iter().filter(|other| last_segment(other) == own).count();
-        if rivals > 1 { relative(path).join("_") } else { own }
+        let whole = || identifier(&path.replace("::", "_"));
+        match relative(path).join("_") {
+            _ if rivals == 1 && !is_reserved_file(&own) => own,
+            short if rivals > 1 && !is_reserved_file(&short) => short,
+            _ => whole(),
+        }
     };
     paths.iter().map(|path| ((*path).to_owned(), file(path))).collect()
 }

@@ -163,9 +163,7 @@ impl<'a> Printer<'a> {
         let first = lines.iter().position(|line| !line.is_empty());
         let Some(first) = first else { return };
         let last = lines.iter().rposition(|line| !line.is_empty()).unwrap_or(first);
-        if first == last
-            && lines[first].chars().count() + self.margin() + open.len() + 4 <= WIDTH
-        {
+        if first == last && lines[first].chars().count() + self.margin() + open.len() + 4 <= WIDTH {
             self.put(&format!("{open} {} */", lines[first]));
             return;
         }
@@ -220,7 +218,9 @@ impl<'a> Printer<'a> {
                 let step = match step {
                     None => String::new(),
                     Some(Step::Expr(expr)) => format!(" {}", flat(expr)),
-                    Some(Step::Assign(place, value)) => format!(" {} = {}", flat(place), flat(value)),
+                    Some(Step::Assign(place, value)) => {
+                        format!(" {} = {}", flat(place), flat(value))
+                    }
                 };
                 let (counter, first) = init;
                 let mut pieces = Pieces::default();
@@ -251,7 +251,13 @@ impl<'a> Printer<'a> {
         }
     }
 
-    fn if_chain(&mut self, before: &str, condition: &super::tree::Expr, then: &[Stmt], otherwise: &[Stmt]) {
+    fn if_chain(
+        &mut self,
+        before: &str,
+        condition: &super::tree::Expr,
+        then: &[Stmt],
+        otherwise: &[Stmt],
+    ) {
         let mut pieces = Pieces::default();
         pieces.glue(&format!("{before}if ("));
         pieces.expr(condition, 0);
@@ -411,5 +417,11 @@ fn flat_init(init: &Init) -> String {
 
 /// The author's comment, with what would end or upset a C comment taken apart.
 fn comment_text(line: &str) -> String {
-    line.strip_prefix(' ').unwrap_or(line).trim_end().replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?").replace('\t', "    ")
+    line.strip_prefix(' ')
+        .unwrap_or(line)
+        .trim_end()
+        .replace("*/", "* /")
+        .replace("/*", "/ *")
+        .replace("??", "? ?")
+        .replace('\t', "    ")
 }

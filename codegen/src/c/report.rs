@@ -51,13 +51,14 @@ pub fn report(module: &Module, options: &Options, files: &[CFile]) -> Vec<EntryR
             }
         });
         deepest.push((own.next_multiple_of(8) + FRAME + below, largest));
-        let (Role::Entry { .. }, Some(Owner::Struct(owner))) = (function.role, function.owner) else {
+        let (Role::Entry { .. }, Some(Owner::Struct(owner))) = (function.role, function.owner)
+        else {
             continue;
         };
         let file = names.struct_file(module, owner);
-        let own_files = files.iter().filter(|other| {
-            other.name.rsplit_once('.').is_some_and(|(stem, _)| stem == file)
-        });
+        let own_files = files
+            .iter()
+            .filter(|other| other.name.rsplit_once('.').is_some_and(|(stem, _)| stem == file));
         list.push(EntryReport {
             component: module.structs[owner.index()].name.clone(),
             entry: names.signature(id).name.clone(),

@@ -9,7 +9,9 @@ pub fn identifier(name: &str) -> String {
             'a'..='z' | 'A'..='Z' | '0'..='9' | '_' => out.push(letter),
             _ => match greek(letter) {
                 Some(word) => out.push_str(word),
-                None if letter.is_alphanumeric() => out.push_str(&format!("u{:04x}", letter as u32)),
+                None if letter.is_alphanumeric() => {
+                    out.push_str(&format!("u{:04x}", letter as u32))
+                }
                 None => out.push('_'),
             },
         }
@@ -62,16 +64,17 @@ pub fn last_segment(path: &str) -> String {
 
 fn greek(letter: char) -> Option<&'static str> {
     const SMALL: [&str; 25] = [
-        "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa", "lambda",
-        "mu", "nu", "xi", "omicron", "pi", "rho", "sigma", "sigma", "tau", "upsilon", "phi", "chi",
-        "psi", "omega",
+        "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa",
+        "lambda", "mu", "nu", "xi", "omicron", "pi", "rho", "sigma", "sigma", "tau", "upsilon",
+        "phi", "chi", "psi", "omega",
     ];
     const CAPITAL: [&str; 25] = [
-        "Alpha", "Beta", "Gamma", "Delta", "Epsilon", "Zeta", "Eta", "Theta", "Iota", "Kappa", "Lambda",
-        "Mu", "Nu", "Xi", "Omicron", "Pi", "Rho", "", "Sigma", "Tau", "Upsilon", "Phi", "Chi", "Psi",
-        "Omega",
+        "Alpha", "Beta", "Gamma", "Delta", "Epsilon", "Zeta", "Eta", "Theta", "Iota", "Kappa",
+        "Lambda", "Mu", "Nu", "Xi", "Omicron", "Pi", "Rho", "", "Sigma", "Tau", "Upsilon", "Phi",
+        "Chi", "Psi", "Omega",
     ];
     let at = |first: char| (letter as u32).checked_sub(first as u32).map(|offset| offset as usize);
-    let pick = |table: &[&'static str; 25], first| at(first).and_then(|offset| table.get(offset).copied());
+    let pick =
+        |table: &[&'static str; 25], first| at(first).and_then(|offset| table.get(offset).copied());
     pick(&SMALL, 'α').or_else(|| pick(&CAPITAL, 'Α'))
 }

@@ -310,7 +310,7 @@ pub enum Item {
     Verbatim(String),
 }
 
-/// Whether the author's source calls them so or not: a statement without origin.
+/// A statement that no line of the author's stands for.
 pub fn plain(kind: StmtKind) -> Stmt {
     Stmt { kind, origin: None }
 }

@@ -80,17 +80,26 @@ fn diff(name: &str, old: Option<&String>, new: Option<&String>, colour: bool, ou
 }
 
 /// Makes the folder hold `files` and the manifest; gives the names of those that changed.
-pub(super) fn write(folder: &Path, files: Files, manifest: &Manifest) -> Result<Vec<String>, Error> {
+pub(super) fn write(
+    folder: &Path,
+    files: Files,
+    manifest: &Manifest,
+) -> Result<Vec<String>, Error> {
     let present = read(folder)?;
     refuse_foreign(folder, &present)?;
-    let mut changed: Vec<String> =
-        files.0.iter().filter(|(name, text)| present.get(*name) != Some(text)).map(|(name, _)| name.clone()).collect();
-    let removed = present.keys().filter(|name| {
-        name.as_str() != manifest::NAME && !files.0.contains_key(*name)
-    });
+    let mut changed: Vec<String> = files
+        .0
+        .iter()
+        .filter(|(name, text)| present.get(*name) != Some(text))
+        .map(|(name, _)| name.clone())
+        .collect();
+    let removed = present
+        .keys()
+        .filter(|name| name.as_str() != manifest::NAME && !files.0.contains_key(*name));
     changed.extend(removed.cloned());
     let earlier = present.get(manifest::NAME);
-    if changed.is_empty() && earlier.is_some_and(|earlier| manifest.date_if_same(earlier).is_some()) {
+    if changed.is_empty() && earlier.is_some_and(|earlier| manifest.date_if_same(earlier).is_some())
+    {
         return Ok(changed);
     }
     let today = time::OffsetDateTime::now_utc().date().to_string();
@@ -147,8 +156,8 @@ fn replace(
     fs::create_dir(&fresh).map_err(failed(&fresh))?;
     for (name, text) in files {
         let path = fresh.join(name);
-        let kept = present.get(name) == Some(text)
-            && fs::hard_link(folder.join(name), &path).is_ok();
+        let kept =
+            present.get(name) == Some(text) && fs::hard_link(folder.join(name), &path).is_ok();
         if !kept {
             fs::write(&path, text).map_err(failed(&path))?;
         }
@@ -176,13 +185,17 @@ mod tests {
     }
 
     #[test]
-    fn a_folder_that_cannot_be_replaced_stays_as_it_was() -> Result<(), Box<dyn std::error::Error>> {
+    fn a_folder_that_cannot_be_replaced_stays_as_it_was() -> Result<(), Box<dyn std::error::Error>>
+    {
         let dir = tempfile::tempdir()?;
         let folder = dir.path().join("generated");
         let old = BTreeMap::from([("a.c".to_owned(), "old".to_owned())]);
         replace(&folder, &old, &BTreeMap::new())?;
         // A name that no file can have: the new folder cannot be laid out.
-        let bad = BTreeMap::from([("a.c".to_owned(), "new".to_owned()), ("x/y.c".to_owned(), String::new())]);
+        let bad = BTreeMap::from([
+            ("a.c".to_owned(), "new".to_owned()),
+            ("x/y.c".to_owned(), String::new()),
+        ]);
         assert!(replace(&folder, &bad, &old).is_err());
         assert_eq!(read(&folder)?, old);
         assert_eq!(fs::read_dir(dir.path())?.count(), 1, "no stage is left behind");

@@ -73,41 +73,77 @@ fn executable(message: &Value, binary: &str) -> Option<PathBuf> {
 
 /// What rustc said: each thing once, ours in the author's terms.
 fn errors(messages: &[Value], job: &Job, sources: &Sources) -> String {
+    let all: Vec<Said<'_>> = messages.iter().filter_map(Said::of).collect();
     let mut seen = BTreeSet::new();
     let mut text = String::new();
-    for message in messages {
-        let Some(message) = message.get("message").filter(|message| message.is_object()) else {
+    for said in &all {
+        // What a builder trips over at the attribute, the witness copy tells at the author's line.
+        let elsewhere = all.iter().any(|other| !other.at_attribute && other.title == said.title);
+        // The witness copy also repeats what is wrong in the original.
+        if (said.at_attribute && elsewhere) || !seen.insert((said.place.clone(), &said.title)) {
             continue;
-        };
-        let level = message["level"].as_str().unwrap_or_default();
-        let title = message["message"].as_str().unwrap_or_default();
-        let primary = message["spans"].as_array().into_iter().flatten();
-        let primary = primary.into_iter().find(|span| span["is_primary"] == true);
-        if level != "error" || (primary.is_none() && title.starts_with("aborting")) {
-            continue;
+        }
+        match (&said.place, said.help) {
+            (Some((file, line, column)), Some(help)) => {
+                let one = Diagnostic {
+                    file: file.clone(),
+                    line: *line,
+                    column: *column,
+                    message: said.title.clone(),
+                    help: help.to_owned(),
+                };
+                text.push_str(&diagnostic::render(&[one], sources, job.colour));
+            }
+            _ => {
+                text.push_str(&plain(said.rendered, job.colour));
+                text.push('\n');
+            }
+        }
+    }
+    text
+}
+
+/// One error of rustc's.
+struct Said<'a> {
+    /// In the author's terms.
+    title: String,
+    /// What to write instead, if the terms are ours.
+    help: Option<&'static str>,
+    /// File, line and column.
+    place: Option<(String, u32, u32)>,
+    /// Whether it is told at an attribute, which stands for code that no author wrote.
+    at_attribute: bool,
+    /// As rustc would print it.
+    rendered: &'a str,
+}
+
+impl<'a> Said<'a> {
+    fn of(message: &'a Value) -> Option<Said<'a>> {
+        let message = message.get("message").filter(|message| message.is_object())?;
+        let title = message["message"].as_str()?;
+        let mut spans = message["spans"].as_array().into_iter().flatten();
+        let primary = spans.find(|span| span["is_primary"] == true);
+        if message["level"] != "error" || (primary.is_none() && title.starts_with("aborting")) {
+            return None;
         }
         let place = primary.map(|span| {
             let number = |key: &str| span[key].as_u64().unwrap_or_default() as u32;
             let file = span["file_name"].as_str().unwrap_or_default().to_owned();
             (file, number("line_start"), number("column_start"))
         });
-        // The witness copy repeats what is wrong in the original.
-        if !seen.insert((place.clone(), reworded(title).0)) {
-            continue;
-        }
-        match (place, reworded(title)) {
-            (Some((file, line, column)), (message, Some(help))) => {
-                let one = Diagnostic { file, line, column, message, help: help.to_owned() };
-                text.push_str(&diagnostic::render(&[one], sources, job.colour));
+        let line = primary.and_then(|span| span["text"][0]["text"].as_str());
+        let at_attribute = line.is_some_and(|line| line.trim_start().starts_with("#["));
+        let rendered = message["rendered"].as_str().unwrap_or(title);
+        let label = primary.and_then(|span| span["label"].as_str()).unwrap_or_default();
+        let (title, help) = match label.strip_suffix(" is not a crate or module") {
+            Some(function) if function.starts_with("function `") => {
+                let name = function.trim_start_matches("function ");
+                (format!("{name} is not part of the DSL"), Some("mark the function `#[function]`"))
             }
-            _ => {
-                let rendered = message["rendered"].as_str().unwrap_or(title);
-                text.push_str(&plain(rendered, job.colour));
-                text.push('\n');
-            }
-        }
+            _ => reworded(title),
+        };
+        Some(Said { title, help, place, at_attribute, rendered })
     }
-    text
 }
 
 fn plain(rendered: &str, colour: bool) -> String {
@@ -130,10 +166,13 @@ fn reworded(title: &str) -> (String, Option<&'static str>) {
     let method = quoted.iter().find_map(|name| name.strip_prefix("__b_"));
     let owner = quoted.last().copied().unwrap_or_default();
     if let Some(method) = method {
-        return (
-            format!("`{method}` of `{owner}` is not part of the DSL"),
-            Some("mark the `impl` block that has it `#[data]` or `#[component]`; see docs/language.md for what the DSL knows"),
-        );
+        let owner = static_matrix(owner.trim_start_matches("&mut ").trim_start_matches('&'));
+        let help = if owner.starts_with("SMatrix") {
+            "write it out with the operations that the DSL has: see docs/language.md"
+        } else {
+            "mark the `impl` block that has it `#[data]` or `#[component]`"
+        };
+        return (format!("`{method}` of `{owner}` is not part of the DSL"), Some(help));
     }
     if title.contains("`__call`") {
         return (
@@ -141,5 +180,25 @@ fn reworded(title: &str) -> (String, Option<&'static str>) {
             Some("mark the function `#[function]`"),
         );
     }
+    if title.ends_with("is not a type of the DSL") {
+        return (
+            title.to_owned(),
+            Some(
+                "the DSL has scalars, arrays, nalgebra's `SMatrix` and `SVector`, and types marked `#[data]` or `#[component]`",
+            ),
+        );
+    }
     (title.to_owned(), None)
+}
+
+/// nalgebra's own name of a static matrix, as its users write it.
+fn static_matrix(ty: &str) -> String {
+    let sizes = ty.strip_prefix("Matrix<").and_then(|rest| {
+        let mut parts = rest.split(", ");
+        let element = parts.next()?;
+        let rows = parts.next()?.strip_prefix("Const<")?.strip_suffix('>')?;
+        let cols = parts.next()?.strip_prefix("Const<")?.strip_suffix('>')?;
+        Some(format!("SMatrix<{element}, {rows}, {cols}>"))
+    });
+    sizes.unwrap_or_else(|| ty.to_owned())
 }

@@ -8,13 +8,15 @@
 //! Invariant: everything known is true whenever execution reaches the point. A condition that is known
 //! reads only places that were not written since.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashSet};
+use std::rc::Rc;
 
 use bessemer_ir::{
-    BinaryOp, CompareOp, Expr, ExprKind, Float, LocalId, LogicOp, Module, Place, Scalar, Span, Step,
-    Type, UnaryOp,
+    BinaryOp, CompareOp, Expr, ExprKind, Float, LocalId, LogicOp, Module, Place, Scalar, Span,
+    Step, Type, UnaryOp,
 };
 
+use super::glance::{Glance, bit};
 use super::places::{erased, overlap, reads, whole};
 use super::ranges::Interval;
 
@@ -30,12 +32,19 @@ pub(crate) enum Known {
     Float(f64),
 }
 
+/// A condition that holds, and what tells it from most others at a glance.
+#[derive(Clone)]
+struct Fact {
+    condition: Rc<Expr>,
+    glance: Glance,
+}
+
 /// What is known at a point.
 #[derive(Clone)]
 pub(crate) struct Facts<'m> {
     module: &'m Module,
     known: BTreeMap<Key, Known>,
-    hold: Vec<Expr>,
+    hold: Vec<Fact>,
 }
 
 fn key(place: &Place) -> Option<Key> {
@@ -146,7 +155,9 @@ impl<'m> Facts<'m> {
                 Known::Within(_) => return None,
             },
             ExprKind::Unary(UnaryOp::Neg, x) => -self.float(x)?,
-            ExprKind::Binary(op, a, b) => round(float, operate(*op, self.float(a)?, self.float(b)?)?),
+            ExprKind::Binary(op, a, b) => {
+                round(float, operate(*op, self.float(a)?, self.float(b)?)?)
+            }
             ExprKind::Cast(x) => round(float, self.float(x)?),
             _ => return None,
         };
@@ -177,7 +188,9 @@ impl<'m> Facts<'m> {
 
     fn holds(&self, condition: &Expr) -> bool {
         let condition = upright(erased(condition));
-        self.hold.iter().any(|fact| self.gives(fact, &condition))
+        let glance = Glance::of(&condition);
+        let mut alike = self.hold.iter().filter(|fact| fact.glance.like(glance));
+        alike.any(|fact| self.gives(&fact.condition, &condition))
     }
 
     /// Whether a fact gives the condition, itself or where its excuse does not apply.
@@ -210,7 +223,7 @@ impl<'m> Facts<'m> {
             }
             ExprKind::Compare(op, a, b) => self.assume_compare(*op, a, b, truth),
             ExprKind::Load(_) => self.bound(condition, Interval::one(i128::from(truth))),
-            _ if truth => self.hold.push(upright(erased(condition))),
+            _ if truth => self.learn(condition),
             _ => {}
         }
     }
@@ -232,7 +245,13 @@ impl<'m> Facts<'m> {
         }
         let kind = ExprKind::Compare(op, Box::new(a.clone()), Box::new(b.clone()));
         let fact = Expr { kind, ty: Type::BOOL, span: Span::default() };
-        self.hold.push(upright(erased(&fact)));
+        self.learn(&fact);
+    }
+
+    fn learn(&mut self, condition: &Expr) {
+        let condition = Rc::new(upright(erased(condition)));
+        let glance = Glance::of(&condition);
+        self.hold.push(Fact { condition, glance });
     }
 
     /// Narrows both sides of an integer comparison that holds.
@@ -297,11 +316,16 @@ impl<'m> Facts<'m> {
         if written.is_empty() {
             return;
         }
-        self.known.retain(|key, _| {
-            let place = place_of(key);
-            !written.iter().any(|written| overlap(&place, written))
-        });
-        self.hold.retain(|fact| !reads(fact, written));
+        for written in written {
+            let (first, next) = (written.root, LocalId(written.root.0.saturating_add(1)));
+            let same_root = self.known.range((first, Vec::new())..(next, Vec::new()));
+            let hit = same_root.map(|(key, _)| key).filter(|key| overlap(&place_of(key), written));
+            for key in hit.cloned().collect::<Vec<_>>() {
+                self.known.remove(&key);
+            }
+        }
+        let roots = written.iter().fold(0, |roots, place| roots | bit(place.root));
+        self.hold.retain(|fact| fact.glance.roots & roots == 0 || !reads(&fact.condition, written));
     }
 
     /// `value`, if anything is known about it, is written to `place`.
@@ -322,7 +346,13 @@ impl<'m> Facts<'m> {
             (Known::Float(a), Some(Known::Float(b))) => a.to_bits() == b.to_bits(),
             _ => false,
         });
-        self.hold.retain(|fact| other.hold.contains(fact));
+        let shared: HashSet<*const Expr> =
+            other.hold.iter().map(|fact| Rc::as_ptr(&fact.condition)).collect();
+        self.hold.retain(|fact| {
+            let mut alike = other.hold.iter().filter(|other| other.glance.like(fact.glance));
+            shared.contains(&Rc::as_ptr(&fact.condition))
+                || alike.any(|other| fact.condition == other.condition)
+        });
     }
 
     /// At the head of a loop: nothing that the body writes is known.
@@ -378,7 +408,8 @@ impl<'m> Facts<'m> {
 
 /// Whether one condition, as [`upright`] leaves it, holds wherever the other does.
 fn implies(fact: &Expr, condition: &Expr) -> bool {
-    let (ExprKind::Compare(known, x, y), ExprKind::Compare(op, a, b)) = (&fact.kind, &condition.kind)
+    let (ExprKind::Compare(known, x, y), ExprKind::Compare(op, a, b)) =
+        (&fact.kind, &condition.kind)
     else {
         return fact == condition;
     };
@@ -391,18 +422,50 @@ fn implies(fact: &Expr, condition: &Expr) -> bool {
     }
 }
 
-/// Comparisons, also those of a disjunction, written with `<`, `<=`, `==` and `!=` only.
+/// Comparisons, also those of a disjunction, written with `<`, `<=`, `==` and `!=` only, and without
+/// the `1` that tells `<` from `<=`.
 fn upright(expr: Expr) -> Expr {
     let Expr { kind, ty, span } = expr;
     let kind = match kind {
-        ExprKind::Compare(CompareOp::Gt, a, b) => ExprKind::Compare(CompareOp::Lt, b, a),
-        ExprKind::Compare(CompareOp::Ge, a, b) => ExprKind::Compare(CompareOp::Le, b, a),
+        ExprKind::Compare(CompareOp::Gt, a, b) => below(*b, *a),
+        ExprKind::Compare(CompareOp::Ge, a, b) => at_most(*b, *a),
+        ExprKind::Compare(CompareOp::Lt, a, b) => below(*a, *b),
+        ExprKind::Compare(CompareOp::Le, a, b) => at_most(*a, *b),
         ExprKind::Logic(op, a, b) => {
             ExprKind::Logic(op, Box::new(upright(*a)), Box::new(upright(*b)))
         }
         kind => kind,
     };
     Expr { kind, ty, span }
+}
+
+/// `a < b`; of `a < b + 1` it is `a <= b`.
+fn below(a: Expr, b: Expr) -> ExprKind {
+    match one_less(&b, BinaryOp::Add) {
+        Some(b) => ExprKind::Compare(CompareOp::Le, Box::new(a), Box::new(b)),
+        None => ExprKind::Compare(CompareOp::Lt, Box::new(a), Box::new(b)),
+    }
+}
+
+/// `a <= b`; of `a <= b - 1` and `a + 1 <= b` it is `a < b`.
+fn at_most(a: Expr, b: Expr) -> ExprKind {
+    let (less, more) = (one_less(&a, BinaryOp::Add), one_less(&b, BinaryOp::Sub));
+    let (op, a, b) = match (less, more) {
+        (Some(a), _) => (CompareOp::Lt, a, b),
+        (None, Some(b)) => (CompareOp::Lt, a, b),
+        (None, None) => (CompareOp::Le, a, b),
+    };
+    ExprKind::Compare(op, Box::new(a), Box::new(b))
+}
+
+/// `x` of `x + 1` (or `x - 1`), which are integers that did not overflow.
+fn one_less(expr: &Expr, op: BinaryOp) -> Option<Expr> {
+    match &expr.kind {
+        ExprKind::Binary(found, x, one) if *found == op && expr.ty.as_int().is_some() => {
+            (one.kind == ExprKind::Literal(1)).then(|| (**x).clone())
+        }
+        _ => None,
+    }
 }
 
 fn float_of(float: Float, word: u64) -> f64 {

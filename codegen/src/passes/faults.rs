@@ -6,8 +6,8 @@
 //! the limit.
 
 use bessemer_ir::{
-    BinaryOp, CompareOp, Expr, ExprKind, Fault, Int, Intrinsic, LogicOp, Module, Scalar, Span, Step,
-    Type, UnaryOp,
+    BinaryOp, CompareOp, Expr, ExprKind, Fault, Int, Intrinsic, LogicOp, Module, Scalar, Span,
+    Step, Type, UnaryOp,
 };
 
 use super::facts::Facts;
@@ -283,7 +283,11 @@ fn at_least(x: &Expr, int: Int, low: i128) -> Vec<Expr> {
 }
 
 fn at_most(x: &Expr, int: Int, high: i128) -> Vec<Expr> {
-    if high >= int.max() { Vec::new() } else { vec![compare(CompareOp::Le, x, &literal(high, int))] }
+    if high >= int.max() {
+        Vec::new()
+    } else {
+        vec![compare(CompareOp::Le, x, &literal(high, int))]
+    }
 }
 
 fn below(x: &Expr, int: Int, end: i128) -> Vec<Expr> {

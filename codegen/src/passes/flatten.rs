@@ -8,17 +8,17 @@
 //! * the statements before it have the effects and the faults of the original, in its order.
 //!
 //! How the order is kept: operands are taken left to right; what each leaves is pure and fault-free, so
-//! that it may be evaluated later, unless a later operand's call writes what it reads: then it is kept
-//! in a local in front of that call. What already is as it has to be is left alone.
+//! that it may be evaluated later, unless a call in the next operand writes what it reads: then it is
+//! kept in a local first. What already is as it has to be is left alone.
 
 use bessemer_ir::{
-    Argument, Expr, ExprKind, FunctionId, Local, LocalId, LogicOp, Mode, Place, Span, Step, Stmt,
-    StmtKind, Type, UnaryOp,
+    Argument, CompareOp, Expr, ExprKind, FunctionId, Local, LocalId, LogicOp, Mode, Place, Span,
+    Step, Stmt, StmtKind, Type, UnaryOp,
 };
 
 use super::faults::{self, Obligation, step_type};
 use super::names::{self, Purpose};
-use super::places::{lent, load, moves, reads, weight, whole, writes};
+use super::places::{lent, lent_by_indices, lent_by_step, load, moves, reads, weight, whole};
 use super::positions::{self, Position, accepts};
 use super::statements::Lowering;
 
@@ -66,10 +66,8 @@ impl Lowering<'_> {
     /// Two words, left to right.
     pub(super) fn pair(&mut self, a: Expr, b: Expr) -> (Expr, Expr) {
         let mut a = self.word(a);
-        let start = self.out.len();
-        let b = self.word(b);
-        self.protect(start, |this, at, written| this.protect_value(&mut a, at, written));
-        (a, b)
+        self.protect(&mut a, &lent(&b));
+        (a, self.word(b))
     }
 
     /// Constructors, intrinsics and routines: operands in a list.
@@ -88,19 +86,19 @@ impl Lowering<'_> {
         let mut lower_all = |operands: &[Expr]| {
             let mut done: Vec<Expr> = Vec::new();
             for (index, operand) in operands.iter().enumerate() {
-                let start = self.out.len();
-                let purpose = parts.get(index).copied().flatten().map_or(Purpose::Operand, Purpose::Part);
-                let lowered =
-                    self.lower(operand.clone(), positions::operand(&kind, operand), purpose);
-                self.protect(start, |this, at, written| {
-                    done.iter_mut().for_each(|done| this.protect_value(done, at, written));
-                });
-                done.push(lowered);
+                let written = lent(operand);
+                done.iter_mut().for_each(|done| self.protect(done, &written));
+                let part = parts.get(index).copied().flatten();
+                let purpose = part.map_or(Purpose::Operand, Purpose::Part);
+                let position = positions::operand(&kind, operand);
+                done.push(self.lower(operand.clone(), position, purpose));
             }
             done
         };
         match &kind {
-            ExprKind::Intrinsic(which, operands) => ExprKind::Intrinsic(*which, lower_all(operands)),
+            ExprKind::Intrinsic(which, operands) => {
+                ExprKind::Intrinsic(*which, lower_all(operands))
+            }
             ExprKind::Routine(which, operands) => ExprKind::Routine(*which, lower_all(operands)),
             ExprKind::Struct(operands) => ExprKind::Struct(lower_all(operands)),
             ExprKind::Array(operands) => ExprKind::Array(lower_all(operands)),
@@ -114,19 +112,22 @@ impl Lowering<'_> {
         let parameters = module.functions.get(callee.index()).map_or(&[][..], |f| f.parameters());
         let mut done: Vec<Argument> = Vec::new();
         for (index, argument) in arguments.into_iter().enumerate() {
-            let start = self.out.len();
-            let purpose = parameters.get(index).map_or(Purpose::Operand, |p| Purpose::Part(&p.name));
+            let written = match &argument {
+                Argument::Value(value) | Argument::Ref(value) => lent(value),
+                Argument::RefMut(place) => lent_by_indices(place),
+            };
+            done.iter_mut().for_each(|done| self.protect_argument(done, &written));
+            let purpose =
+                parameters.get(index).map_or(Purpose::Operand, |p| Purpose::Part(&p.name));
             let position = positions::argument(&argument).map(|(_, position)| position);
-            let lowered = match (argument, position) {
-                (Argument::Value(value), Some(at)) => Argument::Value(self.lower(value, at, purpose)),
+            done.push(match (argument, position) {
+                (Argument::Value(value), Some(at)) => {
+                    Argument::Value(self.lower(value, at, purpose))
+                }
                 (Argument::Ref(value), Some(at)) => Argument::Ref(self.lower(value, at, purpose)),
                 (Argument::RefMut(place), _) => Argument::RefMut(self.place(place)),
                 (argument, None) => argument,
-            };
-            self.protect(start, |this, at, written| {
-                done.iter_mut().for_each(|done| this.protect_argument(done, at, written));
             });
-            done.push(lowered);
         }
         self.part_from_lent(&mut done);
         ExprKind::Call(callee, done)
@@ -178,7 +179,7 @@ impl Lowering<'_> {
         within.assign(&place, within.value(&b));
         self.facts.join(&within);
         then.push(Stmt { kind: StmtKind::Assign { place, value: b }, span, comments: Vec::new() });
-        self.emit(when(op, a, then, span), span);
+        self.emit(when(op, a, then), span);
         load(local, &Type::BOOL, span)
     }
 
@@ -188,7 +189,7 @@ impl Lowering<'_> {
         let mut container = Some(self.function.local(root).ty.clone());
         let mut done = Place { root, steps: Vec::new(), ty: ty.clone(), span };
         for step in steps {
-            let start = self.out.len();
+            self.protect_place(&mut done, &lent_by_step(&step));
             let mut step = match step {
                 Step::Field(field) => Step::Field(field),
                 Step::Index(index) => Step::Index(self.word(index)),
@@ -197,7 +198,6 @@ impl Lowering<'_> {
                     Step::Element(row, column)
                 }
             };
-            self.protect(start, |this, at, written| this.protect_place(&mut done, at, written));
             if let Some(container) = &container {
                 self.secure_step(container, &mut step, &done);
             }
@@ -302,68 +302,55 @@ impl Lowering<'_> {
         self.out.push(Stmt { kind, span, comments: Vec::new() });
     }
 
-    /// If the statements from `start` on write anything: keeps what `of` protects in front of them.
-    pub(super) fn protect(
-        &mut self,
-        start: usize,
-        of: impl FnOnce(&mut Self, &mut usize, &[Place]),
-    ) {
-        let written = writes(self.out.iter().skip(start));
-        if !written.is_empty() {
-            let mut at = start;
-            of(self, &mut at, &written);
-        }
-    }
-
-    /// Keeps `value` in front of the statement `at`, if it reads what is written there.
-    pub(super) fn protect_value(&mut self, value: &mut Expr, at: &mut usize, written: &[Place]) {
-        if !reads(value, written) {
+    /// Keeps `value`, if it reads what is about to be written.
+    pub(super) fn protect(&mut self, value: &mut Expr, written: &[Place]) {
+        if written.is_empty() || !reads(value, written) {
             return;
         }
-        let name = match value.kind {
-            ExprKind::Load(_) => self.name_of(value, "before"),
-            _ => self.wish(Purpose::Operand, value),
+        let before = self.name_of(value, "before");
+        let purpose = match value.kind {
+            ExprKind::Load(_) => Purpose::Named(&before),
+            _ => Purpose::Operand,
         };
-        self.keep_at(value, at, &name);
+        *value = self.keep(value.clone(), purpose);
     }
 
-    /// Keeps `value` in front of the statement `at`.
-    pub(super) fn keep_at(&mut self, value: &mut Expr, at: &mut usize, name: &str) {
-        let Some(local) = self.new_local(name, value) else { return };
-        let kept = load(local, &value.ty, value.span);
-        let value = std::mem::replace(value, kept);
-        let span = value.span;
-        let kind = StmtKind::Let { local, value: Some(value) };
-        self.out.insert(*at, Stmt { kind, span, comments: Vec::new() });
-        *at += 1;
-    }
-
-    fn protect_argument(&mut self, argument: &mut Argument, at: &mut usize, written: &[Place]) {
+    fn protect_argument(&mut self, argument: &mut Argument, written: &[Place]) {
         match argument {
-            Argument::Value(value) => self.protect_value(value, at, written),
+            Argument::Value(value) => self.protect(value, written),
             Argument::Ref(value) => {
                 if let ExprKind::Load(place) = &mut value.kind {
-                    self.protect_place(place, at, written);
+                    self.protect_place(place, written);
                 }
             }
-            Argument::RefMut(place) => self.protect_place(place, at, written),
+            Argument::RefMut(place) => self.protect_place(place, written),
         }
     }
 
-    fn protect_place(&mut self, place: &mut Place, at: &mut usize, written: &[Place]) {
-        if !moves(place, written) {
+    fn protect_place(&mut self, place: &mut Place, written: &[Place]) {
+        if written.is_empty() || !moves(place, written) {
             return;
         }
         for step in &mut place.steps {
             match step {
                 Step::Field(_) => {}
-                Step::Index(index) => self.protect_value(index, at, written),
+                Step::Index(index) => self.protect(index, written),
                 Step::Element(row, column) => {
-                    self.protect_value(row, at, written);
-                    self.protect_value(column, at, written);
+                    self.protect(row, written);
+                    self.protect(column, written);
                 }
             }
         }
+    }
+
+    /// Keeps the call `value` in front of the statement `at`: what follows waits for its effects.
+    pub(super) fn keep_at(&mut self, at: usize, value: &mut Expr, name: &str) {
+        let Some(local) = self.new_local(name, value) else { return };
+        let kept = load(local, &value.ty, value.span);
+        let value = std::mem::replace(value, kept);
+        let span = value.span;
+        let kind = StmtKind::Let { local, value: Some(value) };
+        self.out.insert(at, Stmt { kind, span, comments: Vec::new() });
     }
 
     /// The name to wish for what is kept of the present statement.
@@ -381,6 +368,30 @@ impl Lowering<'_> {
     }
 }
 
+/// The opposite of a condition; a comparison turned round, unless a NaN could tell.
+fn negated(condition: Expr) -> Expr {
+    let Expr { kind, ty, span } = condition;
+    let kind = match kind {
+        ExprKind::Unary(UnaryOp::Not, inner) => return *inner,
+        ExprKind::Compare(op, a, b) if a.ty.as_float().is_none() => {
+            ExprKind::Compare(opposite(op), a, b)
+        }
+        kind => ExprKind::Unary(UnaryOp::Not, Box::new(Expr { kind, ty: ty.clone(), span })),
+    };
+    Expr { kind, ty, span }
+}
+
+fn opposite(op: CompareOp) -> CompareOp {
+    match op {
+        CompareOp::Eq => CompareOp::Ne,
+        CompareOp::Ne => CompareOp::Eq,
+        CompareOp::Lt => CompareOp::Ge,
+        CompareOp::Ge => CompareOp::Lt,
+        CompareOp::Gt => CompareOp::Le,
+        CompareOp::Le => CompareOp::Gt,
+    }
+}
+
 /// Whether a value is a number, a constant, a local or a field.
 fn bare(expr: &Expr) -> bool {
     match &expr.kind {
@@ -391,13 +402,10 @@ fn bare(expr: &Expr) -> bool {
 }
 
 /// The `if` that runs the right side of a short circuit.
-pub(super) fn when(op: LogicOp, condition: Expr, then: Vec<Stmt>, span: Span) -> StmtKind {
+pub(super) fn when(op: LogicOp, condition: Expr, then: Vec<Stmt>) -> StmtKind {
     let condition = match op {
         LogicOp::And => condition,
-        LogicOp::Or => {
-            let kind = ExprKind::Unary(UnaryOp::Not, Box::new(condition));
-            Expr { kind, ty: Type::BOOL, span }
-        }
+        LogicOp::Or => negated(condition),
     };
     let then = bessemer_ir::Block(then);
     StmtKind::If { condition, then, otherwise: bessemer_ir::Block::default() }

@@ -17,6 +17,7 @@ mod explicit;
 mod facts;
 mod faults;
 mod flatten;
+mod glance;
 mod names;
 mod places;
 mod positions;
@@ -26,7 +27,9 @@ mod statements;
 pub use explicit::{Problem, Rule, check};
 
 use bessemer_ir::visit::{Visit, walk_expr, walk_stmt};
-use bessemer_ir::{Expr, ExprKind, Fault, Function, FunctionId, Module, Role, Span, Stmt, StmtKind};
+use bessemer_ir::{
+    Expr, ExprKind, Fault, Function, FunctionId, Module, Role, Span, Stmt, StmtKind,
+};
 use thiserror::Error;
 
 use positions::Callee;
@@ -90,7 +93,6 @@ pub fn explicit(module: Module) -> Result<(Module, Report), Vec<Error>> {
     let module = Module { functions, ..module };
     let mut errors: Vec<Error> = check(&module).into_iter().map(Error::from).collect();
     errors.extend(broken_claims(&module, &report));
-    if let (false, Ok(p)) = (errors.is_empty(), std::env::var("PDBG")) { let _ = std::fs::write(p, bessemer_ir::text::print(&module)); }
     if errors.is_empty() { Ok((module, report)) } else { Err(errors) }
 }
 
@@ -167,7 +169,11 @@ fn reached(module: &Module, index: usize) -> Vec<usize> {
     for caller in (0..=index).rev() {
         if reached[caller] {
             let calls = Calls::of(&module.functions[caller]);
-            calls.called.iter().filter(|id| id.index() < caller).for_each(|id| reached[id.index()] = true);
+            calls
+                .called
+                .iter()
+                .filter(|id| id.index() < caller)
+                .for_each(|id| reached[id.index()] = true);
         }
     }
     (0..=index).filter(|index| reached[*index]).collect()

@@ -114,6 +114,20 @@ pub(crate) fn lent(expr: &Expr) -> Vec<Place> {
     writes.0
 }
 
+/// All that the calls in the indices of a place may write.
+pub(crate) fn lent_by_indices(place: &Place) -> Vec<Place> {
+    place.steps.iter().flat_map(lent_by_step).collect()
+}
+
+/// All that the calls in an index may write.
+pub(crate) fn lent_by_step(step: &Step) -> Vec<Place> {
+    match step {
+        Step::Field(_) => Vec::new(),
+        Step::Index(index) => lent(index),
+        Step::Element(row, column) => [lent(row), lent(column)].concat(),
+    }
+}
+
 /// How much text an expression makes: what is written twice should be light.
 pub(crate) fn weight(expr: &Expr) -> usize {
     struct Weight(usize);

@@ -175,7 +175,9 @@ impl Interval {
             CompareOp::Le if self.low > other.high => Some(false),
             CompareOp::Gt => return other.compare(CompareOp::Lt, self),
             CompareOp::Ge => return other.compare(CompareOp::Le, self),
-            CompareOp::Eq | CompareOp::Ne => self.equal(other).map(|is| is == (op == CompareOp::Eq)),
+            CompareOp::Eq | CompareOp::Ne => {
+                self.equal(other).map(|is| is == (op == CompareOp::Eq))
+            }
             CompareOp::Lt | CompareOp::Le => None,
         };
         known.map_or(Interval::BOOL, |known| Interval::one(i128::from(known)))

@@ -5,15 +5,14 @@
 //! or that call, are kept before it; a check that is known to hold goes away.
 
 use bessemer_ir::{
-    Arm, Block, Expr, ExprKind, Fault, Function, LocalId, Module, Place, Span, Stmt,
-    StmtKind,
+    Arm, Block, Expr, ExprKind, Fault, Function, LocalId, Module, Place, Span, Stmt, StmtKind,
 };
 
 use super::Remaining;
 use super::facts::Facts;
 use super::flatten::when;
 use super::names::{self, Names, Purpose};
-use super::places::{disturbs, lent, load, moves, reads, weight, whole, writes};
+use super::places::{disturbs, lent, lent_by_indices, load, moves, reads, weight, whole, writes};
 use super::positions::{Callee, Position};
 use super::ranges::Interval;
 
@@ -64,7 +63,9 @@ impl Lowering<'_> {
             StmtKind::Let { local, value } => self.declaration(local, value, span),
             StmtKind::Assign { place, value } => self.assign(place, value, span),
             StmtKind::Expr(expr) => self.effect(expr, span),
-            StmtKind::If { condition, then, otherwise } => self.branch(condition, then, otherwise, span),
+            StmtKind::If { condition, then, otherwise } => {
+                self.branch(condition, then, otherwise, span)
+            }
             StmtKind::Match { scrutinee, arms, otherwise } => {
                 self.select(scrutinee, arms, otherwise, span);
             }
@@ -98,13 +99,14 @@ impl Lowering<'_> {
         let mut value = self.lower(value, Position::Whole, Purpose::Operand);
         let (known, written) = (self.facts.value(&value), lent(&value));
         self.facts.forget(&written);
+        if !self.is_statement(&value) {
+            self.protect(&mut value, &lent_by_indices(&place));
+        }
         let start = self.out.len();
         let place = self.place(place);
         if self.is_statement(&value) && (self.out.len() > start || moves(&place, &written)) {
             let next = self.wish(Purpose::Part("next"), &value);
-            self.keep_at(&mut value, &mut start.clone(), &next);
-        } else {
-            self.protect(start, |this, at, written| this.protect_value(&mut value, at, written));
+            self.keep_at(start, &mut value, &next);
         }
         if disturbs(&place, &value, self.through_pointer(&value)) {
             value = self.keep(value, Purpose::Part("next"));
@@ -124,7 +126,9 @@ impl Lowering<'_> {
     /// Whether the result of a value that is a call travels through a pointer.
     fn through_pointer(&self, value: &Expr) -> bool {
         match &value.kind {
-            ExprKind::Call(callee, _) => self.callees.get(callee.index()).is_some_and(|c| c.through_pointer),
+            ExprKind::Call(callee, _) => {
+                self.callees.get(callee.index()).is_some_and(|c| c.through_pointer)
+            }
             _ => false,
         }
     }
@@ -134,7 +138,7 @@ impl Lowering<'_> {
             ExprKind::Logic(op, condition, effect) => {
                 let effect = Stmt { kind: StmtKind::Expr(*effect), span, comments: Vec::new() };
                 self.stmt(Stmt {
-                    kind: when(op, *condition, vec![effect], span),
+                    kind: when(op, *condition, vec![effect]),
                     span,
                     comments: Vec::new(),
                 });

@@ -97,11 +97,7 @@ impl Lowering<'_, '_> {
         self.node(ExprKind::Intrinsic(op, values), ty, expr.site)
     }
 
-    fn uniform(
-        &mut self,
-        arguments: &[tree::Expr],
-        expected: Option<Type>,
-    ) -> Result<Vec<Expr>> {
+    fn uniform(&mut self, arguments: &[tree::Expr], expected: Option<Type>) -> Result<Vec<Expr>> {
         let roles = ["left", "middle", "right"];
         let operands: Vec<_> = arguments
             .iter()

@@ -149,7 +149,7 @@ impl Lowering<'_, '_> {
     }
 
     fn assert_stmt(&mut self, condition: &tree::Expr, site: Site) -> Result<()> {
-        let naming = std::mem::replace(&mut self.naming, String::new());
+        let naming = std::mem::take(&mut self.naming);
         let condition = self.value(condition, Some(&Type::BOOL))?;
         // A check's condition cannot fault, so it is computed first.
         let condition = self.temporary("asserted", condition);
@@ -333,7 +333,9 @@ impl Lowering<'_, '_> {
     fn writable(&mut self, expr: &tree::Expr) -> Result<Place> {
         match self.place(expr)? {
             Some(place) => Ok(place),
-            None => problem(expr.site, "this is not a place to assign", "assign a variable or a field"),
+            None => {
+                problem(expr.site, "this is not a place to assign", "assign a variable or a field")
+            }
         }
     }
 }

@@ -2,8 +2,9 @@
 
 use bessemer_ir::tree::{self, BinaryOp as Op, Site};
 use bessemer_ir::{
-    visit::{self, Visit}, Argument, BinaryOp, CompareOp, Expr, ExprKind, FunctionId, LocalId, LogicOp, Mode, Place,
+    Argument, BinaryOp, CompareOp, Expr, ExprKind, FunctionId, LocalId, LogicOp, Mode, Place,
     Routine, Stmt, StmtKind, Type, UnaryOp,
+    visit::{self, Visit},
 };
 
 use super::function::{Lowering, Target, control_with_value};
@@ -342,7 +343,9 @@ impl Lowering<'_, '_> {
         let ty = match (expr.slot, expected) {
             (Some(_), _) => self.slot_of(expr)?,
             (None, Some(ty)) => ty.clone(),
-            (None, None) => return problem(expr.site, "rustc was not asked for this type", OUR_FAULT),
+            (None, None) => {
+                return problem(expr.site, "rustc was not asked for this type", OUR_FAULT);
+            }
         };
         let span = self.span(expr.site);
         let local = self.temporary_local("choice", ty.clone(), span);
@@ -378,11 +381,8 @@ impl Lowering<'_, '_> {
             Some(tree::Callee::Builtin(name)) => self.builtin(name, arguments, expr),
             Some(tree::Callee::Function(path)) => match self.cx.functions.get(path) {
                 Some(id) => self.call_function(*id, arguments, expr),
-                None => problem(
-                    expr.site,
-                    format!("`{path}` could not be compiled"),
-                    "see the error in it",
-                ),
+                // It was refused, and that was told.
+                None => problem(expr.site, "", ""),
             },
             None => problem(expr.site, "the tree names a callee that is not there", OUR_FAULT),
         }

@@ -301,7 +301,8 @@ impl Lowering<'_, '_> {
     }
 
     pub(super) fn temporary_local(&mut self, role: &str, ty: Type, span: Span) -> LocalId {
-        let name = if self.naming.is_empty() { role.into() } else { format!("{}_{role}", self.naming) };
+        let name =
+            if self.naming.is_empty() { role.into() } else { format!("{}_{role}", self.naming) };
         let id = LocalId(self.locals.len() as u32);
         self.locals.push(Local { name, ty, mode: Mode::Value, span });
         id

@@ -27,6 +27,7 @@ use crate::source::Sources;
 /// What was wrong, where, and what to write instead.
 struct Problem {
     site: Site,
+    /// Empty where the problem has been told elsewhere.
     message: String,
     help: String,
 }
@@ -53,9 +54,14 @@ pub fn typify(package: &Package, sources: &Sources) -> Result<Module, Vec<Diagno
                 cx.module.functions.push(lowered);
                 cx.functions.insert(function.path.clone(), id);
             }
+            // What calls a function that was refused is refused silently.
+            Err(problem) if problem.message.is_empty() => {}
             Err(problem) => errors.push(diagnostic(&function.file, problem)),
         }
     }
+    errors.sort_by(|one, other| {
+        (&one.file, one.line, one.column).cmp(&(&other.file, other.line, other.column))
+    });
     if errors.is_empty() { Ok(cx.module) } else { Err(errors) }
 }
 

@@ -79,7 +79,8 @@ impl Lowering<'_, '_> {
             Type::Matrix { element, rows, cols } => {
                 let row = ["x", "y", "z", "w", "a", "b"].iter().position(|axis| *axis == name);
                 if let Some(row) = row.filter(|row| *cols == 1 && (*row as u32) < *rows) {
-                    let (row, col) = (self.index_literal(row as u64, expr), self.index_literal(0, expr));
+                    let (row, col) =
+                        (self.index_literal(row as u64, expr), self.index_literal(0, expr));
                     return Ok((Step::Element(row, col), Type::Scalar(*element)));
                 }
             }
@@ -137,7 +138,9 @@ impl Lowering<'_, '_> {
                 let (row, col) = (word % u64::from(rows), word / u64::from(rows));
                 Ok(Step::Element(self.index_literal(row, expr), self.index_literal(col, expr)))
             }
-            _ => problem(expr.site, "a matrix takes a row and a column", "write `m[(row, column)]`"),
+            _ => {
+                problem(expr.site, "a matrix takes a row and a column", "write `m[(row, column)]`")
+            }
         }
     }
 
@@ -163,7 +166,9 @@ impl Lowering<'_, '_> {
                 Type::Matrix { element, .. } => Ok(Type::Scalar(element)),
                 other => Ok(other),
             },
-            _ => problem(expr.site, "this is not a place to assign", "assign a variable or a field"),
+            _ => {
+                problem(expr.site, "this is not a place to assign", "assign a variable or a field")
+            }
         }
     }
 }

@@ -16,7 +16,9 @@ pub(super) fn show(module: &bessemer_ir::Module, ty: &Type) -> String {
         Type::Unit => "()".into(),
         Type::Scalar(scalar) => scalar.name().into(),
         Type::Array { element, len } => format!("[{}; {len}]", show(module, element)),
-        Type::Matrix { element, rows, cols } => format!("SMatrix<{}, {rows}, {cols}>", element.name()),
+        Type::Matrix { element, rows, cols } => {
+            format!("SMatrix<{}, {rows}, {cols}>", element.name())
+        }
         Type::Struct(id) => module.structs[id.index()].name.clone(),
         Type::Enum(id) => module.enums[id.index()].name.clone(),
     }
@@ -88,7 +90,13 @@ impl Context<'_> {
     }
 
     /// A named constant of `module`; one entry for each name and value.
-    pub(super) fn constant(&mut self, module: &str, name: &str, ty: &Type, words: &[u64]) -> ConstId {
+    pub(super) fn constant(
+        &mut self,
+        module: &str,
+        name: &str,
+        ty: &Type,
+        words: &[u64],
+    ) -> ConstId {
         let consts = &mut self.module.consts;
         let same = |constant: &Const| {
             constant.module == module

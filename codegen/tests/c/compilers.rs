@@ -7,8 +7,17 @@ use bessemer_codegen::c::CFile;
 
 /// What the project promises to compile without a warning under.
 pub const FLAGS: &[&str] = &[
-    "-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-Wconversion", "-Wdouble-promotion",
-    "-Wshadow", "-Wstrict-prototypes", "-Wmissing-prototypes", "-ffp-contract=off",
+    "-std=c99",
+    "-Wall",
+    "-Wextra",
+    "-Wpedantic",
+    "-Werror",
+    "-Wconversion",
+    "-Wdouble-promotion",
+    "-Wshadow",
+    "-Wstrict-prototypes",
+    "-Wmissing-prototypes",
+    "-ffp-contract=off",
 ];
 
 const COMPILERS: &[&str] = &["gcc", "clang", "arm-linux-gnueabihf-gcc"];
@@ -35,18 +44,42 @@ pub fn check(name: &str, files: &[CFile]) {
     for compiler in COMPILERS.iter().filter(|compiler| is_there(compiler)) {
         for file in files.iter().filter(|file| file.name.ends_with(".c")) {
             for level in ["-O0", "-O1", "-O2", "-O3"] {
-                run(Command::new(compiler).args(FLAGS).args([level, "-c", "-o", "/dev/null", &file.name]), &folder);
+                run(
+                    Command::new(compiler).args(FLAGS).args([
+                        level,
+                        "-c",
+                        "-o",
+                        "/dev/null",
+                        &file.name,
+                    ]),
+                    &folder,
+                );
             }
         }
         for file in files.iter().filter(|file| file.name.ends_with(".h")) {
-            let main = format!("#include \"{0}\"\n#include \"{0}\"\nint main(void) {{ return 0; }}\n", file.name);
+            let main = format!(
+                "#include \"{0}\"\n#include \"{0}\"\nint main(void) {{ return 0; }}\n",
+                file.name
+            );
             std::fs::write(folder.join("alone.c"), main).expect("the target folder is writable");
-            run(Command::new(compiler).args(FLAGS).args(["-c", "-o", "/dev/null", "alone.c"]), &folder);
+            run(
+                Command::new(compiler).args(FLAGS).args(["-c", "-o", "/dev/null", "alone.c"]),
+                &folder,
+            );
         }
     }
     for compiler in ["g++", "clang++"].iter().filter(|compiler| is_there(compiler)) {
         for file in files.iter().filter(|file| file.name.ends_with(".h")) {
-            let flags = ["-x", "c++", "-std=c++11", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-fsyntax-only"];
+            let flags = [
+                "-x",
+                "c++",
+                "-std=c++11",
+                "-Wall",
+                "-Wextra",
+                "-Wpedantic",
+                "-Werror",
+                "-fsyntax-only",
+            ];
             std::fs::write(folder.join("alone.cpp"), format!("#include \"{}\"\n", file.name))
                 .expect("the target folder is writable");
             run(Command::new(compiler).args(flags).arg("alone.cpp"), &folder);

@@ -2,6 +2,9 @@
 //! takes it without a warning. Dropping in a file adds a test.
 
 mod compilers;
+#[allow(dead_code)]
+#[path = "../passes_random/generate.rs"]
+mod generate;
 mod run;
 
 use std::fmt::Write as _;
@@ -75,7 +78,11 @@ fn the_map_points_at_code() {
             let lines: Vec<&str> = file.text.lines().collect();
             for entry in &file.map {
                 let line = lines[entry.c_line as usize - 1].trim();
-                assert!(!line.is_empty() && !line.starts_with("/*"), "{}: {entry:?}: {line}", file.name);
+                assert!(
+                    !line.is_empty() && !line.starts_with("/*"),
+                    "{}: {entry:?}: {line}",
+                    file.name
+                );
             }
             assert!(file.map.is_sorted_by_key(|entry| entry.c_line), "{}", file.name);
         }
@@ -89,5 +96,82 @@ fn computes_what_the_interpreter_computes() {
         let files = emit(&explicit, &Options::default());
         let name = path.file_stem().expect("a file").to_string_lossy().into_owned();
         run::compare(&name, &module, &explicit, &files);
+    }
+}
+
+fn texts(module: &Module) -> Vec<(String, String)> {
+    let files = emit(module, &Options::default());
+    files.into_iter().map(|file| (file.name, file.text)).collect()
+}
+
+fn example(name: &str) -> Module {
+    explicit(&Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/c").join(name))
+}
+
+#[test]
+fn a_line_above_moves_nothing() {
+    for path in modules() {
+        let module = explicit(&path);
+        let text = bessemer_ir::text::print(&module);
+        let moved: Vec<String> = text.lines().map(moved_down).collect();
+        let moved = bessemer_ir::text::parse(&moved.join("\n")).expect("only lines changed");
+        assert_eq!(texts(&module), texts(&moved));
+    }
+}
+
+/// `@0:12:5 …` as `@0:13:5 …`.
+fn moved_down(line: &str) -> String {
+    let Some((before, after)) = line.split_once("@0:") else { return line.to_owned() };
+    let digits = after.find(|letter: char| !letter.is_ascii_digit()).unwrap_or(after.len());
+    let Ok(number) = after[..digits].parse::<u32>() else { return line.to_owned() };
+    if !before.trim().is_empty() {
+        return line.to_owned();
+    }
+    format!("{before}@0:{}{}", number + 1, &after[digits..])
+}
+
+#[test]
+fn a_new_function_leaves_the_others_as_they_were() {
+    let before = example("linear.ir");
+    let mut after = before.clone();
+    let mut added = before.functions[1].clone();
+    added.name = "added".to_owned();
+    added.module = "models::other".to_owned();
+    after.functions.insert(0, added);
+    let after = texts(&after);
+    for file in texts(&before) {
+        assert!(after.contains(&file), "{} changed", file.0);
+    }
+}
+
+#[test]
+fn options_name_things() {
+    let module = example("faults.ir");
+    let options = Options {
+        prefix: "acme_".to_owned(),
+        status: "acme".to_owned(),
+        license: "Apache-2.0".to_owned(),
+    };
+    let files = emit(&module, &options);
+    compilers::check("options", &files);
+    let header = files.iter().find(|file| file.name == "mixer.h").expect("it has a component");
+    for wanted in
+        ["acme_status_t acme_mixer_step(acme_mixer_t *self", "SPDX-License-Identifier: Apache-2.0"]
+    {
+        assert!(header.text.contains(wanted), "{wanted} in\n{}", header.text);
+    }
+}
+
+/// `BESSEMER_SEEDS=100..200` tries others.
+#[test]
+fn random_modules_agree() {
+    let seeds = std::env::var("BESSEMER_SEEDS").unwrap_or_else(|_| "0..3".to_owned());
+    let (first, last) = seeds.split_once("..").expect("a range");
+    for seed in first.parse::<u64>().expect("a number")..last.parse().expect("a number") {
+        let module = generate::module(seed);
+        let Ok(()) = validate(&module) else { continue };
+        let (explicit, _) = bessemer_codegen::passes::explicit(module.clone()).expect("explicit");
+        let files = emit(&explicit, &Options::default());
+        run::compare("random", &module, &explicit, &files);
     }
 }

@@ -15,20 +15,28 @@ use super::compilers::{folder, is_there};
 /// Up to so many calls of a function.
 const CALLS: usize = 500;
 
+/// A function and its arguments as words.
+type Call = (FunctionId, Vec<Vec<u64>>);
+
 /// Compares every function that other files can call.
 pub fn compare(name: &str, module: &Module, explicit: &Module, files: &[CFile]) {
     let names = Names::new(explicit, &Options::default());
-    let calls = calls(module, &names);
-    let expected: Vec<String> = expected(module, &calls);
+    let (calls, expected): (Vec<_>, Vec<_>) =
+        expected(module, calls(module, &names)).into_iter().unzip();
     let mut list = files.to_vec();
-    list.push(CFile { name: "main.c".to_owned(), text: driver(explicit, &names, files), map: Vec::new() });
+    list.push(CFile {
+        name: "main.c".to_owned(),
+        text: driver(explicit, &names, files),
+        map: Vec::new(),
+    });
     let folder = folder(&format!("run-{name}"), &list);
     let mut input = String::new();
     for (function, words) in &calls {
         let words: Vec<String> = words.iter().flatten().map(|word| format!("{word:x}")).collect();
         let _ = writeln!(input, "{} {}", function.0, words.join(" "));
     }
-    let sanitized = ["-O1", "-fsanitize=undefined,float-cast-overflow", "-fno-sanitize-recover=all"];
+    let sanitized =
+        ["-O1", "-fsanitize=undefined,float-cast-overflow", "-fno-sanitize-recover=all"];
     for compiler in ["gcc", "clang"].iter().filter(|compiler| is_there(compiler)) {
         for flags in [&["-O0"][..], &["-O3"], &sanitized] {
             let found = run(compiler, flags, &folder, &input);
@@ -43,10 +51,18 @@ pub fn compare(name: &str, module: &Module, explicit: &Module, files: &[CFile]) 
 }
 
 fn run(compiler: &str, flags: &[&str], folder: &Path, input: &str) -> String {
-    let sources = std::fs::read_dir(folder).expect("just written").map(|entry| entry.expect("readable").path());
-    let sources: Vec<_> = sources.filter(|path| path.extension().is_some_and(|end| end == "c")).collect();
+    let sources = std::fs::read_dir(folder)
+        .expect("just written")
+        .map(|entry| entry.expect("readable").path());
+    let sources: Vec<_> =
+        sources.filter(|path| path.extension().is_some_and(|end| end == "c")).collect();
     super::compilers::run(
-        Command::new(compiler).args(["-std=c99", "-ffp-contract=off"]).args(flags).args(["-o", "program"]).args(sources).arg("-lm"),
+        Command::new(compiler)
+            .args(["-std=c99", "-ffp-contract=off"])
+            .args(flags)
+            .args(["-o", "program"])
+            .args(sources)
+            .arg("-lm"),
         folder,
     );
     let mut child = Command::new(folder.join("program"))
@@ -64,18 +80,22 @@ fn run(compiler: &str, flags: &[&str], folder: &Path, input: &str) -> String {
 }
 
 /// What the interpreter says: the status, the words of what is lent, the words of the result.
-fn expected(module: &Module, calls: &[(FunctionId, Vec<Vec<u64>>)]) -> Vec<String> {
+fn expected(module: &Module, calls: Vec<Call>) -> Vec<(Call, String)> {
     let mut interpreter = Interpreter::new(module);
+    // A random program may count to 2^64.
+    interpreter.limit(100_000);
     let mut lines = Vec::new();
     for (id, words) in calls {
         let function = &module.functions[id.index()];
         let mut arguments = words.clone();
         let mut line = String::new();
-        match interpreter.call(*id, &mut arguments) {
+        match interpreter.call(id, &mut arguments) {
             Err(Stop::Fault { fault, .. }) => {
-                let number = FAULTS.iter().position(|other| *other == fault).expect("all are listed");
+                let number =
+                    FAULTS.iter().position(|other| *other == fault).expect("all are listed");
                 let _ = write!(line, "{}", number + 1);
             }
+            Err(Stop::Limit) => continue,
             Err(stop) => panic!("{}: {stop}", function.name),
             Ok(result) => {
                 line.push('0');
@@ -87,7 +107,7 @@ fn expected(module: &Module, calls: &[(FunctionId, Vec<Vec<u64>>)]) -> Vec<Strin
                 show(module, &function.result, &result, &mut line);
             }
         }
-        lines.push(line);
+        lines.push(((id, words), line));
     }
     lines
 }
@@ -105,7 +125,7 @@ fn show(module: &Module, ty: &Type, words: &[u64], line: &mut String) {
 }
 
 /// The arguments of all calls, per function.
-fn calls(module: &Module, names: &Names) -> Vec<(FunctionId, Vec<Vec<u64>>)> {
+fn calls(module: &Module, names: &Names) -> Vec<Call> {
     let mut random = 0x9e37_79b9_7f4a_7c15_u64;
     let mut next = move |below: usize| {
         random ^= random << 13;
@@ -124,7 +144,12 @@ fn calls(module: &Module, names: &Names) -> Vec<(FunctionId, Vec<Vec<u64>>)> {
             .iter()
             .map(|local| module.leaves(&local.ty).iter().map(|leaf| edges(module, leaf)).collect())
             .collect();
-        let choices: usize = edges.iter().flatten().map(Vec::len).try_fold(1usize, |a, b| a.checked_mul(b)).unwrap_or(usize::MAX);
+        let choices: usize = edges
+            .iter()
+            .flatten()
+            .map(Vec::len)
+            .try_fold(1usize, |a, b| a.checked_mul(b))
+            .unwrap_or(usize::MAX);
         for call in 0..choices.min(CALLS) {
             let mut rest = call;
             let words = edges.iter().map(|leaves| {
@@ -143,22 +168,67 @@ fn calls(module: &Module, names: &Names) -> Vec<(FunctionId, Vec<Vec<u64>>)> {
 
 fn edges(module: &Module, ty: &Type) -> Vec<u64> {
     let floats = [
-        0.0, -0.0, 1.0, -1.0, 0.5, -0.3, 1.5, 3.0, 100.7, 1e-320, f64::MIN_POSITIVE, f64::MAX, -f64::MAX,
-        f64::INFINITY, f64::NEG_INFINITY, f64::NAN, -129.0, 255.5, 256.0, -2_147_483_649.0, 2_147_483_648.0,
-        4_294_967_296.0, -9.3e18, 9_223_372_036_854_775_808.0, 1.9e19,
+        0.0,
+        -0.0,
+        1.0,
+        -1.0,
+        0.5,
+        -0.3,
+        1.5,
+        3.0,
+        100.7,
+        1e-320,
+        f64::MIN_POSITIVE,
+        f64::MAX,
+        -f64::MAX,
+        f64::INFINITY,
+        f64::NEG_INFINITY,
+        f64::NAN,
+        -129.0,
+        255.5,
+        256.0,
+        -2_147_483_649.0,
+        2_147_483_648.0,
+        4_294_967_296.0,
+        -9.3e18,
+        9_223_372_036_854_775_808.0,
+        1.9e19,
     ];
     match ty {
         Type::Scalar(Scalar::Bool) => vec![0, 1],
         Type::Enum(id) => (0..module.enums[id.index()].variants.len() as u64).collect(),
-        Type::Scalar(Scalar::Float(Float::F64)) => floats.iter().map(|value: &f64| value.to_bits()).collect(),
+        Type::Scalar(Scalar::Float(Float::F64)) => {
+            floats.iter().map(|value: &f64| value.to_bits()).collect()
+        }
         Type::Scalar(Scalar::Float(Float::F32)) => {
-            let mut list: Vec<u64> = floats.iter().map(|value| u64::from((*value as f32).to_bits())).collect();
+            let mut list: Vec<u64> =
+                floats.iter().map(|value| u64::from((*value as f32).to_bits())).collect();
             list.extend([1, 0x8000_0001, 0x0080_0000]);
             list
         }
         Type::Scalar(Scalar::Int(int)) => {
             let (min, max) = (bessemer_ir::Int::min(*int), bessemer_ir::Int::max(*int));
-            let mut list = vec![min, min + 1, -7, -1, 0, 1, 2, 3, 7, 8, 31, 33, 100, 127, 128, 200, max / 2, max - 1, max];
+            let mut list = vec![
+                min,
+                min + 1,
+                -7,
+                -1,
+                0,
+                1,
+                2,
+                3,
+                7,
+                8,
+                31,
+                33,
+                100,
+                127,
+                128,
+                200,
+                max / 2,
+                max - 1,
+                max,
+            ];
             list.retain(|value| (min..=max).contains(value));
             list.sort_unstable();
             list.dedup();
@@ -247,7 +317,11 @@ fn driver(module: &Module, names: &Names, files: &[CFile]) -> String {
 fn call(module: &Module, names: &Names, signature: &Signature, text: &mut String) {
     let mut arguments = Vec::new();
     for param in &signature.params {
-        let _ = writeln!(text, "            {};", names.declarator(&param.ty, &format!("p_{}", param.name)).text());
+        let _ = writeln!(
+            text,
+            "            {};",
+            names.declarator(&param.ty, &format!("p_{}", param.name)).text()
+        );
         let _ = writeln!(text, "            memset(&p_{0}, 0, sizeof p_{0});", param.name);
         let array = matches!(param.ty, Type::Array { .. } | Type::Matrix { .. });
         let mark = if array || param.passing == Passing::Value { "" } else { "&" };
@@ -271,7 +345,11 @@ fn call(module: &Module, names: &Names, signature: &Signature, text: &mut String
             let _ = writeln!(text, "            {call};\n            printf(\"0\");");
         }
         Returned::Value(ty) => {
-            let _ = writeln!(text, "            {} result = {call};\n            printf(\"0\");", names.word(ty));
+            let _ = writeln!(
+                text,
+                "            {} result = {call};\n            printf(\"0\");",
+                names.word(ty)
+            );
         }
         Returned::Status => {
             let _ = writeln!(text, "            unsigned status = (unsigned){call};");
@@ -292,7 +370,13 @@ fn call(module: &Module, names: &Names, signature: &Signature, text: &mut String
     text.push_str("            puts(\"\");\n");
 }
 
-fn leaves(module: &Module, names: &Names, ty: &Type, path: &str, visit: &mut dyn FnMut(&Type, &str)) {
+fn leaves(
+    module: &Module,
+    names: &Names,
+    ty: &Type,
+    path: &str,
+    visit: &mut dyn FnMut(&Type, &str),
+) {
     match ty {
         Type::Unit => {}
         Type::Scalar(_) | Type::Enum(_) => visit(ty, path),

@@ -3,8 +3,8 @@
 
 use bessemer_ir::{
     Argument, Arm, BinaryOp, Block, CompareOp, Const, Enum, EnumId, Expr, ExprKind, Fault, Field,
-    Float, Function, FunctionId, Int, Intrinsic, Local, LocalId, LogicOp, Mode, Module, Place, Role,
-    Routine, Scalar, Span, Step, Stmt, StmtKind, Struct, StructId, Type, UnaryOp, Variant,
+    Float, Function, FunctionId, Int, Intrinsic, Local, LocalId, LogicOp, Mode, Module, Place,
+    Role, Routine, Scalar, Span, Step, Stmt, StmtKind, Struct, StructId, Type, UnaryOp, Variant,
 };
 
 /// xorshift64*.
@@ -54,8 +54,7 @@ impl Random {
 
 pub const STATE: Type = Type::Struct(StructId(0));
 pub const MODE: Type = Type::Enum(EnumId(0));
-pub const MATRIX: Type =
-    Type::Matrix { element: Scalar::Float(Float::F64), rows: 2, cols: 2 };
+pub const MATRIX: Type = Type::Matrix { element: Scalar::Float(Float::F64), rows: 2, cols: 2 };
 
 fn int(int: Int) -> Type {
     Type::Scalar(Scalar::Int(int))
@@ -91,7 +90,8 @@ fn fields() -> Vec<(&'static str, Type)> {
 
 /// A module of four functions.
 pub fn module(seed: u64) -> Module {
-    let mut module = Module { name: "random".into(), files: vec!["a.rs".into()], ..Module::default() };
+    let mut module =
+        Module { name: "random".into(), files: vec!["a.rs".into()], ..Module::default() };
     module.structs.push(Struct {
         name: "State".into(),
         module: "random".into(),
@@ -231,7 +231,8 @@ impl Generator<'_> {
             11..14 => {
                 let condition = self.value(&Type::BOOL, 3);
                 let then = self.block(depth - 1);
-                let otherwise = if self.random.chance(50) { self.block(depth - 1) } else { Block::default() };
+                let otherwise =
+                    if self.random.chance(50) { self.block(depth - 1) } else { Block::default() };
                 StmtKind::If { condition, then, otherwise }
             }
             14 => self.choose(depth),
@@ -270,11 +271,10 @@ impl Generator<'_> {
         let whole = self.random.chance(50);
         let ty = if whole { MODE } else { int(Int::I16) };
         let scrutinee = self.value(&ty, 2);
-        let arms = if whole { vec![vec![0], vec![1, 2]] } else { vec![vec![-1, 0], vec![2], vec![3]] };
-        let arms = arms
-            .into_iter()
-            .map(|values| Arm { values, body: self.block(depth - 1) })
-            .collect();
+        let arms =
+            if whole { vec![vec![0], vec![1, 2]] } else { vec![vec![-1, 0], vec![2], vec![3]] };
+        let arms =
+            arms.into_iter().map(|values| Arm { values, body: self.block(depth - 1) }).collect();
         let otherwise = (!whole).then(|| self.block(depth - 1));
         StmtKind::Match { scrutinee, arms, otherwise }
     }
@@ -353,7 +353,13 @@ impl Generator<'_> {
         let less = depth.saturating_sub(1);
         let choice = if depth == 0 { 0 } else { self.random.below(9) };
         let routine = match choice {
-            0 => return expr(ExprKind::Splat(Box::new(self.value(&Type::F64, less))), &MATRIX, span),
+            0 => {
+                return expr(
+                    ExprKind::Splat(Box::new(self.value(&Type::F64, less))),
+                    &MATRIX,
+                    span,
+                );
+            }
             1 => {
                 let parts = (0..4).map(|_| self.value(&Type::F64, less)).collect();
                 return expr(ExprKind::Matrix(parts), &MATRIX, span);
@@ -497,7 +503,8 @@ impl Generator<'_> {
     }
 
     fn index(&mut self, len: u64, depth: usize) -> Expr {
-        let ty = if self.random.chance(60) { Type::USIZE } else { int(*self.random.pick(&Int::ALL)) };
+        let ty =
+            if self.random.chance(60) { Type::USIZE } else { int(*self.random.pick(&Int::ALL)) };
         if depth > 0 && self.random.chance(60) {
             return self.value(&ty, depth - 1);
         }

@@ -61,11 +61,10 @@ fn passed(before: &Module, seed: u64, count: &mut Count) -> Module {
     show(&after, "after.ir");
     assert_eq!(check(&after), [], "seed {seed}");
     assert_eq!(validate(&after), Ok(()), "seed {seed}");
-    let (again, rest) = explicit(after.clone()).expect("explicit again");
+    let (again, _) = explicit(after.clone()).expect("explicit again");
     let checks = |report: &Report| report.functions.iter().map(Vec::len).sum::<usize>();
     show(&again, "again.ir");
-    // What was kept aside may be better known than it was: then a check goes, and nothing else.
-    assert!(again == after || checks(&rest) < checks(&report), "seed {seed}: not idempotent");
+    assert!(again == after, "seed {seed}: not idempotent");
     count.checks += checks(&report);
     after
 }
@@ -91,7 +90,8 @@ fn compare(seed: u64, count: &mut Count) {
             count.faults += usize::from(expected.is_err());
             let at = format!("seed {seed} f{function}");
             agree(&at, &expected, &found);
-            let words = |all: &[Vec<u64>]| all.iter().flat_map(|w| canonical(w)).collect::<Vec<_>>();
+            let words =
+                |all: &[Vec<u64>]| all.iter().flat_map(|w| canonical(w)).collect::<Vec<_>>();
             assert_eq!(words(&given), words(&same), "{at}: what was lent");
         }
     }
@@ -114,13 +114,16 @@ fn agree(at: &str, expected: &Result<Vec<u64>, Stop>, found: &Result<Vec<u64>, S
 #[test]
 fn meaning_is_kept() {
     let mut count = Count::default();
-    let seeds = std::env::var("PASSES_SEEDS").ok().and_then(|text| text.parse().ok()).unwrap_or(400);
+    let seeds =
+        std::env::var("PASSES_SEEDS").ok().and_then(|text| text.parse().ok()).unwrap_or(400);
     let first = std::env::var("PASSES_FIRST").ok().and_then(|text| text.parse().ok()).unwrap_or(0);
     for seed in first..first + seeds {
         compare(seed, &mut count);
     }
     let Count { modules, runs, faults, checks } = count;
-    println!("{modules} of {seeds} modules valid, {runs} runs, {faults} faults, {checks} checks left");
+    println!(
+        "{modules} of {seeds} modules valid, {runs} runs, {faults} faults, {checks} checks left"
+    );
     assert!(modules > seeds as usize * 9 / 10, "{modules} valid modules of {seeds}");
     assert!(faults > runs / 10 && faults < runs * 9 / 10, "{faults} faults in {runs} runs");
 }

@@ -13,9 +13,11 @@ extern crate alloc;
 
 pub mod ir;
 pub mod number;
+pub mod operation;
 pub mod text;
 pub mod tree;
 pub mod visit;
 
 pub use ir::*;
 pub use number::{Float, Int, Scalar};
+pub use operation::{BinaryOp, CompareOp, Intrinsic, LogicOp, Routine, UnaryOp};

@@ -62,8 +62,8 @@ pub fn method(owner: &syn::Type, subject: &Subject<'_>, refusals: &mut Refusals)
     let Some(parts) = lower(subject, refusals) else { return TokenStream::new() };
     let (name, visibility) = (&subject.signature.ident, subject.visibility);
     let Parts { generics, parameters, result, builder } = parts;
-    let companion = format_ident!("__b_{name}", span = name.span());
-    let marker = format_ident!("__method_{name}");
+    let companion = lower::companion_name(name);
+    let marker = format_ident!("__method_{}", lower::text(name));
     let build = build_name(name);
     quote! {
         const _: () = {
@@ -109,16 +109,20 @@ fn lower(subject: &Subject<'_>, refusals: &mut Refusals) -> Option<Parts> {
     let mut params = Vec::new();
     for parameter in &parameters {
         walk.bind(&parameter.name);
-        params.push(Param { name: parameter.name.clone(), slot: walk.slot(), site: parameter.site });
+        params.push(Param {
+            name: parameter.name.clone(),
+            slot: walk.slot(),
+            site: parameter.site,
+        });
     }
     let result = walk.slot();
     let body = walk.block(&mut copy);
-    if !walk.refusals.is_empty() || !cfg!(feature = "generate") {
+    if !walk.refusals.is_empty() || !lower::GENERATING {
         return None;
     }
     let tree = FunctionTree {
         name: lower::text(&signature.ident),
-        site: lower::site(signature.ident.span()),
+        site: lower::site(&signature.ident),
         docs: docs::lines(subject.attributes),
         role: subject.role,
         params,
@@ -136,7 +140,7 @@ fn lower(subject: &Subject<'_>, refusals: &mut Refusals) -> Option<Parts> {
 
 /// The name of the function that builds `name`.
 fn build_name(name: &syn::Ident) -> syn::Ident {
-    format_ident!("__build_{name}", span = proc_macro2::Span::call_site())
+    syn::Ident::new(&format!("__build_{}", lower::text(name)), proc_macro2::Span::call_site())
 }
 
 /// The building function: slots, the witness copy, and the tree with the slots' types.
@@ -203,13 +207,18 @@ fn companion_generics(signature: &syn::Signature) -> TokenStream {
 }
 
 fn companion_parameters(signature: &syn::Signature) -> Vec<TokenStream> {
-    signature.inputs.iter().enumerate().map(|(index, input)| match input {
-        syn::FnArg::Receiver(it) => quote! { #it },
-        syn::FnArg::Typed(it) => {
-            let (name, ty) = (format_ident!("__{index}"), &it.ty);
-            quote! { #name: #ty }
-        }
-    }).collect()
+    signature
+        .inputs
+        .iter()
+        .enumerate()
+        .map(|(index, input)| match input {
+            syn::FnArg::Receiver(it) => quote! { #it },
+            syn::FnArg::Typed(it) => {
+                let (name, ty) = (format_ident!("__{index}"), &it.ty);
+                quote! { #name: #ty }
+            }
+        })
+        .collect()
 }
 
 fn result_type(signature: &syn::Signature) -> TokenStream {

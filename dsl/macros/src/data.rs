@@ -107,7 +107,7 @@ fn data_struct(kind: Kind, it: &syn::ItemStruct, refusals: &mut Refusals) -> Tok
 
 fn struct_definition(kind: Kind, it: &syn::ItemStruct, fields: &syn::FieldsNamed) -> TokenStream {
     let fields = fields.named.iter().map(|field| {
-        let name = field.ident.as_ref().map(ToString::to_string).unwrap_or_default();
+        let name = field.ident.as_ref().map(lower::text).unwrap_or_default();
         let (docs, ty) = (docs::lines(&field.attrs), &field.ty);
         quote! { ::bessemer::generate::field::<#ty>(cx, #name, &[#(#docs),*]) }
     });
@@ -130,8 +130,8 @@ fn struct_definition(kind: Kind, it: &syn::ItemStruct, fields: &syn::FieldsNamed
 /// The definition of a type, and its registration.
 fn definition(name: &syn::Ident, attributes: &[syn::Attribute], kind: TokenStream) -> TokenStream {
     let docs = docs::lines(attributes);
-    let lower::Site(line, column) = lower::site(name.span());
-    let text = name.to_string();
+    let lower::Site(line, column) = lower::site(name);
+    let text = lower::text(name);
     quote! {
         const _: () = {
             impl ::bessemer::generate::Named for #name {
@@ -197,7 +197,7 @@ fn data_enum(kind: Kind, it: &syn::ItemEnum, refusals: &mut Refusals) -> TokenSt
     };
     let definition = cfg!(feature = "generate").then(|| {
         let variants = it.variants.iter().map(|variant| {
-            let (name, docs) = (variant.ident.to_string(), docs::lines(&variant.attrs));
+            let (name, docs) = (lower::text(&variant.ident), docs::lines(&variant.attrs));
             quote! { ::bessemer::generate::variant(#name, &[#(#docs),*]) }
         });
         let kind = quote! {
@@ -209,7 +209,11 @@ fn data_enum(kind: Kind, it: &syn::ItemEnum, refusals: &mut Refusals) -> TokenSt
 }
 
 /// The `impl` block as Rust runs it, and what stands beside it.
-fn methods(kind: Kind, mut it: syn::ItemImpl, refusals: &mut Refusals) -> (TokenStream, TokenStream) {
+fn methods(
+    kind: Kind,
+    mut it: syn::ItemImpl,
+    refusals: &mut Refusals,
+) -> (TokenStream, TokenStream) {
     refuse_generics(&it.generics, refusals);
     if let Some((path, _)) = &it.trait_ {
         refusals.add(path.span(), refuse::TRAIT_IMPL);

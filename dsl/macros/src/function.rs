@@ -58,7 +58,11 @@ fn with_errors(refusals: Refusals, item: TokenStream) -> TokenStream {
 
 /// Puts the errors in place of the body: rustc has nothing to add to what was refused, and callers
 /// still find the function.
-pub fn refuse_body(attributes: &mut Vec<syn::Attribute>, body: &mut syn::Block, refusals: Refusals) {
+pub fn refuse_body(
+    attributes: &mut Vec<syn::Attribute>,
+    body: &mut syn::Block,
+    refusals: Refusals,
+) {
     attributes.push(syn::parse_quote!(#[allow(unused, clippy::all)]));
     body.stmts = vec![syn::Stmt::Expr(syn::Expr::Verbatim(refusals.into_tokens()), None)];
 }

@@ -168,12 +168,21 @@ impl Builder {
         tree::Callee::Function(path)
     }
 
+    /// How a function comes back to itself.
+    fn round_trip(&self, path: &str) -> String {
+        let from = self.stack.iter().position(|known| known == path).unwrap_or_default();
+        match &self.stack[from + 1..] {
+            [] => format!("`{path}` calls itself"),
+            through => format!("`{path}` calls itself, by way of `{}`", through.join("`, `")),
+        }
+    }
+
     fn recursion(&mut self, path: &str, file: &str, text: &str) {
         let site = serde_json::from_str::<tree::FunctionTree>(text).map(|tree| tree.site);
         self.package.errors.push(Refusal {
             file: file.to_owned(),
             site: site.unwrap_or_default(),
-            message: format!("`{path}` calls itself, by way of {}", self.stack.join(", ")),
+            message: self.round_trip(path),
             remedy: "write a loop over a range: recursion has no bound that the C could promise"
                 .to_owned(),
         });

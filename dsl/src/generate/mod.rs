@@ -18,9 +18,11 @@ pub use slot::{Called, DslType, Seen, Slot, constant, list};
 
 /// What a builder imports; the names begin with `__` so that they never meet an author's.
 pub mod prelude {
-    pub use super::builtin::{FloatBuiltins as _, MatrixBuiltins as _, OrderBuiltins as _};
-    pub use super::builtin::{New2 as _, New3 as _, New4 as _, New5 as _, New6 as _, New9 as _, New16 as _};
     pub use super::builtin::{CrossBuiltin as _, IdentityBuiltin as _};
+    pub use super::builtin::{FloatBuiltins as _, MatrixBuiltins as _, OrderBuiltins as _};
+    pub use super::builtin::{
+        New2 as _, New3 as _, New4 as _, New5 as _, New6 as _, New9 as _, New16 as _,
+    };
     pub use super::slot::{__any, __look, __result, __see, __take};
 }
 

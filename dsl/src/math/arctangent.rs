@@ -74,9 +74,14 @@ pub fn atan2(y: f64, x: f64) -> f64 {
         width / height
     };
     let from_axis = arctangent_of_ratio(ratio);
-    let acute =
-        if height > width { (FRAC_PI_2 - from_axis) + FRAC_PI_2_LOW } else { from_axis };
     let left = 1.0_f64.copysign(x) < 0.0;
-    let angle = if left { (PI - acute) + PI_LOW } else { acute };
+    let angle = if height > width {
+        let from_vertical = if left { from_axis } else { -from_axis };
+        (FRAC_PI_2 + from_vertical) + FRAC_PI_2_LOW
+    } else if left {
+        (PI - from_axis) + PI_LOW
+    } else {
+        from_axis
+    };
     angle.copysign(y)
 }

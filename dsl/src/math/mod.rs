@@ -8,12 +8,12 @@
 //! Defined here where Rust leaves room: `min` and `max` take −0 for less than +0, and a NaN gives the
 //! other operand; a NaN has a positive sign and canonical bits for `copysign` and `to_bits`.
 //!
-//! Accuracy: 2 ulp up to 1.6e6 rad; beyond that the result is defined and bounded, but no longer
+//! Accuracy: 2 ulp up to 1.6e6 rad, the tangent 3; beyond that the result is defined and bounded, but no longer
 //! accurate.
 
 pub mod arctangent;
-pub mod single;
 pub mod sine;
+pub mod single;
 pub mod tangent;
 
 /// Methods of floats that the attributes redirect to the DSL.

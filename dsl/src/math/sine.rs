@@ -61,7 +61,8 @@ pub fn sine_of_rest(x: f64) -> f64 {
     let z = x * x;
     let high = S11 + z * (S13 + z * (S15 + z * S17));
     let tail = S3 + z * (S5 + z * (S7 + z * (S9 + z * high)));
-    x + x * z * tail
+    // A zero keeps its sign.
+    if x == 0.0 { x } else { x + x * z * tail }
 }
 
 /// Cosine of −π/4 to π/4 rad.

@@ -5,8 +5,8 @@ use bessemer_ir::{Argument, Expr as Ir, ExprKind, FunctionId, Place, Type};
 use super::super::analysis::{overlap, reads};
 use super::super::names::{Passing, Returned};
 use super::super::tree::{Expr, StmtKind};
-use super::copy::indexed_by;
 use super::Lower;
+use super::copy::indexed_by;
 
 impl Lower<'_> {
     /// A call whose result is one word and which cannot fault, as an expression.
@@ -52,7 +52,12 @@ impl Lower<'_> {
 
     /// A call whose result goes to a place of the author's, by way of a temporary where the callee
     /// could tell the difference.
-    pub(super) fn call_into_place(&mut self, callee: FunctionId, arguments: &[Argument], dest: &Place) {
+    pub(super) fn call_into_place(
+        &mut self,
+        callee: FunctionId,
+        arguments: &[Argument],
+        dest: &Place,
+    ) {
         let written: Vec<&Place> = arguments
             .iter()
             .filter_map(|argument| match argument {
@@ -134,7 +139,9 @@ impl Lower<'_> {
                     let value = self.place(place);
                     Lower::address(value, &place.ty)
                 }
-                Argument::Value(value) | Argument::Ref(value) if param.passing == Passing::Value => {
+                Argument::Value(value) | Argument::Ref(value)
+                    if param.passing == Passing::Value =>
+                {
                     self.word(value)
                 }
                 Argument::Value(value) if self.needs_copy(value, arguments) => {
@@ -181,4 +188,3 @@ fn lends(argument: &Argument, dest: &Place) -> bool {
         }
     }
 }
-

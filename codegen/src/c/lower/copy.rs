@@ -97,7 +97,8 @@ impl Lower<'_> {
     /// The same value everywhere.
     fn fill(&mut self, dest: Expr, ty: &Type, item: &Ir) {
         let count = length(ty);
-        let simple = matches!(item.kind, ExprKind::Literal(_) | ExprKind::Const(_) | ExprKind::Load(_));
+        let simple =
+            matches!(item.kind, ExprKind::Literal(_) | ExprKind::Const(_) | ExprKind::Load(_));
         if count <= LINES && (simple || !item.ty.is_word()) {
             for index in 0..count {
                 self.store(dest.clone().at(Expr::name(index.to_string())), None, item);
@@ -160,8 +161,7 @@ impl Lower<'_> {
             self.assign(dest, from);
             return;
         }
-        let (element, dimensions) = self.context.names.type_parts(ty);
-        if dimensions.matches('[').count() == 1 && length(ty) <= LINES {
+        if is_short(ty) {
             for index in 0..length(ty) {
                 let at = Expr::name(index.to_string());
                 self.assign(dest.clone().at(at.clone()), from.clone().at(at));
@@ -169,6 +169,7 @@ impl Lower<'_> {
             return;
         }
         self.uses.string = true;
+        let (element, dimensions) = self.context.names.type_parts(ty);
         let size = Expr::call("sizeof", vec![Expr::name(format!("{element}{dimensions}"))]);
         let function = if shared { "memmove" } else { "memcpy" };
         self.emit(StmtKind::Expr(Expr::call(function, vec![dest, from, size])));
@@ -177,9 +178,13 @@ impl Lower<'_> {
     /// Whether C has an initialiser for a value.
     pub(super) fn initialisable(&self, value: &Ir) -> bool {
         match &value.kind {
-            ExprKind::Call(callee, _) => value.ty.is_word() && !self.context.faults.fallible(*callee),
+            ExprKind::Call(callee, _) => {
+                value.ty.is_word() && !self.context.faults.fallible(*callee)
+            }
             _ if value.ty.is_word() => true,
-            ExprKind::Load(_) | ExprKind::Const(_) => matches!(value.ty, Type::Struct(_)),
+            ExprKind::Load(_) | ExprKind::Const(_) => {
+                matches!(value.ty, Type::Struct(_)) || is_short(&value.ty)
+            }
             ExprKind::Struct(items) | ExprKind::Array(items) | ExprKind::Matrix(items) => {
                 items.iter().all(|item| self.initialisable(item))
             }
@@ -226,6 +231,12 @@ impl Lower<'_> {
                 let items = elements.into_iter().map(|element| (None, Init::Value(element)));
                 Init::List { items: items.collect(), lines }
             }
+            (_, ty) if is_short(ty) => {
+                let from = self.operand(value);
+                let element = |index: u32| from.clone().at(Expr::name(index.to_string()));
+                let items = (0..length(ty)).map(|index| (None, Init::Value(element(index))));
+                Init::List { items: items.collect(), lines: Lines::Each }
+            }
             _ => Init::Value(self.operand(value)),
         }
     }
@@ -241,6 +252,16 @@ impl Lower<'_> {
         self.declare(&value.ty, &name, Some(Init::Value(lowered)), true);
         Expr::name(name)
     }
+}
+
+/// Whether a value is copied word by word: a few words in a row.
+fn is_short(ty: &Type) -> bool {
+    let flat = match ty {
+        Type::Array { element, .. } => element.is_word(),
+        Type::Matrix { .. } => true,
+        _ => false,
+    };
+    flat && length(ty) <= LINES
 }
 
 /// How many elements an array or a matrix has.

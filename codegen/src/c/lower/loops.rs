@@ -3,7 +3,9 @@
 //! A range that includes its end may end at the largest value of its type, where `i <= end` never
 //! fails; unless the bound is known to be smaller, a flag ends the loop.
 
-use bessemer_ir::{Block, Expr as Ir, ExprKind, Int, LocalId, Scalar, StmtKind as IrKind, Type};
+use bessemer_ir::{
+    Block, CompareOp, Expr as Ir, ExprKind, Int, LocalId, Scalar, StmtKind as IrKind, Type,
+};
 
 use super::super::analysis::{reads_local, walk_expr, walk_exprs, walk_stmts};
 use super::super::literal;
@@ -44,7 +46,7 @@ impl Lower<'_> {
         };
         let last = literal_value(&to.1, int).or(range.map(|range| range.1.1));
         let flagged = inclusive && last.is_none_or(|last| last >= int.max());
-        let flag = flagged.then(|| self.flag(&from.0, &to.0));
+        let flag = flagged.then(|| self.flag(&from, &to));
 
         let wanted = self.function.local(variable).name.clone();
         if wanted.starts_with('_') && wanted.trim_matches('_').is_empty() {
@@ -62,15 +64,27 @@ impl Lower<'_> {
         let head = match flag {
             Some(flag) => flagged_head(&counter, (from.0, to.0), int, reversed, flag),
             None if reversed => self.head_down(&counter, (from, to), int, inclusive),
+            // No value is below the smallest: the loop does not run, and C must not be asked.
+            None if !inclusive && literal_value(&to.1, int) == Some(int.min()) => {
+                Head { first: from.0, condition: Expr::name("false"), step: None, begin: None }
+            }
             None => Head {
                 first: from.0,
-                condition: Expr::binary(if inclusive { "<=" } else { "<" }, Expr::name(&counter), to.0),
+                condition: Expr::binary(
+                    if inclusive { "<=" } else { "<" },
+                    Expr::name(&counter),
+                    to.0,
+                ),
                 step: Some(Step::Expr(Expr::Postfix(Box::new(Expr::name(&counter)), "++"))),
                 begin: None,
             },
         };
         self.bytes += 8;
-        self.finish(Declarator { ty: ty.to_owned(), name: counter, dimensions: String::new() }, head, body);
+        self.finish(
+            Declarator { ty: ty.to_owned(), name: counter, dimensions: String::new() },
+            head,
+            body,
+        );
         self.live.truncate(names);
         let mut stmts = std::mem::replace(&mut self.out, outside);
         if stmts.len() == 1 {
@@ -111,7 +125,8 @@ impl Lower<'_> {
             _ => to.0,
         };
         // Below the first value the counter must not fall where that would leave its type.
-        let falls = !int.signed() || literal_value(&from.1, int).is_some_and(|value| value > int.min());
+        let falls =
+            !int.signed() || literal_value(&from.1, int).is_some_and(|value| value > int.min());
         if falls {
             let condition = Expr::binary(">", Expr::Postfix(Box::new(i()), "--"), from.0);
             Head { first, condition, step: None, begin: None }
@@ -122,9 +137,12 @@ impl Lower<'_> {
     }
 
     /// `bool more = from <= to;`
-    fn flag(&mut self, from: &Expr, to: &Expr) -> String {
+    fn flag(&mut self, from: &(Expr, Ir), to: &(Expr, Ir)) -> String {
         let name = self.fresh("more");
-        let value = Expr::binary("<=", from.clone(), to.clone());
+        let value = match self.decided(CompareOp::Le, &from.1, &to.1) {
+            Some(always) => Expr::name(if always { "true" } else { "false" }),
+            None => Expr::binary("<=", from.0.clone(), to.0.clone()),
+        };
         self.declare(&Type::BOOL, &name, Some(Init::Value(value)), false);
         name
     }
@@ -139,7 +157,7 @@ impl Lower<'_> {
     /// A bound that is read before every pass.
     fn bound(&mut self, value: &Ir, name: &str, narrow: bool, body: &Block) -> (Expr, Ir) {
         let lowered = self.bound_value(value, narrow);
-        if !holds_still(value, body) {
+        if !holds_still(value, body) || calls(&lowered) {
             let name = self.fresh(name);
             self.declare(&value.ty, &name, Some(Init::Value(lowered)), true);
             return (Expr::name(name), value.clone());
@@ -153,7 +171,13 @@ impl Lower<'_> {
 }
 
 /// A loop that a flag ends: `for (T i = from; more; i = more ? i + 1 : i) { more = i < to; … }`.
-fn flagged_head(counter: &str, (from, to): (Expr, Expr), int: Int, reversed: bool, flag: String) -> Head {
+fn flagged_head(
+    counter: &str,
+    (from, to): (Expr, Expr),
+    int: Int,
+    reversed: bool,
+    flag: String,
+) -> Head {
     let i = || Expr::name(counter);
     let more = || Expr::name(&flag);
     let (op, compare) = if reversed { ("-", ">") } else { ("+", "<") };
@@ -181,7 +205,9 @@ fn literal_value(expr: &Ir, int: Int) -> Option<i128> {
 /// A literal in the form of another: `4U` where that was `3U`.
 fn literal_like(other: &Expr, int: Int, value: i128) -> Expr {
     match other {
-        Expr::Name(text) if text.ends_with('U') && text.starts_with(|c: char| c.is_ascii_digit()) => {
+        Expr::Name(text)
+            if text.ends_with('U') && text.starts_with(|c: char| c.is_ascii_digit()) =>
+        {
             Expr::name(format!("{value}U"))
         }
         _ => literal::integer(int, value),
@@ -209,4 +235,16 @@ fn holds_still(value: &Ir, body: &Block) -> bool {
         }
     });
     still
+}
+
+/// Whether an expression calls anything.
+fn calls(expr: &Expr) -> bool {
+    match expr {
+        Expr::Call(..) => true,
+        Expr::Name(_) => false,
+        Expr::Unary(_, inner) | Expr::Cast(_, inner) | Expr::Postfix(inner, _) => calls(inner),
+        Expr::Member(inner, _) | Expr::Arrow(inner, _) => calls(inner),
+        Expr::Binary(_, a, b) | Expr::Index(a, b) => calls(a) || calls(b),
+        Expr::Conditional(a, b, c) => calls(a) || calls(b) || calls(c),
+    }
 }

@@ -82,6 +82,8 @@ pub(super) struct Lower<'a> {
     bindings: Vec<Option<Binding>>,
     /// Per local: the range of a loop counter that C holds in 32 bits.
     counters: Vec<Option<(i128, i128)>>,
+    /// Per local: whether the C mentions it.
+    mentioned: Vec<bool>,
     /// The names that are visible here.
     live: Vec<String>,
     out: Vec<Stmt>,
@@ -108,6 +110,7 @@ pub fn function<'a>(context: Context<'a>, id: FunctionId, uses: &'a mut Uses) ->
         usage: Usage::new(function),
         bindings: vec![None; function.locals.len()],
         counters: vec![None; function.locals.len()],
+        mentioned: vec![false; function.locals.len()],
         live: Vec::new(),
         out: Vec::new(),
         origin: None,
@@ -122,6 +125,7 @@ pub fn function<'a>(context: Context<'a>, id: FunctionId, uses: &'a mut Uses) ->
     lower.prologue();
     lower.block_into(&function.body, true);
     lower.epilogue();
+    lower.quiet();
     Lowered { body: lower.out, locals: lower.bytes }
 }
 
@@ -151,31 +155,44 @@ impl<'a> Lower<'a> {
         self.check_latch();
         self.in_place = self.result_local();
         for (index, local) in function.parameters().iter().enumerate() {
-            let own = local.mode == Mode::Value && local.ty.is_aggregate() && self.usage.assigned[index];
+            let own =
+                local.mode == Mode::Value && local.ty.is_aggregate() && self.usage.assigned[index];
             let name = self.signature.params[index].name.clone();
             if own {
                 // The author's own copy, which the caller must not see change.
                 let copy = self.fresh(&format!("own_{name}"));
                 let from = self.bindings[index].clone().expect("bound above");
                 let from = bound(&from);
-                self.declare(&local.ty, &copy, None, false);
-                self.copy(Expr::name(&copy), from, &local.ty, false);
+                if matches!(local.ty, Type::Struct(_)) {
+                    self.declare(&local.ty, &copy, Some(Init::Value(from)), false);
+                } else {
+                    self.declare(&local.ty, &copy, None, false);
+                    self.copy(Expr::name(&copy), from, &local.ty, false);
+                }
                 self.bindings[index] = Some(Binding { name: copy, pointer: false });
-            } else if !self.usage.read[index] && !self.usage.assigned[index] && !(index == 0 && self.looks) {
+            } else if !self.is_used(index) {
                 self.emit(StmtKind::Expr(Expr::cast("void", Expr::name(name))));
             }
         }
     }
 
+    fn is_used(&self, parameter: usize) -> bool {
+        let looked_at = parameter == 0 && self.looks;
+        looked_at || self.usage.read[parameter] || self.usage.assigned[parameter]
+    }
+
     /// A component that a fault has stopped does not run.
     fn check_latch(&mut self) {
-        let (Role::Entry { .. }, Some(Owner::Struct(owner))) = (self.function.role, self.function.owner)
+        let (Role::Entry { .. }, Some(Owner::Struct(owner))) =
+            (self.function.role, self.function.owner)
         else {
             return;
         };
         let Some(first) = self.function.parameters().first() else { return };
         let names = &self.context.names.structs[owner.index()];
-        let Some(field) = names.fault.as_ref().filter(|_| first.ty == Type::Struct(owner)) else { return };
+        let Some(field) = names.fault.as_ref().filter(|_| first.ty == Type::Struct(owner)) else {
+            return;
+        };
         if self.signature.returned != super::names::Returned::Status || first.mode == Mode::Value {
             return;
         }
@@ -235,6 +252,28 @@ impl<'a> Lower<'a> {
         }
     }
 
+    /// `(void)name;` for locals whose uses C has no need of: a comparison that the types decide.
+    fn quiet(&mut self) {
+        let params = self.function.params as usize;
+        let mut names = Vec::new();
+        for (index, binding) in self.bindings.iter().enumerate() {
+            if !self.usage.read[index] || self.mentioned[index] || index == 0 && self.looks {
+                continue;
+            }
+            if let Some(binding) = binding {
+                if index < params {
+                    let name = Expr::name(&binding.name);
+                    self.out.insert(0, plain(StmtKind::Expr(Expr::cast("void", name))));
+                } else {
+                    names.push(binding.name.clone());
+                }
+            }
+        }
+        if !names.is_empty() {
+            quiet_block(&mut self.out, &names);
+        }
+    }
+
     fn is_fallible(&self) -> bool {
         self.signature.returned == super::names::Returned::Status
     }
@@ -281,6 +320,8 @@ impl<'a> Lower<'a> {
                 || is_helper_name(name)
                 || names.functions.iter().any(|function| function.name == name)
                 || names.consts.iter().any(|constant| constant == name)
+                || names.structs.iter().any(|item| item.ty == name)
+                || names.enums.iter().any(|item| item.ty == name)
         };
         // Beside the result's own name, a local is the value that it will get.
         let result = self.signature.params.get(self.function.params as usize);
@@ -342,6 +383,30 @@ impl<'a> Lower<'a> {
         self.uses.string |= helper.needs_string();
         self.uses.helpers.insert(helper.normal());
         Expr::call(helper.name(), arguments)
+    }
+}
+
+/// Puts `(void)name;` behind the declarations of these names.
+fn quiet_block(block: &mut Vec<Stmt>, names: &[String]) {
+    let mut index = 0;
+    while index < block.len() {
+        match &mut block[index].kind {
+            StmtKind::Declare(declarator, _) if names.contains(&declarator.name) => {
+                let name = Expr::name(&declarator.name);
+                index += 1;
+                block.insert(index, plain(StmtKind::Expr(Expr::cast("void", name))));
+            }
+            StmtKind::If { then, otherwise, .. } => {
+                quiet_block(then, names);
+                quiet_block(otherwise, names);
+            }
+            StmtKind::Switch { arms, .. } => {
+                arms.iter_mut().for_each(|arm| quiet_block(&mut arm.body, names));
+            }
+            StmtKind::For { body, .. } | StmtKind::Block(body) => quiet_block(body, names),
+            _ => {}
+        }
+        index += 1;
     }
 }
 

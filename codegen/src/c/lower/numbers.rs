@@ -53,11 +53,13 @@ impl Lower<'_> {
     /// Rust's `as`.
     pub(super) fn cast(&mut self, operand: &Ir, to: &Type) -> Expr {
         let Type::Scalar(target) = to else { unreachable!("casts give scalars") };
-        let same = matches!(operand.ty, Type::Scalar(from) if scalar_type(from) == scalar_type(*target));
+        let same =
+            matches!(operand.ty, Type::Scalar(from) if scalar_type(from) == scalar_type(*target));
         if same {
             return self.word(operand);
         }
-        let narrow = self.counts(operand) && self.range(operand).is_some() && !self.is_wide(operand);
+        let narrow =
+            self.counts(operand) && self.range(operand).is_some() && !self.is_wide(operand);
         if narrow && *target == Scalar::Int(Int::U32) {
             return self.narrow(operand, false);
         }
@@ -67,9 +69,16 @@ impl Lower<'_> {
             (Type::Scalar(Scalar::Float(float)), Scalar::Int(int)) => {
                 self.helper(Helper::FromFloat(*int, *float), vec![value])
             }
-            (Type::Scalar(Scalar::Int(from)), Scalar::Int(int)) if int.signed() && !fits(*from, *int) => {
+            (Type::Scalar(Scalar::Int(from)), Scalar::Int(int))
+                if int.signed() && !fits(*from, *int) =>
+            {
                 let bits = Expr::cast(&unsigned_type(*int), value);
                 self.helper(Helper::Wrap(*int), vec![bits])
+            }
+            (Type::Scalar(Scalar::Int(from)), Scalar::Int(Int::U32))
+                if from.signed() && is_small(*from) =>
+            {
+                self.helper(Helper::Extend(*from), vec![value])
             }
             (Type::Enum(id), Scalar::Int(int)) if int.signed() => {
                 let last = self.context.module.enums[id.index()].variants.len() as i128 - 1;

@@ -10,6 +10,7 @@ impl Lower<'_> {
     pub(super) fn place(&mut self, place: &Place) -> Expr {
         let function = self.function;
         let binding = self.bindings[place.root.index()].clone();
+        self.mentioned[place.root.index()] = true;
         let mut value = bound(&binding.expect("a local is declared before its use"));
         let mut ty = function.local(place.root).ty.clone();
         for step in &place.steps {
@@ -49,7 +50,8 @@ impl Lower<'_> {
         }
         match &index.kind {
             ExprKind::Cast(inner)
-                if index.ty == Type::USIZE && inner.ty.as_int().is_some_and(|int| !int.signed()) =>
+                if index.ty == Type::USIZE
+                    && inner.ty.as_int().is_some_and(|int| !int.signed()) =>
             {
                 self.index(inner)
             }

@@ -1,6 +1,8 @@
 //! Counters in 32 bits: a loop over `usize` whose bounds are known needs no 64-bit arithmetic in C.
 
-use bessemer_ir::{BinaryOp, Expr as Ir, ExprKind, LocalId, Place, Type};
+use bessemer_ir::{
+    BinaryOp, CompareOp, Expr as Ir, ExprKind, Int, LocalId, Place, Scalar, Type, UnaryOp,
+};
 
 use super::super::tree::Expr;
 use super::Lower;
@@ -34,6 +36,45 @@ impl Lower<'_> {
             _ => return None,
         };
         (range.0 >= 0 && range.1 <= LIMIT).then_some(range)
+    }
+
+    /// What a comparison comes to if the types alone decide it: compilers warn of such.
+    pub(super) fn decided(&self, op: CompareOp, left: &Ir, right: &Ir) -> Option<bool> {
+        let (a, b) = (self.type_range(left)?, self.type_range(right)?);
+        let (below, above) = (a.1 < b.0, a.0 > b.1);
+        let (not_above, not_below) = (a.1 <= b.0, a.0 >= b.1);
+        match op {
+            CompareOp::Lt if below || not_below => Some(below),
+            CompareOp::Le if not_above || above => Some(not_above),
+            CompareOp::Gt if above || not_above => Some(above),
+            CompareOp::Ge if not_below || below => Some(not_below),
+            CompareOp::Eq | CompareOp::Ne if below || above => Some(op == CompareOp::Ne),
+            _ => None,
+        }
+    }
+
+    /// The values that an expression can have by its type; one for a literal.
+    fn type_range(&self, expr: &Ir) -> Option<(i128, i128)> {
+        let full = match &expr.ty {
+            Type::Scalar(Scalar::Bool) => (0, 1),
+            Type::Scalar(Scalar::Int(int)) => (Int::min(*int), Int::max(*int)),
+            Type::Enum(id) => (0, self.context.module.enums[id.index()].variants.len() as i128 - 1),
+            _ => return None,
+        };
+        if let Some(value) = const_value(expr) {
+            return Some((value, value));
+        }
+        match &expr.kind {
+            ExprKind::Literal(word) => {
+                let value = expr.ty.as_int().map_or(i128::from(*word), |int| int.from_word(*word));
+                Some((value, value))
+            }
+            ExprKind::Cast(inner) => {
+                let inner = self.type_range(inner).unwrap_or(full);
+                Some(if inner.0 >= full.0 && inner.1 <= full.1 { inner } else { full })
+            }
+            _ => Some(full),
+        }
     }
 
     /// The range of a narrow counter.
@@ -77,4 +118,76 @@ impl Lower<'_> {
             _ => false,
         }
     }
+}
+
+/// The name of a wide literal that is the limit of a narrower type.
+pub(super) fn limit(expr: &Ir) -> Option<&'static str> {
+    let ExprKind::Literal(word) = expr.kind else { return None };
+    let int = expr.ty.as_int().filter(|int| int.bits() == 64)?;
+    match (int.from_word(word), int.signed()) {
+        (-2_147_483_648, _) => Some("INT32_MIN"),
+        (2_147_483_647, true) => Some("INT32_MAX"),
+        (4_294_967_295, _) => Some("UINT32_MAX"),
+        _ => None,
+    }
+}
+
+/// The value of an integer expression of literals alone, modulo 2^bits.
+pub(super) fn const_value(expr: &Ir) -> Option<i128> {
+    let int = expr.ty.as_int()?;
+    exact_value(expr).map(|value| wrapped(int, value))
+}
+
+/// The same before it is brought into its type; none where it has none.
+fn exact_value(expr: &Ir) -> Option<i128> {
+    let int = expr.ty.as_int()?;
+    match &expr.kind {
+        ExprKind::Literal(word) => Some(int.from_word(*word)),
+        ExprKind::Unary(UnaryOp::Neg, operand) => Some(-const_value(operand)?),
+        ExprKind::Unary(UnaryOp::Not, operand) => Some(wrapped(int, !const_value(operand)?)),
+        ExprKind::Cast(operand) => Some(wrapped(int, const_value(operand)?)),
+        ExprKind::Binary(op, left, right) => {
+            let (a, b) = (const_value(left)?, const_value(right)?);
+            match op {
+                BinaryOp::Add => Some(a + b),
+                BinaryOp::Sub => Some(a - b),
+                BinaryOp::Mul => Some(a.wrapping_mul(b)),
+                BinaryOp::Div => a.checked_div(b),
+                BinaryOp::Rem => a.checked_rem(b),
+                BinaryOp::And => Some(a & b),
+                BinaryOp::Or => Some(a | b),
+                BinaryOp::Xor => Some(a ^ b),
+                BinaryOp::Shl | BinaryOp::Shr if !(0..i128::from(int.bits())).contains(&b) => None,
+                BinaryOp::Shl => Some(wrapped(int, a << b)),
+                BinaryOp::Shr => Some(a >> b),
+            }
+        }
+        _ => None,
+    }
+}
+
+fn wrapped(int: Int, value: i128) -> i128 {
+    let low = value.rem_euclid(1i128 << int.bits());
+    if low > Int::max(int) { low - (1i128 << int.bits()) } else { low }
+}
+
+/// What stands for an operation that certainly faults: a check before it has ended the function, yet
+/// compilers complain of it.
+pub(super) fn never_reached(expr: &Ir) -> Option<i128> {
+    let int = expr.ty.as_int()?;
+    if let ExprKind::Binary(op, _, right) = &expr.kind {
+        let count = const_value(right);
+        let bad = match op {
+            BinaryOp::Div | BinaryOp::Rem => count == Some(0),
+            BinaryOp::Shl | BinaryOp::Shr => {
+                count.is_some_and(|count| count < 0 || count >= i128::from(int.bits()))
+            }
+            _ => false,
+        };
+        if bad {
+            return Some(0);
+        }
+    }
+    let value = exact_value(expr)?;
+    (value < Int::min(int) || value > Int::max(int)).then(|| wrapped(int, value))
 }

@@ -87,7 +87,8 @@ impl Lower<'_> {
                     Routine::Product => self.product_element(scalar, &list, row, column),
                     Routine::TrMul => {
                         let a = Column { matrix: list[0].0.clone(), shape: list[0].1, index: row };
-                        let b = Column { matrix: list[1].0.clone(), shape: list[1].1, index: column };
+                        let b =
+                            Column { matrix: list[1].0.clone(), shape: list[1].1, index: column };
                         self.dot_columns(float(scalar), &a, &b)
                     }
                     Routine::Transpose => element(list[0].0.clone(), list[0].1, column, row),
@@ -100,8 +101,9 @@ impl Lower<'_> {
             }
             _ => {
                 let fused = self.fuse(routine, operands, place);
-                let elements =
-                    each.map(|(row, column)| self.fused_element(&fused, scalar, &At::Fixed(row, column)));
+                let elements = each.map(|(row, column)| {
+                    self.fused_element(&fused, scalar, &At::Fixed(row, column))
+                });
                 (elements.collect(), Lines::Each)
             }
         }
@@ -226,13 +228,20 @@ impl Lower<'_> {
     fn cross_element(&mut self, scalar: Scalar, list: &[(Expr, (u32, u32))], index: u32) -> Expr {
         let ty = Type::Scalar(scalar);
         let (y, z) = ((index + 1) % 3, (index + 2) % 3);
-        let part = |which: usize, index: u32| list[which].0.clone().at(Expr::name(index.to_string()));
+        let part =
+            |which: usize, index: u32| list[which].0.clone().at(Expr::name(index.to_string()));
         let left = self.arithmetic(BinaryOp::Mul, &ty, part(0, y), part(1, z));
         let right = self.arithmetic(BinaryOp::Mul, &ty, part(0, z), part(1, y));
         self.arithmetic(BinaryOp::Sub, &ty, left, right)
     }
 
-    fn product_loops(&mut self, dest: &Expr, scalar: Scalar, operands: &[Ir], (rows, cols): (u32, u32)) {
+    fn product_loops(
+        &mut self,
+        dest: &Expr,
+        scalar: Scalar,
+        operands: &[Ir],
+        (rows, cols): (u32, u32),
+    ) {
         let ty = Type::Scalar(scalar);
         let depth = shape(&operands[0].ty).2;
         let (a, b) = (self.operand(&operands[0]), self.operand(&operands[1]));
@@ -257,7 +266,13 @@ impl Lower<'_> {
         });
     }
 
-    fn tr_mul_loops(&mut self, dest: &Expr, scalar: Scalar, operands: &[Ir], (rows, cols): (u32, u32)) {
+    fn tr_mul_loops(
+        &mut self,
+        dest: &Expr,
+        scalar: Scalar,
+        operands: &[Ir],
+        (rows, cols): (u32, u32),
+    ) {
         let depth = shape(&operands[0].ty).1;
         let (a, b) = (self.operand(&operands[0]), self.operand(&operands[1]));
         let pick = |matrix: &Expr, cols: u32, index: &Expr, k: u32| {
@@ -271,7 +286,8 @@ impl Lower<'_> {
                     });
                     small_dot(terms.collect())
                 } else {
-                    let ends = [pick(&a, rows, &row, 0).address(), pick(&b, cols, &column, 0).address()];
+                    let ends =
+                        [pick(&a, rows, &row, 0).address(), pick(&b, cols, &column, 0).address()];
                     lower.dot_call(float(scalar), ends, (depth, 1))
                 };
                 lower.assign(dest.clone().at(offset((rows, cols), row, column)), value);

@@ -1,7 +1,8 @@
 //! Statements, save loops and calls.
 
 use bessemer_ir::{
-    Arm, Block, Expr as Ir, ExprKind, Fault, LocalId, Place, Stmt as IrStmt, StmtKind as IrKind, Type,
+    Arm, Block, Expr as Ir, ExprKind, Fault, LocalId, Place, Stmt as IrStmt, StmtKind as IrKind,
+    Type,
 };
 
 use super::super::literal;
@@ -54,7 +55,6 @@ impl Lower<'_> {
             return;
         }
         let constant = value.is_some() && !self.usage.assigned[local.index()];
-        // Named after its value is lowered, bound before: the value may not use it.
         match value {
             None => {
                 let name = self.bind(local);
@@ -136,7 +136,11 @@ impl Lower<'_> {
             ExprKind::Literal(_) => {}
             _ => {
                 let condition = self.negated(condition);
-                self.emit(StmtKind::If { condition, then, otherwise: Vec::new() });
+                match &condition {
+                    Expr::Name(name) if name == "false" => {}
+                    Expr::Name(name) if name == "true" => self.out.extend(then),
+                    _ => self.emit(StmtKind::If { condition, then, otherwise: Vec::new() }),
+                }
             }
         }
     }
@@ -195,7 +199,13 @@ impl Lower<'_> {
     }
 
     /// A `switch` takes `break` for itself; where an arm leaves a loop, the match becomes `if`s.
-    fn match_as_ifs(&mut self, scrutinee: &Ir, arms: &[Arm], otherwise: Option<&Block>, tail: bool) {
+    fn match_as_ifs(
+        &mut self,
+        scrutinee: &Ir,
+        arms: &[Arm],
+        otherwise: Option<&Block>,
+        tail: bool,
+    ) {
         let origin = self.origin;
         let mut value = self.word(scrutinee);
         if !is_simple(&value) || self.is_assigned(scrutinee) {
@@ -211,10 +221,12 @@ impl Lower<'_> {
                 chain = body;
                 continue;
             }
-            let tests = arm.values.iter().map(|label| {
-                Expr::binary("==", value.clone(), self.label(&scrutinee.ty, *label))
-            });
-            let condition = tests.reduce(|a, b| Expr::binary("||", a, b)).expect("an arm has values");
+            let tests = arm
+                .values
+                .iter()
+                .map(|label| Expr::binary("==", value.clone(), self.label(&scrutinee.ty, *label)));
+            let condition =
+                tests.reduce(|a, b| Expr::binary("||", a, b)).expect("an arm has values");
             chain = vec![plain(StmtKind::If { condition, then: body, otherwise: chain })];
         }
         match <[Stmt; 1]>::try_from(chain) {
@@ -223,6 +235,7 @@ impl Lower<'_> {
         }
     }
 
+    /// Whether the value could change while the arms are tried or run.
     fn is_assigned(&self, expr: &Ir) -> bool {
         match &expr.kind {
             ExprKind::Load(place) => self.usage.assigned[place.root.index()],

@@ -3,7 +3,9 @@
 //! Invariant: what [`Lower::word`] returns has exactly the C type of its IR type, save for literals
 //! and for comparisons, which C makes `int`.
 
-use bessemer_ir::{BinaryOp, CompareOp, Expr as Ir, ExprKind, LogicOp, Routine, Scalar, Type, UnaryOp};
+use bessemer_ir::{
+    BinaryOp, CompareOp, Expr as Ir, ExprKind, LogicOp, Routine, Scalar, Type, UnaryOp,
+};
 
 use super::super::literal;
 use super::super::names::scalar_type;
@@ -16,6 +18,9 @@ impl Lower<'_> {
         if self.counts(expr) && self.range(expr).is_some() {
             let narrow = self.narrow(expr, false);
             return if self.is_wide(expr) { narrow } else { Expr::cast("uint64_t", narrow) };
+        }
+        if let (Some(value), Some(int)) = (super::range::never_reached(expr), expr.ty.as_int()) {
+            return literal::integer(int, value);
         }
         match &expr.kind {
             ExprKind::Literal(word) => {
@@ -38,7 +43,9 @@ impl Lower<'_> {
                 Expr::binary(op, self.word(left), self.word(right))
             }
             ExprKind::Cast(operand) => self.cast(operand, &expr.ty),
-            ExprKind::Intrinsic(intrinsic, operands) => self.intrinsic(*intrinsic, operands, &expr.ty),
+            ExprKind::Intrinsic(intrinsic, operands) => {
+                self.intrinsic(*intrinsic, operands, &expr.ty)
+            }
             ExprKind::Call(callee, arguments) => self.call_value(*callee, arguments),
             ExprKind::Routine(routine, operands) => self.scalar_routine(*routine, operands),
             ExprKind::Struct(_) | ExprKind::Array(_) | ExprKind::Splat(_) | ExprKind::Matrix(_) => {
@@ -70,15 +77,25 @@ impl Lower<'_> {
     }
 
     fn compare(&mut self, op: CompareOp, left: &Ir, right: &Ir) -> Expr {
-        let (a, b) = if (self.counts(left) || self.counts(right))
+        if let Some(always) = self.decided(op, left, right) {
+            return Expr::name(if always { "true" } else { "false" });
+        }
+        let narrow = (self.counts(left) || self.counts(right))
             && self.range(left).is_some()
-            && self.range(right).is_some()
-        {
+            && self.range(right).is_some();
+        let mentioned = self.mentioned.clone();
+        let (a, b) = if narrow {
             (self.narrow(left, false), self.narrow(right, false))
         } else {
             (self.word(left), self.word(right))
         };
-        Expr::binary(comparison(op), a, b)
+        if a == b && left.ty.as_float().is_none() {
+            let equal = matches!(op, CompareOp::Eq | CompareOp::Le | CompareOp::Ge);
+            self.mentioned = mentioned;
+            return Expr::name(if equal { "true" } else { "false" });
+        }
+        let limit = |value: Expr, ir: &Ir| super::range::limit(ir).map_or(value, Expr::name);
+        Expr::binary(comparison(op), limit(a, left), limit(b, right))
     }
 
     /// The negation of a condition, as a reader would put it: comparisons turned round where that is
@@ -123,7 +140,9 @@ impl Lower<'_> {
 /// A value that C promoted to `int`, back in its type.
 pub(super) fn narrowed(ty: &Type, value: Expr) -> Expr {
     match ty.as_int() {
-        Some(int) if super::place::is_small(int) => Expr::cast(scalar_type(Scalar::Int(int)), value),
+        Some(int) if super::place::is_small(int) => {
+            Expr::cast(scalar_type(Scalar::Int(int)), value)
+        }
         _ => value,
     }
 }

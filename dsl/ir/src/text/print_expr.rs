@@ -56,13 +56,11 @@ impl Printer<'_> {
         let mut span = base;
         let mut binds = ATOM;
         let text = match &expr.kind {
-            ExprKind::Literal(word) => match self.literal(*word, &expr.ty) {
-                Some(text) => {
-                    ty = Some(expr.ty.clone());
-                    text
-                }
-                None => format!("{word:#x}"),
-            },
+            ExprKind::Literal(word) => {
+                let text = self.literal(*word, &expr.ty);
+                ty = text.is_some().then(|| expr.ty.clone());
+                text.unwrap_or_else(|| format!("{word:#x}"))
+            }
             ExprKind::Const(id) => self.const_name(*id),
             ExprKind::Load(place) => return self.load(expr, place, base),
             ExprKind::Unary(op, operand) => {
@@ -70,16 +68,13 @@ impl Printer<'_> {
                 self.prefixed(*op, operand, base)
             }
             ExprKind::Binary(op, left, right) => {
-                (binds, span) = (infix(Infix::Binary(*op)).1, left.span);
-                self.between(Infix::Binary(*op), left, right, base)
+                return self.between(Infix::Binary(*op), left, right, ty, base);
             }
             ExprKind::Compare(op, left, right) => {
-                (binds, span) = (COMPARE, left.span);
-                self.between(Infix::Compare(*op), left, right, base)
+                return self.between(Infix::Compare(*op), left, right, ty, base);
             }
             ExprKind::Logic(op, left, right) => {
-                (binds, span) = (infix(Infix::Logic(*op)).1, left.span);
-                self.between(Infix::Logic(*op), left, right, base)
+                return self.between(Infix::Logic(*op), left, right, ty, base);
             }
             ExprKind::Cast(operand) => {
                 (binds, span, ty) = (CAST, operand.span, Some(expr.ty.clone()));
@@ -105,16 +100,14 @@ impl Printer<'_> {
             }
             ExprKind::Array(parts) => format!("[{}]", self.list(parts, base)),
             ExprKind::Splat(part) => {
-                let (dimensions, known) = dimensions(&expr.ty, Some(part));
-                ty = known;
+                let dimensions;
+                (dimensions, ty) = stated(&expr.ty, Some(part));
                 format!("splat{dimensions}({})", self.tight(part, 0, base))
             }
             ExprKind::Matrix(parts) => {
-                let (dimensions, known) = match &expr.ty {
-                    Type::Matrix { .. } => dimensions(&expr.ty, parts.first()),
-                    _ => (String::new(), None),
-                };
-                ty = known;
+                let dimensions;
+                let element = parts.first().filter(|_| matches!(expr.ty, Type::Matrix { .. }));
+                (dimensions, ty) = stated(&expr.ty, element);
                 format!("matrix{dimensions}({})", self.list(parts, base))
             }
         };
@@ -211,11 +204,19 @@ impl Printer<'_> {
         }
     }
 
-    fn between(&mut self, op: Infix, left: &Expr, right: &Expr, base: Span) -> String {
+    fn between(
+        &mut self,
+        op: Infix,
+        left: &Expr,
+        right: &Expr,
+        ty: Option<Type>,
+        base: Span,
+    ) -> Draft {
         let (mark, binds) = infix(op);
+        let span = left.span;
         let left = self.tight(left, if binds == COMPARE { binds + 1 } else { binds }, base);
         let right = self.tight(right, binds + 1, base);
-        format!("{left} {mark} {right}")
+        Draft { text: format!("{left} {mark} {right}"), binds, ty, span }
     }
 
     /// `first.name(rest)`, or `name!()`.
@@ -270,7 +271,7 @@ impl Printer<'_> {
 }
 
 /// `<rows, cols>` and the type that follows from it and the elements' type.
-fn dimensions(ty: &Type, element: Option<&Expr>) -> (String, Option<Type>) {
+fn stated(ty: &Type, element: Option<&Expr>) -> (String, Option<Type>) {
     let (text, rows, cols) = match ty {
         Type::Array { len, .. } => (format!("<{len}>"), *len, None),
         Type::Matrix { rows, cols, .. } => (format!("<{rows}, {cols}>"), *rows, Some(*cols)),

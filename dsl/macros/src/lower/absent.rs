@@ -30,7 +30,11 @@ const ABSENT: &[(&str, usize, &str)] = &[
     ("to_degrees", 0, "write `x * (180.0 / PI)`"),
     ("to_radians", 0, "write `x * (PI / 180.0)`"),
     ("rem_euclid div_euclid", 1, "write `(x / y).floor()`, and `x - y * (x / y).floor()`"),
-    ("is_nan is_finite is_infinite", 0, "compare with a limit: `x.abs() <= f64::MAX` is false for NaN and infinities"),
+    (
+        "is_nan is_finite is_infinite",
+        0,
+        "compare with a limit: `x.abs() <= f64::MAX` is false for NaN and infinities",
+    ),
     ("cmp partial_cmp total_cmp eq ne lt le gt ge", 1, "compare with `<`, `==` and the like"),
     ("checked_add checked_sub checked_mul checked_div", 1, WIDER),
     ("saturating_add saturating_sub saturating_mul", 1, WIDER),
@@ -38,22 +42,25 @@ const ABSENT: &[(&str, usize, &str)] = &[
     ("into", 0, "write the type: `x as f64`"),
     ("clone", 0, "derive `Copy` too: then the value copies itself"),
     ("min max", 0, "compare the elements in a loop"),
-    ("lu qr cholesky svd determinant try_inverse", 0, "write the elimination out: it is a loop over the columns"),
+    (
+        "lu qr cholesky svd determinant try_inverse",
+        0,
+        "write the elimination out: it is a loop over the columns",
+    ),
 ];
 
-const SERIES: &str = "write its series as a function marked `#[function]`, or take the value as an input";
+const SERIES: &str =
+    "write its series as a function marked `#[function]`, or take the value as an input";
 const WIDER: &str = "compute in a wider type, then `clamp`";
 
 /// Those that are absent for a reason of their own, with their arguments.
 const REASONS: &[(&str, usize, Reason)] = &[
-    ("iter iter_mut into_iter sum enumerate windows chunks", 0, refuse::ITERATOR),
-    ("map zip for_each step_by filter", 1, refuse::ITERATOR),
-    ("fold", 2, refuse::ITERATOR),
-    ("unwrap unwrap_or_default is_some is_none is_ok is_err", 0, refuse::OPTION),
+    // What follows them in a chain needs no word of its own.
+    ("iter iter_mut into_iter", 0, refuse::ITERATOR),
+    ("windows chunks step_by", 1, refuse::ITERATOR),
+    ("unwrap unwrap_or_default", 0, refuse::OPTION),
     ("expect unwrap_or", 1, refuse::OPTION),
     ("to_vec to_string to_owned", 0, refuse::HEAP),
-    ("push extend", 1, refuse::HEAP),
-    ("pop", 0, refuse::HEAP),
     ("euler_angles axis_angle scaled_axis", 0, refuse::NALGEBRA_ANGLES),
     ("angle", 1, refuse::NALGEBRA_ANGLES),
     ("slerp", 2, refuse::NALGEBRA_ANGLES),
@@ -62,26 +69,41 @@ const REASONS: &[(&str, usize, Reason)] = &[
 
 /// Constructors and methods of nalgebra that go through the platform's sine and cosine.
 const ANGLES: &[&str] = &[
-    "from_euler_angles", "from_axis_angle", "from_scaled_axis", "from_angle", "rotation",
-    "new_rotation", "new_rotation_wrt_point", "face_towards", "look_at_rh", "look_at_lh",
+    "from_euler_angles",
+    "from_axis_angle",
+    "from_scaled_axis",
+    "from_angle",
+    "rotation",
+    "new_rotation",
+    "new_rotation_wrt_point",
+    "face_towards",
+    "look_at_rh",
+    "look_at_lh",
 ];
 
 /// The reason for a method call whose name shows it to be out of reach.
 pub fn method(call: &syn::ExprMethodCall) -> Option<Reason> {
-    named(&text(&call.method), call.args.len())
-}
-
-fn named(name: &str, arguments: usize) -> Option<Reason> {
-    let is = |names: &str, count: usize| count == arguments && names.split(' ').any(|it| it == name);
-    if let Some((.., reason)) = REASONS.iter().find(|(names, count, _)| is(names, *count)) {
+    let (name, arguments) = (text(&call.method), call.args.len());
+    let reason = REASONS.iter().find(|(names, count, _)| is(names, *count, &name, arguments));
+    if let Some((.., reason)) = reason {
         return Some(reason.clone());
     }
-    let (.., remedy) = ABSENT.iter().find(|(names, count, _)| is(names, *count))?;
+    let own = format!("a method of your own is called by its path: `Type::{name}(…)`");
+    Some(absent(&name, arguments)?.with_note(own))
+}
+
+fn is(names: &str, count: usize, name: &str, arguments: usize) -> bool {
+    count == arguments && names.split(' ').any(|it| it == name)
+}
+
+fn absent(name: &str, arguments: usize) -> Option<Reason> {
+    let mut table = ABSENT.iter();
+    let (.., remedy) = table.find(|(names, count, _)| is(names, *count, name, arguments))?;
     Some(Reason::new(format!("`{name}` is not in the DSL yet"), remedy))
 }
 
 /// The reason for a function that its path shows to be out of reach.
-pub fn function(function: &syn::ExprPath) -> Option<Reason> {
+pub fn function(function: &syn::ExprPath, arguments: usize) -> Option<Reason> {
     let names: Vec<_> = function.path.segments.iter().map(|segment| text(&segment.ident)).collect();
     let [.., owner, last] = names.as_slice() else { return None };
     if ANGLES.contains(&last.as_str()) {
@@ -91,8 +113,11 @@ pub fn function(function: &syn::ExprPath) -> Option<Reason> {
         return Some(reason);
     }
     if bessemer_ir::Scalar::from_name(owner).is_some() {
-        let remedy = (last == "from").then(|| Reason::new(format!("`{owner}::from` is not in the DSL yet"), "write the type: `x as f64`"));
-        return remedy.or_else(|| (0..3).find_map(|arguments| named(last, arguments)).filter(|_| !["min", "max"].contains(&last.as_str())));
+        if last == "from" {
+            let what = format!("`{owner}::from` is not in the DSL yet");
+            return Some(Reason::new(what, "write the type: `x as f64`"));
+        }
+        return absent(last, arguments.saturating_sub(1));
     }
     match names[0].as_str() {
         "std" => Some(refuse::STD),

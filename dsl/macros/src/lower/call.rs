@@ -8,10 +8,10 @@
 //! A companion returns what the function returns, and beside it, in a slot, which function it was.
 
 use bessemer_ir::tree::ExprKind;
-use quote::{format_ident, quote_spanned};
+use quote::quote_spanned;
 use syn::spanned::Spanned;
 
-use super::{Lowering, absent, callee_name, expr::UNIT, refuse, text};
+use super::{GENERATING, Lowering, absent, callee_name, expr::UNIT, refuse, text};
 use crate::redirect;
 
 impl Lowering<'_> {
@@ -28,18 +28,20 @@ impl Lowering<'_> {
         } else if self.is_itself(&function.path) {
             Some(refuse::RECURSION)
         } else {
-            absent::function(function)
+            absent::function(function, arguments.len())
         };
         if let Some(reason) = reason {
             self.refusals.add(function.span(), reason);
             return UNIT;
         }
         let Some(companion) = companion(function) else {
-            self.refusals.add(function.span(), refuse::CONSTRUCTOR);
+            let option = ["Some", "Ok", "Err"].iter().any(|name| function.path.is_ident(name));
+            let reason = if option { refuse::OPTION } else { refuse::CONSTRUCTOR };
+            self.refusals.add(function.span(), reason);
             return UNIT;
         };
         function.path = companion;
-        ExprKind::Call(self.take(it.span(), it), arguments)
+        ExprKind::Call(self.take(it), arguments)
     }
 
     pub(super) fn method_call(&mut self, it: &mut syn::ExprMethodCall) -> ExprKind {
@@ -56,7 +58,7 @@ impl Lowering<'_> {
             return UNIT;
         }
         it.method = companion_name(&it.method);
-        ExprKind::Call(self.take(it.span(), it), arguments)
+        ExprKind::Call(self.take(it), arguments)
     }
 
     /// Whether `path` names the function that is being lowered.
@@ -70,23 +72,26 @@ impl Lowering<'_> {
     }
 
     /// Wraps a call of a companion so that a slot learns which function it is.
-    fn take<T: WitnessCall>(&mut self, span: proc_macro2::Span, call: &mut T) -> u32 {
+    fn take<T: WitnessCall + Spanned>(&mut self, call: &mut T) -> u32 {
         let callee = self.callees;
         self.callees += 1;
-        call.wrap(span, &callee_name(callee));
+        if GENERATING {
+            call.wrap(call.span(), &callee_name(callee));
+        }
         callee
     }
 }
 
 /// The name of the companion of a method.
 pub fn companion_name(method: &syn::Ident) -> syn::Ident {
-    format_ident!("__b_{method}", span = method.span())
+    syn::Ident::new(&format!("__b_{}", text(method)), method.span())
 }
 
 /// The path of the companion: none if the path is a constructor.
 fn companion(function: &syn::ExprPath) -> Option<syn::Path> {
     let mut path = function.path.clone();
-    let upper = |ident: &syn::Ident| ident.to_string().starts_with(|first: char| first.is_uppercase());
+    let upper =
+        |ident: &syn::Ident| ident.to_string().starts_with(|first: char| first.is_uppercase());
     let last = path.segments.last()?.clone();
     if upper(&last.ident) {
         return None;
@@ -95,7 +100,10 @@ fn companion(function: &syn::ExprPath) -> Option<syn::Path> {
         path.segments.last_mut()?.ident = companion_name(&last.ident);
     } else {
         // The arguments of a turbofish belong to the companion.
-        let call = syn::PathSegment { ident: syn::Ident::new("__call", last.ident.span()), arguments: last.arguments };
+        let call = syn::PathSegment {
+            ident: syn::Ident::new("__call", last.ident.span()),
+            arguments: last.arguments,
+        };
         path.segments.last_mut()?.arguments = syn::PathArguments::None;
         path.segments.push(call);
     }

@@ -10,7 +10,7 @@ impl Lowering<'_> {
         let condition = self.value(&mut it.cond);
         let then = self.branch(&mut it.then_branch, value);
         let otherwise = it.else_branch.as_mut().map(|(_, branch)| {
-            let site = site(branch.span());
+            let site = site(branch);
             let kind = match &mut **branch {
                 syn::Expr::If(it) => self.if_expr(it, value),
                 syn::Expr::Block(it) => ExprKind::Block(self.branch(&mut it.block, value)),
@@ -35,7 +35,8 @@ impl Lowering<'_> {
         let mut arms = Vec::new();
         for arm in &mut it.arms {
             let patterns = self.arm_values(&mut arm.pat);
-            let body = if value { self.value(&mut arm.body) } else { self.statement(&mut arm.body) };
+            let body =
+                if value { self.value(&mut arm.body) } else { self.statement(&mut arm.body) };
             arms.push(tree::Arm { patterns, body });
         }
         ExprKind::Match(Box::new(scrutinee), arms)
@@ -91,7 +92,11 @@ impl Lowering<'_> {
         ExprKind::Return(it.expr.as_mut().map(|value| Box::new(self.value(value))))
     }
 
-    pub(super) fn refuse_label(&mut self, label: Option<&syn::Lifetime>, value: Option<&syn::Expr>) {
+    pub(super) fn refuse_label(
+        &mut self,
+        label: Option<&syn::Lifetime>,
+        value: Option<&syn::Expr>,
+    ) {
         if let Some(label) = label {
             self.refusals.add(label.span(), refuse::LABEL);
         }

@@ -19,10 +19,12 @@ impl Lowering<'_> {
     }
 
     fn lower(&mut self, expr: &mut syn::Expr, value: bool) -> tree::Expr {
-        let place = site(expr.span());
+        let place = site(expr);
         let (kind, seen) = self.kind(expr, value);
         let slot = match (&kind, seen) {
-            (ExprKind::Path(index, _), _) => self.constants.get(*index as usize).map(|(slot, _)| *slot),
+            (ExprKind::Path(index, _), _) => {
+                self.constants.get(*index as usize).map(|(slot, _)| *slot)
+            }
             (_, true) => Some(self.see(expr)),
             _ => None,
         };
@@ -56,9 +58,10 @@ impl Lowering<'_> {
                 (self.tuple(it), false)
             }
             syn::Expr::Struct(it) => (self.struct_literal(it), true),
-            syn::Expr::Array(it) => {
-                (ExprKind::Array(it.elems.iter_mut().map(|element| self.value(element)).collect()), true)
-            }
+            syn::Expr::Array(it) => (
+                ExprKind::Array(it.elems.iter_mut().map(|element| self.value(element)).collect()),
+                true,
+            ),
             syn::Expr::Repeat(it) => (ExprKind::Repeat(Box::new(self.value(&mut it.expr))), true),
             syn::Expr::Reference(it) => {
                 let inner = self.value(&mut it.expr);
@@ -93,7 +96,9 @@ impl Lowering<'_> {
                 self.refuse_label(it.label.as_ref(), None);
                 (ExprKind::Continue, false)
             }
-            syn::Expr::Macro(it) => (self.macro_call(&mut it.mac).map_or(UNIT, |expr| expr.kind), false),
+            syn::Expr::Macro(it) => {
+                (self.macro_call(&mut it.mac).map_or(UNIT, |expr| expr.kind), false)
+            }
             other => {
                 let (span, reason) = refuse::expression(other);
                 self.refusals.add(span, reason);
@@ -127,7 +132,7 @@ impl Lowering<'_> {
     fn index(&mut self, index: &mut syn::Expr) -> tree::Expr {
         match index {
             syn::Expr::Tuple(it) if it.elems.len() == 2 => {
-                let site = site(it.span());
+                let site = site(it);
                 tree::Expr { kind: self.tuple(it), site, slot: None }
             }
             syn::Expr::Range(it) => {
@@ -149,7 +154,9 @@ impl Lowering<'_> {
                 let suffix = Scalar::from_name(it.suffix());
                 if it.suffix().is_empty() || suffix.is_some() {
                     return match suffix {
-                        Some(Scalar::Float(_)) => ExprKind::Float(it.base10_digits().into(), suffix),
+                        Some(Scalar::Float(_)) => {
+                            ExprKind::Float(it.base10_digits().into(), suffix)
+                        }
                         _ => ExprKind::Int(it.base10_digits().into(), suffix),
                     };
                 }
@@ -158,7 +165,12 @@ impl Lowering<'_> {
             syn::Lit::Float(it) => {
                 return ExprKind::Float(it.base10_digits().into(), Scalar::from_name(it.suffix()));
             }
-            syn::Lit::Byte(it) => return ExprKind::Int(it.value().to_string(), Some(Scalar::Int(bessemer_ir::Int::U8))),
+            syn::Lit::Byte(it) => {
+                return ExprKind::Int(
+                    it.value().to_string(),
+                    Some(Scalar::Int(bessemer_ir::Int::U8)),
+                );
+            }
             syn::Lit::Char(it) => self.refusals.add(it.span(), refuse::CHAR),
             other => self.refusals.add(other.span(), refuse::STRING),
         }

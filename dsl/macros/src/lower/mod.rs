@@ -18,13 +18,14 @@ mod signature;
 mod strip;
 
 use bessemer_ir::tree;
-use proc_macro2::{Span, TokenStream};
+use proc_macro2::TokenStream;
 use quote::{format_ident, quote, quote_spanned};
 use syn::ext::IdentExt;
 use syn::spanned::Spanned;
 
-pub use refuse::Refusals;
 pub use bessemer_ir::tree::Site;
+pub use call::companion_name;
+pub use refuse::Refusals;
 pub use signature::{Parameter, check_field, parameters};
 pub use strip::{check_attributes, strip};
 
@@ -44,9 +45,16 @@ pub struct Lowering<'a> {
     method: bool,
 }
 
-/// Line and column of `span`, both from 1.
-pub fn site(span: Span) -> Site {
-    let start = span.start();
+/// Whether this is a generation build. Elsewhere the walk only refuses: places cost a call into
+/// rustc each, and nobody reads the witness copy.
+pub const GENERATING: bool = cfg!(feature = "generate");
+
+/// Line and column of a node, both from 1; unknown outside a generation build.
+pub fn site(node: &impl Spanned) -> Site {
+    if !GENERATING {
+        return Site::default();
+    }
+    let start = node.span().start();
     Site(start.line as u32, start.column as u32 + 1)
 }
 
@@ -112,6 +120,9 @@ impl<'a> Lowering<'a> {
     /// Turns `expr` into `see(&slot, expr)` and gives the slot.
     fn see(&mut self, expr: &mut syn::Expr) -> u32 {
         let slot = self.slot();
+        if !GENERATING {
+            return slot;
+        }
         let name = slot_name(slot);
         *expr = syn::Expr::Verbatim(quote_spanned! { expr.span() => __see(&#name, #expr) });
         slot
@@ -120,7 +131,10 @@ impl<'a> Lowering<'a> {
     /// The statement `look(&slot, &place);`.
     fn look(&self, slot: u32, place: &syn::Ident) -> syn::Stmt {
         let name = slot_name(slot);
-        syn::Stmt::Expr(syn::Expr::Verbatim(quote_spanned! { place.span() => __look(&#name, &#place) }), Some(Default::default()))
+        syn::Stmt::Expr(
+            syn::Expr::Verbatim(quote_spanned! { place.span() => __look(&#name, &#place) }),
+            Some(Default::default()),
+        )
     }
 
     /// Lowers a block; its locals end with it.
@@ -166,7 +180,9 @@ impl<'a> Lowering<'a> {
     fn item(&mut self, item: &syn::Item) {
         match item {
             // The outermost block holds them after the scope of the parameters.
-            syn::Item::Const(_) | syn::Item::Use(_) if self.scopes.len() == 2 => self.items.push(item.clone()),
+            syn::Item::Const(_) | syn::Item::Use(_) if self.scopes.len() == 2 => {
+                self.items.push(item.clone())
+            }
             syn::Item::Const(it) => self.refusals.add(it.const_token.span, refuse::NESTED_CONST),
             syn::Item::Use(it) => self.refusals.add(it.use_token.span, refuse::NESTED_CONST),
             syn::Item::Static(it) => self.refusals.add(it.static_token.span, refuse::STATIC),
@@ -175,7 +191,7 @@ impl<'a> Lowering<'a> {
     }
 
     fn local(&mut self, local: &mut syn::Local) -> (Option<tree::Stmt>, Option<syn::Stmt>) {
-        let site = site(local.let_token.span);
+        let site = site(&local.let_token);
         let value = local.init.as_mut().map(|init| {
             let value = self.value(&mut init.expr);
             if let Some((token, _)) = &init.diverge {
@@ -220,7 +236,8 @@ impl<'a> Lowering<'a> {
     fn macro_call(&mut self, mac: &mut syn::Macro) -> Option<tree::Expr> {
         use syn::punctuated::Punctuated;
         let span = mac.path.span();
-        let name = mac.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default();
+        let name =
+            mac.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default();
         if name != "assert" {
             self.refusals.add(span, refuse::macro_call(&name));
             return None;
@@ -233,7 +250,11 @@ impl<'a> Lowering<'a> {
         let condition = self.value(arguments.first_mut()?);
         let witness = &arguments[0];
         mac.tokens = quote! { #witness };
-        Some(tree::Expr { kind: tree::ExprKind::Assert(Box::new(condition)), site: site(span), slot: None })
+        Some(tree::Expr {
+            kind: tree::ExprKind::Assert(Box::new(condition)),
+            site: site(&mac.path),
+            slot: None,
+        })
     }
 }
 
@@ -241,7 +262,10 @@ impl<'a> Lowering<'a> {
 /// `else`, assignments.
 fn is_unit_control(expr: &syn::Expr) -> bool {
     match expr {
-        syn::Expr::ForLoop(_) | syn::Expr::While(_) | syn::Expr::Assign(_) | syn::Expr::Return(_) => true,
+        syn::Expr::ForLoop(_)
+        | syn::Expr::While(_)
+        | syn::Expr::Assign(_)
+        | syn::Expr::Return(_) => true,
         syn::Expr::If(it) => it.else_branch.is_none(),
         syn::Expr::Binary(it) => expr::compound(&it.op).is_some(),
         _ => false,

@@ -81,12 +81,17 @@ impl Lowering<'_> {
     }
 
     /// A path that rustc evaluates: a constant or a variant.
-    pub(super) fn constant(&mut self, tokens: proc_macro2::TokenStream, path: &syn::Path) -> tree::Expr {
+    pub(super) fn constant(
+        &mut self,
+        tokens: proc_macro2::TokenStream,
+        path: &syn::Path,
+    ) -> tree::Expr {
         let slot = self.slot();
         let index = self.constants.len() as u32;
         self.constants.push((slot, tokens));
-        let name = path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default();
-        tree::Expr { kind: tree::ExprKind::Path(index, name), site: site(path.span()), slot: Some(slot) }
+        let name =
+            path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default();
+        tree::Expr { kind: tree::ExprKind::Path(index, name), site: site(path), slot: Some(slot) }
     }
 }
 

@@ -4,6 +4,7 @@
 //! here and from the lowering is refused as [`SYNTAX`]: never a panic, never wrong C.
 
 use std::borrow::Cow;
+use std::fmt::{self, Display, Formatter};
 
 use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::ToTokens;
@@ -14,12 +15,25 @@ use syn::spanned::Spanned;
 pub struct Reason {
     what: Cow<'static, str>,
     remedy: &'static str,
+    note: Option<String>,
 }
 
 impl Reason {
     /// A reason that names what the author wrote.
     pub fn new(what: String, remedy: &'static str) -> Reason {
-        Reason { what: Cow::Owned(what), remedy }
+        Reason { what: Cow::Owned(what), remedy, note: None }
+    }
+
+    /// The reason, with a note for who meant something else.
+    pub fn with_note(self, note: String) -> Reason {
+        Reason { note: Some(note), ..self }
+    }
+}
+
+impl Display for Reason {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        write!(f, "{}\nhelp: {}", self.what, self.remedy)?;
+        self.note.iter().try_for_each(|note| write!(f, "\nnote: {note}"))
     }
 }
 
@@ -32,7 +46,7 @@ pub struct Refusals {
 impl Refusals {
     /// Refuses what stands at `span`.
     pub fn add(&mut self, span: Span, reason: Reason) {
-        self.errors.push(syn::Error::new(span, format!("{}\nhelp: {}", reason.what, reason.remedy)));
+        self.errors.push(syn::Error::new(span, reason));
     }
 
     /// Whether nothing was refused.
@@ -70,7 +84,7 @@ pub fn first_token(syntax: &impl ToTokens) -> Span {
 
 macro_rules! reasons {
     ($($name:ident: $what:literal, $remedy:literal;)*) => {$(
-        pub const $name: Reason = Reason { what: Cow::Borrowed($what), remedy: $remedy };
+        pub const $name: Reason = Reason { what: Cow::Borrowed($what), remedy: $remedy, note: None };
     )*};
 }
 
@@ -160,9 +174,13 @@ reasons! {
 /// The reason for a macro that is not taken.
 pub fn macro_call(name: &str) -> Reason {
     match name {
-        "format" | "print" | "println" | "eprint" | "eprintln" | "write" | "writeln" | "dbg" => FORMAT,
+        "format" | "print" | "println" | "eprint" | "eprintln" | "write" | "writeln" | "dbg" => {
+            FORMAT
+        }
         "panic" | "todo" | "unimplemented" | "unreachable" => PANIC,
-        "assert_eq" | "assert_ne" | "debug_assert" | "debug_assert_eq" | "debug_assert_ne" => ASSERT,
+        "assert_eq" | "assert_ne" | "debug_assert" | "debug_assert_eq" | "debug_assert_ne" => {
+            ASSERT
+        }
         "vec" => HEAP,
         _ => MACRO,
     }
@@ -192,11 +210,16 @@ pub fn expression(expr: &syn::Expr) -> (Span, Reason) {
 pub fn named_type(path: &syn::Path) -> Option<Reason> {
     let name = path.segments.last()?.ident.to_string();
     Some(match name.as_str() {
-        "Vec" | "Box" | "String" | "Rc" | "Arc" | "VecDeque" | "HashMap" | "BTreeMap" | "HashSet" | "BTreeSet" | "BinaryHeap" => HEAP,
-        "DMatrix" | "DVector" | "RowDVector" | "MatrixXx1" | "Matrix1xX" | "OMatrix" | "DMatrixView" | "Dyn" => DYNAMIC_MATRIX,
+        "Vec" | "Box" | "String" | "Rc" | "Arc" | "VecDeque" | "HashMap" | "BTreeMap"
+        | "HashSet" | "BTreeSet" | "BinaryHeap" => HEAP,
+        "DMatrix" | "DVector" | "RowDVector" | "MatrixXx1" | "Matrix1xX" | "OMatrix"
+        | "DMatrixView" | "Dyn" => DYNAMIC_MATRIX,
         "Option" | "Result" => OPTION,
-        "Cell" | "RefCell" | "Mutex" | "RwLock" | "AtomicBool" | "AtomicU32" | "AtomicUsize" => SHARED_CELL,
-        "Rotation2" | "Rotation3" | "Quaternion" | "UnitQuaternion" | "UnitComplex" | "Isometry2" | "Isometry3" => ROTATION,
+        "Cell" | "RefCell" | "Mutex" | "RwLock" | "AtomicBool" | "AtomicU32" | "AtomicUsize" => {
+            SHARED_CELL
+        }
+        "Rotation2" | "Rotation3" | "Quaternion" | "UnitQuaternion" | "UnitComplex"
+        | "Isometry2" | "Isometry3" => ROTATION,
         "u128" | "i128" => WIDE_INTEGER,
         "char" => CHAR,
         "str" => STRING,

@@ -48,7 +48,7 @@ fn parameter(input: &syn::FnArg, refusals: &mut Refusals) -> Option<Parameter> {
                 pattern: quote! { #mutability #receiver },
                 ident: receiver,
                 ty,
-                site: site(it.self_token.span),
+                site: site(&it.self_token),
             })
         }
         syn::FnArg::Typed(it) => {
@@ -62,7 +62,7 @@ fn parameter(input: &syn::FnArg, refusals: &mut Refusals) -> Option<Parameter> {
                 name: text(&ident),
                 pattern: it.pat.to_token_stream(),
                 ty: it.ty.to_token_stream(),
-                site: site(ident.span()),
+                site: site(&ident),
                 ident,
             })
         }
@@ -120,7 +120,9 @@ impl<'ast> Visit<'ast> for Types<'_> {
             syn::Type::Macro(_) => refuse::MACRO,
             syn::Type::Never(_) => refuse::NEVER,
             // Of a text or a slice, the more telling reason is its own.
-            syn::Type::Reference(it) if self.field && !is_unsized(&it.elem) => refuse::REFERENCE_FIELD,
+            syn::Type::Reference(it) if self.field && !is_unsized(&it.elem) => {
+                refuse::REFERENCE_FIELD
+            }
             syn::Type::Path(it) => match refuse::named_type(&it.path) {
                 Some(reason) => reason,
                 None => return visit::visit_type(self, ty),
@@ -128,7 +130,9 @@ impl<'ast> Visit<'ast> for Types<'_> {
             _ => return visit::visit_type(self, ty),
         };
         let place = match ty {
-            syn::Type::Path(it) => it.path.segments.last().map_or_else(|| ty.span(), |last| last.ident.span()),
+            syn::Type::Path(it) => {
+                it.path.segments.last().map_or_else(|| ty.span(), |last| last.ident.span())
+            }
             _ => ty.span(),
         };
         self.refusals.add(place, reason);

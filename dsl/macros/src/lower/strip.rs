@@ -40,7 +40,8 @@ impl VisitMut for Strip<'_> {
         check_attributes(attributes, self.refusals);
         for attribute in attributes.drain(..) {
             let path = attribute.path();
-            let name = path.segments.first().map(|first| first.ident.to_string()).unwrap_or_default();
+            let name =
+                path.segments.first().map(|first| first.ident.to_string()).unwrap_or_default();
             let tool = ["rustfmt", "clippy"].contains(&name.as_str());
             if !tool && !name.starts_with("cfg") && !HARMLESS.contains(&name.as_str()) {
                 self.refusals.add(path.span(), refuse::ATTRIBUTE);

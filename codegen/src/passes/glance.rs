@@ -1,0 +1,77 @@
+//! A look at a condition that is cheap to compare, for functions with thousands of them.
+
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::mem::discriminant;
+
+use bessemer_ir::visit::{Access, Visit, walk_expr, walk_place};
+use bessemer_ir::{Expr, ExprKind, LocalId, LogicOp, Place, Step};
+
+/// What conditions have in common where one can follow from the other: the operands of the comparison
+/// (the last one of a disjunction), in either order.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Glance {
+    operands: u64,
+    /// A bit for each root that is read, some sharing one.
+    pub(crate) roots: u64,
+}
+
+/// The bit of a root.
+pub(crate) fn bit(root: LocalId) -> u64 {
+    1 << (root.0 % 64)
+}
+
+impl Glance {
+    /// Of a condition that [`facts`](super::facts) has brought into its one form.
+    pub(crate) fn of(condition: &Expr) -> Glance {
+        let mut last = condition;
+        while let ExprKind::Logic(LogicOp::Or, _, rest) = &last.kind {
+            last = rest;
+        }
+        let operands = match &last.kind {
+            ExprKind::Compare(_, a, b) => hashed(a).wrapping_add(hashed(b)),
+            _ => hashed(last),
+        };
+        let mut roots = Roots(0);
+        roots.expr(condition);
+        Glance { operands, roots: roots.0 }
+    }
+
+    /// Whether one may follow from the other.
+    pub(crate) fn like(self, other: Glance) -> bool {
+        self.operands == other.operands
+    }
+}
+
+struct Roots(u64);
+
+impl Visit for Roots {
+    fn place(&mut self, place: &Place, _: Access) {
+        self.0 |= bit(place.root);
+        walk_place(self, place);
+    }
+}
+
+fn hashed(expr: &Expr) -> u64 {
+    struct Hash64(DefaultHasher);
+    impl Visit for Hash64 {
+        fn expr(&mut self, expr: &Expr) {
+            discriminant(&expr.kind).hash(&mut self.0);
+            if let ExprKind::Literal(word) = expr.kind {
+                word.hash(&mut self.0);
+            }
+            walk_expr(self, expr);
+        }
+        fn place(&mut self, place: &Place, _: Access) {
+            place.root.hash(&mut self.0);
+            for step in &place.steps {
+                if let Step::Field(field) = step {
+                    field.hash(&mut self.0);
+                }
+            }
+            walk_place(self, place);
+        }
+    }
+    let mut hash = Hash64(DefaultHasher::new());
+    hash.expr(expr);
+    hash.0.finish()
+}

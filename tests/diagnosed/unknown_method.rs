@@ -1,0 +1,9 @@
+//! A case.
+#![no_std]
+use bessemer::prelude::*;
+
+/// A matrix routine that the DSL does not know.
+#[function]
+pub fn caller(m: &Matrix3<f64>) -> f64 {
+    m.trace() + m.amax()
+}

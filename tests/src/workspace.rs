@@ -1,0 +1,130 @@
+//! A workspace of its own in a temporary folder, as a user outside this repository has one.
+//!
+//! It takes this workspace's settings, lock file and target folder, so that only its models are built
+//! anew; what it generates must not depend on where it lies.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use bessemer_codegen::generate::{self, Job};
+use tempfile::TempDir;
+
+use crate::root;
+
+/// Generated files by name.
+pub type Files = BTreeMap<String, String>;
+
+/// A workspace with one package of models, `models`.
+pub struct Workspace(TempDir);
+
+impl Workspace {
+    /// With a copy of the flight models.
+    ///
+    /// # Errors
+    /// What the file system said.
+    pub fn with_flight_models() -> std::io::Result<Workspace> {
+        let workspace = Workspace::bare()?;
+        copy_folder(&root().canonicalize()?.join("models"), &workspace.path("models"))?;
+        Ok(workspace)
+    }
+
+    /// With one source file.
+    ///
+    /// # Errors
+    /// What the file system said.
+    pub fn with_source(text: &str) -> std::io::Result<Workspace> {
+        let workspace = Workspace::bare()?;
+        let models = root().canonicalize()?.join("models");
+        fs::create_dir_all(workspace.path("models/src/bin"))?;
+        for name in ["Cargo.toml", "src/bin/tree.rs"] {
+            fs::copy(models.join(name), workspace.path("models").join(name))?;
+        }
+        workspace.set_source(text)?;
+        Ok(workspace)
+    }
+
+    /// Replaces the one source file.
+    ///
+    /// # Errors
+    /// What the file system said.
+    pub fn set_source(&self, text: &str) -> std::io::Result<()> {
+        fs::write(self.path("models/src/lib.rs"), text)
+    }
+
+    fn bare() -> std::io::Result<Workspace> {
+        let root = root().canonicalize()?;
+        let workspace = Workspace(tempfile::tempdir()?);
+        fs::copy(root.join("Cargo.lock"), workspace.path("Cargo.lock"))?;
+        let text = fs::read_to_string(root.join("Cargo.toml"))?;
+        let members = text.lines().find(|line| line.starts_with("members")).unwrap_or_default();
+        let text = text
+            .replace(members, "members = [\"models\"]")
+            .replace("path = \"", &format!("path = \"{}/", root.display()))
+            .replace(&format!("path = \"{}/models\"", root.display()), "path = \"models\"");
+        fs::write(workspace.path("Cargo.toml"), text)?;
+        fs::create_dir(workspace.path(".cargo"))?;
+        let target = root.join("target");
+        let config = format!("[build]\ntarget-dir = \"{}\"\n", target.display());
+        fs::write(workspace.path(".cargo/config.toml"), config)?;
+        Ok(workspace)
+    }
+
+    /// A path in the workspace.
+    pub fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    /// Replaces `old` by `new` in each source file of the models that has it.
+    ///
+    /// # Panics
+    /// If none has it: the test would test nothing.
+    ///
+    /// # Errors
+    /// What the file system said.
+    pub fn replace(&self, old: &str, new: &str) -> std::io::Result<()> {
+        let mut found = false;
+        for entry in fs::read_dir(self.path("models/src"))? {
+            let path = entry?.path();
+            if path.is_file() {
+                let text = fs::read_to_string(&path)?;
+                found |= text.contains(old);
+                fs::write(path, text.replace(old, new))?;
+            }
+        }
+        assert!(found, "`{old}` is not in the models");
+        Ok(())
+    }
+
+    /// Generates with a tool that says it is of `version`; the folder's files.
+    ///
+    /// # Errors
+    /// What the generator said.
+    pub fn generate(&self, version: &str) -> Result<Files, generate::Error> {
+        let mut job = Job::new(self.0.path(), "models");
+        job.version = version.to_owned();
+        generate::generate(&job)?;
+        let read = |source| generate::Error::File { path: job.output.clone(), source };
+        let mut files = Files::new();
+        for entry in fs::read_dir(&job.output).map_err(read)? {
+            let entry = entry.map_err(read)?;
+            let text = fs::read_to_string(entry.path()).map_err(read)?;
+            files.insert(entry.file_name().to_string_lossy().into_owned(), text);
+        }
+        Ok(files)
+    }
+}
+
+fn copy_folder(from: &Path, to: &Path) -> std::io::Result<()> {
+    fs::create_dir_all(to)?;
+    for entry in fs::read_dir(from)? {
+        let path = entry?.path();
+        let target = to.join(path.file_name().unwrap_or_default());
+        if path.is_dir() {
+            copy_folder(&path, &target)?;
+        } else {
+            fs::copy(&path, &target)?;
+        }
+    }
+    Ok(())
+}
