@@ -14,7 +14,7 @@ use alloc::string::String;
 use alloc::vec::Vec;
 
 use crate::number::{Float, Int, Scalar};
-use crate::operation::{BinaryOp, CompareOp, Intrinsic, LogicOp, Routine, UnaryOp};
+pub use crate::operation::{BinaryOp, CompareOp, Intrinsic, LogicOp, Routine, UnaryOp};
 
 macro_rules! handles {
     ($($(#[$doc:meta])* $name:ident),* $(,)?) => {$(

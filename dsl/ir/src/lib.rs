@@ -20,4 +20,3 @@ pub mod visit;
 
 pub use ir::*;
 pub use number::{Float, Int, Scalar};
-pub use operation::{BinaryOp, CompareOp, Intrinsic, LogicOp, Routine, UnaryOp};
