@@ -40,13 +40,7 @@ void attitude_step(attitude_t *self, const parameters_t *parameters, const doubl
     self->integral[0] += error[0] * parameters->period;
     self->integral[1] += error[1] * parameters->period;
     self->integral[2] += error[2] * parameters->period;
-    const double result_respond = gains_respond(&parameters->roll, error[0], integral[0],
-        error_rate[0]);
-    const double result_respond_2 = gains_respond(&parameters->pitch, error[1], integral[1],
-        error_rate[1]);
-    const double result_respond_3 = gains_respond(&parameters->yaw, error[2], integral[2],
-        error_rate[2]);
-    result[0] = result_respond;
-    result[1] = result_respond_2;
-    result[2] = result_respond_3;
+    result[0] = gains_respond(&parameters->roll, error[0], integral[0], error_rate[0]);
+    result[1] = gains_respond(&parameters->pitch, error[1], integral[1], error_rate[1]);
+    result[2] = gains_respond(&parameters->yaw, error[2], integral[2], error_rate[2]);
 }

@@ -39,8 +39,7 @@ void horizontal_lean(const parameters_t *parameters, const target_t *target,
         target->velocity[1] - velocity[1],
         target->velocity[2] - velocity[2]
     };
-    const double roll_respond = damped_respond(&parameters->y, error[1], error_rate[1]);
-    const double roll = -roll_respond;
+    const double roll = -damped_respond(&parameters->y, error[1], error_rate[1]);
     const double pitch = damped_respond(&parameters->x, error[0], error_rate[0]);
     result[0] = roll;
     result[1] = pitch;

@@ -224,8 +224,10 @@ impl<'m, 'r> Run<'m, 'r> {
                     ty = element;
                 }
                 (Step::Element(row, col), Type::Matrix { rows, cols, .. }) => {
-                    address += self.index(frame, row, *rows)?;
-                    address += self.index(frame, col, *cols)? * *rows as usize;
+                    // Rust makes the pair of indices first, then checks each.
+                    let (row_word, col_word) = (self.word(frame, row)?, self.word(frame, col)?);
+                    address += self.within(frame, row, row_word, *rows)?;
+                    address += self.within(frame, col, col_word, *cols)? * *rows as usize;
                     ty = &place.ty;
                 }
                 _ => unreachable!("validated: steps fit the types they step into"),
@@ -236,6 +238,17 @@ impl<'m, 'r> Run<'m, 'r> {
 
     fn index(&mut self, frame: Frame<'m, 'r>, index: &'m Expr, len: u32) -> Result<usize, Stop> {
         let word = self.word(frame, index)?;
+        self.within(frame, index, word, len)
+    }
+
+    /// The index that `word` is, if it is below `len`.
+    fn within(
+        &self,
+        frame: Frame<'m, 'r>,
+        index: &'m Expr,
+        word: u64,
+        len: u32,
+    ) -> Result<usize, Stop> {
         match index.ty.as_int().unwrap_or(Int::Usize).from_word(word) {
             value if 0 <= value && value < i128::from(len) => Ok(value as usize),
             _ => frame.fault(Fault::Index, index.span),

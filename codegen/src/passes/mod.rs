@@ -3,8 +3,8 @@
 //! Precondition: a valid module. Postcondition, verified by [`check`]:
 //! * **F1** aggregates stand only as whole values, as operands that are places or constants, and as
 //!   trees of constructors or of element-wise routines; nothing is written where it is still read;
-//! * **F2** calls stand only as whole values or for their effect, unless they take and give words and
-//!   cannot fault;
+//! * **F2** calls stand only as whole values or for their effect, unless they give a word, take words
+//!   and shared references, and cannot fault;
 //! * **F3** no operation faults by itself: a [`StmtKind::Check`](bessemer_ir::StmtKind::Check) stands
 //!   before each that could not be proved;
 //! * **F4** the bounds of a loop do not change while it runs.

@@ -37,11 +37,16 @@ pub(crate) struct Callee {
 impl Callee {
     pub(crate) fn of(function: &Function, fallible: bool) -> Callee {
         let status = fallible || function.role == Role::Entry { infallible: false };
-        let words = function.parameters().iter().all(|p| p.mode == Mode::Value && p.ty.is_word());
+        // Without effect, so that it does not matter when the call is made.
+        let reads = function.parameters().iter().all(|p| match p.mode {
+            Mode::Value => p.ty.is_word(),
+            Mode::Ref => true,
+            Mode::RefMut => false,
+        });
         Callee {
             fallible,
             through_pointer: status || function.result.is_aggregate(),
-            nests: !status && words && function.result.is_word(),
+            nests: !status && reads && function.result.is_word(),
         }
     }
 }
