@@ -17,7 +17,8 @@ pub use crate::c::Options;
 pub struct Compiled {
     /// The IR as the author wrote it: what the interpreter runs.
     pub module: Module,
-    /// The IR that the C is printed from: faults explicit, one step a statement.
+    /// The IR that the C is printed from: faults explicit, one step a statement, large temporaries
+    /// the caller's.
     pub explicit: Module,
     /// The C.
     pub files: Vec<CFile>,
@@ -42,6 +43,7 @@ pub fn compile(
     let (explicit, checks) = passes::explicit(module.clone()).map_err(|errors| {
         errors.iter().map(|error| unproved(&module, error)).collect::<Vec<_>>()
     })?;
+    let explicit = passes::lend(explicit);
     gate(&explicit)?;
     let files = c::emit(&explicit, options);
     let entries = c::report(&explicit, options, &files);

@@ -10,8 +10,9 @@ use bessemer_codegen::c::Options;
 use bessemer_codegen::c::names::{Names, Passing, Returned};
 use bessemer_ir::{Float, FunctionId, Int, Module, Owner, Scalar, Type};
 
-/// The text of the program for `entry`, a method of a component.
-pub fn program(module: &Module, entry: FunctionId) -> String {
+/// The text of the program for `entry`, a method of a component; `params`: how many parameters the
+/// author gave it. What the compiler added, a work struct, is no argument.
+pub fn program(module: &Module, entry: FunctionId, params: u32) -> String {
     let names = Names::new(module, &Options::default());
     let function = &module.functions[entry.index()];
     let Some(Owner::Struct(component)) = function.owner else { return String::new() };
@@ -19,7 +20,7 @@ pub fn program(module: &Module, entry: FunctionId) -> String {
     let signature = &names.functions[entry.index()];
     let mut declarations = format!("    static {} self;\n", state.ty);
     let (mut reads, mut writes, mut arguments) = (String::new(), String::new(), Vec::new());
-    for param in &signature.params {
+    for (index, param) in signature.params.iter().enumerate() {
         if param.name == "self" {
             arguments.push("&self".to_owned());
             continue;
@@ -28,7 +29,10 @@ pub fn program(module: &Module, entry: FunctionId) -> String {
         let declarator = names.declarator(&param.ty, &local).text();
         let _ = writeln!(declarations, "    static {declarator};");
         let walk = Walk { module, names: &names };
-        if param.passing == Passing::Output {
+        let added = index >= params as usize && param.passing != Passing::Output;
+        if added {
+            // Its content means nothing.
+        } else if param.passing == Passing::Output {
             walk.words(&param.ty, &local, &mut |ty, place| put(ty, place, &mut writes));
         } else {
             walk.words(&param.ty, &local, &mut |ty, place| get(&names, ty, place, &mut reads));

@@ -78,8 +78,9 @@ impl Process {
         toolchain: &Toolchain,
     ) -> Result<Process, Error> {
         let Folder { folder, mut sources } = lay_out(compiled)?;
+        let params = compiled.module.functions[entry.index()].params;
         let main = folder.path().join("harness_main.c");
-        std::fs::write(&main, harness::program(&compiled.explicit, entry))?;
+        std::fs::write(&main, harness::program(&compiled.explicit, entry, params))?;
         sources.push(main);
         let program = folder.path().join("harness");
         toolchain.link(&sources, &program).map_err(Error::Compile)?;

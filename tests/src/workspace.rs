@@ -7,7 +7,10 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use bessemer_codegen::compile::{self, Compiled};
+use bessemer_codegen::diagnostic;
 use bessemer_codegen::generate::{self, Job};
+use bessemer_codegen::source::Sources;
 use tempfile::TempDir;
 
 use crate::root;
@@ -94,6 +97,18 @@ impl Workspace {
         }
         assert!(found, "`{old}` is not in the models");
         Ok(())
+    }
+
+    /// The models, compiled.
+    ///
+    /// # Errors
+    /// What the generator or the compiler said.
+    pub fn compiled(&self) -> Result<Compiled, String> {
+        let sources = Sources::new(self.path(""));
+        let package =
+            generate::tree(&self.path(""), "models").map_err(|error| error.to_string())?;
+        compile::compile(&package, &sources, &compile::Options::default())
+            .map_err(|errors| diagnostic::render(&errors, &sources, false))
     }
 
     /// Generates with a tool that says it is of `version`; the folder's files.

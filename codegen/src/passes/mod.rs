@@ -23,8 +23,10 @@ mod places;
 mod positions;
 mod ranges;
 mod statements;
+mod work;
 
 pub use explicit::{Problem, Rule, check};
+pub use work::lend;
 
 use bessemer_ir::visit::{Visit, walk_expr, walk_stmt};
 use bessemer_ir::{
