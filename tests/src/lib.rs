@@ -39,13 +39,20 @@ use bessemer_codegen::compile::{self, Compiled};
 use bessemer_codegen::source::Sources;
 use bessemer_codegen::{diagnostic, generate};
 
+/// Whether this build panics on overflow, as the C faults; a build that wraps is another program.
+pub fn overflow_is_checked() -> bool {
+    let largest = std::hint::black_box(u8::MAX);
+    std::panic::catch_unwind(|| largest + std::hint::black_box(1)).is_err()
+}
+
 /// The flight models, compiled once for a test program.
 ///
 /// # Panics
-/// If they do not compile: no test can run then.
+/// If they do not compile, or if this build does not check overflow: nothing can be compared then.
 pub fn flight_models() -> &'static Compiled {
     static COMPILED: OnceLock<Compiled> = OnceLock::new();
     COMPILED.get_or_init(|| {
+        assert!(overflow_is_checked(), "set `overflow-checks = true` in the profile");
         let sources = Sources::new(root());
         let package = generate::tree(&root(), "models").unwrap_or_else(|error| panic!("{error}"));
         compile::compile(&package, &sources, &compile::Options::default())
