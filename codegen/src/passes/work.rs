@@ -19,11 +19,10 @@ pub const LARGEST: u64 = 256;
 
 /// Lends large temporaries from the caller.
 pub fn lend(mut module: Module) -> Module {
-    let fallible = super::fallible(&module);
     let mut works: BTreeMap<FunctionId, StructId> = BTreeMap::new();
-    for index in 0..module.functions.len() {
+    for (index, fallible) in super::fallible(&module).into_iter().enumerate() {
         let id = FunctionId(index as u32);
-        let large = large_locals(&module, &module.functions[index], fallible[index]);
+        let large = large_locals(&module, &module.functions[index], fallible);
         let called = called(&module.functions[index], &works);
         if large.is_empty() && called.is_empty() {
             continue;
