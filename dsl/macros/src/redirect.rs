@@ -69,7 +69,7 @@ pub fn block(block: &mut syn::Block) {
     if redirect.used {
         let import = syn::parse_quote_spanned! { Span::call_site() =>
             #[allow(unused_imports)]
-            use ::bessemer::math::{FloatMethods as _, OrderMethods as _};
+            use ::bessemer::math::{ElementaryMethods as _, FloatMethods as _, OrderMethods as _};
         };
         block.stmts.insert(0, import);
     }

@@ -36,10 +36,6 @@ markers! {
 #[allow(missing_docs)]
 pub trait FloatBuiltins: Sized {
     type Bits;
-    type Sin: Callee;
-    type Cos: Callee;
-    type Tan: Callee;
-    type Atan2: Callee;
     fn __b_sqrt(self) -> Called<Sqrt, Self> {
         unreachable!()
     }
@@ -55,34 +51,14 @@ pub trait FloatBuiltins: Sized {
     fn __b_from_bits(_bits: Self::Bits) -> Called<FromBits, Self> {
         unreachable!()
     }
-    fn __b_sin(self) -> Called<Self::Sin, Self> {
-        unreachable!()
-    }
-    fn __b_cos(self) -> Called<Self::Cos, Self> {
-        unreachable!()
-    }
-    fn __b_tan(self) -> Called<Self::Tan, Self> {
-        unreachable!()
-    }
-    fn __b_atan2(self, _x: Self) -> Called<Self::Atan2, Self> {
-        unreachable!()
-    }
 }
 
 impl FloatBuiltins for f64 {
     type Bits = u64;
-    type Sin = crate::math::sine::sin;
-    type Cos = crate::math::sine::cos;
-    type Tan = crate::math::tangent::tan;
-    type Atan2 = crate::math::arctangent::atan2;
 }
 
 impl FloatBuiltins for f32 {
     type Bits = u32;
-    type Sin = crate::math::single::sinf;
-    type Cos = crate::math::single::cosf;
-    type Tan = crate::math::single::tanf;
-    type Atan2 = crate::math::single::atan2f;
 }
 
 /// Methods of numbers that are ordered, and of integers.

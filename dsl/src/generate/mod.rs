@@ -5,6 +5,7 @@
 
 mod builder;
 pub mod builtin;
+pub mod elementary;
 mod slot;
 
 pub use alloc::string::String;
@@ -23,6 +24,7 @@ pub mod prelude {
     pub use super::builtin::{
         New2 as _, New3 as _, New4 as _, New5 as _, New6 as _, New9 as _, New16 as _,
     };
+    pub use super::elementary::ElementaryBuiltins as _;
     pub use super::slot::{__any, __look, __result, __see, __take};
 }
 

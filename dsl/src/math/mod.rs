@@ -8,13 +8,23 @@
 //! Defined here where Rust leaves room: `min` and `max` take −0 for less than +0, and a NaN gives the
 //! other operand; a NaN has a positive sign and canonical bits for `copysign` and `to_bits`.
 //!
-//! Accuracy: 2 ulp up to 1.6e6 rad, the tangent 3; beyond that the result is defined and bounded, but no longer
-//! accurate.
+//! Accuracy: `docs/mathematics.md` has the worst point found of each function.
 
 pub mod arctangent;
+pub mod exponential;
+pub mod hyperbolic;
+pub mod logarithm;
+mod methods;
+pub mod pair;
+pub mod power;
+pub mod reduction;
+pub mod roots;
 pub mod sine;
 pub mod single;
+pub mod tables;
 pub mod tangent;
+
+pub use methods::ElementaryMethods;
 
 /// Methods of floats that the attributes redirect to the DSL.
 pub trait FloatMethods: Copy {
@@ -28,14 +38,6 @@ pub trait FloatMethods: Copy {
     fn dsl_copysign(self, sign: Self) -> Self;
     /// The bits; every NaN has the canonical ones.
     fn dsl_to_bits(self) -> Self::Bits;
-    /// Sine of an angle in rad.
-    fn dsl_sin(self) -> Self;
-    /// Cosine of an angle in rad.
-    fn dsl_cos(self) -> Self;
-    /// Tangent of an angle in rad.
-    fn dsl_tan(self) -> Self;
-    /// The angle of the point (`x`, `self`) in rad, −π to π.
-    fn dsl_atan2(self, x: Self) -> Self;
 }
 
 /// Methods of ordered numbers that the attributes redirect to the DSL.
@@ -54,8 +56,7 @@ pub trait OrderMethods: Copy {
 }
 
 macro_rules! floats {
-    ($($float:ident, $bits:ident, $sqrt:ident, $floor:ident, $nan:literal,
-        $sin:path, $cos:path, $tan:path, $atan2:path;)*) => {$(
+    ($($float:ident, $bits:ident, $sqrt:ident, $floor:ident, $nan:literal;)*) => {$(
         impl FloatMethods for $float {
             type Bits = $bits;
             fn dsl_sqrt(self) -> $float {
@@ -71,18 +72,6 @@ macro_rules! floats {
             }
             fn dsl_to_bits(self) -> $bits {
                 if self.is_nan() { $nan } else { self.to_bits() }
-            }
-            fn dsl_sin(self) -> $float {
-                $sin(self)
-            }
-            fn dsl_cos(self) -> $float {
-                $cos(self)
-            }
-            fn dsl_tan(self) -> $float {
-                $tan(self)
-            }
-            fn dsl_atan2(self, x: $float) -> $float {
-                $atan2(self, x)
             }
         }
 
@@ -110,10 +99,8 @@ macro_rules! floats {
 }
 
 floats! {
-    f64, u64, sqrt, floor, 0x7ff8_0000_0000_0000,
-        sine::sin, sine::cos, tangent::tan, arctangent::atan2;
-    f32, u32, sqrtf, floorf, 0x7fc0_0000,
-        single::sinf, single::cosf, single::tanf, single::atan2f;
+    f64, u64, sqrt, floor, 0x7ff8_0000_0000_0000;
+    f32, u32, sqrtf, floorf, 0x7fc0_0000;
 }
 
 macro_rules! integers {

@@ -6,10 +6,9 @@ use bessemer::prelude::*;
 /// Functions that the DSL does not have.
 #[function]
 pub fn functions(x: f64, y: f64) -> f64 {
-    let growth = x.exp() + f64::ln(y);
-    let angle = x.asin() + y.acos();
-    let power = x.powi(3) * x.powf(y).round();
-    growth + angle.to_degrees() + power.mul_add(x, y) + x.hypot(y)
+    let growth = x.asinh() + f64::atanh(y);
+    let angle = x.log(y);
+    angle.to_degrees() + growth.mul_add(x, y)
 }
 
 /// Nor these, of integers.

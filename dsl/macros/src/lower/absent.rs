@@ -11,16 +11,13 @@ use super::text;
 
 /// Names, how many arguments they take beside the receiver, and what to write instead.
 const ABSENT: &[(&str, usize, &str)] = &[
-    ("exp exp2 exp_m1 ln ln_1p log2 log10 cbrt", 0, SERIES),
-    ("sinh cosh tanh asinh acosh atanh", 0, SERIES),
-    ("log", 1, SERIES),
-    ("asin", 0, "write `x.atan2((1.0 - x * x).sqrt())`"),
-    ("acos", 0, "write `(1.0 - x * x).sqrt().atan2(x)`"),
-    ("atan", 0, "write `x.atan2(1.0)`"),
+    ("asinh", 0, "write `(x + (x * x + 1.0).sqrt()).ln()`"),
+    ("acosh", 0, "write `(x + (x * x - 1.0).sqrt()).ln()`"),
+    ("atanh", 0, "write `0.5 * (2.0 * x / (1.0 - x)).ln_1p()`"),
+    ("log", 1, "write `x.ln() / base.ln()`"),
     ("sin_cos", 0, "call `sin` and `cos`"),
-    ("powi powf pow", 1, "multiply: `x * x * x`"),
+    ("pow", 1, "multiply: `x * x * x`"),
     ("recip", 0, "write `1.0 / x`"),
-    ("hypot", 1, "write `(x * x + y * y).sqrt()`"),
     ("mul_add", 2, "write `x * a + b`: rounded twice, it is the same on every target"),
     ("round", 0, "write `(x + 0.5).floor()`"),
     ("ceil", 0, "write `-(-x).floor()`"),
@@ -49,8 +46,6 @@ const ABSENT: &[(&str, usize, &str)] = &[
     ),
 ];
 
-const SERIES: &str =
-    "write its series as a function marked `#[function]`, or take the value as an input";
 const WIDER: &str = "compute in a wider type, then `clamp`";
 
 /// Those that are absent for a reason of their own, with their arguments.

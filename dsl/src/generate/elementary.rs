@@ -1,0 +1,143 @@
+//! The companions of the elementary functions.
+
+use super::{Called, Callee};
+use crate::math::{
+    arctangent, exponential, hyperbolic, logarithm, power, roots, sine, single, tangent,
+};
+
+/// Elementary functions of floats.
+#[allow(missing_docs)]
+pub trait ElementaryBuiltins: Sized {
+    type Sin: Callee;
+    type Cos: Callee;
+    type Tan: Callee;
+    type Asin: Callee;
+    type Acos: Callee;
+    type Atan: Callee;
+    type Exp: Callee;
+    type Exp2: Callee;
+    type ExpM1: Callee;
+    type Ln: Callee;
+    type Log2: Callee;
+    type Log10: Callee;
+    type Ln1p: Callee;
+    type Sinh: Callee;
+    type Cosh: Callee;
+    type Tanh: Callee;
+    type Cbrt: Callee;
+    type Atan2: Callee;
+    type Powf: Callee;
+    type Hypot: Callee;
+    type Powi: Callee;
+    fn __b_sin(self) -> Called<Self::Sin, Self> {
+        unreachable!()
+    }
+    fn __b_cos(self) -> Called<Self::Cos, Self> {
+        unreachable!()
+    }
+    fn __b_tan(self) -> Called<Self::Tan, Self> {
+        unreachable!()
+    }
+    fn __b_asin(self) -> Called<Self::Asin, Self> {
+        unreachable!()
+    }
+    fn __b_acos(self) -> Called<Self::Acos, Self> {
+        unreachable!()
+    }
+    fn __b_atan(self) -> Called<Self::Atan, Self> {
+        unreachable!()
+    }
+    fn __b_exp(self) -> Called<Self::Exp, Self> {
+        unreachable!()
+    }
+    fn __b_exp2(self) -> Called<Self::Exp2, Self> {
+        unreachable!()
+    }
+    fn __b_exp_m1(self) -> Called<Self::ExpM1, Self> {
+        unreachable!()
+    }
+    fn __b_ln(self) -> Called<Self::Ln, Self> {
+        unreachable!()
+    }
+    fn __b_log2(self) -> Called<Self::Log2, Self> {
+        unreachable!()
+    }
+    fn __b_log10(self) -> Called<Self::Log10, Self> {
+        unreachable!()
+    }
+    fn __b_ln_1p(self) -> Called<Self::Ln1p, Self> {
+        unreachable!()
+    }
+    fn __b_sinh(self) -> Called<Self::Sinh, Self> {
+        unreachable!()
+    }
+    fn __b_cosh(self) -> Called<Self::Cosh, Self> {
+        unreachable!()
+    }
+    fn __b_tanh(self) -> Called<Self::Tanh, Self> {
+        unreachable!()
+    }
+    fn __b_cbrt(self) -> Called<Self::Cbrt, Self> {
+        unreachable!()
+    }
+    fn __b_atan2(self, _x: Self) -> Called<Self::Atan2, Self> {
+        unreachable!()
+    }
+    fn __b_powf(self, _y: Self) -> Called<Self::Powf, Self> {
+        unreachable!()
+    }
+    fn __b_hypot(self, _y: Self) -> Called<Self::Hypot, Self> {
+        unreachable!()
+    }
+    fn __b_powi(self, _n: i32) -> Called<Self::Powi, Self> {
+        unreachable!()
+    }
+}
+
+impl ElementaryBuiltins for f64 {
+    type Sin = sine::sin;
+    type Cos = sine::cos;
+    type Tan = tangent::tan;
+    type Asin = arctangent::asin;
+    type Acos = arctangent::acos;
+    type Atan = arctangent::atan;
+    type Exp = exponential::exp;
+    type Exp2 = exponential::exp2;
+    type ExpM1 = exponential::exp_m1;
+    type Ln = logarithm::ln;
+    type Log2 = logarithm::log2;
+    type Log10 = logarithm::log10;
+    type Ln1p = logarithm::ln_1p;
+    type Sinh = hyperbolic::sinh;
+    type Cosh = hyperbolic::cosh;
+    type Tanh = hyperbolic::tanh;
+    type Cbrt = roots::cbrt;
+    type Atan2 = arctangent::atan2;
+    type Powf = power::powf;
+    type Hypot = roots::hypot;
+    type Powi = power::powi;
+}
+
+impl ElementaryBuiltins for f32 {
+    type Sin = single::sinf;
+    type Cos = single::cosf;
+    type Tan = single::tanf;
+    type Asin = single::asinf;
+    type Acos = single::acosf;
+    type Atan = single::atanf;
+    type Exp = single::expf;
+    type Exp2 = single::exp2f;
+    type ExpM1 = single::exp_m1f;
+    type Ln = single::lnf;
+    type Log2 = single::log2f;
+    type Log10 = single::log10f;
+    type Ln1p = single::ln_1pf;
+    type Sinh = single::sinhf;
+    type Cosh = single::coshf;
+    type Tanh = single::tanhf;
+    type Cbrt = single::cbrtf;
+    type Atan2 = single::atan2f;
+    type Powf = single::powff;
+    type Hypot = single::hypotf;
+    type Powi = single::powif;
+}

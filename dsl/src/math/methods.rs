@@ -1,0 +1,112 @@
+//! The methods of floats that are elementary functions: what `x.sin()` in an annotated item means.
+
+use super::{arctangent, exponential, hyperbolic, logarithm, power, roots, sine, single, tangent};
+
+/// Elementary functions that the attributes redirect to the DSL.
+pub trait ElementaryMethods: Copy {
+    /// Sine of an angle in rad.
+    fn dsl_sin(self) -> Self;
+    /// Cosine of an angle in rad.
+    fn dsl_cos(self) -> Self;
+    /// Tangent of an angle in rad.
+    fn dsl_tan(self) -> Self;
+    /// Arcsine, rad; NaN outside −1 to 1.
+    fn dsl_asin(self) -> Self;
+    /// Arccosine, rad; NaN outside −1 to 1.
+    fn dsl_acos(self) -> Self;
+    /// Arctangent, rad.
+    fn dsl_atan(self) -> Self;
+    /// e^self.
+    fn dsl_exp(self) -> Self;
+    /// 2^self.
+    fn dsl_exp2(self) -> Self;
+    /// e^self − 1, without cancellation.
+    fn dsl_exp_m1(self) -> Self;
+    /// The natural logarithm.
+    fn dsl_ln(self) -> Self;
+    /// The logarithm to base 2.
+    fn dsl_log2(self) -> Self;
+    /// The logarithm to base 10.
+    fn dsl_log10(self) -> Self;
+    /// ln(1 + self), without cancellation.
+    fn dsl_ln_1p(self) -> Self;
+    /// The hyperbolic sine.
+    fn dsl_sinh(self) -> Self;
+    /// The hyperbolic cosine.
+    fn dsl_cosh(self) -> Self;
+    /// The hyperbolic tangent.
+    fn dsl_tanh(self) -> Self;
+    /// The cube root.
+    fn dsl_cbrt(self) -> Self;
+    /// The angle of the point (`x`, `self`) in rad, −π to π.
+    fn dsl_atan2(self, x: Self) -> Self;
+    /// self^y.
+    fn dsl_powf(self, y: Self) -> Self;
+    /// √(self² + y²), without overflow on the way.
+    fn dsl_hypot(self, y: Self) -> Self;
+    /// self^n, by squaring in the order of [`power::powi`].
+    fn dsl_powi(self, n: i32) -> Self;
+}
+
+macro_rules! elementary {
+    ($($float:ident: $($unary:ident $function:path),*; $($binary:ident $of_two:path),*; $powi:path;)*) => {$(
+        impl ElementaryMethods for $float {
+            $(fn $unary(self) -> $float {
+                $function(self)
+            })*
+            $(fn $binary(self, other: $float) -> $float {
+                $of_two(self, other)
+            })*
+            fn dsl_powi(self, n: i32) -> $float {
+                $powi(self, n)
+            }
+        }
+    )*};
+}
+
+elementary! {
+    f64:
+        dsl_sin sine::sin,
+        dsl_cos sine::cos,
+        dsl_tan tangent::tan,
+        dsl_asin arctangent::asin,
+        dsl_acos arctangent::acos,
+        dsl_atan arctangent::atan,
+        dsl_exp exponential::exp,
+        dsl_exp2 exponential::exp2,
+        dsl_exp_m1 exponential::exp_m1,
+        dsl_ln logarithm::ln,
+        dsl_log2 logarithm::log2,
+        dsl_log10 logarithm::log10,
+        dsl_ln_1p logarithm::ln_1p,
+        dsl_sinh hyperbolic::sinh,
+        dsl_cosh hyperbolic::cosh,
+        dsl_tanh hyperbolic::tanh,
+        dsl_cbrt roots::cbrt;
+        dsl_atan2 arctangent::atan2,
+        dsl_powf power::powf,
+        dsl_hypot roots::hypot;
+        power::powi;
+    f32:
+        dsl_sin single::sinf,
+        dsl_cos single::cosf,
+        dsl_tan single::tanf,
+        dsl_asin single::asinf,
+        dsl_acos single::acosf,
+        dsl_atan single::atanf,
+        dsl_exp single::expf,
+        dsl_exp2 single::exp2f,
+        dsl_exp_m1 single::exp_m1f,
+        dsl_ln single::lnf,
+        dsl_log2 single::log2f,
+        dsl_log10 single::log10f,
+        dsl_ln_1p single::ln_1pf,
+        dsl_sinh single::sinhf,
+        dsl_cosh single::coshf,
+        dsl_tanh single::tanhf,
+        dsl_cbrt single::cbrtf;
+        dsl_atan2 single::atan2f,
+        dsl_powf single::powff,
+        dsl_hypot single::hypotf;
+        single::powif;
+}

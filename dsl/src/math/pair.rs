@@ -1,0 +1,75 @@
+//! Numbers as the unevaluated sum of two doubles.
+//!
+//! After T. J. Dekker, *A floating-point technique for extending the available precision* (Numer.
+//! Math. 18, 1971), and D. E. Knuth, *The Art of Computer Programming*, volume 2. None of these needs
+//! a fused multiply-add, so all targets agree.
+
+use crate::prelude::*;
+
+/// A number as a double and what that leaves out.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pair {
+    /// The leading part.
+    pub high: f64,
+    /// What is added to it.
+    pub low: f64,
+}
+
+/// `a + b` without loss (Knuth).
+#[function]
+pub fn sum(a: f64, b: f64) -> Pair {
+    let high = a + b;
+    let from_b = high - a;
+    Pair { high, low: (a - (high - from_b)) + (b - from_b) }
+}
+
+/// `a + b` without loss, where `a` is zero or not the smaller in magnitude (Dekker).
+#[function]
+pub fn ordered_sum(a: f64, b: f64) -> Pair {
+    let high = a + b;
+    Pair { high, low: b - (high - a) }
+}
+
+/// `a * b` without loss, below 2⁹⁹⁶ and where nothing underflows (Dekker, Veltkamp).
+#[function]
+pub fn product(a: f64, b: f64) -> Pair {
+    const SPLITTER: f64 = 134_217_729.0;
+    let a_scaled = SPLITTER * a;
+    let a_high = a_scaled - (a_scaled - a);
+    let a_low = a - a_high;
+    let b_scaled = SPLITTER * b;
+    let b_high = b_scaled - (b_scaled - b);
+    let b_low = b - b_high;
+    let high = a * b;
+    let low = ((a_high * b_high - high) + a_high * b_low + a_low * b_high) + a_low * b_low;
+    Pair { high, low }
+}
+
+/// `a * b` to about 100 bits.
+#[function]
+pub fn pair_product(a: Pair, b: Pair) -> Pair {
+    let lead = product(a.high, b.high);
+    ordered_sum(lead.high, lead.low + (a.high * b.low + a.low * b.high))
+}
+
+/// `a / b` to about 100 bits.
+#[function]
+pub fn quotient(a: Pair, b: Pair) -> Pair {
+    let above = ordered_sum(a.high, a.low);
+    let below = ordered_sum(b.high, b.low);
+    let high = above.high / below.high;
+    let back = product(high, below.high);
+    let rest = ((above.high - back.high) - back.low + above.low) - high * below.low;
+    ordered_sum(high, rest / below.high)
+}
+
+/// The square root to about 100 bits.
+#[function]
+pub fn root(a: Pair) -> Pair {
+    let high = a.high.sqrt();
+    let back = product(high, high);
+    let rest = ((a.high - back.high) - back.low) + a.low;
+    // Of nothing the root is nothing.
+    if high == 0.0 { Pair { high, low: 0.0 } } else { Pair { high, low: rest / (2.0 * high) } }
+}

@@ -1,0 +1,94 @@
+//! Huge angles, brought to a quarter turn exactly as far as it matters.
+//!
+//! After M. Payne and R. Hanek, *Radian reduction for trigonometric functions* (SIGNUM Newsletter 18,
+//! 1983): of 2/π, 192 bits are taken from where they no longer make whole turns of the angle's last
+//! bit. The angle's 53 bits and two bits of the quadrant leave 137 bits behind the point; no double is
+//! nearer than 2⁻⁶² to a multiple of π/2 (J.-M. Muller, *Elementary Functions*, chapter 11). The work
+//! is the same for every angle.
+
+use super::pair::{Pair, ordered_sum, pair_product, sum};
+use super::tables::{HALF_PI_HIGH, HALF_PI_LOW, TWO_OVER_PI};
+use crate::prelude::*;
+
+/// An angle as quarter turns and what is left.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ReducedAngle {
+    /// What is left, rad, −π/4 to π/4.
+    pub high: f64,
+    /// What `high` leaves out.
+    pub low: f64,
+    /// Quarter turns modulo four: 0, 1, 2 or 3.
+    pub quadrant: u64,
+}
+
+/// The upper 64 bits of a product.
+#[function]
+pub fn upper_product(a: u64, b: u64) -> u64 {
+    let a_high = a >> 32;
+    let a_low = a & 0xffff_ffff;
+    let b_high = b >> 32;
+    let b_low = b & 0xffff_ffff;
+    let first = a_high.wrapping_mul(b_low).wrapping_add(a_low.wrapping_mul(b_low) >> 32);
+    let second = a_low.wrapping_mul(b_high).wrapping_add(first & 0xffff_ffff);
+    a_high.wrapping_mul(b_high).wrapping_add(first >> 32).wrapping_add(second >> 32)
+}
+
+/// 64 bits of 2/π from bit `shift` of a word on; the next word follows.
+#[function]
+pub fn window(word: u64, next: u64, shift: u64) -> u64 {
+    let shift = shift & 63;
+    (word << shift) | ((next >> 1) >> (63 - shift))
+}
+
+/// Takes whole quarter turns off an angle of 2²⁰ rad or more.
+#[function]
+pub fn reduced_huge_angle(x: f64) -> ReducedAngle {
+    let bits = x.to_bits();
+    // Bits of 2/π before this one make whole turns. The table starts with 64 zeros.
+    let start = ((bits >> 52) & 0x7ff).wrapping_sub(1023 + 52 + 2 - 64);
+    let mantissa = (bits & 0x000f_ffff_ffff_ffff) | 0x0010_0000_0000_0000;
+    let word = ((start >> 6) & 31) as usize;
+    let third = TWO_OVER_PI[word + 2];
+    let high = window(TWO_OVER_PI[word], TWO_OVER_PI[word + 1], start);
+    let middle = window(TWO_OVER_PI[word + 1], third, start);
+    let low = window(third, TWO_OVER_PI[word + 3], start);
+
+    // The product modulo four turns, in 192 bits of which two are before the point.
+    let last = mantissa.wrapping_mul(low);
+    let carried = upper_product(mantissa, low);
+    let centre = mantissa.wrapping_mul(middle).wrapping_add(carried);
+    let carry = if centre < carried { 1 } else { 0 };
+    let first = mantissa
+        .wrapping_mul(high)
+        .wrapping_add(upper_product(mantissa, middle))
+        .wrapping_add(carry);
+
+    // To the nearest quarter turn; the fraction is signed.
+    let turns = first.wrapping_add(0x2000_0000_0000_0000) >> 62;
+    let fraction = (first << 2) | (centre >> 62);
+    let negative = (fraction >> 63) == 1;
+    let flip = if negative { 0xffff_ffff_ffff_ffff } else { 0 };
+    let head = fraction ^ flip;
+    let tail = ((centre << 2) | (last >> 62)) ^ flip;
+    let end = (last << 2) ^ flip;
+
+    let lead = sum(
+        ((head >> 32) as u32) as f64 * 2.3283064365386963e-10,
+        ((head & 0xffff_ffff) as u32) as f64 * 5.421010862427522e-20,
+    );
+    let rest = sum(lead.low, ((tail >> 32) as u32) as f64 * 1.262177448353619e-29);
+    let least = ((tail & 0xffff_ffff) as u32) as f64 * 2.938735877055719e-39
+        + ((end >> 32) as u32) as f64 * 6.842277657836021e-49;
+    let upper = ordered_sum(lead.high, rest.high);
+    let fraction = ordered_sum(upper.high, upper.low + (rest.low + least));
+    let angle = pair_product(fraction, Pair { high: HALF_PI_HIGH, low: HALF_PI_LOW });
+
+    let backwards = x < 0.0;
+    let sign = if negative != backwards { -1.0 } else { 1.0 };
+    ReducedAngle {
+        high: sign * angle.high,
+        low: sign * angle.low,
+        quadrant: if backwards { 4u64.wrapping_sub(turns) & 3 } else { turns & 3 },
+    }
+}

@@ -1,0 +1,111 @@
+//! A model that calls every elementary function on many points and folds the bits of the results.
+
+use bessemer::prelude::*;
+
+/// Points of one call of [`Probe::step`].
+pub const POINTS: u32 = 1_000;
+
+/// Calls the functions on points of its own making.
+#[component]
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Probe {
+    /// How many words were drawn.
+    pub drawn: u64,
+}
+
+#[component]
+impl Probe {
+    /// The next word of Steele, Lea and Flood's SplitMix.
+    pub fn word(&mut self) -> u64 {
+        self.drawn = self.drawn.wrapping_add(1);
+        let start = self.drawn.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        let middle = (start ^ (start >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let end = (middle ^ (middle >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        end ^ (end >> 31)
+    }
+
+    /// A number of any bits, or one from −`range` to `range`.
+    pub fn argument(&mut self, range: f64) -> f64 {
+        let word = self.word();
+        if (word & 3) == 0 {
+            f64::from_bits(self.word())
+        } else {
+            ((word >> 11) as f64 * 2.220446049250313e-16 - 1.0) * range
+        }
+    }
+
+    /// The folded bits of function `which` on the next points.
+    #[entry(infallible)]
+    pub fn step(&mut self, which: u32, range: f64) -> u64 {
+        let mut folded = 0u64;
+        for _ in 0..POINTS {
+            let x = self.argument(range);
+            let y = self.argument(range);
+            let value = double(which, x, y);
+            folded = (folded ^ value.to_bits()).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+            folded ^= folded >> 29;
+            let value = single(which, x as f32, y as f32);
+            folded = (folded ^ value.to_bits() as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+            folded ^= folded >> 29;
+        }
+        folded
+    }
+}
+
+/// Function `which` in double precision.
+#[function]
+pub fn double(which: u32, x: f64, y: f64) -> f64 {
+    match which {
+        0 => x.sin(),
+        1 => x.cos(),
+        2 => x.tan(),
+        3 => x.asin(),
+        4 => x.acos(),
+        5 => x.atan(),
+        6 => x.exp(),
+        7 => x.exp2(),
+        8 => x.exp_m1(),
+        9 => x.ln(),
+        10 => x.log2(),
+        11 => x.log10(),
+        12 => x.ln_1p(),
+        13 => x.sinh(),
+        14 => x.cosh(),
+        15 => x.tanh(),
+        16 => x.cbrt(),
+        17 => x.atan2(y),
+        18 => x.powf(y),
+        19 => x.hypot(y),
+        20 => x.powi(y.to_bits() as i32 >> 20),
+        _ => x,
+    }
+}
+
+/// Function `which` in single precision.
+#[function]
+pub fn single(which: u32, x: f32, y: f32) -> f32 {
+    match which {
+        0 => x.sin(),
+        1 => x.cos(),
+        2 => x.tan(),
+        3 => x.asin(),
+        4 => x.acos(),
+        5 => x.atan(),
+        6 => x.exp(),
+        7 => x.exp2(),
+        8 => x.exp_m1(),
+        9 => x.ln(),
+        10 => x.log2(),
+        11 => x.log10(),
+        12 => x.ln_1p(),
+        13 => x.sinh(),
+        14 => x.cosh(),
+        15 => x.tanh(),
+        16 => x.cbrt(),
+        17 => x.atan2(y),
+        18 => x.powf(y),
+        19 => x.hypot(y),
+        20 => x.powi(y.to_bits() as i32 >> 20),
+        _ => x,
+    }
+}

@@ -1,0 +1,76 @@
+//! The elementary functions compute the same bits everywhere: the Rust, the C of each compiler, the C
+//! on the emulated Cortex-A9. Points of all magnitudes, infinities and NaN among them.
+
+#[path = "../mathematics/probe.rs"]
+mod probe;
+
+use std::thread;
+
+use bessemer_codegen::compile::{self, Compiled};
+use bessemer_codegen::source::Sources;
+use bessemer_codegen::{diagnostic, generate};
+use bessemer_tests::pilot::entry;
+use bessemer_tests::process::Process;
+use bessemer_tests::toolchain::{self, Toolchain};
+use bessemer_tests::workspace::Workspace;
+use probe::{POINTS, Probe};
+
+/// How many functions `probe::double` knows.
+const FUNCTIONS: u32 = 21;
+/// Calls for each function: 100 000 points, in both precisions.
+const CALLS: u32 = 100;
+
+/// The range of a call's arguments.
+fn range(call: u32) -> f64 {
+    [1.0, 12.5, 750.0, 1e6, 1e12, 1e-3][call as usize % 6]
+}
+
+fn compiled() -> Compiled {
+    let text = format!("#![no_std]\n{}", include_str!("../mathematics/probe.rs"));
+    let workspace = Workspace::with_source(&text).expect("a workspace");
+    let root = workspace.path("");
+    let package = generate::tree(&root, "models").unwrap_or_else(|error| panic!("{error}"));
+    let sources = Sources::new(&root);
+    compile::compile(&package, &sources, &compile::Options::default())
+        .unwrap_or_else(|errors| panic!("{}", diagnostic::render(&errors, &sources, false)))
+}
+
+fn native() -> Vec<u64> {
+    let mut probe = Probe::default();
+    let calls = (0..FUNCTIONS).flat_map(|which| (0..CALLS).map(move |call| (which, call)));
+    calls.map(|(which, call)| probe.step(which, range(call))).collect()
+}
+
+fn in_c(compiled: &Compiled, toolchain: &Toolchain) -> Vec<u64> {
+    let step = entry(compiled, "Probe", "step").expect("the probe has a step");
+    let mut process = Process::start(compiled, step, toolchain)
+        .unwrap_or_else(|error| panic!("{}: {error}", toolchain.name()));
+    let calls = (0..FUNCTIONS).flat_map(|which| (0..CALLS).map(move |call| (which, call)));
+    calls
+        .map(|(which, call)| {
+            let said = process.step(&[which.into(), range(call).to_bits()]);
+            said.expect("the process answers")[1]
+        })
+        .collect()
+}
+
+#[test]
+fn every_elementary_function_computes_the_same_bits() {
+    let compiled = &compiled();
+    let native = &native();
+    thread::scope(|scope| {
+        for toolchain in toolchain::all() {
+            scope.spawn(move || {
+                let bits = in_c(compiled, &toolchain);
+                let parted = native.iter().zip(&bits).position(|(rust, c)| rust != c);
+                let which = parted.map(|call| (call as u32 / CALLS, call as u32 % CALLS));
+                assert_eq!(which, None, "{}: function and call that part", toolchain.name());
+                println!(
+                    "{}: {FUNCTIONS} functions on {} points each",
+                    toolchain.name(),
+                    CALLS * POINTS
+                );
+            });
+        }
+    });
+}
