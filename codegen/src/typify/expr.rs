@@ -256,6 +256,17 @@ impl Lowering<'_, '_> {
         site: Site,
     ) -> Result<Expr> {
         let left = self.value(left, Some(&Type::BOOL))?;
+        self.short_circuit(op, left, right, site)
+    }
+
+    /// The same, its left side known.
+    pub(super) fn short_circuit(
+        &mut self,
+        op: LogicOp,
+        left: Expr,
+        right: &tree::Expr,
+        site: Site,
+    ) -> Result<Expr> {
         let outer = std::mem::take(&mut self.out);
         let right = self.value(right, Some(&Type::BOOL));
         let inner = std::mem::replace(&mut self.out, outer);
@@ -349,7 +360,8 @@ impl Lowering<'_, '_> {
         };
         let span = self.span(expr.site);
         let local = self.temporary_local("choice", ty.clone(), span);
-        self.emit(StmtKind::Let { local, value: None }, span);
+        let first = self.before_loop(expr, &ty, span);
+        self.emit(StmtKind::Let { local, value: first }, span);
         let place = Place { root: local, steps: Vec::new(), ty: ty.clone(), span };
         self.into(expr, &Target::Place(place.clone()))?;
         Ok(Expr { kind: ExprKind::Load(place), ty, span })

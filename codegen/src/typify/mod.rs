@@ -8,10 +8,12 @@
 //! from the operands comes from a slot.
 
 mod builtin;
+mod choice;
 mod control;
 mod expr;
 mod function;
 mod literal;
+mod loops;
 mod names;
 mod place;
 mod types;

@@ -266,6 +266,8 @@ pub enum ExprKind {
     Block(Block),
     /// `for name in from..to`.
     For {
+        /// The author's label, without the apostrophe.
+        label: Option<String>,
         /// The author's name.
         name: String,
         /// Its type.
@@ -275,12 +277,23 @@ pub enum ExprKind {
         /// What is repeated.
         body: Block,
     },
+    /// `while condition`, or `loop` without one.
+    While {
+        /// The author's label, without the apostrophe.
+        label: Option<String>,
+        /// What has to hold for another pass.
+        condition: Option<Box<Expr>>,
+        /// How many passes there may be: a literal, or a constant.
+        bound: Box<Expr>,
+        /// What is repeated.
+        body: Block,
+    },
     /// `return value`.
     Return(Option<Box<Expr>>),
-    /// `break`.
-    Break,
-    /// `continue`.
-    Continue,
+    /// `break 'label value`.
+    Break(Option<String>, Option<Box<Expr>>),
+    /// `continue 'label`.
+    Continue(Option<String>),
     /// `assert!(condition)`.
     Assert(Box<Expr>),
 }
@@ -298,10 +311,30 @@ pub struct Range {
 /// An arm of a `match`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Arm {
-    /// Literals or paths; empty: `_`.
-    pub patterns: Vec<Expr>,
+    /// Which values it takes; empty: every one.
+    pub patterns: Vec<Pattern>,
+    /// The name that it gives to the value, and whether that may be assigned.
+    pub binding: Option<(String, bool)>,
+    /// What must hold besides.
+    pub guard: Option<Expr>,
     /// Its value.
     pub body: Expr,
+}
+
+/// A pattern of a `match`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Pattern {
+    /// A literal or a path.
+    Value(Expr),
+    /// `from..=to`, each end a literal or a path; an end that is left out is the type's.
+    Range {
+        /// The first value.
+        from: Option<Expr>,
+        /// The last value, plus one unless `inclusive`.
+        to: Option<Expr>,
+        /// Whether `to` itself is taken.
+        inclusive: bool,
+    },
 }
 
 /// Operators of one operand.

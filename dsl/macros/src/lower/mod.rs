@@ -9,6 +9,7 @@
 //! Must not know: types, or what a call means.
 
 mod absent;
+pub mod bound;
 mod call;
 mod control;
 mod expr;
@@ -266,6 +267,7 @@ fn is_unit_control(expr: &syn::Expr) -> bool {
         | syn::Expr::While(_)
         | syn::Expr::Assign(_)
         | syn::Expr::Return(_) => true,
+        syn::Expr::Loop(it) => !bound::gives_value(it) && !bound::is_endless(it),
         syn::Expr::If(it) => it.else_branch.is_none(),
         syn::Expr::Binary(it) => expr::compound(&it.op).is_some(),
         _ => false,
