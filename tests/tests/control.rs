@@ -16,7 +16,7 @@ use bessemer_tests::pilot::entry;
 use bessemer_tests::process::Process;
 use bessemer_tests::toolchain::{self, Toolchain};
 use bessemer_tests::{root, value, words};
-use control::{choice, leaving, passes};
+use control::{choice, leaving, parts, passes};
 
 fn programs() -> &'static Compiled {
     static COMPILED: OnceLock<Compiled> = OnceLock::new();
@@ -202,4 +202,14 @@ fn a_loop_ends_within_its_bound_or_faults() {
     let calls = combinations(&[&starts, &[10, 100, 100_000]]);
     let faults = compare(&program!(passes::Collatz: u32, u32), &calls);
     assert!(faults.contains(&Fault::Bound));
+}
+
+#[test]
+fn values_are_taken_apart_and_put_together() {
+    let values = [0.0, -1.5, 3.0].map(f64::to_bits);
+    let calls = combinations(&[&values, &values[1..], &[0, 1, 2, 4, 100, 201]]);
+    let faults = compare(&program!(parts::Counter: u8), &combinations(&[&[0, 0, 1]]));
+    assert_eq!(faults, [Fault::DivisionByZero, Fault::DivisionByZero, Fault::Overflow]);
+    let faults = compare(&program!(parts::Parts: f64, f64, u8), &calls);
+    assert!(faults.len() == 18 && faults.iter().all(|fault| *fault == Fault::Assertion));
 }

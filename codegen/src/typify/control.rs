@@ -158,8 +158,11 @@ impl Lowering<'_, '_> {
     fn assert_stmt(&mut self, condition: &tree::Expr, site: Site) -> Result<()> {
         let naming = std::mem::take(&mut self.naming);
         let condition = self.value(condition, Some(&Type::BOOL))?;
-        // A check's condition cannot fault, so it is computed first.
-        let condition = self.temporary("asserted", condition);
+        // A check's condition cannot fault, so what might is computed first.
+        let condition = match super::expr::is_quiet(&condition) {
+            true => condition,
+            false => self.temporary("asserted", condition),
+        };
         self.naming = naming;
         let span = self.span(site);
         self.emit(StmtKind::Check { condition, fault: Fault::Assertion }, span);

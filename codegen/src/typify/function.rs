@@ -150,7 +150,7 @@ impl Lowering<'_, '_> {
         self.cx.value_type(slot_type(self.source, slot, site)?, site)
     }
 
-    fn slot_is_reference(&self, slot: u32, site: Site) -> Result<bool> {
+    pub(super) fn slot_is_reference(&self, slot: u32, site: Site) -> Result<bool> {
         Ok(matches!(slot_type(self.source, slot, site)?, Ty::Ref(..)))
     }
 
@@ -188,7 +188,7 @@ impl Lowering<'_, '_> {
         (looping && ty.is_word()).then_some(zero)
     }
 
-    fn bind(&mut self, name: &str, binding: Binding) {
+    pub(super) fn bind(&mut self, name: &str, binding: Binding) {
         if let Some(scope) = self.scopes.last_mut() {
             scope.push((name.to_owned(), binding));
         }
@@ -243,6 +243,10 @@ impl Lowering<'_, '_> {
             let site = match stmt {
                 tree::Stmt::Let { name, slot, value, site } => {
                     self.let_stmt(name, *slot, value.as_ref(), *site)?;
+                    *site
+                }
+                tree::Stmt::Apart { pattern, value, site } => {
+                    self.take_apart(pattern, value)?;
                     *site
                 }
                 tree::Stmt::Expr(expr) => {

@@ -7,6 +7,7 @@
 //! Must not know: C, or how an operation is computed. It does not infer: a type that does not follow
 //! from the operands comes from a slot.
 
+mod apart;
 mod builtin;
 mod choice;
 mod control;

@@ -204,8 +204,37 @@ pub enum Stmt {
         /// Where the statement starts.
         site: Site,
     },
+    /// `let (a, b) = value;` and the like.
+    Apart {
+        /// What is taken from the value.
+        pattern: Binding,
+        /// The value.
+        value: Expr,
+        /// Where the statement starts.
+        site: Site,
+    },
     /// An expression for its effect.
     Expr(Expr),
+}
+
+/// What the pattern of a `let` takes from a value.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Binding {
+    /// Nothing: `_`.
+    Ignored,
+    /// All of it, by name.
+    Name {
+        /// The author's name.
+        name: String,
+        /// Its type.
+        slot: u32,
+    },
+    /// The parts of a tuple.
+    Tuple(Vec<Binding>),
+    /// The elements of an array.
+    Array(Vec<Binding>),
+    /// Fields of a struct.
+    Struct(Vec<(String, Binding)>),
 }
 
 /// An expression.
@@ -246,8 +275,8 @@ pub enum ExprKind {
     Index(Box<Expr>, Box<Expr>),
     /// `(a, b)`, only as the index of a matrix.
     Tuple(Vec<Expr>),
-    /// `Name { field: value, … }`.
-    Struct(Vec<(String, Expr)>),
+    /// `Name { field: value, …, ..base }`.
+    Struct(Vec<(String, Expr)>, Option<Box<Expr>>),
     /// `[a, b, …]`.
     Array(Vec<Expr>),
     /// `[value; n]`.

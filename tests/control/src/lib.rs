@@ -9,4 +9,5 @@
 
 pub mod choice;
 pub mod leaving;
+pub mod parts;
 pub mod passes;

@@ -226,9 +226,6 @@ impl Lowering<'_> {
     }
 
     fn struct_literal(&mut self, it: &mut syn::ExprStruct) -> ExprKind {
-        if let Some(dots) = &it.dot2_token {
-            self.refusals.add(dots.span(), refuse::STRUCT_UPDATE);
-        }
         let mut fields = Vec::new();
         for field in &mut it.fields {
             let name = match &field.member {
@@ -241,7 +238,8 @@ impl Lowering<'_> {
             field.colon_token.get_or_insert_default();
             fields.push((name, self.value(&mut field.expr)));
         }
-        ExprKind::Struct(fields)
+        let rest = it.rest.as_mut().map(|rest| Box::new(self.value(rest)));
+        ExprKind::Struct(fields, rest)
     }
 }
 

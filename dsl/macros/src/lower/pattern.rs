@@ -102,6 +102,50 @@ impl Lowering<'_> {
         }
     }
 
+    /// What the pattern of a `let` takes from its value; the statements that look at its names go to
+    /// `looks`.
+    pub(super) fn binding(
+        &mut self,
+        pattern: &syn::Pat,
+        looks: &mut Vec<syn::Stmt>,
+    ) -> tree::Binding {
+        match pattern {
+            syn::Pat::Wild(_) => tree::Binding::Ignored,
+            syn::Pat::Paren(it) => self.binding(&it.pat, looks),
+            syn::Pat::Type(it) => self.binding(&it.pat, looks),
+            syn::Pat::Ident(it) if it.by_ref.is_none() && it.subpat.is_none() => {
+                let (slot, name) = (self.slot(), text(&it.ident));
+                self.bind(&name);
+                looks.push(self.look(slot, &it.ident));
+                tree::Binding::Name { name, slot }
+            }
+            syn::Pat::Tuple(it) => {
+                tree::Binding::Tuple(it.elems.iter().map(|it| self.binding(it, looks)).collect())
+            }
+            syn::Pat::Slice(it) => {
+                tree::Binding::Array(it.elems.iter().map(|it| self.binding(it, looks)).collect())
+            }
+            syn::Pat::Struct(it) => {
+                let mut fields = Vec::new();
+                for field in &it.fields {
+                    match &field.member {
+                        syn::Member::Named(name) => {
+                            fields.push((text(name), self.binding(&field.pat, looks)));
+                        }
+                        syn::Member::Unnamed(index) => {
+                            self.refusals.add(index.span, refuse::TUPLE_STRUCT);
+                        }
+                    }
+                }
+                tree::Binding::Struct(fields)
+            }
+            other => {
+                self.refusals.add(other.span(), refuse::DESTRUCTURING);
+                tree::Binding::Ignored
+            }
+        }
+    }
+
     fn refuse_pattern(&mut self, pattern: &syn::Pat) -> Vec<tree::Pattern> {
         let reason = match pattern {
             syn::Pat::Ident(_) => refuse::BINDING_PATTERN,

@@ -109,7 +109,7 @@ reasons! {
     CORE: "functions of the standard library are not in the DSL", "write it out, or use the method of the same name";
     ROTATION: "nalgebra's rotations are not in the DSL yet", "use `Matrix3<f64>`, built from `sin` and `cos`";
     LET_ELSE: "`let … else` is not in the DSL yet", "write a `match` or an `if` with an early `return`";
-    DESTRUCTURING: "this pattern takes a value apart", "bind a name, then read its fields: `let pair = …; let first = pair.first;`";
+    DESTRUCTURING: "this pattern is not in the DSL here", "take the value apart with `let`: `let [x, y] = pair;`, `let Gains { p, i } = gains;`";
     BINDING_PATTERN: "this pattern binds a reference", "leave `ref` out: the name stands for the value";
     PAYLOAD_PATTERN: "enums with payload are not in the DSL yet", "keep the payload in fields beside a plain enum";
     PATTERN: "this pattern is not in the DSL", "match on integers, ranges of them, plain variants, names and `_`";
@@ -119,7 +119,6 @@ reasons! {
     TUPLE_TYPE: "tuples are not in the DSL yet", "declare a struct with named fields, marked `#[data]`";
     TUPLE_STRUCT: "a struct of the DSL has named fields", "give each field a name: it reaches the C";
     UNION: "a union's bytes have no type that the C could check", "use a struct, and `to_bits`/`from_bits` for the bits of a float";
-    STRUCT_UPDATE: "`..` is not in the DSL yet", "copy the value, then assign the fields that differ";
     CHAR: "`char` is not in the DSL", "use `u8` for bytes: `b'A'` as a number";
     STRING: "text is not in the DSL yet", "use an enum for a choice, or `[u8; N]` for bytes";
     WIDE_INTEGER: "C99 has no 128-bit integer", "use `u64` or `i64`";
@@ -162,7 +161,7 @@ reasons! {
     SHARED_CELL: "shared mutable state is not in the DSL", "keep it in a field of the component, behind `&mut self`";
     FORMAT: "text is not formatted on the target", "return the numbers, and format them where they are shown";
     PANIC: "a panic has no counterpart in the C", "write `assert!(condition)`: it becomes a fault of the entry point";
-    ASSERT: "of the assertions, the DSL has `assert!`", "write `assert!(left == right)`";
+    ASSERT: "a debug assertion would not be in every build", "write `assert!`, `assert_eq!` or `assert_ne!`: it becomes a fault of the entry point";
     ENTRY_ARGUMENT: "`#[entry]` takes nothing, or `infallible`", "write `#[entry]` or `#[entry(infallible)]`";
     ENTRY_ALONE: "`#[entry]` stands on a method inside an `impl` block marked `#[component]`", "mark the `impl` block, or call a free function from an entry point";
     ENTRY_OF_DATA: "plain data has no entry points", "mark the struct and this block `#[component]`";
@@ -176,9 +175,7 @@ pub fn macro_call(name: &str) -> Reason {
             FORMAT
         }
         "panic" | "todo" | "unimplemented" | "unreachable" => PANIC,
-        "assert_eq" | "assert_ne" | "debug_assert" | "debug_assert_eq" | "debug_assert_ne" => {
-            ASSERT
-        }
+        "debug_assert" | "debug_assert_eq" | "debug_assert_ne" => ASSERT,
         "vec" => HEAP,
         _ => MACRO,
     }
