@@ -42,7 +42,7 @@ fn lets(function: &Function) -> Vec<(String, Ty)> {
             Stmt::Let { name, slot, .. } => {
                 Some((name.clone(), function.slots[*slot as usize].clone()))
             }
-            Stmt::Expr(_) => None,
+            Stmt::Apart { .. } | Stmt::Expr(_) => None,
         })
         .collect()
 }

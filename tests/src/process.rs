@@ -35,7 +35,7 @@ pub struct Process {
     output: BufReader<ChildStdout>,
     results: usize,
     // Holds the program while it runs.
-    _folder: TempDir,
+    folder: TempDir,
 }
 
 /// Writes the C of `compiled` to a folder.
@@ -84,11 +84,7 @@ impl Process {
         sources.push(main);
         let program = folder.path().join("harness");
         toolchain.link(&sources, &program).map_err(Error::Compile)?;
-        let mut child =
-            toolchain.runner(&program).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
-        let (Some(input), Some(output)) = (child.stdin.take(), child.stdout.take()) else {
-            return Err(Error::Compile("the process has no pipes".into()));
-        };
+        let (child, input, output) = spawn(toolchain, &program)?;
         let module = &compiled.explicit;
         let function = &module.functions[entry.index()];
         let state = match function.owner {
@@ -98,8 +94,19 @@ impl Process {
             _ => 0,
         };
         let results = 1 + module.leaves(&function.result).len() + state;
-        let (input, output) = (BufWriter::new(input), BufReader::new(output));
-        Ok(Process { child, input, output, results, _folder: folder })
+        Ok(Process { child, input, output, results, folder })
+    }
+
+    /// Starts the program anew: the component is in its initial state again.
+    ///
+    /// # Errors
+    /// What the system said.
+    pub fn restart(&mut self, toolchain: &Toolchain) -> Result<(), Error> {
+        self.child.kill()?;
+        self.child.wait()?;
+        let program = self.folder.path().join("harness");
+        (self.child, self.input, self.output) = spawn(toolchain, &program)?;
+        Ok(())
     }
 
     /// One call: the arguments' words in; status, result and state out.
@@ -118,6 +125,17 @@ impl Process {
             results.push(u64::from_le_bytes(bytes));
         }
         Ok(results)
+    }
+}
+
+type Running = (Child, BufWriter<ChildStdin>, BufReader<ChildStdout>);
+
+fn spawn(toolchain: &Toolchain, program: &Path) -> Result<Running, Error> {
+    let mut child =
+        toolchain.runner(program).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
+    match (child.stdin.take(), child.stdout.take()) {
+        (Some(input), Some(output)) => Ok((child, BufWriter::new(input), BufReader::new(output))),
+        _ => Err(Error::Compile("the process has no pipes".into())),
     }
 }
 

@@ -372,6 +372,7 @@ fn status_header(context: Context<'_>, options: &Options) -> CFile {
             bessemer_ir::Fault::Clamp => "Bounds that are not low <= high.",
             bessemer_ir::Fault::Variant => "An enum that holds none of its values.",
             bessemer_ir::Fault::Assertion => "An assertion does not hold.",
+            bessemer_ir::Fault::Bound => "A loop did not end within its bound.",
         };
         variants.push((vec![docs.to_owned()], status.fault(fault)));
     }

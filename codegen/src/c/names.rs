@@ -117,7 +117,7 @@ pub struct StatusNames {
 }
 
 /// Every fault, in the order of its number in C (from 1).
-pub const FAULTS: [Fault; 7] = [
+pub const FAULTS: [Fault; 8] = [
     Fault::Overflow,
     Fault::DivisionByZero,
     Fault::Shift,
@@ -125,6 +125,7 @@ pub const FAULTS: [Fault; 7] = [
     Fault::Clamp,
     Fault::Variant,
     Fault::Assertion,
+    Fault::Bound,
 ];
 
 impl StatusNames {
@@ -138,6 +139,7 @@ impl StatusNames {
             Fault::Clamp => "CLAMP",
             Fault::Variant => "VARIANT",
             Fault::Assertion => "ASSERTION",
+            Fault::Bound => "BOUND",
         };
         format!("{}_{word}", self.prefix)
     }

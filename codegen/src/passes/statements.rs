@@ -222,7 +222,11 @@ impl Lowering<'_> {
             return;
         }
         self.facts.assume(&condition, true);
-        self.remain(fault, span, "it is not known to hold".to_string());
+        let reason = match fault {
+            Fault::Bound => "the loop is not known to end within its bound",
+            _ => "it is not known to hold",
+        };
+        self.remain(fault, span, reason.to_string());
         self.emit(StmtKind::Check { condition, fault }, span);
     }
 
@@ -235,6 +239,7 @@ impl Lowering<'_> {
 pub(super) fn diverges(block: &Block) -> bool {
     block.0.iter().any(|stmt| match &stmt.kind {
         StmtKind::Return(_) | StmtKind::Break | StmtKind::Continue => true,
+        StmtKind::Check { condition, .. } => matches!(condition.kind, ExprKind::Literal(0)),
         StmtKind::If { then, otherwise, .. } => diverges(then) && diverges(otherwise),
         StmtKind::Match { arms, otherwise, .. } => {
             arms.iter().all(|arm| diverges(&arm.body)) && otherwise.as_ref().is_none_or(diverges)

@@ -1,11 +1,10 @@
 //! Control flow: statements, and values that control flow decides.
 
 use bessemer_ir::tree::{self, Site};
-use bessemer_ir::{
-    Arm, Block, Expr, ExprKind, Fault, Int, LocalId, Mode, Place, Scalar, StmtKind, Type,
-};
+use bessemer_ir::{Block, Expr, ExprKind, Fault, Place, StmtKind, Type};
 
 use super::function::{Lowering, Target, control_with_value};
+use super::loops::Leaving;
 use super::{Result, problem};
 
 impl Lowering<'_, '_> {
@@ -28,9 +27,13 @@ impl Lowering<'_, '_> {
                 self.out.extend(stmts);
                 Ok(())
             }
-            tree::ExprKind::Return(_) | tree::ExprKind::Break | tree::ExprKind::Continue => {
-                self.effect(expr)
+            tree::ExprKind::While { label, condition: None, bound, body } => {
+                self.loop_stmt(expr.site, label.as_deref(), bound, body, Some(target))
             }
+            tree::ExprKind::Return(_)
+            | tree::ExprKind::Break(..)
+            | tree::ExprKind::Continue(_)
+            | tree::ExprKind::While { .. } => self.effect(expr),
             _ => self.store(expr, target),
         }
     }
@@ -96,17 +99,21 @@ impl Lowering<'_, '_> {
                 self.out.extend(stmts);
                 Ok(())
             }
-            tree::ExprKind::For { name, slot, range, body } => {
-                self.for_stmt(expr.site, name, *slot, range, body)
+            tree::ExprKind::For { label, name, slot, range, body } => {
+                self.for_stmt(expr.site, label.as_deref(), (name, *slot), range, body)
             }
+            tree::ExprKind::While { label, condition, bound, body } => match condition {
+                Some(condition) => {
+                    self.while_stmt(expr.site, label.as_deref(), condition, bound, body)
+                }
+                None => self.loop_stmt(expr.site, label.as_deref(), bound, body, None),
+            },
             tree::ExprKind::Return(value) => self.return_stmt(value.as_deref(), expr.site),
-            tree::ExprKind::Break => {
-                self.emit(StmtKind::Break, span);
-                Ok(())
+            tree::ExprKind::Break(label, value) => {
+                self.break_stmt(label.as_deref(), value.as_deref(), expr.site)
             }
-            tree::ExprKind::Continue => {
-                self.emit(StmtKind::Continue, span);
-                Ok(())
+            tree::ExprKind::Continue(label) => {
+                self.leave(label.as_deref(), Leaving::Continue, expr.site)
             }
             tree::ExprKind::Assert(condition) => self.assert_stmt(condition, expr.site),
             tree::ExprKind::Tuple(parts) if parts.is_empty() => Ok(()),
@@ -118,7 +125,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    fn block_effect(&mut self, block: &tree::Block) -> Result<Block> {
+    pub(super) fn block_effect(&mut self, block: &tree::Block) -> Result<Block> {
         self.scoped(|inner| {
             inner.stmts(block)?;
             match &block.tail {
@@ -151,8 +158,11 @@ impl Lowering<'_, '_> {
     fn assert_stmt(&mut self, condition: &tree::Expr, site: Site) -> Result<()> {
         let naming = std::mem::take(&mut self.naming);
         let condition = self.value(condition, Some(&Type::BOOL))?;
-        // A check's condition cannot fault, so it is computed first.
-        let condition = self.temporary("asserted", condition);
+        // A check's condition cannot fault, so what might is computed first.
+        let condition = match super::expr::is_quiet(&condition) {
+            true => condition,
+            false => self.temporary("asserted", condition),
+        };
         self.naming = naming;
         let span = self.span(site);
         self.emit(StmtKind::Check { condition, fault: Fault::Assertion }, span);
@@ -200,122 +210,6 @@ impl Lowering<'_, '_> {
         }
         self.naming = naming;
         Ok(())
-    }
-
-    fn for_stmt(
-        &mut self,
-        site: Site,
-        name: &str,
-        slot: u32,
-        range: &tree::Range,
-        body: &tree::Block,
-    ) -> Result<()> {
-        let (ty, span) = (self.slot(slot, site)?, self.span(site));
-        let from = self.value(&range.from, Some(&ty))?;
-        let to = self.value(&range.to, Some(&ty))?;
-        let mut variable = LocalId(0);
-        let body = self.scoped(|inner| {
-            let name = if name.starts_with('_') { "pass" } else { name };
-            variable = inner.declare(name, ty, Mode::Value, span);
-            inner.stmts(body)
-        })?;
-        let (inclusive, reversed) = (range.inclusive, range.reversed);
-        self.emit(StmtKind::For { variable, from, to, inclusive, reversed, body }, span);
-        Ok(())
-    }
-
-    /// `match`, its value to `target` if one is wanted.
-    fn match_stmt(
-        &mut self,
-        site: Site,
-        scrutinee: &tree::Expr,
-        arms: &[tree::Arm],
-        target: Option<&Target>,
-    ) -> Result<()> {
-        let span = self.span(site);
-        let scrutinee = self.value(scrutinee, None)?;
-        let mut lowered: Vec<Arm> = Vec::new();
-        let mut otherwise = None;
-        for arm in arms {
-            let values = self.arm_values(arm, &scrutinee.ty)?;
-            let body = self.scoped(|inner| match (target, &arm.body.kind) {
-                (Some(target), _) => inner.into(&arm.body, target),
-                (None, _) => inner.effect(&arm.body),
-            })?;
-            match values {
-                // Earlier arms win, in Rust and so here.
-                Some(mut values) => {
-                    values.retain(|value| !lowered.iter().any(|arm| arm.values.contains(value)));
-                    if !values.is_empty() {
-                        lowered.push(Arm { values, body });
-                    }
-                }
-                None => {
-                    otherwise = Some(body);
-                    break;
-                }
-            }
-        }
-        if scrutinee.ty == Type::BOOL {
-            return self.match_bool(scrutinee, lowered, otherwise, span);
-        }
-        if lowered.is_empty() {
-            self.emit(StmtKind::Expr(scrutinee), span);
-            self.out.extend(otherwise.unwrap_or_default().0);
-            return Ok(());
-        }
-        self.emit(StmtKind::Match { scrutinee, arms: lowered, otherwise }, span);
-        Ok(())
-    }
-
-    fn match_bool(
-        &mut self,
-        condition: Expr,
-        arms: Vec<Arm>,
-        otherwise: Option<Block>,
-        span: bessemer_ir::Span,
-    ) -> Result<()> {
-        let mut arms: Vec<(bool, Block)> =
-            arms.into_iter().map(|arm| (arm.values.contains(&1), arm.body)).collect();
-        let mut take = |wanted: bool| {
-            arms.iter().position(|(value, _)| *value == wanted).map(|index| arms.remove(index).1)
-        };
-        let (then, els) = (take(true), take(false));
-        let otherwise = otherwise.unwrap_or_default();
-        let then = then.unwrap_or_else(|| otherwise.clone());
-        let els = els.unwrap_or(otherwise);
-        self.emit(StmtKind::If { condition, then, otherwise: els }, span);
-        Ok(())
-    }
-
-    /// The values that an arm names; none for `_`.
-    fn arm_values(&mut self, arm: &tree::Arm, ty: &Type) -> Result<Option<Vec<i128>>> {
-        if arm.patterns.is_empty() {
-            return Ok(None);
-        }
-        let mut values = Vec::new();
-        for pattern in &arm.patterns {
-            let literal = self.value(pattern, Some(ty))?;
-            self.agree(&literal.ty, ty, pattern.site)?;
-            let word = match &literal.kind {
-                ExprKind::Literal(word) => *word,
-                ExprKind::Const(id) => self.cx.module.consts[id.index()].words[0],
-                _ => 0,
-            };
-            let value = match ty {
-                Type::Scalar(Scalar::Int(int)) => int.from_word(word),
-                Type::Enum(_) | Type::Scalar(Scalar::Bool) => Int::U64.from_word(word),
-                _ => {
-                    return problem(
-                        pattern.site,
-                        "`match` takes integers and plain enums in the DSL",
-                        "compare with `if`",
-                    );
-                }
-            };
-            values.push(value);
-        }
-        Ok(Some(values))
     }
 
     /// What to call what goes into a place: its last field, or its variable.

@@ -6,6 +6,7 @@ use bessemer_ir::{
     StmtKind, Type,
 };
 
+use super::loops::Frame;
 use super::types::{show, split};
 use super::{Context, Result, names, problem};
 
@@ -21,6 +22,8 @@ pub(super) struct Lowering<'a, 'c> {
     /// What to call a value that the author left unnamed here.
     pub naming: String,
     pub result: Type,
+    /// The loops around what is being lowered, outermost first.
+    pub frames: Vec<Frame>,
 }
 
 /// What a name means.
@@ -62,6 +65,7 @@ pub(super) fn lower(cx: &mut Context<'_>, source: &tree::Function) -> Result<Fun
         out: Vec::new(),
         naming: "value".into(),
         result: result.clone(),
+        frames: Vec::new(),
     };
     lowering.parameters()?;
     lowering.body(&tree.body)?;
@@ -146,7 +150,7 @@ impl Lowering<'_, '_> {
         self.cx.value_type(slot_type(self.source, slot, site)?, site)
     }
 
-    fn slot_is_reference(&self, slot: u32, site: Site) -> Result<bool> {
+    pub(super) fn slot_is_reference(&self, slot: u32, site: Site) -> Result<bool> {
         Ok(matches!(slot_type(self.source, slot, site)?, Ty::Ref(..)))
     }
 
@@ -158,7 +162,33 @@ impl Lowering<'_, '_> {
         id
     }
 
-    fn bind(&mut self, name: &str, binding: Binding) {
+    /// What a name means, as a value.
+    pub(super) fn named(&mut self, name: &str, site: Site) -> Result<Expr> {
+        let span = self.span(site);
+        let place = match self.lookup(name, site)? {
+            Binding::Alias(place) => place,
+            Binding::Local(root) => {
+                let ty = self.locals[root.index()].ty.clone();
+                Place { root, steps: Vec::new(), ty, span }
+            }
+        };
+        let ty = place.ty.clone();
+        Ok(Expr { kind: ExprKind::Load(place), ty, span })
+    }
+
+    /// Another name for a place, from here on.
+    pub(super) fn alias_to(&mut self, name: &str, place: Place) {
+        self.bind(name, Binding::Alias(place));
+    }
+
+    /// The value of a local that a loop assigns: C compilers do not see that the loop runs.
+    pub(super) fn before_loop(&self, value: &tree::Expr, ty: &Type, span: Span) -> Option<Expr> {
+        let looping = matches!(value.kind, tree::ExprKind::While { .. });
+        let zero = Expr { kind: ExprKind::Literal(0), ty: ty.clone(), span };
+        (looping && ty.is_word()).then_some(zero)
+    }
+
+    pub(super) fn bind(&mut self, name: &str, binding: Binding) {
         if let Some(scope) = self.scopes.last_mut() {
             scope.push((name.to_owned(), binding));
         }
@@ -185,6 +215,17 @@ impl Lowering<'_, '_> {
         }
     }
 
+    /// Lowers in a scope of its own, into the block at hand.
+    pub(super) fn naming_scope<T>(
+        &mut self,
+        lower: impl FnOnce(&mut Self) -> Result<T>,
+    ) -> Result<T> {
+        self.scopes.push(Vec::new());
+        let done = lower(self);
+        self.scopes.pop();
+        done
+    }
+
     /// Lowers in a scope of its own, into a block of its own.
     pub(super) fn scoped(&mut self, lower: impl FnOnce(&mut Self) -> Result<()>) -> Result<Block> {
         self.scopes.push(Vec::new());
@@ -202,6 +243,10 @@ impl Lowering<'_, '_> {
             let site = match stmt {
                 tree::Stmt::Let { name, slot, value, site } => {
                     self.let_stmt(name, *slot, value.as_ref(), *site)?;
+                    *site
+                }
+                tree::Stmt::Apart { pattern, value, site } => {
+                    self.take_apart(pattern, value)?;
                     *site
                 }
                 tree::Stmt::Expr(expr) => {
@@ -256,7 +301,8 @@ impl Lowering<'_, '_> {
     ) -> Result<()> {
         let local = LocalId(self.locals.len() as u32);
         self.locals.push(Local { name: name.to_owned(), ty: ty.clone(), mode: Mode::Value, span });
-        self.emit(StmtKind::Let { local, value: None }, span);
+        let first = value.and_then(|value| self.before_loop(value, &ty, span));
+        self.emit(StmtKind::Let { local, value: first }, span);
         if let Some(value) = value {
             let place = Place { root: local, steps: Vec::new(), ty, span };
             self.into(value, &Target::Place(place))?;
@@ -337,8 +383,8 @@ impl Lowering<'_, '_> {
 
 /// Whether `expr` is control flow that has a value.
 pub(super) fn control_with_value(expr: &tree::Expr) -> bool {
-    use tree::ExprKind::{Block, If, Match};
-    matches!(expr.kind, If(..) | Match(..) | Block(..))
+    use tree::ExprKind::{Block, If, Match, While};
+    matches!(expr.kind, If(..) | Match(..) | Block(..) | While { condition: None, .. })
 }
 
 pub(super) fn is_literal(expr: &Expr) -> bool {

@@ -7,11 +7,14 @@
 //! Must not know: C, or how an operation is computed. It does not infer: a type that does not follow
 //! from the operands comes from a slot.
 
+mod apart;
 mod builtin;
+mod choice;
 mod control;
 mod expr;
 mod function;
 mod literal;
+mod loops;
 mod names;
 mod place;
 mod types;

@@ -183,6 +183,10 @@ impl Body<'_> {
                 if let Some(span) = calls.0 {
                     self.note(span, Err(Problem::CallInCheck));
                 }
+                if matches!(condition.kind, ExprKind::Literal(0)) {
+                    self.flow.diverge();
+                    return false;
+                }
             }
             StmtKind::Return(value) => {
                 self.returned(stmt.span, value.as_ref());

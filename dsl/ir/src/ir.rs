@@ -339,6 +339,8 @@ pub enum Fault {
     Variant,
     /// An assertion of the author's.
     Assertion,
+    /// A loop that would run more often than its bound says.
+    Bound,
 }
 
 /// An arm of a [`StmtKind::Match`].

@@ -204,8 +204,37 @@ pub enum Stmt {
         /// Where the statement starts.
         site: Site,
     },
+    /// `let (a, b) = value;` and the like.
+    Apart {
+        /// What is taken from the value.
+        pattern: Binding,
+        /// The value.
+        value: Expr,
+        /// Where the statement starts.
+        site: Site,
+    },
     /// An expression for its effect.
     Expr(Expr),
+}
+
+/// What the pattern of a `let` takes from a value.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Binding {
+    /// Nothing: `_`.
+    Ignored,
+    /// All of it, by name.
+    Name {
+        /// The author's name.
+        name: String,
+        /// Its type.
+        slot: u32,
+    },
+    /// The parts of a tuple.
+    Tuple(Vec<Binding>),
+    /// The elements of an array.
+    Array(Vec<Binding>),
+    /// Fields of a struct.
+    Struct(Vec<(String, Binding)>),
 }
 
 /// An expression.
@@ -246,8 +275,8 @@ pub enum ExprKind {
     Index(Box<Expr>, Box<Expr>),
     /// `(a, b)`, only as the index of a matrix.
     Tuple(Vec<Expr>),
-    /// `Name { field: value, … }`.
-    Struct(Vec<(String, Expr)>),
+    /// `Name { field: value, …, ..base }`.
+    Struct(Vec<(String, Expr)>, Option<Box<Expr>>),
     /// `[a, b, …]`.
     Array(Vec<Expr>),
     /// `[value; n]`.
@@ -266,6 +295,8 @@ pub enum ExprKind {
     Block(Block),
     /// `for name in from..to`.
     For {
+        /// The author's label, without the apostrophe.
+        label: Option<String>,
         /// The author's name.
         name: String,
         /// Its type.
@@ -275,12 +306,23 @@ pub enum ExprKind {
         /// What is repeated.
         body: Block,
     },
+    /// `while condition`, or `loop` without one.
+    While {
+        /// The author's label, without the apostrophe.
+        label: Option<String>,
+        /// What has to hold for another pass.
+        condition: Option<Box<Expr>>,
+        /// How many passes there may be: a literal, or a constant.
+        bound: Box<Expr>,
+        /// What is repeated.
+        body: Block,
+    },
     /// `return value`.
     Return(Option<Box<Expr>>),
-    /// `break`.
-    Break,
-    /// `continue`.
-    Continue,
+    /// `break 'label value`.
+    Break(Option<String>, Option<Box<Expr>>),
+    /// `continue 'label`.
+    Continue(Option<String>),
     /// `assert!(condition)`.
     Assert(Box<Expr>),
 }
@@ -298,10 +340,30 @@ pub struct Range {
 /// An arm of a `match`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Arm {
-    /// Literals or paths; empty: `_`.
-    pub patterns: Vec<Expr>,
+    /// Which values it takes; empty: every one.
+    pub patterns: Vec<Pattern>,
+    /// The name that it gives to the value, and whether that may be assigned.
+    pub binding: Option<(String, bool)>,
+    /// What must hold besides.
+    pub guard: Option<Expr>,
     /// Its value.
     pub body: Expr,
+}
+
+/// A pattern of a `match`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Pattern {
+    /// A literal or a path.
+    Value(Expr),
+    /// `from..=to`, each end a literal or a path; an end that is left out is the type's.
+    Range {
+        /// The first value.
+        from: Option<Expr>,
+        /// The last value, plus one unless `inclusive`.
+        to: Option<Expr>,
+        /// Whether `to` itself is taken.
+        inclusive: bool,
+    },
 }
 
 /// Operators of one operand.

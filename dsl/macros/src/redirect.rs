@@ -1,5 +1,5 @@
-//! The one change that the attributes make to the native item: the closed set of scalar methods goes
-//! to the DSL.
+//! What the attributes change in the native item: the closed set of scalar methods goes to the DSL,
+//! and loops with a declared bound count their passes.
 //!
 //! `x.sin()` becomes `x.dsl_sin()`, `f64::sin(x)` becomes `f64::dsl_sin(x)` (and so for every type,
 //! since `f64` may go by another name); the traits of `bessemer::math` answer. Inherent methods win over traits in Rust, so a prelude could not do it:
@@ -7,6 +7,8 @@
 
 use proc_macro2::Span;
 use syn::visit_mut::{self, VisitMut};
+
+use crate::lower::bound;
 
 /// The methods that the DSL owns: their result in the last bits, at ±0 or for NaN depends on the
 /// platform, or they do not exist without std.
@@ -90,6 +92,16 @@ struct Redirect {
 }
 
 impl VisitMut for Redirect {
+    fn visit_local_mut(&mut self, it: &mut syn::Local) {
+        bound::hand_on(it);
+        visit_mut::visit_local_mut(self, it);
+    }
+
+    fn visit_expr_mut(&mut self, expr: &mut syn::Expr) {
+        visit_mut::visit_expr_mut(self, expr);
+        bound::count(expr);
+    }
+
     fn visit_expr_method_call_mut(&mut self, call: &mut syn::ExprMethodCall) {
         visit_mut::visit_expr_method_call_mut(self, call);
         if let Some(name) = owned(&call.method) {

@@ -5,9 +5,17 @@ use bessemer::prelude::*;
 
 /// Until it is small.
 #[function]
-pub fn halved(x: f64) -> f64 {
+pub fn halved(x: f64, most: usize) -> f64 {
     let mut rest = x;
     while rest > 1.0 {
+        rest /= 2.0;
+    }
+    #[bound(most)]
+    while rest > 0.5 {
+        rest /= 2.0;
+    }
+    #[bound(8)]
+    for _ in 0..8 {
         rest /= 2.0;
     }
     rest

@@ -7,7 +7,8 @@ use bessemer::prelude::*;
 #[function]
 pub fn tuple(x: f64) -> (f64, f64) {
     let pair = (x, 2.0 * x);
-    (pair.0, pair.1)
+    let (a, b) = pair;
+    (pair.0 + a, pair.1 + b)
 }
 
 fn main() {}

@@ -181,7 +181,7 @@ fn statements_keep_their_form() {
     let statements = function("syntax::statements");
     let stmts = &statements.tree.body.stmts;
     let kinds = |stmt: &Stmt| match stmt {
-        Stmt::Let { .. } => "let",
+        Stmt::Let { .. } | Stmt::Apart { .. } => "let",
         Stmt::Expr(expr) => match expr.kind {
             ExprKind::For { .. } => "for",
             ExprKind::Match(..) => "match",

@@ -44,7 +44,7 @@ impl Lower<'_> {
         } else {
             (self.start(from, range.is_some()), self.bound(to, "end", range.is_some(), body))
         };
-        let last = literal_value(&to.1, int).or(range.map(|range| range.1.1));
+        let last = self.constant_value(&to.1, int).or(range.map(|range| range.1.1));
         let flagged = inclusive && last.is_none_or(|last| last >= int.max());
         let flag = flagged.then(|| self.flag(&from, &to));
 
@@ -133,6 +133,16 @@ impl Lower<'_> {
         } else {
             let down = StmtKind::Expr(Expr::Postfix(Box::new(i()), "--"));
             Head { first, condition: Expr::binary(">", i(), from.0), step: None, begin: Some(down) }
+        }
+    }
+
+    /// The value of a literal or a constant.
+    fn constant_value(&self, expr: &Ir, int: Int) -> Option<i128> {
+        match expr.kind {
+            ExprKind::Const(id) => {
+                Some(int.from_word(self.context.module.consts[id.index()].words[0]))
+            }
+            _ => literal_value(expr, int),
         }
     }
 

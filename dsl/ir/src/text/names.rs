@@ -167,4 +167,5 @@ table! {
     "clamp" => Fault::Clamp,
     "variant" => Fault::Variant,
     "assertion" => Fault::Assertion,
+    "bound" => Fault::Bound,
 }

@@ -271,6 +271,7 @@ impl Source<'_> {
                     Fault::Clamp,
                     Fault::Variant,
                     Fault::Assertion,
+                    Fault::Bound,
                 ]),
             },
             8 => StmtKind::Return(if self.chance(3) { None } else { Some(self.expr()) }),

@@ -1,9 +1,9 @@
-//! Control flow: `if`, `match`, `for`, `return`.
+//! Control flow: `if`, `match`, loops and how they are left.
 
 use bessemer_ir::tree::{self, ExprKind};
 use syn::spanned::Spanned;
 
-use super::{Lowering, pattern, refuse, site, text};
+use super::{Lowering, bound, pattern, refuse, site, text};
 
 impl Lowering<'_> {
     pub(super) fn if_expr(&mut self, it: &mut syn::ExprIf, value: bool) -> ExprKind {
@@ -34,18 +34,24 @@ impl Lowering<'_> {
         let scrutinee = self.value(&mut it.expr);
         let mut arms = Vec::new();
         for arm in &mut it.arms {
-            let patterns = self.arm_values(&mut arm.pat);
-            let body =
-                if value { self.value(&mut arm.body) } else { self.statement(&mut arm.body) };
-            arms.push(tree::Arm { patterns, body });
+            arms.push(self.scoped(|walk| {
+                let (taken, guard) = match &mut arm.pat {
+                    syn::Pat::Guard(it) => {
+                        (walk.taken(&mut it.pat), Some(walk.value(&mut it.guard)))
+                    }
+                    pattern => (walk.taken(pattern), None),
+                };
+                let body =
+                    if value { walk.value(&mut arm.body) } else { walk.statement(&mut arm.body) };
+                let pattern::Taken { patterns, binding } = taken;
+                tree::Arm { patterns, binding, guard, body }
+            }));
         }
         ExprKind::Match(Box::new(scrutinee), arms)
     }
 
     pub(super) fn for_loop(&mut self, it: &mut syn::ExprForLoop) -> Option<ExprKind> {
-        if let Some(label) = &it.label {
-            self.refusals.add(label.name.span(), refuse::LABEL);
-        }
+        let label = it.label.as_ref().map(|label| text(&label.name.ident));
         let range = self.range(&mut it.expr);
         self.scoped(|walk| {
             let Some(ident) = pattern::simple_name(&it.pat, walk.refusals) else {
@@ -55,13 +61,10 @@ impl Lowering<'_> {
             let slot = walk.slot();
             let name = text(&ident);
             walk.bind(&name);
-            let mut body = walk.block(&mut it.body);
-            if let Some(tail) = body.tail.take() {
-                body.stmts.push(tree::Stmt::Expr(*tail));
-            }
+            let body = walk.branch(&mut it.body, false);
             pattern::name_wild(&mut it.pat);
             it.body.stmts.insert(0, walk.look(slot, &ident));
-            Some(ExprKind::For { name, slot, range: Box::new(range?), body })
+            Some(ExprKind::For { label, name, slot, range: Box::new(range?), body })
         })
     }
 
@@ -92,16 +95,48 @@ impl Lowering<'_> {
         ExprKind::Return(it.expr.as_mut().map(|value| Box::new(self.value(value))))
     }
 
-    pub(super) fn refuse_label(
+    /// `while`, with the bound that its attribute declares.
+    pub(super) fn while_loop(&mut self, it: &mut syn::ExprWhile) -> Option<ExprKind> {
+        let bound = self.bound(&mut it.attrs, it.while_token.span, refuse::WHILE);
+        let condition = Some(Box::new(self.value(&mut it.cond)));
+        let label = it.label.as_ref().map(|label| text(&label.name.ident));
+        let body = self.branch(&mut it.body, false);
+        Some(ExprKind::While { label, condition, bound: bound?, body })
+    }
+
+    /// `loop`, the same.
+    pub(super) fn endless_loop(&mut self, it: &mut syn::ExprLoop) -> Option<ExprKind> {
+        let bound = self.bound(&mut it.attrs, it.loop_token.span, refuse::LOOP);
+        let label = it.label.as_ref().map(|label| text(&label.name.ident));
+        let body = self.branch(&mut it.body, false);
+        Some(ExprKind::While { label, condition: None, bound: bound?, body })
+    }
+
+    /// Takes `#[bound(…)]` off a loop.
+    fn bound(
         &mut self,
-        label: Option<&syn::Lifetime>,
-        value: Option<&syn::Expr>,
-    ) {
-        if let Some(label) = label {
-            self.refusals.add(label.span(), refuse::LABEL);
+        attributes: &mut Vec<syn::Attribute>,
+        keyword: proc_macro2::Span,
+        missing: refuse::Reason,
+    ) -> Option<Box<tree::Expr>> {
+        let Some(attribute) = bound::take(attributes) else {
+            self.refusals.add(keyword, missing);
+            return None;
+        };
+        let span = attribute.path().span();
+        let Ok(mut bound) = attribute.parse_args::<syn::Expr>() else {
+            self.refusals.add(span, refuse::BOUND);
+            return None;
+        };
+        let bound = self.value(&mut bound);
+        if !matches!(bound.kind, ExprKind::Int(..) | ExprKind::Path(..)) {
+            self.refusals.add(span, refuse::BOUND);
         }
-        if let Some(value) = value {
-            self.refusals.add(refuse::first_token(value), refuse::BREAK_VALUE);
-        }
+        Some(Box::new(bound))
+    }
+
+    pub(super) fn break_expr(&mut self, it: &mut syn::ExprBreak) -> ExprKind {
+        let label = it.label.as_ref().map(|label| text(&label.ident));
+        ExprKind::Break(label, it.expr.as_mut().map(|value| Box::new(self.value(value))))
     }
 }

@@ -5,7 +5,7 @@ use bessemer_ir::tree::{self, BinaryOp, ExprKind, UnaryOp};
 use quote::ToTokens;
 use syn::spanned::Spanned;
 
-use super::{Lowering, refuse, signature, site, text};
+use super::{Lowering, bound, refuse, signature, site, text};
 
 impl Lowering<'_> {
     /// An expression whose value is wanted.
@@ -83,18 +83,21 @@ impl Lowering<'_> {
             }
             syn::Expr::Match(it) => (self.match_expr(it, value), value),
             syn::Expr::Block(it) => {
-                self.refuse_label(it.label.as_ref().map(|label| &label.name), None);
+                if let Some(label) = &it.label {
+                    self.refusals.add(label.name.span(), refuse::BLOCK_LABEL);
+                }
                 (ExprKind::Block(self.block(&mut it.block)), value)
             }
             syn::Expr::ForLoop(it) => (self.for_loop(it).unwrap_or(UNIT), false),
-            syn::Expr::Return(it) => (self.return_expr(it), false),
-            syn::Expr::Break(it) => {
-                self.refuse_label(it.label.as_ref(), it.expr.as_deref());
-                (ExprKind::Break, false)
+            syn::Expr::While(it) => (self.while_loop(it).unwrap_or(UNIT), false),
+            syn::Expr::Loop(it) => {
+                let value = value && bound::gives_value(it);
+                (self.endless_loop(it).unwrap_or(UNIT), value)
             }
+            syn::Expr::Return(it) => (self.return_expr(it), false),
+            syn::Expr::Break(it) => (self.break_expr(it), false),
             syn::Expr::Continue(it) => {
-                self.refuse_label(it.label.as_ref(), None);
-                (ExprKind::Continue, false)
+                (ExprKind::Continue(it.label.as_ref().map(|label| text(&label.ident))), false)
             }
             syn::Expr::Macro(it) => {
                 (self.macro_call(&mut it.mac).map_or(UNIT, |expr| expr.kind), false)
@@ -111,13 +114,6 @@ impl Lowering<'_> {
     /// Looks for more to refuse in what was refused.
     fn inside(&mut self, refused: &mut syn::Expr) {
         match refused {
-            syn::Expr::While(it) => {
-                self.value(&mut it.cond);
-                self.block(&mut it.body);
-            }
-            syn::Expr::Loop(it) => {
-                self.block(&mut it.body);
-            }
             syn::Expr::Unsafe(it) => {
                 self.block(&mut it.block);
             }
@@ -230,9 +226,6 @@ impl Lowering<'_> {
     }
 
     fn struct_literal(&mut self, it: &mut syn::ExprStruct) -> ExprKind {
-        if let Some(dots) = &it.dot2_token {
-            self.refusals.add(dots.span(), refuse::STRUCT_UPDATE);
-        }
         let mut fields = Vec::new();
         for field in &mut it.fields {
             let name = match &field.member {
@@ -245,7 +238,8 @@ impl Lowering<'_> {
             field.colon_token.get_or_insert_default();
             fields.push((name, self.value(&mut field.expr)));
         }
-        ExprKind::Struct(fields)
+        let rest = it.rest.as_mut().map(|rest| Box::new(self.value(rest)));
+        ExprKind::Struct(fields, rest)
     }
 }
 

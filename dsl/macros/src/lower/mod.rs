@@ -9,6 +9,7 @@
 //! Must not know: types, or what a call means.
 
 mod absent;
+pub mod bound;
 mod call;
 mod control;
 mod expr;
@@ -149,6 +150,13 @@ impl<'a> Lowering<'a> {
         for (index, mut stmt) in originals.into_iter().enumerate() {
             match &mut stmt {
                 syn::Stmt::Local(local) => {
+                    if self.takes_apart(local) {
+                        let (tree, looks) = self.apart(local);
+                        lowered.stmts.push(tree);
+                        stmts.push(stmt);
+                        stmts.extend(looks);
+                        continue;
+                    }
                     let (tree, look) = self.local(local);
                     lowered.stmts.extend(tree);
                     stmts.push(stmt);
@@ -228,33 +236,81 @@ impl<'a> Lowering<'a> {
         (Some(tree::Stmt::Let { name, slot, value, site }), look)
     }
 
+    /// Whether a `let` takes its value apart, in a way that the DSL has.
+    fn takes_apart(&self, local: &syn::Local) -> bool {
+        let simple = match &local.pat {
+            syn::Pat::Tuple(_) => {
+                matches!(local.init.as_ref().map(|init| &*init.expr), Some(syn::Expr::Tuple(_)))
+            }
+            syn::Pat::Slice(_) | syn::Pat::Struct(_) => true,
+            _ => false,
+        };
+        simple && local.init.as_ref().is_some_and(|init| init.diverge.is_none())
+    }
+
+    fn apart(&mut self, local: &mut syn::Local) -> (tree::Stmt, Vec<syn::Stmt>) {
+        let site = site(&local.let_token);
+        let value = match local.init.as_mut() {
+            Some(init) => self.whole(&mut init.expr),
+            None => tree::Expr { kind: expr::UNIT, site, slot: None },
+        };
+        let mut looks = Vec::new();
+        let pattern = self.binding(&local.pat, &mut looks);
+        (tree::Stmt::Apart { pattern, value, site }, looks)
+    }
+
+    /// A value that is taken apart: a tuple only here.
+    fn whole(&mut self, expr: &mut syn::Expr) -> tree::Expr {
+        match expr {
+            syn::Expr::Tuple(it) => {
+                let parts = it.elems.iter_mut().map(|part| self.whole(part)).collect();
+                tree::Expr { kind: tree::ExprKind::Tuple(parts), site: site(it), slot: None }
+            }
+            other => self.value(other),
+        }
+    }
+
     fn macro_statement(&mut self, mac: &mut syn::StmtMacro) -> Option<tree::Expr> {
         self.macro_call(&mut mac.mac)
     }
 
-    /// Lowers `assert!(condition)`; every other macro is refused.
+    /// Lowers `assert!(condition)` and the like; every other macro is refused.
     fn macro_call(&mut self, mac: &mut syn::Macro) -> Option<tree::Expr> {
         use syn::punctuated::Punctuated;
         let span = mac.path.span();
         let name =
             mac.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default();
-        if name != "assert" {
-            self.refusals.add(span, refuse::macro_call(&name));
-            return None;
-        }
+        let compared = match name.as_str() {
+            "assert" => None,
+            "assert_eq" => Some(tree::BinaryOp::Eq),
+            "assert_ne" => Some(tree::BinaryOp::Ne),
+            _ => {
+                self.refusals.add(span, refuse::macro_call(&name));
+                return None;
+            }
+        };
         let parser = Punctuated::<syn::Expr, syn::Token![,]>::parse_terminated;
         let Ok(mut arguments) = mac.parse_body_with(parser) else {
             self.refusals.add(span, refuse::SYNTAX);
             return None;
         };
-        let condition = self.value(arguments.first_mut()?);
-        let witness = &arguments[0];
-        mac.tokens = quote! { #witness };
-        Some(tree::Expr {
-            kind: tree::ExprKind::Assert(Box::new(condition)),
-            site: site(&mac.path),
-            slot: None,
-        })
+        let site = site(&mac.path);
+        let first = self.value(arguments.first_mut()?);
+        let condition = match compared {
+            None => {
+                let witness = &arguments[0];
+                mac.tokens = quote! { #witness };
+                first
+            }
+            Some(op) => {
+                let second = self.value(arguments.get_mut(1)?);
+                let (left, right) = (&arguments[0], &arguments[1]);
+                mac.tokens = quote! { #left, #right };
+                let kind = tree::ExprKind::Binary(op, Box::new(first), Box::new(second));
+                tree::Expr { kind, site, slot: None }
+            }
+        };
+        Some(tree::Expr { kind: tree::ExprKind::Assert(Box::new(condition)), site, slot: None })
     }
 }
 
@@ -266,6 +322,7 @@ fn is_unit_control(expr: &syn::Expr) -> bool {
         | syn::Expr::While(_)
         | syn::Expr::Assign(_)
         | syn::Expr::Return(_) => true,
+        syn::Expr::Loop(it) => !bound::gives_value(it) && !bound::is_endless(it),
         syn::Expr::If(it) => it.else_branch.is_none(),
         syn::Expr::Binary(it) => expr::compound(&it.op).is_some(),
         _ => false,

@@ -4,7 +4,7 @@ use bessemer_ir::tree;
 use quote::ToTokens;
 use syn::spanned::Spanned;
 
-use super::{Lowering, Refusals, refuse, site};
+use super::{Lowering, Refusals, refuse, site, text};
 
 /// The name that a pattern binds, if that is all it does.
 pub fn simple_name(pattern: &syn::Pat, refusals: &mut Refusals) -> Option<syn::Ident> {
@@ -37,41 +37,117 @@ pub fn make_mutable(pattern: &mut syn::Pat) {
     }
 }
 
+/// What an arm of a `match` takes, and what it calls it.
+#[derive(Default)]
+pub(super) struct Taken {
+    /// The values; empty: every one.
+    pub patterns: Vec<tree::Pattern>,
+    /// The name, and whether it may be assigned.
+    pub binding: Option<(String, bool)>,
+}
+
 impl Lowering<'_> {
-    /// The values that a `match` arm names: none for `_`.
-    pub(super) fn arm_values(&mut self, pattern: &mut syn::Pat) -> Vec<tree::Expr> {
+    /// What the pattern of a `match` arm takes; the name it binds is a local from here on.
+    pub(super) fn taken(&mut self, pattern: &mut syn::Pat) -> Taken {
+        match pattern {
+            syn::Pat::Paren(it) => self.taken(&mut it.pat),
+            syn::Pat::Ident(it)
+                if it.by_ref.is_none() && (it.subpat.is_some() || !is_constant_name(&it.ident)) =>
+            {
+                let name = text(&it.ident);
+                let patterns = match &mut it.subpat {
+                    Some((_, inner)) => self.values(inner),
+                    None => Vec::new(),
+                };
+                self.bind(&name);
+                Taken { patterns, binding: Some((name, it.mutability.is_some())) }
+            }
+            other => Taken { patterns: self.values(other), binding: None },
+        }
+    }
+
+    /// The values that a pattern takes: none for `_`.
+    fn values(&mut self, pattern: &mut syn::Pat) -> Vec<tree::Pattern> {
         match pattern {
             syn::Pat::Wild(_) => Vec::new(),
-            syn::Pat::Paren(it) => self.arm_values(&mut it.pat),
+            syn::Pat::Paren(it) => self.values(&mut it.pat),
             syn::Pat::Or(it) => {
-                let cases: Vec<_> = it.cases.iter_mut().map(|case| self.arm_values(case)).collect();
+                let cases: Vec<_> = it.cases.iter_mut().map(|case| self.values(case)).collect();
                 // `1 | _` is `_`.
                 let any = cases.iter().any(Vec::is_empty);
                 if any { Vec::new() } else { cases.concat() }
             }
             syn::Pat::Lit(it) => {
                 let mut literal = syn::Expr::Lit(it.clone());
-                vec![self.value(&mut literal)]
+                vec![tree::Pattern::Value(self.value(&mut literal))]
             }
             syn::Pat::Path(it) => {
                 let path = it.to_token_stream();
-                vec![self.constant(path, &it.path)]
+                vec![tree::Pattern::Value(self.constant(path, &it.path))]
             }
             syn::Pat::Ident(it) if is_constant_name(&it.ident) && it.subpat.is_none() => {
                 let path = syn::Path::from(it.ident.clone());
-                vec![self.constant(it.ident.to_token_stream(), &path)]
+                vec![tree::Pattern::Value(self.constant(it.ident.to_token_stream(), &path))]
+            }
+            syn::Pat::Range(it) => {
+                let inclusive = matches!(it.limits, syn::RangeLimits::Closed(_));
+                // The ends of a pattern stay as they are in the copy: they are no expressions.
+                let mut end = |end: &Option<Box<syn::Expr>>| {
+                    end.as_deref().cloned().map(|mut end| self.value(&mut end))
+                };
+                let (from, to) = (end(&it.start), end(&it.end));
+                vec![tree::Pattern::Range { from, to, inclusive }]
             }
             _ => self.refuse_pattern(pattern),
         }
     }
 
-    fn refuse_pattern(&mut self, pattern: &syn::Pat) -> Vec<tree::Expr> {
-        let reason = match pattern {
-            syn::Pat::Guard(it) => {
-                self.refusals.add(it.if_token.span, refuse::GUARD);
-                return Vec::new();
+    /// What the pattern of a `let` takes from its value; the statements that look at its names go to
+    /// `looks`.
+    pub(super) fn binding(
+        &mut self,
+        pattern: &syn::Pat,
+        looks: &mut Vec<syn::Stmt>,
+    ) -> tree::Binding {
+        match pattern {
+            syn::Pat::Wild(_) => tree::Binding::Ignored,
+            syn::Pat::Paren(it) => self.binding(&it.pat, looks),
+            syn::Pat::Type(it) => self.binding(&it.pat, looks),
+            syn::Pat::Ident(it) if it.by_ref.is_none() && it.subpat.is_none() => {
+                let (slot, name) = (self.slot(), text(&it.ident));
+                self.bind(&name);
+                looks.push(self.look(slot, &it.ident));
+                tree::Binding::Name { name, slot }
             }
-            syn::Pat::Range(_) => refuse::RANGE_PATTERN,
+            syn::Pat::Tuple(it) => {
+                tree::Binding::Tuple(it.elems.iter().map(|it| self.binding(it, looks)).collect())
+            }
+            syn::Pat::Slice(it) => {
+                tree::Binding::Array(it.elems.iter().map(|it| self.binding(it, looks)).collect())
+            }
+            syn::Pat::Struct(it) => {
+                let mut fields = Vec::new();
+                for field in &it.fields {
+                    match &field.member {
+                        syn::Member::Named(name) => {
+                            fields.push((text(name), self.binding(&field.pat, looks)));
+                        }
+                        syn::Member::Unnamed(index) => {
+                            self.refusals.add(index.span, refuse::TUPLE_STRUCT);
+                        }
+                    }
+                }
+                tree::Binding::Struct(fields)
+            }
+            other => {
+                self.refusals.add(other.span(), refuse::DESTRUCTURING);
+                tree::Binding::Ignored
+            }
+        }
+    }
+
+    fn refuse_pattern(&mut self, pattern: &syn::Pat) -> Vec<tree::Pattern> {
+        let reason = match pattern {
             syn::Pat::Ident(_) => refuse::BINDING_PATTERN,
             syn::Pat::TupleStruct(_) | syn::Pat::Struct(_) => refuse::PAYLOAD_PATTERN,
             _ => refuse::PATTERN,

@@ -109,19 +109,16 @@ reasons! {
     CORE: "functions of the standard library are not in the DSL", "write it out, or use the method of the same name";
     ROTATION: "nalgebra's rotations are not in the DSL yet", "use `Matrix3<f64>`, built from `sin` and `cos`";
     LET_ELSE: "`let … else` is not in the DSL yet", "write a `match` or an `if` with an early `return`";
-    DESTRUCTURING: "this pattern takes a value apart", "bind a name, then read its fields: `let pair = …; let first = pair.first;`";
-    GUARD: "guards are not in the DSL yet", "put an `if` inside the arm";
-    RANGE_PATTERN: "range patterns are not in the DSL yet", "compare with `if low <= x && x <= high`, or list the values: `1 | 2 | 3`";
-    BINDING_PATTERN: "this pattern binds a name", "write `_`, and use the value that is matched";
+    DESTRUCTURING: "this pattern is not in the DSL here", "take the value apart with `let`: `let [x, y] = pair;`, `let Gains { p, i } = gains;`";
+    BINDING_PATTERN: "this pattern binds a reference", "leave `ref` out: the name stands for the value";
     PAYLOAD_PATTERN: "enums with payload are not in the DSL yet", "keep the payload in fields beside a plain enum";
-    PATTERN: "this pattern is not in the DSL", "match on integers, plain variants and `_`";
+    PATTERN: "this pattern is not in the DSL", "match on integers, ranges of them, plain variants, names and `_`";
     ENUM_PAYLOAD: "a variant with payload is not in the DSL yet", "keep the payload in fields of a struct, beside a plain enum";
     DISCRIMINANT: "explicit discriminants are not in the DSL yet", "leave the values to the DSL; convert with a `match` where a protocol fixes them";
     TUPLE: "tuples are not in the DSL yet", "name the parts: a struct marked `#[data]`";
     TUPLE_TYPE: "tuples are not in the DSL yet", "declare a struct with named fields, marked `#[data]`";
     TUPLE_STRUCT: "a struct of the DSL has named fields", "give each field a name: it reaches the C";
     UNION: "a union's bytes have no type that the C could check", "use a struct, and `to_bits`/`from_bits` for the bits of a float";
-    STRUCT_UPDATE: "`..` is not in the DSL yet", "copy the value, then assign the fields that differ";
     CHAR: "`char` is not in the DSL", "use `u8` for bytes: `b'A'` as a number";
     STRING: "text is not in the DSL yet", "use an enum for a choice, or `[u8; N]` for bytes";
     WIDE_INTEGER: "C99 has no 128-bit integer", "use `u64` or `i64`";
@@ -129,12 +126,12 @@ reasons! {
     FUNCTION_POINTER: "function pointers hide what is called from the stack analysis", "choose with an `enum` and a `match`";
     CONSTRUCTOR: "tuple constructors are not in the DSL yet", "use a struct with named fields: `Name { field: value }`";
     RECURSION: "recursion has no bound that the C could promise", "write a loop over a range";
-    LABEL: "labels are not in the DSL yet", "move the inner loop into a function, and `return` from it";
-    BREAK_VALUE: "`break` with a value is not in the DSL yet", "assign a variable, then `break`";
     OPEN_RANGE: "this range is open, so the loop has no bound", "write both ends: `for i in 0..n`";
     ITERATOR: "`for` takes a range in the DSL", "write `for i in 0..n` and index with `i`";
-    WHILE: "`while` has no bound that the C could promise", "write `for _ in 0..LIMIT` with a `break`";
-    LOOP: "`loop` has no bound that the C could promise", "write `for _ in 0..LIMIT` with a `break`";
+    WHILE: "this `while` declares no bound that the C could promise", "write `#[bound(64)]` above it: another pass than that is a fault";
+    LOOP: "this `loop` declares no bound that the C could promise", "write `#[bound(64)]` above it: another pass than that is a fault";
+    BOUND: "the bound of a loop is a number, or a constant", "write `#[bound(64)]`, or `#[bound(LIMIT)]`";
+    BLOCK_LABEL: "a block has no label in the DSL", "move the block into a function, and `return` from it";
     CLOSURE: "closures are not in the DSL yet", "write a function marked `#[function]`";
     TRY: "`?` is not in the DSL yet", "return a plain enum that says what went wrong, and `match` on it";
     ASYNC: "there is no executor in firmware that a model could await", "write a component whose `step` is called once per period";
@@ -164,7 +161,7 @@ reasons! {
     SHARED_CELL: "shared mutable state is not in the DSL", "keep it in a field of the component, behind `&mut self`";
     FORMAT: "text is not formatted on the target", "return the numbers, and format them where they are shown";
     PANIC: "a panic has no counterpart in the C", "write `assert!(condition)`: it becomes a fault of the entry point";
-    ASSERT: "of the assertions, the DSL has `assert!`", "write `assert!(left == right)`";
+    ASSERT: "a debug assertion would not be in every build", "write `assert!`, `assert_eq!` or `assert_ne!`: it becomes a fault of the entry point";
     ENTRY_ARGUMENT: "`#[entry]` takes nothing, or `infallible`", "write `#[entry]` or `#[entry(infallible)]`";
     ENTRY_ALONE: "`#[entry]` stands on a method inside an `impl` block marked `#[component]`", "mark the `impl` block, or call a free function from an entry point";
     ENTRY_OF_DATA: "plain data has no entry points", "mark the struct and this block `#[component]`";
@@ -178,9 +175,7 @@ pub fn macro_call(name: &str) -> Reason {
             FORMAT
         }
         "panic" | "todo" | "unimplemented" | "unreachable" => PANIC,
-        "assert_eq" | "assert_ne" | "debug_assert" | "debug_assert_eq" | "debug_assert_ne" => {
-            ASSERT
-        }
+        "debug_assert" | "debug_assert_eq" | "debug_assert_ne" => ASSERT,
         "vec" => HEAP,
         _ => MACRO,
     }
@@ -189,8 +184,6 @@ pub fn macro_call(name: &str) -> Reason {
 /// The reason for an expression that is not taken, and where to say it.
 pub fn expression(expr: &syn::Expr) -> (Span, Reason) {
     match expr {
-        syn::Expr::While(it) => (it.while_token.span, WHILE),
-        syn::Expr::Loop(it) => (it.loop_token.span, LOOP),
         syn::Expr::Closure(it) => (first_token(it), CLOSURE),
         syn::Expr::Try(it) => (it.question_token.span, TRY),
         syn::Expr::Async(it) => (it.async_token.span, ASYNC),

@@ -5,7 +5,7 @@
 use syn::spanned::Spanned;
 use syn::visit_mut::{self, VisitMut};
 
-use super::{Refusals, refuse};
+use super::{Refusals, bound, refuse};
 
 /// Refuses the attributes of an item, field or method that would make the C differ from the Rust.
 ///
@@ -47,6 +47,24 @@ impl VisitMut for Strip<'_> {
                 self.refusals.add(path.span(), refuse::ATTRIBUTE);
             }
         }
+    }
+
+    fn visit_local_mut(&mut self, it: &mut syn::Local) {
+        bound::hand_on(it);
+        visit_mut::visit_local_mut(self, it);
+    }
+
+    /// The bound of a loop is the walk's to read.
+    fn visit_expr_while_mut(&mut self, it: &mut syn::ExprWhile) {
+        let bound = bound::take(&mut it.attrs);
+        visit_mut::visit_expr_while_mut(self, it);
+        it.attrs.extend(bound);
+    }
+
+    fn visit_expr_loop_mut(&mut self, it: &mut syn::ExprLoop) {
+        let bound = bound::take(&mut it.attrs);
+        visit_mut::visit_expr_loop_mut(self, it);
+        it.attrs.extend(bound);
     }
 
     fn visit_type_reference_mut(&mut self, ty: &mut syn::TypeReference) {

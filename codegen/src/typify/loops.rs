@@ -1,0 +1,321 @@
+//! Loops, and how they are left.
+//!
+//! A loop with a declared bound is a `for` over its passes. Leaving a loop that is not the innermost
+//! raises a flag: each loop in between ends, and looks at the flag behind it.
+
+use bessemer_ir::tree::{self, Site};
+use bessemer_ir::{
+    Block, CompareOp, Expr, ExprKind, Fault, Local, LocalId, Mode, Place, Span, Stmt, StmtKind,
+    Type, UnaryOp,
+};
+
+use super::expr::OUR_FAULT;
+use super::function::{Lowering, Target};
+use super::{Result, problem};
+
+/// A loop that is being lowered.
+pub(super) struct Frame {
+    label: Option<String>,
+    /// Where the value of a `break` goes.
+    target: Option<Target>,
+    /// What is looked at behind the loop.
+    behind: Vec<Behind>,
+}
+
+/// A flag that is looked at behind a loop.
+struct Behind {
+    flag: LocalId,
+    /// The loop that is left for good, or continued, by its depth.
+    left: usize,
+    leaving: Leaving,
+}
+
+/// The two ways to leave a pass.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Leaving {
+    Break,
+    Continue,
+}
+
+impl Lowering<'_, '_> {
+    pub(super) fn for_stmt(
+        &mut self,
+        site: Site,
+        label: Option<&str>,
+        (name, slot): (&str, u32),
+        range: &tree::Range,
+        body: &tree::Block,
+    ) -> Result<()> {
+        let (ty, span) = (self.slot(slot, site)?, self.span(site));
+        let from = self.value(&range.from, Some(&ty))?;
+        let to = self.value(&range.to, Some(&ty))?;
+        let name = if name.starts_with('_') { "pass" } else { name };
+        self.repeated(label, None, span, |inner| {
+            let mut variable = LocalId(0);
+            let body = inner.scoped(|inner| {
+                variable = inner.declare(name, ty, Mode::Value, span);
+                inner.statements(body)
+            })?;
+            let (inclusive, reversed) = (range.inclusive, range.reversed);
+            Ok(StmtKind::For { variable, from, to, inclusive, reversed, body })
+        })
+    }
+
+    /// `while`: one pass more than the bound comes to the condition, and not beyond.
+    pub(super) fn while_stmt(
+        &mut self,
+        site: Site,
+        label: Option<&str>,
+        condition: &tree::Expr,
+        bound: &tree::Expr,
+        body: &tree::Block,
+    ) -> Result<()> {
+        let span = self.span(site);
+        let bound = self.passes(bound)?;
+        self.repeated(label, None, span, |inner| {
+            let pass = inner.pass(&bound, span);
+            let body = inner.scoped(|inner| {
+                let condition = negated(inner.value(condition, Some(&Type::BOOL))?);
+                let (then, otherwise) = (alone(StmtKind::Break, span), Block::default());
+                inner.emit(StmtKind::If { condition, then, otherwise }, span);
+                inner.emit(begun(pass, &bound, span), span);
+                inner.statements(body)
+            })?;
+            Ok(passes(pass, bound, true, body))
+        })
+    }
+
+    /// `loop`, the value of its `break` to `target` if it has one.
+    pub(super) fn loop_stmt(
+        &mut self,
+        site: Site,
+        label: Option<&str>,
+        bound: &tree::Expr,
+        body: &tree::Block,
+        target: Option<&Target>,
+    ) -> Result<()> {
+        let span = self.span(site);
+        let bound = self.passes(bound)?;
+        let mut endless = false;
+        self.repeated(label, target, span, |inner| {
+            let pass = inner.pass(&bound, span);
+            let mut body = inner.scoped(|inner| inner.statements(body))?;
+            endless = !breaks(&body);
+            if !endless {
+                let kind = begun(pass, &bound, span);
+                body.0.insert(0, Stmt { kind, span, comments: Vec::new() });
+            }
+            Ok(passes(pass, bound, !endless, body))
+        })?;
+        if endless {
+            // Behind the last pass there is nothing but the fault.
+            let condition = Expr { kind: ExprKind::Literal(0), ty: Type::BOOL, span };
+            self.emit(StmtKind::Check { condition, fault: Fault::Bound }, span);
+        }
+        Ok(())
+    }
+
+    /// What counts the passes of a loop with a bound; the author has no name for it.
+    fn pass(&mut self, bound: &Expr, span: Span) -> LocalId {
+        let id = LocalId(self.locals.len() as u32);
+        let (name, ty) = ("pass".into(), bound.ty.clone());
+        self.locals.push(Local { name, ty, mode: Mode::Value, span });
+        id
+    }
+
+    /// The bound of a loop.
+    fn passes(&mut self, bound: &tree::Expr) -> Result<Expr> {
+        let value = self.value(bound, Some(&Type::USIZE))?;
+        if value.ty.as_int().is_none() {
+            return problem(
+                bound.site,
+                "the bound of a loop is an integer",
+                "write `#[bound(64)]`",
+            );
+        }
+        Ok(value)
+    }
+
+    fn statements(&mut self, body: &tree::Block) -> Result<()> {
+        self.stmts(body)?;
+        match &body.tail {
+            Some(tail) => self.effect(tail),
+            None => Ok(()),
+        }
+    }
+
+    /// Lowers a loop and emits it, with the flags of what leaves it from within.
+    fn repeated(
+        &mut self,
+        label: Option<&str>,
+        target: Option<&Target>,
+        span: Span,
+        lower: impl FnOnce(&mut Self) -> Result<StmtKind>,
+    ) -> Result<()> {
+        let depth = self.frames.len();
+        self.frames.push(Frame {
+            label: label.map(str::to_owned),
+            target: target.cloned(),
+            behind: Vec::new(),
+        });
+        let kind = lower(self);
+        let frame = self.frames.pop();
+        let kind = kind?;
+        let behind = frame.map(|frame| frame.behind).unwrap_or_default();
+        for Behind { flag, left, .. } in &behind {
+            if left + 1 == depth {
+                let value = Expr { kind: ExprKind::Literal(0), ty: Type::BOOL, span };
+                self.emit(StmtKind::Let { local: *flag, value: Some(value) }, span);
+            }
+        }
+        self.emit(kind, span);
+        for Behind { flag, left, leaving } in behind {
+            // What this loop stands in ends as well, unless it is the one that goes on.
+            let kind = match leaving {
+                Leaving::Continue if left + 1 == depth => StmtKind::Continue,
+                _ => StmtKind::Break,
+            };
+            let then = alone(kind, span);
+            let place = Place { root: flag, steps: Vec::new(), ty: Type::BOOL, span };
+            let condition = Expr { kind: ExprKind::Load(place), ty: Type::BOOL, span };
+            self.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
+        }
+        Ok(())
+    }
+
+    /// `break`, with its value if it has one.
+    pub(super) fn break_stmt(
+        &mut self,
+        label: Option<&str>,
+        value: Option<&tree::Expr>,
+        site: Site,
+    ) -> Result<()> {
+        if let Some(value) = value {
+            let depth = self.depth(label, site)?;
+            match self.frames[depth].target.clone() {
+                Some(target) => {
+                    self.into(value, &target)?;
+                    if matches!(target, Target::Return) {
+                        return Ok(());
+                    }
+                }
+                None => self.effect(value)?,
+            }
+        }
+        self.leave(label, Leaving::Break, site)
+    }
+
+    /// Leaves a pass of the loop with this label, or of the innermost.
+    pub(super) fn leave(
+        &mut self,
+        label: Option<&str>,
+        leaving: Leaving,
+        site: Site,
+    ) -> Result<()> {
+        let span = self.span(site);
+        let depth = self.depth(label, site)?;
+        let innermost = depth + 1 == self.frames.len();
+        if innermost {
+            let kind = match leaving {
+                Leaving::Break => StmtKind::Break,
+                Leaving::Continue => StmtKind::Continue,
+            };
+            self.emit(kind, span);
+            return Ok(());
+        }
+        let flag = self.flag(depth, leaving, span);
+        let place = Place { root: flag, steps: Vec::new(), ty: Type::BOOL, span };
+        let value = Expr { kind: ExprKind::Literal(1), ty: Type::BOOL, span };
+        self.emit(StmtKind::Assign { place, value }, span);
+        self.emit(StmtKind::Break, span);
+        Ok(())
+    }
+
+    fn depth(&self, label: Option<&str>, site: Site) -> Result<usize> {
+        let found = match label {
+            None => self.frames.len().checked_sub(1),
+            Some(_) => self.frames.iter().rposition(|frame| frame.label.as_deref() == label),
+        };
+        match found {
+            Some(depth) => Ok(depth),
+            None => problem(site, "there is no such loop here", OUR_FAULT),
+        }
+    }
+
+    /// The flag that leaves the loop at `depth`; each loop in between looks at it.
+    fn flag(&mut self, depth: usize, leaving: Leaving, span: Span) -> LocalId {
+        let known = self.frames[depth + 1]
+            .behind
+            .iter()
+            .find(|behind| behind.left == depth && behind.leaving == leaving)
+            .map(|behind| behind.flag);
+        let flag = known.unwrap_or_else(|| {
+            let label = self.frames[depth].label.clone().unwrap_or_else(|| "loop".into());
+            let role = match leaving {
+                Leaving::Break => "done",
+                Leaving::Continue => "next",
+            };
+            let id = LocalId(self.locals.len() as u32);
+            let name = format!("{label}_{role}");
+            self.locals.push(Local { name, ty: Type::BOOL, mode: Mode::Value, span });
+            id
+        });
+        for frame in &mut self.frames[depth + 1..] {
+            if !frame.behind.iter().any(|behind| behind.flag == flag) {
+                frame.behind.push(Behind { flag, left: depth, leaving });
+            }
+        }
+        flag
+    }
+}
+
+/// The opposite of a condition; a comparison turned round, unless a NaN could tell.
+fn negated(condition: Expr) -> Expr {
+    let Expr { kind, ty, span } = condition;
+    let kind = match kind {
+        ExprKind::Unary(UnaryOp::Not, inner) => return *inner,
+        ExprKind::Compare(op, a, b) if a.ty.as_float().is_none() => {
+            let op = match op {
+                CompareOp::Eq => CompareOp::Ne,
+                CompareOp::Ne => CompareOp::Eq,
+                CompareOp::Lt => CompareOp::Ge,
+                CompareOp::Ge => CompareOp::Lt,
+                CompareOp::Gt => CompareOp::Le,
+                CompareOp::Le => CompareOp::Gt,
+            };
+            ExprKind::Compare(op, a, b)
+        }
+        kind => ExprKind::Unary(UnaryOp::Not, Box::new(Expr { kind, ty: ty.clone(), span })),
+    };
+    Expr { kind, ty, span }
+}
+
+/// The check that a pass may begin.
+fn begun(pass: LocalId, bound: &Expr, span: Span) -> StmtKind {
+    let place = Place { root: pass, steps: Vec::new(), ty: bound.ty.clone(), span };
+    let pass = Expr { kind: ExprKind::Load(place), ty: bound.ty.clone(), span };
+    let kind = ExprKind::Compare(CompareOp::Lt, Box::new(pass), Box::new(bound.clone()));
+    StmtKind::Check { condition: Expr { kind, ty: Type::BOOL, span }, fault: Fault::Bound }
+}
+
+/// The passes of a loop with a bound; `over`: one more begins, for its check to tell.
+fn passes(variable: LocalId, bound: Expr, over: bool, body: Block) -> StmtKind {
+    let from = Expr { kind: ExprKind::Literal(0), ..bound.clone() };
+    StmtKind::For { variable, from, to: bound, inclusive: over, reversed: false, body }
+}
+
+fn alone(kind: StmtKind, span: Span) -> Block {
+    Block(vec![Stmt { kind, span, comments: Vec::new() }])
+}
+
+/// Whether something in the body of a loop ends it.
+fn breaks(body: &Block) -> bool {
+    body.0.iter().any(|stmt| match &stmt.kind {
+        StmtKind::Break => true,
+        StmtKind::If { then, otherwise, .. } => breaks(then) || breaks(otherwise),
+        StmtKind::Match { arms, otherwise, .. } => {
+            arms.iter().any(|arm| breaks(&arm.body)) || otherwise.as_ref().is_some_and(breaks)
+        }
+        _ => false,
+    })
+}

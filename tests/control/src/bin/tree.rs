@@ -1,0 +1,3 @@
+//! Prints the tree of the programs.
+
+bessemer::print_tree!(control);

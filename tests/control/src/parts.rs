@@ -1,0 +1,113 @@
+//! Values taken apart, and structs made from others.
+
+use bessemer::prelude::*;
+
+/// Gains of a controller.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Gains {
+    /// Proportional.
+    pub p: f64,
+    /// Integral.
+    pub i: f64,
+    /// The last errors.
+    pub past: [f64; 2],
+}
+
+#[data]
+impl Gains {
+    /// How much of the past counts.
+    pub const SHARE: f64 = 0.25;
+
+    /// Gains without a past.
+    pub fn fresh(p: f64, i: f64) -> Self {
+        Self { p, i, past: [Self::SHARE; 2] }
+    }
+
+    /// Makes the past the present.
+    pub fn advance(&mut self) -> f64 {
+        self.past = [self.p, self.past[0]];
+        self.p
+    }
+}
+
+/// Hands out numbers.
+#[component]
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Counter {
+    /// The next one.
+    pub next: u8,
+    /// The last ones.
+    pub pair: Pair,
+}
+
+/// Two numbers.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pair {
+    /// The first.
+    pub first: u8,
+    /// The second.
+    pub second: u8,
+    /// The third.
+    pub third: u8,
+}
+
+#[component]
+impl Counter {
+    fn take(&mut self) -> u8 {
+        self.next += 1;
+        self.pair.first += 2;
+        self.next
+    }
+
+    /// Fields are computed in the order in which they are written.
+    #[entry]
+    pub fn run(&mut self, zero: u8) -> u8 {
+        let pair = Pair { third: self.take(), first: self.take(), second: zero };
+        self.pair = Pair { third: self.take(), ..self.pair };
+        let faulty = Pair { third: 100 / zero, second: 0, first: 255 + zero };
+        pair.first + pair.third + faulty.third + faulty.first
+    }
+}
+
+/// Takes its gains apart.
+#[component]
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Parts {
+    /// The gains.
+    pub gains: Gains,
+}
+
+#[component]
+impl Parts {
+    /// Swaps, takes apart, puts together.
+    #[entry]
+    pub fn run(&mut self, a: f64, b: f64, n: u8) -> f64 {
+        let (mut a, b) = (b, a);
+        let (first, [second, third]) = (a + b, self.gains.past);
+        let Gains { p, i: integral, past: [newest, _] } = self.gains;
+        let Gains { past, .. } = &self.gains;
+        let oldest = past[1];
+        a += 1.0;
+        self.gains = Gains { p: a, ..self.gains };
+        let bare = Gains { i: b, ..Gains::fresh(p, integral) };
+        self.gains = Gains { p: bare.p + self.gains.advance(), i: bare.i, ..self.gains };
+        assert!(n < 200, "{n} is too many");
+        assert_ne!(n, 100);
+        assert_eq!(n % 2, 0, "odd: {}", n);
+        let spread = {
+            let spread = first - second;
+            spread * Gains::SHARE
+        };
+        let spread = if n == 2 {
+            spread + third
+        } else if n == 4 {
+            let newest = newest * 2.0;
+            newest - oldest
+        } else {
+            return spread;
+        };
+        spread + self.gains.past[1]
+    }
+}
