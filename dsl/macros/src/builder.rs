@@ -35,6 +35,7 @@ pub fn build(subject: &Subject<'_>, refusals: &mut Refusals) -> TokenStream {
     let Parts { generics, parameters, result, builder } = parts;
     let call = format_ident!("__call", span = name.span());
     let build = build_name(name);
+    let lower::Site(line, column) = lower::site(name);
     quote! {
         const _: () = {
             impl #name {
@@ -51,7 +52,7 @@ pub fn build(subject: &Subject<'_>, refusals: &mut Refusals) -> TokenStream {
                 }
             }
             ::bessemer::generate::register! {
-                ::bessemer::generate::Registered::new(::core::module_path!(), ::bessemer::generate::function::<#name>)
+                ::bessemer::generate::Registered::new(::core::module_path!(), (#line, #column), ::bessemer::generate::function::<#name>)
             }
         };
     }
@@ -65,6 +66,7 @@ pub fn method(owner: &syn::Type, subject: &Subject<'_>, refusals: &mut Refusals)
     let companion = lower::companion_name(name);
     let marker = format_ident!("__method_{}", lower::text(name));
     let build = build_name(name);
+    let lower::Site(line, column) = lower::site(name);
     quote! {
         const _: () = {
             #[doc(hidden)]
@@ -84,7 +86,7 @@ pub fn method(owner: &syn::Type, subject: &Subject<'_>, refusals: &mut Refusals)
                 }
             }
             ::bessemer::generate::register! {
-                ::bessemer::generate::Registered::new(::core::module_path!(), ::bessemer::generate::function::<#marker>)
+                ::bessemer::generate::Registered::new(::core::module_path!(), (#line, #column), ::bessemer::generate::function::<#marker>)
             }
         };
     }

@@ -152,7 +152,7 @@ fn definition(name: &syn::Ident, attributes: &[syn::Attribute], kind: TokenStrea
                 }
             }
             ::bessemer::generate::register! {
-                ::bessemer::generate::Registered::new(::core::module_path!(), ::bessemer::generate::data::<#name>)
+                ::bessemer::generate::Registered::new(::core::module_path!(), (#line, #column), ::bessemer::generate::data::<#name>)
             }
         };
     }

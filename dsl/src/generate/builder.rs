@@ -49,15 +49,20 @@ pub trait Named {
 /// An item that announced itself to its package.
 pub struct Registered {
     module: &'static str,
+    site: (u32, u32),
     build: fn(&mut Builder),
 }
 
 inventory::collect!(Registered);
 
 impl Registered {
-    /// An item of `module`.
-    pub const fn new(module: &'static str, build: fn(&mut Builder)) -> Registered {
-        Registered { module, build }
+    /// An item of `module`, at a line and column of its file.
+    pub const fn new(
+        module: &'static str,
+        site: (u32, u32),
+        build: fn(&mut Builder),
+    ) -> Registered {
+        Registered { module, site, build }
     }
 }
 
@@ -101,8 +106,8 @@ pub fn package(name: &str, license: &str) -> String {
     builder.package.name = name.to_owned();
     builder.package.license = license.to_owned();
     let mut items: Vec<&Registered> = inventory::iter::<Registered>.into_iter().collect();
-    // The linker's order is not the author's; later stages order by place.
-    items.sort_by_key(|item| item.module);
+    // The linker's order differs from build to build; the author's does not.
+    items.sort_by_key(|item| (item.module, item.site));
     for item in items {
         let root = item.module.split("::").next().unwrap_or_default();
         if root == name.replace('-', "_") {
