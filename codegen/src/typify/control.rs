@@ -102,6 +102,10 @@ impl Lowering<'_, '_> {
             tree::ExprKind::For { label, name, slot, range, body } => {
                 self.for_stmt(expr.site, label.as_deref(), (name, *slot), range, body)
             }
+            tree::ExprKind::Each { label, index, parts, reversed, body } => {
+                let names = (label.as_deref(), index.as_deref());
+                self.each_stmt(expr.site, names, parts, *reversed, body)
+            }
             tree::ExprKind::While { label, condition, bound, body } => match condition {
                 Some(condition) => {
                     self.while_stmt(expr.site, label.as_deref(), condition, bound, body)

@@ -11,6 +11,7 @@ mod apart;
 mod builtin;
 mod choice;
 mod control;
+mod each;
 mod expr;
 mod function;
 mod literal;
