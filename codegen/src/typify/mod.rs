@@ -13,6 +13,7 @@ mod choice;
 mod control;
 mod each;
 mod expr;
+mod fields;
 mod function;
 mod literal;
 mod loops;

@@ -12,3 +12,4 @@ pub mod each;
 pub mod leaving;
 pub mod parts;
 pub mod passes;
+pub mod rates;
