@@ -16,7 +16,7 @@ use bessemer_tests::pilot::entry;
 use bessemer_tests::process::Process;
 use bessemer_tests::toolchain::{self, Toolchain};
 use bessemer_tests::{root, value, words};
-use control::{choice, leaving, parts, passes};
+use control::{choice, each, leaving, parts, passes, rates};
 
 fn programs() -> &'static Compiled {
     static COMPILED: OnceLock<Compiled> = OnceLock::new();
@@ -212,4 +212,19 @@ fn values_are_taken_apart_and_put_together() {
     assert_eq!(faults, [Fault::DivisionByZero, Fault::DivisionByZero, Fault::Overflow]);
     let faults = compare(&program!(parts::Parts: f64, f64, u8), &calls);
     assert!(faults.len() == 18 && faults.iter().all(|fault| *fault == Fault::Assertion));
+}
+
+#[test]
+fn loops_go_through_elements() {
+    let gains = [0.0, -1.5, 1e300].map(f64::to_bits);
+    let calls = combinations(&[&gains, &[0, 1, 2], &[0, int(-4), 5, 100]]);
+    let faults = compare(&program!(each::Each: f64, usize, i32), &calls);
+    assert!(faults.contains(&Fault::Index));
+}
+
+#[test]
+fn components_are_made_of_components_at_their_own_rates() {
+    let values = [0.0, -1.5, 3.0, 1e-3].map(f64::to_bits);
+    let calls = combinations(&[&values, &values, &[0, 1]]);
+    assert_eq!(compare(&program!(rates::Rates: f64, f64, bool), &calls), []);
 }

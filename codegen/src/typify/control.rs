@@ -102,6 +102,10 @@ impl Lowering<'_, '_> {
             tree::ExprKind::For { label, name, slot, range, body } => {
                 self.for_stmt(expr.site, label.as_deref(), (name, *slot), range, body)
             }
+            tree::ExprKind::Each { label, index, parts, reversed, body } => {
+                let names = (label.as_deref(), index.as_deref());
+                self.each_stmt(expr.site, names, parts, *reversed, body)
+            }
             tree::ExprKind::While { label, condition, bound, body } => match condition {
                 Some(condition) => {
                     self.while_stmt(expr.site, label.as_deref(), condition, bound, body)
@@ -159,7 +163,7 @@ impl Lowering<'_, '_> {
         let naming = std::mem::take(&mut self.naming);
         let condition = self.value(condition, Some(&Type::BOOL))?;
         // A check's condition cannot fault, so what might is computed first.
-        let condition = match super::expr::is_quiet(&condition) {
+        let condition = match super::fields::is_quiet(&condition) {
             true => condition,
             false => self.temporary("asserted", condition),
         };

@@ -136,7 +136,7 @@ impl Lowering<'_, '_> {
         Ok(value)
     }
 
-    fn statements(&mut self, body: &tree::Block) -> Result<()> {
+    pub(super) fn statements(&mut self, body: &tree::Block) -> Result<()> {
         self.stmts(body)?;
         match &body.tail {
             Some(tail) => self.effect(tail),
@@ -145,7 +145,7 @@ impl Lowering<'_, '_> {
     }
 
     /// Lowers a loop and emits it, with the flags of what leaves it from within.
-    fn repeated(
+    pub(super) fn repeated(
         &mut self,
         label: Option<&str>,
         target: Option<&Target>,

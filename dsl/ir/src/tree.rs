@@ -306,6 +306,19 @@ pub enum ExprKind {
         /// What is repeated.
         body: Block,
     },
+    /// `for name in &array`, `for (i, name) in array.iter().enumerate()` and the like.
+    Each {
+        /// The author's label, without the apostrophe.
+        label: Option<String>,
+        /// The name of the index.
+        index: Option<String>,
+        /// What is gone through side by side, as far as the shortest.
+        parts: Vec<Part>,
+        /// From the last to the first.
+        reversed: bool,
+        /// What is repeated.
+        body: Block,
+    },
     /// `while condition`, or `loop` without one.
     While {
         /// The author's label, without the apostrophe.
@@ -335,6 +348,19 @@ pub struct Range {
     pub to: Expr,
     pub inclusive: bool,
     pub reversed: bool,
+}
+
+/// An array that a loop goes through.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Part {
+    /// The author's name for the element; none for `_`.
+    pub name: Option<String>,
+    /// The type of the element, or of a reference to it.
+    pub slot: u32,
+    /// The array.
+    pub array: Expr,
+    /// Whether the loop goes through a copy.
+    pub owned: bool,
 }
 
 /// An arm of a `match`.

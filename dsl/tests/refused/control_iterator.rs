@@ -7,8 +7,8 @@ use bessemer::prelude::*;
 #[function]
 pub fn iterator(samples: &[f64; 4]) -> f64 {
     let mut sum = samples.iter().sum::<f64>();
-    for sample in samples {
-        sum += sample;
+    for (i, sample) in samples.iter().rev().enumerate().skip(1) {
+        sum += sample * i as f64;
     }
     for i in (0..4).step_by(2) {
         sum += samples[i];

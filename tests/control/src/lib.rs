@@ -8,6 +8,8 @@
 #![allow(clippy::manual_is_multiple_of)]
 
 pub mod choice;
+pub mod each;
 pub mod leaving;
 pub mod parts;
 pub mod passes;
+pub mod rates;

@@ -3,7 +3,7 @@
 use bessemer_ir::tree::{self, ExprKind};
 use syn::spanned::Spanned;
 
-use super::{Lowering, bound, pattern, refuse, site, text};
+use super::{Lowering, bound, each, pattern, refuse, site, text};
 
 impl Lowering<'_> {
     pub(super) fn if_expr(&mut self, it: &mut syn::ExprIf, value: bool) -> ExprKind {
@@ -22,7 +22,7 @@ impl Lowering<'_> {
     }
 
     /// A branch of an `if`. Where no value is wanted, a tail without semicolon is a statement.
-    fn branch(&mut self, block: &mut syn::Block, value: bool) -> tree::Block {
+    pub(super) fn branch(&mut self, block: &mut syn::Block, value: bool) -> tree::Block {
         let mut lowered = self.block(block);
         if !value && let Some(tail) = lowered.tail.take() {
             lowered.stmts.push(tree::Stmt::Expr(*tail));
@@ -51,6 +51,9 @@ impl Lowering<'_> {
     }
 
     pub(super) fn for_loop(&mut self, it: &mut syn::ExprForLoop) -> Option<ExprKind> {
+        if !each::is_range(&it.expr) {
+            return self.each_loop(it);
+        }
         let label = it.label.as_ref().map(|label| text(&label.name.ident));
         let range = self.range(&mut it.expr);
         self.scoped(|walk| {

@@ -12,6 +12,7 @@ mod absent;
 pub mod bound;
 mod call;
 mod control;
+mod each;
 mod expr;
 mod pattern;
 pub mod refuse;

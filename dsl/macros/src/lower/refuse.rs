@@ -49,6 +49,16 @@ impl Refusals {
         self.errors.push(syn::Error::new(span, reason));
     }
 
+    /// How much was refused.
+    pub fn len(&self) -> usize {
+        self.errors.len()
+    }
+
+    /// Takes back what was refused since there were so many.
+    pub fn forget_since(&mut self, len: usize) {
+        self.errors.truncate(len);
+    }
+
     /// Whether nothing was refused.
     pub fn is_empty(&self) -> bool {
         self.errors.is_empty()
@@ -127,7 +137,7 @@ reasons! {
     CONSTRUCTOR: "tuple constructors are not in the DSL yet", "use a struct with named fields: `Name { field: value }`";
     RECURSION: "recursion has no bound that the C could promise", "write a loop over a range";
     OPEN_RANGE: "this range is open, so the loop has no bound", "write both ends: `for i in 0..n`";
-    ITERATOR: "`for` takes a range in the DSL", "write `for i in 0..n` and index with `i`";
+    ITERATOR: "this iterator is not in the DSL", "go through arrays with `for`: `in &array`, `.iter()`, `.enumerate()`, `.zip(…)`, `.rev()`; or through a range";
     WHILE: "this `while` declares no bound that the C could promise", "write `#[bound(64)]` above it: another pass than that is a fault";
     LOOP: "this `loop` declares no bound that the C could promise", "write `#[bound(64)]` above it: another pass than that is a fault";
     BOUND: "the bound of a loop is a number, or a constant", "write `#[bound(64)]`, or `#[bound(LIMIT)]`";

@@ -1,0 +1,195 @@
+//! `for` over the elements of arrays: a `for` over their indices.
+//!
+//! A name for a reference is another name for the element; a name for a value is a local of its own.
+
+use bessemer_ir::tree::{self, Site};
+use bessemer_ir::visit::{self, Visit};
+use bessemer_ir::{
+    Argument, Block, Expr, ExprKind, Local, LocalId, Mode, Place, Span, Step, Stmt, StmtKind, Type,
+};
+
+use super::function::Lowering;
+use super::{Result, problem};
+
+impl Lowering<'_, '_> {
+    pub(super) fn each_stmt(
+        &mut self,
+        site: Site,
+        (label, index): (Option<&str>, Option<&str>),
+        parts: &[tree::Part],
+        reversed: bool,
+        body: &tree::Block,
+    ) -> Result<()> {
+        let span = self.span(site);
+        let mut places = Vec::new();
+        for part in parts {
+            let place = self.base(&part.array)?;
+            places.push(self.held_still(place));
+        }
+        let lengths: Option<Vec<u32>> = places.iter().map(|place| length(&place.ty)).collect();
+        let Some(shortest) = lengths.and_then(|lengths| lengths.into_iter().min()) else {
+            return problem(
+                site,
+                "a loop goes through arrays and vectors in the DSL",
+                "write `for i in 0..n`, and index",
+            );
+        };
+        let count = |word: u64| Expr { kind: ExprKind::Literal(word), ty: Type::USIZE, span };
+        let mut copies = Vec::new();
+        let mut lowered = |inner: &mut Self| {
+            let variable = LocalId(inner.locals.len() as u32);
+            let name = index.unwrap_or("i").to_owned();
+            inner.locals.push(Local { name, ty: Type::USIZE, mode: Mode::Value, span });
+            let mut block = inner.scoped(|inner| {
+                if let Some(index) = index {
+                    inner.bind(index, super::function::Binding::Local(variable));
+                }
+                inner.name_elements(parts, &places, variable, site)?;
+                inner.statements(body)
+            })?;
+            copies = inner.copy_written(parts, &places, &mut block, span);
+            let (from, to) = (count(0), count(u64::from(shortest)));
+            Ok(StmtKind::For { variable, from, to, inclusive: false, reversed, body: block })
+        };
+        let mark = self.out.len();
+        self.repeated(label, None, span, &mut lowered)?;
+        self.out.splice(mark..mark, copies);
+        Ok(())
+    }
+
+    /// Computes the indices on the way to an array once.
+    fn held_still(&mut self, mut place: Place) -> Place {
+        for step in &mut place.steps {
+            if let Step::Index(index) = step
+                && !super::function::is_literal(index)
+            {
+                *index = self.temporary("index", index.clone());
+            }
+        }
+        place
+    }
+
+    fn name_elements(
+        &mut self,
+        parts: &[tree::Part],
+        places: &[Place],
+        variable: LocalId,
+        site: Site,
+    ) -> Result<()> {
+        for (part, place) in parts.iter().zip(places) {
+            let Some(name) = &part.name else { continue };
+            let element = self.element_at(place, variable, &part.array);
+            if self.slot_is_reference(part.slot, site)? {
+                self.alias_to(name, element);
+                continue;
+            }
+            let (ty, span) = (element.ty.clone(), element.span);
+            self.agree(&ty, &self.slot(part.slot, site)?, site)?;
+            let local = self.declare(name, ty.clone(), Mode::Value, span);
+            let value = Some(Expr { kind: ExprKind::Load(element), ty, span });
+            self.emit(StmtKind::Let { local, value }, span);
+        }
+        Ok(())
+    }
+
+    fn element_at(&mut self, array: &Place, variable: LocalId, expr: &tree::Expr) -> Place {
+        let span = array.span;
+        let place = Place { root: variable, steps: Vec::new(), ty: Type::USIZE, span };
+        let index = Expr { kind: ExprKind::Load(place), ty: Type::USIZE, span };
+        let mut element = array.clone();
+        (element.steps, element.ty) = match &array.ty {
+            Type::Array { element, .. } => {
+                let mut steps = array.steps.clone();
+                steps.push(Step::Index(index));
+                (steps, (**element).clone())
+            }
+            Type::Matrix { element, .. } => {
+                let mut steps = array.steps.clone();
+                steps.push(Step::Element(index, self.index_literal(0, expr)));
+                (steps, Type::Scalar(*element))
+            }
+            other => (array.steps.clone(), other.clone()),
+        };
+        element
+    }
+
+    /// A loop over a value does not see what its body writes: then it goes through a copy. Gives the
+    /// declarations of the copies.
+    fn copy_written(
+        &mut self,
+        parts: &[tree::Part],
+        places: &[Place],
+        body: &mut Block,
+        span: Span,
+    ) -> Vec<Stmt> {
+        let mut copies = Vec::new();
+        for (part, place) in parts.iter().zip(places) {
+            if !part.owned || !Written::of(body, place.root) {
+                continue;
+            }
+            let copy = LocalId(self.locals.len() as u32);
+            let ty = place.ty.clone();
+            self.locals.push(Local {
+                name: "elements".into(),
+                ty: ty.clone(),
+                mode: Mode::Value,
+                span,
+            });
+            for stmt in &mut body.0 {
+                // The declarations of the names come first, each with its element.
+                if let StmtKind::Let { value: Some(value), .. } = &mut stmt.kind
+                    && let ExprKind::Load(element) = &mut value.kind
+                    && element.root == place.root
+                    && element.steps.len() == place.steps.len() + 1
+                    && element.steps.starts_with(&place.steps)
+                    && element.span == place.span
+                {
+                    element.root = copy;
+                    element.steps.drain(..place.steps.len());
+                    break;
+                }
+            }
+            let value = Some(Expr { kind: ExprKind::Load(place.clone()), ty, span });
+            let kind = StmtKind::Let { local: copy, value };
+            copies.push(Stmt { kind, span, comments: Vec::new() });
+        }
+        copies
+    }
+}
+
+fn length(ty: &Type) -> Option<u32> {
+    match ty {
+        Type::Array { len, .. } => Some(*len),
+        Type::Matrix { rows, cols: 1, .. } => Some(*rows),
+        _ => None,
+    }
+}
+
+/// Whether a block writes to a local.
+struct Written(LocalId, bool);
+
+impl Written {
+    fn of(block: &Block, local: LocalId) -> bool {
+        let mut written = Written(local, false);
+        block.0.iter().for_each(|stmt| written.stmt(stmt));
+        written.1
+    }
+}
+
+impl Visit for Written {
+    fn stmt(&mut self, stmt: &Stmt) {
+        if let StmtKind::Assign { place, .. } = &stmt.kind {
+            self.1 |= place.root == self.0;
+        }
+        visit::walk_stmt(self, stmt);
+    }
+
+    fn expr(&mut self, expr: &Expr) {
+        if let ExprKind::Call(_, arguments) = &expr.kind {
+            let lent =
+                |it: &Argument| matches!(it, Argument::RefMut(place) if place.root == self.0);
+            self.1 |= arguments.iter().any(lent);
+        }
+        visit::walk_expr(self, expr);
+    }
+}
