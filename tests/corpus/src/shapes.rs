@@ -112,6 +112,18 @@ impl Shapes {
     }
 
     #[entry]
+    pub fn shifted(&mut self, a: i8, b: i16, c: i32, n: u8) -> i32 {
+        self.n = ((a >> n) as isize) - ((a << n) as isize);
+        (b >> n) as i32 ^ (b << n) as i32 ^ (c >> n) ^ (c << n)
+    }
+
+    /// The author writes rows, and nalgebra keeps columns.
+    #[entry(infallible)]
+    pub fn built(&self, a: f64, b: f64) -> SMatrix<f64, 2, 3> {
+        SMatrix::<f64, 2, 3>::new(a, b, 1.0, 2.0, a - b, 3.0)
+    }
+
+    #[entry]
     pub fn asserted(&self, a: f64, b: f64) -> f64 {
         assert!(a < b);
         assert!(a == a && self.n != 3, "must not be {}", 3);
@@ -125,5 +137,7 @@ entry_points! {
     value Shapes::thin(val x: f32, ref v: SMatrix<f64, 1, 3>);
     value Shapes::words(val a: i8, val b: u16, val c: i64, val d: f32, val e: f64);
     value Shapes::floats(val a: f64, val b: f64, val c: f64);
+    value Shapes::shifted(val a: i8, val b: i16, val c: i32, val n: u8);
+    value Shapes::built(val a: f64, val b: f64);
     value Shapes::asserted(val a: f64, val b: f64);
 }
