@@ -14,56 +14,134 @@ use bessemer_ir::{Float, FunctionId, Int, Module, Owner, Scalar, Type};
 /// author gave it. What the compiler added, a work struct, is no argument.
 pub fn program(module: &Module, entry: FunctionId, params: u32) -> String {
     let names = Names::new(module, &Options::default());
-    let function = &module.functions[entry.index()];
-    let Some(Owner::Struct(component)) = function.owner else { return String::new() };
-    let state = &names.structs[component.index()];
-    let signature = &names.functions[entry.index()];
-    let mut declarations = format!("    static {} self;\n", state.ty);
-    let (mut reads, mut writes, mut arguments) = (String::new(), String::new(), Vec::new());
-    for (index, param) in signature.params.iter().enumerate() {
-        if param.name == "self" {
-            arguments.push("&self".to_owned());
-            continue;
-        }
-        let local = format!("{}_", param.name);
-        let declarator = names.declarator(&param.ty, &local).text();
-        let _ = writeln!(declarations, "    static {declarator};");
-        let walk = Walk { module, names: &names };
-        let added = index >= params as usize && param.passing != Passing::Output;
-        if added {
-            // Its content means nothing.
-        } else if param.passing == Passing::Output {
-            walk.words(&param.ty, &local, &mut |ty, place| put(ty, place, &mut writes));
-        } else {
-            walk.words(&param.ty, &local, &mut |ty, place| get(&names, ty, place, &mut reads));
-        }
-        let scalar = !matches!(param.ty, Type::Array { .. } | Type::Matrix { .. });
-        let pointer = scalar && param.passing != Passing::Value;
-        arguments.push(format!("{}{local}", if pointer { "&" } else { "" }));
-    }
-    let call = format!("{}({})", signature.name, arguments.join(", "));
-    let call = match &signature.returned {
-        Returned::Nothing => format!("        {call};\n        put(0);\n"),
-        Returned::Status => format!("        put((uint64_t){call});\n"),
-        Returned::Value(ty) => {
-            let _ =
-                writeln!(declarations, "    static {};", names.declarator(ty, "result_").text());
-            put(ty, "result_", &mut writes);
-            format!("        result_ = {call};\n        put(0);\n")
-        }
-    };
-    let walk = Walk { module, names: &names };
-    walk.words(&Type::Struct(component), "self", &mut |ty, place| put(ty, place, &mut writes));
-    let init = state.init.clone().unwrap_or_default();
-    let header = &signature.header;
+    let Some(call) = Call::of(module, &names, entry, params) else { return String::new() };
+    let Call { header, declarations, init, reads, call, writes, state, .. } = call;
     format!(
-        "#include \"{header}\"\n#include <stdint.h>\n#include <stdio.h>\n#include <stdlib.h>\n#include <string.h>\n\n\
-         {SUPPORT}\nint main(void)\n{{\n{declarations}    {init}(&self);\n    for (;;) {{\n{reads}{call}{writes}        \
-         (void)fflush(stdout);\n    }}\n}}\n"
+        "#include \"{header}\"\n{SUPPORT}\nint main(void)\n{{\n{declarations}    {init}(&self);\n    \
+         for (;;) {{\n{reads}{call}{writes}{state}        (void)fflush(stdout);\n    }}\n}}\n"
     )
 }
 
+/// The text of a program for many entry points, each call on its own: it reads which one by its place in
+/// `entries`, the words of the state, those of the arguments; it writes the status, and if that is no
+/// fault the words of the result, of the state, and of each argument that the call may change.
+pub fn programs(module: &Module, entries: &[(FunctionId, u32)]) -> String {
+    let names = Names::new(module, &Options::default());
+    let mut headers = std::collections::BTreeSet::new();
+    let (mut functions, mut cases) = (String::new(), String::new());
+    for (index, (entry, params)) in entries.iter().enumerate() {
+        let Some(call) = Call::of(module, &names, *entry, *params) else { continue };
+        let Call { header, declarations, init, sets, reads, call, writes, state, changed } = call;
+        headers.insert(header);
+        let _ = write!(
+            functions,
+            "static void call_{index}(void)\n{{\n    uint64_t status;\n{declarations}    {init}(&self);\n\
+             {sets}{reads}{}    if (status == 0) {{\n{writes}{state}{changed}    }}\n}}\n\n",
+            call.replace("put(", "put(status = ")
+        );
+        let _ = writeln!(cases, "        case {index}: call_{index}(); break;");
+    }
+    let includes: String =
+        headers.iter().map(|header| format!("#include \"{header}\"\n")).collect();
+    format!(
+        "{includes}{SUPPORT}\n{functions}int main(void)\n{{\n    for (;;) {{\n        switch (get()) {{\n{cases}        \
+         default: break;\n        }}\n        (void)fflush(stdout);\n    }}\n}}\n"
+    )
+}
+
+/// The pieces of C around one entry point.
+struct Call {
+    header: String,
+    declarations: String,
+    init: String,
+    /// Reads the state.
+    sets: String,
+    /// Reads the arguments.
+    reads: String,
+    call: String,
+    /// Writes the result.
+    writes: String,
+    /// Writes the state.
+    state: String,
+    /// Writes the arguments that the call may change.
+    changed: String,
+}
+
+impl Call {
+    fn of(module: &Module, names: &Names, entry: FunctionId, params: u32) -> Option<Call> {
+        let function = &module.functions[entry.index()];
+        let Some(Owner::Struct(component)) = function.owner else { return None };
+        let signature = &names.functions[entry.index()];
+        let walk = Walk { module, names };
+        let own = &names.structs[component.index()];
+        let mut pieces = Call {
+            header: signature.header.clone(),
+            declarations: format!("    static {} self;\n", own.ty),
+            init: own.init.clone()?,
+            sets: String::new(),
+            reads: String::new(),
+            call: String::new(),
+            writes: String::new(),
+            state: String::new(),
+            changed: String::new(),
+        };
+        let this = Type::Struct(component);
+        walk.words(&this, "self", &mut |ty, place| get(names, ty, place, &mut pieces.sets));
+        walk.words(&this, "self", &mut |ty, place| put(ty, place, &mut pieces.state));
+        let mut arguments = Vec::new();
+        for (index, param) in signature.params.iter().enumerate() {
+            if param.name == "self" {
+                arguments.push("&self".to_owned());
+                continue;
+            }
+            let local = format!("{}_", param.name);
+            let declarator = names.declarator(&param.ty, &local).text();
+            let _ = writeln!(pieces.declarations, "    static {declarator};");
+            let (reads, writes) = (&mut pieces.reads, &mut pieces.writes);
+            // What the compiler added is no argument, and its content means nothing.
+            let added = index >= params as usize && param.passing != Passing::Output;
+            match param.passing {
+                _ if added => {}
+                Passing::Output => walk.words(&param.ty, &local, &mut |ty, at| put(ty, at, writes)),
+                _ => walk.words(&param.ty, &local, &mut |ty, at| get(names, ty, at, reads)),
+            }
+            if param.passing == Passing::InOut && !added {
+                walk.words(&param.ty, &local, &mut |ty, at| put(ty, at, &mut pieces.changed));
+            }
+            let scalar = !matches!(param.ty, Type::Array { .. } | Type::Matrix { .. });
+            let (element, dimensions) = names.type_parts(&param.ty);
+            let inner = dimensions.split_inclusive(']').skip(1).collect::<String>();
+            arguments.push(match param.passing {
+                Passing::Value => local,
+                _ if scalar => format!("&{local}"),
+                // C99 does not add the `const` of an array's elements by itself.
+                Passing::Input if !inner.is_empty() => {
+                    format!("(const {element} (*){inner}){local}")
+                }
+                _ => local,
+            });
+        }
+        let call = format!("{}({})", signature.name, arguments.join(", "));
+        pieces.call = match &signature.returned {
+            Returned::Nothing => format!("        {call};\n        put(0);\n"),
+            Returned::Status => format!("        put((uint64_t){call});\n"),
+            Returned::Value(ty) => {
+                let declarator = names.declarator(ty, "result_").text();
+                let _ = writeln!(pieces.declarations, "    static {declarator};");
+                put(ty, "result_", &mut pieces.writes);
+                format!("        result_ = {call};\n        put(0);\n")
+            }
+        };
+        Some(pieces)
+    }
+}
+
 const SUPPORT: &str = "\
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
 static uint64_t get(void)
 {
     unsigned char bytes[8];

@@ -77,14 +77,9 @@ impl Process {
         entry: FunctionId,
         toolchain: &Toolchain,
     ) -> Result<Process, Error> {
-        let Folder { folder, mut sources } = lay_out(compiled)?;
         let params = compiled.module.functions[entry.index()].params;
-        let main = folder.path().join("harness_main.c");
-        std::fs::write(&main, harness::program(&compiled.explicit, entry, params))?;
-        sources.push(main);
-        let program = folder.path().join("harness");
-        toolchain.link(&sources, &program).map_err(Error::Compile)?;
-        let (child, input, output) = spawn(toolchain, &program)?;
+        let main = harness::program(&compiled.explicit, entry, params);
+        let mut process = Process::run(compiled, &main, toolchain, &[])?;
         let module = &compiled.explicit;
         let function = &module.functions[entry.index()];
         let state = match function.owner {
@@ -93,8 +88,28 @@ impl Process {
             }
             _ => 0,
         };
-        let results = 1 + module.leaves(&function.result).len() + state;
-        Ok(Process { child, input, output, results, folder })
+        process.results = 1 + module.leaves(&function.result).len() + state;
+        Ok(process)
+    }
+
+    /// Compiles the C of `compiled` with the text of a program around it, and starts it.
+    ///
+    /// # Errors
+    /// What the compiler or the system said.
+    pub fn run(
+        compiled: &Compiled,
+        main: &str,
+        toolchain: &Toolchain,
+        flags: &[&str],
+    ) -> Result<Process, Error> {
+        let Folder { folder, mut sources } = lay_out(compiled)?;
+        let path = folder.path().join("harness_main.c");
+        std::fs::write(&path, main)?;
+        sources.push(path);
+        let program = folder.path().join("harness");
+        toolchain.link(&sources, &program, flags).map_err(Error::Compile)?;
+        let (child, input, output) = spawn(toolchain, &program)?;
+        Ok(Process { child, input, output, results: 0, folder })
     }
 
     /// Starts the program anew: the component is in its initial state again.
@@ -114,17 +129,33 @@ impl Process {
     /// # Errors
     /// The process died.
     pub fn step(&mut self, arguments: &[u64]) -> Result<Vec<u64>, Error> {
-        for word in arguments {
+        self.send(arguments)?;
+        self.receive(self.results)
+    }
+
+    /// Writes words to the process.
+    ///
+    /// # Errors
+    /// The process died.
+    pub fn send(&mut self, words: &[u64]) -> Result<(), Error> {
+        for word in words {
             self.input.write_all(&word.to_le_bytes())?;
         }
-        self.input.flush()?;
-        let mut results = Vec::with_capacity(self.results);
-        for _ in 0..self.results {
+        Ok(self.input.flush()?)
+    }
+
+    /// Reads words from the process.
+    ///
+    /// # Errors
+    /// The process died.
+    pub fn receive(&mut self, count: usize) -> Result<Vec<u64>, Error> {
+        let mut words = Vec::with_capacity(count);
+        for _ in 0..count {
             let mut bytes = [0; 8];
             self.output.read_exact(&mut bytes)?;
-            results.push(u64::from_le_bytes(bytes));
+            words.push(u64::from_le_bytes(bytes));
         }
-        Ok(results)
+        Ok(words)
     }
 }
 

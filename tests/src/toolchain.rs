@@ -62,12 +62,12 @@ impl Toolchain {
         command
     }
 
-    /// Compiles and links `sources` into `program`.
+    /// Compiles and links `sources` into `program`, with more flags if there are any.
     ///
     /// # Errors
     /// What the compiler said.
-    pub fn link(&self, sources: &[PathBuf], program: &Path) -> Result<(), String> {
-        run(self.command().args(sources).arg("-o").arg(program).arg("-lm"))
+    pub fn link(&self, sources: &[PathBuf], program: &Path, flags: &[&str]) -> Result<(), String> {
+        run(self.command().args(flags).args(sources).arg("-o").arg(program).arg("-lm"))
     }
 
     /// A command that runs `program`.

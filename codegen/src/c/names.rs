@@ -339,7 +339,7 @@ impl Names {
         for name in short.iter().map(String::as_str).chain(inits) {
             *wanted.entry(name).or_default() += 1;
         }
-        let chosen: Vec<String> = (module.functions.iter().zip(&short))
+        let mut chosen: Vec<String> = (module.functions.iter().zip(&short))
             .map(|(function, name)| {
                 if wanted[name.as_str()] > 1 || is_reserved_globally(name) {
                     long_name(self, module, function, options)
@@ -348,16 +348,21 @@ impl Names {
                 }
             })
             .collect();
+        // `fn reading_value` beside `Reading::value`: the method keeps the name.
+        let methods: Vec<String> = (module.functions.iter().zip(&chosen))
+            .filter(|(function, _)| function.owner.is_some())
+            .map(|(_, name)| name.clone())
+            .collect();
+        for (function, name) in module.functions.iter().zip(&mut chosen) {
+            if function.owner.is_none() && methods.contains(name) {
+                name.push_str("_fn");
+            }
+        }
         let locally = called_in_own_file_only(self, module);
         for (index, function) in module.functions.iter().enumerate() {
             let id = FunctionId(index as u32);
-            let taken = |name: &str| {
-                let types = self.structs.iter().map(|names| &names.ty);
-                let mut types = types.chain(self.enums.iter().map(|names| &names.ty));
-                is_helper_name(name)
-                    || types.any(|ty| ty == name)
-                    || chosen.iter().chain(&self.consts).any(|other| other == name)
-            };
+            let taken =
+                |name: &str| chosen.iter().any(|other| other == name) || self.is_global(name);
             let (params, returned) = passing(function, faults.fallible(id), &taken);
             self.functions.push(Signature {
                 name: chosen[index].clone(),
@@ -500,7 +505,7 @@ fn called_in_own_file_only(names: &Names, module: &Module) -> Vec<bool> {
 /// The names of constants: the author's own; qualified where two differ in value.
 fn const_names(module: &Module) -> Vec<String> {
     let same = |a: &Const, b: &Const| a.ty == b.ty && a.words == b.words;
-    (module.consts.iter())
+    let wanted: Vec<String> = (module.consts.iter())
         .map(|item| {
             let own = identifier(&item.name);
             let rival = |other: &Const| identifier(&other.name) == own && !same(item, other);
@@ -510,7 +515,18 @@ fn const_names(module: &Module) -> Vec<String> {
                 own
             }
         })
-        .collect()
+        .collect();
+    // Two modules may end alike, too; one file must not take the one for the other.
+    let mut names: Vec<String> = Vec::new();
+    for (item, name) in module.consts.iter().zip(&wanted) {
+        let taken = |name: &str| {
+            let mut before = names.iter().zip(&module.consts);
+            before.any(|(other, constant)| other == name && !same(constant, item))
+        };
+        let name = unique(name, taken);
+        names.push(name);
+    }
+    names
 }
 
 /// The file of each Rust module: its last segment, or the whole path where two end alike.
@@ -533,6 +549,22 @@ fn file_names(module: &Module) -> BTreeMap<String, String> {
 }
 
 impl Names {
+    /// Whether a name that is no function's has a meaning of its own in every file: a local would hide
+    /// it.
+    pub(super) fn is_global(&self, name: &str) -> bool {
+        let status = &self.status;
+        is_helper_name(name)
+            || name == status.ty
+            || name == status.ok
+            || FAULTS.iter().any(|fault| name == status.fault(*fault))
+            || self.consts.iter().any(|constant| constant == name)
+            || self.structs.iter().any(|item| item.ty == name || item.init.as_deref() == Some(name))
+            || self
+                .enums
+                .iter()
+                .any(|item| item.ty == name || item.variants.iter().any(|variant| variant == name))
+    }
+
     /// The name of a constant.
     pub fn constant(&self, id: ConstId) -> &str {
         &self.consts[id.index()]

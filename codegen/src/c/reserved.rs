@@ -173,6 +173,19 @@ const KEYWORDS: &[&str] = &[
     "NDEBUG",
     "TRUE",
     "FALSE",
+    "isgreater",
+    "isgreaterequal",
+    "isless",
+    "islessequal",
+    "islessgreater",
+    "isunordered",
+    "math_errhandling",
+    "EINVAL",
+    "EIO",
+    "EAGAIN",
+    "EBUSY",
+    "ENOMEM",
+    "EPERM",
 ];
 
 /// Functions of the standard library, and of POSIX in the same headers.
@@ -425,7 +438,27 @@ const TYPES: &[&str] = &[
 
 /// Whether nothing at all may have this name.
 pub fn is_keyword(name: &str) -> bool {
-    KEYWORDS.contains(&name)
+    KEYWORDS.contains(&name) || is_macro(name)
+}
+
+/// Whether a name is of a family of macros of the headers that emitted code includes, or of
+/// `inttypes.h` and `limits.h`: `UINT8_MAX`, `INT64_C`, `PRIu32`, `DBL_MANT_DIG`, `FP_NAN`.
+fn is_macro(name: &str) -> bool {
+    if name.chars().any(|letter| letter.is_ascii_lowercase()) {
+        return ["PRI", "SCN"].iter().any(|format| {
+            name.strip_prefix(format).is_some_and(|rest| rest.starts_with(|c| "diouxX".contains(c)))
+        });
+    }
+    let limit = name.ends_with("_MAX") || name.ends_with("_MIN") || name.ends_with("_C");
+    let width =
+        |rest: &str| rest.is_empty() || rest.starts_with(|c: char| c == '_' || c.is_ascii_digit());
+    let integer =
+        ["INT", "UINT", "INTMAX", "UINTMAX", "INTPTR", "UINTPTR", "PTRDIFF", "SIG_ATOMIC"]
+            .iter()
+            .chain(&["WCHAR", "WINT", "SCHAR", "UCHAR", "CHAR", "SHRT", "USHRT", "LLONG", "ULLONG"])
+            .any(|stem| name.strip_prefix(stem).is_some_and(width));
+    let float = ["FLT_", "DBL_", "LDBL_", "FP_", "MATH_", "DECIMAL_"];
+    limit && integer || float.iter().any(|prefix| name.starts_with(prefix))
 }
 
 /// Functions that emitted code calls by these names.

@@ -166,11 +166,14 @@ fn replace(
     if folder.exists() {
         fs::rename(folder, &old).map_err(failed(folder))?;
     }
-    fs::rename(&fresh, folder).map_err(|source| {
-        // Back to how it was; if that fails too, the old folder is still in the stage.
-        let _ = fs::rename(&old, folder);
-        Error::File { path: folder.to_owned(), source }
-    })
+    if let Err(source) = fs::rename(&fresh, folder) {
+        // Back to how it was; if that fails too, the stage stays, for the old folder is in it.
+        if old.exists() && fs::rename(&old, folder).is_err() {
+            let _ = stage.keep();
+        }
+        return Err(Error::File { path: folder.to_owned(), source });
+    }
+    Ok(())
 }
 
 #[cfg(test)]

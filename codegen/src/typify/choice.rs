@@ -75,8 +75,11 @@ impl Lowering<'_, '_> {
             })?;
             let values = ranges.iter().flat_map(|(low, high)| *low..=*high);
             // Earlier arms win, in Rust and so here.
+            let mut seen = std::collections::BTreeSet::new();
             let values: Vec<i128> = values
                 .filter(|value| !lowered.iter().any(|arm| arm.values.contains(value)))
+                // `1 | 1` is Rust, with a warning.
+                .filter(|value| seen.insert(*value))
                 .collect();
             if ranges.is_empty() {
                 otherwise = Some(body);

@@ -3,9 +3,9 @@
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{Block, Expr, ExprKind, Fault, Place, StmtKind, Type};
 
-use super::function::{Lowering, Target, control_with_value};
+use super::function::{Lowering, Target, control_with_value, is_literal};
 use super::loops::Leaving;
-use super::{Result, problem};
+use super::{Result, order, problem};
 
 impl Lowering<'_, '_> {
     /// Computes `expr` and sends its value to `target`.
@@ -186,25 +186,33 @@ impl Lowering<'_, '_> {
         let span = self.span(site);
         match op {
             None if control_with_value(value) => {
+                let mark = self.out.len();
                 let target = self.writable(place)?;
-                self.into(value, &Target::Place(target))?;
+                let later = self.later(mark);
+                if later.is_empty() {
+                    self.into(value, &Target::Place(target))?;
+                } else {
+                    // Rust computes the value before the place.
+                    let value = self.value(value, Some(&target.ty))?;
+                    self.out.extend(later);
+                    self.emit(StmtKind::Assign { place: target, value }, span);
+                }
             }
             None => {
                 let ty = self.place_type(place)?;
-                let value = self.value(value, Some(&ty))?;
+                let mut value = self.value(value, Some(&ty))?;
                 self.agree(&value.ty, &ty, site)?;
+                let mark = self.out.len();
                 let place = self.writable(place)?;
+                let later = self.later(mark);
+                self.settle(&mut value, "operand", &later);
+                self.out.extend(later);
                 self.emit(StmtKind::Assign { place, value }, span);
             }
             Some(op) => {
                 let ty = self.place_type(place)?;
                 let expected = self.compound_operand(op, &ty);
-                let mut value = self.value(value, expected.as_ref())?;
-                let place = self.writable(place)?;
-                if !place.steps.iter().all(super::place::is_fixed) && !is_simple(&value) {
-                    // Rust computes the operand before the place.
-                    value = self.temporary("operand", value);
-                }
+                let (place, value) = self.compound(place, value, expected, &ty)?;
                 let kind = ExprKind::Load(place.clone());
                 let current = Expr { kind, ty: ty.clone(), span: place.span };
                 let value = self.binary_node(op, current, value, site)?;
@@ -214,6 +222,43 @@ impl Lowering<'_, '_> {
         }
         self.naming = naming;
         Ok(())
+    }
+
+    /// The place and the operand of `place op= value`: of scalars Rust computes the operand first, of
+    /// matrices the place. The place is written into the statement twice and computed once.
+    fn compound(
+        &mut self,
+        place: &tree::Expr,
+        value: &tree::Expr,
+        expected: Option<Type>,
+        ty: &Type,
+    ) -> Result<(Place, Expr)> {
+        if ty.is_word() {
+            let mut value = self.value(value, expected.as_ref())?;
+            let mark = self.out.len();
+            let mut place = self.writable(place)?;
+            let mut later = self.later(mark);
+            let fixed = place.steps.iter().all(super::place::is_fixed);
+            if !fixed && !order::may_follow(&value, &place) {
+                value = self.temporary("operand", value);
+            } else {
+                self.settle(&mut value, "operand", &later);
+            }
+            self.out.append(&mut later);
+            self.keep_indices(&mut place, order::has_effect);
+            return Ok((place, value));
+        }
+        let mut place = self.writable(place)?;
+        self.keep_indices(&mut place, order::has_effect);
+        let mark = self.out.len();
+        let value = self.value(value, expected.as_ref())?;
+        let later = self.later(mark);
+        self.settle_place(&mut place, &later);
+        if order::has_effect(&value) {
+            self.keep_indices(&mut place, |index| !is_literal(index));
+        }
+        self.out.extend(later);
+        Ok((place, value))
     }
 
     /// What to call what goes into a place: its last field, or its variable.
@@ -236,8 +281,4 @@ impl Lowering<'_, '_> {
             }
         }
     }
-}
-
-fn is_simple(expr: &Expr) -> bool {
-    matches!(expr.kind, ExprKind::Literal(_) | ExprKind::Const(_) | ExprKind::Load(_))
 }

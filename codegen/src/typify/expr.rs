@@ -2,13 +2,12 @@
 
 use bessemer_ir::tree::{self, BinaryOp as Op, Site};
 use bessemer_ir::{
-    Argument, BinaryOp, CompareOp, Expr, ExprKind, FunctionId, LocalId, LogicOp, Mode, Place,
-    Routine, Stmt, StmtKind, Type, UnaryOp,
-    visit::{self, Visit},
+    Argument, BinaryOp, CompareOp, Expr, ExprKind, FunctionId, LogicOp, Mode, Place, Routine, Stmt,
+    StmtKind, Type, UnaryOp,
 };
 
 use super::function::{Lowering, Target, control_with_value};
-use super::{Result, literal, problem};
+use super::{Result, literal, names, order, problem};
 
 /// The remedy where the tool contradicts itself.
 pub(super) const OUR_FAULT: &str = "this is a fault of Bessemer; please report it with this line";
@@ -112,7 +111,9 @@ impl Lowering<'_, '_> {
         if let (Type::Enum(_), [word]) = (&ty, constant.words.as_slice()) {
             return self.node(ExprKind::Literal(*word), ty, site);
         }
-        let id = self.cx.constant(&self.module_path(), name, &ty, &constant.words);
+        let (module, name) =
+            names::constant(&self.module_path(), self.source.owner.as_deref(), name);
+        let id = self.cx.constant(&module, &name, &ty, &constant.words);
         self.node(ExprKind::Const(id), ty, site)
     }
 
@@ -346,15 +347,11 @@ impl Lowering<'_, '_> {
         for (index, operand) in operands.iter().enumerate() {
             let mark = self.out.len();
             let value = self.value(operand.expr, operand.expected.as_ref())?;
-            if self.out.len() > mark {
-                let later = self.out.split_off(mark);
-                for (value, operand) in values.iter_mut().zip(&operands[..index]) {
-                    if !is_settled(value, &later) {
-                        *value = self.temporary(operand.role, value.clone());
-                    }
-                }
-                self.out.extend(later);
+            let later = self.later(mark);
+            for (value, operand) in values.iter_mut().zip(&operands[..index]) {
+                self.settle(value, operand.role, &later);
             }
+            self.out.extend(later);
             values.push(value);
         }
         Ok(values)
@@ -400,26 +397,17 @@ impl Lowering<'_, '_> {
                 Mode::Ref => Argument::Ref(self.value(argument, Some(&ty))?),
                 Mode::Value => Argument::Value(self.value(argument, Some(&ty))?),
             };
-            self.settle(&mut passed, mark);
+            let later = self.later(mark);
+            for argument in &mut passed {
+                match order::value_of(argument) {
+                    Ok(value) => self.settle(value, "argument", &later),
+                    Err(place) => self.settle_place(place, &later),
+                }
+            }
+            self.out.extend(later);
             passed.push(next);
         }
         self.node(ExprKind::Call(id, passed), result, expr.site)
-    }
-
-    /// Computes earlier arguments before the statements since `mark`, where those could change them.
-    fn settle(&mut self, passed: &mut [Argument], mark: usize) {
-        if self.out.len() == mark {
-            return;
-        }
-        let later = self.out.split_off(mark);
-        for argument in passed {
-            if let Argument::Value(value) | Argument::Ref(value) = argument
-                && !is_settled(value, &later)
-            {
-                *value = self.temporary("argument", value.clone());
-            }
-        }
-        self.out.extend(later);
     }
 }
 
@@ -428,46 +416,6 @@ pub(super) fn two<T>(values: Vec<T>, site: Site) -> Result<[T; 2]> {
         Ok(values) => Ok(values),
         Err(_) => problem(site, "this takes two operands", OUR_FAULT),
     }
-}
-
-/// Whether `value` is the same before and after `later`.
-pub(super) fn is_settled(value: &Expr, later: &[Stmt]) -> bool {
-    match &value.kind {
-        ExprKind::Literal(_) | ExprKind::Const(_) => true,
-        ExprKind::Load(place) => {
-            place.steps.iter().all(super::place::is_fixed)
-                && !later.iter().any(|stmt| writes(stmt, place.root))
-        }
-        _ => false,
-    }
-}
-
-/// Whether a statement may write what `local` holds. Answers yes too often rather than too rarely.
-fn writes(stmt: &Stmt, local: LocalId) -> bool {
-    match &stmt.kind {
-        StmtKind::Let { value, .. } => value.as_ref().is_some_and(|value| passes(value, local)),
-        StmtKind::Assign { place, value } => place.root == local || passes(value, local),
-        StmtKind::Expr(value) => passes(value, local),
-        _ => true,
-    }
-}
-
-/// Whether an expression passes `local` to a call that may write it.
-fn passes(expr: &Expr, local: LocalId) -> bool {
-    struct Passes(LocalId, bool);
-    impl Visit for Passes {
-        fn expr(&mut self, expr: &Expr) {
-            if let ExprKind::Call(_, arguments) = &expr.kind {
-                self.1 |= arguments.iter().any(
-                    |argument| matches!(argument, Argument::RefMut(place) if place.root == self.0),
-                );
-            }
-            visit::walk_expr(self, expr);
-        }
-    }
-    let mut passes = Passes(local, false);
-    passes.expr(expr);
-    passes.1
 }
 
 fn is_unsuffixed(expr: &tree::Expr) -> bool {

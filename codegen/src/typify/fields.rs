@@ -2,10 +2,11 @@
 
 use bessemer_ir::tree;
 use bessemer_ir::visit::{self, Visit};
-use bessemer_ir::{Argument, Expr, ExprKind, Place, Type, UnaryOp};
+use bessemer_ir::{Expr, ExprKind, Place, Type, UnaryOp};
 
-use super::expr::{OUR_FAULT, Operand, is_settled};
+use super::expr::{OUR_FAULT, Operand};
 use super::function::Lowering;
+use super::order::{has_effect, is_settled};
 use super::{Result, problem};
 
 impl Lowering<'_, '_> {
@@ -68,7 +69,7 @@ impl Lowering<'_, '_> {
         fields: &[(String, tree::Expr)],
     ) {
         let loud = values.iter().flatten().filter(|value| !is_quiet(value)).count();
-        let writing = values.iter().flatten().any(lends);
+        let writing = values.iter().flatten().any(has_effect);
         if !(loud > 1 && !sorted || writing && (!sorted || rest)) {
             return;
         }
@@ -105,22 +106,6 @@ impl Lowering<'_, '_> {
         }
         Ok(place)
     }
-}
-
-/// Whether an expression passes anything to a call that may write it.
-fn lends(expr: &Expr) -> bool {
-    struct Lends(bool);
-    impl Visit for Lends {
-        fn expr(&mut self, expr: &Expr) {
-            if let ExprKind::Call(_, arguments) = &expr.kind {
-                self.0 |= arguments.iter().any(|it| matches!(it, Argument::RefMut(_)));
-            }
-            visit::walk_expr(self, expr);
-        }
-    }
-    let mut lends = Lends(false);
-    lends.expr(expr);
-    lends.0
 }
 
 /// Whether an expression has no effect and no fault, as far as its form shows.

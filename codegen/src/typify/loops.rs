@@ -10,6 +10,7 @@ use bessemer_ir::{
 };
 
 use super::expr::OUR_FAULT;
+use super::expr::{Operand, two};
 use super::function::{Lowering, Target};
 use super::{Result, problem};
 
@@ -47,8 +48,11 @@ impl Lowering<'_, '_> {
         body: &tree::Block,
     ) -> Result<()> {
         let (ty, span) = (self.slot(slot, site)?, self.span(site));
-        let from = self.value(&range.from, Some(&ty))?;
-        let to = self.value(&range.to, Some(&ty))?;
+        let bounds = self.operands(&[
+            Operand { expr: &range.from, expected: Some(ty.clone()), role: "start" },
+            Operand { expr: &range.to, expected: Some(ty.clone()), role: "end" },
+        ])?;
+        let [from, to] = two(bounds, site)?;
         let name = if name.starts_with('_') { "pass" } else { name };
         self.repeated(label, None, span, |inner| {
             let mut variable = LocalId(0);

@@ -18,6 +18,7 @@ mod function;
 mod literal;
 mod loops;
 mod names;
+mod order;
 mod place;
 mod types;
 

@@ -1,4 +1,6 @@
-//! Names for what the author left unnamed.
+//! Names for what the author left unnamed, and for constants that a path leads to.
+
+use bessemer_ir::Scalar;
 
 /// `RateMatrix` as `rate_matrix`.
 pub(super) fn snake(name: &str) -> String {
@@ -12,4 +14,23 @@ pub(super) fn snake(name: &str) -> String {
         snake.extend(c.to_lowercase());
     }
     snake
+}
+
+/// The module and the name of a constant that a function of `module` (in an `impl` of `owner`) reads by
+/// `path`: `left::LIMIT` is `LIMIT` of `left`, `Gains::LIMIT` is `GAINS_LIMIT`, `i8::MAX` is `I8_MAX`.
+pub(super) fn constant(module: &str, owner: Option<&str>, path: &str) -> (String, String) {
+    let mut segments: Vec<&str> = path.split("::").collect();
+    segments.retain(|segment| !matches!(*segment, "crate" | "self" | "super" | "core"));
+    let name = segments.pop().unwrap_or_default().to_owned();
+    let root = module.split("::").next().unwrap_or_default();
+    let Some(qualifier) = segments.last() else { return (module.to_owned(), name) };
+    let ty = match *qualifier {
+        "Self" => owner.and_then(|path| path.rsplit("::").next()),
+        word if Scalar::from_name(word).is_some() => Some(word),
+        word => word.starts_with(char::is_uppercase).then_some(word),
+    };
+    match ty {
+        Some(ty) => (module.to_owned(), format!("{}_{name}", snake(ty).to_uppercase())),
+        None => (format!("{root}::{}", segments.join("::")), name),
+    }
 }

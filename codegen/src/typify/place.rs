@@ -3,6 +3,7 @@
 use bessemer_ir::tree;
 use bessemer_ir::{Expr, ExprKind, Int, Place, Scalar, Step, Type};
 
+use super::expr::{Operand, two};
 use super::function::{Binding, Lowering, is_literal};
 use super::{Result, problem};
 
@@ -90,6 +91,7 @@ impl Lowering<'_, '_> {
     }
 
     fn element(&mut self, mut base: Place, index: &tree::Expr, expr: &tree::Expr) -> Result<Place> {
+        let mark = self.out.len();
         let (step, ty) = match base.ty.clone() {
             Type::Array { element, .. } => {
                 let index = self.value(index, Some(&Type::USIZE))?;
@@ -106,6 +108,9 @@ impl Lowering<'_, '_> {
                 );
             }
         };
+        let later = self.later(mark);
+        self.settle_place(&mut base, &later);
+        self.out.extend(later);
         base.steps.push(step);
         base.ty = ty;
         base.span = self.span(expr.site);
@@ -122,8 +127,12 @@ impl Lowering<'_, '_> {
         if let tree::ExprKind::Tuple(parts) = &index.kind
             && let [row, col] = parts.as_slice()
         {
-            let row = self.value(row, Some(&Type::USIZE))?;
-            let col = self.value(col, Some(&Type::USIZE))?;
+            let usize = Some(Type::USIZE);
+            let indices = self.operands(&[
+                Operand { expr: row, expected: usize.clone(), role: "row" },
+                Operand { expr: col, expected: usize, role: "column" },
+            ])?;
+            let [row, col] = two(indices, expr.site)?;
             return Ok(Step::Element(row, col));
         }
         let index = self.value(index, Some(&Type::USIZE))?;

@@ -259,7 +259,7 @@ pub enum ExprKind {
     Float(String, Option<Scalar>),
     /// A local by its name.
     Local(String),
-    /// A path that is no local: index into [`Function::constants`]; the author's last segment.
+    /// A path that is no local: index into [`Function::constants`]; the path as the author wrote it.
     Path(u32, String),
     /// `-x`, `!x`.
     Unary(UnaryOp, Box<Expr>),

@@ -26,7 +26,7 @@ use bessemer_ir::{
 };
 
 use super::analysis::{Faults, Usage, walk_exprs, walk_stmts};
-use super::helpers::{Helper, is_helper_name};
+use super::helpers::Helper;
 use super::layout::size_of;
 use super::names::{Names, Signature, local_name, unique};
 use super::tree::{Declarator, Expr, Init, Origin, Stmt, StmtKind, plain};
@@ -317,11 +317,8 @@ impl<'a> Lower<'a> {
         let names = self.context.names;
         let taken = |name: &str| {
             live.iter().any(|other| other == name)
-                || is_helper_name(name)
                 || names.functions.iter().any(|function| function.name == name)
-                || names.consts.iter().any(|constant| constant == name)
-                || names.structs.iter().any(|item| item.ty == name)
-                || names.enums.iter().any(|item| item.ty == name)
+                || names.is_global(name)
         };
         // Beside the result's own name, a local is the value that it will get.
         let result = self.signature.params.get(self.function.params as usize);

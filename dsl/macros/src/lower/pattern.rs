@@ -165,8 +165,9 @@ impl Lowering<'_> {
         let slot = self.slot();
         let index = self.constants.len() as u32;
         self.constants.push((slot, tokens));
-        let name =
-            path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default();
+        let segments: Vec<_> =
+            path.segments.iter().map(|segment| super::text(&segment.ident)).collect();
+        let name = segments.join("::");
         tree::Expr { kind: tree::ExprKind::Path(index, name), site: site(path), slot: Some(slot) }
     }
 }

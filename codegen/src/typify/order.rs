@@ -1,0 +1,144 @@
+//! Order of evaluation: what has to be computed before what comes after it.
+//!
+//! An expression of the IR is evaluated where it stands, and the statements that a later operand needs
+//! stand before the whole: what came earlier and could change by them goes into a local first.
+
+use bessemer_ir::visit::{self, Access, Visit};
+use bessemer_ir::{
+    Argument, Expr, ExprKind, Intrinsic, LocalId, Place, Scalar, Step, Stmt, StmtKind, Type,
+};
+
+use super::function::Lowering;
+use super::place::is_fixed;
+
+impl Lowering<'_, '_> {
+    /// The statements since `mark`, taken out; what comes before them can still be emitted.
+    pub(super) fn later(&mut self, mark: usize) -> Vec<Stmt> {
+        self.out.split_off(mark)
+    }
+
+    /// Computes `value` now if the statements to come could change it.
+    pub(super) fn settle(&mut self, value: &mut Expr, role: &str, later: &[Stmt]) {
+        if !later.is_empty() && !is_settled(value, later) {
+            *value = self.temporary(role, value.clone());
+        }
+    }
+
+    /// Computes the indices of `place` now that the statements to come could change.
+    pub(super) fn settle_place(&mut self, place: &mut Place, later: &[Stmt]) {
+        if !later.is_empty() {
+            self.keep_indices(place, |index| !is_settled(index, later));
+        }
+    }
+
+    /// Computes now the indices of `place` that are to be kept.
+    pub(super) fn keep_indices(&mut self, place: &mut Place, keep: impl Fn(&Expr) -> bool) {
+        for step in &mut place.steps {
+            let (first, second) = match step {
+                Step::Field(_) => (None, None),
+                Step::Index(index) => (Some(index), None),
+                Step::Element(row, column) => (Some(row), Some(column)),
+            };
+            for index in [first, second].into_iter().flatten() {
+                if keep(index) {
+                    *index = self.temporary("index", index.clone());
+                }
+            }
+        }
+    }
+}
+
+/// Whether `value` is the same before and after `later`.
+pub(super) fn is_settled(value: &Expr, later: &[Stmt]) -> bool {
+    match &value.kind {
+        ExprKind::Literal(_) | ExprKind::Const(_) => true,
+        ExprKind::Load(place) => {
+            place.steps.iter().all(is_fixed) && !later.iter().any(|stmt| writes(stmt, place.root))
+        }
+        _ => false,
+    }
+}
+
+/// Whether a statement may write what `local` holds. Answers yes too often rather than too rarely.
+fn writes(stmt: &Stmt, local: LocalId) -> bool {
+    match &stmt.kind {
+        StmtKind::Let { value, .. } => value.as_ref().is_some_and(|value| lends(value, local)),
+        StmtKind::Assign { place, value } => place.root == local || lends(value, local),
+        StmtKind::Expr(value) => lends(value, local),
+        _ => true,
+    }
+}
+
+/// Whether an expression passes `local` to a call that may write it.
+fn lends(expr: &Expr, local: LocalId) -> bool {
+    Lent::of(expr).0.contains(&local)
+}
+
+/// Whether an expression writes anything.
+pub(super) fn has_effect(expr: &Expr) -> bool {
+    !Lent::of(expr).0.is_empty()
+}
+
+/// Whether a value may be computed before or after others: it writes nothing, and cannot fault.
+pub(super) fn is_free(expr: &Expr) -> bool {
+    struct Free(bool);
+    impl Visit for Free {
+        fn expr(&mut self, expr: &Expr) {
+            let float = matches!(expr.ty, Type::Scalar(Scalar::Float(_) | Scalar::Bool));
+            self.0 &= match &expr.kind {
+                ExprKind::Call(_, arguments) => arguments.is_empty(),
+                ExprKind::Intrinsic(which, _) => float && *which != Intrinsic::Clamp,
+                ExprKind::Unary(..) | ExprKind::Binary(..) => float,
+                ExprKind::Load(place) => place.steps.iter().all(is_fixed),
+                _ => true,
+            };
+            visit::walk_expr(self, expr);
+        }
+    }
+    let mut free = Free(true);
+    free.expr(expr);
+    free.0
+}
+
+/// Whether it is the same, result and fault, if `value` is computed after `place`.
+pub(super) fn may_follow(value: &Expr, place: &Place) -> bool {
+    let simple = |place: &Place| indices(place).all(is_free);
+    is_free(value) && !indices(place).any(has_effect)
+        || matches!(&value.kind, ExprKind::Load(other) if simple(other) && simple(place))
+}
+
+fn indices(place: &Place) -> impl Iterator<Item = &Expr> {
+    place.steps.iter().flat_map(|step| match step {
+        Step::Field(_) => [None, None].into_iter().flatten(),
+        Step::Index(index) => [Some(index), None].into_iter().flatten(),
+        Step::Element(row, column) => [Some(row), Some(column)].into_iter().flatten(),
+    })
+}
+
+/// The locals that calls in an expression may write.
+struct Lent(Vec<LocalId>);
+
+impl Lent {
+    fn of(expr: &Expr) -> Lent {
+        let mut lent = Lent(Vec::new());
+        lent.expr(expr);
+        lent
+    }
+}
+
+impl Visit for Lent {
+    fn place(&mut self, place: &Place, access: Access) {
+        if access == Access::Lend {
+            self.0.push(place.root);
+        }
+        visit::walk_place(self, place);
+    }
+}
+
+/// The value of an argument that is not lent.
+pub(super) fn value_of(argument: &mut Argument) -> Result<&mut Expr, &mut Place> {
+    match argument {
+        Argument::Value(value) | Argument::Ref(value) => Ok(value),
+        Argument::RefMut(place) => Err(place),
+    }
+}

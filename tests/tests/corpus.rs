@@ -1,0 +1,268 @@
+//! Programs that are hard on a compiler: native Rust, the interpreter and the C give the same bits and
+//! the same faults.
+//!
+//! Each call is on its own: words for the state and the arguments in, drawn from the edges of each
+//! type and from small numbers; words for the result, the state and the changed arguments out.
+
+use std::panic::{AssertUnwindSafe, catch_unwind, set_hook};
+use std::thread;
+
+use bessemer_codegen::c::names::FAULTS;
+use bessemer_codegen::compile::Compiled;
+use bessemer_codegen::interpret::{Interpreter, Stop};
+use bessemer_ir::{Fault, Float, FunctionId, Int, Mode, Module, Scalar, Type};
+use bessemer_tests::pilot::entry;
+use bessemer_tests::process::{Error, Process};
+use bessemer_tests::toolchain::{self, Toolchain};
+use bessemer_tests::{corpus, harness};
+use corpus::Entry;
+
+/// Calls of each entry point.
+const CALLS: usize = 300;
+
+/// The words that come out, or the fault.
+type Outcome = Result<Vec<u64>, Fault>;
+
+struct Case {
+    name: String,
+    id: FunctionId,
+    /// The words of each call: of the state, then of each argument.
+    calls: Vec<Vec<Vec<u64>>>,
+    /// The types of the words of an outcome.
+    leaves: Vec<Type>,
+    native: Vec<Outcome>,
+}
+
+/// A generator of words; the same in every run.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        self.0.wrapping_mul(0x2545_f491_4f6c_dd1d)
+    }
+
+    fn below(&mut self, count: u64) -> u64 {
+        self.next() % count
+    }
+
+    fn word(&mut self, module: &Module, ty: &Type) -> u64 {
+        match ty {
+            Type::Enum(id) => self.below(module.enums[id.index()].variants.len() as u64),
+            Type::Scalar(Scalar::Bool) => self.below(2),
+            Type::Scalar(Scalar::Float(float)) => {
+                let value = match self.below(4) {
+                    0 => FLOATS[self.below(FLOATS.len() as u64) as usize],
+                    1 => f64::from_bits(self.next()),
+                    _ => (self.below(41) as f64 - 20.0) / 4.0,
+                };
+                match float {
+                    Float::F64 => value.to_bits(),
+                    Float::F32 => u64::from((value as f32).to_bits()),
+                }
+            }
+            Type::Scalar(Scalar::Int(int)) => {
+                let (min, max) = (Int::min(*int), Int::max(*int));
+                let value = match self.below(8) {
+                    0 => [min, min + 1, max, max - 1][self.below(4) as usize],
+                    1 => i128::from(self.next()),
+                    2 => -i128::from(self.below(8)),
+                    _ => i128::from(self.below(8)),
+                };
+                let span = max - min + 1;
+                ((value - min).rem_euclid(span) + min) as u64
+            }
+            _ => 0,
+        }
+    }
+}
+
+const FLOATS: [f64; 14] = [
+    0.0,
+    -0.0,
+    1.0,
+    -1.0,
+    f64::INFINITY,
+    f64::NEG_INFINITY,
+    f64::NAN,
+    f64::MAX,
+    f64::MIN_POSITIVE,
+    5e-324,
+    1e-40,
+    9007199254740993.0,
+    4294967296.5,
+    -2147483649.0,
+];
+
+fn cases(compiled: &Compiled) -> Vec<Case> {
+    let module = &compiled.module;
+    let mut random = Random(0x9e37_79b9_7f4a_7c15);
+    // The panics are expected.
+    set_hook(Box::new(|info| {
+        if thread::current().name() != Some("native") {
+            eprintln!("{info}");
+        }
+    }));
+    let cases = corpus::entries().map(|native| {
+        let name = format!("{}::{}", native.component, native.name);
+        let id = entry(compiled, native.component, native.name)
+            .unwrap_or_else(|| panic!("`{name}` is not an entry point"));
+        let function = &module.functions[id.index()];
+        let parameters = function.parameters();
+        let calls: Vec<Vec<Vec<u64>>> = (0..CALLS)
+            .map(|_| {
+                let words = |local: &bessemer_ir::Local| {
+                    module.leaves(&local.ty).iter().map(|ty| random.word(module, ty)).collect()
+                };
+                parameters.iter().map(words).collect()
+            })
+            .collect();
+        let mut leaves = module.leaves(&function.result);
+        for (index, local) in parameters.iter().enumerate() {
+            if index == 0 || local.mode == Mode::RefMut {
+                leaves.extend(module.leaves(&local.ty));
+            }
+        }
+        let outcomes = thread::Builder::new().name("native".into()).spawn({
+            let calls = calls.clone();
+            move || calls.iter().map(|call| run_native(native, call)).collect()
+        });
+        let native = outcomes.expect("threads start").join().expect("panics are caught");
+        Case { name, id, calls, leaves, native }
+    });
+    cases.collect()
+}
+
+fn run_native(entry: &Entry, call: &[Vec<u64>]) -> Outcome {
+    let mut words = call.iter().flatten().copied();
+    let mut out = Vec::new();
+    catch_unwind(AssertUnwindSafe(|| {
+        (entry.run)(&mut || words.next().expect("a word for each scalar"), &mut |word| {
+            out.push(word);
+        });
+    }))
+    .map(|()| out)
+    .map_err(|panic| {
+        let text = (panic.downcast_ref::<String>().map(String::as_str))
+            .or(panic.downcast_ref::<&str>().copied())
+            .unwrap_or_default();
+        fault(text)
+    })
+}
+
+/// The fault that a panic of rustc's, core's or nalgebra's stands for.
+fn fault(text: &str) -> Fault {
+    match text {
+        _ if text.contains("divide by zero") => Fault::DivisionByZero,
+        _ if text.contains("divisor of zero") => Fault::DivisionByZero,
+        _ if text.contains("attempt to shift") => Fault::Shift,
+        _ if text.contains("overflow") => Fault::Overflow,
+        _ if text.contains("out of bounds") => Fault::Index,
+        _ if text.contains("low <= high") || text.contains("min > max") => Fault::Clamp,
+        _ if text.contains("assertion failed") || text.contains("must not be") => Fault::Assertion,
+        _ => panic!("what fault is `{text}`?"),
+    }
+}
+
+fn agree(leg: &str, case: &Case, index: usize, got: &Outcome) {
+    let same = match (&case.native[index], got) {
+        (Ok(one), Ok(other)) => {
+            one.len() == other.len()
+                && one.iter().zip(other).zip(&case.leaves).all(|((a, b), ty)| {
+                    a == b
+                        || match ty.as_float() {
+                            Some(Float::F64) => {
+                                f64::from_bits(*a).is_nan() && f64::from_bits(*b).is_nan()
+                            }
+                            Some(Float::F32) => {
+                                f32::from_bits(*a as u32).is_nan()
+                                    && f32::from_bits(*b as u32).is_nan()
+                            }
+                            None => false,
+                        }
+                })
+        }
+        (one, other) => one == other,
+    };
+    assert!(
+        same,
+        "{} in {leg}\nof    {:x?}\nRust  {:x?}\n{leg} {got:x?}",
+        case.name, case.calls[index], case.native[index]
+    );
+}
+
+#[test]
+fn the_interpreter_agrees() {
+    let compiled = corpus();
+    for module in [&compiled.module, &compiled.explicit] {
+        let mut interpreter = Interpreter::new(module);
+        for case in cases(compiled) {
+            let parameters = module.functions[case.id.index()].parameters();
+            for (index, call) in case.calls.iter().enumerate() {
+                let mut arguments = call.clone();
+                let got = match interpreter.call(case.id, &mut arguments) {
+                    Ok(mut words) => {
+                        for (at, argument) in arguments.iter().enumerate() {
+                            if at == 0 || parameters[at].mode == Mode::RefMut {
+                                words.extend(argument);
+                            }
+                        }
+                        Ok(words)
+                    }
+                    Err(Stop::Fault { fault, .. }) => Err(fault),
+                    Err(stop) => panic!("{}: {stop}", case.name),
+                };
+                agree("interpreter", &case, index, &got);
+            }
+        }
+    }
+}
+
+/// Every call in one process: all words in from one thread, all words out in another.
+fn run_c(compiled: &Compiled, cases: &[Case], toolchain: &Toolchain, flags: &[&str]) {
+    let leg = format!("{} {}", toolchain.name(), flags.join(" "));
+    let params = |id: FunctionId| compiled.module.functions[id.index()].params;
+    let ids: Vec<_> = cases.iter().map(|case| (case.id, params(case.id))).collect();
+    let main = harness::programs(&compiled.explicit, &ids);
+    let mut process = Process::run(compiled, &main, toolchain, flags)
+        .unwrap_or_else(|error| panic!("{leg}: {error}"));
+    for (at, case) in cases.iter().enumerate() {
+        for (index, call) in case.calls.iter().enumerate() {
+            let mut words = vec![at as u64];
+            words.extend(call.iter().flatten());
+            let got = called(&mut process, &words, case.leaves.len())
+                .unwrap_or_else(|error| panic!("{leg}, {} of {call:x?}: {error}", case.name));
+            agree(&leg, case, index, &got);
+        }
+    }
+}
+
+fn called(process: &mut Process, words: &[u64], results: usize) -> Result<Outcome, Error> {
+    process.send(words)?;
+    match process.receive(1)?[0] {
+        0 => Ok(Ok(process.receive(results)?)),
+        status => Ok(Err(FAULTS[status as usize - 1])),
+    }
+}
+
+#[test]
+fn the_c_agrees() {
+    let compiled = corpus();
+    let cases = cases(compiled);
+    let sanitized = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-w"];
+    thread::scope(|scope| {
+        // Least and most optimised; the flight goes through every level.
+        let levels =
+            |it: &Toolchain| if it.emulator.is_some() { it.level == 2 } else { it.level != 2 };
+        for toolchain in toolchain::all().into_iter().filter(levels) {
+            let cases = &cases;
+            scope.spawn(move || run_c(compiled, cases, &toolchain, &[]));
+        }
+        for toolchain in toolchain::host().into_iter().filter(|it| it.level == 0) {
+            let cases = &cases;
+            scope.spawn(move || run_c(compiled, cases, &toolchain, &sanitized));
+        }
+    });
+}
