@@ -4,6 +4,8 @@
 //! C runs as a process of its own, so no test needs `unsafe`: words go in and come out through pipes,
 //! and the target is one more program.
 
+pub mod batch;
+pub mod edge_values;
 pub mod harness;
 pub mod interpreter;
 pub mod pilot;
@@ -51,11 +53,17 @@ pub fn overflow_is_checked() -> bool {
 /// If they do not compile, or if this build does not check overflow: nothing can be compared then.
 pub fn flight_models() -> &'static Compiled {
     static COMPILED: OnceLock<Compiled> = OnceLock::new();
-    COMPILED.get_or_init(|| {
-        assert!(overflow_is_checked(), "set `overflow-checks = true` in the profile");
-        let sources = Sources::new(root());
-        let package = generate::tree(&root(), "models").unwrap_or_else(|error| panic!("{error}"));
-        compile::compile(&package, &sources, &compile::Options::default())
-            .unwrap_or_else(|errors| panic!("{}", diagnostic::render(&errors, &sources, false)))
-    })
+    COMPILED.get_or_init(|| compiled("models"))
+}
+
+/// A package of this workspace, compiled.
+///
+/// # Panics
+/// If it does not compile: no test can run then.
+pub fn compiled(package: &str) -> Compiled {
+    assert!(overflow_is_checked(), "set `overflow-checks = true` in the profile");
+    let sources = Sources::new(root());
+    let package = generate::tree(&root(), package).unwrap_or_else(|error| panic!("{error}"));
+    compile::compile(&package, &sources, &compile::Options::default())
+        .unwrap_or_else(|errors| panic!("{}", diagnostic::render(&errors, &sources, false)))
 }
