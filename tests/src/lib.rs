@@ -4,6 +4,8 @@
 //! C runs as a process of its own, so no test needs `unsafe`: words go in and come out through pipes,
 //! and the target is one more program.
 
+pub mod batch;
+pub mod edge_values;
 pub mod harness;
 pub mod interpreter;
 pub mod pilot;
@@ -63,7 +65,11 @@ pub fn corpus() -> &'static Compiled {
     COMPILED.get_or_init(|| compiled("corpus"))
 }
 
-fn compiled(package: &str) -> Compiled {
+/// A package of this workspace, compiled.
+///
+/// # Panics
+/// If it does not compile: no test can run then.
+pub fn compiled(package: &str) -> Compiled {
     assert!(overflow_is_checked(), "set `overflow-checks = true` in the profile");
     let sources = Sources::new(root());
     let package = generate::tree(&root(), package).unwrap_or_else(|error| panic!("{error}"));

@@ -4,6 +4,9 @@
 //! the files that use it. Its name says what it does and on what type; its text depends on nothing
 //! else, so that it never changes in one file for the sake of another.
 
+mod floats;
+mod integers;
+
 use std::collections::BTreeSet;
 
 use bessemer_ir::{Float, Int, Scalar};
@@ -38,6 +41,34 @@ pub enum Helper {
     FromBits(Float),
     /// One number's size with another's sign.
     Copysign(Float),
+    /// A quotient modulo 2^bits.
+    WrappingDiv(Int),
+    /// The remainder that goes with it.
+    WrappingRem(Int),
+    /// A sum that stops at the limits of its type.
+    SaturatingAdd(Int),
+    /// A difference that stops at the limits of its type.
+    SaturatingSub(Int),
+    /// A product that stops at the limits of its type.
+    SaturatingMul(Int),
+    /// The quotient that leaves a remainder of 0 or more.
+    DivEuclid(Scalar),
+    /// The remainder of 0 or more.
+    RemEuclid(Scalar),
+    /// The absolute value of a signed integer, unsigned.
+    UnsignedAbs(Int),
+    /// The distance of two integers, unsigned.
+    AbsDiff(Int),
+    /// How many bits are set; of 32 or 64.
+    CountOnes(Int),
+    /// How many bits stand above the highest that is set; of 32 or 64.
+    LeadingZeros(Int),
+    /// How many bits stand below the lowest that is set; of 32 or 64.
+    TrailingZeros(Int),
+    /// The bytes turned round.
+    SwapBytes(Int),
+    /// The sign of a float.
+    Signum(Float),
     /// The scalar product of the columns of two matrices.
     Dot(Float),
     /// The sum of the squares of a matrix.
@@ -69,6 +100,19 @@ impl Helper {
             Helper::ShiftLeft(int) => Helper::ShiftLeft(Helper::plain(int)),
             Helper::ShiftRight(int) => Helper::ShiftRight(Helper::plain(int)),
             Helper::FromFloat(int, float) => Helper::FromFloat(Helper::plain(int), float),
+            Helper::WrappingDiv(int) => Helper::WrappingDiv(Helper::plain(int)),
+            Helper::WrappingRem(int) => Helper::WrappingRem(Helper::plain(int)),
+            Helper::SaturatingAdd(int) => Helper::SaturatingAdd(Helper::plain(int)),
+            Helper::SaturatingSub(int) => Helper::SaturatingSub(Helper::plain(int)),
+            Helper::SaturatingMul(int) => Helper::SaturatingMul(Helper::plain(int)),
+            Helper::DivEuclid(ty) => Helper::DivEuclid(scalar(ty)),
+            Helper::RemEuclid(ty) => Helper::RemEuclid(scalar(ty)),
+            Helper::UnsignedAbs(int) => Helper::UnsignedAbs(Helper::plain(int)),
+            Helper::AbsDiff(int) => Helper::AbsDiff(Helper::plain(int)),
+            Helper::CountOnes(int) => Helper::CountOnes(Helper::plain(int)),
+            Helper::LeadingZeros(int) => Helper::LeadingZeros(Helper::plain(int)),
+            Helper::TrailingZeros(int) => Helper::TrailingZeros(Helper::plain(int)),
+            Helper::SwapBytes(int) => Helper::SwapBytes(Helper::plain(int)),
             other => other,
         }
     }
@@ -88,6 +132,20 @@ impl Helper {
             Helper::Bits(float) => format!("bits_of_{}", float.name()),
             Helper::FromBits(float) => format!("{}_from_bits", float.name()),
             Helper::Copysign(float) => format!("copysign_{}", float.name()),
+            Helper::WrappingDiv(int) => format!("wrapping_div_{}", int.name()),
+            Helper::WrappingRem(int) => format!("wrapping_rem_{}", int.name()),
+            Helper::SaturatingAdd(int) => format!("saturating_add_{}", int.name()),
+            Helper::SaturatingSub(int) => format!("saturating_sub_{}", int.name()),
+            Helper::SaturatingMul(int) => format!("saturating_mul_{}", int.name()),
+            Helper::DivEuclid(ty) => format!("div_euclid_{}", ty.name()),
+            Helper::RemEuclid(ty) => format!("rem_euclid_{}", ty.name()),
+            Helper::UnsignedAbs(int) => format!("unsigned_abs_{}", int.name()),
+            Helper::AbsDiff(int) => format!("abs_diff_{}", int.name()),
+            Helper::CountOnes(int) => format!("count_ones_{}", int.name()),
+            Helper::LeadingZeros(int) => format!("leading_zeros_{}", int.name()),
+            Helper::TrailingZeros(int) => format!("trailing_zeros_{}", int.name()),
+            Helper::SwapBytes(int) => format!("swap_bytes_{}", int.name()),
+            Helper::Signum(float) => format!("signum_{}", float.name()),
             Helper::Dot(float) => format!("dot_{}", float.name()),
             Helper::NormSquared(float) => format!("norm_squared_{}", float.name()),
         }
@@ -98,6 +156,8 @@ impl Helper {
         match self {
             Helper::ShiftLeft(int) => Some(Helper::Wrap(int)),
             Helper::NormSquared(float) => Some(Helper::Dot(float)),
+            Helper::WrappingDiv(int) => Some(Helper::Wrap(int)),
+            Helper::LeadingZeros(int) | Helper::TrailingZeros(int) => Some(Helper::CountOnes(int)),
             _ => None,
         }
     }
@@ -106,7 +166,8 @@ impl Helper {
     pub fn needs_math(self) -> bool {
         match self {
             Helper::Min(ty) | Helper::Max(ty) => matches!(ty, Scalar::Float(_)),
-            Helper::Copysign(_) => true,
+            Helper::DivEuclid(ty) | Helper::RemEuclid(ty) => matches!(ty, Scalar::Float(_)),
+            Helper::Copysign(_) | Helper::Signum(_) => true,
             _ => false,
         }
     }
@@ -134,6 +195,22 @@ impl Helper {
             Helper::Bits(float) => bits(&name, float),
             Helper::FromBits(float) => from_bits(&name, float),
             Helper::Copysign(float) => copysign(&name, float),
+            Helper::WrappingDiv(int) => integers::wrapping_div(&name, int),
+            Helper::WrappingRem(int) => integers::wrapping_rem(&name, int),
+            Helper::SaturatingAdd(int) => integers::saturating_add(&name, int),
+            Helper::SaturatingSub(int) => integers::saturating_sub(&name, int),
+            Helper::SaturatingMul(int) => integers::saturating_mul(&name, int),
+            Helper::DivEuclid(Scalar::Float(float)) => floats::div_euclid(&name, float),
+            Helper::RemEuclid(Scalar::Float(float)) => floats::rem_euclid(&name, float),
+            Helper::DivEuclid(ty) => integers::div_euclid(&name, ty),
+            Helper::RemEuclid(ty) => integers::rem_euclid(&name, ty),
+            Helper::UnsignedAbs(int) => integers::unsigned_abs(&name, int),
+            Helper::AbsDiff(int) => integers::abs_diff(&name, int),
+            Helper::CountOnes(int) => integers::count_ones(&name, int),
+            Helper::LeadingZeros(int) => integers::leading_zeros(&name, int),
+            Helper::TrailingZeros(int) => integers::trailing_zeros(&name, int),
+            Helper::SwapBytes(int) => integers::swap_bytes(&name, int),
+            Helper::Signum(float) => floats::signum(&name, float),
             Helper::Dot(float) => dot(&name, float),
             Helper::NormSquared(float) => norm_squared(&name, float),
         }
@@ -152,6 +229,20 @@ pub fn is_helper_name(name: &str) -> bool {
         "shift_left_",
         "shift_right_",
         "copysign_",
+        "wrapping_div_",
+        "wrapping_rem_",
+        "saturating_add_",
+        "saturating_sub_",
+        "saturating_mul_",
+        "div_euclid_",
+        "rem_euclid_",
+        "unsigned_abs_",
+        "abs_diff_",
+        "count_ones_",
+        "leading_zeros_",
+        "trailing_zeros_",
+        "swap_bytes_",
+        "signum_",
         "dot_",
         "norm_squared_",
     ];

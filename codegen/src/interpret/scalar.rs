@@ -187,6 +187,15 @@ pub(super) fn intrinsic(function: Intrinsic, ty: &Type, operands: &[u64]) -> Res
                 Intrinsic::ToBits => at(0),
                 Intrinsic::Copysign if value(1).is_nan() => value(0).abs().to_bits(),
                 Intrinsic::Copysign => value(0).copysign(value(1)).to_bits(),
+                Intrinsic::Ceil => value(0).ceil().to_bits(),
+                Intrinsic::Trunc => value(0).trunc().to_bits(),
+                Intrinsic::Round => value(0).round().to_bits(),
+                Intrinsic::Signum => value(0).signum().to_bits(),
+                Intrinsic::DivEuclid => value(0).div_euclid(value(1)).to_bits(),
+                Intrinsic::RemEuclid => value(0).rem_euclid(value(1)).to_bits(),
+                Intrinsic::IsNan => u64::from(value(0).is_nan()),
+                Intrinsic::IsFinite => u64::from(value(0).is_finite()),
+                Intrinsic::IsInfinite => u64::from(value(0).is_infinite()),
                 _ => unreachable!("validated: not a function of f64"),
             })
         }
@@ -203,6 +212,15 @@ pub(super) fn intrinsic(function: Intrinsic, ty: &Type, operands: &[u64]) -> Res
                 Intrinsic::ToBits => at(0),
                 Intrinsic::Copysign if value(1).is_nan() => f32_word(value(0).abs()),
                 Intrinsic::Copysign => f32_word(value(0).copysign(value(1))),
+                Intrinsic::Ceil => f32_word(value(0).ceil()),
+                Intrinsic::Trunc => f32_word(value(0).trunc()),
+                Intrinsic::Round => f32_word(value(0).round()),
+                Intrinsic::Signum => f32_word(value(0).signum()),
+                Intrinsic::DivEuclid => f32_word(value(0).div_euclid(value(1))),
+                Intrinsic::RemEuclid => f32_word(value(0).rem_euclid(value(1))),
+                Intrinsic::IsNan => u64::from(value(0).is_nan()),
+                Intrinsic::IsFinite => u64::from(value(0).is_finite()),
+                Intrinsic::IsInfinite => u64::from(value(0).is_infinite()),
                 _ => unreachable!("validated: not a function of f32"),
             })
         }
@@ -226,10 +244,35 @@ fn integer_intrinsic(
         Intrinsic::WrappingAdd => wrap(int, value(0) + value(1)),
         Intrinsic::WrappingSub => wrap(int, value(0) - value(1)),
         Intrinsic::WrappingMul => wrap(int, value(0).wrapping_mul(value(1))),
+        Intrinsic::WrappingDiv => wrap(int, value(0) / divisor(value(1))?),
+        Intrinsic::WrappingRem => wrap(int, value(0) % divisor(value(1))?),
+        Intrinsic::SaturatingAdd => saturated(int, value(0) + value(1)),
+        Intrinsic::SaturatingSub => saturated(int, value(0) - value(1)),
+        Intrinsic::SaturatingMul => saturated(int, value(0).saturating_mul(value(1))),
+        Intrinsic::DivEuclid => checked(int, value(0).checked_div_euclid(divisor(value(1))?))?,
+        // As `MIN % -1`, a fault although its value would be 0.
+        Intrinsic::RemEuclid => checked(int, value(0).checked_div(divisor(value(1))?))
+            .map(|_| value(0).rem_euclid(value(1)) as u64)?,
+        // Unsigned words, for all that the operands are signed.
+        Intrinsic::UnsignedAbs => value(0).unsigned_abs() as u64,
+        Intrinsic::AbsDiff => value(0).abs_diff(value(1)) as u64,
+        // Of unsigned integers, whose words have zeros above.
+        Intrinsic::CountOnes => u64::from(value(0).count_ones()),
+        Intrinsic::LeadingZeros => u64::from((value(0) as u64).leading_zeros() - (64 - int.bits())),
+        Intrinsic::TrailingZeros => u64::from(value(0).trailing_zeros().min(int.bits())),
+        Intrinsic::SwapBytes => (value(0) as u64).swap_bytes() >> (64 - int.bits()),
         // A float's bits are its word.
         Intrinsic::FromBits => value(0) as u64,
         _ => unreachable!("validated: not a function of integers"),
     })
+}
+
+fn divisor(value: i128) -> Result<i128, Fault> {
+    if value == 0 { Err(Fault::DivisionByZero) } else { Ok(value) }
+}
+
+fn saturated(int: Int, value: i128) -> u64 {
+    value.clamp(int.min(), int.max()) as u64
 }
 
 /// The operand that is not NaN, the smaller, or of two zeros the negative one.

@@ -39,6 +39,12 @@ pub(crate) fn of_expr(expr: &Expr, facts: &Facts) -> Vec<Obligation> {
             }
             _ => Vec::new(),
         },
+        ExprKind::Intrinsic(function, args) => match (function, args.as_slice()) {
+            (Intrinsic::WrappingDiv | Intrinsic::WrappingRem, [_, b]) => needs.of_divisor(b),
+            (Intrinsic::DivEuclid, [a, b]) => needs.of_binary(BinaryOp::Div, a, b),
+            (Intrinsic::RemEuclid, [a, b]) => needs.of_binary(BinaryOp::Rem, a, b),
+            _ => Vec::new(),
+        },
         ExprKind::Binary(op, a, b) => needs.of_binary(*op, a, b),
         _ => Vec::new(),
     }
@@ -130,9 +136,7 @@ impl Needs<'_, '_> {
             BinaryOp::Sub => overflow("-", difference(a, b, int, self.facts)),
             BinaryOp::Mul => overflow("*", product(a, b, int, self.facts)),
             BinaryOp::Div | BinaryOp::Rem => {
-                let nonzero = compare(CompareOp::Ne, b, &literal(0, int));
-                let reason = format!("the divisor {} may be 0", self.described(b));
-                let mut all = self.all(vec![nonzero], Fault::DivisionByZero, reason);
+                let mut all = self.of_divisor(b);
                 all.extend(overflow("/", quotient(a, b, int)));
                 all
             }
@@ -144,6 +148,13 @@ impl Needs<'_, '_> {
             }
             BinaryOp::And | BinaryOp::Or | BinaryOp::Xor => Vec::new(),
         }
+    }
+
+    fn of_divisor(&self, b: &Expr) -> Vec<Obligation> {
+        let Some(int) = b.ty.as_int() else { return Vec::new() };
+        let nonzero = compare(CompareOp::Ne, b, &literal(0, int));
+        let reason = format!("the divisor {} may be 0", self.described(b));
+        self.all(vec![nonzero], Fault::DivisionByZero, reason)
     }
 
     /// The range of a value in words, shorter where nothing is known.

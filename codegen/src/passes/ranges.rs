@@ -202,6 +202,18 @@ impl Interval {
             (Intrinsic::WrappingAdd, [x, y]) => wrapped(x.add(*y)),
             (Intrinsic::WrappingSub, [x, y]) => wrapped(x.sub(*y)),
             (Intrinsic::WrappingMul, [x, y]) => wrapped(x.corners(*y, i128::saturating_mul)),
+            (Intrinsic::SaturatingAdd, [x, y]) => all.meet(x.add(*y)),
+            (Intrinsic::SaturatingSub, [x, y]) => all.meet(x.sub(*y)),
+            (Intrinsic::SaturatingMul, [x, y]) => all.meet(x.corners(*y, i128::saturating_mul)),
+            (Intrinsic::UnsignedAbs, [x]) => all.meet(x.abs()),
+            (Intrinsic::AbsDiff, [x, y]) => all.meet(x.sub(*y).abs()),
+            (Intrinsic::RemEuclid, [_, by]) => {
+                all.meet(Interval { low: 0, high: (by.magnitude() - 1).max(0) })
+            }
+            // No type is wider.
+            (Intrinsic::CountOnes | Intrinsic::LeadingZeros | Intrinsic::TrailingZeros, _) => {
+                all.meet(Interval { low: 0, high: 64 })
+            }
             _ => all,
         }
     }

@@ -32,6 +32,16 @@ fn meaning(name: &str) -> Option<Meaning> {
         "wrapping_add" => Scalar(Intrinsic::WrappingAdd),
         "wrapping_sub" => Scalar(Intrinsic::WrappingSub),
         "wrapping_mul" => Scalar(Intrinsic::WrappingMul),
+        "saturating_add" => Scalar(Intrinsic::SaturatingAdd),
+        "saturating_sub" => Scalar(Intrinsic::SaturatingSub),
+        "saturating_mul" => Scalar(Intrinsic::SaturatingMul),
+        "unsigned_abs" => Scalar(Intrinsic::UnsignedAbs),
+        "ceil" => Scalar(Intrinsic::Ceil),
+        "trunc" => Scalar(Intrinsic::Trunc),
+        "round" => Scalar(Intrinsic::Round),
+        "is_nan" => Scalar(Intrinsic::IsNan),
+        "is_finite" => Scalar(Intrinsic::IsFinite),
+        "is_infinite" => Scalar(Intrinsic::IsInfinite),
         "transpose" => Linear(Routine::Transpose),
         "dot" => Linear(Routine::Dot),
         "cross" => Linear(Routine::Cross),
@@ -55,6 +65,12 @@ impl Lowering<'_, '_> {
         arguments: &[tree::Expr],
         expr: &tree::Expr,
     ) -> Result<Expr> {
+        if let Some(value) = self.number_method(name, arguments, expr)? {
+            return Ok(value);
+        }
+        if name.ends_with("_bytes") {
+            return self.bytes(name, arguments, expr);
+        }
         let Some(meaning) = meaning(name) else {
             return problem(expr.site, format!("`{name}` has no meaning"), OUR_FAULT);
         };
@@ -74,25 +90,26 @@ impl Lowering<'_, '_> {
         arguments: &[tree::Expr],
         expr: &tree::Expr,
     ) -> Result<Expr> {
-        // Operands and result are of one type, save for the two that change it.
+        // Operands and result are of one type, save for those that change it.
         let expected = match op {
-            Intrinsic::ToBits => None,
             Intrinsic::FromBits => match self.slot_of(expr)?.as_float() {
                 Some(Float::F32) => Some(Type::Scalar(Scalar::Int(Int::U32))),
                 _ => Some(Type::Scalar(Scalar::Int(Int::U64))),
             },
+            Intrinsic::ToBits
+            | Intrinsic::UnsignedAbs
+            | Intrinsic::IsNan
+            | Intrinsic::IsFinite
+            | Intrinsic::IsInfinite => None,
             _ => expr.slot.map(|slot| self.slot(slot, expr.site)).transpose()?,
         };
         let values = self.uniform(arguments, expected)?;
-        let Some(first) = values.first() else {
-            return problem(expr.site, "this takes an operand", OUR_FAULT);
+        let ty = match values.first().map(|first| &first.ty) {
+            Some(Type::Scalar(scalar)) => op.result(*scalar).map(Type::Scalar),
+            _ => None,
         };
-        let ty = match (op, first.ty.as_float(), first.ty.as_int()) {
-            (Intrinsic::ToBits, Some(Float::F32), _) => Type::Scalar(Scalar::Int(Int::U32)),
-            (Intrinsic::ToBits, Some(Float::F64), _) => Type::Scalar(Scalar::Int(Int::U64)),
-            (Intrinsic::FromBits, _, Some(Int::U32)) => Type::F32,
-            (Intrinsic::FromBits, _, Some(Int::U64)) => Type::F64,
-            _ => first.ty.clone(),
+        let Some(ty) = ty else {
+            return problem(expr.site, "this does not take that type", OUR_FAULT);
         };
         self.node(ExprKind::Intrinsic(op, values), ty, expr.site)
     }

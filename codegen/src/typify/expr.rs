@@ -181,15 +181,19 @@ impl Lowering<'_, '_> {
     fn literal_partner(&mut self, left: &tree::Expr, right: &tree::Expr) -> Result<Option<Type>> {
         for (one, other) in [(left, right), (right, left)] {
             if is_unsuffixed(one) && !is_unsuffixed(other) {
-                // Looked at for its type alone: what it emits is dropped.
-                let (statements, locals) = (std::mem::take(&mut self.out), self.locals.len());
-                let ty = self.value(other, None).map(|value| value.ty);
-                self.out = statements;
-                self.locals.truncate(locals);
-                return ty.map(Some);
+                return self.type_alone(other).map(Some);
             }
         }
         Ok(None)
+    }
+
+    /// The type of an expression that is looked at for nothing else: what it emits is dropped.
+    pub(super) fn type_alone(&mut self, expr: &tree::Expr) -> Result<Type> {
+        let (statements, locals) = (std::mem::take(&mut self.out), self.locals.len());
+        let ty = self.value(expr, None).map(|value| value.ty);
+        self.out = statements;
+        self.locals.truncate(locals);
+        ty
     }
 
     /// What the right operand of an arithmetic operator is expected to be.
@@ -360,11 +364,22 @@ impl Lowering<'_, '_> {
     fn call(&mut self, callee: u32, arguments: &[tree::Expr], expr: &tree::Expr) -> Result<Expr> {
         match self.source.callees.get(callee as usize) {
             Some(tree::Callee::Builtin(name)) => self.builtin(name, arguments, expr),
-            Some(tree::Callee::Function(path)) => match self.cx.functions.get(path) {
-                Some(id) => self.call_function(*id, arguments, expr),
-                // It was refused, and that was told.
-                None => problem(expr.site, "", ""),
-            },
+            Some(tree::Callee::Function(path)) => {
+                if let Some(value) = self.small_power(path, arguments, expr)? {
+                    return Ok(value);
+                }
+                if let Some(function) = self.cx.uncalled.remove(path.as_str()) {
+                    let lowered = super::function::lower(self.cx, function)?;
+                    let id = FunctionId(self.cx.module.functions.len() as u32);
+                    self.cx.module.functions.push(lowered);
+                    self.cx.functions.insert(path.clone(), id);
+                }
+                match self.cx.functions.get(path) {
+                    Some(id) => self.call_function(*id, arguments, expr),
+                    // It was refused, and that was told.
+                    None => problem(expr.site, "", ""),
+                }
+            }
             None => problem(expr.site, "the tree names a callee that is not there", OUR_FAULT),
         }
     }

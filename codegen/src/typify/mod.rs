@@ -18,6 +18,7 @@ mod function;
 mod literal;
 mod loops;
 mod names;
+mod numbers;
 mod order;
 mod place;
 mod types;
@@ -53,7 +54,11 @@ pub fn typify(package: &Package, sources: &Sources) -> Result<Module, Vec<Diagno
             errors.push(diagnostic(&definition.file, problem));
         }
     }
-    for function in &package.functions {
+    // Of other crates comes what is called, when it is called.
+    let (own, other): (Vec<_>, Vec<_>) =
+        package.functions.iter().partition(|function| is_own(package, &function.path));
+    cx.uncalled = other.into_iter().map(|function| (function.path.as_str(), function)).collect();
+    for function in own {
         match function::lower(&mut cx, function) {
             Ok(lowered) => {
                 let id = FunctionId(cx.module.functions.len() as u32);
@@ -69,6 +74,11 @@ pub fn typify(package: &Package, sources: &Sources) -> Result<Module, Vec<Diagno
         (&one.file, one.line, one.column).cmp(&(&other.file, other.line, other.column))
     });
     if errors.is_empty() { Ok(cx.module) } else { Err(errors) }
+}
+
+/// Whether a path leads into the package itself.
+fn is_own(package: &Package, path: &str) -> bool {
+    path.split("::").next() == Some(package.name.replace('-', "_").as_str())
 }
 
 fn diagnostic(file: &str, problem: Problem) -> Diagnostic {
@@ -94,6 +104,8 @@ struct Context<'a> {
     files: HashMap<String, u32>,
     types: HashMap<String, bessemer_ir::Type>,
     functions: HashMap<String, FunctionId>,
+    /// Functions of other crates that nothing has called so far.
+    uncalled: HashMap<&'a str, &'a tree::Function>,
 }
 
 impl<'a> Context<'a> {
@@ -105,6 +117,7 @@ impl<'a> Context<'a> {
             files: HashMap::new(),
             types: HashMap::new(),
             functions: HashMap::new(),
+            uncalled: HashMap::new(),
         }
     }
 

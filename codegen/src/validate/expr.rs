@@ -4,8 +4,8 @@
 //! one wrong node is one error.
 
 use bessemer_ir::{
-    Argument, BinaryOp, Expr, ExprKind, Float, FunctionId, Int, Intrinsic, Mode, Place, Routine,
-    Scalar, Step, Type, UnaryOp,
+    Argument, BinaryOp, Expr, ExprKind, FunctionId, Int, Intrinsic, Mode, Place, Routine, Scalar,
+    Step, Type, UnaryOp,
 };
 
 use super::alias::conflicts;
@@ -318,38 +318,14 @@ fn cast(from: &Type, to: &Type) -> Checked {
 }
 
 fn intrinsic(function: Intrinsic, operands: &[Expr]) -> Checked {
-    let count = match function {
-        Intrinsic::Sqrt | Intrinsic::Abs | Intrinsic::Floor => 1,
-        Intrinsic::ToBits | Intrinsic::FromBits => 1,
-        Intrinsic::Min | Intrinsic::Max | Intrinsic::Copysign => 2,
-        Intrinsic::WrappingAdd | Intrinsic::WrappingSub | Intrinsic::WrappingMul => 2,
-        Intrinsic::Clamp => 3,
-    };
-    counted(count, operands)?;
+    counted(function.operands(), operands)?;
     let ty = &operands[0].ty;
     for operand in operands {
         same(ty, &operand.ty)?;
     }
-    let Kind { signed, integer, float, .. } = kind(ty);
-    let unsigned = |int| Type::Scalar(Scalar::Int(int));
-    let result = match function {
-        Intrinsic::Sqrt | Intrinsic::Floor | Intrinsic::Copysign => float.then_some(ty.clone()),
-        Intrinsic::Abs => signed.then_some(ty.clone()),
-        Intrinsic::Min | Intrinsic::Max | Intrinsic::Clamp => {
-            (integer || float).then_some(ty.clone())
-        }
-        Intrinsic::WrappingAdd | Intrinsic::WrappingSub | Intrinsic::WrappingMul => {
-            integer.then_some(ty.clone())
-        }
-        Intrinsic::ToBits => ty.as_float().map(|float| match float {
-            Float::F64 => unsigned(Int::U64),
-            Float::F32 => unsigned(Int::U32),
-        }),
-        Intrinsic::FromBits => match ty.as_int() {
-            Some(Int::U64) => Some(Type::F64),
-            Some(Int::U32) => Some(Type::F32),
-            _ => None,
-        },
+    let result = match ty {
+        Type::Scalar(scalar) => function.result(*scalar).map(Type::Scalar),
+        _ => None,
     };
     result.ok_or_else(|| Problem::IntrinsicOperand { function, ty: ty.clone() })
 }

@@ -28,8 +28,10 @@
 //!   integers; `+ - * / %` numbers, `& | ^` `bool` and integers, all of one type; shifts two integers;
 //!   comparisons two scalars or enums of one type.
 //! * Casts are those of Rust: numbers to numbers, `bool` and enums to integers, `bool` to `bool`.
-//! * Intrinsics: `sqrt floor copysign` floats; `abs` signed integers and floats; `min max clamp` numbers;
-//!   `to_bits from_bits` between a float and the unsigned integer of its width; `wrapping_…` integers.
+//! * Intrinsics take operands of one type, and which that may be is said by [`Intrinsic::result`].
+//!
+//! [`Intrinsic::result`]: bessemer_ir::Intrinsic::result
+//!
 //! * Structs, arrays and matrices have an element for each place, each of its type; a splat fills an
 //!   array with its element type or a matrix with its scalar.
 //! * Routines take matrices of floats (`Transpose`: of anything) of shapes that fit; `Scale` and

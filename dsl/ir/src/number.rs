@@ -51,6 +51,17 @@ impl Int {
         matches!(self, Int::I8 | Int::I16 | Int::I32 | Int::I64 | Int::Isize)
     }
 
+    /// The unsigned type of this width.
+    pub const fn unsigned(self) -> Int {
+        match self {
+            Int::I8 | Int::U8 => Int::U8,
+            Int::I16 | Int::U16 => Int::U16,
+            Int::I32 | Int::U32 => Int::U32,
+            Int::I64 | Int::U64 => Int::U64,
+            Int::Isize | Int::Usize => Int::Usize,
+        }
+    }
+
     /// The smallest value.
     pub const fn min(self) -> i128 {
         if self.signed() { -(1i128 << (self.bits() - 1)) } else { 0 }
@@ -92,6 +103,14 @@ pub enum Float {
 }
 
 impl Float {
+    /// The unsigned integer of the same width.
+    pub const fn bits_type(self) -> Int {
+        match self {
+            Float::F32 => Int::U32,
+            Float::F64 => Int::U64,
+        }
+    }
+
     /// The name of the type in Rust.
     pub const fn name(self) -> &'static str {
         match self {

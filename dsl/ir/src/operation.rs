@@ -2,6 +2,8 @@
 //!
 //! Every one is exact: one value for given operands, the same on every target.
 
+use crate::number::{Float, Int, Scalar};
+
 /// Operators of one operand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum UnaryOp {
@@ -74,6 +76,94 @@ pub enum Intrinsic {
     WrappingSub,
     /// Product, integers, modulo 2^bits.
     WrappingMul,
+    /// Quotient, signed integers, modulo 2^bits; a fault for a divisor of 0.
+    WrappingDiv,
+    /// Remainder, signed integers, 0 for a divisor of −1; a fault for a divisor of 0.
+    WrappingRem,
+    /// Sum, integers, at most and at least what the type holds.
+    SaturatingAdd,
+    /// Difference, integers, at most and at least what the type holds.
+    SaturatingSub,
+    /// Product, integers, at most and at least what the type holds.
+    SaturatingMul,
+    /// The quotient that leaves a remainder of 0 or more: floats (as Rust's std computes it), and signed
+    /// integers, where it faults as `/` does.
+    DivEuclid,
+    /// The remainder of 0 or more: floats (as Rust's std computes it), and signed integers, where it
+    /// faults as `%` does.
+    RemEuclid,
+    /// `|x|` of a signed integer as the unsigned integer of its width.
+    UnsignedAbs,
+    /// `|x - y|` of integers as the unsigned integer of their width.
+    AbsDiff,
+    /// How many bits of an unsigned integer are set, as `u32`.
+    CountOnes,
+    /// How many bits of an unsigned integer stand above the highest that is set, as `u32`.
+    LeadingZeros,
+    /// How many bits of an unsigned integer stand below the lowest that is set, as `u32`.
+    TrailingZeros,
+    /// The bytes of an unsigned integer of 16 bits or more, turned round.
+    SwapBytes,
+    /// The smallest whole float not below.
+    Ceil,
+    /// The whole part of a float, towards zero.
+    Trunc,
+    /// The nearest whole float; halves go away from zero.
+    Round,
+    /// 1 with the sign of a float, its zero included; NaN for a NaN.
+    Signum,
+    /// Whether a float is a NaN.
+    IsNan,
+    /// Whether a float is neither infinite nor a NaN.
+    IsFinite,
+    /// Whether a float is infinite.
+    IsInfinite,
+}
+
+impl Intrinsic {
+    /// The type of the result for operands of type `operand`; none if it does not take that type.
+    pub fn result(self, operand: Scalar) -> Option<Scalar> {
+        use Intrinsic::*;
+        let (int, float) = match operand {
+            Scalar::Int(int) => (Some(int), None),
+            Scalar::Float(float) => (None, Some(float)),
+            Scalar::Bool => return None,
+        };
+        let signed = int.is_some_and(Int::signed);
+        match self {
+            Min | Max | Clamp => Some(operand),
+            Abs | DivEuclid | RemEuclid => (signed || float.is_some()).then_some(operand),
+            Sqrt | Floor | Ceil | Trunc | Round | Copysign | Signum => float.map(Scalar::Float),
+            IsNan | IsFinite | IsInfinite => float.map(|_| Scalar::Bool),
+            WrappingAdd | WrappingSub | WrappingMul => int.map(Scalar::Int),
+            SaturatingAdd | SaturatingSub | SaturatingMul => int.map(Scalar::Int),
+            WrappingDiv | WrappingRem => signed.then_some(operand),
+            UnsignedAbs => int.filter(|_| signed).map(|int| Scalar::Int(int.unsigned())),
+            AbsDiff => int.map(|int| Scalar::Int(int.unsigned())),
+            CountOnes | LeadingZeros | TrailingZeros => {
+                int.filter(|_| !signed).map(|_| Scalar::Int(Int::U32))
+            }
+            SwapBytes => int.filter(|int| !signed && int.bits() > 8).map(Scalar::Int),
+            ToBits => float.map(|float| Scalar::Int(float.bits_type())),
+            FromBits => match int? {
+                Int::U32 => Some(Scalar::Float(Float::F32)),
+                Int::U64 => Some(Scalar::Float(Float::F64)),
+                _ => None,
+            },
+        }
+    }
+
+    /// How many operands it takes, all of one type.
+    pub const fn operands(self) -> usize {
+        use Intrinsic::*;
+        match self {
+            Sqrt | Abs | Floor | Ceil | Trunc | Round | Signum | ToBits | FromBits | IsNan
+            | IsFinite | IsInfinite | UnsignedAbs | CountOnes | LeadingZeros | TrailingZeros
+            | SwapBytes => 1,
+            Clamp => 3,
+            _ => 2,
+        }
+    }
 }
 
 /// Routines of linear algebra: each in the operation order of the nalgebra routine it stands for.

@@ -27,12 +27,15 @@ pub const OWNED: &[&str] = &[
     "copysign",
     "cos",
     "cosh",
+    "div_euclid",
     "exp",
     "exp2",
     "exp_m1",
     "floor",
     "fract",
     "hypot",
+    "is_sign_negative",
+    "is_sign_positive",
     "ln",
     "ln_1p",
     "log",
@@ -71,7 +74,10 @@ pub fn block(block: &mut syn::Block) {
     if redirect.used {
         let import = syn::parse_quote_spanned! { Span::call_site() =>
             #[allow(unused_imports)]
-            use ::bessemer::math::{ElementaryMethods as _, FloatMethods as _, OrderMethods as _};
+            use ::bessemer::math::{
+                DivisionMethods as _, ElementaryMethods as _, FloatMethods as _, OrderMethods as _,
+                RoundMethods as _, SignMethods as _,
+            };
         };
         block.stmts.insert(0, import);
     }

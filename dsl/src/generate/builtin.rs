@@ -22,11 +22,11 @@ macro_rules! markers {
         }
     )*};
 }
+pub(super) use markers;
 
 markers! {
     Sqrt: "sqrt"; Floor: "floor"; ToBits: "to_bits"; FromBits: "from_bits"; Copysign: "copysign";
     Abs: "abs"; Min: "min"; Max: "max"; Clamp: "clamp";
-    WrappingAdd: "wrapping_add"; WrappingSub: "wrapping_sub"; WrappingMul: "wrapping_mul";
     New: "matrix_new"; Zeros: "zeros"; Identity: "identity"; FromElement: "from_element";
     Transpose: "transpose"; Dot: "dot"; Cross: "cross"; Norm: "norm"; NormSquared: "norm_squared";
     ComponentMul: "component_mul"; ComponentDiv: "component_div"; TrMul: "tr_mul";
@@ -61,7 +61,7 @@ impl FloatBuiltins for f32 {
     type Bits = u32;
 }
 
-/// Methods of numbers that are ordered, and of integers.
+/// Methods of numbers that are ordered.
 #[allow(missing_docs)]
 pub trait OrderBuiltins: Sized {
     fn __b_abs(self) -> Called<Abs, Self> {
@@ -74,15 +74,6 @@ pub trait OrderBuiltins: Sized {
         unreachable!()
     }
     fn __b_clamp(self, _low: Self, _high: Self) -> Called<Clamp, Self> {
-        unreachable!()
-    }
-    fn __b_wrapping_add(self, _other: Self) -> Called<WrappingAdd, Self> {
-        unreachable!()
-    }
-    fn __b_wrapping_sub(self, _other: Self) -> Called<WrappingSub, Self> {
-        unreachable!()
-    }
-    fn __b_wrapping_mul(self, _other: Self) -> Called<WrappingMul, Self> {
         unreachable!()
     }
 }

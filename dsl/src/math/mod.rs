@@ -13,8 +13,10 @@
 pub mod arctangent;
 pub mod exponential;
 pub mod hyperbolic;
+pub mod integer;
 pub mod logarithm;
 mod methods;
+mod number;
 pub mod pair;
 pub mod power;
 pub mod reduction;
@@ -25,6 +27,7 @@ pub mod tables;
 pub mod tangent;
 
 pub use methods::ElementaryMethods;
+pub use number::{DivisionMethods, RoundMethods, SignMethods};
 
 /// Methods of floats that the attributes redirect to the DSL.
 pub trait FloatMethods: Copy {

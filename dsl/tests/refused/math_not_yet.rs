@@ -8,13 +8,13 @@ use bessemer::prelude::*;
 pub fn functions(x: f64, y: f64) -> f64 {
     let growth = x.asinh() + f64::atanh(y);
     let angle = x.log(y);
-    angle.to_degrees() + growth.mul_add(x, y)
+    angle + growth.mul_add(x, y)
 }
 
 /// Nor these, of integers.
 #[function]
 pub fn integers(n: u32) -> u32 {
-    n.pow(2) + n.saturating_sub(1)
+    n.checked_add(2).max(n.to_be())
 }
 
 fn main() {}

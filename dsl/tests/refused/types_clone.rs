@@ -3,11 +3,11 @@ extern crate std;
 
 use bessemer::prelude::*;
 
-/// Copies by name, and converts by trait.
+/// Copies by name.
 #[function]
-pub fn copied(v: &Vector3<f64>, n: u32) -> f64 {
+pub fn copied(v: &Vector3<f64>) -> f64 {
     let w = v.clone();
-    w.x + f64::from(n)
+    w.x
 }
 
 fn main() {}

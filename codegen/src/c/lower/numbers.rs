@@ -116,8 +116,57 @@ impl Lower<'_> {
             (Intrinsic::WrappingAdd, _, Some(int)) => self.wrapping("+", int, values),
             (Intrinsic::WrappingSub, _, Some(int)) => self.wrapping("-", int, values),
             (Intrinsic::WrappingMul, _, Some(int)) => self.wrapping("*", int, values),
+            (Intrinsic::Ceil, Some(float), _) => self.math("ceil", float, values),
+            (Intrinsic::Trunc, Some(float), _) => self.math("trunc", float, values),
+            (Intrinsic::Round, Some(float), _) => self.math("round", float, values),
+            (Intrinsic::Signum, Some(float), _) => self.helper(Helper::Signum(float), values),
+            (Intrinsic::IsNan, ..) => self.classified("isnan", values),
+            (Intrinsic::IsFinite, ..) => self.classified("isfinite", values),
+            (Intrinsic::IsInfinite, ..) => self.classified("isinf", values),
+            (Intrinsic::DivEuclid, ..) => self.helper(Helper::DivEuclid(scalar), values),
+            (Intrinsic::RemEuclid, ..) => self.helper(Helper::RemEuclid(scalar), values),
+            (_, _, Some(int)) => self.integer_intrinsic(intrinsic, int, values),
             _ => unreachable!("the validator refuses {intrinsic:?} of {of:?}"),
         }
+    }
+
+    fn integer_intrinsic(&mut self, intrinsic: Intrinsic, int: Int, mut values: Vec<Expr>) -> Expr {
+        // Counted in `uint32_t`, whose helpers serve the smaller types too.
+        let counted = if is_small(int) { Int::U32 } else { int };
+        let above = counted.bits() - int.bits();
+        let helper = match intrinsic {
+            Intrinsic::WrappingDiv => Helper::WrappingDiv(int),
+            Intrinsic::WrappingRem => Helper::WrappingRem(int),
+            Intrinsic::SaturatingAdd => Helper::SaturatingAdd(int),
+            Intrinsic::SaturatingSub => Helper::SaturatingSub(int),
+            Intrinsic::SaturatingMul => Helper::SaturatingMul(int),
+            Intrinsic::UnsignedAbs => Helper::UnsignedAbs(int),
+            Intrinsic::AbsDiff => Helper::AbsDiff(int),
+            Intrinsic::SwapBytes => Helper::SwapBytes(int),
+            Intrinsic::CountOnes => Helper::CountOnes(counted),
+            Intrinsic::LeadingZeros => Helper::LeadingZeros(counted),
+            Intrinsic::TrailingZeros => Helper::TrailingZeros(counted),
+            _ => unreachable!("the validator refuses {intrinsic:?} of {int:?}"),
+        };
+        if above > 0 && intrinsic == Intrinsic::TrailingZeros {
+            // A bit above the type stops the count at its width.
+            let value = Expr::cast("uint32_t", values.remove(0));
+            let stop = super::super::literal::integer(Int::U32, 1 << int.bits());
+            values.push(Expr::binary("|", value, stop));
+        }
+        let count = self.helper(helper, values);
+        if above > 0 && intrinsic == Intrinsic::LeadingZeros {
+            let surplus = super::super::literal::integer(Int::U32, i128::from(above));
+            return Expr::binary("-", count, surplus);
+        }
+        count
+    }
+
+    /// A macro of `math.h` that says whether a float is of a kind, as a condition.
+    fn classified(&mut self, name: &str, values: Vec<Expr>) -> Expr {
+        self.uses.math = true;
+        let zero = super::super::literal::integer(Int::I32, 0);
+        Expr::binary("!=", Expr::call(name.to_owned(), values), zero)
     }
 
     /// Modulo 2^bits, through unsigned arithmetic.

@@ -9,7 +9,6 @@
 use alloc::boxed::Box;
 
 use crate::ir::{ExprKind, Intrinsic, Module, Place, Routine, Step, Type};
-use crate::number::{Float, Int, Scalar};
 
 /// What has been defined above the place where one stands.
 pub(super) struct Scope<'a> {
@@ -73,15 +72,12 @@ pub(super) fn spread(element: &Type, rows: u32, cols: Option<u32>) -> Option<Typ
 }
 
 fn intrinsic(function: Intrinsic, operand: &Type) -> Option<Type> {
-    let scalar = match (function, operand) {
-        (Intrinsic::ToBits, Type::Scalar(Scalar::Float(Float::F64))) => Scalar::Int(Int::U64),
-        (Intrinsic::ToBits, Type::Scalar(Scalar::Float(Float::F32))) => Scalar::Int(Int::U32),
-        (Intrinsic::FromBits, Type::Scalar(Scalar::Int(Int::U64))) => Scalar::Float(Float::F64),
-        (Intrinsic::FromBits, Type::Scalar(Scalar::Int(Int::U32))) => Scalar::Float(Float::F32),
-        (Intrinsic::ToBits | Intrinsic::FromBits, _) => return None,
-        _ => return Some(operand.clone()),
+    let known = match operand {
+        Type::Scalar(scalar) => function.result(*scalar).map(Type::Scalar),
+        _ => None,
     };
-    Some(Type::Scalar(scalar))
+    let same = !matches!(function, Intrinsic::ToBits | Intrinsic::FromBits);
+    known.or_else(|| same.then(|| operand.clone()))
 }
 
 fn routine(what: Routine, first: &Type, second: Option<&Type>) -> Option<Type> {

@@ -16,27 +16,13 @@ const ABSENT: &[(&str, usize, &str)] = &[
     ("atanh", 0, "write `0.5 * (2.0 * x / (1.0 - x)).ln_1p()`"),
     ("log", 1, "write `x.ln() / base.ln()`"),
     ("sin_cos", 0, "call `sin` and `cos`"),
-    ("pow", 1, "multiply: `x * x * x`"),
-    ("recip", 0, "write `1.0 / x`"),
     ("mul_add", 2, "write `x * a + b`: rounded twice, it is the same on every target"),
-    ("round", 0, "write `(x + 0.5).floor()`"),
-    ("ceil", 0, "write `-(-x).floor()`"),
-    ("trunc", 0, "write `x.abs().floor().copysign(x)`"),
-    ("fract", 0, "write `x - x.floor()`"),
-    ("signum is_sign_negative is_sign_positive", 0, "take the sign from `1.0_f64.copysign(x)`"),
-    ("to_degrees", 0, "write `x * (180.0 / PI)`"),
-    ("to_radians", 0, "write `x * (PI / 180.0)`"),
-    ("rem_euclid div_euclid", 1, "write `(x / y).floor()`, and `x - y * (x / y).floor()`"),
-    (
-        "is_nan is_finite is_infinite",
-        0,
-        "compare with a limit: `x.abs() <= f64::MAX` is false for NaN and infinities",
-    ),
     ("cmp partial_cmp total_cmp eq ne lt le gt ge", 1, "compare with `<`, `==` and the like"),
     ("checked_add checked_sub checked_mul checked_div", 1, WIDER),
-    ("saturating_add saturating_sub saturating_mul", 1, WIDER),
     ("overflowing_add overflowing_sub overflowing_mul", 1, WIDER),
-    ("into", 0, "write the type: `x as f64`"),
+    ("into", 0, "write the type: `f64::from(x)`"),
+    ("to_be to_le to_ne_bytes", 0, BYTES),
+    ("from_be from_le from_ne_bytes", 0, BYTES),
     ("clone", 0, "derive `Copy` too: then the value copies itself"),
     ("min max", 0, "compare the elements in a loop"),
     (
@@ -46,6 +32,7 @@ const ABSENT: &[(&str, usize, &str)] = &[
     ),
 ];
 
+const BYTES: &str = "write `to_be_bytes`, `from_le_bytes` and the like: the same on every target";
 const WIDER: &str = "compute in a wider type, then `clamp`";
 
 /// Those that are absent for a reason of their own, with their arguments.
@@ -108,10 +95,6 @@ pub fn function(function: &syn::ExprPath, arguments: usize) -> Option<Reason> {
         return Some(reason);
     }
     if bessemer_ir::Scalar::from_name(owner).is_some() {
-        if last == "from" {
-            let what = format!("`{owner}::from` is not in the DSL yet");
-            return Some(Reason::new(what, "write the type: `x as f64`"));
-        }
         return absent(last, arguments.saturating_sub(1));
     }
     match names[0].as_str() {

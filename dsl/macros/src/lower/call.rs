@@ -25,7 +25,7 @@ impl Lowering<'_> {
         let reason = if local {
             // A closure or a function pointer was refused where it came from.
             self.refusals.is_empty().then_some(refuse::FUNCTION_VALUE)
-        } else if self.is_itself(&function.path) {
+        } else if function.qself.is_none() && self.is_itself(&function.path) {
             Some(refuse::RECURSION)
         } else {
             absent::function(function, arguments.len())

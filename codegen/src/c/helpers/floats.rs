@@ -1,0 +1,49 @@
+//! The helpers of floats that take more than one operation.
+
+use bessemer_ir::Float;
+
+/// Its type, and what the functions of `math.h` and the literals for it end with.
+fn names(float: Float) -> (&'static str, &'static str, &'static str) {
+    match float {
+        Float::F32 => ("float", "f", "F"),
+        Float::F64 => ("double", "", ""),
+    }
+}
+
+pub(super) fn signum(name: &str, float: Float) -> String {
+    let (ty, f, l) = names(float);
+    format!(
+        "/* 1 with the sign of value, its zero included; NaN for a NaN. */
+static {ty} {name}({ty} value)
+{{
+    return value != value ? value : copysign{f}(1.0{l}, value);
+}}"
+    )
+}
+
+pub(super) fn rem_euclid(name: &str, float: Float) -> String {
+    let (ty, f, l) = names(float);
+    format!(
+        "/* The remainder of a / b, from 0 to the size of b. */
+static {ty} {name}({ty} a, {ty} b)
+{{
+    const {ty} remainder = fmod{f}(a, b);
+    return remainder < 0.0{l} ? remainder + fabs{f}(b) : remainder;
+}}"
+    )
+}
+
+pub(super) fn div_euclid(name: &str, float: Float) -> String {
+    let (ty, f, l) = names(float);
+    format!(
+        "/* The whole number of times that b goes into a, leaving a remainder of 0 or more. */
+static {ty} {name}({ty} a, {ty} b)
+{{
+    const {ty} quotient = trunc{f}(a / b);
+    if (fmod{f}(a, b) < 0.0{l}) {{
+        return b > 0.0{l} ? quotient - 1.0{l} : quotient + 1.0{l};
+    }}
+    return quotient;
+}}"
+    )
+}

@@ -1,0 +1,316 @@
+//! The companions of the methods of numbers, beyond those of [`builtin`](super::builtin).
+
+use alloc::borrow::ToOwned;
+
+use bessemer_ir::tree;
+
+use super::builtin::markers;
+use super::{Builder, Called, Callee};
+use crate::math::integer;
+
+markers! {
+    WrappingAdd: "wrapping_add";
+    WrappingSub: "wrapping_sub";
+    WrappingMul: "wrapping_mul";
+    WrappingDiv: "wrapping_div";
+    WrappingRem: "wrapping_rem";
+    SaturatingAdd: "saturating_add";
+    SaturatingSub: "saturating_sub";
+    SaturatingMul: "saturating_mul";
+    WrappingNeg: "wrapping_neg";
+    SwapBytes: "swap_bytes";
+    WrappingShl: "wrapping_shl";
+    WrappingShr: "wrapping_shr";
+    RotateLeft: "rotate_left";
+    RotateRight: "rotate_right";
+    CountOnes: "count_ones";
+    CountZeros: "count_zeros";
+    LeadingZeros: "leading_zeros";
+    LeadingOnes: "leading_ones";
+    TrailingZeros: "trailing_zeros";
+    TrailingOnes: "trailing_ones";
+    AbsDiff: "abs_diff";
+    IsPositive: "is_positive";
+    IsNegative: "is_negative";
+    WrappingAbs: "wrapping_abs";
+    UnsignedAbs: "unsigned_abs";
+    IsPowerOfTwo: "is_power_of_two";
+    Signum: "signum";
+    DivEuclid: "div_euclid";
+    RemEuclid: "rem_euclid";
+    Ceil: "ceil";
+    Trunc: "trunc";
+    Round: "round";
+    Fract: "fract";
+    Recip: "recip";
+    ToDegrees: "to_degrees";
+    ToRadians: "to_radians";
+    IsNan: "is_nan";
+    IsFinite: "is_finite";
+    IsInfinite: "is_infinite";
+    IsSignNegative: "is_sign_negative";
+    IsSignPositive: "is_sign_positive";
+    ToLeBytes: "to_le_bytes";
+    ToBeBytes: "to_be_bytes";
+    FromLeBytes: "from_le_bytes";
+    FromBeBytes: "from_be_bytes";
+    From: "from";
+}
+
+/// Methods of integers.
+#[allow(missing_docs)]
+pub trait IntegerBuiltins: Sized {
+    type Unsigned;
+    type Pow: Callee;
+    type WrappingPow: Callee;
+    fn __b_wrapping_add(self, _other: Self) -> Called<WrappingAdd, Self> {
+        unreachable!()
+    }
+    fn __b_wrapping_sub(self, _other: Self) -> Called<WrappingSub, Self> {
+        unreachable!()
+    }
+    fn __b_wrapping_mul(self, _other: Self) -> Called<WrappingMul, Self> {
+        unreachable!()
+    }
+    fn __b_wrapping_div(self, _other: Self) -> Called<WrappingDiv, Self> {
+        unreachable!()
+    }
+    fn __b_wrapping_rem(self, _other: Self) -> Called<WrappingRem, Self> {
+        unreachable!()
+    }
+    fn __b_saturating_add(self, _other: Self) -> Called<SaturatingAdd, Self> {
+        unreachable!()
+    }
+    fn __b_saturating_sub(self, _other: Self) -> Called<SaturatingSub, Self> {
+        unreachable!()
+    }
+    fn __b_saturating_mul(self, _other: Self) -> Called<SaturatingMul, Self> {
+        unreachable!()
+    }
+    fn __b_wrapping_neg(self) -> Called<WrappingNeg, Self> {
+        unreachable!()
+    }
+    fn __b_swap_bytes(self) -> Called<SwapBytes, Self> {
+        unreachable!()
+    }
+    fn __b_wrapping_shl(self, _bits: u32) -> Called<WrappingShl, Self> {
+        unreachable!()
+    }
+    fn __b_wrapping_shr(self, _bits: u32) -> Called<WrappingShr, Self> {
+        unreachable!()
+    }
+    fn __b_rotate_left(self, _bits: u32) -> Called<RotateLeft, Self> {
+        unreachable!()
+    }
+    fn __b_rotate_right(self, _bits: u32) -> Called<RotateRight, Self> {
+        unreachable!()
+    }
+    fn __b_count_ones(self) -> Called<CountOnes, u32> {
+        unreachable!()
+    }
+    fn __b_count_zeros(self) -> Called<CountZeros, u32> {
+        unreachable!()
+    }
+    fn __b_leading_zeros(self) -> Called<LeadingZeros, u32> {
+        unreachable!()
+    }
+    fn __b_leading_ones(self) -> Called<LeadingOnes, u32> {
+        unreachable!()
+    }
+    fn __b_trailing_zeros(self) -> Called<TrailingZeros, u32> {
+        unreachable!()
+    }
+    fn __b_trailing_ones(self) -> Called<TrailingOnes, u32> {
+        unreachable!()
+    }
+    fn __b_abs_diff(self, _other: Self) -> Called<AbsDiff, Self::Unsigned> {
+        unreachable!()
+    }
+    fn __b_pow(self, _exponent: u32) -> Called<Self::Pow, Self> {
+        unreachable!()
+    }
+    fn __b_wrapping_pow(self, _exponent: u32) -> Called<Self::WrappingPow, Self> {
+        unreachable!()
+    }
+}
+
+/// Methods of signed integers.
+#[allow(missing_docs)]
+pub trait SignedBuiltins: IntegerBuiltins {
+    fn __b_is_positive(self) -> Called<IsPositive, bool> {
+        unreachable!()
+    }
+    fn __b_is_negative(self) -> Called<IsNegative, bool> {
+        unreachable!()
+    }
+    fn __b_wrapping_abs(self) -> Called<WrappingAbs, Self> {
+        unreachable!()
+    }
+    fn __b_unsigned_abs(self) -> Called<UnsignedAbs, Self::Unsigned> {
+        unreachable!()
+    }
+}
+
+/// Methods of unsigned integers.
+#[allow(missing_docs)]
+pub trait UnsignedBuiltins: Sized {
+    fn __b_is_power_of_two(self) -> Called<IsPowerOfTwo, bool> {
+        unreachable!()
+    }
+}
+
+/// The sign as a number.
+#[allow(missing_docs)]
+pub trait SignBuiltins: Sized {
+    fn __b_signum(self) -> Called<Signum, Self> {
+        unreachable!()
+    }
+}
+
+/// Division with a remainder of 0 or more.
+#[allow(missing_docs)]
+pub trait DivisionBuiltins: Sized {
+    fn __b_div_euclid(self, _other: Self) -> Called<DivEuclid, Self> {
+        unreachable!()
+    }
+    fn __b_rem_euclid(self, _other: Self) -> Called<RemEuclid, Self> {
+        unreachable!()
+    }
+}
+
+/// Methods of floats that are exact.
+#[allow(missing_docs)]
+pub trait FloatKindBuiltins: Sized {
+    fn __b_ceil(self) -> Called<Ceil, Self> {
+        unreachable!()
+    }
+    fn __b_trunc(self) -> Called<Trunc, Self> {
+        unreachable!()
+    }
+    fn __b_round(self) -> Called<Round, Self> {
+        unreachable!()
+    }
+    fn __b_fract(self) -> Called<Fract, Self> {
+        unreachable!()
+    }
+    fn __b_recip(self) -> Called<Recip, Self> {
+        unreachable!()
+    }
+    fn __b_to_degrees(self) -> Called<ToDegrees, Self> {
+        unreachable!()
+    }
+    fn __b_to_radians(self) -> Called<ToRadians, Self> {
+        unreachable!()
+    }
+    fn __b_is_nan(self) -> Called<IsNan, bool> {
+        unreachable!()
+    }
+    fn __b_is_finite(self) -> Called<IsFinite, bool> {
+        unreachable!()
+    }
+    fn __b_is_infinite(self) -> Called<IsInfinite, bool> {
+        unreachable!()
+    }
+    fn __b_is_sign_negative(self) -> Called<IsSignNegative, bool> {
+        unreachable!()
+    }
+    fn __b_is_sign_positive(self) -> Called<IsSignPositive, bool> {
+        unreachable!()
+    }
+}
+
+/// Numbers as bytes.
+#[allow(missing_docs)]
+pub trait BytesBuiltins: Sized {
+    type Bytes;
+    fn __b_to_le_bytes(self) -> Called<ToLeBytes, Self::Bytes> {
+        unreachable!()
+    }
+    fn __b_to_be_bytes(self) -> Called<ToBeBytes, Self::Bytes> {
+        unreachable!()
+    }
+    fn __b_from_le_bytes(_bytes: Self::Bytes) -> Called<FromLeBytes, Self> {
+        unreachable!()
+    }
+    fn __b_from_be_bytes(_bytes: Self::Bytes) -> Called<FromBeBytes, Self> {
+        unreachable!()
+    }
+}
+
+/// Conversions that keep the value.
+#[allow(missing_docs)]
+pub trait FromBuiltin<T>: Sized {
+    fn __b_from(_value: T) -> Called<From, Self> {
+        unreachable!()
+    }
+}
+
+macro_rules! integers {
+    ($($int:ident, $unsigned:ident, $pow:ident, $wrapping_pow:ident;)*) => {$(
+        impl IntegerBuiltins for $int {
+            type Unsigned = $unsigned;
+            type Pow = integer::$pow;
+            type WrappingPow = integer::$wrapping_pow;
+        }
+        impl DivisionBuiltins for $int {}
+    )*};
+}
+
+integers! {
+    i8, u8, pow_i8, wrapping_pow_i8;
+    i16, u16, pow_i16, wrapping_pow_i16;
+    i32, u32, pow_i32, wrapping_pow_i32;
+    i64, u64, pow_i64, wrapping_pow_i64;
+    isize, usize, pow_isize, wrapping_pow_isize;
+    u8, u8, pow_u8, wrapping_pow_u8;
+    u16, u16, pow_u16, wrapping_pow_u16;
+    u32, u32, pow_u32, wrapping_pow_u32;
+    u64, u64, pow_u64, wrapping_pow_u64;
+    usize, usize, pow_usize, wrapping_pow_usize;
+}
+
+macro_rules! implement {
+    ($($name:ident: $($ty:ident)*;)*) => { $($(impl $name for $ty {})*)* };
+}
+
+implement! {
+    SignedBuiltins: i8 i16 i32 i64 isize;
+    UnsignedBuiltins: u8 u16 u32 u64 usize;
+    SignBuiltins: i8 i16 i32 i64 isize f32 f64;
+    DivisionBuiltins: f32 f64;
+    FloatKindBuiltins: f32 f64;
+}
+
+macro_rules! bytes {
+    ($($count:literal: $($ty:ident)*;)*) => {$($(
+        impl BytesBuiltins for $ty {
+            type Bytes = [u8; $count];
+        }
+    )*)*};
+}
+
+bytes! {
+    1: i8 u8;
+    2: i16 u16;
+    4: i32 u32 f32;
+    8: i64 u64 isize usize f64;
+}
+
+macro_rules! conversions {
+    ($($to:ident: $($from:ident)*;)*) => { $($(impl FromBuiltin<$from> for $to {})*)* };
+}
+
+conversions! {
+    i8: bool i8;
+    i16: bool i8 i16 u8;
+    i32: bool i8 i16 i32 u8 u16;
+    i64: bool i8 i16 i32 i64 u8 u16 u32;
+    isize: bool i8 i16 isize u8;
+    u8: bool u8;
+    u16: bool u8 u16;
+    u32: bool u8 u16 u32;
+    u64: bool u8 u16 u32 u64;
+    usize: bool u8 u16 usize;
+    f32: i8 i16 u8 u16 f32;
+    f64: i8 i16 i32 u8 u16 u32 f32 f64;
+}

@@ -1,0 +1,61 @@
+//! Powers of integers.
+//!
+//! By squaring: a factor for each bit of the exponent. Where the result fits, so does each step on the
+//! way to it, so a fault means what Rust's own means.
+
+use crate::prelude::*;
+
+macro_rules! powers {
+    ($($int:ident, $pow:ident, $wrapping_pow:ident;)*) => {$(
+        /// `base` to the power of `exponent`.
+        #[function]
+        pub fn $pow(base: $int, exponent: u32) -> $int {
+            let mut result: $int = 1;
+            let mut square = base;
+            let mut left = exponent;
+            for _ in 0..32 {
+                if left & 1 == 1 {
+                    result *= square;
+                }
+                left >>= 1;
+                if left == 0 {
+                    break;
+                }
+                square *= square;
+            }
+            result
+        }
+
+        /// `base` to the power of `exponent`, modulo what the type holds.
+        #[function]
+        pub fn $wrapping_pow(base: $int, exponent: u32) -> $int {
+            let mut result: $int = 1;
+            let mut square = base;
+            let mut left = exponent;
+            for _ in 0..32 {
+                if left & 1 == 1 {
+                    result = result.wrapping_mul(square);
+                }
+                left >>= 1;
+                if left == 0 {
+                    break;
+                }
+                square = square.wrapping_mul(square);
+            }
+            result
+        }
+    )*};
+}
+
+powers! {
+    i8, pow_i8, wrapping_pow_i8;
+    i16, pow_i16, wrapping_pow_i16;
+    i32, pow_i32, wrapping_pow_i32;
+    i64, pow_i64, wrapping_pow_i64;
+    isize, pow_isize, wrapping_pow_isize;
+    u8, pow_u8, wrapping_pow_u8;
+    u16, pow_u16, wrapping_pow_u16;
+    u32, pow_u32, wrapping_pow_u32;
+    u64, pow_u64, wrapping_pow_u64;
+    usize, pow_usize, wrapping_pow_usize;
+}

@@ -1,0 +1,126 @@
+//! Methods of numbers that one instruction or a few give, where core and std leave room or have none.
+
+/// Rounding to whole numbers and turning of angles, which floats have.
+pub trait RoundMethods: Copy {
+    /// The smallest whole number not below.
+    fn dsl_ceil(self) -> Self;
+    /// The whole part, towards zero.
+    fn dsl_trunc(self) -> Self;
+    /// The nearest whole number; halves go away from zero.
+    fn dsl_round(self) -> Self;
+    /// What is behind the point, with the sign of the whole.
+    fn dsl_fract(self) -> Self;
+    /// An angle in rad, in degrees.
+    fn dsl_to_degrees(self) -> Self;
+    /// An angle in degrees, in rad.
+    fn dsl_to_radians(self) -> Self;
+    /// Whether the sign is negative, of a zero too; never of a NaN.
+    fn dsl_is_sign_negative(self) -> bool;
+    /// Whether the sign is positive, of a zero too; always of a NaN.
+    fn dsl_is_sign_positive(self) -> bool;
+}
+
+/// The sign as a number, of floats and signed integers.
+pub trait SignMethods: Copy {
+    /// −1 or 1, for the integer 0 itself; a zero float's sign counts; NaN for a NaN.
+    fn dsl_signum(self) -> Self;
+}
+
+/// Division with a remainder of 0 or more.
+pub trait DivisionMethods: Copy {
+    /// The quotient that leaves a remainder of 0 or more.
+    ///
+    /// # Panics
+    /// Integers: where `/` does.
+    fn dsl_div_euclid(self, by: Self) -> Self;
+    /// The remainder of 0 or more.
+    ///
+    /// # Panics
+    /// Integers: where `%` does.
+    fn dsl_rem_euclid(self, by: Self) -> Self;
+}
+
+macro_rules! floats {
+    ($($float:ident, $ceil:ident, $trunc:ident, $round:ident;)*) => {$(
+        impl RoundMethods for $float {
+            fn dsl_ceil(self) -> $float {
+                libm::$ceil(self)
+            }
+            fn dsl_trunc(self) -> $float {
+                libm::$trunc(self)
+            }
+            fn dsl_round(self) -> $float {
+                libm::$round(self)
+            }
+            fn dsl_fract(self) -> $float {
+                self - libm::$trunc(self)
+            }
+            fn dsl_to_degrees(self) -> $float {
+                self.to_degrees()
+            }
+            fn dsl_to_radians(self) -> $float {
+                self.to_radians()
+            }
+            fn dsl_is_sign_negative(self) -> bool {
+                // The sign of a NaN differs between machines.
+                !self.is_nan() && self.is_sign_negative()
+            }
+            fn dsl_is_sign_positive(self) -> bool {
+                self.is_nan() || self.is_sign_positive()
+            }
+        }
+
+        impl SignMethods for $float {
+            fn dsl_signum(self) -> $float {
+                self.signum()
+            }
+        }
+
+        impl DivisionMethods for $float {
+            fn dsl_div_euclid(self, by: $float) -> $float {
+                let quotient = libm::$trunc(self / by);
+                if self % by < 0.0 {
+                    if by > 0.0 { quotient - 1.0 } else { quotient + 1.0 }
+                } else {
+                    quotient
+                }
+            }
+            fn dsl_rem_euclid(self, by: $float) -> $float {
+                let remainder = self % by;
+                if remainder < 0.0 { remainder + by.abs() } else { remainder }
+            }
+        }
+    )*};
+}
+
+floats! {
+    f64, ceil, trunc, round;
+    f32, ceilf, truncf, roundf;
+}
+
+macro_rules! integers {
+    ($($int:ident)*) => {$(
+        impl DivisionMethods for $int {
+            fn dsl_div_euclid(self, by: $int) -> $int {
+                self.div_euclid(by)
+            }
+            fn dsl_rem_euclid(self, by: $int) -> $int {
+                self.rem_euclid(by)
+            }
+        }
+    )*};
+}
+
+integers! { i8 i16 i32 i64 isize u8 u16 u32 u64 usize }
+
+macro_rules! signed {
+    ($($int:ident)*) => {$(
+        impl SignMethods for $int {
+            fn dsl_signum(self) -> $int {
+                self.signum()
+            }
+        }
+    )*};
+}
+
+signed! { i8 i16 i32 i64 isize }
