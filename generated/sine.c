@@ -69,9 +69,9 @@ static const double COSINE_LOW[64] = {
     4.4380724524257166e-17, 5.146871675146304e-17, -1.1385801575604847e-18, 2.15859860798048e-17,
     -2.8797317329733005e-17, -2.886651669472867e-17, 4.6009504690616306e-17
 };
+static const double F64_MAX = 1.7976931348623157e308;
+static const double F64_NAN = (double)NAN;
 static const double FRAC_2_PI = 0.6366197723675814;
-static const double MATH_SINE_NAN = (double)NAN;
-static const double MAX = 1.7976931348623157e308;
 static const double MODERATE = 1600000.0;
 static const double QUARTER_TURN_1 = 1.5707963267341256;
 static const double QUARTER_TURN_2 = 6.077100506303966e-11;
@@ -154,10 +154,10 @@ void sine_reduced_angle(double x, reduced_angle_t *reduced_angle)
         reduced_angle->high = high;
         reduced_angle->low = rest - (high - third);
         reduced_angle->quadrant = bits_of_f64(shifted) & UINT64_C(3);
-    } else if (size <= MAX) {
+    } else if (size <= F64_MAX) {
         reduction_reduced_huge_angle(x, reduced_angle);
     } else {
-        reduced_angle->high = MATH_SINE_NAN;
+        reduced_angle->high = F64_NAN;
         reduced_angle->low = 0.0;
         reduced_angle->quadrant = UINT64_C(0);
     }

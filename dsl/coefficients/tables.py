@@ -2,11 +2,15 @@
 """The tables and split constants of the elementary functions, from multiple precision.
 
     pip install mpmath
-    python3 dsl/coefficients/tables.py > dsl/src/math/tables.rs
+    python3 dsl/coefficients/tables.py dsl/src/math/tables
 
 Polynomials need none of this: their coefficients are those of the Taylor series, written in the
 Rust as quotients of integers, since the tables leave arguments of 1/128 and less.
 """
+
+import contextlib
+import pathlib
+import sys
 
 from mpmath import atan, cos, floor, log, mp, mpf, nint, pi, sin
 
@@ -63,13 +67,19 @@ def pairs(name, values, text):
     table(f"{name}_LOW", [double(v - double(v)) for v in values], f"{text}, less the high parts.")
 
 
-print("//! Tables and split constants of the elementary functions.")
-print("//!")
-print("//! Written by `dsl/coefficients/tables.py`: change that.")
-print()
-print("#![allow(clippy::approx_constant)]")
-print()
+def module(name, title):
+    """From here on, what is printed goes into this module."""
+    file = (pathlib.Path(sys.argv[1]) / f"{name}.rs").open("w", encoding="utf-8")
+    files.enter_context(file)
+    files.enter_context(contextlib.redirect_stdout(file))
+    print(f"//! {title}")
+    print("//!")
+    print("//! Written by `dsl/coefficients/tables.py`: change that.")
+    print()
 
+
+files = contextlib.ExitStack()
+module("angles", "π and its parts, sines, cosines and arctangents.")
 quarter = pi / 2
 first = cut(quarter, 33)
 second = cut(quarter - first, 33)
@@ -89,6 +99,7 @@ pairs("SINE", [sin(mpf(k) / 64) for k in range(64)], "sin(k/64)")
 pairs("COSINE", [cos(mpf(k) / 64) for k in range(64)], "cos(k/64)")
 pairs("ARCTANGENT", [atan(mpf(k) / 64) for k in range(64)], "atan(k/64)")
 
+module("powers", "Powers of two, logarithms, cube roots.")
 step = log(mpf(2)) / 64
 constant("STEPS_PER_UNIT", double(1 / step), "64/ln 2.")
 constant("STEP_HIGH", cut(step, 36), "The leading 36 bits of (ln 2)/64: a multiple by up to 2¹⁷ is exact.")
@@ -120,3 +131,4 @@ c1 = d01 - c2 * (nodes[0] + nodes[1])
 c0 = values[0] - d01 * nodes[0] + c2 * nodes[0] * nodes[1]
 for name, value in (("ROOT_0", c0), ("ROOT_1", c1), ("ROOT_2", c2)):
     constant(name, double(value), "A parabola near the cube root of 1 to 8, a coefficient.")
+files.close()
