@@ -12,6 +12,7 @@ use bessemer_codegen::c::names::{Names, Passing, Returned};
 use bessemer_codegen::compile::Compiled;
 use bessemer_ir::{Float, FunctionId, Int, Scalar, Type};
 
+use crate::harness;
 use crate::process::{Error, lay_out};
 use crate::toolchain::{self, Toolchain};
 
@@ -60,7 +61,8 @@ fn program(compiled: &Compiled, functions: &[FunctionId]) -> String {
     for file in compiled.files.iter().filter(|file| file.name.ends_with(".h")) {
         let _ = writeln!(text, "#include \"{}\"", file.name);
     }
-    text.push_str(SUPPORT);
+    text.push_str(harness::SUPPORT);
+    text.push_str(CONVERSIONS);
     for (number, id) in functions.iter().enumerate() {
         let signature = &names.functions[id.index()];
         let _ = writeln!(text, "        case {number}: {{");
@@ -123,33 +125,8 @@ fn put(ty: &Type) -> &'static str {
     }
 }
 
-const SUPPORT: &str = r"
-static uint64_t get(void)
-{
-    unsigned char bytes[8];
-    uint64_t word = 0;
-    int i;
-    if (fread(bytes, 1, 8, stdin) != 8) {
-        exit(0);
-    }
-    for (i = 7; i >= 0; --i) {
-        word = (word << 8) | bytes[i];
-    }
-    return word;
-}
-
-static void put(uint64_t word)
-{
-    unsigned char bytes[8];
-    int i;
-    for (i = 0; i < 8; ++i) {
-        bytes[i] = (unsigned char)(word >> (8 * i));
-    }
-    if (fwrite(bytes, 1, 8, stdout) != 8) {
-        exit(1);
-    }
-}
-
+/// From words to values and back.
+const CONVERSIONS: &str = r"
 static int64_t to_int64(uint64_t word)
 {
     int64_t value;

@@ -136,7 +136,8 @@ impl Call {
     }
 }
 
-const SUPPORT: &str = "\
+/// The C that every such program begins with: how words come in and go out.
+pub(crate) const SUPPORT: &str = "\
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
 use bessemer_ir::tree;
 use bessemer_ir::{Expr, ExprKind, Local, LocalId, Mode, Place, Step, StmtKind, Type};
 
-use super::expr::OUR_FAULT;
+use super::OUR_FAULT;
 use super::function::{Binding, Lowering};
 use super::{Result, problem};
 

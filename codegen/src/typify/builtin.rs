@@ -3,7 +3,8 @@
 use bessemer_ir::tree;
 use bessemer_ir::{Expr, ExprKind, Float, Int, Intrinsic, Routine, Scalar, Type};
 
-use super::expr::{OUR_FAULT, Operand};
+use super::OUR_FAULT;
+use super::expr::Operand;
 use super::function::Lowering;
 use super::{Result, problem};
 

@@ -163,7 +163,7 @@ impl Lowering<'_, '_> {
         let naming = std::mem::take(&mut self.naming);
         let condition = self.value(condition, Some(&Type::BOOL))?;
         // A check's condition cannot fault, so what might is computed first.
-        let condition = match super::fields::is_quiet(&condition) {
+        let condition = match super::order::is_free(&condition) {
             true => condition,
             false => self.temporary("asserted", condition),
         };

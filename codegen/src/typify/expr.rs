@@ -7,10 +7,7 @@ use bessemer_ir::{
 };
 
 use super::function::{Lowering, Target, control_with_value};
-use super::{Result, literal, names, order, problem};
-
-/// The remedy where the tool contradicts itself.
-pub(super) const OUR_FAULT: &str = "this is a fault of Bessemer; please report it with this line";
+use super::{OUR_FAULT, Result, literal, names, order, problem};
 
 /// An operand still to be lowered: the expression, the type expected of it, and its role.
 pub(super) struct Operand<'e> {

@@ -1,12 +1,12 @@
 //! Struct literals: their fields in the author's order, and the rest from another value.
 
 use bessemer_ir::tree;
-use bessemer_ir::visit::{self, Visit};
-use bessemer_ir::{Expr, ExprKind, Place, Type, UnaryOp};
+use bessemer_ir::{Expr, ExprKind, Place, Type};
 
-use super::expr::{OUR_FAULT, Operand};
+use super::OUR_FAULT;
+use super::expr::Operand;
 use super::function::Lowering;
-use super::order::{has_effect, is_settled};
+use super::order::{has_effect, is_free, is_settled};
 use super::{Result, problem};
 
 impl Lowering<'_, '_> {
@@ -68,7 +68,7 @@ impl Lowering<'_, '_> {
         rest: bool,
         fields: &[(String, tree::Expr)],
     ) {
-        let loud = values.iter().flatten().filter(|value| !is_quiet(value)).count();
+        let loud = values.iter().flatten().filter(|value| !is_free(value)).count();
         let writing = values.iter().flatten().any(has_effect);
         if !(loud > 1 && !sorted || writing && (!sorted || rest)) {
             return;
@@ -106,25 +106,4 @@ impl Lowering<'_, '_> {
         }
         Ok(place)
     }
-}
-
-/// Whether an expression has no effect and no fault, as far as its form shows.
-pub(super) fn is_quiet(expr: &Expr) -> bool {
-    struct Loud(bool);
-    impl Visit for Loud {
-        fn expr(&mut self, expr: &Expr) {
-            self.0 |= match &expr.kind {
-                ExprKind::Call(..) | ExprKind::Intrinsic(..) | ExprKind::Routine(..) => true,
-                ExprKind::Unary(UnaryOp::Neg, _) | ExprKind::Binary(..) => {
-                    expr.ty.as_float().is_none()
-                }
-                ExprKind::Load(place) => !place.steps.iter().all(super::place::is_fixed),
-                _ => false,
-            };
-            visit::walk_expr(self, expr);
-        }
-    }
-    let mut loud = Loud(false);
-    loud.expr(expr);
-    !loud.0
 }

@@ -107,7 +107,7 @@ fn result_name(cx: &Context<'_>, tree: &tree::FunctionTree, result: &Type) -> St
 fn slot_type(source: &tree::Function, slot: u32, site: Site) -> Result<&Ty> {
     match source.slots.get(slot as usize) {
         Some(ty) => Ok(ty),
-        None => problem(site, "the tree names a slot that is not there", super::expr::OUR_FAULT),
+        None => problem(site, "the tree names a slot that is not there", super::OUR_FAULT),
     }
 }
 
@@ -198,7 +198,7 @@ impl Lowering<'_, '_> {
         let found = self.scopes.iter().rev().flat_map(|scope| scope.iter().rev());
         match found.into_iter().find(|(known, _)| known == name) {
             Some((_, binding)) => Ok(binding.clone()),
-            None => problem(site, format!("`{name}` is not known here"), super::expr::OUR_FAULT),
+            None => problem(site, format!("`{name}` is not known here"), super::OUR_FAULT),
         }
     }
 
@@ -367,7 +367,7 @@ impl Lowering<'_, '_> {
                 show(module, computed),
                 show(module, rustc)
             ),
-            super::expr::OUR_FAULT,
+            super::OUR_FAULT,
         )
     }
 

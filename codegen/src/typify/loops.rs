@@ -9,7 +9,7 @@ use bessemer_ir::{
     Type, UnaryOp,
 };
 
-use super::expr::OUR_FAULT;
+use super::OUR_FAULT;
 use super::expr::{Operand, two};
 use super::function::{Lowering, Target};
 use super::{Result, problem};

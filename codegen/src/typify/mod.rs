@@ -39,6 +39,9 @@ struct Problem {
     help: String,
 }
 
+/// The remedy where the tool contradicts itself.
+const OUR_FAULT: &str = "this is a fault of Bessemer; please report it with this line";
+
 type Result<T, E = Problem> = std::result::Result<T, E>;
 
 fn problem<T>(site: Site, message: impl Into<String>, help: impl Into<String>) -> Result<T> {

@@ -331,7 +331,7 @@ impl Lowering<'_, '_> {
             _ => self.temporary("bytes", argument),
         };
         let (ExprKind::Load(place), Type::Array { len, .. }) = (&bytes.kind, &bytes.ty) else {
-            return super::problem(expr.site, "these are no bytes", super::expr::OUR_FAULT);
+            return super::problem(expr.site, "these are no bytes", super::OUR_FAULT);
         };
         let unsigned = match (ty.as_float(), ty.as_int()) {
             (Some(float), _) => of(float.bits_type()),

@@ -79,14 +79,15 @@ pub(super) fn has_effect(expr: &Expr) -> bool {
     !Lent::of(expr).0.is_empty()
 }
 
-/// Whether a value may be computed before or after others: it writes nothing, and cannot fault.
+/// Whether a value may be computed before or after others: it writes nothing, and cannot fault. A
+/// call may, whatever it is.
 pub(super) fn is_free(expr: &Expr) -> bool {
     struct Free(bool);
     impl Visit for Free {
         fn expr(&mut self, expr: &Expr) {
             let float = matches!(expr.ty, Type::Scalar(Scalar::Float(_) | Scalar::Bool));
             self.0 &= match &expr.kind {
-                ExprKind::Call(_, arguments) => arguments.is_empty(),
+                ExprKind::Call(..) => false,
                 ExprKind::Intrinsic(which, _) => float && *which != Intrinsic::Clamp,
                 ExprKind::Unary(..) | ExprKind::Binary(..) => float,
                 ExprKind::Load(place) => place.steps.iter().all(is_fixed),

@@ -57,7 +57,7 @@ impl Lowering<'_, '_> {
         self.naming = naming;
         match held.kind {
             ExprKind::Load(place) => Ok(place),
-            _ => problem(expr.site, "a temporary is not a place", super::expr::OUR_FAULT),
+            _ => problem(expr.site, "a temporary is not a place", super::OUR_FAULT),
         }
     }
 
