@@ -1,0 +1,59 @@
+//! The folder of the C as its users meet it: written whole, compared, never trampled on.
+
+use std::fs;
+
+use bessemer_codegen::generate::{self, Error, Job};
+use bessemer_tests::workspace::Workspace;
+
+const MODEL: &str = "//! One law.
+#![no_std]
+use bessemer::prelude::*;
+
+/// Twice the value.
+#[function]
+pub fn twice(x: f64) -> f64 {
+    x + x
+}
+";
+
+/// One test, since all of it is one package, built once.
+#[test]
+fn the_folder_is_whole_or_as_it_was() {
+    let workspace = Workspace::with_source(MODEL).expect("a workspace");
+    let mut job = Job::new(workspace.path(""), "models");
+    let run = |job: &Job| generate::generate(job).map(|summary| summary.changed);
+    let first = run(&job).expect("generated");
+    assert_eq!(first.last().map(String::as_str), Some("manifest.json"), "{first:?}");
+    assert!(run(&job).expect("generated again").is_empty(), "nothing to do");
+
+    // Compared: nothing is written, the difference is shown.
+    job.check = true;
+    assert!(run(&job).is_ok());
+    let source = job.output.join("models.c");
+    let edited = fs::read_to_string(&source).expect("the C").replace("x + x", "x * 2.0");
+    fs::write(&source, &edited).expect("an edit by hand");
+    let Err(Error::Stale(difference)) = run(&job) else { panic!("the edit was not told") };
+    assert!(difference.contains("-    return x * 2.0;"), "{difference}");
+    assert!(difference.contains("+    return x + x;"), "{difference}");
+    assert_eq!(fs::read_to_string(&source).expect("the C"), edited, "--check never writes");
+
+    // Written again: the edit is gone.
+    job.check = false;
+    assert_eq!(run(&job).expect("generated"), ["models.c", "manifest.json"]);
+
+    // A stranger's file stops it before anything changes.
+    let notes = job.output.join("notes.txt");
+    fs::write(&notes, "mine").expect("a file");
+    assert!(matches!(run(&job), Err(Error::Foreign { file, .. }) if file == "notes.txt"));
+    assert_eq!(fs::read_to_string(&notes).expect("still there"), "mine");
+    fs::remove_file(&notes).expect("removed");
+
+    // A model that does not compile leaves the folder as it was.
+    let before = fs::read_to_string(&source).expect("the C");
+    workspace.set_source(&MODEL.replace("x + x", "x + y")).expect("a source file");
+    assert!(matches!(run(&job), Err(Error::Models(said)) if said.contains("`y`")));
+    assert_eq!(fs::read_to_string(&source).expect("the C"), before);
+    let left = fs::read_dir(workspace.path("")).expect("the workspace").flatten();
+    let stages = left.filter(|entry| entry.file_name().to_string_lossy().starts_with(".bessemer"));
+    assert_eq!(stages.count(), 0, "no half-written folder is left");
+}
