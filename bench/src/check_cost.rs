@@ -43,9 +43,9 @@ impl Cost {
             "command": "cargo xtask bench",
             "functions": self.size.functions,
             "runs": self.size.runs,
-            "plain_seconds": self.plain,
-            "annotated_seconds": self.annotated,
-            "ratio": self.ratio(),
+            "plain_seconds": self.plain.map(hundredths),
+            "annotated_seconds": self.annotated.map(hundredths),
+            "ratio": hundredths(self.ratio()),
         })
     }
 
@@ -99,6 +99,11 @@ pub fn measure(size: Size, mut tick: impl FnMut()) -> Result<Cost, String> {
     }
     let [plain, annotated] = times.map(spread);
     Ok(Cost { size, plain, annotated })
+}
+
+/// The clock's own resolution.
+fn hundredths(value: f64) -> f64 {
+    (100.0 * value).round() / 100.0
 }
 
 fn spread(mut times: Vec<f64>) -> [f64; 3] {
