@@ -45,6 +45,11 @@ fn the_interpreter_flies_the_same_bits() {
 }
 
 fn fly_c(toolchains: &[Toolchain]) {
+    if toolchains.is_empty() {
+        // Only where `BESSEMER_LEGS` does not demand them.
+        println!("left out: the compilers are not installed");
+        return;
+    }
     let compiled = flight_models();
     let step = entry(compiled, "Controller", "step").expect("the controller has a step");
     let native = flown(&mut Native::new(Parameters::mambo()));
