@@ -6,20 +6,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// The warnings under which emitted C is clean, as C99, and no contraction.
-pub const FLAGS: &[&str] = &[
-    "-std=c99",
-    "-Wall",
-    "-Wextra",
-    "-Wpedantic",
-    "-Werror",
-    "-Wconversion",
-    "-Wdouble-promotion",
-    "-Wshadow",
-    "-Wstrict-prototypes",
-    "-Wmissing-prototypes",
-    "-ffp-contract=off",
-];
+pub use bessemer_codegen::c::FLAGS;
 
 /// The flags of the Cortex-A9: hard float, VFPv3; NEON would flush subnormals.
 pub const CORTEX_A9: &[&str] = &["-mcpu=cortex-a9", "-mfpu=vfpv3", "-mfloat-abi=hard", "-static"];

@@ -31,6 +31,21 @@ pub use report::{EntryReport, report};
 use analysis::Faults;
 use names::Names;
 
+/// The flags under which emitted C raises no warning, with gcc and clang; the last of them it needs.
+pub const FLAGS: &[&str] = &[
+    "-std=c99",
+    "-Wall",
+    "-Wextra",
+    "-Wpedantic",
+    "-Werror",
+    "-Wconversion",
+    "-Wdouble-promotion",
+    "-Wshadow",
+    "-Wstrict-prototypes",
+    "-Wmissing-prototypes",
+    "-ffp-contract=off",
+];
+
 /// What the user decides about the C.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Options {

@@ -3,22 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use bessemer_codegen::c::CFile;
-
-/// What the project promises to compile without a warning under.
-pub const FLAGS: &[&str] = &[
-    "-std=c99",
-    "-Wall",
-    "-Wextra",
-    "-Wpedantic",
-    "-Werror",
-    "-Wconversion",
-    "-Wdouble-promotion",
-    "-Wshadow",
-    "-Wstrict-prototypes",
-    "-Wmissing-prototypes",
-    "-ffp-contract=off",
-];
+use bessemer_codegen::c::{CFile, FLAGS};
 
 const COMPILERS: &[&str] = &["gcc", "clang", "arm-linux-gnueabihf-gcc"];
 
