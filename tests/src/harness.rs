@@ -1,6 +1,6 @@
-//! A C program around one entry point: words in, words out.
+//! A C program around entry points and functions: words in, words out.
 //!
-//! For each step it reads the words of the arguments and writes the status (0 for an infallible
+//! For each step of an entry point it reads the words of the arguments and writes the status (0 for an infallible
 //! entry), the words of the result, and the words of the component's state. It ends with its input.
 //! Words are 64 bits, least significant byte first, in the order of `Module::leaves`.
 
@@ -17,13 +17,13 @@ pub fn program(module: &Module, entry: FunctionId, params: u32) -> String {
     let Some(call) = Call::of(module, &names, entry, params) else { return String::new() };
     let Call { header, declarations, init, reads, call, writes, state, .. } = call;
     format!(
-        "#include \"{header}\"\n{SUPPORT}\nint main(void)\n{{\n{declarations}    {init}(&self);\n    \
+        "#include \"{header}\"\n{SUPPORT}\nint main(void)\n{{\n{declarations}{init}    \
          for (;;) {{\n{reads}{call}{writes}{state}        (void)fflush(stdout);\n    }}\n}}\n"
     )
 }
 
-/// The text of a program for many entry points, each call on its own: it reads which one by its place in
-/// `entries`, the words of the state, those of the arguments; it writes the status, and if that is no
+/// The text of a program for many entry points and functions, each call on its own: it reads which one by
+/// its place in `entries`, the words of the state if it has one, those of the arguments; it writes the status, and if that is no
 /// fault the words of the result, of the state, and of each argument that the call may change.
 pub fn programs(module: &Module, entries: &[(FunctionId, u32)]) -> String {
     let names = Names::new(module, &Options::default());
@@ -35,7 +35,7 @@ pub fn programs(module: &Module, entries: &[(FunctionId, u32)]) -> String {
         headers.insert(header);
         let _ = write!(
             functions,
-            "static void call_{index}(void)\n{{\n    uint64_t status;\n{declarations}    {init}(&self);\n\
+            "static void call_{index}(void)\n{{\n    uint64_t status;\n{declarations}{init}\
              {sets}{reads}{}    if (status == 0) {{\n{writes}{state}{changed}    }}\n}}\n\n",
             call.replace("put(", "put(status = ")
         );
@@ -49,10 +49,12 @@ pub fn programs(module: &Module, entries: &[(FunctionId, u32)]) -> String {
     )
 }
 
-/// The pieces of C around one entry point.
+/// The pieces of C around one entry point or function.
+#[derive(Default)]
 struct Call {
     header: String,
     declarations: String,
+    /// Initialises the state.
     init: String,
     /// Reads the state.
     sets: String,
@@ -70,24 +72,17 @@ struct Call {
 impl Call {
     fn of(module: &Module, names: &Names, entry: FunctionId, params: u32) -> Option<Call> {
         let function = &module.functions[entry.index()];
-        let Some(Owner::Struct(component)) = function.owner else { return None };
         let signature = &names.functions[entry.index()];
         let walk = Walk { module, names };
-        let own = &names.structs[component.index()];
-        let mut pieces = Call {
-            header: signature.header.clone(),
-            declarations: format!("    static {} self;\n", own.ty),
-            init: own.init.clone()?,
-            sets: String::new(),
-            reads: String::new(),
-            call: String::new(),
-            writes: String::new(),
-            state: String::new(),
-            changed: String::new(),
-        };
-        let this = Type::Struct(component);
-        walk.words(&this, "self", &mut |ty, place| get(names, ty, place, &mut pieces.sets));
-        walk.words(&this, "self", &mut |ty, place| put(ty, place, &mut pieces.state));
+        let mut pieces = Call { header: signature.header.clone(), ..Call::default() };
+        if let Some(Owner::Struct(component)) = function.owner {
+            let own = &names.structs[component.index()];
+            pieces.declarations = format!("    static {} self;\n", own.ty);
+            pieces.init = format!("    {}(&self);\n", own.init.as_ref()?);
+            let this = Type::Struct(component);
+            walk.words(&this, "self", &mut |ty, place| get(names, ty, place, &mut pieces.sets));
+            walk.words(&this, "self", &mut |ty, place| put(ty, place, &mut pieces.state));
+        }
         let mut arguments = Vec::new();
         for (index, param) in signature.params.iter().enumerate() {
             if param.name == "self" {

@@ -1,8 +1,9 @@
-//! Programs that are hard on a compiler: native Rust, the interpreter and the C give the same bits and
-//! the same faults.
+//! Every program of the corpus: native Rust, the interpreter and the C give the same bits and the same
+//! faults.
 //!
-//! Each call is on its own: words for the state and the arguments in, drawn from the edges of each
-//! type and from small numbers; words for the result, the state and the changed arguments out.
+//! Each call is on its own: words for the state and the arguments in, words for the result, the state and
+//! the changed arguments out. Half of the calls have words drawn from the edges of each type; the other
+//! half are a run, as a component lives: small numbers, and the state that the call before left.
 
 use std::panic::{AssertUnwindSafe, catch_unwind, set_hook};
 use std::thread;
@@ -10,15 +11,16 @@ use std::thread;
 use bessemer_codegen::c::names::FAULTS;
 use bessemer_codegen::compile::Compiled;
 use bessemer_codegen::interpret::{Interpreter, Stop};
-use bessemer_ir::{Fault, Float, FunctionId, Int, Mode, Module, Scalar, Type};
-use bessemer_tests::pilot::entry;
+use bessemer_ir::{Fault, Float, Function, FunctionId, Int, Mode, Module, Owner, Scalar, Type};
 use bessemer_tests::process::{Error, Process};
 use bessemer_tests::toolchain::{self, Toolchain};
 use bessemer_tests::{corpus, harness};
 use corpus::Entry;
 
-/// Calls of each entry point.
-const CALLS: usize = 300;
+/// Calls of each entry point with words from the edges.
+const CALLS: usize = 200;
+/// Calls of each entry point in its run.
+const RUN: usize = 100;
 
 /// The words that come out, or the fault.
 type Outcome = Result<Vec<u64>, Fault>;
@@ -46,6 +48,20 @@ impl Random {
 
     fn below(&mut self, count: u64) -> u64 {
         self.next() % count
+    }
+
+    /// A small number, as sensors and set points are.
+    fn tame(&mut self, module: &Module, ty: &Type) -> u64 {
+        match ty {
+            Type::Scalar(Scalar::Float(Float::F64)) => {
+                ((self.below(4001) as f64 - 2000.0) / 512.0).to_bits()
+            }
+            Type::Scalar(Scalar::Float(Float::F32)) => {
+                u64::from(((self.below(4001) as f32 - 2000.0) / 512.0).to_bits())
+            }
+            Type::Scalar(Scalar::Int(_)) => self.below(8),
+            _ => self.word(module, ty),
+        }
     }
 
     fn word(&mut self, module: &Module, ty: &Type) -> u64 {
@@ -99,40 +115,88 @@ const FLOATS: [f64; 14] = [
 fn cases(compiled: &Compiled) -> Vec<Case> {
     let module = &compiled.module;
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
-    // The panics are expected.
+    // The panics of models are expected.
     set_hook(Box::new(|info| {
         if thread::current().name() != Some("native") {
             eprintln!("{info}");
         }
     }));
-    let cases = corpus::entries().map(|native| {
-        let name = format!("{}::{}", native.component, native.name);
-        let id = entry(compiled, native.component, native.name)
-            .unwrap_or_else(|| panic!("`{name}` is not an entry point"));
+    let cases = corpus::programs::ENTRIES.iter().map(|native| {
+        let name = format!("{}::{}::{}", native.module, native.component, native.name);
+        let id = callable(compiled, native).unwrap_or_else(|| panic!("`{name}` was not compiled"));
         let function = &module.functions[id.index()];
-        let parameters = function.parameters();
-        let calls: Vec<Vec<Vec<u64>>> = (0..CALLS)
-            .map(|_| {
-                let words = |local: &bessemer_ir::Local| {
-                    module.leaves(&local.ty).iter().map(|ty| random.word(module, ty)).collect()
-                };
-                parameters.iter().map(words).collect()
-            })
-            .collect();
+        let stateful = !native.component.is_empty();
         let mut leaves = module.leaves(&function.result);
-        for (index, local) in parameters.iter().enumerate() {
-            if index == 0 || local.mode == Mode::RefMut {
+        for (index, local) in function.parameters().iter().enumerate() {
+            if index == 0 && stateful || local.mode == Mode::RefMut {
                 leaves.extend(module.leaves(&local.ty));
             }
         }
-        let outcomes = thread::Builder::new().name("native".into()).spawn({
-            let calls = calls.clone();
-            move || calls.iter().map(|call| run_native(native, call)).collect()
-        });
-        let native = outcomes.expect("threads start").join().expect("panics are caught");
+        let (calls, native) = lives(native, module, function, &mut random);
         Case { name, id, calls, leaves, native }
     });
-    cases.collect()
+    thread::scope(|scope| {
+        let native = thread::Builder::new().name("native".into());
+        let native = native.spawn_scoped(scope, || cases.collect());
+        native.expect("threads start").join().expect("panics of models are caught")
+    })
+}
+
+/// The function or entry point in the module.
+fn callable(compiled: &Compiled, native: &Entry) -> Option<FunctionId> {
+    let module = &compiled.module;
+    let index = module.functions.iter().position(|function| {
+        let owner = match function.owner {
+            Some(Owner::Struct(id)) => module.structs[id.index()].name.as_str(),
+            Some(_) => return false,
+            None => "",
+        };
+        (owner, function.name.as_str(), function.module.as_str())
+            == (native.component, native.name, native.module)
+    })?;
+    Some(FunctionId(index as u32))
+}
+
+/// The words of each call of an entry point, and what Rust makes of them.
+fn lives(
+    native: &'static Entry,
+    module: &Module,
+    function: &Function,
+    random: &mut Random,
+) -> (Vec<Vec<Vec<u64>>>, Vec<Outcome>) {
+    let types: Vec<Vec<Type>> =
+        function.parameters().iter().map(|local| module.leaves(&local.ty)).collect();
+    let mut calls: Vec<Vec<Vec<u64>>> = (0..CALLS)
+        .map(|_| {
+            let words =
+                |types: &Vec<Type>| types.iter().map(|ty| random.word(module, ty)).collect();
+            types.iter().map(words).collect()
+        })
+        .collect();
+    let mut outcomes: Vec<Outcome> = calls.iter().map(|call| run_native(native, call)).collect();
+    let mut initial = Vec::new();
+    (native.initial)(&mut |word| initial.push(word));
+    let results = module.leaves(&function.result).len();
+    let mut state = initial.clone();
+    for _ in 0..RUN {
+        let mut call: Vec<Vec<u64>> = types
+            .iter()
+            .map(|types| types.iter().map(|ty| random.tame(module, ty)).collect())
+            .collect();
+        if !native.component.is_empty() {
+            call[0].clone_from(&state);
+        }
+        let outcome = run_native(native, &call);
+        state = match &outcome {
+            Ok(words) if !native.component.is_empty() => {
+                words[results..results + initial.len()].to_vec()
+            }
+            _ => initial.clone(),
+        };
+        calls.push(call);
+        outcomes.push(outcome);
+    }
+    (calls, outcomes)
 }
 
 fn run_native(entry: &Entry, call: &[Vec<u64>]) -> Outcome {
@@ -200,12 +264,13 @@ fn the_interpreter_agrees() {
         let mut interpreter = Interpreter::new(module);
         for case in cases(compiled) {
             let parameters = module.functions[case.id.index()].parameters();
+            let stateful = module.functions[case.id.index()].owner.is_some();
             for (index, call) in case.calls.iter().enumerate() {
                 let mut arguments = call.clone();
                 let got = match interpreter.call(case.id, &mut arguments) {
                     Ok(mut words) => {
                         for (at, argument) in arguments.iter().enumerate() {
-                            if at == 0 || parameters[at].mode == Mode::RefMut {
+                            if at == 0 && stateful || parameters[at].mode == Mode::RefMut {
                                 words.extend(argument);
                             }
                         }

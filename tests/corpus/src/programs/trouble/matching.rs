@@ -1,6 +1,5 @@
 //! `match` in every place, with arms that overlap.
 
-use crate::entry_points;
 use bessemer::prelude::*;
 
 #[data]
@@ -115,9 +114,4 @@ impl Matching {
         };
         [a, b]
     }
-}
-
-entry_points! {
-    value Matching::step(val n: i16, val b: bool);
-    value Matching::chosen(val n: u64, val at: usize);
 }

@@ -1,6 +1,5 @@
 //! What nobody uses, and bodies with nothing in them.
 
-use crate::entry_points;
 use bessemer::prelude::*;
 
 /// Nobody reads this.
@@ -86,10 +85,4 @@ impl Unused {
         {}
         5
     }
-}
-
-entry_points! {
-    unit Unused::empty(val a: f64, ref b: Alone, val c: [u8; 3]);
-    unit Unused::still();
-    value Unused::step(val a: i32, val b: Alone);
 }

@@ -1,6 +1,5 @@
 //! The same names in several modules.
 
-use crate::entry_points;
 use bessemer::prelude::*;
 
 pub mod left;
@@ -38,8 +37,4 @@ impl Clash {
             + left::clash_step(a)
             + right::reading_value(a)
     }
-}
-
-entry_points! {
-    value Clash::step(val a: i32);
 }

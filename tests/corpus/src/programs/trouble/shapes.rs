@@ -1,6 +1,5 @@
 //! Results and arguments of every shape.
 
-use crate::entry_points;
 use bessemer::prelude::*;
 
 #[data]
@@ -129,15 +128,4 @@ impl Shapes {
         assert!(a == a && self.n != 3, "must not be {}", 3);
         1.0f64.clamp(a, b)
     }
-}
-
-entry_points! {
-    value Shapes::deep(val i: usize, val b: bool);
-    value Shapes::grids(val given: [[u8; 3]; 2], val i: usize, val j: usize);
-    value Shapes::thin(val x: f32, ref v: SMatrix<f64, 1, 3>);
-    value Shapes::words(val a: i8, val b: u16, val c: i64, val d: f32, val e: f64);
-    value Shapes::floats(val a: f64, val b: f64, val c: f64);
-    value Shapes::shifted(val a: i8, val b: i16, val c: i32, val n: u8);
-    value Shapes::built(val a: f64, val b: f64);
-    value Shapes::asserted(val a: f64, val b: f64);
 }

@@ -1,6 +1,5 @@
 //! Ranges at the limits of their types, and loops in loops.
 
-use crate::entry_points;
 use bessemer::prelude::*;
 
 #[component]
@@ -158,12 +157,4 @@ impl Loops {
         }
         steps
     }
-}
-
-entry_points! {
-    value Loops::limits();
-    unit Loops::given(val a: i8, val b: i8, val c: u8, val d: u8);
-    value Loops::shadowed(val n: u8);
-    value Loops::matrices(ref m: Matrix3<f64>, val k: usize);
-    value Loops::stepped(val n: u32);
 }

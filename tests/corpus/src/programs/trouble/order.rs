@@ -1,6 +1,5 @@
 //! Order of evaluation, and effects in the midst of expressions.
 
-use crate::entry_points;
 use bessemer::prelude::*;
 
 #[component]
@@ -214,13 +213,4 @@ impl Order {
             x + self.count
         }
     }
-}
-
-entry_points! {
-    value Order::indices(val i: usize);
-    value Order::operands(val n: i32);
-    value Order::circuits(val n: i32, val i: usize);
-    value Order::bounds(val n: u8);
-    value Order::vectors(val i: usize, val x: f64);
-    value Order::returns(val n: i32);
 }

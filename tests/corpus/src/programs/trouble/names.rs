@@ -1,6 +1,5 @@
 //! Names that C, its library or the emitted code has other plans for; comments that C would misread.
 
-use crate::entry_points;
 use bessemer::prelude::*;
 
 /// A type whose C name is POSIX's. Ends like this: */ and then this /* and ??/
@@ -162,11 +161,4 @@ impl Names {
     pub fn flag(&self, a: i64) -> bool {
         1000 / a > 7
     }
-}
-
-entry_points! {
-    value Names::step(val time: Time, val double: f64, val status: i32, val errno: i32, val result: u8);
-    value Names::words(val auto: i32, val case: i32, val class: i32, val template: i32);
-    unit Names::set(val n: u8);
-    value Names::flag(val a: i64);
 }

@@ -1,6 +1,5 @@
 //! Results written over what they are computed from.
 
-use crate::entry_points;
 use bessemer::prelude::*;
 
 #[data]
@@ -160,12 +159,4 @@ impl Aliases {
         let q = &*p;
         q.x + q.y + old.y
     }
-}
-
-entry_points! {
-    value Aliases::matrices();
-    value Aliases::structs(val other: Pair);
-    value Aliases::arrays(val at: usize, val by_value: [i32; 3]);
-    value Aliases::nested(val at: usize);
-    value Aliases::through(mut pair: Pair, val given: Pair, mut row: [i32; 3], mut n: u8);
 }
