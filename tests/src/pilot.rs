@@ -1,7 +1,8 @@
 //! The flight's controller behind the simulation's own trait, whichever leg carries it out.
 
 use bessemer_codegen::compile::Compiled;
-use bessemer_ir::{FunctionId, Role};
+use bessemer_ir::FunctionId;
+pub use bessemer_legs::entry;
 use models::{Command, Parameters, Sensed, Target};
 use sim::Pilot;
 
@@ -9,19 +10,6 @@ use crate::interpreter::Interpreted;
 use crate::process::{Error, Process};
 use crate::toolchain::Toolchain;
 use crate::{value, words};
-
-/// The entry point `owner::name` of a module.
-pub fn entry(compiled: &Compiled, owner: &str, name: &str) -> Option<FunctionId> {
-    let module = &compiled.module;
-    let index = module.functions.iter().position(|function| {
-        let of = match function.owner {
-            Some(bessemer_ir::Owner::Struct(id)) => module.structs[id.index()].name.as_str(),
-            _ => "",
-        };
-        matches!(function.role, Role::Entry { .. }) && function.name == name && of == owner
-    })?;
-    Some(FunctionId(index as u32))
-}
 
 enum Leg<'m> {
     Interpreter(Interpreted<'m>),

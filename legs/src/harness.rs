@@ -132,7 +132,7 @@ impl Call {
 }
 
 /// The C that every such program begins with: how words come in and go out.
-pub(crate) const SUPPORT: &str = "\
+pub const SUPPORT: &str = "\
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,0 +1,70 @@
+//! The ways in which a model can be carried out beside rustc's own: the interpreter of its IR, and its
+//! C as each compiler makes it, on the host and on the emulated Cortex-A9.
+//!
+//! Invariants: words go in and come out (64 bits each, in the order of `Plain`), so that nothing here
+//! knows what a model means; C runs as a process of its own, so nothing needs `unsafe`.
+//!
+//! What it must not know: any model, any test.
+
+pub mod harness;
+pub mod interpreter;
+pub mod process;
+pub mod toolchain;
+
+use std::path::PathBuf;
+
+use bessemer::Plain;
+
+/// The root of the workspace.
+pub fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+/// The words of a value.
+pub fn words(value: &impl Plain) -> Vec<u64> {
+    let mut words = Vec::new();
+    value.store(&mut |word| words.push(word));
+    words
+}
+
+/// The value of words.
+pub fn value<T: Plain>(words: &[u64]) -> T {
+    let mut words = words.iter().copied();
+    T::load(&mut || words.next().unwrap_or_default())
+}
+
+use bessemer_codegen::compile::{self, Compiled};
+use bessemer_codegen::source::Sources;
+use bessemer_codegen::{diagnostic, generate};
+use bessemer_ir::{FunctionId, Role};
+
+/// Whether this build panics on overflow, as the C faults; a build that wraps is another program.
+pub fn overflow_is_checked() -> bool {
+    let largest = std::hint::black_box(u8::MAX);
+    std::panic::catch_unwind(|| largest + std::hint::black_box(1)).is_err()
+}
+
+/// A package of this workspace, compiled.
+///
+/// # Panics
+/// If it does not compile: no test can run then.
+pub fn compiled(package: &str) -> Compiled {
+    assert!(overflow_is_checked(), "set `overflow-checks = true` in the profile");
+    let sources = Sources::new(root());
+    let package = generate::tree(&root(), package).unwrap_or_else(|error| panic!("{error}"));
+    compile::compile(&package, &sources, &compile::Options::default())
+        .unwrap_or_else(|errors| panic!("{}", diagnostic::render(&errors, &sources, false)))
+}
+
+/// The entry point `owner::name` of a module.
+pub fn entry(compiled: &Compiled, owner: &str, name: &str) -> Option<FunctionId> {
+    let module = &compiled.module;
+    let index = module.functions.iter().position(|function| {
+        let of = match function.owner {
+            Some(bessemer_ir::Owner::Struct(id)) => module.structs[id.index()].name.as_str(),
+            _ => "",
+        };
+        matches!(function.role, Role::Entry { .. }) && function.name == name && of == owner
+    })?;
+    Some(FunctionId(index as u32))
+}
