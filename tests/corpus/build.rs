@@ -8,7 +8,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use quote::{ToTokens as _, format_ident, quote};
-use syn::{FnArg, ImplItem, Item, Pat, ReturnType, Signature, Type, Visibility};
+use syn::{FnArg, ImplItem, Item, ReturnType, Signature, Type, Visibility};
 
 fn main() -> io::Result<()> {
     let programs = Path::new(&std::env::var("CARGO_MANIFEST_DIR").unwrap_or_default())
@@ -111,35 +111,32 @@ fn entry(module: &str, component: Option<&Type>, signature: &Signature) -> Optio
     let (mut loads, mut arguments, mut stores) = (Vec::new(), Vec::new(), Vec::new());
     for (index, input) in signature.inputs.iter().enumerate() {
         let FnArg::Typed(input) = input else { continue };
-        let local = match &*input.pat {
-            Pat::Ident(it) => it.ident.clone(),
-            _ => format_ident!("argument_{index}"),
-        };
+        let local = format_ident!("argument_{index}");
         let (ty, pass) = match &*input.ty {
             Type::Reference(it) if it.mutability.is_some() => (&*it.elem, quote!(&mut #local)),
             Type::Reference(it) => (&*it.elem, quote!(&#local)),
             ty => (ty, quote!(#local)),
         };
-        loads.push(quote!(let mut #local = <#ty as bessemer::Plain>::load(next);));
+        loads.push(quote!(let mut #local = <#ty as bessemer::Plain>::load(__next);));
         if matches!(&*input.ty, Type::Reference(it) if it.mutability.is_some()) {
-            stores.push(quote!(bessemer::Plain::store(&#local, out);));
+            stores.push(quote!(bessemer::Plain::store(&#local, __out);));
         }
         arguments.push(pass);
     }
     let callee = match component {
         Some(_) => quote!(this.#name),
-        None => quote!(#name),
+        None => quote!(#path::#name),
     };
     let call = quote!(#callee(#(#arguments),*));
     let call = match &signature.output {
         ReturnType::Default => quote!(#call;),
-        ReturnType::Type(..) => quote!(let result = #call; bessemer::Plain::store(&result, out);),
+        ReturnType::Type(..) => quote!(let result = #call; bessemer::Plain::store(&result, __out);),
     };
     let (load, store, initial, owner) = match component {
         Some(ty) => (
-            quote!(let mut this = <#ty as bessemer::Plain>::load(next);),
-            quote!(bessemer::Plain::store(&this, out);),
-            quote!(bessemer::Plain::store(&<#ty as Default>::default(), out)),
+            quote!(let mut this = <#ty as bessemer::Plain>::load(__next);),
+            quote!(bessemer::Plain::store(&this, __out);),
+            quote!(bessemer::Plain::store(&<#ty as Default>::default(), __out)),
             ty.to_token_stream().to_string(),
         ),
         None => (quote!(), quote!(), quote!(()), String::new()),
@@ -152,7 +149,7 @@ fn entry(module: &str, component: Option<&Type>, signature: &Signature) -> Optio
             name: #name,
             run: {
                 #[allow(unused_imports, unused_mut, unused_variables, clippy::all)]
-                fn run(next: &mut dyn FnMut() -> u64, out: &mut dyn FnMut(u64)) {
+                fn run(__next: &mut dyn FnMut() -> u64, __out: &mut dyn FnMut(u64)) {
                     use bessemer::prelude::*;
                     use #path::*;
                     #load #(#loads)* #call #store #(#stores)*
@@ -161,7 +158,7 @@ fn entry(module: &str, component: Option<&Type>, signature: &Signature) -> Optio
             },
             initial: {
                 #[allow(unused_imports, unused_variables)]
-                fn initial(out: &mut dyn FnMut(u64)) {
+                fn initial(__out: &mut dyn FnMut(u64)) {
                     use bessemer::prelude::*;
                     use #path::*;
                     #initial

@@ -225,8 +225,8 @@ fn fault(text: &str) -> Fault {
         _ if text.contains("overflow") => Fault::Overflow,
         _ if text.contains("out of bounds") => Fault::Index,
         _ if text.contains("low <= high") || text.contains("min > max") => Fault::Clamp,
-        _ if text.contains("assertion failed") || text.contains("must not be") => Fault::Assertion,
-        _ => panic!("what fault is `{text}`?"),
+        // The author's own words.
+        _ => Fault::Assertion,
     }
 }
 

@@ -1,0 +1,22 @@
+//! `break` and `continue` may name an outer loop.
+
+use bessemer::prelude::*;
+
+/// How many rows come before the first row with a gap; a row is closed by a 0.
+#[function]
+pub fn rows_without_gap(grid: &[[u8; 4]; 3]) -> u32 {
+    let mut rows = 0;
+    'rows: for row in grid {
+        for cell in row {
+            if *cell == 0 {
+                rows += 1;
+                continue 'rows;
+            }
+            if *cell == 255 {
+                break 'rows;
+            }
+        }
+        rows += 1;
+    }
+    rows
+}

@@ -1,0 +1,12 @@
+//! `match` on a `bool`.
+
+use bessemer::prelude::*;
+
+/// The level of a pin with an inverter.
+#[function]
+pub fn level(high: bool, inverted: bool) -> u8 {
+    match high ^ inverted {
+        true => 1,
+        false => 0,
+    }
+}

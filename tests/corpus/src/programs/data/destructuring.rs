@@ -1,0 +1,21 @@
+//! `let` takes structs, arrays and written-out tuples apart.
+
+use bessemer::prelude::*;
+
+/// A line `a·x + b·y = c`.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Line {
+    pub a: f64,
+    pub b: f64,
+    pub c: f64,
+}
+
+/// How far a point is on the positive side of a line, times the length of its normal.
+#[function]
+pub fn side(line: &Line, point: [f64; 2]) -> f64 {
+    let Line { a, b, c: offset } = *line;
+    let [x, y] = point;
+    let (along, across) = (a * x, b * y);
+    along + across - offset
+}

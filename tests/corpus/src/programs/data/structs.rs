@@ -1,0 +1,24 @@
+//! A struct is plain data: a `typedef` with the same fields, in the same order, under the same comments.
+
+use bessemer::prelude::*;
+
+/// What the altimeter says.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Reading {
+    /// Height above ground, m.
+    pub height: f64,
+    /// Time since start, ms.
+    pub time: u32,
+    /// Whether the echo came back.
+    pub valid: bool,
+}
+
+/// The mean height of two readings that are both valid, m; otherwise that of the later one.
+#[function]
+pub fn merged(one: &Reading, other: &Reading) -> f64 {
+    if one.valid && other.valid {
+        return (one.height + other.height) / 2.0;
+    }
+    if one.time > other.time { one.height } else { other.height }
+}

@@ -1,0 +1,18 @@
+//! A `const` is evaluated by rustc, whatever it takes, and stands in the C as a constant of its name.
+
+use bessemer::prelude::*;
+
+/// Steps of the table, V.
+const STEP: f32 = 5.0 / 8.0;
+/// Fuel for each step of the sensor, l.
+const FUEL: [f32; 9] = [0.0, 1.5, 3.5, 6.0, 9.0, 12.5, 16.5, 21.0, 26.0];
+/// The end of the table.
+const LAST: usize = FUEL.len() - 2;
+
+/// Fuel for a voltage, linear between the steps of the table.
+#[function]
+pub fn fuel(voltage: f32) -> f32 {
+    let place = (voltage / STEP).clamp(0.0, 8.0);
+    let at = (place as usize).min(LAST);
+    FUEL[at] + (FUEL[at + 1] - FUEL[at]) * (place - at as f32)
+}

@@ -1,0 +1,19 @@
+//! So are those of three dimensions.
+
+use bessemer::prelude::*;
+
+/// How many cells are taken.
+#[function]
+pub fn taken(grid: &[[[bool; 4]; 3]; 2]) -> u32 {
+    let mut count = 0;
+    for layer in grid {
+        for row in layer {
+            for cell in row {
+                if *cell {
+                    count += 1;
+                }
+            }
+        }
+    }
+    count
+}

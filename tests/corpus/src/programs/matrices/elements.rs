@@ -1,0 +1,20 @@
+//! Elements by row and column, by place, and by the letters of short vectors.
+
+use bessemer::prelude::*;
+
+/// The rotation about the third axis whose sine and cosine are given.
+#[function]
+pub fn turn(sine: f64, cosine: f64) -> Matrix3<f64> {
+    let mut matrix = Matrix3::identity();
+    matrix[(0, 0)] = cosine;
+    matrix[(0, 1)] = -sine;
+    matrix[(1, 0)] = sine;
+    matrix[(1, 1)] = cosine;
+    matrix
+}
+
+/// The parts of a vector in another order.
+#[function]
+pub fn reordered(v: &Vector3<f32>) -> Vector3<f32> {
+    Vector3::new(v.z, v.x, v[1])
+}

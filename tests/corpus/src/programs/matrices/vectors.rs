@@ -1,0 +1,16 @@
+//! Vectors are nalgebra's; in the C they are arrays. Each operation has nalgebra's own order, so its bits.
+
+use bessemer::prelude::*;
+
+/// Velocity after a step with drag, m/s.
+#[function]
+pub fn velocity(velocity: &Vector3<f64>, force: &Vector3<f64>, mass: f64, time: f64) -> Vector3<f64> {
+    let acceleration = (force - velocity * 0.1) / mass;
+    velocity + acceleration * time
+}
+
+/// The size of the part of `a` that is across `b`, for a `b` of length 1.
+#[function]
+pub fn across(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
+    a.cross(b).norm()
+}

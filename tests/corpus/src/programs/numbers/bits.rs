@@ -1,0 +1,26 @@
+//! Bits are set, cleared, tested and counted as in Rust.
+
+use bessemer::prelude::*;
+
+/// The register's ready bit.
+const READY: u8 = 1 << 7;
+/// The register's channel bits.
+const CHANNEL: u8 = 0b0000_0111;
+
+/// A register with another channel and the ready bit cleared.
+#[function]
+pub fn with_channel(register: u8, channel: u8) -> u8 {
+    (register & !(CHANNEL | READY)) | (channel & CHANNEL)
+}
+
+/// Even parity of a word.
+#[function]
+pub fn parity(word: u32) -> bool {
+    word.count_ones() % 2 == 1
+}
+
+/// The highest bit that is set, or 32.
+#[function]
+pub fn highest(word: u32) -> u32 {
+    if word == 0 { 32 } else { 31 - word.leading_zeros() }
+}

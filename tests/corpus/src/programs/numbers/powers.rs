@@ -1,0 +1,15 @@
+//! `pow` of integers is checked; of squares and cubes it is a product.
+
+use bessemer::prelude::*;
+
+/// The volume of a cube.
+#[function]
+pub fn volume(edge: u16) -> u64 {
+    u64::from(edge).pow(3)
+}
+
+/// A power of ten.
+#[function]
+pub fn scale(digits: u32) -> u32 {
+    10_u32.pow(digits)
+}

@@ -1,0 +1,15 @@
+//! `%` has the sign of the left side; `rem_euclid` is never negative.
+
+use bessemer::prelude::*;
+
+/// The place in a ring of 12, for any step back or forth.
+#[function]
+pub fn in_ring(place: i32, step: i8) -> i32 {
+    (place % 12 + i32::from(step)).rem_euclid(12)
+}
+
+/// An angle of a full turn, rad.
+#[function]
+pub fn wrapped(angle: f64) -> f64 {
+    angle.rem_euclid(core::f64::consts::TAU)
+}

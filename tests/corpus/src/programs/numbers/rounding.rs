@@ -1,0 +1,21 @@
+//! Roundings that IEEE 754 fixes are single instructions or a few.
+
+use bessemer::prelude::*;
+
+/// A position on a grid of 0.25.
+#[function]
+pub fn snapped(x: f64) -> f64 {
+    (x * 4.0).round() / 4.0
+}
+
+/// Whole part and fraction.
+#[function]
+pub fn parts(x: f32) -> [f32; 2] {
+    [x.trunc(), x.fract()]
+}
+
+/// Pages that hold `bytes`.
+#[function]
+pub fn pages(bytes: f64) -> f64 {
+    (bytes / 512.0).ceil().max((bytes / 4096.0).floor())
+}

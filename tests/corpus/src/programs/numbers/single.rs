@@ -1,0 +1,10 @@
+//! Single precision stays single: literals and functions are those of `float`.
+
+use bessemer::prelude::*;
+
+/// A second-order polynomial and a root.
+#[function]
+pub fn corrected(x: f32) -> f32 {
+    let y = 0.25 * x * x - 1.5 * x + 0.1;
+    (y * y + 1.0).sqrt()
+}
