@@ -38,7 +38,8 @@ impl Lowering<'_, '_> {
         let mut copies = Vec::new();
         let mut lowered = |inner: &mut Self| {
             let variable = LocalId(inner.locals.len() as u32);
-            let name = index.unwrap_or("i").to_owned();
+            let name = index.unwrap_or_else(|| inner.next_index()).to_owned();
+            inner.counters.push(variable);
             inner.locals.push(Local { name, ty: Type::USIZE, mode: Mode::Value, span });
             let mut block = inner.scoped(|inner| {
                 if let Some(index) = index {
@@ -48,6 +49,7 @@ impl Lowering<'_, '_> {
                 inner.statements(body)
             })?;
             copies = inner.copy_written(parts, &places, &mut block, span);
+            inner.counters.pop();
             let (from, to) = (count(0), count(u64::from(shortest)));
             Ok(StmtKind::For { variable, from, to, inclusive: false, reversed, body: block })
         };
@@ -62,11 +64,26 @@ impl Lowering<'_, '_> {
         for step in &mut place.steps {
             if let Step::Index(index) = step
                 && !super::function::is_literal(index)
+                && !self.is_counter(index)
             {
                 *index = self.temporary("index", index.clone());
             }
         }
         place
+    }
+
+    /// Whether a value is that of a counter, which only its loop changes.
+    fn is_counter(&self, index: &Expr) -> bool {
+        matches!(&index.kind, ExprKind::Load(place)
+            if place.steps.is_empty() && self.counters.contains(&place.root))
+    }
+
+    /// What to call the counter of a loop whose author has no name for it.
+    fn next_index(&self) -> &'static str {
+        let names = ["i", "j", "k"];
+        let taken =
+            self.counters.iter().filter(|id| names.contains(&&*self.locals[id.index()].name));
+        names[taken.count() % names.len()]
     }
 
     fn name_elements(

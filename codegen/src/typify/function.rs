@@ -24,6 +24,8 @@ pub(super) struct Lowering<'a, 'c> {
     pub result: Type,
     /// The loops around what is being lowered, outermost first.
     pub frames: Vec<Frame>,
+    /// The counters of the loops over elements around it, outermost first.
+    pub counters: Vec<LocalId>,
 }
 
 /// What a name means.
@@ -66,6 +68,7 @@ pub(super) fn lower(cx: &mut Context<'_>, source: &tree::Function) -> Result<Fun
         naming: "value".into(),
         result: result.clone(),
         frames: Vec::new(),
+        counters: Vec::new(),
     };
     lowering.parameters()?;
     lowering.body(&tree.body)?;

@@ -48,30 +48,64 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// Whether `value` is the same before and after `later`.
+/// Whether `value` is the same before and after `later`, and its faults come as they would.
 pub(super) fn is_settled(value: &Expr, later: &[Stmt]) -> bool {
-    match &value.kind {
+    let Some(read) = Reads::of(value) else { return false };
+    let fixed = match &value.kind {
         ExprKind::Literal(_) | ExprKind::Const(_) => true,
-        ExprKind::Load(place) => {
-            place.steps.iter().all(is_fixed) && !later.iter().any(|stmt| writes(stmt, place.root))
-        }
+        ExprKind::Load(place) => place.steps.iter().all(is_fixed),
         _ => false,
+    };
+    (fixed || later.iter().all(is_quiet)) && !later.iter().any(|stmt| writes(stmt, &read))
+}
+
+/// Whether a statement does nothing but give a name to what can be had without effect or fault.
+fn is_quiet(stmt: &Stmt) -> bool {
+    matches!(&stmt.kind, StmtKind::Let { value, .. } if value.as_ref().is_none_or(is_free))
+}
+
+/// Whether a statement may write what one of these locals holds.
+fn writes(stmt: &Stmt, locals: &[LocalId]) -> bool {
+    let mut written = Written(Vec::new());
+    written.stmt(stmt);
+    written.0.iter().any(|local| locals.contains(local))
+}
+
+/// The locals that statements write or pass to calls that may.
+struct Written(Vec<LocalId>);
+
+impl Visit for Written {
+    fn place(&mut self, place: &Place, access: Access) {
+        if access != Access::Read {
+            self.0.push(place.root);
+        }
+        visit::walk_place(self, place);
     }
 }
 
-/// Whether a statement may write what `local` holds. Answers yes too often rather than too rarely.
-fn writes(stmt: &Stmt, local: LocalId) -> bool {
-    match &stmt.kind {
-        StmtKind::Let { value, .. } => value.as_ref().is_some_and(|value| lends(value, local)),
-        StmtKind::Assign { place, value } => place.root == local || lends(value, local),
-        StmtKind::Expr(value) => lends(value, local),
-        _ => true,
+/// The locals that an expression reads; none if it calls.
+struct Reads(Option<Vec<LocalId>>);
+
+impl Reads {
+    fn of(expr: &Expr) -> Option<Vec<LocalId>> {
+        let mut reads = Reads(Some(Vec::new()));
+        reads.expr(expr);
+        reads.0
     }
 }
 
-/// Whether an expression passes `local` to a call that may write it.
-fn lends(expr: &Expr, local: LocalId) -> bool {
-    Lent::of(expr).0.contains(&local)
+impl Visit for Reads {
+    fn expr(&mut self, expr: &Expr) {
+        if matches!(expr.kind, ExprKind::Call(..)) {
+            self.0 = None;
+        }
+        visit::walk_expr(self, expr);
+    }
+
+    fn place(&mut self, place: &Place, _: Access) {
+        self.0.iter_mut().for_each(|read| read.push(place.root));
+        visit::walk_place(self, place);
+    }
 }
 
 /// Whether an expression writes anything.
