@@ -458,10 +458,10 @@ fn passing(
     }
     let result = &function.result;
     if *result != Type::Unit && (fallible || result.is_aggregate()) {
-        let unnamed = matches!(function.result_name.as_str(), "" | "_");
-        let wanted = local_name(if unnamed { "result" } else { &function.result_name });
-        let name =
-            unique(&wanted, |name| taken(name) || params.iter().any(|param| param.name == name));
+        let used = |name: &str| taken(name) || params.iter().any(|param| param.name == name);
+        let wanted = local_name(&function.result_name);
+        let unnamed = matches!(function.result_name.as_str(), "" | "_") || used(&wanted);
+        let name = unique(if unnamed { "result" } else { &wanted }, used);
         params.push(Param { name, ty: result.clone(), passing: Passing::Output });
     }
     let returned = match (fallible, result.is_word()) {

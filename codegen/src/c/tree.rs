@@ -45,10 +45,13 @@ impl Expr {
         Expr::Unary(op, Box::new(operand))
     }
 
-    /// `(ty)operand`, unless it is that cast already.
+    /// `(ty)operand`, unless it is that cast already or a literal that can have the type itself.
     pub fn cast(ty: &str, operand: Expr) -> Expr {
         match operand {
             Expr::Cast(inner, value) if inner == ty => Expr::Cast(inner, value),
+            Expr::Name(text) if ty == "uint32_t" && is_counted(&text) => {
+                Expr::Name(format!("{}U", text.trim_end_matches('U')))
+            }
             other => Expr::Cast(ty.to_owned(), Box::new(other)),
         }
     }
@@ -313,4 +316,10 @@ pub enum Item {
 /// A statement that no line of the author's stands for.
 pub fn plain(kind: StmtKind) -> Stmt {
     Stmt { kind, origin: None }
+}
+
+/// Whether a text is a literal without a sign, of `int` or `unsigned int`.
+fn is_counted(text: &str) -> bool {
+    let digits = text.trim_end_matches('U');
+    !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit())
 }

@@ -13,6 +13,7 @@
 //! folded, nothing is reordered, no local of the author's is renamed, and code that is explicit already
 //! comes out as it went in.
 
+mod declare;
 mod explicit;
 mod facts;
 mod faults;

@@ -45,6 +45,7 @@ pub(super) fn function(
     let body = lowering.block(body);
     let Lowering { mut function, remaining, .. } = lowering;
     function.body = body;
+    super::declare::late(&mut function);
     (function, remaining)
 }
 

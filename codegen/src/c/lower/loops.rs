@@ -45,6 +45,7 @@ impl Lower<'_> {
             (self.start(from, range.is_some()), self.bound(to, "end", range.is_some(), body))
         };
         let last = self.constant_value(&to.1, int).or(range.map(|range| range.1.1));
+        let last = last.or(largest(&to.1, int));
         let flagged = inclusive && last.is_none_or(|last| last >= int.max());
         let flag = flagged.then(|| self.flag(&from, &to));
 
@@ -210,6 +211,12 @@ fn literal_value(expr: &Ir, int: Int) -> Option<i128> {
         ExprKind::Literal(word) => Some(int.from_word(word)),
         _ => None,
     }
+}
+
+/// The largest value of what was converted from a narrower type; a sign would wrap round.
+fn largest(expr: &Ir, int: Int) -> Option<i128> {
+    let ExprKind::Cast(inner) = &expr.kind else { return None };
+    inner.ty.as_int().filter(|from| !from.signed() || int.signed()).map(Int::max)
 }
 
 /// A literal in the form of another: `4U` where that was `3U`.
