@@ -81,8 +81,8 @@ void reduction_reduced_huge_angle(double x, reduced_angle_t *reduced_angle)
     const uint64_t mantissa = (bits & UINT64_C(4503599627370495)) | UINT64_C(4503599627370496);
     const uint64_t word = (start >> 6) & UINT64_C(31);
     const uint64_t third = TWO_OVER_PI[word + UINT64_C(2)];
-    const uint64_t high_argument = TWO_OVER_PI[word];
-    const uint64_t high = reduction_window(high_argument, TWO_OVER_PI[word + UINT64_C(1)], start);
+    const uint64_t high = reduction_window(TWO_OVER_PI[word], TWO_OVER_PI[word + UINT64_C(1)],
+        start);
     const uint64_t middle = reduction_window(TWO_OVER_PI[word + UINT64_C(1)], third, start);
     const uint64_t low = reduction_window(third, TWO_OVER_PI[word + UINT64_C(3)], start);
 

@@ -185,8 +185,7 @@ void sine_sine_of_rest(double high, double low, pair_t *pair)
         const double sine = t + t * z * (S3 + z * (S5 + z * S7));
         const double versine = z * (C2 + z * (C4 + z * C6));
         const double centre = SINE_HIGH[index];
-        const double rest_left = SINE_LOW[index];
-        const double rest = rest_left + (COSINE_HIGH[index] * sine + centre * versine);
+        const double rest = SINE_LOW[index] + (COSINE_HIGH[index] * sine + centre * versine);
         if (high < 0.0) {
             pair->high = -centre;
             pair->low = -rest;
@@ -213,9 +212,7 @@ void sine_cosine_of_rest(double high, double low, pair_t *pair)
     const double sine = t + t * z * (S3 + z * (S5 + z * S7));
     const double versine = z * (C2 + z * (C4 + z * C6));
     const double centre = COSINE_HIGH[index];
-    const double rest_left = COSINE_LOW[index];
-    const double rest_left_2 = centre * versine;
-    const double rest = rest_left + (rest_left_2 - SINE_HIGH[index] * sine);
+    const double rest = COSINE_LOW[index] + (centre * versine - SINE_HIGH[index] * sine);
     pair->high = centre;
     pair->low = rest;
 }
