@@ -39,17 +39,20 @@ extern crate alloc;
 extern crate self as bessemer;
 
 pub use bessemer_macros::{component, data, entry, function};
+pub use instance::EntriesInOneBlock;
 pub use nalgebra;
 pub use plain::Plain;
 
 #[cfg(feature = "generate")]
 #[doc(hidden)]
 pub mod generate;
+mod instance;
 pub mod math;
 mod plain;
 
 /// What a model imports with one line: `use bessemer::prelude::*;`.
 pub mod prelude {
+    pub use crate::math::{Real, real};
     pub use crate::{component, data, entry, function};
     pub use nalgebra::{
         Matrix2, Matrix3, Matrix4, Matrix6, SMatrix, SVector, Vector2, Vector3, Vector4, Vector5,

@@ -52,8 +52,16 @@ pub fn compiled(package: &str) -> Compiled {
     assert!(overflow_is_checked(), "set `overflow-checks = true` in the profile");
     let sources = Sources::new(root());
     let package = generate::tree(&root(), package).unwrap_or_else(|error| panic!("{error}"));
-    compile::compile(&package, &sources, &compile::Options::default())
-        .unwrap_or_else(|errors| panic!("{}", diagnostic::render(&errors, &sources, false)))
+    let compiled = compile::compile(&package, &sources, &compile::Options::default())
+        .unwrap_or_else(|errors| panic!("{}", diagnostic::render(&errors, &sources, false)));
+    // To look at the C of a test's package: `BESSEMER_SHOW=folder cargo test …`.
+    if let Some(folder) = std::env::var_os("BESSEMER_SHOW") {
+        for file in &compiled.files {
+            let path = std::path::Path::new(&folder).join(&file.name);
+            std::fs::write(path, &file.text).expect("a folder to show the C in");
+        }
+    }
+    compiled
 }
 
 /// The entry point `owner::name` of a module.

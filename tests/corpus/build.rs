@@ -73,22 +73,63 @@ impl Found {
         for item in items {
             match item {
                 Item::Fn(it) if marked(&it.attrs, "function") && public(&it.vis) => {
-                    self.entries.extend(entry(module, None, &it.sig));
+                    self.entries.extend(entry(module, None, &[], &it.sig));
                 }
                 Item::Impl(it) if marked(&it.attrs, "component") && it.trait_.is_none() => {
-                    for method in &it.items {
-                        if let ImplItem::Fn(method) = method
-                            && marked(&method.attrs, "entry")
-                            && it.generics.params.is_empty()
-                        {
-                            self.entries.extend(entry(module, Some(&it.self_ty), &method.sig));
-                        }
+                    let owners = owners(it, items);
+                    for method in it.items.iter().filter_map(|item| match item {
+                        ImplItem::Fn(method) if marked(&method.attrs, "entry") => Some(method),
+                        _ => None,
+                    }) {
+                        let entries = owners.iter().filter_map(|(owner, stand_for)| {
+                            entry(module, Some(owner), stand_for, &method.sig)
+                        });
+                        self.entries.extend(entries);
                     }
                 }
                 _ => {}
             }
         }
     }
+}
+
+/// The types whose methods stand in an `impl` block: the instances of something generic by their names,
+/// each with what its parameters stand for.
+fn owners(block: &syn::ItemImpl, items: &[Item]) -> Vec<(Type, Vec<Item>)> {
+    if block.generics.params.is_empty() {
+        return vec![((*block.self_ty).clone(), Vec::new())];
+    }
+    let Some((generic, _)) = path_of(&block.self_ty) else { return Vec::new() };
+    let instances = items.iter().filter_map(|item| match item {
+        Item::Type(it) if marked(&it.attrs, "component") => Some(it),
+        _ => None,
+    });
+    let named = instances.filter_map(|it| {
+        let (of, arguments) = path_of(&it.ty)?;
+        let params = block.generics.params.iter().zip(arguments);
+        let stand_for = params.filter_map(|(param, argument)| match param {
+            syn::GenericParam::Const(it) => {
+                let (name, ty) = (&it.ident, &it.ty);
+                Some(syn::parse_quote!(const #name: #ty = #argument;))
+            }
+            syn::GenericParam::Type(it) => {
+                let name = &it.ident;
+                Some(syn::parse_quote!(type #name = #argument;))
+            }
+            syn::GenericParam::Lifetime(_) => None,
+        });
+        let name = &it.ident;
+        (of == generic).then(|| (syn::parse_quote!(#name), stand_for.collect()))
+    });
+    named.collect()
+}
+
+/// The last name of a path, and its arguments.
+fn path_of(ty: &Type) -> Option<(String, Vec<syn::GenericArgument>)> {
+    let Type::Path(it) = ty else { return None };
+    let last = it.path.segments.last()?;
+    let syn::PathArguments::AngleBracketed(arguments) = &last.arguments else { return None };
+    Some((last.ident.to_string(), arguments.args.iter().cloned().collect()))
 }
 
 fn marked(attributes: &[syn::Attribute], name: &str) -> bool {
@@ -102,7 +143,12 @@ fn public(visibility: &Visibility) -> bool {
 }
 
 /// The text of a `crate::Entry`; none for generic functions, which are called by others.
-fn entry(module: &str, component: Option<&Type>, signature: &Signature) -> Option<String> {
+fn entry(
+    module: &str,
+    component: Option<&Type>,
+    stand_for: &[Item],
+    signature: &Signature,
+) -> Option<String> {
     if signature.generics.params.iter().any(|it| !matches!(it, syn::GenericParam::Lifetime(_))) {
         return None;
     }
@@ -148,10 +194,11 @@ fn entry(module: &str, component: Option<&Type>, signature: &Signature) -> Optio
             component: #owner,
             name: #name,
             run: {
-                #[allow(unused_imports, unused_mut, unused_variables, clippy::all)]
+                #[allow(unused_imports, unused_mut, unused_variables, dead_code, clippy::all)]
                 fn run(__next: &mut dyn FnMut() -> u64, __out: &mut dyn FnMut(u64)) {
                     use bessemer::prelude::*;
                     use #path::*;
+                    #(#stand_for)*
                     #load #(#loads)* #call #store #(#stores)*
                 }
                 run

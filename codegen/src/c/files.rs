@@ -82,10 +82,22 @@ fn units(context: Context<'_>) -> BTreeMap<String, Unit> {
         unit.modules.insert(item.module.clone());
     }
     for unit in units.values_mut() {
-        unit.types.sort_by_key(|id| place(context, type_span(context, *id)));
-        unit.functions.sort_by_key(|callable| match callable {
-            Callable::Init(id) => place(context, type_span(context, TypeId::Struct(*id))),
-            Callable::Function(id) => place(context, module.functions[id.index()].span),
+        // Instances of something generic share their place in the source: then by name.
+        unit.types.sort_by_cached_key(|id| {
+            let name = match id {
+                TypeId::Struct(id) => &names.structs[id.index()].ty,
+                TypeId::Enum(id) => &names.enums[id.index()].ty,
+            };
+            (place(context, type_span(context, *id)), name)
+        });
+        unit.functions.sort_by_cached_key(|callable| match callable {
+            Callable::Init(id) => {
+                let name = &names.structs[id.index()].base;
+                (place(context, type_span(context, TypeId::Struct(*id))), name)
+            }
+            Callable::Function(id) => {
+                (place(context, module.functions[id.index()].span), &names.signature(*id).name)
+            }
         });
     }
     units

@@ -1,7 +1,7 @@
 //! The DSL's own operations: which IR node each is, and the type of its result.
 
 use bessemer_ir::tree;
-use bessemer_ir::{Expr, ExprKind, Float, Int, Intrinsic, Routine, Scalar, Type};
+use bessemer_ir::{Expr, ExprKind, Float, Int, Intrinsic, Routine, Scalar, Type, UnaryOp};
 
 use super::OUR_FAULT;
 use super::expr::Operand;
@@ -59,6 +59,11 @@ fn meaning(name: &str) -> Option<Meaning> {
     })
 }
 
+/// The word of a number in double precision, in single.
+fn single(word: u64) -> u64 {
+    u64::from((f64::from_bits(word) as f32).to_bits())
+}
+
 impl Lowering<'_, '_> {
     pub(super) fn builtin(
         &mut self,
@@ -68,6 +73,11 @@ impl Lowering<'_, '_> {
     ) -> Result<Expr> {
         if let Some(value) = self.number_method(name, arguments, expr)? {
             return Ok(value);
+        }
+        match (name, arguments) {
+            ("real", [argument]) => return self.real(argument, Some(Type::F64), expr),
+            ("as_f64", [argument]) => return self.real(argument, None, expr),
+            _ => {}
         }
         if name.ends_with("_bytes") {
             return self.bytes(name, arguments, expr);
@@ -83,6 +93,31 @@ impl Lowering<'_, '_> {
                 self.constructor(&meaning, arguments, ty, expr)
             }
         }
+    }
+
+    /// `real(0.5)`, `x.as_f64()`: a float as one of another type, a literal as one of it.
+    fn real(
+        &mut self,
+        argument: &tree::Expr,
+        expected: Option<Type>,
+        expr: &tree::Expr,
+    ) -> Result<Expr> {
+        let ty = self.slot_of(expr)?;
+        let value = self.value(argument, expected.as_ref())?;
+        let kind = match value.kind {
+            _ if value.ty == ty => return Ok(value),
+            ExprKind::Literal(word) if ty == Type::F32 => ExprKind::Literal(single(word)),
+            ExprKind::Unary(UnaryOp::Neg, operand) if ty == Type::F32 => {
+                let kind = match operand.kind {
+                    ExprKind::Literal(word) => ExprKind::Literal(single(word)),
+                    _ => ExprKind::Cast(operand.clone()),
+                };
+                let rounded = Expr { kind, ty: ty.clone(), span: operand.span };
+                ExprKind::Unary(UnaryOp::Neg, Box::new(rounded))
+            }
+            _ => ExprKind::Cast(Box::new(value)),
+        };
+        self.node(kind, ty, expr.site)
     }
 
     fn intrinsic(

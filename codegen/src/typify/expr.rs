@@ -108,8 +108,26 @@ impl Lowering<'_, '_> {
         if let (Type::Enum(_), [word]) = (&ty, constant.words.as_slice()) {
             return self.node(ExprKind::Literal(*word), ty, site);
         }
-        let (module, name) =
-            names::constant(&self.module_path(), self.source.owner.as_deref(), name);
+        let generic = |wanted: &str| {
+            source.generics.iter().find(|(known, _)| known == wanted).map(|(_, argument)| argument)
+        };
+        let number = matches!(generic(name), Some(tree::Argument::Number(..)));
+        let plain = ["::ZERO", "::ONE"].iter().any(|end| name.ends_with(end));
+        if let ([word], true) =
+            (constant.words.as_slice(), number || plain && ty.as_float().is_some())
+        {
+            return self.node(ExprKind::Literal(*word), ty, site);
+        }
+        // `T::PI` is `f32::PI` where `T` is `f32`.
+        let name = match name.split_once("::").map(|(first, rest)| (generic(first), rest)) {
+            Some((Some(tree::Argument::Type(tree::Ty::Named(path))), rest)) => {
+                format!("{}::{rest}", self.cx.item_name(path))
+            }
+            Some((Some(argument), rest)) => format!("{}::{rest}", self.cx.argument_name(argument)),
+            _ => name.to_owned(),
+        };
+        let owner = source.owner.as_ref().map(|path| self.cx.item_name(path).to_owned());
+        let (module, name) = names::constant(&self.module_path(), owner.as_deref(), &name);
         let id = self.cx.constant(&module, &name, &ty, &constant.words);
         self.node(ExprKind::Const(id), ty, site)
     }

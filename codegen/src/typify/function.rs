@@ -73,9 +73,17 @@ pub(super) fn lower(cx: &mut Context<'_>, source: &tree::Function) -> Result<Fun
     lowering.parameters()?;
     lowering.body(&tree.body)?;
     let result_name = result_name(lowering.cx, tree, &result);
+    let own = source.generics.len().saturating_sub(source.own_generics as usize);
+    let own: Vec<_> = source.generics[own..].iter().map(|(_, it)| it.clone()).collect();
+    let home = source.owner.as_deref().unwrap_or(&source.module);
+    let suffix = lowering.cx.suffix(&own);
+    let name = lowering.cx.instance_name(home, &tree.name, &suffix);
+    // The methods of an instance stand where its author named it.
+    let alias = source.owner.as_deref().and_then(|owner| lowering.cx.aliases.get(owner));
+    let module = alias.map_or(&source.module, |alias| &alias.module).clone();
     Ok(Function {
-        name: tree.name.clone(),
-        module: source.module.clone(),
+        name,
+        module,
         owner,
         role: match tree.role {
             tree::Role::Entry { infallible } => Role::Entry { infallible },

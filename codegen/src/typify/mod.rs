@@ -23,7 +23,7 @@ mod order;
 mod place;
 mod types;
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use bessemer_ir::tree::{self, Package, Site};
 use bessemer_ir::{FunctionId, Module, Span};
@@ -59,7 +59,7 @@ pub fn typify(package: &Package, sources: &Sources) -> Result<Module, Vec<Diagno
     }
     // Of other crates comes what is called, when it is called.
     let (own, other): (Vec<_>, Vec<_>) =
-        package.functions.iter().partition(|function| is_own(package, &function.path));
+        package.functions.iter().partition(|function| is_own(package, function));
     cx.uncalled = other.into_iter().map(|function| (function.path.as_str(), function)).collect();
     for function in own {
         match function::lower(&mut cx, function) {
@@ -79,9 +79,12 @@ pub fn typify(package: &Package, sources: &Sources) -> Result<Module, Vec<Diagno
     if errors.is_empty() { Ok(cx.module) } else { Err(errors) }
 }
 
-/// Whether a path leads into the package itself.
-fn is_own(package: &Package, path: &str) -> bool {
-    path.split("::").next() == Some(package.name.replace('-', "_").as_str())
+/// Whether a function is the package's own: it stands there, or its instance is named there.
+fn is_own(package: &Package, function: &tree::Function) -> bool {
+    let own = package.name.replace('-', "_");
+    let named = |owner: &String| package.aliases.iter().any(|alias| alias.of == *owner);
+    function.module.split("::").next() == Some(own.as_str())
+        || function.owner.as_ref().is_some_and(named)
 }
 
 fn diagnostic(file: &str, problem: Problem) -> Diagnostic {
@@ -100,25 +103,43 @@ fn refusal(refusal: &tree::Refusal) -> Diagnostic {
     }
 }
 
+/// The names of what is not an instance, and of instances that have one.
+fn authored(package: &Package) -> HashSet<String> {
+    let name = |home: &str, name: &str| format!("{home}::{}", names::snake(name));
+    let types = package.types.iter().filter(|it| it.arguments.is_empty());
+    let functions = package.functions.iter().filter(|it| it.own_generics == 0);
+    types
+        .map(|it| name(&it.module, &it.name))
+        .chain(package.aliases.iter().map(|it| name(&it.module, &it.name)))
+        .chain(functions.map(|it| name(it.owner.as_deref().unwrap_or(&it.module), &it.tree.name)))
+        .collect()
+}
+
 /// The module so far, and what its names mean.
 struct Context<'a> {
     module: Module,
     sources: &'a Sources,
     files: HashMap<String, u32>,
     types: HashMap<String, bessemer_ir::Type>,
+    /// The names of instances, by their paths.
+    aliases: HashMap<&'a str, &'a tree::Alias>,
+    /// The names that authors gave, in snake case behind their module or type.
+    authored: HashSet<String>,
     functions: HashMap<String, FunctionId>,
     /// Functions of other crates that nothing has called so far.
     uncalled: HashMap<&'a str, &'a tree::Function>,
 }
 
 impl<'a> Context<'a> {
-    fn new(package: &Package, sources: &'a Sources) -> Context<'a> {
+    fn new(package: &'a Package, sources: &'a Sources) -> Context<'a> {
         let module = Module { name: package.name.clone(), ..Module::default() };
         Context {
             module,
             sources,
             files: HashMap::new(),
             types: HashMap::new(),
+            aliases: package.aliases.iter().map(|alias| (alias.of.as_str(), alias)).collect(),
+            authored: authored(package),
             functions: HashMap::new(),
             uncalled: HashMap::new(),
         }

@@ -16,8 +16,7 @@ pub(super) fn snake(name: &str) -> String {
     snake
 }
 
-/// The module and the name of a constant that a function of `module` (in an `impl` of `owner`) reads by
-/// `path`: `left::LIMIT` is `LIMIT` of `left`, `Gains::LIMIT` is `GAINS_LIMIT`, `i8::MAX` is `I8_MAX`.
+/// The module and the name of a constant that a function of `module` (in an `impl` of `owner`) reads by `path`: `left::LIMIT` is `LIMIT` of `left`, `Gains::LIMIT` is `GAINS_LIMIT`, `i8::MAX` is `I8_MAX`.
 pub(super) fn constant(module: &str, owner: Option<&str>, path: &str) -> (String, String) {
     let mut segments: Vec<&str> = path.split("::").collect();
     segments.retain(|segment| !matches!(*segment, "crate" | "self" | "super" | "core"));
@@ -25,7 +24,7 @@ pub(super) fn constant(module: &str, owner: Option<&str>, path: &str) -> (String
     let root = module.split("::").next().unwrap_or_default();
     let Some(qualifier) = segments.last() else { return (module.to_owned(), name) };
     let ty = match *qualifier {
-        "Self" => owner.and_then(|path| path.rsplit("::").next()),
+        "Self" => owner,
         word if Scalar::from_name(word).is_some() => Some(word),
         word => word.starts_with(char::is_uppercase).then_some(word),
     };

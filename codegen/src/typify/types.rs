@@ -1,8 +1,9 @@
 //! Definitions and types: from paths to handles.
 
-use bessemer_ir::tree::{Definition, DefinitionKind, Site, Ty};
-use bessemer_ir::{Const, ConstId, Enum, EnumId, Field, Struct, StructId, Type, Variant};
+use bessemer_ir::tree::{Argument, Definition, DefinitionKind, Site, Ty};
+use bessemer_ir::{Const, ConstId, Enum, EnumId, Field, Scalar, Struct, StructId, Type, Variant};
 
+use super::names::snake;
 use super::{Context, Result, problem};
 
 /// Module and name of a path.
@@ -26,10 +27,20 @@ pub(super) fn show(module: &bessemer_ir::Module, ty: &Type) -> String {
 
 impl Context<'_> {
     pub(super) fn define(&mut self, definition: &Definition) -> Result<()> {
-        let (module, name) = split(&definition.path);
-        let (module, name) = (module.to_owned(), name.to_owned());
         let span = self.span(&definition.file, definition.site);
-        let docs = definition.docs.clone();
+        let alias = self.aliases.get(definition.path.as_str()).copied();
+        let (module, name, docs) = match alias {
+            // The author named this instance.
+            Some(alias) => {
+                let docs = if alias.docs.is_empty() { &definition.docs } else { &alias.docs };
+                (alias.module.clone(), alias.name.clone(), docs.clone())
+            }
+            None => {
+                let suffix = self.suffix(&definition.arguments);
+                let name = self.instance_name(&definition.module, &definition.name, &suffix);
+                (definition.module.clone(), name, definition.docs.clone())
+            }
+        };
         let ty = match &definition.kind {
             DefinitionKind::Struct { fields, initial } => {
                 let fields = fields
@@ -54,6 +65,54 @@ impl Context<'_> {
         };
         self.types.insert(definition.path.clone(), ty);
         Ok(())
+    }
+
+    /// The name of an instance: of what its author called `name`, in the module or type `home`. A name that
+    /// the author gave to something else there stays that one's.
+    pub(super) fn instance_name(&self, home: &str, name: &str, suffix: &str) -> String {
+        let own = format!("{name}{suffix}");
+        let taken =
+            !suffix.is_empty() && self.authored.contains(&format!("{home}::{}", snake(&own)));
+        if taken { format!("{name}_of{suffix}") } else { own }
+    }
+
+    /// What tells an instance from others, readably: `_f32_4`. Empty without arguments.
+    pub(super) fn suffix(&self, arguments: &[Argument]) -> String {
+        arguments.iter().map(|argument| format!("_{}", self.argument_name(argument))).collect()
+    }
+
+    /// An argument as part of a name.
+    pub(super) fn argument_name(&self, argument: &Argument) -> String {
+        match argument {
+            Argument::Type(ty) => self.type_name(ty),
+            Argument::Number(Scalar::Bool, word) => (*word != 0).to_string(),
+            Argument::Number(Scalar::Int(int), word) => {
+                let value = int.from_word(*word);
+                let sign = if value < 0 { "minus_" } else { "" };
+                format!("{sign}{}", value.unsigned_abs())
+            }
+            Argument::Number(_, word) => word.to_string(),
+        }
+    }
+
+    fn type_name(&self, ty: &Ty) -> String {
+        match ty {
+            Ty::Unit => "unit".into(),
+            Ty::Scalar(scalar) => scalar.name().into(),
+            Ty::Array(element, len) => format!("{}_{len}", self.type_name(element)),
+            Ty::Matrix(scalar, rows, cols) => format!("{}_{rows}x{cols}", scalar.name()),
+            Ty::Named(path) => snake(self.item_name(path)),
+            Ty::Ref(inner, _) => self.type_name(inner),
+        }
+    }
+
+    /// The name of the type at a path.
+    pub(super) fn item_name<'p>(&'p self, path: &'p str) -> &'p str {
+        match self.types.get(path) {
+            Some(Type::Struct(id)) => &self.module.structs[id.index()].name,
+            Some(Type::Enum(id)) => &self.module.enums[id.index()].name,
+            _ => split(path).1,
+        }
     }
 
     /// The type of a value; references are refused.

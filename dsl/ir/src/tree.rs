@@ -25,6 +25,9 @@ pub struct Package {
     pub types: Vec<Definition>,
     /// Functions, callees before callers.
     pub functions: Vec<Function>,
+    /// The names that their author gave to instances of generic types.
+    #[serde(default)]
+    pub aliases: Vec<Alias>,
     /// What the builder itself had to refuse.
     pub errors: Vec<Refusal>,
 }
@@ -63,11 +66,43 @@ pub enum Ty {
     Ref(Box<Ty>, bool),
 }
 
+/// What stands for a parameter of something generic.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub enum Argument {
+    /// A type.
+    Type(Ty),
+    /// A number, as a word of its type.
+    Number(Scalar, u64),
+}
+
+/// `pub type PidF32 = Pid<f32>;`: the name of an instance.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Alias {
+    /// The path of the instance.
+    pub of: String,
+    /// Its name.
+    pub name: String,
+    /// The module in which it is declared.
+    pub module: String,
+    /// The author's doc comment, a line each.
+    pub docs: Vec<String>,
+    /// The source file, as rustc names it.
+    pub file: String,
+    /// Where the name stands.
+    pub site: Site,
+}
+
 /// A struct or an enum.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Definition {
-    /// Its Rust path, `models::attitude::Pid`.
+    /// Its Rust path, `models::attitude::Pid`, with its arguments: unique.
     pub path: String,
+    /// The module that it stands in, `models::attitude`.
+    pub module: String,
+    /// The author's name.
+    pub name: String,
+    /// What stands for its parameters.
+    pub arguments: Vec<Argument>,
     /// The author's doc comment, a line each.
     pub docs: Vec<String>,
     /// The source file, as rustc names it.
@@ -106,7 +141,7 @@ pub struct Field {
 /// A function with all that rustc decided about it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Function {
-    /// Its Rust path, `models::attitude::Pid::torque`: unique.
+    /// Its Rust path, `models::attitude::Pid::torque`, with its arguments: unique.
     pub path: String,
     /// The module that it stands in, `models::attitude`.
     pub module: String,
@@ -114,6 +149,10 @@ pub struct Function {
     pub file: String,
     /// The path of the type whose method it is.
     pub owner: Option<String>,
+    /// What stands for the parameters in scope, by name.
+    pub generics: Vec<(String, Argument)>,
+    /// How many of these, at the end, are the function's own.
+    pub own_generics: u32,
     /// What the author wrote.
     pub tree: FunctionTree,
     /// The types of the slots.

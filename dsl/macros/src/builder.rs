@@ -9,6 +9,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use crate::docs;
+use crate::generics::Scope;
 use crate::lower::{self, Lowering, Parameter, Refusals};
 
 /// A function as the author wrote it.
@@ -30,77 +31,134 @@ pub struct Subject<'a> {
 /// Refuses what the DSL does not take; in a generation build gives the items that stand beside a
 /// free function. For a method see [`method`].
 pub fn build(subject: &Subject<'_>, refusals: &mut Refusals) -> TokenStream {
-    let Some(parts) = lower(subject, refusals) else { return TokenStream::new() };
-    let (name, visibility) = (&subject.signature.ident, subject.visibility);
-    let Parts { generics, parameters, result, builder } = parts;
+    let scope = Scope::of_function(&subject.signature.generics);
+    let Some(parts) = lower(subject, scope, refusals) else { return TokenStream::new() };
+    let name = &subject.signature.ident;
     let call = format_ident!("__call", span = name.span());
-    let build = build_name(name);
-    let lower::Site(line, column) = lower::site(name);
+    // What is not generic is its own marker.
+    let generic = format_ident!("__function_{}", lower::text(name));
+    let marker = if scope.is_generic() { &generic } else { name };
+    let declared = scope.is_generic().then(|| declare_marker(marker, scope));
+    let companion = companion(subject, &call, marker, scope, &parts);
+    let callee = callee(&quote! { #name }, marker, scope, &subject.signature.ident);
+    let register = register(name, marker, scope);
+    let builder = parts.builder;
     quote! {
         const _: () = {
+            #declared
             impl #name {
-                #[doc(hidden)]
-                #[allow(clippy::too_many_arguments, unused_variables, non_snake_case)]
-                #visibility fn #call #generics(#(#parameters),*) -> ::bessemer::generate::Called<#name, #result> {
-                    ::core::unreachable!()
-                }
+                #companion
                 #builder
             }
-            impl ::bessemer::generate::Callee for #name {
-                fn callee(cx: &mut ::bessemer::generate::Builder) -> ::bessemer::generate::tree::Callee {
-                    Self::#build(cx)
-                }
-            }
-            ::bessemer::generate::register! {
-                ::bessemer::generate::Registered::new(::core::module_path!(), (#line, #column), ::bessemer::generate::function::<#name>)
-            }
+            #callee
+            #register
         };
     }
 }
 
 /// The items that stand beside the `impl` block of `owner` for one of its methods.
-pub fn method(owner: &syn::Type, subject: &Subject<'_>, refusals: &mut Refusals) -> TokenStream {
-    let Some(parts) = lower(subject, refusals) else { return TokenStream::new() };
-    let (name, visibility) = (&subject.signature.ident, subject.visibility);
-    let Parts { generics, parameters, result, builder } = parts;
-    let companion = lower::companion_name(name);
+pub fn method(
+    owner: &syn::Type,
+    generics: &syn::Generics,
+    subject: &Subject<'_>,
+    refusals: &mut Refusals,
+) -> TokenStream {
+    let scope = Scope::of_type(generics).with_method(&subject.signature.generics);
+    let Some(parts) = lower(subject, scope, refusals) else { return TokenStream::new() };
+    let name = &subject.signature.ident;
     let marker = format_ident!("__method_{}", lower::text(name));
-    let build = build_name(name);
-    let lower::Site(line, column) = lower::site(name);
+    let declared = declare_marker(&marker, scope);
+    let companion = companion(subject, &lower::companion_name(name), &marker, scope, &parts);
+    let callee = callee(&quote! { <#owner> }, &marker, scope, name);
+    let register = register(name, &marker, scope);
+    let (of_block, bounds) = (scope.outer().declared(), scope.outer().bounds([]));
+    let builder = parts.builder;
     quote! {
         const _: () = {
-            #[doc(hidden)]
-            #[allow(non_camel_case_types)]
-            pub struct #marker;
-            impl #owner {
-                #[doc(hidden)]
-                #[allow(clippy::too_many_arguments, unused_variables, non_snake_case)]
-                #visibility fn #companion #generics(#(#parameters),*) -> ::bessemer::generate::Called<#marker, #result> {
-                    ::core::unreachable!()
-                }
+            #declared
+            impl #of_block #owner #bounds {
+                #companion
                 #builder
             }
-            impl ::bessemer::generate::Callee for #marker {
-                fn callee(cx: &mut ::bessemer::generate::Builder) -> ::bessemer::generate::tree::Callee {
-                    <#owner>::#build(cx)
-                }
-            }
-            ::bessemer::generate::register! {
-                ::bessemer::generate::Registered::new(::core::module_path!(), (#line, #column), ::bessemer::generate::function::<#marker>)
-            }
+            #callee
+            #register
         };
+    }
+}
+
+/// The type that stands for the function in slots.
+fn declare_marker(marker: &syn::Ident, scope: Scope<'_>) -> TokenStream {
+    let (parameters, types) = (scope.unbounded(), scope.types());
+    quote! {
+        #[doc(hidden)]
+        #[allow(non_camel_case_types)]
+        pub struct #marker #parameters(::core::marker::PhantomData<fn() -> (#(#types,)*)>);
+    }
+}
+
+/// What callers' witness copies call.
+fn companion(
+    subject: &Subject<'_>,
+    name: &syn::Ident,
+    marker: &syn::Ident,
+    scope: Scope<'_>,
+    parts: &Parts,
+) -> TokenStream {
+    let Parts { parameters, result, .. } = parts;
+    let generics = &subject.signature.generics;
+    let (arguments, bounds) = (scope.arguments(), &generics.where_clause);
+    let visibility = subject.visibility;
+    quote! {
+        #[doc(hidden)]
+        #[allow(clippy::too_many_arguments, unused_variables, non_snake_case)]
+        #visibility fn #name #generics(#(#parameters),*) -> ::bessemer::generate::Called<#marker #arguments, #result>
+        #bounds
+        {
+            ::core::unreachable!()
+        }
+    }
+}
+
+/// How a marker builds its function.
+fn callee(
+    owner: &TokenStream,
+    marker: &syn::Ident,
+    scope: Scope<'_>,
+    name: &syn::Ident,
+) -> TokenStream {
+    let (declared, arguments, bounds) = (scope.declared(), scope.arguments(), scope.value_bounds());
+    let (build, own) = (build_name(name), scope.own().turbofish());
+    quote! {
+        impl #declared ::bessemer::generate::Callee for #marker #arguments #bounds {
+            fn callee(cx: &mut ::bessemer::generate::Builder) -> ::bessemer::generate::tree::Callee {
+                #owner::#build #own(cx)
+            }
+        }
+    }
+}
+
+/// What announces a function to its package; of something generic, its instances are built where
+/// they are called.
+fn register(name: &syn::Ident, marker: &syn::Ident, scope: Scope<'_>) -> TokenStream {
+    if scope.is_generic() {
+        return TokenStream::new();
+    }
+    let lower::Site(line, column) = lower::site(name);
+    quote! {
+        ::bessemer::generate::register! {
+            ::bessemer::generate::Registered::new(::core::module_path!(), (#line, #column), ::bessemer::generate::function::<#marker>)
+        }
     }
 }
 
 /// What the two kinds of companion are made of.
 struct Parts {
-    generics: TokenStream,
     parameters: Vec<TokenStream>,
     result: TokenStream,
     builder: TokenStream,
 }
 
-fn lower(subject: &Subject<'_>, refusals: &mut Refusals) -> Option<Parts> {
+fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -> Option<Parts> {
     lower::check_attributes(subject.attributes, refusals);
     let mut copy = subject.body.clone();
     let mut signature = subject.signature.clone();
@@ -131,9 +189,8 @@ fn lower(subject: &Subject<'_>, refusals: &mut Refusals) -> Option<Parts> {
         result,
         body,
     };
-    let builder = builder(subject, &tree, &parameters, &walk, &copy);
+    let builder = builder(subject, scope, &tree, &parameters, &walk, &copy);
     Some(Parts {
-        generics: companion_generics(signature),
         parameters: companion_parameters(signature),
         result: result_type(signature),
         builder,
@@ -141,13 +198,14 @@ fn lower(subject: &Subject<'_>, refusals: &mut Refusals) -> Option<Parts> {
 }
 
 /// The name of the function that builds `name`.
-fn build_name(name: &syn::Ident) -> syn::Ident {
+pub fn build_name(name: &syn::Ident) -> syn::Ident {
     syn::Ident::new(&format!("__build_{}", lower::text(name)), proc_macro2::Span::call_site())
 }
 
 /// The building function: slots, the witness copy, and the tree with the slots' types.
 fn builder(
     subject: &Subject<'_>,
+    scope: Scope<'_>,
     tree: &FunctionTree,
     parameters: &[Parameter],
     walk: &Lowering<'_>,
@@ -174,14 +232,18 @@ fn builder(
     let build = build_name(&subject.signature.ident);
     let name = lower::text(&subject.signature.ident);
     let owner = if subject.method {
-        quote! { ::core::option::Option::Some(<Self as ::bessemer::generate::Named>::path()) }
+        quote! { ::core::option::Option::Some(<Self as ::bessemer::generate::DslType>::ty(cx)) }
     } else {
         quote! { ::core::option::Option::None }
     };
+    let (declared, bounds) = (scope.own().declared(), build_bounds(scope));
+    let (told, own) = (scope.told(), scope.own().len() as u32);
     quote! {
         #[doc(hidden)]
         #[allow(warnings, clippy::all)]
-        fn #build(cx: &mut ::bessemer::generate::Builder) -> ::bessemer::generate::tree::Callee {
+        fn #build #declared(cx: &mut ::bessemer::generate::Builder) -> ::bessemer::generate::tree::Callee
+        #bounds
+        {
             use ::bessemer::generate::prelude::*;
             #(#items)*
             #(let #slots = ::bessemer::generate::Slot::new();)*
@@ -191,8 +253,11 @@ fn builder(
                 #copy
             };
             __result::<#result>(&#result_slot);
+            let owner = #owner;
+            let generics = #told;
             cx.function(
-                ::core::module_path!(), ::core::file!(), #name, #owner, #text,
+                ::bessemer::generate::Named { module: ::core::module_path!(), file: ::core::file!(), name: #name },
+                owner, (generics, #own), #text,
                 |cx| ::bessemer::generate::Witness {
                     slots: ::bessemer::generate::list([#(#slots.ty(cx)),*]),
                     callees: ::bessemer::generate::list([#(#callees.callee(cx)),*]),
@@ -203,9 +268,10 @@ fn builder(
     }
 }
 
-fn companion_generics(signature: &syn::Signature) -> TokenStream {
-    let generics = &signature.generics;
-    quote! { #generics }
+/// What a builder asks of the types in its scope; those of the `impl` block stand there.
+fn build_bounds(scope: Scope<'_>) -> TokenStream {
+    let values = scope.types().map(|name| quote! { #name: ::bessemer::generate::Value });
+    scope.own().bounds(values)
 }
 
 fn companion_parameters(signature: &syn::Signature) -> Vec<TokenStream> {

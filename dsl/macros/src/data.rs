@@ -11,6 +11,8 @@ use syn::spanned::Spanned;
 use crate::builder::{self, Subject};
 use crate::docs;
 use crate::function::refuse_body;
+use crate::generics::Scope;
+use crate::instance;
 use crate::lower::{self, Refusals, refuse};
 use crate::redirect;
 
@@ -32,6 +34,7 @@ pub fn expand(kind: Kind, arguments: TokenStream, item: TokenStream) -> TokenStr
     let (native, beside) = match syn::parse2::<syn::Item>(item.clone()) {
         Ok(syn::Item::Struct(it)) => (it.to_token_stream(), data_struct(kind, &it, &mut refusals)),
         Ok(syn::Item::Enum(it)) => (it.to_token_stream(), data_enum(kind, &it, &mut refusals)),
+        Ok(syn::Item::Type(it)) => (it.to_token_stream(), instance::named(&it, &mut refusals)),
         Ok(syn::Item::Impl(it)) => methods(kind, it, &mut refusals),
         Ok(syn::Item::Union(it)) => {
             refusals.add(it.union_token.span, refuse::UNION);
@@ -47,19 +50,17 @@ pub fn expand(kind: Kind, arguments: TokenStream, item: TokenStream) -> TokenStr
     quote! { #errors #native #beside }
 }
 
-fn refuse_generics(generics: &syn::Generics, refusals: &mut Refusals) -> bool {
+/// A type that is generic over a lifetime would hold a reference.
+fn refuse_lifetimes(generics: &syn::Generics, refusals: &mut Refusals) {
     for parameter in &generics.params {
-        let reason = match parameter {
-            syn::GenericParam::Lifetime(_) => refuse::REFERENCE_FIELD,
-            _ => refuse::GENERIC,
-        };
-        refusals.add(parameter.span(), reason);
+        if let syn::GenericParam::Lifetime(it) = parameter {
+            refusals.add(it.span(), refuse::REFERENCE_FIELD);
+        }
     }
-    !generics.params.is_empty()
 }
 
 fn data_struct(kind: Kind, it: &syn::ItemStruct, refusals: &mut Refusals) -> TokenStream {
-    let generic = refuse_generics(&it.generics, refusals);
+    refuse_lifetimes(&it.generics, refusals);
     lower::check_attributes(&it.attrs, refusals);
     let fields = match &it.fields {
         syn::Fields::Named(fields) if !fields.named.is_empty() => fields,
@@ -74,10 +75,11 @@ fn data_struct(kind: Kind, it: &syn::ItemStruct, refusals: &mut Refusals) -> Tok
         lower::check_attributes(&field.attrs, refusals);
         lower::check_field(&field.ty, refusals);
     }
-    if generic || !refusals.is_empty() {
+    if !refusals.is_empty() {
         return TokenStream::new();
     }
     let name = &it.ident;
+    let scope = Scope::of_type(&it.generics);
     let idents: Vec<_> = fields.named.iter().filter_map(|field| field.ident.as_ref()).collect();
     let types: Vec<_> = fields.named.iter().map(|field| &field.ty).collect();
     // Spanned at the field's type: a type that is not plain is told there.
@@ -87,22 +89,31 @@ fn data_struct(kind: Kind, it: &syn::ItemStruct, refusals: &mut Refusals) -> Tok
     let load = idents.iter().zip(&types).map(|(ident, ty)| {
         quote_spanned! { ty.span() => #ident: <#ty as ::bessemer::Plain>::load(next) }
     });
+    let (declared, arguments) = (scope.declared(), scope.arguments());
+    let bounds = field_bounds(scope, fields, &quote! { ::bessemer::Plain });
     let plain = quote! {
         #[diagnostic::do_not_recommend]
-        impl ::bessemer::Plain for #name {
+        #[allow(private_bounds)]
+        impl #declared ::bessemer::Plain for #name #arguments #bounds {
             fn store(&self, out: &mut dyn ::core::ops::FnMut(u64)) { #(#store)* }
             fn load(next: &mut dyn ::core::ops::FnMut() -> u64) -> Self {
                 Self { #(#load),* }
             }
         }
     };
-    let initial = (kind == Kind::Component).then(|| {
+    let initial = (kind == Kind::Component && !scope.is_generic()).then(|| {
         quote_spanned! { name.span() =>
             const _: fn() -> #name = <#name as ::core::default::Default>::default;
         }
     });
     let definition = cfg!(feature = "generate").then(|| struct_definition(kind, it, fields));
     quote! { #plain #initial #definition }
+}
+
+/// What a generic type asks of the fields that depend on its parameters.
+fn field_bounds(scope: Scope<'_>, fields: &syn::FieldsNamed, of: &TokenStream) -> TokenStream {
+    let types = fields.named.iter().map(|field| &field.ty).filter(|ty| scope.is_named_in(ty));
+    scope.bounds(types.map(|ty| quote! { #ty: #of }))
 }
 
 fn struct_definition(kind: Kind, it: &syn::ItemStruct, fields: &syn::FieldsNamed) -> TokenStream {
@@ -115,51 +126,75 @@ fn struct_definition(kind: Kind, it: &syn::ItemStruct, fields: &syn::FieldsNamed
     let initial = match kind {
         Kind::Data => quote! { ::core::option::Option::None },
         Kind::Component => quote! {
-            ::core::option::Option::Some(::bessemer::generate::words(&<#name as ::core::default::Default>::default()))
+            ::core::option::Option::Some(::bessemer::generate::words(&<Self as ::core::default::Default>::default()))
         },
     };
-    let kind = quote! {
+    let body = quote! {
         ::bessemer::generate::tree::DefinitionKind::Struct {
             fields: ::bessemer::generate::list([#(#fields),*]),
             initial: #initial,
         }
     };
-    definition(name, &it.attrs, kind)
+    let scope = Scope::of_type(&it.generics);
+    let mut bounds = Vec::new();
+    if scope.is_generic() {
+        let fields = it.fields.iter().map(|field| &field.ty).filter(|ty| scope.is_named_in(ty));
+        bounds.extend(fields.map(|ty| quote! { #ty: ::bessemer::generate::DslType }));
+        bounds.extend(scope.types().map(|name| quote! { #name: ::bessemer::generate::Value }));
+        if kind == Kind::Component {
+            let arguments = scope.arguments();
+            bounds.push(quote! { #name #arguments: ::core::default::Default + ::bessemer::Plain });
+        }
+    }
+    definition(name, scope, &scope.bounds(bounds), &it.attrs, body)
 }
 
-/// The definition of a type, and its registration.
-fn definition(name: &syn::Ident, attributes: &[syn::Attribute], kind: TokenStream) -> TokenStream {
+/// The definition of a type, and its registration; of a generic type, its instances are built where
+/// they are used.
+fn definition(
+    name: &syn::Ident,
+    scope: Scope<'_>,
+    bounds: &TokenStream,
+    attributes: &[syn::Attribute],
+    kind: TokenStream,
+) -> TokenStream {
     let docs = docs::lines(attributes);
     let lower::Site(line, column) = lower::site(name);
     let text = lower::text(name);
+    let (declared, arguments, told) = (scope.declared(), scope.arguments(), scope.told());
+    let outer = scope.bounds([]);
+    let registered = (!scope.is_generic()).then(|| {
+        quote! {
+            ::bessemer::generate::register! {
+                ::bessemer::generate::Registered::new(::core::module_path!(), (#line, #column), ::bessemer::generate::data::<#name>)
+            }
+        }
+    });
     quote! {
         const _: () = {
-            impl ::bessemer::generate::Named for #name {
-                fn path() -> ::bessemer::generate::String {
-                    ::bessemer::generate::path(::core::module_path!(), #text)
-                }
+            impl #declared ::bessemer::generate::Seen for #name #arguments #outer {
+                type Slot = Self;
             }
-            impl ::bessemer::generate::Seen for #name {
-                type Slot = #name;
-            }
-            impl ::bessemer::generate::DslType for #name {
+            #[allow(private_bounds)]
+            impl #declared ::bessemer::generate::DslType for #name #arguments #bounds {
                 fn ty(cx: &mut ::bessemer::generate::Builder) -> ::bessemer::generate::tree::Ty {
+                    let arguments = #told;
                     cx.definition(
-                        <Self as ::bessemer::generate::Named>::path(),
-                        &[#(#docs),*], ::core::file!(), (#line, #column),
+                        ::bessemer::generate::Named { module: ::core::module_path!(), file: ::core::file!(), name: #text },
+                        &[#(#docs),*], (#line, #column), arguments,
                         |cx| #kind,
                     )
                 }
             }
-            ::bessemer::generate::register! {
-                ::bessemer::generate::Registered::new(::core::module_path!(), (#line, #column), ::bessemer::generate::data::<#name>)
-            }
+            #registered
         };
     }
 }
 
 fn data_enum(kind: Kind, it: &syn::ItemEnum, refusals: &mut Refusals) -> TokenStream {
-    let generic = refuse_generics(&it.generics, refusals);
+    for parameter in &it.generics.params {
+        refusals.add(parameter.span(), refuse::GENERIC_ENUM);
+    }
     lower::check_attributes(&it.attrs, refusals);
     if kind == Kind::Component {
         refusals.add(it.enum_token.span, refuse::COMPONENT_ENUM);
@@ -176,7 +211,7 @@ fn data_enum(kind: Kind, it: &syn::ItemEnum, refusals: &mut Refusals) -> TokenSt
             refusals.add(value.span(), refuse::DISCRIMINANT);
         }
     }
-    if generic || !refusals.is_empty() {
+    if !refusals.is_empty() {
         return TokenStream::new();
     }
     let name = &it.ident;
@@ -203,7 +238,7 @@ fn data_enum(kind: Kind, it: &syn::ItemEnum, refusals: &mut Refusals) -> TokenSt
         let kind = quote! {
             ::bessemer::generate::tree::DefinitionKind::Enum(::bessemer::generate::list([#(#variants),*]))
         };
-        definition(name, &it.attrs, kind)
+        definition(name, Scope::of_type(&it.generics), &TokenStream::new(), &it.attrs, kind)
     });
     quote! { #plain #definition }
 }
@@ -214,12 +249,12 @@ fn methods(
     mut it: syn::ItemImpl,
     refusals: &mut Refusals,
 ) -> (TokenStream, TokenStream) {
-    refuse_generics(&it.generics, refusals);
+    refuse_lifetimes(&it.generics, refusals);
     if let Some((path, _)) = &it.trait_ {
         refusals.add(path.span(), refuse::TRAIT_IMPL);
     }
     let mut beside = TokenStream::new();
-    let mut owned = Vec::new();
+    let (mut owned, mut faces) = (Vec::new(), Vec::new());
     for item in &mut it.items {
         let method = match item {
             syn::ImplItem::Fn(method) => method,
@@ -239,7 +274,14 @@ fn methods(
             role,
             method: true,
         };
-        beside.extend(builder::method(&it.self_ty, &subject, &mut refusals));
+        beside.extend(builder::method(&it.self_ty, &it.generics, &subject, &mut refusals));
+        let generic = Scope::of_function(&method.sig.generics).is_generic();
+        if !generic
+            && (matches!(role, Role::Entry { .. })
+                || instance::is_public(&method.vis) && kind == Kind::Data)
+        {
+            faces.push(builder::build_name(&method.sig.ident));
+        }
         owned.extend(alias(method));
         if refusals.is_empty() {
             redirect::block(&mut method.block);
@@ -248,6 +290,7 @@ fn methods(
         }
     }
     it.items.extend(owned);
+    beside.extend(instance::one_block(&it, &faces));
     (it.into_token_stream(), beside)
 }
 

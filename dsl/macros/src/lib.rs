@@ -10,6 +10,8 @@ mod builder;
 mod data;
 mod docs;
 mod function;
+mod generics;
+mod instance;
 mod lower;
 mod redirect;
 

@@ -6,9 +6,10 @@ use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
 
-use bessemer_ir::tree::{self, DefinitionKind, Package, Refusal, Site, Ty};
+use bessemer_ir::Scalar;
+use bessemer_ir::tree::{self, Argument, DefinitionKind, Package, Refusal, Site, Ty};
 
-use super::DslType;
+use super::{DslType, ScalarType};
 use crate::Plain;
 
 /// What a package is made of, so far.
@@ -40,11 +41,18 @@ pub trait Callee {
     fn callee(cx: &mut Builder) -> tree::Callee;
 }
 
-/// A type with a path.
-pub trait Named {
-    /// The Rust path.
-    fn path() -> String;
+/// Where an item stands, and what it is called.
+pub struct Named {
+    /// Its module.
+    pub module: &'static str,
+    /// Its file, as rustc names it.
+    pub file: &'static str,
+    /// The author's name.
+    pub name: &'static str,
 }
+
+/// Parameters by name, and what stands for each.
+pub type Arguments = Vec<(String, Argument)>;
 
 /// An item that announced itself to its package.
 pub struct Registered {
@@ -93,9 +101,44 @@ pub fn words<T: Plain>(value: &T) -> Vec<u64> {
     words
 }
 
-/// A Rust path.
-pub fn path(module: &str, name: &str) -> String {
-    format!("{module}::{name}")
+/// The type that stands for the parameter `name`.
+pub fn argument<T: DslType>(cx: &mut Builder, name: &str) -> (String, Argument) {
+    (name.to_owned(), Argument::Type(T::ty(cx)))
+}
+
+/// The number that stands for the parameter `name`.
+pub fn number<T: Plain + ScalarType>(name: &str, value: T) -> (String, Argument) {
+    let word = words(&value).first().copied().unwrap_or_default();
+    (name.to_owned(), Argument::Number(T::SCALAR, word))
+}
+
+/// A Rust path with its arguments, `models::Fir<f32, 4>`.
+fn path(owner: &str, name: &str, arguments: &[(String, Argument)]) -> String {
+    if arguments.is_empty() {
+        return format!("{owner}::{name}");
+    }
+    let arguments: Vec<_> = arguments.iter().map(|(_, argument)| text(argument)).collect();
+    format!("{owner}::{name}<{}>", arguments.join(", "))
+}
+
+fn text(argument: &Argument) -> String {
+    match argument {
+        Argument::Type(ty) => type_text(ty),
+        Argument::Number(Scalar::Int(int), word) => format!("{}", int.from_word(*word)),
+        Argument::Number(_, word) => format!("{word}"),
+    }
+}
+
+fn type_text(ty: &Ty) -> String {
+    match ty {
+        Ty::Unit => "()".to_owned(),
+        Ty::Scalar(scalar) => scalar.name().to_owned(),
+        Ty::Array(element, len) => format!("[{}; {len}]", type_text(element)),
+        Ty::Matrix(scalar, rows, cols) => format!("SMatrix<{}, {rows}, {cols}>", scalar.name()),
+        Ty::Named(path) => path.clone(),
+        Ty::Ref(inner, false) => format!("&{}", type_text(inner)),
+        Ty::Ref(inner, true) => format!("&mut {}", type_text(inner)),
+    }
 }
 
 /// Everything that the items of the package `name` registered, as JSON.
@@ -121,18 +164,22 @@ impl Builder {
     /// A struct or an enum; `kind` is asked once.
     pub fn definition(
         &mut self,
-        path: String,
+        named: Named,
         docs: &[&str],
-        file: &str,
         site: (u32, u32),
+        arguments: Arguments,
         kind: impl FnOnce(&mut Builder) -> DefinitionKind,
     ) -> Ty {
+        let path = path(named.module, named.name, &arguments);
         if self.known.insert(path.clone()) {
             let kind = kind(self);
             self.package.types.push(tree::Definition {
                 path: path.clone(),
+                module: named.module.to_owned(),
+                name: named.name.to_owned(),
+                arguments: arguments.into_iter().map(|(_, argument)| argument).collect(),
                 docs: owned(docs),
-                file: file.to_owned(),
+                file: named.file.to_owned(),
                 site: Site(site.0, site.1),
                 kind,
             });
@@ -140,19 +187,51 @@ impl Builder {
         Ty::Named(path)
     }
 
-    /// A function; `witness` is asked once.
+    /// The name that its author gives to an instance.
+    pub fn alias<T: DslType>(&mut self, named: Named, docs: &[&str], site: (u32, u32)) {
+        let ty = T::ty(self);
+        let site = Site(site.0, site.1);
+        let known = |it: &&tree::Definition| matches!(&ty, Ty::Named(path) if *path == it.path);
+        let generic = self.package.types.iter().find(known).filter(|it| !it.arguments.is_empty());
+        let Some(of) = generic.map(|definition| definition.path.clone()) else {
+            self.refuse(
+                named.file,
+                site,
+                format!("`{}` is not an instance of a generic type", type_text(&ty)),
+                "leave the attribute out: the type has a name of its own",
+            );
+            return;
+        };
+        if let Some(other) = self.package.aliases.iter().find(|alias| alias.of == of) {
+            let message = format!("`{of}` is named twice: it is `{}` already", other.name);
+            self.refuse(named.file, site, message, "leave the attribute out at one of the two");
+            return;
+        }
+        self.package.aliases.push(tree::Alias {
+            of,
+            name: named.name.to_owned(),
+            module: named.module.to_owned(),
+            docs: owned(docs),
+            file: named.file.to_owned(),
+            site,
+        });
+    }
+
+    /// A function; `witness` is asked once. `generics`: what stands for the parameters in scope, and
+    /// how many of them, at the end, are its own.
     pub fn function(
         &mut self,
-        module: &str,
-        file: &str,
-        name: &str,
-        owner: Option<String>,
+        named: Named,
+        owner: Option<Ty>,
+        (generics, own_generics): (Arguments, u32),
         text: &str,
         witness: impl FnOnce(&mut Builder) -> Witness,
     ) -> tree::Callee {
-        let path = path(owner.as_deref().unwrap_or(module), name);
+        let owner = owner.map(|owner| type_text(&owner));
+        let own = &generics[generics.len().saturating_sub(own_generics as usize)..];
+        let path = path(owner.as_deref().unwrap_or(named.module), named.name, own);
         if self.stack.contains(&path) {
-            self.recursion(&path, file, text);
+            self.recursion(&path, named.file, text);
         } else if self.known.insert(path.clone()) {
             self.stack.push(path.clone());
             let witness = witness(self);
@@ -160,9 +239,11 @@ impl Builder {
             if let Ok(tree) = serde_json::from_str(text) {
                 self.package.functions.push(tree::Function {
                     path: path.clone(),
-                    module: module.to_owned(),
-                    file: file.to_owned(),
+                    module: named.module.to_owned(),
+                    file: named.file.to_owned(),
                     owner,
+                    generics,
+                    own_generics,
                     tree,
                     slots: witness.slots,
                     callees: witness.callees,
@@ -184,13 +265,18 @@ impl Builder {
 
     fn recursion(&mut self, path: &str, file: &str, text: &str) {
         let site = serde_json::from_str::<tree::FunctionTree>(text).map(|tree| tree.site);
-        self.package.errors.push(Refusal {
-            file: file.to_owned(),
-            site: site.unwrap_or_default(),
-            message: self.round_trip(path),
-            remedy: "write a loop over a range: recursion has no bound that the C could promise"
-                .to_owned(),
-        });
+        let message = self.round_trip(path);
+        self.refuse(
+            file,
+            site.unwrap_or_default(),
+            message,
+            "write a loop over a range: recursion has no bound that the C could promise",
+        );
+    }
+
+    fn refuse(&mut self, file: &str, site: Site, message: String, remedy: &str) {
+        let (file, remedy) = (file.to_owned(), remedy.to_owned());
+        self.package.errors.push(Refusal { file, site, message, remedy });
     }
 }
 

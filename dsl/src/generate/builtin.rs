@@ -9,7 +9,7 @@ use bessemer_ir::tree;
 use nalgebra::{SMatrix, Scalar};
 
 use super::slot::ScalarType;
-use super::{Builder, Called, Callee};
+use super::{Builder, Called, Callee, Value};
 
 macro_rules! markers {
     ($($marker:ident: $name:literal;)*) => {$(
@@ -29,13 +29,14 @@ markers! {
     Abs: "abs"; Min: "min"; Max: "max"; Clamp: "clamp";
     New: "matrix_new"; Zeros: "zeros"; Identity: "identity"; FromElement: "from_element";
     Transpose: "transpose"; Dot: "dot"; Cross: "cross"; Norm: "norm"; NormSquared: "norm_squared";
+    Real: "real"; AsF64: "as_f64";
     ComponentMul: "component_mul"; ComponentDiv: "component_div"; TrMul: "tr_mul";
 }
 
 /// Methods of floats.
 #[allow(missing_docs)]
 pub trait FloatBuiltins: Sized {
-    type Bits;
+    type Bits: Value;
     fn __b_sqrt(self) -> Called<Sqrt, Self> {
         unreachable!()
     }
@@ -60,6 +61,17 @@ impl FloatBuiltins for f64 {
 impl FloatBuiltins for f32 {
     type Bits = u32;
 }
+
+/// From a float to double precision.
+#[allow(missing_docs)]
+pub trait RealBuiltins: Sized {
+    fn __b_as_f64(self) -> Called<AsF64, f64> {
+        unreachable!()
+    }
+}
+
+impl RealBuiltins for f64 {}
+impl RealBuiltins for f32 {}
 
 /// Methods of numbers that are ordered.
 #[allow(missing_docs)]

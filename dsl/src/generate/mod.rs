@@ -12,16 +12,20 @@ mod slot;
 pub use alloc::string::String;
 pub use bessemer_ir::tree;
 pub use builder::{
-    Builder, Callee, Named, Registered, Witness, data, field, function, package, path, variant,
-    words,
+    Builder, Callee, Named, Registered, Witness, argument, data, field, function, number, package,
+    variant, words,
 };
 pub use inventory;
-pub use slot::{Called, DslType, Seen, Slot, constant, list};
+pub use slot::{
+    Called, DslType, Instance, ScalarType, Seen, Slot, Value, WithoutEntries, constant, list,
+};
 
 /// What a builder imports; the names begin with `__` so that they never meet an author's.
 pub mod prelude {
     pub use super::builtin::{CrossBuiltin as _, IdentityBuiltin as _};
-    pub use super::builtin::{FloatBuiltins as _, MatrixBuiltins as _, OrderBuiltins as _};
+    pub use super::builtin::{
+        FloatBuiltins as _, MatrixBuiltins as _, OrderBuiltins as _, RealBuiltins as _,
+    };
     pub use super::builtin::{
         New2 as _, New3 as _, New4 as _, New5 as _, New6 as _, New9 as _, New16 as _,
     };

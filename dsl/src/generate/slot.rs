@@ -9,7 +9,7 @@ use bessemer_ir::{Float, Int, Scalar};
 use nalgebra::SMatrix;
 
 use super::{Builder, Callee};
-use crate::Plain;
+use crate::{EntriesInOneBlock, Plain};
 
 /// A place for a type.
 pub struct Slot<T>(PhantomData<fn() -> T>);
@@ -38,6 +38,37 @@ pub trait Seen {
     /// The type that the slot holds.
     type Slot;
 }
+
+/// What stands for a parameter of something generic: a value of the DSL.
+pub trait Value: DslType + Seen<Slot = Self> + Plain + Sized + 'static {}
+
+impl<T: DslType + Seen<Slot = T> + Plain + 'static> Value for T {}
+
+/// An instance with a name of its own, asked for its entry points.
+pub struct Instance<T>(PhantomData<fn() -> T>);
+
+impl<T> Instance<T> {
+    /// The instance `T`.
+    #[allow(clippy::new_without_default)]
+    pub fn new() -> Instance<T> {
+        Instance(PhantomData)
+    }
+}
+
+impl<T: EntriesInOneBlock> Instance<T> {
+    /// Builds them.
+    pub fn build_entries(&self, cx: &mut Builder) {
+        T::build(cx);
+    }
+}
+
+/// An instance that has none: the inherent method wins where it is there.
+pub trait WithoutEntries {
+    /// Builds nothing.
+    fn build_entries(&self, _: &mut Builder) {}
+}
+
+impl<T> WithoutEntries for Instance<T> {}
 
 /// Stands for `&T` in a slot.
 pub struct Shared<T>(PhantomData<fn() -> T>);

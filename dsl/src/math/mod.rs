@@ -12,6 +12,7 @@
 
 pub mod arctangent;
 pub mod exponential;
+mod float;
 pub mod hyperbolic;
 pub mod integer;
 pub mod logarithm;
@@ -26,6 +27,7 @@ pub mod single;
 pub mod tables;
 pub mod tangent;
 
+pub use float::{Real, real};
 pub use methods::ElementaryMethods;
 pub use number::{DivisionMethods, RoundMethods, SignMethods};
 

@@ -3,11 +3,54 @@ extern crate std;
 
 use bessemer::prelude::*;
 
-/// For any float.
+/// Holds a reference.
 #[data]
-pub struct Gains<T> {
-    /// Proportional.
-    pub p: T,
+pub struct Borrowed<'a, T> {
+    /// To what.
+    pub value: &'a T,
+}
+
+/// For any payload.
+#[data]
+pub enum Maybe<T> {
+    /// There is none.
+    None(T),
+}
+
+/// A filter.
+#[component]
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Filter<T> {
+    level: T,
+}
+
+#[component]
+impl<T: Real> Filter<T> {
+    /// One entry point.
+    #[entry]
+    pub fn step(&mut self, x: T) -> T {
+        self.level += x;
+        self.level
+    }
+}
+
+#[component]
+impl<T: Real> Filter<T> {
+    /// Another, in a block of its own.
+    #[entry]
+    pub fn level(&self) -> T {
+        self.level
+    }
+}
+
+/// A name with a parameter of its own.
+#[component]
+pub type Filters<T> = Filter<T>;
+
+/// Rust's own literals have a type.
+#[function]
+pub fn half<T: Real>(x: T) -> T {
+    x * 0.5
 }
 
 fn main() {}

@@ -152,7 +152,8 @@ reasons! {
     SLICE: "a slice's length is not known when the C is written", "pass an array by reference: `&[T; N]`";
     TRAIT_OBJECT: "trait objects need a table of function pointers", "name the type, or choose with an `enum` and a `match`";
     IMPL_TRAIT: "`impl Trait` hides the type that the C has to name", "name the type";
-    GENERIC: "generic functions and types are not in the DSL yet", "write it for `f64`";
+    GENERIC_ENUM: "generic enums are not in the DSL yet", "name the type of the payload";
+    GENERIC_ALIAS: "the name of an instance has no parameters of its own", "name each instance: `pub type PidF32 = Pid<f32>;`";
     RETURNED_REFERENCE: "a result is a value in the DSL", "return a copy, or the index of the element";
     REFERENCE_FIELD: "a reference in a struct would let two owners share memory in the C", "hold the value, or pass the reference to the method";
     NEVER: "a function that never returns would hang the firmware", "return a value";

@@ -79,11 +79,6 @@ fn check_signature(signature: &syn::Signature, refusals: &mut Refusals) {
     if let Some(abi) = &signature.abi {
         refusals.add(abi.extern_token.span, refuse::EXTERN);
     }
-    for parameter in &signature.generics.params {
-        if !matches!(parameter, syn::GenericParam::Lifetime(_)) {
-            refusals.add(parameter.span(), refuse::GENERIC);
-        }
-    }
     if let syn::ReturnType::Type(_, ty) = &signature.output {
         match &**ty {
             syn::Type::Reference(it) => refusals.add(it.and_token.span, refuse::RETURNED_REFERENCE),

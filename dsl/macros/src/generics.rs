@@ -1,0 +1,178 @@
+//! What something generic is generic over, as the expansions write it.
+//!
+//! The parameters of an `impl` block or a type come first, the function's own after them. In a
+//! generation build each type among them is a value of the DSL besides what its author asks of it.
+
+use proc_macro2::TokenStream;
+use quote::{ToTokens, quote};
+use syn::GenericParam;
+
+use crate::lower;
+
+/// The parameters in the scope of a function, or of a type.
+#[derive(Clone, Copy)]
+pub struct Scope<'a> {
+    outer: Option<&'a syn::Generics>,
+    own: Option<&'a syn::Generics>,
+}
+
+impl<'a> Scope<'a> {
+    /// Of a free function.
+    pub fn of_function(own: &'a syn::Generics) -> Scope<'a> {
+        Scope { outer: None, own: Some(own) }
+    }
+
+    /// Of a type, or of an `impl` block.
+    pub fn of_type(outer: &'a syn::Generics) -> Scope<'a> {
+        Scope { outer: Some(outer), own: None }
+    }
+
+    /// Of a method with parameters of its own.
+    pub fn with_method(self, own: &'a syn::Generics) -> Scope<'a> {
+        Scope { own: Some(own), ..self }
+    }
+
+    /// The part of the `impl` block.
+    pub fn outer(self) -> Scope<'a> {
+        Scope { own: None, ..self }
+    }
+
+    /// The part of the function.
+    pub fn own(self) -> Scope<'a> {
+        Scope { outer: None, ..self }
+    }
+
+    /// Whether there is anything to be generic over.
+    pub fn is_generic(self) -> bool {
+        self.params().next().is_some()
+    }
+
+    /// How many parameters.
+    pub fn len(self) -> usize {
+        self.params().count()
+    }
+
+    /// Types and constants; lifetimes have no part in what is built.
+    fn params(self) -> impl Iterator<Item = &'a GenericParam> {
+        let both = self.outer.into_iter().chain(self.own);
+        let params = both.flat_map(|generics| &generics.params);
+        params.filter(|param| !matches!(param, GenericParam::Lifetime(_)))
+    }
+
+    /// `<T: Real, const N: usize>`, without defaults.
+    pub fn declared(self) -> TokenStream {
+        angle(self.params().map(|param| match param {
+            GenericParam::Type(it) => {
+                let (name, colon, bounds) = (&it.ident, &it.colon_token, &it.bounds);
+                quote! { #name #colon #bounds }
+            }
+            GenericParam::Const(it) => {
+                let (name, ty) = (&it.ident, &it.ty);
+                quote! { const #name: #ty }
+            }
+            other => other.to_token_stream(),
+        }))
+    }
+
+    /// `<T, const N: usize>`: without bounds.
+    pub fn unbounded(self) -> TokenStream {
+        angle(self.params().map(|param| match param {
+            GenericParam::Type(it) => it.ident.to_token_stream(),
+            GenericParam::Const(it) => {
+                let (name, ty) = (&it.ident, &it.ty);
+                quote! { const #name: #ty }
+            }
+            other => other.to_token_stream(),
+        }))
+    }
+
+    /// `<T, N>`.
+    pub fn arguments(self) -> TokenStream {
+        angle(self.params().map(name))
+    }
+
+    /// `::<T, N>`.
+    pub fn turbofish(self) -> TokenStream {
+        let arguments = self.arguments();
+        if self.is_generic() {
+            quote! { ::#arguments }
+        } else {
+            TokenStream::new()
+        }
+    }
+
+    /// The types among them.
+    pub fn types(self) -> impl Iterator<Item = &'a syn::Ident> {
+        self.params().filter_map(|param| match param {
+            GenericParam::Type(it) => Some(&it.ident),
+            _ => None,
+        })
+    }
+
+    /// The author's `where`, and what `more` asks for.
+    pub fn bounds(self, more: impl IntoIterator<Item = TokenStream>) -> TokenStream {
+        let both = self.outer.into_iter().chain(self.own);
+        let clauses = both.filter_map(|generics| generics.where_clause.as_ref());
+        let predicates = clauses.flat_map(|clause| &clause.predicates);
+        let predicates = predicates.map(ToTokens::to_token_stream).chain(more);
+        let predicates: Vec<_> = predicates.collect();
+        if predicates.is_empty() {
+            TokenStream::new()
+        } else {
+            quote! { where #(#predicates),* }
+        }
+    }
+
+    /// The same, each type a value of the DSL.
+    pub fn value_bounds(self) -> TokenStream {
+        self.bounds(self.types().map(|name| quote! { #name: ::bessemer::generate::Value }))
+    }
+
+    /// What the parameters stand for, as a builder tells it: a list of names and arguments.
+    pub fn told(self) -> TokenStream {
+        let told = self.params().map(|param| {
+            let text = lower::text(match param {
+                GenericParam::Type(it) => &it.ident,
+                GenericParam::Const(it) => &it.ident,
+                GenericParam::Lifetime(it) => &it.lifetime.ident,
+            });
+            let name = name(param);
+            match param {
+                GenericParam::Const(_) => quote! { ::bessemer::generate::number(#text, #name) },
+                _ => quote! { ::bessemer::generate::argument::<#name>(cx, #text) },
+            }
+        });
+        quote! { ::bessemer::generate::list([#(#told),*]) }
+    }
+
+    /// Whether `ty` names one of the parameters.
+    pub fn is_named_in(self, ty: &syn::Type) -> bool {
+        let names: Vec<_> = self.params().map(|param| name(param).to_string()).collect();
+        mentions(ty.to_token_stream(), &names)
+    }
+}
+
+fn name(param: &GenericParam) -> TokenStream {
+    match param {
+        GenericParam::Type(it) => it.ident.to_token_stream(),
+        GenericParam::Const(it) => it.ident.to_token_stream(),
+        GenericParam::Lifetime(it) => it.lifetime.to_token_stream(),
+    }
+}
+
+fn angle(items: impl Iterator<Item = TokenStream>) -> TokenStream {
+    let items: Vec<_> = items.collect();
+    if items.is_empty() {
+        TokenStream::new()
+    } else {
+        quote! { <#(#items),*> }
+    }
+}
+
+fn mentions(tokens: TokenStream, names: &[String]) -> bool {
+    tokens.into_iter().any(|token| match token {
+        proc_macro2::TokenTree::Ident(ident) => names.contains(&ident.to_string()),
+        proc_macro2::TokenTree::Group(group) => mentions(group.stream(), names),
+        _ => false,
+    })
+}

@@ -1,0 +1,65 @@
+//! Instances of generic types that reach C under a name of their author's.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::spanned::Spanned;
+
+use crate::docs;
+use crate::generics::Scope;
+use crate::lower::{self, Refusals, refuse};
+
+/// What an instance with a name of its own shows to C: the methods of a generic block, by the names of
+/// their builders. Two such blocks would leave open which.
+pub fn one_block(it: &syn::ItemImpl, faces: &[syn::Ident]) -> TokenStream {
+    let scope = Scope::of_type(&it.generics);
+    if !scope.is_generic() || faces.is_empty() {
+        return TokenStream::new();
+    }
+    let (declared, owner) = (scope.declared(), &it.self_ty);
+    let bounds = if lower::GENERATING { scope.value_bounds() } else { scope.bounds([]) };
+    let build = lower::GENERATING.then(|| {
+        quote! {
+            fn build(cx: &mut ::bessemer::generate::Builder) {
+                #(Self::#faces(cx);)*
+            }
+        }
+    });
+    quote! {
+        impl #declared ::bessemer::EntriesInOneBlock for #owner #bounds { #build }
+    }
+}
+
+/// Whether others see it.
+pub fn is_public(visibility: &syn::Visibility) -> bool {
+    !matches!(visibility, syn::Visibility::Inherited)
+}
+
+/// `#[data] pub type PidF32 = Pid<f32>;`: the name of an instance, which makes it part of the C.
+pub fn named(it: &syn::ItemType, refusals: &mut Refusals) -> TokenStream {
+    for parameter in &it.generics.params {
+        refusals.add(parameter.span(), refuse::GENERIC_ALIAS);
+    }
+    lower::check_attributes(&it.attrs, refusals);
+    lower::check_field(&it.ty, refusals);
+    if !refusals.is_empty() || !lower::GENERATING {
+        return TokenStream::new();
+    }
+    let (name, text) = (&it.ident, lower::text(&it.ident));
+    let docs = docs::lines(&it.attrs);
+    let lower::Site(line, column) = lower::site(name);
+    quote! {
+        const _: () = {
+            ::bessemer::generate::register! {
+                ::bessemer::generate::Registered::new(::core::module_path!(), (#line, #column), |cx| {
+                    #[allow(unused_imports)]
+                    use ::bessemer::generate::WithoutEntries as _;
+                    cx.alias::<#name>(
+                        ::bessemer::generate::Named { module: ::core::module_path!(), file: ::core::file!(), name: #text },
+                        &[#(#docs),*], (#line, #column),
+                    );
+                    ::bessemer::generate::Instance::<#name>::new().build_entries(cx);
+                })
+            }
+        };
+    }
+}

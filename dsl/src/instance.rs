@@ -1,0 +1,14 @@
+//! What a generic type shows to C once an instance of it has a name.
+
+/// A generic type whose methods an instance with a name of its own shows to C:
+/// `#[component] pub type PidF32 = Pid<f32>;`.
+///
+/// The attribute of the `impl` block implements it, and nobody else. So all entry points of a generic
+/// component, and all public methods of generic data, stand in one annotated block: a second one is
+/// an error of rustc's that names this trait.
+pub trait EntriesInOneBlock {
+    /// Builds them.
+    #[cfg(feature = "generate")]
+    #[doc(hidden)]
+    fn build(cx: &mut crate::generate::Builder);
+}
