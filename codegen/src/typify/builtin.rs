@@ -1,7 +1,7 @@
 //! The DSL's own operations: which IR node each is, and the type of its result.
 
 use bessemer_ir::tree;
-use bessemer_ir::{Expr, ExprKind, Float, Int, Intrinsic, Routine, Scalar, Type, UnaryOp};
+use bessemer_ir::{Const, Expr, ExprKind, Float, Int, Intrinsic, Routine, Scalar, Type, UnaryOp};
 
 use super::OUR_FAULT;
 use super::expr::Operand;
@@ -59,6 +59,20 @@ fn meaning(name: &str) -> Option<Meaning> {
     })
 }
 
+/// `N as f64`, where `N` is what an instance is made of, as a literal.
+fn whole(value: Expr) -> Expr {
+    let word = match (&value.kind, &value.ty) {
+        (ExprKind::Cast(operand), Type::Scalar(Scalar::Float(Float::F64))) => {
+            match (&operand.kind, operand.ty.as_int()) {
+                (ExprKind::Literal(word), Some(int)) => (int.from_word(*word) as f64).to_bits(),
+                _ => return value,
+            }
+        }
+        _ => return value,
+    };
+    Expr { kind: ExprKind::Literal(word), ..value }
+}
+
 /// The word of a number in double precision, in single.
 fn single(word: u64) -> u64 {
     u64::from((f64::from_bits(word) as f32).to_bits())
@@ -103,10 +117,16 @@ impl Lowering<'_, '_> {
         expr: &tree::Expr,
     ) -> Result<Expr> {
         let ty = self.slot_of(expr)?;
-        let value = self.value(argument, expected.as_ref())?;
+        let value = whole(self.value(argument, expected.as_ref())?);
         let kind = match value.kind {
             _ if value.ty == ty => return Ok(value),
             ExprKind::Literal(word) if ty == Type::F32 => ExprKind::Literal(single(word)),
+            // `real(GAIN)` in single precision is a constant of its own.
+            ExprKind::Const(id) if ty == Type::F32 => {
+                let Const { name, module, words, .. } = self.cx.module.consts[id.index()].clone();
+                let words: Vec<_> = words.into_iter().map(single).collect();
+                ExprKind::Const(self.cx.constant(&module, &format!("{name}_F32"), &ty, &words))
+            }
             ExprKind::Unary(UnaryOp::Neg, operand) if ty == Type::F32 => {
                 let kind = match operand.kind {
                     ExprKind::Literal(word) => ExprKind::Literal(single(word)),

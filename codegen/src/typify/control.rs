@@ -1,7 +1,9 @@
 //! Control flow: statements, and values that control flow decides.
 
 use bessemer_ir::tree::{self, Site};
-use bessemer_ir::{Block, Expr, ExprKind, Fault, Place, StmtKind, Type};
+use bessemer_ir::{
+    Block, CompareOp, Expr, ExprKind, Fault, LogicOp, Place, StmtKind, Type, UnaryOp,
+};
 
 use super::function::{Lowering, Target, control_with_value, is_literal};
 use super::loops::Leaving;
@@ -14,6 +16,14 @@ impl Lowering<'_, '_> {
             tree::ExprKind::If(condition, then, Some(otherwise)) => {
                 let span = self.span(expr.site);
                 let condition = self.value(condition, Some(&Type::BOOL))?;
+                if let Some(holds) = self.decided(&condition) {
+                    let Block(stmts) = match holds {
+                        true => self.block_into(then, target)?,
+                        false => self.branch_into(otherwise, target)?,
+                    };
+                    self.out.extend(stmts);
+                    return Ok(());
+                }
                 let then = self.block_into(then, target)?;
                 let otherwise = self.branch_into(otherwise, target)?;
                 self.emit(StmtKind::If { condition, then, otherwise }, span);
@@ -80,14 +90,16 @@ impl Lowering<'_, '_> {
             tree::ExprKind::Assign(op, place, value) => self.assign(*op, place, value, expr.site),
             tree::ExprKind::If(condition, then, otherwise) => {
                 let condition = self.value(condition, Some(&Type::BOOL))?;
+                if let Some(holds) = self.decided(&condition) {
+                    let Block(stmts) = match holds {
+                        true => self.block_effect(then)?,
+                        false => self.else_effect(otherwise.as_deref())?,
+                    };
+                    self.out.extend(stmts);
+                    return Ok(());
+                }
                 let then = self.block_effect(then)?;
-                let otherwise = match otherwise {
-                    Some(otherwise) => match &otherwise.kind {
-                        tree::ExprKind::Block(block) => self.block_effect(block)?,
-                        _ => self.scoped(|inner| inner.effect(otherwise))?,
-                    },
-                    None => Block::default(),
-                };
+                let otherwise = self.else_effect(otherwise.as_deref())?;
                 self.emit(StmtKind::If { condition, then, otherwise }, span);
                 Ok(())
             }
@@ -127,6 +139,22 @@ impl Lowering<'_, '_> {
                 Ok(())
             }
         }
+    }
+
+    fn else_effect(&mut self, otherwise: Option<&tree::Expr>) -> Result<Block> {
+        match otherwise.map(|otherwise| (otherwise, &otherwise.kind)) {
+            Some((_, tree::ExprKind::Block(block))) => self.block_effect(block),
+            Some((otherwise, _)) => self.scoped(|inner| inner.effect(otherwise)),
+            None => Ok(Block::default()),
+        }
+    }
+
+    /// What a condition comes to in this instance: `if N == 0` is none of the C's business.
+    fn decided(&self, condition: &Expr) -> Option<bool> {
+        if self.source.generics.is_empty() {
+            return None;
+        }
+        decided(condition)
     }
 
     pub(super) fn block_effect(&mut self, block: &tree::Block) -> Result<Block> {
@@ -280,5 +308,36 @@ impl Lowering<'_, '_> {
                 problem(expr.site, "this is not a place to assign", "assign a variable or a field")
             }
         }
+    }
+}
+
+fn decided(condition: &Expr) -> Option<bool> {
+    let number = |expr: &Expr| match (&expr.kind, expr.ty.as_int()) {
+        (ExprKind::Literal(word), Some(int)) => Some(int.from_word(*word)),
+        _ => None,
+    };
+    match &condition.kind {
+        ExprKind::Literal(word) => Some(*word != 0),
+        ExprKind::Unary(UnaryOp::Not, operand) => decided(operand).map(|holds| !holds),
+        ExprKind::Logic(LogicOp::And, left, right) => match decided(left)? {
+            true => decided(right),
+            false => Some(false),
+        },
+        ExprKind::Logic(LogicOp::Or, left, right) => match decided(left)? {
+            true => Some(true),
+            false => decided(right),
+        },
+        ExprKind::Compare(op, left, right) => {
+            let order = number(left)?.cmp(&number(right)?);
+            Some(match op {
+                CompareOp::Eq => order.is_eq(),
+                CompareOp::Ne => order.is_ne(),
+                CompareOp::Lt => order.is_lt(),
+                CompareOp::Le => order.is_le(),
+                CompareOp::Gt => order.is_gt(),
+                CompareOp::Ge => order.is_ge(),
+            })
+        }
+        _ => None,
     }
 }
