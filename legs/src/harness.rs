@@ -37,7 +37,7 @@ pub fn programs(module: &Module, entries: &[(FunctionId, u32)]) -> String {
             functions,
             "static void call_{index}(void)\n{{\n    uint64_t status;\n{declarations}{init}\
              {sets}{reads}{}    if (status == 0) {{\n{writes}{state}{changed}    }}\n}}\n\n",
-            call.replace("put(", "put(status = ")
+            call.replace("        put(", "        put(status = ")
         );
         let _ = writeln!(cases, "        case {index}: call_{index}(); break;");
     }

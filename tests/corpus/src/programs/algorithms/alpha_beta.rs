@@ -1,0 +1,31 @@
+//! An alpha-beta filter: position and speed from positions.
+
+use bessemer::prelude::*;
+
+/// The estimate.
+#[component]
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct AlphaBeta {
+    position: f64,
+    speed: f64,
+}
+
+#[component]
+impl AlphaBeta {
+    /// How much of a surprise goes to the position.
+    const ALPHA: f64 = 0.85;
+    /// How much of it goes to the speed.
+    const BETA: f64 = 0.005;
+
+    /// One measurement after `time` s: position and speed.
+    #[entry(infallible)]
+    pub fn step(&mut self, measured: f64, time: f64) -> [f64; 2] {
+        let predicted = self.position + self.speed * time;
+        let surprise = measured - predicted;
+        self.position = predicted + Self::ALPHA * surprise;
+        if time > 0.0 {
+            self.speed += Self::BETA * surprise / time;
+        }
+        [self.position, self.speed]
+    }
+}
