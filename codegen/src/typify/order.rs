@@ -116,30 +116,36 @@ pub(super) fn has_effect(expr: &Expr) -> bool {
 /// Whether a value may be computed before or after others: it writes nothing, and cannot fault. A
 /// call may, whatever it is.
 pub(super) fn is_free(expr: &Expr) -> bool {
-    struct Free(bool);
-    impl Visit for Free {
+    is_quiet_but_for(expr, |place| place.steps.iter().all(is_fixed))
+}
+
+/// Whether nothing in an expression writes, calls or faults, save for loads that `allowed` judges.
+fn is_quiet_but_for(expr: &Expr, allowed: impl Fn(&Place) -> bool) -> bool {
+    struct Quiet<F>(bool, F);
+    impl<F: Fn(&Place) -> bool> Visit for Quiet<F> {
         fn expr(&mut self, expr: &Expr) {
             let float = matches!(expr.ty, Type::Scalar(Scalar::Float(_) | Scalar::Bool));
             self.0 &= match &expr.kind {
                 ExprKind::Call(..) => false,
                 ExprKind::Intrinsic(which, _) => float && *which != Intrinsic::Clamp,
                 ExprKind::Unary(..) | ExprKind::Binary(..) => float,
-                ExprKind::Load(place) => place.steps.iter().all(is_fixed),
+                ExprKind::Load(place) => (self.1)(place),
                 _ => true,
             };
             visit::walk_expr(self, expr);
         }
     }
-    let mut free = Free(true);
-    free.expr(expr);
-    free.0
+    let mut quiet = Quiet(true, allowed);
+    quiet.expr(expr);
+    quiet.0
 }
 
 /// Whether it is the same, result and fault, if `value` is computed after `place`.
 pub(super) fn may_follow(value: &Expr, place: &Place) -> bool {
     let simple = |place: &Place| indices(place).all(is_free);
+    // An index out of bounds is the same fault, whichever of the two it is in.
     is_free(value) && !indices(place).any(has_effect)
-        || matches!(&value.kind, ExprKind::Load(other) if simple(other) && simple(place))
+        || is_quiet_but_for(value, simple) && simple(place)
 }
 
 fn indices(place: &Place) -> impl Iterator<Item = &Expr> {
