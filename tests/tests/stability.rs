@@ -64,13 +64,15 @@ fn only_what_must_move_moves() {
         assert_eq!(joined(&back), joined(&heavier[name]), "{name}");
     }
 
-    // A new model that uses what is there: its own files, and the manifest that lists them.
+    // A new model that uses what is there, and a name of a constant that is there, too: its own files,
+    // and the manifest that lists them.
     let model = "//! Counts.\nuse crate::signals::Goal;\nuse bessemer::prelude::*;\n\n\
+        /// On the moon, m/s².\nconst GRAVITY: f64 = 1.62;\n\n\
         /// Counts landings.\n#[component]\n#[derive(Clone, Debug, Default, PartialEq)]\n\
         pub struct Counter {\n    /// How many.\n    pub landings: f64,\n}\n\n#[component]\n\
         impl Counter {\n    /// One period.\n    #[entry(infallible)]\n    \
         pub fn step(&mut self, goal: &Goal) {\n        if goal.land {\n            \
-        self.landings += 1.0;\n        }\n    }\n}\n";
+        self.landings += GRAVITY;\n        }\n    }\n}\n";
     fs::write(copy.path("models/src/counter.rs"), model).expect("a source file");
     replace("pub mod height;", "pub mod counter;\npub mod height;");
     let added = generate(version);

@@ -7,7 +7,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use bessemer_ir::{EnumId, Function, FunctionId, Owner, Scalar, Span, StructId, Type};
+use bessemer_ir::{ConstId, EnumId, Function, FunctionId, Owner, Scalar, Span, StructId, Type};
 
 use super::analysis::reachable;
 use super::helpers::closure;
@@ -223,13 +223,14 @@ impl Writer<'_> {
         let module = self.context.module;
         let mut list: Vec<Item> = Vec::new();
         let mut ids: Vec<_> = uses.consts.iter().copied().collect();
-        ids.sort_by_key(|id| self.context.names.constant(*id));
-        ids.dedup_by_key(|id| self.context.names.constant(*id));
+        let header = format!("{}.h", self.name);
+        let name = |id: &ConstId| self.context.names.constant(&header, *id);
+        ids.sort_by_key(name);
+        ids.dedup_by_key(|id| name(id));
         for id in ids {
             let item = &module.consts[id.index()];
             includes.ty(self.context, &item.ty);
-            let mut declarator =
-                self.context.names.declarator(&item.ty, self.context.names.constant(id));
+            let mut declarator = self.context.names.declarator(&item.ty, name(&id));
             declarator.ty.insert_str(0, "const ");
             let mut words = item.words.as_slice();
             let init = constant_init(self.context, &item.ty, &mut words);

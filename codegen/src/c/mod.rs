@@ -9,6 +9,7 @@
 //! in the IR.
 
 mod analysis;
+mod const_names;
 mod files;
 mod helpers;
 mod init;

@@ -13,12 +13,12 @@
 use std::collections::BTreeMap;
 
 use bessemer_ir::{
-    Const, ConstId, EnumId, Fault, Function, FunctionId, Int, Mode, Module, Owner, Scalar,
-    StructId, Type,
+    ConstId, EnumId, Fault, Function, FunctionId, Int, Mode, Module, Owner, Scalar, StructId, Type,
 };
 
 use super::Options;
 use super::analysis::Faults;
+use super::const_names::ConstNames;
 use super::helpers::is_helper_name;
 use super::reserved::{is_keyword, is_reserved_file, is_reserved_for_locals, is_reserved_globally};
 use super::spelling::{identifier, last_segment, relative, screaming, snake};
@@ -152,8 +152,7 @@ pub struct Names {
     pub structs: Vec<StructNames>,
     /// Per [`EnumId`].
     pub enums: Vec<EnumNames>,
-    /// Per [`ConstId`].
-    pub consts: Vec<String>,
+    consts: ConstNames,
     /// Per [`FunctionId`].
     pub functions: Vec<Signature>,
     /// The status type.
@@ -172,7 +171,7 @@ impl Names {
         let mut names = Names {
             structs: Vec::new(),
             enums: Vec::new(),
-            consts: const_names(module),
+            consts: ConstNames::default(),
             functions: Vec::new(),
             status: StatusNames {
                 ty: format!("{stem}_status_t"),
@@ -184,6 +183,7 @@ impl Names {
         };
         names.name_types(module, options, faults);
         names.name_functions(module, options, faults);
+        names.consts = ConstNames::new(module, &names.functions);
         names
     }
 
@@ -502,33 +502,6 @@ fn called_in_own_file_only(names: &Names, module: &Module) -> Vec<bool> {
     locally
 }
 
-/// The names of constants: the author's own; qualified where two differ in value.
-fn const_names(module: &Module) -> Vec<String> {
-    let same = |a: &Const, b: &Const| a.ty == b.ty && a.words == b.words;
-    let wanted: Vec<String> = (module.consts.iter())
-        .map(|item| {
-            let own = identifier(&item.name);
-            let rival = |other: &Const| identifier(&other.name) == own && !same(item, other);
-            if module.consts.iter().any(rival) || is_reserved_globally(&own) {
-                screaming(&format!("{}_{own}", relative(&item.module).join("_")))
-            } else {
-                own
-            }
-        })
-        .collect();
-    // Two modules may end alike, too; one file must not take the one for the other.
-    let mut names: Vec<String> = Vec::new();
-    for (item, name) in module.consts.iter().zip(&wanted) {
-        let taken = |name: &str| {
-            let mut before = names.iter().zip(&module.consts);
-            before.any(|(other, constant)| other == name && !same(constant, item))
-        };
-        let name = unique(name, taken);
-        names.push(name);
-    }
-    names
-}
-
 /// The file of each Rust module: its last segment, or the whole path where two end alike.
 fn file_names(module: &Module) -> BTreeMap<String, String> {
     let paths: std::collections::BTreeSet<&str> = (module.structs.iter().map(|item| &*item.module))
@@ -557,7 +530,7 @@ impl Names {
             || name == status.ty
             || name == status.ok
             || FAULTS.iter().any(|fault| name == status.fault(*fault))
-            || self.consts.iter().any(|constant| constant == name)
+            || self.consts.contains(name)
             || self.structs.iter().any(|item| item.ty == name || item.init.as_deref() == Some(name))
             || self
                 .enums
@@ -565,9 +538,9 @@ impl Names {
                 .any(|item| item.ty == name || item.variants.iter().any(|variant| variant == name))
     }
 
-    /// The name of a constant.
-    pub fn constant(&self, id: ConstId) -> &str {
-        &self.consts[id.index()]
+    /// The name of a constant in the file of this header.
+    pub fn constant(&self, header: &str, id: ConstId) -> &str {
+        self.consts.get(header, id)
     }
 
     /// The name of an enum's variant.

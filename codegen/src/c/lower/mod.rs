@@ -339,6 +339,11 @@ impl<'a> Lower<'a> {
         name
     }
 
+    /// The name of a constant here.
+    fn constant(&self, id: ConstId) -> &str {
+        self.context.names.constant(&self.signature.header, id)
+    }
+
     /// The storage that the caller gives for the result.
     fn result_storage(&self) -> Option<Expr> {
         let param = self.signature.params.get(self.function.params as usize)?;

@@ -66,7 +66,7 @@ impl Lower<'_> {
             ExprKind::Const(id) => {
                 self.uses.consts.insert(*id);
                 self.include_type(&expr.ty);
-                Expr::name(self.context.names.constant(*id))
+                Expr::name(self.constant(*id))
             }
             _ => {
                 let name = self.fresh("value");

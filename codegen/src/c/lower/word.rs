@@ -29,7 +29,7 @@ impl Lower<'_> {
             }
             ExprKind::Const(id) => {
                 self.uses.consts.insert(*id);
-                Expr::name(self.context.names.constant(*id))
+                Expr::name(self.constant(*id))
             }
             ExprKind::Load(place) => self.load(place),
             ExprKind::Unary(op, operand) => self.unary(*op, operand),

@@ -1,0 +1,67 @@
+//! The names of constants, file by file.
+//!
+//! A constant is `static` in each file that uses it, under the author's own name; it is qualified where
+//! two in one file differ in value. So what another file uses changes nothing.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use bessemer_ir::{Const, ConstId, ExprKind, Module};
+
+use super::analysis::walk_exprs;
+use super::names::{Signature, unique};
+use super::reserved::is_reserved_globally;
+use super::spelling::{identifier, relative, screaming};
+
+/// The names, by file (its header) and constant.
+#[derive(Clone, Debug, Default)]
+pub struct ConstNames(BTreeMap<String, BTreeMap<ConstId, String>>);
+
+impl ConstNames {
+    /// Names the constants that the functions use.
+    pub fn new(module: &Module, functions: &[Signature]) -> ConstNames {
+        let mut used: BTreeMap<&str, BTreeSet<ConstId>> = BTreeMap::new();
+        for (function, signature) in module.functions.iter().zip(functions) {
+            let file = used.entry(&signature.header).or_default();
+            walk_exprs(&function.body, &mut |expr| {
+                if let ExprKind::Const(id) = expr.kind {
+                    file.insert(id);
+                }
+            });
+        }
+        let files = used.into_iter().map(|(file, ids)| (file.to_owned(), of_file(module, &ids)));
+        ConstNames(files.collect())
+    }
+
+    /// The name of a constant in a file.
+    pub fn get(&self, file: &str, id: ConstId) -> &str {
+        self.0.get(file).and_then(|names| names.get(&id)).map_or("", String::as_str)
+    }
+
+    /// Whether any constant has this name.
+    pub fn contains(&self, name: &str) -> bool {
+        self.0.values().flat_map(BTreeMap::values).any(|constant| constant == name)
+    }
+}
+
+fn of_file(module: &Module, ids: &BTreeSet<ConstId>) -> BTreeMap<ConstId, String> {
+    let item = |id: &ConstId| &module.consts[id.index()];
+    let same = |a: &Const, b: &Const| a.ty == b.ty && a.words == b.words;
+    let wanted = |id: &ConstId| {
+        let own = identifier(&item(id).name);
+        let rival =
+            |other: &ConstId| identifier(&item(other).name) == own && !same(item(id), item(other));
+        if ids.iter().any(rival) || is_reserved_globally(&own) {
+            screaming(&format!("{}_{own}", relative(&item(id).module).join("_")))
+        } else {
+            own
+        }
+    };
+    // Two modules may end alike, too; the one must not be taken for the other.
+    let mut names: BTreeMap<ConstId, String> = BTreeMap::new();
+    for id in ids {
+        let taken =
+            |name: &str| names.iter().any(|(before, n)| n == name && !same(item(before), item(id)));
+        names.insert(*id, unique(&wanted(id), taken));
+    }
+    names
+}
