@@ -8,6 +8,7 @@ pub mod compile;
 pub mod diagnostic;
 pub mod generate;
 pub mod interpret;
+pub mod kernels;
 pub mod passes;
 pub mod source;
 pub mod typify;

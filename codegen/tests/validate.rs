@@ -24,6 +24,9 @@ const PRELUDE: &str = "
 
 /// The name of a problem, then a text that has it.
 const BAD: &[(&str, &str)] = &[
+    ("Kernel", "fn f(a: &mut matrix<f64, 3, 3>) -> bool = kernel inverse<f64, 4> { }"),
+    ("Kernel", "fn f(a: &mut matrix<f64, 3, 3>) -> bool = kernel inverse<f64, 3> { return true; }"),
+    ("Kernel", "fn f(a: &matrix<f64, 3, 3>) -> f64 = kernel determinant<f64, 3, 3> { }"),
     // Definitions.
     ("UnknownStruct", "struct S { x: struct#9._ }"),
     ("UnknownStruct", "fn f(x: [struct#9._; 2]) { }"),
@@ -243,6 +246,7 @@ const GOOD: &[&str] = &[
     "fn f() { take(1.0); return; }",
     "fn f(m: matrix<i8, 2, 3>) -> matrix<i8, 3, 2> { return m.transpose(); }",
     "fn f() -> f64 { let x: f64; return 1.0; x; }",
+    "fn f(a: &mut matrix<f64, 3, 3>) -> bool = kernel inverse<f64, 3> { }",
     "private fn P::f(self: &mut P) { self.a[2] = struct P0 { v: 0.0 }; }",
 ];
 

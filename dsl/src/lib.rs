@@ -40,6 +40,7 @@ extern crate self as bessemer;
 
 pub use bessemer_macros::{component, data, entry, function};
 pub use instance::EntriesInOneBlock;
+pub use linear::{inverse_mut, solve_mut};
 pub use nalgebra;
 pub use plain::Plain;
 
@@ -47,6 +48,7 @@ pub use plain::Plain;
 #[doc(hidden)]
 pub mod generate;
 mod instance;
+pub mod linear;
 pub mod math;
 mod plain;
 

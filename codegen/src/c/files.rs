@@ -7,16 +7,19 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use bessemer_ir::{ConstId, EnumId, Function, FunctionId, Owner, Scalar, Span, StructId, Type};
+use bessemer_ir::{
+    ConstId, EnumId, Function, FunctionId, Kernel, Owner, Scalar, Span, StructId, Type,
+};
 
 use super::analysis::reachable;
-use super::helpers::closure;
+use super::helpers::{Helper, closure};
 use super::lower::{self, Context, Uses};
 use super::names::{FAULTS, Returned, Signature};
 use super::print::Printer;
 use super::shell::{Shell, frame};
-use super::tree::{Declarator, Init, Item, Lines, Origin};
+use super::tree::{Declarator, Init, Item, Lines, Origin, StmtKind, plain};
 use super::{CFile, Options, init, literal};
+use crate::kernels;
 
 /// What one pair of files holds.
 #[derive(Default)]
@@ -25,6 +28,7 @@ struct Unit {
     functions: Vec<Callable>,
     modules: BTreeSet<String>,
     component: Option<String>,
+    kernel: bool,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -79,6 +83,7 @@ fn units(context: Context<'_>) -> BTreeMap<String, Unit> {
         let id = FunctionId(index as u32);
         let unit = units.entry(names.function_file(module, id)).or_default();
         unit.functions.push(Callable::Function(id));
+        unit.kernel |= item.kernel.is_some();
         unit.modules.insert(item.module.clone());
     }
     for unit in units.values_mut() {
@@ -140,6 +145,7 @@ impl Writer<'_> {
     fn summary(&self) -> String {
         match &self.unit.component {
             Some(component) => format!("the component {component}."),
+            None if self.unit.kernel => "a kernel of linear algebra.".to_owned(),
             None if self.unit.functions.is_empty() => "types.".to_owned(),
             None if self.unit.types.is_empty() => "functions.".to_owned(),
             None => "types and functions.".to_owned(),
@@ -189,6 +195,10 @@ impl Writer<'_> {
             };
             let function = &module.functions[id.index()];
             let signature = names.signature(id);
+            if let Some(kernel) = &function.kernel {
+                definitions.extend(self.kernel(kernel, id, &mut uses));
+                continue;
+            }
             let lowered = lower::function(self.context, id, &mut uses);
             if signature.is_static {
                 prototypes.push(self.prototype(id, false));
@@ -217,6 +227,23 @@ impl Writer<'_> {
         includes.system.extend(uses.string.then_some("string.h"));
         includes.own.append(&mut uses.headers);
         self.file("c", &items, includes)
+    }
+
+    /// A kernel, and what stands before it.
+    fn kernel(&self, kernel: &Kernel, id: FunctionId, uses: &mut Uses) -> Vec<Item> {
+        let source = kernels::source(kernel);
+        uses.math |= source.math;
+        uses.helpers.extend(source.dot.then_some(Helper::Dot(kernel.element)));
+        let before = (!source.before.is_empty()).then_some(Item::Verbatim(source.before));
+        let body = vec![plain(StmtKind::Verbatim(source.body))];
+        let function = Item::Function {
+            docs: Vec::new(),
+            head: self.context.names.head(self.context.names.signature(id)),
+            body,
+            origin: origin(Span::default()),
+            function: String::new(),
+        };
+        before.into_iter().chain([function]).collect()
     }
 
     fn constants(&self, uses: &Uses, includes: &mut Includes) -> Vec<Item> {
@@ -327,7 +354,10 @@ impl Writer<'_> {
         let name = format!("{}.{extension}", self.name);
         let header = format!("{}.h", self.name);
         includes.own.remove(&header);
-        let source: Vec<&str> = self.unit.modules.iter().map(String::as_str).collect();
+        let source: Vec<&str> = match self.unit.kernel {
+            true => vec!["its kernels"],
+            false => self.unit.modules.iter().map(String::as_str).collect(),
+        };
         let shell = Shell {
             file: &name,
             header: &header,

@@ -363,6 +363,9 @@ impl Names {
             let id = FunctionId(index as u32);
             let taken =
                 |name: &str| chosen.iter().any(|other| other == name) || self.is_global(name);
+            // A kernel's text is written for its parameters' own names.
+            let kernel = function.kernel.is_some();
+            let taken = |name: &str| !kernel && taken(name);
             let (params, returned) = passing(function, faults.fallible(id), &taken);
             self.functions.push(Signature {
                 name: chosen[index].clone(),
@@ -376,6 +379,9 @@ impl Names {
 
     fn short_name(&self, function: &Function, options: &Options) -> String {
         let name = identifier(&function.name);
+        if function.kernel.is_some() {
+            return format!("{}{name}", options.prefix);
+        }
         match function.owner {
             Some(Owner::Struct(id)) => format!("{}_{name}", self.structs[id.index()].base),
             Some(Owner::Enum(id)) => format!("{}_{name}", self.enums[id.index()].base),

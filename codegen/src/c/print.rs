@@ -243,6 +243,15 @@ impl<'a> Printer<'a> {
             }
             StmtKind::Break => self.put("break;"),
             StmtKind::Continue => self.put("continue;"),
+            StmtKind::Verbatim(text) => {
+                for line in text.lines() {
+                    // The preprocessor's lines start where lines start.
+                    let level = if line.starts_with('#') { 0 } else { self.level };
+                    let level = std::mem::replace(&mut self.level, level);
+                    self.put(line);
+                    self.level = level;
+                }
+            }
             StmtKind::Block(block) => {
                 self.put("{");
                 self.block(block);

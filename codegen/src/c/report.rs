@@ -7,6 +7,7 @@ use super::layout::size_of_struct;
 use super::lower::{self, Context, Uses};
 use super::names::Names;
 use super::{CFile, Options};
+use crate::kernels;
 
 /// What a call costs beside the variables: return address, saved registers, alignment.
 const FRAME: u64 = 64;
@@ -41,7 +42,10 @@ pub fn report(module: &Module, options: &Options, files: &[CFile]) -> Vec<EntryR
     let mut list = Vec::new();
     for (index, function) in module.functions.iter().enumerate() {
         let id = FunctionId(index as u32);
-        let own = lower::function(context, id, &mut Uses::default()).locals;
+        let own = match &function.kernel {
+            Some(kernel) => kernels::stack_bytes(kernel),
+            None => lower::function(context, id, &mut Uses::default()).locals,
+        };
         let (mut below, mut largest) = (0, own);
         walk_exprs(&function.body, &mut |expr| {
             if let bessemer_ir::ExprKind::Call(callee, _) = &expr.kind {

@@ -223,6 +223,8 @@ pub enum StmtKind {
     Continue,
     /// `{ … }`.
     Block(Vec<Stmt>),
+    /// Lines that come as they are.
+    Verbatim(String),
 }
 
 /// The third part of a `for`.

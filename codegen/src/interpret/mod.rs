@@ -11,6 +11,7 @@
 //! Absent: C, passes, every optimisation that could change an order. It must stay small enough to be
 //! believed by reading it.
 
+mod kernel;
 mod layout;
 mod routine;
 mod run;

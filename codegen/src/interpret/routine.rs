@@ -10,15 +10,18 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use bessemer_ir::{Float, Routine, Scalar, Type};
 
 /// A float type, as the routines need it.
-trait Real:
+pub(super) trait Real:
     Copy
     + Add<Output = Self>
     + Sub<Output = Self>
     + Mul<Output = Self>
     + Div<Output = Self>
     + Neg<Output = Self>
+    + PartialOrd
 {
     const ZERO: Self;
+    const ONE: Self;
+    const NAN: Self;
     fn of(word: u64) -> Self;
     fn word(self) -> u64;
     fn root(self) -> Self;
@@ -26,6 +29,8 @@ trait Real:
 
 impl Real for f64 {
     const ZERO: f64 = 0.0;
+    const ONE: f64 = 1.0;
+    const NAN: f64 = f64::NAN;
     fn of(word: u64) -> f64 {
         f64::from_bits(word)
     }
@@ -39,6 +44,8 @@ impl Real for f64 {
 
 impl Real for f32 {
     const ZERO: f32 = 0.0;
+    const ONE: f32 = 1.0;
+    const NAN: f32 = f32::NAN;
     fn of(word: u64) -> f32 {
         f32::from_bits(word as u32)
     }

@@ -88,7 +88,7 @@ impl<'m, 'r> Run<'m, 'r> {
             self.memory[address..address + words.len()].copy_from_slice(words);
             addresses.push(address);
         }
-        let outcome = self.block(frame, &frame.function.body);
+        let outcome = self.body(frame);
         (outcome.map(|_| self.memory[result..result + size].to_vec()), addresses)
     }
 
@@ -106,6 +106,22 @@ impl<'m, 'r> Run<'m, 'r> {
         let base = self.allocate(locals.size);
         let function = &self.module.functions[id.index()];
         Frame { id, function, offsets: &locals.offsets, base, result }
+    }
+
+    /// Runs a function whose arguments are in place.
+    fn body(&mut self, frame: Frame<'m, 'r>) -> Result<Flow, Stop> {
+        let Some(kernel) = &frame.function.kernel else {
+            return self.block(frame, &frame.function.body);
+        };
+        let references = frame.function.parameters().iter().zip(frame.offsets);
+        let operands: Vec<Operand<'_>> = references
+            .map(|(local, offset)| Operand {
+                ty: &local.ty,
+                at: self.memory[frame.base + offset] as usize,
+            })
+            .collect();
+        super::kernel::run(self.memory, kernel, &operands, frame.result);
+        Ok(Flow::Next)
     }
 
     fn copy(&mut self, from: usize, to: usize, words: usize) {
@@ -389,7 +405,7 @@ impl<'m, 'r> Run<'m, 'r> {
                 }
             }
         }
-        self.block(callee, &callee.function.body)?;
+        self.body(callee)?;
         self.top = top;
         Ok(())
     }

@@ -86,7 +86,11 @@ fn kind(module: &Module, function: &Function, expr: &Expr) -> String {
         ExprKind::Compare(..) | ExprKind::Logic(..) => "condition".to_string(),
         ExprKind::Cast(inner) => kind(module, function, inner),
         ExprKind::Intrinsic(which, _) => intrinsic(*which).to_string(),
-        ExprKind::Call(callee, _) => module.functions[callee.index()].name.clone(),
+        ExprKind::Call(callee, _) => {
+            let function = &module.functions[callee.index()];
+            let kernel = function.kernel.as_ref();
+            kernel.map_or_else(|| function.name.clone(), |it| it.routine.result().to_string())
+        }
         ExprKind::Array(_) | ExprKind::Splat(_) => "elements".to_string(),
         ExprKind::Matrix(_) => "matrix".to_string(),
         ExprKind::Routine(which, _) => routine(*which).to_string(),

@@ -10,9 +10,11 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use bessemer_ir::visit::{self, Access, Visit, VisitMut};
 use bessemer_ir::{
-    Argument, Expr, ExprKind, Field, Float, Function, FunctionId, Local, LocalId, Mode, Module,
-    Owner, Place, Scalar, Step, Stmt, StmtKind, Struct, StructId, Type,
+    Argument, Expr, ExprKind, Field, Float, Function, FunctionId, Kernel, Local, LocalId, Mode,
+    Module, Owner, Place, Scalar, Step, Stmt, StmtKind, Struct, StructId, Type,
 };
+
+use crate::kernels::{self, Buffer};
 
 /// Bytes that a local may take on the stack.
 pub const LARGEST: u64 = 256;
@@ -22,6 +24,15 @@ pub fn lend(mut module: Module) -> Module {
     let mut works: BTreeMap<FunctionId, StructId> = BTreeMap::new();
     for (index, fallible) in super::fallible(&module).into_iter().enumerate() {
         let id = FunctionId(index as u32);
+        if let Some(kernel) = &module.functions[index].kernel {
+            if let Some(definition) = scratch(kernel) {
+                let work = StructId(module.structs.len() as u32);
+                module.structs.push(definition);
+                works.insert(id, work);
+                take_work(&mut module.functions[index], work);
+            }
+            continue;
+        }
         let large = large_locals(&module, &module.functions[index], fallible);
         let called = called(&module.functions[index], &works);
         if large.is_empty() && called.is_empty() {
@@ -201,12 +212,7 @@ fn rewrite(
     called: &[FunctionId],
     works: &BTreeMap<FunctionId, StructId>,
 ) {
-    let parameter = LocalId(function.params);
-    let ty = Type::Struct(work);
-    let local =
-        Local { name: "work".into(), ty: ty.clone(), mode: Mode::RefMut, span: function.span };
-    function.locals.insert(parameter.index(), local);
-    function.params += 1;
+    let parameter = take_work(function, work);
     let mut fields = BTreeMap::new();
     for (field, id) in large.iter().enumerate() {
         // The parameter moved every local behind it by one.
@@ -228,6 +234,36 @@ fn rewrite(
     let types = function.locals.iter().map(|local| local.ty.clone()).collect();
     let mut rewrite = Rewrite { parameter, fields, callees, types };
     rewrite.block(&mut function.body);
+}
+
+/// Gives a function its last parameter.
+fn take_work(function: &mut Function, work: StructId) -> LocalId {
+    let parameter = LocalId(function.params);
+    let ty = Type::Struct(work);
+    let local = Local { name: "work".into(), ty, mode: Mode::RefMut, span: function.span };
+    function.locals.insert(parameter.index(), local);
+    function.params += 1;
+    parameter
+}
+
+/// The work of a kernel that needs more memory than a function may take for itself.
+fn scratch(kernel: &Kernel) -> Option<Struct> {
+    let name = kernel.name();
+    let lent = kernels::lent(kernel);
+    let field = |buffer: &Buffer| Field {
+        name: buffer.name.into(),
+        docs: vec![buffer.holds.to_owned()],
+        ty: Type::Array { element: Box::new(Type::Scalar(buffer.element)), len: buffer.len },
+    };
+    let fields: Vec<Field> = lent.iter().map(field).collect();
+    (!fields.is_empty()).then(|| Struct {
+        name: format!("{name}_work"),
+        module: kernel.function().module,
+        docs: vec![format!("What `{name}` works with; its content means nothing between calls.")],
+        fields,
+        initial: None,
+        span: Default::default(),
+    })
 }
 
 struct Rewrite {

@@ -96,6 +96,9 @@ impl Lowering<'_, '_> {
         if name.ends_with("_bytes") {
             return self.bytes(name, arguments, expr);
         }
+        if let Some(value) = self.kernel_call(name, arguments, expr)? {
+            return Ok(value);
+        }
         let Some(meaning) = meaning(name) else {
             return problem(expr.site, format!("`{name}` has no meaning"), OUR_FAULT);
         };
@@ -207,7 +210,7 @@ impl Lowering<'_, '_> {
             },
             _ => Type::Matrix { element, rows, cols },
         };
-        self.node(ExprKind::Routine(routine, values), ty, expr.site)
+        self.routine_node(routine, values, ty, expr.site)
     }
 
     fn constructor(

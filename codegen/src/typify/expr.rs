@@ -266,7 +266,7 @@ impl Lowering<'_, '_> {
             }
             _ => return problem(site, "this operator does not take these types", "use a method"),
         };
-        self.node(ExprKind::Routine(routine, arguments), ty, site)
+        self.routine_node(routine, arguments, ty, site)
     }
 
     /// `&&` and `||`: where the right side needs statements, they run only if it does.
@@ -399,7 +399,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    fn call_function(
+    pub(super) fn call_function(
         &mut self,
         id: FunctionId,
         arguments: &[tree::Expr],

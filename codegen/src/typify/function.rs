@@ -96,6 +96,7 @@ pub(super) fn lower(cx: &mut Context<'_>, source: &tree::Function) -> Result<Fun
         body: Block(lowering.out),
         locals: lowering.locals,
         result,
+        kernel: None,
         span,
     })
 }

@@ -15,6 +15,7 @@ mod each;
 mod expr;
 mod fields;
 mod function;
+mod kernels;
 mod literal;
 mod loops;
 mod names;

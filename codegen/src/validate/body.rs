@@ -34,7 +34,7 @@ pub(super) fn check(module: &Module, sizes: &Sizes<'_>, index: usize) -> Vec<Err
         return body.errors;
     }
     let falls_through = body.block(&function.body);
-    if falls_through && function.result != Type::Unit {
+    if falls_through && function.kernel.is_none() && function.result != Type::Unit {
         body.note(function.span, Err(Problem::MissingReturn));
     }
     body.errors

@@ -3,7 +3,8 @@
 use std::collections::BTreeSet;
 
 use bessemer_ir::{
-    ConstId, EnumId, Function, FunctionId, LocalId, Mode, Module, Owner, Span, StructId, Type,
+    ConstId, EnumId, Function, FunctionId, Kernel, Local, LocalId, Mode, Module, Owner, Span,
+    StructId, Type,
 };
 
 use super::MAX_NESTING;
@@ -162,6 +163,11 @@ impl Items<'_> {
             let problem = Problem::ParameterCount { params, locals };
             self.note(subject, function.span, Err(problem));
         }
+        if let Some(kernel) = &function.kernel
+            && !has_face(function, kernel)
+        {
+            self.note(subject, function.span, Err(Problem::Kernel));
+        }
         let owner = match function.owner {
             Some(Owner::Struct(owner)) => self.sizes.of(&Type::Struct(owner)).map(|_| ()),
             Some(Owner::Enum(owner)) => self.sizes.of(&Type::Enum(owner)).map(|_| ()),
@@ -182,6 +188,26 @@ impl Items<'_> {
             }
         }
     }
+}
+
+/// Whether a function has the face of its kernel, no body, and beyond its parameters at most one that
+/// lends the kernel memory.
+fn has_face(function: &Function, kernel: &Kernel) -> bool {
+    let Some(sound) = Kernel::new(kernel.routine, kernel.element, &kernel.dims) else {
+        return false;
+    };
+    let face = sound.function();
+    let own = face.locals.len();
+    let alike = |(a, b): (&Local, &Local)| a.ty == b.ty && a.mode == b.mode;
+    let lent = function.locals.get(own..).unwrap_or_default();
+    function.locals.len() >= own
+        && function.locals.iter().zip(&face.locals).all(alike)
+        && lent.len() <= 1
+        && lent.iter().all(|local| local.mode == Mode::RefMut)
+        && function.params as usize == function.locals.len()
+        && function.result == face.result
+        && function.owner.is_none()
+        && function.body.0.is_empty()
 }
 
 fn distinct<'n>(names: impl Iterator<Item = &'n String>) -> Result<(), Problem> {

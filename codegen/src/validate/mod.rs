@@ -5,6 +5,8 @@
 //!   function, so nothing recurses. A span that stands somewhere names a file of the module.
 //! * Every type has between 1 and [`MAX_WORDS`] words: no empty struct, enum, array or matrix. `Unit` is
 //!   nothing but the result of a function. Types nest at most [`MAX_NESTING`] deep.
+//! * A function that stands for a kernel has the face of [`Kernel::function`] and no body; it may take one
+//!   more parameter, by which its caller lends it memory.
 //! * Fields of one struct, and variants of one enum, have different names.
 //! * A constant, and the initial state of a component, has exactly the words of its type, each a value of
 //!   its leaf. (`bool` 0 or 1; integers in range; enums below the number of variants; `f32` in 32 bits.)
@@ -31,6 +33,7 @@
 //! * Intrinsics take operands of one type, and which that may be is said by [`Intrinsic::result`].
 //!
 //! [`Intrinsic::result`]: bessemer_ir::Intrinsic::result
+//! [`Kernel::function`]: bessemer_ir::Kernel::function
 //!
 //! * Structs, arrays and matrices have an element for each place, each of its type; a splat fills an
 //!   array with its element type or a matrix with its scalar.

@@ -65,6 +65,8 @@ pub enum Problem {
     ParameterCount { params: u32, locals: usize },
     #[error("local {} is a reference, but no parameter", .0.0)]
     ReferenceLocal(LocalId),
+    #[error("a kernel with another face or a body")]
+    Kernel,
     #[error("a path ends without returning a value")]
     MissingReturn,
     #[error("local {} is declared twice", .0.0)]

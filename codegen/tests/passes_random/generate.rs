@@ -167,6 +167,7 @@ impl Generator<'_> {
             result,
             result_name: "output".into(),
             body,
+            kernel: None,
             span,
         }
     }

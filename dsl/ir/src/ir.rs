@@ -13,6 +13,7 @@ use alloc::boxed::Box;
 use alloc::string::String;
 use alloc::vec::Vec;
 
+use crate::kernel::Kernel;
 use crate::number::{Float, Int, Scalar};
 pub use crate::operation::{BinaryOp, CompareOp, Intrinsic, LogicOp, Routine, UnaryOp};
 
@@ -189,6 +190,8 @@ pub struct Function {
     pub result_name: String,
     /// What it does. Every path ends in `Return` unless the result is `Unit`.
     pub body: Block,
+    /// For a function without a body of its own: what it computes (see [`Kernel::function`]).
+    pub kernel: Option<Kernel>,
     /// Where its name stands.
     pub span: Span,
 }

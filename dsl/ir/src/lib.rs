@@ -12,6 +12,7 @@
 extern crate alloc;
 
 pub mod ir;
+pub mod kernel;
 pub mod number;
 pub mod operation;
 pub mod text;
@@ -19,4 +20,5 @@ pub mod tree;
 pub mod visit;
 
 pub use ir::*;
+pub use kernel::{Kernel, KernelRoutine};
 pub use number::{Float, Int, Scalar};

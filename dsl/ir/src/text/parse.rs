@@ -365,6 +365,7 @@ impl Parser {
         let params = self.parameters(span)?;
         let result = if self.eat("->") { self.ty()? } else { Type::Unit };
         let result_name = if self.eat_word("as") { self.name()? } else { String::new() };
+        let kernel = if self.eat("=") { Some(self.kernel()?) } else { None };
         let body = self.body(span)?;
         let locals = self.finish_locals()?;
         let id = FunctionId(self.module.functions.len() as u32);
@@ -380,6 +381,7 @@ impl Parser {
             result,
             result_name,
             body,
+            kernel,
             span,
         });
         Ok(())

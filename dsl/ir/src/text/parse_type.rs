@@ -3,8 +3,10 @@
 use alloc::boxed::Box;
 use alloc::format;
 use alloc::string::String;
+use alloc::vec::Vec;
 
 use crate::ir::{EnumId, Local, LocalId, Mode, Span, StructId, Type};
+use crate::kernel::{Kernel, KernelRoutine};
 use crate::number::Scalar;
 
 use super::lex::Token;
@@ -52,6 +54,26 @@ impl Parser {
             TypeId::Struct(id) => Type::Struct(id),
             TypeId::Enum(id) => Type::Enum(id),
         })
+    }
+
+    /// `kernel lu_solve<f64, 6, 1>`.
+    pub fn kernel(&mut self) -> Parsed<Kernel> {
+        if !self.eat_word("kernel") {
+            return self.fail("expected `kernel`");
+        }
+        let Some(routine) = KernelRoutine::from_name(&self.name()?) else {
+            return self.fail("there is no such kernel");
+        };
+        self.expect("<")?;
+        let Some(Scalar::Float(element)) = self.scalar() else {
+            return self.fail("expected `f64` or `f32`");
+        };
+        let mut dims = Vec::new();
+        while self.eat(",") {
+            dims.push(self.number()?);
+        }
+        self.expect(">")?;
+        Ok(Kernel { routine, element, dims })
     }
 
     fn scalar(&mut self) -> Option<Scalar> {

@@ -239,6 +239,14 @@ impl<'m> Printer<'m> {
         if !function.result_name.is_empty() {
             self.put(format_args!(" as {}", shown(&function.result_name)));
         }
+        if let Some(kernel) = &function.kernel {
+            let element = Scalar::Float(kernel.element).name();
+            self.put(format_args!(" = kernel {}<{element}", kernel.routine.name()));
+            for dim in &kernel.dims {
+                self.put(format_args!(", {dim}"));
+            }
+            self.out.push('>');
+        }
         self.body(function);
         self.out.push('\n');
     }

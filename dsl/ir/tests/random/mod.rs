@@ -211,6 +211,11 @@ impl Source<'_> {
             result: self.ty(),
             result_name: self.name(),
             body: self.block(),
+            kernel: self.chance(20).then(|| Kernel {
+                routine: self.pick(&KernelRoutine::ALL),
+                element: self.pick(&[Float::F32, Float::F64]),
+                dims: self.some(4, |source| source.below(300)),
+            }),
             span: self.span(),
         }
     }

@@ -1,0 +1,147 @@
+//! The C of kernels: routines of linear algebra, each in a file of its own, named by routine, type and
+//! shape.
+//!
+//! The interface: [`source`] gives the body of a kernel's function and what stands before it;
+//! [`buffers`] gives the memory that it needs. The head follows from [`Kernel::function`] and is the
+//! back end's, as are file, header and includes. The parameters keep their names: `a`, `b`, `result`.
+//!
+//! Bodies are text, not C trees: what makes a kernel fast (vector types, intrinsics, pragmas, the
+//! preprocessor) is not in the C tree, and what the C tree brings (precedence, conversions, names)
+//! a kernel has no need of. [`text`] fills templates that look like the C they become; a generator of
+//! tiles prints lines.
+//!
+//! Invariants:
+//! * **Order.** Each element sees the operations that `bessemer_ir::KernelRoutine` and nalgebra give it, in
+//!   that order, each rounded by itself; how elements are interleaved is free. Any NaN is as good as
+//!   another; everything else, ±0 and subnormals included, is the same bits.
+//! * **No fault.** For any input, singular, infinite or NaN, no index leaves its array and every loop ends.
+//! * **Memory.** Buffers of more than [`LARGEST`] bytes in all are the caller's, in the kernel's `…_work_t`;
+//!   what they hold means nothing between calls. Smaller ones are locals. Nothing else takes more than a
+//!   few hundred bytes of the stack.
+//! * **Stable.** The text of a kernel depends on the kernel alone.
+//!
+//! Absent: IR, names, files; any knowledge of who calls.
+
+pub mod plain;
+pub mod text;
+
+use bessemer_ir::{Float, Int, Kernel, KernelRoutine, Scalar};
+
+/// Bytes of buffers that a kernel may put on the stack.
+pub const LARGEST: u64 = 256;
+
+/// The C of a kernel.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Source {
+    /// Static functions and macros before the kernel's function.
+    pub before: String,
+    /// The lines of its body, indented from 0.
+    pub body: String,
+    /// Whether it needs `math.h`.
+    pub math: bool,
+    /// Whether it calls the scalar product of columns, `dot_f64(x, y, rows, 1U)`.
+    pub dot: bool,
+}
+
+/// An array that a kernel works with.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Buffer {
+    /// Its name.
+    pub name: &'static str,
+    /// The type of its elements.
+    pub element: Scalar,
+    /// How many.
+    pub len: u32,
+    /// What it holds, as a comment says it.
+    pub holds: &'static str,
+}
+
+/// What there is to say about a kernel.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Report {
+    /// Its function.
+    pub name: String,
+    /// Bytes of memory that its caller lends it.
+    pub lent_bytes: u64,
+    /// Lines of C.
+    pub lines: usize,
+}
+
+/// The C of a kernel.
+pub fn source(kernel: &Kernel) -> Source {
+    plain::source(kernel)
+}
+
+/// The memory that a kernel works with.
+pub fn buffers(kernel: &Kernel) -> Vec<Buffer> {
+    plain::buffers(kernel)
+}
+
+/// The memory that a kernel's caller lends it: all its buffers, or none if they are small.
+pub fn lent(kernel: &Kernel) -> Vec<Buffer> {
+    let buffers = buffers(kernel);
+    if buffers.iter().map(Buffer::bytes).sum::<u64>() > LARGEST { buffers } else { Vec::new() }
+}
+
+/// The declarations of a kernel's buffers: locals, or names for what its caller lends.
+pub fn declarations(kernel: &Kernel) -> String {
+    let lent = !lent(kernel).is_empty();
+    let declare = |buffer: &Buffer| {
+        let (ty, name, len) = (scalar(buffer.element), buffer.name, buffer.len);
+        match lent {
+            true => format!("{ty} *const {name} = work->{name};\n"),
+            false => format!("{ty} {name}[{len}];\n"),
+        }
+    };
+    buffers(kernel).iter().map(declare).collect()
+}
+
+/// What there is to say about a kernel.
+pub fn report(kernel: &Kernel) -> Report {
+    let source = source(kernel);
+    Report {
+        name: kernel.name(),
+        lent_bytes: lent(kernel).iter().map(Buffer::bytes).sum(),
+        lines: source.before.lines().count() + source.body.lines().count(),
+    }
+}
+
+/// Bytes of the buffers that are locals of the kernel.
+pub fn stack_bytes(kernel: &Kernel) -> u64 {
+    let all: u64 = buffers(kernel).iter().map(Buffer::bytes).sum();
+    if all > LARGEST { 0 } else { all }
+}
+
+impl Buffer {
+    /// Its size.
+    pub fn bytes(&self) -> u64 {
+        let element = match self.element {
+            Scalar::Float(Float::F64) | Scalar::Int(Int::U64 | Int::I64) => 8,
+            Scalar::Float(Float::F32) => 4,
+            Scalar::Int(int) => u64::from(int.bits() / 8),
+            Scalar::Bool => 1,
+        };
+        element * u64::from(self.len)
+    }
+}
+
+/// The C type of a buffer's element.
+fn scalar(scalar: Scalar) -> &'static str {
+    match scalar {
+        Scalar::Float(Float::F64) => "double",
+        Scalar::Float(Float::F32) => "float",
+        _ => "uint32_t",
+    }
+}
+
+/// Whether a product of this shape has a kernel of its own, or is written out where it stands.
+pub fn is_large(routine: KernelRoutine, dims: &[u32]) -> bool {
+    /// Up to so many multiplications a product is written out.
+    const WRITTEN_OUT: u64 = 64;
+    match routine {
+        KernelRoutine::Product | KernelRoutine::TrMul => {
+            dims.iter().map(|dim| u64::from(*dim)).product::<u64>() > WRITTEN_OUT
+        }
+        _ => true,
+    }
+}

@@ -1,0 +1,47 @@
+//! Kernels as plain loops in nalgebra's order: short, portable, the reference for faster ones.
+
+mod inverse;
+mod lu;
+mod product;
+
+use bessemer_ir::{Int, Kernel, KernelRoutine, Scalar};
+
+use super::{Buffer, Source};
+
+/// The C of a kernel.
+pub(super) fn source(kernel: &Kernel) -> Source {
+    match (kernel.routine, kernel.dims.as_slice()) {
+        (KernelRoutine::Product, &[rows, inner, cols]) => {
+            product::product(kernel, rows, inner, cols)
+        }
+        (KernelRoutine::TrMul, &[rows, left, right]) => product::tr_mul(kernel, rows, left, right),
+        (KernelRoutine::LuSolve, &[size, cols]) => lu::solve(kernel, size, cols),
+        (KernelRoutine::Inverse, &[size @ 1..=4]) => inverse::by_cofactors(kernel, size),
+        (KernelRoutine::Inverse, &[size]) => lu::inverse(kernel, size),
+        (KernelRoutine::Determinant, &[size @ 1..=3]) => inverse::determinant(kernel, size),
+        (KernelRoutine::Determinant, &[size]) => lu::determinant(kernel, size),
+        _ => unreachable!("the validator counts dimensions"),
+    }
+}
+
+/// The memory that a kernel works with.
+pub(super) fn buffers(kernel: &Kernel) -> Vec<Buffer> {
+    let element = Scalar::Float(kernel.element);
+    let factors = |size: u32| Buffer {
+        name: "factors",
+        element,
+        len: size * size,
+        holds: "The matrix, then its factors.",
+    };
+    let pivots = |size: u32| Buffer {
+        name: "pivots",
+        element: Scalar::Int(Int::U32),
+        len: size,
+        holds: "The row that each step exchanges with its own.",
+    };
+    match (kernel.routine, kernel.dims.as_slice()) {
+        (KernelRoutine::Inverse, &[size]) if size > 4 => vec![factors(size), pivots(size)],
+        (KernelRoutine::Determinant, &[size]) if size > 3 => vec![factors(size)],
+        _ => Vec::new(),
+    }
+}

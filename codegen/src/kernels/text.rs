@@ -1,0 +1,72 @@
+//! Templates of C: `$name` stands for a value, everything else for itself.
+//!
+//! `$` has no meaning in C, so that a template looks like the C that it becomes.
+
+use bessemer_ir::Float;
+
+/// The template with its names replaced. A name without a value stays, and a test finds it.
+pub fn fill(template: &str, values: &[(&str, String)]) -> String {
+    let mut text = String::new();
+    let mut parts = template.split('$');
+    text.push_str(parts.next().unwrap_or_default());
+    for part in parts {
+        let end = part
+            .find(|letter: char| !letter.is_ascii_alphanumeric() && letter != '_')
+            .unwrap_or(part.len());
+        let (name, rest) = part.split_at(end);
+        match values.iter().find(|(known, _)| *known == name) {
+            Some((_, value)) => text.push_str(value),
+            None => text.push_str(&format!("${name}")),
+        }
+        text.push_str(rest);
+    }
+    text
+}
+
+/// What C calls the numbers of a float type: `$real`, `$zero`, `$one`, `$abs`, `$sqrt`, `$nan`.
+pub fn numbers(float: Float) -> Vec<(&'static str, String)> {
+    let words: [(&str, &str); 6] = match float {
+        Float::F64 => [
+            ("real", "double"),
+            ("zero", "0.0"),
+            ("one", "1.0"),
+            ("abs", "fabs"),
+            ("sqrt", "sqrt"),
+            ("nan", "(double)NAN"),
+        ],
+        Float::F32 => [
+            ("real", "float"),
+            ("zero", "0.0F"),
+            ("one", "1.0F"),
+            ("abs", "fabsf"),
+            ("sqrt", "sqrtf"),
+            ("nan", "NAN"),
+        ],
+    };
+    words.into_iter().map(|(name, word)| (name, word.to_owned())).collect()
+}
+
+/// The same, with sizes as C has them: `("n", 6)` gives `6U`.
+pub fn values(float: Float, sizes: &[(&'static str, u32)]) -> Vec<(&'static str, String)> {
+    let mut values = numbers(float);
+    values.extend(sizes.iter().map(|(name, size)| (*name, format!("{size}U"))));
+    values
+}
+
+/// Every line one level further in.
+pub fn indented(text: &str) -> String {
+    text.lines()
+        .map(|line| if line.is_empty() { "\n".to_owned() } else { format!("    {line}\n") })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::fill;
+
+    #[test]
+    fn names_are_replaced_whole() {
+        let values = [("n", "6U".to_owned()), ("name", "x".to_owned())];
+        assert_eq!(fill("a[$n + 1] = $name; $other", &values), "a[6U + 1] = x; $other");
+    }
+}

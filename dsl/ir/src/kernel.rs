@@ -1,0 +1,242 @@
+//! Kernels: routines of linear algebra that are functions of their own, one for each routine, element
+//! type and shape.
+//!
+//! A [`Kernel`] says which; [`Kernel::function`] is the function of the module that stands for it:
+//! a face without a body. Whoever runs IR brings its own body: the interpreter plain loops, the C back
+//! end a file for each kernel. Calls of it are calls like any other.
+//!
+//! Invariants: what a kernel computes follows from its three parts alone, bit for bit, in nalgebra's
+//! order of operations; its name, too. A kernel cannot fault. One that is only ever added keeps the
+//! text of the others.
+//!
+//! Absent: how it is computed; scratch memory, which is the back end's business.
+
+use alloc::format;
+use alloc::string::String;
+use alloc::vec::Vec;
+
+use crate::ir::{Function, Local, Mode, Role, Type};
+use crate::number::{Float, Scalar};
+
+/// What a kernel computes, and what its dimensions are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum KernelRoutine {
+    /// `a * b`; rows of `a`, columns of `a`, columns of `b`. Per output the first product, then k
+    /// ascending `y = a_k * b_k + y`.
+    Product,
+    /// `a.tr_mul(&b)`; rows of both, columns of `a`, columns of `b`. Per output the `dot` of two columns.
+    TrMul,
+    /// Solves `a x = b` by elimination with row pivots, in place: `a` becomes its factors as nalgebra
+    /// packs them, `b` the solution, and the result is `true`. A singular `a` gives `false`, and NaN in
+    /// every element of both. The size, the columns of `b`.
+    LuSolve,
+    /// Inverts `a` in place; `false`, and `a` as it was, where it is singular. The size. Up to 4 by
+    /// cofactors, above by elimination.
+    Inverse,
+    /// The determinant of `a`. The size. Up to 3 by minors, above by elimination.
+    Determinant,
+}
+
+/// A routine of linear algebra with its element type and its shape.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Kernel {
+    /// What it computes.
+    pub routine: KernelRoutine,
+    /// The type of every element.
+    pub element: Float,
+    /// As [`KernelRoutine`] says; each at least 1.
+    pub dims: Vec<u32>,
+}
+
+impl KernelRoutine {
+    /// Every routine.
+    pub const ALL: [KernelRoutine; 5] = [
+        KernelRoutine::Product,
+        KernelRoutine::TrMul,
+        KernelRoutine::LuSolve,
+        KernelRoutine::Inverse,
+        KernelRoutine::Determinant,
+    ];
+
+    /// `lu_solve`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            KernelRoutine::Product => "product",
+            KernelRoutine::TrMul => "tr_mul",
+            KernelRoutine::LuSolve => "lu_solve",
+            KernelRoutine::Inverse => "inverse",
+            KernelRoutine::Determinant => "determinant",
+        }
+    }
+
+    /// The routine of this name.
+    pub fn from_name(name: &str) -> Option<KernelRoutine> {
+        KernelRoutine::ALL.into_iter().find(|routine| routine.name() == name)
+    }
+
+    /// One word for its result.
+    pub const fn result(self) -> &'static str {
+        match self {
+            KernelRoutine::Product | KernelRoutine::TrMul => "product",
+            KernelRoutine::LuSolve => "solved",
+            KernelRoutine::Inverse => "inverted",
+            KernelRoutine::Determinant => "determinant",
+        }
+    }
+
+    /// How many dimensions it has.
+    pub const fn dims(self) -> usize {
+        match self {
+            KernelRoutine::Product | KernelRoutine::TrMul => 3,
+            KernelRoutine::LuSolve => 2,
+            KernelRoutine::Inverse | KernelRoutine::Determinant => 1,
+        }
+    }
+}
+
+impl Kernel {
+    /// A kernel, if the dimensions are as many as the routine has, none of them 0.
+    pub fn new(routine: KernelRoutine, element: Float, dims: &[u32]) -> Option<Kernel> {
+        let sound = dims.len() == routine.dims() && !dims.contains(&0);
+        sound.then(|| Kernel { routine, element, dims: dims.to_vec() })
+    }
+
+    /// `lu_solve_f64_6`, `product_f64_6x6_6x3`: the name of its function, and of its file.
+    pub fn name(&self) -> String {
+        let shape = match (self.routine, self.dims.as_slice()) {
+            (KernelRoutine::Product, [rows, inner, cols]) => {
+                format!("{rows}x{inner}_{inner}x{cols}")
+            }
+            (KernelRoutine::TrMul, [rows, left, right]) => format!("{rows}x{left}_{rows}x{right}"),
+            (_, [size, 1] | [size]) => format!("{size}"),
+            (_, [size, cols]) => format!("{size}x{cols}"),
+            _ => String::from("unsound"),
+        };
+        format!("{}_{}_{shape}", self.routine.name(), Scalar::Float(self.element).name())
+    }
+
+    /// The function that stands for it: a face, without a body.
+    pub fn function(&self) -> Function {
+        let name = self.name();
+        let (params, result) = self.face();
+        let locals: Vec<Local> = params
+            .into_iter()
+            .map(|(name, ty, mode)| Local { name: name.into(), ty, mode, span: Default::default() })
+            .collect();
+        Function {
+            module: format!("bessemer::kernels::{name}"),
+            name,
+            owner: None,
+            role: Role::Public,
+            docs: self.docs(),
+            params: locals.len() as u32,
+            locals,
+            result,
+            result_name: "result".into(),
+            body: Default::default(),
+            kernel: Some(self.clone()),
+            span: Default::default(),
+        }
+    }
+
+    fn face(&self) -> (Vec<(&'static str, Type, Mode)>, Type) {
+        let element = Scalar::Float(self.element);
+        let matrix = |rows, cols| Type::Matrix { element, rows, cols };
+        let dim = |index: usize| self.dims.get(index).copied().unwrap_or_default();
+        let (n, m, k) = (dim(0), dim(1), dim(2));
+        match self.routine {
+            KernelRoutine::Product => (
+                alloc::vec![("a", matrix(n, m), Mode::Ref), ("b", matrix(m, k), Mode::Ref)],
+                matrix(n, k),
+            ),
+            KernelRoutine::TrMul => (
+                alloc::vec![("a", matrix(n, m), Mode::Ref), ("b", matrix(n, k), Mode::Ref)],
+                matrix(m, k),
+            ),
+            KernelRoutine::LuSolve => (
+                alloc::vec![("a", matrix(n, n), Mode::RefMut), ("b", matrix(n, m), Mode::RefMut)],
+                Type::BOOL,
+            ),
+            KernelRoutine::Inverse => (alloc::vec![("a", matrix(n, n), Mode::RefMut)], Type::BOOL),
+            KernelRoutine::Determinant => {
+                (alloc::vec![("a", matrix(n, n), Mode::Ref)], Type::Scalar(element))
+            }
+        }
+    }
+
+    /// What it does, as the header of the C says it.
+    fn docs(&self) -> Vec<String> {
+        let lines: &[&str] = match (self.routine, self.dims.as_slice()) {
+            (KernelRoutine::Product, _) => &[
+                "The product of a and b, matrices by columns. Each element of the result starts as its",
+                "first product and adds the others in the order of the columns of a.",
+            ],
+            (KernelRoutine::TrMul, _) => &[
+                "The product of the transpose of a with b, matrices by columns. Each element of the result",
+                "is the scalar product of two columns, in nalgebra's order.",
+            ],
+            (KernelRoutine::LuSolve, _) => &[
+                "Solves a x = b by elimination with row pivots, in place; matrices by columns. a becomes its",
+                "factors, rows in the order of the pivots: U, and below the diagonal L without its ones. b",
+                "becomes x. False, and NaN in both, if a is singular.",
+                "",
+                "The pivot is the first of the largest magnitudes; a multiplier is an element times the",
+                "reciprocal of the pivot; an element takes the steps of the elimination in their order,",
+                "each as (-u) * l + element.",
+            ],
+            (KernelRoutine::Inverse, [0..=4]) => &[
+                "Inverts a in place, by cofactors; matrices by columns. False, and a as it was, if the",
+                "determinant is zero.",
+            ],
+            (KernelRoutine::Inverse, _) => &[
+                "Inverts a in place, by elimination with row pivots; matrices by columns. False, and a as it",
+                "was, if it is singular.",
+                "",
+                "The pivot is the first of the largest magnitudes; a multiplier is an element times the",
+                "reciprocal of the pivot; an element takes the steps of the elimination in their order,",
+                "each as (-u) * l + element.",
+            ],
+            (KernelRoutine::Determinant, [0..=3]) => &["The determinant of a, by minors."],
+            (KernelRoutine::Determinant, _) => &[
+                "The determinant of a: the product of the pivots of an elimination by rows, from the first,",
+                "times -1 for an odd number of exchanges.",
+            ],
+        };
+        lines.iter().map(|&line| String::from(line)).collect()
+    }
+}
+
+/// Six products of three elements, each with its sign.
+pub type Products = [(i8, [usize; 3]); 6];
+
+/// The sixteen cofactors of a 4×4 matrix by columns, transposed: the element of the inverse that each
+/// makes, and its six products in the order in which nalgebra sums them, each with its sign.
+///
+/// The determinant is the sum of the elements 0 to 3 of the matrix times the first four of these.
+pub const COFACTORS: [(usize, Products); 16] = {
+    const fn six(signs: i8, products: [[usize; 3]; 6]) -> Products {
+        let [a, b, c, d, e, f] = products;
+        let (plus, minus) = (signs, -signs);
+        [(plus, a), (minus, b), (minus, c), (plus, d), (plus, e), (minus, f)]
+    }
+    #[rustfmt::skip]
+    let table = [
+        (0, six(1, [[5, 10, 15], [5, 11, 14], [9, 6, 15], [9, 7, 14], [13, 6, 11], [13, 7, 10]])),
+        (4, six(-1, [[4, 10, 15], [4, 11, 14], [8, 6, 15], [8, 7, 14], [12, 6, 11], [12, 7, 10]])),
+        (8, six(1, [[4, 9, 15], [4, 11, 13], [8, 5, 15], [8, 7, 13], [12, 5, 11], [12, 7, 9]])),
+        (12, six(-1, [[4, 9, 14], [4, 10, 13], [8, 5, 14], [8, 6, 13], [12, 5, 10], [12, 6, 9]])),
+        (1, six(-1, [[1, 10, 15], [1, 11, 14], [9, 2, 15], [9, 3, 14], [13, 2, 11], [13, 3, 10]])),
+        (2, six(1, [[1, 6, 15], [1, 7, 14], [5, 2, 15], [5, 3, 14], [13, 2, 7], [13, 3, 6]])),
+        (3, six(-1, [[1, 6, 11], [1, 7, 10], [5, 2, 11], [5, 3, 10], [9, 2, 7], [9, 3, 6]])),
+        (5, six(1, [[0, 10, 15], [0, 11, 14], [8, 2, 15], [8, 3, 14], [12, 2, 11], [12, 3, 10]])),
+        (6, six(-1, [[0, 6, 15], [0, 7, 14], [4, 2, 15], [4, 3, 14], [12, 2, 7], [12, 3, 6]])),
+        (7, six(1, [[0, 6, 11], [0, 7, 10], [4, 2, 11], [4, 3, 10], [8, 2, 7], [8, 3, 6]])),
+        (9, six(-1, [[0, 9, 15], [0, 11, 13], [8, 1, 15], [8, 3, 13], [12, 1, 11], [12, 3, 9]])),
+        (10, six(1, [[0, 5, 15], [0, 7, 13], [4, 1, 15], [4, 3, 13], [12, 1, 7], [12, 3, 5]])),
+        (11, six(-1, [[0, 5, 11], [0, 7, 9], [4, 1, 11], [4, 3, 9], [8, 1, 7], [8, 3, 5]])),
+        (13, six(1, [[0, 9, 14], [0, 10, 13], [8, 1, 14], [8, 2, 13], [12, 1, 10], [12, 2, 9]])),
+        (14, six(-1, [[0, 5, 14], [0, 6, 13], [4, 1, 14], [4, 2, 13], [12, 1, 6], [12, 2, 5]])),
+        (15, six(1, [[0, 5, 10], [0, 6, 9], [4, 1, 10], [4, 2, 9], [8, 1, 6], [8, 2, 5]])),
+    ];
+    table
+};

@@ -1,0 +1,97 @@
+//! One function for each routine of linear algebra, each type and each size.
+//!
+//! The table of routines (`tests/tests/linear.rs`) calls every one natively, in the interpreter and as C.
+//! A function that is added here is compared from then on.
+
+#![no_std]
+#![allow(missing_docs, clippy::all)]
+
+/// Gives words, one after another.
+pub type Get<'a> = &'a mut dyn FnMut() -> u64;
+/// Takes words, one after another.
+pub type Put<'a> = &'a mut dyn FnMut(u64);
+
+/// A function of the table.
+pub struct Case {
+    /// The path of its module.
+    pub module: &'static str,
+    /// Its name.
+    pub name: &'static str,
+    /// Takes the words of the arguments; gives those of the result, and of what it changed.
+    pub run: fn(Get<'_>, Put<'_>),
+}
+
+/// Functions with their cases. An argument is `[&]` or `[&mut]` to what its type says.
+macro_rules! cases {
+    ($($name:ident($($argument:ident: [$($kind:tt)+] [$($ty:tt)+]),*) -> [$($result:tt)+] $body:block)*) => {
+        $(
+            #[bessemer::function]
+            pub fn $name($($argument: $($kind)+ $($ty)+),*) -> $($result)+ $body
+        )*
+
+        pub const CASES: &[crate::Case] = &[$(crate::Case {
+            module: module_path!(),
+            name: stringify!($name),
+            run: |get, put| {
+                $(#[allow(unused_mut)]
+                let mut $argument = <$($ty)+ as bessemer::Plain>::load(get);)*
+                let result = $name($($($kind)+ $argument),*);
+                bessemer::Plain::store(&result, put);
+                $(changed!([$($kind)+] $argument put);)*
+            },
+        }),*];
+    };
+}
+
+macro_rules! changed {
+    ([&mut] $argument:ident $put:ident) => {
+        bessemer::Plain::store(&$argument, $put)
+    };
+    ([&] $argument:ident $put:ident) => {};
+}
+
+macro_rules! sizes {
+    ($($module:ident: $real:ident $n:tt;)*) => {
+        $(pub mod $module {
+            use bessemer::prelude::*;
+
+            cases! {
+                solve(
+                    a: [&mut] [SMatrix<$real, $n, $n>], b: [&mut] [SMatrix<$real, $n, 1>]
+                ) -> [bool] { bessemer::solve_mut(a, b) }
+                solve_for_three(
+                    a: [&mut] [SMatrix<$real, $n, $n>], b: [&mut] [SMatrix<$real, $n, 3>]
+                ) -> [bool] { bessemer::solve_mut(a, b) }
+                inverse(a: [&mut] [SMatrix<$real, $n, $n>]) -> [bool] {
+                    bessemer::inverse_mut(a)
+                }
+                determinant(a: [&] [SMatrix<$real, $n, $n>]) -> [$real] { a.determinant() }
+                product(
+                    a: [&] [SMatrix<$real, $n, $n>], b: [&] [SMatrix<$real, $n, $n>]
+                ) -> [SMatrix<$real, $n, $n>] { a * b }
+                product_with_vector(
+                    a: [&] [SMatrix<$real, $n, $n>], b: [&] [SMatrix<$real, $n, 1>]
+                ) -> [SMatrix<$real, $n, 1>] { a * b }
+                product_of_oblongs(
+                    a: [&] [SMatrix<$real, 3, $n>], b: [&] [SMatrix<$real, $n, 5>]
+                ) -> [SMatrix<$real, 3, 5>] { a * b }
+                outer_product(
+                    a: [&] [SMatrix<$real, $n, 1>], b: [&] [SMatrix<$real, 1, 7>]
+                ) -> [SMatrix<$real, $n, 7>] { a * b }
+                tr_mul(
+                    a: [&] [SMatrix<$real, $n, $n>], b: [&] [SMatrix<$real, $n, 4>]
+                ) -> [SMatrix<$real, $n, 4>] { a.tr_mul(b) }
+            }
+        })*
+
+        pub const CASES: &[&[Case]] = &[$($module::CASES),*];
+    };
+}
+
+sizes! {
+    f64_1: f64 1; f64_2: f64 2; f64_3: f64 3; f64_4: f64 4; f64_5: f64 5; f64_6: f64 6;
+    f64_7: f64 7; f64_8: f64 8; f64_9: f64 9; f64_12: f64 12; f64_15: f64 15; f64_20: f64 20;
+    f64_33: f64 33;
+    f32_1: f32 1; f32_2: f32 2; f32_3: f32 3; f32_4: f32 4; f32_5: f32 5; f32_8: f32 8;
+    f32_11: f32 11; f32_20: f32 20;
+}

@@ -1,0 +1,248 @@
+//! The table of linear algebra: every routine, type and size gives the bits of nalgebra in the
+//! interpreter and in C (gcc and clang, -O0 and -O3, under sanitizers, and on the Cortex-A9), on
+//! random, graded, singular and tied matrices, and on ones with NaN, infinities and zeros in them.
+
+use std::sync::OnceLock;
+use std::thread;
+
+use bessemer_codegen::compile::Compiled;
+use bessemer_codegen::interpret::Interpreter;
+use bessemer_ir::{Float, Function, FunctionId, Mode, Module, Scalar, Type};
+use bessemer_tests::process::Process;
+use bessemer_tests::toolchain::{self, Toolchain};
+use bessemer_tests::{compiled, harness};
+use linear::CASES;
+
+/// Calls of each routine.
+const CALLS: usize = 24;
+
+/// A generator of numbers; the same in every run.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        self.0.wrapping_mul(0x2545_f491_4f6c_dd1d)
+    }
+
+    fn below(&mut self, count: u64) -> u64 {
+        self.next() % count
+    }
+
+    /// From −1 to 1.
+    fn unit(&mut self) -> f64 {
+        (self.next() >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    }
+}
+
+/// What the elements of a call's matrices are like.
+#[derive(Clone, Copy, Debug)]
+enum Kind {
+    /// Between −1 and 1.
+    Uniform,
+    /// Symmetric and positive definite.
+    Definite,
+    /// Of very different sizes.
+    Graded,
+    /// The last column is the first.
+    Singular,
+    /// Small whole numbers: ties between pivots, exact zeros of either sign.
+    Whole,
+    /// A few elements are zero, NaN, infinite or tiny.
+    Special,
+}
+
+const KINDS: [Kind; 6] =
+    [Kind::Uniform, Kind::Definite, Kind::Graded, Kind::Singular, Kind::Whole, Kind::Special];
+
+const SPECIALS: [f64; 8] =
+    [0.0, -0.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 5e-324, 1e-40, f64::MAX];
+
+fn elements(kind: Kind, rows: usize, cols: usize, random: &mut Random) -> Vec<f64> {
+    let mut list: Vec<f64> = (0..rows * cols)
+        .map(|index| match kind {
+            Kind::Graded => random.unit() * 10f64.powi((index % rows) as i32 % 16 - 8),
+            Kind::Whole => [0.0, -0.0, 1.0, -1.0, 2.0][random.below(5) as usize],
+            _ => random.unit(),
+        })
+        .collect();
+    match kind {
+        Kind::Definite if rows == cols => {
+            for row in 0..rows {
+                for col in 0..row {
+                    list[col + rows * row] = list[row + rows * col];
+                }
+                list[row + rows * row] += rows as f64;
+            }
+        }
+        Kind::Singular => {
+            let first = list[..rows].to_vec();
+            list[rows * (cols - 1)..].copy_from_slice(&first);
+        }
+        Kind::Special => {
+            for _ in 0..1 + random.below(3) {
+                let at = random.below(list.len() as u64) as usize;
+                list[at] = SPECIALS[random.below(SPECIALS.len() as u64) as usize];
+            }
+        }
+        _ => {}
+    }
+    list
+}
+
+/// The words of an argument.
+fn argument(module: &Module, ty: &Type, kind: Kind, random: &mut Random) -> Vec<u64> {
+    let word = |ty: &Type, value: f64| match ty.as_float() {
+        Some(Float::F32) => u64::from((value as f32).to_bits()),
+        _ => value.to_bits(),
+    };
+    match *ty {
+        Type::Matrix { element: Scalar::Float(float), rows, cols } => {
+            let element = Type::Scalar(Scalar::Float(float));
+            let list = elements(kind, rows as usize, cols as usize, random);
+            list.into_iter().map(|value| word(&element, value)).collect()
+        }
+        _ => module
+            .leaves(ty)
+            .iter()
+            .map(|leaf| match leaf.as_float() {
+                Some(_) => word(leaf, random.unit()),
+                None => random.below(2),
+            })
+            .collect(),
+    }
+}
+
+/// A routine, its calls, and what Rust makes of them.
+struct Case {
+    name: String,
+    id: FunctionId,
+    calls: Vec<(Kind, Vec<Vec<u64>>)>,
+    native: Vec<Vec<u64>>,
+    /// The types of the words that come out.
+    leaves: Vec<Type>,
+}
+
+/// The package, compiled once.
+fn linear_routines() -> &'static Compiled {
+    static COMPILED: OnceLock<Compiled> = OnceLock::new();
+    COMPILED.get_or_init(|| compiled("linear"))
+}
+
+fn cases(compiled: &Compiled) -> Vec<Case> {
+    let module = &compiled.module;
+    let mut random = Random(0x9e37_79b9_7f4a_7c15);
+    let is = |native: &linear::Case, function: &Function| {
+        function.name == native.name && function.module == native.module
+    };
+    let mut cases = Vec::new();
+    for native in CASES.iter().copied().flatten() {
+        let name = format!("{}::{}", native.module, native.name);
+        let index = module.functions.iter().position(|function| is(native, function));
+        let id = FunctionId(index.unwrap_or_else(|| panic!("`{name}` was not compiled")) as u32);
+        let function = &module.functions[id.index()];
+        let mut leaves = module.leaves(&function.result);
+        for local in function.parameters().iter().filter(|local| local.mode == Mode::RefMut) {
+            leaves.extend(module.leaves(&local.ty));
+        }
+        let calls: Vec<_> = (0..CALLS)
+            .map(|index| {
+                let kind = KINDS[index % KINDS.len()];
+                let words = function.parameters().iter();
+                (kind, words.map(|it| argument(module, &it.ty, kind, &mut random)).collect())
+            })
+            .collect();
+        let run = |(_, call): &(Kind, Vec<Vec<u64>>)| {
+            let (mut words, mut out) = (call.iter().flatten().copied(), Vec::new());
+            (native.run)(&mut || words.next().expect("a word"), &mut |word| out.push(word));
+            out
+        };
+        let native = calls.iter().map(run).collect();
+        cases.push(Case { name, id, calls, native, leaves });
+    }
+    cases
+}
+
+fn agree(leg: &str, case: &Case, index: usize, found: &[u64]) {
+    let native = &case.native[index];
+    let same = native.iter().zip(found).zip(&case.leaves).all(|((a, b), ty)| {
+        a == b
+            || match ty.as_float() {
+                Some(Float::F64) => f64::from_bits(*a).is_nan() && f64::from_bits(*b).is_nan(),
+                Some(Float::F32) => {
+                    f32::from_bits(*a as u32).is_nan() && f32::from_bits(*b as u32).is_nan()
+                }
+                None => false,
+            }
+    });
+    let (kind, call) = &case.calls[index];
+    assert!(
+        same && native.len() == found.len(),
+        "{} in {leg}, {kind:?}\nof    {call:x?}\nRust  {native:x?}\nfound {found:x?}",
+        case.name
+    );
+}
+
+#[test]
+fn the_interpreter_agrees() {
+    let compiled = linear_routines();
+    let cases = cases(compiled);
+    println!("{} routines, {} calls", cases.len(), cases.len() * CALLS);
+    let mut interpreter = Interpreter::new(&compiled.module);
+    for case in &cases {
+        let parameters = compiled.module.functions[case.id.index()].parameters();
+        for (index, (_, call)) in case.calls.iter().enumerate() {
+            let mut arguments = call.clone();
+            let mut found =
+                interpreter.call(case.id, &mut arguments).unwrap_or_else(|stop| panic!("{stop}"));
+            for (local, words) in parameters.iter().zip(&arguments) {
+                if local.mode == Mode::RefMut {
+                    found.extend(words);
+                }
+            }
+            agree("interpreter", case, index, &found);
+        }
+    }
+}
+
+fn run_c(compiled: &Compiled, cases: &[Case], toolchain: &Toolchain, flags: &[&str]) {
+    let leg = format!("{} {}", toolchain.name(), flags.join(" "));
+    let params = |id: FunctionId| compiled.module.functions[id.index()].params;
+    let ids: Vec<_> = cases.iter().map(|case| (case.id, params(case.id))).collect();
+    let main = harness::programs(&compiled.explicit, &ids);
+    let mut process = Process::run(compiled, &main, toolchain, flags)
+        .unwrap_or_else(|error| panic!("{leg}: {error}"));
+    for (at, case) in cases.iter().enumerate() {
+        for (index, (_, call)) in case.calls.iter().enumerate() {
+            let mut words = vec![at as u64];
+            words.extend(call.iter().flatten());
+            let found = process
+                .send(&words)
+                .and_then(|()| process.receive(1 + case.leaves.len()))
+                .unwrap_or_else(|error| panic!("{leg}, {}: {error}", case.name));
+            assert_eq!(found[0], 0, "{leg}, {}", case.name);
+            agree(&leg, case, index, &found[1..]);
+        }
+    }
+}
+
+#[test]
+fn the_c_agrees() {
+    let compiled = linear_routines();
+    let cases = cases(compiled);
+    let sanitized = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-w"];
+    thread::scope(|scope| {
+        let levels =
+            |it: &Toolchain| if it.emulator.is_some() { it.level == 2 } else { it.level != 2 };
+        for toolchain in toolchain::all().into_iter().filter(levels) {
+            let cases = &cases;
+            scope.spawn(move || run_c(compiled, cases, &toolchain, &[]));
+        }
+        for toolchain in toolchain::host().into_iter().filter(|it| it.level == 0) {
+            let cases = &cases;
+            scope.spawn(move || run_c(compiled, cases, &toolchain, &sanitized));
+        }
+    });
+}
