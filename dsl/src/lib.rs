@@ -38,7 +38,7 @@
 extern crate alloc;
 extern crate self as bessemer;
 
-pub use bessemer_macros::{component, data, entry, function};
+pub use bessemer_macros::{component, data, entry, function, interface};
 pub use instance::EntriesInOneBlock;
 pub use linear::{inverse_mut, solve_mut};
 pub use nalgebra;
@@ -55,7 +55,7 @@ mod plain;
 /// What a model imports with one line: `use bessemer::prelude::*;`.
 pub mod prelude {
     pub use crate::math::{Real, real};
-    pub use crate::{component, data, entry, function};
+    pub use crate::{component, data, entry, function, interface};
     pub use nalgebra::{
         Matrix2, Matrix3, Matrix4, Matrix6, SMatrix, SVector, Vector2, Vector3, Vector4, Vector5,
         Vector6,

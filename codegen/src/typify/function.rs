@@ -73,11 +73,16 @@ pub(super) fn lower(cx: &mut Context<'_>, source: &tree::Function) -> Result<Fun
     lowering.parameters()?;
     lowering.body(&tree.body)?;
     let result_name = result_name(lowering.cx, tree, &result);
-    let own = source.generics.len().saturating_sub(source.own_generics as usize);
-    let own: Vec<_> = source.generics[own..].iter().map(|(_, it)| it.clone()).collect();
     let home = source.owner.as_deref().unwrap_or(&source.module);
-    let suffix = lowering.cx.suffix(&own);
-    let name = lowering.cx.instance_name(home, &tree.name, &suffix);
+    let suffix = lowering.cx.suffix(&source.suffix);
+    let name = match &source.interface {
+        // A method of another name keeps it; those of two interfaces are told apart by these.
+        Some(interface) if lowering.cx.is_claimed_twice(source) => {
+            format!("{}_{}", names::snake(interface), tree.name)
+        }
+        _ => tree.name.clone(),
+    };
+    let name = lowering.cx.instance_name(home, &name, &suffix);
     // The methods of an instance stand where its author named it.
     let alias = source.owner.as_deref().and_then(|owner| lowering.cx.aliases.get(owner));
     let module = alias.map_or(&source.module, |alias| &alias.module).clone();

@@ -108,12 +108,19 @@ fn refusal(refusal: &tree::Refusal) -> Diagnostic {
 fn authored(package: &Package) -> HashSet<String> {
     let name = |home: &str, name: &str| format!("{home}::{}", names::snake(name));
     let types = package.types.iter().filter(|it| it.arguments.is_empty());
-    let functions = package.functions.iter().filter(|it| it.own_generics == 0);
+    let functions = package.functions.iter().filter(|it| it.suffix.is_empty());
     types
         .map(|it| name(&it.module, &it.name))
         .chain(package.aliases.iter().map(|it| name(&it.module, &it.name)))
         .chain(functions.map(|it| name(it.owner.as_deref().unwrap_or(&it.module), &it.tree.name)))
         .collect()
+}
+
+/// What a method would be called, and how many of its owner would.
+type Claims<'a> = HashMap<(Option<&'a str>, &'a str, &'a [tree::Argument]), u32>;
+
+fn claim(function: &tree::Function) -> (Option<&str>, &str, &[tree::Argument]) {
+    (function.owner.as_deref(), &function.tree.name, &function.suffix)
 }
 
 /// The module so far, and what its names mean.
@@ -126,6 +133,7 @@ struct Context<'a> {
     aliases: HashMap<&'a str, &'a tree::Alias>,
     /// The names that authors gave, in snake case behind their module or type.
     authored: HashSet<String>,
+    claims: Claims<'a>,
     functions: HashMap<String, FunctionId>,
     /// Functions of other crates that nothing has called so far.
     uncalled: HashMap<&'a str, &'a tree::Function>,
@@ -134,6 +142,10 @@ struct Context<'a> {
 impl<'a> Context<'a> {
     fn new(package: &'a Package, sources: &'a Sources) -> Context<'a> {
         let module = Module { name: package.name.clone(), ..Module::default() };
+        let mut claims = Claims::new();
+        for function in &package.functions {
+            *claims.entry(claim(function)).or_default() += 1;
+        }
         Context {
             module,
             sources,
@@ -141,9 +153,15 @@ impl<'a> Context<'a> {
             types: HashMap::new(),
             aliases: package.aliases.iter().map(|alias| (alias.of.as_str(), alias)).collect(),
             authored: authored(package),
+            claims,
             functions: HashMap::new(),
             uncalled: HashMap::new(),
         }
+    }
+
+    /// Whether another function of its owner wants its name, too.
+    fn is_claimed_twice(&self, function: &tree::Function) -> bool {
+        self.claims.get(&claim(function)).is_some_and(|claims| *claims > 1)
     }
 
     fn span(&mut self, file: &str, Site(line, column): Site) -> Span {

@@ -151,8 +151,10 @@ pub struct Function {
     pub owner: Option<String>,
     /// What stands for the parameters in scope, by name.
     pub generics: Vec<(String, Argument)>,
-    /// How many of these, at the end, are the function's own.
-    pub own_generics: u32,
+    /// The interface that it is part of.
+    pub interface: Option<String>,
+    /// What tells it from other functions of its name and owner.
+    pub suffix: Vec<Argument>,
     /// What the author wrote.
     pub tree: FunctionTree,
     /// The types of the slots.

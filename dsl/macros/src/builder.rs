@@ -24,8 +24,21 @@ pub struct Subject<'a> {
     pub body: &'a syn::Block,
     /// What it is to its callers.
     pub role: Role,
-    /// Whether it stands in an `impl` block.
-    pub method: bool,
+    /// Where it stands.
+    pub home: Home<'a>,
+}
+
+/// Where a function stands.
+#[derive(Clone, Copy)]
+pub enum Home<'a> {
+    /// In a module.
+    Module,
+    /// In an `impl` block of a type.
+    Block,
+    /// In the definition of an interface.
+    Interface(&'a syn::Ident),
+    /// In an implementation of one.
+    Implementation(&'a syn::Path),
 }
 
 /// Refuses what the DSL does not take; in a generation build gives the items that stand beside a
@@ -40,7 +53,7 @@ pub fn build(subject: &Subject<'_>, refusals: &mut Refusals) -> TokenStream {
     let marker = if scope.is_generic() { &generic } else { name };
     let declared = scope.is_generic().then(|| declare_marker(marker, scope));
     let companion = companion(subject, &call, marker, scope, &parts);
-    let callee = callee(&quote! { #name }, marker, scope, &subject.signature.ident);
+    let callee = callee(&quote! { #name }, marker, scope, None, &subject.signature.ident);
     let register = register(name, marker, scope);
     let builder = parts.builder;
     quote! {
@@ -69,7 +82,8 @@ pub fn method(
     let marker = format_ident!("__method_{}", lower::text(name));
     let declared = declare_marker(&marker, scope);
     let companion = companion(subject, &lower::companion_name(name), &marker, scope, &parts);
-    let callee = callee(&quote! { <#owner> }, &marker, scope, name);
+    let bound = owner_bound(scope, &quote! { #owner });
+    let callee = callee(&quote! { <#owner> }, &marker, scope, bound, name);
     let register = register(name, &marker, scope);
     let (of_block, bounds) = (scope.outer().declared(), scope.outer().bounds([]));
     let builder = parts.builder;
@@ -124,9 +138,11 @@ fn callee(
     owner: &TokenStream,
     marker: &syn::Ident,
     scope: Scope<'_>,
+    bound: Option<TokenStream>,
     name: &syn::Ident,
 ) -> TokenStream {
-    let (declared, arguments, bounds) = (scope.declared(), scope.arguments(), scope.value_bounds());
+    let (declared, arguments) = (scope.declared(), scope.arguments());
+    let bounds = scope.value_bounds(bound);
     let (build, own) = (build_name(name), scope.own().turbofish());
     quote! {
         impl #declared ::bessemer::generate::Callee for #marker #arguments #bounds {
@@ -151,21 +167,24 @@ fn register(name: &syn::Ident, marker: &syn::Ident, scope: Scope<'_>) -> TokenSt
     }
 }
 
-/// What the two kinds of companion are made of.
-struct Parts {
-    parameters: Vec<TokenStream>,
-    result: TokenStream,
-    builder: TokenStream,
+/// What companions are made of.
+pub struct Parts {
+    /// The parameters, each with a name of its own.
+    pub parameters: Vec<TokenStream>,
+    /// The type of the result.
+    pub result: TokenStream,
+    /// The function that builds.
+    pub builder: TokenStream,
 }
 
-fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -> Option<Parts> {
+pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -> Option<Parts> {
     lower::check_attributes(subject.attributes, refusals);
     let mut copy = subject.body.clone();
     let mut signature = subject.signature.clone();
     lower::strip(&mut signature, &mut copy, refusals);
     let signature = &signature;
     let parameters = lower::parameters(signature, refusals);
-    let mut walk = Lowering::new(&signature.ident, subject.method, refusals);
+    let mut walk = Lowering::new(&signature.ident, subject.is_method(), refusals);
     let mut params = Vec::new();
     for parameter in &parameters {
         walk.bind(&parameter.name);
@@ -231,13 +250,14 @@ fn builder(
     let text = serde_json::to_string(tree).unwrap_or_default();
     let build = build_name(&subject.signature.ident);
     let name = lower::text(&subject.signature.ident);
-    let owner = if subject.method {
+    let owner = if subject.is_method() {
         quote! { ::core::option::Option::Some(<Self as ::bessemer::generate::DslType>::ty(cx)) }
     } else {
         quote! { ::core::option::Option::None }
     };
-    let (declared, bounds) = (scope.own().declared(), build_bounds(scope));
-    let (told, own) = (scope.told(), scope.own().len() as u32);
+    let (declared, bounds) = (scope.own().declared(), build_bounds(subject, scope));
+    let (told, own) = (scope.told(), scope.own().told());
+    let interface = interface(subject.home, scope);
     quote! {
         #[doc(hidden)]
         #[allow(warnings, clippy::all)]
@@ -254,10 +274,10 @@ fn builder(
             };
             __result::<#result>(&#result_slot);
             let owner = #owner;
-            let generics = #told;
+            let generics = ::bessemer::generate::Generics { scope: #told, own: #own, interface: #interface };
             cx.function(
                 ::bessemer::generate::Named { module: ::core::module_path!(), file: ::core::file!(), name: #name },
-                owner, (generics, #own), #text,
+                owner, generics, #text,
                 |cx| ::bessemer::generate::Witness {
                     slots: ::bessemer::generate::list([#(#slots.ty(cx)),*]),
                     callees: ::bessemer::generate::list([#(#callees.callee(cx)),*]),
@@ -268,13 +288,53 @@ fn builder(
     }
 }
 
-/// What a builder asks of the types in its scope; those of the `impl` block stand there.
-fn build_bounds(scope: Scope<'_>) -> TokenStream {
-    let values = scope.types().map(|name| quote! { #name: ::bessemer::generate::Value });
-    scope.own().bounds(values)
+/// What a builder asks of the types in its scope; what an `impl` block asks for stands there.
+pub fn build_bounds(subject: &Subject<'_>, scope: Scope<'_>) -> TokenStream {
+    let value = |name: TokenStream| quote! { #name: ::bessemer::generate::Value };
+    match subject.home {
+        Home::Module => scope.own().bounds(scope.types().map(|name| value(quote! { #name }))),
+        Home::Block => {
+            let types = scope.types().map(|name| value(quote! { #name }));
+            scope.own().bounds(types.chain(owner_bound(scope, &quote! { Self })))
+        }
+        Home::Interface(_) => {
+            let types = scope.types().map(|name| value(quote! { #name }));
+            scope.own().bounds(types.chain([value(quote! { Self })]))
+        }
+        Home::Implementation(_) => {
+            let types = scope.own().types().map(|name| value(quote! { #name }));
+            scope.own().bounds(types.chain([value(quote! { Self })]))
+        }
+    }
 }
 
-fn companion_parameters(signature: &syn::Signature) -> Vec<TokenStream> {
+/// A generic type may ask more of its parameters to be a type of the DSL than to have methods: a
+/// component its initial state.
+pub fn owner_bound(scope: Scope<'_>, owner: &TokenStream) -> Option<TokenStream> {
+    scope.outer().is_generic().then(|| quote! { #owner: ::bessemer::generate::DslType })
+}
+
+/// The interface that a function is part of, with what stands for its parameters.
+fn interface(home: Home<'_>, scope: Scope<'_>) -> TokenStream {
+    let (name, told) = match home {
+        Home::Module | Home::Block => return quote! { ::core::option::Option::None },
+        Home::Interface(name) => (lower::text(name), scope.outer().told()),
+        Home::Implementation(path) => {
+            let name = path.segments.last().map(|last| lower::text(&last.ident));
+            (name.unwrap_or_default(), scope.told_of(path))
+        }
+    };
+    quote! { ::core::option::Option::Some((#name, #told)) }
+}
+
+impl Subject<'_> {
+    fn is_method(&self) -> bool {
+        !matches!(self.home, Home::Module)
+    }
+}
+
+/// The parameters of a companion.
+pub fn companion_parameters(signature: &syn::Signature) -> Vec<TokenStream> {
     signature
         .inputs
         .iter()
@@ -289,7 +349,8 @@ fn companion_parameters(signature: &syn::Signature) -> Vec<TokenStream> {
         .collect()
 }
 
-fn result_type(signature: &syn::Signature) -> TokenStream {
+/// The type of a function's result.
+pub fn result_type(signature: &syn::Signature) -> TokenStream {
     match &signature.output {
         syn::ReturnType::Default => quote! { () },
         syn::ReturnType::Type(_, ty) => quote! { #ty },

@@ -8,11 +8,12 @@ use proc_macro2::TokenStream;
 use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned;
 
-use crate::builder::{self, Subject};
+use crate::builder::{self, Home, Subject};
 use crate::docs;
 use crate::function::refuse_body;
 use crate::generics::Scope;
 use crate::instance;
+use crate::interface;
 use crate::lower::{self, Refusals, refuse};
 use crate::redirect;
 
@@ -250,8 +251,8 @@ fn methods(
     refusals: &mut Refusals,
 ) -> (TokenStream, TokenStream) {
     refuse_lifetimes(&it.generics, refusals);
-    if let Some((path, _)) = &it.trait_ {
-        refusals.add(path.span(), refuse::TRAIT_IMPL);
+    if it.trait_.is_some() {
+        return interface::implementation(kind, it, refusals);
     }
     let mut beside = TokenStream::new();
     let (mut owned, mut faces) = (Vec::new(), Vec::new());
@@ -272,7 +273,7 @@ fn methods(
             signature: &method.sig,
             body: &method.block,
             role,
-            method: true,
+            home: Home::Block,
         };
         beside.extend(builder::method(&it.self_ty, &it.generics, &subject, &mut refusals));
         let generic = Scope::of_function(&method.sig.generics).is_generic();
@@ -315,7 +316,7 @@ fn alias(method: &syn::ImplItemFn) -> Option<syn::ImplItem> {
 }
 
 /// Takes `#[entry]` off a method and says what the method is to its callers.
-fn role(kind: Kind, attributes: &mut Vec<syn::Attribute>, refusals: &mut Refusals) -> Role {
+pub fn role(kind: Kind, attributes: &mut Vec<syn::Attribute>, refusals: &mut Refusals) -> Role {
     let mut role = match kind {
         Kind::Data => Role::Public,
         Kind::Component => Role::Private,

@@ -4,7 +4,7 @@ use bessemer_ir::tree::Role;
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
-use crate::builder::{self, Subject};
+use crate::builder::{self, Home, Subject};
 use crate::lower::{Refusals, refuse};
 use crate::redirect;
 
@@ -32,7 +32,7 @@ pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
         signature: &function.sig,
         body: &function.block,
         role: Role::Public,
-        method: false,
+        home: Home::Module,
     };
     let builder = builder::build(&subject, &mut refusals);
     let (visibility, name) = (&function.vis, &function.sig.ident);

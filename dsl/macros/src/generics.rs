@@ -12,6 +12,8 @@ use crate::lower;
 /// The parameters in the scope of a function, or of a type.
 #[derive(Clone, Copy)]
 pub struct Scope<'a> {
+    /// What implements an interface, where that is open.
+    this: Option<&'a GenericParam>,
     outer: Option<&'a syn::Generics>,
     own: Option<&'a syn::Generics>,
 }
@@ -19,17 +21,22 @@ pub struct Scope<'a> {
 impl<'a> Scope<'a> {
     /// Of a free function.
     pub fn of_function(own: &'a syn::Generics) -> Scope<'a> {
-        Scope { outer: None, own: Some(own) }
+        Scope { this: None, outer: None, own: Some(own) }
     }
 
     /// Of a type, or of an `impl` block.
     pub fn of_type(outer: &'a syn::Generics) -> Scope<'a> {
-        Scope { outer: Some(outer), own: None }
+        Scope { this: None, outer: Some(outer), own: None }
     }
 
     /// Of a method with parameters of its own.
     pub fn with_method(self, own: &'a syn::Generics) -> Scope<'a> {
         Scope { own: Some(own), ..self }
+    }
+
+    /// With what implements an interface.
+    pub fn with_implementor(self, this: &'a GenericParam) -> Scope<'a> {
+        Scope { this: Some(this), ..self }
     }
 
     /// The part of the `impl` block.
@@ -39,7 +46,7 @@ impl<'a> Scope<'a> {
 
     /// The part of the function.
     pub fn own(self) -> Scope<'a> {
-        Scope { outer: None, ..self }
+        Scope { this: None, outer: None, ..self }
     }
 
     /// Whether there is anything to be generic over.
@@ -47,15 +54,10 @@ impl<'a> Scope<'a> {
         self.params().next().is_some()
     }
 
-    /// How many parameters.
-    pub fn len(self) -> usize {
-        self.params().count()
-    }
-
     /// Types and constants; lifetimes have no part in what is built.
     fn params(self) -> impl Iterator<Item = &'a GenericParam> {
         let both = self.outer.into_iter().chain(self.own);
-        let params = both.flat_map(|generics| &generics.params);
+        let params = self.this.into_iter().chain(both.flat_map(|generics| &generics.params));
         params.filter(|param| !matches!(param, GenericParam::Lifetime(_)))
     }
 
@@ -91,6 +93,12 @@ impl<'a> Scope<'a> {
         angle(self.params().map(name))
     }
 
+    /// `<Self, T, N>`: as the interface itself calls them.
+    pub fn arguments_of_self(self) -> TokenStream {
+        let rest = Scope { this: None, ..self };
+        angle(std::iter::once(quote! { Self }).chain(rest.params().map(name)))
+    }
+
     /// `::<T, N>`.
     pub fn turbofish(self) -> TokenStream {
         let arguments = self.arguments();
@@ -124,8 +132,9 @@ impl<'a> Scope<'a> {
     }
 
     /// The same, each type a value of the DSL.
-    pub fn value_bounds(self) -> TokenStream {
-        self.bounds(self.types().map(|name| quote! { #name: ::bessemer::generate::Value }))
+    pub fn value_bounds(self, more: impl IntoIterator<Item = TokenStream>) -> TokenStream {
+        let values = self.types().map(|name| quote! { #name: ::bessemer::generate::Value });
+        self.bounds(values.chain(more))
     }
 
     /// What the parameters stand for, as a builder tells it: a list of names and arguments.
@@ -143,6 +152,34 @@ impl<'a> Scope<'a> {
             }
         });
         quote! { ::bessemer::generate::list([#(#told),*]) }
+    }
+
+    /// What stands for the parameters of an interface, as its implementation writes it.
+    pub fn told_of(self, path: &syn::Path) -> TokenStream {
+        let arguments = path.segments.last().map(|last| &last.arguments);
+        let Some(syn::PathArguments::AngleBracketed(arguments)) = arguments else {
+            return quote! { ::bessemer::generate::list([]) };
+        };
+        let told = arguments.args.iter().filter_map(|argument| match argument {
+            syn::GenericArgument::Type(ty) if self.is_number(ty) => {
+                Some(quote! { ::bessemer::generate::number("", #ty) })
+            }
+            syn::GenericArgument::Type(ty) => {
+                Some(quote! { ::bessemer::generate::argument::<#ty>(cx, "") })
+            }
+            syn::GenericArgument::Const(value) => {
+                Some(quote! { ::bessemer::generate::number("", #value) })
+            }
+            _ => None,
+        });
+        quote! { ::bessemer::generate::list([#(#told),*]) }
+    }
+
+    /// Whether what looks like a type is a number among the parameters.
+    fn is_number(self, ty: &syn::Type) -> bool {
+        let syn::Type::Path(path) = ty else { return false };
+        self.params()
+            .any(|param| matches!(param, GenericParam::Const(it) if path.path.is_ident(&it.ident)))
     }
 
     /// Whether `ty` names one of the parameters.

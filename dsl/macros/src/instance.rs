@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::spanned::Spanned;
 
+use crate::builder;
 use crate::docs;
 use crate::generics::Scope;
 use crate::lower::{self, Refusals, refuse};
@@ -16,7 +17,10 @@ pub fn one_block(it: &syn::ItemImpl, faces: &[syn::Ident]) -> TokenStream {
         return TokenStream::new();
     }
     let (declared, owner) = (scope.declared(), &it.self_ty);
-    let bounds = if lower::GENERATING { scope.value_bounds() } else { scope.bounds([]) };
+    let bounds = match lower::GENERATING {
+        true => scope.value_bounds(builder::owner_bound(scope, &quote! { #owner })),
+        false => scope.bounds([]),
+    };
     let build = lower::GENERATING.then(|| {
         quote! {
             fn build(cx: &mut ::bessemer::generate::Builder) {

@@ -1,4 +1,4 @@
-//! The attribute macros: `#[data]`, `#[component]`, `#[function]`, `#[entry]`.
+//! The attribute macros: `#[data]`, `#[component]`, `#[function]`, `#[interface]`, `#[entry]`.
 //!
 //! Each leaves the Rust item as written, save that scalar methods go to the DSL ([`redirect`]), and
 //! refuses at its own token what the DSL does not take ([`lower`]). In a generation build (feature
@@ -12,6 +12,7 @@ mod docs;
 mod function;
 mod generics;
 mod instance;
+mod interface;
 mod lower;
 mod redirect;
 
@@ -39,6 +40,16 @@ pub fn component(arguments: TokenStream, item: TokenStream) -> TokenStream {
 #[proc_macro_attribute]
 pub fn function(arguments: TokenStream, item: TokenStream) -> TokenStream {
     function::expand(arguments.into(), item.into()).into()
+}
+
+/// An interface: a trait whose methods a model calls on whatever implements it, decided when the C is
+/// written.
+///
+/// A component or a function that is generic over `C: Controller` becomes C for each controller that it is
+/// used with. Implementations are marked as their type is: `#[component] impl Controller for Pid`.
+#[proc_macro_attribute]
+pub fn interface(arguments: TokenStream, item: TokenStream) -> TokenStream {
+    interface::expand(arguments.into(), item.into()).into()
 }
 
 /// Marks a method of a `#[component]` as an entry point; `#[entry(infallible)]` claims that no fault

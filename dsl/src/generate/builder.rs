@@ -101,6 +101,16 @@ pub fn words<T: Plain>(value: &T) -> Vec<u64> {
     words
 }
 
+/// What stands for the parameters of a function.
+pub struct Generics {
+    /// Of all in scope.
+    pub scope: Arguments,
+    /// Of its own.
+    pub own: Arguments,
+    /// The interface that it is part of, and of its parameters.
+    pub interface: Option<(&'static str, Arguments)>,
+}
+
 /// The type that stands for the parameter `name`.
 pub fn argument<T: DslType>(cx: &mut Builder, name: &str) -> (String, Argument) {
     (name.to_owned(), Argument::Type(T::ty(cx)))
@@ -217,19 +227,25 @@ impl Builder {
         });
     }
 
-    /// A function; `witness` is asked once. `generics`: what stands for the parameters in scope, and
-    /// how many of them, at the end, are its own.
+    /// A function; `witness` is asked once.
     pub fn function(
         &mut self,
         named: Named,
         owner: Option<Ty>,
-        (generics, own_generics): (Arguments, u32),
+        generics: Generics,
         text: &str,
         witness: impl FnOnce(&mut Builder) -> Witness,
     ) -> tree::Callee {
         let owner = owner.map(|owner| type_text(&owner));
-        let own = &generics[generics.len().saturating_sub(own_generics as usize)..];
-        let path = path(owner.as_deref().unwrap_or(named.module), named.name, own);
+        let home = owner.as_deref().unwrap_or(named.module);
+        let path = match &generics.interface {
+            None => path(home, named.name, &generics.own),
+            Some((name, arguments)) => {
+                let interface = path(home, name, arguments);
+                path(&interface, named.name, &generics.own)
+            }
+        };
+        let suffix = self.suffix(owner.as_deref(), &generics);
         if self.stack.contains(&path) {
             self.recursion(&path, named.file, text);
         } else if self.known.insert(path.clone()) {
@@ -242,8 +258,9 @@ impl Builder {
                     module: named.module.to_owned(),
                     file: named.file.to_owned(),
                     owner,
-                    generics,
-                    own_generics,
+                    generics: generics.scope,
+                    interface: generics.interface.map(|(name, _)| name.to_owned()),
+                    suffix,
                     tree,
                     slots: witness.slots,
                     callees: witness.callees,
@@ -252,6 +269,33 @@ impl Builder {
             }
         }
         tree::Callee::Function(path)
+    }
+
+    /// What tells a function from others of its name and owner: what stands for its parameters and for
+    /// those of its interface, as far as the owner does not tell.
+    fn suffix(&self, owner: Option<&str>, generics: &Generics) -> Vec<Argument> {
+        let known = self.package.types.iter().find(|it| Some(it.path.as_str()) == owner);
+        let known = known.map(|owner| owner.arguments.as_slice()).unwrap_or_default();
+        let interface = generics.interface.iter().flat_map(|(_, arguments)| arguments);
+        let interface = interface.filter(|(_, argument)| !known.contains(argument));
+        interface.chain(&generics.own).map(|(_, argument)| argument.clone()).collect()
+    }
+
+    /// The method of an interface whose implementation is not part of the DSL.
+    pub fn unmarked<T: DslType>(
+        &mut self,
+        method: &str,
+        file: &str,
+        site: (u32, u32),
+    ) -> tree::Callee {
+        let owner = type_text(&T::ty(self));
+        self.refuse(
+            file,
+            Site(site.0, site.1),
+            format!("what `{method}` does for `{owner}` is not part of the DSL"),
+            "mark the `impl` block as the type is: `#[data]` or `#[component]`",
+        );
+        tree::Callee::Function(String::new())
     }
 
     /// How a function comes back to itself.

@@ -13,8 +13,8 @@ mod slot;
 pub use alloc::string::String;
 pub use bessemer_ir::tree;
 pub use builder::{
-    Builder, Callee, Named, Registered, Witness, argument, data, field, function, number, package,
-    variant, words,
+    Builder, Callee, Generics, Named, Registered, Witness, argument, data, field, function, number,
+    package, variant, words,
 };
 pub use inventory;
 pub use slot::{

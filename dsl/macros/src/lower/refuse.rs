@@ -162,7 +162,11 @@ reasons! {
     NESTED_ITEM: "items inside a function are not in the DSL", "move it out, next to the function";
     YIELD: "generators are not in the DSL", "keep the state in a component, and step it";
     RANGE_VALUE: "a range is not a value in the DSL", "write it in a `for`";
-    TRAIT_IMPL: "trait implementations are not in the DSL yet", "put the methods into an `impl` block of the type";
+    OPERATOR_TRAIT: "operators of one's own types are not in the DSL", "put a method with a name into an `impl` block of the type";
+    STD_TRAIT: "this trait is Rust's own: no model calls it", "leave the attribute out";
+    NOT_A_TRAIT: "`#[interface]` stands on a trait", "a struct, an enum and an `impl` block take `#[data]` or `#[component]`, a function `#[function]`";
+    INTERFACE_ITEM: "this is not part of an interface of the DSL", "write methods, constants and types";
+    OWNED_NAME: "a method of this name belongs to numbers in the DSL", "give it a name of its own";
     LET_CONDITION: "`let` in a condition is not in the DSL yet", "compare with `==`, or `match` on a plain enum";
     HEAP: "a model has no heap", "use an array of fixed length: `[T; N]`";
     DYNAMIC_MATRIX: "the size of a dynamic matrix is not known when the C is written", "use `SMatrix<f64, R, C>` or `SVector<f64, N>`";
@@ -208,6 +212,21 @@ pub fn expression(expr: &syn::Expr) -> (Span, Reason) {
         syn::Expr::Let(it) => (it.let_token.span, LET_CONDITION),
         other => (other.span(), SYNTAX),
     }
+}
+
+/// The reason for an implementation of one of Rust's own traits.
+pub fn known_trait(path: &syn::Path) -> Option<Reason> {
+    let name = path.segments.last()?.ident.to_string();
+    Some(match name.as_str() {
+        "Add" | "Sub" | "Mul" | "Div" | "Rem" | "Neg" | "Not" | "AddAssign" | "SubAssign"
+        | "MulAssign" | "DivAssign" | "RemAssign" | "Index" | "IndexMut" | "BitAnd" | "BitOr"
+        | "BitXor" | "Shl" | "Shr" | "Deref" | "DerefMut" => OPERATOR_TRAIT,
+        "Default" | "Clone" | "Copy" | "Debug" | "Display" | "PartialEq" | "Eq" | "PartialOrd"
+        | "Ord" | "Hash" | "From" | "Into" | "TryFrom" | "Iterator" | "IntoIterator" | "Drop" => {
+            STD_TRAIT
+        }
+        _ => return None,
+    })
 }
 
 /// The reason for a type that its name shows to be out of reach.

@@ -1,0 +1,265 @@
+//! Interfaces: annotated traits, and their implementations.
+//!
+//! In a generation build a trait has two hidden items for each method: the companion, and the builder,
+//! which each implementation brings for its own methods and the trait for those with a default.
+
+use proc_macro2::TokenStream;
+use quote::{ToTokens, format_ident, quote, quote_spanned};
+use syn::spanned::Spanned;
+
+use crate::builder::{self, Home, Subject};
+use crate::data::{self, Kind};
+use crate::function::refuse_body;
+use crate::generics::Scope;
+use crate::instance;
+use crate::lower::{self, Refusals, refuse};
+use crate::redirect;
+use bessemer_ir::tree::Role;
+
+/// `#[interface]`.
+pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
+    let mut refusals = Refusals::default();
+    if !arguments.is_empty() {
+        refusals.add(arguments.span(), refuse::ARGUMENTS);
+    }
+    let mut it = match syn::parse2::<syn::ItemTrait>(item.clone()) {
+        Ok(it) => it,
+        Err(_) => {
+            refusals.add(refuse::first_token(&item), refuse::NOT_A_TRAIT);
+            let errors = refusals.into_tokens();
+            return quote! { #errors #item };
+        }
+    };
+    lower::check_attributes(&it.attrs, &mut refusals);
+    let beside = interface(&mut it, &mut refusals);
+    let errors = refusals.into_tokens();
+    quote! { #errors #it #beside }
+}
+
+/// Gives the trait its hidden items; what stands beside it are the markers of its methods.
+fn interface(it: &mut syn::ItemTrait, refusals: &mut Refusals) -> TokenStream {
+    let (name, generics) = (it.ident.clone(), it.generics.clone());
+    let (mut hidden, mut beside) = (Vec::new(), TokenStream::new());
+    for item in &mut it.items {
+        match item {
+            syn::TraitItem::Fn(method) => {
+                let mut refusals = Refusals::default();
+                if redirect::owned(&method.sig.ident).is_some() {
+                    refusals.add(method.sig.ident.span(), refuse::OWNED_NAME);
+                }
+                let parts = Method { interface: &name, generics: &generics, method };
+                if let Some((inside, marker)) = parts.expand(&mut refusals) {
+                    hidden.extend(inside);
+                    beside.extend(marker);
+                }
+                native(method, refusals, &mut hidden);
+            }
+            syn::TraitItem::Const(_) => {}
+            syn::TraitItem::Type(it) if it.generics.params.is_empty() => {
+                if lower::GENERATING {
+                    it.colon_token.get_or_insert_default();
+                    it.bounds.push(syn::parse_quote!(::bessemer::generate::Value));
+                }
+            }
+            other => refusals.add(refuse::first_token(other), refuse::INTERFACE_ITEM),
+        }
+    }
+    // Implementations ask for it: a trait without the attribute is told in every build.
+    hidden.push(syn::parse_quote! {
+        #[doc(hidden)]
+        fn __marked_interface() where Self: Sized {}
+    });
+    it.items.extend(hidden);
+    beside
+}
+
+/// The method as Rust runs it.
+fn native(method: &mut syn::TraitItemFn, refusals: Refusals, hidden: &mut Vec<syn::TraitItem>) {
+    match &mut method.default {
+        Some(body) if refusals.is_empty() => redirect::block(body),
+        Some(body) => refuse_body(&mut method.attrs, body, refusals),
+        None if refusals.is_empty() => {}
+        None => {
+            let errors = refusals.into_tokens();
+            let refused = format_ident!("__refused_{}", lower::text(&method.sig.ident));
+            hidden.push(syn::parse_quote! {
+                #[doc(hidden)]
+                fn #refused() where Self: Sized { #errors }
+            });
+        }
+    }
+}
+
+/// A method of an interface.
+struct Method<'a> {
+    interface: &'a syn::Ident,
+    generics: &'a syn::Generics,
+    method: &'a syn::TraitItemFn,
+}
+
+impl Method<'_> {
+    /// The hidden items of the trait, and the marker beside it.
+    fn expand(&self, refusals: &mut Refusals) -> Option<(Vec<syn::TraitItem>, TokenStream)> {
+        let Method { interface, generics, method } = self;
+        let (signature, empty) = (&method.sig, syn::parse_quote!({}));
+        let subject = Subject {
+            attributes: &method.attrs,
+            visibility: &syn::Visibility::Inherited,
+            signature,
+            body: method.default.as_ref().unwrap_or(&empty),
+            role: Role::Public,
+            home: Home::Interface(interface),
+        };
+        let scope = Scope::of_type(generics).with_method(&signature.generics);
+        let parts = builder::lower(&subject, scope, refusals)?;
+        let name = &signature.ident;
+        let marker = format_ident!("__{}_{}", interface, lower::text(name));
+        let companion_name = lower::companion_name(name);
+        let (parameters, result) = (&parts.parameters, &parts.result);
+        let (own, clause) = (&signature.generics, scope.own().bounds([quote! { Self: Sized }]));
+        let arguments = scope.arguments_of_self();
+        let companion = syn::parse_quote! {
+            #[doc(hidden)]
+            #[allow(clippy::too_many_arguments, unused_variables, non_snake_case)]
+            fn #companion_name #own(#(#parameters),*) -> ::bessemer::generate::Called<#marker #arguments, #result>
+            #clause
+            {
+                ::core::unreachable!()
+            }
+        };
+        let build = builder::build_name(name);
+        let build_item = if method.default.is_some() {
+            syn::parse2(parts.builder).ok()?
+        } else {
+            let (declared, bounds) =
+                (scope.own().declared(), builder::build_bounds(&subject, scope));
+            let told = format!("{interface}::{}", lower::text(name));
+            let lower::Site(line, column) = lower::site(name);
+            syn::parse_quote! {
+                #[doc(hidden)]
+                fn #build #declared(cx: &mut ::bessemer::generate::Builder) -> ::bessemer::generate::tree::Callee
+                #bounds
+                {
+                    cx.unmarked::<Self>(#told, ::core::file!(), (#line, #column))
+                }
+            }
+        };
+        let trait_arguments = scope.outer().arguments();
+        let this = syn::parse_quote!(__S: #interface #trait_arguments);
+        let open = scope.with_implementor(&this);
+        let (unbounded, types) = (open.unbounded(), open.types());
+        let (declared, arguments, bounds) =
+            (open.declared(), open.arguments(), open.value_bounds([]));
+        let turbofish = scope.own().turbofish();
+        let beside = quote! {
+            #[doc(hidden)]
+            #[allow(non_camel_case_types)]
+            pub struct #marker #unbounded(::core::marker::PhantomData<fn() -> (#(#types,)*)>);
+            const _: () = {
+                #[allow(private_bounds)]
+                impl #declared ::bessemer::generate::Callee for #marker #arguments #bounds {
+                    fn callee(cx: &mut ::bessemer::generate::Builder) -> ::bessemer::generate::tree::Callee {
+                        <__S as #interface #trait_arguments>::#build #turbofish(cx)
+                    }
+                }
+            };
+        };
+        Some((vec![companion, build_item], beside))
+    }
+}
+
+/// The `impl` block of an interface as Rust runs it, and what stands beside it.
+pub fn implementation(
+    kind: Kind,
+    mut it: syn::ItemImpl,
+    refusals: &mut Refusals,
+) -> (TokenStream, TokenStream) {
+    let Some((path, _)) = it.trait_.clone() else { return Default::default() };
+    if let Some(reason) = refuse::known_trait(&path) {
+        refusals.add(path.span(), reason);
+        return (it.into_token_stream(), TokenStream::new());
+    }
+    let mut hidden: Vec<syn::ImplItem> = Vec::new();
+    let (mut builds, mut faces) = (Vec::new(), Vec::new());
+    for item in &mut it.items {
+        let method = match item {
+            syn::ImplItem::Fn(method) => method,
+            syn::ImplItem::Const(_) | syn::ImplItem::Type(_) => continue,
+            other => {
+                refusals.add(refuse::first_token(other), refuse::IMPL_ITEM);
+                continue;
+            }
+        };
+        let mut refusals = Refusals::default();
+        let role = data::role(kind, &mut method.attrs, &mut refusals);
+        let subject = Subject {
+            attributes: &method.attrs,
+            visibility: &method.vis,
+            signature: &method.sig,
+            body: &method.block,
+            role,
+            home: Home::Implementation(&path),
+        };
+        let scope = Scope::of_type(&it.generics).with_method(&method.sig.generics);
+        let build = builder::build_name(&method.sig.ident);
+        if let Some(parts) = builder::lower(&subject, scope, &mut refusals) {
+            hidden.extend(syn::parse2(parts.builder).ok());
+            if !scope.own().is_generic() {
+                builds.push((lower::site(&method.sig.ident), build.clone()));
+            }
+        }
+        if matches!(role, Role::Entry { .. }) && !scope.own().is_generic() {
+            faces.push(build);
+        }
+        if refusals.is_empty() {
+            redirect::block(&mut method.block);
+        } else {
+            refuse_body(&mut method.attrs, &mut method.block, refusals);
+        }
+    }
+    it.items.extend(hidden);
+    let scope = Scope::of_type(&it.generics);
+    let mut beside = marked(scope, &it.self_ty, &path);
+    beside.extend(instance::one_block(&it, &faces));
+    if !scope.is_generic() {
+        beside.extend(builds.iter().map(|build| register(&it.self_ty, &path, build)));
+    } else if lower::GENERATING {
+        let values =
+            scope.types().map(|name| syn::parse_quote!(#name: ::bessemer::generate::Value));
+        let values: Vec<syn::WherePredicate> = values.collect();
+        it.generics.make_where_clause().predicates.extend(values);
+    }
+    (it.into_token_stream(), beside)
+}
+
+/// Asks the trait whether it is an interface.
+fn marked(scope: Scope<'_>, owner: &syn::Type, path: &syn::Path) -> TokenStream {
+    let (declared, bounds) = match lower::GENERATING {
+        true => (scope.declared(), scope.value_bounds([])),
+        false => (scope.declared(), scope.bounds([])),
+    };
+    // Told at the name of the trait.
+    let ask = quote_spanned! { path.span() => <#owner as #path>::__marked_interface() };
+    quote! {
+        const _: () = {
+            #[allow(dead_code)]
+            fn ask #declared() #bounds { #ask }
+        };
+    }
+}
+
+fn register(
+    owner: &syn::Type,
+    path: &syn::Path,
+    (lower::Site(line, column), build): &(lower::Site, syn::Ident),
+) -> TokenStream {
+    quote! {
+        const _: () = {
+            ::bessemer::generate::register! {
+                ::bessemer::generate::Registered::new(::core::module_path!(), (#line, #column), |cx| {
+                    <#owner as #path>::#build(cx);
+                })
+            }
+        };
+    }
+}
