@@ -233,6 +233,7 @@ impl Writer<'_> {
     fn kernel(&self, kernel: &Kernel, id: FunctionId, uses: &mut Uses) -> Vec<Item> {
         let source = kernels::source(kernel);
         uses.math |= source.math;
+        uses.string |= source.string;
         uses.helpers.extend(source.dot.then_some(Helper::Dot(kernel.element)));
         let before = (!source.before.is_empty()).then_some(Item::Verbatim(source.before));
         let body = vec![plain(StmtKind::Verbatim(source.body))];

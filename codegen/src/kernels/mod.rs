@@ -24,6 +24,7 @@
 
 pub mod plain;
 pub mod text;
+mod tiled;
 
 use bessemer_ir::{Float, Int, Kernel, KernelRoutine, Scalar};
 
@@ -39,6 +40,8 @@ pub struct Source {
     pub body: String,
     /// Whether it needs `math.h`.
     pub math: bool,
+    /// Whether it needs `string.h`.
+    pub string: bool,
     /// Whether it calls the scalar product of columns, `dot_f64(x, y, rows, 1U)`.
     pub dot: bool,
 }
@@ -69,12 +72,12 @@ pub struct Report {
 
 /// The C of a kernel.
 pub fn source(kernel: &Kernel) -> Source {
-    plain::source(kernel)
+    tiled::source(kernel).unwrap_or_else(|| plain::source(kernel))
 }
 
 /// The memory that a kernel works with.
 pub fn buffers(kernel: &Kernel) -> Vec<Buffer> {
-    plain::buffers(kernel)
+    tiled::buffers(kernel).unwrap_or_else(|| plain::buffers(kernel))
 }
 
 /// The memory that a kernel's caller lends it: all its buffers, or none if they are small.

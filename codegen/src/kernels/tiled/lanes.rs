@@ -1,0 +1,77 @@
+//! What a row of a panel is on each target.
+
+use bessemer_ir::Float;
+
+use crate::kernels::text::{fill, numbers};
+
+/// The vectors of x86-64, the widest first: the macro that says that they are there, and their bytes.
+const VECTORS: [(&str, u32); 3] = [("__AVX512F__", 64), ("__AVX__", 32), ("__SSE2__", 16)];
+
+const LANES: &str = include_str!("lanes.c");
+
+/// Bytes of a number.
+fn bytes(element: Float) -> u32 {
+    match element {
+        Float::F64 => 8,
+        Float::F32 => 4,
+    }
+}
+
+/// The vectors that are worth while: a panel, of two vectors, is no wider than the matrix.
+fn vectors(element: Float, columns: u32) -> impl Iterator<Item = (&'static str, u32)> {
+    let fits = move |&(_, vector): &(&str, u32)| 2 * vector / bytes(element) <= columns;
+    VECTORS.into_iter().filter(fits)
+}
+
+/// Columns of the widest panel on any target.
+pub fn widest(element: Float, columns: u32) -> u32 {
+    vectors(element, columns)
+        .map(|(_, vector)| 2 * vector / bytes(element))
+        .max()
+        .unwrap_or(4)
+        .max(4)
+}
+
+/// Types and operations of rows, for every target.
+pub fn text(element: Float, columns: u32) -> String {
+    let mut values = numbers(element);
+    values.push(("targets", targets(element, columns)));
+    fill(&fill(LANES, &values), &numbers(element))
+}
+
+/// `#if` for each target, and what it has.
+fn targets(element: Float, columns: u32) -> String {
+    let mut branches: Vec<(String, String)> = Vec::new();
+    for (macro_name, vector) in vectors(element, columns) {
+        let lanes = vector / bytes(element);
+        let half = vector_type("half_t", vector, bytes(element));
+        let mut text = format!("#define WIDTH {}U\n#define HALF {lanes}U\n{half}", 2 * lanes);
+        let four = 4 * bytes(element);
+        if four <= vector {
+            text += &format!("#define QUAD\n{}", vector_type("quad_t", four, bytes(element)));
+        }
+        branches.push((format!("defined({macro_name})"), text));
+    }
+    if element == Float::F64 {
+        // Loads of four words at once; arithmetic stays on the VFP, which rounds as C does.
+        let text = "#include <arm_neon.h>\n#define WIDTH 4U\n#define WORDS\n\
+                    typedef int64_t word_t __attribute__((may_alias));\n";
+        branches.push(("defined(__ARM_NEON)".to_owned(), text.to_owned()));
+    }
+    let mut all = String::new();
+    for (index, (condition, text)) in branches.iter().enumerate() {
+        let word = if index == 0 { "#if" } else { "#elif" };
+        all +=
+            &format!("{word} defined(__GNUC__) && {condition} && !defined(BESSEMER_PLAIN)\n{text}");
+    }
+    match branches.is_empty() {
+        true => "#define WIDTH 4U\n".to_owned(),
+        false => all + "#else\n#define WIDTH 4U\n#endif\n",
+    }
+}
+
+fn vector_type(name: &str, vector: u32, aligned: u32) -> String {
+    format!(
+        "typedef $real {name} __attribute__((vector_size({vector}), aligned({aligned}), may_alias));\n"
+    )
+}

@@ -1,0 +1,174 @@
+//! Elimination with row pivots in tiles: solve and inverse.
+
+use bessemer_ir::{Float, Int, Kernel, Scalar};
+
+use super::lanes;
+use crate::kernels::text::{fill, values};
+use crate::kernels::{Buffer, Source, declarations};
+
+/// The smallest matrix that gains by tiles.
+pub const SMALLEST: u32 = 5;
+
+const TILE: &str = include_str!("tile.c");
+const ELIMINATION: &str = include_str!("elimination.c");
+const SOLVE: &str = include_str!("solve.c");
+const PANELS: &str = include_str!("panels.c");
+const LU_SOLVE: &str = include_str!("lu_solve.c");
+const ONE_SIDE: &str = include_str!("one_side.c");
+const MANY_SIDES: &str = include_str!("many_sides.c");
+const INVERSE: &str = include_str!("inverse.c");
+
+/// Where the size is a multiple of four, and where the last tiles have to be filled up.
+const GIVE_BACK: [&str; 2] = [include_str!("give_back.c"), include_str!("give_back_edges.c")];
+const GIVE_COLUMNS: [&str; 2] =
+    [include_str!("give_columns.c"), include_str!("give_columns_edges.c")];
+
+const FILL: &str = "\
+    for (uint32_t row = 0U; row < ROWS; row += 4U) {
+        transpose(&columns[row], SIZE, &four[WIDTH * row], WIDTH);
+    }
+";
+
+const FILL_EDGES: &str = "\
+    uint32_t row = 0U;
+    for (; row + 4U <= SIZE && first + 4U <= SIZE; row += 4U) {
+        transpose(&columns[row], SIZE, &four[WIDTH * row], WIDTH);
+    }
+    for (; row < ROWS; row++) {
+        for (uint32_t lane = 0U; lane < 4U; lane++) {
+            const bool there = row < SIZE && first + lane < SIZE;
+            four[WIDTH * row + lane] = there ? columns[row + SIZE * lane] : $zero;
+        }
+    }
+";
+
+const TAIL: &str = "\
+    for (uint32_t lane = 0U; lane < $edge && row < SIZE - $edge; lane++) {
+        if (rank(four[lane]) >= highest) {
+            highest = consider(&best, &four[lane]);
+        }
+    }
+";
+
+const PAD: &str = "\
+    /* What fills the last tiles up: rows of zeros, columns of the identity. */
+    for (uint32_t column = 0U; column < ROWS; column++) {
+        for (uint32_t row = (column < SIZE) ? SIZE : 0U; row < ROWS; row++) {
+            tiles[place(row - row % 4U, column) + row % 4U] = (row == column) ? $one : $zero;
+        }
+    }
+";
+
+const PAD_X: &str = "\
+for (uint32_t row = SIZE; row < ROWS; row++) {
+    x[row] = $zero;
+}";
+
+const PAD_ROWS: &str = "\
+    for (uint32_t index = WIDTH * SIZE; index < WIDTH * ROWS; index++) {
+        panel[index] = $zero;
+    }
+";
+
+/// Rows in whole tiles.
+fn rows(size: u32) -> u32 {
+    size.next_multiple_of(4)
+}
+
+/// Columns in whole panels, on the target that needs the most.
+fn columns(element: Float, size: u32) -> u32 {
+    rows(size).next_multiple_of(lanes::widest(element, rows(size)))
+}
+
+/// What a kernel works with; `sides` if right-hand sides go through a panel too.
+pub(super) fn buffers(kernel: &Kernel, size: u32, sides: bool) -> Vec<Buffer> {
+    let element = Scalar::Float(kernel.element);
+    let number = Scalar::Int(Int::U32);
+    let widest = lanes::widest(kernel.element, rows(size));
+    let mut buffers = vec![
+        Buffer {
+            name: "tiles",
+            element,
+            len: rows(size) * columns(kernel.element, size),
+            holds: "The factors, in tiles.",
+        },
+        Buffer {
+            name: "panel",
+            element,
+            len: (rows(size) + 4) * widest,
+            holds: "The panel at work.",
+        },
+        Buffer {
+            name: "pivots",
+            element: number,
+            len: rows(size),
+            holds: "The row that each step exchanges with its own.",
+        },
+    ];
+    if sides {
+        buffers.push(Buffer {
+            name: "order",
+            element: number,
+            len: rows(size),
+            holds: "The column of the inverse that each pivot gives.",
+        });
+    }
+    buffers
+}
+
+/// Solves for one right-hand side, or for panels of them.
+pub(super) fn solve(kernel: &Kernel, size: u32, sides: u32) -> Source {
+    let edges = usize::from(!size.is_multiple_of(4));
+    let (parts, substitute) = match sides {
+        1 => (SOLVE, ONE_SIDE),
+        _ => (PANELS, MANY_SIDES),
+    };
+    let body = LU_SOLVE.replace("$substitute\n", substitute);
+    assemble(kernel, size, sides, &[parts, GIVE_BACK[edges]], &body)
+}
+
+/// Inverts: right-hand sides in the order of the pivots.
+pub(super) fn inverse(kernel: &Kernel, size: u32) -> Source {
+    let edges = usize::from(!size.is_multiple_of(4));
+    assemble(kernel, size, size, &[PANELS, GIVE_COLUMNS[edges]], INVERSE)
+}
+
+/// The head with the sizes, the rows of the targets, elimination, the rest, and the body.
+fn assemble(kernel: &Kernel, size: u32, sides: u32, rest: &[&str], body: &str) -> Source {
+    let values = all_values(kernel.element, size, sides);
+    let twice = |text: &str| fill(&fill(text, &values), &values);
+    let head = format!(
+        "#define SIZE {size}U\n/* Rows in whole tiles. */\n#define ROWS {}U\n\n",
+        rows(size)
+    );
+    let mut before = head + &lanes::text(kernel.element, rows(size));
+    for part in [TILE, ELIMINATION].iter().chain(rest) {
+        before += "\n";
+        before += &twice(part);
+    }
+    let body = twice(&(declarations(kernel) + body)).replace("\n\n", "\n");
+    let before = before.trim_end().to_owned();
+    Source { before, body, math: true, string: true, ..Source::default() }
+}
+
+fn all_values(element: Float, size: u32, sides: u32) -> Vec<(&'static str, String)> {
+    let edge = size % 4;
+    let mut all = values(element, &[("columns", sides), ("edge", edge)]);
+    let (bits, rank, infinite) = match element {
+        Float::F64 => ("uint64_t", "(uint32_t)(bits >> 32)", "0xFFE00000U"),
+        Float::F32 => ("uint32_t", "bits", "0xFF000000U"),
+    };
+    let edges = |text: &str| if edge == 0 { String::new() } else { text.to_owned() };
+    all.extend([
+        ("bits", bits.to_owned()),
+        ("rank", rank.to_owned()),
+        ("infinite", infinite.to_owned()),
+        ("fill", if edge == 0 { FILL } else { FILL_EDGES }.to_owned()),
+        ("tail", edges(TAIL)),
+        ("pad", edges(PAD)),
+        ("pad_x", edges(PAD_X)),
+        ("pad_rows", edges(PAD_ROWS)),
+        ("fewer", edges(", (SIZE - k < 4U) ? SIZE - k : 4U")),
+    ]);
+    all
+}
