@@ -6,7 +6,8 @@ use nalgebra::{SMatrix, Scalar};
 ///
 /// Its *words* are its scalars in order (fields as declared, elements in order, matrices by columns),
 /// each in 64 bits: a float is its bits, an integer is sign- or zero-extended, `bool` is 0 or 1, an
-/// enum the index of its variant. `#[data]` and `#[component]` implement it.
+/// enum the index of its variant. What is not there (the value of a `None`, the payloads of the variants
+/// that an enum is not) has its words too: zeros. `#[data]` and `#[component]` implement it.
 ///
 /// ```
 /// use bessemer::Plain;
@@ -22,6 +23,9 @@ use nalgebra::{SMatrix, Scalar};
     note = "plain data are scalars, arrays, nalgebra's `SMatrix` and `SVector`, and types marked `#[data]` or `#[component]`"
 )]
 pub trait Plain: Sized {
+    /// How many words a value has.
+    const WORDS: usize;
+
     /// Gives the words of the value to `out`.
     fn store(&self, out: &mut dyn FnMut(u64));
 
@@ -34,6 +38,7 @@ macro_rules! integers {
     ($($ty:ty),*) => {$(
         #[diagnostic::do_not_recommend]
         impl Plain for $ty {
+            const WORDS: usize = 1;
             fn store(&self, out: &mut dyn FnMut(u64)) {
                 out(*self as u64);
             }
@@ -48,6 +53,7 @@ integers!(i8, i16, i32, i64, isize, u8, u16, u32, u64, usize);
 
 #[diagnostic::do_not_recommend]
 impl Plain for bool {
+    const WORDS: usize = 1;
     fn store(&self, out: &mut dyn FnMut(u64)) {
         out(u64::from(*self));
     }
@@ -58,6 +64,7 @@ impl Plain for bool {
 
 #[diagnostic::do_not_recommend]
 impl Plain for f32 {
+    const WORDS: usize = 1;
     fn store(&self, out: &mut dyn FnMut(u64)) {
         out(u64::from(self.to_bits()));
     }
@@ -68,6 +75,7 @@ impl Plain for f32 {
 
 #[diagnostic::do_not_recommend]
 impl Plain for f64 {
+    const WORDS: usize = 1;
     fn store(&self, out: &mut dyn FnMut(u64)) {
         out(self.to_bits());
     }
@@ -78,6 +86,7 @@ impl Plain for f64 {
 
 #[diagnostic::do_not_recommend]
 impl<T: Plain, const N: usize> Plain for [T; N] {
+    const WORDS: usize = N * T::WORDS;
     fn store(&self, out: &mut dyn FnMut(u64)) {
         for element in self {
             element.store(out);
@@ -90,6 +99,7 @@ impl<T: Plain, const N: usize> Plain for [T; N] {
 
 #[diagnostic::do_not_recommend]
 impl<T: Plain + Scalar, const R: usize, const C: usize> Plain for SMatrix<T, R, C> {
+    const WORDS: usize = R * C * T::WORDS;
     fn store(&self, out: &mut dyn FnMut(u64)) {
         // nalgebra iterates by columns.
         for element in self.iter() {
@@ -98,5 +108,75 @@ impl<T: Plain + Scalar, const R: usize, const C: usize> Plain for SMatrix<T, R, 
     }
     fn load(next: &mut dyn FnMut() -> u64) -> Self {
         SMatrix::from_fn_generic(nalgebra::Const, nalgebra::Const, |_, _| T::load(next))
+    }
+}
+
+#[diagnostic::do_not_recommend]
+impl Plain for () {
+    const WORDS: usize = 0;
+    fn store(&self, _: &mut dyn FnMut(u64)) {}
+    fn load(_: &mut dyn FnMut() -> u64) -> Self {}
+}
+
+macro_rules! tuples {
+    ($($($ty:ident $index:tt),*;)*) => {$(
+        #[diagnostic::do_not_recommend]
+        impl<$($ty: Plain),*> Plain for ($($ty,)*) {
+            const WORDS: usize = 0 $(+ $ty::WORDS)*;
+            fn store(&self, out: &mut dyn FnMut(u64)) {
+                $(self.$index.store(out);)*
+            }
+            fn load(next: &mut dyn FnMut() -> u64) -> Self {
+                ($($ty::load(next),)*)
+            }
+        }
+    )*};
+}
+
+tuples! {
+    A 0;
+    A 0, B 1;
+    A 0, B 1, C 2;
+    A 0, B 1, C 2, D 3;
+    A 0, B 1, C 2, D 3, E 4;
+    A 0, B 1, C 2, D 3, E 4, F 5;
+    A 0, B 1, C 2, D 3, E 4, F 5, G 6;
+    A 0, B 1, C 2, D 3, E 4, F 5, G 6, H 7;
+}
+
+/// The words of a value that may be missing: zeros if it is.
+fn store_if<T: Plain>(value: Option<&T>, out: &mut dyn FnMut(u64)) {
+    match value {
+        Some(value) => value.store(out),
+        None => (0..T::WORDS).for_each(|_| out(0)),
+    }
+}
+
+/// The words are whether it is there, then the value's.
+#[diagnostic::do_not_recommend]
+impl<T: Plain> Plain for Option<T> {
+    const WORDS: usize = 1 + T::WORDS;
+    fn store(&self, out: &mut dyn FnMut(u64)) {
+        self.is_some().store(out);
+        store_if(self.as_ref(), out);
+    }
+    fn load(next: &mut dyn FnMut() -> u64) -> Self {
+        let (there, value) = (bool::load(next), T::load(next));
+        there.then_some(value)
+    }
+}
+
+/// The words are whether it is `Ok`, then the value's, then the error's.
+#[diagnostic::do_not_recommend]
+impl<T: Plain, E: Plain> Plain for Result<T, E> {
+    const WORDS: usize = 1 + T::WORDS + E::WORDS;
+    fn store(&self, out: &mut dyn FnMut(u64)) {
+        self.is_ok().store(out);
+        store_if(self.as_ref().ok(), out);
+        store_if(self.as_ref().err(), out);
+    }
+    fn load(next: &mut dyn FnMut() -> u64) -> Self {
+        let (fine, value, error) = (bool::load(next), T::load(next), E::load(next));
+        if fine { Ok(value) } else { Err(error) }
     }
 }

@@ -80,8 +80,8 @@ impl Call {
             pieces.declarations = format!("    static {} self;\n", own.ty);
             pieces.init = format!("    {}(&self);\n", own.init.as_ref()?);
             let this = Type::Struct(component);
-            walk.words(&this, "self", &mut |ty, place| get(names, ty, place, &mut pieces.sets));
-            walk.words(&this, "self", &mut |ty, place| put(ty, place, &mut pieces.state));
+            walk.reads(&this, "self", &mut pieces.sets);
+            walk.writes(&this, "self", &mut pieces.state);
         }
         let mut arguments = Vec::new();
         for (index, param) in signature.params.iter().enumerate() {
@@ -97,11 +97,11 @@ impl Call {
             let added = index >= params as usize && param.passing != Passing::Output;
             match param.passing {
                 _ if added => {}
-                Passing::Output => walk.words(&param.ty, &local, &mut |ty, at| put(ty, at, writes)),
-                _ => walk.words(&param.ty, &local, &mut |ty, at| get(names, ty, at, reads)),
+                Passing::Output => walk.writes(&param.ty, &local, writes),
+                _ => walk.reads(&param.ty, &local, reads),
             }
             if param.passing == Passing::InOut && !added {
-                walk.words(&param.ty, &local, &mut |ty, at| put(ty, at, &mut pieces.changed));
+                walk.writes(&param.ty, &local, &mut pieces.changed);
             }
             let scalar = !matches!(param.ty, Type::Array { .. } | Type::Matrix { .. });
             let (element, dimensions) = names.type_parts(&param.ty);
@@ -171,25 +171,56 @@ struct Walk<'a> {
 }
 
 impl Walk<'_> {
-    /// Every word of a value of type `ty` at the C place `place`, in order.
-    fn words(&self, ty: &Type, place: &str, found: &mut dyn FnMut(&Type, &str)) {
+    /// C that reads a value of type `ty` into the C place `place`, word by word.
+    fn reads(&self, ty: &Type, place: &str, text: &mut String) {
+        self.words(ty, place, text, "get();", &|ty, place, text| get(self.names, ty, place, text));
+    }
+
+    /// C that writes it.
+    fn writes(&self, ty: &Type, place: &str, text: &mut String) {
+        self.words(ty, place, text, "put(0);", &put);
+    }
+
+    /// Every word of a value, in order; what shares its memory only if it is there, else `skip`.
+    fn words(
+        &self,
+        ty: &Type,
+        place: &str,
+        text: &mut String,
+        skip: &str,
+        found: &dyn Fn(&Type, &str, &mut String),
+    ) {
         match ty {
             Type::Unit => {}
-            Type::Scalar(_) | Type::Enum(_) => found(ty, place),
+            Type::Scalar(_) | Type::Enum(_) => found(ty, place, text),
             Type::Array { element, len } => {
                 for index in 0..*len {
-                    self.words(element, &format!("{place}[{index}]"), found);
+                    self.words(element, &format!("{place}[{index}]"), text, skip, found);
                 }
             }
             Type::Matrix { element, rows, cols } => {
                 for index in 0..rows * cols {
-                    found(&Type::Scalar(*element), &format!("{place}[{index}]"));
+                    found(&Type::Scalar(*element), &format!("{place}[{index}]"), text);
                 }
             }
             Type::Struct(id) => {
-                let fields = &self.module.structs[id.index()].fields;
-                for (field, name) in fields.iter().zip(&self.names.structs[id.index()].fields) {
-                    self.words(&field.ty, &format!("{place}.{name}"), found);
+                let item = &self.module.structs[id.index()];
+                let names = &self.names.structs[id.index()].fields;
+                for (index, (field, name)) in item.fields.iter().zip(names).enumerate() {
+                    let case = (0..).find(|word| item.holds(index, *word));
+                    let inner = format!("{place}.{name}");
+                    if !item.overlaid() || index == 0 {
+                        self.words(&field.ty, &inner, text, skip, found);
+                        continue;
+                    }
+                    let (tag, case) = (&names[0], case.unwrap_or_default());
+                    let _ = writeln!(text, "        if ((int){place}.{tag} == {case}) {{");
+                    self.words(&field.ty, &inner, text, skip, found);
+                    let count = self.module.leaves(&field.ty).len();
+                    let _ = writeln!(text, "        }} else {{");
+                    let _ =
+                        writeln!(text, "        for (int n = 0; n < {count}; ++n) {{ {skip} }}");
+                    let _ = writeln!(text, "        }}");
                 }
             }
         }

@@ -11,7 +11,9 @@ use std::thread;
 use bessemer_codegen::c::names::FAULTS;
 use bessemer_codegen::compile::Compiled;
 use bessemer_codegen::interpret::{Interpreter, Stop};
-use bessemer_ir::{Fault, Float, Function, FunctionId, Int, Mode, Module, Owner, Scalar, Type};
+use bessemer_ir::{
+    Fault, Float, Form, Function, FunctionId, Int, Local, Mode, Module, Owner, Scalar, Type,
+};
 use bessemer_tests::process::{Error, Process};
 use bessemer_tests::toolchain::{self, Toolchain};
 use bessemer_tests::{corpus, harness};
@@ -30,7 +32,8 @@ struct Case {
     id: FunctionId,
     /// The words of each call: of the state, then of each argument.
     calls: Vec<Vec<Vec<u64>>>,
-    /// The types of the words of an outcome.
+    /// The types of the values of an outcome, and those of their words.
+    types: Vec<Type>,
     leaves: Vec<Type>,
     native: Vec<Outcome>,
 }
@@ -48,6 +51,32 @@ impl Random {
 
     fn below(&mut self, count: u64) -> u64 {
         self.next() % count
+    }
+
+    /// Makes sense of random words: lengths for which there is room, nothing where nothing is.
+    fn meant(&mut self, module: &Module, ty: &Type, mut words: Vec<u64>) -> Vec<u64> {
+        self.lengths(module, ty, &mut words);
+        module.canonical(ty, &mut words);
+        words
+    }
+
+    fn lengths<'w>(&mut self, module: &Module, ty: &Type, words: &'w mut [u64]) -> &'w mut [u64] {
+        match ty {
+            Type::Array { element, len } => {
+                (0..*len).fold(words, |words, _| self.lengths(module, element, words))
+            }
+            Type::Struct(id) => {
+                let item = &module.structs[id.index()];
+                if item.form == Form::Sequence
+                    && let Type::Array { len, .. } = item.fields[1].ty
+                {
+                    words[0] = self.below(u64::from(len) + 1);
+                }
+                let fields = item.fields.iter();
+                fields.fold(words, |words, field| self.lengths(module, &field.ty, words))
+            }
+            other => &mut words[module.leaves(other).len()..],
+        }
     }
 
     /// A small number, as sensors and set points are.
@@ -126,14 +155,15 @@ fn cases(compiled: &Compiled) -> Vec<Case> {
         let id = callable(compiled, native).unwrap_or_else(|| panic!("`{name}` was not compiled"));
         let function = &module.functions[id.index()];
         let stateful = !native.component.is_empty();
-        let mut leaves = module.leaves(&function.result);
+        let mut types = vec![function.result.clone()];
         for (index, local) in function.parameters().iter().enumerate() {
             if index == 0 && stateful || local.mode == Mode::RefMut {
-                leaves.extend(module.leaves(&local.ty));
+                types.push(local.ty.clone());
             }
         }
+        let leaves = types.iter().flat_map(|ty| module.leaves(ty)).collect();
         let (calls, native) = lives(native, module, function, &mut random);
-        Case { name, id, calls, leaves, native }
+        Case { name, id, calls, types, leaves, native }
     });
     thread::scope(|scope| {
         let native = thread::Builder::new().name("native".into());
@@ -164,14 +194,14 @@ fn lives(
     function: &Function,
     random: &mut Random,
 ) -> (Vec<Vec<Vec<u64>>>, Vec<Outcome>) {
-    let types: Vec<Vec<Type>> =
-        function.parameters().iter().map(|local| module.leaves(&local.ty)).collect();
+    let parameters = function.parameters();
+    let words = |random: &mut Random, local: &Local, of: fn(&mut Random, &Module, &Type) -> u64| {
+        let leaves = module.leaves(&local.ty);
+        let words = leaves.iter().map(|ty| of(random, module, ty)).collect();
+        random.meant(module, &local.ty, words)
+    };
     let mut calls: Vec<Vec<Vec<u64>>> = (0..CALLS)
-        .map(|_| {
-            let words =
-                |types: &Vec<Type>| types.iter().map(|ty| random.word(module, ty)).collect();
-            types.iter().map(words).collect()
-        })
+        .map(|_| parameters.iter().map(|local| words(random, local, Random::word)).collect())
         .collect();
     let mut outcomes: Vec<Outcome> = calls.iter().map(|call| run_native(native, call)).collect();
     let mut initial = Vec::new();
@@ -179,10 +209,8 @@ fn lives(
     let results = module.leaves(&function.result).len();
     let mut state = initial.clone();
     for _ in 0..RUN {
-        let mut call: Vec<Vec<u64>> = types
-            .iter()
-            .map(|types| types.iter().map(|ty| random.tame(module, ty)).collect())
-            .collect();
+        let mut call: Vec<Vec<u64>> =
+            parameters.iter().map(|local| words(random, local, Random::tame)).collect();
         if !native.component.is_empty() {
             call[0].clone_from(&state);
         }
@@ -224,13 +252,21 @@ fn fault(text: &str) -> Fault {
         _ if text.contains("attempt to shift") => Fault::Shift,
         _ if text.contains("overflow") => Fault::Overflow,
         _ if text.contains("out of bounds") => Fault::Index,
+        _ if text.contains("within its bound") => Fault::Bound,
+        _ if text.contains("`None` value") || text.contains("on an `Err` value") => Fault::Absent,
+        _ if text.contains("on an `Ok` value") || text.contains("must be there") => Fault::Absent,
         _ if text.contains("low <= high") || text.contains("min > max") => Fault::Clamp,
         // The author's own words.
         _ => Fault::Assertion,
     }
 }
 
-fn agree(leg: &str, case: &Case, index: usize, got: &Outcome) {
+fn agree(leg: &str, module: &Module, case: &Case, index: usize, got: &Outcome) {
+    // What means nothing may hold anything.
+    let got = &got.clone().map(|mut words| {
+        case.types.iter().fold(words.as_mut_slice(), |rest, ty| module.canonical(ty, rest));
+        words
+    });
     let same = match (&case.native[index], got) {
         (Ok(one), Ok(other)) => {
             one.len() == other.len()
@@ -283,7 +319,7 @@ fn the_interpreter_agrees() {
                     Err(Stop::Fault { fault, .. }) => Err(fault),
                     Err(stop) => panic!("{}: {stop}", case.name),
                 };
-                agree("interpreter", &case, index, &got);
+                agree("interpreter", module, &case, index, &got);
             }
         }
     }
@@ -303,7 +339,7 @@ fn run_c(compiled: &Compiled, cases: &[Case], toolchain: &Toolchain, flags: &[&s
             words.extend(call.iter().flatten());
             let got = called(&mut process, &words, case.leaves.len())
                 .unwrap_or_else(|error| panic!("{leg}, {} of {call:x?}: {error}", case.name));
-            agree(&leg, case, index, &got);
+            agree(&leg, &compiled.module, case, index, &got);
         }
     }
 }

@@ -14,7 +14,7 @@ use bessemer_ir::{
 use super::analysis::reachable;
 use super::helpers::{Helper, closure};
 use super::lower::{self, Context, Uses};
-use super::names::{FAULTS, Returned, Signature};
+use super::names::{FAULTS, OVERLAY, Returned, Signature};
 use super::print::Printer;
 use super::shell::{Shell, frame};
 use super::tree::{Declarator, Init, Item, Lines, Origin, StmtKind, plain};
@@ -67,7 +67,9 @@ fn units(context: Context<'_>) -> BTreeMap<String, Unit> {
         let id = StructId(index as u32);
         let unit = units.entry(names.struct_file(module, id)).or_default();
         unit.types.push(TypeId::Struct(id));
-        unit.modules.insert(item.module.clone());
+        // Types of Rust's own come from nowhere.
+        let own = item.span.line > 0 || item.initial.is_some();
+        unit.modules.extend(own.then(|| item.module.clone()));
         if item.initial.is_some() {
             unit.functions.push(Callable::Init(id));
             unit.component = Some(item.name.clone());
@@ -343,9 +345,16 @@ impl Writer<'_> {
             };
             fields.push((vec![docs], field));
         }
+        // Of those that share their memory, the names say so.
+        let own = if item.overlaid() { 1 } else { fields.len() };
+        let overlaid = fields.split_off(own).into_iter().map(|(docs, mut field)| {
+            field.name = field.name.replacen(OVERLAY, "", 1);
+            (docs, field)
+        });
         Item::Struct {
             docs: item.docs.clone(),
             name: names.ty.clone(),
+            overlaid: overlaid.collect(),
             fields,
             origin: origin(item.span),
         }
@@ -363,7 +372,11 @@ impl Writer<'_> {
             file: &name,
             header: &header,
             summary: &self.summary(),
-            source: &source.join(", "),
+            source: &if source.is_empty() {
+                self.context.module.name.clone()
+            } else {
+                source.join(", ")
+            },
             license: &self.options.license,
             system_includes: includes.system.into_iter().map(str::to_owned).collect(),
             own_includes: includes.own.into_iter().collect(),
@@ -417,6 +430,8 @@ fn status_header(context: Context<'_>, options: &Options) -> CFile {
             bessemer_ir::Fault::Variant => "An enum that holds none of its values.",
             bessemer_ir::Fault::Assertion => "An assertion does not hold.",
             bessemer_ir::Fault::Bound => "A loop did not end within its bound.",
+            bessemer_ir::Fault::Absent => "A value that is not there was taken.",
+            bessemer_ir::Fault::Capacity => "A bounded container is full.",
         };
         variants.push((vec![docs.to_owned()], status.fault(fault)));
     }
@@ -453,12 +468,16 @@ fn constant_init(context: Context<'_>, ty: &Type, words: &mut &[u64]) -> Init {
     match ty {
         Type::Struct(id) => {
             let names = &context.names.structs[id.index()].fields;
-            let fields = context.module.structs[id.index()].fields.iter().zip(names);
-            let fields = fields.filter(|(field, _)| field.ty != Type::Unit);
-            let items = fields.map(|(field, name)| {
-                (Some(name.clone()), constant_init(context, &field.ty, words))
-            });
-            list(items.collect(), Lines::Fill)
+            let item = &context.module.structs[id.index()];
+            let first = words.first().copied().unwrap_or_default();
+            let mut items = Vec::new();
+            for (index, (field, name)) in item.fields.iter().zip(names).enumerate() {
+                let init = constant_init(context, &field.ty, words);
+                if field.ty != Type::Unit && (!item.overlaid() || item.holds(index, first)) {
+                    items.push((Some(name.clone()), init));
+                }
+            }
+            list(items, Lines::Fill)
         }
         Type::Array { element, len } => {
             let items = (0..*len).map(|_| (None, constant_init(context, element, words)));

@@ -63,12 +63,15 @@ impl Writer<'_> {
     fn fields(&mut self, place: &Expr, id: StructId, words: &[u64]) {
         let module = self.context.module;
         let names = &self.context.names.structs[id.index()];
-        let fields = &module.structs[id.index()].fields;
+        let item = &module.structs[id.index()];
         let mut rest = words;
-        for (field, name) in fields.iter().zip(&names.fields) {
+        for (index, (field, name)) in item.fields.iter().zip(&names.fields).enumerate() {
             let (own, later) = rest.split_at(count(module, &field.ty));
-            self.value(place.clone().field(name), &field.ty, own);
             rest = later;
+            if item.overlaid() && !item.holds(index, words[0]) {
+                continue;
+            }
+            self.value(place.clone().field(name), &field.ty, own);
         }
         if let Some(fault) = &names.fault {
             self.set(place.clone().field(fault), Expr::name(&self.context.names.status.ok));

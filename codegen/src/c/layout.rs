@@ -33,8 +33,16 @@ fn size_and_align(context: Context<'_>, ty: &Type) -> (u64, u64) {
         Type::Struct(id) => {
             let item = &context.module.structs[id.index()];
             let fault = context.names.structs[id.index()].fault.is_some();
-            let fields = item.fields.iter().map(|field| size_and_align(context, &field.ty));
-            let fields = fields.chain(fault.then_some((4, 4)));
+            let mut fields: Vec<_> =
+                item.fields.iter().map(|field| size_and_align(context, &field.ty)).collect();
+            if item.overlaid() {
+                // One of them at a time.
+                let most = fields.drain(1..).fold((0, 1), |(most, strictest), (size, align)| {
+                    (u64::max(most, size), u64::max(strictest, align))
+                });
+                fields.push((most.0.next_multiple_of(most.1), most.1));
+            }
+            let fields = fields.into_iter().chain(fault.then_some((4, 4)));
             let (size, align) = fields.fold((0, 1), |(end, most), (size, align)| {
                 (u64::next_multiple_of(end, align) + size, u64::max(most, align))
             });

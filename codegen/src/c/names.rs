@@ -117,7 +117,7 @@ pub struct StatusNames {
 }
 
 /// Every fault, in the order of its number in C (from 1).
-pub const FAULTS: [Fault; 8] = [
+pub const FAULTS: [Fault; 10] = [
     Fault::Overflow,
     Fault::DivisionByZero,
     Fault::Shift,
@@ -126,6 +126,8 @@ pub const FAULTS: [Fault; 8] = [
     Fault::Variant,
     Fault::Assertion,
     Fault::Bound,
+    Fault::Absent,
+    Fault::Capacity,
 ];
 
 impl StatusNames {
@@ -140,6 +142,8 @@ impl StatusNames {
             Fault::Variant => "VARIANT",
             Fault::Assertion => "ASSERTION",
             Fault::Bound => "BOUND",
+            Fault::Absent => "ABSENT",
+            Fault::Capacity => "CAPACITY",
         };
         format!("{}_{word}", self.prefix)
     }
@@ -302,8 +306,11 @@ impl Names {
         let bases: Vec<String> = wanted.iter().map(|(name, path)| base(name, path)).collect();
         for (index, item) in module.structs.iter().enumerate() {
             let id = StructId(index as u32);
-            let fields: Vec<String> =
+            let mut fields: Vec<String> =
                 item.fields.iter().map(|field| field_name(&field.name)).collect();
+            if item.overlaid() {
+                fields[1..].iter_mut().for_each(|name| name.insert_str(0, OVERLAY));
+            }
             let hidden = ["fault", "latched_fault"]
                 .into_iter()
                 .find(|name| fields.iter().all(|f| f != name));
@@ -389,6 +396,9 @@ impl Names {
         }
     }
 }
+
+/// What stands before the name of a field that shares its memory: `state.as.running`.
+pub const OVERLAY: &str = "as.";
 
 /// The C type of a scalar.
 pub fn scalar_type(scalar: Scalar) -> &'static str {

@@ -75,6 +75,13 @@ impl<'a> Printer<'a> {
         }
     }
 
+    fn fields(&mut self, fields: &[(Vec<String>, Declarator)]) {
+        for (docs, field) in fields {
+            self.docs(docs);
+            self.put(&format!("{};", field.text()));
+        }
+    }
+
     /// Prints an item, with an empty line before it unless it is the first.
     pub fn item(&mut self, item: &Item, gap: bool) {
         if gap {
@@ -82,14 +89,19 @@ impl<'a> Printer<'a> {
         }
         self.function.clear();
         match item {
-            Item::Struct { docs, name, fields, origin } => {
+            Item::Struct { docs, name, fields, overlaid, origin } => {
                 self.docs(docs);
                 self.mark(Some(*origin));
                 self.put("typedef struct {");
                 self.level += 1;
-                for (docs, field) in fields {
-                    self.docs(docs);
-                    self.put(&format!("{};", field.text()));
+                self.fields(fields);
+                if !overlaid.is_empty() {
+                    self.docs(&["What it holds.".to_owned()]);
+                    self.put("union {");
+                    self.level += 1;
+                    self.fields(overlaid);
+                    self.level -= 1;
+                    self.put("} as;");
                 }
                 self.level -= 1;
                 self.put(&format!("}} {name};"));

@@ -271,6 +271,8 @@ pub enum Item {
         name: String,
         /// The fields, each with its doc comment.
         fields: Vec<(Vec<String>, Declarator)>,
+        /// Those that share their memory, in a union named `as`.
+        overlaid: Vec<(Vec<String>, Declarator)>,
         /// Where it comes from.
         origin: Origin,
     },

@@ -224,6 +224,8 @@ impl Lowering<'_> {
         }
         self.facts.assume(&condition, true);
         let reason = match fault {
+            Fault::Absent => "the value is not known to be there",
+            Fault::Capacity => "the container is not known to have room",
             Fault::Bound => "the loop is not known to end within its bound",
             _ => "it is not known to hold",
         };

@@ -194,6 +194,7 @@ fn definition(module: &Module, function: &Function, fields: Vec<Field>) -> Struc
         module: function.module.clone(),
         docs: vec![format!("What `{path}` works with; its content means nothing between calls.")],
         fields,
+        form: bessemer_ir::Form::Record,
         initial: None,
         span: function.span,
     }
@@ -261,6 +262,7 @@ fn scratch(kernel: &Kernel) -> Option<Struct> {
         module: kernel.function().module,
         docs: vec![format!("What `{name}` works with; its content means nothing between calls.")],
         fields,
+        form: bessemer_ir::Form::Record,
         initial: None,
         span: Default::default(),
     })

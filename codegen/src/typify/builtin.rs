@@ -93,6 +93,9 @@ impl Lowering<'_, '_> {
             ("as_f64", [argument]) => return self.real(argument, None, expr),
             _ => {}
         }
+        if let Some(value) = self.option_method(name, arguments, expr)? {
+            return Ok(value);
+        }
         if name.ends_with("_bytes") {
             return self.bytes(name, arguments, expr);
         }

@@ -3,10 +3,11 @@
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{
     Arm, Block, CompareOp, Expr, ExprKind, Int, Local, LocalId, LogicOp, Mode, Place, Scalar, Span,
-    StmtKind, Type, UnaryOp,
+    StmtKind, StructId, Type, UnaryOp,
 };
 
 use super::function::{Lowering, Target};
+use super::pattern::Subject;
 use super::{Result, problem};
 
 /// An arm with more values than this is told by their ends.
@@ -14,6 +15,14 @@ const LISTED: i128 = 8;
 
 /// The values that an arm takes, as ranges with both ends; empty: every one.
 type Ranges = Vec<(i128, i128)>;
+
+/// An arm of a `match` on a number.
+struct Taken<'t> {
+    arm: &'t tree::Arm,
+    /// The name that it gives to the value, and whether that may be assigned.
+    binding: Option<(&'t str, bool)>,
+    ranges: Ranges,
+}
 
 impl Lowering<'_, '_> {
     /// `match`, its value to `target` if one is wanted.
@@ -26,15 +35,25 @@ impl Lowering<'_, '_> {
     ) -> Result<()> {
         let span = self.span(site);
         let arms = reachable(arms);
-        let name = arms.iter().find_map(|arm| arm.binding.as_ref()).map(|(name, _)| name.as_str());
-        let guarded = arms.iter().any(|arm| arm.guard.is_some());
-        let mut value = self.value(scrutinee, None)?;
-        let mut taken: Vec<(&tree::Arm, Ranges)> = Vec::new();
-        for arm in arms {
-            taken.push((arm, self.ranges(arm, &value.ty)?));
+        if let tree::ExprKind::Tuple(_) = &scrutinee.kind {
+            let subject = self.subject(scrutinee)?;
+            return self.subject_arms(&subject, arms, target, site);
         }
-        let wide = |(_, ranges): &(_, Ranges)| {
-            ranges.iter().map(|(low, high)| high - low + 1).sum::<i128>() > LISTED
+        let mut value = self.value(scrutinee, None)?;
+        if !value.ty.is_word() {
+            let subject = self.value_subject(value, site)?;
+            return self.subject_arms(&subject, arms, target, site);
+        }
+        let mut taken: Vec<Taken<'_>> = Vec::new();
+        for arm in arms {
+            let (binding, patterns) = split(&arm.pattern);
+            let ranges = self.ranges(patterns, &value.ty, arm.body.site)?;
+            taken.push(Taken { arm, binding, ranges });
+        }
+        let name = taken.iter().find_map(|taken| taken.binding).map(|(name, _)| name);
+        let guarded = arms.iter().any(|arm| arm.guard.is_some());
+        let wide = |taken: &Taken<'_>| {
+            taken.ranges.iter().map(|(low, high)| high - low + 1).sum::<i128>() > LISTED
         };
         let chained = guarded || taken.iter().any(wide);
         if name.is_some() || chained && !is_still(&value) {
@@ -62,16 +81,17 @@ impl Lowering<'_, '_> {
     fn cases(
         &mut self,
         scrutinee: Expr,
-        arms: &[(&tree::Arm, Ranges)],
+        arms: &[Taken<'_>],
         target: Option<&Target>,
         span: Span,
     ) -> Result<()> {
         let mut lowered: Vec<Arm> = Vec::new();
         let mut otherwise = None;
-        for (arm, ranges) in arms {
+        for taken in arms {
+            let ranges = &taken.ranges;
             let body = self.scoped(|inner| {
-                inner.name(arm, &scrutinee);
-                inner.arm(arm, target)
+                inner.name(taken, &scrutinee);
+                inner.arm(taken, target)
             })?;
             let values = ranges.iter().flat_map(|(low, high)| *low..=*high);
             // Earlier arms win, in Rust and so here.
@@ -110,18 +130,18 @@ impl Lowering<'_, '_> {
     fn chain(
         &mut self,
         value: &Expr,
-        arms: &[(&tree::Arm, Ranges)],
+        arms: &[Taken<'_>],
         target: Option<&Target>,
         span: Span,
     ) -> Result<()> {
-        let Some(((arm, ranges), rest)) = arms.split_first() else { return Ok(()) };
+        let Some((taken, rest)) = arms.split_first() else { return Ok(()) };
         let (condition, then) = self.naming_scope(|inner| {
-            inner.name(arm, value);
+            inner.name(taken, value);
             let condition = match rest {
                 [] => None,
-                _ => inner.condition(value, ranges, arm.guard.as_ref(), span)?,
+                _ => inner.condition(value, &taken.ranges, taken.arm.guard.as_ref(), span)?,
             };
-            Ok((condition, inner.scoped(|inner| inner.arm(arm, target))?))
+            Ok((condition, inner.scoped(|inner| inner.arm(taken, target))?))
         })?;
         match condition {
             None => self.out.extend(then.0),
@@ -156,31 +176,173 @@ impl Lowering<'_, '_> {
     }
 
     /// The author's name for what is matched.
-    fn name(&mut self, arm: &tree::Arm, value: &Expr) {
-        if let (Some((name, _)), ExprKind::Load(place)) = (&arm.binding, &value.kind) {
+    fn name(&mut self, taken: &Taken<'_>, value: &Expr) {
+        if let (Some((name, _)), ExprKind::Load(place)) = (taken.binding, &value.kind) {
             self.alias_to(name, place.clone());
         }
     }
 
     /// The body of an arm.
-    fn arm(&mut self, arm: &tree::Arm, target: Option<&Target>) -> Result<()> {
-        if let Some((name, true)) = &arm.binding {
+    fn arm(&mut self, taken: &Taken<'_>, target: Option<&Target>) -> Result<()> {
+        if let Some((name, true)) = taken.binding {
             // Assigned, it is a copy of its own.
-            let value = self.named(name, arm.body.site)?;
+            let value = self.named(name, taken.arm.body.site)?;
             let span = value.span;
             let local = self.declare(name, value.ty.clone(), Mode::Value, span);
             self.emit(StmtKind::Let { local, value: Some(value) }, span);
         }
-        match (target, &arm.body.kind) {
-            (Some(target), _) => self.into(&arm.body, target),
+        self.arm_body(&taken.arm.body, target)
+    }
+
+    fn arm_body(&mut self, body: &tree::Expr, target: Option<&Target>) -> Result<()> {
+        match (target, &body.kind) {
+            (Some(target), _) => self.into(body, target),
             // The arm is a block already.
             (None, tree::ExprKind::Block(block)) => {
                 let Block(stmts) = self.block_effect(block)?;
                 self.out.extend(stmts);
                 Ok(())
             }
-            (None, _) => self.effect(&arm.body),
+            (None, _) => self.effect(body),
         }
+    }
+
+    /// Arms that take a value apart: a list of cases where they name the variants of one enum, else
+    /// conditions one after the other.
+    fn subject_arms(
+        &mut self,
+        subject: &Subject,
+        arms: &[tree::Arm],
+        target: Option<&Target>,
+        site: Site,
+    ) -> Result<()> {
+        let arms: Vec<tree::Arm> = arms.iter().flat_map(spread).collect();
+        if let Subject::Place(place) = subject
+            && self.variant_cases(place, &arms, target, site)?
+        {
+            return Ok(());
+        }
+        let Block(stmts) =
+            self.scoped(|inner| inner.subject_chain(subject, &arms, target, site))?;
+        self.out.extend(stmts);
+        Ok(())
+    }
+
+    fn subject_chain(
+        &mut self,
+        subject: &Subject,
+        arms: &[tree::Arm],
+        target: Option<&Target>,
+        site: Site,
+    ) -> Result<()> {
+        let span = self.span(site);
+        let Some((arm, rest)) = arms.split_first() else { return Ok(()) };
+        let (condition, then) = self.naming_scope(|inner| {
+            let mut names = Vec::new();
+            let test = inner.test(&arm.pattern, subject, arm.body.site, &mut names)?;
+            let condition = match (rest, test, &arm.guard) {
+                ([], ..) => None,
+                (_, test, None) => test,
+                (_, test, Some(guard)) => {
+                    inner.alias_names(&names);
+                    Some(match test {
+                        Some(test) => inner.short_circuit(LogicOp::And, test, guard, guard.site)?,
+                        None => inner.value(guard, Some(&Type::BOOL))?,
+                    })
+                }
+            };
+            let then = inner.scoped(|inner| {
+                inner.bind_names(&names)?;
+                inner.arm_body(&arm.body, target)
+            })?;
+            // A name may be the guard's alone.
+            Ok((condition, if arm.guard.is_some() { super::pattern::used(then) } else { then }))
+        })?;
+        match condition {
+            None => self.out.extend(then.0),
+            Some(condition) => {
+                let otherwise =
+                    self.scoped(|inner| inner.subject_chain(subject, rest, target, site))?;
+                self.emit(StmtKind::If { condition, then, otherwise }, span);
+            }
+        }
+        Ok(())
+    }
+
+    /// Arms that name the variants of an enum with payload, and nothing within; false if they do more.
+    fn variant_cases(
+        &mut self,
+        place: &Place,
+        arms: &[tree::Arm],
+        target: Option<&Target>,
+        site: Site,
+    ) -> Result<bool> {
+        let Type::Struct(id) = place.ty else { return Ok(false) };
+        let tag = match self.cx.cases.get(&id) {
+            Some(_) => self.part(place, id, 0),
+            None => return Ok(false),
+        };
+        let words: Option<Vec<_>> = arms.iter().map(|arm| self.words(arm, id)).collect();
+        let (Type::Enum(_), Some(words)) = (&tag.ty, words) else { return Ok(false) };
+        let subject = Subject::Place(place.clone());
+        let (mut cases, mut otherwise) = (Vec::<Arm>::new(), None);
+        for (arm, words) in arms.iter().zip(words) {
+            let body = self.scoped(|inner| {
+                let mut names = Vec::new();
+                inner.test(&arm.pattern, &subject, arm.body.site, &mut names)?;
+                inner.bind_names(&names)?;
+                inner.arm_body(&arm.body, target)
+            })?;
+            let Some(mut values) = words else {
+                otherwise = Some(body);
+                break;
+            };
+            values.retain(|word| !cases.iter().any(|case| case.values.contains(word)));
+            if !values.is_empty() {
+                cases.push(Arm { values, body });
+            }
+        }
+        let span = self.span(site);
+        match (cases.is_empty(), otherwise) {
+            (true, Some(Block(all))) => self.out.extend(all),
+            (_, otherwise) => {
+                let scrutinee = super::pattern::load(&tag);
+                self.emit(StmtKind::Match { scrutinee, arms: cases, otherwise }, span);
+            }
+        }
+        Ok(true)
+    }
+
+    /// The variants that an arm takes, whatever they hold: none inside for all; none if it looks within.
+    fn words(&self, arm: &tree::Arm, id: StructId) -> Option<Option<Vec<i128>>> {
+        if arm.guard.is_some() {
+            return None;
+        }
+        if takes_all(&arm.pattern) {
+            return Some(None);
+        }
+        let mut words = Vec::new();
+        self.variant_words(&arm.pattern, id, &mut words).then_some(Some(words))
+    }
+
+    fn variant_words(&self, pattern: &tree::Pattern, id: StructId, words: &mut Vec<i128>) -> bool {
+        let free = |part: &tree::Pattern| matches!(part, tree::Pattern::Rest) || takes_all(part);
+        let name = match pattern {
+            tree::Pattern::Or(cases) => {
+                return cases.iter().all(|case| self.variant_words(case, id, words));
+            }
+            tree::Pattern::Value(tree::Expr { kind: tree::ExprKind::Path(_, path), .. }) => {
+                path.rsplit("::").next().unwrap_or_default()
+            }
+            tree::Pattern::Constructor(name, parts) if parts.iter().all(free) => name,
+            tree::Pattern::Fields(name, fields) if fields.iter().all(|(_, it)| free(it)) => name,
+            _ => return false,
+        };
+        let Some((word, _)) = self.case(id, name) else { return false };
+        if !words.contains(&i128::from(word)) {
+            words.push(i128::from(word));
+        }
+        true
     }
 
     fn match_bool(
@@ -202,21 +364,27 @@ impl Lowering<'_, '_> {
         self.emit(StmtKind::If { condition, then, otherwise: els }, span);
     }
 
-    fn ranges(&mut self, arm: &tree::Arm, ty: &Type) -> Result<Ranges> {
+    pub(super) fn ranges<'p>(
+        &mut self,
+        patterns: impl IntoIterator<Item = &'p tree::Pattern>,
+        ty: &Type,
+        site: Site,
+    ) -> Result<Ranges> {
+        let mut patterns = patterns.into_iter().peekable();
         let whole = match ty {
             Type::Scalar(Scalar::Int(int)) => (Int::min(*int), Int::max(*int)),
             Type::Enum(_) | Type::Scalar(Scalar::Bool) => (0, i128::from(u32::MAX)),
-            _ if arm.patterns.is_empty() => return Ok(Vec::new()),
+            _ if patterns.peek().is_none() => return Ok(Vec::new()),
             _ => {
                 return problem(
-                    arm.body.site,
-                    "`match` takes integers and plain enums in the DSL",
+                    site,
+                    "`match` compares integers, `bool` and enums in the DSL",
                     "compare with `if`",
                 );
             }
         };
         let mut ranges = Vec::new();
-        for pattern in &arm.patterns {
+        for pattern in patterns {
             ranges.push(match pattern {
                 tree::Pattern::Value(value) => {
                     let value = self.pattern_value(value, ty)?;
@@ -231,6 +399,13 @@ impl Lowering<'_, '_> {
                         None => whole.1,
                     };
                     (from.transpose()?.unwrap_or(whole.0), last)
+                }
+                _ => {
+                    return problem(
+                        site,
+                        "this pattern is not one of a number",
+                        "give values, ranges, a name or `_`",
+                    );
                 }
             });
         }
@@ -252,10 +427,61 @@ impl Lowering<'_, '_> {
     }
 }
 
+/// The name that a pattern of a number gives it, and the patterns of its values; none: every one.
+fn split(pattern: &tree::Pattern) -> (Option<(&str, bool)>, Vec<&tree::Pattern>) {
+    match pattern {
+        tree::Pattern::Any => (None, Vec::new()),
+        tree::Pattern::Name { name, mutable, inner, .. } => {
+            let values = inner.as_deref().map(|inner| split(inner).1).unwrap_or_default();
+            (Some((name, *mutable)), values)
+        }
+        tree::Pattern::Or(cases) => {
+            let cases: Vec<_> = cases.iter().map(|case| split(case).1).collect();
+            // `1 | _` is `_`.
+            let any = cases.iter().any(Vec::is_empty);
+            (None, if any { Vec::new() } else { cases.concat() })
+        }
+        other => (None, vec![other]),
+    }
+}
+
+/// An arm with names inside `|` as an arm for each.
+fn spread(arm: &tree::Arm) -> Vec<tree::Arm> {
+    match &arm.pattern {
+        tree::Pattern::Or(cases) if cases.iter().any(has_names) => cases
+            .iter()
+            .map(|pattern| tree::Arm { pattern: pattern.clone(), ..arm.clone() })
+            .collect(),
+        _ => vec![arm.clone()],
+    }
+}
+
+fn has_names(pattern: &tree::Pattern) -> bool {
+    match pattern {
+        tree::Pattern::Name { .. } => true,
+        tree::Pattern::Or(parts) | tree::Pattern::Tuple(parts) | tree::Pattern::Array(parts) => {
+            parts.iter().any(has_names)
+        }
+        tree::Pattern::Constructor(_, parts) => parts.iter().any(has_names),
+        tree::Pattern::Fields(_, fields) => fields.iter().any(|(_, part)| has_names(part)),
+        _ => false,
+    }
+}
+
+/// Whether a pattern takes every value, whatever it is of.
+fn takes_all(pattern: &tree::Pattern) -> bool {
+    match pattern {
+        tree::Pattern::Any => true,
+        tree::Pattern::Name { inner, .. } => inner.as_deref().is_none_or(takes_all),
+        tree::Pattern::Or(cases) => cases.iter().any(takes_all),
+        _ => false,
+    }
+}
+
 /// The arms that can be reached: what follows one that takes everything is never tried, nor a guard
 /// behind arms that take everything between them.
 fn reachable(arms: &[tree::Arm]) -> &[tree::Arm] {
-    let all = |arm: &tree::Arm| arm.patterns.is_empty() && arm.guard.is_none();
+    let all = |arm: &tree::Arm| takes_all(&arm.pattern) && arm.guard.is_none();
     let end = arms.iter().position(all).map_or(arms.len(), |last| last + 1);
     let last = arms[..end].iter().rposition(|arm| arm.guard.is_none());
     &arms[..last.map_or(0, |last| last + 1)]
@@ -267,7 +493,7 @@ fn is_still(value: &Expr) -> bool {
 }
 
 /// `low <= value && value <= high`, or what is left of it.
-fn test(value: &Expr, (low, high): (i128, i128), span: Span) -> Expr {
+pub(super) fn test(value: &Expr, (low, high): (i128, i128), span: Span) -> Expr {
     let boolean = |kind| Expr { kind, ty: Type::BOOL, span };
     if value.ty == Type::BOOL {
         let not = ExprKind::Unary(UnaryOp::Not, Box::new(value.clone()));

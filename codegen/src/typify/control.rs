@@ -6,8 +6,9 @@ use bessemer_ir::{
 };
 
 use super::function::{Lowering, Target, control_with_value, is_literal};
-use super::loops::Leaving;
-use super::{Result, order, problem};
+use super::loops::{Leaving, negated};
+use super::pattern::has_let;
+use super::{OUR_FAULT, Result, order, problem};
 
 impl Lowering<'_, '_> {
     /// Computes `expr` and sends its value to `target`.
@@ -15,21 +16,28 @@ impl Lowering<'_, '_> {
         match &expr.kind {
             tree::ExprKind::If(condition, then, Some(otherwise)) => {
                 let span = self.span(expr.site);
-                let condition = self.value(condition, Some(&Type::BOOL))?;
-                if let Some(holds) = self.decided(&condition) {
-                    let Block(stmts) = match holds {
-                        true => self.block_into(then, target)?,
-                        false => self.branch_into(otherwise, target)?,
-                    };
-                    self.out.extend(stmts);
+                if !has_let(condition) {
+                    let condition = self.value(condition, Some(&Type::BOOL))?;
+                    if let Some(holds) = self.decided(&condition) {
+                        let Block(stmts) = match holds {
+                            true => self.block_into(then, target)?,
+                            false => self.branch_into(otherwise, target)?,
+                        };
+                        self.out.extend(stmts);
+                        return Ok(());
+                    }
+                    let then = self.block_into(then, target)?;
+                    let otherwise = self.branch_into(otherwise, target)?;
+                    self.emit(StmtKind::If { condition, then, otherwise }, span);
                     return Ok(());
                 }
-                let then = self.block_into(then, target)?;
+                let (condition, then) =
+                    self.guarded(condition, |inner| inner.block_into(then, target))?;
                 let otherwise = self.branch_into(otherwise, target)?;
                 self.emit(StmtKind::If { condition, then, otherwise }, span);
                 Ok(())
             }
-            tree::ExprKind::Match(scrutinee, arms) => {
+            tree::ExprKind::Match(scrutinee, arms) if control_with_value(expr) => {
                 self.match_stmt(expr.site, scrutinee, arms, Some(target))
             }
             tree::ExprKind::Block(block) => {
@@ -46,6 +54,76 @@ impl Lowering<'_, '_> {
             | tree::ExprKind::While { .. } => self.effect(expr),
             _ => self.store(expr, target),
         }
+    }
+
+    fn is_unwrap(&self, callee: u32) -> bool {
+        let callee = self.source.callees.get(callee as usize);
+        matches!(callee, Some(tree::Callee::Builtin(name)) if name == "unwrap")
+    }
+
+    /// A condition and what is done if it holds; the names of its patterns are known there alone.
+    fn guarded(
+        &mut self,
+        condition: &tree::Expr,
+        then: impl FnOnce(&mut Self) -> Result<Block>,
+    ) -> Result<(Expr, Block)> {
+        if !has_let(condition) {
+            return Ok((self.value(condition, Some(&Type::BOOL))?, then(self)?));
+        }
+        self.naming_scope(|inner| {
+            let mut names = Vec::new();
+            let condition = inner.pattern_condition(condition, &mut names)?;
+            let mut body = Block::default();
+            let Block(declared) = inner.scoped(|inner| {
+                inner.bind_names(&names)?;
+                body = then(inner)?;
+                Ok(())
+            })?;
+            body.0.splice(0..0, declared);
+            Ok((condition, body))
+        })
+    }
+
+    /// `operand?`: leaves with what it is unless there is a value; that value, if there is something to
+    /// it.
+    pub(super) fn try_value(&mut self, operand: &tree::Expr, site: Site) -> Result<Option<Expr>> {
+        let span = self.span(site);
+        let value = self.value(operand, None)?;
+        let place = self.hold(value, site)?;
+        let (Type::Struct(id), Type::Struct(result)) = (place.ty.clone(), self.result.clone())
+        else {
+            return problem(site, "`?` takes an `Option` or a `Result`", "`match` on the value");
+        };
+        let (taken, left) = match self.case(id, "Some") {
+            Some(some) => (some, "None"),
+            None => match self.case(id, "Ok") {
+                Some(ok) => (ok, "Err"),
+                None => return problem(site, "`?` takes an `Option` or a `Result`", OUR_FAULT),
+            },
+        };
+        let Some((word, case)) = self.case(result, left) else {
+            return problem(site, "this does not fit the result of the function", OUR_FAULT);
+        };
+        let from = self.case(id, left).and_then(|(_, case)| case.field);
+        let payload =
+            from.map(|field| super::pattern::load(&self.part(&place, id, field as usize)));
+        let wanted = case
+            .field
+            .map(|field| &self.cx.module.structs[result.index()].fields[field as usize].ty);
+        if payload.as_ref().map(|payload| &payload.ty) != wanted {
+            return problem(
+                site,
+                "`?` does not convert errors in the DSL",
+                "return the same error type, or `match` and convert",
+            );
+        }
+        let condition = negated(self.tag_is(&place, id, taken.0));
+        let leave = self.choice(result, word, payload, site)?;
+        let kind = StmtKind::Return(Some(leave));
+        let then = Block(vec![super::equal::stmt(kind, span)]);
+        self.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
+        let value = taken.1.field.map(|field| self.part(&place, id, field as usize));
+        Ok(value.map(|value| super::pattern::load(&value)))
     }
 
     fn store(&mut self, expr: &tree::Expr, target: &Target) -> Result<()> {
@@ -89,16 +167,23 @@ impl Lowering<'_, '_> {
         match &expr.kind {
             tree::ExprKind::Assign(op, place, value) => self.assign(*op, place, value, expr.site),
             tree::ExprKind::If(condition, then, otherwise) => {
-                let condition = self.value(condition, Some(&Type::BOOL))?;
-                if let Some(holds) = self.decided(&condition) {
-                    let Block(stmts) = match holds {
-                        true => self.block_effect(then)?,
-                        false => self.else_effect(otherwise.as_deref())?,
-                    };
-                    self.out.extend(stmts);
+                if !has_let(condition) {
+                    let condition = self.value(condition, Some(&Type::BOOL))?;
+                    if let Some(holds) = self.decided(&condition) {
+                        let Block(stmts) = match holds {
+                            true => self.block_effect(then)?,
+                            false => self.else_effect(otherwise.as_deref())?,
+                        };
+                        self.out.extend(stmts);
+                        return Ok(());
+                    }
+                    let then = self.block_effect(then)?;
+                    let otherwise = self.else_effect(otherwise.as_deref())?;
+                    self.emit(StmtKind::If { condition, then, otherwise }, span);
                     return Ok(());
                 }
-                let then = self.block_effect(then)?;
+                let (condition, then) =
+                    self.guarded(condition, |inner| inner.block_effect(then))?;
                 let otherwise = self.else_effect(otherwise.as_deref())?;
                 self.emit(StmtKind::If { condition, then, otherwise }, span);
                 Ok(())
@@ -133,6 +218,10 @@ impl Lowering<'_, '_> {
             }
             tree::ExprKind::Assert(condition) => self.assert_stmt(condition, expr.site),
             tree::ExprKind::Tuple(parts) if parts.is_empty() => Ok(()),
+            tree::ExprKind::Call(callee, arguments) if self.is_unwrap(*callee) => {
+                self.unwrap("unwrap", arguments, expr).map(|_| ())
+            }
+            tree::ExprKind::Try(operand) => self.try_value(operand, expr.site).map(|_| ()),
             _ => {
                 let value = self.value(expr, None)?;
                 self.emit(StmtKind::Expr(value), span);

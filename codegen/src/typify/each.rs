@@ -9,6 +9,7 @@ use bessemer_ir::{
 };
 
 use super::function::Lowering;
+use super::pattern::Subject;
 use super::{Result, problem};
 
 impl Lowering<'_, '_> {
@@ -94,17 +95,10 @@ impl Lowering<'_, '_> {
         site: Site,
     ) -> Result<()> {
         for (part, place) in parts.iter().zip(places) {
-            let Some(name) = &part.name else { continue };
-            let element = self.element_at(place, variable, &part.array);
-            if self.slot_is_reference(part.slot, site)? {
-                self.alias_to(name, element);
-                continue;
-            }
-            let (ty, span) = (element.ty.clone(), element.span);
-            self.agree(&ty, &self.slot(part.slot, site)?, site)?;
-            let local = self.declare(name, ty.clone(), Mode::Value, span);
-            let value = Some(Expr { kind: ExprKind::Load(element), ty, span });
-            self.emit(StmtKind::Let { local, value }, span);
+            let element = Subject::Place(self.element_at(place, variable, &part.array));
+            let mut names = Vec::new();
+            self.test(&part.pattern, &element, site, &mut names)?;
+            self.bind_names(&names)?;
         }
         Ok(())
     }
@@ -153,17 +147,16 @@ impl Lowering<'_, '_> {
                 span,
             });
             for stmt in &mut body.0 {
-                // The declarations of the names come first, each with its element.
+                // The declarations of the names come first, each with its part of the element.
                 if let StmtKind::Let { value: Some(value), .. } = &mut stmt.kind
                     && let ExprKind::Load(element) = &mut value.kind
                     && element.root == place.root
-                    && element.steps.len() == place.steps.len() + 1
+                    && element.steps.len() > place.steps.len()
                     && element.steps.starts_with(&place.steps)
                     && element.span == place.span
                 {
                     element.root = copy;
                     element.steps.drain(..place.steps.len());
-                    break;
                 }
             }
             let value = Some(Expr { kind: ExprKind::Load(place.clone()), ty, span });

@@ -2,11 +2,12 @@
 
 use bessemer_ir::tree::{self, BinaryOp as Op, Site};
 use bessemer_ir::{
-    Argument, BinaryOp, CompareOp, Expr, ExprKind, FunctionId, LogicOp, Mode, Place, Routine, Stmt,
-    StmtKind, Type, UnaryOp,
+    Argument, BinaryOp, CompareOp, Expr, ExprKind, FunctionId, Int, LogicOp, Mode, Place, Routine,
+    Scalar, Stmt, StmtKind, Type, UnaryOp,
 };
 
 use super::function::{Lowering, Target, control_with_value};
+use super::loops::negated;
 use super::{OUR_FAULT, Result, literal, names, order, problem};
 
 /// An operand still to be lowered: the expression, the type expected of it, and its role.
@@ -41,13 +42,29 @@ impl Lowering<'_, '_> {
                 let word = literal::float(digits, scalar, site)?;
                 self.node(ExprKind::Literal(word), Type::Scalar(scalar), site)
             }
+            tree::ExprKind::Bytes(bytes) => {
+                let element = Type::Scalar(Scalar::Int(Int::U8));
+                let mut items = Vec::new();
+                for byte in bytes {
+                    let kind = ExprKind::Literal(u64::from(*byte));
+                    items.push(self.node(kind, element.clone(), site)?);
+                }
+                let ty = Type::Array { element: Box::new(element), len: bytes.len() as u32 };
+                self.node(ExprKind::Array(items), ty, site)
+            }
             tree::ExprKind::Path(index, name) => self.path(*index, name, site),
             tree::ExprKind::Unary(op, operand) => self.unary(*op, operand, expected, site),
             tree::ExprKind::Binary(op, left, right) => self.binary(*op, left, right, expr),
             tree::ExprKind::Call(callee, arguments) => self.call(*callee, arguments, expr),
-            tree::ExprKind::Struct(fields, rest) => {
-                self.struct_value(fields, rest.as_deref(), expr)
+            tree::ExprKind::Struct(name, fields, rest) => {
+                self.struct_value(name, fields, rest.as_deref(), expr)
             }
+            tree::ExprKind::Constructor(name, parts) => self.constructed(name, parts, expr),
+            tree::ExprKind::Tuple(parts) if !parts.is_empty() => self.constructed("", parts, expr),
+            tree::ExprKind::Try(operand) => match self.try_value(operand, site)? {
+                Some(value) => Ok(value),
+                None => problem(site, "this has no value", "write it as a statement"),
+            },
             tree::ExprKind::Array(elements) => self.array(elements, expr),
             tree::ExprKind::Repeat(element) => {
                 let ty = self.slot_of(expr)?;
@@ -58,6 +75,9 @@ impl Lowering<'_, '_> {
                 self.node(ExprKind::Splat(Box::new(element)), ty, site)
             }
             tree::ExprKind::Cast(operand) => self.cast(operand, expr),
+            tree::ExprKind::Match(scrutinee, arms) if is_question(arms) => {
+                self.question(scrutinee, &arms[0], site)
+            }
             _ if control_with_value(expr) => self.control_value(expr, expected),
             _ => match self.place(expr)? {
                 Some(place) => {
@@ -79,7 +99,7 @@ impl Lowering<'_, '_> {
         Ok(Expr { kind, ty, span })
     }
 
-    pub(super) fn slot_of(&self, expr: &tree::Expr) -> Result<Type> {
+    pub(super) fn slot_of(&mut self, expr: &tree::Expr) -> Result<Type> {
         match expr.slot {
             Some(slot) => self.slot(slot, expr.site),
             None => problem(expr.site, "rustc was not asked for this type", OUR_FAULT),
@@ -108,27 +128,44 @@ impl Lowering<'_, '_> {
         if let (Type::Enum(_), [word]) = (&ty, constant.words.as_slice()) {
             return self.node(ExprKind::Literal(*word), ty, site);
         }
+        let words = constant.words.clone();
+        let last = name.rsplit("::").next().unwrap_or_default();
+        if let Type::Struct(id) = ty
+            && let Some((word, case)) = self.case(id, last)
+            && case.field.is_none()
+            && words.first() == Some(&word)
+        {
+            return self.choice(id, word, None, site);
+        }
         let generic = |wanted: &str| {
             source.generics.iter().find(|(known, _)| known == wanted).map(|(_, argument)| argument)
         };
         let number = matches!(generic(name), Some(tree::Argument::Number(..)));
         let plain = ["::ZERO", "::ONE"].iter().any(|end| name.ends_with(end));
-        if let ([word], true) =
-            (constant.words.as_slice(), number || plain && ty.as_float().is_some())
-        {
+        let literal =
+            number || plain && ty.as_float().is_some() || last == "DEFAULT" && ty.is_word();
+        if let ([word], true) = (words.as_slice(), literal) {
             return self.node(ExprKind::Literal(*word), ty, site);
         }
-        // `T::PI` is `f32::PI` where `T` is `f32`.
-        let name = match name.split_once("::").map(|(first, rest)| (generic(first), rest)) {
-            Some((Some(tree::Argument::Type(tree::Ty::Named(path))), rest)) => {
+        // `T::PI` is `f32::PI` where `T` is `f32`, and `Default::default()` is named for its type.
+        let name = match name.split_once("::").map(|(first, rest)| (first, generic(first), rest)) {
+            Some((_, Some(tree::Argument::Type(tree::Ty::Named(path))), rest)) => {
                 format!("{}::{rest}", self.cx.item_name(path))
             }
-            Some((Some(argument), rest)) => format!("{}::{rest}", self.cx.argument_name(argument)),
+            Some((_, Some(argument), rest)) => {
+                format!("{}::{rest}", self.cx.argument_name(argument))
+            }
+            Some(("Default", None, rest)) => match &ty {
+                Type::Struct(id) => {
+                    format!("{}::{rest}", self.cx.module.structs[id.index()].name)
+                }
+                _ => name.to_owned(),
+            },
             _ => name.to_owned(),
         };
         let owner = source.owner.as_ref().map(|path| self.cx.item_name(path).to_owned());
         let (module, name) = names::constant(&self.module_path(), owner.as_deref(), &name);
-        let id = self.cx.constant(&module, &name, &ty, &constant.words);
+        let id = self.cx.constant(&module, &name, &ty, &words);
         self.node(ExprKind::Const(id), ty, site)
     }
 
@@ -229,8 +266,19 @@ impl Lowering<'_, '_> {
     ) -> Result<Expr> {
         let (left_ty, right_ty) = (left.ty.clone(), right.ty.clone());
         if let Some(op) = compare(op) {
-            if left_ty != right_ty || !left_ty.is_word() {
-                return problem(site, "only scalars and plain enums are compared", "compare parts");
+            if left_ty != right_ty {
+                return problem(
+                    site,
+                    "values of two types are not compared",
+                    "convert one of them",
+                );
+            }
+            if !left_ty.is_word() {
+                let equal = match op {
+                    CompareOp::Eq | CompareOp::Ne => self.equality(left, right, site)?,
+                    _ => return problem(site, "this has no order in the DSL", "compare parts"),
+                };
+                return Ok(if op == CompareOp::Ne { negated(equal) } else { equal });
             }
             let kind = ExprKind::Compare(op, Box::new(left), Box::new(right));
             return self.node(kind, Type::BOOL, site);
@@ -308,12 +356,12 @@ impl Lowering<'_, '_> {
             span,
             comments: Vec::new(),
         });
-        let (body, empty) = (bessemer_ir::Block(body), bessemer_ir::Block::default());
-        let (then, otherwise) = match op {
-            LogicOp::And => (body, empty),
-            LogicOp::Or => (empty, body),
+        let condition = match op {
+            LogicOp::And => held.clone(),
+            LogicOp::Or => negated(held.clone()),
         };
-        self.emit(StmtKind::If { condition: held.clone(), then, otherwise }, span);
+        let (then, otherwise) = (bessemer_ir::Block(body), bessemer_ir::Block::default());
+        self.emit(StmtKind::If { condition, then, otherwise }, span);
         Ok(held)
     }
 
@@ -339,6 +387,22 @@ impl Lowering<'_, '_> {
             return problem(expr.site, "`as` converts scalars", "convert the parts");
         }
         self.node(ExprKind::Cast(Box::new(operand)), ty, expr.site)
+    }
+
+    /// `matches!(…)`: the test alone.
+    fn question(&mut self, scrutinee: &tree::Expr, arm: &tree::Arm, site: Site) -> Result<Expr> {
+        let subject = self.subject(scrutinee)?;
+        self.naming_scope(|inner| {
+            let mut names = Vec::new();
+            let test = inner.test(&arm.pattern, &subject, site, &mut names)?;
+            inner.alias_names(&names);
+            match (test, &arm.guard) {
+                (Some(test), None) => Ok(test),
+                (Some(test), Some(guard)) => inner.short_circuit(LogicOp::And, test, guard, site),
+                (None, Some(guard)) => inner.value(guard, Some(&Type::BOOL)),
+                (None, None) => inner.node(ExprKind::Literal(1), Type::BOOL, site),
+            }
+        })
     }
 
     /// Control flow as part of an expression: into a local of its own.
@@ -438,6 +502,21 @@ impl Lowering<'_, '_> {
             passed.push(next);
         }
         self.node(ExprKind::Call(id, passed), result, expr.site)
+    }
+}
+
+/// Whether the arms of a `match` are those of `matches!`.
+pub(super) fn is_question(arms: &[tree::Arm]) -> bool {
+    let says =
+        |arm: &tree::Arm, word| matches!(arm.body.kind, tree::ExprKind::Bool(it) if it == word);
+    match arms {
+        [taken, rest] => {
+            says(taken, true)
+                && says(rest, false)
+                && rest.guard.is_none()
+                && matches!(rest.pattern, tree::Pattern::Any)
+        }
+        _ => false,
     }
 }
 

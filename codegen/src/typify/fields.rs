@@ -1,27 +1,124 @@
-//! Struct literals: their fields in the author's order, and the rest from another value.
+//! Values of structs and variants: their fields in the author's order, and the rest from another value.
 
-use bessemer_ir::tree;
-use bessemer_ir::{Expr, ExprKind, Place, Type};
+use bessemer_ir::tree::{self, Site};
+use bessemer_ir::{Expr, ExprKind, Place, Span, StructId, Type};
 
 use super::OUR_FAULT;
 use super::expr::Operand;
 use super::function::Lowering;
+use super::generic::position;
 use super::order::{has_effect, is_free, is_settled};
 use super::{Result, problem};
 
 impl Lowering<'_, '_> {
+    /// `Name { field: value, ..base }`: a struct, or a variant.
     pub(super) fn struct_value(
         &mut self,
+        name: &str,
         fields: &[(String, tree::Expr)],
         rest: Option<&tree::Expr>,
         expr: &tree::Expr,
     ) -> Result<Expr> {
         let ty = self.slot_of(expr)?;
         let Type::Struct(id) = ty else {
+            if let Type::Enum(_) = ty {
+                return problem(expr.site, "write the variant without braces", "leave `{}` out");
+            }
             return problem(expr.site, "this is not a struct", OUR_FAULT);
         };
+        if !self.cx.cases.contains_key(&id) {
+            return self.parts(id, fields, rest, expr);
+        }
+        let Some((word, case)) = self.case(id, name) else {
+            return problem(expr.site, format!("`{name}` is not a variant"), OUR_FAULT);
+        };
+        let held = case
+            .field
+            .map(|field| self.cx.module.structs[id.index()].fields[field as usize].ty.clone());
+        let payload = match (held, fields) {
+            (Some(held), [(_, value)]) if case.single => {
+                let value = self.value(value, Some(&held))?;
+                self.agree(&value.ty, &held, expr.site)?;
+                Some(value)
+            }
+            (Some(Type::Struct(inner)), _) => Some(self.parts(inner, fields, None, expr)?),
+            (None, [(_, value)]) => {
+                // `Ok(())` holds nothing.
+                self.effect(value)?;
+                None
+            }
+            _ => None,
+        };
+        self.choice(id, word, payload, expr.site)
+    }
+
+    /// `Name(a, b)`.
+    pub(super) fn constructed(
+        &mut self,
+        name: &str,
+        parts: &[tree::Expr],
+        expr: &tree::Expr,
+    ) -> Result<Expr> {
+        let numbered = parts.iter().enumerate();
+        let fields: Vec<_> =
+            numbered.map(|(index, part)| (index.to_string(), part.clone())).collect();
+        self.struct_value(name, &fields, None, expr)
+    }
+
+    /// The variant `word` of a struct that stands for an enum.
+    pub(super) fn choice(
+        &mut self,
+        id: StructId,
+        word: u64,
+        mut payload: Option<Expr>,
+        site: Site,
+    ) -> Result<Expr> {
+        let span = self.span(site);
+        let definition = self.cx.module.structs[id.index()].clone();
+        let mut parts = Vec::new();
+        for (index, field) in definition.fields.iter().enumerate() {
+            parts.push(match index {
+                0 => {
+                    let kind = ExprKind::Literal(word);
+                    Expr { kind, ty: field.ty.clone(), span }
+                }
+                _ if definition.holds(index, word) => match payload.take() {
+                    Some(payload) => payload,
+                    None => return problem(site, "the payload is missing", OUR_FAULT),
+                },
+                _ => self.zero(&field.ty, span),
+            });
+        }
+        self.node(ExprKind::Struct(parts), Type::Struct(id), site)
+    }
+
+    /// The value of a type whose every word is zero.
+    pub(super) fn zero(&self, ty: &Type, span: Span) -> Expr {
+        let kind = match ty {
+            Type::Unit | Type::Scalar(_) | Type::Enum(_) => ExprKind::Literal(0),
+            Type::Array { element, .. } => ExprKind::Splat(Box::new(self.zero(element, span))),
+            Type::Matrix { element, .. } => {
+                ExprKind::Splat(Box::new(self.zero(&Type::Scalar(*element), span)))
+            }
+            Type::Struct(id) => {
+                let fields = &self.cx.module.structs[id.index()].fields;
+                ExprKind::Struct(fields.iter().map(|field| self.zero(&field.ty, span)).collect())
+            }
+        };
+        Expr { kind, ty: ty.clone(), span }
+    }
+
+    /// A struct of its parts.
+    fn parts(
+        &mut self,
+        id: StructId,
+        fields: &[(String, tree::Expr)],
+        rest: Option<&tree::Expr>,
+        expr: &tree::Expr,
+    ) -> Result<Expr> {
+        let ty = Type::Struct(id);
         let declared = self.cx.module.structs[id.index()].fields.clone();
-        let expected = |name: &str| declared.iter().find(|field| field.name == name);
+        let expected = |name: &str| position(&declared, name).map(|index| &declared[index]);
         let operands: Vec<_> = fields
             .iter()
             .map(|(name, value)| Operand {
@@ -36,17 +133,14 @@ impl Lowering<'_, '_> {
             Some(rest) => Some(self.rest(&mut values, fields, rest)?),
             None => None,
         };
-        let order: Vec<_> = fields
-            .iter()
-            .map(|(name, _)| declared.iter().position(|field| field.name == *name))
-            .collect();
+        let order: Vec<_> = fields.iter().map(|(name, _)| position(&declared, name)).collect();
         self.keep_order(&mut values, order.is_sorted(), rest.is_some(), fields);
         let mut ordered = Vec::new();
-        for (position, field) in declared.iter().enumerate() {
-            let index = fields.iter().position(|(name, _)| *name == field.name);
+        for (at, field) in declared.iter().enumerate() {
+            let index = fields.iter().position(|(name, _)| position(&declared, name) == Some(at));
             let value = index.and_then(|index| values[index].take()).or_else(|| {
                 let mut place = rest.clone()?;
-                place.steps.push(bessemer_ir::Step::Field(position as u32));
+                place.steps.push(bessemer_ir::Step::Field(at as u32));
                 place.ty = field.ty.clone();
                 let (ty, span) = (field.ty.clone(), place.span);
                 Some(Expr { kind: ExprKind::Load(place), ty, span })

@@ -1,5 +1,7 @@
 //! One function: its parameters, its scopes, and its statements in order.
 
+use std::collections::HashSet;
+
 use bessemer_ir::tree::{self, Site, Ty};
 use bessemer_ir::{
     Block, Expr, ExprKind, Function, Local, LocalId, Mode, Owner, Place, Role, Span, Stmt,
@@ -7,7 +9,7 @@ use bessemer_ir::{
 };
 
 use super::loops::Frame;
-use super::types::{show, split};
+use super::types::split;
 use super::{Context, Result, names, problem};
 
 /// A function being lowered.
@@ -22,6 +24,8 @@ pub(super) struct Lowering<'a, 'c> {
     /// What to call a value that the author left unnamed here.
     pub naming: String,
     pub result: Type,
+    /// The locals that the author has no name for: nothing writes to them again.
+    pub held: HashSet<LocalId>,
     /// The loops around what is being lowered, outermost first.
     pub frames: Vec<Frame>,
     /// The counters of the loops over elements around it, outermost first.
@@ -67,6 +71,7 @@ pub(super) fn lower(cx: &mut Context<'_>, source: &tree::Function) -> Result<Fun
         out: Vec::new(),
         naming: "value".into(),
         result: result.clone(),
+        held: HashSet::new(),
         frames: Vec::new(),
         counters: Vec::new(),
     };
@@ -115,7 +120,9 @@ fn result_name(cx: &Context<'_>, tree: &tree::FunctionTree, result: &Type) -> St
         return name.clone();
     }
     match result {
-        Type::Struct(id) => names::snake(&cx.module.structs[id.index()].name),
+        Type::Struct(id) if !cx.shown.contains_key(id) => {
+            names::snake(&cx.module.structs[id.index()].name)
+        }
         Type::Enum(id) => names::snake(&cx.module.enums[id.index()].name),
         _ => "result".into(),
     }
@@ -163,8 +170,13 @@ impl Lowering<'_, '_> {
     }
 
     /// The type in a slot, as that of a value.
-    pub(super) fn slot(&self, slot: u32, site: Site) -> Result<Type> {
+    pub(super) fn slot(&mut self, slot: u32, site: Site) -> Result<Type> {
         self.cx.value_type(slot_type(self.source, slot, site)?, site)
+    }
+
+    /// What the reference in a slot refers to.
+    pub(super) fn refers_to(&mut self, slot: u32, site: Site) -> Result<Type> {
+        self.cx.pointee(slot_type(self.source, slot, site)?, site)
     }
 
     pub(super) fn slot_is_reference(&self, slot: u32, site: Site) -> Result<bool> {
@@ -262,8 +274,8 @@ impl Lowering<'_, '_> {
                     self.let_stmt(name, *slot, value.as_ref(), *site)?;
                     *site
                 }
-                tree::Stmt::Apart { pattern, value, site } => {
-                    self.take_apart(pattern, value)?;
+                tree::Stmt::Apart { pattern, value, otherwise, site } => {
+                    self.take_apart(pattern, value, otherwise.as_ref())?;
                     *site
                 }
                 tree::Stmt::Expr(expr) => {
@@ -297,15 +309,34 @@ impl Lowering<'_, '_> {
         match value {
             Some(value) if !control_with_value(value) => {
                 // The name means the new local only after its value.
+                let before = self.locals.len();
                 let value = self.value(value, Some(&ty))?;
                 self.agree(&value.ty, &ty, site)?;
-                let local = self.declare(name, ty, Mode::Value, span);
-                self.emit(StmtKind::Let { local, value: Some(value) }, span);
+                match self.made_for(&value, before) {
+                    Some(local) => {
+                        self.locals[local.index()].name = name.to_owned();
+                        self.bind(name, Binding::Local(local));
+                    }
+                    None => {
+                        let local = self.declare(name, ty, Mode::Value, span);
+                        self.emit(StmtKind::Let { local, value: Some(value) }, span);
+                    }
+                }
             }
             _ => self.let_control(name, ty, value, span)?,
         }
         self.naming = naming;
         Ok(())
+    }
+
+    /// The local that a value was put together in, and nothing else: it can have the author's name.
+    fn made_for(&mut self, value: &Expr, since: usize) -> Option<LocalId> {
+        match &value.kind {
+            ExprKind::Load(place) if place.steps.is_empty() && place.root.index() >= since => {
+                self.held.remove(&place.root).then_some(place.root)
+            }
+            _ => None,
+        }
     }
 
     /// `let name = if …`: declared first, then assigned on every path.
@@ -358,6 +389,7 @@ impl Lowering<'_, '_> {
     pub(super) fn temporary(&mut self, role: &str, value: Expr) -> Expr {
         let (ty, span) = (value.ty.clone(), value.span);
         let local = self.temporary_local(role, ty.clone(), span);
+        self.held.insert(local);
         self.emit(StmtKind::Let { local, value: Some(value) }, span);
         let place = Place { root: local, steps: Vec::new(), ty: ty.clone(), span };
         Expr { kind: ExprKind::Load(place), ty, span }
@@ -376,13 +408,12 @@ impl Lowering<'_, '_> {
         if computed == rustc {
             return Ok(());
         }
-        let module = &self.cx.module;
         problem(
             site,
             format!(
                 "Bessemer takes this for `{}`, rustc for `{}`",
-                show(module, computed),
-                show(module, rustc)
+                self.cx.show(computed),
+                self.cx.show(rustc)
             ),
             super::OUR_FAULT,
         )
@@ -401,7 +432,10 @@ impl Lowering<'_, '_> {
 /// Whether `expr` is control flow that has a value.
 pub(super) fn control_with_value(expr: &tree::Expr) -> bool {
     use tree::ExprKind::{Block, If, Match, While};
-    matches!(expr.kind, If(..) | Match(..) | Block(..) | While { condition: None, .. })
+    match &expr.kind {
+        Match(_, arms) => !super::expr::is_question(arms),
+        kind => matches!(kind, If(..) | Block(..) | While { condition: None, .. }),
+    }
 }
 
 pub(super) fn is_literal(expr: &Expr) -> bool {

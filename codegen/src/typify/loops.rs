@@ -79,10 +79,12 @@ impl Lowering<'_, '_> {
         self.repeated(label, None, span, |inner| {
             let pass = inner.pass(&bound, span);
             let body = inner.scoped(|inner| {
-                let condition = negated(inner.value(condition, Some(&Type::BOOL))?);
+                let mut names = Vec::new();
+                let condition = negated(inner.pattern_condition(condition, &mut names)?);
                 let (then, otherwise) = (alone(StmtKind::Break, span), Block::default());
                 inner.emit(StmtKind::If { condition, then, otherwise }, span);
                 inner.emit(begun(pass, &bound, span), span);
+                inner.bind_names(&names)?;
                 inner.statements(body)
             })?;
             Ok(passes(pass, bound, true, body))
@@ -274,7 +276,7 @@ impl Lowering<'_, '_> {
 }
 
 /// The opposite of a condition; a comparison turned round, unless a NaN could tell.
-fn negated(condition: Expr) -> Expr {
+pub(super) fn negated(condition: Expr) -> Expr {
     let Expr { kind, ty, span } = condition;
     let kind = match kind {
         ExprKind::Unary(UnaryOp::Not, inner) => return *inner,

@@ -7,27 +7,30 @@
 //! Must not know: C, or how an operation is computed. It does not infer: a type that does not follow
 //! from the operands comes from a slot.
 
-mod apart;
 mod builtin;
 mod choice;
 mod control;
 mod each;
+mod equal;
 mod expr;
 mod fields;
 mod function;
+mod generic;
 mod kernels;
 mod literal;
 mod loops;
 mod names;
 mod numbers;
+mod option;
 mod order;
+mod pattern;
 mod place;
 mod types;
 
 use std::collections::{HashMap, HashSet};
 
 use bessemer_ir::tree::{self, Package, Site};
-use bessemer_ir::{FunctionId, Module, Span};
+use bessemer_ir::{FunctionId, Module, Span, StructId};
 
 use crate::diagnostic::Diagnostic;
 use crate::source::Sources;
@@ -134,6 +137,18 @@ struct Context<'a> {
     /// The names that authors gave, in snake case behind their module or type.
     authored: HashSet<String>,
     claims: Claims<'a>,
+    /// The names of the authors' types.
+    declared: Vec<String>,
+    /// The structs that stand for types of Rust's own.
+    generics: HashMap<tree::Ty, bessemer_ir::Type>,
+    /// What they are in Rust.
+    shown: HashMap<StructId, String>,
+    /// The variants of the structs that stand for `Option`, `Result` and enums with payload.
+    cases: HashMap<StructId, Vec<generic::Case>>,
+    /// Where the authors' types stand, and those that are made of them.
+    homes: HashMap<bessemer_ir::Type, generic::Home>,
+    /// The structs that do not derive `PartialEq`.
+    unequal: HashSet<StructId>,
     functions: HashMap<String, FunctionId>,
     /// Functions of other crates that nothing has called so far.
     uncalled: HashMap<&'a str, &'a tree::Function>,
@@ -154,6 +169,12 @@ impl<'a> Context<'a> {
             aliases: package.aliases.iter().map(|alias| (alias.of.as_str(), alias)).collect(),
             authored: authored(package),
             claims,
+            declared: package.types.iter().map(|it| it.name.clone()).collect(),
+            generics: HashMap::new(),
+            shown: HashMap::new(),
+            cases: HashMap::new(),
+            homes: HashMap::new(),
+            unequal: HashSet::new(),
             functions: HashMap::new(),
             uncalled: HashMap::new(),
         }

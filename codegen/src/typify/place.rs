@@ -1,6 +1,6 @@
 //! Places: where values are held.
 
-use bessemer_ir::tree;
+use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{Expr, ExprKind, Int, Place, Scalar, Step, Type};
 
 use super::expr::{Operand, two};
@@ -47,17 +47,33 @@ impl Lowering<'_, '_> {
             return Ok(place);
         }
         let value = self.value(expr, None)?;
+        self.hold(value, expr.site)
+    }
+
+    /// The place of a value: its own, or a temporary.
+    pub(super) fn hold(&mut self, value: Expr, site: Site) -> Result<Place> {
+        if let ExprKind::Load(place) = value.kind {
+            return Ok(place);
+        }
         let role = match &value.ty {
+            Type::Struct(id) if self.cx.shown.contains_key(id) => {
+                match self.cx.cases.get(id).map(|cases| cases[0].name.as_str()) {
+                    Some("None") => "option".into(),
+                    Some("Err") => "outcome".into(),
+                    _ => "pair".into(),
+                }
+            }
             Type::Struct(id) => super::names::snake(&self.cx.module.structs[id.index()].name),
             Type::Matrix { .. } => "vector".into(),
-            _ => "elements".into(),
+            Type::Array { .. } => "elements".into(),
+            _ => "selector".into(),
         };
         let naming = std::mem::take(&mut self.naming);
         let held = self.temporary(&role, value);
         self.naming = naming;
         match held.kind {
             ExprKind::Load(place) => Ok(place),
-            _ => problem(expr.site, "a temporary is not a place", super::OUR_FAULT),
+            _ => problem(site, "a temporary is not a place", super::OUR_FAULT),
         }
     }
 
@@ -73,7 +89,7 @@ impl Lowering<'_, '_> {
         match base {
             Type::Struct(id) => {
                 let fields = &self.cx.module.structs[id.index()].fields;
-                if let Some(index) = fields.iter().position(|field| field.name == name) {
+                if let Some(index) = super::generic::position(fields, name) {
                     return Ok((Step::Field(index as u32), fields[index].ty.clone()));
                 }
             }

@@ -1,8 +1,9 @@
 //! Definitions and types: from paths to handles.
 
 use bessemer_ir::tree::{Argument, Definition, DefinitionKind, Site, Ty};
-use bessemer_ir::{Const, ConstId, Enum, EnumId, Field, Scalar, Struct, StructId, Type, Variant};
+use bessemer_ir::{Const, ConstId, Enum, Form, Scalar, Struct, StructId, Type, Variant};
 
+use super::generic::Home;
 use super::names::snake;
 use super::{Context, Result, problem};
 
@@ -11,21 +12,24 @@ pub(super) fn split(path: &str) -> (&str, &str) {
     path.rsplit_once("::").unwrap_or(("", path))
 }
 
-/// A type in the words of its author.
-pub(super) fn show(module: &bessemer_ir::Module, ty: &Type) -> String {
-    match ty {
-        Type::Unit => "()".into(),
-        Type::Scalar(scalar) => scalar.name().into(),
-        Type::Array { element, len } => format!("[{}; {len}]", show(module, element)),
-        Type::Matrix { element, rows, cols } => {
-            format!("SMatrix<{}, {rows}, {cols}>", element.name())
-        }
-        Type::Struct(id) => module.structs[id.index()].name.clone(),
-        Type::Enum(id) => module.enums[id.index()].name.clone(),
-    }
-}
-
 impl Context<'_> {
+    /// A type in the words of its author.
+    pub(super) fn show(&self, ty: &Type) -> String {
+        match ty {
+            Type::Unit => "()".into(),
+            Type::Scalar(scalar) => scalar.name().into(),
+            Type::Array { element, len } => format!("[{}; {len}]", self.show(element)),
+            Type::Matrix { element, rows, cols } => {
+                format!("SMatrix<{}, {rows}, {cols}>", element.name())
+            }
+            Type::Struct(id) => match self.shown.get(id) {
+                Some(shown) => shown.clone(),
+                None => self.module.structs[id.index()].name.clone(),
+            },
+            Type::Enum(id) => self.module.enums[id.index()].name.clone(),
+        }
+    }
+
     pub(super) fn define(&mut self, definition: &Definition) -> Result<()> {
         let span = self.span(&definition.file, definition.site);
         let alias = self.aliases.get(definition.path.as_str()).copied();
@@ -41,28 +45,35 @@ impl Context<'_> {
                 (definition.module.clone(), name, definition.docs.clone())
             }
         };
+        let home = module.clone();
         let ty = match &definition.kind {
             DefinitionKind::Struct { fields, initial } => {
-                let fields = fields
-                    .iter()
-                    .map(|field| {
-                        let ty = self.value_type(&field.ty, definition.site)?;
-                        Ok(Field { name: field.name.clone(), docs: field.docs.clone(), ty })
-                    })
-                    .collect::<Result<_>>()?;
-                let initial = initial.clone();
-                self.module.structs.push(Struct { name, module, docs, fields, initial, span });
+                let fields = self.fields(fields, definition.site)?;
+                let (form, initial) = (Form::Record, initial.clone());
+                self.module.structs.push(Struct {
+                    name,
+                    module,
+                    docs,
+                    fields,
+                    form,
+                    initial,
+                    span,
+                });
                 Type::Struct(StructId(self.module.structs.len() as u32 - 1))
             }
             DefinitionKind::Enum(variants) => {
-                let variants = variants
+                let named = variants
                     .iter()
-                    .map(|(name, docs)| Variant { name: name.clone(), docs: docs.clone() })
+                    .map(|it| Variant { name: it.name.clone(), docs: it.docs.clone() })
                     .collect();
-                self.module.enums.push(Enum { name, module, docs, variants, span });
-                Type::Enum(EnumId(self.module.enums.len() as u32 - 1))
+                let named = Enum { name, module, docs, variants: named, span };
+                self.define_enum(variants, named, definition.site)?
             }
         };
+        self.homes.insert(ty.clone(), Home { order: self.homes.len(), module: home, span });
+        if let (Type::Struct(id), false) = (&ty, definition.equal) {
+            self.unequal.insert(*id);
+        }
         self.types.insert(definition.path.clone(), ty);
         Ok(())
     }
@@ -102,6 +113,14 @@ impl Context<'_> {
             Ty::Array(element, len) => format!("{}_{len}", self.type_name(element)),
             Ty::Matrix(scalar, rows, cols) => format!("{}_{rows}x{cols}", scalar.name()),
             Ty::Named(path) => snake(self.item_name(path)),
+            Ty::Tuple(parts) => {
+                let parts: Vec<_> = parts.iter().map(|part| self.type_name(part)).collect();
+                format!("{}_{}", super::generic::arity(parts.len()), parts.join("_"))
+            }
+            Ty::Option(value) => format!("option_{}", self.type_name(value)),
+            Ty::Result(value, error) => {
+                format!("result_{}_{}", self.type_name(value), self.type_name(error))
+            }
             Ty::Ref(inner, _) => self.type_name(inner),
         }
     }
@@ -116,7 +135,7 @@ impl Context<'_> {
     }
 
     /// The type of a value; references are refused.
-    pub(super) fn value_type(&self, ty: &Ty, site: Site) -> Result<Type> {
+    pub(super) fn value_type(&mut self, ty: &Ty, site: Site) -> Result<Type> {
         match ty {
             Ty::Ref(..) => problem(
                 site,
@@ -128,7 +147,7 @@ impl Context<'_> {
     }
 
     /// The type of a value, or of what a reference refers to.
-    pub(super) fn pointee(&self, ty: &Ty, site: Site) -> Result<Type> {
+    pub(super) fn pointee(&mut self, ty: &Ty, site: Site) -> Result<Type> {
         Ok(match ty {
             Ty::Unit => Type::Unit,
             Ty::Scalar(scalar) => Type::Scalar(*scalar),
@@ -145,6 +164,7 @@ impl Context<'_> {
                 }
             },
             Ty::Ref(inner, _) => self.pointee(inner, site)?,
+            Ty::Tuple(_) | Ty::Option(_) | Ty::Result(..) => self.generic(ty, site)?,
         })
     }
 

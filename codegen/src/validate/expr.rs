@@ -4,8 +4,8 @@
 //! one wrong node is one error.
 
 use bessemer_ir::{
-    Argument, BinaryOp, Expr, ExprKind, FunctionId, Int, Intrinsic, Mode, Place, Routine, Scalar,
-    Step, Type, UnaryOp,
+    Argument, BinaryOp, Expr, ExprKind, Form, FunctionId, Int, Intrinsic, Mode, Place, Routine,
+    Scalar, Step, Type, UnaryOp,
 };
 
 use super::alias::conflicts;
@@ -121,6 +121,14 @@ impl Body<'_> {
         counted(definition.fields.len(), parts)?;
         for (field, part) in definition.fields.iter().zip(parts) {
             same(&field.ty, &part.ty)?;
+        }
+        let chosen = match (&definition.form, parts.first().map(|part| &part.kind)) {
+            (Form::Choice(cases), Some(ExprKind::Literal(word))) => *word < cases.len() as u64,
+            (Form::Choice(_), _) => false,
+            _ => true,
+        };
+        if !chosen {
+            return Err(Problem::OpenChoice);
         }
         Ok(ty.clone())
     }

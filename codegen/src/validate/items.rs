@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 
 use bessemer_ir::{
-    ConstId, EnumId, Function, FunctionId, Kernel, Local, LocalId, Mode, Module, Owner, Span,
-    StructId, Type,
+    ConstId, EnumId, Form, Function, FunctionId, Kernel, Local, LocalId, Mode, Module, Owner, Span,
+    Struct, StructId, Type,
 };
 
 use super::MAX_NESTING;
@@ -124,11 +124,49 @@ impl Items<'_> {
             } else if size > MAX_WORDS {
                 self.note(subject, span, Err(Problem::TypeTooLarge));
             }
+            if let Err(problem) = self.form(definition) {
+                self.note(subject, span, Err(problem));
+            }
             self.sizes.structs.push(size);
         }
         // Only now may types be walked: before, they could have been endless.
         if self.errors.is_empty() {
             self.initial_states();
+        }
+    }
+
+    /// The first field tells about others: it has to be able to.
+    fn form(&self, definition: &Struct) -> Result<(), Problem> {
+        let first = definition.fields.first().map(|field| &field.ty);
+        match &definition.form {
+            Form::Record => Ok(()),
+            Form::Choice(chosen) => {
+                let cases = match first {
+                    Some(&Type::BOOL) => 2,
+                    Some(Type::Enum(id)) => {
+                        self.module.enums.get(id.index()).map_or(0, |it| it.variants.len())
+                    }
+                    _ => return Err(Problem::Form(0)),
+                };
+                if chosen.len() != cases {
+                    return Err(Problem::Form(0));
+                }
+                let mut seen = BTreeSet::new();
+                for field in chosen.iter().flatten() {
+                    let known = (1..definition.fields.len()).contains(&(*field as usize));
+                    if !known || !seen.insert(*field) {
+                        return Err(Problem::Form(*field));
+                    }
+                }
+                if seen.len() + 1 < definition.fields.len() {
+                    return Err(Problem::Form(definition.fields.len() as u32 - 1));
+                }
+                Ok(())
+            }
+            Form::Sequence => match (first, definition.fields.get(1).map(|field| &field.ty)) {
+                (Some(&Type::USIZE), Some(Type::Array { .. })) => Ok(()),
+                _ => Err(Problem::Form(1)),
+            },
         }
     }
 

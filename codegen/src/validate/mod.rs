@@ -35,6 +35,8 @@
 //! [`Intrinsic::result`]: bessemer_ir::Intrinsic::result
 //! [`Kernel::function`]: bessemer_ir::Kernel::function
 //!
+//! * The first field of a choice is a `bool` or an enum, and a literal of it in a literal of the struct;
+//!   each other field belongs to one case. The first field of a sequence is a `usize`, the second an array.
 //! * Structs, arrays and matrices have an element for each place, each of its type; a splat fills an
 //!   array with its element type or a matrix with its scalar.
 //! * Routines take matrices of floats (`Transpose`: of anything) of shapes that fit; `Scale` and

@@ -59,6 +59,10 @@ pub enum Problem {
     NestedTooDeep,
     #[error("`{0}` is defined twice")]
     DuplicateName(String),
+    #[error("field {0} cannot be what this form makes of it")]
+    Form(u32),
+    #[error("a choice whose first part is not a literal, or names no case")]
+    OpenChoice,
     #[error("{0}")]
     Words(#[from] WordsError),
     #[error("{params} parameters among {locals} locals")]

@@ -100,6 +100,7 @@ pub fn module(seed: u64) -> Module {
             .into_iter()
             .map(|(name, ty)| Field { name: name.into(), docs: Vec::new(), ty })
             .collect(),
+        form: bessemer_ir::Form::Record,
         initial: None,
         span: Span::default(),
     });

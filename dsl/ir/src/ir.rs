@@ -84,10 +84,25 @@ pub struct Struct {
     pub docs: Vec<String>,
     /// Fields, in the author's order.
     pub fields: Vec<Field>,
+    /// Which of them hold a value, and when.
+    pub form: Form,
     /// For a component: its initial state as words, in the order of [`Module::leaves`].
     pub initial: Option<Vec<u64>>,
     /// Where its name stands.
     pub span: Span,
+}
+
+/// Which fields of a [`Struct`] hold a value.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum Form {
+    /// Each of them.
+    #[default]
+    Record,
+    /// The first field, a `bool` or an enum, says by its word which of the others holds one. Only that one
+    /// is read; a literal of the struct gives the first field as a literal.
+    Choice(Vec<Option<u32>>),
+    /// The first field, a `usize`, says how many elements of the second, an array, hold one.
+    Sequence,
 }
 
 /// A field of a [`Struct`].
@@ -344,6 +359,10 @@ pub enum Fault {
     Assertion,
     /// A loop that would run more often than its bound says.
     Bound,
+    /// `unwrap` of what holds no value.
+    Absent,
+    /// A bounded container that is full.
+    Capacity,
 }
 
 /// An arm of a [`StmtKind::Match`].
@@ -492,6 +511,68 @@ impl Module {
                 .iter()
                 .flat_map(|field| self.leaves(&field.ty))
                 .collect(),
+        }
+    }
+}
+
+impl Module {
+    /// Sets the words of a value of type `ty` that mean nothing (what a [`Choice`](Form::Choice) did not
+    /// choose, what lies behind the end of a [`Sequence`](Form::Sequence)) to zero; gives the words behind.
+    pub fn canonical<'w>(&self, ty: &Type, words: &'w mut [u64]) -> &'w mut [u64] {
+        match ty {
+            Type::Array { element, len } => {
+                (0..*len).fold(words, |words, _| self.canonical(element, words))
+            }
+            Type::Struct(id) => self.canonical_struct(&self.structs[id.index()], words),
+            other => {
+                let count = self.leaves(other).len().min(words.len());
+                &mut words[count..]
+            }
+        }
+    }
+
+    fn canonical_struct<'w>(&self, definition: &Struct, mut words: &'w mut [u64]) -> &'w mut [u64] {
+        let first = words.first().copied().unwrap_or_default();
+        for (index, field) in definition.fields.iter().enumerate() {
+            let count = self.leaves(&field.ty).len().min(words.len());
+            let (own, rest) = core::mem::take(&mut words).split_at_mut(count);
+            let held = match &definition.form {
+                Form::Record => count,
+                _ if index == 0 => count,
+                Form::Choice(chosen) => {
+                    let chosen = chosen.get(first as usize).copied().flatten();
+                    if chosen == Some(index as u32) { count } else { 0 }
+                }
+                Form::Sequence => match field.ty {
+                    Type::Array { len, .. } => {
+                        count / (len as usize).max(1) * first.min(u64::from(len)) as usize
+                    }
+                    _ => count,
+                },
+            };
+            own[held..].fill(0);
+            self.canonical(&field.ty, own);
+            words = rest;
+        }
+        words
+    }
+}
+
+impl Struct {
+    /// The fields of which one at most holds a value, if they can share their memory: those of an enum
+    /// with at least two payloads.
+    pub fn overlaid(&self) -> bool {
+        let tagged = matches!(self.fields.first(), Some(Field { ty: Type::Enum(_), .. }));
+        matches!(self.form, Form::Choice(_)) && tagged && self.fields.len() > 2
+    }
+
+    /// Whether a field holds a value where the first is `word`.
+    pub fn holds(&self, field: usize, word: u64) -> bool {
+        match &self.form {
+            Form::Choice(chosen) if field > 0 => {
+                chosen.get(word as usize).copied().flatten() == Some(field as u32)
+            }
+            _ => true,
         }
     }
 }

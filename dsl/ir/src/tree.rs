@@ -62,6 +62,12 @@ pub enum Ty {
     Matrix(Scalar, u32, u32),
     /// A struct or enum, by its path.
     Named(String),
+    /// `(A, B)`.
+    Tuple(Vec<Ty>),
+    /// `Option<T>`.
+    Option(Box<Ty>),
+    /// `Result<T, E>`.
+    Result(Box<Ty>, Box<Ty>),
     /// `&T`, or `&mut T` when true.
     Ref(Box<Ty>, bool),
 }
@@ -109,6 +115,8 @@ pub struct Definition {
     pub file: String,
     /// Where its name stands.
     pub site: Site,
+    /// Whether it derives `PartialEq`, so that `==` compares part by part.
+    pub equal: bool,
     /// Which of the two.
     pub kind: DefinitionKind,
 }
@@ -123,14 +131,25 @@ pub enum DefinitionKind {
         /// The initial state of a component, as words.
         initial: Option<Vec<u64>>,
     },
-    /// An enum without payload: names and docs of the variants.
-    Enum(Vec<(String, Vec<String>)>),
+    /// An enum.
+    Enum(Vec<Variant>),
+}
+
+/// A variant of an enum.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Variant {
+    /// The author's name.
+    pub name: String,
+    /// The author's doc comment, a line each.
+    pub docs: Vec<String>,
+    /// Its payload; the names of a tuple's parts are `0`, `1`, ….
+    pub fields: Vec<Field>,
 }
 
 /// A field of a struct.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Field {
-    /// The author's name.
+    /// The author's name; of a tuple struct `0`, `1`, ….
     pub name: String,
     /// The author's doc comment, a line each.
     pub docs: Vec<String>,
@@ -248,34 +267,16 @@ pub enum Stmt {
     /// `let (a, b) = value;` and the like.
     Apart {
         /// What is taken from the value.
-        pattern: Binding,
+        pattern: Box<Pattern>,
         /// The value.
         value: Expr,
+        /// `else`: what is done if the pattern does not take the value; it never comes to its end.
+        otherwise: Option<Block>,
         /// Where the statement starts.
         site: Site,
     },
     /// An expression for its effect.
     Expr(Expr),
-}
-
-/// What the pattern of a `let` takes from a value.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub enum Binding {
-    /// Nothing: `_`.
-    Ignored,
-    /// All of it, by name.
-    Name {
-        /// The author's name.
-        name: String,
-        /// Its type.
-        slot: u32,
-    },
-    /// The parts of a tuple.
-    Tuple(Vec<Binding>),
-    /// The elements of an array.
-    Array(Vec<Binding>),
-    /// Fields of a struct.
-    Struct(Vec<(String, Binding)>),
 }
 
 /// An expression.
@@ -298,6 +299,8 @@ pub enum ExprKind {
     Int(String, Option<Scalar>),
     /// Digits as the author wrote them without underscores, and the suffix if any.
     Float(String, Option<Scalar>),
+    /// `b"text"`.
+    Bytes(Vec<u8>),
     /// A local by its name.
     Local(String),
     /// A path that is no local: index into [`Function::constants`]; the path as the author wrote it.
@@ -314,10 +317,12 @@ pub enum ExprKind {
     Field(Box<Expr>, String),
     /// `base[index]`.
     Index(Box<Expr>, Box<Expr>),
-    /// `(a, b)`, only as the index of a matrix.
+    /// `(a, b)`.
     Tuple(Vec<Expr>),
-    /// `Name { field: value, …, ..base }`.
-    Struct(Vec<(String, Expr)>, Option<Box<Expr>>),
+    /// `Name(a, b)`: a tuple struct or a variant; `None` has no parts.
+    Constructor(String, Vec<Expr>),
+    /// `Name { field: value, …, ..base }`: a struct or a variant.
+    Struct(String, Vec<(String, Expr)>, Option<Box<Expr>>),
     /// `[a, b, …]`.
     Array(Vec<Expr>),
     /// `[value; n]`.
@@ -328,6 +333,10 @@ pub enum ExprKind {
     Deref(Box<Expr>),
     /// `x as T`.
     Cast(Box<Expr>),
+    /// `let pattern = value` as a condition.
+    Let(Box<Pattern>, Box<Expr>),
+    /// `value?`.
+    Try(Box<Expr>),
     /// `if`.
     If(Box<Expr>, Block, Option<Box<Expr>>),
     /// `match`.
@@ -394,10 +403,8 @@ pub struct Range {
 /// An array that a loop goes through.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Part {
-    /// The author's name for the element; none for `_`.
-    pub name: Option<String>,
-    /// The type of the element, or of a reference to it.
-    pub slot: u32,
+    /// What is taken from each element.
+    pub pattern: Pattern,
     /// The array.
     pub array: Expr,
     /// Whether the loop goes through a copy.
@@ -407,19 +414,32 @@ pub struct Part {
 /// An arm of a `match`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Arm {
-    /// Which values it takes; empty: every one.
-    pub patterns: Vec<Pattern>,
-    /// The name that it gives to the value, and whether that may be assigned.
-    pub binding: Option<(String, bool)>,
+    /// Which values it takes.
+    pub pattern: Pattern,
     /// What must hold besides.
     pub guard: Option<Expr>,
     /// Its value.
     pub body: Expr,
 }
 
-/// A pattern of a `match`.
+/// A pattern.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Pattern {
+    /// `_`.
+    Any,
+    /// `..` in a list.
+    Rest,
+    /// `name`, `name @ pattern`.
+    Name {
+        /// The author's name.
+        name: String,
+        /// Its type.
+        slot: u32,
+        /// Whether it may be assigned.
+        mutable: bool,
+        /// What it stands for.
+        inner: Option<Box<Pattern>>,
+    },
     /// A literal or a path.
     Value(Expr),
     /// `from..=to`, each end a literal or a path; an end that is left out is the type's.
@@ -431,6 +451,16 @@ pub enum Pattern {
         /// Whether `to` itself is taken.
         inclusive: bool,
     },
+    /// `a | b`.
+    Or(Vec<Pattern>),
+    /// `(a, b)`.
+    Tuple(Vec<Pattern>),
+    /// `[a, b]`.
+    Array(Vec<Pattern>),
+    /// `Name(a, b)`; `None` has no parts.
+    Constructor(String, Vec<Pattern>),
+    /// `Name { field: a, .. }`.
+    Fields(String, Vec<(String, Pattern)>),
 }
 
 /// Operators of one operand.

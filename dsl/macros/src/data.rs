@@ -63,39 +63,34 @@ fn refuse_lifetimes(generics: &syn::Generics, refusals: &mut Refusals) {
 fn data_struct(kind: Kind, it: &syn::ItemStruct, refusals: &mut Refusals) -> TokenStream {
     refuse_lifetimes(&it.generics, refusals);
     lower::check_attributes(&it.attrs, refusals);
-    let fields = match &it.fields {
-        syn::Fields::Named(fields) if !fields.named.is_empty() => fields,
-        fields => {
-            let unnamed = matches!(fields, syn::Fields::Unnamed(_));
-            let reason = if unnamed { refuse::TUPLE_STRUCT } else { refuse::EMPTY_STRUCT };
-            refusals.add(it.ident.span(), reason);
-            return TokenStream::new();
-        }
-    };
-    for field in &fields.named {
-        lower::check_attributes(&field.attrs, refusals);
-        lower::check_field(&field.ty, refusals);
+    if it.fields.is_empty() {
+        refusals.add(it.ident.span(), refuse::EMPTY_STRUCT);
     }
+    check_fields(&it.fields, refusals);
     if !refusals.is_empty() {
         return TokenStream::new();
     }
     let name = &it.ident;
     let scope = Scope::of_type(&it.generics);
-    let idents: Vec<_> = fields.named.iter().filter_map(|field| field.ident.as_ref()).collect();
-    let types: Vec<_> = fields.named.iter().map(|field| &field.ty).collect();
+    let members: Vec<_> = it.fields.members().collect();
+    let types: Vec<_> = it.fields.iter().map(|field| &field.ty).collect();
     // Spanned at the field's type: a type that is not plain is told there.
-    let store = idents.iter().zip(&types).map(|(ident, ty)| {
-        quote_spanned! { ty.span() => <#ty as ::bessemer::Plain>::store(&self.#ident, out); }
+    let words = types.iter().map(|ty| {
+        quote_spanned! { ty.span() => + <#ty as ::bessemer::Plain>::WORDS }
     });
-    let load = idents.iter().zip(&types).map(|(ident, ty)| {
-        quote_spanned! { ty.span() => #ident: <#ty as ::bessemer::Plain>::load(next) }
+    let store = members.iter().zip(&types).map(|(member, ty)| {
+        quote_spanned! { ty.span() => <#ty as ::bessemer::Plain>::store(&self.#member, out); }
+    });
+    let load = members.iter().zip(&types).map(|(member, ty)| {
+        quote_spanned! { ty.span() => #member: <#ty as ::bessemer::Plain>::load(next) }
     });
     let (declared, arguments) = (scope.declared(), scope.arguments());
-    let bounds = field_bounds(scope, fields, &quote! { ::bessemer::Plain });
+    let bounds = field_bounds(scope, &it.fields, &quote! { ::bessemer::Plain });
     let plain = quote! {
         #[diagnostic::do_not_recommend]
         #[allow(private_bounds)]
         impl #declared ::bessemer::Plain for #name #arguments #bounds {
+            const WORDS: usize = 0 #(#words)*;
             fn store(&self, out: &mut dyn ::core::ops::FnMut(u64)) { #(#store)* }
             fn load(next: &mut dyn ::core::ops::FnMut() -> u64) -> Self {
                 Self { #(#load),* }
@@ -107,22 +102,25 @@ fn data_struct(kind: Kind, it: &syn::ItemStruct, refusals: &mut Refusals) -> Tok
             const _: fn() -> #name = <#name as ::core::default::Default>::default;
         }
     });
-    let definition = cfg!(feature = "generate").then(|| struct_definition(kind, it, fields));
+    let definition = cfg!(feature = "generate").then(|| struct_definition(kind, it));
     quote! { #plain #initial #definition }
 }
 
 /// What a generic type asks of the fields that depend on its parameters.
-fn field_bounds(scope: Scope<'_>, fields: &syn::FieldsNamed, of: &TokenStream) -> TokenStream {
-    let types = fields.named.iter().map(|field| &field.ty).filter(|ty| scope.is_named_in(ty));
+fn field_bounds(scope: Scope<'_>, fields: &syn::Fields, of: &TokenStream) -> TokenStream {
+    let types = fields.iter().map(|field| &field.ty).filter(|ty| scope.is_named_in(ty));
     scope.bounds(types.map(|ty| quote! { #ty: #of }))
 }
 
-fn struct_definition(kind: Kind, it: &syn::ItemStruct, fields: &syn::FieldsNamed) -> TokenStream {
-    let fields = fields.named.iter().map(|field| {
-        let name = field.ident.as_ref().map(lower::text).unwrap_or_default();
-        let (docs, ty) = (docs::lines(&field.attrs), &field.ty);
-        quote! { ::bessemer::generate::field::<#ty>(cx, #name, &[#(#docs),*]) }
-    });
+fn check_fields(fields: &syn::Fields, refusals: &mut Refusals) {
+    for field in fields {
+        lower::check_attributes(&field.attrs, refusals);
+        lower::check_field(&field.ty, refusals);
+    }
+}
+
+fn struct_definition(kind: Kind, it: &syn::ItemStruct) -> TokenStream {
+    let fields = field_definitions(&it.fields);
     let name = &it.ident;
     let initial = match kind {
         Kind::Data => quote! { ::core::option::Option::None },
@@ -132,7 +130,7 @@ fn struct_definition(kind: Kind, it: &syn::ItemStruct, fields: &syn::FieldsNamed
     };
     let body = quote! {
         ::bessemer::generate::tree::DefinitionKind::Struct {
-            fields: ::bessemer::generate::list([#(#fields),*]),
+            fields: #fields,
             initial: #initial,
         }
     };
@@ -150,6 +148,25 @@ fn struct_definition(kind: Kind, it: &syn::ItemStruct, fields: &syn::FieldsNamed
     definition(name, scope, &scope.bounds(bounds), &it.attrs, body)
 }
 
+/// The list of the definitions of fields.
+fn field_definitions(fields: &syn::Fields) -> TokenStream {
+    let fields = fields.iter().zip(fields.members()).map(|(field, member)| {
+        let (name, docs, ty) = (lower::member(&member), docs::lines(&field.attrs), &field.ty);
+        quote! { ::bessemer::generate::field::<#ty>(cx, #name, &[#(#docs),*]) }
+    });
+    quote! { ::bessemer::generate::list([#(#fields),*]) }
+}
+
+/// Whether `==` is derived, as far as the attributes below the DSL's show it.
+fn derives_equality(attributes: &[syn::Attribute]) -> bool {
+    attributes.iter().filter(|it| it.path().is_ident("derive")).any(|derive| {
+        use syn::punctuated::Punctuated;
+        let parser = Punctuated::<syn::Path, syn::Token![,]>::parse_terminated;
+        let list = derive.parse_args_with(parser).unwrap_or_default();
+        list.iter().any(|it| it.segments.last().is_some_and(|last| last.ident == "PartialEq"))
+    })
+}
+
 /// The definition of a type, and its registration; of a generic type, its instances are built where
 /// they are used.
 fn definition(
@@ -159,7 +176,7 @@ fn definition(
     attributes: &[syn::Attribute],
     kind: TokenStream,
 ) -> TokenStream {
-    let docs = docs::lines(attributes);
+    let (docs, equal) = (docs::lines(attributes), derives_equality(attributes));
     let lower::Site(line, column) = lower::site(name);
     let text = lower::text(name);
     let (declared, arguments, told) = (scope.declared(), scope.arguments(), scope.told());
@@ -182,7 +199,7 @@ fn definition(
                     let arguments = #told;
                     cx.definition(
                         ::bessemer::generate::Named { module: ::core::module_path!(), file: ::core::file!(), name: #text },
-                        &[#(#docs),*], (#line, #column), arguments,
+                        &[#(#docs),*], (#line, #column), arguments, #equal,
                         |cx| #kind,
                     )
                 }
@@ -205,9 +222,7 @@ fn data_enum(kind: Kind, it: &syn::ItemEnum, refusals: &mut Refusals) -> TokenSt
     }
     for variant in &it.variants {
         lower::check_attributes(&variant.attrs, refusals);
-        if !matches!(variant.fields, syn::Fields::Unit) {
-            refusals.add(variant.fields.span(), refuse::ENUM_PAYLOAD);
-        }
+        check_fields(&variant.fields, refusals);
         if let Some((_, value)) = &variant.discriminant {
             refusals.add(value.span(), refuse::DISCRIMINANT);
         }
@@ -215,33 +230,82 @@ fn data_enum(kind: Kind, it: &syn::ItemEnum, refusals: &mut Refusals) -> TokenSt
     if !refusals.is_empty() {
         return TokenStream::new();
     }
-    let name = &it.ident;
-    let variants: Vec<_> = it.variants.iter().map(|variant| &variant.ident).collect();
-    let words = 0..variants.len() as u64;
-    let first = variants[0];
-    let words_again = words.clone();
-    let plain = quote! {
-        #[diagnostic::do_not_recommend]
-        impl ::bessemer::Plain for #name {
-            fn store(&self, out: &mut dyn ::core::ops::FnMut(u64)) {
-                out(match self { #(#name::#variants => #words),* })
-            }
-            fn load(next: &mut dyn ::core::ops::FnMut() -> u64) -> Self {
-                match next() { #(#words_again => #name::#variants,)* _ => #name::#first }
-            }
-        }
-    };
+    let plain = enum_words(it);
     let definition = cfg!(feature = "generate").then(|| {
         let variants = it.variants.iter().map(|variant| {
             let (name, docs) = (lower::text(&variant.ident), docs::lines(&variant.attrs));
-            quote! { ::bessemer::generate::variant(#name, &[#(#docs),*]) }
+            let fields = field_definitions(&variant.fields);
+            quote! { ::bessemer::generate::variant(#name, &[#(#docs),*], #fields) }
         });
         let kind = quote! {
             ::bessemer::generate::tree::DefinitionKind::Enum(::bessemer::generate::list([#(#variants),*]))
         };
-        definition(name, Scope::of_type(&it.generics), &TokenStream::new(), &it.attrs, kind)
+        let scope = Scope::of_type(&it.generics);
+        definition(&it.ident, scope, &TokenStream::new(), &it.attrs, kind)
     });
     quote! { #plain #definition }
+}
+
+/// The words of an enum: the index of its variant, then the words of each payload in order; those of a
+/// payload that is not there are zero.
+fn enum_words(it: &syn::ItemEnum) -> TokenStream {
+    let name = &it.ident;
+    let (mut stores, mut loads, mut skips) = (Vec::new(), Vec::new(), Vec::new());
+    for (index, variant) in it.variants.iter().enumerate() {
+        let (index, ident) = (index as u64, &variant.ident);
+        let members: Vec<_> = variant.fields.members().collect();
+        let names: Vec<_> = (0..members.len()).map(|at| quote::format_ident!("__{at}")).collect();
+        let types: Vec<_> = variant.fields.iter().map(|field| &field.ty).collect();
+        let payloads = it.variants.iter().enumerate().map(|(other, payload)| {
+            let types = payload.fields.iter().map(|field| &field.ty);
+            if other as u64 == index {
+                quote! { #(<#types as ::bessemer::Plain>::store(#names, out);)* }
+            } else {
+                quote! { #(for _ in 0..<#types as ::bessemer::Plain>::WORDS { out(0); })* }
+            }
+        });
+        stores.push(quote! {
+            #name::#ident { #(#members: #names),* } => { out(#index); #(#payloads)* }
+        });
+        let before = it.variants.iter().take(index as usize).flat_map(|variant| &variant.fields);
+        let after = it.variants.iter().skip(index as usize + 1).flat_map(|it| &it.fields);
+        let (before, after) = (before.map(|field| &field.ty), after.map(|field| &field.ty));
+        let load = quote! {
+            #(for _ in 0..<#before as ::bessemer::Plain>::WORDS { next(); })*
+            #(let #names = <#types as ::bessemer::Plain>::load(next);)*
+            #(for _ in 0..<#after as ::bessemer::Plain>::WORDS { next(); })*
+            #name::#ident { #(#members: #names),* }
+        };
+        // A word that is no variant's becomes the first variant.
+        let word = if index == 0 {
+            quote! { _ }
+        } else {
+            quote! { #index }
+        };
+        if index == 0 {
+            skips.push(quote! { #word => { #load } })
+        } else {
+            loads.push(quote! { #word => { #load } })
+        }
+    }
+    let types: Vec<_> = it.variants.iter().flat_map(|it| &it.fields).map(|it| &it.ty).collect();
+    // Spanned at the field's type: a type that is not plain is told there.
+    let words = types.iter().map(|ty| {
+        quote_spanned! { ty.span() => + <#ty as ::bessemer::Plain>::WORDS }
+    });
+    quote! {
+        #[diagnostic::do_not_recommend]
+        impl ::bessemer::Plain for #name {
+            const WORDS: usize = 1 #(#words)*;
+            #[allow(clippy::reversed_empty_ranges)]
+            fn store(&self, out: &mut dyn ::core::ops::FnMut(u64)) {
+                match self { #(#stores)* }
+            }
+            fn load(next: &mut dyn ::core::ops::FnMut() -> u64) -> Self {
+                match next() { #(#loads)* #(#skips)* }
+            }
+        }
+    }
 }
 
 /// The `impl` block as Rust runs it, and what stands beside it.

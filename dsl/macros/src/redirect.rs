@@ -8,7 +8,7 @@
 use proc_macro2::Span;
 use syn::visit_mut::{self, VisitMut};
 
-use crate::lower::bound;
+use crate::lower::{bound, matching};
 
 /// The methods that the DSL owns: their result in the last bits, at ±0 or for NaN depends on the
 /// platform, or they do not exist without std.
@@ -104,6 +104,13 @@ impl VisitMut for Redirect {
     }
 
     fn visit_expr_mut(&mut self, expr: &mut syn::Expr) {
+        // The macro hides a pattern, and its value may hold calls.
+        if let syn::Expr::Macro(it) = expr
+            && it.mac.path.is_ident("matches")
+            && let Some(matching) = matching(&it.mac)
+        {
+            *expr = syn::Expr::Match(matching);
+        }
         visit_mut::visit_expr_mut(self, expr);
         bound::count(expr);
     }

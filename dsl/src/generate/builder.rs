@@ -90,8 +90,8 @@ pub fn field<T: DslType>(cx: &mut Builder, name: &str, docs: &[&str]) -> tree::F
 }
 
 /// A variant of an enum.
-pub fn variant(name: &str, docs: &[&str]) -> (String, Vec<String>) {
-    (name.to_owned(), owned(docs))
+pub fn variant(name: &str, docs: &[&str], fields: Vec<tree::Field>) -> tree::Variant {
+    tree::Variant { name: name.to_owned(), docs: owned(docs), fields }
 }
 
 /// The words of a value.
@@ -147,6 +147,12 @@ fn type_text(ty: &Ty) -> String {
         Ty::Matrix(scalar, rows, cols) => format!("SMatrix<{}, {rows}, {cols}>", scalar.name()),
         Ty::Named(path) => path.clone(),
         Ty::Ref(inner, false) => format!("&{}", type_text(inner)),
+        Ty::Tuple(parts) => {
+            let parts: Vec<_> = parts.iter().map(type_text).collect();
+            format!("({},)", parts.join(", "))
+        }
+        Ty::Option(value) => format!("Option<{}>", type_text(value)),
+        Ty::Result(value, error) => format!("Result<{}, {}>", type_text(value), type_text(error)),
         Ty::Ref(inner, true) => format!("&mut {}", type_text(inner)),
     }
 }
@@ -178,6 +184,7 @@ impl Builder {
         docs: &[&str],
         site: (u32, u32),
         arguments: Arguments,
+        equal: bool,
         kind: impl FnOnce(&mut Builder) -> DefinitionKind,
     ) -> Ty {
         let path = path(named.module, named.name, &arguments);
@@ -191,6 +198,7 @@ impl Builder {
                 docs: owned(docs),
                 file: named.file.to_owned(),
                 site: Site(site.0, site.1),
+                equal,
                 kind,
             });
         }

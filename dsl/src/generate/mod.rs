@@ -8,6 +8,7 @@ pub mod builtin;
 pub mod elementary;
 pub mod linear;
 pub mod numbers;
+pub mod option;
 mod slot;
 
 pub use alloc::string::String;
@@ -36,6 +37,7 @@ pub mod prelude {
         BytesBuiltins as _, DivisionBuiltins as _, FloatKindBuiltins as _, FromBuiltin as _,
         IntegerBuiltins as _, SignBuiltins as _, SignedBuiltins as _, UnsignedBuiltins as _,
     };
+    pub use super::option::{CopiedBuiltin as _, OptionBuiltins as _, ResultBuiltins as _};
     pub use super::slot::{__any, __look, __result, __see, __take};
 }
 

@@ -235,3 +235,47 @@ impl<T: DslType> DslType for Exclusive<T> {
         Ty::Ref(Box::new(T::ty(cx)), true)
     }
 }
+
+macro_rules! tuples {
+    ($($($ty:ident),*;)*) => {$(
+        impl<$($ty: DslType),*> DslType for ($($ty,)*) {
+            fn ty(cx: &mut Builder) -> Ty {
+                Ty::Tuple(list([$($ty::ty(cx)),*]))
+            }
+        }
+        impl<$($ty: Seen),*> Seen for ($($ty,)*) {
+            type Slot = ($($ty::Slot,)*);
+        }
+    )*};
+}
+
+tuples! {
+    A;
+    A, B;
+    A, B, C;
+    A, B, C, D;
+    A, B, C, D, E;
+    A, B, C, D, E, F;
+    A, B, C, D, E, F, G;
+    A, B, C, D, E, F, G, H;
+}
+
+impl<T: DslType> DslType for Option<T> {
+    fn ty(cx: &mut Builder) -> Ty {
+        Ty::Option(Box::new(T::ty(cx)))
+    }
+}
+
+impl<T: Seen> Seen for Option<T> {
+    type Slot = Option<T::Slot>;
+}
+
+impl<T: DslType, E: DslType> DslType for Result<T, E> {
+    fn ty(cx: &mut Builder) -> Ty {
+        Ty::Result(Box::new(T::ty(cx)), Box::new(E::ty(cx)))
+    }
+}
+
+impl<T: Seen, E: Seen> Seen for Result<T, E> {
+    type Slot = Result<T::Slot, E::Slot>;
+}

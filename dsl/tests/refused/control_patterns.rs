@@ -7,10 +7,13 @@ use bessemer::prelude::*;
 #[function]
 pub fn patterns(n: i32) -> i32 {
     let (low, high) = (1, 2);
+    let [first, rest @ ..] = [1, 2, 3];
+    let (mut left, mut right) = (first, rest[0]);
+    (left, right) = (right, left);
     match n {
         0..=9 => low,
         ref m if *m > 100 => high,
-        other => other,
+        other => other + left - right,
     }
 }
 

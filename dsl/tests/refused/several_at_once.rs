@@ -6,7 +6,7 @@ use bessemer::prelude::*;
 /// Five things at once, all told.
 #[function]
 pub fn five(x: f64) -> f64 {
-    let pair = (x, x);
+    let name = "x";
     while x > 1.0 {
         println!("{x}");
     }

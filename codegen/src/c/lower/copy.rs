@@ -1,6 +1,6 @@
 //! Values of many words: initialisers, copies, fills, constructors.
 
-use bessemer_ir::{Expr as Ir, ExprKind, Place, Step, Type};
+use bessemer_ir::{Expr as Ir, ExprKind, Place, Step, StructId, Type};
 
 use super::super::analysis::{overlap, reads};
 use super::super::tree::{Declarator, Expr, Init, Lines, Step as ForStep, StmtKind};
@@ -69,7 +69,10 @@ impl Lower<'_> {
         match (&value.kind, &value.ty) {
             (ExprKind::Struct(items), Type::Struct(id)) => {
                 let names = &self.context.names.structs[id.index()];
-                for (item, field) in items.iter().zip(&names.fields) {
+                for (index, (item, field)) in items.iter().zip(&names.fields).enumerate() {
+                    if !self.is_held(*id, index, items) {
+                        continue;
+                    }
                     self.store(dest.clone().field(field), None, item);
                 }
                 if let Some(field) = &names.fault {
@@ -92,6 +95,16 @@ impl Lower<'_> {
             (ExprKind::Splat(item), ty) => self.fill(dest, ty, item),
             (kind, _) => unreachable!("the validator refuses {kind:?} as a whole value"),
         }
+    }
+
+    /// Whether a part of a struct is written: not what shares its memory with the part that is there.
+    fn is_held(&self, id: StructId, index: usize, parts: &[Ir]) -> bool {
+        let definition = &self.context.module.structs[id.index()];
+        let word = match parts.first().map(|first| &first.kind) {
+            Some(ExprKind::Literal(word)) => *word,
+            _ => 0,
+        };
+        !definition.overlaid() || definition.holds(index, word)
     }
 
     /// The same value everywhere.
@@ -207,9 +220,12 @@ impl Lower<'_> {
         match (&value.kind, &value.ty) {
             (ExprKind::Struct(items), Type::Struct(id)) => {
                 let fields = &self.context.names.structs[id.index()].fields;
-                let items = items.iter().zip(fields);
-                let items = items.map(|(item, name)| (Some(name.clone()), self.initialiser(item)));
-                Init::List { items: items.collect(), lines: Lines::Fill }
+                let parts = items.iter().zip(fields).enumerate();
+                let parts = parts.filter(|(index, _)| self.is_held(*id, *index, items));
+                let parts: Vec<_> = parts.map(|(_, (item, name))| (item, name.clone())).collect();
+                let parts =
+                    parts.into_iter().map(|(item, name)| (Some(name), self.initialiser(item)));
+                Init::List { items: parts.collect(), lines: Lines::Fill }
             }
             (ExprKind::Splat(item), ty) => {
                 let count = if is_zero(value) { 1 } else { length(ty) };

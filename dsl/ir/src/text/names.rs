@@ -188,4 +188,6 @@ table! {
     "variant" => Fault::Variant,
     "assertion" => Fault::Assertion,
     "bound" => Fault::Bound,
+    "absent" => Fault::Absent,
+    "capacity" => Fault::Capacity,
 }

@@ -8,7 +8,7 @@ use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
 use crate::ir::{
-    Block, Const, ConstId, Enum, EnumId, Field, Function, FunctionId, Local, LocalId, Module,
+    Block, Const, ConstId, Enum, EnumId, Field, Form, Function, FunctionId, Local, LocalId, Module,
     Owner, Role, Span, Struct, StructId, Type, Variant,
 };
 
@@ -270,6 +270,7 @@ impl Parser {
     fn structure(&mut self, docs: Vec<String>, span: Span) -> Parsed<()> {
         let name = self.name()?;
         let module = self.home()?;
+        let form = self.form()?;
         let mut fields = Vec::new();
         self.expect("{")?;
         while !self.eat("}") {
@@ -285,8 +286,26 @@ impl Parser {
         let initial = if self.eat("=") { Some(self.words()?) } else { None };
         let id = TypeId::Struct(StructId(self.module.structs.len() as u32));
         define(&mut self.types, name.clone(), id);
-        self.module.structs.push(Struct { name, module, docs, fields, initial, span });
+        self.module.structs.push(Struct { name, module, docs, fields, form, initial, span });
         Ok(())
+    }
+
+    fn form(&mut self) -> Parsed<Form> {
+        if self.eat_word("sequence") {
+            return Ok(Form::Sequence);
+        }
+        if !self.eat_word("choice") {
+            return Ok(Form::Record);
+        }
+        self.expect("(")?;
+        let mut chosen = Vec::new();
+        while !self.eat(")") {
+            chosen.push(if self.eat("-") { None } else { Some(self.number()?) });
+            if !self.eat(",") && !self.sees(")") {
+                return self.fail("expected `,` or `)`");
+            }
+        }
+        Ok(Form::Choice(chosen))
     }
 
     fn enumeration(&mut self, docs: Vec<String>, span: Span) -> Parsed<()> {

@@ -10,8 +10,8 @@ use alloc::vec::Vec;
 use core::fmt::Write;
 
 use crate::ir::{
-    ConstId, EnumId, Field, Function, FunctionId, LocalId, Mode, Module, Owner, Role, Span, Struct,
-    StructId, Type, Variant,
+    ConstId, EnumId, Field, Form, Function, FunctionId, LocalId, Mode, Module, Owner, Role, Span,
+    Struct, StructId, Type, Variant,
 };
 use crate::number::{Float, Scalar};
 
@@ -182,6 +182,17 @@ impl<'m> Printer<'m> {
     fn structure(&mut self, definition: &Struct) {
         let head = ("struct", definition.name.as_str(), definition.module.as_str());
         self.head(&definition.docs, definition.span, head);
+        match &definition.form {
+            Form::Record => {}
+            Form::Choice(chosen) => {
+                let chosen = chosen.iter().map(|field| match field {
+                    Some(field) => format!("{field}"),
+                    None => String::from("-"),
+                });
+                self.put(format_args!(" choice({})", chosen.collect::<Vec<_>>().join(", ")));
+            }
+            Form::Sequence => self.out.push_str(" sequence"),
+        }
         self.out.push_str(" {\n");
         self.indent = 1;
         for Field { name, docs, ty } in &definition.fields {

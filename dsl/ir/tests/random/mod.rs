@@ -170,6 +170,15 @@ impl Source<'_> {
                 docs: source.some(1, Source::text),
                 ty: source.ty(),
             }),
+            form: match self.below(3) {
+                0 => Form::Record,
+                1 => Form::Sequence,
+                _ => {
+                    Form::Choice(self.some(3, |source| {
+                        if source.chance(2) { None } else { Some(source.below(3)) }
+                    }))
+                }
+            },
             initial: if self.chance(2) { Some(self.some(6, Source::word)) } else { None },
             span: self.span(),
         }

@@ -37,8 +37,6 @@ const REASONS: &[(&str, usize, Reason)] = &[
     // What follows them in a chain needs no word of its own.
     ("iter iter_mut into_iter", 0, refuse::ITERATOR),
     ("windows chunks step_by", 1, refuse::ITERATOR),
-    ("unwrap unwrap_or_default", 0, refuse::OPTION),
-    ("expect unwrap_or", 1, refuse::OPTION),
     ("to_vec to_string to_owned", 0, refuse::HEAP),
     ("euler_angles axis_angle scaled_axis", 0, refuse::NALGEBRA_ANGLES),
     ("angle", 1, refuse::NALGEBRA_ANGLES),
@@ -97,6 +95,6 @@ pub fn function(function: &syn::ExprPath, arguments: usize) -> Option<Reason> {
     match names[0].as_str() {
         "std" => Some(refuse::STD),
         "core" | "alloc" => Some(refuse::CORE),
-        _ => (last == "default").then_some(refuse::ABSENT_DEFAULT),
+        _ => None,
     }
 }

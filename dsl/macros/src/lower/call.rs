@@ -8,9 +8,10 @@
 //! A companion returns what the function returns, and beside it, in a slot, which function it was.
 
 use bessemer_ir::tree::ExprKind;
-use quote::quote_spanned;
+use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
 
+use super::pattern::last_segment;
 use super::{GENERATING, Lowering, absent, callee_name, expr::UNIT, refuse, text};
 use crate::redirect;
 
@@ -21,6 +22,9 @@ impl Lowering<'_> {
             self.refusals.add(it.func.span(), refuse::FUNCTION_VALUE);
             return UNIT;
         };
+        if arguments.is_empty() && is_default(function) {
+            return self.default_value(function);
+        }
         let local = function.path.get_ident().is_some_and(|name| self.is_local(&text(name)));
         let reason = if local {
             // A closure or a function pointer was refused where it came from.
@@ -35,18 +39,29 @@ impl Lowering<'_> {
             return UNIT;
         }
         let Some(companion) = companion(function) else {
-            let option = ["Some", "Ok", "Err"].iter().any(|name| function.path.is_ident(name));
-            let reason = if option { refuse::OPTION } else { refuse::CONSTRUCTOR };
-            self.refusals.add(function.span(), reason);
-            return UNIT;
+            return ExprKind::Constructor(last_segment(&function.path), arguments);
         };
         function.path = companion;
         ExprKind::Call(self.take(it), arguments)
     }
 
+    /// `T::default()`: a constant, since it depends on nothing.
+    fn default_value(&mut self, function: &syn::ExprPath) -> ExprKind {
+        let mut path = function.path.clone();
+        if let Some(last) = path.segments.last_mut() {
+            last.ident = syn::Ident::new("DEFAULT", last.ident.span());
+        }
+        self.constant(quote! { #function() }, &path).kind
+    }
+
     pub(super) fn method_call(&mut self, it: &mut syn::ExprMethodCall) -> ExprKind {
         let mut arguments = vec![self.value(&mut it.receiver)];
-        arguments.extend(it.args.iter_mut().map(|argument| self.value(argument)));
+        // What a panic would say stays in the Rust.
+        let message = ["expect", "expect_err"].iter().any(|name| it.method == name)
+            && matches!(it.args.first(), Some(syn::Expr::Lit(it)) if matches!(it.lit, syn::Lit::Str(_)));
+        if !message {
+            arguments.extend(it.args.iter_mut().map(|argument| self.value(argument)));
+        }
         let own = matches!(&arguments[0].kind, ExprKind::Local(name) if name == "self");
         let itself = own && self.method && it.method == self.name;
         let reason = match own {
@@ -80,6 +95,11 @@ impl Lowering<'_> {
         }
         callee
     }
+}
+
+fn is_default(function: &syn::ExprPath) -> bool {
+    function.path.segments.len() + usize::from(function.qself.is_some()) > 1
+        && function.path.segments.last().is_some_and(|last| last.ident == "default")
 }
 
 /// The name of the companion of a method.

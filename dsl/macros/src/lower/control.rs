@@ -1,14 +1,19 @@
 //! Control flow: `if`, `match`, loops and how they are left.
 
 use bessemer_ir::tree::{self, ExprKind};
+use quote::quote_spanned;
 use syn::spanned::Spanned;
 
-use super::{Lowering, bound, each, pattern, refuse, site, text};
+use super::{GENERATING, Lowering, bound, each, pattern, refuse, site, text};
 
 impl Lowering<'_> {
     pub(super) fn if_expr(&mut self, it: &mut syn::ExprIf, value: bool) -> ExprKind {
-        let condition = self.value(&mut it.cond);
-        let then = self.branch(&mut it.then_branch, value);
+        let mut looks = Vec::new();
+        let (condition, then) = self.scoped(|walk| {
+            let condition = walk.condition(&mut it.cond, &mut looks);
+            (condition, walk.branch(&mut it.then_branch, value))
+        });
+        it.then_branch.stmts.splice(0..0, looks);
         let otherwise = it.else_branch.as_mut().map(|(_, branch)| {
             let site = site(branch);
             let kind = match &mut **branch {
@@ -21,6 +26,27 @@ impl Lowering<'_> {
         ExprKind::If(Box::new(condition), then, otherwise)
     }
 
+    /// A condition, and the patterns that it is made of: `a && let Some(x) = b`.
+    fn condition(&mut self, expr: &mut syn::Expr, looks: &mut Vec<syn::Stmt>) -> tree::Expr {
+        let place = site(expr);
+        let kind = match expr {
+            syn::Expr::Let(it) => {
+                let value = self.value(&mut it.expr);
+                ExprKind::Let(Box::new(self.pattern(&it.pat, looks)), Box::new(value))
+            }
+            syn::Expr::Binary(it)
+                if matches!(it.op, syn::BinOp::And(_))
+                    && (has_let(&it.left) || has_let(&it.right)) =>
+            {
+                let left = self.condition(&mut it.left, looks);
+                let right = self.condition(&mut it.right, looks);
+                ExprKind::Binary(tree::BinaryOp::LogicAnd, Box::new(left), Box::new(right))
+            }
+            other => return self.value(other),
+        };
+        tree::Expr { kind, site: place, slot: None }
+    }
+
     /// A branch of an `if`. Where no value is wanted, a tail without semicolon is a statement.
     pub(super) fn branch(&mut self, block: &mut syn::Block, value: bool) -> tree::Block {
         let mut lowered = self.block(block);
@@ -31,20 +57,22 @@ impl Lowering<'_> {
     }
 
     pub(super) fn match_expr(&mut self, it: &mut syn::ExprMatch, value: bool) -> ExprKind {
-        let scrutinee = self.value(&mut it.expr);
+        let scrutinee = self.whole(&mut it.expr);
         let mut arms = Vec::new();
         for arm in &mut it.arms {
             arms.push(self.scoped(|walk| {
-                let (taken, guard) = match &mut arm.pat {
+                let mut looks = Vec::new();
+                let (pattern, guard) = match &mut arm.pat {
                     syn::Pat::Guard(it) => {
-                        (walk.taken(&mut it.pat), Some(walk.value(&mut it.guard)))
+                        let pattern = walk.pattern(&it.pat, &mut looks);
+                        (pattern, Some(walk.value(&mut it.guard)))
                     }
-                    pattern => (walk.taken(pattern), None),
+                    pattern => (walk.pattern(pattern, &mut looks), None),
                 };
                 let body =
                     if value { walk.value(&mut arm.body) } else { walk.statement(&mut arm.body) };
-                let pattern::Taken { patterns, binding } = taken;
-                tree::Arm { patterns, binding, guard, body }
+                behind(&mut arm.body, looks);
+                tree::Arm { pattern, guard, body }
             }));
         }
         ExprKind::Match(Box::new(scrutinee), arms)
@@ -101,9 +129,13 @@ impl Lowering<'_> {
     /// `while`, with the bound that its attribute declares.
     pub(super) fn while_loop(&mut self, it: &mut syn::ExprWhile) -> Option<ExprKind> {
         let bound = self.bound(&mut it.attrs, it.while_token.span, refuse::WHILE);
-        let condition = Some(Box::new(self.value(&mut it.cond)));
         let label = it.label.as_ref().map(|label| text(&label.name.ident));
-        let body = self.branch(&mut it.body, false);
+        let mut looks = Vec::new();
+        let (condition, body) = self.scoped(|walk| {
+            let condition = walk.condition(&mut it.cond, &mut looks);
+            (Some(Box::new(condition)), walk.branch(&mut it.body, false))
+        });
+        it.body.stmts.splice(0..0, looks);
         Some(ExprKind::While { label, condition, bound: bound?, body })
     }
 
@@ -141,5 +173,21 @@ impl Lowering<'_> {
     pub(super) fn break_expr(&mut self, it: &mut syn::ExprBreak) -> ExprKind {
         let label = it.label.as_ref().map(|label| text(&label.ident));
         ExprKind::Break(label, it.expr.as_mut().map(|value| Box::new(self.value(value))))
+    }
+}
+
+/// Puts statements before the value of an arm.
+fn behind(body: &mut syn::Expr, looks: Vec<syn::Stmt>) {
+    if GENERATING && !looks.is_empty() {
+        let span = body.span();
+        *body = syn::Expr::Verbatim(quote_spanned! { span => { #(#looks)* #body } });
+    }
+}
+
+fn has_let(expr: &syn::Expr) -> bool {
+    match expr {
+        syn::Expr::Let(_) => true,
+        syn::Expr::Binary(it) => has_let(&it.left) || has_let(&it.right),
+        _ => false,
     }
 }

@@ -110,22 +110,9 @@ impl Lowering<'_> {
                 self.elements(&pair.elems[0], *left, parts, looks);
                 self.elements(&pair.elems[1], *right, parts, looks);
             }
-            (syn::Pat::Wild(_), Source::One { array, owned }) => {
-                let slot = self.slot();
-                parts.push(tree::Part { name: None, slot, array: *array, owned });
-            }
-            (syn::Pat::Reference(it), source @ Source::One { .. })
-                if matches!(&*it.pat, syn::Pat::Ident(_)) =>
-            {
-                self.elements(&it.pat, source, parts, looks);
-            }
-            (syn::Pat::Ident(it), Source::One { array, owned })
-                if it.by_ref.is_none() && it.subpat.is_none() =>
-            {
-                let (slot, name) = (self.slot(), text(&it.ident));
-                self.bind(&name);
-                looks.push(self.look(slot, &it.ident));
-                parts.push(tree::Part { name: Some(name), slot, array: *array, owned });
+            (pattern, Source::One { array, owned }) => {
+                let pattern = self.pattern(pattern, looks);
+                parts.push(tree::Part { pattern, array: *array, owned });
             }
             (other, _) => self.refusals.add(other.span(), refuse::DESTRUCTURING),
         }

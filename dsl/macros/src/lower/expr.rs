@@ -5,7 +5,7 @@ use bessemer_ir::tree::{self, BinaryOp, ExprKind, UnaryOp};
 use quote::ToTokens;
 use syn::spanned::Spanned;
 
-use super::{Lowering, bound, refuse, signature, site, text};
+use super::{Lowering, bound, pattern, refuse, signature, site, text};
 
 impl Lowering<'_> {
     /// An expression whose value is wanted.
@@ -23,7 +23,11 @@ impl Lowering<'_> {
         let (kind, seen) = self.kind(expr, value);
         let slot = match (&kind, seen) {
             (ExprKind::Path(index, _), _) => {
-                self.constants.get(*index as usize).map(|(slot, _)| *slot)
+                let slot = self.constants.get(*index as usize).map(|(slot, _)| *slot);
+                if let (true, Some(slot)) = (seen, slot) {
+                    self.see_in(slot, expr);
+                }
+                slot
             }
             (_, true) => Some(self.see(expr)),
             _ => None,
@@ -35,28 +39,37 @@ impl Lowering<'_> {
     fn kind(&mut self, expr: &mut syn::Expr, value: bool) -> (ExprKind, bool) {
         match expr {
             syn::Expr::Lit(it) => (self.literal(&it.lit), false),
+            syn::Expr::Path(it) if it.path.is_ident("None") && it.qself.is_none() => {
+                (ExprKind::Constructor("None".into(), Vec::new()), true)
+            }
             syn::Expr::Path(it) => (self.path(it), false),
             syn::Expr::Paren(it) => self.kind(&mut it.expr, value),
             syn::Expr::Group(it) => self.kind(&mut it.expr, value),
             syn::Expr::Unary(it) => self.unary(it),
             syn::Expr::Binary(it) => self.binary(it),
+            syn::Expr::Assign(it)
+                if matches!(&*it.left, syn::Expr::Tuple(_) | syn::Expr::Array(_)) =>
+            {
+                self.refusals.add(it.left.span(), refuse::SEVERAL_PLACES);
+                self.value(&mut it.right);
+                (UNIT, false)
+            }
             syn::Expr::Assign(it) => {
                 let (value, place) = (self.value(&mut it.right), self.value(&mut it.left));
                 (ExprKind::Assign(None, Box::new(place), Box::new(value)), false)
             }
-            syn::Expr::Call(it) => (self.call(it), value),
+            syn::Expr::Call(it) => {
+                let kind = self.call(it);
+                let seen = value || matches!(kind, ExprKind::Path(..));
+                (kind, seen)
+            }
             syn::Expr::MethodCall(it) => (self.method_call(it), value),
             syn::Expr::Field(it) => (self.field(it), false),
             syn::Expr::Index(it) => {
                 let (base, index) = (self.value(&mut it.expr), self.index(&mut it.index));
                 (ExprKind::Index(Box::new(base), Box::new(index)), false)
             }
-            syn::Expr::Tuple(it) => {
-                if !it.elems.is_empty() {
-                    self.refusals.add(it.paren_token.span.join(), refuse::TUPLE);
-                }
-                (self.tuple(it), false)
-            }
+            syn::Expr::Tuple(it) => (self.tuple(it), !it.elems.is_empty()),
             syn::Expr::Struct(it) => (self.struct_literal(it), true),
             syn::Expr::Array(it) => (
                 ExprKind::Array(it.elems.iter_mut().map(|element| self.value(element)).collect()),
@@ -99,6 +112,19 @@ impl Lowering<'_> {
             syn::Expr::Continue(it) => {
                 (ExprKind::Continue(it.label.as_ref().map(|label| text(&label.ident))), false)
             }
+            syn::Expr::Try(it) => (ExprKind::Try(Box::new(self.value(&mut it.expr))), value),
+            syn::Expr::Macro(it) if it.mac.path.is_ident("matches") => {
+                match super::matching(&it.mac) {
+                    Some(matching) => {
+                        *expr = syn::Expr::Match(matching);
+                        self.kind(expr, value)
+                    }
+                    None => {
+                        self.refusals.add(it.mac.path.span(), refuse::SYNTAX);
+                        (UNIT, false)
+                    }
+                }
+            }
             syn::Expr::Macro(it) => {
                 (self.macro_call(&mut it.mac).map_or(UNIT, |expr| expr.kind), false)
             }
@@ -113,14 +139,8 @@ impl Lowering<'_> {
 
     /// Looks for more to refuse in what was refused.
     fn inside(&mut self, refused: &mut syn::Expr) {
-        match refused {
-            syn::Expr::Unsafe(it) => {
-                self.block(&mut it.block);
-            }
-            syn::Expr::Try(it) => {
-                self.value(&mut it.expr);
-            }
-            _ => {}
+        if let syn::Expr::Unsafe(it) = refused {
+            self.block(&mut it.block);
         }
     }
 
@@ -167,6 +187,7 @@ impl Lowering<'_> {
                     Some(Scalar::Int(bessemer_ir::Int::U8)),
                 );
             }
+            syn::Lit::ByteStr(it) => return ExprKind::Bytes(it.value()),
             syn::Lit::Char(it) => self.refusals.add(it.span(), refuse::CHAR),
             other => self.refusals.add(other.span(), refuse::STRING),
         }
@@ -216,30 +237,18 @@ impl Lowering<'_> {
 
     fn field(&mut self, it: &mut syn::ExprField) -> ExprKind {
         let base = self.value(&mut it.base);
-        match &it.member {
-            syn::Member::Named(name) => ExprKind::Field(Box::new(base), text(name)),
-            syn::Member::Unnamed(index) => {
-                self.refusals.add(index.span, refuse::TUPLE);
-                UNIT
-            }
-        }
+        ExprKind::Field(Box::new(base), pattern::member(&it.member))
     }
 
     fn struct_literal(&mut self, it: &mut syn::ExprStruct) -> ExprKind {
         let mut fields = Vec::new();
         for field in &mut it.fields {
-            let name = match &field.member {
-                syn::Member::Named(name) => text(name),
-                syn::Member::Unnamed(index) => {
-                    self.refusals.add(index.span, refuse::TUPLE_STRUCT);
-                    continue;
-                }
-            };
+            let name = pattern::member(&field.member);
             field.colon_token.get_or_insert_default();
             fields.push((name, self.value(&mut field.expr)));
         }
         let rest = it.rest.as_mut().map(|rest| Box::new(self.value(rest)));
-        ExprKind::Struct(fields, rest)
+        ExprKind::Struct(pattern::last_segment(&it.path), fields, rest)
     }
 }
 

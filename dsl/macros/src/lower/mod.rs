@@ -27,6 +27,7 @@ use syn::spanned::Spanned;
 
 pub use bessemer_ir::tree::Site;
 pub use call::companion_name;
+pub use pattern::member;
 pub use refuse::Refusals;
 pub use signature::{Parameter, check_field, parameters};
 pub use strip::{check_attributes, strip};
@@ -122,12 +123,15 @@ impl<'a> Lowering<'a> {
     /// Turns `expr` into `see(&slot, expr)` and gives the slot.
     fn see(&mut self, expr: &mut syn::Expr) -> u32 {
         let slot = self.slot();
-        if !GENERATING {
-            return slot;
-        }
-        let name = slot_name(slot);
-        *expr = syn::Expr::Verbatim(quote_spanned! { expr.span() => __see(&#name, #expr) });
+        self.see_in(slot, expr);
         slot
+    }
+
+    fn see_in(&self, slot: u32, expr: &mut syn::Expr) {
+        if GENERATING {
+            let name = slot_name(slot);
+            *expr = syn::Expr::Verbatim(quote_spanned! { expr.span() => __see(&#name, #expr) });
+        }
     }
 
     /// The statement `look(&slot, &place);`.
@@ -151,7 +155,7 @@ impl<'a> Lowering<'a> {
         for (index, mut stmt) in originals.into_iter().enumerate() {
             match &mut stmt {
                 syn::Stmt::Local(local) => {
-                    if self.takes_apart(local) {
+                    if takes_apart(local) {
                         let (tree, looks) = self.apart(local);
                         lowered.stmts.push(tree);
                         stmts.push(stmt);
@@ -201,21 +205,11 @@ impl<'a> Lowering<'a> {
 
     fn local(&mut self, local: &mut syn::Local) -> (Option<tree::Stmt>, Option<syn::Stmt>) {
         let site = site(&local.let_token);
-        let value = local.init.as_mut().map(|init| {
-            let value = self.value(&mut init.expr);
-            if let Some((token, _)) = &init.diverge {
-                self.refusals.add(token.span, refuse::LET_ELSE);
-            }
-            value
-        });
+        let value = local.init.as_mut().map(|init| self.value(&mut init.expr));
         if let syn::Pat::Type(typed) = &local.pat {
             signature::check_type(&typed.ty, self.refusals);
         }
-        let destructured = local.init.as_ref().is_some_and(|init| init.diverge.is_some());
-        let quiet = &mut Refusals::default();
-        // `let … else` has its own reason.
-        let refusals = if destructured { quiet } else { &mut *self.refusals };
-        let Some(ident) = pattern::simple_name(&local.pat, refusals) else {
+        let Some(ident) = pattern::simple_name(&local.pat, self.refusals) else {
             return (None, None);
         };
         let slot = self.slot();
@@ -237,32 +231,31 @@ impl<'a> Lowering<'a> {
         (Some(tree::Stmt::Let { name, slot, value, site }), look)
     }
 
-    /// Whether a `let` takes its value apart, in a way that the DSL has.
-    fn takes_apart(&self, local: &syn::Local) -> bool {
-        let simple = match &local.pat {
-            syn::Pat::Tuple(_) => {
-                matches!(local.init.as_ref().map(|init| &*init.expr), Some(syn::Expr::Tuple(_)))
-            }
-            syn::Pat::Slice(_) | syn::Pat::Struct(_) => true,
-            _ => false,
-        };
-        simple && local.init.as_ref().is_some_and(|init| init.diverge.is_none())
-    }
-
+    /// `let pattern = value;`, perhaps with an `else`.
     fn apart(&mut self, local: &mut syn::Local) -> (tree::Stmt, Vec<syn::Stmt>) {
         let site = site(&local.let_token);
-        let value = match local.init.as_mut() {
-            Some(init) => self.whole(&mut init.expr),
-            None => tree::Expr { kind: expr::UNIT, site, slot: None },
-        };
+        if let syn::Pat::Type(typed) = &local.pat {
+            signature::check_type(&typed.ty, self.refusals);
+        }
+        let (mut value, mut otherwise) = (tree::Expr { kind: expr::UNIT, site, slot: None }, None);
+        if let Some(init) = local.init.as_mut() {
+            value = self.whole(&mut init.expr);
+            if let Some((_, expr)) = &mut init.diverge {
+                otherwise = match &mut **expr {
+                    syn::Expr::Block(it) => Some(self.branch(&mut it.block, false)),
+                    _ => None,
+                };
+            }
+        }
         let mut looks = Vec::new();
-        let pattern = self.binding(&local.pat, &mut looks);
-        (tree::Stmt::Apart { pattern, value, site }, looks)
+        let pattern = Box::new(self.pattern(&local.pat, &mut looks));
+        (tree::Stmt::Apart { pattern, value, otherwise, site }, looks)
     }
 
-    /// A value that is taken apart: a tuple only here.
-    fn whole(&mut self, expr: &mut syn::Expr) -> tree::Expr {
+    /// A value that is taken apart: the parts of a tuple need not become one.
+    pub(super) fn whole(&mut self, expr: &mut syn::Expr) -> tree::Expr {
         match expr {
+            syn::Expr::Paren(it) => self.whole(&mut it.expr),
             syn::Expr::Tuple(it) => {
                 let parts = it.elems.iter_mut().map(|part| self.whole(part)).collect();
                 tree::Expr { kind: tree::ExprKind::Tuple(parts), site: site(it), slot: None }
@@ -313,6 +306,35 @@ impl<'a> Lowering<'a> {
         };
         Some(tree::Expr { kind: tree::ExprKind::Assert(Box::new(condition)), site, slot: None })
     }
+}
+
+/// `matches!(value, pattern if guard)` as the `match` that it stands for.
+pub fn matching(mac: &syn::Macro) -> Option<syn::ExprMatch> {
+    use syn::parse::ParseStream;
+    let parser = |input: ParseStream<'_>| {
+        let value: syn::Expr = input.parse()?;
+        input.parse::<syn::Token![,]>()?;
+        Ok((value, input.parse::<TokenStream>()?))
+    };
+    let (value, rest) = mac.parse_body_with(parser).ok()?;
+    let mut arm: Vec<_> = rest.into_iter().collect();
+    arm.pop_if(|token| matches!(token, proc_macro2::TokenTree::Punct(it) if it.as_char() == ','));
+    syn::parse2(quote! { match #value { #(#arm)* => true, _ => false } }).ok()
+}
+
+/// Whether a `let` takes its value apart.
+fn takes_apart(local: &syn::Local) -> bool {
+    let simple = |pattern: &syn::Pat| match pattern {
+        syn::Pat::Ident(it) => it.by_ref.is_none() && it.subpat.is_none(),
+        syn::Pat::Wild(_) => true,
+        _ => false,
+    };
+    let diverges = local.init.as_ref().is_some_and(|init| init.diverge.is_some());
+    diverges
+        || !match &local.pat {
+            syn::Pat::Type(it) => simple(&it.pat),
+            pattern => simple(pattern),
+        }
 }
 
 /// Whether an expression at the end of a block is a statement all the same: loops, `if` without

@@ -1,4 +1,4 @@
-//! Patterns: the simple names that `let`, parameters and `for` bind, and the values of `match`.
+//! Patterns: the simple names that parameters and `for` bind, and what `let` and `match` take apart.
 
 use bessemer_ir::tree;
 use quote::ToTokens;
@@ -37,57 +37,36 @@ pub fn make_mutable(pattern: &mut syn::Pat) {
     }
 }
 
-/// What an arm of a `match` takes, and what it calls it.
-#[derive(Default)]
-pub(super) struct Taken {
-    /// The values; empty: every one.
-    pub patterns: Vec<tree::Pattern>,
-    /// The name, and whether it may be assigned.
-    pub binding: Option<(String, bool)>,
-}
-
 impl Lowering<'_> {
-    /// What the pattern of a `match` arm takes; the name it binds is a local from here on.
-    pub(super) fn taken(&mut self, pattern: &mut syn::Pat) -> Taken {
+    /// A pattern; the names it binds are locals from here on, and the statements that look at them go to
+    /// `looks`.
+    pub(super) fn pattern(
+        &mut self,
+        pattern: &syn::Pat,
+        looks: &mut Vec<syn::Stmt>,
+    ) -> tree::Pattern {
         match pattern {
-            syn::Pat::Paren(it) => self.taken(&mut it.pat),
-            syn::Pat::Ident(it)
-                if it.by_ref.is_none() && (it.subpat.is_some() || !is_constant_name(&it.ident)) =>
+            syn::Pat::Wild(_) => tree::Pattern::Any,
+            syn::Pat::Rest(_) => tree::Pattern::Rest,
+            syn::Pat::Paren(it) => self.pattern(&it.pat, looks),
+            syn::Pat::Type(it) => self.pattern(&it.pat, looks),
+            syn::Pat::Reference(it) => self.pattern(&it.pat, looks),
+            syn::Pat::Ident(it) if matches!(&it.subpat, Some((_, rest)) if matches!(**rest, syn::Pat::Rest(_))) =>
             {
-                let name = text(&it.ident);
-                let patterns = match &mut it.subpat {
-                    Some((_, inner)) => self.values(inner),
-                    None => Vec::new(),
-                };
-                self.bind(&name);
-                Taken { patterns, binding: Some((name, it.mutability.is_some())) }
+                self.refusals.add(it.span(), refuse::PART);
+                self.bind(&text(&it.ident));
+                tree::Pattern::Rest
             }
-            other => Taken { patterns: self.values(other), binding: None },
-        }
-    }
-
-    /// The values that a pattern takes: none for `_`.
-    fn values(&mut self, pattern: &mut syn::Pat) -> Vec<tree::Pattern> {
-        match pattern {
-            syn::Pat::Wild(_) => Vec::new(),
-            syn::Pat::Paren(it) => self.values(&mut it.pat),
+            syn::Pat::Ident(it) if it.by_ref.is_none() => self.name_pattern(it, looks),
             syn::Pat::Or(it) => {
-                let cases: Vec<_> = it.cases.iter_mut().map(|case| self.values(case)).collect();
-                // `1 | _` is `_`.
-                let any = cases.iter().any(Vec::is_empty);
-                if any { Vec::new() } else { cases.concat() }
+                tree::Pattern::Or(it.cases.iter().map(|case| self.pattern(case, looks)).collect())
             }
             syn::Pat::Lit(it) => {
                 let mut literal = syn::Expr::Lit(it.clone());
-                vec![tree::Pattern::Value(self.value(&mut literal))]
+                tree::Pattern::Value(self.value(&mut literal))
             }
             syn::Pat::Path(it) => {
-                let path = it.to_token_stream();
-                vec![tree::Pattern::Value(self.constant(path, &it.path))]
-            }
-            syn::Pat::Ident(it) if is_constant_name(&it.ident) && it.subpat.is_none() => {
-                let path = syn::Path::from(it.ident.clone());
-                vec![tree::Pattern::Value(self.constant(it.ident.to_token_stream(), &path))]
+                tree::Pattern::Value(self.constant(it.to_token_stream(), &it.path))
             }
             syn::Pat::Range(it) => {
                 let inclusive = matches!(it.limits, syn::RangeLimits::Closed(_));
@@ -96,64 +75,50 @@ impl Lowering<'_> {
                     end.as_deref().cloned().map(|mut end| self.value(&mut end))
                 };
                 let (from, to) = (end(&it.start), end(&it.end));
-                vec![tree::Pattern::Range { from, to, inclusive }]
+                tree::Pattern::Range { from, to, inclusive }
             }
-            _ => self.refuse_pattern(pattern),
-        }
-    }
-
-    /// What the pattern of a `let` takes from its value; the statements that look at its names go to
-    /// `looks`.
-    pub(super) fn binding(
-        &mut self,
-        pattern: &syn::Pat,
-        looks: &mut Vec<syn::Stmt>,
-    ) -> tree::Binding {
-        match pattern {
-            syn::Pat::Wild(_) => tree::Binding::Ignored,
-            syn::Pat::Paren(it) => self.binding(&it.pat, looks),
-            syn::Pat::Type(it) => self.binding(&it.pat, looks),
-            syn::Pat::Ident(it) if it.by_ref.is_none() && it.subpat.is_none() => {
-                let (slot, name) = (self.slot(), text(&it.ident));
-                self.bind(&name);
-                looks.push(self.look(slot, &it.ident));
-                tree::Binding::Name { name, slot }
-            }
-            syn::Pat::Tuple(it) => {
-                tree::Binding::Tuple(it.elems.iter().map(|it| self.binding(it, looks)).collect())
-            }
-            syn::Pat::Slice(it) => {
-                tree::Binding::Array(it.elems.iter().map(|it| self.binding(it, looks)).collect())
+            syn::Pat::Tuple(it) => tree::Pattern::Tuple(self.patterns(&it.elems, looks)),
+            syn::Pat::Slice(it) => tree::Pattern::Array(self.patterns(&it.elems, looks)),
+            syn::Pat::TupleStruct(it) => {
+                let parts = self.patterns(&it.elems, looks);
+                tree::Pattern::Constructor(last_segment(&it.path), parts)
             }
             syn::Pat::Struct(it) => {
-                let mut fields = Vec::new();
-                for field in &it.fields {
-                    match &field.member {
-                        syn::Member::Named(name) => {
-                            fields.push((text(name), self.binding(&field.pat, looks)));
-                        }
-                        syn::Member::Unnamed(index) => {
-                            self.refusals.add(index.span, refuse::TUPLE_STRUCT);
-                        }
-                    }
-                }
-                tree::Binding::Struct(fields)
+                let fields = it.fields.iter();
+                let fields =
+                    fields.map(|it| (member(&it.member), self.pattern(&it.pat, looks))).collect();
+                tree::Pattern::Fields(last_segment(&it.path), fields)
             }
             other => {
-                self.refusals.add(other.span(), refuse::DESTRUCTURING);
-                tree::Binding::Ignored
+                let reference = matches!(other, syn::Pat::Ident(_));
+                let reason = if reference { refuse::BINDING_PATTERN } else { refuse::PATTERN };
+                self.refusals.add(other.span(), reason);
+                tree::Pattern::Any
             }
         }
     }
 
-    fn refuse_pattern(&mut self, pattern: &syn::Pat) -> Vec<tree::Pattern> {
-        let reason = match pattern {
-            syn::Pat::Ident(_) => refuse::BINDING_PATTERN,
-            syn::Pat::TupleStruct(_) | syn::Pat::Struct(_) => refuse::PAYLOAD_PATTERN,
-            _ => refuse::PATTERN,
-        };
-        self.refusals.add(pattern.span(), reason);
-        Vec::new()
+    fn patterns(
+        &mut self,
+        patterns: &syn::punctuated::Punctuated<syn::Pat, syn::Token![,]>,
+        looks: &mut Vec<syn::Stmt>,
+    ) -> Vec<tree::Pattern> {
+        patterns.iter().map(|pattern| self.pattern(pattern, looks)).collect()
+    }
+
+    fn name_pattern(&mut self, it: &syn::PatIdent, looks: &mut Vec<syn::Stmt>) -> tree::Pattern {
+        if it.subpat.is_none() && is_constant_name(&it.ident) {
+            if it.ident == "None" {
+                return tree::Pattern::Constructor("None".into(), Vec::new());
+            }
+            let path = syn::Path::from(it.ident.clone());
+            return tree::Pattern::Value(self.constant(it.ident.to_token_stream(), &path));
+        }
+        let inner = it.subpat.as_ref().map(|(_, inner)| Box::new(self.pattern(inner, looks)));
+        let (slot, name) = (self.slot(), text(&it.ident));
+        self.bind(&name);
+        looks.push(self.look(slot, &it.ident));
+        tree::Pattern::Name { name, slot, mutable: it.mutability.is_some(), inner }
     }
 
     /// A path that rustc evaluates: a constant or a variant.
@@ -170,6 +135,19 @@ impl Lowering<'_> {
         let name = segments.join("::");
         tree::Expr { kind: tree::ExprKind::Path(index, name), site: site(path), slot: Some(slot) }
     }
+}
+
+/// The name of a field.
+pub fn member(member: &syn::Member) -> String {
+    match member {
+        syn::Member::Named(name) => text(name),
+        syn::Member::Unnamed(index) => index.index.to_string(),
+    }
+}
+
+/// The last name of a path.
+pub(super) fn last_segment(path: &syn::Path) -> String {
+    path.segments.last().map(|segment| text(&segment.ident)).unwrap_or_default()
 }
 
 fn is_constant_name(ident: &syn::Ident) -> bool {

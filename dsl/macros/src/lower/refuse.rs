@@ -115,26 +115,19 @@ reasons! {
     CONST_BLOCK: "`const` blocks are not in the DSL", "declare a `const`, and use its name";
     IGNORED: "`_` is not a place in the DSL", "write `let _ = …;`";
     PART: "a part of an array has no type of its own in the C", "pass the whole array, and the indices";
-    ABSENT_DEFAULT: "`Default` cannot be called from a model", "write the value out, or a function of your own that returns it";
     CORE: "functions of the standard library are not in the DSL", "write it out, or use the method of the same name";
     ROTATION: "nalgebra's rotations are not in the DSL yet", "use `Matrix3<f64>`, built from `sin` and `cos`";
-    LET_ELSE: "`let … else` is not in the DSL yet", "write a `match` or an `if` with an early `return`";
+    SEVERAL_PLACES: "an assignment has one place on its left in the DSL", "take the value apart with `let`, then assign each";
     DESTRUCTURING: "this pattern is not in the DSL here", "take the value apart with `let`: `let [x, y] = pair;`, `let Gains { p, i } = gains;`";
     BINDING_PATTERN: "this pattern binds a reference", "leave `ref` out: the name stands for the value";
-    PAYLOAD_PATTERN: "enums with payload are not in the DSL yet", "keep the payload in fields beside a plain enum";
-    PATTERN: "this pattern is not in the DSL", "match on integers, ranges of them, plain variants, names and `_`";
-    ENUM_PAYLOAD: "a variant with payload is not in the DSL yet", "keep the payload in fields of a struct, beside a plain enum";
+    PATTERN: "this pattern is not in the DSL", "match on values, ranges, variants, structs, tuples, arrays, names and `_`";
     DISCRIMINANT: "explicit discriminants are not in the DSL yet", "leave the values to the DSL; convert with a `match` where a protocol fixes them";
-    TUPLE: "tuples are not in the DSL yet", "name the parts: a struct marked `#[data]`";
-    TUPLE_TYPE: "tuples are not in the DSL yet", "declare a struct with named fields, marked `#[data]`";
-    TUPLE_STRUCT: "a struct of the DSL has named fields", "give each field a name: it reaches the C";
     UNION: "a union's bytes have no type that the C could check", "use a struct, and `to_bits`/`from_bits` for the bits of a float";
     CHAR: "`char` is not in the DSL", "use `u8` for bytes: `b'A'` as a number";
     STRING: "text is not in the DSL yet", "use an enum for a choice, or `[u8; N]` for bytes";
     WIDE_INTEGER: "C99 has no 128-bit integer", "use `u64` or `i64`";
     FUNCTION_VALUE: "functions are not values in the DSL", "call the function by its name";
     FUNCTION_POINTER: "function pointers hide what is called from the stack analysis", "choose with an `enum` and a `match`";
-    CONSTRUCTOR: "tuple constructors are not in the DSL yet", "use a struct with named fields: `Name { field: value }`";
     RECURSION: "recursion has no bound that the C could promise", "write a loop over a range";
     OPEN_RANGE: "this range is open, so the loop has no bound", "write both ends: `for i in 0..n`";
     ITERATOR: "this iterator is not in the DSL", "go through arrays with `for`: `in &array`, `.iter()`, `.enumerate()`, `.zip(…)`, `.rev()`; or through a range";
@@ -143,7 +136,6 @@ reasons! {
     BOUND: "the bound of a loop is a number, or a constant", "write `#[bound(64)]`, or `#[bound(LIMIT)]`";
     BLOCK_LABEL: "a block has no label in the DSL", "move the block into a function, and `return` from it";
     CLOSURE: "closures are not in the DSL yet", "write a function marked `#[function]`";
-    TRY: "`?` is not in the DSL yet", "return a plain enum that says what went wrong, and `match` on it";
     ASYNC: "there is no executor in firmware that a model could await", "write a component whose `step` is called once per period";
     UNSAFE: "`unsafe` has no meaning that the C could keep", "use indices and `to_bits`/`from_bits`";
     RAW_BORROW: "raw pointers are not in the DSL", "pass `&` or `&mut`";
@@ -167,10 +159,8 @@ reasons! {
     NOT_A_TRAIT: "`#[interface]` stands on a trait", "a struct, an enum and an `impl` block take `#[data]` or `#[component]`, a function `#[function]`";
     INTERFACE_ITEM: "this is not part of an interface of the DSL", "write methods, constants and types";
     OWNED_NAME: "a method of this name belongs to numbers in the DSL", "give it a name of its own";
-    LET_CONDITION: "`let` in a condition is not in the DSL yet", "compare with `==`, or `match` on a plain enum";
     HEAP: "a model has no heap", "use an array of fixed length: `[T; N]`";
     DYNAMIC_MATRIX: "the size of a dynamic matrix is not known when the C is written", "use `SMatrix<f64, R, C>` or `SVector<f64, N>`";
-    OPTION: "`Option` and `Result` are not in the DSL yet", "use a plain enum, or a `bool` beside the value";
     NALGEBRA_ANGLES: "nalgebra takes sine and cosine from the platform here, so the bits would depend on the target", "build the matrix from `sin` and `cos` of the DSL";
     STD: "std is not there on the target", "use `core`, and pass what the platform provides as an input";
     SHARED_CELL: "shared mutable state is not in the DSL", "keep it in a field of the component, behind `&mut self`";
@@ -200,7 +190,6 @@ pub fn macro_call(name: &str) -> Reason {
 pub fn expression(expr: &syn::Expr) -> (Span, Reason) {
     match expr {
         syn::Expr::Closure(it) => (first_token(it), CLOSURE),
-        syn::Expr::Try(it) => (it.question_token.span, TRY),
         syn::Expr::Async(it) => (it.async_token.span, ASYNC),
         syn::Expr::Await(it) => (it.await_token.span, ASYNC),
         syn::Expr::Unsafe(it) => (it.unsafe_token.span, UNSAFE),
@@ -209,7 +198,7 @@ pub fn expression(expr: &syn::Expr) -> (Span, Reason) {
         syn::Expr::Yield(it) => (it.yield_token.span, YIELD),
         syn::Expr::Const(it) => (it.const_token.span, CONST_BLOCK),
         syn::Expr::Infer(it) => (it.underscore_token.span, IGNORED),
-        syn::Expr::Let(it) => (it.let_token.span, LET_CONDITION),
+        syn::Expr::Let(it) => (it.let_token.span, SYNTAX),
         other => (other.span(), SYNTAX),
     }
 }
@@ -237,7 +226,6 @@ pub fn named_type(path: &syn::Path) -> Option<Reason> {
         | "HashSet" | "BTreeSet" | "BinaryHeap" => HEAP,
         "DMatrix" | "DVector" | "RowDVector" | "MatrixXx1" | "Matrix1xX" | "OMatrix"
         | "DMatrixView" | "Dyn" => DYNAMIC_MATRIX,
-        "Option" | "Result" => OPTION,
         "Cell" | "RefCell" | "Mutex" | "RwLock" | "AtomicBool" | "AtomicU32" | "AtomicUsize" => {
             SHARED_CELL
         }

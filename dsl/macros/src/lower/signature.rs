@@ -110,7 +110,6 @@ impl<'ast> Visit<'ast> for Types<'_> {
             syn::Type::Slice(_) => refuse::SLICE,
             syn::Type::TraitObject(_) => refuse::TRAIT_OBJECT,
             syn::Type::ImplTrait(_) => refuse::IMPL_TRAIT,
-            syn::Type::Tuple(it) if !it.elems.is_empty() => refuse::TUPLE_TYPE,
             syn::Type::FnPtr(_) => refuse::FUNCTION_POINTER,
             syn::Type::Macro(_) => refuse::MACRO,
             syn::Type::Never(_) => refuse::NEVER,

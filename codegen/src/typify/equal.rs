@@ -1,0 +1,240 @@
+//! `==` of values of many words: part by part, an array of more than a few in a loop.
+//!
+//! Floats compare as IEEE 754 has it, so that a NaN in a part makes the whole unequal.
+
+use bessemer_ir::tree::Site;
+use bessemer_ir::{
+    Block, CompareOp, Expr, ExprKind, Form, Local, LocalId, LogicOp, Mode, Place, Span, Step, Stmt,
+    StmtKind, StructId, Type,
+};
+
+use super::function::{Lowering, is_literal};
+use super::loops::negated;
+use super::pattern::{inside, load, logic};
+use super::{Result, problem};
+
+/// Up to so many elements are compared one by one.
+const FEW: u32 = 4;
+
+impl Lowering<'_, '_> {
+    /// `left == right` of two values of one type.
+    pub(super) fn equality(&mut self, left: Expr, right: Expr, site: Site) -> Result<Expr> {
+        let span = self.span(site);
+        let mut left = self.hold(left, site)?;
+        let mut right = self.hold(right, site)?;
+        for place in [&mut left, &mut right] {
+            self.keep_indices(place, |index| !is_literal(index));
+        }
+        self.equal(&left, &right, site, span)
+    }
+
+    fn equal(&mut self, left: &Place, right: &Place, site: Site, span: Span) -> Result<Expr> {
+        match &left.ty {
+            Type::Unit => Ok(truth(1, span)),
+            Type::Scalar(_) | Type::Enum(_) => {
+                let kind =
+                    ExprKind::Compare(CompareOp::Eq, Box::new(load(left)), Box::new(load(right)));
+                Ok(Expr { kind, ty: Type::BOOL, span })
+            }
+            Type::Struct(id) => self.equal_structs(*id, left, right, site, span),
+            Type::Array { element, len } => {
+                let step = |index: Expr, _: &mut Self| Step::Index(index);
+                self.equal_elements((left, right), element, *len, site, &step)
+            }
+            Type::Matrix { element, rows, cols } => {
+                let (rows, cols) = (*rows, *cols);
+                let element = Type::Scalar(*element);
+                if rows == 1 || cols == 1 {
+                    let step = |index: Expr, _: &mut Self| {
+                        let zero = number(0, span);
+                        if cols == 1 {
+                            Step::Element(index, zero)
+                        } else {
+                            Step::Element(zero, index)
+                        }
+                    };
+                    return self.equal_elements(
+                        (left, right),
+                        &element,
+                        rows.max(cols),
+                        site,
+                        &step,
+                    );
+                }
+                self.equal_matrices((left, right), (rows, cols), &element, span)
+            }
+        }
+    }
+
+    fn equal_structs(
+        &mut self,
+        id: StructId,
+        left: &Place,
+        right: &Place,
+        site: Site,
+        span: Span,
+    ) -> Result<Expr> {
+        let definition = &self.cx.module.structs[id.index()];
+        if self.cx.unequal.contains(&id) {
+            return problem(
+                site,
+                format!("`{}` does not derive `PartialEq` where the DSL sees it", definition.name),
+                "write `#[derive(PartialEq)]` below `#[data]`, or compare the fields",
+            );
+        }
+        let (form, count) = (definition.form.clone(), definition.fields.len());
+        let mut all: Option<Expr> = None;
+        for index in 0..count {
+            let (one, other) = (self.part(left, id, index), self.part(right, id, index));
+            // A field that may hold nothing is looked at where it does.
+            let condition = match &form {
+                Form::Choice(chosen) if index > 0 => {
+                    let word = chosen.iter().position(|field| *field == Some(index as u32));
+                    Some(negated(self.tag_is(left, id, word.unwrap_or_default() as u64)))
+                }
+                _ => None,
+            };
+            let compare = |inner: &mut Self| match condition {
+                None => inner.equal(&one, &other, site, span),
+                Some(absent) => {
+                    inner.or_else(absent, |inner| inner.equal(&one, &other, site, span))
+                }
+            };
+            all = Some(match all {
+                None => compare(self)?,
+                Some(all) => self.and_then(all, compare)?,
+            });
+        }
+        Ok(all.unwrap_or_else(|| truth(1, span)))
+    }
+
+    /// `absent || right`, where `right` may need statements.
+    fn or_else(
+        &mut self,
+        absent: Expr,
+        right: impl FnOnce(&mut Self) -> Result<Expr>,
+    ) -> Result<Expr> {
+        let outer = std::mem::take(&mut self.out);
+        let right = right(self);
+        let inner = std::mem::replace(&mut self.out, outer);
+        let right = right?;
+        if inner.is_empty() {
+            return Ok(logic(LogicOp::Or, absent, right));
+        }
+        let span = right.span;
+        let held = self.temporary("equal", truth(1, span));
+        let mut inner = inner;
+        if let ExprKind::Load(place) = &held.kind {
+            let kind = StmtKind::Assign { place: place.clone(), value: right };
+            inner.push(Stmt { kind, span, comments: Vec::new() });
+        }
+        let (condition, then) = (negated(absent), Block(inner));
+        self.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
+        Ok(held)
+    }
+
+    fn equal_elements(
+        &mut self,
+        (left, right): (&Place, &Place),
+        element: &Type,
+        len: u32,
+        site: Site,
+        step: &dyn Fn(Expr, &mut Self) -> Step,
+    ) -> Result<Expr> {
+        let span = left.span;
+        if len <= FEW && element.is_word() {
+            let mut all: Option<Expr> = None;
+            for index in 0..len {
+                let at = number(u64::from(index), span);
+                let one = inside(left, step(at.clone(), self), element.clone());
+                let other = inside(right, step(at, self), element.clone());
+                let next = self.equal(&one, &other, site, span)?;
+                all = Some(match all {
+                    Some(all) => logic(LogicOp::And, all, next),
+                    None => next,
+                });
+            }
+            return Ok(all.unwrap_or_else(|| truth(1, span)));
+        }
+        self.all_equal(number(u64::from(len), span), span, |inner, index| {
+            let one = inside(left, step(index.clone(), inner), element.clone());
+            let other = inside(right, step(index, inner), element.clone());
+            inner.equal(&one, &other, site, span)
+        })
+    }
+
+    /// A loop over the indices below `count`, which ends at the first that are not equal.
+    pub(super) fn all_equal(
+        &mut self,
+        count: Expr,
+        span: Span,
+        equal: impl FnOnce(&mut Self, Expr) -> Result<Expr>,
+    ) -> Result<Expr> {
+        let held = self.temporary("equal", truth(1, span));
+        let ExprKind::Load(flag) = held.kind.clone() else { return Ok(held) };
+        let variable = self.counter("i", span);
+        let body = self.scoped(|inner| {
+            let place = Place { root: variable, steps: Vec::new(), ty: Type::USIZE, span };
+            let same = equal(inner, load(&place))?;
+            let then = Block(vec![
+                stmt(StmtKind::Assign { place: flag.clone(), value: truth(0, span) }, span),
+                stmt(StmtKind::Break, span),
+            ]);
+            let condition = unequal(same);
+            inner.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
+            Ok(())
+        })?;
+        let (from, inclusive, reversed) = (number(0, span), false, false);
+        self.emit(StmtKind::For { variable, from, to: count, inclusive, reversed, body }, span);
+        Ok(held)
+    }
+
+    fn equal_matrices(
+        &mut self,
+        (left, right): (&Place, &Place),
+        (rows, cols): (u32, u32),
+        element: &Type,
+        span: Span,
+    ) -> Result<Expr> {
+        self.all_equal(number(u64::from(cols), span), span, |inner, col| {
+            inner.all_equal(number(u64::from(rows), span), span, |_, row| {
+                let step = Step::Element(row, col);
+                let one = inside(left, step.clone(), element.clone());
+                let other = inside(right, step, element.clone());
+                let (one, other) = (Box::new(load(&one)), Box::new(load(&other)));
+                let kind = ExprKind::Compare(CompareOp::Eq, one, other);
+                Ok(Expr { kind, ty: Type::BOOL, span })
+            })
+        })
+    }
+
+    /// A local that counts.
+    pub(super) fn counter(&mut self, name: &str, span: Span) -> LocalId {
+        let id = LocalId(self.locals.len() as u32);
+        self.locals.push(Local { name: name.into(), ty: Type::USIZE, mode: Mode::Value, span });
+        id
+    }
+}
+
+/// The opposite of a comparison of equality, of floats too.
+fn unequal(same: Expr) -> Expr {
+    let span = same.span;
+    match same.kind {
+        ExprKind::Compare(CompareOp::Eq, one, other) => {
+            Expr { kind: ExprKind::Compare(CompareOp::Ne, one, other), ty: Type::BOOL, span }
+        }
+        _ => negated(same),
+    }
+}
+
+pub(super) fn stmt(kind: StmtKind, span: Span) -> Stmt {
+    Stmt { kind, span, comments: Vec::new() }
+}
+
+pub(super) fn truth(word: u64, span: Span) -> Expr {
+    Expr { kind: ExprKind::Literal(word), ty: Type::BOOL, span }
+}
+
+pub(super) fn number(word: u64, span: Span) -> Expr {
+    Expr { kind: ExprKind::Literal(word), ty: Type::USIZE, span }
+}

@@ -1,0 +1,318 @@
+//! Types that the C has to name though no author did: tuples, `Option`, `Result`, and what an enum with
+//! payload is made of.
+//!
+//! A type of Rust's own is named by its content (`option_f64`, `pair_f64_bool`), so that another one changes
+//! nothing about it.
+
+use bessemer_ir::tree::{self, Site, Ty};
+use bessemer_ir::{Enum, EnumId, Field, Form, Scalar, Span, Struct, StructId, Type};
+
+use super::names::snake;
+use super::{Context, OUR_FAULT, Result, problem};
+
+/// What the C calls the parts of a tuple.
+const PARTS: [&str; 8] =
+    ["first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth"];
+
+/// A variant of a [`Form::Choice`]; its word is its index.
+#[derive(Clone)]
+pub(super) struct Case {
+    /// The author's name, `Some`.
+    pub name: String,
+    /// The field that holds its payload.
+    pub field: Option<u32>,
+    /// Whether the payload is the one part itself, not a struct of parts.
+    pub single: bool,
+}
+
+/// Where an author's type stands.
+#[derive(Clone)]
+pub(super) struct Home {
+    /// Types are made of those with a lower one.
+    pub order: usize,
+    pub module: String,
+    pub span: Span,
+}
+
+impl Case {
+    fn bare(name: &str) -> Case {
+        Case { name: name.to_owned(), field: None, single: false }
+    }
+}
+
+/// Which field of a struct an author means by a name, or by the number of a part.
+pub(super) fn position(fields: &[Field], name: &str) -> Option<usize> {
+    match name.parse::<usize>() {
+        Ok(index) => (index < fields.len()).then_some(index),
+        Err(_) => fields.iter().position(|field| field.name == name),
+    }
+}
+
+/// What a tuple of so many parts is called.
+pub(super) fn arity(count: usize) -> String {
+    match count {
+        1 => "single".into(),
+        2 => "pair".into(),
+        3 => "triple".into(),
+        more => format!("tuple{more}"),
+    }
+}
+
+/// The name in the C of the part `index` of a tuple of `count`.
+fn part(index: usize, count: usize) -> String {
+    match (PARTS.get(index), count) {
+        (_, 1) => "value".to_owned(),
+        (Some(name), _) => (*name).to_owned(),
+        (None, _) => format!("part_{}", index + 1),
+    }
+}
+
+impl Context<'_> {
+    /// The struct that stands for a type of Rust's own.
+    pub(super) fn generic(&mut self, ty: &Ty, site: Site) -> Result<Type> {
+        if let Some(known) = self.generics.get(ty) {
+            return Ok(known.clone());
+        }
+        let id = match ty {
+            Ty::Tuple(parts) => self.tuple(parts, site)?,
+            Ty::Option(value) => self.option(value, site)?,
+            Ty::Result(value, error) => self.result(value, error, site)?,
+            _ => return problem(site, "this type has no struct", OUR_FAULT),
+        };
+        self.generics.insert(ty.clone(), Type::Struct(id));
+        Ok(Type::Struct(id))
+    }
+
+    fn tuple(&mut self, parts: &[Ty], site: Site) -> Result<StructId> {
+        let types = parts.iter().map(|ty| self.value_type(ty, site)).collect::<Result<Vec<_>>>()?;
+        if types.contains(&Type::Unit) {
+            return problem(site, "`()` in a tuple holds nothing", "leave it out");
+        }
+        let words: String = types.iter().map(|ty| self.word(ty)).collect();
+        let name = format!("{}{words}", capitalised(&arity(types.len())));
+        let shown: Vec<_> = types.iter().map(|ty| self.show(ty)).collect();
+        let shown = format!("({}{})", shown.join(", "), if types.len() == 1 { "," } else { "" });
+        let count = types.len();
+        let fields = types.into_iter().enumerate();
+        let fields = fields.map(|(index, ty)| field(&part(index, count), "", ty)).collect();
+        self.own_struct(name, (shown, ""), fields, Form::Record, site)
+    }
+
+    fn option(&mut self, value: &Ty, site: Site) -> Result<StructId> {
+        let value = self.value_type(value, site)?;
+        let name = format!("Option{}", self.word(&value));
+        let shown = (format!("Option<{}>", self.show(&value)), ": a value, or none");
+        let mut fields = vec![field("is_some", "Whether there is a value.", Type::BOOL)];
+        let some = held(&mut fields, "value", "The value, if there is one.", value);
+        let form = Form::Choice(vec![None, some]);
+        let id = self.own_struct(name, shown, fields, form, site)?;
+        let some = Case { name: "Some".into(), field: some, single: true };
+        self.cases.insert(id, vec![Case::bare("None"), some]);
+        Ok(id)
+    }
+
+    fn result(&mut self, value: &Ty, error: &Ty, site: Site) -> Result<StructId> {
+        let value = self.value_type(value, site)?;
+        let error = self.value_type(error, site)?;
+        let name = format!("Result{}{}", self.word(&value), self.word(&error));
+        let shown = format!("Result<{}, {}>", self.show(&value), self.show(&error));
+        let shown = (shown, ": a value, or why there is none");
+        let mut fields = vec![field("is_ok", "Whether there is a value.", Type::BOOL)];
+        let ok = held(&mut fields, "value", "The value, if there is one.", value);
+        let err = held(&mut fields, "error", "Why there is none.", error);
+        let id = self.own_struct(name, shown, fields, Form::Choice(vec![err, ok]), site)?;
+        let case = |name: &str, field| Case { name: name.into(), field, single: true };
+        self.cases.insert(id, vec![case("Err", err), case("Ok", ok)]);
+        Ok(id)
+    }
+
+    /// A struct of a type of Rust's own. It stands beside the author's type that it is made of (of several,
+    /// beside the one that can know the others), so that no two headers need each other; else in a
+    /// header of its own.
+    fn own_struct(
+        &mut self,
+        name: String,
+        (shown, meaning): (String, &str),
+        fields: Vec<Field>,
+        form: Form,
+        site: Site,
+    ) -> Result<StructId> {
+        let known = |ty: &Type| matches!(ty, Type::Struct(id) if self.module.structs[id.index()].name == name);
+        if self.generics.values().any(known) {
+            return problem(
+                site,
+                format!("two types would both be `{}_t` in the C", snake(&name)),
+                "declare a struct marked `#[data]` in place of one of them",
+            );
+        }
+        let home =
+            fields.iter().filter_map(|field| self.home(&field.ty)).max_by_key(|home| home.order);
+        let (module, span) = match &home {
+            Some(home) => (home.module.clone(), home.span),
+            None => {
+                let package = self.module.name.replace('-', "_");
+                (format!("{package}::{}", snake(&name)), Span::default())
+            }
+        };
+        let docs = vec![format!("`{shown}`{meaning}.")];
+        self.module.structs.push(Struct { name, module, docs, fields, form, initial: None, span });
+        let id = StructId(self.module.structs.len() as u32 - 1);
+        self.shown.insert(id, shown);
+        self.homes.extend(home.map(|home| (Type::Struct(id), home)));
+        Ok(id)
+    }
+
+    /// Where the author's type stands that a type is made of.
+    fn home(&self, ty: &Type) -> Option<Home> {
+        match ty {
+            Type::Array { element, .. } => self.home(element),
+            other => self.homes.get(other).cloned(),
+        }
+    }
+
+    /// A type as part of a name.
+    fn word(&self, ty: &Type) -> String {
+        let scalar = |scalar: Scalar| capitalised(scalar.name());
+        match ty {
+            Type::Unit => "Unit".into(),
+            Type::Scalar(it) => scalar(*it),
+            Type::Array { element, len } => format!("{}x{len}", self.word(element)),
+            Type::Matrix { element, rows, cols: 1 } => format!("Vector{rows}{}", scalar(*element)),
+            Type::Matrix { element, rows, cols } => {
+                format!("Matrix{rows}x{cols}{}", scalar(*element))
+            }
+            Type::Struct(id) => {
+                let item = &self.module.structs[id.index()];
+                self.qualified(&item.name, &item.module)
+            }
+            Type::Enum(id) => {
+                let item = &self.module.enums[id.index()];
+                self.qualified(&item.name, &item.module)
+            }
+        }
+    }
+
+    /// The name of an author's type; with its module where two have the same.
+    fn qualified(&self, name: &str, module: &str) -> String {
+        let rivals = self.declared.iter().filter(|declared| *declared == name).count();
+        if rivals < 2 {
+            return name.to_owned();
+        }
+        let module = module.rsplit("::").next().unwrap_or_default();
+        let words: String = module.split('_').map(capitalised).collect();
+        format!("{words}{name}")
+    }
+
+    /// An enum: plain, or a tag and what its variants hold.
+    pub(super) fn define_enum(
+        &mut self,
+        variants: &[tree::Variant],
+        named: Enum,
+        site: Site,
+    ) -> Result<Type> {
+        if variants.iter().all(|variant| variant.fields.is_empty()) {
+            self.module.enums.push(named);
+            return Ok(Type::Enum(EnumId(self.module.enums.len() as u32 - 1)));
+        }
+        let Enum { name, module, docs, span, .. } = named.clone();
+        let tag = EnumId(self.module.enums.len() as u32);
+        let mut fields = vec![field("tag", "Which variant it is.", Type::Enum(tag))];
+        let mut cases = Vec::new();
+        for variant in variants {
+            let payload = self.payload(&named, variant, site)?;
+            let held = payload.map(|(ty, single)| {
+                let name = snake(&variant.name);
+                let name = if name == "tag" { "tag_".to_owned() } else { name };
+                fields.push(Field { name, docs: variant.docs.clone(), ty });
+                (fields.len() as u32 - 1, single)
+            });
+            cases.push(Case {
+                name: variant.name.clone(),
+                field: held.map(|(field, _)| field),
+                single: held.is_some_and(|(_, single)| single),
+            });
+        }
+        self.module.enums.push(Enum {
+            name: self.free_name(format!("{name}Tag")),
+            docs: vec![format!("Which variant of `{name}`.")],
+            ..named
+        });
+        let form = Form::Choice(cases.iter().map(|case| case.field).collect());
+        let definition = Struct { name, module, docs, fields, form, initial: None, span };
+        self.module.structs.push(definition);
+        let id = StructId(self.module.structs.len() as u32 - 1);
+        self.cases.insert(id, cases);
+        Ok(Type::Struct(id))
+    }
+
+    /// What a variant holds, and whether that is one part itself.
+    fn payload(
+        &mut self,
+        named: &Enum,
+        variant: &tree::Variant,
+        site: Site,
+    ) -> Result<Option<(Type, bool)>> {
+        let fields = self.fields(&variant.fields, site)?;
+        let is_tuple = variant.fields.iter().all(|field| field.name.parse::<u32>().is_ok());
+        match fields.as_slice() {
+            [] => Ok(None),
+            [only] if is_tuple => Ok(Some((only.ty.clone(), true))),
+            _ => {
+                self.module.structs.push(Struct {
+                    name: self.free_name(format!("{}{}", named.name, variant.name)),
+                    module: named.module.clone(),
+                    docs: vec![format!("What a `{}::{}` holds.", named.name, variant.name)],
+                    fields,
+                    form: Form::Record,
+                    initial: None,
+                    span: named.span,
+                });
+                Ok(Some((Type::Struct(StructId(self.module.structs.len() as u32 - 1)), false)))
+            }
+        }
+    }
+
+    /// The fields of a struct or a variant.
+    pub(super) fn fields(&mut self, fields: &[tree::Field], site: Site) -> Result<Vec<Field>> {
+        let count = fields.len();
+        let mut typed = Vec::new();
+        for (index, field) in fields.iter().enumerate() {
+            let ty = self.value_type(&field.ty, site)?;
+            if ty == Type::Unit {
+                return problem(site, "a field of type `()` holds nothing", "leave it out");
+            }
+            let name = match field.name.parse::<usize>() {
+                Ok(_) => part(index, count),
+                Err(_) => field.name.clone(),
+            };
+            typed.push(Field { name, docs: field.docs.clone(), ty });
+        }
+        Ok(typed)
+    }
+
+    /// A name that no author's type has.
+    fn free_name(&self, mut name: String) -> String {
+        while self.declared.contains(&name) {
+            name.push_str("Of");
+        }
+        name
+    }
+}
+
+fn field(name: &str, docs: &str, ty: Type) -> Field {
+    let docs = if docs.is_empty() { Vec::new() } else { vec![docs.to_owned()] };
+    Field { name: name.to_owned(), docs, ty }
+}
+
+/// Adds a field for what there is something to hold of.
+fn held(fields: &mut Vec<Field>, name: &str, docs: &str, ty: Type) -> Option<u32> {
+    (ty != Type::Unit).then(|| {
+        fields.push(field(name, docs, ty));
+        fields.len() as u32 - 1
+    })
+}
+
+fn capitalised(word: &str) -> String {
+    let mut letters = word.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}

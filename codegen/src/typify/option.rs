@@ -1,0 +1,182 @@
+//! The methods of `Option` and `Result`: a test, a copy, a check that there is a value.
+
+use bessemer_ir::tree::{self, Site};
+use bessemer_ir::{Block, Expr, ExprKind, Fault, Place, StmtKind, StructId, Type};
+
+use super::equal::stmt;
+use super::expr::Operand;
+use super::function::Lowering;
+use super::pattern::load;
+use super::{OUR_FAULT, Result, problem};
+
+impl Lowering<'_, '_> {
+    /// The value of a method of `Option` or `Result`; none if `name` is no such method.
+    pub(super) fn option_method(
+        &mut self,
+        name: &str,
+        arguments: &[tree::Expr],
+        expr: &tree::Expr,
+    ) -> Result<Option<Expr>> {
+        let case = match name {
+            "is_some" | "is_none" => "Some",
+            "is_ok" | "is_err" => "Ok",
+            "unwrap" | "unwrap_err" => {
+                return match self.unwrap(name, arguments, expr)? {
+                    Some(value) => Ok(Some(value)),
+                    None => problem(expr.site, "this has no value", "write it as a statement"),
+                };
+            }
+            "copied" => return self.value(&arguments[0], None).map(Some),
+            "take" | "replace" => return self.exchanged(arguments, expr).map(Some),
+            "unwrap_or" | "unwrap_or_default" | "or" | "and" | "ok_or" | "ok" | "err" => {
+                return self.chosen(name, arguments, expr).map(Some);
+            }
+            _ => return Ok(None),
+        };
+        let (place, id) = self.receiver(&arguments[0])?;
+        let Some((word, _)) = self.case(id, case) else {
+            return problem(expr.site, "this is not an `Option`", OUR_FAULT);
+        };
+        let there = self.tag_is(&place, id, word);
+        let absent = matches!(name, "is_none" | "is_err");
+        Ok(Some(if absent { super::loops::negated(there) } else { there }))
+    }
+
+    /// The place of an `Option` or a `Result`.
+    fn receiver(&mut self, expr: &tree::Expr) -> Result<(Place, StructId)> {
+        let value = self.value(expr, None)?;
+        let place = self.hold(value, expr.site)?;
+        match place.ty {
+            Type::Struct(id) => Ok((place, id)),
+            _ => problem(expr.site, "this is not an `Option`", OUR_FAULT),
+        }
+    }
+
+    /// The word and the payload of the variant that has a value (or, `error`, the reason for none).
+    fn present(&mut self, place: &Place, id: StructId, error: bool) -> (u64, Option<Expr>) {
+        let names = if error { ["Err", "Err"] } else { ["Some", "Ok"] };
+        let found = names.iter().find_map(|name| self.case(id, name));
+        let (word, field) = found.map_or((0, None), |(word, case)| (word, case.field));
+        (word, field.map(|field| load(&self.part(place, id, field as usize))))
+    }
+
+    /// `unwrap`: a check, and the value if there is something to it.
+    pub(super) fn unwrap(
+        &mut self,
+        name: &str,
+        arguments: &[tree::Expr],
+        expr: &tree::Expr,
+    ) -> Result<Option<Expr>> {
+        let (place, id) = self.receiver(&arguments[0])?;
+        let (word, value) = self.present(&place, id, name == "unwrap_err");
+        let condition = self.tag_is(&place, id, word);
+        let span = self.span(expr.site);
+        self.emit(StmtKind::Check { condition, fault: Fault::Absent }, span);
+        Ok(value)
+    }
+
+    /// `take` and `replace`: what was there, with `None` or another in its place.
+    fn exchanged(&mut self, arguments: &[tree::Expr], expr: &tree::Expr) -> Result<Expr> {
+        let span = self.span(expr.site);
+        let Some(mut place) = self.place(&arguments[0])? else {
+            return problem(expr.site, "this is not a place", "keep it in a variable");
+        };
+        let Type::Struct(id) = place.ty else {
+            return problem(expr.site, "this is not an `Option`", OUR_FAULT);
+        };
+        let next = match arguments.get(1) {
+            None => self.choice(id, 0, None, expr.site)?,
+            Some(value) => {
+                let held = self.payload_type(id, "Some");
+                let mark = self.out.len();
+                let value = self.value(value, held.as_ref())?;
+                let later = self.later(mark);
+                self.settle_place(&mut place, &later);
+                self.out.extend(later);
+                self.choice(id, 1, Some(value), expr.site)?
+            }
+        };
+        let before = self.temporary("before", load(&place));
+        self.emit(StmtKind::Assign { place, value: next }, span);
+        Ok(before)
+    }
+
+    fn payload_type(&self, id: StructId, case: &str) -> Option<Type> {
+        let field = self.case(id, case)?.1.field?;
+        Some(self.cx.module.structs[id.index()].fields[field as usize].ty.clone())
+    }
+
+    /// Methods whose result is one of two values: the second, unless the first is there.
+    fn chosen(&mut self, name: &str, arguments: &[tree::Expr], expr: &tree::Expr) -> Result<Expr> {
+        let site = expr.site;
+        let ty = self.slot_of(expr)?;
+        let other = match (name, &ty) {
+            ("unwrap_or", _) => Some(ty.clone()),
+            ("ok_or", Type::Struct(id)) => self.payload_type(*id, "Err"),
+            _ => None,
+        };
+        let mut operands = vec![Operand { expr: &arguments[0], expected: None, role: "left" }];
+        if let Some(argument) = arguments.get(1) {
+            operands.push(Operand { expr: argument, expected: other, role: "right" });
+        }
+        let mut values = self.operands(&operands)?.into_iter();
+        let (Some(first), second) = (values.next(), values.next()) else {
+            return problem(site, "this takes an `Option`", OUR_FAULT);
+        };
+        let mut second = second;
+        if let (true, Some(value)) = (super::order::has_effect(&first), &mut second) {
+            // The second is written down first.
+            *value = self.temporary("other", value.clone());
+        }
+        let place = self.hold(first, site)?;
+        let Type::Struct(id) = place.ty else {
+            return problem(site, "this is not an `Option`", OUR_FAULT);
+        };
+        let (word, value) = self.present(&place, id, name == "err");
+        let mut there = self.tag_is(&place, id, word);
+        let (otherwise, then) = match (name, &ty, second) {
+            ("unwrap_or", _, Some(second)) => (second, value),
+            ("unwrap_or_default", _, _) => (self.default_of(&ty, site)?, value),
+            ("or", _, Some(second)) => (second, Some(load(&place))),
+            ("and", Type::Struct(result), Some(second)) => {
+                there = super::loops::negated(there);
+                let (_, error) = self.present(&place, id, true);
+                (second, Some(self.choice(*result, 0, error, site)?))
+            }
+            ("ok_or", Type::Struct(result), second) => {
+                let ok = self.choice(*result, 1, value, site)?;
+                (self.choice(*result, 0, second, site)?, Some(ok))
+            }
+            ("ok" | "err", Type::Struct(result), _) => {
+                let some = self.choice(*result, 1, value, site)?;
+                (self.choice(*result, 0, None, site)?, Some(some))
+            }
+            _ => return problem(site, "this is not an `Option`", OUR_FAULT),
+        };
+        let Some(then) = then else {
+            return problem(site, "there is nothing to the value", "ask with `is_some`, `is_ok`");
+        };
+        let span = self.span(site);
+        let local = self.temporary_local("choice", ty.clone(), span);
+        self.held.insert(local);
+        self.emit(StmtKind::Let { local, value: Some(otherwise) }, span);
+        let target = Place { root: local, steps: Vec::new(), ty: ty.clone(), span };
+        let assign = StmtKind::Assign { place: target.clone(), value: then };
+        let then = Block(vec![stmt(assign, span)]);
+        let otherwise = Block::default();
+        self.emit(StmtKind::If { condition: there, then, otherwise }, span);
+        Ok(Expr { kind: ExprKind::Load(target), ty, span })
+    }
+
+    fn default_of(&mut self, ty: &Type, site: Site) -> Result<Expr> {
+        let mut inner = ty;
+        while let Type::Array { element, .. } = inner {
+            inner = element;
+        }
+        if matches!(inner, Type::Scalar(_) | Type::Matrix { .. }) {
+            let span = self.span(site);
+            return Ok(self.zero(ty, span));
+        }
+        problem(site, "the default of this type is not known here", "write `unwrap_or(…)`")
+    }
+}

@@ -1,0 +1,568 @@
+//! Patterns: what has to hold for a value to be taken, and what its names stand for.
+//!
+//! A name of a reference is another name for the place. A name of a value is a copy, made where the arm
+//! (or the `let`) begins; before that, in a guard, it is another name too.
+//!
+//! A payload is looked at only behind the test that it is there.
+
+use bessemer_ir::tree::{self, Site};
+use bessemer_ir::visit::{self, Access, Visit};
+use bessemer_ir::{
+    Block, Expr, ExprKind, Local, LocalId, LogicOp, Mode, Place, Step, Stmt, StmtKind, StructId,
+    Type,
+};
+
+use super::OUR_FAULT;
+use super::function::{Binding, Lowering, is_literal};
+use super::generic::{Case, position};
+use super::loops::negated;
+use super::order::is_settled;
+use super::{Result, problem};
+
+/// What is matched: a place, or several side by side that are written as a tuple.
+#[derive(Clone)]
+pub(super) enum Subject {
+    /// A value in its place.
+    Place(Place),
+    /// The parts of a tuple that is never made.
+    Parts(Vec<Subject>),
+}
+
+/// A name of a pattern, and the place that it stands for.
+#[derive(Clone)]
+pub(super) struct Named {
+    name: String,
+    slot: u32,
+    mutable: bool,
+    place: Place,
+    site: Site,
+}
+
+impl Lowering<'_, '_> {
+    /// What a `match` or a `let` looks at, computed once.
+    pub(super) fn subject(&mut self, expr: &tree::Expr) -> Result<Subject> {
+        if let tree::ExprKind::Tuple(parts) = &expr.kind
+            && !parts.is_empty()
+        {
+            let mut subjects: Vec<Subject> = Vec::new();
+            for part in parts {
+                let mark = self.out.len();
+                let next = self.subject(part)?;
+                let later = self.later(mark);
+                for earlier in &mut subjects {
+                    self.settle_subject(earlier, &later);
+                }
+                self.out.extend(later);
+                subjects.push(next);
+            }
+            return Ok(Subject::Parts(subjects));
+        }
+        let value = self.value(expr, None)?;
+        self.value_subject(value, expr.site)
+    }
+
+    /// The same, its value known.
+    pub(super) fn value_subject(&mut self, value: Expr, site: Site) -> Result<Subject> {
+        let mut place = self.hold(value, site)?;
+        self.keep_indices(&mut place, |index| !is_literal(index));
+        Ok(Subject::Place(place))
+    }
+
+    /// Copies what the statements to come could change.
+    fn settle_subject(&mut self, subject: &mut Subject, later: &[Stmt]) {
+        match subject {
+            Subject::Parts(parts) => {
+                parts.iter_mut().for_each(|part| self.settle_subject(part, later));
+            }
+            Subject::Place(place) => {
+                let value = load(place);
+                if !later.is_empty()
+                    && !is_settled(&value, later)
+                    && let ExprKind::Load(held) = self.temporary("selector", value).kind
+                {
+                    *place = held;
+                }
+            }
+        }
+    }
+
+    /// What must hold for `pattern` to take the subject, none if nothing must; its names go to `names`.
+    pub(super) fn test(
+        &mut self,
+        pattern: &tree::Pattern,
+        subject: &Subject,
+        site: Site,
+        names: &mut Vec<Named>,
+    ) -> Result<Option<Expr>> {
+        match (pattern, subject) {
+            (tree::Pattern::Any | tree::Pattern::Rest, _) => Ok(None),
+            (_, Subject::Place(place)) => self.test_place(pattern, place, site, names),
+            (tree::Pattern::Or(cases), _) => self.test_any(cases, subject, site, names),
+            (tree::Pattern::Tuple(patterns), Subject::Parts(parts)) => {
+                let pairs = aligned(patterns, parts.len());
+                let mut all = None;
+                for (pattern, index) in pairs {
+                    let next = self.test(pattern, &parts[index], site, names)?;
+                    all = both(all, next);
+                }
+                Ok(all)
+            }
+            _ => problem(
+                site,
+                "a tuple that is written out is matched part by part",
+                "give it a name first: `let pair = (a, b);`",
+            ),
+        }
+    }
+
+    fn test_any(
+        &mut self,
+        cases: &[tree::Pattern],
+        subject: &Subject,
+        site: Site,
+        names: &mut Vec<Named>,
+    ) -> Result<Option<Expr>> {
+        let before = names.len();
+        let mut any: Option<Expr> = None;
+        for case in cases {
+            let next = self.test(case, subject, site, names)?;
+            if names.len() > before {
+                return problem(
+                    site,
+                    "names inside `|` stand for different places",
+                    "write an arm for each",
+                );
+            }
+            let Some(next) = next else { return Ok(None) };
+            any = Some(match any {
+                Some(any) => logic(LogicOp::Or, any, next),
+                None => next,
+            });
+        }
+        Ok(any)
+    }
+
+    fn test_place(
+        &mut self,
+        pattern: &tree::Pattern,
+        place: &Place,
+        site: Site,
+        names: &mut Vec<Named>,
+    ) -> Result<Option<Expr>> {
+        let all = |lowering: &mut Self, parts: Vec<(&tree::Pattern, Place)>, names: &mut _| {
+            let mut all = None;
+            for (pattern, part) in parts {
+                let next = lowering.test_place(pattern, &part, site, names)?;
+                all = both(all, next);
+            }
+            Ok(all)
+        };
+        match (pattern, &place.ty) {
+            (tree::Pattern::Any | tree::Pattern::Rest, _) => Ok(None),
+            (tree::Pattern::Name { name, slot, mutable, inner }, _) => {
+                let (name, slot, mutable) = (name.clone(), *slot, *mutable);
+                names.push(Named { name, slot, mutable, place: place.clone(), site });
+                match inner {
+                    Some(inner) => self.test_place(inner, place, site, names),
+                    None => Ok(None),
+                }
+            }
+            (tree::Pattern::Or(cases), _) => {
+                self.test_any(cases, &Subject::Place(place.clone()), site, names)
+            }
+            (tree::Pattern::Tuple(patterns), Type::Struct(id)) => {
+                let count = self.cx.module.structs[id.index()].fields.len();
+                let parts = aligned(patterns, count)
+                    .into_iter()
+                    .map(|(pattern, index)| (pattern, self.part(place, *id, index)))
+                    .collect();
+                all(self, parts, names)
+            }
+            (tree::Pattern::Array(patterns), Type::Array { element, len }) => {
+                let mut parts = Vec::new();
+                for (pattern, index) in aligned(patterns, *len as usize) {
+                    let span = place.span;
+                    let kind = ExprKind::Literal(index as u64);
+                    let index = Expr { kind, ty: Type::USIZE, span };
+                    parts.push((pattern, inside(place, Step::Index(index), (**element).clone())));
+                }
+                all(self, parts, names)
+            }
+            (tree::Pattern::Constructor(name, patterns), Type::Struct(id)) => {
+                let (payload, single, tag) = self.taken(place, *id, name, site)?;
+                let Some(payload) = payload else { return Ok(tag) };
+                let parts = match &payload.ty {
+                    _ if single => match patterns.as_slice() {
+                        [] => Vec::new(),
+                        patterns => vec![(&patterns[0], payload)],
+                    },
+                    Type::Struct(inner) => {
+                        let count = self.cx.module.structs[inner.index()].fields.len();
+                        aligned(patterns, count)
+                            .into_iter()
+                            .map(|(pattern, index)| (pattern, self.part(&payload, *inner, index)))
+                            .collect()
+                    }
+                    _ => Vec::new(),
+                };
+                let inner = all(self, parts, names)?;
+                Ok(both(tag, inner))
+            }
+            (tree::Pattern::Fields(name, fields), Type::Struct(id)) => {
+                let (payload, single, tag) = self.taken(place, *id, name, site)?;
+                let Some(payload) = payload else { return Ok(tag) };
+                let mut parts = Vec::new();
+                for (name, pattern) in fields {
+                    parts.push(match &payload.ty {
+                        _ if single => (pattern, payload.clone()),
+                        Type::Struct(inner) => {
+                            let declared = &self.cx.module.structs[inner.index()].fields;
+                            let Some(index) = position(declared, name) else {
+                                return problem(site, format!("`{name}` is missing"), OUR_FAULT);
+                            };
+                            (pattern, self.part(&payload, *inner, index))
+                        }
+                        _ => continue,
+                    });
+                }
+                let inner = all(self, parts, names)?;
+                Ok(both(tag, inner))
+            }
+            (tree::Pattern::Value(value), Type::Struct(id)) => self.unit_case(value, place, *id),
+            (tree::Pattern::Value(_) | tree::Pattern::Range { .. }, ty) if ty.is_word() => {
+                let ranges = self.ranges(std::slice::from_ref(pattern), ty, site)?;
+                let value = load(place);
+                Ok(ranges
+                    .into_iter()
+                    .map(|range| super::choice::test(&value, range, place.span))
+                    .reduce(|one, other| logic(LogicOp::Or, one, other)))
+            }
+            _ => problem(
+                site,
+                "this pattern does not fit what the DSL takes apart",
+                "take apart arrays, tuples, structs and variants",
+            ),
+        }
+    }
+
+    /// A variant without payload, by its path.
+    fn unit_case(
+        &mut self,
+        value: &tree::Expr,
+        place: &Place,
+        id: StructId,
+    ) -> Result<Option<Expr>> {
+        if let tree::ExprKind::Path(_, path) = &value.kind
+            && let Some(name) = path.rsplit("::").next()
+            && let Some((word, _)) = self.case(id, name)
+        {
+            return Ok(Some(self.tag_is(place, id, word)));
+        }
+        problem(value.site, "a constant of this type is not a pattern", "compare with `==`")
+    }
+
+    /// The variant of a struct that stands for an enum: its word, and what it holds.
+    pub(super) fn case(&self, id: StructId, name: &str) -> Option<(u64, Case)> {
+        let cases = self.cx.cases.get(&id)?;
+        let index = cases.iter().position(|case| case.name == name)?;
+        Some((index as u64, cases[index].clone()))
+    }
+
+    /// What `Name(…)` looks into, whether that is the one part itself, and what must hold for it.
+    fn taken(
+        &mut self,
+        place: &Place,
+        id: StructId,
+        name: &str,
+        site: Site,
+    ) -> Result<(Option<Place>, bool, Option<Expr>)> {
+        if !self.cx.cases.contains_key(&id) {
+            return Ok((Some(place.clone()), false, None));
+        }
+        let Some((word, case)) = self.case(id, name) else {
+            return problem(site, format!("`{name}` is not a variant"), OUR_FAULT);
+        };
+        let payload = case.field.map(|field| self.part(place, id, field as usize));
+        Ok((payload, case.single, Some(self.tag_is(place, id, word))))
+    }
+
+    /// `place.tag == word`.
+    pub(super) fn tag_is(&mut self, place: &Place, id: StructId, word: u64) -> Expr {
+        let tag = self.part(place, id, 0);
+        let word = i128::from(word);
+        super::choice::test(&load(&tag), (word, word), place.span)
+    }
+
+    /// The place of a field.
+    pub(super) fn part(&self, place: &Place, id: StructId, index: usize) -> Place {
+        let ty = self.cx.module.structs[id.index()].fields[index].ty.clone();
+        inside(place, Step::Field(index as u32), ty)
+    }
+
+    /// Makes names stand for their places, those of values too: only while nothing is written.
+    pub(super) fn alias_names(&mut self, names: &[Named]) {
+        for named in names {
+            self.alias_to(&named.name, named.place.clone());
+        }
+    }
+
+    /// Gives names their meaning: another name for a place, or a copy.
+    pub(super) fn bind_names(&mut self, names: &[Named]) -> Result<()> {
+        for named in names {
+            let reference = self.slot_is_reference(named.slot, named.site)?;
+            if reference {
+                let refers = self.refers_to(named.slot, named.site)?;
+                self.agree(&named.place.ty, &refers, named.site)?;
+            }
+            if reference || !named.mutable && self.is_lasting(&named.place) {
+                self.alias_to(&named.name, named.place.clone());
+                continue;
+            }
+            let rustc = self.slot(named.slot, named.site)?;
+            self.agree(&named.place.ty, &rustc, named.site)?;
+            let span = self.span(named.site);
+            let local = self.declare(&named.name, rustc, Mode::Value, span);
+            let value = Some(load(&named.place));
+            self.emit(StmtKind::Let { local, value }, span);
+        }
+        Ok(())
+    }
+
+    /// Whether nothing can write to a place: it is behind `&`, or in a local that the author has no name
+    /// for.
+    fn is_lasting(&self, place: &Place) -> bool {
+        let local = &self.locals[place.root.index()];
+        local.mode == Mode::Ref || self.held.contains(&place.root)
+    }
+
+    /// `let pattern = value;`
+    pub(super) fn take_apart(
+        &mut self,
+        pattern: &tree::Pattern,
+        value: &tree::Expr,
+        otherwise: Option<&tree::Block>,
+    ) -> Result<()> {
+        let mut names = Vec::new();
+        if let (None, tree::Pattern::Tuple(_), tree::ExprKind::Tuple(_)) =
+            (otherwise, pattern, &value.kind)
+        {
+            return self.take_each(pattern, value);
+        }
+        if let tree::Pattern::Any = pattern {
+            return self.effect(value);
+        }
+        let subject = self.subject(value)?;
+        let condition = self.test(pattern, &subject, value.site, &mut names)?;
+        if let (Some(condition), Some(otherwise)) = (condition, otherwise) {
+            let span = condition.span;
+            let then = self.block_effect(otherwise)?;
+            let condition = negated(condition);
+            self.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
+        }
+        self.bind_names(&names)
+    }
+
+    /// `let (a, b) = (x, y);`: each in a local of its own before the next is computed.
+    fn take_each(&mut self, pattern: &tree::Pattern, value: &tree::Expr) -> Result<()> {
+        let mut bound = Vec::new();
+        self.take_part(pattern, value, &mut bound)?;
+        // The names mean what they are given only behind the `let`.
+        for (name, binding) in bound {
+            self.bind(&name, binding);
+        }
+        Ok(())
+    }
+
+    fn take_part(
+        &mut self,
+        pattern: &tree::Pattern,
+        value: &tree::Expr,
+        bound: &mut Vec<(String, Binding)>,
+    ) -> Result<()> {
+        match (pattern, &value.kind) {
+            (tree::Pattern::Tuple(patterns), tree::ExprKind::Tuple(values)) => {
+                let mut pairs = aligned(patterns, values.len()).into_iter().peekable();
+                for (index, value) in values.iter().enumerate() {
+                    match pairs.next_if(|(_, at)| *at == index) {
+                        Some((pattern, _)) => self.take_part(pattern, value, bound)?,
+                        None => self.take_part(&tree::Pattern::Any, value, bound)?,
+                    }
+                }
+                Ok(())
+            }
+            (tree::Pattern::Any, _) => {
+                let value = self.value(value, None)?;
+                let span = value.span;
+                self.emit(StmtKind::Expr(value), span);
+                Ok(())
+            }
+            (tree::Pattern::Name { name, slot, inner: None, .. }, _)
+                if !self.slot_is_reference(*slot, value.site)? =>
+            {
+                let ty = self.slot(*slot, value.site)?;
+                let naming = std::mem::replace(&mut self.naming, name.clone());
+                let lowered = self.value(value, Some(&ty))?;
+                self.naming = naming;
+                self.agree(&lowered.ty, &ty, value.site)?;
+                let local = LocalId(self.locals.len() as u32);
+                let span = lowered.span;
+                self.locals.push(Local { name: name.clone(), ty, mode: Mode::Value, span });
+                self.emit(StmtKind::Let { local, value: Some(lowered) }, span);
+                bound.push((name.clone(), Binding::Local(local)));
+                Ok(())
+            }
+            _ => {
+                let mut names = Vec::new();
+                let subject = self.subject(value)?;
+                self.test(pattern, &subject, value.site, &mut names)?;
+                let given: Vec<_> = names.iter().map(|named| named.name.clone()).collect();
+                self.naming_scope(|inner| {
+                    inner.bind_names(&names)?;
+                    for name in given {
+                        bound.push((name.clone(), inner.lookup(&name, value.site)?));
+                    }
+                    Ok(())
+                })
+            }
+        }
+    }
+
+    /// A condition with patterns in it; its names stand for their places from here on.
+    pub(super) fn pattern_condition(
+        &mut self,
+        expr: &tree::Expr,
+        names: &mut Vec<Named>,
+    ) -> Result<Expr> {
+        match &expr.kind {
+            tree::ExprKind::Let(pattern, value) => {
+                let before = names.len();
+                let subject = self.subject(value)?;
+                let test = self.test(pattern, &subject, expr.site, names)?;
+                self.alias_names(&names[before..]);
+                match test {
+                    Some(test) => Ok(test),
+                    None => self.node(ExprKind::Literal(1), Type::BOOL, expr.site),
+                }
+            }
+            tree::ExprKind::Binary(tree::BinaryOp::LogicAnd, left, right) if has_let(expr) => {
+                let left = self.pattern_condition(left, names)?;
+                self.and_then(left, |inner| inner.pattern_condition(right, names))
+            }
+            _ => self.value(expr, Some(&Type::BOOL)),
+        }
+    }
+
+    /// `left && right`, where `right` may need statements, which then run only if `left` holds. What
+    /// they declare can be read behind them.
+    pub(super) fn and_then(
+        &mut self,
+        left: Expr,
+        right: impl FnOnce(&mut Self) -> Result<Expr>,
+    ) -> Result<Expr> {
+        let outer = std::mem::take(&mut self.out);
+        let right = right(self);
+        let inner = std::mem::replace(&mut self.out, outer);
+        let right = right?;
+        if inner.is_empty() {
+            return Ok(logic(LogicOp::And, left, right));
+        }
+        let span = right.span;
+        let mut kept = Vec::new();
+        for stmt in inner {
+            let Stmt { kind: StmtKind::Let { local, value }, span, comments } = stmt else {
+                kept.push(stmt);
+                continue;
+            };
+            let ty = self.locals[local.index()].ty.clone();
+            let first = Some(self.zero(&ty, span));
+            self.emit(StmtKind::Let { local, value: first }, span);
+            let place = Place { root: local, steps: Vec::new(), ty, span };
+            let assign = value.map(|value| StmtKind::Assign { place, value });
+            kept.extend(assign.map(|kind| Stmt { kind, span, comments }));
+        }
+        let mut inner = kept;
+        let held = self.temporary("holds", left);
+        if let ExprKind::Load(place) = &held.kind {
+            let kind = StmtKind::Assign { place: place.clone(), value: right };
+            inner.push(Stmt { kind, span, comments: Vec::new() });
+        }
+        let (condition, then) = (held.clone(), Block(inner));
+        self.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
+        Ok(held)
+    }
+}
+
+/// Whether a condition has a pattern in it.
+pub(super) fn has_let(expr: &tree::Expr) -> bool {
+    match &expr.kind {
+        tree::ExprKind::Let(..) => true,
+        tree::ExprKind::Binary(tree::BinaryOp::LogicAnd, left, right) => {
+            has_let(left) || has_let(right)
+        }
+        _ => false,
+    }
+}
+
+/// A block without the names that it begins with and does not use.
+pub(super) fn used(mut block: Block) -> Block {
+    struct Reads(LocalId, bool);
+    impl Visit for Reads {
+        fn place(&mut self, place: &Place, _: Access) {
+            self.1 |= place.root == self.0;
+            visit::walk_place(self, place);
+        }
+    }
+    let mut at = 0;
+    while let Some(Stmt { kind: StmtKind::Let { local, value: Some(value) }, .. }) = block.0.get(at)
+        && matches!(value.kind, ExprKind::Load(_))
+    {
+        let mut reads = Reads(*local, false);
+        block.0[at + 1..].iter().for_each(|stmt| reads.stmt(stmt));
+        if reads.1 {
+            at += 1;
+        } else {
+            block.0.remove(at);
+        }
+    }
+    block
+}
+
+/// The value at a place.
+pub(super) fn load(place: &Place) -> Expr {
+    Expr { kind: ExprKind::Load(place.clone()), ty: place.ty.clone(), span: place.span }
+}
+
+/// The part of a place behind one more step.
+pub(super) fn inside(place: &Place, step: Step, ty: Type) -> Place {
+    let mut inner = place.clone();
+    inner.steps.push(step);
+    inner.ty = ty;
+    inner
+}
+
+pub(super) fn logic(op: LogicOp, left: Expr, right: Expr) -> Expr {
+    let span = left.span;
+    let kind = ExprKind::Logic(op, Box::new(left), Box::new(right));
+    Expr { kind, ty: Type::BOOL, span }
+}
+
+/// Both conditions, as far as there are any.
+fn both(one: Option<Expr>, other: Option<Expr>) -> Option<Expr> {
+    match (one, other) {
+        (Some(one), Some(other)) => Some(logic(LogicOp::And, one, other)),
+        (one, other) => one.or(other),
+    }
+}
+
+/// Patterns and the index of the part that each takes; `..` stands for as many as are left.
+fn aligned(patterns: &[tree::Pattern], count: usize) -> Vec<(&tree::Pattern, usize)> {
+    let rest = patterns.iter().position(|it| matches!(it, tree::Pattern::Rest));
+    let (before, after) = match rest {
+        Some(rest) => (&patterns[..rest], &patterns[rest + 1..]),
+        None => (patterns, &patterns[patterns.len()..]),
+    };
+    let behind = count.saturating_sub(after.len());
+    let before = before.iter().enumerate().map(|(index, pattern)| (pattern, index));
+    let after = after.iter().enumerate().map(|(index, pattern)| (pattern, behind + index));
+    before.chain(after).filter(|(_, index)| *index < count).collect()
+}

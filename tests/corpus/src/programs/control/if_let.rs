@@ -1,0 +1,32 @@
+//! `if let` looks at what is there; conditions may stand beside it. `matches!` only asks.
+
+use bessemer::prelude::*;
+
+/// What the altimeter said last.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Altimeter {
+    /// Height, m.
+    pub height: Option<f64>,
+    pub errors: u8,
+}
+
+/// The height to go by, m.
+#[function]
+pub fn height(altimeter: &Altimeter, other: f64) -> f64 {
+    if let Some(height) = altimeter.height && altimeter.errors < 3 { height } else { other }
+}
+
+/// Adds to a height, if there is one.
+#[function]
+pub fn lift(altimeter: &mut Altimeter, by: f64) {
+    if let Some(height) = &mut altimeter.height {
+        *height += by;
+    }
+}
+
+/// Whether it is near the ground.
+#[function]
+pub fn is_low(altimeter: &Altimeter) -> bool {
+    matches!(altimeter.height, Some(height) if height < 0.5)
+}

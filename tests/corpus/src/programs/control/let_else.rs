@@ -1,0 +1,15 @@
+//! `let … else` leaves where there is nothing to go on with.
+
+use bessemer::prelude::*;
+
+/// The mean of those of two readings that are there.
+#[function]
+pub fn mean(one: Option<f64>, other: Option<f64>) -> f64 {
+    let Some(first) = one else {
+        return other.unwrap_or(0.0);
+    };
+    let Some(second) = other else {
+        return first;
+    };
+    (first + second) / 2.0
+}

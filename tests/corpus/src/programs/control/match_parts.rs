@@ -1,0 +1,22 @@
+//! `match` takes structs, tuples and variants apart, one inside the other.
+
+use bessemer::prelude::*;
+
+/// A key, and for how long it has been down.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Key {
+    pub code: u8,
+    pub held: Option<u16>,
+}
+
+/// What a key does.
+#[function]
+pub fn action(key: &Key, shift: bool) -> u8 {
+    match (key, shift) {
+        (Key { held: None, .. }, _) => 0,
+        (Key { code: 65..=90, held: Some(0..=9) }, false) => 1,
+        (Key { code, held: Some(time) }, true) if *time > 100 => *code,
+        (Key { held: Some(_), .. }, _) => 2,
+    }
+}

@@ -1,0 +1,49 @@
+//! An enum with payload is a tag and a union: only the member that the tag names is ever read.
+
+use bessemer::prelude::*;
+
+/// What a motor is told.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Command {
+    /// Nothing.
+    #[default]
+    Coast,
+    /// A speed, rad/s.
+    Speed(f64),
+    /// A place to go to.
+    Position {
+        /// Where, rad.
+        angle: f64,
+        /// How fast at most, rad/s.
+        limit: f64,
+    },
+}
+
+/// The speed that a command asks for at an angle, rad/s.
+#[function]
+pub fn speed(command: &Command, angle: f64) -> f64 {
+    match command {
+        Command::Coast => 0.0,
+        Command::Speed(speed) => *speed,
+        Command::Position { angle: target, limit } => {
+            (2.0 * (target - angle)).max(-limit).min(*limit)
+        }
+    }
+}
+
+/// The command for a lever: a speed if it is far from its middle.
+#[function]
+pub fn from_lever(lever: f64) -> Command {
+    if lever.abs() > 0.1 { Command::Speed(10.0 * lever) } else { Command::Coast }
+}
+
+/// Slows a command down.
+#[function]
+pub fn slower(command: &mut Command) {
+    match command {
+        Command::Speed(speed) => *speed /= 2.0,
+        Command::Position { limit, .. } => *limit /= 2.0,
+        Command::Coast => {}
+    }
+}

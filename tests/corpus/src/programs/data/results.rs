@@ -1,0 +1,26 @@
+//! `Result` is a struct: whether there is a value, the value, and why there is none.
+
+use bessemer::prelude::*;
+
+/// Why a frame is refused.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Refused {
+    /// Too few bytes.
+    #[default]
+    Short,
+    /// The sum is another.
+    Checksum,
+}
+
+/// The payload of a frame of which `len` bytes have come.
+#[function]
+pub fn payload(frame: &[u8; 3], len: u8) -> Result<u16, Refused> {
+    if len < 3 {
+        return Err(Refused::Short);
+    }
+    if frame[0].wrapping_add(frame[1]) != frame[2] {
+        return Err(Refused::Checksum);
+    }
+    Ok(u16::from_le_bytes([frame[0], frame[1]]))
+}
