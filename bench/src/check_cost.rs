@@ -102,17 +102,17 @@ pub fn measure(size: Size, mut tick: impl FnMut()) -> Result<Cost, String> {
 }
 
 /// The clock's own resolution.
-fn hundredths(value: f64) -> f64 {
+pub(crate) fn hundredths(value: f64) -> f64 {
     (100.0 * value).round() / 100.0
 }
 
-fn spread(mut times: Vec<f64>) -> [f64; 3] {
+pub(crate) fn spread(mut times: Vec<f64>) -> [f64; 3] {
     times.sort_by(f64::total_cmp);
     [times[0], times[times.len() / 2], times[times.len() - 1]]
 }
 
 /// Processor seconds of all children that have ended (`proc(5)`: `cutime` and `cstime`).
-fn children_seconds() -> Result<f64, String> {
+pub(crate) fn children_seconds() -> Result<f64, String> {
     let stat = fs::read_to_string("/proc/self/stat").map_err(|error| error.to_string())?;
     let fields: Vec<&str> =
         stat.rsplit(')').next().unwrap_or_default().split_whitespace().collect();
@@ -125,7 +125,7 @@ fn children_seconds() -> Result<f64, String> {
 }
 
 /// A package of `functions` functions of 22 lines, as a model has them.
-fn source(functions: usize, annotated: bool, run: usize) -> String {
+pub fn source(functions: usize, annotated: bool, run: usize) -> String {
     let attribute = |text: &'static str| if annotated { text } else { "" };
     let mut text = format!(
         "//! Run {run}.\n#![no_std]\n#![allow(unused_imports)]\nuse bessemer::prelude::*;\n\n\

@@ -75,7 +75,13 @@ macro_rules! print_tree {
 
         fn main() {
             let (name, license) = (env!("CARGO_PKG_NAME"), env!("CARGO_PKG_LICENSE"));
-            println!("{}", $crate::generate::package(name, license));
+            // Initial values of large components pass through the stack.
+            let tree = ::std::thread::Builder::new()
+                .stack_size(1 << 28)
+                .spawn(move || println!("{}", $crate::generate::package(name, license)));
+            if tree.map_or(true, |tree| tree.join().is_err()) {
+                ::std::process::exit(1);
+            }
         }
     };
 }

@@ -14,7 +14,10 @@ use super::spelling::{identifier, relative, screaming};
 
 /// The names, by file (its header) and constant.
 #[derive(Clone, Debug, Default)]
-pub struct ConstNames(BTreeMap<String, BTreeMap<ConstId, String>>);
+pub struct ConstNames {
+    files: BTreeMap<String, BTreeMap<ConstId, String>>,
+    all: BTreeSet<String>,
+}
 
 impl ConstNames {
     /// Names the constants that the functions use.
@@ -29,17 +32,19 @@ impl ConstNames {
             });
         }
         let files = used.into_iter().map(|(file, ids)| (file.to_owned(), of_file(module, &ids)));
-        ConstNames(files.collect())
+        let files: BTreeMap<_, BTreeMap<_, String>> = files.collect();
+        let all = files.values().flat_map(BTreeMap::values).cloned().collect();
+        ConstNames { files, all }
     }
 
     /// The name of a constant in a file.
     pub fn get(&self, file: &str, id: ConstId) -> &str {
-        self.0.get(file).and_then(|names| names.get(&id)).map_or("", String::as_str)
+        self.files.get(file).and_then(|names| names.get(&id)).map_or("", String::as_str)
     }
 
     /// Whether any constant has this name.
     pub fn contains(&self, name: &str) -> bool {
-        self.0.values().flat_map(BTreeMap::values).any(|constant| constant == name)
+        self.all.contains(name)
     }
 }
 

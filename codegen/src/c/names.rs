@@ -10,7 +10,7 @@
 //! * A field, parameter or variable with a reserved name gets a `_` at its end.
 //! * An item's name depends on nothing but the items that want the same name.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use bessemer_ir::{
     ConstId, EnumId, Fault, Function, FunctionId, Int, Mode, Module, Owner, Scalar, StructId, Type,
@@ -157,6 +157,8 @@ pub struct Names {
     /// Per [`EnumId`].
     pub enums: Vec<EnumNames>,
     consts: ConstNames,
+    /// Every name with a meaning of its own in some file, helpers' and constants' apart.
+    globals: BTreeSet<String>,
     /// Per [`FunctionId`].
     pub functions: Vec<Signature>,
     /// The status type.
@@ -176,6 +178,7 @@ impl Names {
             structs: Vec::new(),
             enums: Vec::new(),
             consts: ConstNames::default(),
+            globals: BTreeSet::new(),
             functions: Vec::new(),
             status: StatusNames {
                 ty: format!("{stem}_status_t"),
@@ -356,7 +359,7 @@ impl Names {
             })
             .collect();
         // `fn reading_value` beside `Reading::value`: the method keeps the name.
-        let methods: Vec<String> = (module.functions.iter().zip(&chosen))
+        let methods: BTreeSet<String> = (module.functions.iter().zip(&chosen))
             .filter(|(function, _)| function.owner.is_some())
             .map(|(_, name)| name.clone())
             .collect();
@@ -366,13 +369,12 @@ impl Names {
             }
         }
         let locally = called_in_own_file_only(self, module);
+        self.gather_globals(&chosen);
         for (index, function) in module.functions.iter().enumerate() {
             let id = FunctionId(index as u32);
-            let taken =
-                |name: &str| chosen.iter().any(|other| other == name) || self.is_global(name);
             // A kernel's text is written for its parameters' own names.
             let kernel = function.kernel.is_some();
-            let taken = |name: &str| !kernel && taken(name);
+            let taken = |name: &str| !kernel && self.is_global(name);
             let (params, returned) = passing(function, faults.fallible(id), &taken);
             self.functions.push(Signature {
                 name: chosen[index].clone(),
@@ -538,20 +540,21 @@ fn file_names(module: &Module) -> BTreeMap<String, String> {
 }
 
 impl Names {
-    /// Whether a name that is no function's has a meaning of its own in every file: a local would hide
-    /// it.
+    /// Whether a name has a meaning of its own in some file: a local would hide it.
     pub(super) fn is_global(&self, name: &str) -> bool {
+        is_helper_name(name) || self.globals.contains(name) || self.consts.contains(name)
+    }
+
+    fn gather_globals(&mut self, functions: &[String]) {
         let status = &self.status;
-        is_helper_name(name)
-            || name == status.ty
-            || name == status.ok
-            || FAULTS.iter().any(|fault| name == status.fault(*fault))
-            || self.consts.contains(name)
-            || self.structs.iter().any(|item| item.ty == name || item.init.as_deref() == Some(name))
-            || self
-                .enums
-                .iter()
-                .any(|item| item.ty == name || item.variants.iter().any(|variant| variant == name))
+        let faults = FAULTS.iter().map(|fault| status.fault(*fault));
+        let structs = self.structs.iter().flat_map(|item| item.init.iter().chain([&item.ty]));
+        let enums = self.enums.iter().flat_map(|item| item.variants.iter().chain([&item.ty]));
+        let status = [&status.ty, &status.ok];
+        self.globals = (functions.iter().chain(structs).chain(enums).chain(status))
+            .cloned()
+            .chain(faults.map(String::from))
+            .collect();
     }
 
     /// The name of a constant in the file of this header.

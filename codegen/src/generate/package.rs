@@ -39,6 +39,8 @@ fn build(job: &Job, sources: &Sources) -> Result<PathBuf, Error> {
     command
         .args(["build", "--quiet", "--message-format=json-diagnostic-rendered-ansi"])
         .args(["--package", &job.package, "--features", "generate", "--bin", &binary])
+        // Its program runs once, for its tree: the builders are not worth optimising.
+        .args(["--config", &format!("profile.dev.package.{}.opt-level=0", job.package)])
         .current_dir(&job.root)
         .stderr(Stdio::piped());
     for (name, _) in std::env::vars() {

@@ -91,7 +91,9 @@ fn data_struct(kind: Kind, it: &syn::ItemStruct, refusals: &mut Refusals) -> Tok
         #[allow(private_bounds)]
         impl #declared ::bessemer::Plain for #name #arguments #bounds {
             const WORDS: usize = 0 #(#words)*;
+            #[inline]
             fn store(&self, out: &mut dyn ::core::ops::FnMut(u64)) { #(#store)* }
+            #[inline]
             fn load(next: &mut dyn ::core::ops::FnMut() -> u64) -> Self {
                 Self { #(#load),* }
             }
@@ -298,9 +300,11 @@ fn enum_words(it: &syn::ItemEnum) -> TokenStream {
         impl ::bessemer::Plain for #name {
             const WORDS: usize = 1 #(#words)*;
             #[allow(clippy::reversed_empty_ranges)]
+            #[inline]
             fn store(&self, out: &mut dyn ::core::ops::FnMut(u64)) {
                 match self { #(#stores)* }
             }
+            #[inline]
             fn load(next: &mut dyn ::core::ops::FnMut() -> u64) -> Self {
                 match next() { #(#loads)* #(#skips)* }
             }

@@ -315,11 +315,7 @@ impl<'a> Lower<'a> {
         let wanted = local_name(wanted);
         let live = &self.live;
         let names = self.context.names;
-        let taken = |name: &str| {
-            live.iter().any(|other| other == name)
-                || names.functions.iter().any(|function| function.name == name)
-                || names.is_global(name)
-        };
+        let taken = |name: &str| live.iter().any(|other| other == name) || names.is_global(name);
         // Beside the result's own name, a local is the value that it will get.
         let result = self.signature.params.get(self.function.params as usize);
         let wanted = match result {

@@ -1,0 +1,163 @@
+//! What the attributes add to a rebuild of the corpus, outside and inside generation builds.
+//!
+//! The same sources three times: without the attributes, with them, and with them in a generation build.
+//! Each is built anew after a change of its source, in turn; dependencies are built before. The time is
+//! that of the processors.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use bessemer_tests::workspace::Workspace;
+use serde_json::{Value, json};
+
+use crate::check_cost::{children_seconds, hundredths, spread};
+
+/// Processor seconds of each variant: smallest, median, largest.
+#[derive(Clone, Debug)]
+pub struct Rebuild {
+    /// How often each was built.
+    pub runs: usize,
+    /// Lines of the sources.
+    pub lines: usize,
+    /// Without attributes.
+    pub plain: [f64; 3],
+    /// With attributes.
+    pub annotated: [f64; 3],
+    /// With attributes, in a generation build.
+    pub generating: [f64; 3],
+}
+
+impl Rebuild {
+    /// The median of a variant over the median without attributes.
+    fn ratio(&self, variant: [f64; 3]) -> f64 {
+        variant[1] / self.plain[1]
+    }
+
+    /// For machines.
+    pub fn json(&self) -> Value {
+        json!({
+            "command": "cargo xtask bench --only rebuild",
+            "runs": self.runs,
+            "lines": self.lines,
+            "plain_seconds": self.plain.map(hundredths),
+            "annotated_seconds": self.annotated.map(hundredths),
+            "generating_seconds": self.generating.map(hundredths),
+            "annotated_ratio": hundredths(self.ratio(self.annotated)),
+            "generating_ratio": hundredths(self.ratio(self.generating)),
+        })
+    }
+
+    /// For people.
+    pub fn table(&self) -> String {
+        let mut text = format!(
+            "rebuild of the corpus ({} lines), processor seconds, {} runs each, interleaved\n\n",
+            self.lines, self.runs
+        );
+        let _ = writeln!(
+            text,
+            "{:<22} {:>8} {:>8} {:>8} {:>8}",
+            "", "smallest", "median", "largest", "ratio"
+        );
+        for (name, row) in [
+            ("without attributes", self.plain),
+            ("with attributes", self.annotated),
+            ("in a generation build", self.generating),
+        ] {
+            let [low, median, high] = row;
+            let ratio = self.ratio(row);
+            let _ = writeln!(text, "{name:<22} {low:>8.2} {median:>8.2} {high:>8.2} {ratio:>8.2}");
+        }
+        text
+    }
+}
+
+/// Measures; `tick` is called after each build.
+///
+/// # Errors
+/// What cargo or the file system said.
+pub fn measure(runs: usize, mut tick: impl FnMut()) -> Result<Rebuild, String> {
+    let failed = |error: std::io::Error| error.to_string();
+    let programs = bessemer_tests::root().join("tests/corpus/src/programs");
+    let mut lines = 0;
+    let mut workspaces = Vec::new();
+    for annotated in [false, true] {
+        let workspace = Workspace::with_source("").map_err(failed)?;
+        let modules = copied(&programs, &workspace.path("models/src"), annotated, &mut lines)
+            .map_err(failed)?;
+        workspaces.push((workspace, modules));
+    }
+    // As `cargo xtask gen` builds it.
+    let generating: &[&str] =
+        &["--features", "generate", "--config", "profile.dev.package.models.opt-level=0"];
+    let variants: [(usize, &[&str]); 3] = [(0, &[]), (1, &[]), (1, generating)];
+    let mut times = [Vec::new(), Vec::new(), Vec::new()];
+    for run in 0..=runs {
+        for (index, (workspace, features)) in variants.into_iter().enumerate() {
+            let (workspace, modules) = &workspaces[workspace];
+            let text = format!(
+                "//! Run {run}.\n#![allow(warnings, clippy::all)]\nuse bessemer::prelude::*;\n{modules}"
+            );
+            workspace.set_source(&text).map_err(failed)?;
+            let before = children_seconds()?;
+            let output = Command::new("cargo")
+                .args(["build", "--quiet", "--offline", "--package", "models", "--lib"])
+                .args(features)
+                .current_dir(workspace.path(""))
+                // The whole crate, not what rustc finds changed in it.
+                .env("CARGO_INCREMENTAL", "0")
+                .output()
+                .map_err(failed)?;
+            if !output.status.success() {
+                return Err(String::from_utf8_lossy(&output.stderr).into_owned());
+            }
+            // The first round builds the dependencies.
+            if run > 0 {
+                times[index].push(children_seconds()? - before);
+                tick();
+            }
+        }
+    }
+    let [plain, annotated, generating] = times.map(spread);
+    Ok(Rebuild { runs, lines: lines / 2, plain, annotated, generating })
+}
+
+/// Copies a folder of programs, and gives the text of its modules; without attributes if so asked.
+fn copied(from: &Path, to: &Path, annotated: bool, lines: &mut usize) -> std::io::Result<String> {
+    fs::create_dir_all(to)?;
+    let mut paths = fs::read_dir(from)?
+        .map(|entry| entry.map(|it| it.path()))
+        .collect::<Result<Vec<_>, _>>()?;
+    paths.sort();
+    let mut modules = String::new();
+    for path in paths {
+        let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let target = to.join(path.file_name().unwrap_or_default());
+        if path.is_dir() {
+            let inner = copied(&path, &target, annotated, lines)?;
+            if !path.join("mod.rs").exists() {
+                fs::write(target.join("mod.rs"), inner)?;
+            }
+        } else {
+            let text = fs::read_to_string(&path)?;
+            *lines += text.lines().count();
+            fs::write(target, if annotated { text } else { bare(&text) })?;
+        }
+        if name != "mod" {
+            let _ = writeln!(modules, "pub mod {name};");
+        }
+    }
+    Ok(modules)
+}
+
+/// The text without the attributes of the DSL.
+fn bare(text: &str) -> String {
+    let own = ["data", "component", "function", "entry", "bound"];
+    let is_own = |line: &str| {
+        let name = line.trim_start().strip_prefix("#[").unwrap_or_default();
+        own.iter()
+            .any(|it| name.starts_with(&format!("{it}]")) || name.starts_with(&format!("{it}(")))
+    };
+    text.lines().filter(|line| !is_own(line)).map(|line| format!("{line}\n")).collect()
+}
