@@ -553,7 +553,7 @@ impl Names {
         let status = [&status.ty, &status.ok];
         self.globals = (functions.iter().chain(structs).chain(enums).chain(status))
             .cloned()
-            .chain(faults.map(String::from))
+            .chain(faults)
             .collect();
     }
 

@@ -57,6 +57,7 @@ mod print_expr;
 mod scope;
 
 pub use lex::ParseError;
+pub use names::{FAULTS, INTRINSICS, ROUTINES};
 pub use parse::parse;
 pub use print::print;
 

@@ -106,7 +106,10 @@ pub(super) fn infix(op: Infix) -> (&'static str, u8) {
 }
 
 macro_rules! table {
-    ($kind:ty: $name:ident, $find:ident => $($text:literal => $value:path,)*) => {
+    ($kind:ty: $all:ident, $name:ident, $find:ident => $($text:literal => $value:path,)*) => {
+        /// Every one that there is, with what the text calls it.
+        pub const $all: &[(&str, $kind)] = &[$(($text, $value),)*];
+
         /// What the text calls it.
         pub(super) const fn $name(value: $kind) -> &'static str {
             match value {
@@ -125,7 +128,7 @@ macro_rules! table {
 }
 
 table! {
-    Intrinsic: intrinsic_name, intrinsic =>
+    Intrinsic: INTRINSICS, intrinsic_name, intrinsic =>
     "sqrt" => Intrinsic::Sqrt,
     "abs" => Intrinsic::Abs,
     "min" => Intrinsic::Min,
@@ -161,7 +164,7 @@ table! {
 }
 
 table! {
-    Routine: routine_name, routine =>
+    Routine: ROUTINES, routine_name, routine =>
     "add" => Routine::Add,
     "sub" => Routine::Sub,
     "neg" => Routine::Neg,
@@ -179,7 +182,7 @@ table! {
 }
 
 table! {
-    Fault: fault_name, fault =>
+    Fault: FAULTS, fault_name, fault =>
     "overflow" => Fault::Overflow,
     "division_by_zero" => Fault::DivisionByZero,
     "shift" => Fault::Shift,
