@@ -13,6 +13,7 @@
 #include <float.h>
 #include <stdbool.h>
 #include <stdint.h>
+#include <string.h>
 
 #include "sine.h"
 
@@ -26,72 +27,146 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
+static const uint64_t MOST_MOTORS = UINT64_C(8);
 static const double PI = 3.141592653589793;
 
 void airframe_mambo(airframe_t *airframe)
 {
+    double airframe_thrust_coefficients[8];
+    airframe_for_each(UINT64_C(4), 0.0107, airframe_thrust_coefficients);
+    double airframe_drag_coefficients[8];
+    airframe_for_each(UINT64_C(4), 0.0007826, airframe_drag_coefficients);
     airframe->mass = 0.07;
     airframe->inertia[0] = 5.82857e-5;
     airframe->inertia[1] = 7.16914e-5;
     airframe->inertia[2] = 0.0001;
     airframe->arm = 0.0624;
+    airframe->layout = LAYOUT_CROSS;
+    airframe->motors = UINT64_C(4);
     airframe->propeller_radius = 0.033;
     airframe->disc_area = 0.0034;
     airframe->air_density = 1.184;
-    airframe->spins[0] = 1.0;
-    airframe->spins[1] = -1.0;
-    airframe->spins[2] = 1.0;
-    airframe->spins[3] = -1.0;
-    airframe->thrust_coefficient = 0.0107;
-    airframe->drag_coefficient = 0.0007826;
+    memcpy(airframe->thrust_coefficients, airframe_thrust_coefficients, sizeof(double[8]));
+    memcpy(airframe->drag_coefficients, airframe_drag_coefficients, sizeof(double[8]));
 }
 
-double airframe_thrust_factor(const airframe_t *self)
+void airframe_hexacopter(airframe_t *airframe)
+{
+    double airframe_thrust_coefficients[8];
+    airframe_for_each(UINT64_C(6), 0.0107, airframe_thrust_coefficients);
+    double airframe_drag_coefficients[8];
+    airframe_for_each(UINT64_C(6), 0.0007826, airframe_drag_coefficients);
+    airframe->mass = 1.6;
+    airframe->inertia[0] = 0.023;
+    airframe->inertia[1] = 0.023;
+    airframe->inertia[2] = 0.045;
+    airframe->arm = 0.275;
+    airframe->layout = LAYOUT_CROSS;
+    airframe->motors = UINT64_C(6);
+    airframe->propeller_radius = 0.127;
+    airframe->disc_area = 0.0507;
+    airframe->air_density = 1.184;
+    memcpy(airframe->thrust_coefficients, airframe_thrust_coefficients, sizeof(double[8]));
+    memcpy(airframe->drag_coefficients, airframe_drag_coefficients, sizeof(double[8]));
+}
+
+void airframe_for_each(uint64_t count, double value, double all[8])
+{
+    for (uint32_t i = 0U; i < 8U; i++) {
+        all[i] = 0.0;
+    }
+    for (uint32_t n = 0U; n < MOST_MOTORS; n++) {
+        if ((uint64_t)n < count) {
+            all[n] = value;
+        }
+    }
+}
+
+void airframe_spins(const airframe_t *self, double spins[8])
+{
+    airframe_for_each(self->motors, 1.0, spins);
+    for (uint32_t n = 0U; n < MOST_MOTORS; n++) {
+        if ((uint64_t)n % UINT64_C(2) == UINT64_C(1)) {
+            spins[n] = -spins[n];
+        }
+    }
+}
+
+void airframe_thrust_factors(const airframe_t *self, double result[8])
 {
     const double area = self->disc_area * self->propeller_radius * self->propeller_radius;
-    return self->air_density * area * self->thrust_coefficient;
+    const double result_product = self->air_density * area;
+    for (uint32_t i = 0U; i < 8U; i++) {
+        result[i] = self->thrust_coefficients[i] * result_product;
+    }
 }
 
-double airframe_drag_factor(const airframe_t *self)
+void airframe_drag_factors(const airframe_t *self, double result[8])
 {
     const double radius = self->propeller_radius;
     const double volume = self->disc_area * radius * radius * radius;
-    return self->air_density * volume * self->drag_coefficient;
+    const double result_product = self->air_density * volume;
+    for (uint32_t i = 0U; i < 8U; i++) {
+        result[i] = self->drag_coefficients[i] * result_product;
+    }
 }
 
-void airframe_effectiveness(const airframe_t *self, double effect[16])
+void airframe_effectiveness(const airframe_t *self, double effect[32])
 {
-    const double thrust = airframe_thrust_factor(self);
-    const double drag = airframe_drag_factor(self);
-    for (uint32_t i = 0U; i < 16U; i++) {
+    double thrust[8];
+    airframe_thrust_factors(self, thrust);
+    double drag[8];
+    airframe_drag_factors(self, drag);
+    double spins[8];
+    airframe_spins(self, spins);
+    for (uint32_t i = 0U; i < 32U; i++) {
         effect[i] = 0.0;
     }
-    for (uint32_t n = 0U; n < 4U; n++) {
-        const double angle = airframe_arm_angle((uint64_t)n);
-        effect[0 + 4 * n] = thrust;
-        effect[1 + 4 * n] = thrust * self->arm * sine_sin(angle);
-        effect[2 + 4 * n] = -thrust * self->arm * sine_cos(angle);
-        effect[3 + 4 * n] = self->spins[n] * drag;
+    for (uint32_t n = 0U; n < MOST_MOTORS; n++) {
+        const double angle = airframe_arm_angle(self->layout, self->motors, (uint64_t)n);
+        effect[0 + 4 * n] = thrust[n];
+        effect[1 + 4 * n] = thrust[n] * self->arm * sine_sin(angle);
+        effect[2 + 4 * n] = -thrust[n] * self->arm * sine_cos(angle);
+        effect[3 + 4 * n] = spins[n] * drag[n];
     }
 }
 
-void airframe_allocation(const airframe_t *self, double share[16])
+void airframe_allocation(const airframe_t *self, double share[32])
 {
-    const double thrust = airframe_thrust_factor(self);
-    const double drag = airframe_drag_factor(self);
-    for (uint32_t i = 0U; i < 16U; i++) {
+    double thrust[8];
+    airframe_thrust_factors(self, thrust);
+    double drag[8];
+    airframe_drag_factors(self, drag);
+    double spins[8];
+    airframe_spins(self, spins);
+    const double count = (double)self->motors;
+    for (uint32_t i = 0U; i < 32U; i++) {
         share[i] = 0.0;
     }
-    for (uint32_t n = 0U; n < 4U; n++) {
-        const double angle = airframe_arm_angle((uint64_t)n);
-        share[n + 4 * 0] = 1.0 / (4.0 * thrust);
-        share[n + 4 * 1] = sine_sin(angle) / (2.0 * thrust * self->arm);
-        share[n + 4 * 2] = -sine_cos(angle) / (2.0 * thrust * self->arm);
-        share[n + 4 * 3] = self->spins[n] / (4.0 * drag);
+    for (uint32_t n = 0U; n < MOST_MOTORS; n++) {
+        if (thrust[n] > 0.0 && drag[n] > 0.0) {
+            const double angle = airframe_arm_angle(self->layout, self->motors, (uint64_t)n);
+            const double leverage = 2.0 / (count * thrust[n] * self->arm);
+            share[n + 8 * 0] = 1.0 / (count * thrust[n]);
+            share[n + 8 * 1] = leverage * sine_sin(angle);
+            share[n + 8 * 2] = -leverage * sine_cos(angle);
+            share[n + 8 * 3] = spins[n] / (count * drag[n]);
+        }
     }
 }
 
-double airframe_arm_angle(uint64_t n)
+double airframe_arm_angle(layout_t layout, uint64_t count, uint64_t n)
 {
-    return (double)n * PI / 2.0 + PI / 4.0;
+    const double spacing = 2.0 * PI / (double)count;
+    double first;
+    switch (layout) {
+    case LAYOUT_PLUS:
+        first = 0.0;
+        break;
+    case LAYOUT_CROSS:
+    default:
+        first = spacing / 2.0;
+        break;
+    }
+    return first + spacing * (double)n;
 }

@@ -13,7 +13,15 @@
 extern "C" {
 #endif
 
-/** Mass, size and aerodynamics of a quadcopter in `x` configuration. */
+/** How the arms lie (thesis, eq. (2.2)). */
+typedef enum {
+    /** The first arm points forward. */
+    LAYOUT_PLUS = 0,
+    /** Two arms straddle the forward direction. */
+    LAYOUT_CROSS = 1
+} layout_t;
+
+/** Mass, size and aerodynamics of a multicopter. */
 typedef struct {
     /** Mass, kg. */
     double mass;
@@ -21,46 +29,73 @@ typedef struct {
     double inertia[3];
     /** Length of an arm, from the centre of mass to a motor, m. */
     double arm;
+    /** How the arms lie. */
+    layout_t layout;
+    /** How many motors it has: 4, 6 or 8. */
+    uint64_t motors;
     /** Radius of a propeller, m. */
     double propeller_radius;
     /** Area that a propeller sweeps, m². */
     double disc_area;
     /** Density of the air, kg/m³. */
     double air_density;
-    /** Direction in which each motor turns, 1 or −1: neighbours turn against each other. */
-    double spins[4];
-    /** Thrust coefficient of a propeller. */
-    double thrust_coefficient;
-    /** Drag-moment coefficient of a propeller. */
-    double drag_coefficient;
+    /** Thrust coefficient of each propeller; 0 where there is none. */
+    double thrust_coefficients[8];
+    /** Drag-moment coefficient of each propeller; 0 where there is none. */
+    double drag_coefficients[8];
 } airframe_t;
+
+/** What the motors do to the body, or are wanted to do. */
+typedef struct {
+    /** Thrust along the body's z, N. */
+    double thrust;
+    /** Torque about the body's axes, N·m. */
+    double torque[3];
+} wrench_t;
 
 /** The Parrot Mambo (thesis, table A.1). */
 void airframe_mambo(airframe_t *airframe);
 
-/** Thrust of a propeller per square of its speed (thesis, eq. (2.31)), N·s²/rad². */
-double airframe_thrust_factor(const airframe_t *self);
+/**
+ * A hexacopter of the size of the DJI F550, with its battery and a Pixhawk.
+ *
+ * The thesis gives no table for it: mass and arm are the maker's, the propellers are 10 inches
+ * across with the Mambo's coefficients, the inertia is that of six motors of 0.1 kg at the end of
+ * the arms.
+ */
+void airframe_hexacopter(airframe_t *airframe);
 
-/** Drag moment of a propeller per square of its speed (thesis, eq. (2.32)), N·m·s²/rad². */
-double airframe_drag_factor(const airframe_t *self);
+/** The same value for each of `count` motors, and 0 for the places that are left. */
+void airframe_for_each(uint64_t count, double value, double all[8]);
+
+/** Direction in which each motor turns, 1 or −1: neighbours turn against each other. */
+void airframe_spins(const airframe_t *self, double spins[8]);
+
+/** Thrust of each propeller per square of its speed (thesis, eq. (2.31)), N·s²/rad². */
+void airframe_thrust_factors(const airframe_t *self, double result[8]);
+
+/** Drag moment of each propeller per square of its speed (thesis, eq. (2.32)), N·m·s²/rad². */
+void airframe_drag_factors(const airframe_t *self, double result[8]);
 
 /**
  * Thrust and torques from the squares of the motor speeds (thesis, eq. (2.49)).
  *
  * Rows: thrust, roll, pitch, yaw. Columns: motors.
  */
-void airframe_effectiveness(const airframe_t *self, double effect[16]);
+void airframe_effectiveness(const airframe_t *self, double effect[32]);
 
 /**
  * Squares of the motor speeds from thrust and torques: the inverse of
  * [`effectiveness`](Airframe::effectiveness), in closed form (thesis, eq. (3.10)).
  *
- * The arms share the thrust evenly, and each torque in proportion to their leverage.
+ * The arms share the thrust evenly, and each torque in proportion to their leverage. It is the
+ * inverse of least squares where the motors are equal; where each has its own coefficients, thrust,
+ * roll and pitch stay exact.
  */
-void airframe_allocation(const airframe_t *self, double share[16]);
+void airframe_allocation(const airframe_t *self, double share[32]);
 
-/** Angle of arm `n` of four in `x` configuration, counted from 0 (thesis, eq. (2.2)), rad. */
-double airframe_arm_angle(uint64_t n);
+/** Angle of arm `n` of `count`, counted from 0 (thesis, eq. (2.2)), rad. */
+double airframe_arm_angle(layout_t layout, uint64_t count, uint64_t n);
 
 #ifdef __cplusplus
 }

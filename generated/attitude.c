@@ -34,12 +34,14 @@ void attitude_init(attitude_t *self)
 }
 
 void attitude_step(attitude_t *self, const parameters_t *parameters, const double error[3],
-    const double error_rate[3], double result[3])
+    const double error_rate[3], bool grounded, double result[3])
 {
     const double integral[3] = {self->integral[0], self->integral[1], self->integral[2]};
-    self->integral[0] += error[0] * parameters->period;
-    self->integral[1] += error[1] * parameters->period;
-    self->integral[2] += error[2] * parameters->period;
+    if (!grounded) {
+        self->integral[0] += error[0] * parameters->period;
+        self->integral[1] += error[1] * parameters->period;
+        self->integral[2] += error[2] * parameters->period;
+    }
     result[0] = gains_respond(&parameters->roll, error[0], integral[0], error_rate[0]);
     result[1] = gains_respond(&parameters->pitch, error[1], integral[1], error_rate[1]);
     result[2] = gains_respond(&parameters->yaw, error[2], integral[2], error_rate[2]);

@@ -7,6 +7,8 @@
 #ifndef ATTITUDE_H
 #define ATTITUDE_H
 
+#include <stdbool.h>
+
 #include "parameters.h"
 
 #ifdef __cplusplus
@@ -22,9 +24,12 @@ typedef struct {
 /** Sets the initial state; call it before anything else. */
 void attitude_init(attitude_t *self);
 
-/** One control period: the torques about the axes of roll, pitch and yaw, N·m. */
+/**
+ * One control period: the torques about the axes of roll, pitch and yaw, N·m. On the ground the
+ * errors are not remembered.
+ */
 void attitude_step(attitude_t *self, const parameters_t *parameters, const double error[3],
-    const double error_rate[3], double result[3]);
+    const double error_rate[3], bool grounded, double result[3]);
 
 #ifdef __cplusplus
 }

@@ -14,11 +14,13 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "attitude.h"
-#include "geometry.h"
-#include "height.h"
-#include "horizontal.h"
+#include "airframe.h"
+#include "cascade.h"
+#include "geometric.h"
 #include "mixer.h"
+#include "printed.h"
+#include "signals.h"
+#include "touch_down.h"
 
 #if defined(__FAST_MATH__)
 #error "-ffast-math changes results: compile without it"
@@ -30,77 +32,43 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
+static void controller_candidate(controller_t *self, const parameters_t *parameters,
+    const estimate_t *estimate, const target_t *target, wrench_t *wrench);
+
 void controller_init(controller_t *self)
 {
-    height_init(&self->height);
-    attitude_init(&self->attitude);
-    self->landed = false;
+    cascade_init(&self->cascade);
+    printed_init(&self->printed);
+    touch_down_init(&self->touch_down);
 }
 
-void controller_step(controller_t *self, const parameters_t *parameters, const sensed_t *sensed,
-    const target_t *target, command_t *command)
+void controller_step(controller_t *self, const parameters_t *parameters, const estimate_t *estimate,
+    const target_t *target, const double feed_forward[8], command_t *command)
 {
-    const double height = sensed->position[2];
-    self->landed = target->land && (self->landed || height < parameters->touch_down);
-    if (self->landed) {
-        command->motors[0] = 0.0;
-        command->motors[1] = 0.0;
-        command->motors[2] = 0.0;
-        command->motors[3] = 0.0;
-        command->speeds[0] = 0.0;
-        command->speeds[1] = 0.0;
-        command->speeds[2] = 0.0;
-        command->speeds[3] = 0.0;
+    const bool step = touch_down_step(&self->touch_down, parameters->period, target, estimate);
+    if (step) {
+        command_still(command);
         return;
     }
-    orientation_t orientation;
-    orientation_of(sensed->angles, &orientation);
-    double velocity_rotation[9];
-    orientation_rotation(&orientation, velocity_rotation);
-    const double velocity[3] = {
-        velocity_rotation[0 + 3 * 0] * sensed->velocity[0]
-            + velocity_rotation[0 + 3 * 1] * sensed->velocity[1]
-            + velocity_rotation[0 + 3 * 2] * sensed->velocity[2],
-        velocity_rotation[1 + 3 * 0] * sensed->velocity[0]
-            + velocity_rotation[1 + 3 * 1] * sensed->velocity[1]
-            + velocity_rotation[1 + 3 * 2] * sensed->velocity[2],
-        velocity_rotation[2 + 3 * 0] * sensed->velocity[0]
-            + velocity_rotation[2 + 3 * 1] * sensed->velocity[1]
-            + velocity_rotation[2 + 3 * 2] * sensed->velocity[2]
-    };
+    wrench_t wanted;
+    controller_candidate(self, parameters, estimate, target, &wanted);
+    mixer_mix(&parameters->mixer, &wanted, feed_forward, command);
+}
 
-    /* How hard to push, and where to lean. */
-    const double thrust = height_step(&self->height, parameters, target, height, velocity[2]);
-    double wanted[3];
-    horizontal_lean(parameters, target, sensed->position, velocity, wanted);
-
-    /*
-     * The attitude loops act about the axes of roll, pitch and yaw; the motors, about the body's.
-     */
-    const double error[3] = {
-        wanted[0] - sensed->angles[0],
-        wanted[1] - sensed->angles[1],
-        wanted[2] - sensed->angles[2]
-    };
-    const double wanted_rates[3] = {0.0, 0.0, target->yaw_rate};
-    double error_rate_angle_rates[3];
-    orientation_angle_rates(&orientation, sensed->rates, error_rate_angle_rates);
-    const double error_rate[3] = {
-        wanted_rates[0] - error_rate_angle_rates[0],
-        wanted_rates[1] - error_rate_angle_rates[1],
-        wanted_rates[2] - error_rate_angle_rates[2]
-    };
-    double turn[3];
-    attitude_step(&self->attitude, parameters, error, error_rate, turn);
-    double torque_rate_matrix[9];
-    orientation_rate_matrix(&orientation, torque_rate_matrix);
-    const double torque[3] = {
-        torque_rate_matrix[0 + 3 * 0] * turn[0] + torque_rate_matrix[0 + 3 * 1] * turn[1]
-            + torque_rate_matrix[0 + 3 * 2] * turn[2],
-        torque_rate_matrix[1 + 3 * 0] * turn[0] + torque_rate_matrix[1 + 3 * 1] * turn[1]
-            + torque_rate_matrix[1 + 3 * 2] * turn[2],
-        torque_rate_matrix[2 + 3 * 0] * turn[0] + torque_rate_matrix[2 + 3 * 1] * turn[1]
-            + torque_rate_matrix[2 + 3 * 2] * turn[2]
-    };
-    mixer_mix(&parameters->mixer, thrust, torque, command);
+/** What the candidate that flies asks for. */
+static void controller_candidate(controller_t *self, const parameters_t *parameters,
+    const estimate_t *estimate, const target_t *target, wrench_t *wrench)
+{
+    switch (parameters->candidate) {
+    case CANDIDATE_CASCADE:
+        cascade_step(&self->cascade, parameters, estimate, target, wrench);
+        break;
+    case CANDIDATE_PRINTED:
+        printed_step(&self->printed, parameters, estimate, target, wrench);
+        break;
+    case CANDIDATE_GEOMETRIC:
+    default:
+        geometric_track(parameters, estimate, target, wrench);
+        break;
+    }
 }

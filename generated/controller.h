@@ -7,12 +7,11 @@
 #ifndef CONTROLLER_H
 #define CONTROLLER_H
 
-#include <stdbool.h>
-
-#include "attitude.h"
-#include "height.h"
+#include "cascade.h"
 #include "parameters.h"
+#include "printed.h"
 #include "signals.h"
+#include "touch_down.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -20,20 +19,23 @@ extern "C" {
 
 /** Flies the aircraft to its target. */
 typedef struct {
-    /** The height loop. */
-    height_t height;
-    /** The loops of roll, pitch and yaw. */
-    attitude_t attitude;
+    /** The thesis' law, as it flies. */
+    cascade_t cascade;
+    /** The thesis' law, as it is printed. */
+    printed_t printed;
     /** Whether the landing aircraft has touched down. */
-    bool landed;
+    touch_down_t touch_down;
 } controller_t;
 
 /** Sets the initial state; call it before anything else. */
 void controller_init(controller_t *self);
 
-/** One control period: the command to each motor. */
-void controller_step(controller_t *self, const parameters_t *parameters, const sensed_t *sensed,
-    const target_t *target, command_t *command);
+/**
+ * One control period: the command to each motor, on top of the speeds that the feed-forward asks
+ * of them, rad/s.
+ */
+void controller_step(controller_t *self, const parameters_t *parameters, const estimate_t *estimate,
+    const target_t *target, const double feed_forward[8], command_t *command);
 
 #ifdef __cplusplus
 }

@@ -11,6 +11,7 @@
 #include "geometry.h"
 
 #include <float.h>
+#include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -25,6 +26,15 @@
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
 #endif
+
+static const double PI = 3.141592653589793;
+
+/* The remainder of a / b, from 0 to the size of b. */
+static double rem_euclid_f64(double a, double b)
+{
+    const double remainder = fmod(a, b);
+    return remainder < 0.0 ? remainder + fabs(b) : remainder;
+}
 
 void orientation_of(const double angles[3], orientation_t *orientation)
 {
@@ -55,6 +65,20 @@ void orientation_rotation(const orientation_t *self, double result[9])
     result[2 + 3 * 2] = c1 * c2;
 }
 
+void orientation_thrust_direction(const orientation_t *self, double result[3])
+{
+    result[0] = -self->s2;
+    result[1] = self->s1 * self->c2;
+    result[2] = self->c1 * self->c2;
+}
+
+void orientation_upwards(const orientation_t *self, double result[3])
+{
+    result[0] = self->c1 * self->s2 * self->c3 + self->s1 * self->s3;
+    result[1] = self->c1 * self->s2 * self->s3 - self->s1 * self->c3;
+    result[2] = self->c1 * self->c2;
+}
+
 void orientation_rate_matrix(const orientation_t *self, double result[9])
 {
     result[0 + 3 * 0] = -self->c2 * self->c3;
@@ -77,4 +101,9 @@ void orientation_angle_rates(const orientation_t *self, const double body_rates[
     result[0] = roll_rate;
     result[1] = across;
     result[2] = self->s2 * roll_rate - body_rates[2];
+}
+
+double geometry_wrapped(double angle)
+{
+    return rem_euclid_f64(angle + PI, 2.0 * PI) - PI;
 }

@@ -34,6 +34,18 @@ void orientation_of(const double angles[3], orientation_t *orientation);
 void orientation_rotation(const orientation_t *self, double result[9]);
 
 /**
+ * Where the body's z points in the inertial frame: the third column of
+ * [`rotation`](Orientation::rotation).
+ */
+void orientation_thrust_direction(const orientation_t *self, double result[3]);
+
+/**
+ * Where the inertial frame's z points in the body frame: the third row of
+ * [`rotation`](Orientation::rotation) (thesis, eq. (4.7)).
+ */
+void orientation_upwards(const orientation_t *self, double result[3]);
+
+/**
  * Body rates per rate of the angles: T in ω = T θ̇ (thesis, eq. (2.16)).
  *
  * Its columns are the axes about which roll, pitch and yaw turn, seen from the body.
@@ -47,6 +59,9 @@ void orientation_rate_matrix(const orientation_t *self, double result[9]);
  */
 void orientation_angle_rates(const orientation_t *self, const double body_rates[3],
     double result[3]);
+
+/** The angle that differs from `angle` by whole turns and lies within half a turn, rad. */
+double geometry_wrapped(double angle);
 
 #ifdef __cplusplus
 }

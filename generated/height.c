@@ -43,6 +43,8 @@ double height_step(height_t *self, const parameters_t *parameters, const target_
     const double error = target->position[2] - height;
     const double error_rate = target->velocity[2] - climb;
     const double correction = gains_respond(&parameters->height, error, self->integral, error_rate);
-    self->integral += error * parameters->period;
+    if (!target->grounded) {
+        self->integral += error * parameters->period;
+    }
     return weight + parameters->mass * target->climb_acceleration + correction;
 }

@@ -29,6 +29,12 @@
 void horizontal_lean(const parameters_t *parameters, const target_t *target,
     const double position[3], const double velocity[3], double result[3])
 {
+    if (target->manual) {
+        result[0] = target->lean[0];
+        result[1] = target->lean[1];
+        result[2] = target->yaw;
+        return;
+    }
     const double error[3] = {
         target->position[0] - position[0],
         target->position[1] - position[1],

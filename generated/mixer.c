@@ -14,6 +14,10 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
+#include <string.h>
+
+#include "airframe.h"
+#include "signals.h"
 
 #if defined(__FAST_MATH__)
 #error "-ffast-math changes results: compile without it"
@@ -24,6 +28,8 @@
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
 #endif
+
+static const uint64_t MOST_MOTORS = UINT64_C(8);
 
 /* The smaller of two numbers: -0 < +0, and a NaN gives the other. */
 static double min_f64(double a, double b)
@@ -49,36 +55,98 @@ static double max_f64(double a, double b)
     return b;
 }
 
-void mixer_mix(const mixer_t *self, double thrust, const double torque[3], command_t *command)
+void mixer_new(const airframe_t *airframe, double square_per_command, double largest_command,
+    mixer_t *mixer)
 {
-    const double wanted[4] = {thrust, torque[0], torque[1], torque[2]};
-    const double motors_product[4] = {
-        self->allocation[0 + 4 * 0] * wanted[0] + self->allocation[0 + 4 * 1] * wanted[1]
-            + self->allocation[0 + 4 * 2] * wanted[2] + self->allocation[0 + 4 * 3] * wanted[3],
-        self->allocation[1 + 4 * 0] * wanted[0] + self->allocation[1 + 4 * 1] * wanted[1]
-            + self->allocation[1 + 4 * 2] * wanted[2] + self->allocation[1 + 4 * 3] * wanted[3],
-        self->allocation[2 + 4 * 0] * wanted[0] + self->allocation[2 + 4 * 1] * wanted[1]
-            + self->allocation[2 + 4 * 2] * wanted[2] + self->allocation[2 + 4 * 3] * wanted[3],
-        self->allocation[3 + 4 * 0] * wanted[0] + self->allocation[3 + 4 * 1] * wanted[1]
-            + self->allocation[3 + 4 * 2] * wanted[2] + self->allocation[3 + 4 * 3] * wanted[3]
-    };
-    double motors[4] = {
-        motors_product[0] / self->square_per_command,
-        motors_product[1] / self->square_per_command,
-        motors_product[2] / self->square_per_command,
-        motors_product[3] / self->square_per_command
-    };
-    double speeds[4] = {0.0};
-    for (uint32_t n = 0U; n < 4U; n++) {
-        motors[n] = min_f64(max_f64(motors[n], 0.0), self->largest_command);
-        speeds[n] = self->spins[n] * sqrt(motors[n] * self->square_per_command);
+    double allocation[32];
+    airframe_allocation(airframe, allocation);
+    double mixer_spins[8];
+    airframe_spins(airframe, mixer_spins);
+    memcpy(mixer->allocation, allocation, sizeof(double[32]));
+    memcpy(mixer->spins, mixer_spins, sizeof(double[8]));
+    mixer->square_per_command = square_per_command;
+    mixer->largest_command = largest_command;
+}
+
+void mixer_mix(const mixer_t *self, const wrench_t *wanted, const double feed_forward[8],
+    command_t *command)
+{
+    const double torque[3] = {wanted->torque[0], wanted->torque[1], wanted->torque[2]};
+    double lift[8] = {0.0};
+    double tilt[8] = {0.0};
+    double twist[8] = {0.0};
+    for (uint32_t n = 0U; n < MOST_MOTORS; n++) {
+        const double own = sqrt(max_f64(self->allocation[n + 8 * 0] * wanted->thrust, 0.0));
+        const double speed = own + feed_forward[n];
+        lift[n] = speed * speed;
+        tilt[n] = self->allocation[n + 8 * 1] * torque[0] + self->allocation[n + 8 * 2] * torque[1];
+        twist[n] = self->allocation[n + 8 * 3] * torque[2];
     }
-    command->motors[0] = motors[0];
-    command->motors[1] = motors[1];
-    command->motors[2] = motors[2];
-    command->motors[3] = motors[3];
-    command->speeds[0] = speeds[0];
-    command->speeds[1] = speeds[1];
-    command->speeds[2] = speeds[2];
-    command->speeds[3] = speeds[3];
+    const double largest = self->largest_command * self->square_per_command;
+    double squares[8];
+    mixer_fit(self, lift, tilt, twist, largest, squares);
+    command_still(command);
+    for (uint32_t n = 0U; n < MOST_MOTORS; n++) {
+        const double square = min_f64(max_f64(squares[n], 0.0), largest);
+        const double speed = sqrt(square);
+        command->motors[n] = square / self->square_per_command;
+        command->speeds[n] = self->spins[n] * speed;
+        command->closed_loop[n] = self->spins[n] * (speed - feed_forward[n]);
+        command->feed_forward[n] = self->spins[n] * feed_forward[n];
+    }
+}
+
+void mixer_fit(const mixer_t *self, const double lift[8], const double tilt[8],
+    const double twist[8], double largest, double squares[8])
+{
+    const double kept_base[8] = {0.0};
+    const double kept_share = mixer_share(self, kept_base, tilt, largest);
+    double kept[8];
+    for (uint32_t i = 0U; i < 8U; i++) {
+        kept[i] = tilt[i] * kept_share;
+    }
+    const double turn_share = mixer_share(self, kept, twist, largest);
+    double turn[8];
+    for (uint32_t i = 0U; i < 8U; i++) {
+        turn[i] = kept[i] + twist[i] * turn_share;
+    }
+
+    /* How far the lift has to go up or down so that every motor stays within its limits. */
+    double wanted[8];
+    for (uint32_t i = 0U; i < 8U; i++) {
+        wanted[i] = lift[i] + turn[i];
+    }
+    double least = largest;
+    double most = 0.0;
+    for (uint32_t n = 0U; n < MOST_MOTORS; n++) {
+        if (self->spins[n] != 0.0) {
+            least = min_f64(wanted[n], least);
+            most = max_f64(wanted[n], most);
+        }
+    }
+    const double shift = max_f64(-least, 0.0) - max_f64(most - largest, 0.0);
+    for (uint32_t i = 0U; i < 8U; i++) {
+        squares[i] = 0.0;
+    }
+    for (uint32_t n = 0U; n < MOST_MOTORS; n++) {
+        if (self->spins[n] != 0.0) {
+            squares[n] = wanted[n] + shift;
+        }
+    }
+}
+
+double mixer_share(const mixer_t *self, const double base[8], const double more[8], double largest)
+{
+    (void)self;
+    double share = 1.0;
+    for (uint32_t i = 0U; i < MOST_MOTORS; i++) {
+        for (uint32_t j = 0U; j < MOST_MOTORS; j++) {
+            const double apart = more[i] - more[j];
+            const double room = largest - (base[i] - base[j]);
+            if (apart * share > room) {
+                share = max_f64(room / apart, 0.0);
+            }
+        }
+    }
+    return share;
 }

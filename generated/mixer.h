@@ -7,6 +7,7 @@
 #ifndef MIXER_H
 #define MIXER_H
 
+#include "airframe.h"
 #include "signals.h"
 
 #ifdef __cplusplus
@@ -19,17 +20,41 @@ typedef struct {
      * Squares of the motor speeds (rows) per thrust and roll, pitch and yaw torque (columns),
      * rad²/s² per N and per N·m.
      */
-    double allocation[16];
-    /** Direction in which each motor turns, 1 or −1. */
-    double spins[4];
+    double allocation[32];
+    /** Direction in which each motor turns, 1 or −1; 0 where there is none. */
+    double spins[8];
     /** Square of a motor's speed per unit of its command, rad²/s². */
     double square_per_command;
     /** Largest command that a motor takes. */
     double largest_command;
 } mixer_t;
 
-/** Motor commands for a thrust, N, and torques about the body axes, N·m. */
-void mixer_mix(const mixer_t *self, double thrust, const double torque[3], command_t *command);
+/** The mixer of an airframe whose motors take commands up to `largest_command`. */
+void mixer_new(const airframe_t *airframe, double square_per_command, double largest_command,
+    mixer_t *mixer);
+
+/**
+ * Motor commands that add a wrench to what `feed_forward`, a speed for each motor, rad/s, does.
+ *
+ * The thrust becomes a speed that is added to the feed-forward's, as the thesis has it. The torques
+ * are added to the square of the sum: added as speeds they would act 1/(1 − gain) times as strongly
+ * under feed-forward, which at a gain of 0.8 no attitude loop survives.
+ */
+void mixer_mix(const mixer_t *self, const wrench_t *wanted, const double feed_forward[8],
+    command_t *command);
+
+/**
+ * Squares of the motor speeds within 0 and `largest`: as much of the tilt as the motors span, then
+ * of the twist, then of the lift.
+ */
+void mixer_fit(const mixer_t *self, const double lift[8], const double tilt[8],
+    const double twist[8], double largest, double squares[8]);
+
+/**
+ * The largest share, 0 to 1, of `more` that can be added to `base` while no two motors are further
+ * apart than `largest`.
+ */
+double mixer_share(const mixer_t *self, const double base[8], const double more[8], double largest);
 
 #ifdef __cplusplus
 }

@@ -11,6 +11,7 @@
 #include "pair.h"
 
 #include <float.h>
+#include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -60,4 +61,34 @@ void pair_pair_product(const pair_t *a, const pair_t *b, pair_t *pair)
     pair_t lead;
     pair_product(a->high, b->high, &lead);
     pair_ordered_sum(lead.high, lead.low + (a->high * b->low + a->low * b->high), pair);
+}
+
+void pair_quotient(const pair_t *a, const pair_t *b, pair_t *pair)
+{
+    pair_t above;
+    pair_ordered_sum(a->high, a->low, &above);
+    pair_t below;
+    pair_ordered_sum(b->high, b->low, &below);
+    const double high = above.high / below.high;
+    pair_t back;
+    pair_product(high, below.high, &back);
+    const double rest = above.high - back.high - back.low + above.low - high * below.low;
+    pair_ordered_sum(high, rest / below.high, pair);
+}
+
+void pair_root(const pair_t *a, pair_t *pair)
+{
+    const double high = sqrt(a->high);
+    pair_t back;
+    pair_product(high, high, &back);
+    const double rest = a->high - back.high - back.low + a->low;
+
+    /* Of nothing the root is nothing. */
+    if (high == 0.0) {
+        pair->high = high;
+        pair->low = 0.0;
+    } else {
+        pair->high = high;
+        pair->low = rest / (2.0 * high);
+    }
 }

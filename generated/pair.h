@@ -31,6 +31,12 @@ void pair_product(double a, double b, pair_t *pair);
 /** `a * b` to about 100 bits. */
 void pair_pair_product(const pair_t *a, const pair_t *b, pair_t *pair);
 
+/** `a / b` to about 100 bits. */
+void pair_quotient(const pair_t *a, const pair_t *b, pair_t *pair);
+
+/** The square root to about 100 bits. */
+void pair_root(const pair_t *a, pair_t *pair);
+
 #ifdef __cplusplus
 }
 #endif

@@ -13,9 +13,9 @@
 #include <float.h>
 #include <stdbool.h>
 #include <stdint.h>
-#include <string.h>
 
 #include "airframe.h"
+#include "mixer.h"
 
 #if defined(__FAST_MATH__)
 #error "-ffast-math changes results: compile without it"
@@ -37,16 +37,18 @@ double damped_respond(const damped_t *self, double error, double error_rate)
     return self->p * error + self->d * error_rate;
 }
 
-void parameters_mambo(parameters_t *parameters)
+void parameters_mambo(parameters_mambo_work_t *work, parameters_t *parameters)
 {
     airframe_t airframe;
     airframe_mambo(&airframe);
-    double parameters_allocation[16];
-    airframe_allocation(&airframe, parameters_allocation);
+    mixer_new(&airframe, 13840.8, 500.0, &work->parameters_mixer);
     parameters->period = 0.005;
     parameters->mass = airframe.mass;
+    parameters->inertia[0] = airframe.inertia[0];
+    parameters->inertia[1] = airframe.inertia[1];
+    parameters->inertia[2] = airframe.inertia[2];
+    parameters->candidate = CANDIDATE_CASCADE;
     parameters->takeoff_gain = 0.2;
-    parameters->touch_down = 0.02;
     parameters->height.p = 1.5;
     parameters->height.i = 0.05;
     parameters->height.d = 0.3;
@@ -63,11 +65,38 @@ void parameters_mambo(parameters_t *parameters)
     parameters->yaw.p = 0.005;
     parameters->yaw.i = 0.0;
     parameters->yaw.d = 0.0012;
-    memcpy(parameters->mixer.allocation, parameters_allocation, sizeof(double[16]));
-    parameters->mixer.spins[0] = airframe.spins[0];
-    parameters->mixer.spins[1] = airframe.spins[1];
-    parameters->mixer.spins[2] = airframe.spins[2];
-    parameters->mixer.spins[3] = airframe.spins[3];
-    parameters->mixer.square_per_command = 13840.8;
-    parameters->mixer.largest_command = 500.0;
+    parameters->geometric.place.p = 2.5;
+    parameters->geometric.place.d = 2.5;
+    parameters->geometric.attitude.p = 150.0;
+    parameters->geometric.attitude.d = 22.0;
+    parameters->mixer = work->parameters_mixer;
+}
+
+void parameters_hexacopter(parameters_hexacopter_work_t *work, parameters_t *parameters)
+{
+    airframe_t airframe;
+    airframe_hexacopter(&airframe);
+    const gains_t result_height = {.p = 16.0, .i = 1.6, .d = 7.0};
+    const damped_t result_x = {.p = -0.2, .d = -0.17};
+    const damped_t result_y = {.p = -0.2, .d = -0.17};
+    const gains_t result_roll = {.p = 2.0, .i = 0.4, .d = 0.4};
+    const gains_t result_pitch = {.p = 2.0, .i = 0.4, .d = 0.4};
+    const gains_t result_yaw = {.p = 0.15, .i = 0.0, .d = 0.12};
+    mixer_new(&airframe, 2000.0, 500.0, &work->result_mixer);
+    parameters_mambo(&work->mambo_work, &work->parameters);
+    parameters->period = work->parameters.period;
+    parameters->mass = airframe.mass;
+    parameters->inertia[0] = airframe.inertia[0];
+    parameters->inertia[1] = airframe.inertia[1];
+    parameters->inertia[2] = airframe.inertia[2];
+    parameters->candidate = work->parameters.candidate;
+    parameters->takeoff_gain = work->parameters.takeoff_gain;
+    parameters->height = result_height;
+    parameters->x = result_x;
+    parameters->y = result_y;
+    parameters->roll = result_roll;
+    parameters->pitch = result_pitch;
+    parameters->yaw = result_yaw;
+    parameters->geometric = work->parameters.geometric;
+    parameters->mixer = work->result_mixer;
 }

@@ -31,16 +31,36 @@ typedef struct {
     double d;
 } damped_t;
 
+/** Which law closes the loop. */
+typedef enum {
+    /** The thesis' cascade, read so that it flies: [`crate::cascade`]. */
+    CANDIDATE_CASCADE = 0,
+    /** The same with the map from place to lean as the thesis prints it: [`crate::printed`]. */
+    CANDIDATE_PRINTED = 1,
+    /** A geometric law on the rotation itself: [`crate::geometric`]. */
+    CANDIDATE_GEOMETRIC = 2
+} candidate_t;
+
+/** Gains of the geometric law: each acts on an error that has no mass or inertia in it. */
+typedef struct {
+    /** Position error to acceleration, 1/s², and its rate, 1/s. */
+    damped_t place;
+    /** Attitude error to angular acceleration, 1/s², and its rate, 1/s. */
+    damped_t attitude;
+} geometric_t;
+
 /** Everything that the controller can be tuned by. */
 typedef struct {
     /** Control period, s. */
     double period;
     /** Mass of the aircraft, kg. */
     double mass;
+    /** Moments of inertia about the body axes, kg·m². */
+    double inertia[3];
+    /** Which law closes the loop. */
+    candidate_t candidate;
     /** Thrust of the take-off in excess of the weight, as a fraction of the weight. */
     double takeoff_gain;
-    /** Height below which a landing aircraft counts as landed, m. */
-    double touch_down;
     /** Height error to thrust, N/m. */
     gains_t height;
     /** Error along x to pitch, rad/m. */
@@ -53,9 +73,27 @@ typedef struct {
     gains_t pitch;
     /** Yaw error to torque, N·m/rad. */
     gains_t yaw;
+    /** Gains of the geometric law. */
+    geometric_t geometric;
     /** From thrust and torques to motors. */
     mixer_t mixer;
 } parameters_t;
+
+/** What `Parameters::mambo` works with; its content means nothing between calls. */
+typedef struct {
+    /** `parameters_mixer`. */
+    mixer_t parameters_mixer;
+} parameters_mambo_work_t;
+
+/** What `Parameters::hexacopter` works with; its content means nothing between calls. */
+typedef struct {
+    /** `parameters`. */
+    parameters_t parameters;
+    /** `result_mixer`. */
+    mixer_t result_mixer;
+    /** What `mambo` works with. */
+    parameters_mambo_work_t mambo_work;
+} parameters_hexacopter_work_t;
 
 /** The PID law: what to do about an error, its integral over time and its rate. */
 double gains_respond(const gains_t *self, double error, double integral, double error_rate);
@@ -64,7 +102,13 @@ double gains_respond(const gains_t *self, double error, double integral, double 
 double damped_respond(const damped_t *self, double error, double error_rate);
 
 /** The Parrot Mambo at 200 Hz (thesis, tables 3.1 and A.1). */
-void parameters_mambo(parameters_t *parameters);
+void parameters_mambo(parameters_mambo_work_t *work, parameters_t *parameters);
+
+/**
+ * The hexacopter at 200 Hz: the Mambo's gains per mass and per inertia, slower in attitude, as a
+ * larger aircraft is.
+ */
+void parameters_hexacopter(parameters_hexacopter_work_t *work, parameters_t *parameters);
 
 #ifdef __cplusplus
 }

@@ -1,11 +1,29 @@
-//! The aircraft in figures (thesis, table A.1), and what its four motors do to it.
+//! The aircraft in figures (thesis, table A.1), and what its motors do to it (thesis, §2.3).
 //!
-//! Knows the body, not how it is flown: no gain belongs here.
+//! Any number of motors up to [`MOST_MOTORS`]: what is not there has coefficients of 0, so that sums
+//! over all places are sums over the motors. Knows the body, not how it is flown: no gain belongs here.
 
 use bessemer::prelude::*;
 use core::f64::consts::PI;
 
-/// Mass, size and aerodynamics of a quadcopter in `x` configuration.
+/// Places for motors: quad-, hexa- and octocopters run the same code.
+pub const MOST_MOTORS: usize = 8;
+
+/// Acceleration of gravity, m/s².
+pub const GRAVITY: f64 = 9.81;
+
+/// How the arms lie (thesis, eq. (2.2)).
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Layout {
+    /// The first arm points forward.
+    Plus,
+    /// Two arms straddle the forward direction.
+    #[default]
+    Cross,
+}
+
+/// Mass, size and aerodynamics of a multicopter.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Airframe {
@@ -15,18 +33,30 @@ pub struct Airframe {
     pub inertia: Vector3<f64>,
     /// Length of an arm, from the centre of mass to a motor, m.
     pub arm: f64,
+    /// How the arms lie.
+    pub layout: Layout,
+    /// How many motors it has: 4, 6 or 8.
+    pub motors: usize,
     /// Radius of a propeller, m.
     pub propeller_radius: f64,
     /// Area that a propeller sweeps, m².
     pub disc_area: f64,
     /// Density of the air, kg/m³.
     pub air_density: f64,
-    /// Direction in which each motor turns, 1 or −1: neighbours turn against each other.
-    pub spins: Vector4<f64>,
-    /// Thrust coefficient of a propeller.
-    pub thrust_coefficient: f64,
-    /// Drag-moment coefficient of a propeller.
-    pub drag_coefficient: f64,
+    /// Thrust coefficient of each propeller; 0 where there is none.
+    pub thrust_coefficients: SVector<f64, 8>,
+    /// Drag-moment coefficient of each propeller; 0 where there is none.
+    pub drag_coefficients: SVector<f64, 8>,
+}
+
+/// What the motors do to the body, or are wanted to do.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Wrench {
+    /// Thrust along the body's z, N.
+    pub thrust: f64,
+    /// Torque about the body's axes, N·m.
+    pub torque: Vector3<f64>,
 }
 
 #[data]
@@ -37,41 +67,85 @@ impl Airframe {
             mass: 0.07,
             inertia: Vector3::new(0.0000582857, 0.0000716914, 0.0001),
             arm: 0.0624,
+            layout: Layout::Cross,
+            motors: 4,
             propeller_radius: 0.033,
             disc_area: 0.0034,
             air_density: 1.184,
-            spins: Vector4::new(1.0, -1.0, 1.0, -1.0),
-            thrust_coefficient: 0.0107,
-            drag_coefficient: 0.7826e-3,
+            thrust_coefficients: Airframe::for_each(4, 0.0107),
+            drag_coefficients: Airframe::for_each(4, 0.7826e-3),
         }
     }
 
-    /// Thrust of a propeller per square of its speed (thesis, eq. (2.31)), N·s²/rad².
-    pub fn thrust_factor(&self) -> f64 {
-        let area = self.disc_area * self.propeller_radius * self.propeller_radius;
-        self.air_density * area * self.thrust_coefficient
+    /// A hexacopter of the size of the DJI F550, with its battery and a Pixhawk.
+    ///
+    /// The thesis gives no table for it: mass and arm are the maker's, the propellers are 10 inches
+    /// across with the Mambo's coefficients, the inertia is that of six motors of 0.1 kg at the end of
+    /// the arms.
+    pub fn hexacopter() -> Airframe {
+        Airframe {
+            mass: 1.6,
+            inertia: Vector3::new(0.023, 0.023, 0.045),
+            arm: 0.275,
+            layout: Layout::Cross,
+            motors: 6,
+            propeller_radius: 0.127,
+            disc_area: 0.0507,
+            air_density: 1.184,
+            thrust_coefficients: Airframe::for_each(6, 0.0107),
+            drag_coefficients: Airframe::for_each(6, 0.7826e-3),
+        }
     }
 
-    /// Drag moment of a propeller per square of its speed (thesis, eq. (2.32)), N·m·s²/rad².
-    pub fn drag_factor(&self) -> f64 {
+    /// The same value for each of `count` motors, and 0 for the places that are left.
+    pub fn for_each(count: usize, value: f64) -> SVector<f64, 8> {
+        let mut all = SVector::zeros();
+        for n in 0..MOST_MOTORS {
+            if n < count {
+                all[n] = value;
+            }
+        }
+        all
+    }
+
+    /// Direction in which each motor turns, 1 or −1: neighbours turn against each other.
+    pub fn spins(&self) -> SVector<f64, 8> {
+        let mut spins = Airframe::for_each(self.motors, 1.0);
+        for n in 0..MOST_MOTORS {
+            if n % 2 == 1 {
+                spins[n] = -spins[n];
+            }
+        }
+        spins
+    }
+
+    /// Thrust of each propeller per square of its speed (thesis, eq. (2.31)), N·s²/rad².
+    pub fn thrust_factors(&self) -> SVector<f64, 8> {
+        let area = self.disc_area * self.propeller_radius * self.propeller_radius;
+        self.thrust_coefficients * (self.air_density * area)
+    }
+
+    /// Drag moment of each propeller per square of its speed (thesis, eq. (2.32)), N·m·s²/rad².
+    pub fn drag_factors(&self) -> SVector<f64, 8> {
         let radius = self.propeller_radius;
         let volume = self.disc_area * radius * radius * radius;
-        self.air_density * volume * self.drag_coefficient
+        self.drag_coefficients * (self.air_density * volume)
     }
 
     /// Thrust and torques from the squares of the motor speeds (thesis, eq. (2.49)).
     ///
     /// Rows: thrust, roll, pitch, yaw. Columns: motors.
-    pub fn effectiveness(&self) -> Matrix4<f64> {
-        let thrust = self.thrust_factor();
-        let drag = self.drag_factor();
-        let mut effect = Matrix4::zeros();
-        for n in 0..4 {
-            let angle = arm_angle(n);
-            effect[(0, n)] = thrust;
-            effect[(1, n)] = thrust * self.arm * angle.sin();
-            effect[(2, n)] = -thrust * self.arm * angle.cos();
-            effect[(3, n)] = self.spins[n] * drag;
+    pub fn effectiveness(&self) -> SMatrix<f64, 4, 8> {
+        let thrust = self.thrust_factors();
+        let drag = self.drag_factors();
+        let spins = self.spins();
+        let mut effect = SMatrix::zeros();
+        for n in 0..MOST_MOTORS {
+            let angle = arm_angle(self.layout, self.motors, n);
+            effect[(0, n)] = thrust[n];
+            effect[(1, n)] = thrust[n] * self.arm * angle.sin();
+            effect[(2, n)] = -thrust[n] * self.arm * angle.cos();
+            effect[(3, n)] = spins[n] * drag[n];
         }
         effect
     }
@@ -79,24 +153,36 @@ impl Airframe {
     /// Squares of the motor speeds from thrust and torques: the inverse of
     /// [`effectiveness`](Airframe::effectiveness), in closed form (thesis, eq. (3.10)).
     ///
-    /// The arms share the thrust evenly, and each torque in proportion to their leverage.
-    pub fn allocation(&self) -> Matrix4<f64> {
-        let thrust = self.thrust_factor();
-        let drag = self.drag_factor();
-        let mut share = Matrix4::zeros();
-        for n in 0..4 {
-            let angle = arm_angle(n);
-            share[(n, 0)] = 1.0 / (4.0 * thrust);
-            share[(n, 1)] = angle.sin() / (2.0 * thrust * self.arm);
-            share[(n, 2)] = -angle.cos() / (2.0 * thrust * self.arm);
-            share[(n, 3)] = self.spins[n] / (4.0 * drag);
+    /// The arms share the thrust evenly, and each torque in proportion to their leverage. It is the
+    /// inverse of least squares where the motors are equal; where each has its own coefficients, thrust,
+    /// roll and pitch stay exact.
+    pub fn allocation(&self) -> SMatrix<f64, 8, 4> {
+        let thrust = self.thrust_factors();
+        let drag = self.drag_factors();
+        let spins = self.spins();
+        let count = self.motors as f64;
+        let mut share = SMatrix::zeros();
+        for n in 0..MOST_MOTORS {
+            if thrust[n] > 0.0 && drag[n] > 0.0 {
+                let angle = arm_angle(self.layout, self.motors, n);
+                let leverage = 2.0 / (count * thrust[n] * self.arm);
+                share[(n, 0)] = 1.0 / (count * thrust[n]);
+                share[(n, 1)] = leverage * angle.sin();
+                share[(n, 2)] = -leverage * angle.cos();
+                share[(n, 3)] = spins[n] / (count * drag[n]);
+            }
         }
         share
     }
 }
 
-/// Angle of arm `n` of four in `x` configuration, counted from 0 (thesis, eq. (2.2)), rad.
+/// Angle of arm `n` of `count`, counted from 0 (thesis, eq. (2.2)), rad.
 #[function]
-pub fn arm_angle(n: usize) -> f64 {
-    n as f64 * PI / 2.0 + PI / 4.0
+pub fn arm_angle(layout: Layout, count: usize, n: usize) -> f64 {
+    let spacing = 2.0 * PI / count as f64;
+    let first = match layout {
+        Layout::Plus => 0.0,
+        Layout::Cross => spacing / 2.0,
+    };
+    first + spacing * n as f64
 }

@@ -15,16 +15,20 @@ pub struct Attitude {
 
 #[component]
 impl Attitude {
-    /// One control period: the torques about the axes of roll, pitch and yaw, N·m.
+    /// One control period: the torques about the axes of roll, pitch and yaw, N·m. On the ground the
+    /// errors are not remembered.
     #[entry(infallible)]
     pub fn step(
         &mut self,
         parameters: &Parameters,
         error: &Vector3<f64>,
         error_rate: &Vector3<f64>,
+        grounded: bool,
     ) -> Vector3<f64> {
         let integral = self.integral;
-        self.integral += error * parameters.period;
+        if !grounded {
+            self.integral += error * parameters.period;
+        }
 
         Vector3::new(
             parameters.roll.respond(error.x, integral.x, error_rate.x),

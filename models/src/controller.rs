@@ -1,52 +1,59 @@
-//! One control period, from what is sensed to what the motors get (thesis, ch. 3).
+//! One control period of the closed loop, from what is known to what the motors get (thesis, ch. 3).
 //!
-//! Composes the loops; every law is in the module named for it.
+//! It is the slot for candidates: whatever makes a wrench of an estimate and a target fits in. Which one
+//! flies is a parameter; the others rest.
 
-use crate::attitude::Attitude;
-use crate::geometry::Orientation;
-use crate::height::Height;
-use crate::horizontal::lean;
-use crate::parameters::Parameters;
-use crate::signals::{Command, Sensed, Target};
+use crate::airframe::Wrench;
+use crate::cascade::Cascade;
+use crate::geometric::track;
+use crate::parameters::{Candidate, Parameters};
+use crate::printed::Printed;
+use crate::signals::{Command, Estimate, Target};
+use crate::touch_down::TouchDown;
 use bessemer::prelude::*;
 
 /// Flies the aircraft to its target.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Controller {
-    /// The height loop.
-    pub height: Height,
-    /// The loops of roll, pitch and yaw.
-    pub attitude: Attitude,
+    /// The thesis' law, as it flies.
+    pub cascade: Cascade,
+    /// The thesis' law, as it is printed.
+    pub printed: Printed,
     /// Whether the landing aircraft has touched down.
-    pub landed: bool,
+    pub touch_down: TouchDown,
 }
 
 #[component]
 impl Controller {
-    /// One control period: the command to each motor.
+    /// One control period: the command to each motor, on top of the speeds that the feed-forward asks
+    /// of them, rad/s.
     #[entry(infallible)]
-    pub fn step(&mut self, parameters: &Parameters, sensed: &Sensed, target: &Target) -> Command {
-        let height = sensed.position.z;
-        self.landed = target.land && (self.landed || height < parameters.touch_down);
-        if self.landed {
-            return Command { motors: Vector4::zeros(), speeds: Vector4::zeros() };
+    pub fn step(
+        &mut self,
+        parameters: &Parameters,
+        estimate: &Estimate,
+        target: &Target,
+        feed_forward: &SVector<f64, 8>,
+    ) -> Command {
+        if self.touch_down.step(parameters.period, target, estimate) {
+            return Command::still();
         }
+        let wanted = self.candidate(parameters, estimate, target);
+        parameters.mixer.mix(&wanted, feed_forward)
+    }
 
-        let orientation = Orientation::of(&sensed.angles);
-        let velocity = orientation.rotation() * sensed.velocity;
-
-        // How hard to push, and where to lean.
-        let thrust = self.height.step(parameters, target, height, velocity.z);
-        let wanted = lean(parameters, target, &sensed.position, &velocity);
-
-        // The attitude loops act about the axes of roll, pitch and yaw; the motors, about the body's.
-        let error = wanted - sensed.angles;
-        let wanted_rates = Vector3::new(0.0, 0.0, target.yaw_rate);
-        let error_rate = wanted_rates - orientation.angle_rates(&sensed.rates);
-        let turn = self.attitude.step(parameters, &error, &error_rate);
-        let torque = orientation.rate_matrix() * turn;
-
-        parameters.mixer.mix(thrust, &torque)
+    /// What the candidate that flies asks for.
+    fn candidate(
+        &mut self,
+        parameters: &Parameters,
+        estimate: &Estimate,
+        target: &Target,
+    ) -> Wrench {
+        match parameters.candidate {
+            Candidate::Cascade => self.cascade.step(parameters, estimate, target),
+            Candidate::Printed => self.printed.step(parameters, estimate, target),
+            Candidate::Geometric => track(parameters, estimate, target),
+        }
     }
 }

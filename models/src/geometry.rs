@@ -4,6 +4,7 @@
 //! of forces or of control.
 
 use bessemer::prelude::*;
+use core::f64::consts::PI;
 
 /// Sines and cosines of roll θ1, pitch θ2 and yaw θ3.
 #[data]
@@ -53,6 +54,22 @@ impl Orientation {
         )
     }
 
+    /// Where the body's z points in the inertial frame: the third column of
+    /// [`rotation`](Orientation::rotation).
+    pub fn thrust_direction(&self) -> Vector3<f64> {
+        Vector3::new(-self.s2, self.s1 * self.c2, self.c1 * self.c2)
+    }
+
+    /// Where the inertial frame's z points in the body frame: the third row of
+    /// [`rotation`](Orientation::rotation) (thesis, eq. (4.7)).
+    pub fn upwards(&self) -> Vector3<f64> {
+        Vector3::new(
+            self.c1 * self.s2 * self.c3 + self.s1 * self.s3,
+            self.c1 * self.s2 * self.s3 - self.s1 * self.c3,
+            self.c1 * self.c2,
+        )
+    }
+
     /// Body rates per rate of the angles: T in ω = T θ̇ (thesis, eq. (2.16)).
     ///
     /// Its columns are the axes about which roll, pitch and yaw turn, seen from the body.
@@ -74,4 +91,10 @@ impl Orientation {
         let roll_rate = -along / self.c2;
         Vector3::new(roll_rate, across, self.s2 * roll_rate - body_rates.z)
     }
+}
+
+/// The angle that differs from `angle` by whole turns and lies within half a turn, rad.
+#[function]
+pub fn wrapped(angle: f64) -> f64 {
+    (angle + PI).rem_euclid(2.0 * PI) - PI
 }

@@ -2,12 +2,10 @@
 //!
 //! Knows nothing of the aircraft's attitude: it commands thrust as if the aircraft were level.
 
+use crate::airframe::GRAVITY;
 use crate::parameters::Parameters;
 use crate::signals::Target;
 use bessemer::prelude::*;
-
-/// Acceleration of gravity, m/s².
-pub const GRAVITY: f64 = 9.81;
 
 /// Holds the height, and takes off.
 #[component]
@@ -36,7 +34,9 @@ impl Height {
         let error = target.position.z - height;
         let error_rate = target.velocity.z - climb;
         let correction = parameters.height.respond(error, self.integral, error_rate);
-        self.integral += error * parameters.period;
+        if !target.grounded {
+            self.integral += error * parameters.period;
+        }
 
         weight + parameters.mass * target.climb_acceleration + correction
     }

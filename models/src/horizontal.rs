@@ -15,6 +15,9 @@ pub fn lean(
     position: &Vector3<f64>,
     velocity: &Vector3<f64>,
 ) -> Vector3<f64> {
+    if target.manual {
+        return Vector3::new(target.lean.x, target.lean.y, target.yaw);
+    }
     let error = target.position - position;
     let error_rate = target.velocity - velocity;
     let roll = -parameters.y.respond(error.y, error_rate.y);

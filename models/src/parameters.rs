@@ -44,6 +44,19 @@ impl Damped {
     }
 }
 
+/// Which law closes the loop.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Candidate {
+    /// The thesis' cascade, read so that it flies: [`crate::cascade`].
+    #[default]
+    Cascade,
+    /// The same with the map from place to lean as the thesis prints it: [`crate::printed`].
+    Printed,
+    /// A geometric law on the rotation itself: [`crate::geometric`].
+    Geometric,
+}
+
 /// Everything that the controller can be tuned by.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -52,10 +65,12 @@ pub struct Parameters {
     pub period: f64,
     /// Mass of the aircraft, kg.
     pub mass: f64,
+    /// Moments of inertia about the body axes, kg·m².
+    pub inertia: Vector3<f64>,
+    /// Which law closes the loop.
+    pub candidate: Candidate,
     /// Thrust of the take-off in excess of the weight, as a fraction of the weight.
     pub takeoff_gain: f64,
-    /// Height below which a landing aircraft counts as landed, m.
-    pub touch_down: f64,
     /// Height error to thrust, N/m.
     pub height: Gains,
     /// Error along x to pitch, rad/m.
@@ -68,8 +83,20 @@ pub struct Parameters {
     pub pitch: Gains,
     /// Yaw error to torque, N·m/rad.
     pub yaw: Gains,
+    /// Gains of the geometric law.
+    pub geometric: Geometric,
     /// From thrust and torques to motors.
     pub mixer: Mixer,
+}
+
+/// Gains of the geometric law: each acts on an error that has no mass or inertia in it.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Geometric {
+    /// Position error to acceleration, 1/s², and its rate, 1/s.
+    pub place: Damped,
+    /// Attitude error to angular acceleration, 1/s², and its rate, 1/s.
+    pub attitude: Damped,
 }
 
 #[data]
@@ -80,8 +107,9 @@ impl Parameters {
         Parameters {
             period: 0.005,
             mass: airframe.mass,
+            inertia: airframe.inertia,
+            candidate: Candidate::Cascade,
             takeoff_gain: 0.2,
-            touch_down: 0.02,
             height: Gains { p: 1.5, i: 0.05, d: 0.3 },
             // Negative: to go forward is to lean the other way, since the angles are passive.
             x: Damped { p: -0.24, d: -0.1 },
@@ -89,12 +117,29 @@ impl Parameters {
             roll: Gains { p: 0.01, i: 0.01, d: 0.0028 },
             pitch: Gains { p: 0.014, i: 0.01, d: 0.002 },
             yaw: Gains { p: 0.005, i: 0.0, d: 0.0012 },
-            mixer: Mixer {
-                allocation: airframe.allocation(),
-                spins: airframe.spins,
-                square_per_command: 13840.8,
-                largest_command: 500.0,
+            geometric: Geometric {
+                place: Damped { p: 2.5, d: 2.5 },
+                attitude: Damped { p: 150.0, d: 22.0 },
             },
+            mixer: Mixer::new(&airframe, 13840.8, 500.0),
+        }
+    }
+
+    /// The hexacopter at 200 Hz: the Mambo's gains per mass and per inertia, slower in attitude, as a
+    /// larger aircraft is.
+    pub fn hexacopter() -> Parameters {
+        let airframe = Airframe::hexacopter();
+        Parameters {
+            mass: airframe.mass,
+            inertia: airframe.inertia,
+            height: Gains { p: 16.0, i: 1.6, d: 7.0 },
+            x: Damped { p: -0.2, d: -0.17 },
+            y: Damped { p: -0.2, d: -0.17 },
+            roll: Gains { p: 2.0, i: 0.4, d: 0.4 },
+            pitch: Gains { p: 2.0, i: 0.4, d: 0.4 },
+            yaw: Gains { p: 0.15, i: 0.0, d: 0.12 },
+            mixer: Mixer::new(&airframe, 2000.0, 500.0),
+            ..Parameters::mambo()
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The laws of the loops, one by one, against the thesis' formulas.
 
-use bessemer::nalgebra::{Vector3, Vector4};
-use models::{Attitude, Controller, Height, Parameters, Sensed, Target, horizontal};
+use bessemer::nalgebra::{SVector, Vector3};
+use models::{Attitude, Controller, Estimate, Height, Parameters, Target, horizontal};
 
 const WEIGHT: f64 = 0.07 * 9.81;
 
@@ -48,7 +48,7 @@ fn attitude_adds_the_terms_of_each_axis() {
     let mut attitude = Attitude { integral: Vector3::new(1.0, 2.0, 3.0) };
     let error = Vector3::new(0.1, 0.2, 0.3);
     let error_rate = Vector3::new(0.4, 0.5, 0.6);
-    let torque = attitude.step(&Parameters::mambo(), &error, &error_rate);
+    let torque = attitude.step(&Parameters::mambo(), &error, &error_rate, false);
     let expected = Vector3::new(
         0.01 * 0.1 + 0.01 * 1.0 + 0.0028 * 0.4,
         0.014 * 0.2 + 0.01 * 2.0 + 0.002 * 0.5,
@@ -60,27 +60,43 @@ fn attitude_adds_the_terms_of_each_axis() {
 }
 
 #[test]
-fn motors_stop_on_touch_down_and_stay_stopped() {
+fn motors_stop_when_the_ground_holds_what_is_asked_to_sink() {
     let parameters = Parameters::mambo();
     let mut controller = Controller::default();
-    let mut target = Target { land: true, ..Target::default() };
-    let at = |z: f64| Sensed { position: Vector3::new(0.0, 0.0, z), ..Sensed::default() };
-
-    assert!(controller.step(&parameters, &at(0.05), &target).motors.min() > 0.0);
-    assert_eq!(controller.step(&parameters, &at(0.019), &target).motors, Vector4::zeros());
-    let bounce = controller.step(&parameters, &at(0.05), &target);
-    assert_eq!(bounce.motors, Vector4::zeros(), "a bounce does not start them");
+    let none = SVector::zeros();
+    let mut target =
+        Target { land: true, position: Vector3::new(0.0, 0.0, -0.05), ..Target::default() };
+    let at = |z: f64, climb: f64| Estimate {
+        position: Vector3::new(0.0, 0.0, z),
+        velocity: Vector3::new(0.0, 0.0, climb),
+        ..Estimate::default()
+    };
+    let mut motors = |target: &Target, estimate: &Estimate| {
+        controller.step(&parameters, estimate, target, &none).motors.amax()
+    };
+    for _ in 0..100 {
+        assert!(motors(&target, &at(0.05, -0.25)) > 0.0, "it still sinks");
+        assert!(motors(&target, &at(0.15, 0.0)) > 0.0, "it hovers");
+    }
+    let steps = (0..100).take_while(|_| motors(&target, &at(0.005, 0.0)) > 0.0).count();
+    assert!((28..31).contains(&steps), "{steps}");
+    assert_eq!(motors(&target, &at(0.2, 0.5)), 0.0, "a bounce does not start them");
 
     target.land = false;
     target.take_off = true;
-    assert!(controller.step(&parameters, &at(0.0), &target).motors.min() > 300.0);
+    assert!(motors(&target, &at(0.0, 0.0)) > 300.0);
 }
 
 #[test]
 fn torque_lowers_the_angle() {
     // Positive roll error: the left pair (arms 1, 2) pushes less, so that the passive angle grows.
-    let sensed = Sensed { angles: Vector3::new(-0.01, 0.0, 0.0), ..Sensed::default() };
-    let command = Controller::default().step(&Parameters::mambo(), &sensed, &Target::default());
+    let estimate = Estimate { angles: Vector3::new(-0.01, 0.0, 0.0), ..Estimate::default() };
+    let command = Controller::default().step(
+        &Parameters::mambo(),
+        &estimate,
+        &Target::default(),
+        &SVector::zeros(),
+    );
     assert!(command.motors[0] < command.motors[3], "{:?}", command.motors);
     assert!(command.motors[1] < command.motors[2], "{:?}", command.motors);
 }

@@ -1,15 +1,43 @@
 //! The mixer against the airframe that it commands.
 
-use bessemer::nalgebra::{Matrix4, Vector3, Vector4};
-use models::{Airframe, Parameters};
+use bessemer::nalgebra::{Matrix3, Matrix4, SVector, Vector3, Vector4};
+use models::{Airframe, Command, Layout, Parameters, Wrench};
 
 const GRAVITY: f64 = 9.81;
 
+fn mixed(parameters: &Parameters, thrust: f64, torque: Vector3<f64>) -> Command {
+    parameters.mixer.mix(&Wrench { thrust, torque }, &SVector::zeros())
+}
+
+/// What the motors of an airframe do at these commands: thrust, roll, pitch, yaw.
+fn loads(airframe: &Airframe, parameters: &Parameters, command: &Command) -> Vector4<f64> {
+    airframe.effectiveness() * command.motors * parameters.mixer.square_per_command
+}
+
 #[test]
-fn allocation_inverts_effectiveness() {
-    let airframe = Airframe::mambo();
+fn allocation_inverts_effectiveness_for_any_number_of_motors() {
+    for layout in [Layout::Plus, Layout::Cross] {
+        for motors in [4, 6, 8] {
+            let airframe = Airframe {
+                layout,
+                motors,
+                thrust_coefficients: Airframe::for_each(motors, 0.0107),
+                drag_coefficients: Airframe::for_each(motors, 0.7826e-3),
+                ..Airframe::mambo()
+            };
+            let product = airframe.effectiveness() * airframe.allocation();
+            assert!((product - Matrix4::identity()).norm() < 1e-13, "{motors}: {product}");
+        }
+    }
+}
+
+#[test]
+fn motors_of_their_own_still_give_thrust_roll_and_pitch() {
+    let mut airframe = Airframe::mambo();
+    airframe.thrust_coefficients[2] *= 0.9;
     let product = airframe.effectiveness() * airframe.allocation();
-    assert!((product - Matrix4::identity()).norm() < 1e-14, "{product}");
+    let exact = product.fixed_view::<3, 3>(0, 0) - Matrix3::identity();
+    assert!(exact.norm() < 1e-14, "{product}");
 }
 
 #[test]
@@ -26,48 +54,93 @@ fn effectiveness_is_the_thesis_matrix() {
         moment, -moment,  moment, -moment,
     );
     let effectiveness = Airframe::mambo().effectiveness();
-    let error = (effectiveness - expected).component_div(&expected);
-    assert!(error.amax() < 1e-14, "{error}");
+    let quad = effectiveness.fixed_view::<4, 4>(0, 0);
+    let error = (quad - expected).component_div(&expected);
+    assert!(error.amax() < 1e-13, "{error}");
+    assert_eq!(effectiveness.fixed_view::<4, 4>(0, 4).amax(), 0.0, "there are no more motors");
 }
 
 #[test]
 fn motors_produce_what_is_wanted() {
-    let mixer = Parameters::mambo().mixer;
-    let torque = Vector3::new(2e-4, -3e-4, 1e-4);
-    let command = mixer.mix(0.7, &torque);
-    let squares = command.motors * mixer.square_per_command;
-    let loads = Airframe::mambo().effectiveness() * squares;
-    let wanted = Vector4::new(0.7, torque.x, torque.y, torque.z);
-    assert!((loads - wanted).norm() < 1e-15, "{loads}");
+    for (airframe, parameters, scale) in [
+        (Airframe::mambo(), Parameters::mambo(), 1.0),
+        (Airframe::hexacopter(), Parameters::hexacopter(), 20.0),
+    ] {
+        let torque = Vector3::new(2e-4, -3e-4, 1e-4) * scale;
+        let command = mixed(&parameters, 0.7 * scale, torque);
+        let wanted = Vector4::new(0.7 * scale, torque.x, torque.y, torque.z);
+        let loads = loads(&airframe, &parameters, &command);
+        assert!((loads - wanted).norm() < 1e-14 * scale, "{loads}");
+    }
 }
 
 #[test]
 fn hover_is_half_of_full_power() {
     let parameters = Parameters::mambo();
-    let command = parameters.mixer.mix(parameters.mass * GRAVITY, &Vector3::zeros());
-    for motor in &command.motors {
+    let command = mixed(&parameters, parameters.mass * GRAVITY, Vector3::zeros());
+    for motor in &command.motors.as_slice()[..4] {
         assert!((motor - 264.4).abs() < 0.1, "{motor}");
     }
+    assert_eq!(command.motors.as_slice()[4..], [0.0; 4]);
 }
 
 #[test]
-fn motors_saturate_at_both_ends() {
-    let mixer = Parameters::mambo().mixer;
-    let command = mixer.mix(0.7, &Vector3::new(0.0, 0.0, 0.01));
-    assert_eq!(command.motors, Vector4::new(500.0, 0.0, 500.0, 0.0));
+fn roll_is_kept_before_yaw_and_yaw_before_height() {
+    let (airframe, parameters) = (Airframe::mambo(), Parameters::mambo());
+    // More of everything than the motors have.
+    let wanted = Vector3::new(0.012, 0.0, 0.008);
+    let got = loads(&airframe, &parameters, &mixed(&parameters, 5.0, wanted));
+    assert!((got[1] - wanted.x).abs() < 1e-15, "roll is kept: {got}");
+    assert!(got[2].abs() < 1e-15, "and makes no pitch: {got}");
+    assert!(got[3] > 0.0 && got[3] < wanted.z, "yaw gives way: {got}");
+    assert!(got[0] < 1.4, "and so does height: {got}");
+
+    // Yaw that fits is kept, whatever the height.
+    let wanted = Vector3::new(0.004, 0.002, 0.0005);
+    for thrust in [-1.0, 0.0, 0.3, 5.0] {
+        let got = loads(&airframe, &parameters, &mixed(&parameters, thrust, wanted));
+        assert!((got.fixed_rows::<3>(1) - wanted).amax() < 1e-15, "{thrust}: {got}");
+    }
+
+    // More roll than there is: as much as there is.
+    let command = mixed(&parameters, 0.7, Vector3::new(1.0, 0.0, 0.0));
+    let all = Vector4::new(500.0, 500.0, 0.0, 0.0);
+    assert!((command.motors.fixed_rows::<4>(0) - all).amax() < 1e-12, "{}", command.motors);
+}
+
+#[test]
+fn feed_forward_adds_speed_and_leaves_torques_as_they_are() {
+    let (airframe, parameters) = (Airframe::mambo(), Parameters::mambo());
+    let feed_forward = Airframe::for_each(4, 1500.0);
+    let wanted = Wrench { thrust: 0.1, torque: Vector3::new(2e-4, -3e-4, 1e-4) };
+    let command = parameters.mixer.mix(&wanted, &feed_forward);
+    let got = loads(&airframe, &parameters, &command);
+    assert!((got.fixed_rows::<3>(1) - wanted.torque).amax() < 1e-15, "{got}");
+    let whole = command.closed_loop + command.feed_forward;
+    assert!((whole - command.speeds).amax() < 1e-9, "{whole}");
+    let spins = parameters.mixer.spins;
+    assert_eq!(command.feed_forward, feed_forward.component_mul(&spins));
 }
 
 #[test]
 fn speeds_carry_the_signs_of_rotation() {
     // Table A.1: the largest motor speed is 2630.7 rad/s.
-    let command = Parameters::mambo().mixer.mix(100.0, &Vector3::zeros());
+    let command = mixed(&Parameters::mambo(), 100.0, Vector3::zeros());
     let largest = Vector4::new(2630.7, -2630.7, 2630.7, -2630.7);
-    assert!((command.speeds - largest).amax() < 0.1, "{}", command.speeds);
+    assert!((command.speeds.fixed_rows::<4>(0) - largest).amax() < 0.1, "{}", command.speeds);
 }
 
 #[test]
 fn motors_stand_still_when_nothing_can_be_computed() {
-    let mixer = Parameters::mambo().mixer;
-    let command = mixer.mix(f64::NAN, &Vector3::zeros());
-    assert_eq!(command.motors, Vector4::zeros());
+    let parameters = Parameters::mambo();
+    for wrench in [
+        Wrench { thrust: f64::NAN, torque: Vector3::zeros() },
+        Wrench { thrust: 0.7, torque: Vector3::new(f64::NAN, 0.0, 0.0) },
+        Wrench { thrust: 0.7, torque: Vector3::new(0.0, 0.0, f64::INFINITY) },
+    ] {
+        let command = parameters.mixer.mix(&wrench, &SVector::zeros());
+        assert!(command.motors.iter().all(|motor| (0.0..=500.0).contains(motor)), "{command:?}");
+    }
+    let command = mixed(&parameters, f64::NAN, Vector3::zeros());
+    assert_eq!(command.motors.amax(), 0.0);
 }

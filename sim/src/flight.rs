@@ -6,7 +6,7 @@ use crate::mission::Mission;
 use crate::pilot::Pilot;
 use crate::plant::{Body, Loads, State};
 use crate::vehicle::Vehicle;
-use models::{Command, Parameters, Sensed, Target};
+use models::{Command, Estimate, Parameters, Target};
 
 /// One control period, as it was flown.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,8 +15,8 @@ pub struct Step {
     pub time: f64,
     /// Where the aircraft was.
     pub state: State,
-    /// What the pilot sensed.
-    pub sensed: Sensed,
+    /// What the pilot knew.
+    pub estimate: Estimate,
     /// What was asked of the pilot.
     pub target: Target,
     /// What the pilot commanded.
@@ -49,11 +49,11 @@ pub fn fly(
     let mut steps = Vec::with_capacity(count);
     for n in 0..count {
         let time = n as f64 * period;
-        let sensed = sense(&state);
+        let estimate = seen(&state);
         let target = mission.target(time);
-        let command = pilot.step(&sensed, &target);
+        let command = pilot.step(&estimate, &target);
         let memory = pilot.state();
-        steps.push(Step { time, state, sensed, target, command, memory });
+        steps.push(Step { time, state, estimate, target, command, memory });
 
         let squares = command.motors.map(|motor| motor * parameters.mixer.square_per_command);
         let (thrust, torque) = vehicle.loads(squares.as_slice());
@@ -64,12 +64,12 @@ pub fn fly(
     Flight { steps, end: state }
 }
 
-/// What perfect sensors make of a state.
-pub fn sense(state: &State) -> Sensed {
-    Sensed {
+/// What a perfect estimator makes of a state.
+pub fn seen(state: &State) -> Estimate {
+    Estimate {
         position: state.position,
         angles: state.angles,
-        velocity: state.body_velocity(),
+        velocity: state.velocity,
         rates: state.rates,
     }
 }

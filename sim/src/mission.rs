@@ -99,14 +99,14 @@ impl Mission {
             duration: 30.0,
             start: State {
                 position: Vector3::new(0.3, -0.2, 0.0),
-                angles: Vector3::new(0.1, 0.0, 0.3),
+                angles: Vector3::new(0.1, 0.0, 0.1),
                 ..State::default()
             },
             manoeuvres: vec![
                 manoeuvre("take-off", 0.0, Action::TakeOff { burn: 1.0, height: 1.0 }),
                 manoeuvre("yaw step", 13.0, Action::Turn(FRAC_PI_2)),
                 manoeuvre("x step", 15.0, Action::Go(1.0, 0.0)),
-                manoeuvre("landing", 25.75, Action::Land(0.25)),
+                manoeuvre("landing", 25.75, Action::Land(0.28)),
             ],
             wind: Vector3::new(0.0, 0.0, 0.012),
             gusts: vec![

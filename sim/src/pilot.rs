@@ -4,12 +4,13 @@
 //! no flight can tell which of them it has on board.
 
 use bessemer::Plain;
-use models::{Command, Controller, Parameters, Sensed, Target};
+use models::{Command, Controller, Estimate, Parameters, Target};
+use nalgebra::SVector;
 
 /// A controller, however it is carried out.
 pub trait Pilot {
     /// One control period.
-    fn step(&mut self, sensed: &Sensed, target: &Target) -> Command;
+    fn step(&mut self, estimate: &Estimate, target: &Target) -> Command;
 
     /// Everything that the controller remembers, as words: an `f64` by its bits, a `bool` as 0 or
     /// 1, in the order in which the model declares its fields.
@@ -31,8 +32,8 @@ impl Native {
 }
 
 impl Pilot for Native {
-    fn step(&mut self, sensed: &Sensed, target: &Target) -> Command {
-        self.controller.step(&self.parameters, sensed, target)
+    fn step(&mut self, estimate: &Estimate, target: &Target) -> Command {
+        self.controller.step(&self.parameters, estimate, target, &SVector::zeros())
     }
 
     fn state(&self) -> Vec<u64> {

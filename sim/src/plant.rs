@@ -64,11 +64,6 @@ pub fn angle_rates(angles: &Vector3<f64>, rates: &Vector3<f64>) -> Vector3<f64> 
 }
 
 impl State {
-    /// Velocity in the body frame, m/s.
-    pub fn body_velocity(&self) -> Vector3<f64> {
-        rotation(&self.angles).transpose() * self.velocity
-    }
-
     /// Whether every figure is finite.
     pub fn is_finite(&self) -> bool {
         self.vector().iter().all(|value| value.is_finite())

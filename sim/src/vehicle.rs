@@ -2,18 +2,9 @@
 //!
 //! Knows forces and torques in the body frame, not motion.
 
-use models::Airframe;
+use models::{Airframe, Layout};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
-
-/// How the arms lie (thesis, eq. (2.2)).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Layout {
-    /// The first arm points forward.
-    Plus,
-    /// Two arms straddle the forward direction.
-    Cross,
-}
 
 /// One motor with its propeller.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,35 +29,35 @@ pub struct Vehicle {
 }
 
 impl Vehicle {
-    /// A vehicle with `count` equal motors around it, neighbours turning against each other.
-    pub fn new(airframe: &Airframe, layout: Layout, count: usize) -> Self {
+    /// The vehicle that an airframe describes, neighbours turning against each other.
+    pub fn new(airframe: &Airframe) -> Self {
         let radius = airframe.propeller_radius;
         let pressure = airframe.air_density * airframe.disc_area * radius.powi(2);
         let motor = |n: usize| {
             let spin = if n.is_multiple_of(2) { 1.0 } else { -1.0 };
-            let angle = arm_angle(layout, count, n);
+            let angle = arm_angle(airframe.layout, airframe.motors, n);
             Motor {
                 place: airframe.arm * Vector3::new(angle.cos(), angle.sin(), 0.0),
-                thrust_factor: pressure * airframe.thrust_coefficient,
-                drag_factor: spin * pressure * radius * airframe.drag_coefficient,
+                thrust_factor: pressure * airframe.thrust_coefficients[n],
+                drag_factor: spin * pressure * radius * airframe.drag_coefficients[n],
             }
         };
         Self {
             mass: airframe.mass,
             inertia: airframe.inertia,
-            motors: (0..count).map(motor).collect(),
+            motors: (0..airframe.motors).map(motor).collect(),
         }
     }
 
     /// The Parrot Mambo.
     pub fn mambo() -> Self {
-        Self::new(&Airframe::mambo(), Layout::Cross, 4)
+        Self::new(&Airframe::mambo())
     }
 
     /// Thrust along the body's z, N, and torque about the body's axes, N·m, at the given squares
     /// of the motor speeds, rad²/s² (thesis, eq. (2.49)).
     pub fn loads(&self, squares: &[f64]) -> (f64, Vector3<f64>) {
-        assert_eq!(squares.len(), self.motors.len(), "one speed per motor");
+        assert!(squares.len() >= self.motors.len(), "one speed per motor");
         let mut thrust = 0.0;
         let mut torque = Vector3::zeros();
         for (motor, square) in self.motors.iter().zip(squares) {

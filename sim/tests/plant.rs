@@ -1,9 +1,9 @@
 //! The plant against physics, and against the model that knows the same geometry.
 
-use models::{Airframe, Orientation};
-use nalgebra::{Vector3, Vector4};
+use models::{Airframe, Layout, Motion, Orientation};
+use nalgebra::{SVector, Vector3, Vector4};
 use sim::plant::{Body, GRAVITY, Loads, angle_rates, rotation};
-use sim::{Layout, State, Vehicle};
+use sim::{State, Vehicle};
 
 fn body() -> Body {
     let airframe = Airframe::mambo();
@@ -21,7 +21,8 @@ fn plant_and_model_share_their_geometry() {
 
 #[test]
 fn vehicle_and_model_share_their_motors() {
-    let squares = Vector4::new(1e6, 2e6, 3e6, 4e6);
+    let mut squares = SVector::<f64, 8>::zeros();
+    squares.fixed_rows_mut::<4>(0).copy_from(&Vector4::new(1e6, 2e6, 3e6, 4e6));
     let expected = Airframe::mambo().effectiveness() * squares;
     let (thrust, torque) = Vehicle::mambo().loads(squares.as_slice());
     let loads = Vector4::new(thrust, torque.x, torque.y, torque.z);
@@ -29,13 +30,45 @@ fn vehicle_and_model_share_their_motors() {
 }
 
 #[test]
+fn plant_and_model_move_alike() {
+    for airframe in [Airframe::mambo(), Airframe::hexacopter()] {
+        let speeds = SVector::<f64, 8>::from_fn(|n, _| 400.0 + 60.0 * n as f64);
+        let squares = speeds.component_mul(&speeds);
+        let vehicle = Vehicle::new(&airframe);
+        let (thrust, torque) = vehicle.loads(squares.as_slice());
+        let loads = Loads { thrust, torque, wind: Vector3::zeros() };
+        let body = Body { mass: vehicle.mass, inertia: vehicle.inertia };
+        let start = State {
+            position: Vector3::new(0.1, 0.2, 3.0),
+            angles: Vector3::new(0.3, -0.2, 1.0),
+            velocity: Vector3::new(0.5, 0.4, 0.3),
+            rates: Vector3::new(-1.0, 2.0, 0.5),
+        };
+        let State { position, angles, velocity, rates } = start;
+        let motion = Motion { position, angles, velocity, rates };
+        let there = motion.after(&airframe, &airframe.wrench(&speeds), 0.005);
+        let here = start.after(&body, &loads, 0.005);
+        assert!((there.position - here.position).norm() < 1e-14, "{there:?} {here:?}");
+        assert!((there.angles - here.angles).norm() < 1e-13, "{there:?} {here:?}");
+        assert!((there.velocity - here.velocity).norm() < 1e-13, "{there:?} {here:?}");
+        assert!((there.rates - here.rates).norm() < 1e-12, "{there:?} {here:?}");
+    }
+}
+
+#[test]
 fn any_even_number_of_equal_motors_balances() {
     for layout in [Layout::Plus, Layout::Cross] {
-        for count in [2, 4, 6, 8] {
-            let vehicle = Vehicle::new(&Airframe::mambo(), layout, count);
-            let (thrust, torque) = vehicle.loads(&vec![1e6; count]);
+        for motors in [2, 4, 6, 8] {
+            let airframe = Airframe {
+                layout,
+                motors,
+                thrust_coefficients: Airframe::for_each(motors, 0.0107),
+                drag_coefficients: Airframe::for_each(motors, 0.7826e-3),
+                ..Airframe::mambo()
+            };
+            let (thrust, torque) = Vehicle::new(&airframe).loads(&vec![1e6; motors]);
             assert!(thrust > 0.0);
-            assert!(torque.norm() < 1e-17, "{layout:?} {count}: {torque}");
+            assert!(torque.norm() < 1e-17, "{layout:?} {motors}: {torque}");
         }
     }
 }

@@ -3,7 +3,7 @@
 use bessemer_codegen::compile::Compiled;
 use bessemer_ir::FunctionId;
 pub use bessemer_legs::entry;
-use models::{Command, Parameters, Sensed, Target};
+use models::{Command, Estimate, Parameters, Target};
 use sim::Pilot;
 
 use crate::interpreter::Interpreted;
@@ -48,8 +48,8 @@ impl<'m> Wired<'m> {
 impl Pilot for Wired<'_> {
     /// # Panics
     /// If the leg faults or dies: the flight is over.
-    fn step(&mut self, sensed: &Sensed, target: &Target) -> Command {
-        let arguments = [self.parameters.clone(), words(sensed), words(target)];
+    fn step(&mut self, estimate: &Estimate, target: &Target) -> Command {
+        let arguments = [self.parameters.clone(), words(estimate), words(target), vec![0; 8]];
         let results = match &mut self.leg {
             Leg::Interpreter(leg) => match leg.step(&arguments) {
                 Ok(results) => results,

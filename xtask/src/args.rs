@@ -2,8 +2,6 @@
 //!
 //! Invariant: only data and help texts; nothing is done here.
 
-use std::path::PathBuf;
-
 use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Args, Parser, Subcommand};
 
@@ -48,8 +46,15 @@ pub enum Task {
     Doctor(Doctor),
     /// Measure the generated C (not built yet)
     Bench(Bench),
-    /// Fly a model against the simulated plant
-    Sim(Sim),
+    /// Fly the onboard software against the simulated aircraft
+    #[command(disable_help_flag = true)]
+    Sim(Forwarded),
+    /// Identify the thrust coefficients of a logged flight
+    #[command(disable_help_flag = true)]
+    Identify(Forwarded),
+    /// Fly very many flights: chance, failures
+    #[command(disable_help_flag = true)]
+    Campaign(Forwarded),
 }
 
 /// Arguments of `gen`.
@@ -127,14 +132,12 @@ pub struct Bench {
     pub quick: bool,
 }
 
-/// Arguments of `sim`.
+/// Arguments of a command that another program carries out: it has the help, too.
 #[derive(Debug, Args)]
-pub struct Sim {
-    /// The flight to fly; without it, the flights are listed
-    pub flight: Option<String>,
-    /// Write every step as comma-separated values
-    #[arg(long, value_name = "FILE")]
-    pub csv: Option<PathBuf>,
+pub struct Forwarded {
+    /// What that program is given
+    #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+    pub rest: Vec<String>,
 }
 
 #[cfg(test)]
@@ -183,9 +186,12 @@ mod tests {
     fn the_rest_is_read() {
         assert!(matches!(parse(&["doctor", "--json"]), Ok(Task::Doctor(Doctor { json: true }))));
         assert!(matches!(parse(&["bench", "--quick"]), Ok(Task::Bench(Bench { quick: true }))));
-        assert!(matches!(parse(&["sim"]), Ok(Task::Sim(Sim { flight: None, csv: None }))));
+        assert!(matches!(parse(&["sim"]), Ok(Task::Sim(Forwarded { rest })) if rest.is_empty()));
         assert!(
-            matches!(parse(&["sim", "hover"]), Ok(Task::Sim(Sim { flight: Some(name), .. })) if name == "hover")
+            matches!(parse(&["sim", "hover", "--c"]), Ok(Task::Sim(Forwarded { rest })) if rest == ["hover", "--c"])
+        );
+        assert!(
+            matches!(parse(&["campaign", "--help"]), Ok(Task::Campaign(Forwarded { rest })) if rest == ["--help"])
         );
     }
 

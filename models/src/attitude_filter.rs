@@ -1,0 +1,111 @@
+//! Roll, pitch, yaw and the gyroscope's biases: an extended Kalman filter of six states.
+//!
+//! Its covariance is kept as [`crate::axis_filter`] keeps its own. Knows no sensor but the gyroscope: a
+//! correction is any measurement of one angle.
+
+use crate::geometry::Orientation;
+use bessemer::prelude::*;
+
+/// The aircraft's attitude.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct AttitudeFilter {
+    /// Roll, pitch and yaw, rad.
+    pub angles: Vector3<f64>,
+    /// Biases of the gyroscope, rad/s.
+    pub bias: Vector3<f64>,
+    /// Covariance of the errors of the angles, then of the biases.
+    pub covariance: Matrix6<f64>,
+}
+
+#[data]
+impl AttitudeFilter {
+    /// Level, known to within `angle`, rad, and `bias`, rad/s.
+    pub fn level(angle: f64, bias: f64) -> AttitudeFilter {
+        let mut covariance = Matrix6::zeros();
+        for n in 0..3 {
+            covariance[(n, n)] = angle * angle;
+            covariance[(n + 3, n + 3)] = bias * bias;
+        }
+        AttitudeFilter { angles: Vector3::zeros(), bias: Vector3::zeros(), covariance }
+    }
+
+    /// One period, s, at the measured rates, rad/s, which are uncertain by `noise`, rad/s, and whose biases
+    /// wander by `drift`, rad/s in a second.
+    pub fn predict(&mut self, measured: &Vector3<f64>, period: f64, noise: f64, drift: f64) {
+        let orientation = Orientation::of(&self.angles);
+        let rates = measured - self.bias;
+        let advance = self.advance(&orientation, &rates, period);
+        self.angles += orientation.angle_rates(&rates) * period;
+
+        let turn = noise * period;
+        let mut spread = advance * self.covariance * advance.transpose();
+        for n in 0..3 {
+            spread[(n, n)] += turn * turn;
+            spread[(n + 3, n + 3)] += drift * drift * period;
+        }
+        self.covariance = symmetric(&spread);
+    }
+
+    /// How errors of the angles and biases grow over one period: the derivative of (2.17).
+    fn advance(
+        &self,
+        orientation: &Orientation,
+        rates: &Vector3<f64>,
+        period: f64,
+    ) -> Matrix6<f64> {
+        let Orientation { s2, c2, s3, c3, .. } = *orientation;
+        let along = c3 * rates.x + s3 * rates.y;
+        let across = s3 * rates.x - c3 * rates.y;
+        let lean = s2 / c2;
+
+        let mut advance = Matrix6::identity();
+        advance[(0, 1)] = -period * along * lean / c2;
+        advance[(0, 2)] = period * across / c2;
+        advance[(1, 2)] = period * along;
+        advance[(2, 1)] = -period * along / (c2 * c2);
+        advance[(2, 2)] += period * across * lean;
+
+        advance[(0, 3)] = period * c3 / c2;
+        advance[(0, 4)] = period * s3 / c2;
+        advance[(1, 3)] = -period * s3;
+        advance[(1, 4)] = period * c3;
+        advance[(2, 3)] = period * c3 * lean;
+        advance[(2, 4)] = period * s3 * lean;
+        advance[(2, 5)] = period;
+        advance
+    }
+
+    /// A measurement of the angle that `row` picks out, as its difference from what is believed, with the
+    /// given variance. It is refused, and nothing changes, if it lies more than `gate` standard deviations
+    /// off, or is not a number.
+    pub fn correct(
+        &mut self,
+        row: &Vector6<f64>,
+        innovation: f64,
+        variance: f64,
+        gate: f64,
+    ) -> bool {
+        let spread = self.covariance * row;
+        let expected = row.dot(&spread) + variance;
+        let plausible = innovation * innovation <= gate * gate * expected;
+        if !plausible {
+            return false;
+        }
+        let gain = spread / expected;
+        for n in 0..3 {
+            self.angles[n] += gain[n] * innovation;
+            self.bias[n] += gain[n + 3] * innovation;
+        }
+        let kept = Matrix6::identity() - gain * row.transpose();
+        let noise = gain * gain.transpose() * variance;
+        self.covariance = symmetric(&(kept * self.covariance * kept.transpose() + noise));
+        true
+    }
+}
+
+/// The symmetric part.
+#[function]
+fn symmetric(matrix: &Matrix6<f64>) -> Matrix6<f64> {
+    (matrix + matrix.transpose()) * 0.5
+}

@@ -1,0 +1,83 @@
+//! Position, velocity and the accelerometer's bias along one axis: a Kalman filter of three states.
+//!
+//! Its covariance is kept in Joseph's form and made symmetric after each change, so that rounding does
+//! not make it lose its sign. Knows no sensor: a correction is any measurement that is linear in the state.
+
+use bessemer::prelude::*;
+
+/// One axis of the inertial frame.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct AxisFilter {
+    /// Position, m; velocity, m/s; bias of the acceleration, m/s².
+    pub state: Vector3<f64>,
+    /// Covariance of the errors of these.
+    pub covariance: Matrix3<f64>,
+}
+
+#[data]
+impl AxisFilter {
+    /// At rest at 0, known to within `place`, m, and `bias`, m/s².
+    pub fn at_rest(place: f64, bias: f64) -> AxisFilter {
+        let spread = Vector3::new(place * place, 0.01, bias * bias);
+        AxisFilter { state: Vector3::zeros(), covariance: diagonal(&spread) }
+    }
+
+    /// One period, s, under a measured acceleration, m/s², that is uncertain by `noise`, m/s², and whose
+    /// bias wanders by `drift`, m/s² in a second.
+    pub fn predict(&mut self, acceleration: f64, period: f64, noise: f64, drift: f64) {
+        let real = acceleration - self.state[2];
+        self.state[0] += period * (self.state[1] + 0.5 * period * real);
+        self.state[1] += period * real;
+
+        let half = -0.5 * period * period;
+        let advance = Matrix3::new(1.0, period, half, 0.0, 1.0, -period, 0.0, 0.0, 1.0);
+        let push = noise * period;
+        let wander = drift * drift * period;
+        let slip = 0.5 * push * period;
+        let growth = diagonal(&Vector3::new(slip * slip, push * push, wander));
+        let spread = advance * self.covariance * advance.transpose() + growth;
+        self.covariance = symmetric(&spread);
+    }
+
+    /// Opens the gate: place and velocity may be off by half a metre and half a metre per second more than
+    /// was believed.
+    pub fn doubt(&mut self) {
+        self.covariance[(0, 0)] += 0.25;
+        self.covariance[(1, 1)] += 0.25;
+    }
+
+    /// A measurement of `row` · state with the given variance. It is refused, and nothing changes, if it
+    /// lies more than `gate` standard deviations off, or is not a number.
+    pub fn correct(&mut self, row: &Vector3<f64>, measured: f64, variance: f64, gate: f64) -> bool {
+        let innovation = measured - row.dot(&self.state);
+        let spread = self.covariance * row;
+        let expected = row.dot(&spread) + variance;
+        let plausible = innovation * innovation <= gate * gate * expected;
+        if !plausible {
+            return false;
+        }
+        let gain = spread / expected;
+        self.state += gain * innovation;
+        let kept = Matrix3::identity() - gain * row.transpose();
+        let noise = gain * gain.transpose() * variance;
+        self.covariance = symmetric(&(kept * self.covariance * kept.transpose() + noise));
+        true
+    }
+}
+
+/// The matrix with the given diagonal.
+#[function]
+fn diagonal(values: &Vector3<f64>) -> Matrix3<f64> {
+    let mut all = Matrix3::zeros();
+    for n in 0..3 {
+        all[(n, n)] = values[n];
+    }
+    all
+}
+
+/// The symmetric part.
+#[function]
+fn symmetric(matrix: &Matrix3<f64>) -> Matrix3<f64> {
+    (matrix + matrix.transpose()) * 0.5
+}

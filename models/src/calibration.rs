@@ -1,0 +1,162 @@
+//! From what the sensors say to what they mean: offsets, scales, units (thesis, §6.1, signal processor).
+//!
+//! Knows each sensor by its data sheet; whether to believe it is for [`crate::estimator`]. Readings of
+//! the processor's own sensors are counts, so that they cannot be NaN; those of Vicon come by radio, and
+//! can be anything.
+
+use bessemer::prelude::*;
+
+/// Largest count of a 16-bit sensor: at it, the sensor is at the end of its range.
+const FULL_SCALE: i16 = 32767;
+
+/// What the inertial sensors say.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Inertial {
+    /// Whether it is new.
+    pub fresh: bool,
+    /// Angular velocity about the body's axes, counts.
+    pub gyroscope: [i16; 3],
+    /// Specific force along the body's axes, counts.
+    pub accelerometer: [i16; 3],
+}
+
+/// What the ultrasonic altimeter says.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Echo {
+    /// Whether it is new.
+    pub fresh: bool,
+    /// Time from the pulse to its echo, µs.
+    pub delay: u32,
+}
+
+/// What the camera that looks downwards says.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Flow {
+    /// Whether it is new.
+    pub fresh: bool,
+    /// Velocity along the body's x and y, counts.
+    pub velocity: [i16; 2],
+}
+
+/// What Vicon says, by radio.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Vicon {
+    /// Whether it is new.
+    pub fresh: bool,
+    /// Position in the inertial frame, m.
+    pub position: Vector3<f64>,
+    /// Roll, pitch and yaw, rad.
+    pub angles: Vector3<f64>,
+}
+
+/// Everything that is sensed in one period.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Readings {
+    /// The inertial sensors.
+    pub inertial: Inertial,
+    /// The altimeter.
+    pub echo: Echo,
+    /// The camera.
+    pub flow: Flow,
+    /// Vicon.
+    pub vicon: Vicon,
+}
+
+/// The same in units.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Measured {
+    /// Whether the inertial sensors are new and within their range.
+    pub inertial: bool,
+    /// Angular velocity in the body frame, rad/s.
+    pub rates: Vector3<f64>,
+    /// Specific force in the body frame, m/s².
+    pub force: Vector3<f64>,
+    /// Whether the altimeter is new.
+    pub echo: bool,
+    /// Distance to the ground along the body's z, m.
+    pub distance: f64,
+    /// Whether the camera is new and within its range.
+    pub flow: bool,
+    /// Velocity along the body's x and y, m/s.
+    pub flow_velocity: Vector2<f64>,
+    /// Vicon, as it came.
+    pub vicon: Vicon,
+}
+
+/// What the sensors' data sheets and their calibration on the ground say.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Calibration {
+    /// Angular velocity per count, rad/s.
+    pub gyroscope_scale: f64,
+    /// Angular velocity at rest, rad/s.
+    pub gyroscope_offset: Vector3<f64>,
+    /// Specific force per count, m/s².
+    pub accelerometer_scale: f64,
+    /// Specific force in free fall, m/s².
+    pub accelerometer_offset: Vector3<f64>,
+    /// Speed of sound, m/s.
+    pub sound: f64,
+    /// Velocity of the camera per count, m/s.
+    pub flow_scale: f64,
+}
+
+#[data]
+impl Calibration {
+    /// A gyroscope of ±2000 °/s, an accelerometer of ±8 g, a camera that tells millimetres per second.
+    pub fn mambo() -> Calibration {
+        Calibration {
+            gyroscope_scale: 2000.0_f64.to_radians() / 32768.0,
+            gyroscope_offset: Vector3::zeros(),
+            accelerometer_scale: 8.0 * 9.80665 / 32768.0,
+            accelerometer_offset: Vector3::zeros(),
+            sound: 343.0,
+            flow_scale: 0.001,
+        }
+    }
+
+    /// What the readings of one period mean.
+    pub fn measured(&self, readings: &Readings) -> Measured {
+        let inertial = readings.inertial;
+        let flow = readings.flow;
+        let rates = vector(&inertial.gyroscope) * self.gyroscope_scale;
+        let force = vector(&inertial.accelerometer) * self.accelerometer_scale;
+        let in_range = within(&inertial.gyroscope) && within(&inertial.accelerometer);
+        let forward = flow.velocity[0];
+        let sideways = flow.velocity[1];
+        Measured {
+            inertial: inertial.fresh && in_range,
+            rates: rates - self.gyroscope_offset,
+            force: force - self.accelerometer_offset,
+            echo: readings.echo.fresh,
+            distance: f64::from(readings.echo.delay) * 1e-6 * self.sound / 2.0,
+            flow: flow.fresh && inside(forward) && inside(sideways),
+            flow_velocity: Vector2::new(f64::from(forward), f64::from(sideways)) * self.flow_scale,
+            vicon: readings.vicon,
+        }
+    }
+}
+
+/// Three counts as a vector.
+#[function]
+fn vector(counts: &[i16; 3]) -> Vector3<f64> {
+    Vector3::new(f64::from(counts[0]), f64::from(counts[1]), f64::from(counts[2]))
+}
+
+/// Whether no count is at the end of its range.
+#[function]
+fn within(counts: &[i16; 3]) -> bool {
+    inside(counts[0]) && inside(counts[1]) && inside(counts[2])
+}
+
+/// Whether a count is not at the end of its range.
+#[function]
+fn inside(count: i16) -> bool {
+    count < FULL_SCALE && count > -FULL_SCALE
+}

@@ -1,0 +1,50 @@
+//! The thesis' closed loop, read so that it flies (thesis, ch. 3): place to lean, lean to torque.
+//!
+//! A candidate of [`crate::controller`]. Composes the loops; every law is in the module named for it.
+
+use crate::airframe::Wrench;
+use crate::attitude::Attitude;
+use crate::geometry::Orientation;
+use crate::height::Height;
+use crate::horizontal::lean;
+use crate::parameters::Parameters;
+use crate::signals::{Estimate, Target};
+use bessemer::prelude::*;
+
+/// The loops of height, roll, pitch and yaw.
+#[component]
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Cascade {
+    /// The height loop.
+    pub height: Height,
+    /// The loops of roll, pitch and yaw.
+    pub attitude: Attitude,
+}
+
+#[component]
+impl Cascade {
+    /// One control period: the thrust and the torques to command.
+    #[entry(infallible)]
+    pub fn step(
+        &mut self,
+        parameters: &Parameters,
+        estimate: &Estimate,
+        target: &Target,
+    ) -> Wrench {
+        let orientation = Orientation::of(&estimate.angles);
+
+        // How hard to push, and where to lean.
+        let climb = estimate.velocity.z;
+        let thrust = self.height.step(parameters, target, estimate.position.z, climb);
+        let wanted = lean(parameters, target, &estimate.position, &estimate.velocity);
+
+        // The attitude loops act about the axes of roll, pitch and yaw; the motors, about the body's.
+        let error = wanted - estimate.angles;
+        let wanted_rates = Vector3::new(0.0, 0.0, target.yaw_rate);
+        let error_rate = wanted_rates - orientation.angle_rates(&estimate.rates);
+        let turn = self.attitude.step(parameters, &error, &error_rate, target.grounded);
+        let torque = orientation.rate_matrix() * turn;
+
+        Wrench { thrust, torque }
+    }
+}

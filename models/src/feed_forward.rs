@@ -1,0 +1,124 @@
+//! Flying as if gravity, or the air, were others (thesis, ch. 4): the motors' speeds that undo the
+//! aircraft's own dynamics, and how much of them is injected when.
+//!
+//! The compensator gives the speeds that cancel weight and friction as a whole; the virtual dynamics are
+//! the share of them that is injected. Thrust goes with the square of the speed, so a gain γ takes away
+//! γ² of the weight. (4.22)–(4.25) give no thrust as they are printed, and are not used.
+
+use crate::airframe::{Airframe, GRAVITY, MOST_MOTORS};
+use crate::geometry::Orientation;
+use crate::signals::Estimate;
+use bessemer::prelude::*;
+
+/// How the gain goes from 0 to its final value.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Profile {
+    /// At once.
+    #[default]
+    Constant,
+    /// In proportion to the time since its beginning (thesis, eq. (7.1)).
+    Linear,
+    /// Slowly, then fast, then slowly (thesis, eq. (7.11)).
+    Sigmoid,
+}
+
+/// What is injected, and when.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Injection {
+    /// How the gain grows.
+    pub profile: Profile,
+    /// When it begins to, in seconds since the take-off: T of (7.1).
+    pub begins: f64,
+    /// K_slope of (7.1): the gain has grown by so much at 2 T.
+    pub slope: f64,
+    /// a of (7.11), 1/s: negative.
+    pub rate: f64,
+    /// b of (7.11).
+    pub offset: f64,
+    /// c of (7.11).
+    pub power: f64,
+    /// The gain's final value.
+    pub most: f64,
+    /// Friction to take away besides, N·s/m; negative, to add some.
+    pub friction: f64,
+}
+
+#[data]
+impl Injection {
+    /// No feed-forward.
+    pub fn none() -> Injection {
+        Injection {
+            profile: Profile::Constant,
+            begins: 0.0,
+            slope: 0.0,
+            rate: 0.0,
+            offset: 0.0,
+            power: 1.0,
+            most: 0.0,
+            friction: 0.0,
+        }
+    }
+
+    /// A gain that is there at once.
+    pub fn constant(most: f64) -> Injection {
+        Injection { begins: 10.0, most, ..Injection::none() }
+    }
+
+    /// The gain that leaves the given gravity, m/s², of [`GRAVITY`].
+    pub fn gain_for(gravity: f64) -> f64 {
+        (1.0 - gravity / GRAVITY).max(0.0).sqrt()
+    }
+
+    /// A gain that grows in proportion to time.
+    pub fn linear(most: f64) -> Injection {
+        let profile = Profile::Linear;
+        Injection { profile, begins: 10.0, slope: 0.2, most, ..Injection::none() }
+    }
+
+    /// A gain that grows along a sigmoid.
+    ///
+    /// a and b cannot be read in the thesis. These have the gain at 1 % of K at 10 s, at half of it at
+    /// 28 s, and at 0.7 at 32 s, where it is cut off.
+    pub fn sigmoid(most: f64) -> Injection {
+        let profile = Profile::Sigmoid;
+        let fit = Injection { profile, rate: -0.25, offset: 7.0, power: 1.04, ..Injection::none() };
+        Injection { begins: 10.0, most, ..fit }
+    }
+
+    /// The gain at a time since take-off, s.
+    pub fn gain(&self, time: f64) -> f64 {
+        if time < self.begins {
+            return 0.0;
+        }
+        let grown = match self.profile {
+            Profile::Constant => self.most,
+            Profile::Linear => self.slope * (time - self.begins) / self.begins,
+            Profile::Sigmoid => {
+                (1.0 / (1.0 + (self.rate * time + self.offset).exp())).powf(self.power)
+            }
+        };
+        grown.max(0.0).min(self.most)
+    }
+}
+
+/// The speed of each motor that holds the aircraft's weight as it leans, and friction aside, rad/s
+/// (thesis, eqs. (4.7), (4.16)–(4.21)).
+///
+/// `airframe` is the aircraft as it is believed to be: its coefficients are what the identification finds.
+#[function]
+pub fn compensation(airframe: &Airframe, estimate: &Estimate, friction: f64) -> SVector<f64, 8> {
+    let orientation = Orientation::of(&estimate.angles);
+    let weight = orientation.upwards().z * airframe.mass * GRAVITY;
+    let drag = orientation.thrust_direction().dot(&estimate.velocity) * friction;
+    let each = ((weight + drag) / airframe.motors as f64).max(0.0);
+    let factors = airframe.thrust_factors();
+    let mut speeds = SVector::zeros();
+    for n in 0..MOST_MOTORS {
+        if factors[n] > 0.0 {
+            speeds[n] = (each / factors[n]).sqrt();
+        }
+    }
+    speeds
+}

@@ -1,0 +1,23 @@
+//! Noise suppression: a first-order low-pass for three signals at once.
+
+use bessemer::prelude::*;
+
+/// The filtered signals.
+#[component]
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LowPass {
+    /// Where they are.
+    pub level: Vector3<f64>,
+}
+
+#[component]
+impl LowPass {
+    /// One period: moves the levels by `share`, 0 to 1, of the way to the signals.
+    ///
+    /// For a corner at f and a period T the share is 1 − exp(−2π f T).
+    #[entry(infallible)]
+    pub fn step(&mut self, share: f64, signal: &Vector3<f64>) -> Vector3<f64> {
+        self.level += (signal - self.level) * share;
+        self.level
+    }
+}

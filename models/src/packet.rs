@@ -1,0 +1,144 @@
+//! Packets of bounded size: how bytes are framed on the way up and down.
+//!
+//! `A5 5A kind sequence(2) length payload(length) checksum(2)`, least significant byte first; the
+//! checksum is CRC-16/CCITT over all between the first two bytes and itself. Knows bytes, not meanings.
+
+use bessemer::prelude::*;
+
+/// The most bytes of a packet.
+pub const MOST_BYTES: usize = 64;
+
+/// Bytes before the payload.
+pub const HEADER: usize = 6;
+
+/// The most bytes of a payload: the rest is header and checksum.
+pub const MOST_PAYLOAD: usize = 56;
+
+/// The first byte of every packet.
+const FIRST: u8 = 0xA5;
+
+/// The second byte of every packet.
+const SECOND: u8 = 0x5A;
+
+/// Bytes as they come from a link, or go to one.
+#[data]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Packet {
+    /// How many of the bytes there are; 0 is no packet.
+    pub length: usize,
+    /// The bytes.
+    pub bytes: [u8; 64],
+}
+
+impl Default for Packet {
+    fn default() -> Self {
+        Packet::none()
+    }
+}
+
+#[data]
+impl Packet {
+    /// No packet.
+    pub fn none() -> Packet {
+        Packet { length: 0, bytes: [0; 64] }
+    }
+
+    /// A packet of a kind around the first `length` bytes of a payload.
+    pub fn around(kind: u8, sequence: u16, payload: &[u8; 56], length: usize) -> Packet {
+        let mut packet = Packet::none();
+        let size = length.min(MOST_PAYLOAD);
+        packet.length = HEADER + size + 2;
+        packet.bytes[0] = FIRST;
+        packet.bytes[1] = SECOND;
+        packet.bytes[2] = kind;
+        packet.bytes[3] = (sequence & 0xFF) as u8;
+        packet.bytes[4] = (sequence >> 8) as u8;
+        packet.bytes[5] = size as u8;
+        for n in 0..MOST_PAYLOAD {
+            if n < size {
+                packet.bytes[HEADER + n] = payload[n];
+            }
+        }
+        let sum = checksum(&packet.bytes, HEADER + size);
+        for n in HEADER..MOST_BYTES {
+            if n == HEADER + size {
+                packet.bytes[n] = (sum & 0xFF) as u8;
+            }
+            if n == HEADER + size + 1 {
+                packet.bytes[n] = (sum >> 8) as u8;
+            }
+        }
+        packet
+    }
+
+    /// Whether the bytes are a packet: its marks, its length and its checksum.
+    pub fn is_sound(&self) -> bool {
+        let size = self.bytes[5] as usize;
+        if self.bytes[0] != FIRST || self.bytes[1] != SECOND || size > MOST_PAYLOAD {
+            return false;
+        }
+        if self.length != HEADER + size + 2 {
+            return false;
+        }
+        let mut sent: u16 = 0;
+        for n in HEADER..MOST_BYTES {
+            if n == HEADER + size {
+                sent |= self.bytes[n] as u16;
+            }
+            if n == HEADER + size + 1 {
+                sent |= (self.bytes[n] as u16) << 8;
+            }
+        }
+        checksum(&self.bytes, HEADER + size) == sent
+    }
+
+    /// What it says it is.
+    pub fn kind(&self) -> u8 {
+        self.bytes[2]
+    }
+
+    /// Its number.
+    pub fn sequence(&self) -> u16 {
+        u16::from_le_bytes([self.bytes[3], self.bytes[4]])
+    }
+
+    /// How long its payload is.
+    pub fn size(&self) -> usize {
+        self.bytes[5] as usize
+    }
+
+    /// The byte of the payload at `at`; 0 behind its capacity.
+    pub fn byte(&self, at: usize) -> u8 {
+        let place = at.min(MOST_PAYLOAD - 1);
+        self.bytes[HEADER + place]
+    }
+
+    /// The number at `at` in the payload, of eight bytes.
+    pub fn number(&self, at: usize) -> f64 {
+        let start = at.min(MOST_PAYLOAD - 8);
+        let mut eight = [0; 8];
+        for n in 0..8 {
+            eight[n] = self.bytes[HEADER + start + n];
+        }
+        f64::from_le_bytes(eight)
+    }
+}
+
+/// CRC-16/CCITT (polynomial 0x1021, from 0xFFFF) over the bytes from the third to before `end`.
+#[function]
+fn checksum(bytes: &[u8; 64], end: usize) -> u16 {
+    let mut sum: u16 = 0xFFFF;
+    for n in 2..MOST_BYTES {
+        if n < end {
+            sum ^= (bytes[n] as u16) << 8;
+            for _ in 0..8 {
+                if sum & 0x8000 != 0 {
+                    sum = (sum << 1) ^ 0x1021;
+                } else {
+                    sum <<= 1;
+                }
+            }
+        }
+    }
+    sum
+}

@@ -1,0 +1,93 @@
+//! The aircraft's motion (thesis, eqs. (2.17)–(2.29), (2.49)), for any number of motors.
+//!
+//! On board it predicts; off board it is what the identification fits. Knows speeds of motors, not who
+//! commands them, and no ground: what hits it is for others to say.
+
+use crate::airframe::{Airframe, GRAVITY, MOST_MOTORS, Wrench};
+use crate::geometry::Orientation;
+use bessemer::prelude::*;
+
+/// Where the aircraft is and how it moves (thesis, eq. (2.18)).
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Motion {
+    /// Position in the inertial frame, z upwards, m.
+    pub position: Vector3<f64>,
+    /// Euler angles: roll, pitch, yaw, rad.
+    pub angles: Vector3<f64>,
+    /// Velocity in the inertial frame, m/s.
+    pub velocity: Vector3<f64>,
+    /// Angular velocity in the body frame, rad/s.
+    pub rates: Vector3<f64>,
+}
+
+#[data]
+impl Motion {
+    /// This motion and `time` times its rate of change.
+    pub fn plus(&self, slope: &Motion, time: f64) -> Motion {
+        Motion {
+            position: self.position + slope.position * time,
+            angles: self.angles + slope.angles * time,
+            velocity: self.velocity + slope.velocity * time,
+            rates: self.rates + slope.rates * time,
+        }
+    }
+
+    /// Rate of change under the motors' wrench (thesis, eqs. (2.17), (2.23), (2.24), (2.28)).
+    pub fn slope(&self, airframe: &Airframe, wrench: &Wrench) -> Motion {
+        let orientation = Orientation::of(&self.angles);
+        let push = orientation.thrust_direction() * (wrench.thrust / airframe.mass);
+        let momentum = airframe.inertia.component_mul(&self.rates);
+        let turn = wrench.torque - self.rates.cross(&momentum);
+        Motion {
+            position: self.velocity,
+            angles: orientation.angle_rates(&self.rates),
+            velocity: push - Vector3::new(0.0, 0.0, GRAVITY),
+            rates: turn.component_div(&airframe.inertia),
+        }
+    }
+
+    /// The motion `period` seconds later, the wrench held: one step of the fourth-order Runge–Kutta rule.
+    pub fn after(&self, airframe: &Airframe, wrench: &Wrench, period: f64) -> Motion {
+        let first = self.slope(airframe, wrench);
+        let second = self.plus(&first, period / 2.0).slope(airframe, wrench);
+        let third = self.plus(&second, period / 2.0).slope(airframe, wrench);
+        let fourth = self.plus(&third, period).slope(airframe, wrench);
+        let middle = second.plus(&third, 1.0);
+        let outer = first.plus(&fourth, 1.0);
+        self.plus(&outer.plus(&middle, 2.0), period / 6.0)
+    }
+}
+
+#[data]
+impl Airframe {
+    /// Thrust and torques of the motors at their speeds, rad/s, whatever their signs
+    /// (thesis, eq. (2.49)).
+    pub fn wrench(&self, speeds: &SVector<f64, 8>) -> Wrench {
+        let mut squares = SVector::zeros();
+        for n in 0..MOST_MOTORS {
+            squares[n] = speeds[n] * speeds[n];
+        }
+        let effect = self.effectiveness() * squares;
+        Wrench { thrust: effect[0], torque: Vector3::new(effect[1], effect[2], effect[3]) }
+    }
+}
+
+/// The aircraft as the model has it: flown in virtual time, or ahead of the real one.
+#[component]
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Plant {
+    /// Where it is.
+    pub motion: Motion,
+}
+
+#[component]
+impl Plant {
+    /// One period, s, at the given motor speeds, rad/s: where the aircraft is afterwards.
+    #[entry(infallible)]
+    pub fn step(&mut self, airframe: &Airframe, speeds: &SVector<f64, 8>, period: f64) -> Motion {
+        let wrench = airframe.wrench(speeds);
+        self.motion = self.motion.after(airframe, &wrench, period);
+        self.motion
+    }
+}

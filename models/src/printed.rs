@@ -1,0 +1,61 @@
+//! The closed loop with the thesis' map from place to lean as it is printed (thesis, eqs. (3.16), (3.17)).
+//!
+//! A candidate of [`crate::controller`], kept to show where the printed law fails: the map turns with
+//! yaw, but under (2.11) the direction of the thrust does not, so that it diverges from a yaw of about
+//! ±20° on. All else is as in [`crate::cascade`].
+
+use crate::airframe::Wrench;
+use crate::attitude::Attitude;
+use crate::geometry::Orientation;
+use crate::height::Height;
+use crate::parameters::Parameters;
+use crate::signals::{Estimate, Target};
+use bessemer::prelude::*;
+
+/// The loops of height, roll, pitch and yaw.
+#[component]
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Printed {
+    /// The height loop.
+    pub height: Height,
+    /// The loops of roll, pitch and yaw.
+    pub attitude: Attitude,
+}
+
+#[component]
+impl Printed {
+    /// One control period: the thrust and the torques to command.
+    #[entry(infallible)]
+    pub fn step(
+        &mut self,
+        parameters: &Parameters,
+        estimate: &Estimate,
+        target: &Target,
+    ) -> Wrench {
+        let orientation = Orientation::of(&estimate.angles);
+        let error = lean(parameters, target, estimate) - estimate.angles;
+        let wanted_rates = Vector3::new(0.0, 0.0, target.yaw_rate);
+        let error_rate = wanted_rates - orientation.angle_rates(&estimate.rates);
+
+        // The torques go to the body's axes as they are: minus the PID, without the axes of (2.16).
+        let torque = -self.attitude.step(parameters, &error, &error_rate, target.grounded);
+        let climb = estimate.velocity.z;
+        let thrust = self.height.step(parameters, target, estimate.position.z, climb);
+        Wrench { thrust, torque }
+    }
+}
+
+/// Roll, pitch and yaw that take the aircraft to its target, rad (thesis, eqs. (3.16), (3.17), with the
+/// gains in rad per metre and both negative, without which it does not fly at any yaw).
+#[function]
+pub fn lean(parameters: &Parameters, target: &Target, estimate: &Estimate) -> Vector3<f64> {
+    let error = target.position - estimate.position;
+    let error_rate = target.velocity - estimate.velocity;
+    let along = parameters.x.respond(error.x, error_rate.x);
+    let across = parameters.y.respond(error.y, error_rate.y);
+    let sine = target.yaw.sin();
+    let cosine = target.yaw.cos();
+    let roll = along * sine - across * cosine;
+    let pitch = along * cosine + across * sine;
+    Vector3::new(roll, pitch, target.yaw)
+}

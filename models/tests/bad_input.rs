@@ -1,0 +1,266 @@
+//! What must not hurt: packets that are none, sensors that are not numbers, clocks that run backwards,
+//! trajectories that lead nowhere. Each has one answer, and the motors are safe.
+
+use bessemer::nalgebra::Vector3;
+use models::calibration::{Calibration, Inertial, Readings, Vicon};
+use models::packet::Packet;
+use models::receiver::{COMMIT, HELLO, MODE, Mode, POINT, Receiver, STICKS, TAKE_OFF};
+use models::trajectory::{SetPoint, Space, Trajectory};
+use models::{Alarm, Inputs, Onboard, Outputs, Phase, Settings};
+
+fn space() -> Space {
+    Settings::mambo().space
+}
+
+fn packet(kind: u8, sequence: u16, bytes: &[u8]) -> Packet {
+    let mut payload = [0; 56];
+    payload[..bytes.len()].copy_from_slice(bytes);
+    Packet::around(kind, sequence, &payload, bytes.len())
+}
+
+fn set_point(index: u8, values: [f64; 5]) -> Vec<u8> {
+    let mut bytes = vec![index];
+    bytes.extend(values.iter().flat_map(|value| value.to_le_bytes()));
+    bytes
+}
+
+fn take(receiver: &mut Receiver, packet: &Packet) {
+    receiver.step(0.005, &space(), packet);
+}
+
+#[test]
+fn every_bit_of_a_packet_counts() {
+    let good = packet(POINT, 7, &set_point(0, [0.0, 0.1, 0.2, 1.0, 0.0]));
+    assert!(good.is_sound());
+    for byte in 0..good.length {
+        for bit in 0..8 {
+            let mut bad = good;
+            bad.bytes[byte] ^= 1 << bit;
+            assert!(!bad.is_sound(), "bit {bit} of byte {byte}");
+        }
+    }
+    for length in [1, 2, 7, 8, 48, 50, 64, 65, 1000, usize::MAX] {
+        assert!(length == good.length || !Packet { length, ..good }.is_sound(), "{length}");
+    }
+}
+
+#[test]
+fn what_is_no_packet_is_dropped_and_counted() {
+    let mut receiver = Receiver::default();
+    take(&mut receiver, &packet(HELLO, 1, &[]));
+    let orders = receiver.orders;
+
+    take(&mut receiver, &Packet { length: 64, bytes: [0xFF; 64] });
+    take(&mut receiver, &Packet { length: usize::MAX, bytes: [0; 64] });
+    assert_eq!(receiver.tally.broken, 2);
+    take(&mut receiver, &packet(MODE, 1, &[1]));
+    take(&mut receiver, &packet(MODE, 0, &[1]));
+    assert_eq!(receiver.tally.old, 2);
+    take(&mut receiver, &packet(MODE, 2, &[3]));
+    take(&mut receiver, &packet(MODE, 3, &[1, 1]));
+    take(&mut receiver, &packet(200, 4, &[]));
+    take(&mut receiver, &packet(TAKE_OFF, 5, &[]));
+    assert_eq!(receiver.tally.senseless, 4, "the last: there is no trajectory yet");
+    assert_eq!(receiver.tally.taken, 1);
+    let sticks_age = receiver.orders.sticks_age;
+    assert_eq!(receiver.orders, models::receiver::Orders { sticks_age, ..orders });
+}
+
+#[test]
+fn numbers_go_round() {
+    let mut receiver = Receiver::default();
+    take(&mut receiver, &packet(HELLO, u16::MAX, &[]));
+    take(&mut receiver, &packet(MODE, 0, &[1]));
+    assert_eq!(receiver.orders.mode, Mode::FeedForward);
+}
+
+#[test]
+fn sticks_are_numbers_within_their_limits() {
+    let mut receiver = Receiver::default();
+    let sticks = |values: [f64; 4]| -> Vec<u8> {
+        values.iter().flat_map(|value| value.to_le_bytes()).collect()
+    };
+    take(&mut receiver, &packet(STICKS, 1, &sticks([f64::NAN, 0.0, 0.0, 0.0])));
+    take(&mut receiver, &packet(STICKS, 2, &sticks([0.0, 0.0, f64::INFINITY, 0.0])));
+    assert_eq!(receiver.tally.senseless, 2);
+    take(&mut receiver, &packet(STICKS, 3, &sticks([9.0, -9.0, 99.0, -99.0])));
+    let taken = receiver.orders.sticks;
+    assert_eq!((taken.lean.x, taken.lean.y, taken.yaw_rate, taken.climb), (0.35, -0.35, 2.0, -0.5));
+}
+
+fn trajectory(points: &[(f64, f64)]) -> Trajectory {
+    let mut all = Trajectory { count: points.len(), ..Trajectory::default() };
+    for (place, (time, height)) in all.points.iter_mut().zip(points) {
+        *place = SetPoint { time: *time, position: Vector3::new(0.0, 0.0, *height), yaw: 0.0 };
+    }
+    all
+}
+
+#[test]
+fn trajectories_out_of_order_or_out_of_bounds_are_refused() {
+    assert!(trajectory(&[(0.0, 1.0), (5.0, 2.0)]).is_sound(&space()));
+    for bad in [
+        &[][..],
+        &[(5.0, 1.0), (0.0, 2.0)],
+        &[(0.0, 1.0), (0.0, 2.0)],
+        &[(-1.0, 1.0)],
+        &[(0.0, 1.0), (1e9, 1.0)],
+        &[(0.0, 30.0)],
+        &[(0.0, -1.0)],
+        &[(0.0, f64::NAN)],
+        &[(f64::NAN, 1.0)],
+    ] {
+        assert!(!trajectory(bad).is_sound(&space()), "{bad:?}");
+    }
+    let many = Trajectory { count: 17, ..trajectory(&[(0.0, 1.0)]) };
+    assert!(!many.is_sound(&space()));
+}
+
+#[test]
+fn a_refused_trajectory_leaves_the_one_that_is_flown() {
+    let mut receiver = Receiver::default();
+    take(&mut receiver, &packet(POINT, 1, &set_point(0, [0.0, 0.0, 0.0, 1.0, 0.0])));
+    take(&mut receiver, &packet(COMMIT, 2, &[1]));
+    let flown = receiver.orders.trajectory;
+    assert_eq!(flown.count, 1);
+    take(&mut receiver, &packet(POINT, 3, &set_point(1, [0.0, 0.0, 0.0, 1.5, 0.0])));
+    take(&mut receiver, &packet(COMMIT, 4, &[2]));
+    take(&mut receiver, &packet(COMMIT, 5, &[16]));
+    take(&mut receiver, &packet(COMMIT, 6, &[200]));
+    take(&mut receiver, &packet(POINT, 7, &set_point(16, [0.0, 0.0, 0.0, 1.5, 0.0])));
+    take(&mut receiver, &packet(POINT, 8, &set_point(0, [0.0, 99.0, 0.0, 1.5, 0.0])));
+    assert_eq!(receiver.orders.trajectory, flown);
+    assert_eq!(receiver.tally.senseless, 5);
+}
+
+/// The software on a bench at a height of 1 m, flying; `change` is what goes wrong with its inputs.
+fn flown(periods: usize, mut change: impl FnMut(usize, &mut Inputs)) -> Vec<Outputs> {
+    let settings = Settings::mambo();
+    let mut onboard = Onboard::default();
+    let mut packets = vec![
+        packet(HELLO, 1, &[]),
+        packet(POINT, 2, &set_point(0, [0.0, 0.0, 0.0, 1.0, 0.0])),
+        packet(COMMIT, 3, &[1]),
+        packet(TAKE_OFF, 4, &[]),
+    ]
+    .into_iter();
+    let scale = Calibration::mambo().accelerometer_scale;
+    let weight = (9.81 / scale).round() as i16;
+    (0..periods)
+        .map(|n| {
+            // Noise of a count, so that no sensor looks dead.
+            let wiggle = (n * 7919 % 13) as i16;
+            let inertial = Inertial {
+                fresh: true,
+                gyroscope: [wiggle, 6 - wiggle, wiggle / 2],
+                accelerometer: [wiggle, -wiggle, weight + wiggle],
+            };
+            let height = if n < 200 { 0.0 } else { 1.0 } + 1e-4 * f64::from(wiggle);
+            let vicon = Vicon {
+                fresh: n % 2 == 0,
+                position: Vector3::new(1e-4 * f64::from(wiggle), 0.0, height),
+                angles: Vector3::zeros(),
+            };
+            let uplink = if n >= 20 { packets.next().unwrap_or_default() } else { Packet::none() };
+            let readings = Readings { inertial, vicon, ..Readings::default() };
+            let mut inputs = Inputs { time: 5000 * n as u64, readings, uplink };
+            change(n, &mut inputs);
+            onboard.step(&settings, &inputs)
+        })
+        .collect()
+}
+
+fn last(outputs: &[Outputs]) -> &Outputs {
+    outputs.last().expect("it was flown")
+}
+
+#[test]
+fn the_bench_flies() {
+    let outputs = flown(1000, |_, _| ());
+    let last = last(&outputs);
+    assert_eq!((last.alarm, last.reference.phase), (Alarm::Clear, Phase::Flight));
+    assert!(last.command.motors.min() >= 0.0 && last.command.motors.max() > 100.0);
+}
+
+#[test]
+fn vicon_without_numbers_is_vicon_lost() {
+    let nonsense = [f64::NAN, f64::INFINITY, -1e300];
+    let outputs = flown(1000, |n, inputs| {
+        if n >= 500 {
+            inputs.readings.vicon.position.z = nonsense[n % 3];
+            inputs.readings.vicon.angles.x = nonsense[(n + 1) % 3];
+        }
+    });
+    let last = last(&outputs);
+    assert_eq!(last.alarm, Alarm::Clear);
+    assert!(last.ages.vicon > 2.4, "{:?}", last.ages);
+    assert!(last.estimate.position.norm().is_finite() && last.command.motors.sum().is_finite());
+}
+
+#[test]
+fn angles_without_numbers_alone_do_no_harm() {
+    let outputs = flown(1000, |n, inputs| {
+        if n >= 500 {
+            inputs.readings.vicon.angles.y = f64::NAN;
+        }
+    });
+    assert!(last(&outputs).estimate.angles.norm() < 0.1, "{:?}", last(&outputs).estimate);
+}
+
+#[test]
+fn without_its_gyroscope_the_aircraft_stops() {
+    let stuck = |n: usize, inputs: &mut Inputs| {
+        if n >= 600 {
+            inputs.readings.inertial.gyroscope = [5, 5, 5];
+        }
+    };
+    let silent = |n: usize, inputs: &mut Inputs| inputs.readings.inertial.fresh &= n < 600;
+    let saturated = |n: usize, inputs: &mut Inputs| {
+        if n >= 600 {
+            inputs.readings.inertial.gyroscope[0] = i16::MIN;
+        }
+    };
+    for outputs in [flown(700, stuck), flown(700, silent), flown(700, saturated)] {
+        let raised = outputs.iter().position(|out| out.alarm == Alarm::Blind).expect("an alarm");
+        assert!((625..645).contains(&raised), "{raised}");
+        assert!(outputs[raised..].iter().all(|out| out.command.motors.amax() == 0.0));
+    }
+}
+
+#[test]
+fn time_that_runs_backwards_stops_the_motors() {
+    let backwards = |n: usize, inputs: &mut Inputs| {
+        if n >= 600 {
+            inputs.time = 5_000_000 - 5000 * n as u64 % 5_000_000;
+        }
+    };
+    let standing =
+        |n: usize, inputs: &mut Inputs| inputs.time = inputs.time.min(5000 * 600) + n as u64 / 9999;
+    for outputs in [flown(700, backwards), flown(700, standing)] {
+        let last = last(&outputs);
+        assert_eq!((last.alarm, last.reference.phase), (Alarm::Clock, Phase::Over));
+        assert_eq!(last.command.motors.amax(), 0.0);
+    }
+    // A clock that stumbles once is no reason to fall.
+    let once = |n: usize, inputs: &mut Inputs| {
+        if n == 600 {
+            inputs.time = 0;
+        }
+    };
+    assert_eq!(last(&flown(700, once)).alarm, Alarm::Clear);
+}
+
+#[test]
+fn garbage_on_the_link_changes_nothing() {
+    let clean = flown(1000, |_, _| ());
+    let dirty = flown(1000, |n, inputs| {
+        if n > 100 {
+            inputs.uplink.length = n % 70;
+            for (at, byte) in inputs.uplink.bytes.iter_mut().enumerate() {
+                *byte = (n * 31 + at * 17) as u8;
+            }
+        }
+    });
+    let commands = |all: &[Outputs]| all.iter().map(|out| out.command).collect::<Vec<_>>();
+    assert_eq!(commands(&clean), commands(&dirty));
+}

@@ -1,0 +1,129 @@
+//! The filters: covariances stay what they are, gates keep out what is too far.
+
+use bessemer::nalgebra::{SMatrix, Vector3, Vector6};
+use models::attitude_filter::AttitudeFilter;
+use models::axis_filter::AxisFilter;
+use models::feed_forward::{Injection, compensation};
+use models::geometry::wrapped;
+use models::{Airframe, Estimate};
+
+fn is_covariance<const N: usize>(p: &SMatrix<f64, N, N>) -> bool
+where
+    bessemer::nalgebra::Const<N>: bessemer::nalgebra::DimMin<
+            bessemer::nalgebra::Const<N>,
+            Output = bessemer::nalgebra::Const<N>,
+        >,
+{
+    // A touch on the diagonal: what is known exactly has no spread.
+    *p == p.transpose() && (p + SMatrix::identity() * 1e-18).cholesky().is_some()
+}
+
+#[test]
+fn an_axis_stays_symmetric_and_positive_for_an_hour() {
+    let mut axis = AxisFilter::at_rest(3.0, 0.3);
+    for n in 0..720_000_u32 {
+        let push = f64::from(n % 17) * 0.1 - 0.8;
+        axis.predict(push, 0.005, 0.15, 0.01);
+        if n % 3 == 0 {
+            axis.correct(&Vector3::new(1.0, -0.01, 0.0), 0.0, 1e-12, 1e9);
+        }
+        if n % 7 == 0 {
+            axis.correct(&Vector3::new(0.0, 1.0, 0.0), 0.0, 1e3, 1e9);
+        }
+        if n % 1000 == 0 {
+            assert!(is_covariance(&axis.covariance), "{n}: {}", axis.covariance);
+        }
+    }
+}
+
+#[test]
+fn the_attitude_stays_symmetric_and_positive_while_it_tumbles() {
+    let mut attitude = AttitudeFilter::level(1.0, 0.05);
+    for n in 0..20_000_u32 {
+        let rates = Vector3::new((f64::from(n) * 0.01).sin(), 0.5, -2.0);
+        attitude.predict(&rates, 0.005, 0.01, 0.0005);
+        attitude.angles.y = attitude.angles.y.clamp(-1.2, 1.2);
+        let mut row = Vector6::zeros();
+        row[n as usize % 3] = 1.0;
+        attitude.correct(&row, 0.001, if n % 2 == 0 { 1e-12 } else { 1.0 }, 5.0);
+        assert!(is_covariance(&attitude.covariance), "{n}: {}", attitude.covariance);
+    }
+}
+
+#[test]
+fn gates_keep_out_what_is_too_far_or_no_number() {
+    let mut axis = AxisFilter::at_rest(0.1, 0.1);
+    let before = axis;
+    let row = Vector3::new(1.0, 0.0, 0.0);
+    for measured in [0.6, -0.6, f64::NAN, f64::INFINITY, 1e300] {
+        assert!(!axis.correct(&row, measured, 1e-4, 5.0), "{measured}");
+        assert_eq!(axis, before);
+    }
+    assert!(axis.correct(&row, 0.4, 1e-4, 5.0));
+    assert!((axis.state[0] - 0.4).abs() < 0.01, "{}", axis.state);
+}
+
+#[test]
+fn an_axis_finds_the_bias_of_its_accelerometer() {
+    let mut axis = AxisFilter::at_rest(1.0, 0.3);
+    for _ in 0..4000 {
+        axis.predict(0.2, 0.005, 0.05, 0.001);
+        axis.correct(&Vector3::new(1.0, 0.0, 0.0), 0.5, 1e-6, 5.0);
+    }
+    assert!((axis.state - Vector3::new(0.5, 0.0, 0.2)).amax() < 0.01, "{}", axis.state);
+}
+
+#[test]
+fn attitude_finds_the_biases_of_the_gyroscope() {
+    let bias = Vector3::new(0.02, -0.03, 0.01);
+    let mut attitude = AttitudeFilter::level(1.0, 0.05);
+    for _ in 0..8000 {
+        attitude.predict(&bias, 0.005, 0.005, 1e-5);
+        for n in 0..3 {
+            let mut row = Vector6::zeros();
+            row[n] = 1.0;
+            let truth = [0.1, -0.2, 0.7][n];
+            attitude.correct(&row, truth - attitude.angles[n], 1e-5, 9.0);
+        }
+    }
+    assert!((attitude.bias - bias).amax() < 1e-3, "{}", attitude.bias);
+    assert!((attitude.angles - Vector3::new(0.1, -0.2, 0.7)).amax() < 1e-3);
+}
+
+#[test]
+fn angles_are_the_same_after_whole_turns() {
+    let pi = std::f64::consts::PI;
+    for (angle, expected) in [(0.0, 0.0), (3.0, 3.0), (4.0, 4.0 - 2.0 * pi), (-7.0, 2.0 * pi - 7.0)]
+    {
+        assert!((wrapped(angle) - expected).abs() < 1e-14, "{angle}");
+    }
+}
+
+#[test]
+fn feed_forward_carries_the_weight() {
+    for airframe in [Airframe::mambo(), Airframe::hexacopter()] {
+        let speeds = compensation(&airframe, &Estimate::default(), 0.0);
+        let wrench = airframe.wrench(&speeds);
+        assert!((wrench.thrust - airframe.mass * 9.81).abs() < 1e-12, "{wrench:?}");
+        assert!(wrench.torque.norm() < 1e-12, "{wrench:?}");
+        // (4.7): leaning, the part of the weight along the body's z.
+        let leaning = Estimate { angles: Vector3::new(0.3, -0.4, 0.9), ..Estimate::default() };
+        let thrust = airframe.wrench(&compensation(&airframe, &leaning, 0.0)).thrust;
+        let part = 0.3_f64.cos() * 0.4_f64.cos() * airframe.mass * 9.81;
+        assert!((thrust - part).abs() < 1e-12, "{thrust}");
+    }
+}
+
+#[test]
+fn gains_grow_as_the_thesis_has_them() {
+    let linear = Injection::linear(0.5);
+    for (time, gain) in [(0.0, 0.0), (10.0, 0.0), (20.0, 0.2), (35.0, 0.5), (100.0, 0.5)] {
+        assert!((linear.gain(time) - gain).abs() < 1e-12, "{time}");
+    }
+    let sigmoid = Injection::sigmoid(0.7);
+    assert!(sigmoid.gain(10.0) < 0.02 && (sigmoid.gain(28.0) - 0.5).abs() < 0.03);
+    assert_eq!(sigmoid.gain(40.0), 0.7);
+    assert_eq!(Injection::constant(0.3).gain(9.9), 0.0);
+    assert_eq!(Injection::constant(0.3).gain(10.0), 0.3);
+    assert!((Injection::gain_for(0.75 * 9.81) - 0.5).abs() < 1e-12);
+}

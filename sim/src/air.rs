@@ -1,0 +1,43 @@
+//! The air that the aircraft meets: a steady wind and gusts that come and go.
+//!
+//! Knows forces, not who feels them. Gusts are a first-order Gauss–Markov process for each axis: normally
+//! distributed, forgotten with a time constant.
+
+use crate::noise::{Purpose, Stream};
+use nalgebra::Vector3;
+
+/// What air there is.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Air {
+    /// Steady force on the aircraft in the inertial frame, N.
+    pub steady: Vector3<f64>,
+    /// Standard deviation of the gusts along each axis, N.
+    pub gusts: f64,
+    /// How long a gust is remembered, s.
+    pub memory: f64,
+}
+
+/// The air in motion.
+#[derive(Clone, Debug)]
+pub struct Wind {
+    air: Air,
+    gust: Vector3<f64>,
+    stream: Stream,
+}
+
+impl Wind {
+    /// The air under a seed.
+    pub fn new(air: Air, seed: u64) -> Self {
+        Self { air, gust: Vector3::zeros(), stream: Stream::new(seed, Purpose::Wind) }
+    }
+
+    /// Force on the aircraft over the next period, s, in the inertial frame, N.
+    pub fn blow(&mut self, period: f64) -> Vector3<f64> {
+        if self.air.gusts > 0.0 {
+            let kept = (-period / self.air.memory).exp();
+            let fresh = self.air.gusts * (1.0 - kept * kept).sqrt();
+            self.gust = self.gust * kept + self.stream.normals() * fresh;
+        }
+        self.air.steady + self.gust
+    }
+}

@@ -1,0 +1,86 @@
+//! The scenario of a seed.
+//!
+//! Everything that the software takes for known is wrong by up to 10 %: mass, inertia, arm, air, each
+//! propeller. Noise, lag, air, trajectory, Vicon's outages and the start are chance, too.
+
+use crate::noise::{Purpose, Stream};
+use crate::plant::State;
+use crate::scenario::{Failure, Gain, Scenario, point};
+use crate::sensors::{Senses, Stuck};
+use models::{Airframe, Mode};
+use nalgebra::Vector3;
+use std::f64::consts::PI;
+
+/// When the landing begins, s.
+const LANDING: f64 = 28.0;
+
+/// The flight of a seed, in which nothing breaks.
+pub fn scenario(seed: u64) -> Scenario {
+    let mut dice = Stream::new(seed, Purpose::Dice);
+    let points = [
+        point(0.0, 0.0, 0.0, dice.between(0.7, 1.3), 0.0),
+        somewhere(&mut dice, 8.0),
+        somewhere(&mut dice, 18.0),
+    ];
+    let mut scenario = Scenario::mambo(&points, LANDING, Mode::ClosedLoop);
+    scenario.seed = seed;
+    scenario.airframe = airframe(&mut dice);
+    scenario.lag *= dice.between(0.7, 1.3);
+    scenario.start = State {
+        position: Vector3::new(dice.between(-0.3, 0.3), dice.between(-0.3, 0.3), 0.0),
+        angles: Vector3::new(
+            dice.between(-0.03, 0.03),
+            dice.between(-0.03, 0.03),
+            dice.between(-0.3, 0.3),
+        ),
+        ..State::default()
+    };
+    scenario.air.steady =
+        Vector3::new(dice.between(-1.0, 1.0), dice.between(-1.0, 1.0), 0.0) * 0.01;
+    scenario.air.gusts = dice.between(0.0, 0.006);
+    scenario.senses = Senses::usual().scaled(dice.between(0.5, 1.5));
+    for _ in 0..dice.below(4) {
+        let from = dice.between(2.0, 30.0);
+        scenario.senses.outages.push((from, from + dice.between(0.2, 5.0)));
+    }
+    scenario
+}
+
+/// The flight of a seed, in which something breaks.
+pub fn failing(seed: u64) -> Scenario {
+    let mut scenario = scenario(seed);
+    let mut dice = Stream::new(seed ^ 0x5EED_FA11, Purpose::Dice);
+    let at = dice.between(6.0, 24.0);
+    let failure = match dice.below(3) {
+        0 => Failure::Motor(dice.below(4) as usize),
+        1 => {
+            let sensors = [Stuck::Gyroscope, Stuck::Accelerometer, Stuck::Altimeter, Stuck::Vicon];
+            Failure::Sensor(sensors[dice.below(4) as usize])
+        }
+        _ => {
+            let gains = [Gain::Roll, Gain::Pitch, Gain::Height, Gain::Along];
+            Failure::Gain(gains[dice.below(4) as usize])
+        }
+    };
+    scenario.failure = Some((at, failure));
+    scenario
+}
+
+fn somewhere(dice: &mut Stream, time: f64) -> models::trajectory::SetPoint {
+    let (x, y) = (dice.between(-0.5, 0.5), dice.between(-0.5, 0.5));
+    point(time, x, y, dice.between(0.6, 1.8), dice.between(-PI, PI))
+}
+
+fn airframe(dice: &mut Stream) -> Airframe {
+    let mut off = || dice.between(0.9, 1.1);
+    let mut airframe = Airframe::mambo();
+    airframe.mass *= off();
+    airframe.inertia = airframe.inertia.component_mul(&Vector3::new(off(), off(), off()));
+    airframe.arm *= off();
+    airframe.air_density *= off();
+    for n in 0..airframe.motors {
+        airframe.thrust_coefficients[n] *= off();
+        airframe.drag_coefficients[n] *= off();
+    }
+    airframe
+}

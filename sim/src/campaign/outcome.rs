@@ -1,0 +1,157 @@
+//! How one flight went, as figures that fit into a line.
+//!
+//! The envelope is the truth's, not the software's: it is left when the aircraft leans, moves, goes or
+//! hits the ground as no flight should.
+
+use super::dice;
+use crate::computer::Native;
+use crate::scenario::Scenario;
+use crate::voyage::{Moment, follow};
+use models::{Alarm, Phase};
+
+/// Largest tilt, rad.
+const TILT: f64 = 1.1;
+/// Largest speed, m/s.
+const SPEED: f64 = 4.3;
+/// Largest height and distance, m.
+const REACH: f64 = 4.5;
+/// Fastest touch-down, m/s.
+const IMPACT: f64 = 0.8;
+
+/// How one flight went.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outcome {
+    /// Its seed.
+    pub seed: u64,
+    /// What broke; `nothing`.
+    pub failure: String,
+    /// When it broke, s; infinite if nothing did.
+    pub broke: f64,
+    /// What stopped the motors.
+    pub alarm: String,
+    /// When, s; infinite if nothing did.
+    pub stopped: f64,
+    /// When the aircraft left the envelope, s; with failures, in a second flight whose crash predictor only
+    /// watches. Infinite if it did not.
+    pub left: f64,
+    /// Largest error of height from 5 s after each set point until the next, m.
+    pub height: f64,
+    /// Largest distance in the plane likewise, m.
+    pub place: f64,
+    /// Hardest touch-down, m/s.
+    pub impact: f64,
+    /// Whether it ended on the ground with the motors off and no alarm.
+    pub well: bool,
+}
+
+/// A flight in which nothing breaks.
+pub fn of_spread(seed: u64) -> Outcome {
+    watched(&dice::scenario(seed), Outcome::new(seed))
+}
+
+/// Two flights in which something breaks: one with the crash predictor, one in which it only watches.
+pub fn of_failure(seed: u64) -> Outcome {
+    let mut scenario = dice::failing(seed);
+    let mut outcome = watched(&scenario, Outcome::new(seed));
+    if let Some((at, failure)) = scenario.failure {
+        outcome.failure = format!("{failure:?}");
+        outcome.broke = at;
+    }
+    scenario.settings.limits.armed = false;
+    let free = watched(&scenario, Outcome::new(seed));
+    outcome.left = free.left;
+    outcome
+}
+
+/// Flies and looks, until the aircraft has left the envelope.
+fn watched(scenario: &Scenario, mut outcome: Outcome) -> Outcome {
+    follow(scenario, &mut Native::default(), |moment, _| {
+        outcome.look(moment);
+        outcome.left.is_infinite()
+    });
+    outcome
+}
+
+impl Outcome {
+    fn new(seed: u64) -> Self {
+        Self {
+            seed,
+            failure: "nothing".into(),
+            broke: f64::INFINITY,
+            alarm: "none".into(),
+            stopped: f64::INFINITY,
+            left: f64::INFINITY,
+            height: 0.0,
+            place: 0.0,
+            impact: 0.0,
+            well: false,
+        }
+    }
+
+    fn look(&mut self, moment: &Moment) {
+        let (state, outputs) = (&moment.state, &moment.outputs);
+        self.impact = self.impact.max(moment.impact);
+        let tilt = (state.angles.x.cos() * state.angles.y.cos()).acos();
+        let far = state.position.amax() > REACH;
+        let wild = tilt > TILT || state.velocity.norm() > SPEED || far || moment.impact > IMPACT;
+        if (wild || !state.is_finite()) && self.left.is_infinite() {
+            self.left = moment.time;
+        }
+        if outputs.alarm != Alarm::Clear && self.stopped.is_infinite() {
+            self.stopped = moment.time;
+            self.alarm = format!("{:?}", outputs.alarm);
+        }
+        let settled = [(5.0, 8.0), (15.0, 18.0), (25.0, 28.0)];
+        if settled.iter().any(|(from, to)| (*from..*to).contains(&moment.time)) {
+            let error = outputs.reference.target.position - state.position;
+            self.height = self.height.max(error.z.abs());
+            self.place = self.place.max(error.xy().norm());
+        }
+        let over = outputs.reference.phase == Phase::Over && state.position.z <= 0.0;
+        self.well = over && outputs.alarm == Alarm::Clear && outputs.command.motors.amax() == 0.0;
+    }
+
+    /// Whether the motors were stopped although the aircraft would have flown on for a second.
+    pub fn stopped_for_nothing(&self) -> bool {
+        self.stopped.is_finite() && self.left > self.stopped + 1.0
+    }
+
+    /// Whether the aircraft left the envelope before anything stopped the motors.
+    pub fn missed(&self) -> bool {
+        self.left.is_finite() && self.stopped > self.left
+    }
+}
+
+/// The first line of a file of outcomes.
+pub const HEADER: &str = "seed,failure,broke,alarm,stopped,left,height,place,impact,well";
+
+impl Outcome {
+    /// As a line.
+    pub fn line(&self) -> String {
+        let Self { seed, failure, broke, alarm, stopped, left, height, place, impact, well } = self;
+        format!(
+            "{seed},{failure},{broke:.3},{alarm},{stopped:.3},{left:.3},{height:.4},{place:.4},{impact:.4},{well}"
+        )
+    }
+
+    /// From a line; nothing, if it is none, or was cut off.
+    pub fn of_line(line: &str) -> Option<Self> {
+        let parts: Vec<&str> = line.split(',').collect();
+        let [seed, failure, broke, alarm, stopped, left, height, place, impact, well] = parts[..]
+        else {
+            return None;
+        };
+        Some(Self {
+            seed: seed.parse().ok()?,
+            failure: failure.to_owned(),
+            broke: broke.parse().ok()?,
+            alarm: alarm.to_owned(),
+            stopped: stopped.parse().ok()?,
+            left: left.parse().ok()?,
+            height: height.parse().ok()?,
+            place: place.parse().ok()?,
+            impact: impact.parse().ok()?,
+            well: well.parse().ok()?,
+        })
+    }
+}

@@ -1,0 +1,106 @@
+//! What a campaign comes to: percentiles, and how many flights were as they must not be.
+
+use super::Kind;
+use super::outcome::Outcome;
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+/// Fastest touch-down of a flight in which nothing breaks, m/s.
+const SOFT: f64 = 0.5;
+
+/// What is wrong with a flight.
+pub fn fault(kind: Kind, outcome: &Outcome) -> Option<&'static str> {
+    match kind {
+        Kind::Spread if outcome.left.is_finite() => Some("left the envelope"),
+        Kind::Spread if outcome.stopped.is_finite() => Some("stopped by the crash predictor"),
+        Kind::Spread if outcome.impact > SOFT => Some("hit the ground above 0.5 m/s"),
+        Kind::Spread if !outcome.well => Some("did not end on the ground, motors off"),
+        Kind::Failures if outcome.stopped_for_nothing() => Some("stopped for nothing"),
+        Kind::Failures if outcome.missed() => Some("missed: left the envelope, motors on"),
+        _ => None,
+    }
+}
+
+/// A Markdown page about a campaign.
+pub fn page(kind: Kind, outcomes: &[Outcome]) -> String {
+    let mut text = String::new();
+    let _ = writeln!(text, "{} flights\n", outcomes.len());
+    text.push_str(&match kind {
+        Kind::Spread => spread(outcomes),
+        Kind::Failures => failures(outcomes),
+    });
+    let mut faults: BTreeMap<&str, Vec<u64>> = BTreeMap::new();
+    for outcome in outcomes {
+        if let Some(fault) = fault(kind, outcome) {
+            faults.entry(fault).or_default().push(outcome.seed);
+        }
+    }
+    if faults.is_empty() {
+        let _ = writeln!(text, "\nnone was as it must not be");
+    }
+    for (fault, seeds) in faults {
+        let some: Vec<String> = seeds.iter().take(8).map(u64::to_string).collect();
+        let _ = writeln!(text, "\n{}: {fault}: seeds {}", seeds.len(), some.join(", "));
+    }
+    text
+}
+
+fn spread(outcomes: &[Outcome]) -> String {
+    let mut text =
+        String::from("| figure | median | 90 % | 99 % | worst |\n|:--|--:|--:|--:|--:|\n");
+    let mut row = |name: &str, of: fn(&Outcome) -> f64| {
+        let values = sorted(outcomes.iter().map(of));
+        let at = |share| percentile(&values, share);
+        let _ = writeln!(
+            text,
+            "| {name} | {:.3} | {:.3} | {:.3} | {:.3} |",
+            at(0.5),
+            at(0.9),
+            at(0.99),
+            at(1.0)
+        );
+    };
+    row("error of height once settled, m", |outcome| outcome.height);
+    row("distance in the plane once settled, m", |outcome| outcome.place);
+    row("touch-down, m/s", |outcome| outcome.impact);
+    text
+}
+
+fn failures(outcomes: &[Outcome]) -> String {
+    let mut groups: BTreeMap<&str, Vec<&Outcome>> = BTreeMap::new();
+    for outcome in outcomes {
+        groups.entry(&outcome.failure).or_default().push(outcome);
+    }
+    let mut text = String::from(
+        "| failure | flights | stopped | flown on | s to stop, median | s from stop to leaving, median | longest |\n\
+         |:--|--:|--:|--:|--:|--:|--:|\n",
+    );
+    for (failure, group) in groups {
+        let stopped: Vec<_> = group.iter().filter(|outcome| outcome.stopped.is_finite()).collect();
+        let reaction = sorted(stopped.iter().map(|outcome| outcome.stopped - outcome.broke));
+        let ahead = sorted(stopped.iter().map(|outcome| outcome.left - outcome.stopped));
+        let _ = writeln!(
+            text,
+            "| {failure} | {} | {} | {} | {:.2} | {:.2} | {:.2} |",
+            group.len(),
+            stopped.len(),
+            group.len() - stopped.len(),
+            percentile(&reaction, 0.5),
+            percentile(&ahead, 0.5),
+            percentile(&ahead, 1.0)
+        );
+    }
+    text
+}
+
+fn sorted(values: impl Iterator<Item = f64>) -> Vec<f64> {
+    let mut all: Vec<f64> = values.collect();
+    all.sort_by(f64::total_cmp);
+    all
+}
+
+/// The value below which `share` of the sorted values lie; NaN if there are none.
+fn percentile(sorted: &[f64], share: f64) -> f64 {
+    let last = sorted.len().saturating_sub(1);
+    sorted.get((share * last as f64).round() as usize).copied().unwrap_or(f64::NAN)
+}

@@ -1,0 +1,110 @@
+//! Figures of a flight with their limits: what its verdict is made of.
+
+use std::fmt;
+
+/// What a figure is held to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Limit {
+    /// At most this.
+    AtMost(f64),
+    /// At least this.
+    AtLeast(f64),
+    /// Between these.
+    Between(f64, f64),
+    /// Nothing: it is told only.
+    Told,
+    /// It has to be 1: a statement that holds.
+    Holds,
+}
+
+/// A figure of a flight.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Check {
+    /// What it is.
+    pub what: String,
+    /// What it came to.
+    pub value: f64,
+    /// What it is held to.
+    pub limit: Limit,
+    /// Its unit.
+    pub unit: &'static str,
+}
+
+impl Check {
+    /// A figure that must not be larger than `limit`.
+    pub fn at_most(what: &str, value: f64, limit: f64, unit: &'static str) -> Self {
+        Self { what: what.to_owned(), value, limit: Limit::AtMost(limit), unit }
+    }
+
+    /// A figure that must not be smaller than `limit`.
+    pub fn at_least(what: &str, value: f64, limit: f64, unit: &'static str) -> Self {
+        Self { what: what.to_owned(), value, limit: Limit::AtLeast(limit), unit }
+    }
+
+    /// A figure that must lie between two values.
+    pub fn between(what: &str, value: f64, least: f64, most: f64, unit: &'static str) -> Self {
+        Self { what: what.to_owned(), value, limit: Limit::Between(least, most), unit }
+    }
+
+    /// A figure that is told only.
+    pub fn told(what: &str, value: f64, unit: &'static str) -> Self {
+        Self { what: what.to_owned(), value, limit: Limit::Told, unit }
+    }
+
+    /// A statement that must hold.
+    pub fn holds(what: &str, holds: bool) -> Self {
+        let value = if holds { 1.0 } else { 0.0 };
+        Self { what: what.to_owned(), value, limit: Limit::Holds, unit: "" }
+    }
+
+    /// Whether it is as it should be; what is not a number never is.
+    pub fn passes(&self) -> bool {
+        match self.limit {
+            Limit::AtMost(most) => self.value <= most,
+            Limit::AtLeast(least) => self.value >= least,
+            Limit::Between(least, most) => least <= self.value && self.value <= most,
+            Limit::Told => true,
+            Limit::Holds => self.value == 1.0,
+        }
+    }
+
+    /// The limit, as a person reads it.
+    pub fn limit_text(&self) -> String {
+        match self.limit {
+            Limit::AtMost(most) => format!("≤ {}", with_unit(most, self.unit)),
+            Limit::AtLeast(least) => format!("≥ {}", with_unit(least, self.unit)),
+            Limit::Between(least, most) => {
+                format!("{} … {}", number(least), with_unit(most, self.unit))
+            }
+            Limit::Told | Limit::Holds => String::new(),
+        }
+    }
+
+    /// The figure, as a person reads it.
+    pub fn value_text(&self) -> String {
+        match self.limit {
+            Limit::Holds if self.passes() => "yes".to_owned(),
+            Limit::Holds => "no".to_owned(),
+            _ => with_unit(self.value, self.unit),
+        }
+    }
+}
+
+impl fmt::Display for Check {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {} {}", self.what, self.value_text(), self.limit_text())
+    }
+}
+
+/// A fraction as a percentage; anything else with its unit.
+fn with_unit(value: f64, unit: &str) -> String {
+    match unit {
+        "" => format!("{:.2} %", 100.0 * value),
+        "°" => format!("{}°", number(value)),
+        unit => format!("{} {unit}", number(value)),
+    }
+}
+
+fn number(value: f64) -> String {
+    if value.abs() >= 100.0 { format!("{value:.1}") } else { format!("{value:.3}") }
+}

@@ -1,0 +1,81 @@
+//! Whatever can run the onboard software: the models as rustc compiles them, or their C as a process.
+//!
+//! No flight can tell which of them it has on board.
+
+use bessemer::Plain;
+use bessemer_codegen::compile::Compiled;
+use bessemer_legs::process::{Error, Process};
+use bessemer_legs::toolchain::Toolchain;
+use bessemer_legs::{entry, value, words};
+use models::{Inputs, Onboard, Outputs, Settings};
+
+/// An onboard computer.
+pub trait Computer {
+    /// One control period.
+    fn step(&mut self, settings: &Settings, inputs: &Inputs) -> Outputs;
+
+    /// Everything that the software remembers, as words, in the order in which the models declare it.
+    fn state(&self) -> Vec<u64>;
+}
+
+/// The models, as rustc compiles them.
+#[derive(Clone, Debug, Default)]
+pub struct Native(Onboard);
+
+impl Computer for Native {
+    fn step(&mut self, settings: &Settings, inputs: &Inputs) -> Outputs {
+        self.0.step(settings, inputs)
+    }
+
+    fn state(&self) -> Vec<u64> {
+        words(&self.0)
+    }
+}
+
+/// The emitted C, as a process.
+pub struct Emitted {
+    process: Process,
+    state: Vec<u64>,
+}
+
+impl Emitted {
+    /// Compiles the C of the models and starts it.
+    ///
+    /// # Errors
+    /// What the compiler or the system said, or that the models have no onboard software.
+    pub fn start(compiled: &Compiled, toolchain: &Toolchain) -> Result<Self, Error> {
+        let step = entry(compiled, "Onboard", "step")
+            .ok_or_else(|| Error::Compile("the models have no `Onboard::step`".into()))?;
+        Ok(Self { process: Process::start(compiled, step, toolchain)?, state: Vec::new() })
+    }
+
+    /// Back to the initial state, for another flight.
+    ///
+    /// # Errors
+    /// What the system said.
+    pub fn restart(&mut self, toolchain: &Toolchain) -> Result<(), Error> {
+        self.process.restart(toolchain)
+    }
+}
+
+impl Computer for Emitted {
+    /// # Panics
+    /// If the process dies: the flight is over.
+    fn step(&mut self, settings: &Settings, inputs: &Inputs) -> Outputs {
+        let mut arguments = Vec::with_capacity(512);
+        settings.store(&mut |word| arguments.push(word));
+        inputs.store(&mut |word| arguments.push(word));
+        let results = match self.process.step(&arguments) {
+            Ok(results) if results[0] == 0 => results,
+            Ok(results) => panic!("the C reports fault {}", results[0]),
+            Err(error) => panic!("the C stopped: {error}"),
+        };
+        let outputs: Outputs = value(&results[1..]);
+        self.state = results[1 + words(&outputs).len()..].to_vec();
+        outputs
+    }
+
+    fn state(&self) -> Vec<u64> {
+        self.state.clone()
+    }
+}

@@ -1,0 +1,119 @@
+//! What a flight came to, in figures: errors, overshoot, settling, touch-down, commands.
+//!
+//! All of it is measured on the aircraft as it was, not on what the software believed.
+
+use crate::voyage::{Moment, Voyage};
+use models::airframe::GRAVITY;
+use models::geometry::wrapped;
+use models::{Airframe, Alarm, Phase};
+
+/// How close counts as settled, m.
+pub const CLOSE: f64 = 0.05;
+
+impl Voyage {
+    /// The moments between two times, s.
+    pub fn between(&self, from: f64, to: f64) -> impl Iterator<Item = &Moment> {
+        self.moments.iter().filter(move |moment| from <= moment.time && moment.time < to)
+    }
+
+    /// Largest error of height between two times, m.
+    pub fn height_error(&self, from: f64, to: f64) -> f64 {
+        self.worst(from, to, |moment| wanted(moment).z - moment.state.position.z)
+    }
+
+    /// Largest distance from the wanted place in the plane between two times, m.
+    pub fn plane_error(&self, from: f64, to: f64) -> f64 {
+        self.worst(from, to, |moment| (wanted(moment) - moment.state.position).xy().norm())
+    }
+
+    /// Largest error of yaw between two times, rad.
+    pub fn yaw_error(&self, from: f64, to: f64) -> f64 {
+        self.worst(from, to, |moment| {
+            wrapped(moment.outputs.reference.target.yaw - moment.state.angles.z)
+        })
+    }
+
+    /// How far the height went beyond `goal` between two times, m.
+    pub fn overshoot(&self, from: f64, to: f64, goal: f64) -> f64 {
+        self.between(from, to).map(|moment| moment.state.position.z - goal).fold(0.0, f64::max)
+    }
+
+    /// How long after `from` the height is and stays within [`CLOSE`] of `goal` until `to`, s.
+    pub fn settling(&self, from: f64, to: f64, goal: f64) -> f64 {
+        let away = |moment: &&Moment| (moment.state.position.z - goal).abs() > CLOSE;
+        self.between(from, to).filter(away).last().map_or(0.0, |moment| moment.time - from)
+    }
+
+    /// How fast the aircraft hit the ground at most, m/s; infinite if it is still in the air at the end.
+    pub fn touch_down(&self) -> f64 {
+        let grounded = self.moments.last().is_some_and(|moment| moment.state.position.z <= 0.0);
+        let hardest = self.moments.iter().map(|moment| moment.impact).fold(0.0, f64::max);
+        if grounded { hardest } else { f64::INFINITY }
+    }
+
+    /// Whether the flight ended on the ground with the motors off and no alarm.
+    pub fn ended_well(&self) -> bool {
+        self.moments.last().is_some_and(|moment| {
+            let outputs = &moment.outputs;
+            let off = outputs.command.motors.amax() == 0.0;
+            off && outputs.reference.phase == Phase::Over && outputs.alarm == Alarm::Clear
+        })
+    }
+
+    /// The first alarm, and when it came, s.
+    pub fn alarm(&self) -> Option<(f64, Alarm)> {
+        let raised = self.moments.iter().find(|moment| moment.outputs.alarm != Alarm::Clear);
+        raised.map(|moment| (moment.time, moment.outputs.alarm))
+    }
+
+    /// Mean of the closed loop's command over motors and time, rad/s.
+    pub fn closed_loop(&self, from: f64, to: f64) -> f64 {
+        self.mean(from, to, |moment| mean_of(moment.outputs.command.closed_loop.as_slice()))
+    }
+
+    /// Mean speed that is asked of the motors over motors and time, rad/s.
+    pub fn commanded(&self, from: f64, to: f64) -> f64 {
+        self.mean(from, to, |moment| mean_of(moment.outputs.command.speeds.as_slice()))
+    }
+
+    /// Error of the closed loop's command under a feed-forward of the given gain (thesis, eq. (7.2)):
+    /// its mean against `(1 − gain) × hover`, as a fraction.
+    pub fn command_error(&self, from: f64, to: f64, gain: f64, hover: f64) -> f64 {
+        let planned = (1.0 - gain) * hover;
+        (planned - self.closed_loop(from, to)).abs() / planned
+    }
+
+    fn worst(&self, from: f64, to: f64, error: impl Fn(&Moment) -> f64) -> f64 {
+        let larger = |so_far: f64, value: f64| {
+            if value.is_nan() { f64::INFINITY } else { so_far.max(value.abs()) }
+        };
+        self.between(from, to).map(error).fold(0.0, larger)
+    }
+
+    fn mean(&self, from: f64, to: f64, value: impl Fn(&Moment) -> f64) -> f64 {
+        let values: Vec<f64> = self.between(from, to).map(value).collect();
+        values.iter().sum::<f64>() / values.len() as f64
+    }
+}
+
+/// The mean magnitude of the motors that there are: the others are 0.
+fn mean_of(motors: &[f64]) -> f64 {
+    let (mut sum, mut count) = (0.0, 0.0_f64);
+    for motor in motors.iter().filter(|motor| **motor != 0.0) {
+        sum += motor.abs();
+        count += 1.0;
+    }
+    sum / count.max(1.0)
+}
+
+fn wanted(moment: &Moment) -> nalgebra::Vector3<f64> {
+    moment.outputs.reference.target.position
+}
+
+/// The speed at which each motor of equal motors carries its share of the weight, rad/s
+/// (thesis, eq. (4.16)).
+pub fn hover_speed(airframe: &Airframe) -> f64 {
+    let factors = airframe.thrust_factors();
+    let mean = factors.sum() / airframe.motors as f64;
+    (airframe.mass * GRAVITY / airframe.motors as f64 / mean).sqrt()
+}

@@ -1,0 +1,35 @@
+//! Motors as they are: they take time to change their speed, and may stop for good.
+
+use nalgebra::SVector;
+
+/// The motors of one aircraft.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Motors {
+    /// Speed of each, rad/s.
+    pub speeds: SVector<f64, 8>,
+    /// Time constant with which a motor follows its command, s.
+    pub lag: f64,
+    /// Which one has stopped.
+    pub dead: Option<usize>,
+}
+
+impl Motors {
+    /// Motors at rest.
+    pub fn new(lag: f64) -> Self {
+        Self { speeds: SVector::zeros(), lag, dead: None }
+    }
+
+    /// Their speeds `period` seconds later, when `wanted` is asked of them, rad/s; and the mean squares
+    /// of the speeds on the way, which are what thrust goes by.
+    pub fn turn(&mut self, wanted: &SVector<f64, 8>, period: f64) -> SVector<f64, 8> {
+        let kept = if self.lag > 0.0 { (-period / self.lag).exp() } else { 0.0 };
+        let mut goal = wanted.abs();
+        if let Some(dead) = self.dead {
+            goal[dead] = 0.0;
+        }
+        let end = goal + (self.speeds - goal) * kept;
+        let middle = (self.speeds + end) / 2.0;
+        self.speeds = end;
+        middle.component_mul(&middle)
+    }
+}

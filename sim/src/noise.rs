@@ -1,0 +1,66 @@
+//! Chance that comes again: one stream of random numbers for each purpose, all from one seed.
+//!
+//! Invariant: a stream depends on the seed and its own number only, so that a new sensor, or another
+//! thread, changes nothing for the others.
+
+use nalgebra::Vector3;
+use rand::{Rng, RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use rand_distr::StandardNormal;
+
+/// What a stream is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    /// The inertial sensors.
+    Inertial = 1,
+    /// The altimeter.
+    Altimeter,
+    /// The camera.
+    Camera,
+    /// Vicon.
+    Vicon,
+    /// The wind.
+    Wind,
+    /// What differs from one flight of a campaign to the next.
+    Dice,
+    /// The particles of a swarm.
+    Swarm,
+}
+
+/// A stream of random numbers.
+#[derive(Clone, Debug)]
+pub struct Stream(ChaCha8Rng);
+
+impl Stream {
+    /// The stream of a purpose under a seed.
+    pub fn new(seed: u64, purpose: Purpose) -> Self {
+        let mut chacha = ChaCha8Rng::seed_from_u64(seed);
+        chacha.set_stream(purpose as u64);
+        Self(chacha)
+    }
+
+    /// Normally distributed, with a standard deviation of 1.
+    pub fn normal(&mut self) -> f64 {
+        self.0.sample(StandardNormal)
+    }
+
+    /// Three of these.
+    pub fn normals(&mut self) -> Vector3<f64> {
+        Vector3::new(self.normal(), self.normal(), self.normal())
+    }
+
+    /// Uniform between two values.
+    pub fn between(&mut self, least: f64, most: f64) -> f64 {
+        least + (most - least) * self.0.random::<f64>()
+    }
+
+    /// One of `count` numbers from 0 on.
+    pub fn below(&mut self, count: u64) -> u64 {
+        self.0.next_u64() % count
+    }
+
+    /// True with the given probability.
+    pub fn happens(&mut self, probability: f64) -> bool {
+        self.between(0.0, 1.0) < probability
+    }
+}

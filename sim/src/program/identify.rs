@@ -1,0 +1,246 @@
+//! `cargo xtask identify`: the thrust coefficients that a logged flight speaks for, by the thesis' method
+//! and by a well-posed one.
+
+use super::{Outcome, write};
+use clap::Args;
+use indicatif::{ProgressBar, ProgressStyle};
+use models::{Airframe, Mode};
+use sim::computer::Native;
+use sim::figures::{Axes, Line, draw};
+use sim::identify::fit::{Fit, fit};
+use sim::identify::logged::Logged;
+use sim::identify::segments::Segments;
+use sim::identify::swarm::{Found, Swarm, search};
+use sim::identify::{replay, with_coefficients};
+use sim::noise::{Purpose, Stream};
+use sim::recording::{self, Log};
+use sim::scenario::{Scenario, point};
+use sim::voyage::fly;
+use std::collections::BTreeMap;
+use std::error::Error;
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+const EXAMPLES: &str = "\
+Examples:
+  cargo xtask sim hover --out target/hover
+  cargo xtask identify target/hover/hover.mcap --out target/hover
+      Coefficients with their confidence, the convergence (fig. 5.2), the model against the flight (fig. 5.3)
+  cargo xtask identify --study 20 --file docs/results/identification.csv
+      Simulated flights whose coefficients are known: how far each method is off";
+
+/// Time constant of the Mambo's motors (data sheet), s.
+const LAG: f64 = 0.015;
+
+/// Arguments of `identify`.
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Identify {
+    /// A flight, as `cargo xtask sim FLIGHT --out FOLDER` writes it
+    #[arg(required_unless_present = "study")]
+    flight: Option<PathBuf>,
+    /// Where chance begins, for the swarm
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Write the pictures into this folder
+    #[arg(long, value_name = "FOLDER")]
+    out: Option<PathBuf>,
+    /// Leave the thesis' swarm out
+    #[arg(long)]
+    no_swarm: bool,
+    /// Identify so many simulated flights whose coefficients are known
+    #[arg(long, conflicts_with = "flight")]
+    study: Option<u64>,
+    /// Where the study is written down
+    #[arg(long, requires = "study")]
+    file: Option<PathBuf>,
+}
+
+/// Identifies.
+pub fn run(wanted: &Identify) -> Outcome {
+    match (&wanted.flight, wanted.study) {
+        (Some(path), _) => one(wanted, path),
+        (None, count) => study(wanted, count.unwrap_or_default()),
+    }
+}
+
+/// What the methods made of a flight.
+struct Results {
+    four: Option<Found>,
+    one: Option<Found>,
+    fit: Fit,
+}
+
+fn identified(
+    logged: &Logged,
+    sheet: &Airframe,
+    seed: u64,
+    swarm: bool,
+) -> Result<Results, Box<dyn Error>> {
+    let cost = |coefficients: &[f64]| replay::cost(logged, sheet, coefficients);
+    let by_swarm = |dimensions: usize| {
+        let swarm = Swarm::thesis(dimensions, seed);
+        let bar = progress(swarm.iterations as u64 + 1);
+        let found = search(&swarm, cost, |_, cost| {
+            bar.set_message(format!("swarm of {dimensions}: {cost:.4}"));
+            bar.inc(1);
+        });
+        bar.finish_and_clear();
+        found
+    };
+    let segments = Segments::of(logged, sheet);
+    let known = sheet.thrust_coefficients;
+    let fit = fit(&segments, &[known[0], known[1], known[2], known[3]], |_, _| ())
+        .map_err(|error| error.to_string())?;
+    Ok(Results { four: swarm.then(|| by_swarm(4)), one: swarm.then(|| by_swarm(1)), fit })
+}
+
+fn progress(length: u64) -> ProgressBar {
+    let bar = ProgressBar::new(length);
+    if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} {msg}") {
+        bar.set_style(style);
+    }
+    bar
+}
+
+fn one(wanted: &Identify, path: &Path) -> Outcome {
+    let sheet = Airframe::mambo();
+    let log = Log::read(path)?;
+    if log.about.get("flight").is_some_and(|flight| flight == "hexacopter") {
+        return Err("the identification knows the data sheet of the Mambo only".into());
+    }
+    let logged = Logged::of(&log, LAG)?;
+    let began = Instant::now();
+    let results = identified(&logged, &sheet, wanted.seed, !wanted.no_swarm)?;
+    let seconds = began.elapsed().as_secs_f64();
+    println!(
+        "| method | motor 1 | motor 2 | motor 3 | motor 4 | cost |\n|:--|--:|--:|--:|--:|--:|"
+    );
+    for (name, found) in [("thesis, four", &results.four), ("thesis, one", &results.one)] {
+        if let Some(found) = found {
+            println!("| {name} |{} {:.4} |", cells(&found.best), found.cost);
+        }
+    }
+    let fit = &results.fit;
+    println!("| well-posed |{} {:.3e} |", cells(&fit.coefficients), fit.cost);
+    println!("| ± at 95 % |{} |", cells(&fit.confidence));
+    let swarms = [&results.four, &results.one].into_iter().flatten().count();
+    let evaluations = swarms * Swarm::thesis(4, 0).evaluations() + fit.evaluations as usize;
+    println!("\n{evaluations} costs computed in {seconds:.1} s");
+    if let Some(folder) = &wanted.out {
+        std::fs::create_dir_all(folder)?;
+        pictures(folder, &logged, &sheet, &results)?;
+    }
+    Ok(true)
+}
+
+fn cells(values: &[f64]) -> String {
+    (0..4).fold(String::new(), |mut text, n| {
+        let _ = write!(text, " {:.6} |", values[n.min(values.len() - 1)]);
+        text
+    })
+}
+
+fn pictures(
+    folder: &Path,
+    logged: &Logged,
+    sheet: &Airframe,
+    results: &Results,
+) -> Result<(), Box<dyn Error>> {
+    let line = |name: &str, history: &[f64]| Line {
+        name: name.to_owned(),
+        points: history.iter().enumerate().map(|(n, cost)| (n as f64, *cost)).collect(),
+        dots: false,
+    };
+    let mut lines = Vec::new();
+    for (name, found) in [("four coefficients", &results.four), ("one", &results.one)] {
+        lines.extend(found.as_ref().map(|found| line(name, &found.history)));
+    }
+    if !lines.is_empty() {
+        let axes = [Axes { label: "best cost J".into(), lines }];
+        let title = "convergence of the thesis' swarm (thesis, fig. 5.2)";
+        write(&folder.join("identify-convergence.svg"), draw(title, "iteration", &axes)?)?;
+    }
+
+    let (first, last) = logged.airborne;
+    let curve = |name: &str, states: &[_], output: usize| Line {
+        name: name.to_owned(),
+        points: states
+            .iter()
+            .enumerate()
+            .step_by((states.len() / 800).max(1))
+            .map(|(n, state): (usize, &sim::identify::logged::State)| {
+                (n as f64 * logged.period, state[output])
+            })
+            .collect(),
+        dots: false,
+    };
+    let fitted = with_coefficients(sheet, &results.fit.coefficients);
+    let model = replay::flown(logged, &fitted);
+    let restarted = Segments::of(logged, sheet).flown(&results.fit.coefficients);
+    let panel = |label: &str, output: usize| Axes {
+        label: label.to_owned(),
+        lines: vec![
+            curve("flight", &logged.states[first..last], output),
+            curve("model, restarted", &restarted, output),
+            curve("model, open loop", &model, output),
+        ],
+    };
+    let axes = [
+        panel("altitude, m", 2),
+        panel("vertical velocity, m/s", 8),
+        panel("roll rate, rad/s", 9),
+        panel("yaw rate, rad/s", 11),
+    ];
+    let title = "the model against the flight (thesis, fig. 5.3)";
+    write(&folder.join("identify-model.svg"), draw(title, "time in the air, s", &axes)?)?;
+    Ok(())
+}
+
+/// A hover whose coefficients lie up to 10 % off the data sheet, each motor its own.
+fn unknown_flight(seed: u64) -> Scenario {
+    let mut dice = Stream::new(seed, Purpose::Dice);
+    let mut scenario = Scenario::mambo(&[point(0.0, 0.0, 0.0, 1.0, 0.0)], 24.0, Mode::ClosedLoop);
+    let coefficients: Vec<f64> = (0..4).map(|_| 0.0107 * dice.between(0.9, 1.1)).collect();
+    scenario.airframe = with_coefficients(&scenario.airframe, &coefficients);
+    scenario.seed = seed;
+    scenario
+}
+
+fn study(wanted: &Identify, count: u64) -> Outcome {
+    let sheet = Airframe::mambo();
+    let mut text = String::from(
+        "seed,thesis four (worst off),thesis one (mean off),well-posed (worst off),its 95 % (widest)\n",
+    );
+    let mut good = true;
+    let bar = progress(count);
+    for seed in 1..=count {
+        let scenario = unknown_flight(seed);
+        let voyage = fly(&scenario, &mut Native::default());
+        let log = Log::of(&recording::mcap(&voyage, &BTreeMap::new())?, "study".into())?;
+        let logged = Logged::of(&log, LAG)?;
+        let results = identified(&logged, &sheet, wanted.seed + seed, !wanted.no_swarm)?;
+        let truth = &scenario.airframe.thrust_coefficients.as_slice()[..4];
+        let off = |found: &[f64]| worst_off(found, truth);
+        let mean = truth.iter().sum::<f64>() / 4.0;
+        let four = results.four.as_ref().map_or(f64::NAN, |found| off(&found.best));
+        let one = results.one.as_ref().map_or(f64::NAN, |found| (found.best[0] / mean - 1.0).abs());
+        let ours = off(&results.fit.coefficients);
+        let widest =
+            results.fit.confidence.iter().zip(truth).map(|(c, t)| c / t).fold(0.0, f64::max);
+        let _ = writeln!(text, "{seed},{four:.4},{one:.4},{ours:.5},{widest:.5}");
+        good &= ours < 0.01;
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    print!("{text}");
+    if let Some(path) = &wanted.file {
+        write(path, &text)?;
+    }
+    Ok(good)
+}
+
+fn worst_off(found: &[f64], truth: &[f64]) -> f64 {
+    found.iter().zip(truth).map(|(found, truth)| (found / truth - 1.0).abs()).fold(0.0, f64::max)
+}

@@ -1,0 +1,15 @@
+//! The commands: what they are given, what they say. What they compute lives in the library.
+
+pub mod campaign;
+pub mod fly;
+pub mod identify;
+
+use std::error::Error;
+
+/// Whether everything was as it should be; an error, if that could not be found out.
+pub type Outcome = Result<bool, Box<dyn Error>>;
+
+/// Writes a file, and says which one it was if it cannot.
+pub fn write(path: &std::path::Path, content: impl AsRef<[u8]>) -> Result<(), Box<dyn Error>> {
+    std::fs::write(path, content).map_err(|error| format!("`{}`: {error}", path.display()).into())
+}

@@ -1,0 +1,136 @@
+//! A flight before it is flown: the aircraft as it is, the software's settings, what the ground sends,
+//! the air, the sensors, and what breaks.
+//!
+//! Plain data: everything that a flight depends on is in here, the seed included.
+
+use crate::air::Air;
+use crate::ground_station::Order;
+use crate::plant::State;
+use crate::sensors::{Senses, Stuck};
+use models::trajectory::SetPoint;
+use models::{Airframe, Mode, Settings};
+use nalgebra::Vector3;
+
+/// Time on the ground before take-off, in which the estimator settles, s. Flights count from take-off.
+pub const LEAD: f64 = 1.0;
+
+/// Something that breaks in flight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Failure {
+    /// A motor stops.
+    Motor(usize),
+    /// A sensor sticks.
+    Sensor(Stuck),
+    /// A gain changes its sign.
+    Gain(Gain),
+}
+
+/// A gain whose sign can change.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Gain {
+    /// Roll, all three.
+    Roll,
+    /// Pitch, all three.
+    Pitch,
+    /// Height, all three.
+    Height,
+    /// The lean along x.
+    Along,
+}
+
+/// A flight to be flown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scenario {
+    /// How long it takes from take-off on, s.
+    pub duration: f64,
+    /// The software's settings.
+    pub settings: Settings,
+    /// The aircraft as it is.
+    pub airframe: Airframe,
+    /// Time constant of its motors, s.
+    pub lag: f64,
+    /// Where it stands.
+    pub start: State,
+    /// What the ground sends, in the order of time.
+    pub orders: Vec<(f64, Order)>,
+    /// The air.
+    pub air: Air,
+    /// The sensors.
+    pub senses: Senses,
+    /// What breaks, and when, s.
+    pub failure: Option<(f64, Failure)>,
+    /// Where chance begins.
+    pub seed: u64,
+}
+
+impl Scenario {
+    /// A flight of the Mambo along set points, that lands `landing` seconds after take-off.
+    pub fn mambo(points: &[SetPoint], landing: f64, mode: Mode) -> Self {
+        let height = points.last().map_or(0.0, |point| point.position.z);
+        Self {
+            duration: landing + height / 0.25 + 4.0,
+            settings: Settings::mambo(),
+            airframe: Airframe::mambo(),
+            lag: 0.015,
+            start: State {
+                position: Vector3::new(0.1, -0.1, 0.0),
+                angles: Vector3::new(0.01, -0.01, 0.05),
+                ..State::default()
+            },
+            orders: vec![
+                (-LEAD, Order::Hello),
+                (-LEAD, Order::Mode(mode)),
+                (-LEAD, Order::Fly(points.to_vec())),
+                (0.0, Order::TakeOff),
+                (landing, Order::Land),
+            ],
+            air: Air { steady: Vector3::zeros(), gusts: 0.001, memory: 0.5 },
+            senses: Senses::usual(),
+            failure: None,
+            seed: 1,
+        }
+    }
+
+    /// The settings in force at a time, s.
+    pub fn settings_at(&self, time: f64) -> Settings {
+        let mut settings = self.settings;
+        if let Some((at, Failure::Gain(gain))) = self.failure
+            && time >= at
+        {
+            let parameters = &mut settings.parameters;
+            let all = match gain {
+                Gain::Roll => &mut parameters.roll,
+                Gain::Pitch => &mut parameters.pitch,
+                Gain::Height => &mut parameters.height,
+                Gain::Along => {
+                    parameters.x.p = -parameters.x.p;
+                    parameters.x.d = -parameters.x.d;
+                    return settings;
+                }
+            };
+            (all.p, all.i, all.d) = (-all.p, -all.i, -all.d);
+        }
+        settings
+    }
+
+    /// The sensor that is stuck at a time, s.
+    pub fn stuck_at(&self, time: f64) -> Option<Stuck> {
+        match self.failure {
+            Some((at, Failure::Sensor(sensor))) if time >= at => Some(sensor),
+            _ => None,
+        }
+    }
+
+    /// The motor that has stopped by a time, s.
+    pub fn dead_at(&self, time: f64) -> Option<usize> {
+        match self.failure {
+            Some((at, Failure::Motor(motor))) if time >= at => Some(motor),
+            _ => None,
+        }
+    }
+}
+
+/// A set point.
+pub fn point(time: f64, x: f64, y: f64, z: f64, yaw: f64) -> SetPoint {
+    SetPoint { time, position: Vector3::new(x, y, z), yaw }
+}

@@ -1,0 +1,75 @@
+//! Every flight, held to its checks; and what the simulation promises of itself.
+
+use sim::computer::Native;
+use sim::flights::{FLIGHTS, find};
+use sim::scenario::Scenario;
+use sim::voyage::{Voyage, fly};
+
+fn flown(scenario: &Scenario) -> Voyage {
+    fly(scenario, &mut Native::default())
+}
+
+#[test]
+fn every_flight_is_as_it_should_be() {
+    let mut wrong = Vec::new();
+    for flight in FLIGHTS {
+        let scenario = (flight.scenario)(1);
+        let voyage = flown(&scenario);
+        for check in (flight.checks)(&scenario, &voyage) {
+            if !check.passes() {
+                wrong.push(format!("{}: {check}", flight.name));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+#[test]
+fn other_seeds_do_as_well() {
+    for name in ["hover", "climb", "vicon-lost", "hexacopter", "motor-failure"] {
+        let flight = find(name).expect("a flight");
+        for seed in 2..5 {
+            let scenario = Scenario { seed, ..(flight.scenario)(seed) };
+            let voyage = flown(&scenario);
+            for check in (flight.checks)(&scenario, &voyage) {
+                assert!(check.passes(), "{name}, seed {seed}: {check}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_order_of_mistaken_coefficients_is_the_thesis() {
+    let error = |name: &str| {
+        let flight = find(name).expect("a flight");
+        let scenario = (flight.scenario)(1);
+        let hover = sim::measure::hover_speed(&scenario.airframe);
+        let gain = scenario.settings.injection.most;
+        flown(&scenario).command_error(60.0, 70.0, gain, hover)
+    };
+    let (identified, twenty, fifty) =
+        (error("gravity-64"), error("coefficient-20"), error("coefficient-50"));
+    assert!(identified < twenty && twenty < fifty, "{identified} {twenty} {fifty}");
+}
+
+#[test]
+fn a_seed_is_a_flight() {
+    let scenario = (find("hover").expect("a flight").scenario)(7);
+    let one = flown(&Scenario { seed: 7, ..scenario.clone() });
+    assert_eq!(one, flown(&Scenario { seed: 7, ..scenario.clone() }));
+    assert_ne!(one, flown(&Scenario { seed: 8, ..scenario }));
+}
+
+#[test]
+fn what_was_logged_on_board_comes_down_whole() {
+    let voyage = flown(&(find("hover").expect("a flight").scenario)(1));
+    assert!(voyage.records.len() > 600, "{}", voyage.records.len());
+    for (period, values) in &voyage.records {
+        let outputs = &voyage.moments[*period as usize].outputs;
+        assert_eq!(values[2], outputs.estimate.position.z);
+        assert_eq!(values[18], outputs.command.closed_loop[0]);
+        assert_eq!(values[35], outputs.alarm as u8 as f64);
+    }
+    let every_tenth = voyage.records.windows(2).all(|pair| pair[1].0 - pair[0].0 == 10);
+    assert!(every_tenth, "the sender keeps up with the logger");
+}

@@ -1,0 +1,77 @@
+//! The whole onboard software in the loop: every flight with its C, every output and every state by bits.
+
+use std::sync::Mutex;
+
+use bessemer_tests::toolchain::{self, Toolchain};
+use bessemer_tests::{flight_models, words};
+use sim::computer::{Computer, Emitted, Native};
+use sim::flights::{FLIGHTS, Flight, find};
+use sim::scenario::Scenario;
+use sim::voyage::follow;
+
+/// What is flown of a flight, s: the longest takes three minutes, and `cargo xtask sim all --c` flies it whole.
+const LONGEST: f64 = 75.0;
+
+/// Bits, save that any NaN is any NaN.
+fn plain(words: &[u64]) -> impl Iterator<Item = u64> + '_ {
+    words.iter().map(|word| if f64::from_bits(*word).is_nan() { u64::MAX } else { *word })
+}
+
+/// FNV-1a of the outputs and of the state after each period.
+fn flown<C: Computer>(scenario: &Scenario, computer: &mut C) -> Vec<u64> {
+    let mut sums = Vec::new();
+    follow(scenario, computer, |moment, computer| {
+        let (outputs, state) = (words(&moment.outputs), computer.state());
+        let sum = plain(&outputs).chain(plain(&state)).fold(0xCBF2_9CE4_8422_2325, |sum, word| {
+            (sum ^ word).wrapping_mul(0x0000_0100_0000_01B3)
+        });
+        sums.push(sum);
+        true
+    });
+    sums
+}
+
+fn same(flight: &Flight, longest: f64, toolchain: &Toolchain, computer: &mut Emitted) {
+    let mut scenario = (flight.scenario)(1);
+    scenario.duration = scenario.duration.min(longest);
+    computer.restart(toolchain).unwrap_or_else(|error| panic!("{error}"));
+    let (native, other) = (flown(&scenario, &mut Native::default()), flown(&scenario, computer));
+    assert!(native.len() > 1000);
+    let parted = native.iter().zip(&other).position(|(here, there)| here != there);
+    assert_eq!(parted, None, "{} with {}", flight.name, toolchain.name());
+}
+
+fn started(toolchain: &Toolchain) -> Emitted {
+    Emitted::start(flight_models(), toolchain)
+        .unwrap_or_else(|error| panic!("{}: {error}", toolchain.name()))
+}
+
+#[test]
+fn the_c_flies_every_flight_to_the_same_bits() {
+    let Some(toolchain) = toolchain::host().into_iter().find(|toolchain| toolchain.level == 2)
+    else {
+        println!("left out: the compilers are not installed");
+        return;
+    };
+    let left = Mutex::new(FLIGHTS.iter());
+    std::thread::scope(|scope| {
+        for _ in 0..2 {
+            scope.spawn(|| {
+                let mut computer = started(&toolchain);
+                loop {
+                    let next = left.lock().expect("no thread panicked").next();
+                    let Some(flight) = next else { break };
+                    same(flight, LONGEST, &toolchain, &mut computer);
+                }
+            });
+        }
+    });
+}
+
+#[test]
+fn every_compiler_flies_a_hover_to_the_same_bits() {
+    let hover = find("hover").expect("a flight");
+    for toolchain in toolchain::all() {
+        same(hover, 6.0, &toolchain, &mut started(&toolchain));
+    }
+}
