@@ -40,7 +40,7 @@ extern crate self as bessemer;
 
 pub use bessemer_macros::{component, data, entry, function, interface};
 pub use instance::EntriesInOneBlock;
-pub use linear::{inverse_mut, solve_mut};
+pub use linear::{inverse, inverse_mut, solve, solve_mut};
 pub use nalgebra;
 pub use plain::Plain;
 

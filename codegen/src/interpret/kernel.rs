@@ -5,7 +5,7 @@
 use bessemer_ir::kernel::{COFACTORS, Products};
 use bessemer_ir::{Float, Kernel, KernelRoutine, Routine};
 
-use super::routine::{Operand, Real, routine};
+use super::routine::{Operand, Real, lanes, routine};
 
 /// Computes a kernel: its operands lie where they say, its result goes to the words from `out` on.
 pub(super) fn run(memory: &mut [u64], kernel: &Kernel, operands: &[Operand<'_>], out: usize) {
@@ -91,6 +91,30 @@ fn square<R: Real>(memory: &mut [u64], kernel: &Kernel, operands: &[Operand<'_>]
             }
         }
         KernelRoutine::Determinant => memory[out] = determinant(a).word(),
+        KernelRoutine::Cholesky => {
+            let factored = cholesky(&mut a);
+            memory[out] = u64::from(factored);
+            a.write(memory, at);
+        }
+        KernelRoutine::CholeskySolve
+        | KernelRoutine::SolveLower
+        | KernelRoutine::SolveUpper
+        | KernelRoutine::TrSolveLower
+        | KernelRoutine::TrSolveUpper => {
+            let other = operands[1].at;
+            let mut b = Matrix::<R>::read(memory, other, size, kernel.dims[1] as usize);
+            let checked = kernel.routine != KernelRoutine::CholeskySolve;
+            let singular = checked && (0..size).any(|k| a.at(k, k) == R::ZERO);
+            if singular {
+                b.fill(R::NAN);
+            } else {
+                triangular(kernel.routine, &a, &mut b);
+            }
+            b.write(memory, other);
+            if checked {
+                memory[out] = u64::from(!singular);
+            }
+        }
     }
 }
 
@@ -211,6 +235,80 @@ fn inverse_of_four<R: Real>(a: &Matrix<R>) -> Option<Matrix<R>> {
     let reciprocal = R::ONE / determinant;
     out.elements.iter_mut().for_each(|element| *element = *element * reciprocal);
     (determinant != R::ZERO).then_some(out)
+}
+
+/// The lower triangle becomes L, or NaN.
+fn cholesky<R: Real>(a: &mut Matrix<R>) -> bool {
+    let size = a.rows;
+    for col in 0..size {
+        for k in 0..col {
+            let factor = -a.at(col, k);
+            for row in col..size {
+                a.set(row, col, factor * a.at(row, k) + a.at(row, col));
+            }
+        }
+        let square = a.at(col, col);
+        if square > R::ZERO {
+            let root = square.root();
+            a.set(col, col, root);
+            for row in col + 1..size {
+                a.set(row, col, a.at(row, col) / root);
+            }
+            continue;
+        }
+        for col in 0..size {
+            (col..size).for_each(|row| a.set(row, col, R::NAN));
+        }
+        return false;
+    }
+    true
+}
+
+/// Solves with a triangle of `a`, whose diagonal divides.
+fn triangular<R: Real>(routine: KernelRoutine, a: &Matrix<R>, b: &mut Matrix<R>) {
+    let size = a.rows;
+    for col in 0..b.cols() {
+        if matches!(routine, KernelRoutine::SolveLower | KernelRoutine::CholeskySolve) {
+            (0..size).for_each(|k| take(a, b, col, k, k + 1..size));
+        }
+        if routine == KernelRoutine::SolveUpper {
+            (0..size).rev().for_each(|k| take(a, b, col, k, 0..k));
+        }
+        if matches!(routine, KernelRoutine::TrSolveLower | KernelRoutine::CholeskySolve) {
+            (0..size).rev().for_each(|k| gather(a, b, col, k, k + 1..size));
+        }
+        if routine == KernelRoutine::TrSolveUpper {
+            (0..size).for_each(|k| gather(a, b, col, k, 0..k));
+        }
+    }
+}
+
+/// Divides value `k`, and takes it from the rows that are open.
+fn take<R: Real>(
+    a: &Matrix<R>,
+    b: &mut Matrix<R>,
+    col: usize,
+    k: usize,
+    open: core::ops::Range<usize>,
+) {
+    let value = b.at(k, col) / a.at(k, k);
+    b.set(k, col, value);
+    for row in open {
+        b.set(row, col, -value * a.at(row, k) + b.at(row, col));
+    }
+}
+
+/// Takes the product with the values that are known from value `k`, and divides.
+fn gather<R: Real>(
+    a: &Matrix<R>,
+    b: &mut Matrix<R>,
+    col: usize,
+    k: usize,
+    known: core::ops::Range<usize>,
+) {
+    let term = |row: usize| a.at(row, k) * b.at(row, col);
+    let product = lanes(known.len(), |index| term(known.start + index));
+    b.set(k, col, (b.at(k, col) - product) / a.at(k, k));
 }
 
 fn determinant<R: Real>(mut a: Matrix<R>) -> R {

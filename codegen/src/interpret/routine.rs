@@ -186,22 +186,27 @@ fn dot<R: Real>(memory: &[u64], (rows, cols): (usize, usize), a: usize, b: usize
         (4, 1) => return (term(0) + term(2)) + (term(1) + term(3)),
         _ => {}
     }
-    let mut sum = R::ZERO;
-    for col in 0..cols {
-        let mut lanes = [R::ZERO; 8];
-        let first = col * rows;
-        let blocks = rows / 8;
-        for block in 0..blocks {
-            for (lane, value) in lanes.iter_mut().enumerate() {
-                *value = *value + term(first + block * 8 + lane);
-            }
+    (0..cols).fold(R::ZERO, |sum, col| add_lanes(sum, rows, |row| term(col * rows + row)))
+}
+
+/// The sum of `count` terms from zero, in eight lanes.
+pub(super) fn lanes<R: Real>(count: usize, term: impl Fn(usize) -> R) -> R {
+    add_lanes(R::ZERO, count, term)
+}
+
+fn add_lanes<R: Real>(mut sum: R, count: usize, term: impl Fn(usize) -> R) -> R {
+    let mut lanes = [R::ZERO; 8];
+    let blocks = count / 8;
+    for block in 0..blocks {
+        for (lane, value) in lanes.iter_mut().enumerate() {
+            *value = *value + term(block * 8 + lane);
         }
-        for lane in 0..4 {
-            sum = sum + (lanes[lane] + lanes[lane + 4]);
-        }
-        for row in blocks * 8..rows {
-            sum = sum + term(first + row);
-        }
+    }
+    for lane in 0..4 {
+        sum = sum + (lanes[lane] + lanes[lane + 4]);
+    }
+    for index in blocks * 8..count {
+        sum = sum + term(index);
     }
     sum
 }

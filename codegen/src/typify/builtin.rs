@@ -51,6 +51,8 @@ fn meaning(name: &str) -> Option<Meaning> {
         "component_mul" => Linear(Routine::ComponentMul),
         "component_div" => Linear(Routine::ComponentDiv),
         "tr_mul" => Linear(Routine::TrMul),
+        "scale" => Linear(Routine::Scale),
+        "unscale" => Linear(Routine::Unscale),
         "matrix_new" => Meaning::New,
         "zeros" => Meaning::Zeros,
         "identity" => Meaning::Identity,
@@ -196,7 +198,16 @@ impl Lowering<'_, '_> {
         arguments: &[tree::Expr],
         expr: &tree::Expr,
     ) -> Result<Expr> {
-        let values = self.uniform(arguments, None)?;
+        // A literal factor is of the matrix' own float.
+        let scaled = matches!(routine, Routine::Scale | Routine::Unscale);
+        let factor = match expr.slot.filter(|_| scaled) {
+            Some(slot) => match self.slot(slot, expr.site)? {
+                Type::Matrix { element, .. } => Some(Type::Scalar(element)),
+                _ => None,
+            },
+            None => None,
+        };
+        let values = self.uniform(arguments, factor)?;
         let shape = |index: usize| match values.get(index).map(|value| &value.ty) {
             Some(Type::Matrix { element, rows, cols }) => Some((*element, *rows, *cols)),
             _ => None,

@@ -15,6 +15,12 @@ fn routine(name: &str) -> Option<KernelRoutine> {
         "solve_mut" => KernelRoutine::LuSolve,
         "inverse_mut" => KernelRoutine::Inverse,
         "determinant" => KernelRoutine::Determinant,
+        "cholesky_mut" => KernelRoutine::Cholesky,
+        "cholesky_solve_mut" => KernelRoutine::CholeskySolve,
+        "solve_lower_mut" => KernelRoutine::SolveLower,
+        "solve_upper_mut" => KernelRoutine::SolveUpper,
+        "tr_solve_lower_mut" => KernelRoutine::TrSolveLower,
+        "tr_solve_upper_mut" => KernelRoutine::TrSolveUpper,
         _ => return None,
     })
 }
@@ -45,7 +51,7 @@ impl Lowering<'_, '_> {
             shapes.push(self.type_alone(argument)?);
         }
         let kernel = match (routine, shapes.as_slice()) {
-            (KernelRoutine::LuSolve, [a, b]) => of(routine, a, |rows, _| match *b {
+            (_, [a, b]) => of(routine, a, |rows, _| match *b {
                 Type::Matrix { cols, .. } => vec![rows, cols],
                 _ => Vec::new(),
             }),

@@ -35,6 +35,20 @@ pub enum KernelRoutine {
     Inverse,
     /// The determinant of `a`. The size. Up to 3 by minors, above by elimination.
     Determinant,
+    /// Factors a symmetric `a` in place: its lower triangle becomes L, what is above stays. `false`, and
+    /// NaN in the lower triangle, unless it is positive definite. The size.
+    Cholesky,
+    /// Solves `l lᵀ x = b` in place of `b`, of `l` the lower triangle. The size, the columns of `b`.
+    CholeskySolve,
+    /// Solves `a x = b` in place of `b`, of `a` the lower triangle; `false`, and NaN in `b`, where an
+    /// element of the diagonal is zero. The size, the columns of `b`.
+    SolveLower,
+    /// The same of the upper triangle.
+    SolveUpper,
+    /// The same with the transpose of the lower triangle.
+    TrSolveLower,
+    /// The same with the transpose of the upper triangle.
+    TrSolveUpper,
 }
 
 /// A routine of linear algebra with its element type and its shape.
@@ -50,12 +64,18 @@ pub struct Kernel {
 
 impl KernelRoutine {
     /// Every routine.
-    pub const ALL: [KernelRoutine; 5] = [
+    pub const ALL: [KernelRoutine; 11] = [
         KernelRoutine::Product,
         KernelRoutine::TrMul,
         KernelRoutine::LuSolve,
         KernelRoutine::Inverse,
         KernelRoutine::Determinant,
+        KernelRoutine::Cholesky,
+        KernelRoutine::CholeskySolve,
+        KernelRoutine::SolveLower,
+        KernelRoutine::SolveUpper,
+        KernelRoutine::TrSolveLower,
+        KernelRoutine::TrSolveUpper,
     ];
 
     /// `lu_solve`.
@@ -66,6 +86,12 @@ impl KernelRoutine {
             KernelRoutine::LuSolve => "lu_solve",
             KernelRoutine::Inverse => "inverse",
             KernelRoutine::Determinant => "determinant",
+            KernelRoutine::Cholesky => "cholesky",
+            KernelRoutine::CholeskySolve => "cholesky_solve",
+            KernelRoutine::SolveLower => "solve_lower",
+            KernelRoutine::SolveUpper => "solve_upper",
+            KernelRoutine::TrSolveLower => "tr_solve_lower",
+            KernelRoutine::TrSolveUpper => "tr_solve_upper",
         }
     }
 
@@ -78,7 +104,10 @@ impl KernelRoutine {
     pub const fn result(self) -> &'static str {
         match self {
             KernelRoutine::Product | KernelRoutine::TrMul => "product",
-            KernelRoutine::LuSolve => "solved",
+            KernelRoutine::LuSolve | KernelRoutine::CholeskySolve => "solved",
+            KernelRoutine::SolveLower | KernelRoutine::SolveUpper => "solved",
+            KernelRoutine::TrSolveLower | KernelRoutine::TrSolveUpper => "solved",
+            KernelRoutine::Cholesky => "factored",
             KernelRoutine::Inverse => "inverted",
             KernelRoutine::Determinant => "determinant",
         }
@@ -88,8 +117,13 @@ impl KernelRoutine {
     pub const fn dims(self) -> usize {
         match self {
             KernelRoutine::Product | KernelRoutine::TrMul => 3,
-            KernelRoutine::LuSolve => 2,
-            KernelRoutine::Inverse | KernelRoutine::Determinant => 1,
+            KernelRoutine::LuSolve
+            | KernelRoutine::CholeskySolve
+            | KernelRoutine::SolveLower
+            | KernelRoutine::SolveUpper
+            | KernelRoutine::TrSolveLower
+            | KernelRoutine::TrSolveUpper => 2,
+            KernelRoutine::Inverse | KernelRoutine::Determinant | KernelRoutine::Cholesky => 1,
         }
     }
 }
@@ -157,7 +191,20 @@ impl Kernel {
                 alloc::vec![("a", matrix(n, n), Mode::RefMut), ("b", matrix(n, m), Mode::RefMut)],
                 Type::BOOL,
             ),
-            KernelRoutine::Inverse => (alloc::vec![("a", matrix(n, n), Mode::RefMut)], Type::BOOL),
+            KernelRoutine::Inverse | KernelRoutine::Cholesky => {
+                (alloc::vec![("a", matrix(n, n), Mode::RefMut)], Type::BOOL)
+            }
+            KernelRoutine::CholeskySolve => (
+                alloc::vec![("a", matrix(n, n), Mode::Ref), ("b", matrix(n, m), Mode::RefMut)],
+                Type::Unit,
+            ),
+            KernelRoutine::SolveLower
+            | KernelRoutine::SolveUpper
+            | KernelRoutine::TrSolveLower
+            | KernelRoutine::TrSolveUpper => (
+                alloc::vec![("a", matrix(n, n), Mode::Ref), ("b", matrix(n, m), Mode::RefMut)],
+                Type::BOOL,
+            ),
             KernelRoutine::Determinant => {
                 (alloc::vec![("a", matrix(n, n), Mode::Ref)], Type::Scalar(element))
             }
@@ -195,6 +242,39 @@ impl Kernel {
                 "The pivot is the first of the largest magnitudes; a multiplier is an element times the",
                 "reciprocal of the pivot; an element takes the steps of the elimination in their order,",
                 "each as (-u) * l + element.",
+            ],
+            (KernelRoutine::Cholesky, _) => &[
+                "Factors a, symmetric, into L times its transpose, in place; matrices by columns. L takes the",
+                "lower triangle, which alone is read; what is above stays. False, and NaN in the lower",
+                "triangle, unless a is positive definite.",
+                "",
+                "Column by column: an element takes the columns before in their order, each as",
+                "(-l) * l + element; then the root of the diagonal divides.",
+            ],
+            (KernelRoutine::CholeskySolve, _) => &[
+                "Solves L times its transpose times x = b, in place of b, where a holds L in its lower",
+                "triangle; matrices by columns.",
+                "",
+                "Downwards each value is divided, then taken from the rows below; upwards the scalar product",
+                "with the values below, in nalgebra's order, is taken away before the division.",
+            ],
+            (KernelRoutine::SolveLower, _) => &[
+                "Solves a x = b in place of b, of a the lower triangle; matrices by columns. False, and NaN in",
+                "b, if the diagonal has a zero. Each value is divided, then taken from the rows below.",
+            ],
+            (KernelRoutine::SolveUpper, _) => &[
+                "Solves a x = b in place of b, of a the upper triangle; matrices by columns. False, and NaN in",
+                "b, if the diagonal has a zero. Each value is divided, then taken from the rows above.",
+            ],
+            (KernelRoutine::TrSolveLower, _) => &[
+                "Solves transpose(a) x = b in place of b, of a the lower triangle; matrices by columns. False,",
+                "and NaN in b, if the diagonal has a zero. From the last row upwards: the scalar product with",
+                "the values below, in nalgebra's order, is taken away, then divided.",
+            ],
+            (KernelRoutine::TrSolveUpper, _) => &[
+                "Solves transpose(a) x = b in place of b, of a the upper triangle; matrices by columns. False,",
+                "and NaN in b, if the diagonal has a zero. From the first row downwards: the scalar product",
+                "with the values above, in nalgebra's order, is taken away, then divided.",
             ],
             (KernelRoutine::Determinant, [0..=3]) => &["The determinant of a, by minors."],
             (KernelRoutine::Determinant, _) => &[

@@ -31,6 +31,7 @@ markers! {
     Transpose: "transpose"; Dot: "dot"; Cross: "cross"; Norm: "norm"; NormSquared: "norm_squared";
     Real: "real"; AsF64: "as_f64";
     ComponentMul: "component_mul"; ComponentDiv: "component_div"; TrMul: "tr_mul";
+    Scale: "scale"; Unscale: "unscale";
 }
 
 /// Methods of floats.
@@ -108,6 +109,21 @@ pub trait MatrixBuiltins<T, const R: usize, const C: usize>: Sized {
         unreachable!()
     }
     fn __b_transpose(&self) -> Called<Transpose, SMatrix<T, C, R>> {
+        unreachable!()
+    }
+    fn __b_adjoint(&self) -> Called<Transpose, SMatrix<T, C, R>> {
+        unreachable!()
+    }
+    fn __b_scale(&self, _factor: T) -> Called<Scale, Self> {
+        unreachable!()
+    }
+    fn __b_unscale(&self, _divisor: T) -> Called<Unscale, Self> {
+        unreachable!()
+    }
+    fn __b_ad_mul<const K: usize>(
+        &self,
+        _other: &SMatrix<T, R, K>,
+    ) -> Called<TrMul, SMatrix<T, C, K>> {
         unreachable!()
     }
     fn __b_dot(&self, _other: &Self) -> Called<Dot, T> {

@@ -32,7 +32,9 @@ pub mod prelude {
         New2 as _, New3 as _, New4 as _, New5 as _, New6 as _, New9 as _, New16 as _,
     };
     pub use super::elementary::ElementaryBuiltins as _;
-    pub use super::linear::SquareBuiltins as _;
+    pub use super::linear::{
+        PartBuiltins as _, SquareBuiltins as _, SquarePartBuiltins as _, VectorPartBuiltins as _,
+    };
     pub use super::numbers::{
         BytesBuiltins as _, DivisionBuiltins as _, FloatKindBuiltins as _, FromBuiltin as _,
         IntegerBuiltins as _, SignBuiltins as _, SignedBuiltins as _, UnsignedBuiltins as _,

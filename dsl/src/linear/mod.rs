@@ -5,6 +5,11 @@
 //!
 //! Absent: allocation, and large values on the stack.
 
+pub mod blas;
+pub mod kernels;
 mod lu;
+pub mod parts;
+mod systems;
 
 pub use lu::{inverse_mut, solve_mut};
+pub use systems::{inverse, solve};

@@ -53,6 +53,7 @@ macro_rules! changed {
 macro_rules! sizes {
     ($($module:ident: $real:ident $n:tt;)*) => {
         $(pub mod $module {
+            use bessemer::linear::kernels;
             use bessemer::prelude::*;
 
             cases! {
@@ -66,6 +67,25 @@ macro_rules! sizes {
                     bessemer::inverse_mut(a)
                 }
                 determinant(a: [&] [SMatrix<$real, $n, $n>]) -> [$real] { a.determinant() }
+                cholesky(a: [&mut] [SMatrix<$real, $n, $n>]) -> [bool] { kernels::cholesky_mut(a) }
+                cholesky_solve(
+                    a: [&] [SMatrix<$real, $n, $n>], b: [&mut] [SMatrix<$real, $n, 2>]
+                ) -> [bool] {
+                    kernels::cholesky_solve_mut(a, b);
+                    true
+                }
+                solve_lower(
+                    a: [&] [SMatrix<$real, $n, $n>], b: [&mut] [SMatrix<$real, $n, 2>]
+                ) -> [bool] { kernels::solve_lower_mut(a, b) }
+                solve_upper(
+                    a: [&] [SMatrix<$real, $n, $n>], b: [&mut] [SMatrix<$real, $n, 1>]
+                ) -> [bool] { kernels::solve_upper_mut(a, b) }
+                tr_solve_lower(
+                    a: [&] [SMatrix<$real, $n, $n>], b: [&mut] [SMatrix<$real, $n, 2>]
+                ) -> [bool] { kernels::tr_solve_lower_mut(a, b) }
+                tr_solve_upper(
+                    a: [&] [SMatrix<$real, $n, $n>], b: [&mut] [SMatrix<$real, $n, 1>]
+                ) -> [bool] { kernels::tr_solve_upper_mut(a, b) }
                 product(
                     a: [&] [SMatrix<$real, $n, $n>], b: [&] [SMatrix<$real, $n, $n>]
                 ) -> [SMatrix<$real, $n, $n>] { a * b }
@@ -84,14 +104,15 @@ macro_rules! sizes {
             }
         })*
 
-        pub const CASES: &[&[Case]] = &[$($module::CASES),*];
+        pub const CASES: &[&[Case]] = &[$($module::CASES,)* parts::f64_3::CASES, parts::f32_9::CASES];
     };
 }
 
 sizes! {
     f64_1: f64 1; f64_2: f64 2; f64_3: f64 3; f64_4: f64 4; f64_5: f64 5; f64_6: f64 6;
-    f64_7: f64 7; f64_8: f64 8; f64_9: f64 9; f64_12: f64 12; f64_15: f64 15; f64_20: f64 20;
-    f64_33: f64 33;
-    f32_1: f32 1; f32_2: f32 2; f32_3: f32 3; f32_4: f32 4; f32_5: f32 5; f32_8: f32 8;
-    f32_11: f32 11; f32_20: f32 20;
+    f64_8: f64 8; f64_9: f64 9; f64_13: f64 13; f64_20: f64 20;
+    f32_1: f32 1; f32_3: f32 3; f32_4: f32 4; f32_5: f32 5; f32_9: f32 9;
 }
+
+/// What nalgebra has for parts of matrices and for products that add; a few sizes are enough.
+pub mod parts;

@@ -1,8 +1,10 @@
 //! Kernels as plain loops in nalgebra's order: short, portable, the reference for faster ones.
 
+mod cholesky;
 mod inverse;
 mod lu;
 mod product;
+mod triangular;
 
 use bessemer_ir::{Int, Kernel, KernelRoutine, Scalar};
 
@@ -20,6 +22,12 @@ pub(super) fn source(kernel: &Kernel) -> Source {
         (KernelRoutine::Inverse, &[size]) => lu::inverse(kernel, size),
         (KernelRoutine::Determinant, &[size @ 1..=3]) => inverse::determinant(kernel, size),
         (KernelRoutine::Determinant, &[size]) => lu::determinant(kernel, size),
+        (KernelRoutine::Cholesky, &[size]) => cholesky::factor(kernel, size),
+        (KernelRoutine::CholeskySolve, &[size, cols]) => triangular::cholesky(kernel, size, cols),
+        (KernelRoutine::SolveLower, &[size, cols]) => triangular::lower(kernel, size, cols),
+        (KernelRoutine::SolveUpper, &[size, cols]) => triangular::upper(kernel, size, cols),
+        (KernelRoutine::TrSolveLower, &[size, cols]) => triangular::tr_lower(kernel, size, cols),
+        (KernelRoutine::TrSolveUpper, &[size, cols]) => triangular::tr_upper(kernel, size, cols),
         _ => unreachable!("the validator counts dimensions"),
     }
 }

@@ -25,8 +25,10 @@ const ABSENT: &[(&str, usize, &str)] = &[
     ("from_be from_le from_ne_bytes", 0, BYTES),
     ("clone", 0, "derive `Copy` too: then the value copies itself"),
     ("min max", 0, "compare the elements in a loop"),
-    ("lu try_inverse try_inverse_mut", 0, "call `bessemer::solve_mut` or `bessemer::inverse_mut`"),
-    ("qr cholesky svd", 0, "call `bessemer::solve_mut`, or write the factorisation out"),
+    ("try_inverse_mut", 0, "call `bessemer::inverse_mut`"),
+    ("lu", 0, "call `bessemer::solve(&a, &b)`, which factors and solves"),
+    ("cholesky", 0, "call `bessemer::linear::kernels::cholesky_mut` and `cholesky_solve_mut`"),
+    ("qr svd", 0, "call `bessemer::solve_mut`, or write the factorisation out"),
 ];
 
 const BYTES: &str = "write `to_be_bytes`, `from_le_bytes` and the like: the same on every target";

@@ -1,0 +1,72 @@
+//! Routines that are kernels in the C, as the DSL's own functions call them.
+//!
+//! Natively each is nalgebra's, or in its order.
+
+use nalgebra::{Cholesky, Const, SMatrix};
+
+use crate::math::Real;
+
+/// Factors a symmetric matrix in place: the lower triangle becomes L, the rest stays. `false`, and NaN in the lower triangle,
+/// unless it is positive definite.
+pub fn cholesky_mut<T: Real, const N: usize>(a: &mut SMatrix<T, N, N>) -> bool {
+    match Cholesky::new(*a) {
+        Some(factors) => {
+            *a = factors.unpack_dirty();
+            true
+        }
+        None => {
+            a.fill_lower_triangle(T::NAN, 0);
+            false
+        }
+    }
+}
+
+/// Solves `l lᵀ x = b` in place of `b`.
+pub fn cholesky_solve_mut<T: Real, const N: usize, const K: usize>(
+    l: &SMatrix<T, N, N>,
+    b: &mut SMatrix<T, N, K>,
+) {
+    Cholesky::<T, Const<N>>::pack_dirty(*l).solve_mut(b);
+}
+
+macro_rules! triangular {
+    ($($(#[$doc:meta])* $name:ident: $method:ident;)*) => {$(
+        $(#[$doc])*
+        /// `false`, and NaN in `b`, where the diagonal has a zero.
+        pub fn $name<T: Real, const N: usize, const K: usize>(
+            a: &SMatrix<T, N, N>,
+            b: &mut SMatrix<T, N, K>,
+        ) -> bool {
+            let solved = a.$method(b);
+            if !solved {
+                b.fill(T::NAN);
+            }
+            solved
+        }
+    )*};
+}
+
+triangular! {
+    /// Solves `a x = b` in place of `b`, of `a` the lower triangle.
+    solve_lower_mut: solve_lower_triangular_mut;
+    /// Solves `a x = b` in place of `b`, of `a` the upper triangle.
+    solve_upper_mut: solve_upper_triangular_mut;
+    /// Solves `aᵀ x = b` in place of `b`, of `a` the lower triangle.
+    tr_solve_lower_mut: tr_solve_lower_triangular_mut;
+    /// Solves `aᵀ x = b` in place of `b`, of `a` the upper triangle.
+    tr_solve_upper_mut: tr_solve_upper_triangular_mut;
+}
+
+macro_rules! carriers {
+    ($($name:ident)*) => {$(
+        /// Carries the companion of the function.
+        #[doc(hidden)]
+        #[allow(non_camel_case_types)]
+        pub struct $name {}
+    )*};
+}
+
+carriers! {
+    cholesky_mut cholesky_solve_mut
+    solve_lower_mut solve_upper_mut tr_solve_lower_mut tr_solve_upper_mut
+}

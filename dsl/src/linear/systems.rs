@@ -1,0 +1,28 @@
+//! Systems of equations and inverses as values: copies, solved in place.
+
+use nalgebra::SMatrix;
+
+use super::{inverse_mut, solve_mut};
+use crate::function;
+use crate::math::Real;
+
+/// The solution of `a x = b` for each column of `b`, with the bits of nalgebra's `a.lu().solve(&b)`; none if
+/// `a` is singular. Of any size; natively copies of both lie on the stack: for large ones there is
+/// [`solve_mut`].
+#[function]
+pub fn solve<T: Real, const N: usize, const K: usize>(
+    a: &SMatrix<T, N, N>,
+    b: &SMatrix<T, N, K>,
+) -> Option<SMatrix<T, N, K>> {
+    let mut factors = *a;
+    let mut x = *b;
+    if solve_mut(&mut factors, &mut x) { Some(x) } else { None }
+}
+
+/// The inverse of `a`, with the bits of nalgebra's `a.try_inverse()`; none if `a` is singular. Of any
+/// size; for large ones there is [`inverse_mut`].
+#[function]
+pub fn inverse<T: Real, const N: usize>(a: &SMatrix<T, N, N>) -> Option<SMatrix<T, N, N>> {
+    let mut inverse = *a;
+    if inverse_mut(&mut inverse) { Some(inverse) } else { None }
+}
