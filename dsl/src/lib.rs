@@ -41,6 +41,7 @@ extern crate self as bessemer;
 pub use bessemer_macros::{component, data, entry, function, interface};
 pub use instance::EntriesInOneBlock;
 pub use linear::{inverse, inverse_mut, solve, solve_mut};
+pub use list::List;
 pub use nalgebra;
 pub use plain::Plain;
 
@@ -49,13 +50,14 @@ pub use plain::Plain;
 pub mod generate;
 mod instance;
 pub mod linear;
+mod list;
 pub mod math;
 mod plain;
 
 /// What a model imports with one line: `use bessemer::prelude::*;`.
 pub mod prelude {
     pub use crate::math::{Real, real};
-    pub use crate::{component, data, entry, function, interface};
+    pub use crate::{List, component, data, entry, function, interface};
     pub use nalgebra::{
         Matrix2, Matrix3, Matrix4, Matrix6, SMatrix, SVector, Vector2, Vector3, Vector4, Vector5,
         Vector6,

@@ -252,6 +252,7 @@ fn fault(text: &str) -> Fault {
         _ if text.contains("attempt to shift") => Fault::Shift,
         _ if text.contains("overflow") => Fault::Overflow,
         _ if text.contains("out of bounds") => Fault::Index,
+        _ if text.contains("the container is full") => Fault::Capacity,
         _ if text.contains("within its bound") => Fault::Bound,
         _ if text.contains("`None` value") || text.contains("on an `Err` value") => Fault::Absent,
         _ if text.contains("on an `Ok` value") || text.contains("must be there") => Fault::Absent,

@@ -95,6 +95,9 @@ impl Lowering<'_, '_> {
             ("as_f64", [argument]) => return self.real(argument, None, expr),
             _ => {}
         }
+        if let Some(value) = self.list_method(name, arguments, expr)? {
+            return Ok(value);
+        }
         if let Some(value) = self.option_method(name, arguments, expr)? {
             return Ok(value);
         }

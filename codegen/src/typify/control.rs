@@ -218,6 +218,7 @@ impl Lowering<'_, '_> {
             }
             tree::ExprKind::Assert(condition) => self.assert_stmt(condition, expr.site),
             tree::ExprKind::Tuple(parts) if parts.is_empty() => Ok(()),
+            tree::ExprKind::Call(..) if self.list_effect(expr)? => Ok(()),
             tree::ExprKind::Call(callee, arguments) if self.is_unwrap(*callee) => {
                 self.unwrap("unwrap", arguments, expr).map(|_| ())
             }

@@ -9,7 +9,7 @@ use bessemer_ir::{
 };
 
 use super::function::Lowering;
-use super::pattern::Subject;
+use super::pattern::{Subject, load};
 use super::{Result, problem};
 
 impl Lowering<'_, '_> {
@@ -22,10 +22,18 @@ impl Lowering<'_, '_> {
         body: &tree::Block,
     ) -> Result<()> {
         let span = self.span(site);
-        let mut places = Vec::new();
+        let (mut places, mut lists) = (Vec::new(), Vec::new());
         for part in parts {
             let place = self.base(&part.array)?;
-            places.push(self.held_still(place));
+            let place = self.held_still(place);
+            // Of a list, as many elements as there are.
+            places.push(match self.list_items(&place) {
+                Some((length, items)) => {
+                    lists.push(length);
+                    items
+                }
+                None => place,
+            });
         }
         let lengths: Option<Vec<u32>> = places.iter().map(|place| length(&place.ty)).collect();
         let Some(shortest) = lengths.and_then(|lengths| lengths.into_iter().min()) else {
@@ -36,6 +44,9 @@ impl Lowering<'_, '_> {
             );
         };
         let count = |word: u64| Expr { kind: ExprKind::Literal(word), ty: Type::USIZE, span };
+        let end = lists
+            .iter()
+            .fold(count(u64::from(shortest)), |end, length| super::list::lesser(load(length), end));
         let mut copies = Vec::new();
         let mut lowered = |inner: &mut Self| {
             let variable = LocalId(inner.locals.len() as u32);
@@ -51,7 +62,7 @@ impl Lowering<'_, '_> {
             })?;
             copies = inner.copy_written(parts, &places, &mut block, span);
             inner.counters.pop();
-            let (from, to) = (count(0), count(u64::from(shortest)));
+            let (from, to) = (count(0), end.clone());
             Ok(StmtKind::For { variable, from, to, inclusive: false, reversed, body: block })
         };
         let mark = self.out.len();

@@ -28,7 +28,13 @@ impl Lowering<'_, '_> {
         self.equal(&left, &right, site, span)
     }
 
-    fn equal(&mut self, left: &Place, right: &Place, site: Site, span: Span) -> Result<Expr> {
+    pub(super) fn equal(
+        &mut self,
+        left: &Place,
+        right: &Place,
+        site: Site,
+        span: Span,
+    ) -> Result<Expr> {
         match &left.ty {
             Type::Unit => Ok(truth(1, span)),
             Type::Scalar(_) | Type::Enum(_) => {
@@ -83,6 +89,9 @@ impl Lowering<'_, '_> {
             );
         }
         let (form, count) = (definition.form.clone(), definition.fields.len());
+        if form == Form::Sequence {
+            return self.equal_lists((left, right), site, span);
+        }
         let mut all: Option<Expr> = None;
         for index in 0..count {
             let (one, other) = (self.part(left, id, index), self.part(right, id, index));

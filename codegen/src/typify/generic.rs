@@ -75,6 +75,7 @@ impl Context<'_> {
         }
         let id = match ty {
             Ty::Tuple(parts) => self.tuple(parts, site)?,
+            Ty::List(element, n) => self.list(element, *n, site)?,
             Ty::Option(value) => self.option(value, site)?,
             Ty::Result(value, error) => self.result(value, error, site)?,
             _ => return problem(site, "this type has no struct", OUR_FAULT),
@@ -96,6 +97,21 @@ impl Context<'_> {
         let fields = types.into_iter().enumerate();
         let fields = fields.map(|(index, ty)| field(&part(index, count), "", ty)).collect();
         self.own_struct(name, (shown, ""), fields, Form::Record, site)
+    }
+
+    fn list(&mut self, element: &Ty, n: u32, site: Site) -> Result<StructId> {
+        let element = self.value_type(element, site)?;
+        if element == Type::Unit || n == 0 {
+            return problem(site, "this list has no elements", "give it room for one");
+        }
+        let name = format!("List{n}{}", self.word(&element));
+        let shown = (format!("List<{}, {n}>", self.show(&element)), ": elements, and how many");
+        let items = Type::Array { element: Box::new(element), len: n };
+        let fields = vec![
+            field("length", "How many elements there are.", Type::USIZE),
+            field("items", "The elements; those behind the length mean nothing.", items),
+        ];
+        self.own_struct(name, shown, fields, Form::Sequence, site)
     }
 
     fn option(&mut self, value: &Ty, site: Site) -> Result<StructId> {

@@ -17,6 +17,7 @@ mod fields;
 mod function;
 mod generic;
 mod kernels;
+mod list;
 mod literal;
 mod loops;
 mod names;

@@ -116,6 +116,15 @@ impl Lowering<'_, '_> {
             Type::Matrix { element, rows, cols } => {
                 (self.matrix_step(index, rows, cols, expr)?, Type::Scalar(element))
             }
+            ref list if self.list_type(list).is_some() => {
+                let index = self.value(index, Some(&Type::USIZE))?;
+                let later = self.later(mark);
+                self.settle_place(&mut base, &later);
+                self.out.extend(later);
+                self.keep_indices(&mut base, |index| !is_literal(index));
+                let span = self.span(expr.site);
+                return Ok(self.list_element(base, index, span));
+            }
             _ => {
                 return problem(
                     expr.site,
@@ -189,7 +198,7 @@ impl Lowering<'_, '_> {
             tree::ExprKind::Index(base, _) => match self.place_type(base)? {
                 Type::Array { element, .. } => Ok(*element),
                 Type::Matrix { element, .. } => Ok(Type::Scalar(element)),
-                other => Ok(other),
+                other => Ok(self.list_type(&other).map_or(other, |(_, element, _)| element)),
             },
             _ => {
                 problem(expr.site, "this is not a place to assign", "assign a variable or a field")

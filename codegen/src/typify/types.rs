@@ -117,6 +117,7 @@ impl Context<'_> {
                 let parts: Vec<_> = parts.iter().map(|part| self.type_name(part)).collect();
                 format!("{}_{}", super::generic::arity(parts.len()), parts.join("_"))
             }
+            Ty::List(element, n) => format!("list{n}_{}", self.type_name(element)),
             Ty::Option(value) => format!("option_{}", self.type_name(value)),
             Ty::Result(value, error) => {
                 format!("result_{}_{}", self.type_name(value), self.type_name(error))
@@ -164,7 +165,9 @@ impl Context<'_> {
                 }
             },
             Ty::Ref(inner, _) => self.pointee(inner, site)?,
-            Ty::Tuple(_) | Ty::Option(_) | Ty::Result(..) => self.generic(ty, site)?,
+            Ty::Tuple(_) | Ty::List(..) | Ty::Option(_) | Ty::Result(..) => {
+                self.generic(ty, site)?
+            }
         })
     }
 

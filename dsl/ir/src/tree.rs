@@ -64,6 +64,8 @@ pub enum Ty {
     Named(String),
     /// `(A, B)`.
     Tuple(Vec<Ty>),
+    /// `List<T, n>`.
+    List(Box<Ty>, u32),
     /// `Option<T>`.
     Option(Box<Ty>),
     /// `Result<T, E>`.

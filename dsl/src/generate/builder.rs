@@ -151,6 +151,7 @@ fn type_text(ty: &Ty) -> String {
             let parts: Vec<_> = parts.iter().map(type_text).collect();
             format!("({},)", parts.join(", "))
         }
+        Ty::List(element, n) => format!("List<{}, {n}>", type_text(element)),
         Ty::Option(value) => format!("Option<{}>", type_text(value)),
         Ty::Result(value, error) => format!("Result<{}, {}>", type_text(value), type_text(error)),
         Ty::Ref(inner, true) => format!("&mut {}", type_text(inner)),

@@ -5,8 +5,10 @@
 
 mod builder;
 pub mod builtin;
+pub mod checked;
 pub mod elementary;
 pub mod linear;
+pub mod list;
 pub mod numbers;
 pub mod option;
 mod slot;
@@ -31,10 +33,12 @@ pub mod prelude {
     pub use super::builtin::{
         New2 as _, New3 as _, New4 as _, New5 as _, New6 as _, New9 as _, New16 as _,
     };
+    pub use super::checked::{CheckedAbsBuiltin as _, CheckedBuiltins as _};
     pub use super::elementary::ElementaryBuiltins as _;
     pub use super::linear::{
         PartBuiltins as _, SquareBuiltins as _, SquarePartBuiltins as _, VectorPartBuiltins as _,
     };
+    pub use super::list::ListBuiltins as _;
     pub use super::numbers::{
         BytesBuiltins as _, DivisionBuiltins as _, FloatKindBuiltins as _, FromBuiltin as _,
         IntegerBuiltins as _, SignBuiltins as _, SignedBuiltins as _, UnsignedBuiltins as _,

@@ -9,7 +9,7 @@ use bessemer_ir::{Float, Int, Scalar};
 use nalgebra::SMatrix;
 
 use super::{Builder, Callee};
-use crate::{EntriesInOneBlock, Plain};
+use crate::{EntriesInOneBlock, List, Plain};
 
 /// A place for a type.
 pub struct Slot<T>(PhantomData<fn() -> T>);
@@ -278,4 +278,14 @@ impl<T: DslType, E: DslType> DslType for Result<T, E> {
 
 impl<T: Seen, E: Seen> Seen for Result<T, E> {
     type Slot = Result<T::Slot, E::Slot>;
+}
+
+impl<T: DslType, const N: usize> DslType for List<T, N> {
+    fn ty(cx: &mut Builder) -> Ty {
+        Ty::List(Box::new(T::ty(cx)), N as u32)
+    }
+}
+
+impl<T, const N: usize> Seen for List<T, N> {
+    type Slot = List<T, N>;
 }

@@ -11,6 +11,7 @@
 //! Accuracy: `docs/mathematics.md` has the worst point found of each function.
 
 pub mod arctangent;
+pub mod checked;
 pub mod exponential;
 mod float;
 pub mod hyperbolic;

@@ -18,7 +18,6 @@ const ABSENT: &[(&str, usize, &str)] = &[
     ("sin_cos", 0, "call `sin` and `cos`"),
     ("mul_add", 2, "write `x * a + b`: rounded twice, it is the same on every target"),
     ("cmp partial_cmp total_cmp eq ne lt le gt ge", 1, "compare with `<`, `==` and the like"),
-    ("checked_add checked_sub checked_mul checked_div", 1, WIDER),
     ("overflowing_add overflowing_sub overflowing_mul", 1, WIDER),
     ("into", 0, "write the type: `f64::from(x)`"),
     ("to_be to_le to_ne_bytes", 0, BYTES),

@@ -1,0 +1,283 @@
+//! The methods of `List`: its length, and the elements below it.
+//!
+//! What has no room, and an index beyond the length, is checked before anything is written.
+
+use bessemer_ir::tree::{self, Site};
+use bessemer_ir::{
+    Block, CompareOp, Expr, ExprKind, Fault, Form, Intrinsic, LogicOp, Place, Span, Step, StmtKind,
+    StructId, Type,
+};
+
+use super::equal::{number, stmt};
+use super::function::Lowering;
+use super::pattern::{inside, load, logic};
+use super::{OUR_FAULT, Result, problem};
+
+/// A list in its place.
+struct List {
+    place: Place,
+    /// The place of its length.
+    length: Place,
+    element: Type,
+    capacity: u32,
+}
+
+impl List {
+    /// The place of an element.
+    fn at(&self, index: Expr) -> Place {
+        let ty = Type::Array { element: Box::new(self.element.clone()), len: self.capacity };
+        let items = inside(&self.place, Step::Field(1), ty);
+        inside(&items, Step::Index(index), self.element.clone())
+    }
+}
+
+impl Lowering<'_, '_> {
+    /// The parts of a type that is a list: of its elements, and how many there may be.
+    pub(super) fn list_type(&self, ty: &Type) -> Option<(StructId, Type, u32)> {
+        let Type::Struct(id) = ty else { return None };
+        let definition = &self.cx.module.structs[id.index()];
+        match (&definition.form, &definition.fields.get(1)?.ty) {
+            (Form::Sequence, Type::Array { element, len }) => {
+                Some((*id, (**element).clone(), *len))
+            }
+            _ => None,
+        }
+    }
+
+    /// The place of a list's length.
+    pub(super) fn length_of(&self, place: &Place) -> Place {
+        inside(place, Step::Field(0), Type::USIZE)
+    }
+
+    /// The places of a list's length and of its elements.
+    pub(super) fn list_items(&self, place: &Place) -> Option<(Place, Place)> {
+        let (_, element, len) = self.list_type(&place.ty)?;
+        let ty = Type::Array { element: Box::new(element), len };
+        Some((self.length_of(place), inside(place, Step::Field(1), ty)))
+    }
+
+    fn list(&mut self, expr: &tree::Expr) -> Result<List> {
+        let mut place = self.base(expr)?;
+        self.keep_indices(&mut place, |index| !super::function::is_literal(index));
+        match self.list_type(&place.ty) {
+            Some((_, element, capacity)) => {
+                let length = self.length_of(&place);
+                Ok(List { place, length, element, capacity })
+            }
+            None => problem(expr.site, "this is not a `List`", OUR_FAULT),
+        }
+    }
+
+    /// An element of a list, its index checked against the length.
+    pub(super) fn list_element(&mut self, place: Place, index: Expr, span: Span) -> Place {
+        let Some((_, element, capacity)) = self.list_type(&place.ty) else { return place };
+        let index = match super::order::is_free(&index) {
+            true => index,
+            false => self.temporary("index", index),
+        };
+        let length = self.length_of(&place);
+        // The first half holds of every list, and keeps a damaged one from being read beyond its end.
+        let sound = at_most(load(&length), capacity, span);
+        let inside = compare(CompareOp::Lt, index.clone(), load(&length), span);
+        self.check(logic(LogicOp::And, sound, inside), Fault::Index, span);
+        List { place, length, element, capacity }.at(index)
+    }
+
+    fn check(&mut self, condition: Expr, fault: Fault, span: Span) {
+        self.emit(StmtKind::Check { condition, fault }, span);
+    }
+
+    /// The value of a method of `List` that has one; none if `name` is no such method.
+    pub(super) fn list_method(
+        &mut self,
+        name: &str,
+        arguments: &[tree::Expr],
+        expr: &tree::Expr,
+    ) -> Result<Option<Expr>> {
+        let (site, span) = (expr.site, self.span(expr.site));
+        match name {
+            "list_new" => {
+                let ty = self.slot_of(expr)?;
+                Ok(Some(self.zero(&ty, span)))
+            }
+            "list_len" => Ok(Some(load(&self.list(&arguments[0])?.length))),
+            "list_capacity" => {
+                let capacity = self.list(&arguments[0])?.capacity;
+                Ok(Some(number(u64::from(capacity), span)))
+            }
+            "list_is_empty" => {
+                let length = load(&self.list(&arguments[0])?.length);
+                Ok(Some(compare(CompareOp::Eq, length, number(0, span), span)))
+            }
+            "list_pop" => self.pop(&arguments[0], expr).map(Some),
+            _ if name.starts_with("list_") => {
+                problem(site, "this has no value", "write it as a statement")
+            }
+            _ => Ok(None),
+        }
+    }
+
+    fn pop(&mut self, list: &tree::Expr, expr: &tree::Expr) -> Result<Expr> {
+        let (site, span) = (expr.site, self.span(expr.site));
+        let ty = self.slot_of(expr)?;
+        let Type::Struct(option) = ty else {
+            return problem(site, "this is not an `Option`", OUR_FAULT);
+        };
+        let list = self.list(list)?;
+        let none = self.choice(option, 0, None, site)?;
+        let held = self.temporary("popped", none);
+        let ExprKind::Load(target) = held.kind.clone() else { return Ok(held) };
+        let some = self.choice(option, 1, Some(load(&list.at(load(&list.length)))), site)?;
+        let shorter = minus_one(load(&list.length), span);
+        let then = vec![
+            stmt(StmtKind::Assign { place: list.length.clone(), value: shorter }, span),
+            stmt(StmtKind::Assign { place: target, value: some }, span),
+        ];
+        let some_left = compare(CompareOp::Gt, load(&list.length), number(0, span), span);
+        let sound = at_most(load(&list.length), list.capacity, span);
+        let condition = logic(LogicOp::And, some_left, sound);
+        let kind = StmtKind::If { condition, then: Block(then), otherwise: Block::default() };
+        self.emit(kind, span);
+        Ok(held)
+    }
+
+    /// A method of `List` for its effect; false if it is none.
+    pub(super) fn list_effect(&mut self, expr: &tree::Expr) -> Result<bool> {
+        let tree::ExprKind::Call(callee, arguments) = &expr.kind else { return Ok(false) };
+        let name = match self.source.callees.get(*callee as usize) {
+            Some(tree::Callee::Builtin(name)) if name.starts_with("list_") => name.clone(),
+            _ => return Ok(false),
+        };
+        let (site, span) = (expr.site, self.span(expr.site));
+        match name.as_str() {
+            "list_push" => self.push(&arguments[0], &arguments[1], span)?,
+            "list_clear" => {
+                let list = self.list(&arguments[0])?;
+                self.set_length(&list, number(0, span), span);
+            }
+            "list_truncate" => {
+                let list = self.list(&arguments[0])?;
+                let length = self.length_argument(&arguments[1])?;
+                let condition = compare(CompareOp::Lt, length.clone(), load(&list.length), span);
+                let assign = StmtKind::Assign { place: list.length, value: length };
+                let (then, otherwise) = (Block(vec![stmt(assign, span)]), Block::default());
+                self.emit(StmtKind::If { condition, then, otherwise }, span);
+            }
+            "list_resize" => self.resize(arguments, span)?,
+            "list_pop" => {
+                let list = self.list(&arguments[0])?;
+                let condition = compare(CompareOp::Gt, load(&list.length), number(0, span), span);
+                let shorter = minus_one(load(&list.length), span);
+                let assign = StmtKind::Assign { place: list.length, value: shorter };
+                let (then, otherwise) = (Block(vec![stmt(assign, span)]), Block::default());
+                self.emit(StmtKind::If { condition, then, otherwise }, span);
+            }
+            _ => return problem(site, "the value of this is not used", "leave it out"),
+        }
+        Ok(true)
+    }
+
+    /// An argument, computed once.
+    fn length_argument(&mut self, argument: &tree::Expr) -> Result<Expr> {
+        let length = self.value(argument, Some(&Type::USIZE))?;
+        Ok(match super::function::is_literal(&length) {
+            true => length,
+            false => self.temporary("length", length),
+        })
+    }
+
+    fn set_length(&mut self, list: &List, value: Expr, span: Span) {
+        self.emit(StmtKind::Assign { place: list.length.clone(), value }, span);
+    }
+
+    fn push(&mut self, list: &tree::Expr, element: &tree::Expr, span: Span) -> Result<()> {
+        let list = self.list(list)?;
+        let mut value = self.value(element, Some(&list.element))?;
+        self.agree(&value.ty, &list.element, element.site)?;
+        // Rust computes the element before it looks for room.
+        if !super::order::is_free(&value) {
+            value = self.temporary("element", value);
+        }
+        let capacity = number(u64::from(list.capacity), span);
+        let room = compare(CompareOp::Lt, load(&list.length), capacity, span);
+        self.check(room, Fault::Capacity, span);
+        let place = list.at(load(&list.length));
+        self.emit(StmtKind::Assign { place, value }, span);
+        let operands = vec![load(&list.length), number(1, span)];
+        let kind = ExprKind::Intrinsic(Intrinsic::WrappingAdd, operands);
+        self.set_length(&list, Expr { kind, ty: Type::USIZE, span }, span);
+        Ok(())
+    }
+
+    fn resize(&mut self, arguments: &[tree::Expr], span: Span) -> Result<()> {
+        let list = self.list(&arguments[0])?;
+        let length = self.length_argument(&arguments[1])?;
+        let element = self.value(&arguments[2], Some(&list.element))?;
+        let element = match super::function::is_literal(&element) {
+            true => element,
+            false => self.temporary("element", element),
+        };
+        let capacity = number(u64::from(list.capacity), span);
+        let room = compare(CompareOp::Le, length.clone(), capacity, span);
+        self.check(room, Fault::Capacity, span);
+        let before = self.temporary("before", load(&list.length));
+        let variable = self.counter("i", span);
+        let index = Place { root: variable, steps: Vec::new(), ty: Type::USIZE, span };
+        let place = list.at(load(&index));
+        let body = Block(vec![stmt(StmtKind::Assign { place, value: element }, span)]);
+        let (inclusive, reversed) = (false, false);
+        let to = length.clone();
+        let kind = StmtKind::For { variable, from: before, to, inclusive, reversed, body };
+        self.emit(kind, span);
+        self.set_length(&list, length, span);
+        Ok(())
+    }
+
+    /// `==` of two lists: as long, and the same elements.
+    pub(super) fn equal_lists(
+        &mut self,
+        (left, right): (&Place, &Place),
+        site: Site,
+        span: Span,
+    ) -> Result<Expr> {
+        let (one, other) = (self.length_of(left), self.length_of(right));
+        let length = compare(CompareOp::Eq, load(&one), load(&other), span);
+        let Some((_, element, capacity)) = self.list_type(&left.ty) else { return Ok(length) };
+        let list = |place: &Place, length: &Place| List {
+            place: place.clone(),
+            length: length.clone(),
+            element: element.clone(),
+            capacity,
+        };
+        let (left, right) = (list(left, &one), list(right, &other));
+        self.and_then(length, |inner| {
+            inner.all_equal(
+                lesser(load(&one), number(u64::from(capacity), span)),
+                span,
+                |inner, index| inner.equal(&left.at(index.clone()), &right.at(index), site, span),
+            )
+        })
+    }
+}
+
+fn compare(op: CompareOp, left: Expr, right: Expr, span: Span) -> Expr {
+    let kind = ExprKind::Compare(op, Box::new(left), Box::new(right));
+    Expr { kind, ty: Type::BOOL, span }
+}
+
+/// `length <= capacity`.
+fn at_most(length: Expr, capacity: u32, span: Span) -> Expr {
+    compare(CompareOp::Le, length, number(u64::from(capacity), span), span)
+}
+
+/// The length, and no more than there is room for.
+pub(super) fn lesser(length: Expr, most: Expr) -> Expr {
+    let span = length.span;
+    let operands = vec![length, most];
+    Expr { kind: ExprKind::Intrinsic(Intrinsic::Min, operands), ty: Type::USIZE, span }
+}
+
+fn minus_one(length: Expr, span: Span) -> Expr {
+    let kind = ExprKind::Intrinsic(Intrinsic::WrappingSub, vec![length, number(1, span)]);
+    Expr { kind, ty: Type::USIZE, span }
+}

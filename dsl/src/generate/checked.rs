@@ -1,0 +1,92 @@
+//! The companions of checked arithmetic: functions of [`math::checked`](crate::math::checked).
+
+use crate::math::checked;
+
+use super::{Called, Callee};
+
+/// Checked arithmetic of integers.
+#[allow(missing_docs)]
+pub trait CheckedBuiltins: Sized {
+    type Add: Callee;
+    type Sub: Callee;
+    type Mul: Callee;
+    type Div: Callee;
+    type Rem: Callee;
+    type Neg: Callee;
+    type Shl: Callee;
+    type Shr: Callee;
+    type Pow: Callee;
+    fn __b_checked_add(self, _other: Self) -> Called<Self::Add, Option<Self>> {
+        unreachable!()
+    }
+    fn __b_checked_sub(self, _other: Self) -> Called<Self::Sub, Option<Self>> {
+        unreachable!()
+    }
+    fn __b_checked_mul(self, _other: Self) -> Called<Self::Mul, Option<Self>> {
+        unreachable!()
+    }
+    fn __b_checked_div(self, _other: Self) -> Called<Self::Div, Option<Self>> {
+        unreachable!()
+    }
+    fn __b_checked_rem(self, _other: Self) -> Called<Self::Rem, Option<Self>> {
+        unreachable!()
+    }
+    fn __b_checked_neg(self) -> Called<Self::Neg, Option<Self>> {
+        unreachable!()
+    }
+    fn __b_checked_shl(self, _bits: u32) -> Called<Self::Shl, Option<Self>> {
+        unreachable!()
+    }
+    fn __b_checked_shr(self, _bits: u32) -> Called<Self::Shr, Option<Self>> {
+        unreachable!()
+    }
+    fn __b_checked_pow(self, _exponent: u32) -> Called<Self::Pow, Option<Self>> {
+        unreachable!()
+    }
+}
+
+/// The magnitude of signed integers.
+#[allow(missing_docs)]
+pub trait CheckedAbsBuiltin: Sized {
+    type Abs: Callee;
+    fn __b_checked_abs(self) -> Called<Self::Abs, Option<Self>> {
+        unreachable!()
+    }
+}
+
+macro_rules! checked {
+    ($($int:ident: $($operation:ident $function:ident),*;)*) => {$(
+        impl CheckedBuiltins for $int {
+            $(type $operation = checked::$function;)*
+        }
+    )*};
+}
+
+checked! {
+    i8: Add add_i8, Sub sub_i8, Mul mul_i8, Div div_i8, Rem rem_i8, Neg neg_i8, Shl shl_i8, Shr shr_i8, Pow pow_i8;
+    i16: Add add_i16, Sub sub_i16, Mul mul_i16, Div div_i16, Rem rem_i16, Neg neg_i16, Shl shl_i16, Shr shr_i16, Pow pow_i16;
+    i32: Add add_i32, Sub sub_i32, Mul mul_i32, Div div_i32, Rem rem_i32, Neg neg_i32, Shl shl_i32, Shr shr_i32, Pow pow_i32;
+    i64: Add add_i64, Sub sub_i64, Mul mul_i64, Div div_i64, Rem rem_i64, Neg neg_i64, Shl shl_i64, Shr shr_i64, Pow pow_i64;
+    isize: Add add_isize, Sub sub_isize, Mul mul_isize, Div div_isize, Rem rem_isize, Neg neg_isize, Shl shl_isize, Shr shr_isize, Pow pow_isize;
+    u8: Add add_u8, Sub sub_u8, Mul mul_u8, Div div_u8, Rem rem_u8, Neg neg_u8, Shl shl_u8, Shr shr_u8, Pow pow_u8;
+    u16: Add add_u16, Sub sub_u16, Mul mul_u16, Div div_u16, Rem rem_u16, Neg neg_u16, Shl shl_u16, Shr shr_u16, Pow pow_u16;
+    u32: Add add_u32, Sub sub_u32, Mul mul_u32, Div div_u32, Rem rem_u32, Neg neg_u32, Shl shl_u32, Shr shr_u32, Pow pow_u32;
+    u64: Add add_u64, Sub sub_u64, Mul mul_u64, Div div_u64, Rem rem_u64, Neg neg_u64, Shl shl_u64, Shr shr_u64, Pow pow_u64;
+    usize: Add add_usize, Sub sub_usize, Mul mul_usize, Div div_usize, Rem rem_usize, Neg neg_usize, Shl shl_usize, Shr shr_usize, Pow pow_usize;
+}
+
+macro_rules! magnitudes {
+    ($($int:ident $function:ident;)*) => {$(
+        impl CheckedAbsBuiltin for $int {
+            type Abs = checked::$function;
+        }
+    )*};
+}
+
+magnitudes! {
+    i8 abs_i8;
+    i16 abs_i16;
+    i32 abs_i32;
+    i64 abs_i64;
+    isize abs_isize;
+}

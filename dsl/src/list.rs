@@ -1,0 +1,155 @@
+//! A list of a bounded length: what a heap's vector is elsewhere, with its memory inside.
+//!
+//! What has no room is a panic, as it is a fault in the C: nothing is ever written beyond the end.
+
+use core::ops::{Index, IndexMut};
+
+use crate::Plain;
+
+/// A list of at most `N` elements.
+///
+/// ```
+/// use bessemer::List;
+/// let mut list: List<f64, 3> = List::new();
+/// list.push(1.5);
+/// list.push(2.5);
+/// assert_eq!((list.len(), list[1], list.pop()), (2, 2.5, Some(2.5)));
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct List<T, const N: usize> {
+    length: usize,
+    items: [T; N],
+}
+
+impl<T: Copy + Default, const N: usize> List<T, N> {
+    /// Without elements.
+    pub fn new() -> Self {
+        List { length: 0, items: [T::default(); N] }
+    }
+
+    /// Adds an element at the end.
+    ///
+    /// # Panics
+    /// If the list is full.
+    pub fn push(&mut self, element: T) {
+        assert!(self.length < N, "the container is full");
+        self.items[self.length] = element;
+        self.length += 1;
+    }
+
+    /// Takes the last element off.
+    pub fn pop(&mut self) -> Option<T> {
+        if self.length == 0 {
+            return None;
+        }
+        self.length -= 1;
+        Some(self.items[self.length])
+    }
+
+    /// Takes every element off.
+    pub fn clear(&mut self) {
+        self.length = 0;
+    }
+
+    /// Takes the elements behind the first `length` off, if there are more.
+    pub fn truncate(&mut self, length: usize) {
+        if length < self.length {
+            self.length = length;
+        }
+    }
+
+    /// Makes the length `length`: new elements are `element`.
+    ///
+    /// # Panics
+    /// If there is no room for so many.
+    pub fn resize(&mut self, length: usize, element: T) {
+        assert!(length <= N, "the container is full");
+        for index in self.length..length {
+            self.items[index] = element;
+        }
+        self.length = length;
+    }
+}
+
+impl<T, const N: usize> List<T, N> {
+    /// How many elements there are.
+    pub fn len(&self) -> usize {
+        self.length
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.length == 0
+    }
+
+    /// How many there may be.
+    pub fn capacity(&self) -> usize {
+        N
+    }
+
+    /// The elements, by reference.
+    pub fn iter(&self) -> core::slice::Iter<'_, T> {
+        self.items[..self.length].iter()
+    }
+
+    /// The elements, to be changed.
+    pub fn iter_mut(&mut self) -> core::slice::IterMut<'_, T> {
+        self.items[..self.length].iter_mut()
+    }
+}
+
+impl<T: Copy + Default, const N: usize> Default for List<T, N> {
+    fn default() -> Self {
+        List::new()
+    }
+}
+
+impl<T: PartialEq, const N: usize> PartialEq for List<T, N> {
+    fn eq(&self, other: &Self) -> bool {
+        self.iter().eq(other.iter())
+    }
+}
+
+impl<T, const N: usize> Index<usize> for List<T, N> {
+    type Output = T;
+    fn index(&self, index: usize) -> &T {
+        &self.items[..self.length][index]
+    }
+}
+
+impl<T, const N: usize> IndexMut<usize> for List<T, N> {
+    fn index_mut(&mut self, index: usize) -> &mut T {
+        &mut self.items[..self.length][index]
+    }
+}
+
+impl<'a, T, const N: usize> IntoIterator for &'a List<T, N> {
+    type Item = &'a T;
+    type IntoIter = core::slice::Iter<'a, T>;
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
+}
+
+impl<'a, T, const N: usize> IntoIterator for &'a mut List<T, N> {
+    type Item = &'a mut T;
+    type IntoIter = core::slice::IterMut<'a, T>;
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter_mut()
+    }
+}
+
+/// The words are the length, then those of the elements; behind the end, zeros.
+#[diagnostic::do_not_recommend]
+impl<T: Plain, const N: usize> Plain for List<T, N> {
+    const WORDS: usize = 1 + N * T::WORDS;
+    fn store(&self, out: &mut dyn FnMut(u64)) {
+        self.length.store(out);
+        self.iter().for_each(|element| element.store(out));
+        (0..(N - self.length) * T::WORDS).for_each(|_| out(0));
+    }
+    fn load(next: &mut dyn FnMut() -> u64) -> Self {
+        let length = usize::load(next).min(N);
+        List { length, items: <[T; N]>::load(next) }
+    }
+}

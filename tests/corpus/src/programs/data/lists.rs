@@ -1,0 +1,35 @@
+//! A `List` holds up to so many elements, its memory inside; its length travels with it.
+
+use bessemer::prelude::*;
+
+/// The values of the last periods.
+#[component]
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Lists {
+    values: List<f64, 4>,
+}
+
+#[component]
+impl Lists {
+    /// Keeps a value; a fault if there is no room.
+    #[entry]
+    pub fn keep(&mut self, value: f64) {
+        self.values.push(value);
+    }
+
+    /// The mean of the values, or none.
+    #[entry(infallible)]
+    pub fn mean(&mut self) -> Option<f64> {
+        let mut sum = 0.0;
+        for value in &self.values {
+            sum += value;
+        }
+        if self.values.is_empty() { None } else { Some(sum / self.values.len() as f64) }
+    }
+
+    /// The last value, taken off.
+    #[entry(infallible)]
+    pub fn last(&mut self) -> Option<f64> {
+        self.values.pop()
+    }
+}
