@@ -3,7 +3,7 @@
 //! Each element of the result starts as its first product and takes the others in the order of k, as
 //! nalgebra's does; a tile only decides which elements go side by side.
 //!
-//! Absent: vectors. gcc and clang make them of the four rows of a tile where they have them.
+//! The four rows of a whole tile are a vector where gcc or clang have one.
 
 use std::fmt::Write as _;
 
@@ -50,7 +50,9 @@ pub(super) fn source(kernel: &Kernel, rows: u32, inner: u32, columns: u32) -> So
     }
     let tiles: Vec<String> =
         shapes.into_iter().map(|shape| tile(real, shape, [rows, inner])).collect();
-    Source { before: tiles.join("\n").trim_end().to_owned(), body, ..Source::default() }
+    let vectors = if rows >= 4 { vectors(real, kernel.element) } else { String::new() };
+    let before = vectors + &tiles.join("\n");
+    Source { before: before.trim_end().to_owned(), body, ..Source::default() }
 }
 
 /// An index: the known parts as one number, then each loop's counter times its stride.
@@ -91,36 +93,99 @@ fn parts(count: u32) -> Vec<(u32, u32, bool)> {
 
 /// A tile of the result: so many rows by so many columns.
 fn tile(real: &str, (height, width): (u32, u32), [rows, inner]: [u32; 2]) -> String {
-    let mut text = format!(
+    let shape = Shape { height, width, rows, inner };
+    let head = format!(
         "/* A tile of {height} by {width} elements: the first products, then the others in order. */\n\
          static void tile_{height}x{width}(const {real} *a, const {real} *b, {real} *result)\n{{\n"
     );
-    // Writing to a string cannot fail.
-    for column in 0..width {
-        for row in 0..height {
-            let _ = writeln!(text, "    {real} y{row}{column} = a[{row}] * b[{}];", inner * column);
-        }
+    match height {
+        4 => format!(
+            "{head}#if defined(VECTORS)\n{}#else\n{}#endif\n}}\n",
+            shape.by_vectors(),
+            shape.by_numbers(real)
+        ),
+        _ => format!("{head}{}}}\n", shape.by_numbers(real)),
     }
-    if inner > 1 {
-        let _ =
-            writeln!(text, "    for (uint32_t k = 1U; k < {inner}U; k++) {{\n        a += {rows};");
-        for row in 0..height {
-            let _ = writeln!(text, "        const {real} a{row} = a[{row}];");
+}
+
+/// Four numbers as a vector.
+fn vectors(real: &str, element: Float) -> String {
+    let (bytes, aligned) = match element {
+        Float::F64 => (32, 8),
+        Float::F32 => (16, 4),
+    };
+    format!(
+        "#if defined(__GNUC__) && defined(__SSE2__) && !defined(BESSEMER_PLAIN)\n#define VECTORS\n\
+         typedef {real} four_t __attribute__((vector_size({bytes}), aligned({aligned}), may_alias));\n#endif\n\n"
+    )
+}
+
+/// A tile: its size, the rows of `a`, and the columns of `a`.
+struct Shape {
+    height: u32,
+    width: u32,
+    rows: u32,
+    inner: u32,
+}
+
+impl Shape {
+    fn by_vectors(&self) -> String {
+        let Shape { width, rows, inner, .. } = self;
+        let mut text = String::from("    four_t column = *(const four_t *)a;\n");
+        // Writing to a string cannot fail.
+        for j in 0..*width {
+            let _ = writeln!(text, "    four_t y{j} = column * b[{}];", inner * j);
         }
-        for column in 0..width {
-            let _ = writeln!(text, "        const {real} b{column} = b[k + {}U];", inner * column);
+        if *inner > 1 {
+            let _ = writeln!(
+                text,
+                "    for (uint32_t k = 1U; k < {inner}U; k++) {{\n        a += {rows};\n        column = *(const four_t *)a;"
+            );
+            for j in 0..*width {
+                let _ = writeln!(text, "        y{j} += column * b[k + {}U];", inner * j);
+            }
+            text.push_str("    }\n");
         }
-        for column in 0..width {
-            for row in 0..height {
-                let _ = writeln!(text, "        y{row}{column} += a{row} * b{column};");
+        for j in 0..*width {
+            let _ = writeln!(text, "    *(four_t *)&result[{}] = y{j};", rows * j);
+        }
+        text
+    }
+
+    fn by_numbers(&self, real: &str) -> String {
+        let Shape { height, width, rows, inner } = self;
+        let mut text = String::new();
+        // Writing to a string cannot fail.
+        for column in 0..*width {
+            for row in 0..*height {
+                let first = inner * column;
+                let _ = writeln!(text, "    {real} y{row}{column} = a[{row}] * b[{first}];");
             }
         }
-        text.push_str("    }\n");
-    }
-    for column in 0..width {
-        for row in 0..height {
-            let _ = writeln!(text, "    result[{}] = y{row}{column};", row + rows * column);
+        if *inner > 1 {
+            let _ = writeln!(
+                text,
+                "    for (uint32_t k = 1U; k < {inner}U; k++) {{\n        a += {rows};"
+            );
+            for row in 0..*height {
+                let _ = writeln!(text, "        const {real} a{row} = a[{row}];");
+            }
+            for column in 0..*width {
+                let first = inner * column;
+                let _ = writeln!(text, "        const {real} b{column} = b[k + {first}U];");
+            }
+            for column in 0..*width {
+                for row in 0..*height {
+                    let _ = writeln!(text, "        y{row}{column} += a{row} * b{column};");
+                }
+            }
+            text.push_str("    }\n");
         }
+        for column in 0..*width {
+            for row in 0..*height {
+                let _ = writeln!(text, "    result[{}] = y{row}{column};", row + rows * column);
+            }
+        }
+        text
     }
-    text + "}\n"
 }
