@@ -1,21 +1,55 @@
-//! `cargo xtask bench`: hands over to the program of the `bench` crate.
+//! `cargo xtask bench`: sees to the tools, then hands over to the program of the `bench` crate.
 //!
 //! What it must not know: what is measured.
 
 use crate::args::Bench;
 use crate::error::{Error, Outcome};
+use crate::install::Plan;
+use crate::stages::Progress;
+use crate::tools::{self, Machine, Need, Tool};
 use crate::{project, stages};
 use std::path::Path;
 
-/// Runs the measurements that there are.
+const NEEDS: &[Need] = &[Need::Everything, Need::Host, Need::Target, Need::Bench];
+
+/// Runs the measurements.
 ///
 /// # Errors
-/// [`Error::Spawn`] if cargo does not start.
-pub fn run(root: &Path, wanted: &Bench) -> Result<Outcome, Error> {
-    let mut command = project::cargo(root, &["run", "--quiet", "--package", "bench", "--"]);
-    if wanted.quick {
-        command.arg("--quick");
+/// [`Error::Missing`] without `--install`; with it, what went wrong while installing; [`Error::Spawn`] if cargo
+/// does not start.
+pub fn run(root: &Path, wanted: &Bench, machine: &dyn Machine) -> Result<Outcome, Error> {
+    if !wanted.check_cost {
+        prepare(wanted, machine)?;
     }
+    let mut command = project::cargo(root, &["run", "--quiet", "--package", "bench", "--"]);
+    let flags = [
+        ("--quick", wanted.quick),
+        ("--kernels", wanted.kernels),
+        ("--check-cost", wanted.check_cost),
+    ];
+    command.args(flags.iter().filter(|(_, given)| *given).map(|(flag, _)| flag));
     let status = stages::attached(&mut command)?;
     Ok(if status.success() { Outcome::Good } else { Outcome::Bad })
+}
+
+fn prepare(wanted: &Bench, machine: &dyn Machine) -> Result<(), Error> {
+    let missing = lacking(machine);
+    if missing.is_empty() {
+        return Ok(());
+    }
+    let plan = Plan::of(&missing, machine);
+    let Some(plan) = plan.as_ref().filter(|_| wanted.install) else {
+        return Err(Error::Missing { tools: names(&missing), line: plan.map(|plan| plan.line()) });
+    };
+    plan.carry_out(&missing, &mut Progress::default())?;
+    let left = lacking(machine);
+    if left.is_empty() { Ok(()) } else { Err(Error::StillMissing { tools: names(&left) }) }
+}
+
+fn lacking(machine: &dyn Machine) -> Vec<&'static Tool> {
+    tools::missing(&tools::survey(machine), NEEDS)
+}
+
+fn names(tools: &[&'static Tool]) -> Vec<&'static str> {
+    tools.iter().map(|tool| tool.name).collect()
 }

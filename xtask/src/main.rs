@@ -28,7 +28,7 @@ fn perform(task: &Task) -> Result<Outcome, Error> {
         Task::Gen(wanted) => generate::run(&root, wanted.mode()),
         Task::Test(wanted) => test::run(&root, wanted, &ThisMachine),
         Task::Doctor(wanted) => doctor::run(wanted, &ThisMachine),
-        Task::Bench(wanted) => bench::run(&root, wanted),
+        Task::Bench(wanted) => bench::run(&root, wanted, &ThisMachine),
         Task::Sim(wanted) => sim::run(&root, "sim", wanted),
         Task::Identify(wanted) => sim::run(&root, "identify", wanted),
         Task::Campaign(wanted) => sim::run(&root, "campaign", wanted),

@@ -18,6 +18,8 @@ pub enum Need {
     Host,
     /// `test` without `--host`: what runs on the emulated target.
     Target,
+    /// `bench`, beside what `test` needs: the peers, and what counts instructions.
+    Bench,
 }
 
 impl Need {
@@ -28,6 +30,7 @@ impl Need {
             Self::Everything => "everything",
             Self::Host => "test",
             Self::Target => "test (not --host)",
+            Self::Bench => "bench",
         }
     }
 }
@@ -39,6 +42,8 @@ pub enum Probe {
     Version(&'static str),
     /// The compiler finds the C library's headers.
     Headers(&'static str),
+    /// The file exists.
+    File(&'static str),
 }
 
 /// Where the tool comes from.
@@ -139,6 +144,48 @@ pub const TOOLS: &[Tool] = &[
         probe: Probe::Version("qemu-arm"),
         source: Source::Package("qemu-user"),
     },
+    Tool {
+        name: "valgrind",
+        purpose: "counts instructions on the host",
+        need: Need::Bench,
+        probe: Probe::Version("valgrind"),
+        source: Source::Package("valgrind"),
+    },
+    Tool {
+        name: "arm-linux-gnueabihf-g++",
+        purpose: "compiles Eigen for the Cortex-A9",
+        need: Need::Bench,
+        probe: Probe::Version("arm-linux-gnueabihf-g++"),
+        source: Source::Package("g++-arm-linux-gnueabihf"),
+    },
+    Tool {
+        name: "Eigen",
+        purpose: "a peer",
+        need: Need::Bench,
+        probe: Probe::File("/usr/include/eigen3/Eigen/Core"),
+        source: Source::Package("libeigen3-dev"),
+    },
+    Tool {
+        name: "OpenBLAS",
+        purpose: "a peer",
+        need: Need::Bench,
+        probe: Probe::File("/usr/lib/x86_64-linux-gnu/libopenblas.so"),
+        source: Source::Package("libopenblas-dev"),
+    },
+    Tool {
+        name: "LAPACK",
+        purpose: "a peer: the reference",
+        need: Need::Bench,
+        probe: Probe::File("/usr/lib/x86_64-linux-gnu/lapack/liblapack.so"),
+        source: Source::Package("liblapack-dev"),
+    },
+    Tool {
+        name: "BLAS",
+        purpose: "the reference, under LAPACK",
+        need: Need::Bench,
+        probe: Probe::File("/usr/lib/x86_64-linux-gnu/blas/libblas.so"),
+        source: Source::Package("libblas-dev"),
+    },
 ];
 
 /// What the commands may ask of the machine they run on.
@@ -149,6 +196,10 @@ pub trait Machine {
     fn finds_headers(&self, compiler: &str) -> bool;
     /// Whether we may do anything here.
     fn is_root(&self) -> bool;
+    /// Whether the file exists.
+    fn has_file(&self, path: &str) -> bool {
+        std::path::Path::new(path).exists()
+    }
 }
 
 /// The machine that this program runs on.
@@ -199,6 +250,7 @@ pub fn survey(machine: &dyn Machine) -> Vec<Finding> {
     let look = |tool: &'static Tool| match tool.probe {
         Probe::Version(program) => machine.version(program).map(|answer| number(&answer)),
         Probe::Headers(compiler) => machine.finds_headers(compiler).then(|| "found".to_owned()),
+        Probe::File(path) => machine.has_file(path).then(|| "found".to_owned()),
     };
     TOOLS.iter().map(|tool| Finding { tool, found: look(tool) }).collect()
 }
@@ -219,7 +271,9 @@ fn number(answer: &str) -> String {
         starts(word) && word.chars().all(|letter| letter.is_ascii_digit() || letter == '.')
     };
     let words = || line.split_whitespace();
-    words().find(plain).or_else(|| words().find(starts)).unwrap_or(line).to_owned()
+    // `valgrind-3.19.0`
+    let joined = || line.split_once('-').map(|(_, number)| number).filter(starts);
+    words().find(plain).or_else(|| words().find(starts)).or_else(joined).unwrap_or(line).to_owned()
 }
 
 #[cfg(test)]
@@ -236,6 +290,7 @@ mod tests {
             ("Debian clang version 14.0.6\nTarget: x86_64-pc-linux-gnu", "14.0.6"),
             ("Ubuntu clang version 14.0.0-1ubuntu1.1", "14.0.0-1ubuntu1.1"),
             ("qemu-arm version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)", "7.2.22"),
+            ("valgrind-3.19.0", "3.19.0"),
             ("nightly", "nightly"),
         ];
         for (answer, expected) in cases {

@@ -29,6 +29,10 @@ impl Machine for Fake {
     fn is_root(&self) -> bool {
         self.root
     }
+
+    fn has_file(&self, _: &str) -> bool {
+        true
+    }
 }
 
 impl Fake {
@@ -55,7 +59,9 @@ impl Fake {
     fn full() -> Self {
         let mut fake = Self::host()
             .with("arm-linux-gnueabihf-gcc", "arm-linux-gnueabihf-gcc (Debian 12.2.0-14) 12.2.0")
-            .with("qemu-arm", "qemu-arm version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)");
+            .with("qemu-arm", "qemu-arm version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)")
+            .with("valgrind", "valgrind-3.19.0")
+            .with("arm-linux-gnueabihf-g++", "arm-linux-gnueabihf-g++ (Debian 12.2.0-14) 12.2.0");
         fake.headers.insert("arm-linux-gnueabihf-gcc");
         fake
     }
@@ -173,6 +179,12 @@ C library                found         test               headers and libraries 
 arm-linux-gnueabihf-gcc  12.2.0        test (not --host)  compiles the emitted C for a Cortex-A9
 ARM C library            found         test (not --host)  headers and libraries for the above
 qemu-arm                 7.2.22        test (not --host)  runs it on an emulated Cortex-A9
+valgrind                 3.19.0        bench              counts instructions on the host
+arm-linux-gnueabihf-g++  12.2.0        bench              compiles Eigen for the Cortex-A9
+Eigen                    found         bench              a peer
+OpenBLAS                 found         bench              a peer
+LAPACK                   found         bench              a peer: the reference
+BLAS                     found         bench              the reference, under LAPACK
 
 Everything is there: `cargo xtask test` can run.
 ",

@@ -23,8 +23,10 @@
 //! Absent: IR, names, files; any knowledge of who calls.
 
 pub mod plain;
+mod product;
 pub mod text;
 mod tiled;
+mod written_out;
 
 use bessemer_ir::{Float, Int, Kernel, KernelRoutine, Scalar};
 
@@ -72,11 +74,22 @@ pub struct Report {
 
 /// The C of a kernel.
 pub fn source(kernel: &Kernel) -> Source {
+    if written_out::fits(kernel) {
+        return written_out::source(kernel);
+    }
+    if let (KernelRoutine::Product, &[rows, inner, columns]) =
+        (kernel.routine, kernel.dims.as_slice())
+    {
+        return product::source(kernel, rows, inner, columns);
+    }
     tiled::source(kernel).unwrap_or_else(|| plain::source(kernel))
 }
 
 /// The memory that a kernel works with.
 pub fn buffers(kernel: &Kernel) -> Vec<Buffer> {
+    if written_out::fits(kernel) {
+        return written_out::buffers(kernel);
+    }
     tiled::buffers(kernel).unwrap_or_else(|| plain::buffers(kernel))
 }
 

@@ -1,3 +1,5 @@
+$real *const tiles = aligned(tile_memory);
+$real *const panel = aligned(panel_memory);
 bool finite = true;
 if (!factor(a, tiles, panel, pivots, &finite)) {
     return false;

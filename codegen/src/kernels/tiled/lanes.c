@@ -93,6 +93,17 @@ static inline row_t minus(row_t row, $real factor, row_t other)
 }
 #endif
 
+/* The first place in a buffer from which no vector lies across two cache lines. */
+static inline $real *aligned($real *buffer)
+{
+#if defined(HALF)
+    const uintptr_t beyond = (uintptr_t)buffer % 64U;
+    return &buffer[(64U - beyond) % 64U / sizeof(*buffer)];
+#else
+    return buffer;
+#endif
+}
+
 #if defined(QUAD)
 static inline quad_t load_quad(const $real *from)
 {

@@ -32,6 +32,11 @@ pub fn widest(element: Float, columns: u32) -> u32 {
         .max(4)
 }
 
+/// Numbers of a cache line.
+pub fn line(element: Float) -> u32 {
+    64 / bytes(element)
+}
+
 /// Types and operations of rows, for every target.
 pub fn text(element: Float, columns: u32) -> String {
     let mut values = numbers(element);

@@ -85,17 +85,19 @@ pub(super) fn buffers(kernel: &Kernel, size: u32, sides: bool) -> Vec<Buffer> {
     let element = Scalar::Float(kernel.element);
     let number = Scalar::Int(Int::U32);
     let widest = lanes::widest(kernel.element, rows(size));
+    // To begin on a cache line, where there are vectors.
+    let spare = lanes::line(kernel.element);
     let mut buffers = vec![
         Buffer {
-            name: "tiles",
+            name: "tile_memory",
             element,
-            len: rows(size) * columns(kernel.element, size),
+            len: rows(size) * columns(kernel.element, size) + spare,
             holds: "The factors, in tiles.",
         },
         Buffer {
-            name: "panel",
+            name: "panel_memory",
             element,
-            len: (rows(size) + 4) * widest,
+            len: (rows(size) + 4) * widest + spare,
             holds: "The panel at work.",
         },
         Buffer {

@@ -1,0 +1,134 @@
+//! Times: each program runs a case by turns, round by round, so that what disturbs one disturbs all.
+
+use std::io::{BufRead, BufReader, Write};
+use std::path::Path;
+use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+
+/// A program that serves requests.
+pub struct Server {
+    child: Child,
+    requests: ChildStdin,
+    answers: BufReader<ChildStdout>,
+}
+
+impl Server {
+    /// Starts a program.
+    ///
+    /// # Errors
+    /// What the system said.
+    pub fn start(program: &Path, environment: &[(&str, &str)]) -> Result<Server, String> {
+        Server::spawn(Command::new(program).envs(environment.iter().copied()))
+    }
+
+    /// Starts a program of the Cortex-A9.
+    ///
+    /// # Errors
+    /// What the system said.
+    pub fn emulated(program: &Path) -> Result<Server, String> {
+        Server::spawn(Command::new("qemu-arm").args(["-cpu", "cortex-a9"]).arg(program))
+    }
+
+    fn spawn(command: &mut Command) -> Result<Server, String> {
+        let mut child = command
+            .arg("serve")
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()
+            .map_err(|error| format!("{command:?}: {error}"))?;
+        match (child.stdin.take(), child.stdout.take()) {
+            (Some(requests), Some(answers)) => {
+                Ok(Server { child, requests, answers: BufReader::new(answers) })
+            }
+            _ => Err("a program has no pipes".into()),
+        }
+    }
+
+    fn ask(&mut self, request: &str) -> Result<String, String> {
+        let mut answer = String::new();
+        writeln!(self.requests, "{request}")
+            .and_then(|()| self.requests.flush())
+            .and_then(|()| self.answers.read_line(&mut answer))
+            .map_err(|error| format!("{request}: {error}"))?;
+        match answer.trim() {
+            "unknown" | "" => Err(format!("no answer to `{request}`")),
+            answer => Ok(answer.to_owned()),
+        }
+    }
+
+    /// Nanoseconds a run, over so many.
+    ///
+    /// # Errors
+    /// The program does not know the case, or died.
+    pub fn time(&mut self, case: &str, repetitions: u32) -> Result<f64, String> {
+        let answer = self.ask(&format!("time {case} {repetitions}"))?;
+        let total: f64 = answer.parse().map_err(|_| format!("no time: `{answer}`"))?;
+        Ok(total / f64::from(repetitions))
+    }
+
+    /// The words of the result.
+    ///
+    /// # Errors
+    /// The program does not know the case, or died.
+    pub fn result(&mut self, case: &str) -> Result<Vec<u64>, String> {
+        let answer = self.ask(&format!("result {case}"))?;
+        answer
+            .split_whitespace()
+            .map(|word| u64::from_str_radix(word, 16).map_err(|error| error.to_string()))
+            .collect()
+    }
+}
+
+impl Drop for Server {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+/// What the rounds gave: quartiles of the times, and the median of the ratios to the first program.
+#[derive(Clone, Copy, Debug)]
+pub struct Times {
+    /// Lower quartile, nanoseconds.
+    pub low: f64,
+    /// Median, nanoseconds.
+    pub median: f64,
+    /// Upper quartile, nanoseconds.
+    pub high: f64,
+    /// The first program's time over this one's, round by round: the median.
+    pub ratio: f64,
+}
+
+/// Runs a case on every program by turns.
+///
+/// # Errors
+/// A program does not know the case, or died.
+pub fn race(servers: &mut [Server], case: &str, rounds: usize) -> Result<Vec<Times>, String> {
+    /// Long enough for the clock, short enough to be undisturbed, nanoseconds.
+    const SAMPLE: f64 = 200_000.0;
+    let mut repetitions = Vec::new();
+    for server in servers.iter_mut() {
+        let once = server.time(case, 3)?;
+        repetitions.push((SAMPLE / once).clamp(1.0, 20_000.0) as u32);
+    }
+    let mut times = vec![Vec::with_capacity(rounds); servers.len()];
+    for _ in 0..rounds {
+        for (index, server) in servers.iter_mut().enumerate() {
+            times[index].push(server.time(case, repetitions[index])?);
+        }
+    }
+    let ratio = |own: &[f64]| {
+        let ratios = times[0].iter().zip(own).map(|(first, own)| first / own).collect();
+        quartiles(ratios)[1]
+    };
+    let summary = |own: &Vec<f64>| {
+        let [low, median, high] = quartiles(own.clone());
+        Times { low, median, high, ratio: ratio(own) }
+    };
+    Ok(times.iter().map(summary).collect())
+}
+
+fn quartiles(mut values: Vec<f64>) -> [f64; 3] {
+    values.sort_by(f64::total_cmp);
+    let at = |part: usize| values[(values.len() - 1) * part / 4];
+    [at(1), at(2), at(3)]
+}

@@ -1,0 +1,89 @@
+//! Executed instructions, exact and repeatable: callgrind on the host, QEMU's plugin on the Cortex-A9.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use super::machine::Machine;
+
+/// Instructions of each case of a program; what the bracket itself costs is taken off.
+///
+/// # Errors
+/// The program or the counter failed.
+pub fn count(
+    machine: &Machine,
+    program: &Path,
+    cases: &[String],
+    folder: &Path,
+    environment: &[(&str, &str)],
+) -> Result<BTreeMap<String, u64>, String> {
+    let (names, counts) = if machine.target {
+        with_plugin(program, cases, folder)?
+    } else {
+        with_callgrind(program, cases, folder, environment)?
+    };
+    if names.len() != counts.len() || names.first().map(String::as_str) != Some("nothing") {
+        return Err(format!("{} names and {} counts", names.len(), counts.len()));
+    }
+    let bracket = counts[0];
+    Ok(names.into_iter().zip(counts.iter().map(|count| count.saturating_sub(bracket))).collect())
+}
+
+type Counted = (Vec<String>, Vec<u64>);
+
+fn with_plugin(program: &Path, cases: &[String], folder: &Path) -> Result<Counted, String> {
+    let output = Command::new("qemu-arm")
+        .args(["-cpu", "cortex-a9", "-plugin"])
+        .arg(plugin(folder)?)
+        .arg(program)
+        .arg("count")
+        .args(cases)
+        .output()
+        .map_err(|error| format!("qemu-arm: {error}"))?;
+    let lines = |bytes: &[u8]| -> Vec<String> {
+        String::from_utf8_lossy(bytes).lines().map(str::to_owned).collect()
+    };
+    let counts = lines(&output.stderr).iter().filter_map(|line| line.parse().ok()).collect();
+    Ok((lines(&output.stdout), counts))
+}
+
+/// Compiles the plugin.
+fn plugin(folder: &Path) -> Result<PathBuf, String> {
+    let path = folder.join("count.so");
+    if !path.exists() {
+        let source = bessemer_tests::root().join("bench/c/count.c");
+        let command = &mut Command::new("gcc");
+        command.args(["-O2", "-shared", "-fPIC"]).arg(source).arg("-o").arg(&path);
+        super::contender::run(command)?;
+    }
+    Ok(path)
+}
+
+fn with_callgrind(
+    program: &Path,
+    cases: &[String],
+    folder: &Path,
+    environment: &[(&str, &str)],
+) -> Result<Counted, String> {
+    let dumps = tempfile::tempdir_in(folder).map_err(|error| error.to_string())?;
+    let output = Command::new("valgrind")
+        .args(["--tool=callgrind", "--zero-before=*bench_begin*", "--dump-before=*bench_end*"])
+        .arg(format!("--callgrind-out-file={}", dumps.path().join("out").display()))
+        .arg(program)
+        .arg("count")
+        .args(cases)
+        .envs(environment.iter().copied())
+        .stderr(Stdio::null())
+        .output()
+        .map_err(|error| format!("valgrind: {error}"))?;
+    let names = String::from_utf8_lossy(&output.stdout).lines().map(str::to_owned).collect();
+    let mut counts = Vec::new();
+    for part in 1.. {
+        let Ok(text) = std::fs::read_to_string(dumps.path().join(format!("out.{part}"))) else {
+            break;
+        };
+        let total = text.lines().find_map(|line| line.strip_prefix("summary: ")?.parse().ok());
+        counts.push(total.ok_or("callgrind gave no sum")?);
+    }
+    Ok((names, counts))
+}

@@ -1,0 +1,149 @@
+//! The generated C as a contender: the kernels as the back end emits them, each called on a copy, as a
+//! model calls them; the parts of Chapter 6 in place, after their loader.
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+use bessemer_codegen::{c, kernels, passes};
+use bessemer_ir::{Float, Kernel, KernelRoutine, Module};
+
+use super::case::{Case, Element, Routine};
+use super::contender::{put, real, table};
+
+/// The kernel of a case, if there is one.
+pub fn kernel(case: &Case) -> Option<Kernel> {
+    let size = u32::try_from(case.size).ok()?;
+    let element = match case.element {
+        Element::F64 => Float::F64,
+        Element::F32 => Float::F32,
+    };
+    let (routine, dims) = match case.routine {
+        Routine::LuSolve => (KernelRoutine::LuSolve, vec![size, 1]),
+        Routine::Inverse => (KernelRoutine::Inverse, vec![size]),
+        Routine::Product => (KernelRoutine::Product, vec![size; 3]),
+        Routine::CholeskySolve => return None,
+    };
+    Kernel::new(routine, element, &dims)
+}
+
+/// Writes the kernels and the list of the cases; gives the sources.
+pub fn write(cases: &[Case], folder: &Path) -> Result<Vec<PathBuf>, String> {
+    let known: Vec<(Case, Kernel)> =
+        cases.iter().filter_map(|case| Some((*case, kernel(case)?))).collect();
+    let module = Module {
+        name: "bench".into(),
+        functions: known.iter().map(|(_, kernel)| kernel.function()).collect(),
+        ..Module::default()
+    };
+    let files = c::emit(&passes::lend(module), &c::Options::default());
+    let mut sources = Vec::new();
+    for file in files {
+        // The object is named by the case, whatever the kernel's file is called.
+        let path = put(folder, &file.name, &file.text)?;
+        if file.name.ends_with(".c") {
+            sources.push(path);
+        }
+    }
+    let large = known.iter().any(|(case, _)| case.size > 20);
+    let text = if large { loaded(&known) } else { copied(&known) };
+    sources.push(put(folder, "generated_cases.c", &text)?);
+    Ok(sources)
+}
+
+/// Each kernel on a copy.
+fn copied(known: &[(Case, Kernel)]) -> String {
+    let mut before = String::from("#include <string.h>\n");
+    for (case, kernel) in known {
+        let _ = writeln!(before, "#include \"{}.h\"", kernel.name());
+        let (real, name, n) = (real(case).0, kernel.name(), case.size);
+        let call = Call::new(kernel);
+        let _ = match case.routine {
+            Routine::Product => writeln!(
+                before,
+                "static void copy_{case}(const {real} *a, const {real} *b, {real} *x)\n{{\n    \
+                 {name}(a, b, x);\n}}",
+                case = case.name()
+            ),
+            Routine::Inverse => writeln!(
+                before,
+                "{work}static void copy_{case}(const {real} *a, {real} *x)\n{{\n    \
+                 memcpy(x, a, {count} * sizeof *x);\n    (void){name}(x{lent});\n}}",
+                case = case.name(),
+                count = n * n,
+                work = call.work,
+                lent = call.lent,
+            ),
+            _ => writeln!(
+                before,
+                "{work}static void copy_{case}(const {real} *a, const {real} *b, {real} *x)\n{{\n    \
+                 {real} copy[{count}];\n    memcpy(copy, a, sizeof copy);\n    \
+                 memcpy(x, b, {n} * sizeof *x);\n    (void){name}(copy, x{lent});\n}}",
+                case = case.name(),
+                count = n * n,
+                work = call.work,
+                lent = call.lent,
+            ),
+        };
+    }
+    let cases: Vec<Case> = known.iter().map(|(case, _)| *case).collect();
+    table("case.h", &cases, |case| format!("copy_{}", case.name()), &before)
+}
+
+/// The work struct of a kernel, and how it is handed over.
+struct Call {
+    work: String,
+    lent: String,
+}
+
+impl Call {
+    fn new(kernel: &Kernel) -> Call {
+        let name = kernel.name();
+        match kernels::lent(kernel).is_empty() {
+            true => Call { work: String::new(), lent: String::new() },
+            false => Call {
+                work: format!("static {name}_work_t {name}_memory;\n"),
+                lent: format!(", &{name}_memory"),
+            },
+        }
+    }
+}
+
+/// The parts of Chapter 6: a loader, and the kernel in place.
+fn loaded(known: &[(Case, Kernel)]) -> String {
+    let mut text = String::from("#include \"case.h\"\n#include <string.h>\n");
+    let mut list = String::new();
+    for (case, kernel) in known {
+        let (name, n, call) = (kernel.name(), case.size, Call::new(kernel));
+        let _ = write!(text, "#include \"{name}.h\"\n{}", call.work);
+        let (load, run) = match case.routine {
+            Routine::LuSolve => (
+                format!(
+                    "static double a[{count}];\nstatic void load_{name}(void)\n{{\n    \
+                     memcpy(a, matrix.f64, sizeof a);\n    memcpy(result.f64, vector.f64, {n} * sizeof(double));\n}}\n",
+                    count = n * n
+                ),
+                format!("{name}(a, result.f64{})", call.lent),
+            ),
+            _ => (
+                format!(
+                    "static void load_{name}(void)\n{{\n    memcpy(result.f64, matrix.f64, {} * sizeof(double));\n}}\n",
+                    n * n
+                ),
+                format!("{name}(result.f64{})", call.lent),
+            ),
+        };
+        let _ = write!(
+            text,
+            "{load}__attribute__((noinline)) static void run_{name}(void)\n{{\n    (void){run};\n}}\n"
+        );
+        let _ = writeln!(
+            list,
+            "    {{\"{}\", {}, {n}, 0, load_{name}, run_{name}, NULL}},",
+            case.name(),
+            case.routine.name().to_uppercase()
+        );
+    }
+    text + &format!(
+        "const case_t CASES[] = {{\n{list}}};\nconst size_t CASE_COUNT = sizeof CASES / sizeof CASES[0];\n"
+    )
+}

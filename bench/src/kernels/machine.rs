@@ -1,0 +1,134 @@
+//! Where programs run, and the flags that all of them get.
+
+/// A machine with flags.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Machine {
+    /// As a result names it.
+    pub name: &'static str,
+    /// As a table names it.
+    pub title: &'static str,
+    /// Whether it is the emulated Cortex-A9.
+    pub target: bool,
+    /// For C and C++, the same for all.
+    pub flags: &'static [&'static str],
+    /// For rustc.
+    pub rust_flags: &'static str,
+}
+
+/// The host with everything that it has; for times.
+pub const HOST: Machine = Machine {
+    name: "host",
+    title: "host, -O3 -march=native",
+    target: false,
+    flags: &["-O3", "-march=native", "-ffp-contract=off"],
+    rust_flags: "-C target-cpu=native",
+};
+
+/// The host without vectors; for times.
+pub const HOST_SCALAR: Machine = Machine {
+    name: "host-scalar",
+    title: "host, -O2, no vectors",
+    target: false,
+    flags: &[
+        "-O2",
+        "-ffp-contract=off",
+        "-fno-tree-vectorize",
+        "-fno-tree-slp-vectorize",
+        "-DEIGEN_DONT_VECTORIZE",
+        "-DBESSEMER_PLAIN",
+    ],
+    rust_flags: "-C no-vectorize-loops -C no-vectorize-slp",
+};
+
+/// The host as every x86-64 is; for counts.
+pub const HOST_SSE2: Machine = Machine {
+    name: "host-sse2",
+    title: "host, -O2",
+    target: false,
+    flags: &["-O2", "-ffp-contract=off"],
+    rust_flags: "-C target-cpu=x86-64",
+};
+
+/// The host with AVX2, which callgrind knows (AVX-512 it does not); for counts.
+pub const HOST_AVX2: Machine = Machine {
+    name: "host-avx2",
+    title: "host, -O2 -march=x86-64-v3",
+    target: false,
+    flags: &["-O2", "-march=x86-64-v3", "-ffp-contract=off"],
+    rust_flags: "-C target-cpu=x86-64-v3",
+};
+
+/// The Cortex-A9 with NEON loads; arithmetic stays on the VFP.
+pub const A9: Machine = Machine {
+    name: "a9",
+    title: "Cortex-A9, -O2, NEON loads",
+    target: true,
+    flags: &[
+        "-O2",
+        "-mcpu=cortex-a9",
+        "-mfpu=neon-vfpv3",
+        "-mfloat-abi=hard",
+        "-ffp-contract=off",
+        "-static",
+    ],
+    rust_flags: "-C target-cpu=cortex-a9 -C target-feature=+crt-static",
+};
+
+/// The Cortex-A9 in plain C99.
+pub const A9_PLAIN: Machine = Machine {
+    name: "a9-plain",
+    title: "Cortex-A9, -O2, plain C99",
+    target: true,
+    flags: &[
+        "-O2",
+        "-mcpu=cortex-a9",
+        "-mfpu=vfpv3",
+        "-mfloat-abi=hard",
+        "-ffp-contract=off",
+        "-static",
+        "-DBESSEMER_PLAIN",
+        "-DEIGEN_DONT_VECTORIZE",
+    ],
+    rust_flags: "-C target-cpu=cortex-a9 -C target-feature=-neon,+crt-static",
+};
+
+/// The Rust target of the Cortex-A9.
+pub const RUST_TARGET: &str = "armv7-unknown-linux-gnueabihf";
+
+impl Machine {
+    /// `gcc`, or the cross compiler.
+    pub fn compiler(&self, cpp: bool) -> &'static str {
+        match (self.target, cpp) {
+            (false, false) => "gcc",
+            (false, true) => "g++",
+            (true, false) => "arm-linux-gnueabihf-gcc",
+            (true, true) => "arm-linux-gnueabihf-g++",
+        }
+    }
+}
+
+/// A tool, how it is tried, and the Debian package it is in.
+pub const TOOLS: &[(&str, &[&str], &str)] = &[
+    ("gcc", &["gcc", "--version"], "gcc"),
+    ("g++", &["g++", "--version"], "g++"),
+    (
+        "Eigen",
+        &["g++", "-E", "-x", "c++", "-I/usr/include/eigen3", "-include", "Eigen/Core", "/dev/null"],
+        "libeigen3-dev",
+    ),
+    ("OpenBLAS", &["gcc", "-shared", "-o", "/dev/null", "-lopenblas"], "libopenblas-dev"),
+    ("LAPACK", &["test", "-e", "/usr/lib/x86_64-linux-gnu/lapack/liblapack.so"], "liblapack-dev"),
+    ("BLAS", &["test", "-e", "/usr/lib/x86_64-linux-gnu/blas/libblas.so"], "libblas-dev"),
+    ("callgrind", &["valgrind", "--version"], "valgrind"),
+    (
+        "arm-linux-gnueabihf-gcc",
+        &["arm-linux-gnueabihf-gcc", "--version"],
+        "gcc-arm-linux-gnueabihf",
+    ),
+    (
+        "arm-linux-gnueabihf-g++",
+        &["arm-linux-gnueabihf-g++", "--version"],
+        "g++-arm-linux-gnueabihf",
+    ),
+    ("qemu-arm", &["qemu-arm", "--version"], "qemu-user"),
+];

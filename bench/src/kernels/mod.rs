@@ -1,0 +1,26 @@
+//! Generated kernels against the peers: the Chapter 6 job, and the small sizes.
+//!
+//! | module | what it is for |
+//! |---|---|
+//! | [`case`] | what is measured, and on which numbers |
+//! | [`machine`] | where, and with which flags |
+//! | [`contender`] | who, and how each becomes a program |
+//! | [`count`] | executed instructions: callgrind on the host, QEMU's plugin on the Cortex-A9 |
+//! | [`clock`] | times: programs that run by turns, round by round |
+//! | [`check`] | whether a result may be measured at all |
+//! | [`report`], [`plot`] | the terminal, JSON, Markdown and SVG |
+//!
+//! Invariants: every contender gets the same numbers and the same flags; what is compared was measured in
+//! one run, in turns; no figure of a contender whose result is wrong.
+
+pub mod case;
+pub mod check;
+pub mod clock;
+pub mod contender;
+pub mod count;
+pub mod generated;
+pub mod machine;
+pub mod plot;
+pub mod report;
+pub mod results;
+pub mod run;

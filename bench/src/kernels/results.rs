@@ -1,0 +1,145 @@
+//! What was measured.
+
+use std::collections::BTreeMap;
+
+use serde_json::{Value, json};
+
+use super::case::Case;
+use super::clock::Times;
+use super::contender::Contender;
+use super::machine::Machine;
+
+/// Instructions or times of the cases on one machine.
+pub struct Table {
+    /// Where.
+    pub machine: Machine,
+    /// Who, in order; the generated C first.
+    pub contenders: Vec<Contender>,
+    /// Of each case, in order of the contenders; none where one has no such case.
+    pub rows: Vec<Row>,
+}
+
+/// A case.
+pub struct Row {
+    /// Which.
+    pub case: Case,
+    /// One of each contender.
+    pub cells: Vec<Option<Cell>>,
+}
+
+/// One contender on one case.
+#[derive(Clone, Copy, Debug)]
+pub struct Cell {
+    /// Executed instructions.
+    pub instructions: Option<u64>,
+    /// Time.
+    pub times: Option<Times>,
+}
+
+/// Code size and stack of a kernel.
+pub struct Size {
+    /// `lu_solve_f64_6`.
+    pub kernel: String,
+    /// The machine's name.
+    pub machine: &'static str,
+    /// Bytes of code and constants.
+    pub text: u64,
+    /// At most so many bytes of the stack: all functions of the file together.
+    pub stack: u64,
+}
+
+/// Everything of one run.
+#[derive(Default)]
+pub struct Results {
+    /// The Chapter 6 job.
+    pub chapter_6: Vec<Table>,
+    /// Small sizes.
+    pub small: Vec<Table>,
+    /// Sizes of the generated kernels.
+    pub sizes: Vec<Size>,
+    /// What was left out, and why.
+    pub left_out: Vec<String>,
+}
+
+impl Row {
+    /// The generated C's instructions over the fewest of the others.
+    pub fn against_best(&self) -> Option<f64> {
+        let count = |cell: &Option<Cell>| cell.and_then(|cell| cell.instructions);
+        let (own, others) = self.cells.split_first()?;
+        let best = others.iter().filter_map(count).min()?;
+        Some(count(own)? as f64 / best as f64)
+    }
+
+    /// The generated C's time over the shortest of the others.
+    pub fn time_against_best(&self) -> Option<f64> {
+        let ratio = |cell: &Option<Cell>| cell.and_then(|cell| cell.times).map(|times| times.ratio);
+        self.cells.iter().skip(1).filter_map(ratio).max_by(f64::total_cmp)
+    }
+}
+
+impl Results {
+    /// For machines.
+    pub fn json(&self, about: &BTreeMap<&'static str, String>) -> Value {
+        let tables = |tables: &[Table]| tables.iter().map(Table::json).collect::<Vec<_>>();
+        let sizes: Vec<Value> = self
+            .sizes
+            .iter()
+            .map(|size| {
+                json!({
+                    "kernel": size.kernel, "machine": size.machine,
+                    "text_bytes": size.text, "stack_bytes_at_most": size.stack,
+                })
+            })
+            .collect();
+        json!({
+            "about": about,
+            "chapter_6": tables(&self.chapter_6),
+            "small": tables(&self.small),
+            "sizes": sizes,
+            "left_out": self.left_out,
+        })
+    }
+}
+
+impl Table {
+    fn json(&self) -> Value {
+        let rows: Vec<Value> = self
+            .rows
+            .iter()
+            .map(|row| {
+                let cells = self.contenders.iter().zip(&row.cells);
+                let cells: serde_json::Map<String, Value> = cells
+                    .filter_map(|(contender, cell)| {
+                        Some((contender.name().to_owned(), cell.as_ref()?.json()))
+                    })
+                    .collect();
+                json!({ "case": row.case.name(), "contenders": cells })
+            })
+            .collect();
+        json!({
+            "machine": self.machine.name,
+            "flags": self.machine.flags.join(" "),
+            "rust_flags": self.machine.rust_flags,
+            "cases": rows,
+        })
+    }
+}
+
+impl Cell {
+    fn json(&self) -> Value {
+        let mut object = serde_json::Map::new();
+        if let Some(instructions) = self.instructions {
+            object.insert("instructions".into(), json!(instructions));
+        }
+        if let Some(times) = self.times {
+            let tenths = |value: f64| (10.0 * value).round() / 10.0;
+            let quartiles = [times.low, times.median, times.high].map(tenths);
+            object.insert("nanoseconds_quartiles".into(), json!(quartiles));
+            object.insert(
+                "generated_over_this".into(),
+                json!((1000.0 * times.ratio).round() / 1000.0),
+            );
+        }
+        Value::Object(object)
+    }
+}

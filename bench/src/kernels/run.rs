@@ -1,0 +1,217 @@
+//! The run: builds, checks, counts and times, machine by machine.
+
+use std::path::{Path, PathBuf};
+
+use super::case::{CHAPTER_6, Case};
+use super::clock::{Server, race};
+use super::contender::Contender;
+use super::machine::{A9, A9_PLAIN, HOST, HOST_AVX2, HOST_SCALAR, HOST_SSE2, Machine};
+use super::results::{Cell, Results, Row, Size, Table};
+use super::{check, count, generated};
+
+/// How much is measured.
+#[derive(Clone, Copy, Debug)]
+pub struct Plan {
+    /// The small sizes.
+    pub sizes: &'static [usize],
+    /// Rounds of each race.
+    pub rounds: usize,
+    /// The short run leaves out the machines that only complete the picture.
+    pub quick: bool,
+}
+
+/// The full plan.
+pub const FULL: Plan = Plan {
+    sizes: &[2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20],
+    rounds: 101,
+    quick: false,
+};
+
+/// The short one.
+pub const QUICK: Plan = Plan { sizes: &[3, 6, 12], rounds: 31, quick: true };
+
+/// Runs it; `say` is told what is going on.
+///
+/// # Errors
+/// A program does not compile, does not run, or has a wrong result.
+pub fn run(plan: &Plan, say: &dyn Fn(&str)) -> Result<Results, String> {
+    let folder = bessemer_tests::root().join("target/bench");
+    std::fs::create_dir_all(&folder).map_err(|error| error.to_string())?;
+    let mut results = Results::default();
+    let mut small = Case::small(plan.sizes);
+    small.retain(|case| generated::kernel(case).is_some());
+    let timed: &[Machine] = if plan.quick { &[HOST] } else { &[HOST, HOST_SCALAR] };
+    let counted: &[Machine] =
+        if plan.quick { &[A9] } else { &[HOST_SSE2, HOST_AVX2, A9, A9_PLAIN] };
+    let mut bench = Bench { folder: &folder, say, results: &mut results };
+    for machine in timed {
+        let table =
+            bench.times(machine, &Contender::of_chapter_6(machine), &CHAPTER_6, plan.rounds)?;
+        bench.results.chapter_6.push(table);
+    }
+    for machine in counted {
+        let table = bench.counts(machine, &Contender::of_chapter_6(machine), &CHAPTER_6)?;
+        bench.results.chapter_6.push(table);
+    }
+    for machine in counted {
+        let table = bench.counts(machine, &Contender::SMALL, &small)?;
+        bench.results.small.push(table);
+    }
+    for machine in timed {
+        let table = bench.times(machine, &Contender::SMALL, &small, plan.rounds / 5)?;
+        bench.results.small.push(table);
+    }
+    Ok(results)
+}
+
+struct Bench<'a> {
+    folder: &'a Path,
+    say: &'a dyn Fn(&str),
+    results: &'a mut Results,
+}
+
+impl Bench<'_> {
+    /// The programs of those who can take part.
+    fn programs(
+        &mut self,
+        machine: &Machine,
+        contenders: &[Contender],
+        cases: &[Case],
+    ) -> Result<Vec<(Contender, PathBuf)>, String> {
+        let mut programs = Vec::new();
+        for &contender in contenders {
+            (self.say)(&format!("{}: building {}", machine.title, contender.title()));
+            match contender.build(machine, cases, self.folder) {
+                Ok(program) => programs.push((contender, program)),
+                Err(error) if contender == Contender::Generated => return Err(error),
+                Err(error) => {
+                    // rustc says how to get a target that is not installed.
+                    let telling = |word| error.lines().find(|line| line.contains(word));
+                    let why = telling("rustup target add").or_else(|| telling("error"));
+                    let why = why.unwrap_or(&error).trim();
+                    let line = format!("{} on {}: {why}", contender.title(), machine.title);
+                    self.results.left_out.push(line);
+                }
+            }
+        }
+        self.sizes(machine, cases);
+        Ok(programs)
+    }
+
+    /// Refuses to go on if a result is wrong.
+    fn check(
+        &self,
+        machine: &Machine,
+        programs: &[(Contender, PathBuf)],
+        cases: &[Case],
+    ) -> Result<(), String> {
+        (self.say)(&format!("{}: checking results", machine.title));
+        let model = Contender::Native.build(&HOST, cases, self.folder)?;
+        let mut model = Server::start(&model, &[])?;
+        for (contender, program) in programs {
+            let mut server = if machine.target {
+                Server::emulated(program)?
+            } else {
+                Server::start(program, contender.environment())?
+            };
+            for case in cases {
+                let words = server.result(&case.name())?;
+                let residual = check::residual(case, &words);
+                if residual > check::allowed(contender.name(), case) {
+                    return Err(format!(
+                        "{}: {} has a residual of {residual}",
+                        contender.title(),
+                        case.name()
+                    ));
+                }
+                if *contender == Contender::Generated
+                    && !check::same(case, &words, &model.result(&case.name())?)
+                {
+                    return Err(format!("{}: the C and the model differ", case.name()));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn times(
+        &mut self,
+        machine: &Machine,
+        contenders: &[Contender],
+        cases: &[Case],
+        rounds: usize,
+    ) -> Result<Table, String> {
+        let programs = self.programs(machine, contenders, cases)?;
+        self.check(machine, &programs, cases)?;
+        let mut servers = Vec::new();
+        for (contender, program) in &programs {
+            servers.push(Server::start(program, contender.environment())?);
+        }
+        let mut rows = Vec::new();
+        for case in cases {
+            (self.say)(&format!("{}: timing {}", machine.title, case.name()));
+            let times = race(&mut servers, &case.name(), rounds)?;
+            let cells = times
+                .into_iter()
+                .map(|times| Some(Cell { instructions: None, times: Some(times) }))
+                .collect();
+            rows.push(Row { case: *case, cells });
+        }
+        let contenders = programs.into_iter().map(|(contender, _)| contender).collect();
+        Ok(Table { machine: *machine, contenders, rows })
+    }
+
+    fn counts(
+        &mut self,
+        machine: &Machine,
+        contenders: &[Contender],
+        cases: &[Case],
+    ) -> Result<Table, String> {
+        let programs = self.programs(machine, contenders, cases)?;
+        self.check(machine, &programs, cases)?;
+        let names: Vec<String> = cases.iter().map(Case::name).collect();
+        let mut columns = Vec::new();
+        for (contender, program) in &programs {
+            (self.say)(&format!("{}: counting {}", machine.title, contender.title()));
+            let environment = contender.environment();
+            columns.push(count::count(machine, program, &names, self.folder, environment)?);
+        }
+        let rows = cases
+            .iter()
+            .map(|case| {
+                let cell = |column: &std::collections::BTreeMap<String, u64>| {
+                    let instructions = column.get(&case.name()).copied();
+                    instructions.map(|count| Cell { instructions: Some(count), times: None })
+                };
+                Row { case: *case, cells: columns.iter().map(cell).collect() }
+            })
+            .collect();
+        let contenders = programs.into_iter().map(|(contender, _)| contender).collect();
+        Ok(Table { machine: *machine, contenders, rows })
+    }
+
+    /// Code and stack of the generated kernels.
+    fn sizes(&mut self, machine: &Machine, cases: &[Case]) {
+        let kind = if cases.iter().any(|case| case.size > 20) { "chapter6" } else { "small" };
+        let folder = self.folder.join(format!("{}-generated-{kind}", machine.name));
+        let tool = if machine.target { "arm-linux-gnueabihf-size" } else { "size" };
+        for name in cases.iter().filter_map(|case| Some(generated::kernel(case)?.name())) {
+            let object = folder.join(format!("{name}.o"));
+            let known = |size: &Size| size.kernel == name && size.machine == machine.name;
+            if self.results.sizes.iter().any(known) || !object.exists() {
+                continue;
+            }
+            let output = std::process::Command::new(tool).arg(&object).output();
+            let text = output.ok().and_then(|output| {
+                let text = String::from_utf8_lossy(&output.stdout).into_owned();
+                text.lines().nth(1)?.split_whitespace().next()?.parse().ok()
+            });
+            let usage = std::fs::read_to_string(object.with_extension("su")).unwrap_or_default();
+            let stack =
+                usage.lines().filter_map(|line| line.split('\t').nth(1)?.parse::<u64>().ok()).sum();
+            if let Some(text) = text {
+                self.results.sizes.push(Size { kernel: name, machine: machine.name, text, stack });
+            }
+        }
+    }
+}

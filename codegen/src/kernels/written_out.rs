@@ -1,0 +1,272 @@
+//! Elimination written out, for small sizes: the multipliers of a step stay in registers.
+//!
+//! Each step takes its multipliers times an element from every column on its right, so that an element
+//! is loaded and stored once a step and the multipliers not at all; a right-hand side is solved for in
+//! registers. The order of each element is nalgebra's: steps ascending, then back from the last.
+//!
+//! Absent: vectors. At these sizes they cost more in preparation than they save.
+
+use std::fmt::Write as _;
+
+use bessemer_ir::{Int, Kernel, KernelRoutine, Scalar};
+
+use super::text::{fill, values};
+use super::{Buffer, Source, declarations};
+
+/// Bytes of code that a kernel may take, by the estimate of [`bytes`].
+const BUDGET: u32 = 8 * 1024;
+
+/// Up to this size the search of a pivot and the exchange of rows are written out too.
+const PIVOTS_WRITTEN_OUT: u32 = 9;
+
+/// Whether a kernel is written out.
+pub(super) fn fits(kernel: &Kernel) -> bool {
+    match (kernel.routine, kernel.dims.as_slice()) {
+        (KernelRoutine::LuSolve, &[size, _]) => size > 1 && bytes(size) <= BUDGET,
+        // From here on tiles of the right-hand sides take fewer instructions.
+        (KernelRoutine::Inverse, &[size]) => size > 4 && (size < 12 || (13..16).contains(&size)),
+        _ => false,
+    }
+}
+
+/// The code of elimination and of one right-hand side, four bytes an instruction.
+fn bytes(size: u32) -> u32 {
+    /// For a multiplier: three to make it, three to use it, two each way of the substitution; and
+    /// thirteen to find the pivot and to exchange rows, where these are written out.
+    const INSTRUCTIONS: [u32; 2] = [10, 23];
+    let written_out = usize::from(size <= PIVOTS_WRITTEN_OUT);
+    4 * INSTRUCTIONS[written_out] * size * (size - 1) / 2 + 400
+}
+
+const FIND_PIVOT: &str = "\
+/* The row of the first of the largest magnitudes in a column, from row k down. */
+static uint32_t find_pivot(const $real *column, uint32_t k)
+{
+    uint32_t pivot = k;
+    $real largest = $abs(column[k]);
+    for (uint32_t row = k + 1U; row < $n; row++) {
+        const $real magnitude = $abs(column[row]);
+        if (magnitude > largest) {
+            largest = magnitude;
+            pivot = row;
+        }
+    }
+    return pivot;
+}
+
+/* Exchanges two rows. */
+static void exchange_rows($real *a, uint32_t columns, uint32_t row, uint32_t other)
+{
+    for (uint32_t column = 0U; column < columns; column++) {
+        const $real number = a[row];
+        a[row] = a[other];
+        a[other] = number;
+        a += $n;
+    }
+}
+";
+
+const SOLVE: &str = "\
+if (!factor(a, pivots)) {
+    for (uint32_t index = 0U; index < $all; index++) {
+        a[index] = $nan;
+    }
+    for (uint32_t index = 0U; index < $known; index++) {
+        b[index] = $nan;
+    }
+    return false;
+}
+for (uint32_t column = 0U; column < $columns; column++) {
+    $real *const x = &b[$n * column];
+    for (uint32_t k = 0U; k < $n; k++) {
+        const $real number = x[k];
+        x[k] = x[pivots[k]];
+        x[pivots[k]] = number;
+    }
+    substitute(a, x);
+}
+return true;
+";
+
+const INVERSE: &str = "\
+for (uint32_t index = 0U; index < $all; index++) {
+    factors[index] = a[index];
+}
+if (!factor(factors, pivots)) {
+    return false;
+}
+/* The right-hand side with its one in row k is the column order[k] of the identity. */
+for (uint32_t k = 0U; k < $n; k++) {
+    order[k] = k;
+}
+for (uint32_t k = 0U; k < $n; k++) {
+    const uint32_t column = order[k];
+    order[k] = order[pivots[k]];
+    order[pivots[k]] = column;
+}
+for (uint32_t index = 0U; index < $all; index++) {
+    a[index] = $zero;
+}
+for (uint32_t k = 0U; k < $n; k++) {
+    $real *const x = &a[$n * order[k]];
+    x[k] = $one;
+    substitute(factors, x);
+}
+return true;
+";
+
+/// The memory that it works with.
+pub(super) fn buffers(kernel: &Kernel) -> Vec<Buffer> {
+    let size = kernel.dims[0];
+    let pivots = Buffer {
+        name: "pivots",
+        element: Scalar::Int(Int::U32),
+        len: size,
+        holds: "The row that each step exchanges with its own.",
+    };
+    match kernel.routine {
+        KernelRoutine::Inverse => vec![
+            Buffer {
+                name: "factors",
+                element: Scalar::Float(kernel.element),
+                len: size * size,
+                holds: "The matrix, then its factors.",
+            },
+            pivots,
+            Buffer {
+                name: "order",
+                element: Scalar::Int(Int::U32),
+                len: size,
+                holds: "The column of the inverse that each pivot gives.",
+            },
+        ],
+        _ => vec![pivots],
+    }
+}
+
+/// The C of a kernel.
+pub(super) fn source(kernel: &Kernel) -> Source {
+    let size = kernel.dims[0];
+    let (body, columns) = match kernel.routine {
+        KernelRoutine::Inverse => (INVERSE, size),
+        _ => (SOLVE, kernel.dims[1]),
+    };
+    let sizes =
+        [("n", size), ("columns", columns), ("all", size * size), ("known", size * columns)];
+    let values = values(kernel.element, &sizes);
+    let shared = if size > PIVOTS_WRITTEN_OUT { FIND_PIVOT } else { "" };
+    let before = [shared, &factor(size), &substitute(size)].join("\n");
+    Source {
+        before: fill(&before, &values).trim().to_owned(),
+        body: fill(&(declarations(kernel) + body), &values),
+        math: true,
+        ..Source::default()
+    }
+}
+
+/// Every step of the elimination.
+fn factor(n: u32) -> String {
+    let mut text = String::from(
+        "/* Eliminates below the diagonal, step by step: U stays above, the multipliers below. The pivot is the\n   \
+         first of the largest magnitudes. False if it is zero. */\n\
+         static bool factor($real *a, uint32_t *pivots)\n{\n",
+    );
+    for k in 0..n {
+        step(&mut text, n, k);
+    }
+    text + "    return true;\n}\n"
+}
+
+/// A step: the pivot, the exchange, the multipliers, and the columns on the right.
+fn step(text: &mut String, n: u32, k: u32) {
+    let diagonal = n * k + k;
+    let column = n * k;
+    // Writing to a string cannot fail.
+    let mut put = |line: String| {
+        let _ = writeln!(text, "{line}");
+    };
+    put("    {".into());
+    let last = k + 1 == n;
+    if last {
+        put(format!("        pivots[{k}] = {k}U;"));
+        put(format!(
+            "        if (a[{diagonal}] == $zero) {{\n            return false;\n        }}"
+        ));
+    } else {
+        find_pivot(&mut put, n, k);
+        put(format!("        const $real reciprocal = $one / a[{diagonal}];"));
+        for row in k + 1..n {
+            put(format!("        const $real l{row} = a[{}] * reciprocal;", column + row));
+        }
+        for row in k + 1..n {
+            put(format!("        a[{}] = l{row};", column + row));
+        }
+        let (first, end) = (n * (k + 1), n * n);
+        put(format!(
+            "        for ($real *column = &a[{first}]; column != &a[{end}]; column += $n) {{"
+        ));
+        put(format!("            const $real u = column[{k}];"));
+        for row in k + 1..n {
+            put(format!("            column[{row}] -= l{row} * u;"));
+        }
+        put("        }".into());
+    }
+    put("    }".into());
+}
+
+/// The pivot of a step, and the exchange of its row.
+fn find_pivot(put: &mut impl FnMut(String), n: u32, k: u32) {
+    let (diagonal, column) = (n * k + k, n * k);
+    if n > PIVOTS_WRITTEN_OUT {
+        put(format!("        const uint32_t pivot = find_pivot(&a[{column}], {k}U);"));
+        put(format!("        pivots[{k}] = pivot;"));
+        put(format!(
+            "        if (a[{column}U + pivot] == $zero) {{\n            return false;\n        }}"
+        ));
+        put(format!(
+            "        if (pivot != {k}U) {{\n            exchange_rows(a, $n, {k}U, pivot);\n        }}"
+        ));
+        return;
+    }
+    put(format!("        uint32_t pivot = {k}U;"));
+    put(format!("        $real largest = $abs(a[{diagonal}]);"));
+    for row in k + 1..n {
+        let place = column + row;
+        put(format!("        if ($abs(a[{place}]) > largest) {{"));
+        put(format!(
+            "            largest = $abs(a[{place}]);\n            pivot = {row}U;\n        }}"
+        ));
+    }
+    put(format!("        pivots[{k}] = pivot;"));
+    put("        if (largest == $zero) {\n            return false;\n        }".into());
+    put(format!("        if (pivot != {k}U) {{\n            $real *const row = &a[pivot];"));
+    for column in 0..n {
+        let (own, other) = (n * column + k, n * column);
+        put(format!("            const $real number{column} = a[{own}];"));
+        put(format!(
+            "            a[{own}] = row[{other}];\n            row[{other}] = number{column};"
+        ));
+    }
+    put("        }".into());
+}
+
+/// Both substitutions of one right-hand side, in registers.
+fn substitute(n: u32) -> String {
+    let mut text = String::from(
+        "/* Solves for one right-hand side: down by L, then up by U. */\n\
+         static void substitute(const $real *a, $real *x)\n{\n",
+    );
+    for row in 0..n {
+        let _ = writeln!(text, "    $real x{row} = x[{row}];");
+        for k in 0..row {
+            let _ = writeln!(text, "    x{row} -= a[{}] * x{k};", n * k + row);
+        }
+    }
+    for row in (0..n).rev() {
+        for k in (row + 1..n).rev() {
+            let _ = writeln!(text, "    x{row} -= a[{}] * x{k};", n * k + row);
+        }
+        let _ = writeln!(text, "    x{row} /= a[{}];\n    x[{row}] = x{row};", n * row + row);
+    }
+    text + "}\n"
+}
