@@ -5,9 +5,14 @@
 //! | [`check_cost`] | what the attributes add to `cargo check` of a model |
 //! | [`generation`] | how long a generation takes, by the number of functions |
 //! | [`rebuild`] | what the attributes add to a rebuild of the corpus |
+//! | [`elementary`] | the elementary functions against glibc and newlib |
+//!
+//! [`count`] counts instructions on the emulated Cortex-A9.
 //!
 //! The comparison of generated with handwritten C comes with the linear algebra.
 
 pub mod check_cost;
 pub mod generation;
 pub mod rebuild;
+pub mod count;
+pub mod elementary;

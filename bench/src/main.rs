@@ -3,47 +3,66 @@
 use std::process::ExitCode;
 
 use bench::check_cost::{self, Size};
-use clap::Parser;
+use bench::elementary;
+use clap::{Parser, ValueEnum};
 use indicatif::ProgressBar;
+use serde_json::Value;
 
-/// Measures what the attributes cost, and writes bench/results/check-cost.json.
+/// Measures, and writes bench/results/.
 #[derive(Parser)]
 #[command(name = "cargo xtask bench")]
 struct Arguments {
     /// A short run; nothing is written
     #[arg(long)]
     quick: bool,
+    /// Only this one
+    #[arg(long)]
+    only: Option<Part>,
+}
+
+/// What there is to measure.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Part {
+    /// What the attributes cost
+    CheckCost,
+    /// The elementary functions against glibc and newlib
+    Elementary,
 }
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
-    let size = if arguments.quick {
-        Size { functions: 200, runs: 3 }
-    } else {
-        Size { functions: 200, runs: 15 }
-    };
-    let bar = ProgressBar::new(2 * size.runs as u64).with_message("cargo check");
-    let cost = match check_cost::measure(size, || bar.inc(1)) {
-        Ok(cost) => cost,
-        Err(error) => {
+    let wanted = |part| arguments.only.is_none_or(|only| only == part);
+    let parts: [(Part, &str, fn(bool) -> Result<Value, String>); 2] =
+        [(Part::CheckCost, "check-cost", check_cost), (Part::Elementary, "elementary", elementary)];
+    for (_, name, measure) in parts.into_iter().filter(|(part, ..)| wanted(*part)) {
+        let done = measure(arguments.quick)
+            .and_then(|json| if arguments.quick { Ok(()) } else { write(name, &json) });
+        if let Err(error) = done {
             eprintln!("error: {error}");
             return ExitCode::FAILURE;
         }
-    };
-    bar.finish_and_clear();
-    print!("{}", cost.table());
-    println!(
-        "\nThe comparison with handwritten C comes with the linear algebra; it is not built yet."
-    );
-    if arguments.quick {
-        return ExitCode::SUCCESS;
-    }
-    let path = bessemer_tests::root().join("bench/results/check-cost.json");
-    let text = format!("{:#}\n", cost.json());
-    let written = path.parent().map_or(Ok(()), std::fs::create_dir_all);
-    if let Err(error) = written.and_then(|()| std::fs::write(&path, text)) {
-        eprintln!("error: `{}`: {error}", path.display());
-        return ExitCode::FAILURE;
     }
     ExitCode::SUCCESS
+}
+
+fn check_cost(quick: bool) -> Result<Value, String> {
+    let size = Size { functions: 200, runs: if quick { 3 } else { 15 } };
+    let bar = ProgressBar::new(2 * size.runs as u64).with_message("cargo check");
+    let cost = check_cost::measure(size, || bar.inc(1))?;
+    bar.finish_and_clear();
+    print!("{}", cost.table());
+    Ok(cost.json())
+}
+
+fn elementary(quick: bool) -> Result<Value, String> {
+    let rows = elementary::measure(if quick { 101 } else { 1001 })?;
+    print!("{}", elementary::table(&rows));
+    Ok(elementary::json(&rows))
+}
+
+fn write(name: &str, json: &Value) -> Result<(), String> {
+    let path = bessemer_tests::root().join(format!("bench/results/{name}.json"));
+    let written = path.parent().map_or(Ok(()), std::fs::create_dir_all);
+    let written = written.and_then(|()| std::fs::write(&path, format!("{json:#}\n")));
+    written.map_err(|error| format!("`{}`: {error}", path.display()))
 }

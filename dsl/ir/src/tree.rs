@@ -228,6 +228,7 @@ pub enum Role {
     Entry { infallible: bool },
     Public,
     Private,
+    Inline,
 }
 
 /// A parameter.
