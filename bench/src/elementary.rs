@@ -96,8 +96,8 @@ impl Row {
 pub fn json(rows: &[Row]) -> Value {
     json!({
         "command": "cargo xtask bench",
-        "host_flags": HOST_FLAGS.join(" "),
-        "a9_flags": format!("-O2 -fno-builtin -ffp-contract=off {}", CORTEX_A9.join(" ")),
+        "host_flags": FLAGS.join(" "),
+        "a9_flags": format!("{} {}", FLAGS.join(" "), CORTEX_A9.join(" ")),
         "host_ratio": "smallest, median, largest of the rounds: ours / glibc's",
         "host_nanoseconds": "ours, glibc",
         "a9_instructions": "a call: ours, glibc, newlib",
@@ -125,7 +125,9 @@ pub fn table(rows: &[Row]) -> String {
 }
 
 /// The flags of both sides on this machine.
-const HOST_FLAGS: &[&str] = &["-O2", "-fno-builtin", "-ffp-contract=off", "-std=gnu99"];
+const FLAGS: &[&str] = &["-O2", "-ffp-contract=off", "-std=gnu99"];
+/// The program around them: without this the compiler would work out calls of its own accord.
+const DRIVER_FLAGS: &[&str] = &["-fno-builtin"];
 /// newlib's libm for the A9's instruction set.
 const NEWLIB: &str = "/usr/lib/arm-none-eabi/newlib/thumb/v7-a+fp/hard/libm.a";
 
@@ -231,15 +233,15 @@ fn time(
     rounds: u32,
     rows: &mut [Row],
 ) -> Result<(), String> {
-    let program = here.join("bench_host");
-    run(Command::new("gcc")
-        .args(HOST_FLAGS)
-        .arg(format!("-DROUNDS={rounds}"))
-        .args(sources)
-        .arg(driver)
-        .arg("-o")
-        .arg(&program)
-        .arg("-lm"))?;
+    let (program, object) = (here.join("bench_host"), here.join("bench_driver.o"));
+    let gcc = || {
+        let mut command = Command::new("gcc");
+        command.args(FLAGS);
+        command
+    };
+    let rounds = format!("-DROUNDS={rounds}");
+    run(gcc().args(DRIVER_FLAGS).arg(rounds).arg("-c").arg(driver).arg("-o").arg(&object))?;
+    run(gcc().args(sources).arg(&object).arg("-o").arg(&program).arg("-lm"))?;
     let output = Command::new(&program).output().map_err(|error| error.to_string())?;
     let text = String::from_utf8_lossy(&output.stdout);
     for (row, line) in rows.iter_mut().zip(text.lines()) {
@@ -310,7 +312,7 @@ impl Objects {
 
 fn target() -> Command {
     let mut command = Command::new("arm-linux-gnueabihf-gcc");
-    command.args(["-O2", "-fno-builtin", "-ffp-contract=off", "-std=gnu99"]).args(CORTEX_A9);
+    command.args(FLAGS).args(CORTEX_A9);
     // newlib's objects were compiled for another ABI's enums, which none of these functions uses.
     command.arg("-Wl,--no-enum-size-warning");
     command
@@ -323,10 +325,10 @@ fn instructions(
     rows: &mut [Row],
 ) -> Result<(), String> {
     const POINTS: f64 = 2048.0;
-    let program = here.join("bench_target");
+    let (program, object) = (here.join("bench_target"), here.join("bench_driver_target.o"));
+    run(target().args(DRIVER_FLAGS).args(["-DCOUNT", "-c"]).arg(driver).arg("-o").arg(&object))?;
     run(target()
-        .arg("-DCOUNT")
-        .arg(driver)
+        .arg(&object)
         .args(&objects.ours)
         .arg(&objects.newlib)
         .args(["-lm", "-Wl,--defsym=newlib___aeabi_l2d=__aeabi_l2d", "-o"])
@@ -337,4 +339,8 @@ fn instructions(
         row.instructions = [ours, glibc, newlib].map(|count| (count - nothing) / POINTS);
     }
     Ok(())
+}
+pub fn emitted_files() -> Vec<(String, String)> {
+    let c = Workspace::with_source(&model()).unwrap().compiled().unwrap();
+    c.files.iter().map(|f| (f.name.clone(), f.text.clone())).collect()
 }

@@ -3,36 +3,45 @@
 //! x^y = e^(y · ln x) with the logarithm and the product in two doubles; special values as C99
 //! Annex F has them. Integer powers are products by squaring, in the order that [`powi`] states.
 
-use super::exponential::{exponential, rounded};
+use super::RawBits as _;
+use super::exponential::{NORMAL, exponential_of_pair, far_exponential, step};
 use super::logarithm::logarithm;
-use super::pair::product;
+use super::pair::Pair;
 use crate::prelude::*;
 
-/// `size`^`y` for a `size` of zero or more and not NaN, and `y` not zero and not NaN.
+/// The upper half of a double.
+const UPPER: u64 = 0xffff_ffff_0000_0000;
+
+/// y · ln `size` in two doubles, for a finite `size` above zero and |y| up to 2⁶⁵.
+#[inline]
 #[function]
-pub fn power_of_size(size: f64, y: f64) -> f64 {
-    // 2⁶⁴: above, any other base than 1 leaves the range.
-    const LARGE: f64 = 18_446_744_073_709_551_616.0;
-    if size == 1.0 {
-        1.0
-    } else if y.abs() > LARGE || size == 0.0 || size > f64::MAX {
-        if (size > 1.0) == (y > 0.0) { f64::INFINITY } else { 0.0 }
+pub fn exponent_of_power(size: f64, y: f64) -> Pair {
+    let logarithm = logarithm(size);
+    // 21 bits each: their product is exact.
+    let upper = f64::from_bits(logarithm.high.raw_bits() & UPPER);
+    let y_upper = f64::from_bits(y.raw_bits() & UPPER);
+    let lower = (logarithm.high - upper) + logarithm.low;
+    Pair { high: y_upper * upper, low: (y - y_upper) * upper + y * lower }
+}
+
+/// What x^y is for a negative x of which `value` is |x|^y.
+#[function]
+pub fn power_of_negative(value: f64, y: f64) -> f64 {
+    // From 2⁵³ on, every number is even.
+    if y.abs() >= 9_007_199_254_740_992.0 {
+        value
+    } else if y.floor() != y {
+        f64::NAN
+    } else if (0.5 * y).floor() == 0.5 * y {
+        value
     } else {
-        let logarithm = logarithm(size);
-        let lead = product(y, logarithm.high);
-        if lead.high > 750.0 {
-            f64::INFINITY
-        } else if lead.high < -750.0 {
-            0.0
-        } else {
-            rounded(exponential(lead.high, lead.low + y * logarithm.low))
-        }
+        -value
     }
 }
 
-/// x^y.
+/// x^y where x is zero, infinite or NaN, or |y| is 2⁶⁴ or more, or y is NaN.
 #[function]
-pub fn powf(x: f64, y: f64) -> f64 {
+pub fn special_power(x: f64, y: f64) -> f64 {
     if y == 0.0 || x == 1.0 {
         return 1.0;
     }
@@ -41,20 +50,33 @@ pub fn powf(x: f64, y: f64) -> f64 {
     if !(size <= f64::INFINITY && y.abs() <= f64::INFINITY) {
         return f64::NAN;
     }
-    let value = power_of_size(size, y);
-    if 1.0_f64.copysign(x) > 0.0 {
-        return value;
+    if size == 1.0 {
+        return 1.0;
     }
-    // From 2⁵³ on, every number is even.
-    let large = y.abs() >= 9_007_199_254_740_992.0;
-    let integer = large || y.floor() == y;
+    let value = if (size > 1.0) == (y > 0.0) { f64::INFINITY } else { 0.0 };
+    // Of zero and infinity, an uneven power keeps the sign; others are positive, whole or not.
     let half = 0.5 * y;
-    if integer && !large && half.floor() != half {
-        -value
-    } else if integer || size == 0.0 || size > f64::MAX {
-        value
+    let odd = y.abs() < 9_007_199_254_740_992.0 && y.floor() == y && half.floor() != half;
+    if odd && 1.0_f64.copysign(x) < 0.0 { -value } else { value }
+}
+
+/// x^y.
+#[function]
+pub fn powf(x: f64, y: f64) -> f64 {
+    let size = x.abs();
+    // 2⁶⁴: above, any other base than 1 leaves the range. False for NaN.
+    if size > 0.0 && size <= f64::MAX && y.abs() < 18_446_744_073_709_551_616.0 {
+        let exponent = exponent_of_power(size, y);
+        let value = if exponent.high.abs() < NORMAL {
+            let power = exponential_of_pair(exponent.high, exponent.low);
+            let lead = step(power.steps);
+            lead + lead * power.rest
+        } else {
+            far_exponential(exponent.high, exponent.low, 0)
+        };
+        if x > 0.0 { value } else { power_of_negative(value, y) }
     } else {
-        f64::NAN
+        special_power(x, y)
     }
 }
 
