@@ -235,13 +235,14 @@ rows("LOG10_ROWS", reciprocals(lambda x: log(x) / log(mpf(10)), mpf(2) ** -43), 
 polynomial("LN", lambda r: (log(1 + r) - r + r * r / 2) / r**3, 5, mpf(-1) / 200, mpf(1) / 128,
            "(ln(1 + r) − r + r²/2)/r³ in powers of r.")
 
-# Entry j mod 128 belongs to mantissas near j/128, which go from 1/√2 to √2.
-coarse, logarithms = [mpf(1)] * 128, [mpf(0)] * 128
-for j in range(90, 183):
-    coarse[j % 128] = grid(mpf(128) / j, -11)
-    logarithms[j % 128] = -log(coarse[j % 128])
+# The same rows with c of 12 bits at most.
+coarse = []
+for j in range(128):
+    middle = (1 + (mpf(j) + mpf(1) / 2) / 128) / (2 if j >= 53 else 1)
+    coarse.append(mpf(1) if j in (0, 127) else grid(1 / middle, -11))
+logarithms = [-log(c) for c in coarse]
 rows("COARSE_ROWS", [(c, grid(v, -42)) for c, v in zip(coarse, logarithms)],
-     "128/j to a multiple of 2⁻¹¹, at j modulo 128 for j from 90 to 182, and minus its ln to multiples of 2⁻⁴².")
+     "c near the reciprocal of a mantissa, a multiple of 2⁻¹¹, and minus its ln to multiples of 2⁻⁴².")
 table("COARSE_REST", [double(v - grid(v, -42)) for v in logarithms], "Minus ln of the first of `COARSE_ROWS`, less the second.")
 
 # 32 rows for single precision: the first bits of a mantissa from 0.703 to 1.406.

@@ -167,48 +167,29 @@ pub fn atan2(y: f64, x: f64) -> f64 {
     }
 }
 
-/// By rows: a number to a double, what that leaves out, how often the angle is added to it, and
-/// whether the angle is from a root that was rounded.
-const SIDES: [[f64; 4]; 8] = [
-    // The arcsine of up to 1/2, and beyond.
-    [0.0, 0.0, 1.0, 0.0],
-    [HALF_PI_HIGH, HALF_PI_LOW, -2.0, 1.0],
-    // The arccosine of up to 1/2, positive and negative, and beyond.
-    [HALF_PI_HIGH, HALF_PI_LOW, -1.0, 0.0],
-    [HALF_PI_HIGH, HALF_PI_LOW, 1.0, 0.0],
-    [0.0, 0.0, 2.0, 1.0],
-    [WHOLE_PI_HIGH, WHOLE_PI_LOW, -2.0, 1.0],
-    // Nothing asks for these.
-    [0.0, 0.0, 0.0, 0.0],
-    [0.0, 0.0, 0.0, 0.0],
-];
-
-/// The row of [`SIDES`] `side` applied to the arcsine of `size`, or from 1/2 on to that of
-/// √((1 − `size`)/2), for 2⁻²⁷ to 1 without 1.
+/// (asin √z − √z)/z^(3/2) for 0 to 1/4.
 #[inline]
 #[function]
-pub fn arcsine_on_side(size: f64, side: usize) -> f64 {
-    let square = size * size;
-    let beyond = 0.5 - 0.5 * size;
-    // They meet at 1/2, and the root of the square is `size` again: no branch to guess.
-    let z = if square < beyond { square } else { beyond };
+pub fn arcsine_curve(z: f64) -> f64 {
     let w = z * z;
-    let even = (ARCSINE[0] + w * ARCSINE[2])
-        + w * w
-            * ((ARCSINE[4] + w * ARCSINE[6])
-                + w * w * (ARCSINE[8] + w * (ARCSINE[10] + w * ARCSINE[12])));
-    let odd = (ARCSINE[1] + w * ARCSINE[3])
-        + w * w * ((ARCSINE[5] + w * ARCSINE[7]) + w * w * (ARCSINE[9] + w * ARCSINE[11]));
+    let v = w * w;
+    let even_end = ARCSINE[8] + w * (ARCSINE[10] + w * ARCSINE[12]);
+    let even = (ARCSINE[0] + w * ARCSINE[2]) + v * ((ARCSINE[4] + w * ARCSINE[6]) + v * even_end);
+    let odd_end = (ARCSINE[5] + w * ARCSINE[7]) + v * (ARCSINE[9] + w * ARCSINE[11]);
+    let odd = (ARCSINE[1] + w * ARCSINE[3]) + v * odd_end;
+    even + z * odd
+}
+
+/// Half the arccosine of `size` from 1/2 to 1, without 1: the root r of (1 − `size`)/2 to 21 bits, and
+/// what is added to it.
+#[inline]
+#[function]
+pub fn half_arccosine(size: f64) -> Pair {
+    let z = 0.5 - 0.5 * size;
     let root = z.sqrt();
     let high = f64::from_bits(root.raw_bits() & UPPER);
-    let rest = root - high;
-    let rounded_off = (z - high * high) / (root + high) - rest;
-    let row = side & 7;
-    let low = (rest + SIDES[row][3] * rounded_off) + root * (z * (even + z * odd));
-    let times = SIDES[row][2];
-    let lead = SIDES[row][0] + times * high;
-    let lost = (SIDES[row][0] - lead) + times * high;
-    lead + (lost + (SIDES[row][1] + times * low))
+    let curved = root * (z * arcsine_curve(z));
+    Pair { high, low: (z - high * high) / (root + high) + curved }
 }
 
 /// 2⁻²⁷: below, a number is its own arcsine.
@@ -218,11 +199,16 @@ const TINY: f64 = 7.450580596923828e-9;
 #[function]
 pub fn asin(x: f64) -> f64 {
     let size = x.abs();
-    if size < 1.0 && size >= TINY {
-        let value = arcsine_on_side(size, (size >= 0.5) as usize);
+    if size < 0.5 {
+        let z = x * x;
+        return if size < TINY { x } else { x + x * (z * arcsine_curve(z)) };
+    }
+    if size < 1.0 {
+        let half = half_arccosine(size);
+        let lead = HALF_PI_HIGH - 2.0 * half.high;
+        let lost = (HALF_PI_HIGH - lead) - 2.0 * half.high;
+        let value = lead + (lost + (HALF_PI_LOW - 2.0 * half.low));
         if x < 0.0 { -value } else { value }
-    } else if size < TINY {
-        x
     } else if size == 1.0 {
         HALF_PI_HIGH * x
     } else {
@@ -234,11 +220,21 @@ pub fn asin(x: f64) -> f64 {
 #[function]
 pub fn acos(x: f64) -> f64 {
     let size = x.abs();
-    if size < 1.0 && size >= TINY {
-        let side = 2 + 2 * ((size >= 0.5) as usize) + (x < 0.0) as usize;
-        arcsine_on_side(size, side)
-    } else if size < TINY {
-        HALF_PI_HIGH + (HALF_PI_LOW - x)
+    if size < 0.5 {
+        let z = x * x;
+        let lead = HALF_PI_HIGH - x;
+        let lost = (HALF_PI_HIGH - lead) - x;
+        return lead + (lost + (HALF_PI_LOW - x * (z * arcsine_curve(z))));
+    }
+    if size < 1.0 {
+        let half = half_arccosine(size);
+        if x > 0.0 {
+            2.0 * (half.high + half.low)
+        } else {
+            let lead = WHOLE_PI_HIGH - 2.0 * half.high;
+            let lost = (WHOLE_PI_HIGH - lead) - 2.0 * half.high;
+            lead + (lost + (WHOLE_PI_LOW - 2.0 * half.low))
+        }
     } else if size == 1.0 {
         if x > 0.0 { 0.0 } else { WHOLE_PI_HIGH }
     } else {

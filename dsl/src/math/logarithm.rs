@@ -263,16 +263,11 @@ pub fn far_ln_1p(x: f64) -> f64 {
     if x.abs() < 0.5 { x } else { ln(1.0 + x) }
 }
 
-/// ln x of a finite x above zero, in two doubles, to some 66 bits.
+/// ln x of 2^`exponent` · `parts`, in two doubles, to some 66 bits.
 #[inline]
 #[function]
-pub fn logarithm(x: f64) -> Pair {
-    let bits = normal_bits(x);
-    let parts = parts(bits);
-    let exponent =
-        if x < f64::MIN_POSITIVE { parts.exponent as f64 - 54.0 } else { parts.exponent as f64 };
-    // 1.5 · 2⁵² leaves the nearest integer in the last bits.
-    let index = ((parts.coarse * 128.0 + 6_755_399_441_055_744.0).raw_bits() & 127) as usize;
+pub fn logarithm(parts: Parts, exponent: f64) -> Pair {
+    let index = parts.row & 127;
     let reciprocal = COARSE_ROWS[index][0];
     let r_high = parts.coarse * reciprocal - 1.0;
     let r_low = parts.fine * reciprocal;

@@ -12,6 +12,7 @@
 
 pub mod arctangent;
 pub mod exponential;
+pub mod extremes;
 mod float;
 pub mod hyperbolic;
 pub mod integer;

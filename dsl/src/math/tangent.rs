@@ -7,7 +7,7 @@
 use super::RawBits as _;
 use super::pair::{Pair, quotient};
 use super::reduction::reduced_angle;
-use super::sine::{MODERATE, TO_INTEGER};
+use super::sine::{MODERATE, TINY, TO_INTEGER};
 use super::tables::{STEP_HIGH, STEP_LOW, STEPS_PER_RADIAN, TANGENT, TANGENTS};
 use crate::prelude::*;
 
@@ -31,6 +31,9 @@ pub fn tangent_from_row(row: u64, rest: f64) -> f64 {
 /// Tangent of `x`, by way of the reduced angle in two doubles.
 #[function]
 pub fn tangent_by_reduction(x: f64) -> f64 {
+    if x.abs() < TINY {
+        return x;
+    }
     let angle = reduced_angle(x);
     if angle.high.abs() < 0.1227 {
         let z = angle.high * angle.high;
