@@ -340,7 +340,3 @@ fn instructions(
     }
     Ok(())
 }
-pub fn emitted_files() -> Vec<(String, String)> {
-    let c = Workspace::with_source(&model()).unwrap().compiled().unwrap();
-    c.files.iter().map(|f| (f.name.clone(), f.text.clone())).collect()
-}

@@ -6,6 +6,7 @@
 //! | [`generation`] | how long a generation takes, by the number of functions |
 //! | [`rebuild`] | what the attributes add to a rebuild of the corpus |
 //! | [`elementary`] | the elementary functions against glibc and newlib |
+//! | [`equality`] | the elementary functions on millions of points, on every leg |
 //!
 //! [`count`] counts instructions on the emulated Cortex-A9.
 //!
@@ -16,3 +17,4 @@ pub mod generation;
 pub mod rebuild;
 pub mod count;
 pub mod elementary;
+pub mod equality;

@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use bench::check_cost::{self, Size};
-use bench::elementary;
+use bench::{elementary, equality};
 use clap::{Parser, ValueEnum};
 use indicatif::ProgressBar;
 use serde_json::Value;
@@ -27,13 +27,19 @@ enum Part {
     CheckCost,
     /// The elementary functions against glibc and newlib
     Elementary,
+    /// The elementary functions on ten million points each, on every leg: an hour
+    Equality,
 }
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
-    let wanted = |part| arguments.only.is_none_or(|only| only == part);
-    let parts: [(Part, &str, fn(bool) -> Result<Value, String>); 2] =
-        [(Part::CheckCost, "check-cost", check_cost), (Part::Elementary, "elementary", elementary)];
+    // An hour only for those who ask.
+    let wanted = |part| arguments.only.map_or(part != Part::Equality, |only| only == part);
+    let parts: [(Part, &str, fn(bool) -> Result<Value, String>); 3] = [
+        (Part::CheckCost, "check-cost", check_cost),
+        (Part::Elementary, "elementary", elementary),
+        (Part::Equality, "equality", equality),
+    ];
     for (_, name, measure) in parts.into_iter().filter(|(part, ..)| wanted(*part)) {
         let done = measure(arguments.quick)
             .and_then(|json| if arguments.quick { Ok(()) } else { write(name, &json) });
@@ -58,6 +64,17 @@ fn elementary(quick: bool) -> Result<Value, String> {
     let rows = elementary::measure(if quick { 101 } else { 1001 })?;
     print!("{}", elementary::table(&rows));
     Ok(elementary::json(&rows))
+}
+
+fn equality(quick: bool) -> Result<Value, String> {
+    let calls = if quick { 100 } else { 10_000 };
+    let legs = equality::measure(calls)?;
+    print!("{}", equality::table(&legs));
+    let json = equality::json(&legs, calls);
+    match legs.iter().find(|leg| leg.parted.is_some()) {
+        Some(leg) => Err(format!("{} differs from the Rust", leg.name)),
+        None => Ok(json),
+    }
 }
 
 fn write(name: &str, json: &Value) -> Result<(), String> {

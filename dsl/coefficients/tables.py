@@ -185,7 +185,7 @@ rows("SINES", [split(exact(sin(k * pi / 64))) for k in range(128)], "sin(k·π/6
 rows("TANGENTS", [split(exact(tan(k * pi / 64))) if k != 32 else (mpf(0), mpf(0)) for k in range(64)],
      "tan(k·π/64), to a double and less that; at its pole 0.")
 polynomial("SINE", odd(sin), 5, 0, (mpf("5.6") * pi / 64) ** 2, "(sin x − x)/x³ in powers of x², to 0.27.")
-polynomial("TANGENT", odd(tan), 6, 0, (mpf("2.6") * pi / 64) ** 2, "(tan x − x)/x³ in powers of x², to 0.12.")
+polynomial("TANGENT", odd(tan), 8, 0, (mpf("4.6") * pi / 64) ** 2, "(tan x − x)/x³ in powers of x², to 0.22.")
 polynomial("SINE_F32", odd(sin), 4, 0, mpf("0.79") ** 2, "(sin x − x)/x³ in powers of x², to π/4, for single precision.")
 polynomial("COSINE_F32", lambda z: ((cos(sqrt(z)) - 1) / z + mpf(1) / 2) / z, 3, 0, mpf("0.79") ** 2,
            "(cos x − 1 + x²/2)/x⁴ in powers of x², to π/4, for single precision.")

@@ -8,10 +8,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use bessemer_ir::{
-    ConstId, EnumId, ExprKind, Function, FunctionId, Kernel, Owner, Scalar, Span, StructId, Type,
+    ConstId, EnumId, Function, FunctionId, Kernel, Owner, Scalar, Span, StructId, Type,
 };
 
-use super::analysis::{reachable, walk_exprs};
+use super::analysis::{inline_callees, reachable};
 use super::helpers::{Helper, closure};
 use super::lower::{self, Context, Uses};
 use super::names::{FAULTS, OVERLAY, Returned, Signature, Storage};
@@ -186,11 +186,11 @@ impl Writer<'_> {
 
     fn source(&self) -> CFile {
         let (module, names) = (self.context.module, self.context.names);
-        let mut uses = Uses::default();
+        let mut uses = Uses { file: format!("{}.h", self.name), ..Uses::default() };
         let mut includes = Includes::default();
         let mut definitions = Vec::new();
         let mut prototypes = Vec::new();
-        let inline: Vec<_> = self.inline().into_iter().map(Callable::Function).collect();
+        let inline: Vec<Callable> = self.inline().collect();
         for callable in inline.iter().chain(&self.unit.functions) {
             let id = match callable {
                 Callable::Init(id) => {
@@ -257,27 +257,13 @@ impl Writer<'_> {
     }
 
     /// The inline functions that this file calls, callees first.
-    fn inline(&self) -> Vec<FunctionId> {
-        let module = self.context.module;
-        let mut wanted = BTreeSet::new();
-        let mut open: Vec<FunctionId> = (self.unit.functions.iter())
-            .filter_map(|callable| match callable {
-                Callable::Function(id) => Some(*id),
-                Callable::Init(_) => None,
-            })
-            .collect();
-        while let Some(caller) = open.pop() {
-            walk_exprs(&module.functions[caller.index()].body, &mut |expr| {
-                if let ExprKind::Call(callee, _) = &expr.kind
-                    && self.context.names.signature(*callee).storage == Storage::Inline
-                    && wanted.insert(*callee)
-                {
-                    open.push(*callee);
-                }
-            });
-        }
-        // Callees stand before callers in the module.
-        wanted.into_iter().collect()
+    fn inline(&self) -> impl Iterator<Item = Callable> {
+        let own = self.unit.functions.iter().filter_map(|callable| match callable {
+            Callable::Function(id) => Some(*id),
+            Callable::Init(_) => None,
+        });
+        let is_inline = |id| self.context.names.signature(id).storage == Storage::Inline;
+        inline_callees(self.context.module, own, is_inline).into_iter().map(Callable::Function)
     }
 
     fn constants(&self, uses: &Uses, includes: &mut Includes) -> Vec<Item> {

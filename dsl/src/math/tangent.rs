@@ -16,7 +16,7 @@ const T5: f64 = 2.0 / 15.0;
 const T7: f64 = 17.0 / 315.0;
 const T9: f64 = 62.0 / 2_835.0;
 
-/// Tangent of `row`·π/64 + `rest` for |rest| ≤ π/128, more than 2½ rows away from zero and pole.
+/// Tangent of `row`·π/64 + `rest` for |rest| ≤ π/128, 2½ rows and more away from zero, 4½ from the pole.
 #[inline]
 #[function]
 pub fn tangent_from_row(row: u64, rest: f64) -> f64 {
@@ -35,10 +35,11 @@ pub fn tangent_by_reduction(x: f64) -> f64 {
         return x;
     }
     let angle = reduced_angle(x);
-    if angle.high.abs() < 0.1227 {
+    if angle.high.abs() < 0.22 {
         let z = angle.high * angle.high;
-        let upper = TANGENT[3] + z * (TANGENT[4] + z * TANGENT[5]);
-        let tail = TANGENT[0] + z * (TANGENT[1] + z * (TANGENT[2] + z * upper));
+        let end = TANGENT[5] + z * (TANGENT[6] + z * TANGENT[7]);
+        let upper = TANGENT[2] + z * (TANGENT[3] + z * (TANGENT[4] + z * end));
+        let tail = TANGENT[0] + z * (TANGENT[1] + z * upper);
         let low = angle.low + angle.high * z * tail;
         if (angle.quadrant & 1) == 0 {
             angle.high + low
@@ -58,7 +59,8 @@ pub fn tangent_by_reduction(x: f64) -> f64 {
 pub fn tan(x: f64) -> f64 {
     let shifted = x * STEPS_PER_RADIAN + TO_INTEGER;
     let row = shifted.raw_bits();
-    if x.abs() < MODERATE && (row.wrapping_add(2) & 31) > 4 {
+    let plain = (row.wrapping_add(2) & 63) > 4 && (row.wrapping_add(36) & 63) > 8;
+    if plain && x.abs() < MODERATE {
         let steps = shifted - TO_INTEGER;
         tangent_from_row(row, (x - steps * STEP_HIGH) - steps * STEP_LOW)
     } else {
