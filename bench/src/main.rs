@@ -18,6 +18,9 @@ struct Arguments {
     /// Only this one
     #[arg(long)]
     only: Option<Part>,
+    /// Points of each function for `equality`
+    #[arg(long, default_value_t = 10_000_000)]
+    points: u32,
 }
 
 /// What there is to measure.
@@ -35,13 +38,13 @@ fn main() -> ExitCode {
     let arguments = Arguments::parse();
     // An hour only for those who ask.
     let wanted = |part| arguments.only.map_or(part != Part::Equality, |only| only == part);
-    let parts: [(Part, &str, fn(bool) -> Result<Value, String>); 3] = [
+    let parts: [(Part, &str, fn(&Arguments) -> Result<Value, String>); 3] = [
         (Part::CheckCost, "check-cost", check_cost),
         (Part::Elementary, "elementary", elementary),
         (Part::Equality, "equality", equality),
     ];
     for (_, name, measure) in parts.into_iter().filter(|(part, ..)| wanted(*part)) {
-        let done = measure(arguments.quick)
+        let done = measure(&arguments)
             .and_then(|json| if arguments.quick { Ok(()) } else { write(name, &json) });
         if let Err(error) = done {
             eprintln!("error: {error}");
@@ -51,8 +54,8 @@ fn main() -> ExitCode {
     ExitCode::SUCCESS
 }
 
-fn check_cost(quick: bool) -> Result<Value, String> {
-    let size = Size { functions: 200, runs: if quick { 3 } else { 15 } };
+fn check_cost(Arguments { quick, .. }: &Arguments) -> Result<Value, String> {
+    let size = Size { functions: 200, runs: if *quick { 3 } else { 15 } };
     let bar = ProgressBar::new(2 * size.runs as u64).with_message("cargo check");
     let cost = check_cost::measure(size, || bar.inc(1))?;
     bar.finish_and_clear();
@@ -60,14 +63,14 @@ fn check_cost(quick: bool) -> Result<Value, String> {
     Ok(cost.json())
 }
 
-fn elementary(quick: bool) -> Result<Value, String> {
-    let rows = elementary::measure(if quick { 101 } else { 1001 })?;
+fn elementary(Arguments { quick, .. }: &Arguments) -> Result<Value, String> {
+    let rows = elementary::measure(if *quick { 101 } else { 1001 })?;
     print!("{}", elementary::table(&rows));
     Ok(elementary::json(&rows))
 }
 
-fn equality(quick: bool) -> Result<Value, String> {
-    let calls = if quick { 100 } else { 10_000 };
+fn equality(Arguments { quick, points, .. }: &Arguments) -> Result<Value, String> {
+    let calls = if *quick { 100 } else { points.div_ceil(1_000) };
     let legs = equality::measure(calls)?;
     print!("{}", equality::table(&legs));
     let json = equality::json(&legs, calls);
