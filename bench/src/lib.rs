@@ -13,8 +13,8 @@
 //! The comparison of generated with handwritten C comes with the linear algebra.
 
 pub mod check_cost;
-pub mod generation;
-pub mod rebuild;
 pub mod count;
 pub mod elementary;
 pub mod equality;
+pub mod generation;
+pub mod rebuild;
