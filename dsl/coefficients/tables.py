@@ -201,7 +201,7 @@ polynomial("ARCTANGENT", odd(atan), 6, 0, mpf(1) / 256, "(atan x − x)/x³ in p
 polynomial("ARCSINE", odd(asin), 13, 0, mpf(1) / 4, "(asin x − x)/x³ in powers of x², to 1/2.")
 polynomial("ARCSINE_F32", odd(asin), 6, 0, mpf(1) / 4, "(asin x − x)/x³ in powers of x², to 1/2, for single precision.")
 
-module("powers", "Powers of two, logarithms, cube roots.")
+module("powers", "Powers of two and hyperbolic functions.")
 two = log(mpf(2))
 steps = [mpf(2) ** (mpf(k) / 128) for k in range(128)]
 constant("STEPS_PER_UNIT", double(128 / two), "128/ln 2.")
@@ -221,6 +221,7 @@ rows("TANHS", [split(tanh((k + mpf(1) / 2) / 16)) for k in range(64)],
      "tanh((k + 1/2)/16), to a double and less that.")
 polynomial("TANH", odd(tanh), 8, 0, mpf("0.251") ** 2, "(tanh x − x)/x³ in powers of x², to 1/4.")
 
+module("logarithms", "Logarithms.")
 constant("LN_2_HIGH", grid(two, -42), "ln 2 to a multiple of 2⁻⁴².")
 constant("LN_2_LOW", double(two - grid(two, -42)), "ln 2 less its high part.")
 constant("LOG10_2_HIGH", grid(two / log(mpf(10)), -42), "log₁₀ 2 to a multiple of 2⁻⁴².")
@@ -235,6 +236,7 @@ rows("LOG10_ROWS", reciprocals(lambda x: log(x) / log(mpf(10)), mpf(2) ** -43), 
 polynomial("LN", lambda r: (log(1 + r) - r + r * r / 2) / r**3, 5, mpf(-1) / 200, mpf(1) / 128,
            "(ln(1 + r) − r + r²/2)/r³ in powers of r.")
 
+module("finer", "Logarithms for powers and for single precision, cube roots.")
 # The same rows with c of 12 bits at most.
 coarse = []
 for j in range(128):
