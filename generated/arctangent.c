@@ -28,74 +28,103 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
-static const double A11 = -0.09090909090909091;
-static const double A13 = 0.07692307692307693;
-static const double A15 = -0.06666666666666667;
-static const double A17 = 0.058823529411764705;
-static const double A19 = -0.05263157894736842;
 static const double A3 = -0.3333333333333333;
 static const double A5 = 0.2;
 static const double A7 = -0.14285714285714285;
 static const double A9 = 0.1111111111111111;
-static const double ARCTANGENT_HIGH[64] = {
-    0.0, 0.015623728620476831, 0.031239833430268277, 0.046840712915969654, 0.06241880999595735,
-    0.0779666338315423, 0.09347678115858947, 0.10894195698986579, 0.12435499454676144,
-    0.13970887428916365, 0.15499674192394097, 0.1702119252854744, 0.18534794999569476,
-    0.2003985538258785, 0.21535769969773805, 0.23021958727684372, 0.24497866312686414,
-    0.2596296294082575, 0.2741674511196588, 0.2885873618940774, 0.3028848683749714,
-    0.31705575320914703, 0.3310960767041321, 0.34500217720710513, 0.35877067027057225,
-    0.3723984466767542, 0.38588266939807375, 0.39922076957525254, 0.4124104415973873,
-    0.42544963737004227, 0.43833655985795783, 0.4510696559885235, 0.4636476090008061,
-    0.4760693303227612, 0.48833395105640554, 0.5004408131472942, 0.5123894603107377,
-    0.5241796287829132, 0.5358112379604637, 0.5472843809874369, 0.5585993153435624,
-    0.5697564534829784, 0.5807563535676704, 0.5915997103351114, 0.6022873461349642,
-    0.6128202021652414, 0.6231993299340659, 0.6334258829691446, 0.6435011087932844,
-    0.6534263411807619, 0.6632029927060933, 0.6728325475937632, 0.6823165548747481,
-    0.6916566218531999, 0.7008544078844502, 0.7099116184635249, 0.7188299996216245,
-    0.7276113326265107, 0.7362574289814281, 0.7447701257160751, 0.7531512809621944,
-    0.7614027698055784, 0.7695264804056583, 0.7775243103733478
+static const double ARCTANGENT[6] = {
+    -0.3333333333333333, 0.1999999999999979, -0.14285714285083995, 0.11111110422311014,
+    -0.09090568687313817, 0.07614684924721683
 };
-static const double ARCTANGENT_LOW[64] = {
-    0.0, -4.913600136566304e-19, -1.188442711587748e-18, -1.655677442254952e-19,
-    -1.5490756308295046e-18, 5.804551873143357e-18, -6.2844725995420954e-18,
-    6.8267122072409585e-18, -3.1253241424539383e-18, -2.9579864247315813e-18,
-    9.585415594114324e-18, -3.541164079802125e-18, 4.180692268843079e-18, 3.1399542871844493e-18,
-    4.738160130078733e-19, 1.2313404529142703e-17, 1.0698755618734451e-17, 1.9238754924615304e-17,
-    8.261353575163773e-18, -1.428369957377257e-17, -1.1010827903001369e-17, -1.893928924292642e-17,
-    -7.952610375793799e-18, -2.2938804755578304e-17, -2.4623815582638635e-17,
-    1.9612311504845653e-17, 2.378822732491941e-17, 2.246598105617042e-17, -1.587652227770689e-17,
-    2.3315530741892885e-17, -2.494277030626541e-17, -2.2703795229420475e-17,
-    2.2698777452961687e-17, 1.4654487332256713e-17, -1.1373236189329585e-17,
-    -4.7181675085518756e-17, -2.5462781472855804e-17, 5.520094119641666e-18,
-    -4.0637956834825575e-18, 4.923709671396255e-17, -5.4556305485916264e-18,
-    1.2255062085054184e-17, -1.441464378193067e-17, 4.920495453686772e-17, 2.950430737228402e-17,
-    -3.1552061848586226e-17, 2.672403885140095e-17, -2.7290767436015276e-17,
-    1.5834785051444286e-17, 3.5800634857340095e-17, -3.076054864429649e-17, -1.899315009714705e-17,
-    6.943223671560008e-18, -8.117151192285796e-18, -1.987626234335816e-17, -4.597166450584887e-17,
-    -2.1478388444456983e-17, 2.569325697391839e-18, 3.473937648299457e-17, 3.708315849135547e-17,
-    -2.4256934659182068e-17, 9.850030332752822e-18, -3.704991905602721e-17, -2.6676490951944502e-17
+static const double ARCTANGENTS[64][3] = {
+    {0.06640625, 0.06630889491982349, -4.885923989304001e-19},
+    {0.07421875, 0.07408292254903373, 1.35448289530323e-19},
+    {0.08203125, 0.08184798980307655, 1.7384613138337837e-18},
+    {0.08984375, 0.08960317748487175, -1.080825883551364e-18},
+    {0.09765625, 0.09734757348722367, 2.515065895443577e-18},
+    {0.10546875, 0.10508027341632953, 3.0363193185774176e-18},
+    {0.11328125, 0.11280038120165939, 1.8672415475943625e-18},
+    {0.12109375, 0.12050700969122456, -5.3252909626225655e-19},
+    {0.1328125, 0.13203976161463876, -1.2769254007099595e-17},
+    {0.1484375, 0.14736148108865163, 5.409599147666298e-18},
+    {0.1640625, 0.16261382859794857, 7.784470643106252e-18},
+    {0.1796875, 0.17779022899267607, -4.029582100854422e-18},
+    {0.1953125, 0.19288431225797467, -7.414590176247246e-18},
+    {0.2109375, 0.207889927202263, 7.333160666520898e-18},
+    {0.2265625, 0.22280115375939452, -5.498822172446843e-18},
+    {0.2421875, 0.23761231386547124, 1.058231431371113e-17},
+    {0.265625, 0.2596296294082575, 1.9238754924615304e-17},
+    {0.296875, 0.2885873618940774, -1.428369957377257e-17},
+    {0.328125, 0.31705575320914703, -1.893928924292642e-17},
+    {0.359375, 0.34500217720710513, -2.2938804755578304e-17},
+    {0.390625, 0.3723984466767542, 1.9612311504845653e-17},
+    {0.421875, 0.39922076957525254, 2.246598105617042e-17},
+    {0.453125, 0.42544963737004227, 2.3315530741892885e-17},
+    {0.484375, 0.4510696559885235, -2.2703795229420475e-17},
+    {0.53125, 0.48833395105640554, -1.1373236189329585e-17},
+    {0.59375, 0.5358112379604637, -4.0637956834825575e-18},
+    {0.65625, 0.5807563535676704, -1.441464378193067e-17},
+    {0.71875, 0.6231993299340659, 2.672403885140095e-17},
+    {0.78125, 0.6632029927060933, -3.076054864429649e-17},
+    {0.84375, 0.7008544078844502, -1.987626234335816e-17},
+    {0.90625, 0.7362574289814281, 3.473937648299457e-17},
+    {0.96875, 0.7695264804056583, -3.704991905602721e-17},
+    {1.0625, 0.8156919233162234, -1.071456562778743e-17},
+    {1.1875, 0.870903457075653, -2.269823590747287e-17},
+    {1.3125, 0.9197196053504169, -4.057439412852768e-17},
+    {1.4375, 0.9629943306809362, -3.9866605952107524e-18},
+    {1.5625, 1.0014831356942346, 9.438308023545392e-17},
+    {1.6875, 1.0358412530088001, 3.194313981784504e-17},
+    {1.8125, 1.0666303653157436, -5.956589637160375e-17},
+    {1.9375, 1.09432890732119, -5.490676155022364e-18},
+    {2.125, 1.1309537439791604, 7.123833804538446e-17},
+    {2.375, 1.1722738811284763, 8.385188614028674e-17},
+    {2.625, 1.2068173702852525, 4.172467638861439e-17},
+    {2.875, 1.2360594894780819, 7.879752739459421e-17},
+    {3.125, 1.2610933822524404, 3.2421396215349605e-17},
+    {3.375, 1.2827408797442708, -9.28318875426613e-18},
+    {3.625, 1.3016288340091962, -1.2369184998246267e-17},
+    {3.875, 1.3182420510168371, -6.319394031144676e-17},
+    {4.25, 1.3397056595989996, -2.5990118603041344e-17},
+    {4.75, 1.3633001003596938, 1.0932461715269362e-16},
+    {5.25, 1.382574821490126, -3.56149043864823e-17},
+    {5.75, 1.3986055122719576, -2.324061182591628e-17},
+    {6.25, 1.4121410646084953, -9.573807110557223e-17},
+    {6.75, 1.423717971406494, 8.721870922223968e-17},
+    {7.25, 1.433730152484709, -4.396204466767636e-17},
+    {7.75, 1.442473099109102, -1.1051194354303157e-16},
+    {8.5, 1.4536875822280324, -6.818769250151347e-17},
+    {9.5, 1.4659193880646628, -9.711255554074832e-17},
+    {10.5, 1.4758446204521403, 3.387559672766315e-17},
+    {11.5, 1.4840579881189115, -3.445451067863594e-17},
+    {12.5, 1.4909663410826592, 6.221434760020122e-17},
+    {13.5, 1.4968572891369563, 1.696007621255117e-17},
+    {14.5, 1.501939837493852, 6.061899584075814e-17},
+    {15.5, 1.5063694873693432, -1.0553391013319709e-16}
 };
-static const double F64_MAX = 1.7976931348623157e308;
-static const double FAR = 1073741824.0;
+static const double F64_INFINITY = (double)INFINITY;
+static const double F64_NAN = (double)NAN;
 static const double HALF_PI_HIGH = 1.5707963267948966;
 static const double HALF_PI_LOW = 6.123233995736766e-17;
+static const double SPLITTER = 134217729.0;
+static const uint64_t UPPER = UINT64_C(18446744069414584320);
 static const double WHOLE_PI_HIGH = 3.141592653589793;
 static const double WHOLE_PI_LOW = 1.2246467991473532e-16;
 
-/* The smaller of two integers. */
-static uint64_t min_u64(uint64_t a, uint64_t b)
+/* The bits of a number that is not a NaN. */
+static uint64_t raw_bits_of_f64(double value)
 {
-    return a < b ? a : b;
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return bits;
 }
 
-/* The bits of a number; every NaN has the same. */
-static uint64_t bits_of_f64(double value)
+/* The number with these bits. */
+static double f64_from_bits(uint64_t bits)
 {
-    uint64_t bits = UINT64_C(0x7FF8000000000000);
-    if (value == value) {
-        memcpy(&bits, &value, sizeof bits);
-    }
-    return bits;
+    double value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
 }
 
 /* The size of one number with the sign of another; a NaN counts as positive. */
@@ -104,60 +133,124 @@ static double copysign_f64(double size, double sign)
     return sign != sign ? fabs(size) : copysign(size, sign);
 }
 
-void arctangent_arctangent_of_ratio(double high, double low, pair_t *pair)
+/** `a + b` without loss, where `a` is zero or not the smaller in magnitude (Dekker). */
+static inline void pair_ordered_sum(double a, double b, pair_t *pair)
 {
-    if (high < 0.125) {
-        const double z = high * high;
-        const double upper = A11 + z * (A13 + z * (A15 + z * (A17 + z * A19)));
-        const double tail = A3 + z * (A5 + z * (A7 + z * (A9 + z * upper)));
-        pair->high = high;
-        pair->low = low + high * z * tail;
+    const double high = a + b;
+    pair->high = high;
+    pair->low = b - (high - a);
+}
+
+/** `a * b` without loss, below 2⁹⁹⁶ and where nothing underflows (Dekker, Veltkamp). */
+static inline void pair_product(double a, double b, pair_t *pair)
+{
+    const double a_scaled = SPLITTER * a;
+    const double a_high = a_scaled - (a_scaled - a);
+    const double a_low = a - a_high;
+    const double b_scaled = SPLITTER * b;
+    const double b_high = b_scaled - (b_scaled - b);
+    const double b_low = b - b_high;
+    const double high = a * b;
+    const double low = a_high * b_high - high + a_high * b_low + a_low * b_high + a_low * b_low;
+    pair->high = high;
+    pair->low = low;
+}
+
+/** The row for a ratio: 0 to 63 from 1/16 to 16, more outside. */
+static inline uint32_t arctangent_row_of_ratio(double ratio)
+{
+    /* The exponent and three bits more, less those of 1/16. */
+    return (uint32_t)(raw_bits_of_f64(ratio) >> 49) - 8152U;
+}
+
+/** What the arctangent adds to `t` for |t| ≤ 1/32. */
+static inline double arctangent_small_curve(double t)
+{
+    const double z = t * t;
+    return t * z * (A3 + z * (A5 + z * (A7 + z * A9)));
+}
+
+/** `a / b` to about 100 bits. */
+static inline void pair_quotient(const pair_t *a, const pair_t *b, pair_t *pair)
+{
+    pair_t above;
+    pair_ordered_sum(a->high, a->low, &above);
+    pair_t below;
+    pair_ordered_sum(b->high, b->low, &below);
+    const double high = above.high / below.high;
+    pair_t back;
+    pair_product(high, below.high, &back);
+    const double rest = above.high - back.high - back.low + above.low - high * below.low;
+    pair_ordered_sum(high, rest / below.high, pair);
+}
+
+/** What the arctangent adds to `t` for |t| ≤ 1/16. */
+static inline double arctangent_curve(double t)
+{
+    const double z = t * t;
+    const double upper = ARCTANGENT[3] + z * (ARCTANGENT[4] + z * ARCTANGENT[5]);
+    return t * z * (ARCTANGENT[0] + z * (ARCTANGENT[1] + z * (ARCTANGENT[2] + z * upper)));
+}
+
+/**
+ * The angle of a point in the first quadrant, as two doubles, from 0 to π/2 rad: `ratio` is
+ * `height`/`width`, and all are from 2^−900 to 2^900.
+ */
+static inline void arctangent_angle_of_ratio(double height, double width, double ratio,
+    pair_t *pair)
+{
+    const uint32_t row = arctangent_row_of_ratio(ratio);
+    if (row < 64U) {
+        const double centre = ARCTANGENTS[row][0];
+        const double upper = f64_from_bits(raw_bits_of_f64(width) & UPPER);
+        const double above = height - centre * upper - centre * (width - upper);
+        const double t = above / (width + centre * height);
+        const double rest = ARCTANGENTS[row][2] + (t + arctangent_small_curve(t));
+        pair->high = ARCTANGENTS[row][1];
+        pair->low = rest;
     } else {
-        /* 1.5 · 2⁵² leaves the nearest integer in the last bits. A ratio is at most 1. */
-        const double shifted = high * 64.0 + 6755399441055744.0;
-        const uint64_t index = min_u64(bits_of_f64(shifted) & UINT64_C(127), UINT64_C(63));
-        const double centre = (double)index * 0.015625;
-        const double t = (high - centre + low) / (1.0 + high * centre);
-        const double z = t * t;
-        const double near = t + t * z * (A3 + z * (A5 + z * A7));
-        pair->high = ARCTANGENT_HIGH[index];
-        pair->low = ARCTANGENT_LOW[index] + near;
+        arctangent_far_angle(height, width, ratio, pair);
     }
 }
 
-void arctangent_first_quadrant(const pair_t *y, const pair_t *x, pair_t *pair)
+/** The angle as it is, or its supplement to π for a point on the left. */
+static inline double arctangent_angle_on_side(const pair_t *angle, bool left)
 {
-    if (y->high <= x->high) {
-        pair_t ratio;
-        pair_quotient(y, x, &ratio);
-        arctangent_arctangent_of_ratio(ratio.high, ratio.low, pair);
+    if (left) {
+        pair_t rest;
+        pair_ordered_sum(WHOLE_PI_HIGH, -angle->high, &rest);
+        return rest.high + (rest.low + (WHOLE_PI_LOW - angle->low));
     } else {
-        pair_t ratio;
-        pair_quotient(x, y, &ratio);
-        pair_t from_vertical;
-        arctangent_arctangent_of_ratio(ratio.high, ratio.low, &from_vertical);
-        pair_t angle;
-        pair_ordered_sum(HALF_PI_HIGH, -from_vertical.high, &angle);
-        pair->high = angle.high;
-        pair->low = angle.low + (HALF_PI_LOW - from_vertical.low);
+        return angle->high + angle->low;
     }
 }
 
-double arctangent_supplement(const pair_t *angle)
+void arctangent_far_angle(double height, double width, double ratio, pair_t *pair)
 {
-    pair_t rest;
-    pair_ordered_sum(WHOLE_PI_HIGH, -angle->high, &rest);
-    return rest.high + (rest.low + (WHOLE_PI_LOW - angle->low));
+    if (ratio < 1.0) {
+        const pair_t exact_a = {.high = height, .low = 0.0};
+        const pair_t exact_b = {.high = width, .low = 0.0};
+        pair_t exact;
+        pair_quotient(&exact_a, &exact_b, &exact);
+        pair->high = exact.high;
+        pair->low = exact.low + arctangent_curve(exact.high);
+    } else {
+        const double t = width / height;
+        pair->high = HALF_PI_HIGH;
+        pair->low = HALF_PI_LOW - (t + arctangent_curve(t));
+    }
 }
 
-double arctangent_atan2(double y, double x)
+double arctangent_far_atan2(double y, double x)
 {
     const double width = fabs(x);
     const double height = fabs(y);
     const bool left = copysign_f64(1.0, x) < 0.0;
-    const bool both = width == height && (width == 0.0 || width > F64_MAX);
+    if (!(width <= F64_INFINITY && height <= F64_INFINITY)) {
+        return F64_NAN;
+    }
     pair_t angle;
-    if (both) {
+    if (width == height) {
         if (width == 0.0) {
             angle.high = 0.0;
             angle.low = 0.0;
@@ -165,30 +258,40 @@ double arctangent_atan2(double y, double x)
             angle.high = 0.5 * HALF_PI_HIGH;
             angle.low = 0.5 * HALF_PI_LOW;
         }
-    } else if (width * 9.313225746154785e-10 > height) {
+    } else if (height > width * 1.152921504606847e18) {
+        angle.high = HALF_PI_HIGH;
+        angle.low = HALF_PI_LOW;
+    } else if (width * 8.673617379884035e-19 > height) {
         angle.high = height / width;
         angle.low = 0.0;
-    } else if (height * 9.313225746154785e-10 > width) {
-        const double ratio = width / height;
-        angle.high = HALF_PI_HIGH;
-        angle.low = HALF_PI_LOW - ratio;
     } else {
         /* By 2^±600, so that no product leaves the range. */
         double scale;
-        if (width > FAR) {
+        if (width > 1.0) {
             scale = 2.409919865102884e-181;
         } else {
             scale = 4.149515568880993e180;
         }
-        const pair_t above = {.high = height * scale, .low = 0.0};
-        const pair_t angle_x = {.high = width * scale, .low = 0.0};
-        arctangent_first_quadrant(&above, &angle_x, &angle);
+        arctangent_angle_of_ratio(height * scale, width * scale, height / width, &angle);
     }
-    double value;
-    if (left) {
-        value = arctangent_supplement(&angle);
-    } else {
-        value = angle.high + angle.low;
-    }
+    const double value = arctangent_angle_on_side(&angle, left);
     return copysign_f64(value, y);
+}
+
+double arctangent_atan2(double y, double x)
+{
+    const double width = fabs(x);
+    const double height = fabs(y);
+    if (width > 1e-150 && width < 1e150 && height > 1e-150 && height < 1e150) {
+        pair_t angle;
+        arctangent_angle_of_ratio(height, width, height / width, &angle);
+        const double value = arctangent_angle_on_side(&angle, x < 0.0);
+        if (y < 0.0) {
+            return -value;
+        } else {
+            return value;
+        }
+    } else {
+        return arctangent_far_atan2(y, x);
+    }
 }

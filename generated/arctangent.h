@@ -13,14 +13,14 @@
 extern "C" {
 #endif
 
-/** Arctangent of 0 to 1, rad. */
-void arctangent_arctangent_of_ratio(double high, double low, pair_t *pair);
+/** [`angle_of_ratio`] for a ratio below 1/16, and from 16 on. */
+void arctangent_far_angle(double height, double width, double ratio, pair_t *pair);
 
-/** The angle of a point in the first quadrant, not at its corner, rad. */
-void arctangent_first_quadrant(const pair_t *y, const pair_t *x, pair_t *pair);
-
-/** π less an angle. */
-double arctangent_supplement(const pair_t *angle);
+/**
+ * The angle of the point (`x`, `y`) in rad: special values, and coordinates far from 1 or from each
+ * other.
+ */
+double arctangent_far_atan2(double y, double x);
 
 /** The angle of the point (`x`, `y`) in rad, −π to π; special values as C99 Annex F has them. */
 double arctangent_atan2(double y, double x);

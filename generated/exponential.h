@@ -13,29 +13,19 @@
 extern "C" {
 #endif
 
-/** A positive number, the sum of two doubles times a power of two. */
+/** The power 2^(`steps`/128) · (1 + `rest`). */
 typedef struct {
-    /** The leading part, 1 to 2. */
-    double high;
-    /** What is added to it. */
-    double low;
-    /** The exponent of the power of two. */
-    int32_t exponent;
-} scaled_t;
+    /** An integer in the last 19 bits, signed; the bits above mean nothing. */
+    uint64_t steps;
+    /** What the double next to 2^(`steps`/128) leaves out, as a fraction. */
+    double rest;
+} power_t;
 
-/** Two to a power from −1022 to 1023. */
-double exponential_power_of_two(int32_t exponent);
+/** The power times 2^`more`, rounded once, for a result that may not be a normal number. */
+double exponential_rounded(const power_t *power, int32_t more);
 
-/** The number, rounded once. */
-double exponential_rounded(const scaled_t *number);
-
-/**
- * 2^(`steps`/64) · e^`r` for |r| ≤ (ln 2)/128; `shifted` has the integer `steps` in its last bits.
- */
-void exponential_step_power(uint64_t shifted, double r, scaled_t *scaled);
-
-/** e^(`high` + `low`) for −750 to 750, before its last rounding. */
-void exponential_exponential(double high, double low, scaled_t *scaled);
+/** e^(x + `low`) · 2^`more` for |x| from 660 on, infinities and NaN. */
+double exponential_far_exponential(double x, double low, int32_t more);
 
 /** e^x. */
 double exponential_exp(double x);

@@ -11,9 +11,6 @@
 extern "C" {
 #endif
 
-/** `size`^`y` for a `size` of zero or more and not NaN, and `y` not zero and not NaN. */
-double power_power_of_size(double size, double y);
-
 /** x^y. */
 double power_powf(double x, double y);
 

@@ -11,6 +11,7 @@
 #include "reduction.h"
 
 #include <float.h>
+#include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <string.h>
@@ -27,8 +28,18 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
+static const double F64_MAX = 1.7976931348623157e308;
+static const double F64_NAN = (double)NAN;
+static const double FEW_TURNS = 1600000.0;
+static const double FRAC_2_PI = 0.6366197723675814;
 static const double HALF_PI_HIGH = 1.5707963267948966;
 static const double HALF_PI_LOW = 6.123233995736766e-17;
+static const double QUARTER_TURN_1 = 1.5707963267341256;
+static const double QUARTER_TURN_2 = 6.077100506303966e-11;
+static const double QUARTER_TURN_3 = 2.0222662487111665e-21;
+static const double QUARTER_TURN_4 = 8.4784276603689e-32;
+static const double SPLITTER = 134217729.0;
+static const double TO_INTEGER = 6755399441055744.0;
 static const uint64_t TWO_OVER_PI[36] = {
     UINT64_C(0), UINT64_C(11743562013128004905), UINT64_C(18169587780923219392),
     UINT64_C(15808362127397457985), UINT64_C(18325537948574664033), UINT64_C(13196794004601950944),
@@ -44,17 +55,23 @@ static const uint64_t TWO_OVER_PI[36] = {
     UINT64_C(9795647568955057258), UINT64_C(18045595464756118331), UINT64_C(1568964290442544066)
 };
 
-/* The bits of a number; every NaN has the same. */
-static uint64_t bits_of_f64(double value)
+/* The bits of a number that is not a NaN. */
+static uint64_t raw_bits_of_f64(double value)
 {
-    uint64_t bits = UINT64_C(0x7FF8000000000000);
-    if (value == value) {
-        memcpy(&bits, &value, sizeof bits);
-    }
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
     return bits;
 }
 
-uint64_t reduction_upper_product(uint64_t a, uint64_t b)
+/** 64 bits of 2/π from bit `shift` of a word on; the next word follows. */
+static inline uint64_t reduction_window(uint64_t word, uint64_t next, uint64_t shift)
+{
+    const uint64_t shift_2 = shift & UINT64_C(63);
+    return (word << shift_2) | (next >> 1 >> (UINT64_C(63) - shift_2));
+}
+
+/** The upper 64 bits of a product. */
+static inline uint64_t reduction_upper_product(uint64_t a, uint64_t b)
 {
     const uint64_t a_high = a >> 32;
     const uint64_t a_low = a & UINT64_C(4294967295);
@@ -65,15 +82,84 @@ uint64_t reduction_upper_product(uint64_t a, uint64_t b)
     return a_high * b_high + (first >> 32) + (second >> 32);
 }
 
-uint64_t reduction_window(uint64_t word, uint64_t next, uint64_t shift)
+/** `a + b` without loss (Knuth). */
+static inline void pair_sum(double a, double b, pair_t *pair)
 {
-    const uint64_t shift_2 = shift & UINT64_C(63);
-    return (word << shift_2) | (next >> 1 >> (UINT64_C(63) - shift_2));
+    const double high = a + b;
+    const double from_b = high - a;
+    pair->high = high;
+    pair->low = a - (high - from_b) + (b - from_b);
+}
+
+/** `a + b` without loss, where `a` is zero or not the smaller in magnitude (Dekker). */
+static inline void pair_ordered_sum(double a, double b, pair_t *pair)
+{
+    const double high = a + b;
+    pair->high = high;
+    pair->low = b - (high - a);
+}
+
+/** `a * b` without loss, below 2⁹⁹⁶ and where nothing underflows (Dekker, Veltkamp). */
+static inline void pair_product(double a, double b, pair_t *pair)
+{
+    const double a_scaled = SPLITTER * a;
+    const double a_high = a_scaled - (a_scaled - a);
+    const double a_low = a - a_high;
+    const double b_scaled = SPLITTER * b;
+    const double b_high = b_scaled - (b_scaled - b);
+    const double b_low = b - b_high;
+    const double high = a * b;
+    const double low = a_high * b_high - high + a_high * b_low + a_low * b_high + a_low * b_low;
+    pair->high = high;
+    pair->low = low;
+}
+
+/** `a * b` to about 100 bits. */
+static inline void pair_pair_product(const pair_t *a, const pair_t *b, pair_t *pair)
+{
+    pair_t lead;
+    pair_product(a->high, b->high, &lead);
+    pair_ordered_sum(lead.high, lead.low + (a->high * b->low + a->low * b->high), pair);
+}
+
+void reduction_reduced_angle(double x, reduced_angle_t *reduced_angle)
+{
+    const double size = fabs(x);
+    if (size < 0.75) {
+        reduced_angle->high = x;
+        reduced_angle->low = 0.0;
+        reduced_angle->quadrant = UINT64_C(0);
+    } else if (size <= FEW_TURNS) {
+        const double shifted = x * FRAC_2_PI + TO_INTEGER;
+        const double turns = shifted - TO_INTEGER;
+
+        /* Three products without loss; what the two differences lose is kept. */
+        const double first = x - turns * QUARTER_TURN_1;
+        const double part = turns * QUARTER_TURN_2;
+        const double second = first - part;
+        const double taken = first - second;
+        const double lost = first - (second + taken) + (taken - part);
+        const double part_2 = turns * QUARTER_TURN_3;
+        const double third = second - part_2;
+        const double taken_2 = second - third;
+        const double lost_2 = lost + (second - (third + taken_2) + (taken_2 - part_2));
+        const double rest = lost_2 - turns * QUARTER_TURN_4;
+        const double high = third + rest;
+        reduced_angle->high = high;
+        reduced_angle->low = rest - (high - third);
+        reduced_angle->quadrant = raw_bits_of_f64(shifted) & UINT64_C(3);
+    } else if (size <= F64_MAX) {
+        reduction_reduced_huge_angle(x, reduced_angle);
+    } else {
+        reduced_angle->high = F64_NAN;
+        reduced_angle->low = 0.0;
+        reduced_angle->quadrant = UINT64_C(0);
+    }
 }
 
 void reduction_reduced_huge_angle(double x, reduced_angle_t *reduced_angle)
 {
-    const uint64_t bits = bits_of_f64(x);
+    const uint64_t bits = raw_bits_of_f64(x);
 
     /* Bits of 2/π before this one make whole turns. The table starts with 64 zeros. */
     const uint64_t start = ((bits >> 52) & UINT64_C(2047))

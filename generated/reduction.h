@@ -23,11 +23,8 @@ typedef struct {
     uint64_t quadrant;
 } reduced_angle_t;
 
-/** The upper 64 bits of a product. */
-uint64_t reduction_upper_product(uint64_t a, uint64_t b);
-
-/** 64 bits of 2/π from bit `shift` of a word on; the next word follows. */
-uint64_t reduction_window(uint64_t word, uint64_t next, uint64_t shift);
+/** Takes whole quarter turns off `x`, rad. */
+void reduction_reduced_angle(double x, reduced_angle_t *reduced_angle);
 
 /** Takes whole quarter turns off an angle of 2²⁰ rad or more. */
 void reduction_reduced_huge_angle(double x, reduced_angle_t *reduced_angle);

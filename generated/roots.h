@@ -11,6 +11,9 @@
 extern "C" {
 #endif
 
+/** √(x² + y²) where a square could leave the range; the larger first, and neither negative. */
+double roots_far_length(double large, double small);
+
 /** √(x² + y²), without overflow on the way. */
 double roots_hypot(double x, double y);
 

@@ -7,21 +7,17 @@
 #ifndef SINE_H
 #define SINE_H
 
-#include "pair.h"
-#include "reduction.h"
+#include <stdint.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/** Takes whole quarter turns off `x`, rad. */
-void sine_reduced_angle(double x, reduced_angle_t *reduced_angle);
-
-/** Sine of −π/4 to π/4 rad, before its last rounding. */
-void sine_sine_of_rest(double high, double low, pair_t *pair);
-
-/** Cosine of −π/4 to π/4 rad, before its last rounding. */
-void sine_cosine_of_rest(double high, double low, pair_t *pair);
+/**
+ * Sine of `x` + `turns` · π/2, by way of the reduced angle in two doubles; a tiny `x` comes here only
+ * for its sine.
+ */
+double sine_sine_by_reduction(double x, uint64_t turns);
 
 /** Sine of an angle in rad. */
 double sine_sin(double x);

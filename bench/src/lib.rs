@@ -6,9 +6,16 @@
 //! | [`generation`] | how long a generation takes, by the number of functions |
 //! | [`kernels`] | generated kernels against handwritten C and the libraries |
 //! | [`rebuild`] | what the attributes add to a rebuild of the corpus |
+//! | [`elementary`] | the elementary functions against glibc and newlib |
+//! | [`equality`] | the elementary functions on millions of points, on every leg |
+//!
+//! [`count`] counts instructions on the emulated Cortex-A9.
 //!
 
 pub mod check_cost;
+pub mod count;
+pub mod elementary;
+pub mod equality;
 pub mod generation;
 pub mod kernels;
 pub mod rebuild;

@@ -1,14 +1,16 @@
 //! `cargo xtask bench`: runs the measurements and writes their results.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, ExitCode};
 
 use bench::check_cost::{self, Size};
 use bench::kernels::results::Results;
 use bench::kernels::{plot, report, run};
-use clap::Parser;
+use bench::{elementary, equality, generation, rebuild};
+use clap::{Parser, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
+use serde_json::Value;
 
 /// Measures the generated C against its peers, and what the attributes cost; writes bench/results/.
 #[derive(Parser)]
@@ -17,37 +19,71 @@ struct Arguments {
     /// A short run; nothing is written
     #[arg(long)]
     quick: bool,
-    /// Only the generated C
-    #[arg(long, conflicts_with = "check_cost")]
-    kernels: bool,
-    /// Only what the attributes cost
+    /// Only this one
     #[arg(long)]
-    check_cost: bool,
+    only: Option<Part>,
+    /// Points of each function for `equality`
+    #[arg(long, default_value_t = 10_000_000)]
+    points: u32,
+}
+
+/// What there is to measure.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Part {
+    /// The generated linear algebra against handwritten C, libraries and nalgebra
+    Kernels,
+    /// The elementary functions against glibc and newlib
+    Elementary,
+    /// What the attributes cost in a check of a model
+    CheckCost,
+    /// What they cost in a rebuild of the corpus
+    Rebuild,
+    /// How long a generation takes, by the number of functions
+    Generation,
+    /// The elementary functions on ten million points each, on every leg: an hour
+    Equality,
+}
+
+/// A measurement: prints its table, and writes its results unless it is a short run.
+type Measurement = fn(&Arguments) -> Result<(), String>;
+
+const PARTS: [(Part, Measurement); 6] = [
+    (Part::Kernels, kernels),
+    (Part::Elementary, elementary),
+    (Part::CheckCost, check_cost),
+    (Part::Rebuild, rebuild),
+    (Part::Generation, generation),
+    (Part::Equality, equality),
+];
+
+impl Arguments {
+    fn wants(&self, part: Part) -> bool {
+        match self.only {
+            Some(only) => only == part,
+            // The short run has a minute for everything; an hour only for those who ask.
+            None if self.quick => part == Part::Kernels,
+            None => part != Part::Equality,
+        }
+    }
+
+    /// Writes the results of a long run.
+    fn write(&self, name: &str, json: &Value) -> Result<(), String> {
+        if self.quick { Ok(()) } else { put(&format!("{name}.json"), &format!("{json:#}\n")) }
+    }
 }
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
-    match measure(&arguments) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
+    for (_, measure) in PARTS.iter().filter(|(part, _)| arguments.wants(*part)) {
+        if let Err(error) = measure(&arguments) {
             eprintln!("error: {error}");
-            ExitCode::FAILURE
+            return ExitCode::FAILURE;
         }
     }
+    ExitCode::SUCCESS
 }
 
-fn measure(arguments: &Arguments) -> Result<(), String> {
-    if !arguments.check_cost {
-        kernels(arguments.quick)?;
-    }
-    // The short run has a minute for everything.
-    if !arguments.kernels && (arguments.check_cost || !arguments.quick) {
-        attributes(arguments.quick)?;
-    }
-    Ok(())
-}
-
-fn kernels(quick: bool) -> Result<(), String> {
+fn kernels(arguments: &Arguments) -> Result<(), String> {
     let bar = ProgressBar::new_spinner();
     if let Ok(style) = ProgressStyle::with_template("{spinner} {elapsed:.dim} {wide_msg}") {
         bar.set_style(style);
@@ -61,20 +97,19 @@ fn kernels(quick: bool) -> Result<(), String> {
             eprintln!("{line}");
         }
     };
-    let plan = if quick { run::QUICK } else { run::FULL };
+    let plan = if arguments.quick { run::QUICK } else { run::FULL };
     let results = run::run(&plan, &say)?;
     bar.finish_and_clear();
     print!("{}", report::terminal(&results));
-    if quick { Ok(()) } else { write(&results) }
+    if arguments.quick { Ok(()) } else { report_kernels(&results) }
 }
 
-fn write(results: &Results) -> Result<(), String> {
+fn report_kernels(results: &Results) -> Result<(), String> {
     let about = about();
-    let folder = bessemer_tests::root().join("bench/results");
-    put(&folder, "kernels.json", &format!("{:#}\n", results.json(&about)))?;
-    put(&folder, "kernels.md", &report::markdown(results, &about))?;
-    put(&folder, "chapter6.svg", &plot::chapter_6(results))?;
-    put(&folder, "small.svg", &plot::small(results))
+    put("kernels.json", &format!("{:#}\n", results.json(&about)))?;
+    put("kernels.md", &report::markdown(results, &about))?;
+    put("chapter6.svg", &plot::chapter_6(results))?;
+    put("small.svg", &plot::small(results))
 }
 
 /// The machine and the compilers.
@@ -83,7 +118,8 @@ fn about() -> BTreeMap<&'static str, String> {
         let output = Command::new(program).arg("--version").output().ok()?;
         Some(String::from_utf8_lossy(&output.stdout).lines().next()?.to_owned())
     };
-    let mut about = BTreeMap::from([("command", "cargo xtask bench".to_owned())]);
+    let command = "cargo xtask bench --only kernels".to_owned();
+    let mut about = BTreeMap::from([("command", command)]);
     let processor = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     if let Some(line) = processor.lines().find(|line| line.starts_with("model name")) {
         about.insert("processor", line.split(':').nth(1).unwrap_or_default().trim().to_owned());
@@ -101,27 +137,55 @@ fn about() -> BTreeMap<&'static str, String> {
     about
 }
 
-fn attributes(quick: bool) -> Result<(), String> {
-    let size = match quick {
-        true => Size { functions: 200, runs: 3 },
-        false => Size { functions: 200, runs: 15 },
-    };
+fn check_cost(arguments: &Arguments) -> Result<(), String> {
+    let size = Size { functions: 200, runs: if arguments.quick { 3 } else { 15 } };
     let bar = ProgressBar::new(2 * size.runs as u64).with_message("cargo check");
     let cost = check_cost::measure(size, || bar.inc(1))?;
     bar.finish_and_clear();
-    print!("\n{}", cost.table());
-    match quick {
-        true => Ok(()),
-        false => {
-            let folder = bessemer_tests::root().join("bench/results");
-            put(&folder, "check-cost.json", &format!("{:#}\n", cost.json()))
-        }
-    }
+    println!("{}", cost.table());
+    arguments.write("check-cost", &cost.json())
 }
 
-fn put(folder: &Path, name: &str, text: &str) -> Result<(), String> {
-    let path: PathBuf = folder.join(name);
-    std::fs::create_dir_all(folder)
-        .and_then(|()| std::fs::write(&path, text))
-        .map_err(|error| format!("`{}`: {error}", path.display()))
+fn rebuild(arguments: &Arguments) -> Result<(), String> {
+    let runs = if arguments.quick { 1 } else { 5 };
+    let bar = ProgressBar::new(3 * runs as u64).with_message("cargo build");
+    let cost = rebuild::measure(runs, || bar.inc(1))?;
+    bar.finish_and_clear();
+    println!("{}", cost.table());
+    arguments.write("rebuild", &cost.json())
+}
+
+fn generation(arguments: &Arguments) -> Result<(), String> {
+    let bar = ProgressBar::new(4).with_message("generating");
+    let found = generation::measure(if arguments.quick { 1 } else { 5 }, || bar.inc(1))?;
+    bar.finish_and_clear();
+    println!("{}", found.table());
+    arguments.write("generation", &found.json())
+}
+
+fn elementary(arguments: &Arguments) -> Result<(), String> {
+    let rows = elementary::measure(if arguments.quick { 101 } else { 1001 })?;
+    println!("{}", elementary::table(&rows));
+    arguments.write("elementary", &elementary::json(&rows))
+}
+
+fn equality(arguments: &Arguments) -> Result<(), String> {
+    let calls = if arguments.quick { 100 } else { arguments.points.div_ceil(1_000) };
+    let legs = equality::measure(calls)?;
+    println!("{}", equality::table(&legs));
+    if let Some(leg) = legs.iter().find(|leg| leg.parted.is_some()) {
+        return Err(format!("{} differs from the Rust", leg.name));
+    }
+    arguments.write("equality", &equality::json(&legs, calls))
+}
+
+fn put(name: &str, text: &str) -> Result<(), String> {
+    let folder = bessemer_tests::root().join("bench/results");
+    put_into(&folder, name, text)
+        .map_err(|error| format!("`{}`: {error}", folder.join(name).display()))
+}
+
+fn put_into(folder: &Path, name: &str, text: &str) -> std::io::Result<()> {
+    std::fs::create_dir_all(folder)?;
+    std::fs::write(folder.join(name), text)
 }

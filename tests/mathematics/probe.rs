@@ -24,13 +24,21 @@ impl Probe {
         end ^ (end >> 31)
     }
 
-    /// A number of any bits, or one from −`range` to `range`.
+    /// A number of any bits, in either format; one next to a multiple of π/2, or to a row of a table;
+    /// or one from −`range` to `range`.
     pub fn argument(&mut self, range: f64) -> f64 {
+        const QUARTER_TURN: f64 = core::f64::consts::FRAC_PI_2;
         let word = self.word();
-        if (word & 3) == 0 {
-            f64::from_bits(self.word())
-        } else {
-            ((word >> 11) as f64 * 2.220446049250313e-16 - 1.0) * range
+        match word & 7 {
+            0 => f64::from_bits(self.word()),
+            1 => f32::from_bits((word >> 32) as u32) as f64,
+            2 => {
+                let turns = word >> (12 + (word >> 3) % 52);
+                let nearest = turns as f64 * QUARTER_TURN;
+                f64::from_bits(nearest.to_bits().wrapping_add(word >> 6 & 3))
+            }
+            3 => ((word >> 48) as f64 - 32768.0) * 0.0078125 + (word >> 16 & 7) as f64 * 1e-16,
+            _ => ((word >> 11) as f64 * 2.220446049250313e-16 - 1.0) * range,
         }
     }
 

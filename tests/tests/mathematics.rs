@@ -1,5 +1,6 @@
 //! The elementary functions compute the same bits everywhere: the Rust, the C of each compiler, the C
-//! on the emulated Cortex-A9. Points of all magnitudes, infinities and NaN among them.
+//! on the emulated Cortex-A9. Points of all magnitudes, infinities and NaN among them; a hundred times
+//! as many in `cargo xtask bench --only equality`.
 
 #[path = "../mathematics/probe.rs"]
 mod probe;
@@ -73,4 +74,15 @@ fn every_elementary_function_computes_the_same_bits() {
             });
         }
     });
+}
+
+#[test]
+fn no_table_is_larger_than_two_kibibytes() {
+    let compiled = compiled();
+    let tables: Vec<_> =
+        compiled.explicit.consts.iter().filter(|item| item.words.len() > 1).collect();
+    assert!(tables.len() > 10, "the functions have tables");
+    for table in tables {
+        assert!(table.words.len() * 8 <= 2048, "{}", table.name);
+    }
 }

@@ -3,6 +3,8 @@
 //!
 //! Invariant: a fact about a function depends on that function and its callees only.
 
+use std::collections::BTreeSet;
+
 use bessemer_ir::{
     Argument, Block, Expr, ExprKind, Function, FunctionId, LocalId, Mode, Module, Owner, Place,
     Role, Step, Stmt, StmtKind, StructId,
@@ -272,4 +274,26 @@ pub fn reachable(module: &Module, is_static: impl Fn(FunctionId) -> bool) -> Vec
         }
     }
     reached
+}
+
+/// The inline functions that these functions call, directly or through one another; callees first.
+pub fn inline_callees(
+    module: &Module,
+    callers: impl IntoIterator<Item = FunctionId>,
+    is_inline: impl Fn(FunctionId) -> bool,
+) -> BTreeSet<FunctionId> {
+    let mut found = BTreeSet::new();
+    let mut open: Vec<FunctionId> = callers.into_iter().collect();
+    while let Some(caller) = open.pop() {
+        walk_exprs(&module.functions[caller.index()].body, &mut |expr| {
+            if let ExprKind::Call(callee, _) = &expr.kind
+                && is_inline(*callee)
+                && found.insert(*callee)
+            {
+                open.push(*callee);
+            }
+        });
+    }
+    // Callees stand before callers in the module.
+    found
 }

@@ -5,10 +5,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use bessemer_ir::{Const, ConstId, ExprKind, Module};
+use bessemer_ir::{Const, ConstId, ExprKind, FunctionId, Module};
 
-use super::analysis::walk_exprs;
-use super::names::{Signature, unique};
+use super::analysis::{inline_callees, walk_exprs};
+use super::names::{Signature, Storage, unique};
 use super::reserved::is_reserved_globally;
 use super::spelling::{identifier, relative, screaming};
 
@@ -23,13 +23,20 @@ impl ConstNames {
     /// Names the constants that the functions use.
     pub fn new(module: &Module, functions: &[Signature]) -> ConstNames {
         let mut used: BTreeMap<&str, BTreeSet<ConstId>> = BTreeMap::new();
-        for (function, signature) in module.functions.iter().zip(functions) {
+        let inline = |id: FunctionId| functions[id.index()].storage == Storage::Inline;
+        for (index, signature) in functions.iter().enumerate() {
+            let id = FunctionId(index as u32);
+            if inline(id) {
+                continue;
+            }
             let file = used.entry(&signature.header).or_default();
-            walk_exprs(&function.body, &mut |expr| {
-                if let ExprKind::Const(id) = expr.kind {
-                    file.insert(id);
-                }
-            });
+            for id in [id].into_iter().chain(inline_callees(module, [id], inline)) {
+                walk_exprs(&module.functions[id.index()].body, &mut |expr| {
+                    if let ExprKind::Const(id) = expr.kind {
+                        file.insert(id);
+                    }
+                });
+            }
         }
         let files = used.into_iter().map(|(file, ids)| (file.to_owned(), of_file(module, &ids)));
         let files: BTreeMap<_, BTreeMap<_, String>> = files.collect();

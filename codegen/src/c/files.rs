@@ -11,10 +11,10 @@ use bessemer_ir::{
     ConstId, EnumId, Function, FunctionId, Kernel, Owner, Scalar, Span, StructId, Type,
 };
 
-use super::analysis::reachable;
+use super::analysis::{inline_callees, reachable};
 use super::helpers::{Helper, closure};
 use super::lower::{self, Context, Uses};
-use super::names::{FAULTS, OVERLAY, Returned, Signature};
+use super::names::{FAULTS, OVERLAY, Returned, Signature, Storage};
 use super::print::Printer;
 use super::shell::{Shell, frame};
 use super::tree::{Declarator, Init, Item, Lines, Origin, StmtKind, plain};
@@ -80,9 +80,12 @@ fn units(context: Context<'_>) -> BTreeMap<String, Unit> {
         unit.types.push(TypeId::Enum(EnumId(index as u32)));
         unit.modules.insert(item.module.clone());
     }
-    let reached = reachable(module, |id| names.signature(id).is_static);
+    let reached = reachable(module, |id| names.signature(id).storage != Storage::Extern);
     for (index, item) in module.functions.iter().enumerate().filter(|(index, _)| reached[*index]) {
         let id = FunctionId(index as u32);
+        if names.signature(id).storage == Storage::Inline {
+            continue;
+        }
         let unit = units.entry(names.function_file(module, id)).or_default();
         unit.functions.push(Callable::Function(id));
         unit.kernel |= item.kernel.is_some();
@@ -171,7 +174,7 @@ impl Writer<'_> {
                 }),
                 Callable::Function(id) => {
                     let signature = self.context.names.signature(*id);
-                    if !signature.is_static {
+                    if signature.storage == Storage::Extern {
                         includes.signature(self.context, signature);
                         items.push(self.prototype(*id, true));
                     }
@@ -183,11 +186,12 @@ impl Writer<'_> {
 
     fn source(&self) -> CFile {
         let (module, names) = (self.context.module, self.context.names);
-        let mut uses = Uses::default();
+        let mut uses = Uses { file: format!("{}.h", self.name), ..Uses::default() };
         let mut includes = Includes::default();
         let mut definitions = Vec::new();
         let mut prototypes = Vec::new();
-        for callable in &self.unit.functions {
+        let inline: Vec<Callable> = self.inline().collect();
+        for callable in inline.iter().chain(&self.unit.functions) {
             let id = match callable {
                 Callable::Init(id) => {
                     definitions.push(init::item(self.context, *id, &mut uses));
@@ -202,14 +206,17 @@ impl Writer<'_> {
                 continue;
             }
             let lowered = lower::function(self.context, id, &mut uses);
-            if signature.is_static {
-                prototypes.push(self.prototype(id, false));
+            match signature.storage {
+                Storage::Extern => {}
+                Storage::Static => prototypes.push(self.prototype(id, false)),
+                Storage::Inline => includes.signature(self.context, signature),
             }
             if signature.returned == Returned::Status {
                 includes.own.insert(names.status.header.clone());
             }
+            let declared = signature.storage == Storage::Extern;
             definitions.push(Item::Function {
-                docs: if signature.is_static { function.docs.clone() } else { Vec::new() },
+                docs: if declared { Vec::new() } else { function.docs.clone() },
                 head: names.head(signature),
                 body: lowered.body,
                 origin: origin(function.span),
@@ -247,6 +254,16 @@ impl Writer<'_> {
             function: String::new(),
         };
         before.into_iter().chain([function]).collect()
+    }
+
+    /// The inline functions that this file calls, callees first.
+    fn inline(&self) -> impl Iterator<Item = Callable> {
+        let own = self.unit.functions.iter().filter_map(|callable| match callable {
+            Callable::Function(id) => Some(*id),
+            Callable::Init(_) => None,
+        });
+        let is_inline = |id| self.context.names.signature(id).storage == Storage::Inline;
+        inline_callees(self.context.module, own, is_inline).into_iter().map(Callable::Function)
     }
 
     fn constants(&self, uses: &Uses, includes: &mut Includes) -> Vec<Item> {

@@ -37,6 +37,8 @@ pub enum Helper {
     FromFloat(Int, Float),
     /// The bits of a float.
     Bits(Float),
+    /// The bits of a float that is not a NaN.
+    RawBits(Float),
     /// The float with these bits.
     FromBits(Float),
     /// One number's size with another's sign.
@@ -130,6 +132,7 @@ impl Helper {
             Helper::ShiftRight(int) => format!("shift_right_{}", int.name()),
             Helper::FromFloat(int, float) => format!("{}_from_{}", int.name(), float.name()),
             Helper::Bits(float) => format!("bits_of_{}", float.name()),
+            Helper::RawBits(float) => format!("raw_bits_of_{}", float.name()),
             Helper::FromBits(float) => format!("{}_from_bits", float.name()),
             Helper::Copysign(float) => format!("copysign_{}", float.name()),
             Helper::WrappingDiv(int) => format!("wrapping_div_{}", int.name()),
@@ -174,7 +177,7 @@ impl Helper {
 
     /// Whether it needs `string.h`.
     pub fn needs_string(self) -> bool {
-        matches!(self, Helper::Bits(_) | Helper::FromBits(_))
+        matches!(self, Helper::Bits(_) | Helper::RawBits(_) | Helper::FromBits(_))
     }
 
     /// Its definition.
@@ -193,6 +196,7 @@ impl Helper {
             Helper::ShiftRight(int) => shift_right(&name, int),
             Helper::FromFloat(int, float) => from_float(&name, int, float),
             Helper::Bits(float) => bits(&name, float),
+            Helper::RawBits(float) => raw_bits(&name, float),
             Helper::FromBits(float) => from_bits(&name, float),
             Helper::Copysign(float) => copysign(&name, float),
             Helper::WrappingDiv(int) => integers::wrapping_div(&name, int),
@@ -252,6 +256,7 @@ pub fn is_helper_name(name: &str) -> bool {
             scalar(to) && (floats.contains(&from) || matches!(from, "bits" | "i8" | "i16"))
         })
         || name.strip_prefix("bits_of_").is_some_and(scalar)
+        || name.strip_prefix("raw_bits_of_").is_some_and(scalar)
 }
 
 /// The helpers with those that they call.
@@ -429,6 +434,22 @@ static uint{bits}_t {name}({ty} value)
     if (value == value) {{
         memcpy(&bits, &value, sizeof bits);
     }}
+    return bits;
+}}"
+    )
+}
+
+fn raw_bits(name: &str, float: Float) -> String {
+    let (ty, bits) = match float {
+        Float::F32 => ("float", 32),
+        Float::F64 => ("double", 64),
+    };
+    format!(
+        "/* The bits of a number that is not a NaN. */
+static uint{bits}_t {name}({ty} value)
+{{
+    uint{bits}_t bits;
+    memcpy(&bits, &value, sizeof bits);
     return bits;
 }}"
     )

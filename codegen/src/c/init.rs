@@ -6,7 +6,9 @@ use bessemer_ir::{Module, StructId, Type};
 
 use super::literal;
 use super::lower::{Context, Uses};
-use super::tree::{Declarator, Expr, Head, Init, Item, Lines, Origin, Step, Stmt, StmtKind, plain};
+use super::tree::{
+    Declarator, Expr, Head, Init, Item, Lines, Origin, Step, Stmt, StmtKind, Storage, plain,
+};
 
 /// Up to so many equal elements are set by a line each.
 const LINES: usize = 4;
@@ -22,7 +24,7 @@ pub fn head(context: Context<'_>, id: StructId) -> Head {
         dimensions: String::new(),
     };
     Head {
-        is_static: false,
+        storage: Storage::Extern,
         result: "void".to_owned(),
         name: names.init.clone().expect("only components have it"),
         params: vec![this],

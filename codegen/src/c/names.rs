@@ -22,6 +22,7 @@ use super::const_names::ConstNames;
 use super::helpers::is_helper_name;
 use super::reserved::{is_keyword, is_reserved_file, is_reserved_for_locals, is_reserved_globally};
 use super::spelling::{identifier, last_segment, relative, screaming, snake};
+pub use super::tree::Storage;
 use super::tree::{Declarator, Head};
 
 /// The names of a struct.
@@ -94,8 +95,8 @@ pub enum Returned {
 pub struct Signature {
     /// Its name.
     pub name: String,
-    /// Whether only its own file can call it.
-    pub is_static: bool,
+    /// Who can call it.
+    pub storage: Storage,
     /// The parameters of the Rust function, in order; after them the result's, if it has one.
     pub params: Vec<Param>,
     /// What it returns.
@@ -279,7 +280,7 @@ impl Names {
     /// The head of a function.
     pub fn head(&self, signature: &Signature) -> Head {
         Head {
-            is_static: signature.is_static,
+            storage: signature.storage,
             result: match &signature.returned {
                 Returned::Nothing => "void".to_owned(),
                 Returned::Value(ty) => self.word(ty),
@@ -378,7 +379,11 @@ impl Names {
             let (params, returned) = passing(function, faults.fallible(id), &taken);
             self.functions.push(Signature {
                 name: chosen[index].clone(),
-                is_static: function.role == bessemer_ir::Role::Private && locally[index],
+                storage: match function.role {
+                    bessemer_ir::Role::Private if locally[index] => Storage::Static,
+                    bessemer_ir::Role::Inline => Storage::Inline,
+                    _ => Storage::Extern,
+                },
                 params,
                 returned,
                 header: format!("{}.h", self.function_file(module, id)),
@@ -513,7 +518,8 @@ fn called_in_own_file_only(names: &Names, module: &Module) -> Vec<bool> {
     for (caller, function) in module.functions.iter().enumerate() {
         super::analysis::walk_exprs(&function.body, &mut |expr| {
             if let bessemer_ir::ExprKind::Call(callee, _) = &expr.kind {
-                locally[callee.index()] &= files[callee.index()] == files[caller];
+                let moves = function.role == bessemer_ir::Role::Inline;
+                locally[callee.index()] &= !moves && files[callee.index()] == files[caller];
             }
         });
     }

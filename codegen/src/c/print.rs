@@ -4,7 +4,9 @@
 
 use super::MapLine;
 use super::layout_text::{Pieces, WIDTH, fill, flat};
-use super::tree::{Declarator, Head, Init, Item, Lines, Origin, Step, Stmt, StmtKind, SwitchArm};
+use super::tree::{
+    Declarator, Head, Init, Item, Lines, Origin, Step, Stmt, StmtKind, Storage, SwitchArm,
+};
 
 /// Columns of one level.
 const INDENT: usize = 4;
@@ -145,7 +147,11 @@ impl<'a> Printer<'a> {
 
     fn head(&mut self, head: &Head, end: &str) {
         let mut pieces = Pieces::default();
-        let storage = if head.is_static { "static " } else { "" };
+        let storage = match head.storage {
+            Storage::Extern => "",
+            Storage::Static => "static ",
+            Storage::Inline => "static inline ",
+        };
         let gap = if head.result.ends_with('*') { "" } else { " " };
         pieces.glue(&format!("{storage}{}{gap}{}(", head.result, head.name));
         if head.params.is_empty() {

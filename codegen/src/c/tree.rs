@@ -247,11 +247,22 @@ pub struct SwitchArm {
     pub body: Vec<Stmt>,
 }
 
+/// Who sees a function.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Storage {
+    /// Every file.
+    Extern,
+    /// Its own file.
+    Static,
+    /// Each file that calls it has it.
+    Inline,
+}
+
 /// The head of a function, as C writes it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Head {
-    /// `static` or not.
-    pub is_static: bool,
+    /// `static`, or `static inline`.
+    pub storage: Storage,
     /// The type of the result.
     pub result: String,
     /// The name.

@@ -117,7 +117,7 @@ fn intrinsic(which: Intrinsic) -> &'static str {
         Intrinsic::Max => "larger",
         Intrinsic::Clamp => "clamped",
         Intrinsic::Floor => "floor",
-        Intrinsic::ToBits => "bits",
+        Intrinsic::ToBits | Intrinsic::RawBits => "bits",
         Intrinsic::FromBits => "value",
         Intrinsic::Copysign => "signed",
         Intrinsic::WrappingAdd => "sum",

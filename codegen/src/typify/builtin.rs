@@ -24,6 +24,7 @@ fn meaning(name: &str) -> Option<Meaning> {
         "sqrt" => Scalar(Intrinsic::Sqrt),
         "floor" => Scalar(Intrinsic::Floor),
         "to_bits" => Scalar(Intrinsic::ToBits),
+        "raw_bits" => Scalar(Intrinsic::RawBits),
         "from_bits" => Scalar(Intrinsic::FromBits),
         "copysign" => Scalar(Intrinsic::Copysign),
         "abs" => Scalar(Intrinsic::Abs),
@@ -164,6 +165,7 @@ impl Lowering<'_, '_> {
                 _ => Some(Type::Scalar(Scalar::Int(Int::U64))),
             },
             Intrinsic::ToBits
+            | Intrinsic::RawBits
             | Intrinsic::UnsignedAbs
             | Intrinsic::IsNan
             | Intrinsic::IsFinite

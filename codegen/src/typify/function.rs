@@ -99,6 +99,7 @@ pub(super) fn lower(cx: &mut Context<'_>, source: &tree::Function) -> Result<Fun
             tree::Role::Entry { infallible } => Role::Entry { infallible },
             tree::Role::Public => Role::Public,
             tree::Role::Private => Role::Private,
+            tree::Role::Inline => Role::Inline,
         },
         docs: tree.docs.clone(),
         params: tree.params.len() as u32,

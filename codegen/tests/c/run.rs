@@ -5,7 +5,7 @@ use std::io::Write as _;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use bessemer_codegen::c::names::{FAULTS, Names, Passing, Returned, Signature};
+use bessemer_codegen::c::names::{FAULTS, Names, Passing, Returned, Signature, Storage};
 use bessemer_codegen::c::{CFile, Options};
 use bessemer_codegen::interpret::{Interpreter, Stop};
 use bessemer_ir::{Float, FunctionId, Mode, Module, Scalar, Type};
@@ -136,7 +136,7 @@ fn calls(module: &Module, names: &Names) -> Vec<Call> {
     let mut list = Vec::new();
     for (index, function) in module.functions.iter().enumerate() {
         let id = FunctionId(index as u32);
-        if names.signature(id).is_static {
+        if names.signature(id).storage != Storage::Extern {
             continue;
         }
         let params = function.parameters();
@@ -304,7 +304,7 @@ fn driver(module: &Module, names: &Names, files: &[CFile]) -> String {
     }
     text.push_str(PRELUDE);
     for (index, signature) in names.functions.iter().enumerate() {
-        if !signature.is_static {
+        if signature.storage == Storage::Extern {
             let _ = writeln!(text, "        case {index}: {{");
             call(module, names, signature, &mut text);
             text.push_str("            break;\n        }\n");

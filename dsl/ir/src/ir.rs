@@ -231,6 +231,8 @@ pub enum Role {
     Public,
     /// Called only beside its definition: a component's own method.
     Private,
+    /// Small enough to stand in each file that calls it.
+    Inline,
 }
 
 /// A parameter or a variable. Names need not be unique; handles are.

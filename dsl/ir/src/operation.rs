@@ -66,6 +66,8 @@ pub enum Intrinsic {
     Floor,
     /// The bits of a float as the unsigned integer of its width; every NaN has the canonical bits.
     ToBits,
+    /// The bits of a float that is not a NaN; of a NaN, whatever the machine has.
+    RawBits,
     /// The float with these bits.
     FromBits,
     /// `copysign(magnitude, sign)`, floats; a NaN counts as positive sign.
@@ -144,7 +146,7 @@ impl Intrinsic {
                 int.filter(|_| !signed).map(|_| Scalar::Int(Int::U32))
             }
             SwapBytes => int.filter(|int| !signed && int.bits() > 8).map(Scalar::Int),
-            ToBits => float.map(|float| Scalar::Int(float.bits_type())),
+            ToBits | RawBits => float.map(|float| Scalar::Int(float.bits_type())),
             FromBits => match int? {
                 Int::U32 => Some(Scalar::Float(Float::F32)),
                 Int::U64 => Some(Scalar::Float(Float::F64)),
@@ -157,9 +159,9 @@ impl Intrinsic {
     pub const fn operands(self) -> usize {
         use Intrinsic::*;
         match self {
-            Sqrt | Abs | Floor | Ceil | Trunc | Round | Signum | ToBits | FromBits | IsNan
-            | IsFinite | IsInfinite | UnsignedAbs | CountOnes | LeadingZeros | TrailingZeros
-            | SwapBytes => 1,
+            Sqrt | Abs | Floor | Ceil | Trunc | Round | Signum | ToBits | RawBits | FromBits
+            | IsNan | IsFinite | IsInfinite | UnsignedAbs | CountOnes | LeadingZeros
+            | TrailingZeros | SwapBytes => 1,
             Clamp => 3,
             _ => 2,
         }

@@ -230,6 +230,7 @@ pub enum Role {
     Entry { infallible: bool },
     Public,
     Private,
+    Inline,
 }
 
 /// A parameter.

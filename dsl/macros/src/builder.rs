@@ -41,6 +41,16 @@ pub enum Home<'a> {
     Implementation(&'a syn::Path),
 }
 
+/// Whether the author wants the function where it is called: `#[inline]`.
+pub fn inline(attributes: &[syn::Attribute]) -> bool {
+    attributes.iter().any(|attribute| match &attribute.meta {
+        syn::Meta::List(list) => {
+            list.path.is_ident("inline") && list.tokens.to_string() == "always"
+        }
+        other => other.path().is_ident("inline"),
+    })
+}
+
 /// Refuses what the DSL does not take; in a generation build gives the items that stand beside a
 /// free function. For a method see [`method`].
 pub fn build(subject: &Subject<'_>, refusals: &mut Refusals) -> TokenStream {

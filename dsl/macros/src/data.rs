@@ -386,6 +386,7 @@ fn alias(method: &syn::ImplItemFn) -> Option<syn::ImplItem> {
 /// Takes `#[entry]` off a method and says what the method is to its callers.
 pub fn role(kind: Kind, attributes: &mut Vec<syn::Attribute>, refusals: &mut Refusals) -> Role {
     let mut role = match kind {
+        Kind::Data if builder::inline(attributes) => Role::Inline,
         Kind::Data => Role::Public,
         Kind::Component => Role::Private,
     };

@@ -31,7 +31,7 @@ pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
         visibility: &function.vis,
         signature: &function.sig,
         body: &function.block,
-        role: Role::Public,
+        role: if builder::inline(&function.attrs) { Role::Inline } else { Role::Public },
         home: Home::Module,
     };
     let builder = builder::build(&subject, &mut refusals);

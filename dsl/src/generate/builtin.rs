@@ -25,7 +25,7 @@ macro_rules! markers {
 pub(super) use markers;
 
 markers! {
-    Sqrt: "sqrt"; Floor: "floor"; ToBits: "to_bits"; FromBits: "from_bits"; Copysign: "copysign";
+    Sqrt: "sqrt"; Floor: "floor"; ToBits: "to_bits"; RawBits: "raw_bits"; FromBits: "from_bits"; Copysign: "copysign";
     Abs: "abs"; Min: "min"; Max: "max"; Clamp: "clamp";
     New: "matrix_new"; Zeros: "zeros"; Identity: "identity"; FromElement: "from_element";
     Transpose: "transpose"; Dot: "dot"; Cross: "cross"; Norm: "norm"; NormSquared: "norm_squared";
@@ -48,6 +48,9 @@ pub trait FloatBuiltins: Sized {
         unreachable!()
     }
     fn __b_to_bits(self) -> Called<ToBits, Self::Bits> {
+        unreachable!()
+    }
+    fn __b_raw_bits(self) -> Called<RawBits, Self::Bits> {
         unreachable!()
     }
     fn __b_from_bits(_bits: Self::Bits) -> Called<FromBits, Self> {

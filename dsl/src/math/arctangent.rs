@@ -1,12 +1,14 @@
-//! The inverse trigonometric functions, by way of the arctangent of a ratio from 0 to 1.
+//! The inverse trigonometric functions.
 //!
-//! The ratio, in two doubles, is brought within 1/64 of a multiple of 1/64 by
-//! atan t = atan c + atan((t − c) / (1 + t·c)) with a table of atan c; then Gregory's series. What
-//! leads to the ratio (quotients, 1 − x², roots) is in two doubles too.
+//! The arctangent by way of the nearest c of a table, eight for each octave from 1/16 to 16:
+//! atan x = atan c + atan((x − c) / (1 + x·c)), and a polynomial. Of two coordinates, the same with
+//! (y − c·x) / (x + c·y). Arcsine and arccosine have a polynomial up to 1/2, and beyond by way of
+//! asin x = π/2 − 2·asin √((1 − x)/2).
 
-use super::pair::{Pair, ordered_sum, product, quotient, root, sum};
+use super::RawBits as _;
+use super::pair::{Pair, ordered_sum, quotient};
 use super::tables::{
-    ARCTANGENT_HIGH, ARCTANGENT_LOW, HALF_PI_HIGH, HALF_PI_LOW, WHOLE_PI_HIGH, WHOLE_PI_LOW,
+    ARCSINE, ARCTANGENT, ARCTANGENTS, HALF_PI_HIGH, HALF_PI_LOW, WHOLE_PI_HIGH, WHOLE_PI_LOW,
 };
 use crate::prelude::*;
 
@@ -14,123 +16,201 @@ const A3: f64 = -1.0 / 3.0;
 const A5: f64 = 1.0 / 5.0;
 const A7: f64 = -1.0 / 7.0;
 const A9: f64 = 1.0 / 9.0;
-const A11: f64 = -1.0 / 11.0;
-const A13: f64 = 1.0 / 13.0;
-const A15: f64 = -1.0 / 15.0;
-const A17: f64 = 1.0 / 17.0;
-const A19: f64 = -1.0 / 19.0;
 
-/// Below this a number is its own arcsine and arctangent: 2⁻²⁷.
-const TINY: f64 = 7.450580596923828e-9;
+/// The upper half of a double.
+const UPPER: u64 = 0xffff_ffff_0000_0000;
 
-/// Arctangent of 0 to 1, rad.
+/// The row for a ratio: 0 to 63 from 1/16 to 16, more outside.
+#[inline]
 #[function]
-pub fn arctangent_of_ratio(high: f64, low: f64) -> Pair {
-    if high < 0.125 {
-        let z = high * high;
-        let upper = A11 + z * (A13 + z * (A15 + z * (A17 + z * A19)));
-        let tail = A3 + z * (A5 + z * (A7 + z * (A9 + z * upper)));
-        Pair { high, low: low + high * z * tail }
-    } else {
-        // 1.5 · 2⁵² leaves the nearest integer in the last bits. A ratio is at most 1.
-        let shifted = high * 64.0 + 6_755_399_441_055_744.0;
-        let index = (shifted.to_bits() & 127).min(63) as usize;
-        let centre = index as f64 * 0.015625;
-        let t = ((high - centre) + low) / (1.0 + high * centre);
-        let z = t * t;
-        let near = t + t * z * (A3 + z * (A5 + z * A7));
-        Pair { high: ARCTANGENT_HIGH[index], low: ARCTANGENT_LOW[index] + near }
-    }
+pub fn row_of_ratio(ratio: f64) -> u32 {
+    // The exponent and three bits more, less those of 1/16.
+    ((ratio.raw_bits() >> 49) as u32).wrapping_sub(0x1fd8)
 }
 
-/// The angle of a point in the first quadrant, not at its corner, rad.
+/// What the arctangent adds to `t` for |t| ≤ 1/32.
+#[inline]
 #[function]
-pub fn first_quadrant(y: Pair, x: Pair) -> Pair {
-    if y.high <= x.high {
-        let ratio = quotient(y, x);
-        arctangent_of_ratio(ratio.high, ratio.low)
-    } else {
-        let ratio = quotient(x, y);
-        let from_vertical = arctangent_of_ratio(ratio.high, ratio.low);
-        let angle = ordered_sum(HALF_PI_HIGH, -from_vertical.high);
-        Pair { high: angle.high, low: angle.low + (HALF_PI_LOW - from_vertical.low) }
-    }
+pub fn small_curve(t: f64) -> f64 {
+    let z = t * t;
+    t * z * (A3 + z * (A5 + z * (A7 + z * A9)))
 }
 
-/// π less an angle.
+/// What the arctangent adds to `t` for |t| ≤ 1/16.
+#[inline]
 #[function]
-pub fn supplement(angle: Pair) -> f64 {
-    let rest = ordered_sum(WHOLE_PI_HIGH, -angle.high);
-    rest.high + (rest.low + (WHOLE_PI_LOW - angle.low))
+pub fn curve(t: f64) -> f64 {
+    let z = t * t;
+    let upper = ARCTANGENT[3] + z * (ARCTANGENT[4] + z * ARCTANGENT[5]);
+    t * z * (ARCTANGENT[0] + z * (ARCTANGENT[1] + z * (ARCTANGENT[2] + z * upper)))
+}
+
+/// The arctangent of 0 to 1/16, of 16 and more, and of NaN.
+#[function]
+pub fn far_arctangent(size: f64) -> f64 {
+    if size < 1.0 {
+        size + curve(size)
+    } else {
+        let t = 1.0 / size;
+        HALF_PI_HIGH + (HALF_PI_LOW - (t + curve(t)))
+    }
 }
 
 /// Arctangent, rad.
 #[function]
 pub fn atan(x: f64) -> f64 {
     let size = x.abs();
-    if size < TINY {
-        return x;
+    let row = row_of_ratio(size);
+    let value = if row < 64 {
+        let centre = ARCTANGENTS[row as usize][0];
+        let t = (size - centre) / (1.0 + size * centre);
+        let rest = ARCTANGENTS[row as usize][2] + (t + small_curve(t));
+        ARCTANGENTS[row as usize][1] + rest
+    } else {
+        far_arctangent(size)
+    };
+    if x < 0.0 {
+        -value
+    } else if x > 0.0 {
+        value
+    } else {
+        // ±0 and NaN.
+        x
     }
-    // From 2⁶⁰ on, the result no longer changes.
-    if size > 1.152921504606847e18 {
-        return HALF_PI_HIGH.copysign(x);
-    }
-    let one = Pair { high: 1.0, low: 0.0 };
-    let angle = first_quadrant(Pair { high: size, low: 0.0 }, one);
-    let value = angle.high + angle.low;
-    if x < 0.0 { -value } else { value }
 }
 
-/// The angle of the point (`x`, `y`) in rad, −π to π; special values as C99 Annex F has them.
+/// The angle of a point in the first quadrant, as two doubles, from 0 to π/2 rad: `ratio` is
+/// `height`/`width`, and all are from 2^−900 to 2^900.
+#[inline]
 #[function]
-pub fn atan2(y: f64, x: f64) -> f64 {
-    // 2³⁰: from this ratio on, the smaller coordinate enters as it is.
-    const FAR: f64 = 1_073_741_824.0;
+pub fn angle_of_ratio(height: f64, width: f64, ratio: f64) -> Pair {
+    let row = row_of_ratio(ratio);
+    if row < 64 {
+        let centre = ARCTANGENTS[row as usize][0];
+        let upper = f64::from_bits(width.raw_bits() & UPPER);
+        let above = (height - centre * upper) - centre * (width - upper);
+        let t = above / (width + centre * height);
+        let rest = ARCTANGENTS[row as usize][2] + (t + small_curve(t));
+        Pair { high: ARCTANGENTS[row as usize][1], low: rest }
+    } else {
+        far_angle(height, width, ratio)
+    }
+}
+
+/// [`angle_of_ratio`] for a ratio below 1/16, and from 16 on.
+#[function]
+pub fn far_angle(height: f64, width: f64, ratio: f64) -> Pair {
+    if ratio < 1.0 {
+        let exact = quotient(Pair { high: height, low: 0.0 }, Pair { high: width, low: 0.0 });
+        Pair { high: exact.high, low: exact.low + curve(exact.high) }
+    } else {
+        let t = width / height;
+        Pair { high: HALF_PI_HIGH, low: HALF_PI_LOW - (t + curve(t)) }
+    }
+}
+
+/// The angle as it is, or its supplement to π for a point on the left.
+#[inline]
+#[function]
+pub fn angle_on_side(angle: Pair, left: bool) -> f64 {
+    if left {
+        let rest = ordered_sum(WHOLE_PI_HIGH, -angle.high);
+        rest.high + (rest.low + (WHOLE_PI_LOW - angle.low))
+    } else {
+        angle.high + angle.low
+    }
+}
+
+/// The angle of the point (`x`, `y`) in rad: special values, and coordinates far from 1 or from each
+/// other.
+#[function]
+pub fn far_atan2(y: f64, x: f64) -> f64 {
     let width = x.abs();
     let height = y.abs();
     let left = 1.0_f64.copysign(x) < 0.0;
-    let both = width == height && (width == 0.0 || width > f64::MAX);
-    let angle = if both {
-        // Both zero or both infinite.
+    if !(width <= f64::INFINITY && height <= f64::INFINITY) {
+        return f64::NAN;
+    }
+    let angle = if width == height {
+        // Both zero, both infinite, or on the diagonal.
         if width == 0.0 {
             Pair { high: 0.0, low: 0.0 }
         } else {
             Pair { high: 0.5 * HALF_PI_HIGH, low: 0.5 * HALF_PI_LOW }
         }
-    } else if width * 9.313225746154785e-10 > height {
+    } else if height > width * 1.152921504606847e18 {
+        // From 2⁶⁰ on, the result no longer changes.
+        Pair { high: HALF_PI_HIGH, low: HALF_PI_LOW }
+    } else if width * 8.673617379884035e-19 > height {
+        // By 2⁻⁶⁰ the smaller coordinate enters as it is.
         Pair { high: height / width, low: 0.0 }
-    } else if height * 9.313225746154785e-10 > width {
-        let ratio = width / height;
-        Pair { high: HALF_PI_HIGH, low: HALF_PI_LOW - ratio }
     } else {
         // By 2^±600, so that no product leaves the range.
-        let scale = if width > FAR { 2.409919865102884e-181 } else { 4.149515568880993e180 };
-        let above = Pair { high: height * scale, low: 0.0 };
-        first_quadrant(above, Pair { high: width * scale, low: 0.0 })
+        let scale = if width > 1.0 { 2.409919865102884e-181 } else { 4.149515568880993e180 };
+        angle_of_ratio(height * scale, width * scale, height / width)
     };
-    let value = if left { supplement(angle) } else { angle.high + angle.low };
+    let value = angle_on_side(angle, left);
     value.copysign(y)
 }
 
-/// The cosine of the arcsine: √(1 − x²) for −1 to 1.
+/// The angle of the point (`x`, `y`) in rad, −π to π; special values as C99 Annex F has them.
 #[function]
-pub fn complement(x: f64) -> Pair {
-    let square = product(x, x);
-    let lead = sum(1.0, -square.high);
-    root(ordered_sum(lead.high, lead.low - square.low))
+pub fn atan2(y: f64, x: f64) -> f64 {
+    let width = x.abs();
+    let height = y.abs();
+    if width > 1e-150 && width < 1e150 && height > 1e-150 && height < 1e150 {
+        let angle = angle_of_ratio(height, width, height / width);
+        let value = angle_on_side(angle, x < 0.0);
+        if y < 0.0 { -value } else { value }
+    } else {
+        far_atan2(y, x)
+    }
 }
+
+/// (asin √z − √z)/z^(3/2) for 0 to 1/4.
+#[inline]
+#[function]
+pub fn arcsine_curve(z: f64) -> f64 {
+    let w = z * z;
+    let v = w * w;
+    let even_end = ARCSINE[8] + w * (ARCSINE[10] + w * ARCSINE[12]);
+    let even = (ARCSINE[0] + w * ARCSINE[2]) + v * ((ARCSINE[4] + w * ARCSINE[6]) + v * even_end);
+    let odd_end = (ARCSINE[5] + w * ARCSINE[7]) + v * (ARCSINE[9] + w * ARCSINE[11]);
+    let odd = (ARCSINE[1] + w * ARCSINE[3]) + v * odd_end;
+    even + z * odd
+}
+
+/// Half the arccosine of `size` from 1/2 to 1, without 1: the root r of (1 − `size`)/2 to 21 bits, and
+/// what is added to it.
+#[inline]
+#[function]
+pub fn half_arccosine(size: f64) -> Pair {
+    let z = 0.5 - 0.5 * size;
+    let root = z.sqrt();
+    let high = f64::from_bits(root.raw_bits() & UPPER);
+    let curved = root * (z * arcsine_curve(z));
+    Pair { high, low: (z - high * high) / (root + high) + curved }
+}
+
+/// 2⁻²⁷: below, a number is its own arcsine.
+const TINY: f64 = 7.450580596923828e-9;
 
 /// Arcsine, rad.
 #[function]
 pub fn asin(x: f64) -> f64 {
     let size = x.abs();
-    if size < TINY {
-        return x;
+    if size < 0.5 {
+        let z = x * x;
+        return if size < TINY { x } else { x + x * (z * arcsine_curve(z)) };
     }
-    if size <= 1.0 {
-        let angle = first_quadrant(Pair { high: size, low: 0.0 }, complement(size));
-        let value = angle.high + angle.low;
+    if size < 1.0 {
+        let half = half_arccosine(size);
+        let lead = HALF_PI_HIGH - 2.0 * half.high;
+        let lost = (HALF_PI_HIGH - lead) - 2.0 * half.high;
+        let value = lead + (lost + (HALF_PI_LOW - 2.0 * half.low));
         if x < 0.0 { -value } else { value }
+    } else if size == 1.0 {
+        HALF_PI_HIGH * x
     } else {
         f64::NAN
     }
@@ -140,9 +220,23 @@ pub fn asin(x: f64) -> f64 {
 #[function]
 pub fn acos(x: f64) -> f64 {
     let size = x.abs();
-    if size <= 1.0 {
-        let angle = first_quadrant(complement(size), Pair { high: size, low: 0.0 });
-        if x < 0.0 { supplement(angle) } else { angle.high + angle.low }
+    if size < 0.5 {
+        let z = x * x;
+        let lead = HALF_PI_HIGH - x;
+        let lost = (HALF_PI_HIGH - lead) - x;
+        return lead + (lost + (HALF_PI_LOW - x * (z * arcsine_curve(z))));
+    }
+    if size < 1.0 {
+        let half = half_arccosine(size);
+        if x > 0.0 {
+            2.0 * (half.high + half.low)
+        } else {
+            let lead = WHOLE_PI_HIGH - 2.0 * half.high;
+            let lost = (WHOLE_PI_HIGH - lead) - 2.0 * half.high;
+            lead + (lost + (WHOLE_PI_LOW - 2.0 * half.low))
+        }
+    } else if size == 1.0 {
+        if x > 0.0 { 0.0 } else { WHOLE_PI_HIGH }
     } else {
         f64::NAN
     }

@@ -1,53 +1,100 @@
 //! The exponential functions.
 //!
 //! After P. T. P. Tang, *Table-driven implementation of the exponential function* (ACM TOMS 15,
-//! 1989): e^x = 2^k · 2^(j/64) · e^r with |r| ≤ (ln 2)/128, the middle factor from a table in two
-//! doubles, the last from its Taylor polynomial. The result is rounded once, below the normal
-//! numbers too.
+//! 1989): e^x = 2^k · 2^(j/128) · e^r with |r| ≤ (ln 2)/256, the middle factor from a table with what
+//! its double leaves out, the last from its Taylor polynomial. The result is rounded once, below the
+//! normal numbers too.
 
 use core::f64::consts::LN_2;
 
+use super::RawBits as _;
 use super::pair::sum;
-use super::tables::{POWER_HIGH, POWER_LOW, STEP_HIGH, STEP_LOW, STEPS_PER_UNIT};
+use super::sine::TO_INTEGER;
+use super::tables::{EXP_M1, POWERS, STEPS_PER_UNIT, UNIT_STEP_HIGH, UNIT_STEP_LOW};
 use crate::prelude::*;
-
-/// 1.5 · 2⁵²: added to a smaller number it leaves the nearest integer in the last bits.
-const TO_INTEGER: f64 = 6_755_399_441_055_744.0;
 
 const E2: f64 = 1.0 / 2.0;
 const E3: f64 = 1.0 / 6.0;
 const E4: f64 = 1.0 / 24.0;
 const E5: f64 = 1.0 / 120.0;
-const E6: f64 = 1.0 / 720.0;
-const E7: f64 = 1.0 / 5_040.0;
-const E8: f64 = 1.0 / 40_320.0;
-const E9: f64 = 1.0 / 362_880.0;
-const E10: f64 = 1.0 / 3_628_800.0;
-const E11: f64 = 1.0 / 39_916_800.0;
 
-/// A positive number, the sum of two doubles times a power of two.
+/// To here e^x is normal, and so is what its last rounding takes in.
+pub const NORMAL: f64 = 660.0;
+
+/// The power 2^(`steps`/128) · (1 + `rest`).
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Scaled {
-    /// The leading part, 1 to 2.
-    pub high: f64,
-    /// What is added to it.
-    pub low: f64,
-    /// The exponent of the power of two.
-    pub exponent: i32,
+pub struct Power {
+    /// An integer in the last 19 bits, signed; the bits above mean nothing.
+    pub steps: u64,
+    /// What the double next to 2^(`steps`/128) leaves out, as a fraction.
+    pub rest: f64,
 }
 
 /// Two to a power from −1022 to 1023.
+#[inline]
 #[function]
 pub fn power_of_two(exponent: i32) -> f64 {
-    f64::from_bits((exponent.wrapping_add(1023) as u64) << 52)
+    f64::from_bits((exponent.wrapping_add(1023) as u32 as u64) << 52)
 }
 
-/// The number, rounded once.
+/// The double next to 2^(`steps`/128), for a normal number.
+#[inline]
 #[function]
-pub fn rounded(number: Scaled) -> f64 {
-    let value = number.high + number.low;
-    let exponent = number.exponent;
+pub fn step(steps: u64) -> f64 {
+    // The upper half alone changes: one addition where a word has 32 bits.
+    let bits = POWERS[(steps & 127) as usize][1];
+    let upper = ((bits >> 32) as u32).wrapping_add((steps as u32) << 13);
+    f64::from_bits(((upper as u64) << 32) | (bits & 0xffff_ffff))
+}
+
+/// What [`step`] leaves out, as a fraction.
+#[inline]
+#[function]
+pub fn step_rest(steps: u64) -> f64 {
+    f64::from_bits(POWERS[(steps & 127) as usize][0])
+}
+
+/// 2^(`steps`/128) · e^`r` for |r| ≤ (ln 2)/256.
+#[inline]
+#[function]
+pub fn step_power(steps: u64, r: f64) -> Power {
+    let z = r * r;
+    let tail = (E2 + r * E3) + z * (E4 + r * E5);
+    Power { steps, rest: (step_rest(steps) + r) + z * tail }
+}
+
+/// e^x for −750 to 750, before its last rounding.
+#[inline]
+#[function]
+pub fn exponential(x: f64) -> Power {
+    let shifted = x * STEPS_PER_UNIT + TO_INTEGER;
+    let steps = shifted - TO_INTEGER;
+    step_power(shifted.raw_bits(), (x - steps * UNIT_STEP_HIGH) - steps * UNIT_STEP_LOW)
+}
+
+/// e^(`high` + `low`) for −750 to 750, before its last rounding.
+#[inline]
+#[function]
+pub fn exponential_of_pair(high: f64, low: f64) -> Power {
+    let shifted = high * STEPS_PER_UNIT + TO_INTEGER;
+    let steps = shifted - TO_INTEGER;
+    let r = ((high - steps * UNIT_STEP_HIGH) - steps * UNIT_STEP_LOW) + low;
+    step_power(shifted.raw_bits(), r)
+}
+
+/// The power times 2^`more`, rounded once, for a result that may not be a normal number.
+#[function]
+pub fn rounded(power: Power, more: i32) -> f64 {
+    // From 1 to 2.
+    let high = f64::from_bits(
+        POWERS[(power.steps & 127) as usize][1].wrapping_add((power.steps & 127) << 45),
+    );
+    // 19 bits, signed, without the 7 of the index.
+    let whole = (((power.steps & 0x7_ffff) as i32) ^ 0x4_0000).wrapping_sub(0x4_0000) >> 7;
+    let exponent = whole.wrapping_add(more);
+    let low = high * power.rest;
+    let value = high + low;
     if exponent > 1023 {
         // 2¹⁰²³
         let half = value * 8.98846567431158e307;
@@ -59,42 +106,46 @@ pub fn rounded(number: Scaled) -> f64 {
     } else {
         // Beside this one, the last place is that of the smallest number.
         let large = power_of_two((-1022_i32).wrapping_sub(exponent));
-        let lead = large + number.high;
-        let total = lead + (((large - lead) + number.high) + number.low);
+        let lead = large + high;
+        let total = lead + (((large - lead) + high) + low);
         // By 2²⁰⁰ and back: neither step rounds.
         (total - large) * power_of_two(exponent.wrapping_add(200)) * 6.223015277861142e-61
     }
 }
 
-/// 2^(`steps`/64) · e^`r` for |r| ≤ (ln 2)/128; `shifted` has the integer `steps` in its last bits.
+/// e^(x + `low`) · 2^`more` for |x| from 660 on, infinities and NaN.
 #[function]
-pub fn step_power(shifted: u64, r: f64) -> Scaled {
-    let index = (shifted & 63) as usize;
-    let tail = E2 + r * (E3 + r * (E4 + r * (E5 + r * E6)));
-    let near = r + r * r * tail;
-    let lead = POWER_HIGH[index];
-    Scaled {
-        high: lead,
-        low: POWER_LOW[index] + lead * near,
-        // 14 bits, signed.
-        exponent: (((shifted >> 6) & 0x3fff) as i32 ^ 0x2000).wrapping_sub(0x2000),
+pub fn far_exponential(x: f64, low: f64, more: i32) -> f64 {
+    if x.abs() <= 750.0 {
+        rounded(exponential_of_pair(x, low), more)
+    } else if x > 0.0 {
+        f64::INFINITY
+    } else if x < 0.0 {
+        0.0
+    } else {
+        x
     }
-}
-
-/// e^(`high` + `low`) for −750 to 750, before its last rounding.
-#[function]
-pub fn exponential(high: f64, low: f64) -> Scaled {
-    let shifted = high * STEPS_PER_UNIT + TO_INTEGER;
-    let steps = shifted - TO_INTEGER;
-    let r = (high - steps * STEP_HIGH) - (steps * STEP_LOW - low);
-    step_power(shifted.to_bits(), r)
 }
 
 /// e^x.
 #[function]
 pub fn exp(x: f64) -> f64 {
-    if x.abs() <= 750.0 {
-        rounded(exponential(x, 0.0))
+    if x.abs() < NORMAL {
+        let power = exponential(x);
+        let lead = step(power.steps);
+        lead + lead * power.rest
+    } else {
+        far_exponential(x, 0.0, 0)
+    }
+}
+
+/// 2^x for |x| from 960 on, infinities and NaN.
+#[function]
+pub fn far_power(x: f64) -> f64 {
+    if x.abs() <= 1080.0 {
+        let shifted = x * 128.0 + TO_INTEGER;
+        let r = (x - (shifted - TO_INTEGER) * 0.0078125) * LN_2;
+        rounded(step_power(shifted.raw_bits(), r), 0)
     } else if x > 0.0 {
         f64::INFINITY
     } else if x < 0.0 {
@@ -107,16 +158,14 @@ pub fn exp(x: f64) -> f64 {
 /// 2^x.
 #[function]
 pub fn exp2(x: f64) -> f64 {
-    if x.abs() <= 1080.0 {
-        let shifted = x * 64.0 + TO_INTEGER;
-        let r = (x - (shifted - TO_INTEGER) * 0.015625) * LN_2;
-        rounded(step_power(shifted.to_bits(), r))
-    } else if x > 0.0 {
-        f64::INFINITY
-    } else if x < 0.0 {
-        0.0
+    if x.abs() < 960.0 {
+        let shifted = x * 128.0 + TO_INTEGER;
+        let r = (x - (shifted - TO_INTEGER) * 0.0078125) * LN_2;
+        let power = step_power(shifted.raw_bits(), r);
+        let lead = step(power.steps);
+        lead + lead * power.rest
     } else {
-        x
+        far_power(x)
     }
 }
 
@@ -124,22 +173,24 @@ pub fn exp2(x: f64) -> f64 {
 #[function]
 pub fn exp_m1(x: f64) -> f64 {
     let size = x.abs();
-    // 2⁻⁵⁴
-    if size < 5.551115123125783e-17 {
-        x
-    } else if size < 0.125 {
-        let upper = E7 + x * (E8 + x * (E9 + x * (E10 + x * E11)));
-        let tail = E3 + x * (E4 + x * (E5 + x * (E6 + x * upper)));
-        // x²/2 is the larger part of what is added.
-        x + (E2 * x * x + x * x * x * tail)
-    } else if x < -40.0 {
+    if size < 0.3 {
+        // 2⁻⁵⁴
+        if size < 5.551115123125783e-17 {
+            return x;
+        }
+        let z = x * x;
+        let even = EXP_M1[4] + z * (EXP_M1[6] + z * (EXP_M1[8] + z * EXP_M1[10]));
+        let odd = EXP_M1[3] + z * (EXP_M1[5] + z * (EXP_M1[7] + z * EXP_M1[9]));
+        let tail = EXP_M1[0] + x * (EXP_M1[1] + x * (EXP_M1[2] + x * (odd + x * even)));
+        x + (0.5 * z + x * z * tail)
+    } else if size < NORMAL {
+        let power = exponential(x);
+        let lead = step(power.steps);
+        let less = sum(lead, -1.0);
+        less.high + (less.low + lead * power.rest)
+    } else if x < 0.0 {
         -1.0
-    } else if x <= 40.0 {
-        let power = exponential(x, 0.0);
-        let scale = power_of_two(power.exponent);
-        let lead = sum(power.high * scale, -1.0);
-        lead.high + (lead.low + power.low * scale)
     } else {
-        exp(x)
+        far_exponential(x, 0.0, 0)
     }
 }

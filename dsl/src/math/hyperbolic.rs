@@ -1,93 +1,76 @@
-//! The hyperbolic functions: from e^x and e^(−x), both before their last rounding; near zero, the sine
-//! from its Taylor series, and the tangent from sine and cosine.
+//! The hyperbolic functions.
+//!
+//! Sine and cosine from e^x and e^(−x), both before their last rounding, which share the even and the
+//! odd half of one polynomial. The tangent from a table by its theorem of sums, and from 4 on from
+//! e^(2x). Near zero, sine and tangent have polynomials.
 
-use super::exponential::{Scaled, exp, exponential, power_of_two, rounded};
-use super::pair::{Pair, quotient, sum};
+use super::RawBits as _;
+use super::exponential::{NORMAL, exponential, far_exponential, step, step_rest};
+use super::pair::ordered_sum;
+use super::sine::TO_INTEGER;
+use super::tables::{SINH, STEPS_PER_UNIT, TANH, TANHS, UNIT_STEP_HIGH, UNIT_STEP_LOW};
 use crate::prelude::*;
 
-const H3: f64 = 1.0 / 6.0;
-const H5: f64 = 1.0 / 120.0;
-const H7: f64 = 1.0 / 5_040.0;
-const H9: f64 = 1.0 / 362_880.0;
-const H11: f64 = 1.0 / 39_916_800.0;
-const H13: f64 = 1.0 / 6_227_020_800.0;
+const E2: f64 = 1.0 / 2.0;
+const E3: f64 = 1.0 / 6.0;
+const E4: f64 = 1.0 / 24.0;
+const E5: f64 = 1.0 / 120.0;
+const T3: f64 = -1.0 / 3.0;
+const T5: f64 = 2.0 / 15.0;
+const T7: f64 = -17.0 / 315.0;
+const T9: f64 = 62.0 / 2_835.0;
 
-/// Below this a number is its own hyperbolic sine and tangent: 2⁻²⁷.
-const TINY: f64 = 7.450580596923828e-9;
-/// From here on e^(−x) is lost beside e^x.
-const LARGE: f64 = 22.0;
-
-/// e^x / 2 for −40 to 40, before its last rounding.
+/// Half of e^x + `sign` · e^(−x) for 0 to 660; with a `sign` of −1, from 0.3.
+#[inline]
 #[function]
-pub fn half_exponential(x: f64) -> Pair {
-    let power = exponential(x, 0.0);
-    let scale = power_of_two(power.exponent.wrapping_sub(1));
-    Pair { high: power.high * scale, low: power.low * scale }
-}
-
-/// e^x / 2 for 22 and more.
-#[function]
-pub fn large_half_exponential(x: f64) -> f64 {
-    if x <= 750.0 {
-        let power = exponential(x, 0.0);
-        rounded(Scaled {
-            high: power.high,
-            low: power.low,
-            exponent: power.exponent.wrapping_sub(1),
-        })
-    } else {
-        exp(x)
-    }
-}
-
-/// The hyperbolic sine of 0 to 22, before its last rounding.
-#[function]
-pub fn hyperbolic_sine(x: f64) -> Pair {
-    if x < 0.25 {
-        let z = x * x;
-        let tail = H3 + z * (H5 + z * (H7 + z * (H9 + z * (H11 + z * H13))));
-        Pair { high: x, low: x * z * tail }
-    } else {
-        let rising = half_exponential(x);
-        let falling = half_exponential(-x);
-        let lead = sum(rising.high, -falling.high);
-        Pair { high: lead.high, low: lead.low + (rising.low - falling.low) }
-    }
-}
-
-/// The hyperbolic cosine of 0 to 22, before its last rounding.
-#[function]
-pub fn hyperbolic_cosine(x: f64) -> Pair {
-    let rising = half_exponential(x);
-    let falling = half_exponential(-x);
-    let lead = sum(rising.high, falling.high);
-    Pair { high: lead.high, low: lead.low + (rising.low + falling.low) }
+pub fn half_of_both(x: f64, sign: f64) -> f64 {
+    let shifted = x * STEPS_PER_UNIT + TO_INTEGER;
+    let steps = shifted - TO_INTEGER;
+    let r = (x - steps * UNIT_STEP_HIGH) - steps * UNIT_STEP_LOW;
+    let up = shifted.raw_bits();
+    let down = 0u64.wrapping_sub(up);
+    let z = r * r;
+    let even = z * (E2 + z * E4);
+    let odd = r + r * z * (E3 + z * E5);
+    let rising = 0.5 * step(up);
+    let falling = sign * 0.5 * step(down);
+    let lead = ordered_sum(rising, falling);
+    let rest = rising * (step_rest(up) + (even + odd)) + falling * (step_rest(down) + (even - odd));
+    lead.high + (lead.low + rest)
 }
 
 /// The hyperbolic sine.
 #[function]
 pub fn sinh(x: f64) -> f64 {
     let size = x.abs();
-    if size < TINY {
-        return x;
+    if size < 0.3 {
+        let z = x * x;
+        let tail = SINH[0] + z * (SINH[1] + z * (SINH[2] + z * (SINH[3] + z * SINH[4])));
+        return x + x * z * tail;
     }
-    if size < LARGE {
-        let pair = hyperbolic_sine(size);
-        (pair.high + pair.low).copysign(x)
-    } else {
-        large_half_exponential(size).copysign(x)
-    }
+    let value =
+        if size < NORMAL { half_of_both(size, -1.0) } else { far_exponential(size, 0.0, -1) };
+    if x < 0.0 { -value } else { value }
 }
 
 /// The hyperbolic cosine.
 #[function]
 pub fn cosh(x: f64) -> f64 {
     let size = x.abs();
-    if size < LARGE {
-        let pair = hyperbolic_cosine(size);
-        pair.high + pair.low
+    if size < NORMAL { half_of_both(size, 1.0) } else { far_exponential(size, 0.0, -1) }
+}
+
+/// The hyperbolic tangent of 4 and more, and of NaN.
+#[function]
+pub fn far_tangent(size: f64) -> f64 {
+    if size < 22.0 {
+        let power = exponential(2.0 * size);
+        let lead = step(power.steps);
+        1.0 - 2.0 / ((lead + lead * power.rest) + 1.0)
+    } else if size >= 22.0 {
+        1.0
     } else {
-        large_half_exponential(size)
+        size
     }
 }
 
@@ -95,13 +78,24 @@ pub fn cosh(x: f64) -> f64 {
 #[function]
 pub fn tanh(x: f64) -> f64 {
     let size = x.abs();
-    if size < TINY {
-        x
-    } else if size < LARGE {
-        quotient(hyperbolic_sine(size), hyperbolic_cosine(size)).high.copysign(x)
-    } else if size >= LARGE {
-        1.0_f64.copysign(x)
-    } else {
-        f64::NAN
+    if size < 0.25 {
+        let z = x * x;
+        let upper = TANH[4] + z * (TANH[5] + z * (TANH[6] + z * TANH[7]));
+        let tail = TANH[0] + z * (TANH[1] + z * (TANH[2] + z * (TANH[3] + z * upper)));
+        return if size < 7.450580596923828e-9 { x } else { x + x * z * tail };
     }
+    let value = if size < 4.0 {
+        // Rows stand in the middle of sixteenths.
+        let shifted = (size * 16.0 - 0.5) + TO_INTEGER;
+        let index = (shifted.raw_bits() & 63) as usize;
+        let t = size - ((shifted - TO_INTEGER) + 0.5) * 0.0625;
+        let z = t * t;
+        let tangent = t + t * z * (T3 + z * (T5 + z * (T7 + z * T9)));
+        let lead = TANHS[index][0];
+        let product = tangent * lead;
+        lead + (TANHS[index][1] + (tangent - product * (lead + tangent) / (1.0 + product)))
+    } else {
+        far_tangent(size)
+    };
+    if x < 0.0 { -value } else { value }
 }

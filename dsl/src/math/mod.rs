@@ -13,6 +13,7 @@
 pub mod arctangent;
 pub mod checked;
 pub mod exponential;
+pub mod extremes;
 mod float;
 pub mod hyperbolic;
 pub mod integer;
@@ -44,6 +45,29 @@ pub trait FloatMethods: Copy {
     fn dsl_copysign(self, sign: Self) -> Self;
     /// The bits; every NaN has the canonical ones.
     fn dsl_to_bits(self) -> Self::Bits;
+}
+
+/// The bits of a float without a look at whether it is a NaN; for the functions of this module.
+#[doc(hidden)]
+pub trait RawBits {
+    /// The unsigned integer of the same width.
+    type Bits;
+    /// The bits of a number that is not a NaN; those of a NaN differ between machines.
+    fn raw_bits(self) -> Self::Bits;
+}
+
+impl RawBits for f64 {
+    type Bits = u64;
+    fn raw_bits(self) -> u64 {
+        self.to_bits()
+    }
+}
+
+impl RawBits for f32 {
+    type Bits = u32;
+    fn raw_bits(self) -> u32 {
+        self.to_bits()
+    }
 }
 
 /// Methods of ordered numbers that the attributes redirect to the DSL.

@@ -17,6 +17,7 @@ pub struct Pair {
 }
 
 /// `a + b` without loss (Knuth).
+#[inline]
 #[function]
 pub fn sum(a: f64, b: f64) -> Pair {
     let high = a + b;
@@ -25,6 +26,7 @@ pub fn sum(a: f64, b: f64) -> Pair {
 }
 
 /// `a + b` without loss, where `a` is zero or not the smaller in magnitude (Dekker).
+#[inline]
 #[function]
 pub fn ordered_sum(a: f64, b: f64) -> Pair {
     let high = a + b;
@@ -32,6 +34,7 @@ pub fn ordered_sum(a: f64, b: f64) -> Pair {
 }
 
 /// `a * b` without loss, below 2⁹⁹⁶ and where nothing underflows (Dekker, Veltkamp).
+#[inline]
 #[function]
 pub fn product(a: f64, b: f64) -> Pair {
     const SPLITTER: f64 = 134_217_729.0;
@@ -47,6 +50,7 @@ pub fn product(a: f64, b: f64) -> Pair {
 }
 
 /// `a * b` to about 100 bits.
+#[inline]
 #[function]
 pub fn pair_product(a: Pair, b: Pair) -> Pair {
     let lead = product(a.high, b.high);
@@ -54,6 +58,7 @@ pub fn pair_product(a: Pair, b: Pair) -> Pair {
 }
 
 /// `a / b` to about 100 bits.
+#[inline]
 #[function]
 pub fn quotient(a: Pair, b: Pair) -> Pair {
     let above = ordered_sum(a.high, a.low);
@@ -65,6 +70,7 @@ pub fn quotient(a: Pair, b: Pair) -> Pair {
 }
 
 /// The square root to about 100 bits.
+#[inline]
 #[function]
 pub fn root(a: Pair) -> Pair {
     let high = a.high.sqrt();

@@ -3,59 +3,46 @@
 //! x^y = e^(y · ln x) with the logarithm and the product in two doubles; special values as C99
 //! Annex F has them. Integer powers are products by squaring, in the order that [`powi`] states.
 
-use super::exponential::{exponential, rounded};
-use super::logarithm::logarithm;
-use super::pair::product;
+use super::RawBits as _;
+use super::exponential::{NORMAL, exponential_of_pair, step};
+use super::extremes::{far_power, power_of_negative, special_power};
+use super::logarithm::{logarithm, parts};
 use crate::prelude::*;
 
-/// `size`^`y` for a `size` of zero or more and not NaN, and `y` not zero and not NaN.
-#[function]
-pub fn power_of_size(size: f64, y: f64) -> f64 {
-    // 2⁶⁴: above, any other base than 1 leaves the range.
-    const LARGE: f64 = 18_446_744_073_709_551_616.0;
-    if size == 1.0 {
-        1.0
-    } else if y.abs() > LARGE || size == 0.0 || size > f64::MAX {
-        if (size > 1.0) == (y > 0.0) { f64::INFINITY } else { 0.0 }
-    } else {
-        let logarithm = logarithm(size);
-        let lead = product(y, logarithm.high);
-        if lead.high > 750.0 {
-            f64::INFINITY
-        } else if lead.high < -750.0 {
-            0.0
-        } else {
-            rounded(exponential(lead.high, lead.low + y * logarithm.low))
-        }
-    }
-}
+/// The upper half of a double.
+const UPPER: u64 = 0xffff_ffff_0000_0000;
 
 /// x^y.
 #[function]
 pub fn powf(x: f64, y: f64) -> f64 {
-    if y == 0.0 || x == 1.0 {
-        return 1.0;
-    }
     let size = x.abs();
-    // False for NaN.
-    if !(size <= f64::INFINITY && y.abs() <= f64::INFINITY) {
-        return f64::NAN;
+    let raw = size.raw_bits();
+    if size > 0.0 && raw < 0x7ff0_0000_0000_0000 {
+        // By 2⁵⁴ below the normal numbers.
+        let small = raw < 0x0010_0000_0000_0000;
+        let bits = if small { (size * 18_014_398_509_481_984.0).raw_bits() } else { raw };
+        let parts = parts(bits);
+        let exponent = if small { parts.exponent.wrapping_sub(54) } else { parts.exponent };
+        let logarithm = logarithm(parts, exponent as f64);
+
+        // 21 bits each: their product is exact.
+        let upper = f64::from_bits(logarithm.high.raw_bits() & UPPER);
+        let y_upper = f64::from_bits(y.raw_bits() & UPPER);
+        let lower = (logarithm.high - upper) + logarithm.low;
+        let high = y_upper * upper;
+        let low = (y - y_upper) * upper + y * lower;
+        if !(high.abs() < NORMAL) {
+            return far_power(x, y, high, low);
+        }
+        let power = exponential_of_pair(high, low);
+        let lead = step(power.steps);
+        let value = lead + lead * power.rest;
+        if x > 0.0 {
+            return value;
+        }
+        return power_of_negative(value, y);
     }
-    let value = power_of_size(size, y);
-    if 1.0_f64.copysign(x) > 0.0 {
-        return value;
-    }
-    // From 2⁵³ on, every number is even.
-    let large = y.abs() >= 9_007_199_254_740_992.0;
-    let integer = large || y.floor() == y;
-    let half = 0.5 * y;
-    if integer && !large && half.floor() != half {
-        -value
-    } else if integer || size == 0.0 || size > f64::MAX {
-        value
-    } else {
-        f64::NAN
-    }
+    special_power(x, y)
 }
 
 /// x^n by squaring: with b = x, for each binary digit of |n| from the last on, the result, which

@@ -1,13 +1,21 @@
-//! Huge angles, brought to a quarter turn exactly as far as it matters.
+//! Angles brought to a quarter turn, in two doubles.
 //!
-//! After M. Payne and R. Hanek, *Radian reduction for trigonometric functions* (SIGNUM Newsletter 18,
-//! 1983): of 2/π, 192 bits are taken from where they no longer make whole turns of the angle's last
-//! bit. The angle's 53 bits and two bits of the quadrant leave 137 bits behind the point; no double is
-//! nearer than 2⁻⁶² to a multiple of π/2 (J.-M. Muller, *Elementary Functions*, chapter 11). The work
-//! is the same for every angle.
+//! Moderate ones after Cody and Waite, *Software Manual for the Elementary Functions* (1980), with π/2
+//! in four parts. Huge ones after M. Payne and R. Hanek, *Radian reduction for trigonometric
+//! functions* (SIGNUM Newsletter 18, 1983): of 2/π, 192 bits are taken from where they no longer make
+//! whole turns of the angle's last bit. The angle's 53 bits and two bits of the quadrant leave 137
+//! bits behind the point; no double is nearer than 2⁻⁶² to a multiple of π/2 (J.-M. Muller,
+//! *Elementary Functions*, chapter 11). The work is the same for every angle.
 
+use core::f64::consts::FRAC_2_PI;
+
+use super::RawBits as _;
 use super::pair::{Pair, ordered_sum, pair_product, sum};
-use super::tables::{HALF_PI_HIGH, HALF_PI_LOW, TWO_OVER_PI};
+use super::sine::TO_INTEGER;
+use super::tables::{
+    HALF_PI_HIGH, HALF_PI_LOW, QUARTER_TURN_1, QUARTER_TURN_2, QUARTER_TURN_3, QUARTER_TURN_4,
+    TWO_OVER_PI,
+};
 use crate::prelude::*;
 
 /// An angle as quarter turns and what is left.
@@ -22,7 +30,40 @@ pub struct ReducedAngle {
     pub quadrant: u64,
 }
 
+/// Up to here quarter turns are fewer than 2²⁰, rad.
+const FEW_TURNS: f64 = 1_600_000.0;
+
+/// Takes whole quarter turns off `x`, rad.
+#[function]
+pub fn reduced_angle(x: f64) -> ReducedAngle {
+    let size = x.abs();
+    if size < 0.75 {
+        ReducedAngle { high: x, low: 0.0, quadrant: 0 }
+    } else if size <= FEW_TURNS {
+        let shifted = x * FRAC_2_PI + TO_INTEGER;
+        let turns = shifted - TO_INTEGER;
+        // Three products without loss; what the two differences lose is kept.
+        let first = x - turns * QUARTER_TURN_1;
+        let part = turns * QUARTER_TURN_2;
+        let second = first - part;
+        let taken = first - second;
+        let lost = (first - (second + taken)) + (taken - part);
+        let part = turns * QUARTER_TURN_3;
+        let third = second - part;
+        let taken = second - third;
+        let lost = lost + ((second - (third + taken)) + (taken - part));
+        let rest = lost - turns * QUARTER_TURN_4;
+        let high = third + rest;
+        ReducedAngle { high, low: rest - (high - third), quadrant: shifted.raw_bits() & 3 }
+    } else if size <= f64::MAX {
+        reduced_huge_angle(x)
+    } else {
+        ReducedAngle { high: f64::NAN, low: 0.0, quadrant: 0 }
+    }
+}
+
 /// The upper 64 bits of a product.
+#[inline]
 #[function]
 pub fn upper_product(a: u64, b: u64) -> u64 {
     let a_high = a >> 32;
@@ -35,6 +76,7 @@ pub fn upper_product(a: u64, b: u64) -> u64 {
 }
 
 /// 64 bits of 2/π from bit `shift` of a word on; the next word follows.
+#[inline]
 #[function]
 pub fn window(word: u64, next: u64, shift: u64) -> u64 {
     let shift = shift & 63;
@@ -44,7 +86,7 @@ pub fn window(word: u64, next: u64, shift: u64) -> u64 {
 /// Takes whole quarter turns off an angle of 2²⁰ rad or more.
 #[function]
 pub fn reduced_huge_angle(x: f64) -> ReducedAngle {
-    let bits = x.to_bits();
+    let bits = x.raw_bits();
     // Bits of 2/π before this one make whole turns. The table starts with 64 zeros.
     let start = ((bits >> 52) & 0x7ff).wrapping_sub(1023 + 52 + 2 - 64);
     let mantissa = (bits & 0x000f_ffff_ffff_ffff) | 0x0010_0000_0000_0000;

@@ -1,37 +1,87 @@
 //! The cube root and the length of two coordinates.
 
-use super::exponential::power_of_two;
-use super::pair::{Pair, product, root, sum};
-use super::tables::{ROOT_0, ROOT_1, ROOT_2};
+use super::RawBits as _;
+use super::tables::CUBE_ROOT;
 use crate::prelude::*;
 
-/// The cube root: a parabola, two steps of Halley's method, and one of Newton's in two doubles.
+/// A number within 4 % of the cube root, from its upper bits: a third of the exponent, and of the
+/// significand as if it went on from it. `bias` is two thirds of what the exponent is stored with, in
+/// the same place, so that the error is as large to both sides.
+#[inline]
+#[function]
+pub fn coarse_root(upper: u32, bias: u32) -> f64 {
+    f64::from_bits(((upper / 3).wrapping_add(bias) as u64) << 32)
+}
+
+/// The cube root: the coarse one, better by a polynomial in the ratio of its cube to `x`, cut to 26
+/// bits so that its square is exact, and then by one step of Halley's method.
 #[function]
 pub fn cbrt(x: f64) -> f64 {
     let size = x.abs();
     if !(size > 0.0 && size <= f64::MAX) {
         return x;
     }
-    // By 2⁵⁴ below the normal numbers.
-    let subnormal = size < f64::MIN_POSITIVE;
-    let bits = if subnormal { (size * 18_014_398_509_481_984.0).to_bits() } else { size.to_bits() };
-    let bias = if subnormal { 1023 + 54 } else { 1023 };
-    // Three times 400, to divide what is positive; 1023 is divisible by 3.
-    let exponent = ((bits >> 52) & 0x7ff) as u32 + 1200 - bias;
-    let third = exponent / 3;
-    let mantissa = f64::from_bits((bits & 0x000f_ffff_ffff_ffff) | 0x3ff0_0000_0000_0000)
-        * power_of_two((exponent % 3) as i32);
+    let coarse = if size < f64::MIN_POSITIVE {
+        // By 2⁵⁴ and back, a third of which is 18.
+        coarse_root(
+            ((size * 18_014_398_509_481_984.0).raw_bits() >> 32) as u32,
+            COARSE - (18 << 20),
+        )
+    } else {
+        coarse_root((size.raw_bits() >> 32) as u32, COARSE)
+    };
+    let ratio = (coarse * coarse) * (coarse / size);
+    let upper = CUBE_ROOT[3] + ratio * CUBE_ROOT[4];
+    let factor = CUBE_ROOT[0] + ratio * (CUBE_ROOT[1] + ratio * (CUBE_ROOT[2] + ratio * upper));
+    let guess = f64::from_bits(
+        (coarse * factor).raw_bits().wrapping_add(0x4000_0000) & 0xffff_ffff_8000_0000,
+    );
+    let quotient = size / (guess * guess);
+    let value = guess + guess * ((quotient - guess) / ((guess + guess) + quotient));
+    if x < 0.0 { -value } else { value }
+}
 
-    let mut guess = ROOT_0 + mantissa * (ROOT_1 + mantissa * ROOT_2);
-    for _ in 0..2 {
-        let cube = guess * guess * guess;
-        guess *= (cube + 2.0 * mantissa) / (2.0 * cube + mantissa);
+/// What makes [`coarse_root`] right in the middle.
+pub const COARSE: u32 = 0x2a9f_7100;
+
+/// √(x² + y²) for 2^−500 to 2^500, the larger first: the root of the sum, and what it is off by, from
+/// differences that lose nothing (C. F. Borges, *An improved algorithm for hypot(a, b)*, 2019).
+#[inline]
+#[function]
+pub fn length(large: f64, small: f64) -> f64 {
+    let guess = (large * large + small * small).sqrt();
+    let off = if guess <= 2.0 * small {
+        let delta = guess - small;
+        large * (2.0 * delta - large) + (delta - 2.0 * (large - small)) * delta
+    } else {
+        let delta = guess - large;
+        2.0 * delta * (large - 2.0 * small) + ((4.0 * delta - small) * small + delta * delta)
+    };
+    guess - off / (2.0 * guess)
+}
+
+/// √(x² + y²) where a square could leave the range; the larger first, and neither negative.
+#[function]
+pub fn far_length(large: f64, small: f64) -> f64 {
+    if large > f64::MAX || small > f64::MAX {
+        return f64::INFINITY;
     }
-    let square = product(guess, guess);
-    let cube = product(square.high, guess);
-    let rest = (mantissa - cube.high) - (cube.low + square.low * guess);
-    let value = guess + rest / (3.0 * square.high);
-    (value * power_of_two((third as i32).wrapping_sub(400))).copysign(x)
+    // False for NaN.
+    if !(large <= f64::MAX && small <= f64::MAX) {
+        return f64::NAN;
+    }
+    // By 2⁻⁶⁰ the smaller is lost.
+    if small <= large * 8.673617379884035e-19 {
+        return large + small;
+    }
+    // By 2^±600.
+    if large > 1e150 {
+        length(large * 2.409919865102884e-181, small * 2.409919865102884e-181)
+            * 4.149515568880993e180
+    } else {
+        length(large * 4.149515568880993e180, small * 4.149515568880993e180)
+            * 2.409919865102884e-181
+    }
 }
 
 /// √(x² + y²), without overflow on the way.
@@ -39,39 +89,7 @@ pub fn cbrt(x: f64) -> f64 {
 pub fn hypot(x: f64, y: f64) -> f64 {
     let width = x.abs();
     let height = y.abs();
-    if width > f64::MAX || height > f64::MAX {
-        return f64::INFINITY;
-    }
-    // False for NaN.
-    if !(width <= f64::MAX && height <= f64::MAX) {
-        return f64::NAN;
-    }
     let large = if width > height { width } else { height };
     let small = if width > height { height } else { width };
-    // By 2⁻⁶⁰ the smaller is lost.
-    if small <= large * 8.673617379884035e-19 {
-        return large + small;
-    }
-    // By 2^±600 where squares leave the range.
-    let down = large > 1e150;
-    let up = small < 1e-130;
-    let scale = if down {
-        2.409919865102884e-181
-    } else if up {
-        4.149515568880993e180
-    } else {
-        1.0
-    };
-    let back = if down {
-        4.149515568880993e180
-    } else if up {
-        2.409919865102884e-181
-    } else {
-        1.0
-    };
-    let long = product(large * scale, large * scale);
-    let short = product(small * scale, small * scale);
-    let lead = sum(long.high, short.high);
-    let length = root(Pair { high: lead.high, low: lead.low + (long.low + short.low) });
-    (length.high + length.low) * back
+    if large < 1e150 && small > 1e-130 { length(large, small) } else { far_length(large, small) }
 }

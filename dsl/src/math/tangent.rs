@@ -1,22 +1,69 @@
-//! The tangent: the quotient of sine and cosine of the reduced angle, both in two doubles.
+//! The tangent.
+//!
+//! An angle is brought within π/128 of a row of a table of tangents T, as for the sine, and
+//! tan(c + t) = T + u + u·T·(T + u) / (1 − u·T) with u = tan t. Next to the zeros and poles, and beyond
+//! 50 000 rad, the angle is reduced in two doubles.
 
-use super::pair::quotient;
-use super::sine::{cosine_of_rest, reduced_angle, sine_of_rest};
+use super::RawBits as _;
+use super::pair::{Pair, quotient};
+use super::reduction::reduced_angle;
+use super::sine::{MODERATE, TINY, TO_INTEGER};
+use super::tables::{STEP_HIGH, STEP_LOW, STEPS_PER_RADIAN, TANGENT, TANGENTS};
 use crate::prelude::*;
+
+const T3: f64 = 1.0 / 3.0;
+const T5: f64 = 2.0 / 15.0;
+const T7: f64 = 17.0 / 315.0;
+const T9: f64 = 62.0 / 2_835.0;
+
+/// Tangent of `row`·π/64 + `rest` for |rest| ≤ π/128, 2½ rows and more away from zero, 4½ from the pole.
+#[inline]
+#[function]
+pub fn tangent_from_row(row: u64, rest: f64) -> f64 {
+    let index = (row & 63) as usize;
+    let lead = TANGENTS[index][0];
+    let z = rest * rest;
+    let tangent = rest + rest * z * (T3 + z * (T5 + z * (T7 + z * T9)));
+    let product = tangent * lead;
+    lead + (TANGENTS[index][1] + (tangent + product * (lead + tangent) / (1.0 - product)))
+}
+
+/// Tangent of `x`, by way of the reduced angle in two doubles.
+#[function]
+pub fn tangent_by_reduction(x: f64) -> f64 {
+    if x.abs() < TINY {
+        return x;
+    }
+    let angle = reduced_angle(x);
+    if angle.high.abs() < 0.22 {
+        let z = angle.high * angle.high;
+        let end = TANGENT[5] + z * (TANGENT[6] + z * TANGENT[7]);
+        let upper = TANGENT[2] + z * (TANGENT[3] + z * (TANGENT[4] + z * end));
+        let tail = TANGENT[0] + z * (TANGENT[1] + z * upper);
+        let low = angle.low + angle.high * z * tail;
+        if (angle.quadrant & 1) == 0 {
+            angle.high + low
+        } else {
+            quotient(Pair { high: -1.0, low: 0.0 }, Pair { high: angle.high, low }).high
+        }
+    } else {
+        let shifted = angle.high * STEPS_PER_RADIAN + TO_INTEGER;
+        let steps = shifted - TO_INTEGER;
+        let rest = ((angle.high - steps * STEP_HIGH) - steps * STEP_LOW) + angle.low;
+        tangent_from_row(shifted.raw_bits().wrapping_add(angle.quadrant << 5), rest)
+    }
+}
 
 /// Tangent of an angle in rad.
 #[function]
 pub fn tan(x: f64) -> f64 {
-    // 2⁻²⁷: below, an angle is its own tangent.
-    if x.abs() < 7.450580596923828e-9 {
-        return x;
-    }
-    let angle = reduced_angle(x);
-    let sine = sine_of_rest(angle.high, angle.low);
-    let cosine = cosine_of_rest(angle.high, angle.low);
-    if (angle.quadrant & 1) == 0 {
-        quotient(sine, cosine).high
+    let shifted = x * STEPS_PER_RADIAN + TO_INTEGER;
+    let row = shifted.raw_bits();
+    let plain = (row.wrapping_add(2) & 63) > 4 && (row.wrapping_add(36) & 63) > 8;
+    if plain && x.abs() < MODERATE {
+        let steps = shifted - TO_INTEGER;
+        tangent_from_row(row, (x - steps * STEP_HIGH) - steps * STEP_LOW)
     } else {
-        -quotient(cosine, sine).high
+        tangent_by_reduction(x)
     }
 }

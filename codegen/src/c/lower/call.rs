@@ -3,7 +3,7 @@
 use bessemer_ir::{Argument, Expr as Ir, ExprKind, FunctionId, Place, Type};
 
 use super::super::analysis::{overlap, reads};
-use super::super::names::{Passing, Returned};
+use super::super::names::{Passing, Returned, Storage};
 use super::super::tree::{Expr, StmtKind};
 use super::Lower;
 use super::copy::indexed_by;
@@ -131,7 +131,9 @@ impl Lower<'_> {
 
     fn arguments(&mut self, callee: FunctionId, arguments: &[Argument]) -> Vec<Expr> {
         let signature = self.context.names.signature(callee);
-        self.uses.headers.insert(signature.header.clone());
+        if signature.storage != Storage::Inline {
+            self.uses.headers.insert(signature.header.clone());
+        }
         let mut list = Vec::new();
         for (argument, param) in arguments.iter().zip(&signature.params) {
             list.push(match argument {

@@ -34,6 +34,8 @@ use super::tree::{Declarator, Expr, Init, Origin, Stmt, StmtKind, plain};
 /// What a file must contain or include for the functions in it.
 #[derive(Clone, Debug, Default)]
 pub struct Uses {
+    /// The file, by its header.
+    pub file: String,
     /// Helper functions.
     pub helpers: BTreeSet<Helper>,
     /// Named constants.
@@ -337,7 +339,7 @@ impl<'a> Lower<'a> {
 
     /// The name of a constant here.
     fn constant(&self, id: ConstId) -> &str {
-        self.context.names.constant(&self.signature.header, id)
+        self.context.names.constant(&self.uses.file, id)
     }
 
     /// The storage that the caller gives for the result.

@@ -108,6 +108,7 @@ impl Lower<'_> {
             (Intrinsic::Max, ..) => self.helper(Helper::Max(scalar), values),
             (Intrinsic::Clamp, ..) => self.helper(Helper::Clamp(scalar), values),
             (Intrinsic::ToBits, Some(float), _) => self.helper(Helper::Bits(float), values),
+            (Intrinsic::RawBits, Some(float), _) => self.helper(Helper::RawBits(float), values),
             (Intrinsic::FromBits, ..) => {
                 let float = ty.as_float().expect("the validator asks for a float");
                 self.helper(Helper::FromBits(float), values)

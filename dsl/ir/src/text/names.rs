@@ -136,6 +136,7 @@ table! {
     "clamp" => Intrinsic::Clamp,
     "floor" => Intrinsic::Floor,
     "to_bits" => Intrinsic::ToBits,
+    "raw_bits" => Intrinsic::RawBits,
     "from_bits" => Intrinsic::FromBits,
     "copysign" => Intrinsic::Copysign,
     "wrapping_add" => Intrinsic::WrappingAdd,

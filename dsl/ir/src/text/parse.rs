@@ -362,6 +362,8 @@ impl Parser {
             Role::Entry { infallible: self.eat_word("infallible") }
         } else if self.eat_word("private") {
             Role::Private
+        } else if self.eat_word("inline") {
+            Role::Inline
         } else {
             Role::Public
         };

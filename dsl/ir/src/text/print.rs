@@ -224,6 +224,7 @@ impl<'m> Printer<'m> {
             Role::Entry { infallible: false } => "entry fn",
             Role::Public => "fn",
             Role::Private => "private fn",
+            Role::Inline => "inline fn",
         };
         let place = relative(function.span, Span::default(), Span::default());
         self.out.push('\n');

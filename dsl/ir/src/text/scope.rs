@@ -76,7 +76,7 @@ fn intrinsic(function: Intrinsic, operand: &Type) -> Option<Type> {
         Type::Scalar(scalar) => function.result(*scalar).map(Type::Scalar),
         _ => None,
     };
-    let same = !matches!(function, Intrinsic::ToBits | Intrinsic::FromBits);
+    let same = !matches!(function, Intrinsic::ToBits | Intrinsic::RawBits | Intrinsic::FromBits);
     known.or_else(|| same.then(|| operand.clone()))
 }
 

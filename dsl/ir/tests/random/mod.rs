@@ -211,6 +211,7 @@ impl Source<'_> {
             role: self.pick(&[
                 Role::Public,
                 Role::Private,
+                Role::Inline,
                 Role::Entry { infallible: true },
                 Role::Entry { infallible: false },
             ]),
@@ -339,6 +340,7 @@ impl Source<'_> {
             I::Clamp,
             I::Floor,
             I::ToBits,
+            I::RawBits,
             I::FromBits,
             I::Copysign,
             I::WrappingAdd,

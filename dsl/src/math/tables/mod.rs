@@ -5,7 +5,11 @@
 #![allow(clippy::approx_constant)]
 
 mod angles;
+mod finer;
+mod logarithms;
 mod powers;
 
 pub use angles::*;
+pub use finer::*;
+pub use logarithms::*;
 pub use powers::*;

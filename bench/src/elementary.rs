@@ -1,0 +1,342 @@
+//! The elementary functions against the C libraries: time on this machine against glibc, executed
+//! instructions on the emulated Cortex-A9 against glibc and newlib, and bytes of code.
+//!
+//! Same compiler, same flags, same arguments, in turn within one run. newlib's `libm` is linked under
+//! names of its own beside glibc's.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use bessemer_codegen::c;
+use bessemer_codegen::c::names::Names;
+use bessemer_codegen::compile::Compiled;
+use bessemer_tests::toolchain::{CORTEX_A9, run};
+use bessemer_tests::workspace::Workspace;
+use serde_json::{Value, json};
+
+use crate::count;
+
+/// A function, what C calls it, and the arguments it is measured on.
+struct Subject {
+    rust: &'static str,
+    c: &'static str,
+    x: [f64; 2],
+    y: Option<[f64; 2]>,
+}
+
+const fn one(rust: &'static str, c: &'static str, x: [f64; 2]) -> Subject {
+    Subject { rust, c, x, y: None }
+}
+
+const fn two(rust: &'static str, c: &'static str, x: [f64; 2], y: [f64; 2]) -> Subject {
+    Subject { rust, c, x, y: Some(y) }
+}
+
+/// Arguments as models have them: angles of a few turns, exponents of a few.
+const SUBJECTS: &[Subject] = &[
+    one("sin", "sin", [-10.0, 10.0]),
+    one("cos", "cos", [-10.0, 10.0]),
+    one("tan", "tan", [-10.0, 10.0]),
+    one("asin", "asin", [-1.0, 1.0]),
+    one("acos", "acos", [-1.0, 1.0]),
+    one("atan", "atan", [-10.0, 10.0]),
+    two("atan2", "atan2", [-10.0, 10.0], [-10.0, 10.0]),
+    one("exp", "exp", [-10.0, 10.0]),
+    one("exp2", "exp2", [-10.0, 10.0]),
+    one("exp_m1", "expm1", [-5.0, 5.0]),
+    one("ln", "log", [0.01, 100.0]),
+    one("log2", "log2", [0.01, 100.0]),
+    one("log10", "log10", [0.01, 100.0]),
+    one("ln_1p", "log1p", [-0.9, 10.0]),
+    one("sinh", "sinh", [-5.0, 5.0]),
+    one("cosh", "cosh", [-5.0, 5.0]),
+    one("tanh", "tanh", [-5.0, 5.0]),
+    two("powf", "pow", [0.01, 100.0], [-10.0, 10.0]),
+    one("cbrt", "cbrt", [-100.0, 100.0]),
+    two("hypot", "hypot", [-10.0, 10.0], [-10.0, 10.0]),
+];
+
+/// What was measured of one function in one format.
+#[derive(Clone, Debug, Default)]
+pub struct Row {
+    /// `sin`, `sinf`.
+    pub name: String,
+    /// Our time over glibc's on this machine, in each round.
+    pub ratios: Vec<f64>,
+    /// Nanoseconds, ours and glibc's: the medians.
+    pub nanoseconds: [f64; 2],
+    /// Instructions of a call on the Cortex-A9: ours, glibc's, newlib's.
+    pub instructions: [f64; 3],
+    /// Bytes of code and tables on the Cortex-A9, callees included: ours, glibc's, newlib's.
+    pub bytes: [u64; 3],
+}
+
+impl Row {
+    /// The median of the ratios.
+    pub fn ratio(&self) -> f64 {
+        self.ratios.get(self.ratios.len() / 2).copied().unwrap_or(f64::NAN)
+    }
+
+    fn json(&self) -> Value {
+        let hundredths = |value: f64| (100.0 * value).round() / 100.0;
+        let spread = [0, self.ratios.len() / 2, self.ratios.len().saturating_sub(1)];
+        json!({
+            "function": self.name,
+            "host_ratio": spread.map(|index| hundredths(self.ratios[index])),
+            "host_nanoseconds": self.nanoseconds.map(hundredths),
+            "a9_instructions": self.instructions.map(hundredths),
+            "a9_bytes": self.bytes,
+        })
+    }
+}
+
+/// For machines.
+pub fn json(rows: &[Row]) -> Value {
+    json!({
+        "command": "cargo xtask bench",
+        "host_flags": FLAGS.join(" "),
+        "a9_flags": format!("{} {}", FLAGS.join(" "), CORTEX_A9.join(" ")),
+        "host_ratio": "smallest, median, largest of the rounds: ours / glibc's",
+        "host_nanoseconds": "ours, glibc",
+        "a9_instructions": "a call: ours, glibc, newlib",
+        "a9_bytes": "code and tables with callees: ours, glibc, newlib",
+        "functions": rows.iter().map(Row::json).collect::<Vec<_>>(),
+    })
+}
+
+/// For people.
+pub fn table(rows: &[Row]) -> String {
+    let mut text = String::from(
+        "| function | host: ours / glibc | ns, ns | A9 instructions: ours, glibc, newlib | A9 bytes: ours, glibc, newlib |\n\
+         |---|---|---|---|---|\n",
+    );
+    for row in rows {
+        let ([ours, theirs], [a, b, c], [d, e, f]) = (row.nanoseconds, row.instructions, row.bytes);
+        let _ = writeln!(
+            text,
+            "| `{}` | {:.2} | {ours:.1}, {theirs:.1} | {a:.0}, {b:.0}, {c:.0} | {d}, {e}, {f} |",
+            row.name,
+            row.ratio()
+        );
+    }
+    text
+}
+
+/// The flags of both sides on this machine.
+const FLAGS: &[&str] = &["-O2", "-ffp-contract=off", "-std=gnu99"];
+/// The program around them: without this the compiler would work out calls of its own accord.
+const DRIVER_FLAGS: &[&str] = &["-fno-builtin"];
+/// newlib's libm for the A9's instruction set.
+const NEWLIB: &str = "/usr/lib/arm-none-eabi/newlib/thumb/v7-a+fp/hard/libm.a";
+
+/// Measures everything in `rounds` rounds.
+///
+/// # Errors
+/// What a tool said.
+pub fn measure(rounds: u32) -> Result<Vec<Row>, String> {
+    let failed = |error: std::io::Error| error.to_string();
+    let compiled = Workspace::with_source(&model()).map_err(failed)?.compiled()?;
+    let names = Names::new(&compiled.explicit, &c::Options::default());
+    let folder = bessemer_tests::process::lay_out(&compiled).map_err(|error| error.to_string())?;
+    let here = folder.path();
+    let driver = here.join("bench_driver.c");
+    fs::write(&driver, include_str!("elementary/driver.c")).map_err(failed)?;
+    let headers = compiled.files.iter().filter(|file| file.name.ends_with(".h"));
+    let headers: String = headers.map(|file| format!("#include \"{}\"\n", file.name)).collect();
+    fs::write(here.join("subjects.h"), headers + &newlib_prototypes()).map_err(failed)?;
+    let mut lines = String::new();
+    let mut rows = Vec::new();
+    for (subject, single) in formats() {
+        let ours = emitted(&compiled, &names, &rust_name(subject, single))?;
+        let theirs = c_name(subject, single);
+        let kind = if subject.y.is_some() { "B" } else { "U" };
+        let ty = if single { "float" } else { "double" };
+        let [low, high] = subject.x;
+        let ranges = subject.y.map_or(String::new(), |[low, high]| format!(", {low:?}, {high:?}"));
+        let _ = writeln!(
+            lines,
+            "{kind}(\"{theirs}\", {ty}, {ours}, {theirs}, newlib_{theirs}, {low:?}, {high:?}{ranges})"
+        );
+        rows.push(Row { name: rust_name(subject, single), ..Row::default() });
+    }
+    fs::write(here.join("functions.inc"), lines).map_err(failed)?;
+
+    time(here, folder.sources(), &driver, rounds, &mut rows)?;
+    let objects = Objects::new(here, folder.sources())?;
+    instructions(here, &objects, &driver, &mut rows)?;
+    for ((subject, single), row) in formats().zip(&mut rows) {
+        let ours = emitted(&compiled, &names, &rust_name(subject, single))?;
+        let theirs = c_name(subject, single);
+        row.bytes = [
+            objects.bytes(&ours, &[])?,
+            objects.bytes(&theirs, &["-lm"])?,
+            objects.bytes(&format!("newlib_{theirs}"), &[&objects.newlib])?,
+        ];
+    }
+    Ok(rows)
+}
+
+fn formats() -> impl Iterator<Item = (&'static Subject, bool)> {
+    let single = |single| SUBJECTS.iter().map(move |subject| (subject, single));
+    single(false).chain(single(true))
+}
+
+fn rust_name(subject: &Subject, single: bool) -> String {
+    format!("{}{}", subject.rust, if single { "f" } else { "" })
+}
+
+fn c_name(subject: &Subject, single: bool) -> String {
+    format!("{}{}", subject.c, if single { "f" } else { "" })
+}
+
+/// A model that calls everything.
+fn model() -> String {
+    let mut text = String::from("//! Everything.\n#![no_std]\nuse bessemer::prelude::*;\n");
+    for (subject, single) in formats() {
+        let ty = if single { "f32" } else { "f64" };
+        let argument = if subject.y.is_some() { "y" } else { "" };
+        let _ = writeln!(
+            text,
+            "\n/// Calls it.\n#[function]\npub fn call_{}(x: {ty}, y: {ty}) -> {ty} {{\n    x.{}({argument}) + y\n}}",
+            rust_name(subject, single),
+            subject.rust
+        );
+    }
+    text
+}
+
+/// The C name of a function of the DSL's mathematics.
+fn emitted(compiled: &Compiled, names: &Names, name: &str) -> Result<String, String> {
+    let functions = compiled.explicit.functions.iter();
+    let index = functions
+        .zip(&names.functions)
+        .find(|(function, _)| function.module.contains("::math::") && function.name == name);
+    index.map(|(_, signature)| signature.name.clone()).ok_or(format!("no `{name}` was emitted"))
+}
+
+fn newlib_prototypes() -> String {
+    let mut text = String::new();
+    for (subject, single) in formats() {
+        let ty = if single { "float" } else { "double" };
+        let second = if subject.y.is_some() { format!(", {ty}") } else { String::new() };
+        let _ = writeln!(text, "{ty} newlib_{}({ty}{second});", c_name(subject, single));
+    }
+    text
+}
+
+fn time(
+    here: &Path,
+    sources: &[PathBuf],
+    driver: &Path,
+    rounds: u32,
+    rows: &mut [Row],
+) -> Result<(), String> {
+    let (program, object) = (here.join("bench_host"), here.join("bench_driver.o"));
+    let gcc = || {
+        let mut command = Command::new("gcc");
+        command.args(FLAGS);
+        command
+    };
+    let rounds = format!("-DROUNDS={rounds}");
+    run(gcc().args(DRIVER_FLAGS).arg(rounds).arg("-c").arg(driver).arg("-o").arg(&object))?;
+    run(gcc().args(sources).arg(&object).arg("-o").arg(&program).arg("-lm"))?;
+    let output = Command::new(&program).output().map_err(|error| error.to_string())?;
+    let text = String::from_utf8_lossy(&output.stdout);
+    for (row, line) in rows.iter_mut().zip(text.lines()) {
+        let times: Vec<f64> =
+            line.split(' ').skip(1).filter_map(|number| number.parse().ok()).collect();
+        row.ratios = times.chunks_exact(2).map(|pair| pair[0] / pair[1]).collect();
+        row.ratios.sort_by(f64::total_cmp);
+        row.nanoseconds = [0, 1].map(|side| {
+            let mut one: Vec<f64> = times.iter().skip(side).step_by(2).copied().collect();
+            one.sort_by(f64::total_cmp);
+            one.get(one.len() / 2).copied().unwrap_or(f64::NAN)
+        });
+    }
+    Ok(())
+}
+
+/// Our C and newlib's libm, compiled for the Cortex-A9.
+struct Objects {
+    folder: PathBuf,
+    ours: Vec<PathBuf>,
+    newlib: String,
+}
+
+impl Objects {
+    fn new(here: &Path, sources: &[PathBuf]) -> Result<Objects, String> {
+        let newlib = here.join("newlib_libm.a");
+        run(Command::new("arm-none-eabi-objcopy")
+            .args(["--prefix-symbols=newlib_", NEWLIB])
+            .arg(&newlib))?;
+        let mut ours = Vec::new();
+        for source in sources {
+            let object = source.with_extension("o");
+            let mut command = target();
+            command.args(["-ffunction-sections", "-fdata-sections", "-c"]);
+            run(command.arg(source).arg("-o").arg(&object))?;
+            ours.push(object);
+        }
+        let newlib = newlib.display().to_string();
+        Ok(Objects { folder: here.to_owned(), ours, newlib })
+    }
+
+    /// Code and tables that `name` needs from these and from `library`.
+    fn bytes(&self, name: &str, library: &[&str]) -> Result<u64, String> {
+        let program = self.folder.join("bench_bytes");
+        let entry =
+            format!("-Wl,--gc-sections,--unresolved-symbols=ignore-all,-e,{name},-u,{name}");
+        let mut command = target();
+        command.args(["-nostdlib", &entry]);
+        if library.is_empty() {
+            command.args(&self.ours);
+        }
+        run(command.args(library).arg("-o").arg(&program))?;
+        let output = Command::new("arm-linux-gnueabihf-size")
+            .arg("-A")
+            .arg(&program)
+            .output()
+            .map_err(|error| error.to_string())?;
+        let text = String::from_utf8_lossy(&output.stdout);
+        let sections = text.lines().filter_map(|line| {
+            let mut words = line.split_whitespace();
+            let name = words.next()?;
+            let kept = [".text", ".rodata", ".data"].iter().any(|kept| name.starts_with(kept));
+            kept.then(|| words.next()?.parse::<u64>().ok()).flatten()
+        });
+        Ok(sections.sum())
+    }
+}
+
+fn target() -> Command {
+    let mut command = Command::new("arm-linux-gnueabihf-gcc");
+    command.args(FLAGS).args(CORTEX_A9);
+    // newlib's objects were compiled for another ABI's enums, which none of these functions uses.
+    command.arg("-Wl,--no-enum-size-warning");
+    command
+}
+
+fn instructions(
+    here: &Path,
+    objects: &Objects,
+    driver: &Path,
+    rows: &mut [Row],
+) -> Result<(), String> {
+    const POINTS: f64 = 2048.0;
+    let (program, object) = (here.join("bench_target"), here.join("bench_driver_target.o"));
+    run(target().args(DRIVER_FLAGS).args(["-DCOUNT", "-c"]).arg(driver).arg("-o").arg(&object))?;
+    run(target()
+        .arg(&object)
+        .args(&objects.ours)
+        .arg(&objects.newlib)
+        .args(["-lm", "-Wl,--defsym=newlib___aeabi_l2d=__aeabi_l2d", "-o"])
+        .arg(&program))?;
+    let counts = count::count(&program, here)?;
+    for (row, counts) in rows.iter_mut().zip(counts.chunks_exact(4)) {
+        let [nothing, ours, glibc, newlib] = [0, 1, 2, 3].map(|index| counts[index] as f64);
+        row.instructions = [ours, glibc, newlib].map(|count| (count - nothing) / POINTS);
+    }
+    Ok(())
+}
