@@ -178,8 +178,14 @@ impl Lowering<'_> {
     ) -> Option<tree::Expr> {
         let mut looks = Vec::new();
         let pattern = closure.inputs.iter().nth(at)?.clone();
+        let before = self.scopes.last().map_or(0, Vec::len);
         self.name_item(flow, &pattern, &mut looks)?;
-        Some(self.closure_body(closure, looks))
+        let body = self.closure_body(closure, looks);
+        // The next closure sees the names of the function, not those of this one.
+        for (name, _) in self.scopes.last_mut()?.iter_mut().skip(before) {
+            name.clear();
+        }
+        Some(body)
     }
 
     fn name_item(
