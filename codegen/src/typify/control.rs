@@ -134,6 +134,14 @@ impl Lowering<'_, '_> {
         let value = self.value(expr, Some(&ty))?;
         self.agree(&value.ty, &ty, expr.site)?;
         let span = value.span;
+        if let (Target::Place(place), ExprKind::Load(same)) = (target, &value.kind)
+            && place.root == same.root
+            && place.steps.is_empty()
+            && same.steps.is_empty()
+        {
+            // `|mut sum, x| { sum += x; sum }`.
+            return Ok(());
+        }
         let kind = match target {
             Target::Place(place) => StmtKind::Assign { place: place.clone(), value },
             Target::Return => StmtKind::Return(Some(value)),

@@ -78,6 +78,12 @@ impl Lowering<'_, '_> {
             tree::ExprKind::Match(scrutinee, arms) if is_question(arms) => {
                 self.question(scrutinee, &arms[0], site)
             }
+            tree::ExprKind::Fold { .. } => {
+                let local = self.fold(expr, None)?;
+                let (ty, span) = (self.locals[local.index()].ty.clone(), self.span(site));
+                let place = Place { root: local, steps: Vec::new(), ty: ty.clone(), span };
+                self.node(ExprKind::Load(place), ty, site)
+            }
             _ if control_with_value(expr) => self.control_value(expr, expected),
             _ => match self.place(expr)? {
                 Some(place) => {

@@ -105,11 +105,16 @@ pub(super) fn lower(cx: &mut Context<'_>, source: &tree::Function) -> Result<Fun
         params: tree.params.len() as u32,
         result_name,
         body: Block(lowering.out),
-        locals: lowering.locals,
+        locals: lowering.locals.into_iter().map(without_marks).collect(),
         result,
         kernel: None,
         span,
     })
+}
+
+/// The local without the marks that kept its name apart from others.
+fn without_marks(local: Local) -> Local {
+    Local { name: local.name.replace('%', ""), ..local }
 }
 
 /// The author's name for the result if the body ends in one, else the name of its type.
@@ -308,6 +313,12 @@ impl Lowering<'_, '_> {
         }
         let naming = std::mem::replace(&mut self.naming, name.to_owned());
         match value {
+            Some(value) if matches!(value.kind, tree::ExprKind::Fold { .. }) => {
+                // The loop gathers in the variable itself.
+                let local = self.fold(value, Some(name))?;
+                self.agree(&self.locals[local.index()].ty.clone(), &ty, site)?;
+                self.bind(name, Binding::Local(local));
+            }
             Some(value) if !control_with_value(value) => {
                 // The name means the new local only after its value.
                 let before = self.locals.len();

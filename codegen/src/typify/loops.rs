@@ -54,6 +54,9 @@ impl Lowering<'_, '_> {
         ])?;
         let [from, to] = two(bounds, site)?;
         let name = if name.starts_with('_') { "pass" } else { name };
+        if range.step.is_some() {
+            return self.stepped(site, label, (name, ty), range, [from, to], body);
+        }
         self.repeated(label, None, span, |inner| {
             let mut variable = LocalId(0);
             let body = inner.scoped(|inner| {

@@ -15,6 +15,7 @@ mod equal;
 mod expr;
 mod fields;
 mod function;
+mod gather;
 mod generic;
 mod kernels;
 mod list;
@@ -26,6 +27,7 @@ mod option;
 mod order;
 mod pattern;
 mod place;
+mod stepped;
 mod types;
 
 use std::collections::{HashMap, HashSet};

@@ -372,6 +372,15 @@ pub enum ExprKind {
         /// What is repeated.
         body: Block,
     },
+    /// What a loop gathers: `values.iter().sum()`, `values.map(…)` and the like.
+    Fold {
+        /// The name of what is gathered.
+        name: String,
+        /// What it is before the loop.
+        start: Start,
+        /// The loop, which assigns it.
+        each: Box<Expr>,
+    },
     /// `while condition`, or `loop` without one.
     While {
         /// The author's label, without the apostrophe.
@@ -393,6 +402,19 @@ pub enum ExprKind {
     Assert(Box<Expr>),
 }
 
+/// What is gathered before the first pass of a loop.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Start {
+    /// An empty sum: 0, of floats −0.
+    Sum,
+    /// An empty product: 1.
+    Product,
+    /// A value.
+    Value(Box<Expr>),
+    /// Nothing yet: each pass assigns an element.
+    Elements,
+}
+
 /// The range of a `for`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[allow(missing_docs)]
@@ -401,6 +423,8 @@ pub struct Range {
     pub to: Expr,
     pub inclusive: bool,
     pub reversed: bool,
+    /// Every how many of it, with `.step_by(n)`.
+    pub step: Option<Expr>,
 }
 
 /// An array that a loop goes through.

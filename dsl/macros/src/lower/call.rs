@@ -17,6 +17,9 @@ use crate::redirect;
 
 impl Lowering<'_> {
     pub(super) fn call(&mut self, it: &mut syn::ExprCall) -> ExprKind {
+        if let Some(kind) = self.from_fn(it) {
+            return kind;
+        }
         let arguments: Vec<_> = it.args.iter_mut().map(|argument| self.value(argument)).collect();
         let syn::Expr::Path(function) = &mut *it.func else {
             self.refusals.add(it.func.span(), refuse::FUNCTION_VALUE);
@@ -25,7 +28,13 @@ impl Lowering<'_> {
         if arguments.is_empty() && is_default(function) {
             return self.default_value(function);
         }
-        let local = function.path.get_ident().is_some_and(|name| self.is_local(&text(name)));
+        let name = function.path.get_ident().map(text);
+        if let Some(kind) =
+            name.as_ref().and_then(|name| self.closure_call(name, &arguments, function.span()))
+        {
+            return kind;
+        }
+        let local = name.is_some_and(|name| self.is_local(&name));
         let reason = if local {
             // A closure or a function pointer was refused where it came from.
             self.refusals.is_empty().then_some(refuse::FUNCTION_VALUE)
@@ -55,6 +64,9 @@ impl Lowering<'_> {
     }
 
     pub(super) fn method_call(&mut self, it: &mut syn::ExprMethodCall) -> ExprKind {
+        if let Some(kind) = self.chain(it) {
+            return kind;
+        }
         let mut arguments = vec![self.value(&mut it.receiver)];
         // What a panic would say stays in the Rust.
         let message = ["expect", "expect_err"].iter().any(|name| it.method == name)

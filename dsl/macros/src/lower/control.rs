@@ -99,12 +99,20 @@ impl Lowering<'_> {
         })
     }
 
-    fn range(&mut self, expr: &mut syn::Expr) -> Option<tree::Range> {
+    pub(super) fn range(&mut self, expr: &mut syn::Expr) -> Option<tree::Range> {
         match expr {
             syn::Expr::Paren(it) => self.range(&mut it.expr),
             syn::Expr::MethodCall(it) if it.method == "rev" && it.args.is_empty() => {
                 let range = self.range(&mut it.receiver)?;
                 Some(tree::Range { reversed: !range.reversed, ..range })
+            }
+            syn::Expr::MethodCall(it) if it.method == "step_by" && it.args.len() == 1 => {
+                let range = self.range(&mut it.receiver)?;
+                if range.reversed || range.step.is_some() {
+                    self.refusals.add(it.method.span(), refuse::STEP_ORDER);
+                }
+                let step = Some(self.value(&mut it.args[0]));
+                Some(tree::Range { step, ..range })
             }
             syn::Expr::Range(it) => {
                 let (Some(from), Some(to)) = (&mut it.start, &mut it.end) else {
@@ -113,7 +121,7 @@ impl Lowering<'_> {
                 };
                 let inclusive = matches!(it.limits, syn::RangeLimits::Closed(_));
                 let (from, to) = (self.value(from), self.value(to));
-                Some(tree::Range { from, to, inclusive, reversed: false })
+                Some(tree::Range { from, to, inclusive, reversed: false, step: None })
             }
             other => {
                 self.refusals.add(other.span(), refuse::ITERATOR);

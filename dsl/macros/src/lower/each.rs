@@ -8,7 +8,7 @@ use syn::spanned::Spanned;
 use super::{Lowering, refuse, text};
 
 /// What a loop goes through.
-enum Source {
+pub(super) enum Source {
     One { array: Box<tree::Expr>, owned: bool },
     Zip(Box<Source>, Box<Source>),
 }
@@ -72,7 +72,7 @@ impl Lowering<'_> {
         })
     }
 
-    fn source(&mut self, expr: &mut syn::Expr) -> Source {
+    pub(super) fn source(&mut self, expr: &mut syn::Expr) -> Source {
         match expr {
             syn::Expr::Paren(it) if !matches!(&*it.expr, syn::Expr::Range(_)) => {
                 self.source(&mut it.expr)
@@ -98,7 +98,7 @@ impl Lowering<'_> {
         }
     }
 
-    fn elements(
+    pub(super) fn elements(
         &mut self,
         pattern: &syn::Pat,
         source: Source,
@@ -128,7 +128,9 @@ pub fn is_range(expr: &syn::Expr) -> bool {
     match expr {
         syn::Expr::Range(_) => true,
         syn::Expr::Paren(it) => is_range(&it.expr),
-        syn::Expr::MethodCall(it) => it.method == "rev" && is_range(&it.receiver),
+        syn::Expr::MethodCall(it) => {
+            (it.method == "rev" || it.method == "step_by") && is_range(&it.receiver)
+        }
         _ => false,
     }
 }

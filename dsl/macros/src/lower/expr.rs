@@ -199,7 +199,10 @@ impl Lowering<'_> {
             && let Some(ident) = it.path.get_ident()
             && self.is_local(&text(ident))
         {
-            let name = text(ident);
+            let name = self.local_name(&text(ident)).unwrap_or_default().to_owned();
+            if self.is_closure(&name) {
+                self.refusals.add(ident.span(), refuse::CLOSURE_VALUE);
+            }
             if name == "self" {
                 // In the copy, which is a closure, the receiver is an ordinary parameter.
                 it.path = syn::Path::from(syn::Ident::new(signature::RECEIVER, ident.span()));

@@ -11,6 +11,8 @@
 mod absent;
 pub mod bound;
 mod call;
+mod chain;
+mod closure;
 mod control;
 mod each;
 mod expr;
@@ -36,7 +38,12 @@ pub use strip::{check_attributes, strip};
 pub struct Lowering<'a> {
     /// What was refused so far.
     pub refusals: &'a mut Refusals,
-    scopes: Vec<Vec<String>>,
+    /// The locals in scope: the author's name, and that in the tree.
+    scopes: Vec<Vec<(String, String)>>,
+    /// The closures that have a name, by it.
+    closures: Vec<closure::Closure>,
+    /// Whether patterns are those of a closure, whose names are kept apart from those around it.
+    apart: bool,
     slots: u32,
     callees: u32,
     /// Paths that rustc has to evaluate: the slot, and the path.
@@ -82,6 +89,8 @@ impl<'a> Lowering<'a> {
         Lowering {
             refusals,
             scopes: vec![Vec::new()],
+            closures: Vec::new(),
+            apart: false,
             slots: 0,
             callees: 0,
             constants: Vec::new(),
@@ -105,12 +114,47 @@ impl<'a> Lowering<'a> {
     /// Makes `name` a local of the innermost scope.
     pub fn bind(&mut self, name: &str) {
         if let Some(scope) = self.scopes.last_mut() {
-            scope.push(name.to_owned());
+            scope.push((name.to_owned(), name.to_owned()));
         }
     }
 
+    /// The same under another name in the tree, if it would hide a local there: what is lowered out of
+    /// its place keeps its meaning. Marks in a name of the tree do not reach the C.
+    fn bind_apart(&mut self, name: &str) -> String {
+        let apart = self.hidden(name);
+        self.bind_as(name, &apart);
+        apart
+    }
+
+    /// A name in the tree for what the author has none for.
+    fn hidden(&mut self, name: &str) -> String {
+        let mut hidden = name.to_owned();
+        while self.scopes.iter().flatten().any(|(_, known)| *known == hidden) {
+            hidden.push('%');
+        }
+        self.bind_as("", &hidden);
+        hidden
+    }
+
+    fn bind_as(&mut self, name: &str, in_tree: &str) {
+        if let Some(scope) = self.scopes.last_mut() {
+            scope.push((name.to_owned(), in_tree.to_owned()));
+        }
+    }
+
+    /// How often a name was bound, as far as that is in scope.
+    fn bindings(&self, name: &str) -> usize {
+        self.scopes.iter().flatten().filter(|(known, _)| known == name).count()
+    }
+
+    /// The name in the tree of a local.
+    fn local_name(&self, name: &str) -> Option<&str> {
+        let found = self.scopes.iter().rev().flat_map(|scope| scope.iter().rev());
+        found.into_iter().find(|(known, _)| known == name).map(|(_, in_tree)| in_tree.as_str())
+    }
+
     fn is_local(&self, name: &str) -> bool {
-        self.scopes.iter().any(|scope| scope.iter().any(|local| local == name))
+        self.local_name(name).is_some()
     }
 
     fn scoped<T>(&mut self, walk: impl FnOnce(&mut Self) -> T) -> T {
@@ -155,6 +199,10 @@ impl<'a> Lowering<'a> {
         for (index, mut stmt) in originals.into_iter().enumerate() {
             match &mut stmt {
                 syn::Stmt::Local(local) => {
+                    if self.closure_local(local) {
+                        stmts.push(stmt);
+                        continue;
+                    }
                     if takes_apart(local) {
                         let (tree, looks) = self.apart(local);
                         lowered.stmts.push(tree);

@@ -115,8 +115,13 @@ impl Lowering<'_> {
             return tree::Pattern::Value(self.constant(it.ident.to_token_stream(), &path));
         }
         let inner = it.subpat.as_ref().map(|(_, inner)| Box::new(self.pattern(inner, looks)));
-        let (slot, name) = (self.slot(), text(&it.ident));
-        self.bind(&name);
+        let slot = self.slot();
+        let name = if self.apart {
+            self.bind_apart(&text(&it.ident))
+        } else {
+            self.bind(&text(&it.ident));
+            text(&it.ident)
+        };
         looks.push(self.look(slot, &it.ident));
         tree::Pattern::Name { name, slot, mutable: it.mutability.is_some(), inner }
     }

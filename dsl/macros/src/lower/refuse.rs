@@ -135,7 +135,14 @@ reasons! {
     LOOP: "this `loop` declares no bound that the C could promise", "write `#[bound(64)]` above it: another pass than that is a fault";
     BOUND: "the bound of a loop is a number, or a constant", "write `#[bound(64)]`, or `#[bound(LIMIT)]`";
     BLOCK_LABEL: "a block has no label in the DSL", "move the block into a function, and `return` from it";
-    CLOSURE: "closures are not in the DSL yet", "write a function marked `#[function]`";
+    CLOSURE: "a closure is not a value in the DSL", "give it a name with `let` and call it, or write it in `.map(…)`, `.fold(…)` and the like";
+    CLOSURE_VALUE: "a closure is called in the DSL, and not handed on", "call it, or write a function marked `#[function]`";
+    CLOSURE_MOVE: "a closure borrows what it uses in the DSL", "leave `move` out, and copy before: `let k = self.k;`";
+    CLOSURE_RETURN: "`return` in a closure is not in the DSL", "let its body end in the value: `if … { a } else { b }`";
+    CLOSURE_PARAMETERS: "this parameter of a closure is not in the DSL", "write a name, or for elements `(i, x)`, `(x, y)`, `&x`";
+    CLOSURE_SHADOWED: "a name that the closure uses means something else here", "give the later variable another name";
+    STEP_ORDER: "`.step_by(…)` stands behind the range in the DSL", "write `(a..b).step_by(n)`, with `.rev()` after it if need be";
+    CHAIN: "this chain of iterators is not in the DSL", "begin with an array, a vector or a range, then `.map .filter .enumerate .zip .rev .copied`; end with `.sum .product .fold .any .all .count`";
     ASYNC: "there is no executor in firmware that a model could await", "write a component whose `step` is called once per period";
     UNSAFE: "`unsafe` has no meaning that the C could keep", "use indices and `to_bits`/`from_bits`";
     RAW_BORROW: "raw pointers are not in the DSL", "pass `&` or `&mut`";

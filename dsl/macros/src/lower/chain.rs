@@ -1,0 +1,434 @@
+//! Chains of iterators that end in a value: `values.iter().map(|x| x * x).sum()`.
+//!
+//! In the tree a chain is the loop that it stands for, and what the loop gathers; in the witness copy it
+//! stays a chain, and the closures look at what they are given.
+
+use bessemer_ir::tree::{self, BinaryOp, ExprKind, Start, UnaryOp};
+use quote::{format_ident, quote};
+
+use super::closure::{closure_of, closure_parameter, plain};
+use super::each::{self, Source};
+use super::{Lowering, refuse, slot_name, text};
+
+/// What a chain may end with, and how many arguments that takes.
+const ENDS: [(&str, usize); 6] =
+    [("sum", 0), ("product", 0), ("count", 0), ("fold", 2), ("any", 1), ("all", 1)];
+
+/// A chain so far.
+struct Flow {
+    /// What the loop goes through.
+    over: Over,
+    /// What each pass does before the end, in order.
+    steps: Vec<Step>,
+    /// What flows out of it.
+    item: Item,
+}
+
+enum Over {
+    Range(tree::Range, Option<(String, u32)>),
+    Each { index: Option<String>, parts: Vec<tree::Part>, indexed: bool, reversed: bool },
+}
+
+enum Step {
+    Do(tree::Stmt),
+    If(tree::Expr),
+}
+
+enum Item {
+    /// Elements that have no name yet.
+    Source(Source),
+    /// The number of a range.
+    Number,
+    /// A local.
+    Named(String),
+    /// A value.
+    Value(tree::Expr),
+    /// Nothing that could be named again.
+    Taken,
+}
+
+impl Lowering<'_> {
+    /// The value of a chain; none if the call is something else.
+    pub(super) fn chain(&mut self, it: &mut syn::ExprMethodCall) -> Option<ExprKind> {
+        let (end, arguments) = (text(&it.method), it.args.len());
+        if end == "map" && arguments == 1 && !is_iterator(&it.receiver) {
+            return self.array_map(it);
+        }
+        if !ENDS.contains(&(end.as_str(), arguments)) || !is_iterator(&it.receiver) {
+            return None;
+        }
+        let node = it.method.clone();
+        let before = self.refusals.len();
+        let kind = self.scoped(|walk| {
+            let start = match end.as_str() {
+                "sum" => Start::Sum,
+                "product" => Start::Product,
+                "fold" => Start::Value(Box::new(walk.value(&mut it.args[0]))),
+                "count" => Start::Value(Box::new(plain(ExprKind::Int("0".into(), None), &node))),
+                end => Start::Value(Box::new(plain(ExprKind::Bool(end == "all"), &node))),
+            };
+            let mut flow = walk.flow(&mut it.receiver)?;
+            let name = match end.as_str() {
+                "fold" => walk.accumulator(&it.args[1])?,
+                "any" => walk.hidden("found"),
+                "all" => walk.hidden("every"),
+                other => walk.hidden(other),
+            };
+            let last = walk.last(it, &mut flow, &end, &name)?;
+            let each = Box::new(plain(flow.into_loop(last), &node));
+            Some(ExprKind::Fold { name, start, each })
+        });
+        if kind.is_none() && self.refusals.len() == before {
+            self.refusals.add(node.span(), refuse::CHAIN);
+        }
+        Some(kind.unwrap_or(super::expr::UNIT))
+    }
+
+    /// The name of what `fold` gathers.
+    fn accumulator(&mut self, argument: &syn::Expr) -> Option<String> {
+        let syn::Expr::Closure(closure) = argument else { return None };
+        let name = closure_parameter(closure.inputs.first()?)?;
+        Some(self.bind_apart(&text(&name)))
+    }
+
+    /// What the last link does in each pass.
+    fn last(
+        &mut self,
+        it: &mut syn::ExprMethodCall,
+        flow: &mut Flow,
+        end: &str,
+        name: &str,
+    ) -> Option<tree::Stmt> {
+        let node = it.method.clone();
+        let gathered = || Box::new(plain(ExprKind::Local(name.to_owned()), &node));
+        let assign = |op, value| {
+            tree::Stmt::Expr(plain(ExprKind::Assign(op, gathered(), Box::new(value)), &node))
+        };
+        Some(match end {
+            "sum" | "product" => {
+                let op = if end == "sum" { BinaryOp::Add } else { BinaryOp::Mul };
+                let value = self.item_value(flow, &mut it.receiver)?;
+                assign(Some(op), value)
+            }
+            "count" => assign(Some(BinaryOp::Add), plain(ExprKind::Int("1".into(), None), &node)),
+            "fold" => {
+                let closure = closure_of(it.args.get_mut(1)?)?;
+                let value = self.through(flow, closure, 1)?;
+                assign(None, value)
+            }
+            end => {
+                let closure = closure_of(it.args.get_mut(0)?)?;
+                let mut condition = self.through(flow, closure, 0)?;
+                if end == "all" {
+                    condition = plain(ExprKind::Unary(UnaryOp::Not, Box::new(condition)), &node);
+                }
+                let told = assign(None, plain(ExprKind::Bool(end == "any"), &node));
+                let stop = tree::Stmt::Expr(plain(ExprKind::Break(None, None), &node));
+                let then = tree::Block { stmts: vec![told, stop], tail: None };
+                tree::Stmt::Expr(plain(ExprKind::If(Box::new(condition), then, None), &node))
+            }
+        })
+    }
+
+    fn flow(&mut self, expr: &mut syn::Expr) -> Option<Flow> {
+        if each::is_range(expr) {
+            let range = self.range(expr)?;
+            return Some(Flow {
+                over: Over::Range(range, None),
+                steps: Vec::new(),
+                item: Item::Number,
+            });
+        }
+        match expr {
+            syn::Expr::Paren(it) => return self.flow(&mut it.expr),
+            syn::Expr::MethodCall(it) => match (text(&it.method).as_str(), it.args.len()) {
+                (link @ ("map" | "filter"), 1) => {
+                    let mut flow = self.flow(&mut it.receiver)?;
+                    let value = self.through(&mut flow, closure_of(&mut it.args[0])?, 0)?;
+                    if link == "map" {
+                        flow.item = Item::Value(value);
+                    } else {
+                        flow.steps.push(Step::If(value));
+                    }
+                    return Some(flow);
+                }
+                (link @ ("enumerate" | "rev"), 0) => {
+                    let mut flow = self.flow(&mut it.receiver)?;
+                    flow.turn(link)?;
+                    return Some(flow);
+                }
+                ("copied" | "cloned", 0) if is_linked(&it.receiver) => {
+                    return self.flow(&mut it.receiver);
+                }
+                _ => {}
+            },
+            _ => {}
+        }
+        let source = self.source(expr);
+        let over = Over::Each { index: None, parts: Vec::new(), indexed: false, reversed: false };
+        Some(Flow { over, steps: Vec::new(), item: Item::Source(source) })
+    }
+
+    /// What a closure makes of the items of a chain; `at`: which of its parameters takes them.
+    fn through(
+        &mut self,
+        flow: &mut Flow,
+        closure: &mut syn::ExprClosure,
+        at: usize,
+    ) -> Option<tree::Expr> {
+        let mut looks = Vec::new();
+        let pattern = closure.inputs.iter().nth(at)?.clone();
+        let before = self.scopes.last().map_or(0, Vec::len);
+        self.name_item(flow, &pattern, &mut looks)?;
+        let body = self.closure_body(closure, looks);
+        // The next closure sees the names of the function, not those of this one.
+        for (name, _) in self.scopes.last_mut()?.iter_mut().skip(before) {
+            name.clear();
+        }
+        Some(body)
+    }
+
+    fn name_item(
+        &mut self,
+        flow: &mut Flow,
+        pattern: &syn::Pat,
+        looks: &mut Vec<syn::Stmt>,
+    ) -> Option<()> {
+        let name = simple(pattern);
+        let item = std::mem::replace(&mut flow.item, Item::Taken);
+        flow.item = match (item, &mut flow.over) {
+            (Item::Source(source), Over::Each { index, parts, indexed, .. }) => {
+                let elements = match (*indexed, pattern) {
+                    (false, pattern) => pattern,
+                    (true, syn::Pat::Tuple(pair)) if pair.elems.len() == 2 => {
+                        if !matches!(pair.elems[0], syn::Pat::Wild(_)) {
+                            *index = Some(self.bind_apart(&text(&simple(&pair.elems[0])?)));
+                        }
+                        &pair.elems[1]
+                    }
+                    _ => return None,
+                };
+                self.apart = true;
+                self.elements(elements, source, parts, looks);
+                self.apart = false;
+                match parts.as_slice() {
+                    [part] if !*indexed => {
+                        named_by(part).map_or(Item::Taken, |(name, _)| Item::Named(name.clone()))
+                    }
+                    _ => Item::Taken,
+                }
+            }
+            (Item::Number, Over::Range(_, variable)) => {
+                let name = name?;
+                let slot = self.slot();
+                looks.push(self.look(slot, &name));
+                let in_tree = self.bind_apart(&text(&name));
+                *variable = Some((in_tree.clone(), slot));
+                Item::Named(in_tree)
+            }
+            (Item::Named(known), _) => {
+                self.bind_as(&text(&name?), &known);
+                Item::Named(known)
+            }
+            (Item::Value(value), _) => {
+                let (name, slot, site) = (text(&name?), value.slot?, value.site);
+                let in_tree = self.bind_apart(&name);
+                let value = Some(value);
+                let stmt = tree::Stmt::Let { name: in_tree.clone(), slot, value, site };
+                flow.steps.push(Step::Do(stmt));
+                Item::Named(in_tree)
+            }
+            _ => return None,
+        };
+        Some(())
+    }
+
+    /// What flows out of a chain, as a value.
+    fn item_value(&mut self, flow: &mut Flow, receiver: &mut syn::Expr) -> Option<tree::Expr> {
+        let named = |name: String, node: &syn::Expr| plain(ExprKind::Local(name), node);
+        match std::mem::replace(&mut flow.item, Item::Taken) {
+            Item::Value(value) => Some(value),
+            Item::Named(name) => Some(named(name, receiver)),
+            item @ (Item::Source(Source::One { .. }) | Item::Number) => {
+                if matches!(flow.over, Over::Each { indexed: true, .. }) {
+                    return None;
+                }
+                flow.item = item;
+                // The author has no name for it; a look on the way tells its type.
+                let name = format_ident!("value");
+                self.name_item(flow, &syn::parse_quote!(#name), &mut Vec::new())?;
+                let slot = match &flow.over {
+                    Over::Range(_, variable) => variable.as_ref()?.1,
+                    Over::Each { parts, .. } => named_by(parts.first()?)?.1,
+                };
+                let (slot, chain) = (slot_name(slot), &*receiver);
+                *receiver =
+                    syn::Expr::Verbatim(quote! { #chain.inspect(|__item| __look(&#slot, __item)) });
+                match &flow.item {
+                    Item::Named(name) => Some(named(name.clone(), receiver)),
+                    _ => None,
+                }
+            }
+            _ => None,
+        }
+    }
+
+    /// `array.map(|x| …)`.
+    fn array_map(&mut self, it: &mut syn::ExprMethodCall) -> Option<ExprKind> {
+        let node = it.method.clone();
+        let closure = closure_of(&mut it.args[0])?;
+        let source = Source::One { array: Box::new(self.value(&mut it.receiver)), owned: true };
+        let over = Over::Each { index: None, parts: Vec::new(), indexed: false, reversed: false };
+        let mut flow = Flow { over, steps: Vec::new(), item: Item::Source(source) };
+        Some(
+            self.scoped(|walk| {
+                let index = walk.hidden("i");
+                let value = walk.through(&mut flow, closure, 0)?;
+                if let Over::Each { index: taken, .. } = &mut flow.over {
+                    *taken = Some(index.clone());
+                }
+                Some(walk.elements_of(flow, "mapped", &index, value, &node))
+            })
+            .unwrap_or_else(|| {
+                self.refusals.add(node.span(), refuse::CHAIN);
+                super::expr::UNIT
+            }),
+        )
+    }
+
+    /// What assigns each element of an array.
+    fn elements_of(
+        &mut self,
+        flow: Flow,
+        name: &str,
+        index: &str,
+        value: tree::Expr,
+        node: &syn::Ident,
+    ) -> ExprKind {
+        let name = self.hidden(name);
+        let local = |name: &str| Box::new(plain(ExprKind::Local(name.to_owned()), node));
+        let element = Box::new(plain(ExprKind::Index(local(&name), local(index)), node));
+        let assign = plain(ExprKind::Assign(None, element, Box::new(value)), node);
+        let each = Box::new(plain(flow.into_loop(tree::Stmt::Expr(assign)), node));
+        ExprKind::Fold { name, start: Start::Elements, each }
+    }
+
+    /// `core::array::from_fn(|i| …)`.
+    pub(super) fn from_fn(&mut self, it: &mut syn::ExprCall) -> Option<ExprKind> {
+        let syn::Expr::Path(function) = &*it.func else { return None };
+        let mut segments = function.path.segments.iter().rev();
+        let last = segments.next()?.ident.clone();
+        if last != "from_fn" || segments.next()?.ident != "array" || it.args.len() != 1 {
+            return None;
+        }
+        let closure = closure_of(&mut it.args[0])?;
+        self.scoped(|walk| {
+            let pattern = simple(closure.inputs.first()?)?;
+            let slot = walk.slot();
+            let looks = vec![walk.look(slot, &pattern)];
+            let index = walk.bind_apart(&text(&pattern));
+            let value = walk.closure_body(closure, looks);
+            let name = walk.hidden("elements");
+            let local = |name: &str| Box::new(plain(ExprKind::Local(name.to_owned()), &last));
+            let element = Box::new(plain(ExprKind::Index(local(&name), local(&index)), &last));
+            let assign = plain(ExprKind::Assign(None, element, Box::new(value)), &last);
+            // The loop goes through what it fills.
+            let part =
+                tree::Part { pattern: tree::Pattern::Any, array: *local(&name), owned: false };
+            let body = tree::Block { stmts: vec![tree::Stmt::Expr(assign)], tail: None };
+            let each = ExprKind::Each {
+                label: None,
+                index: Some(index),
+                parts: vec![part],
+                reversed: false,
+                body,
+            };
+            let each = Box::new(plain(each, &last));
+            Some(ExprKind::Fold { name, start: Start::Elements, each })
+        })
+    }
+}
+
+impl Flow {
+    /// `.enumerate()` and `.rev()`, which stand next to the source.
+    fn turn(&mut self, link: &str) -> Option<()> {
+        let plain = self.steps.is_empty();
+        match (&mut self.over, &self.item) {
+            (Over::Each { indexed, reversed, .. }, Item::Source(source)) if plain => match link {
+                "enumerate" if !*indexed && !*reversed => *indexed = true,
+                "rev" if !*reversed && matches!(source, Source::One { .. }) => *reversed = true,
+                _ => return None,
+            },
+            _ => return None,
+        }
+        Some(())
+    }
+
+    fn into_loop(self, last: tree::Stmt) -> ExprKind {
+        let mut stmts = vec![last];
+        for step in self.steps.into_iter().rev() {
+            match step {
+                Step::Do(stmt) => stmts.insert(0, stmt),
+                Step::If(condition) => {
+                    let (site, then) = (condition.site, tree::Block { stmts, tail: None });
+                    let kind = ExprKind::If(Box::new(condition), then, None);
+                    stmts = vec![tree::Stmt::Expr(tree::Expr { kind, site, slot: None })];
+                }
+            }
+        }
+        let body = tree::Block { stmts, tail: None };
+        match self.over {
+            Over::Range(range, variable) => {
+                let (name, slot) = variable.unwrap_or_default();
+                ExprKind::For { label: None, name, slot, range: Box::new(range), body }
+            }
+            Over::Each { index, parts, reversed, .. } => {
+                ExprKind::Each { label: None, index, parts, reversed, body }
+            }
+        }
+    }
+}
+
+/// The name of the elements, and the slot of their type.
+fn named_by(part: &tree::Part) -> Option<(&String, u32)> {
+    match &part.pattern {
+        tree::Pattern::Name { name, slot, inner: None, .. } => Some((name, *slot)),
+        _ => None,
+    }
+}
+
+/// The name in a pattern, behind any number of `&`.
+fn simple(pattern: &syn::Pat) -> Option<syn::Ident> {
+    match pattern {
+        syn::Pat::Reference(it) => simple(&it.pat),
+        other => closure_parameter(other),
+    }
+}
+
+/// Whether an expression is an iterator, as far as its syntax shows.
+fn is_iterator(expr: &syn::Expr) -> bool {
+    match expr {
+        syn::Expr::Paren(it) => is_iterator(&it.expr),
+        syn::Expr::Range(_) => true,
+        syn::Expr::MethodCall(it) => match (text(&it.method).as_str(), it.args.len()) {
+            ("iter" | "into_iter" | "iter_mut", 0) => true,
+            ("enumerate" | "rev" | "copied" | "cloned", 0) => is_iterator(&it.receiver),
+            ("map" | "filter" | "zip" | "step_by" | "take" | "skip", 1) => {
+                is_iterator(&it.receiver)
+            }
+            _ => false,
+        },
+        _ => false,
+    }
+}
+
+/// Whether a closure stands somewhere in a chain.
+fn is_linked(expr: &syn::Expr) -> bool {
+    match expr {
+        syn::Expr::Paren(it) => is_linked(&it.expr),
+        syn::Expr::MethodCall(it) => {
+            it.method == "map" || it.method == "filter" || is_linked(&it.receiver)
+        }
+        _ => false,
+    }
+}

@@ -1,0 +1,158 @@
+//! Closures that do not escape: bound to a name and called, or written where an iterator takes one.
+//!
+//! The tree has a closure's body where it is called; the witness copy keeps the closure.
+
+use bessemer_ir::tree::{self, ExprKind};
+use proc_macro2::Span;
+use quote::quote;
+use syn::spanned::Spanned;
+use syn::visit::{self, Visit};
+
+use super::{Lowering, pattern, refuse, site, text};
+
+/// A closure with a name.
+pub struct Closure {
+    /// Its name in the tree.
+    name: String,
+    /// Names in the tree of its parameters, each with its type.
+    parameters: Vec<(String, u32)>,
+    body: tree::Expr,
+    /// The names that its body uses, and how often each was bound before.
+    uses: Vec<(usize, String)>,
+}
+
+impl Lowering<'_> {
+    /// `let f = |x| …;`: the closure is known by its name from here on.
+    pub(super) fn closure_local(&mut self, local: &mut syn::Local) -> bool {
+        let Some(init) = &mut local.init else { return false };
+        let syn::Expr::Closure(closure) = &mut *init.expr else { return false };
+        let Some(ident) = pattern::simple_name(&local.pat, self.refusals) else { return true };
+        let known: std::collections::BTreeSet<_> =
+            self.scopes.iter().flatten().map(|(known, _)| known.clone()).collect();
+        let uses: Vec<_> = known.into_iter().map(|known| (self.bindings(&known), known)).collect();
+        let mut parameters = Vec::new();
+        let body = self.scoped(|walk| {
+            let mut looks = Vec::new();
+            for input in &closure.inputs {
+                let Some(name) = closure_parameter(input) else {
+                    walk.refusals.add(input.span(), refuse::CLOSURE_PARAMETERS);
+                    continue;
+                };
+                let slot = walk.slot();
+                looks.push(walk.look(slot, &name));
+                let name = text(&name);
+                // Marked, so that an argument never means the parameter of another.
+                let in_tree = walk.bind_apart(&name);
+                walk.bind_as(&name, &format!("{in_tree}%"));
+                parameters.push((format!("{in_tree}%"), slot));
+            }
+            walk.closure_body(closure, looks)
+        });
+        let name = self.bind_apart(&text(&ident));
+        let uses = uses.into_iter().filter(|(_, known)| names(&init.expr, known)).collect();
+        self.closures.push(Closure { name, parameters, body, uses });
+        true
+    }
+
+    pub(super) fn is_closure(&self, in_tree: &str) -> bool {
+        self.closures.iter().any(|closure| closure.name == in_tree)
+    }
+
+    /// `f(a, b)`: the body, its parameters the arguments.
+    pub(super) fn closure_call(
+        &mut self,
+        name: &str,
+        arguments: &[tree::Expr],
+        span: Span,
+    ) -> Option<ExprKind> {
+        let in_tree = self.local_name(name)?;
+        let closure = self.closures.iter().rev().find(|closure| closure.name == in_tree)?;
+        let same = |(count, known): &(usize, String)| self.bindings(known) == *count;
+        let shadowed = !closure.uses.iter().all(same);
+        let parameters = closure.parameters.iter().zip(arguments);
+        let stmts = parameters.map(|((name, slot), argument)| tree::Stmt::Let {
+            name: name.clone(),
+            slot: *slot,
+            value: Some(argument.clone()),
+            site: argument.site,
+        });
+        let stmts = stmts.collect();
+        let block = tree::Block { stmts, tail: Some(Box::new(closure.body.clone())) };
+        if shadowed {
+            self.refusals.add(span, refuse::CLOSURE_SHADOWED);
+        }
+        Some(ExprKind::Block(block))
+    }
+
+    /// The value of a closure's body; `looks` at its parameters come first in the copy.
+    pub(super) fn closure_body(
+        &mut self,
+        closure: &mut syn::ExprClosure,
+        looks: Vec<syn::Stmt>,
+    ) -> tree::Expr {
+        if let Some(token) = &closure.capture {
+            self.refusals.add(token.span, refuse::CLOSURE_MOVE);
+        }
+        let mut returns = Returns(Vec::new());
+        returns.visit_expr(&closure.body);
+        for span in returns.0 {
+            self.refusals.add(span, refuse::CLOSURE_RETURN);
+        }
+        let mut body = self.value(&mut closure.body);
+        if body.slot.is_none() {
+            body.slot = Some(self.see(&mut closure.body));
+        }
+        let copy = &closure.body;
+        *closure.body = syn::Expr::Verbatim(quote! { { #(#looks)* #copy } });
+        body
+    }
+}
+
+/// The name of a parameter, if it is one.
+pub(super) fn closure_parameter(pattern: &syn::Pat) -> Option<syn::Ident> {
+    match pattern {
+        syn::Pat::Ident(it) if it.by_ref.is_none() && it.subpat.is_none() => Some(it.ident.clone()),
+        syn::Pat::Type(it) => closure_parameter(&it.pat),
+        _ => None,
+    }
+}
+
+/// The closure that stands as an argument.
+pub(super) fn closure_of(argument: &mut syn::Expr) -> Option<&mut syn::ExprClosure> {
+    match argument {
+        syn::Expr::Closure(it) => Some(it),
+        _ => None,
+    }
+}
+
+/// Whether a name stands somewhere in an expression. Answers yes too often rather than too rarely.
+fn names(expr: &syn::Expr, name: &str) -> bool {
+    fn any(tokens: proc_macro2::TokenStream, name: &str) -> bool {
+        tokens.into_iter().any(|token| match token {
+            proc_macro2::TokenTree::Ident(ident) => ident == name,
+            proc_macro2::TokenTree::Group(group) => any(group.stream(), name),
+            _ => false,
+        })
+    }
+    any(quote! { #expr }, name)
+}
+
+/// What would leave a closure early.
+struct Returns(Vec<Span>);
+
+impl<'ast> Visit<'ast> for Returns {
+    fn visit_expr_return(&mut self, it: &'ast syn::ExprReturn) {
+        self.0.push(it.return_token.span);
+        visit::visit_expr_return(self, it);
+    }
+    fn visit_expr_try(&mut self, it: &'ast syn::ExprTry) {
+        self.0.push(it.question_token.span);
+        visit::visit_expr_try(self, it);
+    }
+    fn visit_expr_closure(&mut self, _: &'ast syn::ExprClosure) {}
+}
+
+/// An expression of the tree that rustc is not asked about.
+pub(super) fn plain(kind: ExprKind, node: &impl Spanned) -> tree::Expr {
+    tree::Expr { kind, site: site(node), slot: None }
+}
