@@ -125,10 +125,12 @@ pub struct Doctor {
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  cargo xtask bench             Measure everything and write bench/results/ (half an hour)
-  cargo xtask bench --kernels   Only the generated C against its peers
-  cargo xtask bench --quick     A few sizes, Chapter 6 on the host and the Cortex-A9; writes nothing
-  cargo xtask bench --install   Install what is missing first (apt, as root or through sudo)
+  cargo xtask bench                   Measure everything and write bench/results/ (half an hour)
+  cargo xtask bench --only kernels    Only the generated linear algebra against its peers
+  cargo xtask bench --only check-cost Only what the attributes cost; also rebuild, generation, elementary
+  cargo xtask bench --only equality   The elementary functions on 10 million points each, on every leg
+  cargo xtask bench --quick           A few sizes, Chapter 6 on the host and the Cortex-A9; writes nothing
+  cargo xtask bench --install         Install what is missing first (apt, as root or through sudo)
 
 Times are of this machine as busy as it is; instruction counts are exact. nalgebra on the Cortex-A9 needs
 `rustup target add armv7-unknown-linux-gnueabihf`, and is left out without it.")]
@@ -136,12 +138,12 @@ pub struct Bench {
     /// Measure the short list only, and write nothing
     #[arg(long)]
     pub quick: bool,
-    /// Only the generated C against its peers
-    #[arg(long, conflicts_with = "check_cost")]
-    pub kernels: bool,
-    /// Only what the attributes add to `cargo check`
+    /// Only this part: kernels, elementary, check-cost, rebuild, generation, equality
     #[arg(long)]
-    pub check_cost: bool,
+    pub only: Option<String>,
+    /// Points of each function for `equality`
+    #[arg(long)]
+    pub points: Option<u32>,
     /// Install what is missing first, with apt-get (as root or through sudo)
     #[arg(long)]
     pub install: bool,

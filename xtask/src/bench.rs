@@ -18,16 +18,20 @@ const NEEDS: &[Need] = &[Need::Everything, Need::Host, Need::Target, Need::Bench
 /// [`Error::Missing`] without `--install`; with it, what went wrong while installing; [`Error::Spawn`] if cargo
 /// does not start.
 pub fn run(root: &Path, wanted: &Bench, machine: &dyn Machine) -> Result<Outcome, Error> {
-    if !wanted.check_cost {
+    // The others need Rust alone, or leave out what is not there.
+    if wanted.only.as_deref().is_none_or(|only| only == "kernels") {
         prepare(wanted, machine)?;
     }
     let mut command = project::cargo(root, &["run", "--quiet", "--package", "bench", "--"]);
-    let flags = [
-        ("--quick", wanted.quick),
-        ("--kernels", wanted.kernels),
-        ("--check-cost", wanted.check_cost),
-    ];
-    command.args(flags.iter().filter(|(_, given)| *given).map(|(flag, _)| flag));
+    if wanted.quick {
+        command.arg("--quick");
+    }
+    if let Some(only) = &wanted.only {
+        command.args(["--only", only]);
+    }
+    if let Some(points) = wanted.points {
+        command.args(["--points", &points.to_string()]);
+    }
     let status = stages::attached(&mut command)?;
     Ok(if status.success() { Outcome::Good } else { Outcome::Bad })
 }
