@@ -17,7 +17,7 @@ use crate::redirect;
 
 impl Lowering<'_> {
     pub(super) fn call(&mut self, it: &mut syn::ExprCall) -> ExprKind {
-        if let Some(kind) = self.from_fn(it) {
+        if let Some(kind) = self.array_from_fn(it) {
             return kind;
         }
         let arguments: Vec<_> = it.args.iter_mut().map(|argument| self.value(argument)).collect();

@@ -25,7 +25,7 @@ struct Flow {
 }
 
 enum Over {
-    Range(tree::Range, Option<(String, u32)>),
+    Range(Box<tree::Range>, Option<(String, u32)>),
     Each { index: Option<String>, parts: Vec<tree::Part>, indexed: bool, reversed: bool },
 }
 
@@ -134,7 +134,7 @@ impl Lowering<'_> {
         if each::is_range(expr) {
             let range = self.range(expr)?;
             return Some(Flow {
-                over: Over::Range(range, None),
+                over: Over::Range(Box::new(range), None),
                 steps: Vec::new(),
                 item: Item::Number,
             });
@@ -314,7 +314,7 @@ impl Lowering<'_> {
     }
 
     /// `core::array::from_fn(|i| …)`.
-    pub(super) fn from_fn(&mut self, it: &mut syn::ExprCall) -> Option<ExprKind> {
+    pub(super) fn array_from_fn(&mut self, it: &mut syn::ExprCall) -> Option<ExprKind> {
         let syn::Expr::Path(function) = &*it.func else { return None };
         let mut segments = function.path.segments.iter().rev();
         let last = segments.next()?.ident.clone();
@@ -380,7 +380,7 @@ impl Flow {
         match self.over {
             Over::Range(range, variable) => {
                 let (name, slot) = variable.unwrap_or_default();
-                ExprKind::For { label: None, name, slot, range: Box::new(range), body }
+                ExprKind::For { label: None, name, slot, range, body }
             }
             Over::Each { index, parts, reversed, .. } => {
                 ExprKind::Each { label: None, index, parts, reversed, body }
