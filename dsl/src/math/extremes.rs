@@ -1,6 +1,9 @@
 //! Powers off the common path: of what is negative, zero or infinite, and those that overflow. In a
 //! file of its own, so that a compiler leaves them out of the common path.
 
+// A NaN goes the way of what is not less.
+#![allow(clippy::neg_cmp_op_on_partial_ord)]
+
 use super::exponential::far_exponential;
 use crate::prelude::*;
 

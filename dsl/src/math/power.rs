@@ -3,6 +3,9 @@
 //! x^y = e^(y · ln x) with the logarithm and the product in two doubles; special values as C99
 //! Annex F has them. Integer powers are products by squaring, in the order that [`powi`] states.
 
+// A NaN goes the way of what is not less.
+#![allow(clippy::neg_cmp_op_on_partial_ord)]
+
 use super::RawBits as _;
 use super::exponential::{NORMAL, exponential_of_pair, step};
 use super::extremes::{far_power, power_of_negative, special_power};

@@ -214,7 +214,7 @@ pub fn log10f(x: f32) -> f32 {
 #[function]
 pub fn ln_1pf(x: f32) -> f32 {
     // 2⁻²⁹: from here on 1 + x is exact in double.
-    if x.abs() >= 1.862645149230957e-9 && x > -1.0 && x <= f32::MAX {
+    if x.abs() >= 1.8626451e-9 && x > -1.0 && x <= f32::MAX {
         let bits = (1.0 + x as f64).raw_bits();
         let exponent = ((bits >> 32) as u32).wrapping_sub(0x3fe6_8000) as i32 >> 20;
         let significand = f64::from_bits(bits.wrapping_sub((exponent as u32 as u64) << 52));
