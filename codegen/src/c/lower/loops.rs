@@ -168,7 +168,10 @@ impl Lower<'_> {
     /// A bound that is read before every pass.
     fn bound(&mut self, value: &Ir, name: &str, narrow: bool, body: &Block) -> (Expr, Ir) {
         let lowered = self.bound_value(value, narrow);
-        if !holds_still(value, body) || calls(&lowered) {
+        // gcc takes `(uint8_t)(255 - x)` for `~x`, and warns where it is compared.
+        let small = value.ty.as_int().is_some_and(is_small);
+        let complement = small && matches!(value.kind, ExprKind::Binary(..));
+        if complement || !holds_still(value, body) || calls(&lowered) {
             let name = self.fresh(name);
             self.declare(&value.ty, &name, Some(Init::Value(lowered)), true);
             return (Expr::name(name), value.clone());
