@@ -6,11 +6,11 @@ use bessemer::prelude::*;
 /// By iterators.
 #[function]
 pub fn iterator(samples: &[f64; 4]) -> f64 {
-    let mut sum = samples.iter().sum::<f64>();
+    let mut sum: f64 = samples.iter().skip(1).sum();
     for (i, sample) in samples.iter().rev().enumerate().skip(1) {
         sum += sample * i as f64;
     }
-    for i in (0..4).step_by(2) {
+    for i in (0..4).rev().step_by(2) {
         sum += samples[i];
     }
     sum
