@@ -5,5 +5,5 @@ use bessemer::prelude::*;
 /// A matrix routine that the DSL does not know.
 #[function]
 pub fn caller(m: &Matrix3<f64>) -> f64 {
-    m.trace() + m.amax()
+    m.lp_norm(1) + m.rank(1e-9) as f64
 }

@@ -4,7 +4,8 @@
 //! fails; unless the bound is known to be smaller, a flag ends the loop.
 
 use bessemer_ir::{
-    Block, CompareOp, Expr as Ir, ExprKind, Int, LocalId, Scalar, StmtKind as IrKind, Type,
+    BinaryOp, Block, CompareOp, Expr as Ir, ExprKind, Int, LocalId, Scalar, StmtKind as IrKind,
+    Type,
 };
 
 use super::super::analysis::{reads_local, walk_expr, walk_exprs, walk_stmts};
@@ -170,7 +171,7 @@ impl Lower<'_> {
         let lowered = self.bound_value(value, narrow);
         // gcc takes `(uint8_t)(255 - x)` for `~x`, and warns where it is compared.
         let small = value.ty.as_int().is_some_and(is_small);
-        let complement = small && matches!(value.kind, ExprKind::Binary(..));
+        let complement = small && matches!(value.kind, ExprKind::Binary(BinaryOp::Sub, ..));
         if complement || !holds_still(value, body) || calls(&lowered) {
             let name = self.fresh(name);
             self.declare(&value.ty, &name, Some(Init::Value(lowered)), true);
