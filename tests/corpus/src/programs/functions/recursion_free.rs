@@ -1,0 +1,15 @@
+//! A computation that one would write by recursion is a loop with a stack of bounded length.
+
+use bessemer::prelude::*;
+
+/// The number of ways to climb `steps` stairs by one or two.
+#[function]
+pub fn ways(steps: u8) -> u64 {
+    let (mut before, mut ways) = (0_u64, 1_u64);
+    for _ in 0..steps.min(90) {
+        let next = ways.wrapping_add(before);
+        before = ways;
+        ways = next;
+    }
+    ways
+}
