@@ -110,10 +110,11 @@ fn wanted(moment: &Moment) -> nalgebra::Vector3<f64> {
     moment.outputs.reference.target.position
 }
 
-/// The speed at which each motor of equal motors carries its share of the weight, rad/s
-/// (thesis, eq. (4.16)).
+/// The speed at which a motor carries its share of the weight, rad/s (thesis, eq. (4.16)), as the mean over
+/// the motors.
 pub fn hover_speed(airframe: &Airframe) -> f64 {
+    let share = airframe.mass * GRAVITY / airframe.motors as f64;
     let factors = airframe.thrust_factors();
-    let mean = factors.sum() / airframe.motors as f64;
-    (airframe.mass * GRAVITY / airframe.motors as f64 / mean).sqrt()
+    let speeds = factors.iter().take(airframe.motors).map(|factor| (share / factor).sqrt());
+    speeds.sum::<f64>() / airframe.motors as f64
 }

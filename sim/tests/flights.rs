@@ -26,7 +26,7 @@ fn every_flight_is_as_it_should_be() {
 
 #[test]
 fn other_seeds_do_as_well() {
-    for name in ["hover", "climb", "vicon-lost", "hexacopter", "motor-failure"] {
+    for name in ["hover", "climb", "vicon-lost", "hexacopter", "motor-failure", "gravity-49"] {
         let flight = find(name).expect("a flight");
         for seed in 2..5 {
             let scenario = Scenario { seed, ..(flight.scenario)(seed) };

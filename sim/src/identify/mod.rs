@@ -6,12 +6,14 @@
 //! | [`replay`] | the thesis' cost: the whole flight replayed open loop |
 //! | [`swarm`] | the thesis' particle swarm |
 //! | [`segments`] | the well-posed cost: short segments, each restarted from the log |
+//! | [`known`] | an aircraft of unknown propellers, and what the software takes it for after a hover |
 //! | [`fit`] | its minimum by Nelder and Mead's method (crate `argmin`), with confidence intervals |
 //!
 //! The dynamics are those of `models::plant`, which is emitted too. Work is shared between threads by
 //! pieces whose results are put together in their own order, so that their number changes no bit.
 
 pub mod fit;
+pub mod known;
 pub mod logged;
 pub mod replay;
 pub mod segments;

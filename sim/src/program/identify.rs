@@ -4,19 +4,15 @@
 use super::{Outcome, write};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
-use models::{Airframe, Mode};
-use sim::computer::Native;
+use models::Airframe;
 use sim::figures::{Axes, Line, draw};
 use sim::identify::fit::{Fit, fit};
+use sim::identify::known::{LAG, log_of, unknown_hover, worst_off};
 use sim::identify::logged::Logged;
 use sim::identify::segments::Segments;
 use sim::identify::swarm::{Found, Swarm, search};
 use sim::identify::{replay, with_coefficients};
-use sim::noise::{Purpose, Stream};
-use sim::recording::{self, Log};
-use sim::scenario::{Scenario, point};
-use sim::voyage::fly;
-use std::collections::BTreeMap;
+use sim::recording::Log;
 use std::error::Error;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -29,9 +25,6 @@ Examples:
       Coefficients with their confidence, the convergence (fig. 5.2), the model against the flight (fig. 5.3)
   cargo xtask identify --study 20 --file docs/results/identification.csv
       Simulated flights whose coefficients are known: how far each method is off";
-
-/// Time constant of the Mambo's motors (data sheet), s.
-const LAG: f64 = 0.015;
 
 /// Arguments of `identify`.
 #[derive(Args)]
@@ -198,16 +191,6 @@ fn pictures(
     Ok(())
 }
 
-/// A hover whose coefficients lie up to 10 % off the data sheet, each motor its own.
-fn unknown_flight(seed: u64) -> Scenario {
-    let mut dice = Stream::new(seed, Purpose::Dice);
-    let mut scenario = Scenario::mambo(&[point(0.0, 0.0, 0.0, 1.0, 0.0)], 24.0, Mode::ClosedLoop);
-    let coefficients: Vec<f64> = (0..4).map(|_| 0.0107 * dice.between(0.9, 1.1)).collect();
-    scenario.airframe = with_coefficients(&scenario.airframe, &coefficients);
-    scenario.seed = seed;
-    scenario
-}
-
 fn study(wanted: &Identify, count: u64) -> Outcome {
     let sheet = Airframe::mambo();
     let mut text = String::from(
@@ -216,10 +199,8 @@ fn study(wanted: &Identify, count: u64) -> Outcome {
     let mut good = true;
     let bar = progress(count);
     for seed in 1..=count {
-        let scenario = unknown_flight(seed);
-        let voyage = fly(&scenario, &mut Native::default());
-        let log = Log::of(&recording::mcap(&voyage, &BTreeMap::new())?, "study".into())?;
-        let logged = Logged::of(&log, LAG)?;
+        let scenario = unknown_hover(seed);
+        let logged = log_of(&scenario)?;
         let results = identified(&logged, &sheet, wanted.seed + seed, !wanted.no_swarm)?;
         let truth = &scenario.airframe.thrust_coefficients.as_slice()[..4];
         let off = |found: &[f64]| worst_off(found, truth);
@@ -239,8 +220,4 @@ fn study(wanted: &Identify, count: u64) -> Outcome {
         write(path, &text)?;
     }
     Ok(good)
-}
-
-fn worst_off(found: &[f64], truth: &[f64]) -> f64 {
-    found.iter().zip(truth).map(|(found, truth)| (found / truth - 1.0).abs()).fold(0.0, f64::max)
 }
