@@ -50,15 +50,9 @@ fn spread(outcomes: &[Outcome]) -> String {
         String::from("| figure | median | 90 % | 99 % | worst |\n|:--|--:|--:|--:|--:|\n");
     let mut row = |name: &str, of: fn(&Outcome) -> f64| {
         let values = sorted(outcomes.iter().map(of));
-        let at = |share| percentile(&values, share);
-        let _ = writeln!(
-            text,
-            "| {name} | {:.3} | {:.3} | {:.3} | {:.3} |",
-            at(0.5),
-            at(0.9),
-            at(0.99),
-            at(1.0)
-        );
+        let at = |share| cell(&values, share, 3);
+        let _ =
+            writeln!(text, "| {name} | {} | {} | {} | {} |", at(0.5), at(0.9), at(0.99), at(1.0));
     };
     row("error of height once settled, m", |outcome| outcome.height);
     row("distance in the plane once settled, m", |outcome| outcome.place);
@@ -81,13 +75,13 @@ fn failures(outcomes: &[Outcome]) -> String {
         let ahead = sorted(stopped.iter().map(|outcome| outcome.left - outcome.stopped));
         let _ = writeln!(
             text,
-            "| {failure} | {} | {} | {} | {:.2} | {:.2} | {:.2} |",
+            "| {failure} | {} | {} | {} | {} | {} | {} |",
             group.len(),
             stopped.len(),
             group.len() - stopped.len(),
-            percentile(&reaction, 0.5),
-            percentile(&ahead, 0.5),
-            percentile(&ahead, 1.0)
+            cell(&reaction, 0.5, 2),
+            cell(&ahead, 0.5, 2),
+            cell(&ahead, 1.0, 2)
         );
     }
     text
@@ -99,8 +93,9 @@ fn sorted(values: impl Iterator<Item = f64>) -> Vec<f64> {
     all
 }
 
-/// The value below which `share` of the sorted values lie; NaN if there are none.
-fn percentile(sorted: &[f64], share: f64) -> f64 {
+/// The value below which `share` of the sorted values lie, with so many decimals; a dash if there are none.
+fn cell(sorted: &[f64], share: f64, decimals: usize) -> String {
     let last = sorted.len().saturating_sub(1);
-    sorted.get((share * last as f64).round() as usize).copied().unwrap_or(f64::NAN)
+    let value = sorted.get((share * last as f64).round() as usize);
+    value.map_or_else(|| "–".to_owned(), |value| format!("{value:.decimals$}"))
 }
