@@ -4,8 +4,9 @@
 //! external linkage; a plugin of QEMU's (`plugin.c`) counts between them. The count is exact and the
 //! same in every run. Instructions are not cycles: there is no cache and no pipeline.
 
+use std::fs::File;
 use std::path::Path;
-use std::process::Command;
+use std::process::{Command, Stdio};
 
 use bessemer_tests::toolchain::run;
 
@@ -18,6 +19,14 @@ const PLUGIN: &str = include_str!("count/plugin.c");
 /// # Errors
 /// What the compiler, `nm` or QEMU said.
 pub fn count(program: &Path, folder: &Path) -> Result<Vec<u64>, String> {
+    Ok(fed(program, folder, Stdio::null())?.0)
+}
+
+/// The same for a program that reads: its counts, and what it wrote.
+///
+/// # Errors
+/// What the compiler, `nm` or QEMU said.
+pub fn fed(program: &Path, folder: &Path, input: Stdio) -> Result<(Vec<u64>, Vec<u8>), String> {
     let failed = |error: std::io::Error| error.to_string();
     let (source, plugin) = (folder.join("plugin.c"), folder.join("plugin.so"));
     if !plugin.exists() {
@@ -45,7 +54,15 @@ pub fn count(program: &Path, folder: &Path) -> Result<Vec<u64>, String> {
     // QEMU prints what plugins say to its log.
     let log = folder.join("counts.txt");
     command.args(["-cpu", "cortex-a9", "-d", "plugin", "-D"]).arg(&log);
-    run(command.args(["-plugin", &plugin]).arg(program))?;
+    let written = folder.join("written");
+    command.args(["-plugin", &plugin]).arg(program);
+    let output = File::create(&written).map_err(failed)?;
+    let status = command.stdin(input).stdout(output).status().map_err(failed)?;
+    if !status.success() {
+        return Err(format!("{command:?}: {status}"));
+    }
     let text = std::fs::read_to_string(&log).map_err(failed)?;
-    text.lines().map(|line| line.parse().map_err(|_| format!("QEMU said `{line}`"))).collect()
+    let number = |line: &str| line.parse().map_err(|_| format!("QEMU said `{line}`"));
+    let counts = text.lines().map(number).collect::<Result<_, _>>()?;
+    Ok((counts, std::fs::read(&written).map_err(failed)?))
 }

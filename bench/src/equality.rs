@@ -11,7 +11,7 @@ use std::fmt::Write as _;
 use std::thread;
 
 use bessemer_codegen::compile::Compiled;
-use bessemer_tests::pilot::entry;
+use bessemer_tests::entry;
 use bessemer_tests::process::Process;
 use bessemer_tests::toolchain::{self, Toolchain};
 use bessemer_tests::workspace::Workspace;

@@ -7,6 +7,7 @@
 //! | [`kernels`] | generated kernels against handwritten C and the libraries |
 //! | [`rebuild`] | what the attributes add to a rebuild of the corpus |
 //! | [`elementary`] | the elementary functions against glibc and newlib |
+//! | [`onboard`] | what a control period of the onboard software takes on the Cortex-A9 |
 //! | [`equality`] | the elementary functions on millions of points, on every leg |
 //!
 //! [`count`] counts instructions on the emulated Cortex-A9.
@@ -18,4 +19,5 @@ pub mod elementary;
 pub mod equality;
 pub mod generation;
 pub mod kernels;
+pub mod onboard;
 pub mod rebuild;

@@ -7,7 +7,7 @@ use std::process::{Command, ExitCode};
 use bench::check_cost::{self, Size};
 use bench::kernels::results::Results;
 use bench::kernels::{plot, report, run};
-use bench::{elementary, equality, generation, rebuild};
+use bench::{elementary, equality, generation, onboard, rebuild};
 use clap::{Parser, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::Value;
@@ -40,6 +40,8 @@ enum Part {
     Rebuild,
     /// How long a generation takes, by the number of functions
     Generation,
+    /// Instructions of a control period of the onboard software on the Cortex-A9
+    Onboard,
     /// The elementary functions on ten million points each, on every leg: an hour
     Equality,
 }
@@ -47,12 +49,13 @@ enum Part {
 /// A measurement: prints its table, and writes its results unless it is a short run.
 type Measurement = fn(&Arguments) -> Result<(), String>;
 
-const PARTS: [(Part, Measurement); 6] = [
+const PARTS: [(Part, Measurement); 7] = [
     (Part::Kernels, kernels),
     (Part::Elementary, elementary),
     (Part::CheckCost, check_cost),
     (Part::Rebuild, rebuild),
     (Part::Generation, generation),
+    (Part::Onboard, onboard),
     (Part::Equality, equality),
 ];
 
@@ -167,6 +170,12 @@ fn elementary(arguments: &Arguments) -> Result<(), String> {
     let rows = elementary::measure(if arguments.quick { 101 } else { 1001 })?;
     println!("{}", elementary::table(&rows));
     arguments.write("elementary", &elementary::json(&rows))
+}
+
+fn onboard(arguments: &Arguments) -> Result<(), String> {
+    let rows = onboard::measure(if arguments.quick { 2.0 } else { f64::INFINITY })?;
+    println!("{}", onboard::table(&rows));
+    arguments.write("onboard", &onboard::json(&rows))
 }
 
 fn equality(arguments: &Arguments) -> Result<(), String> {

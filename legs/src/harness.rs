@@ -13,12 +13,38 @@ use bessemer_ir::{Float, FunctionId, Int, Module, Owner, Scalar, Type};
 /// The text of the program for `entry`, a method of a component; `params`: how many parameters the
 /// author gave it. What the compiler added, a work struct, is no argument.
 pub fn program(module: &Module, entry: FunctionId, params: u32) -> String {
+    around(module, entry, params, "", "", "")
+}
+
+/// The same, with an empty function called before and after each call: `bench_begin` and `bench_end`, so that
+/// the instructions between them can be counted.
+pub fn marked(module: &Module, entry: FunctionId, params: u32) -> String {
+    around(module, entry, params, MARKS, "        bench_begin();\n", "        bench_end();\n")
+}
+
+/// What a counter looks for. Of external linkage and never inlined, so that they have addresses.
+const MARKS: &str = "
+void bench_begin(void);
+void bench_end(void);
+__attribute__((noinline)) void bench_begin(void) { __asm__ volatile(\"\"); }
+__attribute__((noinline)) void bench_end(void) { __asm__ volatile(\"\"); }
+";
+
+fn around(
+    module: &Module,
+    entry: FunctionId,
+    params: u32,
+    marks: &str,
+    before: &str,
+    after: &str,
+) -> String {
     let names = Names::new(module, &Options::default());
     let Some(call) = Call::of(module, &names, entry, params) else { return String::new() };
     let Call { header, declarations, init, reads, call, writes, state, .. } = call;
     format!(
-        "#include \"{header}\"\n{SUPPORT}\nint main(void)\n{{\n{declarations}{init}    \
-         for (;;) {{\n{reads}{call}{writes}{state}        (void)fflush(stdout);\n    }}\n}}\n"
+        "#include \"{header}\"\n{SUPPORT}{marks}\nint main(void)\n{{\n    uint64_t status;\n\
+         {declarations}{init}    for (;;) {{\n{reads}{before}{call}{after}        put(status);\n\
+         {writes}{state}        (void)fflush(stdout);\n    }}\n}}\n"
     )
 }
 
@@ -36,8 +62,7 @@ pub fn programs(module: &Module, entries: &[(FunctionId, u32)]) -> String {
         let _ = write!(
             functions,
             "static void call_{index}(void)\n{{\n    uint64_t status;\n{declarations}{init}\
-             {sets}{reads}{}    if (status == 0) {{\n{writes}{state}{changed}    }}\n}}\n\n",
-            call.replace("        put(", "        put(status = ")
+             {sets}{reads}{call}        put(status);\n    if (status == 0) {{\n{writes}{state}{changed}    }}\n}}\n\n"
         );
         let _ = writeln!(cases, "        case {index}: call_{index}(); break;");
     }
@@ -60,6 +85,7 @@ struct Call {
     sets: String,
     /// Reads the arguments.
     reads: String,
+    /// Calls, and sets `status`.
     call: String,
     /// Writes the result.
     writes: String,
@@ -118,13 +144,13 @@ impl Call {
         }
         let call = format!("{}({})", signature.name, arguments.join(", "));
         pieces.call = match &signature.returned {
-            Returned::Nothing => format!("        {call};\n        put(0);\n"),
-            Returned::Status => format!("        put((uint64_t){call});\n"),
+            Returned::Nothing => format!("        {call};\n        status = 0;\n"),
+            Returned::Status => format!("        status = (uint64_t){call};\n"),
             Returned::Value(ty) => {
                 let declarator = names.declarator(ty, "result_").text();
                 let _ = writeln!(pieces.declarations, "    static {declarator};");
                 put(ty, "result_", &mut pieces.writes);
-                format!("        result_ = {call};\n        put(0);\n")
+                format!("        result_ = {call};\n        status = 0;\n")
             }
         };
         Some(pieces)

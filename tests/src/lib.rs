@@ -11,7 +11,8 @@ pub mod pilot;
 pub mod workspace;
 
 pub use bessemer_legs::{
-    compiled, harness, interpreter, overflow_is_checked, process, root, toolchain, value, words,
+    compiled, entry, harness, interpreter, overflow_is_checked, process, root, toolchain, value,
+    words,
 };
 
 use bessemer_codegen::compile::Compiled;
