@@ -15,8 +15,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "covariance.h"
 #include "geometry.h"
-#include "product_f64_6x6_6x6.h"
 
 #if defined(__FAST_MATH__)
 #error "-ffast-math changes results: compile without it"
@@ -64,18 +64,16 @@ void attitude_filter_predict(attitude_filter_t *self, const double measured[3], 
     self->angles[1] += angles_angle_rates[1] * period;
     self->angles[2] += angles_angle_rates[2] * period;
     const double turn = noise * period;
-    product_f64_6x6_6x6(work->advance, self->covariance, work->spread_a);
-    for (uint32_t column = 0U; column < 6U; column++) {
-        for (uint32_t row = 0U; row < 6U; row++) {
-            work->spread_b[row + 6 * column] = work->advance[column + 6 * row];
-        }
-    }
-    product_f64_6x6_6x6(work->spread_a, work->spread_b, work->spread);
+    const double wander = drift * drift * period;
+    double growth[6] = {0.0};
     for (uint32_t n = 0U; n < 3U; n++) {
-        work->spread[n + 6 * n] += turn * turn;
-        work->spread[n + 3 + 6 * (n + 3)] += drift * drift * period;
+        growth[n] = turn * turn;
+        growth[n + 3] = wander;
     }
-    attitude_filter_symmetric(work->spread, &work->symmetric_work, self->covariance);
+    covariance_diagonal_6(growth, work->covariance_growth);
+    covariance_grown_6(self->covariance, work->advance, work->covariance_growth,
+        &work->grown_6_work, work->covariance_next);
+    memcpy(self->covariance, work->covariance_next, sizeof(double[36]));
 }
 
 void attitude_filter_advance(const attitude_filter_t *self, const orientation_t *orientation,
@@ -85,41 +83,14 @@ void attitude_filter_advance(const attitude_filter_t *self, const orientation_t 
     const double along = orientation->c3 * rates[0] + orientation->s3 * rates[1];
     const double across = orientation->s3 * rates[0] - orientation->c3 * rates[1];
     const double lean = orientation->s2 / orientation->c2;
+    for (uint32_t i = 0U; i < 36U; i++) {
+        advance[i] = 0.0;
+    }
     advance[0 + 6 * 0] = 1.0;
-    advance[1 + 6 * 0] = 0.0;
-    advance[2 + 6 * 0] = 0.0;
-    advance[3 + 6 * 0] = 0.0;
-    advance[4 + 6 * 0] = 0.0;
-    advance[5 + 6 * 0] = 0.0;
-    advance[0 + 6 * 1] = 0.0;
     advance[1 + 6 * 1] = 1.0;
-    advance[2 + 6 * 1] = 0.0;
-    advance[3 + 6 * 1] = 0.0;
-    advance[4 + 6 * 1] = 0.0;
-    advance[5 + 6 * 1] = 0.0;
-    advance[0 + 6 * 2] = 0.0;
-    advance[1 + 6 * 2] = 0.0;
     advance[2 + 6 * 2] = 1.0;
-    advance[3 + 6 * 2] = 0.0;
-    advance[4 + 6 * 2] = 0.0;
-    advance[5 + 6 * 2] = 0.0;
-    advance[0 + 6 * 3] = 0.0;
-    advance[1 + 6 * 3] = 0.0;
-    advance[2 + 6 * 3] = 0.0;
     advance[3 + 6 * 3] = 1.0;
-    advance[4 + 6 * 3] = 0.0;
-    advance[5 + 6 * 3] = 0.0;
-    advance[0 + 6 * 4] = 0.0;
-    advance[1 + 6 * 4] = 0.0;
-    advance[2 + 6 * 4] = 0.0;
-    advance[3 + 6 * 4] = 0.0;
     advance[4 + 6 * 4] = 1.0;
-    advance[5 + 6 * 4] = 0.0;
-    advance[0 + 6 * 5] = 0.0;
-    advance[1 + 6 * 5] = 0.0;
-    advance[2 + 6 * 5] = 0.0;
-    advance[3 + 6 * 5] = 0.0;
-    advance[4 + 6 * 5] = 0.0;
     advance[5 + 6 * 5] = 1.0;
     advance[0 + 6 * 1] = -period * along * lean / orientation->c2;
     advance[0 + 6 * 2] = period * across / orientation->c2;
@@ -173,144 +144,8 @@ bool attitude_filter_correct(attitude_filter_t *self, const double row[6], doubl
         const double bias_operand = gain[n + 3] * innovation;
         self->bias[n] += bias_operand;
     }
-    work->kept_matrix[0 + 6 * 0] = 1.0;
-    work->kept_matrix[1 + 6 * 0] = 0.0;
-    work->kept_matrix[2 + 6 * 0] = 0.0;
-    work->kept_matrix[3 + 6 * 0] = 0.0;
-    work->kept_matrix[4 + 6 * 0] = 0.0;
-    work->kept_matrix[5 + 6 * 0] = 0.0;
-    work->kept_matrix[0 + 6 * 1] = 0.0;
-    work->kept_matrix[1 + 6 * 1] = 1.0;
-    work->kept_matrix[2 + 6 * 1] = 0.0;
-    work->kept_matrix[3 + 6 * 1] = 0.0;
-    work->kept_matrix[4 + 6 * 1] = 0.0;
-    work->kept_matrix[5 + 6 * 1] = 0.0;
-    work->kept_matrix[0 + 6 * 2] = 0.0;
-    work->kept_matrix[1 + 6 * 2] = 0.0;
-    work->kept_matrix[2 + 6 * 2] = 1.0;
-    work->kept_matrix[3 + 6 * 2] = 0.0;
-    work->kept_matrix[4 + 6 * 2] = 0.0;
-    work->kept_matrix[5 + 6 * 2] = 0.0;
-    work->kept_matrix[0 + 6 * 3] = 0.0;
-    work->kept_matrix[1 + 6 * 3] = 0.0;
-    work->kept_matrix[2 + 6 * 3] = 0.0;
-    work->kept_matrix[3 + 6 * 3] = 1.0;
-    work->kept_matrix[4 + 6 * 3] = 0.0;
-    work->kept_matrix[5 + 6 * 3] = 0.0;
-    work->kept_matrix[0 + 6 * 4] = 0.0;
-    work->kept_matrix[1 + 6 * 4] = 0.0;
-    work->kept_matrix[2 + 6 * 4] = 0.0;
-    work->kept_matrix[3 + 6 * 4] = 0.0;
-    work->kept_matrix[4 + 6 * 4] = 1.0;
-    work->kept_matrix[5 + 6 * 4] = 0.0;
-    work->kept_matrix[0 + 6 * 5] = 0.0;
-    work->kept_matrix[1 + 6 * 5] = 0.0;
-    work->kept_matrix[2 + 6 * 5] = 0.0;
-    work->kept_matrix[3 + 6 * 5] = 0.0;
-    work->kept_matrix[4 + 6 * 5] = 0.0;
-    work->kept_matrix[5 + 6 * 5] = 1.0;
-    const double kept_transposed[6] = {row[0], row[1], row[2], row[3], row[4], row[5]};
-    work->kept_product[0 + 6 * 0] = gain[0] * kept_transposed[0];
-    work->kept_product[1 + 6 * 0] = gain[1] * kept_transposed[0];
-    work->kept_product[2 + 6 * 0] = gain[2] * kept_transposed[0];
-    work->kept_product[3 + 6 * 0] = gain[3] * kept_transposed[0];
-    work->kept_product[4 + 6 * 0] = gain[4] * kept_transposed[0];
-    work->kept_product[5 + 6 * 0] = gain[5] * kept_transposed[0];
-    work->kept_product[0 + 6 * 1] = gain[0] * kept_transposed[1];
-    work->kept_product[1 + 6 * 1] = gain[1] * kept_transposed[1];
-    work->kept_product[2 + 6 * 1] = gain[2] * kept_transposed[1];
-    work->kept_product[3 + 6 * 1] = gain[3] * kept_transposed[1];
-    work->kept_product[4 + 6 * 1] = gain[4] * kept_transposed[1];
-    work->kept_product[5 + 6 * 1] = gain[5] * kept_transposed[1];
-    work->kept_product[0 + 6 * 2] = gain[0] * kept_transposed[2];
-    work->kept_product[1 + 6 * 2] = gain[1] * kept_transposed[2];
-    work->kept_product[2 + 6 * 2] = gain[2] * kept_transposed[2];
-    work->kept_product[3 + 6 * 2] = gain[3] * kept_transposed[2];
-    work->kept_product[4 + 6 * 2] = gain[4] * kept_transposed[2];
-    work->kept_product[5 + 6 * 2] = gain[5] * kept_transposed[2];
-    work->kept_product[0 + 6 * 3] = gain[0] * kept_transposed[3];
-    work->kept_product[1 + 6 * 3] = gain[1] * kept_transposed[3];
-    work->kept_product[2 + 6 * 3] = gain[2] * kept_transposed[3];
-    work->kept_product[3 + 6 * 3] = gain[3] * kept_transposed[3];
-    work->kept_product[4 + 6 * 3] = gain[4] * kept_transposed[3];
-    work->kept_product[5 + 6 * 3] = gain[5] * kept_transposed[3];
-    work->kept_product[0 + 6 * 4] = gain[0] * kept_transposed[4];
-    work->kept_product[1 + 6 * 4] = gain[1] * kept_transposed[4];
-    work->kept_product[2 + 6 * 4] = gain[2] * kept_transposed[4];
-    work->kept_product[3 + 6 * 4] = gain[3] * kept_transposed[4];
-    work->kept_product[4 + 6 * 4] = gain[4] * kept_transposed[4];
-    work->kept_product[5 + 6 * 4] = gain[5] * kept_transposed[4];
-    work->kept_product[0 + 6 * 5] = gain[0] * kept_transposed[5];
-    work->kept_product[1 + 6 * 5] = gain[1] * kept_transposed[5];
-    work->kept_product[2 + 6 * 5] = gain[2] * kept_transposed[5];
-    work->kept_product[3 + 6 * 5] = gain[3] * kept_transposed[5];
-    work->kept_product[4 + 6 * 5] = gain[4] * kept_transposed[5];
-    work->kept_product[5 + 6 * 5] = gain[5] * kept_transposed[5];
-    for (uint32_t i = 0U; i < 36U; i++) {
-        work->kept[i] = work->kept_matrix[i] - work->kept_product[i];
-    }
-    const double noise_transposed[6] = {gain[0], gain[1], gain[2], gain[3], gain[4], gain[5]};
-    work->noise_product[0 + 6 * 0] = gain[0] * noise_transposed[0];
-    work->noise_product[1 + 6 * 0] = gain[1] * noise_transposed[0];
-    work->noise_product[2 + 6 * 0] = gain[2] * noise_transposed[0];
-    work->noise_product[3 + 6 * 0] = gain[3] * noise_transposed[0];
-    work->noise_product[4 + 6 * 0] = gain[4] * noise_transposed[0];
-    work->noise_product[5 + 6 * 0] = gain[5] * noise_transposed[0];
-    work->noise_product[0 + 6 * 1] = gain[0] * noise_transposed[1];
-    work->noise_product[1 + 6 * 1] = gain[1] * noise_transposed[1];
-    work->noise_product[2 + 6 * 1] = gain[2] * noise_transposed[1];
-    work->noise_product[3 + 6 * 1] = gain[3] * noise_transposed[1];
-    work->noise_product[4 + 6 * 1] = gain[4] * noise_transposed[1];
-    work->noise_product[5 + 6 * 1] = gain[5] * noise_transposed[1];
-    work->noise_product[0 + 6 * 2] = gain[0] * noise_transposed[2];
-    work->noise_product[1 + 6 * 2] = gain[1] * noise_transposed[2];
-    work->noise_product[2 + 6 * 2] = gain[2] * noise_transposed[2];
-    work->noise_product[3 + 6 * 2] = gain[3] * noise_transposed[2];
-    work->noise_product[4 + 6 * 2] = gain[4] * noise_transposed[2];
-    work->noise_product[5 + 6 * 2] = gain[5] * noise_transposed[2];
-    work->noise_product[0 + 6 * 3] = gain[0] * noise_transposed[3];
-    work->noise_product[1 + 6 * 3] = gain[1] * noise_transposed[3];
-    work->noise_product[2 + 6 * 3] = gain[2] * noise_transposed[3];
-    work->noise_product[3 + 6 * 3] = gain[3] * noise_transposed[3];
-    work->noise_product[4 + 6 * 3] = gain[4] * noise_transposed[3];
-    work->noise_product[5 + 6 * 3] = gain[5] * noise_transposed[3];
-    work->noise_product[0 + 6 * 4] = gain[0] * noise_transposed[4];
-    work->noise_product[1 + 6 * 4] = gain[1] * noise_transposed[4];
-    work->noise_product[2 + 6 * 4] = gain[2] * noise_transposed[4];
-    work->noise_product[3 + 6 * 4] = gain[3] * noise_transposed[4];
-    work->noise_product[4 + 6 * 4] = gain[4] * noise_transposed[4];
-    work->noise_product[5 + 6 * 4] = gain[5] * noise_transposed[4];
-    work->noise_product[0 + 6 * 5] = gain[0] * noise_transposed[5];
-    work->noise_product[1 + 6 * 5] = gain[1] * noise_transposed[5];
-    work->noise_product[2 + 6 * 5] = gain[2] * noise_transposed[5];
-    work->noise_product[3 + 6 * 5] = gain[3] * noise_transposed[5];
-    work->noise_product[4 + 6 * 5] = gain[4] * noise_transposed[5];
-    work->noise_product[5 + 6 * 5] = gain[5] * noise_transposed[5];
-    for (uint32_t i = 0U; i < 36U; i++) {
-        work->noise[i] = work->noise_product[i] * variance;
-    }
-    product_f64_6x6_6x6(work->kept, self->covariance, work->covariance_a);
-    for (uint32_t column = 0U; column < 6U; column++) {
-        for (uint32_t row_2 = 0U; row_2 < 6U; row_2++) {
-            work->covariance_b[row_2 + 6 * column] = work->kept[column + 6 * row_2];
-        }
-    }
-    product_f64_6x6_6x6(work->covariance_a, work->covariance_b, work->covariance_product);
-    for (uint32_t i = 0U; i < 36U; i++) {
-        work->covariance_matrix[i] = work->covariance_product[i] + work->noise[i];
-    }
-    attitude_filter_symmetric(work->covariance_matrix, &work->symmetric_work, self->covariance);
+    covariance_corrected_6(self->covariance, row, gain, variance, &work->corrected_6_work,
+        work->covariance_next);
+    memcpy(self->covariance, work->covariance_next, sizeof(double[36]));
     return true;
-}
-
-void attitude_filter_symmetric(const double matrix[36], symmetric_work_t *work, double result[36])
-{
-    for (uint32_t column = 0U; column < 6U; column++) {
-        for (uint32_t row = 0U; row < 6U; row++) {
-            work->result_transposed[row + 6 * column] = matrix[column + 6 * row];
-        }
-    }
-    for (uint32_t i = 0U; i < 36U; i++) {
-        result[i] = (matrix[i] + work->result_transposed[i]) * 0.5;
-    }
 }

@@ -9,6 +9,7 @@
 
 #include <stdbool.h>
 
+#include "covariance.h"
 #include "geometry.h"
 
 #ifdef __cplusplus
@@ -27,52 +28,23 @@ typedef struct {
 
 /** What `AttitudeFilter::level` works with; its content means nothing between calls. */
 typedef struct {
-    /** `covariance`. */
     double covariance[36];
 } attitude_filter_level_work_t;
 
-/** What `symmetric` works with; its content means nothing between calls. */
-typedef struct {
-    /** `result_transposed`. */
-    double result_transposed[36];
-} symmetric_work_t;
-
 /** What `AttitudeFilter::predict` works with; its content means nothing between calls. */
 typedef struct {
-    /** `advance`. */
     double advance[36];
-    /** `spread`. */
-    double spread[36];
-    /** `spread_a`. */
-    double spread_a[36];
-    /** `spread_b`. */
-    double spread_b[36];
-    /** What `symmetric` works with. */
-    symmetric_work_t symmetric_work;
+    double covariance_growth[36];
+    double covariance_next[36];
+    /** What `grown_6` works with. */
+    covariance_grown_6_work_t grown_6_work;
 } attitude_filter_predict_work_t;
 
 /** What `AttitudeFilter::correct` works with; its content means nothing between calls. */
 typedef struct {
-    /** `kept`. */
-    double kept[36];
-    /** `noise`. */
-    double noise[36];
-    /** `kept_matrix`. */
-    double kept_matrix[36];
-    /** `kept_product`. */
-    double kept_product[36];
-    /** `noise_product`. */
-    double noise_product[36];
-    /** `covariance_a`. */
-    double covariance_a[36];
-    /** `covariance_b`. */
-    double covariance_b[36];
-    /** `covariance_product`. */
-    double covariance_product[36];
-    /** `covariance_matrix`. */
-    double covariance_matrix[36];
-    /** What `symmetric` works with. */
-    symmetric_work_t symmetric_work;
+    double covariance_next[36];
+    /** What `corrected_6` works with. */
+    covariance_corrected_6_work_t corrected_6_work;
 } attitude_filter_correct_work_t;
 
 /** Level, known to within `angle`, rad, and `bias`, rad/s. */
@@ -97,9 +69,6 @@ void attitude_filter_advance(const attitude_filter_t *self, const orientation_t 
  */
 bool attitude_filter_correct(attitude_filter_t *self, const double row[6], double innovation,
     double variance, double gate, attitude_filter_correct_work_t *work);
-
-/** The symmetric part. */
-void attitude_filter_symmetric(const double matrix[36], symmetric_work_t *work, double result[36]);
 
 #ifdef __cplusplus
 }

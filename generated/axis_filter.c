@@ -15,6 +15,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "covariance.h"
+
 #if defined(__FAST_MATH__)
 #error "-ffast-math changes results: compile without it"
 #endif
@@ -29,7 +31,7 @@ void axis_filter_at_rest(double place, double bias, axis_filter_t *axis_filter)
 {
     const double spread[3] = {place * place, 0.01, bias * bias};
     double axis_filter_covariance[9];
-    axis_filter_diagonal(spread, axis_filter_covariance);
+    covariance_diagonal_3(spread, axis_filter_covariance);
     axis_filter->state[0] = 0.0;
     axis_filter->state[1] = 0.0;
     axis_filter->state[2] = 0.0;
@@ -53,75 +55,10 @@ void axis_filter_predict(axis_filter_t *self, double acceleration, double period
     const double slip = 0.5 * push * period;
     const double growth_values[3] = {slip * slip, push * push, wander};
     double growth[9];
-    axis_filter_diagonal(growth_values, growth);
-    const double spread_product[9] = {
-        advance[0 + 3 * 0] * self->covariance[0 + 3 * 0]
-            + advance[0 + 3 * 1] * self->covariance[1 + 3 * 0]
-            + advance[0 + 3 * 2] * self->covariance[2 + 3 * 0],
-        advance[1 + 3 * 0] * self->covariance[0 + 3 * 0]
-            + advance[1 + 3 * 1] * self->covariance[1 + 3 * 0]
-            + advance[1 + 3 * 2] * self->covariance[2 + 3 * 0],
-        advance[2 + 3 * 0] * self->covariance[0 + 3 * 0]
-            + advance[2 + 3 * 1] * self->covariance[1 + 3 * 0]
-            + advance[2 + 3 * 2] * self->covariance[2 + 3 * 0],
-        advance[0 + 3 * 0] * self->covariance[0 + 3 * 1]
-            + advance[0 + 3 * 1] * self->covariance[1 + 3 * 1]
-            + advance[0 + 3 * 2] * self->covariance[2 + 3 * 1],
-        advance[1 + 3 * 0] * self->covariance[0 + 3 * 1]
-            + advance[1 + 3 * 1] * self->covariance[1 + 3 * 1]
-            + advance[1 + 3 * 2] * self->covariance[2 + 3 * 1],
-        advance[2 + 3 * 0] * self->covariance[0 + 3 * 1]
-            + advance[2 + 3 * 1] * self->covariance[1 + 3 * 1]
-            + advance[2 + 3 * 2] * self->covariance[2 + 3 * 1],
-        advance[0 + 3 * 0] * self->covariance[0 + 3 * 2]
-            + advance[0 + 3 * 1] * self->covariance[1 + 3 * 2]
-            + advance[0 + 3 * 2] * self->covariance[2 + 3 * 2],
-        advance[1 + 3 * 0] * self->covariance[0 + 3 * 2]
-            + advance[1 + 3 * 1] * self->covariance[1 + 3 * 2]
-            + advance[1 + 3 * 2] * self->covariance[2 + 3 * 2],
-        advance[2 + 3 * 0] * self->covariance[0 + 3 * 2]
-            + advance[2 + 3 * 1] * self->covariance[1 + 3 * 2]
-            + advance[2 + 3 * 2] * self->covariance[2 + 3 * 2]
-    };
-    const double spread_transposed[9] = {
-        advance[0 + 3 * 0], advance[0 + 3 * 1], advance[0 + 3 * 2],
-        advance[1 + 3 * 0], advance[1 + 3 * 1], advance[1 + 3 * 2],
-        advance[2 + 3 * 0], advance[2 + 3 * 1], advance[2 + 3 * 2]
-    };
-    const double spread_product_2[9] = {
-        spread_product[0 + 3 * 0] * spread_transposed[0 + 3 * 0]
-            + spread_product[0 + 3 * 1] * spread_transposed[1 + 3 * 0]
-            + spread_product[0 + 3 * 2] * spread_transposed[2 + 3 * 0],
-        spread_product[1 + 3 * 0] * spread_transposed[0 + 3 * 0]
-            + spread_product[1 + 3 * 1] * spread_transposed[1 + 3 * 0]
-            + spread_product[1 + 3 * 2] * spread_transposed[2 + 3 * 0],
-        spread_product[2 + 3 * 0] * spread_transposed[0 + 3 * 0]
-            + spread_product[2 + 3 * 1] * spread_transposed[1 + 3 * 0]
-            + spread_product[2 + 3 * 2] * spread_transposed[2 + 3 * 0],
-        spread_product[0 + 3 * 0] * spread_transposed[0 + 3 * 1]
-            + spread_product[0 + 3 * 1] * spread_transposed[1 + 3 * 1]
-            + spread_product[0 + 3 * 2] * spread_transposed[2 + 3 * 1],
-        spread_product[1 + 3 * 0] * spread_transposed[0 + 3 * 1]
-            + spread_product[1 + 3 * 1] * spread_transposed[1 + 3 * 1]
-            + spread_product[1 + 3 * 2] * spread_transposed[2 + 3 * 1],
-        spread_product[2 + 3 * 0] * spread_transposed[0 + 3 * 1]
-            + spread_product[2 + 3 * 1] * spread_transposed[1 + 3 * 1]
-            + spread_product[2 + 3 * 2] * spread_transposed[2 + 3 * 1],
-        spread_product[0 + 3 * 0] * spread_transposed[0 + 3 * 2]
-            + spread_product[0 + 3 * 1] * spread_transposed[1 + 3 * 2]
-            + spread_product[0 + 3 * 2] * spread_transposed[2 + 3 * 2],
-        spread_product[1 + 3 * 0] * spread_transposed[0 + 3 * 2]
-            + spread_product[1 + 3 * 1] * spread_transposed[1 + 3 * 2]
-            + spread_product[1 + 3 * 2] * spread_transposed[2 + 3 * 2],
-        spread_product[2 + 3 * 0] * spread_transposed[0 + 3 * 2]
-            + spread_product[2 + 3 * 1] * spread_transposed[1 + 3 * 2]
-            + spread_product[2 + 3 * 2] * spread_transposed[2 + 3 * 2]
-    };
-    double spread[9];
-    for (uint32_t i = 0U; i < 9U; i++) {
-        spread[i] = spread_product_2[i] + growth[i];
-    }
-    axis_filter_symmetric(spread, self->covariance);
+    covariance_diagonal_3(growth_values, growth);
+    double covariance_next[9];
+    covariance_grown_3(self->covariance, advance, growth, covariance_next);
+    memcpy(self->covariance, covariance_next, sizeof(double[9]));
 }
 
 void axis_filter_doubt(axis_filter_t *self)
@@ -152,132 +89,8 @@ bool axis_filter_correct(axis_filter_t *self, const double row[3], double measur
     self->state[0] += gain[0] * innovation;
     self->state[1] += gain[1] * innovation;
     self->state[2] += gain[2] * innovation;
-    const double kept_matrix[9] = {
-        1.0, 0.0, 0.0,
-        0.0, 1.0, 0.0,
-        0.0, 0.0, 1.0
-    };
-    const double kept_transposed[3] = {row[0], row[1], row[2]};
-    const double kept_product[9] = {
-        gain[0] * kept_transposed[0],
-        gain[1] * kept_transposed[0],
-        gain[2] * kept_transposed[0],
-        gain[0] * kept_transposed[1],
-        gain[1] * kept_transposed[1],
-        gain[2] * kept_transposed[1],
-        gain[0] * kept_transposed[2],
-        gain[1] * kept_transposed[2],
-        gain[2] * kept_transposed[2]
-    };
-    double kept[9];
-    for (uint32_t i = 0U; i < 9U; i++) {
-        kept[i] = kept_matrix[i] - kept_product[i];
-    }
-    const double noise_transposed[3] = {gain[0], gain[1], gain[2]};
-    const double noise_product[9] = {
-        gain[0] * noise_transposed[0],
-        gain[1] * noise_transposed[0],
-        gain[2] * noise_transposed[0],
-        gain[0] * noise_transposed[1],
-        gain[1] * noise_transposed[1],
-        gain[2] * noise_transposed[1],
-        gain[0] * noise_transposed[2],
-        gain[1] * noise_transposed[2],
-        gain[2] * noise_transposed[2]
-    };
-    double noise[9];
-    for (uint32_t i = 0U; i < 9U; i++) {
-        noise[i] = noise_product[i] * variance;
-    }
-    const double covariance_product[9] = {
-        kept[0 + 3 * 0] * self->covariance[0 + 3 * 0]
-            + kept[0 + 3 * 1] * self->covariance[1 + 3 * 0]
-            + kept[0 + 3 * 2] * self->covariance[2 + 3 * 0],
-        kept[1 + 3 * 0] * self->covariance[0 + 3 * 0]
-            + kept[1 + 3 * 1] * self->covariance[1 + 3 * 0]
-            + kept[1 + 3 * 2] * self->covariance[2 + 3 * 0],
-        kept[2 + 3 * 0] * self->covariance[0 + 3 * 0]
-            + kept[2 + 3 * 1] * self->covariance[1 + 3 * 0]
-            + kept[2 + 3 * 2] * self->covariance[2 + 3 * 0],
-        kept[0 + 3 * 0] * self->covariance[0 + 3 * 1]
-            + kept[0 + 3 * 1] * self->covariance[1 + 3 * 1]
-            + kept[0 + 3 * 2] * self->covariance[2 + 3 * 1],
-        kept[1 + 3 * 0] * self->covariance[0 + 3 * 1]
-            + kept[1 + 3 * 1] * self->covariance[1 + 3 * 1]
-            + kept[1 + 3 * 2] * self->covariance[2 + 3 * 1],
-        kept[2 + 3 * 0] * self->covariance[0 + 3 * 1]
-            + kept[2 + 3 * 1] * self->covariance[1 + 3 * 1]
-            + kept[2 + 3 * 2] * self->covariance[2 + 3 * 1],
-        kept[0 + 3 * 0] * self->covariance[0 + 3 * 2]
-            + kept[0 + 3 * 1] * self->covariance[1 + 3 * 2]
-            + kept[0 + 3 * 2] * self->covariance[2 + 3 * 2],
-        kept[1 + 3 * 0] * self->covariance[0 + 3 * 2]
-            + kept[1 + 3 * 1] * self->covariance[1 + 3 * 2]
-            + kept[1 + 3 * 2] * self->covariance[2 + 3 * 2],
-        kept[2 + 3 * 0] * self->covariance[0 + 3 * 2]
-            + kept[2 + 3 * 1] * self->covariance[1 + 3 * 2]
-            + kept[2 + 3 * 2] * self->covariance[2 + 3 * 2]
-    };
-    const double covariance_transposed[9] = {
-        kept[0 + 3 * 0], kept[0 + 3 * 1], kept[0 + 3 * 2],
-        kept[1 + 3 * 0], kept[1 + 3 * 1], kept[1 + 3 * 2],
-        kept[2 + 3 * 0], kept[2 + 3 * 1], kept[2 + 3 * 2]
-    };
-    const double covariance_product_2[9] = {
-        covariance_product[0 + 3 * 0] * covariance_transposed[0 + 3 * 0]
-            + covariance_product[0 + 3 * 1] * covariance_transposed[1 + 3 * 0]
-            + covariance_product[0 + 3 * 2] * covariance_transposed[2 + 3 * 0],
-        covariance_product[1 + 3 * 0] * covariance_transposed[0 + 3 * 0]
-            + covariance_product[1 + 3 * 1] * covariance_transposed[1 + 3 * 0]
-            + covariance_product[1 + 3 * 2] * covariance_transposed[2 + 3 * 0],
-        covariance_product[2 + 3 * 0] * covariance_transposed[0 + 3 * 0]
-            + covariance_product[2 + 3 * 1] * covariance_transposed[1 + 3 * 0]
-            + covariance_product[2 + 3 * 2] * covariance_transposed[2 + 3 * 0],
-        covariance_product[0 + 3 * 0] * covariance_transposed[0 + 3 * 1]
-            + covariance_product[0 + 3 * 1] * covariance_transposed[1 + 3 * 1]
-            + covariance_product[0 + 3 * 2] * covariance_transposed[2 + 3 * 1],
-        covariance_product[1 + 3 * 0] * covariance_transposed[0 + 3 * 1]
-            + covariance_product[1 + 3 * 1] * covariance_transposed[1 + 3 * 1]
-            + covariance_product[1 + 3 * 2] * covariance_transposed[2 + 3 * 1],
-        covariance_product[2 + 3 * 0] * covariance_transposed[0 + 3 * 1]
-            + covariance_product[2 + 3 * 1] * covariance_transposed[1 + 3 * 1]
-            + covariance_product[2 + 3 * 2] * covariance_transposed[2 + 3 * 1],
-        covariance_product[0 + 3 * 0] * covariance_transposed[0 + 3 * 2]
-            + covariance_product[0 + 3 * 1] * covariance_transposed[1 + 3 * 2]
-            + covariance_product[0 + 3 * 2] * covariance_transposed[2 + 3 * 2],
-        covariance_product[1 + 3 * 0] * covariance_transposed[0 + 3 * 2]
-            + covariance_product[1 + 3 * 1] * covariance_transposed[1 + 3 * 2]
-            + covariance_product[1 + 3 * 2] * covariance_transposed[2 + 3 * 2],
-        covariance_product[2 + 3 * 0] * covariance_transposed[0 + 3 * 2]
-            + covariance_product[2 + 3 * 1] * covariance_transposed[1 + 3 * 2]
-            + covariance_product[2 + 3 * 2] * covariance_transposed[2 + 3 * 2]
-    };
-    double covariance_matrix[9];
-    for (uint32_t i = 0U; i < 9U; i++) {
-        covariance_matrix[i] = covariance_product_2[i] + noise[i];
-    }
-    axis_filter_symmetric(covariance_matrix, self->covariance);
+    double covariance_next[9];
+    covariance_corrected_3(self->covariance, row, gain, variance, covariance_next);
+    memcpy(self->covariance, covariance_next, sizeof(double[9]));
     return true;
-}
-
-void axis_filter_diagonal(const double values[3], double all[9])
-{
-    for (uint32_t i = 0U; i < 9U; i++) {
-        all[i] = 0.0;
-    }
-    for (uint32_t n = 0U; n < 3U; n++) {
-        all[n + 3 * n] = values[n];
-    }
-}
-
-void axis_filter_symmetric(const double matrix[9], double result[9])
-{
-    const double result_transposed[9] = {
-        matrix[0 + 3 * 0], matrix[0 + 3 * 1], matrix[0 + 3 * 2],
-        matrix[1 + 3 * 0], matrix[1 + 3 * 1], matrix[1 + 3 * 2],
-        matrix[2 + 3 * 0], matrix[2 + 3 * 1], matrix[2 + 3 * 2]
-    };
-    for (uint32_t i = 0U; i < 9U; i++) {
-        result[i] = (matrix[i] + result_transposed[i]) * 0.5;
-    }
 }

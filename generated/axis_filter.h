@@ -44,12 +44,6 @@ void axis_filter_doubt(axis_filter_t *self);
 bool axis_filter_correct(axis_filter_t *self, const double row[3], double measured, double variance,
     double gate);
 
-/** The matrix with the given diagonal. */
-void axis_filter_diagonal(const double values[3], double all[9]);
-
-/** The symmetric part. */
-void axis_filter_symmetric(const double matrix[9], double result[9]);
-
 #ifdef __cplusplus
 }
 #endif

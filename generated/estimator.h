@@ -129,7 +129,6 @@ typedef struct {
 
 /** What `Estimator::state` works with; its content means nothing between calls. */
 typedef struct {
-    /** `axes`. */
     axis_filter_t axes[3];
 } estimator_state_work_t;
 

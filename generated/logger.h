@@ -46,7 +46,6 @@ typedef struct {
 
 /** What `Logger::step` works with; its content means nothing between calls. */
 typedef struct {
-    /** `record`. */
     record_t record;
 } logger_step_work_t;
 

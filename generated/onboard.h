@@ -53,7 +53,6 @@ typedef struct {
 
 /** What `Settings::mambo` works with; its content means nothing between calls. */
 typedef struct {
-    /** `settings_parameters`. */
     parameters_t settings_parameters;
     /** What `mambo` works with. */
     parameters_mambo_work_t mambo_work;
@@ -109,7 +108,6 @@ typedef struct {
 
 /** What `Onboard::step` works with; its content means nothing between calls. */
 typedef struct {
-    /** `signals`. */
     double signals[64];
     /** What `step` works with. */
     estimator_step_work_t step_work;

@@ -81,15 +81,12 @@ typedef struct {
 
 /** What `Parameters::mambo` works with; its content means nothing between calls. */
 typedef struct {
-    /** `parameters_mixer`. */
     mixer_t parameters_mixer;
 } parameters_mambo_work_t;
 
 /** What `Parameters::hexacopter` works with; its content means nothing between calls. */
 typedef struct {
-    /** `parameters`. */
     parameters_t parameters;
-    /** `result_mixer`. */
     mixer_t result_mixer;
     /** What `mambo` works with. */
     parameters_mambo_work_t mambo_work;

@@ -85,7 +85,6 @@ typedef struct {
 
 /** What `Receiver::commit` works with; its content means nothing between calls. */
 typedef struct {
-    /** `wanted`. */
     trajectory_t wanted;
 } receiver_commit_work_t;
 

@@ -1,8 +1,8 @@
 //! Roll, pitch, yaw and the gyroscope's biases: an extended Kalman filter of six states.
 //!
-//! Its covariance is kept as [`crate::axis_filter`] keeps its own. Knows no sensor but the gyroscope: a
-//! correction is any measurement of one angle.
+//! Knows no sensor but the gyroscope: a correction is any measurement of one angle.
 
+use crate::covariance::{corrected, diagonal, grown};
 use crate::geometry::Orientation;
 use bessemer::prelude::*;
 
@@ -39,12 +39,13 @@ impl AttitudeFilter {
         self.angles += orientation.angle_rates(&rates) * period;
 
         let turn = noise * period;
-        let mut spread = advance * self.covariance * advance.transpose();
+        let wander = drift * drift * period;
+        let mut growth = Vector6::zeros();
         for n in 0..3 {
-            spread[(n, n)] += turn * turn;
-            spread[(n + 3, n + 3)] += drift * drift * period;
+            growth[n] = turn * turn;
+            growth[n + 3] = wander;
         }
-        self.covariance = symmetric(&spread);
+        self.covariance = grown(&self.covariance, &advance, &diagonal(&growth));
     }
 
     /// How errors of the angles and biases grow over one period: the derivative of (2.17).
@@ -97,15 +98,7 @@ impl AttitudeFilter {
             self.angles[n] += gain[n] * innovation;
             self.bias[n] += gain[n + 3] * innovation;
         }
-        let kept = Matrix6::identity() - gain * row.transpose();
-        let noise = gain * gain.transpose() * variance;
-        self.covariance = symmetric(&(kept * self.covariance * kept.transpose() + noise));
+        self.covariance = corrected(&self.covariance, row, &gain, variance);
         true
     }
-}
-
-/// The symmetric part.
-#[function]
-fn symmetric(matrix: &Matrix6<f64>) -> Matrix6<f64> {
-    (matrix + matrix.transpose()) * 0.5
 }

@@ -1,8 +1,8 @@
 //! Position, velocity and the accelerometer's bias along one axis: a Kalman filter of three states.
 //!
-//! Its covariance is kept in Joseph's form and made symmetric after each change, so that rounding does
-//! not make it lose its sign. Knows no sensor: a correction is any measurement that is linear in the state.
+//! Knows no sensor: a correction is any measurement that is linear in the state.
 
+use crate::covariance::{corrected, diagonal, grown};
 use bessemer::prelude::*;
 
 /// One axis of the inertial frame.
@@ -36,8 +36,7 @@ impl AxisFilter {
         let wander = drift * drift * period;
         let slip = 0.5 * push * period;
         let growth = diagonal(&Vector3::new(slip * slip, push * push, wander));
-        let spread = advance * self.covariance * advance.transpose() + growth;
-        self.covariance = symmetric(&spread);
+        self.covariance = grown(&self.covariance, &advance, &growth);
     }
 
     /// Opens the gate: place and velocity may be off by half a metre and half a metre per second more than
@@ -59,25 +58,7 @@ impl AxisFilter {
         }
         let gain = spread / expected;
         self.state += gain * innovation;
-        let kept = Matrix3::identity() - gain * row.transpose();
-        let noise = gain * gain.transpose() * variance;
-        self.covariance = symmetric(&(kept * self.covariance * kept.transpose() + noise));
+        self.covariance = corrected(&self.covariance, row, &gain, variance);
         true
     }
-}
-
-/// The matrix with the given diagonal.
-#[function]
-fn diagonal(values: &Vector3<f64>) -> Matrix3<f64> {
-    let mut all = Matrix3::zeros();
-    for n in 0..3 {
-        all[(n, n)] = values[n];
-    }
-    all
-}
-
-/// The symmetric part.
-#[function]
-fn symmetric(matrix: &Matrix3<f64>) -> Matrix3<f64> {
-    (matrix + matrix.transpose()) * 0.5
 }

@@ -165,8 +165,8 @@ fn fields(
     let mut fields = Vec::new();
     for id in large {
         let local = function.local(*id);
-        let docs = vec![format!("`{}`.", local.name)];
-        fields.push(Field { name: fresh(&local.name), docs, ty: local.ty.clone() });
+        // Its name says what it holds, as it does in the function.
+        fields.push(Field { name: fresh(&local.name), docs: Vec::new(), ty: local.ty.clone() });
     }
     for callee in called {
         let name = &module.functions[callee.index()].name;
@@ -179,18 +179,15 @@ fn fields(
 
 fn definition(module: &Module, function: &Function, fields: Vec<Field>) -> Struct {
     let owner = match function.owner {
-        Some(Owner::Struct(id)) => module.structs[id.index()].name.as_str(),
-        Some(Owner::Enum(id)) => module.enums[id.index()].name.as_str(),
-        None => "",
+        Some(Owner::Struct(id)) => Some(module.structs[id.index()].name.as_str()),
+        Some(Owner::Enum(id)) => Some(module.enums[id.index()].name.as_str()),
+        None => None,
     };
-    let path = if owner.is_empty() {
-        function.name.clone()
-    } else {
-        format!("{owner}::{}", function.name)
-    };
-    let title: String = function.name.split('_').map(capitalised).collect();
+    // As the function is named in C: for its type, or for its module.
+    let place = owner.or_else(|| function.module.rsplit("::").next()).unwrap_or_default();
+    let path = owner.map_or_else(String::new, |owner| format!("{owner}::")) + &function.name;
     Struct {
-        name: format!("{owner}{title}Work"),
+        name: format!("{place}_{}_work", function.name),
         module: function.module.clone(),
         docs: vec![format!("What `{path}` works with; its content means nothing between calls.")],
         fields,
@@ -198,11 +195,6 @@ fn definition(module: &Module, function: &Function, fields: Vec<Field>) -> Struc
         initial: None,
         span: function.span,
     }
-}
-
-fn capitalised(word: &str) -> String {
-    let mut letters = word.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// Makes the work struct the last parameter, and moves the locals into it.

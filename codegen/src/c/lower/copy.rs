@@ -86,7 +86,14 @@ impl Lower<'_> {
                 }
             }
             (ExprKind::Matrix(items), Type::Matrix { rows, cols, .. }) => {
+                let sparse = is_sparse(items);
+                if let Some(zero) = items.iter().find(|item| sparse && is_zero(item)) {
+                    self.fill(dest.clone(), &value.ty, zero);
+                }
                 for (index, item) in items.iter().enumerate() {
+                    if sparse && is_zero(item) {
+                        continue;
+                    }
                     let (row, column) = (index as u32 % rows, index as u32 / rows);
                     let element = super::place::element(dest.clone(), (*rows, *cols), row, column);
                     self.store(element, None, item);
@@ -287,6 +294,14 @@ fn length(ty: &Type) -> u32 {
         Type::Matrix { rows, cols, .. } => rows * cols,
         _ => 1,
     }
+}
+
+/// Whether a matrix is mostly zeros, so that a loop and what differs say more than a line for each element. Only
+/// of numbers: what else there is might be read after the loop.
+fn is_sparse(items: &[Ir]) -> bool {
+    let numbers = items.iter().all(|item| matches!(item.kind, ExprKind::Literal(_)));
+    let zeros = items.iter().filter(|item| is_zero(item)).count();
+    items.len() > LINES as usize && numbers && 2 * zeros > items.len()
 }
 
 /// Whether every word of a value is zero: what C leaves out of an initialiser is zero too.
