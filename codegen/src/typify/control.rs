@@ -13,6 +13,9 @@ use super::{OUR_FAULT, Result, order, problem};
 impl Lowering<'_, '_> {
     /// Computes `expr` and sends its value to `target`.
     pub(super) fn into(&mut self, expr: &tree::Expr, target: &Target) -> Result<()> {
+        if let Some(other) = self.in_place(expr) {
+            return self.into(&other, target);
+        }
         match &expr.kind {
             tree::ExprKind::If(condition, then, Some(otherwise)) => {
                 let span = self.span(expr.site);
@@ -171,6 +174,9 @@ impl Lowering<'_, '_> {
 
     /// Runs `expr` for its effect.
     pub(super) fn effect(&mut self, expr: &tree::Expr) -> Result<()> {
+        if let Some(other) = self.in_place(expr) {
+            return self.effect(&other);
+        }
         let span = self.span(expr.site);
         match &expr.kind {
             tree::ExprKind::Assign(op, place, value) => self.assign(*op, place, value, expr.site),
@@ -307,6 +313,8 @@ impl Lowering<'_, '_> {
         value: &tree::Expr,
         site: Site,
     ) -> Result<()> {
+        let other = self.in_place(value);
+        let value = other.as_ref().unwrap_or(value);
         let name = self.name_of(place);
         let naming = std::mem::replace(&mut self.naming, name);
         let span = self.span(site);

@@ -20,6 +20,9 @@ pub(super) struct Operand<'e> {
 impl Lowering<'_, '_> {
     /// The value of `expr`; what it needs done before is emitted.
     pub(super) fn value(&mut self, expr: &tree::Expr, expected: Option<&Type>) -> Result<Expr> {
+        if let Some(other) = self.in_place(expr) {
+            return self.value(&other, expected);
+        }
         let value = self.bare_value(expr, expected)?;
         if let Some(slot) = expr.slot {
             let rustc = self.slot(slot, expr.site)?;

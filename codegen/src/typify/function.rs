@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use bessemer_ir::tree::{self, Site, Ty};
+use bessemer_ir::tree::{self, NO_SLOT, Site, Ty};
 use bessemer_ir::{
     Block, Expr, ExprKind, Function, Local, LocalId, Mode, Owner, Place, Role, Span, Stmt,
     StmtKind, Type,
@@ -301,10 +301,15 @@ impl Lowering<'_, '_> {
         value: Option<&tree::Expr>,
         site: Site,
     ) -> Result<()> {
-        if self.slot_is_reference(slot, site)? {
+        if slot != NO_SLOT && self.slot_is_reference(slot, site)? {
             return self.alias(name, value, site);
         }
-        let (ty, span) = (self.slot(slot, site)?, self.span(site));
+        let other = value.and_then(|value| self.in_place(value));
+        let value = other.as_ref().or(value);
+        let (ty, span) = match (slot, value) {
+            (NO_SLOT, Some(value)) => (self.type_alone(value)?, self.span(site)),
+            _ => (self.slot(slot, site)?, self.span(site)),
+        };
         if ty == Type::Unit {
             return match value {
                 Some(value) => self.effect(value),

@@ -40,6 +40,19 @@ impl Case {
     }
 }
 
+/// `Option<&T>` as `Option<T>`: nothing writes to what is lent while it is.
+fn without_loans(ty: &Ty) -> Ty {
+    let inside = |ty: &Ty| match ty {
+        Ty::Ref(inner, false) => inner.clone(),
+        other => Box::new(other.clone()),
+    };
+    match ty {
+        Ty::Option(value) => Ty::Option(inside(value)),
+        Ty::Result(value, error) => Ty::Result(inside(value), inside(error)),
+        other => other.clone(),
+    }
+}
+
 /// Which field of a struct an author means by a name, or by the number of a part.
 pub(super) fn position(fields: &[Field], name: &str) -> Option<usize> {
     match name.parse::<usize>() {
@@ -70,6 +83,7 @@ fn part(index: usize, count: usize) -> String {
 impl Context<'_> {
     /// The struct that stands for a type of Rust's own.
     pub(super) fn generic(&mut self, ty: &Ty, site: Site) -> Result<Type> {
+        let ty = &without_loans(ty);
         if let Some(known) = self.generics.get(ty) {
             return Ok(known.clone());
         }

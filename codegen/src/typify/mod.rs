@@ -9,6 +9,7 @@
 
 mod builtin;
 mod choice;
+mod closure;
 mod control;
 mod each;
 mod equal;

@@ -5,7 +5,7 @@
 //!
 //! A payload is looked at only behind the test that it is there.
 
-use bessemer_ir::tree::{self, Site};
+use bessemer_ir::tree::{self, NO_SLOT, Site};
 use bessemer_ir::visit::{self, Access, Visit};
 use bessemer_ir::{
     Block, Expr, ExprKind, Local, LocalId, LogicOp, Mode, Place, Step, Stmt, StmtKind, StructId,
@@ -309,12 +309,14 @@ impl Lowering<'_, '_> {
     /// Gives names their meaning: another name for a place, or a copy.
     pub(super) fn bind_names(&mut self, names: &[Named]) -> Result<()> {
         for named in names {
-            let reference = self.slot_is_reference(named.slot, named.site)?;
+            let unnamed = named.slot == NO_SLOT;
+            let reference = !unnamed && self.slot_is_reference(named.slot, named.site)?;
             if reference {
                 let refers = self.refers_to(named.slot, named.site)?;
                 self.agree(&named.place.ty, &refers, named.site)?;
             }
-            if reference || !named.mutable && self.is_lasting(&named.place) {
+            // What no author named is read at once.
+            if reference || unnamed || !named.mutable && self.is_lasting(&named.place) {
                 self.alias_to(&named.name, named.place.clone());
                 continue;
             }

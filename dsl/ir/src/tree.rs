@@ -316,6 +316,8 @@ pub enum ExprKind {
     Assign(Option<BinaryOp>, Box<Expr>, Box<Expr>),
     /// A call, a method's receiver first: index into [`Function::callees`].
     Call(u32, Vec<Expr>),
+    /// `|x| …` as the argument of a call: its parameters, and its value.
+    Closure(Vec<Pattern>, Box<Expr>),
     /// `base.name`.
     Field(Box<Expr>, String),
     /// `base[index]`.
@@ -448,6 +450,9 @@ pub struct Arm {
     /// Its value.
     pub body: Expr,
 }
+
+/// The slot of a name that no author wrote: its type is that of what it stands for.
+pub const NO_SLOT: u32 = u32::MAX;
 
 /// A pattern.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

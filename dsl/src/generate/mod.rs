@@ -43,7 +43,10 @@ pub mod prelude {
         BytesBuiltins as _, DivisionBuiltins as _, FloatKindBuiltins as _, FromBuiltin as _,
         IntegerBuiltins as _, SignBuiltins as _, SignedBuiltins as _, UnsignedBuiltins as _,
     };
-    pub use super::option::{CopiedBuiltin as _, OptionBuiltins as _, ResultBuiltins as _};
+    pub use super::option::{
+        ArrayBuiltins as _, CopiedBuiltin as _, FlattenBuiltin as _, OptionBuiltins as _,
+        ResultBuiltins as _, VectorMapBuiltin as _,
+    };
     pub use super::slot::{__any, __look, __result, __see, __take};
 }
 

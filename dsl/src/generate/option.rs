@@ -3,6 +3,7 @@
 use alloc::borrow::ToOwned;
 
 use bessemer_ir::tree;
+use nalgebra::{SMatrix, Scalar};
 
 use super::builtin::markers;
 use super::{Builder, Called, Callee};
@@ -24,6 +25,28 @@ markers! {
     OkOr: "ok_or";
     Ok: "ok";
     Err: "err";
+    AsRef: "as_ref";
+    Flatten: "option_flatten";
+    Map: "option_map";
+    AndThen: "option_and_then";
+    Filter: "option_filter";
+    OrElse: "option_or_else";
+    UnwrapOrElse: "option_unwrap_or_else";
+    MapOr: "option_map_or";
+    MapOrElse: "option_map_or_else";
+    IsSomeAnd: "option_is_and";
+    IsNoneOr: "option_is_none_or";
+    OkOrElse: "option_ok_or_else";
+    ResultMap: "result_map";
+    ResultMapErr: "result_map_err";
+    ResultAndThen: "result_and_then";
+    ResultOrElse: "result_or_else";
+    ResultUnwrapOrElse: "result_unwrap_or_else";
+    ResultMapOr: "result_map_or";
+    ResultMapOrElse: "result_map_or_else";
+    IsOkAnd: "result_is_and";
+    IsErrAnd: "result_is_err_and";
+    ArrayMap: "array_map";
 }
 
 /// Methods of `Option`.
@@ -65,6 +88,43 @@ pub trait OptionBuiltins<T>: Sized {
     fn __b_ok_or<E>(self, _error: E) -> Called<OkOr, Result<T, E>> {
         unreachable!()
     }
+    fn __b_as_ref(&self) -> Called<AsRef, Option<&T>> {
+        unreachable!()
+    }
+    fn __b_map<U>(self, _f: impl FnOnce(T) -> U) -> Called<Map, Option<U>> {
+        unreachable!()
+    }
+    fn __b_and_then<U>(self, _f: impl FnOnce(T) -> Option<U>) -> Called<AndThen, Option<U>> {
+        unreachable!()
+    }
+    fn __b_filter(self, _f: impl FnOnce(&T) -> bool) -> Called<Filter, Option<T>> {
+        unreachable!()
+    }
+    fn __b_or_else(self, _f: impl FnOnce() -> Option<T>) -> Called<OrElse, Option<T>> {
+        unreachable!()
+    }
+    fn __b_unwrap_or_else(self, _f: impl FnOnce() -> T) -> Called<UnwrapOrElse, T> {
+        unreachable!()
+    }
+    fn __b_map_or<U>(self, _other: U, _f: impl FnOnce(T) -> U) -> Called<MapOr, U> {
+        unreachable!()
+    }
+    fn __b_map_or_else<U>(
+        self,
+        _other: impl FnOnce() -> U,
+        _f: impl FnOnce(T) -> U,
+    ) -> Called<MapOrElse, U> {
+        unreachable!()
+    }
+    fn __b_is_some_and(self, _f: impl FnOnce(T) -> bool) -> Called<IsSomeAnd, bool> {
+        unreachable!()
+    }
+    fn __b_is_none_or(self, _f: impl FnOnce(T) -> bool) -> Called<IsNoneOr, bool> {
+        unreachable!()
+    }
+    fn __b_ok_or_else<E>(self, _f: impl FnOnce() -> E) -> Called<OkOrElse, Result<T, E>> {
+        unreachable!()
+    }
 }
 
 impl<T> OptionBuiltins<T> for Option<T> {}
@@ -78,6 +138,36 @@ pub trait CopiedBuiltin<T>: Sized {
 }
 
 impl<T> CopiedBuiltin<T> for Option<&T> {}
+
+/// `flatten` of an `Option` in an `Option`.
+pub trait FlattenBuiltin<T>: Sized {
+    #[allow(missing_docs)]
+    fn __b_flatten(self) -> Called<Flatten, Option<T>> {
+        unreachable!()
+    }
+}
+
+impl<T> FlattenBuiltin<T> for Option<Option<T>> {}
+
+/// `map` of an array.
+pub trait ArrayBuiltins<T, const N: usize>: Sized {
+    #[allow(missing_docs)]
+    fn __b_map<U>(self, _f: impl FnMut(T) -> U) -> Called<ArrayMap, [U; N]> {
+        unreachable!()
+    }
+}
+
+impl<T, const N: usize> ArrayBuiltins<T, N> for [T; N] {}
+
+/// `map` of a vector.
+pub trait VectorMapBuiltin<T, const N: usize>: Sized {
+    #[allow(missing_docs)]
+    fn __b_map<U: Scalar>(&self, _f: impl FnMut(T) -> U) -> Called<ArrayMap, SMatrix<U, N, 1>> {
+        unreachable!()
+    }
+}
+
+impl<T: Scalar, const N: usize> VectorMapBuiltin<T, N> for SMatrix<T, N, 1> {}
 
 /// Methods of `Result`.
 #[allow(missing_docs)]
@@ -116,6 +206,46 @@ pub trait ResultBuiltins<T, E>: Sized {
         unreachable!()
     }
     fn __b_or(self, _other: Result<T, E>) -> Called<Or, Result<T, E>> {
+        unreachable!()
+    }
+    fn __b_as_ref(&self) -> Called<AsRef, Result<&T, &E>> {
+        unreachable!()
+    }
+    fn __b_map<U>(self, _f: impl FnOnce(T) -> U) -> Called<ResultMap, Result<U, E>> {
+        unreachable!()
+    }
+    fn __b_map_err<F>(self, _f: impl FnOnce(E) -> F) -> Called<ResultMapErr, Result<T, F>> {
+        unreachable!()
+    }
+    fn __b_and_then<U>(
+        self,
+        _f: impl FnOnce(T) -> Result<U, E>,
+    ) -> Called<ResultAndThen, Result<U, E>> {
+        unreachable!()
+    }
+    fn __b_or_else<F>(
+        self,
+        _f: impl FnOnce(E) -> Result<T, F>,
+    ) -> Called<ResultOrElse, Result<T, F>> {
+        unreachable!()
+    }
+    fn __b_unwrap_or_else(self, _f: impl FnOnce(E) -> T) -> Called<ResultUnwrapOrElse, T> {
+        unreachable!()
+    }
+    fn __b_map_or<U>(self, _other: U, _f: impl FnOnce(T) -> U) -> Called<ResultMapOr, U> {
+        unreachable!()
+    }
+    fn __b_map_or_else<U>(
+        self,
+        _other: impl FnOnce(E) -> U,
+        _f: impl FnOnce(T) -> U,
+    ) -> Called<ResultMapOrElse, U> {
+        unreachable!()
+    }
+    fn __b_is_ok_and(self, _f: impl FnOnce(T) -> bool) -> Called<IsOkAnd, bool> {
+        unreachable!()
+    }
+    fn __b_is_err_and(self, _f: impl FnOnce(E) -> bool) -> Called<IsErrAnd, bool> {
         unreachable!()
     }
     fn __b_and<U>(self, _other: Result<U, E>) -> Called<And, Result<U, E>> {

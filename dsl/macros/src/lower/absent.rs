@@ -24,6 +24,11 @@ const ABSENT: &[(&str, usize, &str)] = &[
     ("from_be from_le from_ne_bytes", 0, BYTES),
     ("clone", 0, "derive `Copy` too: then the value copies itself"),
     ("min max", 0, "compare the elements in a loop"),
+    ("as_mut", 0, "take it apart where it stands: `if let Some(x) = &mut self.last { … }`"),
+    ("get_or_insert_with get_or_insert insert", 1, "assign `Some(…)`, and use the value"),
+    ("inspect inspect_err", 1, "look at the value with `if let`"),
+    ("xor", 1, "`match` on both: `match (a, b) { … }`"),
+    ("unzip", 0, "`match` on it"),
     ("try_inverse_mut", 0, "call `bessemer::inverse_mut`"),
     ("lu", 0, "call `bessemer::solve(&a, &b)`, which factors and solves"),
     ("cholesky", 0, "call `bessemer::linear::kernels::cholesky_mut` and `cholesky_solve_mut`"),
@@ -42,7 +47,7 @@ const REASONS: &[(&str, usize, Reason)] = &[
     ("euler_angles axis_angle scaled_axis", 0, refuse::NALGEBRA_ANGLES),
     ("angle", 1, refuse::NALGEBRA_ANGLES),
     ("slerp", 2, refuse::NALGEBRA_ANGLES),
-    ("as_slice as_ref as_mut", 0, refuse::SLICE),
+    ("as_slice", 0, refuse::SLICE),
 ];
 
 /// Constructors and methods of nalgebra that go through the platform's sine and cosine.

@@ -20,7 +20,8 @@ impl Lowering<'_> {
         if let Some(kind) = self.array_from_fn(it) {
             return kind;
         }
-        let arguments: Vec<_> = it.args.iter_mut().map(|argument| self.value(argument)).collect();
+        let arguments: Vec<_> =
+            it.args.iter_mut().map(|argument| self.argument(argument)).collect();
         let syn::Expr::Path(function) = &mut *it.func else {
             self.refusals.add(it.func.span(), refuse::FUNCTION_VALUE);
             return UNIT;
@@ -67,12 +68,13 @@ impl Lowering<'_> {
         if let Some(kind) = self.chain(it) {
             return kind;
         }
+        self.functions_as_closures(it);
         let mut arguments = vec![self.value(&mut it.receiver)];
         // What a panic would say stays in the Rust.
         let message = ["expect", "expect_err"].iter().any(|name| it.method == name)
             && matches!(it.args.first(), Some(syn::Expr::Lit(it)) if matches!(it.lit, syn::Lit::Str(_)));
         if !message {
-            arguments.extend(it.args.iter_mut().map(|argument| self.value(argument)));
+            arguments.extend(it.args.iter_mut().map(|argument| self.argument(argument)));
         }
         let own = matches!(&arguments[0].kind, ExprKind::Local(name) if name == "self");
         let itself = own && self.method && it.method == self.name;

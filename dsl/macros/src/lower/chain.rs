@@ -51,9 +51,6 @@ impl Lowering<'_> {
     /// The value of a chain; none if the call is something else.
     pub(super) fn chain(&mut self, it: &mut syn::ExprMethodCall) -> Option<ExprKind> {
         let (end, arguments) = (text(&it.method), it.args.len());
-        if end == "map" && arguments == 1 && !is_iterator(&it.receiver) {
-            return self.array_map(it);
-        }
         if !ENDS.contains(&(end.as_str(), arguments)) || !is_iterator(&it.receiver) {
             return None;
         }
@@ -271,46 +268,6 @@ impl Lowering<'_> {
             }
             _ => None,
         }
-    }
-
-    /// `array.map(|x| …)`.
-    fn array_map(&mut self, it: &mut syn::ExprMethodCall) -> Option<ExprKind> {
-        let node = it.method.clone();
-        let closure = closure_of(&mut it.args[0])?;
-        let source = Source::One { array: Box::new(self.value(&mut it.receiver)), owned: true };
-        let over = Over::Each { index: None, parts: Vec::new(), indexed: false, reversed: false };
-        let mut flow = Flow { over, steps: Vec::new(), item: Item::Source(source) };
-        Some(
-            self.scoped(|walk| {
-                let index = walk.hidden("i");
-                let value = walk.through(&mut flow, closure, 0)?;
-                if let Over::Each { index: taken, .. } = &mut flow.over {
-                    *taken = Some(index.clone());
-                }
-                Some(walk.elements_of(flow, "mapped", &index, value, &node))
-            })
-            .unwrap_or_else(|| {
-                self.refusals.add(node.span(), refuse::CHAIN);
-                super::expr::UNIT
-            }),
-        )
-    }
-
-    /// What assigns each element of an array.
-    fn elements_of(
-        &mut self,
-        flow: Flow,
-        name: &str,
-        index: &str,
-        value: tree::Expr,
-        node: &syn::Ident,
-    ) -> ExprKind {
-        let name = self.hidden(name);
-        let local = |name: &str| Box::new(plain(ExprKind::Local(name.to_owned()), node));
-        let element = Box::new(plain(ExprKind::Index(local(&name), local(index)), node));
-        let assign = plain(ExprKind::Assign(None, element, Box::new(value)), node);
-        let each = Box::new(plain(flow.into_loop(tree::Stmt::Expr(assign)), node));
-        ExprKind::Fold { name, start: Start::Elements, each }
     }
 
     /// `core::array::from_fn(|i| …)`.

@@ -4,11 +4,21 @@
 
 use bessemer_ir::tree::{self, ExprKind};
 use proc_macro2::Span;
-use quote::quote;
+use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 
 use super::{Lowering, pattern, refuse, site, text};
+
+/// Methods whose last argument takes a value and could be a function, and how many they have.
+const TAKES_VALUE: [(&str, usize); 6] = [
+    ("map", 1),
+    ("map_err", 1),
+    ("and_then", 1),
+    ("map_or", 2),
+    ("is_some_and", 1),
+    ("is_ok_and", 1),
+];
 
 /// A closure with a name.
 pub struct Closure {
@@ -65,10 +75,8 @@ impl Lowering<'_> {
         arguments: &[tree::Expr],
         span: Span,
     ) -> Option<ExprKind> {
-        let in_tree = self.local_name(name)?;
-        let closure = self.closures.iter().rev().find(|closure| closure.name == in_tree)?;
-        let same = |(count, known): &(usize, String)| self.bindings(known) == *count;
-        let shadowed = !closure.uses.iter().all(same);
+        let closure = self.closure_named(name)?;
+        let shadowed = self.is_shadowed(closure);
         let parameters = closure.parameters.iter().zip(arguments);
         let stmts = parameters.map(|((name, slot), argument)| tree::Stmt::Let {
             name: name.clone(),
@@ -82,6 +90,75 @@ impl Lowering<'_> {
             self.refusals.add(span, refuse::CLOSURE_SHADOWED);
         }
         Some(ExprKind::Block(block))
+    }
+
+    /// An argument of a call: a closure, or a value.
+    pub(super) fn argument(&mut self, expr: &mut syn::Expr) -> tree::Expr {
+        match expr {
+            syn::Expr::Paren(it) if matches!(&*it.expr, syn::Expr::Closure(_)) => {
+                self.argument(&mut it.expr)
+            }
+            syn::Expr::Closure(closure) => {
+                let place = closure.clone();
+                let kind = self.scoped(|walk| {
+                    let mut looks = Vec::new();
+                    let inputs = closure.inputs.iter();
+                    let parameters = inputs.map(|it| walk.pattern(it, &mut looks)).collect();
+                    let body = walk.closure_body(closure, looks);
+                    ExprKind::Closure(parameters, Box::new(body))
+                });
+                plain(kind, &place)
+            }
+            syn::Expr::Path(path) if path.qself.is_none() => {
+                let name = path.path.get_ident().map(text);
+                match name.and_then(|name| self.closure_value(&name, path.span())) {
+                    Some(kind) => plain(kind, path),
+                    None => self.value(expr),
+                }
+            }
+            other => self.value(other),
+        }
+    }
+
+    /// A closure by its name.
+    fn closure_value(&mut self, name: &str, span: Span) -> Option<ExprKind> {
+        let closure = self.closure_named(name)?;
+        let (parameters, body) = (closure.parameters.clone(), closure.body.clone());
+        if self.is_shadowed(closure) {
+            self.refusals.add(span, refuse::CLOSURE_SHADOWED);
+        }
+        let parameters = parameters.into_iter().map(|(name, slot)| tree::Pattern::Name {
+            name,
+            slot,
+            mutable: false,
+            inner: None,
+        });
+        Some(ExprKind::Closure(parameters.collect(), Box::new(body)))
+    }
+
+    fn closure_named(&self, name: &str) -> Option<&Closure> {
+        let in_tree = self.local_name(name)?;
+        self.closures.iter().rev().find(|closure| closure.name == in_tree)
+    }
+
+    /// Whether a name that the closure uses means something else by now.
+    fn is_shadowed(&self, closure: &Closure) -> bool {
+        !closure.uses.iter().all(|(count, known)| self.bindings(known) == *count)
+    }
+
+    /// `reading.map(f64::from)` as `reading.map(|value| f64::from(value))`.
+    pub(super) fn functions_as_closures(&self, it: &mut syn::ExprMethodCall) {
+        let method = text(&it.method);
+        let takes = TAKES_VALUE.iter().find(|(name, count)| *name == method && it.args.len() == *count);
+        let Some(syn::Expr::Path(function)) = takes.and_then(|_| it.args.last()) else { return };
+        if function.path.get_ident().is_some_and(|name| self.is_local(&text(name))) {
+            return;
+        }
+        let value = syn::Ident::new("value", Span::mixed_site());
+        let closure = quote_spanned! { function.span() => |#value| #function(#value) };
+        if let (Ok(closure), Some(last)) = (syn::parse2(closure), it.args.last_mut()) {
+            *last = closure;
+        }
     }
 
     /// The value of a closure's body; `looks` at its parameters come first in the copy.

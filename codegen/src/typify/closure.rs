@@ -1,0 +1,278 @@
+//! Methods that take closures: each is the `match`, or the loop, that it stands for.
+//!
+//! The closure's body stands in the arm where its value is wanted; its parameters are the patterns there.
+
+use bessemer_ir::tree::{self, Arm, Block, Expr, ExprKind, NO_SLOT, Pattern, Site, Start, Stmt};
+
+use super::function::Lowering;
+
+/// What an arm makes of the value that it takes.
+enum Body<'t> {
+    /// The value of a closure, its parameter the payload.
+    Of(&'t Expr),
+    /// The payload itself.
+    Same,
+    /// A value that is there before.
+    Value(&'t Expr),
+    /// `None`.
+    Nothing,
+}
+
+/// The closure's parameter, and its body.
+fn parts(closure: &Expr) -> Option<(Pattern, &Expr)> {
+    match &closure.kind {
+        ExprKind::Closure(parameters, body) => {
+            Some((parameters.first().cloned().unwrap_or(Pattern::Any), body))
+        }
+        _ => None,
+    }
+}
+
+/// `()`.
+const NOTHING: ExprKind = ExprKind::Tuple(Vec::new());
+
+/// A name that no author can write.
+const PAYLOAD: &str = "%value";
+const KEPT: &str = "%kept";
+
+impl Lowering<'_, '_> {
+    /// What a call that takes closures stands for; none if `expr` is something else.
+    pub(super) fn in_place(&self, expr: &Expr) -> Option<Expr> {
+        let ExprKind::Call(callee, arguments) = &expr.kind else { return None };
+        let Some(tree::Callee::Builtin(name)) = self.source.callees.get(*callee as usize) else {
+            return None;
+        };
+        match name.as_str() {
+            "array_map" => return mapped(&arguments[0], arguments.get(1)?, expr),
+            // What is lent stands where it stands.
+            "as_ref" => return arguments.first().cloned(),
+            _ => {}
+        }
+        let (of, method) = name.split_once('_')?;
+        let cases = match of {
+            "option" => ["Some", "None"],
+            "result" => ["Ok", "Err"],
+            _ => return None,
+        };
+        let made = Made { site: expr.site, slot: expr.slot, cases };
+        let (receiver, first) = (arguments.first()?, arguments.get(1));
+        let [there, absent] = match (method, arguments.get(2)) {
+            ("flatten", _) => [(None, Body::Same), (None, Body::Nothing)],
+            ("map", _) => [(Some(cases[0]), Body::Of(first?)), (Some(cases[1]), Body::Same)],
+            ("map_err", _) => [(Some("Ok"), Body::Same), (Some("Err"), Body::Of(first?))],
+            ("and_then", _) => [(None, Body::Of(first?)), (Some(cases[1]), Body::Same)],
+            ("or_else", _) => [(Some(cases[0]), Body::Same), (None, Body::Of(first?))],
+            ("unwrap_or_else", _) => [(None, Body::Same), (None, Body::Of(first?))],
+            ("map_or", Some(f)) => return Some(made.map_or(receiver, first?, f)),
+            ("map_or_else", Some(f)) => [(None, Body::Of(f)), (None, Body::Of(first?))],
+            ("ok_or_else", _) => [(Some("Ok"), Body::Same), (Some("Err"), Body::Of(first?))],
+            ("filter", _) => return made.filter(receiver, first?),
+            ("is_and", _) => return made.question(receiver, first?, cases[0]),
+            ("is_err_and", _) => return made.question(receiver, first?, "Err"),
+            ("is_none_or", _) => return made.none_or(receiver, first?),
+            _ => return None,
+        };
+        Some(made.choice(receiver, there, absent))
+    }
+}
+
+/// What is made of a call.
+struct Made {
+    site: Site,
+    slot: Option<u32>,
+    cases: [&'static str; 2],
+}
+
+impl Made {
+    fn expr(&self, kind: ExprKind) -> Expr {
+        Expr { kind, site: self.site, slot: self.slot }
+    }
+
+    fn bare(&self, kind: ExprKind) -> Expr {
+        Expr { kind, site: self.site, slot: None }
+    }
+
+    /// The payload under its name.
+    fn payload(&self) -> Expr {
+        self.bare(ExprKind::Local(PAYLOAD.into()))
+    }
+
+    fn case(&self, name: &str, pattern: Pattern) -> Pattern {
+        let parts = if name == "None" { Vec::new() } else { vec![pattern] };
+        Pattern::Constructor(name.into(), parts)
+    }
+
+    /// `match receiver { Some(…) => …, None => … }`, each arm's value perhaps in a variant.
+    fn choice(
+        &self,
+        receiver: &Expr,
+        there: (Option<&str>, Body<'_>),
+        absent: (Option<&str>, Body<'_>),
+    ) -> Expr {
+        let arms = [(self.cases[0], there), (self.cases[1], absent)];
+        let arms = arms.map(|(case, (into, body))| {
+            let none = |into: Option<&str>| case == "None" && into.is_none_or(|into| into == "None");
+            let (pattern, value) = match &body {
+                Body::Of(closure) => {
+                    let (pattern, body) = parts(closure).unwrap_or((Pattern::Any, closure));
+                    (pattern, body.clone())
+                }
+                Body::Value(value) => (Pattern::Any, (*value).clone()),
+                // A statement, for its effect alone.
+                _ if self.slot.is_none() && !matches!(body, Body::Of(_)) => {
+                    let arm = self.case(case, Pattern::Any);
+                    return Arm { pattern: arm, guard: None, body: self.expr(NOTHING) };
+                }
+                Body::Same if !none(into) => (named(), self.payload()),
+                Body::Same | Body::Nothing => {
+                    let none = ExprKind::Constructor("None".into(), Vec::new());
+                    let arm = self.case(case, Pattern::Any);
+                    return Arm { pattern: arm, guard: None, body: self.expr(none) };
+                }
+            };
+            let body = match into.filter(|_| self.slot.is_some()) {
+                Some(into) => self.expr(ExprKind::Constructor(into.into(), vec![value])),
+                None => value,
+            };
+            Arm { pattern: self.case(case, pattern), guard: None, body }
+        });
+        self.expr(ExprKind::Match(Box::new(receiver.clone()), arms.into()))
+    }
+
+    /// `map_or`: its first argument is computed whether it is wanted or not.
+    fn map_or(&self, receiver: &Expr, other: &Expr, f: &Expr) -> Expr {
+        if is_quiet(other) {
+            return self.choice(receiver, (None, Body::Of(f)), (None, Body::Value(other)));
+        }
+        let slot = other.slot.unwrap_or(NO_SLOT);
+        let names = ["%choice", "%other"];
+        let site = self.site;
+        let stmts = [(names[0], receiver, receiver.slot.unwrap_or(NO_SLOT)), (names[1], other, slot)];
+        let stmts = stmts.map(|(name, value, slot)| Stmt::Let {
+            name: name.into(),
+            slot,
+            value: Some(value.clone()),
+            site,
+        });
+        let [receiver, other] = names.map(|name| self.bare(ExprKind::Local(name.into())));
+        let tail = self.choice(&receiver, (None, Body::Of(f)), (None, Body::Value(&other)));
+        let block = Block { stmts: stmts.into(), tail: Some(Box::new(tail)) };
+        self.expr(ExprKind::Block(block))
+    }
+
+    /// `match receiver { Some(x) if … => Some(x), _ => None }`.
+    fn filter(&self, receiver: &Expr, f: &Expr) -> Option<Expr> {
+        let (parameter, test) = parts(f)?;
+        let inner = Box::new(parameter);
+        let pattern = Pattern::Name {
+            name: PAYLOAD.into(),
+            slot: NO_SLOT,
+            mutable: false,
+            inner: Some(inner),
+        };
+        let some = self.expr(ExprKind::Constructor("Some".into(), vec![self.payload()]));
+        let none = self.expr(ExprKind::Constructor("None".into(), Vec::new()));
+        let rest = Arm { pattern: Pattern::Any, guard: None, body: none.clone() };
+        let pattern = self.case("Some", pattern);
+        let taken = match is_pure(test) {
+            true => Arm { pattern, guard: Some(test.clone()), body: some },
+            false => {
+                // The test may write to what is asked.
+                let keep = Stmt::Let {
+                    name: KEPT.into(),
+                    slot: NO_SLOT,
+                    value: Some(self.payload()),
+                    site: self.site,
+                };
+                let kept = vec![self.bare(ExprKind::Local(KEPT.into()))];
+                let some = self.expr(ExprKind::Constructor("Some".into(), kept));
+                let then = Block { stmts: Vec::new(), tail: Some(Box::new(some)) };
+                let kind = ExprKind::If(Box::new(test.clone()), then, Some(Box::new(none)));
+                let tail = Some(Box::new(self.expr(kind)));
+                let body = self.expr(ExprKind::Block(Block { stmts: vec![keep], tail }));
+                Arm { pattern, guard: None, body }
+            }
+        };
+        Some(self.expr(ExprKind::Match(Box::new(receiver.clone()), vec![taken, rest])))
+    }
+
+    /// `matches!(receiver, Some(x) if …)`.
+    fn question(&self, receiver: &Expr, f: &Expr, case: &str) -> Option<Expr> {
+        let (parameter, test) = parts(f)?;
+        let boolean = |value| self.bare(ExprKind::Bool(value));
+        let rest = Arm { pattern: Pattern::Any, guard: None, body: boolean(false) };
+        let (guard, body) = match is_pure(test) {
+            true => (Some(test.clone()), boolean(true)),
+            false => (None, test.clone()),
+        };
+        let taken = Arm { pattern: self.case(case, parameter), guard, body };
+        Some(self.expr(ExprKind::Match(Box::new(receiver.clone()), vec![taken, rest])))
+    }
+
+    /// `match receiver { None => true, Some(x) => … }`.
+    fn none_or(&self, receiver: &Expr, f: &Expr) -> Option<Expr> {
+        let yes = self.bare(ExprKind::Bool(true));
+        Some(self.choice(receiver, (None, Body::Of(f)), (None, Body::Value(&yes))))
+    }
+}
+
+fn named() -> Pattern {
+    Pattern::Name { name: PAYLOAD.into(), slot: NO_SLOT, mutable: false, inner: None }
+}
+
+/// `array.map(|x| …)`: a loop that assigns each element.
+fn mapped(array: &Expr, closure: &Expr, expr: &Expr) -> Option<Expr> {
+    let (pattern, value) = parts(closure)?;
+    let site = expr.site;
+    let plain = |kind| Expr { kind, site, slot: None };
+    let local = |name: &str| Box::new(plain(ExprKind::Local(name.into())));
+    let (name, index) = ("%mapped", "%i");
+    let element = Box::new(plain(ExprKind::Index(local(name), local(index))));
+    let assign = plain(ExprKind::Assign(None, element, Box::new(value.clone())));
+    let each = plain(ExprKind::Each {
+        label: None,
+        index: Some(index.into()),
+        parts: vec![tree::Part { pattern, array: array.clone(), owned: true }],
+        reversed: false,
+        body: Block { stmts: vec![Stmt::Expr(assign)], tail: None },
+    });
+    let kind = ExprKind::Fold { name: name.into(), start: Start::Elements, each: Box::new(each) };
+    Some(Expr { kind, site, slot: expr.slot })
+}
+
+/// Whether an expression changes nothing, as far as its syntax shows; it may fault.
+fn is_pure(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Unary(_, inner) | ExprKind::Cast(inner) => is_pure(inner),
+        ExprKind::Binary(_, left, right) | ExprKind::Index(left, right) => {
+            is_pure(left) && is_pure(right)
+        }
+        _ => is_quiet(expr),
+    }
+}
+
+/// Whether an expression changes nothing and cannot fault, as far as its syntax shows: it may be computed
+/// or not.
+fn is_quiet(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Bool(_)
+        | ExprKind::Int(..)
+        | ExprKind::Float(..)
+        | ExprKind::Local(_)
+        | ExprKind::Path(..) => true,
+        ExprKind::Unary(tree::UnaryOp::Neg, inner) => {
+            matches!(inner.kind, ExprKind::Int(..) | ExprKind::Float(..))
+        }
+        ExprKind::Unary(tree::UnaryOp::Not, inner)
+        | ExprKind::Field(inner, _)
+        | ExprKind::Ref(_, inner)
+        | ExprKind::Deref(inner) => is_quiet(inner),
+        ExprKind::Binary(op, left, right) => {
+            use tree::BinaryOp::{Eq, Ge, Gt, Le, LogicAnd, LogicOr, Lt, Ne};
+            matches!(op, Eq | Ne | Lt | Le | Gt | Ge | LogicAnd | LogicOr)
+                && is_quiet(left)
+                && is_quiet(right)
+        }
+        _ => false,
+    }
+}
