@@ -111,7 +111,8 @@ impl Made {
     ) -> Expr {
         let arms = [(self.cases[0], there), (self.cases[1], absent)];
         let arms = arms.map(|(case, (into, body))| {
-            let none = |into: Option<&str>| case == "None" && into.is_none_or(|into| into == "None");
+            let none =
+                |into: Option<&str>| case == "None" && into.is_none_or(|into| into == "None");
             let (pattern, value) = match &body {
                 Body::Of(closure) => {
                     let (pattern, body) = parts(closure).unwrap_or((Pattern::Any, closure));
@@ -144,56 +145,44 @@ impl Made {
         if is_quiet(other) {
             return self.choice(receiver, (None, Body::Of(f)), (None, Body::Value(other)));
         }
-        let slot = other.slot.unwrap_or(NO_SLOT);
-        let names = ["%choice", "%other"];
-        let site = self.site;
-        let stmts = [(names[0], receiver, receiver.slot.unwrap_or(NO_SLOT)), (names[1], other, slot)];
-        let stmts = stmts.map(|(name, value, slot)| Stmt::Let {
-            name: name.into(),
-            slot,
-            value: Some(value.clone()),
-            site,
-        });
+        let names = [KEPT, "%other"];
+        let stmts = vec![self.kept(names[0], receiver), self.kept(names[1], other)];
         let [receiver, other] = names.map(|name| self.bare(ExprKind::Local(name.into())));
         let tail = self.choice(&receiver, (None, Body::Of(f)), (None, Body::Value(&other)));
-        let block = Block { stmts: stmts.into(), tail: Some(Box::new(tail)) };
+        let block = Block { stmts, tail: Some(Box::new(tail)) };
         self.expr(ExprKind::Block(block))
     }
 
     /// `match receiver { Some(x) if … => Some(x), _ => None }`.
     fn filter(&self, receiver: &Expr, f: &Expr) -> Option<Expr> {
         let (parameter, test) = parts(f)?;
-        let inner = Box::new(parameter);
-        let pattern = Pattern::Name {
-            name: PAYLOAD.into(),
-            slot: NO_SLOT,
-            mutable: false,
-            inner: Some(inner),
-        };
+        let (name, slot, inner) = (PAYLOAD.into(), NO_SLOT, Some(Box::new(parameter)));
+        let payload = Pattern::Name { name, slot, mutable: false, inner };
+        let pattern = self.case("Some", payload);
         let some = self.expr(ExprKind::Constructor("Some".into(), vec![self.payload()]));
         let none = self.expr(ExprKind::Constructor("None".into(), Vec::new()));
         let rest = Arm { pattern: Pattern::Any, guard: None, body: none.clone() };
-        let pattern = self.case("Some", pattern);
-        let taken = match is_pure(test) {
-            true => Arm { pattern, guard: Some(test.clone()), body: some },
-            false => {
-                // The test may write to what is asked.
-                let keep = Stmt::Let {
-                    name: KEPT.into(),
-                    slot: NO_SLOT,
-                    value: Some(self.payload()),
-                    site: self.site,
-                };
-                let kept = vec![self.bare(ExprKind::Local(KEPT.into()))];
-                let some = self.expr(ExprKind::Constructor("Some".into(), kept));
-                let then = Block { stmts: Vec::new(), tail: Some(Box::new(some)) };
-                let kind = ExprKind::If(Box::new(test.clone()), then, Some(Box::new(none)));
-                let tail = Some(Box::new(self.expr(kind)));
-                let body = self.expr(ExprKind::Block(Block { stmts: vec![keep], tail }));
-                Arm { pattern, guard: None, body }
-            }
+        let choice = |receiver: &Expr, taken| {
+            self.expr(ExprKind::Match(Box::new(receiver.clone()), vec![taken, rest]))
         };
-        Some(self.expr(ExprKind::Match(Box::new(receiver.clone()), vec![taken, rest])))
+        if is_pure(test) {
+            let taken = Arm { pattern, guard: Some(test.clone()), body: some };
+            return Some(choice(receiver, taken));
+        }
+        // The test may write to what is asked: it is asked of a copy.
+        let then = Block { stmts: Vec::new(), tail: Some(Box::new(some)) };
+        let kind = ExprKind::If(Box::new(test.clone()), then, Some(Box::new(none)));
+        let taken = Arm { pattern, guard: None, body: self.expr(kind) };
+        let copy = self.bare(ExprKind::Local(KEPT.into()));
+        let tail = Some(Box::new(choice(&copy, taken)));
+        let stmts = vec![self.kept(KEPT, receiver)];
+        Some(self.expr(ExprKind::Block(Block { stmts, tail })))
+    }
+
+    /// `let name = value;`
+    fn kept(&self, name: &str, value: &Expr) -> Stmt {
+        let (name, slot) = (name.into(), NO_SLOT);
+        Stmt::Let { name, slot, value: Some(value.clone()), site: self.site }
     }
 
     /// `matches!(receiver, Some(x) if …)`.

@@ -149,7 +149,8 @@ impl Lowering<'_> {
     /// `reading.map(f64::from)` as `reading.map(|value| f64::from(value))`.
     pub(super) fn functions_as_closures(&self, it: &mut syn::ExprMethodCall) {
         let method = text(&it.method);
-        let takes = TAKES_VALUE.iter().find(|(name, count)| *name == method && it.args.len() == *count);
+        let takes =
+            TAKES_VALUE.iter().find(|(name, count)| *name == method && it.args.len() == *count);
         let Some(syn::Expr::Path(function)) = takes.and_then(|_| it.args.last()) else { return };
         if function.path.get_ident().is_some_and(|name| self.is_local(&text(name))) {
             return;
