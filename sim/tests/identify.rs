@@ -39,6 +39,7 @@ fn each_coefficient_is_found_whatever_the_number_of_threads() {
         assert!((found / truth - 1.0).abs() < 0.01, "{found} for {truth}");
         assert!(*confidence < 0.01 * truth, "± {confidence}");
     }
+    assert!(one.evaluations > 50, "{} costs", one.evaluations);
     assert_eq!(one, found(3));
 }
 

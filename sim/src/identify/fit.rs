@@ -10,6 +10,7 @@ use super::segments::Segments;
 use argmin::core::{CostFunction, Error, Executor, State as _};
 use argmin::solver::neldermead::NelderMead;
 use nalgebra::{Matrix4, Vector4};
+use std::cell::Cell;
 
 /// What a fit found.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,6 +31,8 @@ pub struct Fit {
 struct Problem<'a> {
     segments: &'a Segments<'a>,
     sheet: &'a [f64],
+    /// How often the cost was computed.
+    evaluations: &'a Cell<u64>,
 }
 
 impl Problem<'_> {
@@ -43,6 +46,7 @@ impl CostFunction for Problem<'_> {
     type Output = f64;
 
     fn cost(&self, relative: &Self::Param) -> Result<f64, Error> {
+        self.evaluations.set(self.evaluations.get() + 1);
         let cost = self.segments.cost(&self.coefficients(relative));
         Ok(if cost.is_finite() { cost } else { f64::MAX })
     }
@@ -63,17 +67,16 @@ pub fn fit(
     };
     let corners = std::iter::once(None).chain((0..count).map(Some)).map(corner).collect();
     let mut history = Vec::new();
-    let mut evaluations = 0;
+    let evaluations = Cell::new(0);
     let mut simplex: Vec<Vec<f64>> = corners;
     let mut best = (f64::INFINITY, vec![1.0; count]);
     // Twice: a simplex that has collapsed in one direction is opened again where it ended.
     for size in [1e-2, 1e-3] {
-        let problem = Problem { segments, sheet };
+        let problem = Problem { segments, sheet, evaluations: &evaluations };
         let solver = NelderMead::new(std::mem::take(&mut simplex)).with_sd_tolerance(1e-13)?;
         let outcome =
             Executor::new(problem, solver).configure(|state| state.max_iters(150)).run()?;
         let state = outcome.state();
-        evaluations += state.get_func_counts().get("cost_count").copied().unwrap_or_default();
         let place = state.get_best_param().cloned().unwrap_or_else(|| best.1.clone());
         if state.get_best_cost() < best.0 {
             best = (state.get_best_cost(), place);
@@ -88,10 +91,10 @@ pub fn fit(
             }))
             .collect();
     }
-    let problem = Problem { segments, sheet };
+    let problem = Problem { segments, sheet, evaluations: &evaluations };
     let coefficients = problem.coefficients(&best.1);
     let confidence = confidence(&problem, &best.1);
-    Ok(Fit { coefficients, confidence, cost: best.0, history, evaluations })
+    Ok(Fit { coefficients, confidence, cost: best.0, history, evaluations: evaluations.get() })
 }
 
 /// Half the widths of the 95 % confidence intervals at a minimum.

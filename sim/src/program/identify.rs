@@ -5,6 +5,7 @@ use super::{Outcome, write};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use models::Airframe;
+use rayon::prelude::*;
 use sim::figures::{Axes, Line, draw};
 use sim::identify::fit::{Fit, fit};
 use sim::identify::known::{LAG, log_of, unknown_hover, worst_off};
@@ -15,6 +16,7 @@ use sim::identify::{replay, with_coefficients};
 use sim::recording::Log;
 use std::error::Error;
 use std::fmt::Write as _;
+use std::hint::black_box;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -23,6 +25,8 @@ Examples:
   cargo xtask sim hover --out target/hover
   cargo xtask identify target/hover/hover.mcap --out target/hover
       Coefficients with their confidence, the convergence (fig. 5.2), the model against the flight (fig. 5.3)
+  cargo xtask identify target/hover/hover.mcap --no-swarm --costs 4000
+      Also how long so many costs of each kind take
   cargo xtask identify --study 20 --file docs/results/identification.csv
       Simulated flights whose coefficients are known: how far each method is off";
 
@@ -39,6 +43,9 @@ pub struct Identify {
     /// Write the pictures into this folder
     #[arg(long, value_name = "FOLDER")]
     out: Option<PathBuf>,
+    /// Also say how long so many costs of each kind take, around the coefficients that were found
+    #[arg(long, value_name = "COUNT")]
+    costs: Option<u32>,
     /// Leave the thesis' swarm out
     #[arg(long)]
     no_swarm: bool,
@@ -121,11 +128,40 @@ fn one(wanted: &Identify, path: &Path) -> Outcome {
     let swarms = [&results.four, &results.one].into_iter().flatten().count();
     let evaluations = swarms * Swarm::thesis(4, 0).evaluations() + fit.evaluations as usize;
     println!("\n{evaluations} costs computed in {seconds:.1} s");
+    if let Some(count) = wanted.costs {
+        timed(count, &logged, &sheet, &results.fit.coefficients);
+    }
     if let Some(folder) = &wanted.out {
         std::fs::create_dir_all(folder)?;
         pictures(folder, &logged, &sheet, &results)?;
     }
     Ok(true)
+}
+
+/// Times costs within 1 % of `found`, where the model stays in the air longest.
+fn timed(count: u32, logged: &Logged, sheet: &Airframe, found: &[f64]) {
+    let near = |n: u32| -> Vec<f64> {
+        let part = f64::from(n) / f64::from(count.max(1));
+        found.iter().map(|coefficient| coefficient * (0.99 + 0.02 * part)).collect()
+    };
+    let airborne = (logged.airborne.1 - logged.airborne.0) as f64 * logged.period;
+    let whole = logged.states.len() as f64 * logged.period;
+    let segments = Segments::of(logged, sheet);
+    let say = |what: &str, seconds: f64| {
+        println!(
+            "{count} {what}, a flight of {whole:.0} s, {airborne:.0} s airborne: {seconds:.1} s"
+        );
+    };
+    let began = Instant::now();
+    for n in 0..count {
+        black_box(segments.cost(&near(n)));
+    }
+    say("well-posed costs", began.elapsed().as_secs_f64());
+    let began = Instant::now();
+    (0..count).into_par_iter().for_each(|n| {
+        black_box(replay::cost(logged, sheet, &near(n)));
+    });
+    say("costs of the thesis", began.elapsed().as_secs_f64());
 }
 
 fn cells(values: &[f64]) -> String {
