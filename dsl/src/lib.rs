@@ -57,7 +57,7 @@ mod plain;
 /// What a model imports with one line: `use bessemer::prelude::*;`.
 pub mod prelude {
     pub use crate::math::{Real, real};
-    pub use crate::{List, component, data, entry, function, interface};
+    pub use crate::{List, component, data, entry, function, interface, matrix, vector};
     pub use nalgebra::{
         Matrix2, Matrix3, Matrix4, Matrix6, SMatrix, SVector, Vector2, Vector3, Vector4, Vector5,
         Vector6,

@@ -239,6 +239,10 @@ impl<'m, 'r> Run<'m, 'r> {
                     address += self.index(frame, index, *len)? * self.layout.size(element);
                     ty = element;
                 }
+                (Step::Index(index), Type::Matrix { rows, cols, .. }) => {
+                    address += self.index(frame, index, rows * cols)?;
+                    ty = &place.ty;
+                }
                 (Step::Element(row, col), Type::Matrix { rows, cols, .. }) => {
                     // Rust makes the pair of indices first, then checks each.
                     let (row_word, col_word) = (self.word(frame, row)?, self.word(frame, col)?);

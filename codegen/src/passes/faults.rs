@@ -57,6 +57,7 @@ pub(crate) fn of_step(container: &Type, step: &Step, facts: &Facts) -> Vec<Oblig
     };
     match (container, step) {
         (Type::Array { len, .. }, Step::Index(at)) => index(at, *len, "elements"),
+        (Type::Matrix { rows, cols, .. }, Step::Index(at)) => index(at, rows * cols, "elements"),
         (Type::Matrix { rows, cols, .. }, Step::Element(row, column)) => {
             let mut all = index(row, *rows, "rows");
             all.extend(index(column, *cols, "columns"));
@@ -84,7 +85,9 @@ pub(crate) fn step_type(module: &Module, container: &Type, step: &Step) -> Optio
             Some(module.structs.get(id.index())?.fields.get(*field as usize)?.ty.clone())
         }
         (Type::Array { element, .. }, Step::Index(_)) => Some((**element).clone()),
-        (Type::Matrix { element, .. }, Step::Element(..)) => Some(Type::Scalar(*element)),
+        (Type::Matrix { element, .. }, Step::Index(_) | Step::Element(..)) => {
+            Some(Type::Scalar(*element))
+        }
         _ => None,
     }
 }

@@ -15,6 +15,8 @@ enum Meaning {
     New,
     Zeros,
     Identity,
+    /// The unit vector along this axis.
+    Axis(u32),
     Splat,
 }
 
@@ -57,6 +59,12 @@ fn meaning(name: &str) -> Option<Meaning> {
         "matrix_new" => Meaning::New,
         "zeros" => Meaning::Zeros,
         "identity" => Meaning::Identity,
+        "axis_x" => Meaning::Axis(0),
+        "axis_y" => Meaning::Axis(1),
+        "axis_z" => Meaning::Axis(2),
+        "axis_w" => Meaning::Axis(3),
+        "axis_a" => Meaning::Axis(4),
+        "axis_b" => Meaning::Axis(5),
         "from_element" => Meaning::Splat,
         _ => return None,
     })
@@ -94,6 +102,10 @@ impl Lowering<'_, '_> {
         match (name, arguments) {
             ("real", [argument]) => return self.real(argument, Some(Type::F64), expr),
             ("as_f64", [argument]) => return self.real(argument, None, expr),
+            ("matrix_rows" | "matrix_cols" | "matrix_elements", [matrix]) => {
+                return self.size(name, matrix, expr);
+            }
+            ("matrix_by_rows", [rows]) => return self.by_rows(rows, expr),
             _ => {}
         }
         if let Some(value) = self.list_method(name, arguments, expr)? {
@@ -119,6 +131,33 @@ impl Lowering<'_, '_> {
                 self.constructor(&meaning, arguments, ty, expr)
             }
         }
+    }
+
+    /// How many rows, columns or elements a matrix has.
+    fn size(&mut self, name: &str, matrix: &tree::Expr, expr: &tree::Expr) -> Result<Expr> {
+        let Type::Matrix { rows, cols, .. } = self.type_alone(matrix)? else {
+            return problem(expr.site, "this takes a matrix or vector", OUR_FAULT);
+        };
+        let count = match name {
+            "matrix_rows" => rows,
+            "matrix_cols" => cols,
+            _ => rows * cols,
+        };
+        Ok(self.index_literal(u64::from(count), expr))
+    }
+
+    /// `vector![a, b]`, `matrix![a, b; c, d]`.
+    fn by_rows(&mut self, rows: &tree::Expr, expr: &tree::Expr) -> Result<Expr> {
+        let ty = self.slot_of(expr)?;
+        let mut elements = Vec::new();
+        if let tree::ExprKind::Array(rows) = &rows.kind {
+            for row in rows {
+                if let tree::ExprKind::Array(row) = &row.kind {
+                    elements.extend(row.iter().cloned());
+                }
+            }
+        }
+        self.constructor(&Meaning::New, &elements, ty, expr)
     }
 
     /// `real(0.5)`, `x.as_f64()`: a float as one of another type, a literal as one of it.
@@ -263,6 +302,11 @@ impl Lowering<'_, '_> {
                 let elements = (0..rows * cols).map(|index| {
                     self.number(u32::from(index % rows == index / rows), element, expr)
                 });
+                ExprKind::Matrix(elements.collect())
+            }
+            Meaning::Axis(axis) => {
+                let elements =
+                    (0..rows).map(|row| self.number(u32::from(row == *axis), element, expr));
                 ExprKind::Matrix(elements.collect())
             }
             _ => ExprKind::Splat(Box::new(self.number(0, element, expr))),

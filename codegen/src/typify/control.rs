@@ -217,6 +217,9 @@ impl Lowering<'_, '_> {
                 let names = (label.as_deref(), index.as_deref());
                 self.each_stmt(expr.site, names, parts, *reversed, body)
             }
+            tree::ExprKind::Grid { row, column, of, parts, body } => {
+                self.grid_stmt(expr.site, (row, column), of, parts, body)
+            }
             tree::ExprKind::While { label, condition, bound, body } => match condition {
                 Some(condition) => {
                     self.while_stmt(expr.site, label.as_deref(), condition, bound, body)

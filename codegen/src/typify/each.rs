@@ -1,4 +1,4 @@
-//! `for` over the elements of arrays: a `for` over their indices.
+//! `for` over the elements of arrays and matrices: a `for` over their indices.
 //!
 //! A name for a reference is another name for the element; a name for a value is a local of its own.
 
@@ -71,6 +71,66 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
+    /// Two loops, through the columns of a matrix and in each through its rows.
+    pub(super) fn grid_stmt(
+        &mut self,
+        site: Site,
+        (row, column): (&str, &str),
+        of: &tree::Expr,
+        parts: &[tree::Part],
+        body: &tree::Block,
+    ) -> Result<()> {
+        let span = self.span(site);
+        let Type::Matrix { rows, cols, .. } = self.base(of)?.ty else {
+            return problem(site, "this fills a matrix", "use `core::array::from_fn`");
+        };
+        let mut places = Vec::new();
+        for part in parts {
+            let place = self.base(&part.array)?;
+            places.push(self.held_still(place));
+        }
+        let count = |word: u32| {
+            let kind = ExprKind::Literal(u64::from(word));
+            Expr { kind, ty: Type::USIZE, span }
+        };
+        let counter = |name: &str, inner: &mut Self| {
+            let variable = LocalId(inner.locals.len() as u32);
+            let local = Local { name: name.into(), ty: Type::USIZE, mode: Mode::Value, span };
+            inner.locals.push(local);
+            inner.counters.push(variable);
+            variable
+        };
+        let (outer, inner) = (counter(column, self), counter(row, self));
+        let block = self.scoped(|walk| {
+            walk.bind(column, super::function::Binding::Local(outer));
+            walk.bind(row, super::function::Binding::Local(inner));
+            for (part, place) in parts.iter().zip(&places) {
+                let mut element = place.clone();
+                let at = |id| load(&Place { root: id, steps: vec![], ty: Type::USIZE, span });
+                element.steps.push(Step::Element(at(inner), at(outer)));
+                if let Type::Matrix { element: scalar, .. } = place.ty {
+                    element.ty = Type::Scalar(scalar);
+                }
+                let mut names = Vec::new();
+                walk.test(&part.pattern, &Subject::Place(element), site, &mut names)?;
+                walk.bind_names(&names)?;
+            }
+            walk.statements(body)
+        })?;
+        self.counters.truncate(self.counters.len() - 2);
+        let through = |variable, to, body| StmtKind::For {
+            variable,
+            from: count(0),
+            to: count(to),
+            inclusive: false,
+            reversed: false,
+            body,
+        };
+        let rows = Stmt { kind: through(inner, rows, block), span, comments: Vec::new() };
+        self.emit(through(outer, cols, Block(vec![rows])), span);
+        Ok(())
+    }
+
     /// Computes the indices on the way to an array once.
     fn held_still(&mut self, mut place: Place) -> Place {
         for step in &mut place.steps {
@@ -125,9 +185,13 @@ impl Lowering<'_, '_> {
                 steps.push(Step::Index(index));
                 (steps, (**element).clone())
             }
-            Type::Matrix { element, .. } => {
+            Type::Matrix { element, rows, cols } => {
                 let mut steps = array.steps.clone();
-                steps.push(Step::Element(index, self.index_literal(0, expr)));
+                steps.push(match (rows, cols) {
+                    (_, 1) => Step::Element(index, self.index_literal(0, expr)),
+                    (1, _) => Step::Element(self.index_literal(0, expr), index),
+                    _ => Step::Index(index),
+                });
                 (steps, Type::Scalar(*element))
             }
             other => (array.steps.clone(), other.clone()),
@@ -181,7 +245,7 @@ impl Lowering<'_, '_> {
 fn length(ty: &Type) -> Option<u32> {
     match ty {
         Type::Array { len, .. } => Some(*len),
-        Type::Matrix { rows, cols: 1, .. } => Some(*rows),
+        Type::Matrix { rows, cols, .. } => Some(rows * cols),
         _ => None,
     }
 }

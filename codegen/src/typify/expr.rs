@@ -234,8 +234,12 @@ impl Lowering<'_, '_> {
             Operand { expr: left, expected: for_left, role: "left" },
             Operand { expr: right, expected: for_right, role: "right" },
         ])?;
+        let of_instance = self.is_of_instance(left) || self.is_of_instance(right);
         let [left, right] = two(operands, expr.site)?;
-        self.binary_node(op, left, right, expr.site)
+        match literal::folded(op, &left, &right).filter(|_| of_instance) {
+            Some(word) => self.node(ExprKind::Literal(word), left.ty, expr.site),
+            None => self.binary_node(op, left, right, expr.site),
+        }
     }
 
     /// What a literal on one side of a comparison is compared with.

@@ -1,8 +1,9 @@
 //! Literals: from the author's digits to words of the type that the context gives.
 
-use bessemer_ir::tree::Site;
-use bessemer_ir::{Float, Int, Scalar, Type};
+use bessemer_ir::tree::{self, BinaryOp, Site};
+use bessemer_ir::{Expr, ExprKind, Float, Int, Scalar, Type};
 
+use super::function::Lowering;
 use super::{Result, problem};
 
 /// The word of an integer literal as a value of `scalar`.
@@ -23,6 +24,24 @@ pub(super) fn integer(digits: &str, negative: bool, scalar: Scalar, site: Site) 
             "use a type that holds it",
         ),
     }
+}
+
+/// The word of an operation on two integer literals, where it has one.
+pub(super) fn folded(op: BinaryOp, left: &Expr, right: &Expr) -> Option<u64> {
+    let (ExprKind::Literal(a), ExprKind::Literal(b)) = (&left.kind, &right.kind) else {
+        return None;
+    };
+    let int = left.ty.as_int().filter(|_| left.ty == right.ty)?;
+    let (a, b) = (int.from_word(*a), int.from_word(*b));
+    let value = match op {
+        BinaryOp::Add => a.checked_add(b),
+        BinaryOp::Sub => a.checked_sub(b),
+        BinaryOp::Mul => a.checked_mul(b),
+        BinaryOp::Div => a.checked_div(b),
+        BinaryOp::Rem => a.checked_rem(b),
+        _ => None,
+    }?;
+    (int.min()..=int.max()).contains(&value).then_some(value as u64)
 }
 
 /// The word of a float literal as a value of `scalar`.
@@ -55,5 +74,28 @@ pub(super) fn float_type(suffix: Option<Scalar>, expected: Option<&Type>) -> Sca
         (Some(scalar), _) => scalar,
         (None, Some(Type::Scalar(scalar @ Scalar::Float(_)))) => *scalar,
         _ => Scalar::Float(Float::F64),
+    }
+}
+
+/// What the size of a matrix is asked with.
+const SIZES: [&str; 3] = ["matrix_rows", "matrix_cols", "matrix_elements"];
+
+impl Lowering<'_, '_> {
+    /// Whether a number is made of those that an instance of something generic is made with, or of the size
+    /// of a matrix.
+    pub(super) fn is_of_instance(&self, expr: &tree::Expr) -> bool {
+        match &expr.kind {
+            tree::ExprKind::Path(_, name) => {
+                self.source.generics.iter().any(|(known, argument)| {
+                    known == name && matches!(argument, tree::Argument::Number(..))
+                })
+            }
+            tree::ExprKind::Call(callee, _) => match self.source.callees.get(*callee as usize) {
+                Some(tree::Callee::Builtin(name)) => SIZES.contains(&name.as_str()),
+                _ => false,
+            },
+            tree::ExprKind::Binary(_, a, b) => self.is_of_instance(a) || self.is_of_instance(b),
+            _ => false,
+        }
     }
 }

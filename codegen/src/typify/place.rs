@@ -172,9 +172,7 @@ impl Lowering<'_, '_> {
                 let (row, col) = (word % u64::from(rows), word / u64::from(rows));
                 Ok(Step::Element(self.index_literal(row, expr), self.index_literal(col, expr)))
             }
-            _ => {
-                problem(expr.site, "a matrix takes a row and a column", "write `m[(row, column)]`")
-            }
+            _ => Ok(Step::Index(index)),
         }
     }
 

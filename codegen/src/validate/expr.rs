@@ -246,7 +246,9 @@ impl Body<'_> {
                 fields.get(*field as usize).map(|field| field.ty.clone())
             }
             (Step::Index(_), Type::Array { element, .. }) => Some((**element).clone()),
-            (Step::Element(..), Type::Matrix { element, .. }) => Some(Type::Scalar(*element)),
+            (Step::Index(_) | Step::Element(..), Type::Matrix { element, .. }) => {
+                Some(Type::Scalar(*element))
+            }
             _ => None,
         }
     }

@@ -451,7 +451,7 @@ pub struct Place {
 pub enum Step {
     /// A field of a struct, by index.
     Field(u32),
-    /// An element of an array; the index is of any integer type, checked.
+    /// An element of an array, or of a matrix by columns; the index is of any integer type, checked.
     Index(Expr),
     /// An element of a matrix by row and column, each checked.
     Element(Expr, Expr),

@@ -374,6 +374,19 @@ pub enum ExprKind {
         /// What is repeated.
         body: Block,
     },
+    /// `from_fn(|row, column| …)` and the like: through a matrix by columns.
+    Grid {
+        /// The name of the row.
+        row: String,
+        /// The name of the column.
+        column: String,
+        /// The matrix that is filled.
+        of: Box<Expr>,
+        /// Matrices of the same shape that are gone through beside it.
+        parts: Vec<Part>,
+        /// What is repeated.
+        body: Block,
+    },
     /// What a loop gathers: `values.iter().sum()`, `values.map(…)` and the like.
     Fold {
         /// The name of what is gathered.

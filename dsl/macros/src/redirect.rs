@@ -8,7 +8,7 @@
 use proc_macro2::Span;
 use syn::visit_mut::{self, VisitMut};
 
-use crate::lower::{bound, matching};
+use crate::lower::{bound, by_rows, matching};
 
 /// The methods that the DSL owns: their result in the last bits, at ±0 or for NaN depends on the
 /// platform, or they do not exist without std.
@@ -75,8 +75,8 @@ pub fn block(block: &mut syn::Block) {
         let import = syn::parse_quote_spanned! { Span::call_site() =>
             #[allow(unused_imports)]
             use ::bessemer::math::{
-                DivisionMethods as _, ElementaryMethods as _, FloatMethods as _, OrderMethods as _,
-                RoundMethods as _, SignMethods as _,
+                DivisionMethods as _, ElementaryMethods as _, FloatMethods as _, MatrixMethods as _,
+                OrderMethods as _, RoundMethods as _, SignMethods as _, SquareMethods as _,
             };
         };
         block.stmts.insert(0, import);
@@ -110,6 +110,12 @@ impl VisitMut for Redirect {
             && let Some(matching) = matching(&it.mac)
         {
             *expr = syn::Expr::Match(matching);
+        }
+        // So may that of a matrix, between semicolons.
+        if let syn::Expr::Macro(it) = expr
+            && let Some(matrix) = by_rows(&it.mac)
+        {
+            *expr = matrix;
         }
         visit_mut::visit_expr_mut(self, expr);
         bound::count(expr);

@@ -32,6 +32,8 @@ markers! {
     Real: "real"; AsF64: "as_f64";
     ComponentMul: "component_mul"; ComponentDiv: "component_div"; TrMul: "tr_mul";
     Scale: "scale"; Unscale: "unscale";
+    AxisX: "axis_x"; AxisY: "axis_y"; AxisZ: "axis_z"; AxisW: "axis_w"; AxisA: "axis_a"; AxisB: "axis_b";
+    Rows: "matrix_rows"; Cols: "matrix_cols"; Elements: "matrix_elements";
 }
 
 /// Methods of floats.
@@ -111,6 +113,15 @@ pub trait MatrixBuiltins<T, const R: usize, const C: usize>: Sized {
     fn __b_repeat(_element: T) -> Called<FromElement, Self> {
         unreachable!()
     }
+    fn __b_nrows(&self) -> Called<Rows, usize> {
+        unreachable!()
+    }
+    fn __b_ncols(&self) -> Called<Cols, usize> {
+        unreachable!()
+    }
+    fn __b_len(&self) -> Called<Elements, usize> {
+        unreachable!()
+    }
     fn __b_transpose(&self) -> Called<Transpose, SMatrix<T, C, R>> {
         unreachable!()
     }
@@ -138,6 +149,15 @@ pub trait MatrixBuiltins<T, const R: usize, const C: usize>: Sized {
     fn __b_norm_squared(&self) -> Called<NormSquared, T> {
         unreachable!()
     }
+    fn __b_magnitude(&self) -> Called<Norm, T> {
+        unreachable!()
+    }
+    fn __b_magnitude_squared(&self) -> Called<NormSquared, T> {
+        unreachable!()
+    }
+    fn __b_dotc(&self, _other: &Self) -> Called<Dot, T> {
+        unreachable!()
+    }
     fn __b_component_mul(&self, _other: &Self) -> Called<ComponentMul, Self> {
         unreachable!()
     }
@@ -157,7 +177,7 @@ impl<T: ScalarType + Scalar, const R: usize, const C: usize> MatrixBuiltins<T, R
 {
 }
 
-/// The identity of a square matrix.
+/// The identity of a matrix.
 pub trait IdentityBuiltin: Sized {
     #[allow(missing_docs)]
     fn __b_identity() -> Called<Identity, Self> {
@@ -165,7 +185,23 @@ pub trait IdentityBuiltin: Sized {
     }
 }
 
-impl<T: ScalarType + Scalar, const N: usize> IdentityBuiltin for SMatrix<T, N, N> {}
+impl<T: ScalarType + Scalar, const R: usize, const C: usize> IdentityBuiltin for SMatrix<T, R, C> {}
+
+macro_rules! axes {
+    ($($name:ident $marker:ident;)*) => {
+        /// The unit vectors.
+        #[allow(missing_docs)]
+        pub trait AxisBuiltins: Sized {$(
+            fn $name() -> Called<$marker, Self> {
+                unreachable!()
+            }
+        )*}
+    };
+}
+
+axes! { __b_x AxisX; __b_y AxisY; __b_z AxisZ; __b_w AxisW; __b_a AxisA; __b_b AxisB; }
+
+impl<T: ScalarType + Scalar, const N: usize> AxisBuiltins for SMatrix<T, N, 1> {}
 
 /// The cross product.
 pub trait CrossBuiltin: Sized {

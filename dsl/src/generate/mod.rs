@@ -7,10 +7,13 @@ mod builder;
 pub mod builtin;
 pub mod checked;
 pub mod elementary;
+pub mod factored;
 pub mod linear;
 pub mod list;
+pub mod matrices;
 pub mod numbers;
 pub mod option;
+pub mod resized;
 mod slot;
 
 pub use alloc::string::String;
@@ -26,7 +29,7 @@ pub use slot::{
 
 /// What a builder imports; the names begin with `__` so that they never meet an author's.
 pub mod prelude {
-    pub use super::builtin::{CrossBuiltin as _, IdentityBuiltin as _};
+    pub use super::builtin::{AxisBuiltins as _, CrossBuiltin as _, IdentityBuiltin as _};
     pub use super::builtin::{
         FloatBuiltins as _, MatrixBuiltins as _, OrderBuiltins as _, RealBuiltins as _,
     };
@@ -35,18 +38,25 @@ pub mod prelude {
     };
     pub use super::checked::{CheckedAbsBuiltin as _, CheckedBuiltins as _};
     pub use super::elementary::ElementaryBuiltins as _;
-    pub use super::linear::{
-        PartBuiltins as _, SquareBuiltins as _, SquarePartBuiltins as _, VectorPartBuiltins as _,
+    pub use super::factored::{
+        CholeskyMethods as _, LuBuiltins as _, LuMethods as _, QrBuiltins as _, QrMethods as _,
+        SquareQrMethods as _, SymmetricBuiltins as _, TriangularBuiltins as _, UduMethods as _,
     };
+    pub use super::linear::SquareBuiltins as _;
     pub use super::list::ListBuiltins as _;
+    pub use super::matrices::{
+        CrossMatrixBuiltin as _, PartBuiltins as _, SquarePartBuiltins as _,
+        VectorPartBuiltins as _,
+    };
     pub use super::numbers::{
         BytesBuiltins as _, DivisionBuiltins as _, FloatKindBuiltins as _, FromBuiltin as _,
         IntegerBuiltins as _, SignBuiltins as _, SignedBuiltins as _, UnsignedBuiltins as _,
     };
     pub use super::option::{
-        ArrayBuiltins as _, CopiedBuiltin as _, FlattenBuiltin as _, OptionBuiltins as _,
-        ResultBuiltins as _, VectorMapBuiltin as _,
+        ArrayBuiltins as _, CopiedBuiltin as _, FlattenBuiltin as _, MatrixMapBuiltin as _,
+        OptionBuiltins as _, ResultBuiltins as _,
     };
+    pub use super::resized::{PushBuiltin as _, ResizedBuiltins as _};
     pub use super::slot::{__any, __look, __result, __see, __take};
 }
 

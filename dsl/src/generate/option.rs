@@ -159,15 +159,15 @@ pub trait ArrayBuiltins<T, const N: usize>: Sized {
 
 impl<T, const N: usize> ArrayBuiltins<T, N> for [T; N] {}
 
-/// `map` of a vector.
-pub trait VectorMapBuiltin<T, const N: usize>: Sized {
+/// `map` of a matrix.
+pub trait MatrixMapBuiltin<T, const R: usize, const C: usize>: Sized {
     #[allow(missing_docs)]
-    fn __b_map<U: Scalar>(&self, _f: impl FnMut(T) -> U) -> Called<ArrayMap, SMatrix<U, N, 1>> {
+    fn __b_map<U: Scalar>(&self, _f: impl FnMut(T) -> U) -> Called<ArrayMap, SMatrix<U, R, C>> {
         unreachable!()
     }
 }
 
-impl<T: Scalar, const N: usize> VectorMapBuiltin<T, N> for SMatrix<T, N, 1> {}
+impl<T: Scalar, const R: usize, const C: usize> MatrixMapBuiltin<T, R, C> for SMatrix<T, R, C> {}
 
 /// Methods of `Result`.
 #[allow(missing_docs)]

@@ -57,6 +57,11 @@ triangular! {
     tr_solve_upper_mut: tr_solve_upper_triangular_mut;
 }
 
+/// The determinant: up to three rows by minors, above by elimination.
+pub fn determinant<T: Real, const N: usize>(a: &SMatrix<T, N, N>) -> T {
+    super::lu::determinant(a)
+}
+
 macro_rules! carriers {
     ($($name:ident)*) => {$(
         /// Carries the companion of the function.
@@ -67,6 +72,6 @@ macro_rules! carriers {
 }
 
 carriers! {
-    cholesky_mut cholesky_solve_mut
+    cholesky_mut cholesky_solve_mut determinant
     solve_lower_mut solve_upper_mut tr_solve_lower_mut tr_solve_upper_mut
 }

@@ -84,6 +84,32 @@ pub fn inverse_mut<T: Real, const N: usize>(a: &mut SMatrix<T, N, N>) -> bool {
     true
 }
 
+/// The determinant, with the bits of nalgebra's: up to three rows by minors, above by elimination.
+pub(super) fn determinant<T: Real, const N: usize>(a: &SMatrix<T, N, N>) -> T {
+    let minor =
+        |one: usize, other: usize| a[(1, one)] * a[(2, other)] - a[(2, one)] * a[(1, other)];
+    match N {
+        1 => a[(0, 0)],
+        2 => a[(0, 0)] * a[(1, 1)] - a[(1, 0)] * a[(0, 1)],
+        3 => a[(0, 0)] * minor(1, 2) - a[(0, 1)] * minor(0, 2) + a[(0, 2)] * minor(0, 1),
+        _ => by_elimination(a),
+    }
+}
+
+fn by_elimination<T: Real, const N: usize>(a: &SMatrix<T, N, N>) -> T {
+    let (mut factors, mut sign) = (*a, T::ONE);
+    for k in 0..N {
+        let Some(pivot) = pivot(&factors, k) else { continue };
+        if pivot != k {
+            factors.swap_rows(k, pivot);
+            sign = -sign;
+        }
+        eliminate(&mut factors, k);
+    }
+    let product = (0..N).fold(T::ONE, |product, k| product * factors[(k, k)]);
+    product * sign
+}
+
 /// Carries the companion of [`solve_mut`].
 #[doc(hidden)]
 #[allow(non_camel_case_types)]

@@ -1,72 +1,11 @@
-//! Sums and parts of matrices: what nalgebra's methods of these names compute, in its order, written in
-//! the DSL for the C.
+//! Parts of matrices, and matrices of parts: what nalgebra's methods of these names give, written in the DSL
+//! for the C.
 
 use nalgebra::{SMatrix, SVector};
 
+use super::matrix_edit::fill_diagonal;
 use crate::function;
 use crate::math::{Real, real};
-
-/// The sum of all elements, by columns.
-#[function]
-pub fn sum<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -> T {
-    let mut sum = T::ZERO;
-    for column in 0..C {
-        for row in 0..R {
-            sum += a[(row, column)];
-        }
-    }
-    sum
-}
-
-/// The mean of all elements.
-#[function]
-pub fn mean<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -> T {
-    let count: T = real((R * C) as f64);
-    sum(a) / count
-}
-
-/// The largest magnitude. A NaN hides what comes before it, as in nalgebra, and shows only at the end.
-#[function]
-pub fn amax<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -> T {
-    let mut largest = a[(0, 0)].abs();
-    for column in 0..C {
-        for row in 0..R {
-            let magnitude = a[(row, column)].abs();
-            largest = if largest >= magnitude { largest } else { magnitude };
-        }
-    }
-    largest
-}
-
-/// The smallest magnitude. A NaN hides what comes before it, as in nalgebra, and shows only at the end.
-#[function]
-pub fn amin<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -> T {
-    let mut smallest = a[(0, 0)].abs();
-    for column in 0..C {
-        for row in 0..R {
-            let magnitude = a[(row, column)].abs();
-            smallest = if smallest <= magnitude { smallest } else { magnitude };
-        }
-    }
-    smallest
-}
-
-/// Divided by its norm.
-#[function]
-pub fn normalize<T: Real, const R: usize, const C: usize>(
-    a: &SMatrix<T, R, C>,
-) -> SMatrix<T, R, C> {
-    let norm = a.norm();
-    a / norm
-}
-
-/// Divides a matrix by its norm, which is the result.
-#[function]
-pub fn normalize_mut<T: Real, const R: usize, const C: usize>(a: &mut SMatrix<T, R, C>) -> T {
-    let norm = a.norm();
-    *a /= norm;
-    norm
-}
 
 /// What is on and below the diagonal; zero above.
 #[function]
@@ -127,5 +66,101 @@ pub fn from_diagonal<T: Real, const N: usize>(diagonal: &SVector<T, N>) -> SMatr
     for k in 0..N {
         matrix[(k, k)] = diagonal[k];
     }
+    matrix
+}
+
+/// The matrix with `value` on the diagonal, and zero elsewhere.
+#[function]
+pub fn from_diagonal_element<T: Real, const R: usize, const C: usize>(
+    value: T,
+) -> SMatrix<T, R, C> {
+    let mut matrix = SMatrix::<T, R, C>::zeros();
+    fill_diagonal(&mut matrix, value);
+    matrix
+}
+
+/// The vector with `value` at `place`, and zero elsewhere.
+#[function]
+pub fn ith<T: Real, const N: usize>(place: usize, value: T) -> SVector<T, N> {
+    let mut vector = SVector::<T, N>::zeros();
+    vector[place] = value;
+    vector
+}
+
+/// The matrix of these columns.
+#[function]
+pub fn from_columns<T: Real, const R: usize, const C: usize>(
+    columns: &[SVector<T, R>; C],
+) -> SMatrix<T, R, C> {
+    let mut matrix = SMatrix::<T, R, C>::zeros();
+    for column in 0..C {
+        for row in 0..R {
+            matrix[(row, column)] = columns[column][row];
+        }
+    }
+    matrix
+}
+
+/// The matrix of these rows.
+#[function]
+pub fn from_rows<T: Real, const R: usize, const C: usize>(
+    rows: &[SMatrix<T, 1, C>; R],
+) -> SMatrix<T, R, C> {
+    let mut matrix = SMatrix::<T, R, C>::zeros();
+    for column in 0..C {
+        for row in 0..R {
+            matrix[(row, column)] = rows[row][column];
+        }
+    }
+    matrix
+}
+
+/// The matrix of these elements, by rows; there must be as many as it has.
+#[function]
+pub fn from_row_slice<T: Real, const R: usize, const C: usize, const N: usize>(
+    elements: &[T; N],
+) -> SMatrix<T, R, C> {
+    assert!(N == R * C);
+    let mut matrix = SMatrix::<T, R, C>::zeros();
+    for column in 0..C {
+        for row in 0..R {
+            matrix[(row, column)] = elements[row * C + column];
+        }
+    }
+    matrix
+}
+
+/// The matrix of these elements, by columns; there must be as many as it has.
+#[function]
+pub fn from_column_slice<T: Real, const R: usize, const C: usize, const N: usize>(
+    elements: &[T; N],
+) -> SMatrix<T, R, C> {
+    assert!(N == R * C);
+    let mut matrix = SMatrix::<T, R, C>::zeros();
+    for column in 0..C {
+        for row in 0..R {
+            matrix[(row, column)] = elements[column * R + row];
+        }
+    }
+    matrix
+}
+
+/// The mean of a matrix and its transpose.
+#[function]
+pub fn symmetric_part<T: Real, const N: usize>(a: &SMatrix<T, N, N>) -> SMatrix<T, N, N> {
+    let half: T = real(0.5);
+    (a.transpose() + a) * half
+}
+
+/// The matrix whose product with a vector is the cross product of `v` and it.
+#[function]
+pub fn cross_matrix<T: Real>(v: &SVector<T, 3>) -> SMatrix<T, 3, 3> {
+    let mut matrix = SMatrix::<T, 3, 3>::zeros();
+    matrix[(1, 0)] = v[2];
+    matrix[(2, 0)] = -v[1];
+    matrix[(0, 1)] = -v[2];
+    matrix[(2, 1)] = v[0];
+    matrix[(0, 2)] = v[1];
+    matrix[(1, 2)] = -v[0];
     matrix
 }

@@ -18,6 +18,7 @@ mod float;
 pub mod hyperbolic;
 pub mod integer;
 pub mod logarithm;
+mod matrix;
 mod methods;
 mod number;
 pub mod pair;
@@ -30,6 +31,7 @@ pub mod tables;
 pub mod tangent;
 
 pub use float::{Real, real};
+pub use matrix::{MatrixMethods, SquareMethods};
 pub use methods::ElementaryMethods;
 pub use number::{DivisionMethods, RoundMethods, SignMethods};
 

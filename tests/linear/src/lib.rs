@@ -104,7 +104,10 @@ macro_rules! sizes {
             }
         })*
 
-        pub const CASES: &[&[Case]] = &[$($module::CASES,)* parts::f64_3::CASES, parts::f32_9::CASES];
+        pub const CASES: &[&[Case]] = &[$($module::CASES,)* parts::f64_3::CASES, parts::f32_9::CASES,
+            methods::f64_3x4::CASES, methods::f32_9x2::CASES,
+            factored::f64_1::CASES, factored::f64_3::CASES, factored::f64_6::CASES,
+            factored::f64_9::CASES, factored::f32_4::CASES];
     };
 }
 
@@ -116,3 +119,9 @@ sizes! {
 
 /// What nalgebra has for parts of matrices and for products that add; a few sizes are enough.
 pub mod parts;
+
+/// Decompositions as values.
+pub mod factored;
+
+/// Every other method of matrices.
+pub mod methods;

@@ -10,6 +10,7 @@
 
 mod call;
 mod copy;
+mod fill;
 mod loops;
 mod numbers;
 mod place;

@@ -33,8 +33,16 @@ impl Lower<'_> {
                 (value.at(self.index(index)), Type::Scalar(*element))
             }
             (Step::Element(row, column), Type::Matrix { element, rows, cols }) => {
-                let (row, column) = (self.index(row), self.index(column));
-                (value.at(offset((*rows, *cols), row, column)), Type::Scalar(*element))
+                // What is left out is not mentioned.
+                let at = match (rows, cols) {
+                    (_, 1) => self.index(row),
+                    (1, _) => self.index(column),
+                    shape => {
+                        let (row, column) = (self.index(row), self.index(column));
+                        offset((*shape.0, *shape.1), row, column)
+                    }
+                };
+                (value.at(at), Type::Scalar(*element))
             }
             (step, ty) => unreachable!("the validator refuses {step:?} into {ty:?}"),
         }

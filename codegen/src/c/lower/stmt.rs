@@ -8,6 +8,7 @@ use bessemer_ir::{
 use super::super::literal;
 use super::super::tree::{Expr, Init, Stmt, StmtKind, SwitchArm, plain};
 use super::Lower;
+use super::fill::filled;
 
 impl Lower<'_> {
     /// Lowers the statements of a block into the open one; `tail`: the function ends after them.
@@ -18,7 +19,14 @@ impl Lower<'_> {
                 self.emit(StmtKind::Comment(stmt.comments.clone()));
             }
             self.at(stmt.span);
-            self.stmt(stmt, tail && index + 1 == block.0.len());
+            match &stmt.kind {
+                IrKind::Let { local, value: Some(Ir { kind: ExprKind::Splat(_), .. }) }
+                    if filled(*local, &self.function.local(*local).ty, &block.0[index + 1..]) =>
+                {
+                    self.let_(*local, None);
+                }
+                _ => self.stmt(stmt, tail && index + 1 == block.0.len()),
+            }
         }
     }
 

@@ -28,7 +28,9 @@ impl Scope<'_> {
                     fields.get(*field as usize)?.ty.clone()
                 }
                 (Step::Index(_), Type::Array { element, .. }) => *element,
-                (Step::Element(..), Type::Matrix { element, .. }) => Type::Scalar(element),
+                (Step::Index(_) | Step::Element(..), Type::Matrix { element, .. }) => {
+                    Type::Scalar(element)
+                }
                 _ => return None,
             };
         }

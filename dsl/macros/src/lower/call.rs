@@ -17,7 +17,7 @@ use crate::redirect;
 
 impl Lowering<'_> {
     pub(super) fn call(&mut self, it: &mut syn::ExprCall) -> ExprKind {
-        if let Some(kind) = self.array_from_fn(it) {
+        if let Some(kind) = self.array_from_fn(it).or_else(|| self.matrix_from_fn(it)) {
             return kind;
         }
         let arguments: Vec<_> =
@@ -65,7 +65,7 @@ impl Lowering<'_> {
     }
 
     pub(super) fn method_call(&mut self, it: &mut syn::ExprMethodCall) -> ExprKind {
-        if let Some(kind) = self.chain(it) {
+        if let Some(kind) = self.chain(it).or_else(|| self.each_element(it)) {
             return kind;
         }
         self.functions_as_closures(it);

@@ -168,6 +168,30 @@ impl Lowering<'_> {
         closure: &mut syn::ExprClosure,
         looks: Vec<syn::Stmt>,
     ) -> tree::Expr {
+        self.check_closure(closure);
+        let mut body = self.value(&mut closure.body);
+        if body.slot.is_none() {
+            body.slot = Some(self.see(&mut closure.body));
+        }
+        let copy = &closure.body;
+        *closure.body = syn::Expr::Verbatim(quote! { { #(#looks)* #copy } });
+        body
+    }
+
+    /// What a closure without a value does; `looks` at its parameters come first in the copy.
+    pub(super) fn closure_effect(
+        &mut self,
+        closure: &mut syn::ExprClosure,
+        looks: Vec<syn::Stmt>,
+    ) -> tree::Expr {
+        self.check_closure(closure);
+        let body = self.statement(&mut closure.body);
+        let copy = &closure.body;
+        *closure.body = syn::Expr::Verbatim(quote! { { #(#looks)* #copy } });
+        body
+    }
+
+    fn check_closure(&mut self, closure: &syn::ExprClosure) {
         if let Some(token) = &closure.capture {
             self.refusals.add(token.span, refuse::CLOSURE_MOVE);
         }
@@ -176,13 +200,6 @@ impl Lowering<'_> {
         for span in returns.0 {
             self.refusals.add(span, refuse::CLOSURE_RETURN);
         }
-        let mut body = self.value(&mut closure.body);
-        if body.slot.is_none() {
-            body.slot = Some(self.see(&mut closure.body));
-        }
-        let copy = &closure.body;
-        *closure.body = syn::Expr::Verbatim(quote! { { #(#looks)* #copy } });
-        body
     }
 }
 

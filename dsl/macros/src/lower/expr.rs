@@ -125,9 +125,13 @@ impl Lowering<'_> {
                     }
                 }
             }
-            syn::Expr::Macro(it) => {
-                (self.macro_call(&mut it.mac).map_or(UNIT, |expr| expr.kind), false)
-            }
+            syn::Expr::Macro(it) => match super::by_rows(&it.mac) {
+                Some(matrix) => {
+                    *expr = matrix;
+                    self.kind(expr, value)
+                }
+                None => (self.macro_call(&mut it.mac).map_or(UNIT, |expr| expr.kind), false),
+            },
             other => {
                 let (span, reason) = refuse::expression(other);
                 self.refusals.add(span, reason);

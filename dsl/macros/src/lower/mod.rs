@@ -16,6 +16,7 @@ mod closure;
 mod control;
 mod each;
 mod expr;
+mod matrix;
 mod pattern;
 pub mod refuse;
 mod signature;
@@ -368,6 +369,26 @@ pub fn matching(mac: &syn::Macro) -> Option<syn::ExprMatch> {
     let mut arm: Vec<_> = rest.into_iter().collect();
     arm.pop_if(|token| matches!(token, proc_macro2::TokenTree::Punct(it) if it.as_char() == ','));
     syn::parse2(quote! { match #value { #(#arm)* => true, _ => false } }).ok()
+}
+
+/// `vector![a, b]`, `matrix![a, b; c, d]` as the call that they stand for.
+pub fn by_rows(mac: &syn::Macro) -> Option<syn::Expr> {
+    use syn::punctuated::Punctuated;
+    type Elements = Punctuated<syn::Expr, syn::Token![,]>;
+    let name = &mac.path.segments.last()?.ident;
+    let rows: Vec<Vec<syn::Expr>> = if name == "vector" {
+        let column = mac.parse_body_with(Elements::parse_terminated).ok()?;
+        column.into_iter().map(|element| vec![element]).collect()
+    } else if name == "matrix" {
+        let parser = Punctuated::<_, syn::Token![;]>::parse_terminated_with;
+        let row = |input: syn::parse::ParseStream<'_>| Elements::parse_separated_nonempty(input);
+        let rows =
+            mac.parse_body_with(|input: syn::parse::ParseStream<'_>| parser(input, row)).ok()?;
+        rows.into_iter().map(|row| row.into_iter().collect()).collect()
+    } else {
+        return None;
+    };
+    Some(syn::parse_quote! { ::bessemer::linear::by_rows([#([#(#rows),*]),*]) })
 }
 
 /// Whether a `let` takes its value apart.

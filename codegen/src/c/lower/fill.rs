@@ -1,0 +1,111 @@
+//! Arrays and matrices that a loop fills: the value that they start with is never seen, so C goes without.
+//!
+//! Invariant: where [`filled`] says so, every element is assigned before anything reads it, on each path.
+
+use bessemer_ir::visit::{Access, Visit, walk_place};
+use bessemer_ir::{Block, Expr, ExprKind, LocalId, Place, Step, Stmt, StmtKind, Type};
+
+/// Whether a loop of `rest`, the first statement that mentions `local`, assigns each of its elements.
+pub(super) fn filled(local: LocalId, ty: &Type, rest: &[Stmt]) -> bool {
+    let Some(first) = rest.iter().find(|stmt| mentions(local, |walk| walk.stmt(stmt))) else {
+        return false;
+    };
+    let Some((outer, to, body)) = through(first) else { return false };
+    if let ([inner], Type::Matrix { rows, cols, .. }) = (body.0.as_slice(), ty)
+        && let Some((row, last, body)) = through(inner)
+    {
+        let both = [Some(row), Some(outer)];
+        return (to, last) == (*cols, *rows) && assigns(local, &both, body);
+    }
+    let (count, element) = match *ty {
+        Type::Array { len, .. } => (len, vec![Some(outer)]),
+        Type::Matrix { rows, cols: 1, .. } => (rows, vec![Some(outer), None]),
+        Type::Matrix { rows: 1, cols, .. } => (cols, vec![None, Some(outer)]),
+        Type::Matrix { rows, cols, .. } => (rows * cols, vec![Some(outer)]),
+        _ => return false,
+    };
+    to == count && assigns(local, &element, body)
+}
+
+/// The counter of a loop from 0, its end and its body.
+fn through(stmt: &Stmt) -> Option<(LocalId, u32, &Block)> {
+    match &stmt.kind {
+        StmtKind::For { variable, from, to, inclusive: false, body, .. } => {
+            match (&from.kind, &to.kind) {
+                (ExprKind::Literal(0), ExprKind::Literal(to)) => {
+                    Some((*variable, u32::try_from(*to).ok()?, body))
+                }
+                _ => None,
+            }
+        }
+        _ => None,
+    }
+}
+
+/// Whether each path through a block assigns the element at these counters (none: at 0), before anything
+/// else of the local is touched.
+fn assigns(local: LocalId, at: &[Option<LocalId>], block: &Block) -> bool {
+    for stmt in &block.0 {
+        match &stmt.kind {
+            StmtKind::Assign { place, value } if place.root == local => {
+                return is_element(place, at) && !mentions(local, |walk| walk.expr(value));
+            }
+            StmtKind::If { condition, then, otherwise } => {
+                let both = assigns(local, at, then) && assigns(local, at, otherwise);
+                if both {
+                    return !mentions(local, |walk| walk.expr(condition));
+                }
+            }
+            StmtKind::Break | StmtKind::Continue | StmtKind::Return(_) => return false,
+            _ => {}
+        }
+        if mentions(local, |walk| walk.stmt(stmt)) || leaves(stmt) {
+            return false;
+        }
+    }
+    false
+}
+
+fn is_element(place: &Place, at: &[Option<LocalId>]) -> bool {
+    let is = |index: &Expr, at: &Option<LocalId>| match (&index.kind, at) {
+        (ExprKind::Load(place), Some(counter)) => place.root == *counter && place.steps.is_empty(),
+        (ExprKind::Literal(word), None) => *word == 0,
+        _ => false,
+    };
+    match (place.steps.as_slice(), at) {
+        ([Step::Index(index)], [counter]) => is(index, counter),
+        ([Step::Element(row, column)], [first, second]) => is(row, first) && is(column, second),
+        _ => false,
+    }
+}
+
+/// Whether a local stands in what is walked.
+fn mentions(local: LocalId, walk: impl FnOnce(&mut Mentions)) -> bool {
+    let mut mentions = Mentions(local, false);
+    walk(&mut mentions);
+    mentions.1
+}
+
+struct Mentions(LocalId, bool);
+
+impl Visit for Mentions {
+    fn place(&mut self, place: &Place, _: Access) {
+        self.1 |= place.root == self.0;
+        walk_place(self, place);
+    }
+}
+
+/// Whether something in a statement leaves a loop or the function.
+fn leaves(stmt: &Stmt) -> bool {
+    struct Leaves(bool);
+    impl Visit for Leaves {
+        fn stmt(&mut self, stmt: &Stmt) {
+            self.0 |=
+                matches!(stmt.kind, StmtKind::Break | StmtKind::Continue | StmtKind::Return(_));
+            bessemer_ir::visit::walk_stmt(self, stmt);
+        }
+    }
+    let mut leaves = Leaves(false);
+    leaves.stmt(stmt);
+    leaves.0
+}

@@ -1,0 +1,252 @@
+//! The companions of nalgebra's decompositions: what is nalgebra's type in the simulation is a struct of
+//! the DSL in the C.
+
+#![allow(missing_docs)]
+
+use bessemer_ir::tree::Ty;
+use nalgebra::{Cholesky, Const, DimMin, LU, QR, SMatrix, SVector, UDU};
+
+use super::matrices::{companions, told};
+use super::{Builder, Called, Callee, DslType, Seen};
+use crate::linear::factored::cholesky::CholeskyFactor;
+use crate::linear::factored::lu::Lu;
+use crate::linear::factored::qr::Qr;
+use crate::linear::factored::udu::Udu;
+use crate::linear::factored::{cholesky, lu, qr, triangular, udu};
+use crate::math::Real;
+
+/// The DSL's struct in place of nalgebra's value. No companion is ever run.
+fn held<N, D>(_: &N) -> &D {
+    unreachable!()
+}
+
+/// The same, lent to be changed.
+fn held_mut<N, D>(_: &mut N) -> &mut D {
+    unreachable!()
+}
+
+/// nalgebra's value in place of the DSL's struct.
+fn gives<M, D, N>(_: Called<M, D>) -> Called<M, N> {
+    unreachable!()
+}
+
+macro_rules! stands {
+    ($([$($n:ident),*] $native:ty => $data:ty $(, where [$($bound:tt)+])?;)*) => {$(
+        impl<T: Real, $(const $n: usize),*> DslType for $native $(where $($bound)+)? {
+            fn ty(cx: &mut Builder) -> Ty {
+                <$data>::ty(cx)
+            }
+        }
+        impl<T: Real, $(const $n: usize),*> Seen for $native $(where $($bound)+)? {
+            type Slot = Self;
+        }
+    )*};
+}
+
+stands! {
+    [N] LU<T, Const<N>, Const<N>> => Lu<T, N>, where [Const<N>: DimMin<Const<N>, Output = Const<N>>];
+    [R, C] QR<T, Const<R>, Const<C>> => Qr<T, R, C>,
+        where [Const<R>: DimMin<Const<C>, Output = Const<C>>];
+    [N] Cholesky<T, Const<N>> => CholeskyFactor<T, N>;
+    [N] UDU<T, Const<N>> => Udu<T, N>;
+}
+
+/// Factors of square matrices.
+pub trait LuBuiltins<T: Real, const N: usize>: Sized
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
+    fn __b_lu(self) -> told!([Self, T, N] => LU<T, Const<N>, Const<N>>);
+}
+
+impl<T: Real, const N: usize> LuBuiltins<T, N> for SMatrix<T, N, N>
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
+    fn __b_lu(self) -> told!([T, N] => LU<T, Const<N>, Const<N>>) {
+        gives(lu::factored::__call(&self))
+    }
+}
+
+/// Factors of matrices with no more columns than rows.
+pub trait QrBuiltins<T: Real, const R: usize, const C: usize>: Sized
+where
+    Const<R>: DimMin<Const<C>, Output = Const<C>>,
+{
+    fn __b_qr(self) -> told!([Self, T, R, C] => QR<T, Const<R>, Const<C>>);
+}
+
+impl<T: Real, const R: usize, const C: usize> QrBuiltins<T, R, C> for SMatrix<T, R, C>
+where
+    Const<R>: DimMin<Const<C>, Output = Const<C>>,
+{
+    fn __b_qr(self) -> told!([T, R, C] => QR<T, Const<R>, Const<C>>) {
+        gives(qr::factored::__call(&self))
+    }
+}
+
+/// Factors of symmetric matrices, and systems with triangular ones.
+pub trait SymmetricBuiltins<T: Real, const N: usize>: Sized {
+    fn __b_cholesky(self) -> told!([Self, T, N] => Option<Cholesky<T, Const<N>>>);
+    fn __b_udu(self) -> told!([Self, T, N] => Option<UDU<T, Const<N>>>);
+}
+
+impl<T: Real, const N: usize> SymmetricBuiltins<T, N> for SMatrix<T, N, N> {
+    fn __b_cholesky(self) -> told!([T, N] => Option<Cholesky<T, Const<N>>>) {
+        gives(cholesky::factored::__call(&self))
+    }
+    fn __b_udu(self) -> told!([T, N] => Option<UDU<T, Const<N>>>) {
+        gives(udu::factored::__call(&self))
+    }
+}
+
+companions! {
+    /// Systems of equations with a triangular matrix.
+    TriangularBuiltins<N> [Self, T, N] for SMatrix<T, N, N>, [T, N] {
+        fn __b_solve_lower_triangular<K>(&self, b: &SMatrix<T, N, K>) -> Option<SMatrix<T, N, K>> {
+            triangular::solve_lower_triangular(self, b)
+        }
+        fn __b_solve_upper_triangular<K>(&self, b: &SMatrix<T, N, K>) -> Option<SMatrix<T, N, K>> {
+            triangular::solve_upper_triangular(self, b)
+        }
+        fn __b_tr_solve_lower_triangular<K>(
+            &self, b: &SMatrix<T, N, K>
+        ) -> Option<SMatrix<T, N, K>> {
+            triangular::tr_solve_lower_triangular(self, b)
+        }
+        fn __b_tr_solve_upper_triangular<K>(
+            &self, b: &SMatrix<T, N, K>
+        ) -> Option<SMatrix<T, N, K>> {
+            triangular::tr_solve_upper_triangular(self, b)
+        }
+        fn __b_ad_solve_lower_triangular<K>(
+            &self, b: &SMatrix<T, N, K>
+        ) -> Option<SMatrix<T, N, K>> {
+            triangular::tr_solve_lower_triangular(self, b)
+        }
+        fn __b_ad_solve_upper_triangular<K>(
+            &self, b: &SMatrix<T, N, K>
+        ) -> Option<SMatrix<T, N, K>> {
+            triangular::tr_solve_upper_triangular(self, b)
+        }
+        fn __b_solve_lower_triangular_mut<K>(&self, b: &mut SMatrix<T, N, K>) -> bool {
+            triangular::solve_lower_triangular_mut(self, b)
+        }
+        fn __b_solve_upper_triangular_mut<K>(&self, b: &mut SMatrix<T, N, K>) -> bool {
+            triangular::solve_upper_triangular_mut(self, b)
+        }
+    }
+}
+
+/// A trait with the companions of the methods of a decomposition.
+macro_rules! methods {
+    (
+        $(#[$doc:meta])*
+        $trait:ident<$($n:ident),*> $in_trait:tt for $native:ty, $in_type:tt
+        $(where [$($bound:tt)+])?
+        {$(
+            fn $name:ident $(<$($k:ident),*>)? ($($parameters:tt)*) -> $result:ty $body:block
+        )*}
+    ) => {
+        $(#[$doc])*
+        pub trait $trait<T: Real, $(const $n: usize),*>: Sized {$(
+            fn $name $(<$(const $k: usize),*>)? ($($parameters)*)
+                -> told!($in_trait $($(+ $k)*)? => $result);
+        )*}
+
+        impl<T: Real, $(const $n: usize),*> $trait<T, $($n),*> for $native $(where $($bound)+)? {$(
+            fn $name $(<$(const $k: usize),*>)? ($($parameters)*)
+                -> told!($in_type $($(+ $k)*)? => $result)
+            $body
+        )*}
+    };
+}
+
+methods! {
+    /// Methods of LU.
+    LuMethods<N> [Self, T, N] for LU<T, Const<N>, Const<N>>, [T, N]
+    where [Const<N>: DimMin<Const<N>, Output = Const<N>>]
+    {
+        fn __b_new(a: SMatrix<T, N, N>) -> Self { gives(lu::factored::__call(&a)) }
+        fn __b_solve<K>(&self, b: &SMatrix<T, N, K>) -> Option<SMatrix<T, N, K>> {
+            held::<_, Lu<T, N>>(self).__b_solve(b)
+        }
+        fn __b_solve_mut<K>(&self, b: &mut SMatrix<T, N, K>) -> bool {
+            held::<_, Lu<T, N>>(self).__b_solve_mut(b)
+        }
+        fn __b_try_inverse(&self) -> Option<SMatrix<T, N, N>> {
+            held::<_, Lu<T, N>>(self).__b_try_inverse()
+        }
+        fn __b_is_invertible(&self) -> bool { held::<_, Lu<T, N>>(self).__b_is_invertible() }
+        fn __b_determinant(&self) -> T { held::<_, Lu<T, N>>(self).__b_determinant() }
+        fn __b_l(&self) -> SMatrix<T, N, N> { held::<_, Lu<T, N>>(self).__b_l() }
+        fn __b_l_unpack(self) -> SMatrix<T, N, N> { held::<_, Lu<T, N>>(&self).__b_l() }
+        fn __b_u(&self) -> SMatrix<T, N, N> { held::<_, Lu<T, N>>(self).__b_u() }
+    }
+}
+
+methods! {
+    /// Methods of Cholesky's factor.
+    CholeskyMethods<N> [Self, T, N] for Cholesky<T, Const<N>>, [T, N] {
+        fn __b_new(a: SMatrix<T, N, N>) -> Option<Self> { gives(cholesky::factored::__call(&a)) }
+        fn __b_solve<K>(&self, b: &SMatrix<T, N, K>) -> SMatrix<T, N, K> {
+            held::<_, CholeskyFactor<T, N>>(self).__b_solve(b)
+        }
+        fn __b_solve_mut<K>(&self, b: &mut SMatrix<T, N, K>) -> () {
+            held::<_, CholeskyFactor<T, N>>(self).__b_solve_mut(b)
+        }
+        fn __b_inverse(&self) -> SMatrix<T, N, N> {
+            held::<_, CholeskyFactor<T, N>>(self).__b_inverse()
+        }
+        fn __b_l(&self) -> SMatrix<T, N, N> { held::<_, CholeskyFactor<T, N>>(self).__b_l() }
+        fn __b_unpack(self) -> SMatrix<T, N, N> { held::<_, CholeskyFactor<T, N>>(&self).__b_l() }
+        fn __b_unpack_dirty(self) -> SMatrix<T, N, N> {
+            held::<_, CholeskyFactor<T, N>>(&self).__b_unpack_dirty()
+        }
+        fn __b_determinant(&self) -> T { held::<_, CholeskyFactor<T, N>>(self).__b_determinant() }
+        fn __b_rank_one_update(&mut self, x: &SVector<T, N>, sigma: T) -> () {
+            held_mut::<_, CholeskyFactor<T, N>>(self).__b_rank_one_update(x, sigma)
+        }
+    }
+}
+
+methods! {
+    /// Methods of QR.
+    QrMethods<R, C> [Self, T, R, C] for QR<T, Const<R>, Const<C>>, [T, R, C]
+    where [Const<R>: DimMin<Const<C>, Output = Const<C>>]
+    {
+        fn __b_new(a: SMatrix<T, R, C>) -> Self { gives(qr::factored::__call(&a)) }
+        fn __b_q(&self) -> SMatrix<T, R, C> { held::<_, Qr<T, R, C>>(self).__b_q() }
+        fn __b_r(&self) -> SMatrix<T, C, C> { held::<_, Qr<T, R, C>>(self).__b_r() }
+        fn __b_unpack_r(self) -> SMatrix<T, C, C> { held::<_, Qr<T, R, C>>(&self).__b_r() }
+        fn __b_q_tr_mul<K>(&self, b: &mut SMatrix<T, R, K>) -> () {
+            held::<_, Qr<T, R, C>>(self).__b_q_tr_mul(b)
+        }
+    }
+}
+
+methods! {
+    /// Methods of QR of square matrices.
+    SquareQrMethods<N> [Self, T, N] for QR<T, Const<N>, Const<N>>, [T, N]
+    where [Const<N>: DimMin<Const<N>, Output = Const<N>>]
+    {
+        fn __b_solve<K>(&self, b: &SMatrix<T, N, K>) -> Option<SMatrix<T, N, K>> {
+            qr::solve::__call(held(self), b)
+        }
+        fn __b_solve_mut<K>(&self, b: &mut SMatrix<T, N, K>) -> bool {
+            qr::solve_mut::__call(held(self), b)
+        }
+        fn __b_try_inverse(&self) -> Option<SMatrix<T, N, N>> {
+            qr::try_inverse::__call(held(self))
+        }
+        fn __b_is_invertible(&self) -> bool { qr::is_invertible::__call::<T, N>(held(self)) }
+    }
+}
+
+methods! {
+    /// Methods of U D Uᵀ.
+    UduMethods<N> [Self, T, N] for UDU<T, Const<N>>, [T, N] {
+        fn __b_new(a: SMatrix<T, N, N>) -> Option<Self> { gives(udu::factored::__call(&a)) }
+        fn __b_d_matrix(&self) -> SMatrix<T, N, N> { held::<_, Udu<T, N>>(self).__b_d_matrix() }
+    }
+}

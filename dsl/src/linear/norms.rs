@@ -1,0 +1,171 @@
+//! Norms, distances and what is set to a length: what nalgebra's methods of these names compute, in its
+//! order, written in the DSL for the C.
+
+use nalgebra::SMatrix;
+
+use super::kernels::determinant;
+use super::matrix_extremes::upper;
+use crate::function;
+use crate::math::Real;
+
+/// The largest of the sums of the magnitudes of each column.
+#[function]
+pub fn one_norm<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -> T {
+    let mut largest = T::ZERO;
+    for column in 0..C {
+        let mut sum = T::ZERO;
+        for row in 0..R {
+            sum += a[(row, column)].abs();
+        }
+        largest = upper(largest, sum);
+    }
+    largest
+}
+
+/// The root of the sum of the squared differences, by columns.
+#[function]
+pub fn metric_distance<T: Real, const R: usize, const C: usize>(
+    a: &SMatrix<T, R, C>,
+    b: &SMatrix<T, R, C>,
+) -> T {
+    let mut squares = T::ZERO;
+    for column in 0..C {
+        for row in 0..R {
+            let difference = a[(row, column)] - b[(row, column)];
+            squares += difference * difference;
+        }
+    }
+    squares.sqrt()
+}
+
+/// Divided by its norm.
+#[function]
+pub fn normalize<T: Real, const R: usize, const C: usize>(
+    a: &SMatrix<T, R, C>,
+) -> SMatrix<T, R, C> {
+    let norm = a.norm();
+    a / norm
+}
+
+/// Divides a matrix by its norm, which is the result.
+#[function]
+pub fn normalize_mut<T: Real, const R: usize, const C: usize>(a: &mut SMatrix<T, R, C>) -> T {
+    let norm = a.norm();
+    *a /= norm;
+    norm
+}
+
+/// Divided by its norm; none where that is at most `least`.
+#[function]
+pub fn try_normalize<T: Real, const R: usize, const C: usize>(
+    a: &SMatrix<T, R, C>,
+    least: T,
+) -> Option<SMatrix<T, R, C>> {
+    let norm = a.norm();
+    if norm <= least { None } else { Some(a / norm) }
+}
+
+/// Divides a matrix by its norm, which is the result; leaves one whose norm is at most `least`.
+#[function]
+pub fn try_normalize_mut<T: Real, const R: usize, const C: usize>(
+    a: &mut SMatrix<T, R, C>,
+    least: T,
+) -> Option<T> {
+    let norm = a.norm();
+    if norm <= least {
+        return None;
+    }
+    *a /= norm;
+    Some(norm)
+}
+
+/// Scales a matrix to a norm.
+#[function]
+pub fn set_magnitude<T: Real, const R: usize, const C: usize>(
+    a: &mut SMatrix<T, R, C>,
+    magnitude: T,
+) {
+    let factor = magnitude / a.norm();
+    *a *= factor;
+}
+
+/// Scales a matrix to a norm, if its own is above `least`.
+#[function]
+pub fn try_set_magnitude<T: Real, const R: usize, const C: usize>(
+    a: &mut SMatrix<T, R, C>,
+    magnitude: T,
+    least: T,
+) {
+    let norm = a.norm();
+    if norm > least {
+        let factor = magnitude / norm;
+        *a *= factor;
+    }
+}
+
+/// Scaled to the norm `most`, if its own is above.
+#[function]
+pub fn cap_magnitude<T: Real, const R: usize, const C: usize>(
+    a: &SMatrix<T, R, C>,
+    most: T,
+) -> SMatrix<T, R, C> {
+    let norm = a.norm();
+    if norm > most { a * (most / norm) } else { *a }
+}
+
+/// Whether two numbers differ by no more than `tolerance`, or by a part of 2⁻⁵² (in single precision 2⁻²³) of
+/// the larger.
+#[function]
+pub fn is_near<T: Real>(a: T, b: T, tolerance: T) -> bool {
+    if a == b {
+        return true;
+    }
+    if a.is_infinite() || b.is_infinite() {
+        return false;
+    }
+    let difference = (a - b).abs();
+    if difference <= tolerance {
+        return true;
+    }
+    let (first, second) = (a.abs(), b.abs());
+    let largest = if second > first { second } else { first };
+    difference <= largest * T::EPSILON
+}
+
+/// Whether each element is near that of the identity: see [`is_near`].
+#[function]
+pub fn is_identity<T: Real, const R: usize, const C: usize>(
+    a: &SMatrix<T, R, C>,
+    tolerance: T,
+) -> bool {
+    for column in 0..C {
+        for row in 0..R {
+            let wanted = if row == column { T::ONE } else { T::ZERO };
+            if !is_near(a[(row, column)], wanted, tolerance) {
+                return false;
+            }
+        }
+    }
+    true
+}
+
+/// Whether the columns are near to orthonormal: see [`is_near`].
+#[function]
+pub fn is_orthogonal<T: Real, const R: usize, const C: usize>(
+    a: &SMatrix<T, R, C>,
+    tolerance: T,
+) -> bool {
+    is_identity(&a.tr_mul(a), tolerance)
+}
+
+/// Whether a matrix is near to a rotation: orthonormal columns, and a determinant above zero.
+#[function]
+pub fn is_special_orthogonal<T: Real, const N: usize>(a: &SMatrix<T, N, N>, tolerance: T) -> bool {
+    is_orthogonal(a, tolerance) && determinant(a) > T::ZERO
+}
+
+/// Whether a matrix has an inverse.
+#[function]
+pub fn is_invertible<T: Real, const N: usize>(a: &SMatrix<T, N, N>) -> bool {
+    super::inverse(a).is_some()
+}

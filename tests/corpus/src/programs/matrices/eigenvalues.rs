@@ -1,0 +1,22 @@
+//! Eigenvalues of symmetric matrices and singular values: routines of the DSL's own, with a bound.
+
+use bessemer::prelude::*;
+
+/// The axes of an ellipsoid of errors: its half lengths, the shortest first, and its directions.
+#[function]
+pub fn ellipsoid(covariance: &Matrix3<f64>) -> (Vector3<f64>, Matrix3<f64>) {
+    let eigen = bessemer::linear::symmetric_eigen(covariance);
+    (eigen.eigenvalues.map(|x| x.sqrt()), eigen.eigenvectors)
+}
+
+/// How well a set of four measurements tells two unknowns: the ratio of the singular values.
+#[function]
+pub fn condition(h: &SMatrix<f64, 4, 2>) -> f64 {
+    bessemer::linear::svd(h).condition()
+}
+
+/// The command of two motors that comes closest to a moment about three axes.
+#[function]
+pub fn allocated(effect: &SMatrix<f32, 3, 2>, moment: &Vector3<f32>) -> Vector2<f32> {
+    bessemer::linear::svd(effect).solve(moment, 1e-6)
+}

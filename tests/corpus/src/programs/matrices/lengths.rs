@@ -1,0 +1,27 @@
+//! Norms, and what is set to a length.
+
+use bessemer::prelude::*;
+
+/// The direction of a vector; none if it is too short to have one.
+#[function]
+pub fn direction(v: &Vector3<f64>) -> Option<Vector3<f64>> {
+    v.try_normalize(1e-9)
+}
+
+/// An acceleration within what the motors give.
+#[function]
+pub fn feasible(acceleration: &Vector3<f32>, most: f32) -> Vector3<f32> {
+    acceleration.cap_magnitude(most)
+}
+
+/// Half way between two positions, and how far they are apart.
+#[function]
+pub fn between(a: &Vector2<f64>, b: &Vector2<f64>) -> (Vector2<f64>, f64) {
+    (a.lerp(b, 0.5), a.metric_distance(b))
+}
+
+/// Whether a matrix turns without stretching.
+#[function]
+pub fn turns(a: &Matrix3<f64>) -> bool {
+    a.is_special_orthogonal(1e-9)
+}

@@ -1,0 +1,20 @@
+//! `lu` factors a matrix once for several systems of equations; its result is held in a local.
+
+use bessemer::prelude::*;
+
+/// The solution of a system, improved once by its own residual; none if the matrix is singular.
+#[function]
+pub fn refined(a: &Matrix3<f64>, b: &Vector3<f64>) -> Option<Vector3<f64>> {
+    let lu = a.lu();
+    let x = lu.solve(b)?;
+    let residual = b - a * x;
+    let correction = lu.solve(&residual)?;
+    Some(x + correction)
+}
+
+/// The determinant and the inverse; zeros if there is none.
+#[function]
+pub fn both(a: &Matrix4<f32>) -> (f32, Matrix4<f32>) {
+    let lu = a.lu();
+    (lu.determinant(), lu.try_inverse().unwrap_or(Matrix4::zeros()))
+}

@@ -1,0 +1,15 @@
+//! Powers and the exponential of square matrices.
+
+use bessemer::prelude::*;
+
+/// A linear system some steps ahead.
+#[function]
+pub fn ahead(a: &Matrix2<f64>, steps: u32) -> Matrix2<f64> {
+    a.pow(steps)
+}
+
+/// How a linear system moves within a time, s.
+#[function]
+pub fn transition(a: &Matrix2<f64>, time: f64) -> Matrix2<f64> {
+    (a * time).exp()
+}
