@@ -12,14 +12,14 @@ use crate::math::{Real, real};
 pub fn pow<T: Real, const N: usize>(a: &SMatrix<T, N, N>, exponent: u32) -> SMatrix<T, N, N> {
     let mut left = exponent;
     let mut power = *a;
-    if left % 2 == 0 {
+    if left & 1 == 0 {
         power = SMatrix::<T, N, N>::identity();
     }
     // What is odd is in the power already.
     left = left / 2 * 2;
     let mut square = *a;
     for _ in 0..32 {
-        if left % 2 == 1 {
+        if left & 1 == 1 {
             power *= square;
         }
         left /= 2;

@@ -105,9 +105,9 @@ macro_rules! sizes {
         })*
 
         pub const CASES: &[&[Case]] = &[$($module::CASES,)* parts::f64_3::CASES, parts::f32_9::CASES,
-            methods::f64_3x4::CASES, methods::f32_9x2::CASES,
+            methods::f64_3x4::CASES, methods::f32_5x2::CASES,
             factored::f64_1::CASES, factored::f64_3::CASES, factored::f64_6::CASES,
-            factored::f64_9::CASES, factored::f32_4::CASES];
+            factored::f64_2::CASES, factored::f32_9::CASES];
     };
 }
 
