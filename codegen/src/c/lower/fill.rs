@@ -14,8 +14,10 @@ pub(super) fn filled(local: LocalId, ty: &Type, rest: &[Stmt]) -> bool {
     if let ([inner], Type::Matrix { rows, cols, .. }) = (body.0.as_slice(), ty)
         && let Some((row, last, body)) = through(inner)
     {
-        let both = [Some(row), Some(outer)];
-        return (to, last) == (*cols, *rows) && assigns(local, &both, body);
+        // By columns, or by rows.
+        let (inner, outer) = (Some(row), Some(outer));
+        return (to, last) == (*cols, *rows) && assigns(local, &[inner, outer], body)
+            || (to, last) == (*rows, *cols) && assigns(local, &[outer, inner], body);
     }
     let (count, element) = match *ty {
         Type::Array { len, .. } => (len, vec![Some(outer)]),
