@@ -2,10 +2,10 @@
 #![no_std]
 use bessemer::prelude::*;
 
-/// A matrix by one index.
+/// A sum of what is no number.
 #[function]
-pub fn first(m: &Matrix3<f64>, n: usize) -> f64 {
-    m[n]
+pub fn first(list: &[Vector2<f64>; 3]) -> Vector2<f64> {
+    list.iter().sum()
 }
 
 /// A reference whose place is computed.

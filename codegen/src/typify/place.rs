@@ -16,6 +16,15 @@ pub(super) fn is_fixed(step: &Step) -> bool {
     }
 }
 
+/// The row and the column of nalgebra's `m12`, from 0.
+fn by_name(name: &str) -> Option<(u64, u64)> {
+    let digit = |at: usize| match name.as_bytes().get(at)? {
+        digit @ b'1'..=b'6' => Some(u64::from(digit - b'1')),
+        _ => None,
+    };
+    (name.len() == 3 && name.starts_with('m')).then_some((digit(1)?, digit(2)?))
+}
+
 impl Lowering<'_, '_> {
     /// The place that `expr` names; none if it is a value.
     pub(super) fn place(&mut self, expr: &tree::Expr) -> Result<Option<Place>> {
@@ -94,6 +103,12 @@ impl Lowering<'_, '_> {
                 }
             }
             Type::Matrix { element, rows, cols } => {
+                if let Some((row, col)) = by_name(name).filter(|(row, col)| {
+                    *cols > 1 && *row < u64::from(*rows) && *col < u64::from(*cols)
+                }) {
+                    let (row, col) = (self.index_literal(row, expr), self.index_literal(col, expr));
+                    return Ok((Step::Element(row, col), Type::Scalar(*element)));
+                }
                 let row = ["x", "y", "z", "w", "a", "b"].iter().position(|axis| *axis == name);
                 if let Some(row) = row.filter(|row| *cols == 1 && (*row as u32) < *rows) {
                     let (row, col) =

@@ -5,6 +5,8 @@
 //! a call, and the closure looks at what it is given.
 
 use bessemer_ir::tree::{self, ExprKind, Start};
+use quote::quote_spanned;
+use syn::spanned::Spanned;
 
 use super::closure::{closure_of, closure_parameter, plain};
 use super::each::Source;
@@ -25,6 +27,14 @@ impl Lowering<'_> {
     pub(super) fn each_element(&mut self, it: &mut syn::ExprMethodCall) -> Option<ExprKind> {
         let name = text(&it.method);
         let (_, before, elements) = METHODS.into_iter().find(|(known, ..)| *known == name)?;
+        let others = match name.as_str() {
+            "map_with_location" => 2,
+            "fold" | "zip_fold" => 1,
+            _ => 0,
+        };
+        if !name.ends_with("apply") {
+            self.function_as_closure(it, others + elements);
+        }
         if it.args.len() != before + 1 || !matches!(it.args.last(), Some(syn::Expr::Closure(_))) {
             return None;
         }
@@ -44,6 +54,21 @@ impl Lowering<'_> {
             }
         });
         Some(self.or_refused(kind, &node))
+    }
+
+    /// A function in the place of a closure: the closure that calls it.
+    fn function_as_closure(&self, it: &mut syn::ExprMethodCall, parameters: usize) {
+        let Some(syn::Expr::Path(function)) = it.args.last() else { return };
+        if function.path.get_ident().is_some_and(|name| self.is_local(&text(name))) {
+            return;
+        }
+        let span = proc_macro2::Span::mixed_site();
+        let names = (0..parameters).map(|at| syn::Ident::new(&format!("value_{at}"), span));
+        let names: Vec<_> = names.collect();
+        let closure = quote_spanned! { function.span() => |#(#names),*| #function(#(#names),*) };
+        if let (Ok(closure), Some(last)) = (syn::parse2(closure), it.args.last_mut()) {
+            *last = closure;
+        }
     }
 
     /// `Matrix3::from_fn(|row, column| …)`.

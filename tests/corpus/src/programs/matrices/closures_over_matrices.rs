@@ -15,6 +15,12 @@ pub fn blended(a: &Matrix3<f32>, b: &Matrix3<f32>, share: f32) -> Matrix3<f32> {
     a.zip_map(b, |x, y| x + (y - x) * share)
 }
 
+/// The larger of two, element by element; a NaN counts for nothing.
+#[function]
+pub fn larger(a: &Matrix2<f64>, b: &Matrix2<f64>) -> Matrix2<f64> {
+    a.zip_map(b, f64::max)
+}
+
 /// Takes a step towards a goal, in each part at most so far.
 #[function]
 pub fn step(position: &mut Vector3<f64>, goal: &Vector3<f64>, most: f64) {

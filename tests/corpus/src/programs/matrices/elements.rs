@@ -13,6 +13,12 @@ pub fn turn(sine: f64, cosine: f64) -> Matrix3<f64> {
     matrix
 }
 
+/// The angle of a rotation about the third axis, by nalgebra's names of the elements, rad.
+#[function]
+pub fn angle(turn: &Matrix3<f64>) -> f64 {
+    turn.m21.atan2(turn.m11)
+}
+
 /// The parts of a vector in another order.
 #[function]
 pub fn reordered(v: &Vector3<f32>) -> Vector3<f32> {
