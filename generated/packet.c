@@ -128,7 +128,7 @@ uint8_t packet_byte(const packet_t *self, uint64_t at)
 double packet_number(const packet_t *self, uint64_t at)
 {
     const uint64_t start = min_u64(at, MOST_PAYLOAD - UINT64_C(8));
-    uint8_t eight[8] = {0U};
+    uint8_t eight[8];
     for (uint32_t n = 0U; n < 8U; n++) {
         eight[n] = self->bytes[HEADER + start + (uint64_t)n];
     }
