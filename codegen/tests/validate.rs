@@ -211,6 +211,7 @@ const BAD: &[(&str, &str)] = &[
     ("Step", "fn f(a: [f64; 2]) { (a[0, 0] : f64); }"),
     ("IndexType", "fn f(a: [f64; 2]) { a[1.0]; }"),
     ("IndexType", "fn f(a: matrix<f64, 1, 1>) { a[0, true]; }"),
+    ("Slice", "fn f(a: &[f64]) { }"),
 ];
 
 fn read(text: &str) -> Module {

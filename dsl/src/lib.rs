@@ -39,12 +39,14 @@ extern crate alloc;
 extern crate self as bessemer;
 
 pub use bessemer_macros::{component, data, entry, function, interface};
+pub use bounded::BoundedMatrix;
 pub use instance::EntriesInOneBlock;
 pub use linear::{inverse, inverse_mut, solve, solve_mut};
 pub use list::List;
 pub use nalgebra;
 pub use plain::Plain;
 
+mod bounded;
 #[cfg(feature = "generate")]
 #[doc(hidden)]
 pub mod generate;
@@ -57,10 +59,30 @@ mod plain;
 /// What a model imports with one line: `use bessemer::prelude::*;`.
 pub mod prelude {
     pub use crate::math::{Real, real};
-    pub use crate::{List, component, data, entry, function, interface, matrix, vector};
+    pub use crate::{
+        BoundedMatrix, List, component, data, entry, function, interface, matrix, vector,
+    };
     pub use nalgebra::{
         Matrix2, Matrix3, Matrix4, Matrix6, SMatrix, SVector, Vector2, Vector3, Vector4, Vector5,
         Vector6,
+    };
+}
+
+/// What the library's own containers claim of an index: a fault of its own name in the C.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __inside {
+    ($condition:expr) => {
+        ::core::assert!($condition, "index out of bounds")
+    };
+}
+
+/// What they claim of their room.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __room {
+    ($condition:expr) => {
+        ::core::assert!($condition, "the container is full")
     };
 }
 

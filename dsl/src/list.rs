@@ -2,7 +2,8 @@
 //!
 //! What has no room is a panic, as it is a fault in the C: nothing is ever written beyond the end.
 
-use core::ops::{Index, IndexMut};
+use core::ops::{Deref, DerefMut, Index, IndexMut};
+use core::slice::SliceIndex;
 
 use crate::Plain;
 
@@ -110,16 +111,30 @@ impl<T: PartialEq, const N: usize> PartialEq for List<T, N> {
     }
 }
 
-impl<T, const N: usize> Index<usize> for List<T, N> {
-    type Output = T;
-    fn index(&self, index: usize) -> &T {
-        &self.items[..self.length][index]
+/// The elements that there are, as a slice.
+impl<T, const N: usize> Deref for List<T, N> {
+    type Target = [T];
+    fn deref(&self) -> &[T] {
+        &self.items[..self.length]
     }
 }
 
-impl<T, const N: usize> IndexMut<usize> for List<T, N> {
-    fn index_mut(&mut self, index: usize) -> &mut T {
-        &mut self.items[..self.length][index]
+impl<T, const N: usize> DerefMut for List<T, N> {
+    fn deref_mut(&mut self) -> &mut [T] {
+        &mut self.items[..self.length]
+    }
+}
+
+impl<T, I: SliceIndex<[T]>, const N: usize> Index<I> for List<T, N> {
+    type Output = I::Output;
+    fn index(&self, index: I) -> &I::Output {
+        &(**self)[index]
+    }
+}
+
+impl<T, I: SliceIndex<[T]>, const N: usize> IndexMut<I> for List<T, N> {
+    fn index_mut(&mut self, index: I) -> &mut I::Output {
+        &mut (**self)[index]
     }
 }
 

@@ -217,7 +217,7 @@ impl Walk<'_> {
         found: &dyn Fn(&Type, &str, &mut String),
     ) {
         match ty {
-            Type::Unit => {}
+            Type::Unit | Type::Slice(_) => {}
             Type::Scalar(_) | Type::Enum(_) => found(ty, place, text),
             Type::Array { element, len } => {
                 for index in 0..*len {

@@ -16,7 +16,7 @@ use bessemer_ir::{
 };
 use bessemer_tests::process::{Error, Process};
 use bessemer_tests::toolchain::{self, Toolchain};
-use bessemer_tests::{corpus, harness};
+use bessemer_tests::{corpus, entry, harness};
 use corpus::Entry;
 
 /// Calls of each entry point with words from the edges.
@@ -251,7 +251,9 @@ fn fault(text: &str) -> Fault {
         _ if text.contains("divisor of zero") => Fault::DivisionByZero,
         _ if text.contains("attempt to shift") => Fault::Shift,
         _ if text.contains("overflow") => Fault::Overflow,
-        _ if text.contains("out of bounds") => Fault::Index,
+        _ if text.contains("out of bounds") || text.contains("out of range") => Fault::Index,
+        _ if text.contains("slice index") || text.contains("slice length") => Fault::Index,
+        _ if text.contains("copy_from_slice") => Fault::Index,
         _ if text.contains("the container is full") => Fault::Capacity,
         _ if text.contains("within its bound") => Fault::Bound,
         _ if text.contains("`None` value") || text.contains("on an `Err` value") => Fault::Absent,
@@ -371,4 +373,21 @@ fn the_c_agrees() {
             scope.spawn(move || run_c(compiled, cases, &toolchain, &sanitized));
         }
     });
+}
+
+/// What Rust cannot be handed: an enum that holds none of its variants.
+#[test]
+fn a_wrong_variant_is_a_fault() {
+    let compiled = corpus();
+    let id = entry(compiled, "Follower", "step").expect("a program of the corpus");
+    let main = harness::programs(&compiled.explicit, &[(id, 2)]);
+    for toolchain in toolchain::host() {
+        let mut process = Process::run(compiled, &main, &toolchain, &[]).expect("it builds");
+        for (wish, expected) in [(2, None), (3, Some(Fault::Variant)), (255, Some(Fault::Variant))]
+        {
+            let words = [0, 0.5_f64.to_bits(), wish];
+            let got = called(&mut process, &words, 2).expect("it answers");
+            assert_eq!(got.err(), expected, "{} of {wish}", toolchain.name());
+        }
+    }
 }

@@ -29,6 +29,7 @@ fn column(ty: &Type) -> Column {
         Type::Enum(_) => "enum",
         Type::Struct(_) => "struct",
         Type::Array { .. } => "array",
+        Type::Slice(_) => "slice",
         Type::Matrix { element, .. } => element.name(),
         _ => "other",
     }
@@ -103,6 +104,7 @@ impl Visit for Filled {
                     self.add("index of type", column(&index.ty));
                 }
                 Step::Element(..) => self.add(format!("element {access:?}"), "all"),
+                Step::From(_) => self.add(format!("part {access:?}"), "all"),
             }
         }
         visit::walk_place(self, place);

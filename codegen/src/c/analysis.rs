@@ -249,7 +249,7 @@ fn walk_place(place: &Place, visit: &mut dyn FnMut(&Expr)) {
     for step in &place.steps {
         match step {
             Step::Field(_) => {}
-            Step::Index(index) => walk_expr(index, visit),
+            Step::Index(index) | Step::From(index) => walk_expr(index, visit),
             Step::Element(row, column) => {
                 walk_expr(row, visit);
                 walk_expr(column, visit);

@@ -475,7 +475,7 @@ fn named(ty: &Type) -> Option<TypeId> {
     match ty {
         Type::Struct(id) => Some(TypeId::Struct(*id)),
         Type::Enum(id) => Some(TypeId::Enum(*id)),
-        Type::Array { element, .. } => named(element),
+        Type::Array { element, .. } | Type::Slice(element) => named(element),
         _ => None,
     }
 }
@@ -528,7 +528,7 @@ impl Includes {
             Type::Unit => {}
             Type::Scalar(scalar) => self.scalar(*scalar),
             Type::Matrix { element, .. } => self.scalar(*element),
-            Type::Array { element, .. } => self.ty(context, element),
+            Type::Array { element, .. } | Type::Slice(element) => self.ty(context, element),
             Type::Struct(id) => {
                 self.own.insert(context.names.structs[id.index()].header.clone());
             }

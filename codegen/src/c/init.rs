@@ -86,7 +86,7 @@ impl Writer<'_> {
 
     fn value(&mut self, place: Expr, ty: &Type, words: &[u64]) {
         match ty {
-            Type::Unit => {}
+            Type::Unit | Type::Slice(_) => {}
             Type::Scalar(_) | Type::Enum(_) => {
                 self.uses.math |= literal::needs_math(ty, words[0]);
                 let value = literal::word(self.context.names, ty, words[0]);

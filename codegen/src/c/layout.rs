@@ -17,6 +17,8 @@ pub fn size_of_struct(context: Context<'_>, id: StructId) -> u64 {
 fn size_and_align(context: Context<'_>, ty: &Type) -> (u64, u64) {
     match ty {
         Type::Unit => (0, 1),
+        // A pointer, and never a part of something.
+        Type::Slice(_) => (8, 8),
         Type::Scalar(scalar) => {
             let size = scalar_size(*scalar);
             (size, size)

@@ -255,6 +255,10 @@ impl Names {
             Type::Matrix { element, rows, cols } => {
                 (scalar_type(*element).to_owned(), format!("[{}]", rows * cols))
             }
+            Type::Slice(element) => {
+                let (ty, inner) = self.type_parts(element);
+                (ty, format!("[]{inner}"))
+            }
             Type::Array { element, len } => {
                 let (ty, inner) = self.type_parts(element);
                 (ty, format!("[{len}]{inner}"))
@@ -504,7 +508,7 @@ fn component_in_signature(module: &Module, function: &Function) -> Option<Struct
 fn component_in(module: &Module, ty: &Type) -> Option<StructId> {
     match ty {
         Type::Struct(id) => module.structs[id.index()].initial.is_some().then_some(*id),
-        Type::Array { element, .. } => component_in(module, element),
+        Type::Array { element, .. } | Type::Slice(element) => component_in(module, element),
         _ => None,
     }
 }

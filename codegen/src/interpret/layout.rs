@@ -47,7 +47,7 @@ impl Layout {
     /// The words of a value of type `ty`.
     pub fn size(&self, ty: &Type) -> usize {
         match ty {
-            Type::Unit => 0,
+            Type::Unit | Type::Slice(_) => 0,
             Type::Scalar(_) | Type::Enum(_) => 1,
             Type::Array { element, len } => self.size(element) * *len as usize,
             Type::Matrix { rows, cols, .. } => *rows as usize * *cols as usize,

@@ -235,6 +235,24 @@ impl<'m, 'r> Run<'m, 'r> {
                     address += self.layout.fields(*id).offsets[*field as usize];
                     ty = &self.module.structs[id.index()].fields[*field as usize].ty;
                 }
+                (Step::From(from), Type::Array { element, len }) => {
+                    address += self.index(frame, from, *len + 1)? * self.layout.size(element);
+                    ty = &place.ty;
+                }
+                (Step::From(from), Type::Matrix { rows, cols, .. }) => {
+                    address += self.index(frame, from, rows * cols + 1)?;
+                    ty = &place.ty;
+                }
+                (Step::Index(index) | Step::From(index), Type::Slice(element)) => {
+                    let most = u64::from(matches!(step, Step::From(_)));
+                    let length = self.memory[frame.base + frame.offsets[place.root.index() + 1]];
+                    let at = self.word(frame, index)?;
+                    if at >= length.saturating_add(most) {
+                        return frame.fault(Fault::Index, index.span);
+                    }
+                    address += at as usize * self.layout.size(element);
+                    ty = if most == 0 { element } else { ty };
+                }
                 (Step::Index(index), Type::Array { element, len }) => {
                     address += self.index(frame, index, *len)? * self.layout.size(element);
                     ty = element;
@@ -421,7 +439,7 @@ fn is_plain(expr: &Expr) -> bool {
         ExprKind::Literal(_) | ExprKind::Const(_) => true,
         ExprKind::Load(place) => place.steps.iter().all(|step| match step {
             Step::Field(_) => true,
-            Step::Index(index) => is_plain(index),
+            Step::Index(index) | Step::From(index) => is_plain(index),
             Step::Element(row, col) => is_plain(row) && is_plain(col),
         }),
         _ => false,

@@ -238,14 +238,14 @@ impl Checker<'_> {
         for step in &place.steps {
             match step {
                 Step::Field(_) => {}
-                Step::Index(index) => self.expr(index, Position::Nested),
+                Step::Index(index) | Step::From(index) => self.expr(index, Position::Nested),
                 Step::Element(row, column) => {
                     self.expr(row, Position::Nested);
                     self.expr(column, Position::Nested);
                 }
             }
             if let Some(container) = &container
-                && !of_step(container, step, &self.facts).is_empty()
+                && !of_step(place.root, container, step, &self.facts).is_empty()
             {
                 self.wrong(Rule::Unchecked, place.span);
             }

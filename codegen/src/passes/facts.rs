@@ -12,8 +12,8 @@ use std::collections::{BTreeMap, HashSet};
 use std::rc::Rc;
 
 use bessemer_ir::{
-    BinaryOp, CompareOp, Expr, ExprKind, Float, LocalId, LogicOp, Module, Place, Scalar, Span,
-    Step, Type, UnaryOp,
+    BinaryOp, CompareOp, Expr, ExprKind, Float, Intrinsic, LocalId, LogicOp, Module, Place, Scalar,
+    Span, Step, Type, UnaryOp,
 };
 
 use super::glance::{Glance, bit};
@@ -50,7 +50,7 @@ pub(crate) struct Facts<'m> {
 fn key(place: &Place) -> Option<Key> {
     let fields = place.steps.iter().map(|step| match step {
         Step::Field(field) => Some(*field),
-        Step::Index(_) | Step::Element(..) => None,
+        Step::Index(_) | Step::Element(..) | Step::From(_) => None,
     });
     Some((place.root, fields.collect::<Option<_>>()?))
 }
@@ -182,8 +182,35 @@ impl<'m> Facts<'m> {
             ExprKind::Logic(LogicOp::Or, a, b) => {
                 self.holds(condition) || self.proves(a) || self.assuming(a, false).proves(b)
             }
-            _ => self.holds(condition),
+            _ => self.holds(condition) || self.below_length(condition),
         }
+    }
+
+    /// Whether an index is below the length of a slice by way of another value: `i < to <= length`, or
+    /// `i + 1` of a loop up to `max(length, 1) - 1`.
+    fn below_length(&self, condition: &Expr) -> bool {
+        let condition = erased(condition);
+        let ExprKind::Compare(CompareOp::Lt, index, length) = &condition.kind else { return false };
+        if !matches!(&length.kind, ExprKind::Load(place) if place.steps.is_empty()) {
+            return false;
+        }
+        let (base, further) = match &index.kind {
+            ExprKind::Binary(BinaryOp::Add, base, more) => match more.kind {
+                ExprKind::Literal(more) => (base, more),
+                _ => (index, 0),
+            },
+            _ => (index, 0),
+        };
+        self.hold.iter().any(|fact| match &fact.condition.kind {
+            ExprKind::Compare(CompareOp::Lt, a, end) if a == base => {
+                let up_to = further == 0 && {
+                    let kind = ExprKind::Compare(CompareOp::Le, end.clone(), length.clone());
+                    self.holds(&Expr { kind, ..condition.clone() })
+                };
+                up_to || short_of(end, length).is_some_and(|short| further <= short)
+            }
+            _ => false,
+        })
     }
 
     fn holds(&self, condition: &Expr) -> bool {
@@ -419,6 +446,17 @@ fn implies(fact: &Expr, condition: &Expr) -> bool {
         CompareOp::Le => same && matches!(known, CompareOp::Lt | CompareOp::Le),
         CompareOp::Ne => (same || turned) && matches!(known, CompareOp::Lt | CompareOp::Ne),
         _ => same && known == op,
+    }
+}
+
+/// By how much `max(length, n) - n` falls short of the length, where there is anything below it.
+fn short_of(end: &Expr, length: &Expr) -> Option<u64> {
+    let ExprKind::Binary(BinaryOp::Sub, most, short) = &end.kind else { return None };
+    let ExprKind::Intrinsic(Intrinsic::Max, operands) = &most.kind else { return None };
+    let same = operands.first() == Some(length) && operands.get(1) == Some(short);
+    match short.kind {
+        ExprKind::Literal(short) if same => Some(short),
+        _ => None,
     }
 }
 

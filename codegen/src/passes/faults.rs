@@ -6,12 +6,12 @@
 //! the limit.
 
 use bessemer_ir::{
-    BinaryOp, CompareOp, Expr, ExprKind, Fault, Int, Intrinsic, LogicOp, Module, Scalar, Span,
-    Step, Type, UnaryOp,
+    BinaryOp, CompareOp, Expr, ExprKind, Fault, Int, Intrinsic, LocalId, LogicOp, Module, Scalar,
+    Span, Step, Type, UnaryOp,
 };
 
 use super::facts::Facts;
-use super::places::located;
+use super::places::{load, located};
 use super::ranges::Interval;
 
 /// A condition that has to be checked before an operation.
@@ -51,13 +51,28 @@ pub(crate) fn of_expr(expr: &Expr, facts: &Facts) -> Vec<Obligation> {
 }
 
 /// What a step into a value of type `container` needs.
-pub(crate) fn of_step(container: &Type, step: &Step, facts: &Facts) -> Vec<Obligation> {
+pub(crate) fn of_step(
+    root: LocalId,
+    container: &Type,
+    step: &Step,
+    facts: &Facts,
+) -> Vec<Obligation> {
     let index = |index: &Expr, len: u32, what: &str| {
         Needs { facts, span: index.span }.of_index(index, len, what)
     };
     match (container, step) {
         (Type::Array { len, .. }, Step::Index(at)) => index(at, *len, "elements"),
         (Type::Matrix { rows, cols, .. }, Step::Index(at)) => index(at, rows * cols, "elements"),
+        (Type::Slice(_), Step::Index(at)) => {
+            Needs { facts, span: at.span }.of_slice(CompareOp::Lt, at, root)
+        }
+        (Type::Slice(_), Step::From(at)) => {
+            Needs { facts, span: at.span }.of_slice(CompareOp::Le, at, root)
+        }
+        (Type::Array { len, .. }, Step::From(at)) => index(at, len.saturating_add(1), "beginnings"),
+        (Type::Matrix { rows, cols, .. }, Step::From(at)) => {
+            index(at, rows.saturating_mul(*cols).saturating_add(1), "beginnings")
+        }
         (Type::Matrix { rows, cols, .. }, Step::Element(row, column)) => {
             let mut all = index(row, *rows, "rows");
             all.extend(index(column, *cols, "columns"));
@@ -84,12 +99,19 @@ pub(crate) fn step_type(module: &Module, container: &Type, step: &Step) -> Optio
         (Type::Struct(id), Step::Field(field)) => {
             Some(module.structs.get(id.index())?.fields.get(*field as usize)?.ty.clone())
         }
-        (Type::Array { element, .. }, Step::Index(_)) => Some((**element).clone()),
+        (Type::Array { element, .. } | Type::Slice(element), Step::Index(_)) => {
+            Some((**element).clone())
+        }
         (Type::Matrix { element, .. }, Step::Index(_) | Step::Element(..)) => {
             Some(Type::Scalar(*element))
         }
         _ => None,
     }
+}
+
+/// How many elements the slice has that is this parameter.
+fn length_of(slice: LocalId, span: Span) -> Expr {
+    load(LocalId(slice.0.saturating_add(1)), &Type::USIZE, span)
 }
 
 /// An operation at a point.
@@ -114,6 +136,13 @@ impl Needs<'_, '_> {
         conditions.extend(below(index, int, i128::from(len)));
         let reason = format!("index {} of {len} {what}", self.described(index));
         self.all(conditions, Fault::Index, reason)
+    }
+
+    /// Of an index into a slice: its length is the local behind it.
+    fn of_slice(&self, op: CompareOp, index: &Expr, root: LocalId) -> Vec<Obligation> {
+        let length = length_of(root, self.span);
+        let reason = format!("index {} of a slice", self.described(index));
+        self.all(vec![compare(op, index, &length)], Fault::Index, reason)
     }
 
     fn of_negation(&self, x: &Expr) -> Vec<Obligation> {

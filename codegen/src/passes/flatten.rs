@@ -193,6 +193,7 @@ impl Lowering<'_> {
             let mut step = match step {
                 Step::Field(field) => Step::Field(field),
                 Step::Index(index) => Step::Index(self.word(index)),
+                Step::From(index) => Step::From(self.word(index)),
                 Step::Element(row, column) => {
                     let (row, column) = self.pair(row, column);
                     Step::Element(row, column)
@@ -208,19 +209,21 @@ impl Lowering<'_> {
     }
 
     fn secure_step(&mut self, container: &Type, step: &mut Step, of: &Place) {
-        if faults::of_step(container, step, &self.facts).is_empty() {
+        if faults::of_step(of.root, container, step, &self.facts).is_empty() {
             return;
         }
-        let of = names::place(self.module, &self.function, of);
+        let (root, of) = (of.root, names::place(self.module, &self.function, of));
         match step {
             Step::Field(_) => {}
-            Step::Index(index) => self.lighten(index, Purpose::Named(&format!("{of}_index"))),
+            Step::Index(index) | Step::From(index) => {
+                self.lighten(index, Purpose::Named(&format!("{of}_index")))
+            }
             Step::Element(row, column) => {
                 self.lighten(row, Purpose::Named(&format!("{of}_row")));
                 self.lighten(column, Purpose::Named(&format!("{of}_column")));
             }
         }
-        for obligation in faults::of_step(container, step, &self.facts) {
+        for obligation in faults::of_step(root, container, step, &self.facts) {
             self.check(obligation);
         }
     }
@@ -334,7 +337,7 @@ impl Lowering<'_> {
         for step in &mut place.steps {
             match step {
                 Step::Field(_) => {}
-                Step::Index(index) => self.protect(index, written),
+                Step::Index(index) | Step::From(index) => self.protect(index, written),
                 Step::Element(row, column) => {
                     self.protect(row, written);
                     self.protect(column, written);

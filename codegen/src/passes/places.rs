@@ -123,7 +123,7 @@ pub(crate) fn lent_by_indices(place: &Place) -> Vec<Place> {
 pub(crate) fn lent_by_step(step: &Step) -> Vec<Place> {
     match step {
         Step::Field(_) => Vec::new(),
-        Step::Index(index) => lent(index),
+        Step::Index(index) | Step::From(index) => lent(index),
         Step::Element(row, column) => [lent(row), lent(column)].concat(),
     }
 }

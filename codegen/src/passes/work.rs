@@ -51,7 +51,7 @@ pub fn lend(mut module: Module) -> Module {
 /// Bytes of a value in C, without padding.
 fn bytes(module: &Module, ty: &Type) -> u64 {
     match ty {
-        Type::Unit => 0,
+        Type::Unit | Type::Slice(_) => 0,
         Type::Scalar(scalar) => scalar_bytes(*scalar),
         Type::Enum(_) => 4,
         Type::Array { element, len } => bytes(module, element) * u64::from(*len),

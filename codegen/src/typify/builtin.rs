@@ -101,6 +101,7 @@ impl Lowering<'_, '_> {
         }
         match (name, arguments) {
             ("real", [argument]) => return self.real(argument, Some(Type::F64), expr),
+            ("owned", [argument]) => return self.value(argument, None),
             ("as_f64", [argument]) => return self.real(argument, None, expr),
             ("matrix_rows" | "matrix_cols" | "matrix_elements", [matrix]) => {
                 return self.size(name, matrix, expr);
@@ -109,6 +110,9 @@ impl Lowering<'_, '_> {
             _ => {}
         }
         if let Some(value) = self.list_method(name, arguments, expr)? {
+            return Ok(value);
+        }
+        if let Some(value) = self.slice_method(name, arguments, expr)? {
             return Ok(value);
         }
         if let Some(value) = self.option_method(name, arguments, expr)? {

@@ -390,6 +390,10 @@ impl Lowering<'_, '_> {
                     let value = self.pattern_value(value, ty)?;
                     (value, value)
                 }
+                tree::Pattern::Constructor(name, parts) if parts.is_empty() => {
+                    let word = self.variant_word(name, ty, site)?;
+                    (word, word)
+                }
                 tree::Pattern::Range { from, to, inclusive } => {
                     let from = from.as_ref().map(|from| self.pattern_value(from, ty));
                     let to = to.as_ref().map(|to| self.pattern_value(to, ty));
@@ -410,6 +414,22 @@ impl Lowering<'_, '_> {
             });
         }
         Ok(ranges)
+    }
+
+    /// The word of a variant without payload.
+    fn variant_word(&self, name: &str, ty: &Type, site: Site) -> Result<i128> {
+        let variants = match ty {
+            Type::Enum(id) => self.cx.module.enums[id.index()].variants.as_slice(),
+            _ => &[],
+        };
+        match variants.iter().position(|variant| variant.name == name) {
+            Some(index) => Ok(index as i128),
+            None => problem(
+                site,
+                format!("`{name}` is not a variant of this"),
+                "give a constant a name in capitals",
+            ),
+        }
     }
 
     fn pattern_value(&mut self, pattern: &tree::Expr, ty: &Type) -> Result<i128> {

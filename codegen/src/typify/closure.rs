@@ -221,8 +221,9 @@ fn mapped(array: &Expr, closure: &Expr, expr: &Expr) -> Option<Expr> {
     let each = plain(ExprKind::Each {
         label: None,
         index: Some(index.into()),
-        parts: vec![tree::Part { pattern, array: array.clone(), owned: true }],
-        reversed: false,
+        parts: vec![tree::Part { pattern, array: array.clone(), owned: true, group: None }],
+        order: tree::Order::Up,
+        cuts: Vec::new(),
         body: Block { stmts: vec![Stmt::Expr(assign)], tail: None },
     });
     let kind = ExprKind::Fold { name: name.into(), start: Start::Elements, each: Box::new(each) };

@@ -180,6 +180,7 @@ impl Lowering<'_, '_> {
         let span = self.span(expr.site);
         match &expr.kind {
             tree::ExprKind::Assign(op, place, value) => self.assign(*op, place, value, expr.site),
+            tree::ExprKind::AssignEach(places, value) => self.assign_each(places, value),
             tree::ExprKind::If(condition, then, otherwise) => {
                 if !has_let(condition) {
                     let condition = self.value(condition, Some(&Type::BOOL))?;
@@ -213,9 +214,9 @@ impl Lowering<'_, '_> {
             tree::ExprKind::For { label, name, slot, range, body } => {
                 self.for_stmt(expr.site, label.as_deref(), (name, *slot), range, body)
             }
-            tree::ExprKind::Each { label, index, parts, reversed, body } => {
+            tree::ExprKind::Each { label, index, parts, order, cuts, body } => {
                 let names = (label.as_deref(), index.as_deref());
-                self.each_stmt(expr.site, names, parts, *reversed, body)
+                self.each_stmt(expr.site, names, parts, (*order, cuts), body)
             }
             tree::ExprKind::Grid { row, column, of, parts, body } => {
                 self.grid_stmt(expr.site, (row, column), of, parts, body)
@@ -233,9 +234,13 @@ impl Lowering<'_, '_> {
             tree::ExprKind::Continue(label) => {
                 self.leave(label.as_deref(), Leaving::Continue, expr.site)
             }
-            tree::ExprKind::Assert(condition) => self.assert_stmt(condition, expr.site),
+            tree::ExprKind::Assert(condition, claim) => {
+                self.assert_stmt(condition, *claim, expr.site)
+            }
             tree::ExprKind::Tuple(parts) if parts.is_empty() => Ok(()),
-            tree::ExprKind::Call(..) if self.list_effect(expr)? => Ok(()),
+            tree::ExprKind::Call(..) if self.list_effect(expr)? || self.slice_effect(expr)? => {
+                Ok(())
+            }
             tree::ExprKind::Call(callee, arguments) if self.is_unwrap(*callee) => {
                 self.unwrap("unwrap", arguments, expr).map(|_| ())
             }
@@ -294,7 +299,12 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    fn assert_stmt(&mut self, condition: &tree::Expr, site: Site) -> Result<()> {
+    fn assert_stmt(
+        &mut self,
+        condition: &tree::Expr,
+        claim: tree::Claim,
+        site: Site,
+    ) -> Result<()> {
         let naming = std::mem::take(&mut self.naming);
         let condition = self.value(condition, Some(&Type::BOOL))?;
         // A check's condition cannot fault, so what might is computed first.
@@ -304,7 +314,12 @@ impl Lowering<'_, '_> {
         };
         self.naming = naming;
         let span = self.span(site);
-        self.emit(StmtKind::Check { condition, fault: Fault::Assertion }, span);
+        let fault = match claim {
+            tree::Claim::Assertion => Fault::Assertion,
+            tree::Claim::Index => Fault::Index,
+            tree::Claim::Capacity => Fault::Capacity,
+        };
+        self.emit(StmtKind::Check { condition, fault }, span);
         Ok(())
     }
 
@@ -399,7 +414,7 @@ impl Lowering<'_, '_> {
     }
 
     /// What to call what goes into a place: its last field, or its variable.
-    fn name_of(&self, place: &tree::Expr) -> String {
+    pub(super) fn name_of(&self, place: &tree::Expr) -> String {
         match &place.kind {
             tree::ExprKind::Local(name) | tree::ExprKind::Field(_, name) => name.clone(),
             tree::ExprKind::Index(base, _)
@@ -410,7 +425,7 @@ impl Lowering<'_, '_> {
     }
 
     /// The place that an assignment writes.
-    fn writable(&mut self, expr: &tree::Expr) -> Result<Place> {
+    pub(super) fn writable(&mut self, expr: &tree::Expr) -> Result<Place> {
         match self.place(expr)? {
             Some(place) => Ok(place),
             None => {

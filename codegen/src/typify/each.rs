@@ -2,14 +2,17 @@
 //!
 //! A name for a reference is another name for the element; a name for a value is a local of its own.
 
-use bessemer_ir::tree::{self, Site};
+use bessemer_ir::tree::{self, Order, Site};
 use bessemer_ir::visit::{self, Visit};
 use bessemer_ir::{
     Argument, Block, Expr, ExprKind, Local, LocalId, Mode, Place, Span, Step, Stmt, StmtKind, Type,
 };
 
-use super::function::Lowering;
+use super::equal::number;
+use super::function::{Binding, Lowering};
+use super::list::lesser;
 use super::pattern::{Subject, load};
+use super::slice::{Slice, divided, greatest, least, minus, plus, times};
 use super::{Result, problem};
 
 impl Lowering<'_, '_> {
@@ -18,35 +21,29 @@ impl Lowering<'_, '_> {
         site: Site,
         (label, index): (Option<&str>, Option<&str>),
         parts: &[tree::Part],
-        reversed: bool,
+        (order, cuts): (Order, &[tree::Cut]),
         body: &tree::Block,
     ) -> Result<()> {
         let span = self.span(site);
-        let (mut places, mut lists) = (Vec::new(), Vec::new());
+        let mut slices = Vec::new();
         for part in parts {
-            let place = self.base(&part.array)?;
-            let place = self.held_still(place);
-            // Of a list, as many elements as there are.
-            places.push(match self.list_items(&place) {
-                Some((length, items)) => {
-                    lists.push(length);
-                    items
-                }
-                None => place,
-            });
+            let slice = match self.slice(&part.array)? {
+                Some(slice) => slice,
+                None => self.elements_of(&part.array)?,
+            };
+            slices.push(Passed::of(slice, self.group_size(part.group.as_ref())?));
         }
-        let lengths: Option<Vec<u32>> = places.iter().map(|place| length(&place.ty)).collect();
-        let Some(shortest) = lengths.and_then(|lengths| lengths.into_iter().min()) else {
-            return problem(
-                site,
-                "a loop goes through arrays and vectors in the DSL",
-                "write `for i in 0..n`, and index",
-            );
+        // The counter is the index of the array itself, where nothing else is asked of it.
+        let bare = index.is_none() && order != Order::Mirrored && cuts.is_empty();
+        let (from, end) = match slices.as_slice() {
+            [Passed { slice, group: None, .. }] if bare => (slice.from.clone(), slice.to.clone()),
+            slices => {
+                let all = (number(0, span), shortest(slices, span));
+                self.cut_off(all, cuts)?
+            }
         };
-        let count = |word: u64| Expr { kind: ExprKind::Literal(word), ty: Type::USIZE, span };
-        let end = lists
-            .iter()
-            .fold(count(u64::from(shortest)), |end, length| super::list::lesser(load(length), end));
+        let last = minus(end.clone(), number(1, span));
+        let reversed = order == Order::Down;
         let mut copies = Vec::new();
         let mut lowered = |inner: &mut Self| {
             let variable = LocalId(inner.locals.len() as u32);
@@ -57,12 +54,27 @@ impl Lowering<'_, '_> {
                 if let Some(index) = index {
                     inner.bind(index, super::function::Binding::Local(variable));
                 }
-                inner.name_elements(parts, &places, variable, site)?;
+                let counter =
+                    load(&Place { root: variable, steps: Vec::new(), ty: Type::USIZE, span });
+                let counter = match order {
+                    Order::Mirrored => minus(last.clone(), counter),
+                    _ => counter,
+                };
+                for (part, passed) in parts.iter().zip(&slices) {
+                    inner.name_pass(
+                        part,
+                        passed,
+                        counter.clone(),
+                        bare && slices.len() == 1,
+                        site,
+                    )?;
+                }
                 inner.statements(body)
             })?;
+            let places: Vec<_> = slices.iter().map(|passed| passed.slice.base.clone()).collect();
             copies = inner.copy_written(parts, &places, &mut block, span);
             inner.counters.pop();
-            let (from, to) = (count(0), end.clone());
+            let (from, to) = (from.clone(), end.clone());
             Ok(StmtKind::For { variable, from, to, inclusive: false, reversed, body: block })
         };
         let mark = self.out.len();
@@ -131,8 +143,22 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
+    /// All elements of what a loop goes through.
+    fn elements_of(&mut self, expr: &tree::Expr) -> Result<Slice> {
+        let place = self.base(expr)?;
+        let place = self.held_still(place);
+        match self.all_of(place) {
+            Some(slice) => Ok(slice),
+            None => problem(
+                expr.site,
+                "a loop goes through arrays and vectors in the DSL",
+                "write `for i in 0..n`, and index",
+            ),
+        }
+    }
+
     /// Computes the indices on the way to an array once.
-    fn held_still(&mut self, mut place: Place) -> Place {
+    pub(super) fn held_still(&mut self, mut place: Place) -> Place {
         for step in &mut place.steps {
             if let Step::Index(index) = step
                 && !super::function::is_literal(index)
@@ -158,45 +184,73 @@ impl Lowering<'_, '_> {
         names[taken.count() % names.len()]
     }
 
-    fn name_elements(
+    /// Names what a pass gets of one of the parts.
+    fn name_pass(
         &mut self,
-        parts: &[tree::Part],
-        places: &[Place],
-        variable: LocalId,
+        part: &tree::Part,
+        passed: &Passed,
+        counter: Expr,
+        bare: bool,
         site: Site,
     ) -> Result<()> {
-        for (part, place) in parts.iter().zip(places) {
-            let element = Subject::Place(self.element_at(place, variable, &part.array));
+        let slice = &passed.slice;
+        let Some((chunks, size)) = passed.group else {
+            let at = if bare { counter } else { plus(slice.from.clone(), counter) };
             let mut names = Vec::new();
-            self.test(&part.pattern, &element, site, &mut names)?;
-            self.bind_names(&names)?;
+            self.test(&part.pattern, &Subject::Place(slice.at(at)), site, &mut names)?;
+            return self.bind_names(&names);
+        };
+        let size = number(size, slice.base.span);
+        let begin = if chunks { times(counter, size.clone()) } else { counter };
+        match &part.pattern {
+            tree::Pattern::Any => {}
+            tree::Pattern::Name { name, inner: None, .. } => {
+                self.bind(name, Binding::Slice(Box::new(slice.part(begin, size))));
+            }
+            _ => {
+                return problem(
+                    site,
+                    "a window is not taken apart in the DSL",
+                    "give it a name, and index it",
+                );
+            }
         }
         Ok(())
     }
 
-    fn element_at(&mut self, array: &Place, variable: LocalId, expr: &tree::Expr) -> Place {
-        let span = array.span;
-        let place = Place { root: variable, steps: Vec::new(), ty: Type::USIZE, span };
-        let index = Expr { kind: ExprKind::Load(place), ty: Type::USIZE, span };
-        let mut element = array.clone();
-        (element.steps, element.ty) = match &array.ty {
-            Type::Array { element, .. } => {
-                let mut steps = array.steps.clone();
-                steps.push(Step::Index(index));
-                (steps, (**element).clone())
-            }
-            Type::Matrix { element, rows, cols } => {
-                let mut steps = array.steps.clone();
-                steps.push(match (rows, cols) {
-                    (_, 1) => Step::Element(index, self.index_literal(0, expr)),
-                    (1, _) => Step::Element(self.index_literal(0, expr), index),
-                    _ => Step::Index(index),
-                });
-                (steps, Type::Scalar(*element))
-            }
-            other => (array.steps.clone(), other.clone()),
+    fn group_size(&mut self, group: Option<&tree::Group>) -> Result<Option<(bool, u64)>> {
+        let Some(group) = group else { return Ok(None) };
+        let size = self.value(&group.size, Some(&Type::USIZE))?;
+        let word = match size.kind {
+            ExprKind::Literal(word) => word,
+            ExprKind::Const(id) => self.cx.module.consts[id.index()].words[0],
+            _ => 0,
         };
-        element
+        match word {
+            0 => problem(
+                group.size.site,
+                "the size of a window is a number, or a constant, and not 0",
+                "write `.windows(3)`",
+            ),
+            size => Ok(Some((group.chunks, size))),
+        }
+    }
+
+    /// The ends of the way, after `.skip(n)` and `.take(n)`.
+    fn cut_off(&mut self, (from, to): (Expr, Expr), cuts: &[tree::Cut]) -> Result<(Expr, Expr)> {
+        let (mut from, mut to) = (from, to);
+        for cut in cuts {
+            let count = self.value(&cut.count, Some(&Type::USIZE))?;
+            let count = least(count, minus(to.clone(), from.clone()));
+            let count = self.steady("count", count);
+            match (cut.skip, cut.back) {
+                (true, false) => from = plus(from, count),
+                (false, false) => to = plus(from.clone(), count),
+                (true, true) => to = minus(to, count),
+                (false, true) => from = minus(to.clone(), count),
+            }
+        }
+        Ok((from, to))
     }
 
     /// A loop over a value does not see what its body writes: then it goes through a copy. Gives the
@@ -242,12 +296,45 @@ impl Lowering<'_, '_> {
     }
 }
 
-fn length(ty: &Type) -> Option<u32> {
-    match ty {
-        Type::Array { len, .. } => Some(*len),
-        Type::Matrix { rows, cols, .. } => Some(rows * cols),
-        _ => None,
+/// What a loop goes through: elements, or so many of them at a time.
+struct Passed {
+    slice: Slice,
+    /// Whether one begins behind the other, and of how many elements.
+    group: Option<(bool, u64)>,
+    /// How many passes that makes.
+    count: Expr,
+}
+
+impl Passed {
+    fn of(slice: Slice, group: Option<(bool, u64)>) -> Passed {
+        let (length, span) = (slice.length.clone(), slice.base.span);
+        let count = match (group, &length.kind) {
+            (None, _) => length,
+            (Some((true, size)), ExprKind::Literal(length)) => number(length / size, span),
+            (Some((false, size)), ExprKind::Literal(length)) => {
+                number((length + 1).saturating_sub(size), span)
+            }
+            (Some((true, size)), _) => divided(length, number(size, span)),
+            // One begins at each element but the last `size - 1`.
+            (Some((false, size)), _) => {
+                let last = number(size - 1, span);
+                minus(greatest(length, last.clone()), last)
+            }
+        };
+        Passed { slice, group, count }
     }
+}
+
+/// How many passes all of these make.
+fn shortest(all: &[Passed], span: Span) -> Expr {
+    let numbers = all.iter().filter_map(|passed| match passed.count.kind {
+        ExprKind::Literal(count) => Some(count),
+        _ => None,
+    });
+    let least = numbers.min().map(|least| number(least, span));
+    let others = all.iter().filter(|passed| !matches!(passed.count.kind, ExprKind::Literal(_)));
+    let counts = least.into_iter().chain(others.map(|passed| passed.count.clone()));
+    counts.reduce(|end, count| lesser(count, end)).unwrap_or_else(|| number(0, span))
 }
 
 /// Whether a block writes to a local.

@@ -36,7 +36,7 @@ impl Lowering<'_, '_> {
         span: Span,
     ) -> Result<Expr> {
         match &left.ty {
-            Type::Unit => Ok(truth(1, span)),
+            Type::Unit | Type::Slice(_) => Ok(truth(1, span)),
             Type::Scalar(_) | Type::Enum(_) => {
                 let kind =
                     ExprKind::Compare(CompareOp::Eq, Box::new(load(left)), Box::new(load(right)));

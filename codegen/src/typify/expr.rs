@@ -8,7 +8,7 @@ use bessemer_ir::{
 
 use super::function::{Lowering, Target, control_with_value};
 use super::loops::negated;
-use super::{OUR_FAULT, Result, literal, names, order, problem};
+use super::{OUR_FAULT, Result, literal, names, problem};
 
 /// An operand still to be lowered: the expression, the type expected of it, and its role.
 pub(super) struct Operand<'e> {
@@ -25,7 +25,7 @@ impl Lowering<'_, '_> {
         }
         let value = self.bare_value(expr, expected)?;
         if let Some(slot) = expr.slot {
-            let rustc = self.slot(slot, expr.site)?;
+            let rustc = self.seen(slot, expr.site)?;
             self.agree(&value.ty, &rustc, expr.site)?;
         }
         Ok(value)
@@ -110,7 +110,7 @@ impl Lowering<'_, '_> {
 
     pub(super) fn slot_of(&mut self, expr: &tree::Expr) -> Result<Type> {
         match expr.slot {
-            Some(slot) => self.slot(slot, expr.site),
+            Some(slot) => self.seen(slot, expr.site),
             None => problem(expr.site, "rustc was not asked for this type", OUR_FAULT),
         }
     }
@@ -457,7 +457,7 @@ impl Lowering<'_, '_> {
         match self.source.callees.get(callee as usize) {
             Some(tree::Callee::Builtin(name)) => self.builtin(name, arguments, expr),
             Some(tree::Callee::Function(path)) => {
-                if let Some(value) = self.small_power(path, arguments, expr)? {
+                if let Some(value) = self.shorter(path, arguments, expr)? {
                     return Ok(value);
                 }
                 if let Some(function) = self.cx.uncalled.remove(path.as_str()) {
@@ -487,8 +487,20 @@ impl Lowering<'_, '_> {
             callee.parameters().iter().map(|local| (local.mode, local.ty.clone())).collect();
         let result = callee.result.clone();
         let mut passed = Vec::new();
-        for (argument, (mode, ty)) in arguments.iter().zip(parameters) {
+        let mut parameters = parameters.into_iter();
+        for argument in arguments {
+            let Some((mode, ty)) = parameters.next() else { break };
             let mark = self.out.len();
+            if let Type::Slice(_) = ty {
+                // The length is a parameter of its own.
+                parameters.next();
+                let slice = self.sliced(argument)?;
+                let later = self.later(mark);
+                self.settle_arguments(&mut passed, &later);
+                self.out.extend(later);
+                passed.extend(slice.passed(mode));
+                continue;
+            }
             let next = match mode {
                 Mode::RefMut => match self.place(argument)? {
                     Some(place) => Argument::RefMut(place),
@@ -505,12 +517,7 @@ impl Lowering<'_, '_> {
                 Mode::Value => Argument::Value(self.value(argument, Some(&ty))?),
             };
             let later = self.later(mark);
-            for argument in &mut passed {
-                match order::value_of(argument) {
-                    Ok(value) => self.settle(value, "argument", &later),
-                    Err(place) => self.settle_place(place, &later),
-                }
-            }
+            self.settle_arguments(&mut passed, &later);
             self.out.extend(later);
             passed.push(next);
         }

@@ -95,7 +95,7 @@ impl Lowering<'_, '_> {
     /// The value of a type whose every word is zero.
     pub(super) fn zero(&self, ty: &Type, span: Span) -> Expr {
         let kind = match ty {
-            Type::Unit | Type::Scalar(_) | Type::Enum(_) => ExprKind::Literal(0),
+            Type::Unit | Type::Slice(_) | Type::Scalar(_) | Type::Enum(_) => ExprKind::Literal(0),
             Type::Array { element, .. } => ExprKind::Splat(Box::new(self.zero(element, span))),
             Type::Matrix { element, .. } => {
                 ExprKind::Splat(Box::new(self.zero(&Type::Scalar(*element), span)))

@@ -9,6 +9,7 @@ use bessemer_ir::{
 };
 
 use super::loops::Frame;
+use super::slice::Slice;
 use super::types::split;
 use super::{Context, Result, names, problem};
 
@@ -26,6 +27,8 @@ pub(super) struct Lowering<'a, 'c> {
     pub result: Type,
     /// The locals that the author has no name for: nothing writes to them again.
     pub held: HashSet<LocalId>,
+    /// The counters of loops over ranges: only their loop changes them.
+    pub steady: HashSet<LocalId>,
     /// The loops around what is being lowered, outermost first.
     pub frames: Vec<Frame>,
     /// The counters of the loops over elements around it, outermost first.
@@ -39,6 +42,8 @@ pub(super) enum Binding {
     Local(LocalId),
     /// A reference to a place.
     Alias(Place),
+    /// A slice.
+    Slice(Box<Slice>),
 }
 
 /// Where a value goes.
@@ -72,10 +77,12 @@ pub(super) fn lower(cx: &mut Context<'_>, source: &tree::Function) -> Result<Fun
         naming: "value".into(),
         result: result.clone(),
         held: HashSet::new(),
+        steady: HashSet::new(),
         frames: Vec::new(),
         counters: Vec::new(),
     };
     lowering.parameters()?;
+    let params = lowering.locals.len() as u32;
     lowering.body(&tree.body)?;
     let result_name = result_name(lowering.cx, tree, &result);
     let home = source.owner.as_deref().unwrap_or(&source.module);
@@ -102,7 +109,7 @@ pub(super) fn lower(cx: &mut Context<'_>, source: &tree::Function) -> Result<Fun
             tree::Role::Inline => Role::Inline,
         },
         docs: tree.docs.clone(),
-        params: tree.params.len() as u32,
+        params,
         result_name,
         body: Block(lowering.out),
         locals: lowering.locals.into_iter().map(without_marks).collect(),
@@ -134,6 +141,17 @@ fn result_name(cx: &Context<'_>, tree: &tree::FunctionTree, result: &Type) -> St
     }
 }
 
+/// The elements of the slice that a type refers to.
+fn slice_of(ty: &Ty) -> Option<&Ty> {
+    match ty {
+        Ty::Ref(inner, _) => match &**inner {
+            Ty::Slice(element) => Some(element),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
 fn slot_type(source: &tree::Function, slot: u32, site: Site) -> Result<&Ty> {
     match source.slots.get(slot as usize) {
         Some(ty) => Ok(ty),
@@ -145,6 +163,10 @@ impl Lowering<'_, '_> {
     fn parameters(&mut self) -> Result<()> {
         for param in &self.source.tree.params {
             let ty = slot_type(self.source, param.slot, param.site)?;
+            if let Some(element) = slice_of(ty) {
+                self.slice_parameter(param, element, matches!(ty, Ty::Ref(_, true)))?;
+                continue;
+            }
             let mode = match ty {
                 Ty::Ref(_, false) => Mode::Ref,
                 Ty::Ref(_, true) => Mode::RefMut,
@@ -180,9 +202,21 @@ impl Lowering<'_, '_> {
         self.cx.value_type(slot_type(self.source, slot, site)?, site)
     }
 
+    /// The same of an expression, which may give a reference to what is read.
+    pub(super) fn seen(&mut self, slot: u32, site: Site) -> Result<Type> {
+        match slot_type(self.source, slot, site)? {
+            Ty::Ref(inner, false) => self.cx.pointee(inner, site),
+            ty => self.cx.value_type(ty, site),
+        }
+    }
+
     /// What the reference in a slot refers to.
     pub(super) fn refers_to(&mut self, slot: u32, site: Site) -> Result<Type> {
         self.cx.pointee(slot_type(self.source, slot, site)?, site)
+    }
+
+    pub(super) fn slot_is_slice(&self, slot: u32, site: Site) -> Result<bool> {
+        Ok(slice_of(slot_type(self.source, slot, site)?).is_some())
     }
 
     pub(super) fn slot_is_reference(&self, slot: u32, site: Site) -> Result<bool> {
@@ -202,6 +236,7 @@ impl Lowering<'_, '_> {
         let span = self.span(site);
         let place = match self.lookup(name, site)? {
             Binding::Alias(place) => place,
+            Binding::Slice(slice) => slice.place(),
             Binding::Local(root) => {
                 let ty = self.locals[root.index()].ty.clone();
                 Place { root, steps: Vec::new(), ty, span }
@@ -301,6 +336,13 @@ impl Lowering<'_, '_> {
         value: Option<&tree::Expr>,
         site: Site,
     ) -> Result<()> {
+        let lent = match slot {
+            NO_SLOT => None,
+            slot => slice_of(slot_type(self.source, slot, site)?),
+        };
+        if let (Some(_), Some(value)) = (lent, value) {
+            return self.let_slice(name, value);
+        }
         if slot != NO_SLOT && self.slot_is_reference(slot, site)? {
             return self.alias(name, value, site);
         }
@@ -385,7 +427,9 @@ impl Lowering<'_, '_> {
         let fixed = |place: &Place| {
             place.steps.iter().all(|step| match step {
                 bessemer_ir::Step::Field(_) => true,
-                bessemer_ir::Step::Index(index) => is_literal(index),
+                bessemer_ir::Step::Index(index) | bessemer_ir::Step::From(index) => {
+                    is_literal(index)
+                }
                 bessemer_ir::Step::Element(row, col) => is_literal(row) && is_literal(col),
             })
         };

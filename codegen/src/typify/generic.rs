@@ -204,7 +204,7 @@ impl Context<'_> {
     fn word(&self, ty: &Type) -> String {
         let scalar = |scalar: Scalar| capitalised(scalar.name());
         match ty {
-            Type::Unit => "Unit".into(),
+            Type::Unit | Type::Slice(_) => "Unit".into(),
             Type::Scalar(it) => scalar(*it),
             Type::Array { element, len } => format!("{}x{len}", self.word(element)),
             Type::Matrix { element, rows, cols: 1 } => format!("Vector{rows}{}", scalar(*element)),

@@ -61,6 +61,7 @@ impl Lowering<'_, '_> {
             let mut variable = LocalId(0);
             let body = inner.scoped(|inner| {
                 variable = inner.declare(name, ty, Mode::Value, span);
+                inner.steady.insert(variable);
                 inner.statements(body)
             })?;
             let (inclusive, reversed) = (range.inclusive, range.reversed);

@@ -7,6 +7,7 @@
 //! Must not know: C, or how an operation is computed. It does not infer: a type that does not follow
 //! from the operands comes from a slot.
 
+mod bounded;
 mod builtin;
 mod choice;
 mod closure;
@@ -28,8 +29,11 @@ mod option;
 mod order;
 mod pattern;
 mod place;
+mod several;
+mod slice;
 mod stepped;
 mod types;
+mod views;
 
 use std::collections::{HashMap, HashSet};
 
@@ -153,6 +157,8 @@ struct Context<'a> {
     homes: HashMap<bessemer_ir::Type, generic::Home>,
     /// The structs that do not derive `PartialEq`.
     unequal: HashSet<StructId>,
+    /// The instances of `BoundedMatrix`.
+    bounded: HashSet<StructId>,
     functions: HashMap<String, FunctionId>,
     /// Functions of other crates that nothing has called so far.
     uncalled: HashMap<&'a str, &'a tree::Function>,
@@ -179,6 +185,7 @@ impl<'a> Context<'a> {
             cases: HashMap::new(),
             homes: HashMap::new(),
             unequal: HashSet::new(),
+            bounded: HashSet::new(),
             functions: HashMap::new(),
             uncalled: HashMap::new(),
         }

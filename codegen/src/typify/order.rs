@@ -31,12 +31,22 @@ impl Lowering<'_, '_> {
         }
     }
 
+    /// Computes now what of the arguments so far the statements to come could change.
+    pub(super) fn settle_arguments(&mut self, passed: &mut [Argument], later: &[Stmt]) {
+        for argument in passed {
+            match value_of(argument) {
+                Ok(value) => self.settle(value, "argument", later),
+                Err(place) => self.settle_place(place, later),
+            }
+        }
+    }
+
     /// Computes now the indices of `place` that are to be kept.
     pub(super) fn keep_indices(&mut self, place: &mut Place, keep: impl Fn(&Expr) -> bool) {
         for step in &mut place.steps {
             let (first, second) = match step {
                 Step::Field(_) => (None, None),
-                Step::Index(index) => (Some(index), None),
+                Step::Index(index) | Step::From(index) => (Some(index), None),
                 Step::Element(row, column) => (Some(row), Some(column)),
             };
             for index in [first, second].into_iter().flatten() {
@@ -151,7 +161,7 @@ pub(super) fn may_follow(value: &Expr, place: &Place) -> bool {
 fn indices(place: &Place) -> impl Iterator<Item = &Expr> {
     place.steps.iter().flat_map(|step| match step {
         Step::Field(_) => [None, None].into_iter().flatten(),
-        Step::Index(index) => [Some(index), None].into_iter().flatten(),
+        Step::Index(index) | Step::From(index) => [Some(index), None].into_iter().flatten(),
         Step::Element(row, column) => [Some(row), Some(column)].into_iter().flatten(),
     })
 }

@@ -229,7 +229,12 @@ impl Lowering<'_, '_> {
                 Ok(both(tag, inner))
             }
             (tree::Pattern::Value(value), Type::Struct(id)) => self.unit_case(value, place, *id),
-            (tree::Pattern::Value(_) | tree::Pattern::Range { .. }, ty) if ty.is_word() => {
+            (
+                tree::Pattern::Value(_)
+                | tree::Pattern::Range { .. }
+                | tree::Pattern::Constructor(..),
+                ty,
+            ) if ty.is_word() => {
                 let ranges = self.ranges(std::slice::from_ref(pattern), ty, site)?;
                 let value = load(place);
                 Ok(ranges
@@ -396,6 +401,15 @@ impl Lowering<'_, '_> {
                 let value = self.value(value, None)?;
                 let span = value.span;
                 self.emit(StmtKind::Expr(value), span);
+                Ok(())
+            }
+            (tree::Pattern::Name { name, slot, inner: None, .. }, _)
+                if *slot != NO_SLOT && self.slot_is_slice(*slot, value.site)? =>
+            {
+                let naming = std::mem::replace(&mut self.naming, name.clone());
+                let slice = self.sliced(value)?;
+                self.naming = naming;
+                bound.push((name.clone(), Binding::Slice(Box::new(slice))));
                 Ok(())
             }
             (tree::Pattern::Name { name, slot, inner: None, .. }, _)

@@ -11,7 +11,7 @@ use super::{Result, problem};
 pub(super) fn is_fixed(step: &Step) -> bool {
     match step {
         Step::Field(_) => true,
-        Step::Index(index) => is_literal(index),
+        Step::Index(index) | Step::From(index) => is_literal(index),
         Step::Element(row, col) => is_literal(row) && is_literal(col),
     }
 }
@@ -32,6 +32,7 @@ impl Lowering<'_, '_> {
         match &expr.kind {
             tree::ExprKind::Local(name) => Ok(Some(match self.lookup(name, expr.site)? {
                 Binding::Alias(place) => place,
+                Binding::Slice(slice) => slice.place(),
                 Binding::Local(root) => {
                     let ty = self.locals[root.index()].ty.clone();
                     Place { root, steps: Vec::new(), ty, span }
@@ -43,6 +44,9 @@ impl Lowering<'_, '_> {
                 self.field(base, name, expr).map(Some)
             }
             tree::ExprKind::Index(base, index) => {
+                if let Some(slice) = self.slice(base)? {
+                    return self.slice_element(&slice, index, span).map(Some);
+                }
                 let base = self.base(base)?;
                 self.element(base, index, expr).map(Some)
             }
@@ -131,6 +135,10 @@ impl Lowering<'_, '_> {
             Type::Matrix { element, rows, cols } => {
                 (self.matrix_step(index, rows, cols, expr)?, Type::Scalar(element))
             }
+            ref bounded if self.bounded_type(bounded).is_some() => {
+                let span = self.span(expr.site);
+                return self.bounded_element(base, index, span);
+            }
             ref list if self.list_type(list).is_some() => {
                 let index = self.value(index, Some(&Type::USIZE))?;
                 let later = self.later(mark);
@@ -201,6 +209,7 @@ impl Lowering<'_, '_> {
         match &expr.kind {
             tree::ExprKind::Local(name) => Ok(match self.lookup(name, expr.site)? {
                 Binding::Alias(place) => place.ty,
+                Binding::Slice(slice) => slice.ty(),
                 Binding::Local(root) => self.locals[root.index()].ty.clone(),
             }),
             tree::ExprKind::Deref(inner) | tree::ExprKind::Ref(_, inner) => self.place_type(inner),
@@ -209,10 +218,14 @@ impl Lowering<'_, '_> {
                 Ok(self.field_step(&base, name, expr)?.1)
             }
             tree::ExprKind::Index(base, _) => match self.place_type(base)? {
-                Type::Array { element, .. } => Ok(*element),
+                Type::Array { element, .. } | Type::Slice(element) => Ok(*element),
                 Type::Matrix { element, .. } => Ok(Type::Scalar(element)),
-                other => Ok(self.list_type(&other).map_or(other, |(_, element, _)| element)),
+                other => Ok(match (self.list_type(&other), self.bounded_type(&other)) {
+                    (Some((_, element, _)), _) | (_, Some((element, ..))) => element,
+                    _ => other,
+                }),
             },
+            tree::ExprKind::Slice(base, ..) => self.place_type(base),
             _ => {
                 problem(expr.site, "this is not a place to assign", "assign a variable or a field")
             }

@@ -27,6 +27,7 @@ impl Context<'_> {
                 None => self.module.structs[id.index()].name.clone(),
             },
             Type::Enum(id) => self.module.enums[id.index()].name.clone(),
+            Type::Slice(element) => format!("[{}]", self.show(element)),
         }
     }
 
@@ -71,6 +72,11 @@ impl Context<'_> {
             }
         };
         self.homes.insert(ty.clone(), Home { order: self.homes.len(), module: home, span });
+        if let Type::Struct(id) = &ty
+            && definition.path.starts_with("bessemer::bounded::BoundedMatrix<")
+        {
+            self.bounded.insert(*id);
+        }
         if let (Type::Struct(id), false) = (&ty, definition.equal) {
             self.unequal.insert(*id);
         }
@@ -117,6 +123,7 @@ impl Context<'_> {
                 let parts: Vec<_> = parts.iter().map(|part| self.type_name(part)).collect();
                 format!("{}_{}", super::generic::arity(parts.len()), parts.join("_"))
             }
+            Ty::Slice(element) => format!("slice_{}", self.type_name(element)),
             Ty::List(element, n) => format!("list{n}_{}", self.type_name(element)),
             Ty::Option(value) => format!("option_{}", self.type_name(value)),
             Ty::Result(value, error) => {
@@ -165,6 +172,13 @@ impl Context<'_> {
                 }
             },
             Ty::Ref(inner, _) => self.pointee(inner, site)?,
+            Ty::Slice(_) => {
+                return problem(
+                    site,
+                    "a slice is passed in the DSL, and not held",
+                    "hold an array or a `List`, or pass the slice as an argument of its own",
+                );
+            }
             Ty::Tuple(_) | Ty::List(..) | Ty::Option(_) | Ty::Result(..) => {
                 self.generic(ty, site)?
             }

@@ -169,6 +169,15 @@ impl Body<'_> {
     fn call(&mut self, expr: &Expr, callee: FunctionId, arguments: &[Argument]) -> Checked {
         for argument in arguments {
             match argument {
+                Argument::Ref(Expr { kind: ExprKind::Load(place), ty, span })
+                    if matches!(ty, Type::Slice(_)) =>
+                {
+                    if self.place(place) {
+                        let read = self.flow.read(place.root);
+                        self.note(place.span, read);
+                    }
+                    self.expect(*span, &place.ty, ty);
+                }
                 Argument::Value(value) | Argument::Ref(value) => self.value(value),
                 Argument::RefMut(place) => {
                     if self.place(place) {
@@ -231,7 +240,7 @@ impl Body<'_> {
     fn step(&mut self, step: &Step, ty: &Type) -> Option<Type> {
         let indices: Vec<&Expr> = match step {
             Step::Field(_) => Vec::new(),
-            Step::Index(index) => vec![index],
+            Step::Index(index) | Step::From(index) => vec![index],
             Step::Element(row, col) => vec![row, col],
         };
         for index in indices {
@@ -245,7 +254,15 @@ impl Body<'_> {
                 let fields = &self.module.structs[id.index()].fields;
                 fields.get(*field as usize).map(|field| field.ty.clone())
             }
-            (Step::Index(_), Type::Array { element, .. }) => Some((**element).clone()),
+            (Step::Index(_), Type::Array { element, .. } | Type::Slice(element)) => {
+                Some((**element).clone())
+            }
+            (Step::From(_), Type::Array { element, .. } | Type::Slice(element)) => {
+                Some(Type::Slice(element.clone()))
+            }
+            (Step::From(_), Type::Matrix { element, .. }) => {
+                Some(Type::Slice(Box::new(Type::Scalar(*element))))
+            }
             (Step::Index(_) | Step::Element(..), Type::Matrix { element, .. }) => {
                 Some(Type::Scalar(*element))
             }

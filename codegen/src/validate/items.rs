@@ -33,6 +33,8 @@ impl Sizes<'_> {
         }
         let size = match ty {
             Type::Unit => return Err(Problem::UnitValue),
+            // Parameters are looked at as such.
+            Type::Slice(_) => return Err(Problem::Slice),
             Type::Scalar(_) => 1,
             Type::Enum(id) if id.index() < self.module.enums.len() => 1,
             Type::Enum(id) => return Err(Problem::UnknownEnum(*id)),
@@ -218,7 +220,10 @@ impl Items<'_> {
         }
         for (index, local) in function.locals.iter().enumerate() {
             self.note(subject, local.span, check_span(self.module, local.span));
-            let size = self.sizes.of(&local.ty);
+            let size = match &local.ty {
+                Type::Slice(element) if is_lent(function, index) => self.sizes.of(element),
+                ty => self.sizes.of(ty),
+            };
             self.note(subject, local.span, size.map(|_| ()));
             if local.mode != Mode::Value && index >= params as usize {
                 let problem = Problem::ReferenceLocal(LocalId(index as u32));
@@ -226,6 +231,13 @@ impl Items<'_> {
             }
         }
     }
+}
+
+/// Whether a local is a parameter by reference, with a length behind it.
+fn is_lent(function: &Function, index: usize) -> bool {
+    let by_reference = function.locals[index].mode != Mode::Value;
+    let length = function.parameters().get(index + 1);
+    by_reference && length.is_some_and(|it| it.ty == Type::USIZE && it.mode == Mode::Value)
 }
 
 /// Whether a function has the face of its kernel, no body, and beyond its parameters at most one that

@@ -125,6 +125,8 @@ pub enum Problem {
     ArgumentMode(usize),
     #[error("argument {0} overlaps what another argument lends")]
     Alias(usize),
+    #[error("a slice that is not passed, or without its length behind it")]
+    Slice,
     #[error("step {step} does not lead into {ty:?}")]
     Step { step: usize, ty: Type },
     #[error("an index of type {0:?}")]

@@ -57,7 +57,7 @@ pub fn words_fit(module: &Module, ty: &Type, words: &[u64]) -> Result<(), WordsE
 /// How many words a value of `ty` takes.
 pub fn words_in(module: &Module, ty: &Type) -> usize {
     match ty {
-        Type::Unit => 0,
+        Type::Unit | Type::Slice(_) => 0,
         Type::Scalar(_) | Type::Enum(_) => 1,
         Type::Array { element, len } => words_in(module, element) * *len as usize,
         Type::Matrix { rows, cols, .. } => *rows as usize * *cols as usize,
@@ -71,7 +71,7 @@ pub fn words_in(module: &Module, ty: &Type) -> usize {
 /// Checks a value that starts at `at`; the index after it, or of the first bad word.
 fn check(module: &Module, ty: &Type, words: &[u64], mut at: usize) -> Result<usize, usize> {
     match ty {
-        Type::Unit => {}
+        Type::Unit | Type::Slice(_) => {}
         Type::Scalar(_) | Type::Enum(_) => {
             if !word_fits(module, ty, words[at]) {
                 return Err(at);

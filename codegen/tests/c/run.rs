@@ -378,7 +378,7 @@ fn leaves(
     visit: &mut dyn FnMut(&Type, &str),
 ) {
     match ty {
-        Type::Unit => {}
+        Type::Unit | Type::Slice(_) => {}
         Type::Scalar(_) | Type::Enum(_) => visit(ty, path),
         Type::Array { element, len } => {
             for index in 0..*len {

@@ -180,6 +180,9 @@ pub enum Type {
     Struct(StructId),
     /// An enum.
     Enum(EnumId),
+    /// `[element]`: as many as the local behind the parameter says, which is a `usize` by value. Of
+    /// parameters of mode `Ref` and `RefMut` alone, and of what is passed to them.
+    Slice(Box<Type>),
 }
 
 /// A function, a method or an entry point.
@@ -455,6 +458,9 @@ pub enum Step {
     Index(Expr),
     /// An element of a matrix by row and column, each checked.
     Element(Expr, Expr),
+    /// The elements of an array (of a matrix: by columns) or a slice from an index on, checked; the last
+    /// step of what is passed as a slice.
+    From(Expr),
 }
 
 impl Type {
@@ -472,9 +478,14 @@ impl Type {
         matches!(self, Type::Scalar(_) | Type::Enum(_))
     }
 
-    /// Whether values have parts: arrays, matrices, structs.
+    /// Whether values have parts: arrays, matrices, structs, slices.
     pub fn is_aggregate(&self) -> bool {
-        matches!(self, Type::Array { .. } | Type::Matrix { .. } | Type::Struct(_))
+        matches!(self, Type::Array { .. } | Type::Matrix { .. } | Type::Struct(_) | Type::Slice(_))
+    }
+
+    /// Whether C writes it as an array, which is its own address.
+    pub fn is_array(&self) -> bool {
+        matches!(self, Type::Array { .. } | Type::Matrix { .. } | Type::Slice(_))
     }
 
     /// The integer type, if it is one.
@@ -499,7 +510,7 @@ impl Module {
     /// travel: fields in order, elements in order, matrices by columns.
     pub fn leaves(&self, ty: &Type) -> Vec<Type> {
         match ty {
-            Type::Unit => Vec::new(),
+            Type::Unit | Type::Slice(_) => Vec::new(),
             Type::Scalar(_) | Type::Enum(_) => alloc::vec![ty.clone()],
             Type::Array { element, len } => {
                 let one = self.leaves(element);
@@ -514,49 +525,6 @@ impl Module {
                 .flat_map(|field| self.leaves(&field.ty))
                 .collect(),
         }
-    }
-}
-
-impl Module {
-    /// Sets the words of a value of type `ty` that mean nothing (what a [`Choice`](Form::Choice) did not
-    /// choose, what lies behind the end of a [`Sequence`](Form::Sequence)) to zero; gives the words behind.
-    pub fn canonical<'w>(&self, ty: &Type, words: &'w mut [u64]) -> &'w mut [u64] {
-        match ty {
-            Type::Array { element, len } => {
-                (0..*len).fold(words, |words, _| self.canonical(element, words))
-            }
-            Type::Struct(id) => self.canonical_struct(&self.structs[id.index()], words),
-            other => {
-                let count = self.leaves(other).len().min(words.len());
-                &mut words[count..]
-            }
-        }
-    }
-
-    fn canonical_struct<'w>(&self, definition: &Struct, mut words: &'w mut [u64]) -> &'w mut [u64] {
-        let first = words.first().copied().unwrap_or_default();
-        for (index, field) in definition.fields.iter().enumerate() {
-            let count = self.leaves(&field.ty).len().min(words.len());
-            let (own, rest) = core::mem::take(&mut words).split_at_mut(count);
-            let held = match &definition.form {
-                Form::Record => count,
-                _ if index == 0 => count,
-                Form::Choice(chosen) => {
-                    let chosen = chosen.get(first as usize).copied().flatten();
-                    if chosen == Some(index as u32) { count } else { 0 }
-                }
-                Form::Sequence => match field.ty {
-                    Type::Array { len, .. } => {
-                        count / (len as usize).max(1) * first.min(u64::from(len)) as usize
-                    }
-                    _ => count,
-                },
-            };
-            own[held..].fill(0);
-            self.canonical(&field.ty, own);
-            words = rest;
-        }
-        words
     }
 }
 

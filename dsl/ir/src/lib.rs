@@ -11,6 +11,7 @@
 
 extern crate alloc;
 
+mod canonical;
 pub mod ir;
 pub mod kernel;
 pub mod number;

@@ -6,6 +6,8 @@
 //!
 //! Must not know: what an operation means. That is the typifier's.
 
+mod way;
+
 use alloc::boxed::Box;
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -13,6 +15,8 @@ use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
 
 use crate::number::Scalar;
+
+pub use way::*;
 
 /// What a package of models hands to the compiler.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -70,6 +74,8 @@ pub enum Ty {
     Option(Box<Ty>),
     /// `Result<T, E>`.
     Result(Box<Ty>, Box<Ty>),
+    /// `[T]`, behind a reference.
+    Slice(Box<Ty>),
     /// `&T`, or `&mut T` when true.
     Ref(Box<Ty>, bool),
 }
@@ -314,6 +320,8 @@ pub enum ExprKind {
     Binary(BinaryOp, Box<Expr>, Box<Expr>),
     /// `place = value`, or `place += value` and the like.
     Assign(Option<BinaryOp>, Box<Expr>, Box<Expr>),
+    /// `(a, b) = value`, `[a, b] = value`; `_` is no place.
+    AssignEach(Box<Places>, Box<Expr>),
     /// A call, a method's receiver first: index into [`Function::callees`].
     Call(u32, Vec<Expr>),
     /// `|x| …` as the argument of a call: its parameters, and its value.
@@ -322,6 +330,10 @@ pub enum ExprKind {
     Field(Box<Expr>, String),
     /// `base[index]`.
     Index(Box<Expr>, Box<Expr>),
+    /// `base[from..to]`, or `base[from..=to]` when true; an end that is left out is the base's.
+    Slice(Box<Expr>, Option<Box<Expr>>, Option<Box<Expr>>, bool),
+    /// `array.iter().skip(n)`, `array.iter().take(n)`: as an array.
+    Cut(Box<Expr>, Box<Cut>),
     /// `(a, b)`.
     Tuple(Vec<Expr>),
     /// `Name(a, b)`: a tuple struct or a variant; `None` has no parts.
@@ -369,8 +381,10 @@ pub enum ExprKind {
         index: Option<String>,
         /// What is gone through side by side, as far as the shortest.
         parts: Vec<Part>,
-        /// From the last to the first.
-        reversed: bool,
+        /// Which way.
+        order: Order,
+        /// What is left out at the ends, one after the other.
+        cuts: Vec<Cut>,
         /// What is repeated.
         body: Block,
     },
@@ -414,7 +428,7 @@ pub enum ExprKind {
     /// `continue 'label`.
     Continue(Option<String>),
     /// `assert!(condition)`.
-    Assert(Box<Expr>),
+    Assert(Box<Expr>, Claim),
 }
 
 /// What is gathered before the first pass of a loop.
@@ -440,17 +454,6 @@ pub struct Range {
     pub reversed: bool,
     /// Every how many of it, with `.step_by(n)`.
     pub step: Option<Expr>,
-}
-
-/// An array that a loop goes through.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Part {
-    /// What is taken from each element.
-    pub pattern: Pattern,
-    /// The array.
-    pub array: Expr,
-    /// Whether the loop goes through a copy.
-    pub owned: bool,
 }
 
 /// An arm of a `match`.

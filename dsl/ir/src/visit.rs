@@ -136,7 +136,7 @@ macro_rules! visitor {
             for step in &$($mutable)? place.steps {
                 match step {
                     Step::Field(_) => {}
-                    Step::Index(index) => visitor.expr(index),
+                    Step::Index(index) | Step::From(index) => visitor.expr(index),
                     Step::Element(row, column) => {
                         visitor.expr(row);
                         visitor.expr(column);

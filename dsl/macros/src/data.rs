@@ -137,17 +137,24 @@ fn struct_definition(kind: Kind, it: &syn::ItemStruct) -> TokenStream {
         }
     };
     let scope = Scope::of_type(&it.generics);
-    let mut bounds = Vec::new();
-    if scope.is_generic() {
-        let fields = it.fields.iter().map(|field| &field.ty).filter(|ty| scope.is_named_in(ty));
-        bounds.extend(fields.map(|ty| quote! { #ty: ::bessemer::generate::DslType }));
-        bounds.extend(scope.types().map(|name| quote! { #name: ::bessemer::generate::Value }));
-        if kind == Kind::Component {
-            let arguments = scope.arguments();
-            bounds.push(quote! { #name #arguments: ::core::default::Default + ::bessemer::Plain });
-        }
+    let mut bounds = definition_bounds(scope, [&it.fields]);
+    if scope.is_generic() && kind == Kind::Component {
+        let arguments = scope.arguments();
+        bounds.push(quote! { #name #arguments: ::core::default::Default + ::bessemer::Plain });
     }
     definition(name, scope, &scope.bounds(bounds), &it.attrs, body)
+}
+
+/// What the definition of a generic type asks of its parameters, and of the fields that depend on them.
+fn definition_bounds<'a>(
+    scope: Scope<'_>,
+    fields: impl IntoIterator<Item = &'a syn::Fields>,
+) -> Vec<TokenStream> {
+    let types = fields.into_iter().flatten().map(|field| &field.ty);
+    let types = types.filter(|ty| scope.is_named_in(ty));
+    let fields = types.map(|ty| quote! { #ty: ::bessemer::generate::DslType });
+    let own = scope.types().map(|name| quote! { #name: ::bessemer::generate::Value });
+    fields.chain(own).collect()
 }
 
 /// The list of the definitions of fields.
@@ -212,9 +219,7 @@ fn definition(
 }
 
 fn data_enum(kind: Kind, it: &syn::ItemEnum, refusals: &mut Refusals) -> TokenStream {
-    for parameter in &it.generics.params {
-        refusals.add(parameter.span(), refuse::GENERIC_ENUM);
-    }
+    refuse_lifetimes(&it.generics, refusals);
     lower::check_attributes(&it.attrs, refusals);
     if kind == Kind::Component {
         refusals.add(it.enum_token.span, refuse::COMPONENT_ENUM);
@@ -243,7 +248,9 @@ fn data_enum(kind: Kind, it: &syn::ItemEnum, refusals: &mut Refusals) -> TokenSt
             ::bessemer::generate::tree::DefinitionKind::Enum(::bessemer::generate::list([#(#variants),*]))
         };
         let scope = Scope::of_type(&it.generics);
-        definition(&it.ident, scope, &TokenStream::new(), &it.attrs, kind)
+        let fields = it.variants.iter().map(|variant| &variant.fields);
+        let bounds = scope.bounds(definition_bounds(scope, fields));
+        definition(&it.ident, scope, &bounds, &it.attrs, kind)
     });
     quote! { #plain #definition }
 }
@@ -295,9 +302,14 @@ fn enum_words(it: &syn::ItemEnum) -> TokenStream {
     let words = types.iter().map(|ty| {
         quote_spanned! { ty.span() => + <#ty as ::bessemer::Plain>::WORDS }
     });
+    let scope = Scope::of_type(&it.generics);
+    let (declared, arguments) = (scope.declared(), scope.arguments());
+    let named = types.iter().filter(|ty| scope.is_named_in(ty));
+    let bounds = scope.bounds(named.map(|ty| quote! { #ty: ::bessemer::Plain }));
     quote! {
         #[diagnostic::do_not_recommend]
-        impl ::bessemer::Plain for #name {
+        #[allow(private_bounds)]
+        impl #declared ::bessemer::Plain for #name #arguments #bounds {
             const WORDS: usize = 1 #(#words)*;
             #[allow(clippy::reversed_empty_ranges)]
             #[inline]

@@ -123,7 +123,9 @@ impl VisitMut for Redirect {
 
     fn visit_expr_method_call_mut(&mut self, call: &mut syn::ExprMethodCall) {
         visit_mut::visit_expr_method_call_mut(self, call);
-        if let Some(name) = owned(&call.method) {
+        // `min` and `max` of an iterator take nothing.
+        let gathers = call.args.is_empty() && (call.method == "min" || call.method == "max");
+        if let (Some(name), false) = (owned(&call.method), gathers) {
             call.method = name;
             self.used = true;
         }

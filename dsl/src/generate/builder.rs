@@ -146,6 +146,7 @@ fn type_text(ty: &Ty) -> String {
         Ty::Array(element, len) => format!("[{}; {len}]", type_text(element)),
         Ty::Matrix(scalar, rows, cols) => format!("SMatrix<{}, {rows}, {cols}>", scalar.name()),
         Ty::Named(path) => path.clone(),
+        Ty::Slice(element) => format!("[{}]", type_text(element)),
         Ty::Ref(inner, false) => format!("&{}", type_text(inner)),
         Ty::Tuple(parts) => {
             let parts: Vec<_> = parts.iter().map(type_text).collect();

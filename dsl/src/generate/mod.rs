@@ -14,7 +14,9 @@ pub mod matrices;
 pub mod numbers;
 pub mod option;
 pub mod resized;
+pub mod slice;
 mod slot;
+pub mod views;
 
 pub use alloc::string::String;
 pub use bessemer_ir::tree;
@@ -57,7 +59,9 @@ pub mod prelude {
         OptionBuiltins as _, ResultBuiltins as _,
     };
     pub use super::resized::{PushBuiltin as _, ResizedBuiltins as _};
-    pub use super::slot::{__any, __look, __result, __see, __take};
+    pub use super::slice::{SliceBuiltins as _, VectorSliceBuiltins as _};
+    pub use super::slot::{__any, __glance, __look, __result, __see, __take};
+    pub use super::views::ViewBuiltins as _;
 }
 
 /// Registers an item with the package; expanded by the attributes.

@@ -71,10 +71,10 @@ pub trait WithoutEntries {
 impl<T> WithoutEntries for Instance<T> {}
 
 /// Stands for `&T` in a slot.
-pub struct Shared<T>(PhantomData<fn() -> T>);
+pub struct Shared<T: ?Sized>(PhantomData<T>);
 
 /// Stands for `&mut T` in a slot.
-pub struct Exclusive<T>(PhantomData<fn() -> T>);
+pub struct Exclusive<T: ?Sized>(PhantomData<T>);
 
 impl<T> Slot<T> {
     /// A slot of a type still to be inferred.
@@ -99,6 +99,11 @@ impl<T> Slot<T> {
         T::callee(cx)
     }
 
+    /// As [`__glance`], in the form of a method.
+    pub fn __glance<U: Seen<Slot = T>>(&self, value: U) -> U {
+        value
+    }
+
     /// As [`__take`], in the form of a method.
     pub fn __take<R>(&self, _: Called<T, R>) -> R {
         unreachable!("a witness copy is never run")
@@ -107,6 +112,11 @@ impl<T> Slot<T> {
 
 /// Passes a value through, and its type into the slot.
 pub fn __see<T>(_: &Slot<T>, value: T) -> T {
+    value
+}
+
+/// Passes a value with references in it through.
+pub fn __glance<T: Seen>(_: &Slot<T::Slot>, value: T) -> T {
     value
 }
 
@@ -204,33 +214,39 @@ impl<T, const R: usize, const C: usize> Seen for SMatrix<T, R, C> {
     type Slot = SMatrix<T, R, C>;
 }
 
-impl<T: DslType> DslType for &T {
+impl<T: DslType> DslType for [T] {
+    fn ty(cx: &mut Builder) -> Ty {
+        Ty::Slice(Box::new(T::ty(cx)))
+    }
+}
+
+impl<T: DslType + ?Sized> DslType for &T {
     fn ty(cx: &mut Builder) -> Ty {
         Ty::Ref(Box::new(T::ty(cx)), false)
     }
 }
 
-impl<T: DslType> DslType for &mut T {
+impl<T: DslType + ?Sized> DslType for &mut T {
     fn ty(cx: &mut Builder) -> Ty {
         Ty::Ref(Box::new(T::ty(cx)), true)
     }
 }
 
-impl<T> Seen for &T {
+impl<T: ?Sized> Seen for &T {
     type Slot = Shared<T>;
 }
 
-impl<T> Seen for &mut T {
+impl<T: ?Sized> Seen for &mut T {
     type Slot = Exclusive<T>;
 }
 
-impl<T: DslType> DslType for Shared<T> {
+impl<T: DslType + ?Sized> DslType for Shared<T> {
     fn ty(cx: &mut Builder) -> Ty {
         Ty::Ref(Box::new(T::ty(cx)), false)
     }
 }
 
-impl<T: DslType> DslType for Exclusive<T> {
+impl<T: DslType + ?Sized> DslType for Exclusive<T> {
     fn ty(cx: &mut Builder) -> Ty {
         Ty::Ref(Box::new(T::ty(cx)), true)
     }

@@ -23,6 +23,7 @@ pub mod matrix_statistics;
 pub mod norms;
 pub mod parts;
 mod systems;
+pub mod views;
 
 pub use factored::eigen::symmetric as symmetric_eigen;
 pub use factored::svd::jacobi as svd;

@@ -6,14 +6,18 @@ use bessemer::prelude::*;
 /// By iterators.
 #[function]
 pub fn iterator(samples: &[f64; 4]) -> f64 {
-    let mut sum: f64 = samples.iter().skip(1).sum();
-    for (i, sample) in samples.iter().rev().enumerate().skip(1) {
-        sum += sample * i as f64;
+    let mut sum: f64 = samples.iter().step_by(2).sum();
+    for pair in samples.chunks(2) {
+        sum += pair[0];
+    }
+    for (i, sample) in samples.iter().zip(samples).skip(1).enumerate() {
+        sum += sample.0 * i as f64;
     }
     for i in (0..4).rev().step_by(2) {
         sum += samples[i];
     }
-    sum
+    sum += samples.iter().map(|x| x * x).take(2).sum::<f64>();
+    sum + samples.iter().scan(0.0, |sum, x| Some(*sum + x)).sum::<f64>()
 }
 
 fn main() {}

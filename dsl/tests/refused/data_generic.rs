@@ -10,13 +10,6 @@ pub struct Borrowed<'a, T> {
     pub value: &'a T,
 }
 
-/// For any payload.
-#[data]
-pub enum Maybe<T> {
-    /// There is none.
-    None(T),
-}
-
 /// A filter.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]

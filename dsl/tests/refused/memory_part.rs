@@ -3,11 +3,20 @@ extern crate std;
 
 use bessemer::prelude::*;
 
-/// A part of an array.
+/// A part of a pattern.
 #[function]
 pub fn part(samples: &[f64; 4]) -> f64 {
-    let low = &samples[0..2];
-    low[0]
+    let [low, rest @ ..] = samples;
+    low + rest[0]
+}
+
+/// A column to be written, by a name of its own.
+#[function]
+pub fn column(m: &mut Matrix3<f64>, j: usize) {
+    let mut column = m.column_mut(j);
+    column[0] = 1.0;
+    let rows = m.rows(0, j);
+    m[(0, 0)] = rows[(0, 0)];
 }
 
 fn main() {}

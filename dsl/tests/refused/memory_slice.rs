@@ -3,10 +3,16 @@ extern crate std;
 
 use bessemer::prelude::*;
 
-/// The length is not known.
+/// A slice that is held.
+#[data]
+pub struct Held<'a> {
+    samples: &'a [f64],
+}
+
+/// A slice that is given back.
 #[function]
-pub fn slice(samples: &[f64], part: &mut [f64]) -> f64 {
-    samples[0] + part[1]
+pub fn rest(samples: &[f64]) -> &[f64] {
+    &samples[1..]
 }
 
 fn main() {}

@@ -186,7 +186,7 @@ fn statements_keep_their_form() {
             ExprKind::For { .. } => "for",
             ExprKind::Match(..) => "match",
             ExprKind::If(..) => "if",
-            ExprKind::Assert(_) => "assert",
+            ExprKind::Assert(..) => "assert",
             _ => "other",
         },
     };

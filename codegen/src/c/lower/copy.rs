@@ -317,7 +317,7 @@ fn is_zero(value: &Ir) -> bool {
 pub(super) fn indexed_by(place: &Place, written: &[&Place]) -> bool {
     place.steps.iter().any(|step| match step {
         Step::Field(_) => false,
-        Step::Index(index) => written.iter().any(|place| reads(index, place)),
+        Step::Index(index) | Step::From(index) => written.iter().any(|place| reads(index, place)),
         Step::Element(row, column) => {
             written.iter().any(|place| reads(row, place) || reads(column, place))
         }

@@ -17,6 +17,7 @@ mod place;
 mod range;
 mod routine;
 mod stmt;
+mod variants;
 mod word;
 
 use std::collections::BTreeSet;
@@ -138,7 +139,7 @@ impl<'a> Lower<'a> {
         self.live = self.signature.params.iter().map(|param| param.name.clone()).collect();
         for (index, local) in function.parameters().iter().enumerate() {
             let name = self.signature.params[index].name.clone();
-            let array = matches!(local.ty, Type::Array { .. } | Type::Matrix { .. });
+            let array = local.ty.is_array();
             let by_value = local.ty.is_word() && local.mode != Mode::RefMut;
             self.bindings[index] = Some(Binding { name, pointer: !array && !by_value });
         }
@@ -156,6 +157,7 @@ impl<'a> Lower<'a> {
             ));
         }
         self.check_latch();
+        self.check_variants();
         self.in_place = self.result_local();
         for (index, local) in function.parameters().iter().enumerate() {
             let own =
@@ -346,8 +348,8 @@ impl<'a> Lower<'a> {
     /// The storage that the caller gives for the result.
     fn result_storage(&self) -> Option<Expr> {
         let param = self.signature.params.get(self.function.params as usize)?;
-        let array = matches!(param.ty, Type::Array { .. } | Type::Matrix { .. });
-        Some(bound(&Binding { name: param.name.clone(), pointer: !array }))
+        let pointer = !param.ty.is_array();
+        Some(bound(&Binding { name: param.name.clone(), pointer }))
     }
 
     /// Declares a variable.
@@ -370,7 +372,7 @@ impl<'a> Lower<'a> {
             Type::Enum(id) => {
                 self.uses.headers.insert(self.context.names.enums[id.index()].header.clone());
             }
-            Type::Array { element, .. } => self.include_type(element),
+            Type::Array { element, .. } | Type::Slice(element) => self.include_type(element),
             _ => {}
         }
     }

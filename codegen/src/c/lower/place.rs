@@ -26,7 +26,7 @@ impl Lower<'_> {
                 let item = &self.context.module.structs[id.index()];
                 (value.field(name), item.fields[*field as usize].ty.clone())
             }
-            (Step::Index(index), Type::Array { element, .. }) => {
+            (Step::Index(index), Type::Array { element, .. } | Type::Slice(element)) => {
                 (value.at(self.index(index)), (**element).clone())
             }
             (Step::Index(index), Type::Matrix { element, .. }) => {
@@ -43,6 +43,19 @@ impl Lower<'_> {
                     }
                 };
                 (value.at(at), Type::Scalar(*element))
+            }
+            // The array itself is the address of its first element.
+            (Step::From(from), ty) if ty.is_array() => {
+                let element = match ty {
+                    Type::Array { element, .. } | Type::Slice(element) => element.clone(),
+                    Type::Matrix { element, .. } => Box::new(Type::Scalar(*element)),
+                    _ => unreachable!("no other type is an array in C"),
+                };
+                let value = match &from.kind {
+                    ExprKind::Literal(0) => value,
+                    _ => value.at(self.index(from)).address(),
+                };
+                (value, Type::Slice(element))
             }
             (step, ty) => unreachable!("the validator refuses {step:?} into {ty:?}"),
         }
@@ -87,7 +100,7 @@ impl Lower<'_> {
     /// What is passed for a parameter that C takes by address.
     pub(super) fn address(value: Expr, ty: &Type) -> Expr {
         match ty {
-            Type::Array { .. } | Type::Matrix { .. } => value,
+            ty if ty.is_array() => value,
             _ => value.address(),
         }
     }

@@ -345,19 +345,35 @@ impl Parser {
         Ok(Draft { plain: true, ..draft })
     }
 
+    /// What stands in the brackets of a place, behind the first: `index]`, `row, column]`, `from..]`.
+    fn step(&mut self, base: Span) -> Parsed<(Step, u32)> {
+        let index = |parser: &mut Parser| {
+            let draft = parser.nested(|parser| parser.draft(base))?;
+            parser.settle(draft)
+        };
+        let (first, below) = index(self)?;
+        if self.eat("..") {
+            self.expect("]")?;
+            return Ok((Step::From(first), below));
+        }
+        if !self.eat(",") {
+            self.expect("]")?;
+            return Ok((Step::Index(first), below));
+        }
+        let (column, behind) = index(self)?;
+        self.expect("]")?;
+        Ok((Step::Element(first, column), below.max(behind)))
+    }
+
     /// The steps of a place; its type, if that follows, and the height of its indices.
     fn place(&mut self, root: LocalId, base: Span) -> Parsed<(Place, Option<Type>, u32)> {
         let mut place = Place { root, steps: Vec::new(), ty: Type::Unit, span: base };
         let mut height = 0;
         loop {
             if self.eat("[") {
-                let (mut indices, below) = self.list(base, "]")?;
+                let (step, below) = self.step(base)?;
                 height = height.max(below);
-                place.steps.push(match (indices.pop(), indices.pop(), indices.is_empty()) {
-                    (Some(index), None, _) => Step::Index(index),
-                    (Some(col), Some(row), true) => Step::Element(row, col),
-                    _ => return self.fail("expected one index, or a row and a column"),
-                });
+                place.steps.push(step);
                 continue;
             }
             let field = self.sees(".")

@@ -27,6 +27,9 @@ impl Parser {
     pub fn ty(&mut self) -> Parsed<Type> {
         if self.eat("[") {
             let element = Box::new(self.nested(Parser::ty)?);
+            if self.eat("]") {
+                return Ok(Type::Slice(element));
+            }
             self.expect(";")?;
             let len = self.number()?;
             self.expect("]")?;

@@ -292,6 +292,7 @@ impl<'m> Printer<'m> {
             }
             Type::Struct(id) => self.type_name(TypeId::Struct(*id)),
             Type::Enum(id) => self.type_name(TypeId::Enum(*id)),
+            Type::Slice(element) => format!("[{}]", self.ty(element)),
         }
     }
 
@@ -366,7 +367,7 @@ impl<'m> Printer<'m> {
             leaves.resize(leaves.len().saturating_add(count).min(wanted), scalar);
         };
         match ty {
-            Type::Unit => {}
+            Type::Unit | Type::Slice(_) => {}
             Type::Scalar(scalar) => repeat(1, Some(*scalar)),
             Type::Enum(_) => repeat(1, None),
             Type::Matrix { element, rows, cols } => {

@@ -142,6 +142,7 @@ impl Printer<'_> {
                     text = format!("{text}.{}", self.field(outer.as_ref(), *field));
                 }
                 Step::Index(at) => text = format!("{text}[{}]", self.tight(at, 0, base)),
+                Step::From(at) => text = format!("{text}[{}..]", self.tight(at, 0, base)),
                 Step::Element(row, col) => {
                     let (row, col) = (self.tight(row, 0, base), self.tight(col, 0, base));
                     text = format!("{text}[{row}, {col}]");

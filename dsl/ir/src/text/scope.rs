@@ -27,7 +27,12 @@ impl Scope<'_> {
                     let fields = &self.module.structs.get(id.index())?.fields;
                     fields.get(*field as usize)?.ty.clone()
                 }
-                (Step::Index(_), Type::Array { element, .. }) => *element,
+                (Step::Index(_), Type::Array { element, .. } | Type::Slice(element)) => *element,
+                (Step::From(_), Type::Array { element, .. }) => Type::Slice(element),
+                (Step::From(_), Type::Slice(element)) => Type::Slice(element),
+                (Step::From(_), Type::Matrix { element, .. }) => {
+                    Type::Slice(Box::new(Type::Scalar(element)))
+                }
                 (Step::Index(_) | Step::Element(..), Type::Matrix { element, .. }) => {
                     Type::Scalar(element)
                 }

@@ -37,21 +37,30 @@ const ABSENT: &[(&str, usize, &str)] = &[
     ("lp_norm", 1, "write the sum out with `fold`, and `powf`"),
     ("full_piv_lu col_piv_qr", 0, "call `lu` or `qr`, or `bessemer::linear::svd(&a)`"),
     ("schur hessenberg eigenvalues", 0, "compute it ahead, or write the iteration out"),
+    ("rows_mut columns_mut rows columns", 2, "write `fixed_rows::<N>(i)`, `fixed_columns::<N>(j)`"),
+    (
+        "view view_mut",
+        2,
+        "write `fixed_view::<R, C>(i, j)`: its size is known when the C is written",
+    ),
+    ("row_mut column_mut", 1, VIEW),
+    ("fixed_rows_mut fixed_columns_mut", 1, VIEW),
+    ("fixed_view_mut", 2, VIEW),
 ];
 
 const BYTES: &str = "write `to_be_bytes`, `from_le_bytes` and the like: the same on every target";
+const VIEW: &str = "write what it is to become: `m.column_mut(j).copy_from(&part)`, or `.fill(x)`, `.scale_mut(x)`";
 const WIDER: &str = "compute in a wider type, then `clamp`";
 
 /// Those that are absent for a reason of their own, with their arguments.
 const REASONS: &[(&str, usize, Reason)] = &[
     // What follows them in a chain needs no word of its own.
     ("iter iter_mut into_iter", 0, refuse::ITERATOR),
-    ("windows chunks chunks_exact step_by take skip", 1, refuse::ITERATOR),
+    ("windows chunks chunks_exact step_by skip", 1, refuse::ITERATOR),
     ("to_vec to_string to_owned", 0, refuse::HEAP),
     ("euler_angles axis_angle scaled_axis", 0, refuse::NALGEBRA_ANGLES),
     ("angle", 1, refuse::NALGEBRA_ANGLES),
     ("slerp", 2, refuse::NALGEBRA_ANGLES),
-    ("as_slice", 0, refuse::SLICE),
 ];
 
 /// Constructors and methods of nalgebra that go through the platform's sine and cosine.

@@ -111,6 +111,30 @@ impl Lowering<'_> {
     }
 }
 
+/// Whether a call gives a slice, which is no value.
+pub(super) fn gives_slice(call: &syn::ExprMethodCall) -> bool {
+    call.args.is_empty() && (call.method == "as_slice" || call.method == "as_mut_slice")
+}
+
+/// Whether an expression is a call of a companion whose value refers to an element.
+pub(super) fn gives_reference(expr: &syn::Expr) -> bool {
+    // The call has been wrapped: its own name stands in the argument.
+    let it = match expr {
+        syn::Expr::MethodCall(it) => it,
+        syn::Expr::Paren(it) => return gives_reference(&it.expr),
+        other => return matches!(other, syn::Expr::Try(_)),
+    };
+    let call = match it.args.first() {
+        Some(syn::Expr::MethodCall(call)) if it.method == "__take" => call,
+        _ => it,
+    };
+    if it.method == "__glance" {
+        return true;
+    }
+    let names = ["first", "last", "get", "unwrap", "expect", "unwrap_or"];
+    names.iter().any(|name| call.method == format!("__b_{name}"))
+}
+
 fn is_default(function: &syn::ExprPath) -> bool {
     function.path.segments.len() + usize::from(function.qself.is_some()) > 1
         && function.path.segments.last().is_some_and(|last| last.ident == "default")

@@ -3,38 +3,56 @@
 //! In the tree a chain is the loop that it stands for, and what the loop gathers; in the witness copy it
 //! stays a chain, and the closures look at what they are given.
 
-use bessemer_ir::tree::{self, BinaryOp, ExprKind, Start, UnaryOp};
+use bessemer_ir::tree::{self, BinaryOp, ExprKind, Order, Start, UnaryOp};
 use quote::{format_ident, quote};
+use syn::spanned::Spanned;
 
 use super::closure::{closure_of, closure_parameter, plain};
-use super::each::{self, Source};
-use super::{Lowering, refuse, slot_name, text};
+use super::each::{self, Source, Way};
+use super::{Lowering, refuse, search, slot_name, text};
 
 /// What a chain may end with, and how many arguments that takes.
-const ENDS: [(&str, usize); 6] =
-    [("sum", 0), ("product", 0), ("count", 0), ("fold", 2), ("any", 1), ("all", 1)];
+const ENDS: [(&str, usize); 11] = [
+    ("sum", 0),
+    ("product", 0),
+    ("count", 0),
+    ("fold", 2),
+    ("any", 1),
+    ("all", 1),
+    ("min", 0),
+    ("max", 0),
+    ("last", 0),
+    ("find", 1),
+    ("position", 1),
+];
 
 /// A chain so far.
-struct Flow {
+pub(super) struct Flow {
     /// What the loop goes through.
-    over: Over,
+    pub over: Over,
     /// What each pass does before the end, in order.
-    steps: Vec<Step>,
+    pub steps: Vec<Step>,
     /// What flows out of it.
-    item: Item,
+    pub item: Item,
 }
 
-enum Over {
+pub(super) enum Over {
     Range(Box<tree::Range>, Option<(String, u32)>),
-    Each { index: Option<String>, parts: Vec<tree::Part>, indexed: bool, reversed: bool },
+    Each {
+        index: Option<String>,
+        parts: Vec<tree::Part>,
+        indexed: bool,
+        order: Order,
+        cuts: Vec<tree::Cut>,
+    },
 }
 
-enum Step {
+pub(super) enum Step {
     Do(tree::Stmt),
     If(tree::Expr),
 }
 
-enum Item {
+pub(super) enum Item {
     /// Elements that have no name yet.
     Source(Source),
     /// The number of a range.
@@ -56,6 +74,14 @@ impl Lowering<'_> {
         }
         let node = it.method.clone();
         let before = self.refusals.len();
+        it.args.last_mut().into_iter().for_each(|it| in_full(it, end == "fold"));
+        if search::ENDS.contains(&end.as_str()) {
+            let kind = self.scoped(|walk| walk.search(it, &end));
+            if kind.is_none() && self.refusals.len() == before {
+                self.refusals.add(node.span(), refuse::CHAIN);
+            }
+            return Some(kind.unwrap_or(super::expr::UNIT));
+        }
         let kind = self.scoped(|walk| {
             let start = match end.as_str() {
                 "sum" => Start::Sum,
@@ -79,6 +105,32 @@ impl Lowering<'_> {
             self.refusals.add(node.span(), refuse::CHAIN);
         }
         Some(kind.unwrap_or(super::expr::UNIT))
+    }
+
+    /// `for x in values.iter().filter(…)`: the body is what the chain ends in.
+    pub(super) fn linked_loop(
+        &mut self,
+        it: &mut syn::ExprForLoop,
+        label: Option<String>,
+    ) -> Option<ExprKind> {
+        let before = self.refusals.len();
+        let kind = self.scoped(|walk| {
+            let mut flow = walk.flow(&mut it.expr)?;
+            let mut looks = Vec::new();
+            walk.name_item(&mut flow, &it.pat, &mut looks)?;
+            let body = walk.branch(&mut it.body, false);
+            it.body.stmts.splice(0..0, looks);
+            let last = tree::Stmt::Expr(plain(ExprKind::Block(body), &it.for_token));
+            let mut kind = flow.into_loop(last);
+            if let ExprKind::For { label: of, .. } | ExprKind::Each { label: of, .. } = &mut kind {
+                *of = label;
+            }
+            Some(kind)
+        });
+        if kind.is_none() && self.refusals.len() == before {
+            self.refusals.add(it.expr.span(), refuse::CHAIN);
+        }
+        kind
     }
 
     /// The name of what `fold` gathers.
@@ -127,7 +179,7 @@ impl Lowering<'_> {
         })
     }
 
-    fn flow(&mut self, expr: &mut syn::Expr) -> Option<Flow> {
+    pub(super) fn flow(&mut self, expr: &mut syn::Expr) -> Option<Flow> {
         if each::is_range(expr) {
             let range = self.range(expr)?;
             return Some(Flow {
@@ -141,6 +193,7 @@ impl Lowering<'_> {
             syn::Expr::MethodCall(it) => match (text(&it.method).as_str(), it.args.len()) {
                 (link @ ("map" | "filter"), 1) => {
                     let mut flow = self.flow(&mut it.receiver)?;
+                    in_full(&mut it.args[0], false);
                     let value = self.through(&mut flow, closure_of(&mut it.args[0])?, 0)?;
                     if link == "map" {
                         flow.item = Item::Value(value);
@@ -149,25 +202,23 @@ impl Lowering<'_> {
                     }
                     return Some(flow);
                 }
-                (link @ ("enumerate" | "rev"), 0) => {
-                    let mut flow = self.flow(&mut it.receiver)?;
-                    flow.turn(link)?;
-                    return Some(flow);
-                }
                 ("copied" | "cloned", 0) if is_linked(&it.receiver) => {
                     return self.flow(&mut it.receiver);
+                }
+                ("enumerate" | "rev" | "skip" | "take", _) if is_linked(&it.receiver) => {
+                    return None;
                 }
                 _ => {}
             },
             _ => {}
         }
-        let source = self.source(expr);
-        let over = Over::Each { index: None, parts: Vec::new(), indexed: false, reversed: false };
+        let Way { source, indexed, order, cuts } = self.way(expr);
+        let over = Over::Each { index: None, parts: Vec::new(), indexed, order, cuts };
         Some(Flow { over, steps: Vec::new(), item: Item::Source(source) })
     }
 
     /// What a closure makes of the items of a chain; `at`: which of its parameters takes them.
-    fn through(
+    pub(super) fn through(
         &mut self,
         flow: &mut Flow,
         closure: &mut syn::ExprClosure,
@@ -185,7 +236,7 @@ impl Lowering<'_> {
         Some(body)
     }
 
-    fn name_item(
+    pub(super) fn name_item(
         &mut self,
         flow: &mut Flow,
         pattern: &syn::Pat,
@@ -241,7 +292,11 @@ impl Lowering<'_> {
     }
 
     /// What flows out of a chain, as a value.
-    fn item_value(&mut self, flow: &mut Flow, receiver: &mut syn::Expr) -> Option<tree::Expr> {
+    pub(super) fn item_value(
+        &mut self,
+        flow: &mut Flow,
+        receiver: &mut syn::Expr,
+    ) -> Option<tree::Expr> {
         let named = |name: String, node: &syn::Expr| plain(ExprKind::Local(name), node);
         match std::mem::replace(&mut flow.item, Item::Taken) {
             Item::Value(value) => Some(value),
@@ -290,14 +345,16 @@ impl Lowering<'_> {
             let element = Box::new(plain(ExprKind::Index(local(&name), local(&index)), &last));
             let assign = plain(ExprKind::Assign(None, element, Box::new(value)), &last);
             // The loop goes through what it fills.
-            let part =
-                tree::Part { pattern: tree::Pattern::Any, array: *local(&name), owned: false };
+            let array = *local(&name);
+            let pattern = tree::Pattern::Any;
+            let part = tree::Part { pattern, array, owned: false, group: None };
             let body = tree::Block { stmts: vec![tree::Stmt::Expr(assign)], tail: None };
             let each = ExprKind::Each {
                 label: None,
                 index: Some(index),
                 parts: vec![part],
-                reversed: false,
+                order: Order::Up,
+                cuts: Vec::new(),
                 body,
             };
             let each = Box::new(plain(each, &last));
@@ -307,21 +364,7 @@ impl Lowering<'_> {
 }
 
 impl Flow {
-    /// `.enumerate()` and `.rev()`, which stand next to the source.
-    fn turn(&mut self, link: &str) -> Option<()> {
-        let plain = self.steps.is_empty();
-        match (&mut self.over, &self.item) {
-            (Over::Each { indexed, reversed, .. }, Item::Source(source)) if plain => match link {
-                "enumerate" if !*indexed && !*reversed => *indexed = true,
-                "rev" if !*reversed && matches!(source, Source::One { .. }) => *reversed = true,
-                _ => return None,
-            },
-            _ => return None,
-        }
-        Some(())
-    }
-
-    fn into_loop(self, last: tree::Stmt) -> ExprKind {
+    pub(super) fn into_loop(self, last: tree::Stmt) -> ExprKind {
         let mut stmts = vec![last];
         for step in self.steps.into_iter().rev() {
             match step {
@@ -339,15 +382,26 @@ impl Flow {
                 let (name, slot) = variable.unwrap_or_default();
                 ExprKind::For { label: None, name, slot, range, body }
             }
-            Over::Each { index, parts, reversed, .. } => {
-                ExprKind::Each { label: None, index, parts, reversed, body }
+            Over::Each { index, parts, order, cuts, .. } => {
+                ExprKind::Each { label: None, index, parts, order, cuts, body }
             }
         }
     }
 }
 
+/// `f64::abs` as the closure that it stands for.
+fn in_full(argument: &mut syn::Expr, of_two: bool) {
+    let syn::Expr::Path(path) = argument else { return };
+    if path.path.segments.len() == 2 || path.qself.is_some() {
+        *argument = match of_two {
+            true => syn::parse_quote! { |gathered, value| #path(gathered, value) },
+            false => syn::parse_quote! { |value| #path(value) },
+        };
+    }
+}
+
 /// The name of the elements, and the slot of their type.
-fn named_by(part: &tree::Part) -> Option<(&String, u32)> {
+pub(super) fn named_by(part: &tree::Part) -> Option<(&String, u32)> {
     match &part.pattern {
         tree::Pattern::Name { name, slot, inner: None, .. } => Some((name, *slot)),
         _ => None,
@@ -373,6 +427,7 @@ fn is_iterator(expr: &syn::Expr) -> bool {
             ("map" | "filter" | "zip" | "step_by" | "take" | "skip", 1) => {
                 is_iterator(&it.receiver)
             }
+            ("windows" | "chunks_exact", 1) => true,
             _ => false,
         },
         _ => false,
@@ -380,7 +435,7 @@ fn is_iterator(expr: &syn::Expr) -> bool {
 }
 
 /// Whether a closure stands somewhere in a chain.
-fn is_linked(expr: &syn::Expr) -> bool {
+pub(super) fn is_linked(expr: &syn::Expr) -> bool {
     match expr {
         syn::Expr::Paren(it) => is_linked(&it.expr),
         syn::Expr::MethodCall(it) => {

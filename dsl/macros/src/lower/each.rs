@@ -1,37 +1,34 @@
-//! `for` over the elements of arrays: `iter`, `enumerate`, `zip`, `rev`.
+//! `for` over the elements of arrays: `iter`, `enumerate`, `zip`, `rev`, `skip`, `take`, `windows`.
 //!
 //! The adaptors stay as they are in the witness copy; the names look at the types that they are given.
 
-use bessemer_ir::tree::{self, ExprKind};
+use bessemer_ir::tree::{self, ExprKind, Order};
 use syn::spanned::Spanned;
 
-use super::{Lowering, refuse, text};
+use super::{Lowering, refuse, site, text};
 
 /// What a loop goes through.
 pub(super) enum Source {
-    One { array: Box<tree::Expr>, owned: bool },
+    One { array: Box<tree::Expr>, owned: bool, group: Option<tree::Group> },
     Zip(Box<Source>, Box<Source>),
+}
+
+/// What a loop goes through, and how.
+pub(super) struct Way {
+    pub source: Source,
+    pub indexed: bool,
+    pub order: tree::Order,
+    pub cuts: Vec<tree::Cut>,
 }
 
 impl Lowering<'_> {
     pub(super) fn each_loop(&mut self, it: &mut syn::ExprForLoop) -> Option<ExprKind> {
         let label = it.label.as_ref().map(|label| text(&label.name.ident));
-        let before = self.refusals.len();
-        let (mut indexed, mut reversed) = (false, false);
-        let source = match &mut *it.expr {
-            syn::Expr::MethodCall(call) if call.method == "enumerate" && call.args.is_empty() => {
-                indexed = true;
-                self.source(&mut call.receiver)
-            }
-            syn::Expr::MethodCall(call) if call.method == "rev" && call.args.is_empty() => {
-                reversed = true;
-                self.source(&mut call.receiver)
-            }
-            other => self.source(other),
-        };
-        if reversed && matches!(source, Source::Zip(..)) {
-            self.refusals.add(it.expr.span(), refuse::ITERATOR);
+        if super::chain::is_linked(&it.expr) {
+            return self.linked_loop(it, label);
         }
+        let before = self.refusals.len();
+        let Way { source, indexed, order, cuts } = self.way(&mut it.expr);
         let refused = self.refusals.len();
         self.scoped(|walk| {
             let (mut parts, mut looks) = (Vec::new(), Vec::new());
@@ -68,8 +65,69 @@ impl Lowering<'_> {
             }
             let body = walk.branch(&mut it.body, false);
             it.body.stmts.splice(0..0, looks);
-            Some(ExprKind::Each { label, index, parts, reversed, body })
+            Some(ExprKind::Each { label, index, parts, order, cuts, body })
         })
+    }
+
+    /// The adaptors behind the source: `.enumerate()`, `.rev()`, `.skip(n)`, `.take(n)`.
+    pub(super) fn way(&mut self, expr: &mut syn::Expr) -> Way {
+        match expr {
+            syn::Expr::Paren(it) if !is_range(&it.expr) => self.way(&mut it.expr),
+            syn::Expr::MethodCall(it) => match (text(&it.method).as_str(), it.args.len()) {
+                ("copied" | "cloned", 0) => self.way(&mut it.receiver),
+                ("enumerate", 0) => {
+                    let mut way = self.way(&mut it.receiver);
+                    if way.indexed || !way.cuts.is_empty() {
+                        self.refusals.add(it.method.span(), refuse::ITERATOR);
+                    }
+                    if way.order == Order::Down {
+                        way.order = Order::Mirrored;
+                    }
+                    Way { indexed: true, ..way }
+                }
+                ("rev", 0) => {
+                    let way = self.way(&mut it.receiver);
+                    let order = match way.order {
+                        Order::Up => Order::Down,
+                        Order::Down => Order::Up,
+                        Order::Mirrored => {
+                            self.refusals.add(it.method.span(), refuse::ITERATOR);
+                            Order::Mirrored
+                        }
+                    };
+                    Way { order, ..way }
+                }
+                ("skip" | "take", 1) => self.cut(it),
+                _ => self.plain_way(expr),
+            },
+            other => self.plain_way(other),
+        }
+    }
+
+    fn plain_way(&mut self, expr: &mut syn::Expr) -> Way {
+        let source = self.source(expr);
+        Way { source, indexed: false, order: Order::Up, cuts: Vec::new() }
+    }
+
+    fn cut(&mut self, it: &mut syn::ExprMethodCall) -> Way {
+        let mut way = self.way(&mut it.receiver);
+        let place = site(&it.method);
+        let back = way.order == Order::Down;
+        let cut = tree::Cut { skip: it.method == "skip", back, count: self.value(&mut it.args[0]) };
+        match way.source {
+            // An index behind it begins anew.
+            Source::One { array, owned, group: None }
+                if !way.indexed && way.order == Order::Up && way.cuts.is_empty() =>
+            {
+                let kind = ExprKind::Cut(array, Box::new(cut));
+                let array = Box::new(tree::Expr { kind, site: place, slot: None });
+                Way { source: Source::One { array, owned, group: None }, ..way }
+            }
+            source => {
+                way.cuts.push(cut);
+                Way { source, ..way }
+            }
+        }
     }
 
     pub(super) fn source(&mut self, expr: &mut syn::Expr) -> Source {
@@ -84,16 +142,33 @@ impl Lowering<'_> {
             syn::Expr::MethodCall(it) if it.args.is_empty() && is_adaptor(&it.method) => {
                 let into = it.method == "into_iter";
                 match self.source(&mut it.receiver) {
-                    Source::One { array, owned } => Source::One { array, owned: owned && into },
+                    Source::One { array, owned, group } => {
+                        Source::One { array, owned: owned && into, group }
+                    }
                     zip => {
                         self.refusals.add(it.method.span(), refuse::ITERATOR);
                         zip
                     }
                 }
             }
+            syn::Expr::MethodCall(it)
+                if (it.method == "windows" || it.method == "chunks_exact")
+                    && it.args.len() == 1 =>
+            {
+                let array = Box::new(self.value(&mut it.receiver));
+                let (chunks, size) = (it.method == "chunks_exact", self.value(&mut it.args[0]));
+                Source::One { array, owned: false, group: Some(tree::Group { chunks, size }) }
+            }
+            syn::Expr::MethodCall(it) if is_cut(it) => {
+                let Way { source, indexed, order, cuts } = self.way(expr);
+                if indexed || order != Order::Up || !cuts.is_empty() {
+                    self.refusals.add(expr.span(), refuse::ITERATOR);
+                }
+                source
+            }
             other => {
                 let owned = !matches!(other, syn::Expr::Reference(_));
-                Source::One { array: Box::new(self.value(other)), owned }
+                Source::One { array: Box::new(self.value(other)), owned, group: None }
             }
         }
     }
@@ -110,13 +185,17 @@ impl Lowering<'_> {
                 self.elements(&pair.elems[0], *left, parts, looks);
                 self.elements(&pair.elems[1], *right, parts, looks);
             }
-            (pattern, Source::One { array, owned }) => {
+            (pattern, Source::One { array, owned, group }) => {
                 let pattern = self.pattern(pattern, looks);
-                parts.push(tree::Part { pattern, array: *array, owned });
+                parts.push(tree::Part { pattern, array: *array, owned, group });
             }
             (other, _) => self.refusals.add(other.span(), refuse::DESTRUCTURING),
         }
     }
+}
+
+fn is_cut(call: &syn::ExprMethodCall) -> bool {
+    (call.method == "skip" || call.method == "take") && call.args.len() == 1
 }
 
 fn is_adaptor(method: &syn::Ident) -> bool {

@@ -5,7 +5,7 @@ use bessemer_ir::tree::{self, BinaryOp, ExprKind, UnaryOp};
 use quote::ToTokens;
 use syn::spanned::Spanned;
 
-use super::{Lowering, bound, pattern, refuse, signature, site, text};
+use super::{Lowering, bound, call, pattern, refuse, signature, site, text, view};
 
 impl Lowering<'_> {
     /// An expression whose value is wanted.
@@ -22,6 +22,7 @@ impl Lowering<'_> {
         let place = site(expr);
         let (kind, seen) = self.kind(expr, value);
         let slot = match (&kind, seen) {
+            (_, true) if call::gives_reference(expr) => Some(self.glance(expr)),
             (ExprKind::Path(index, _), _) => {
                 let slot = self.constants.get(*index as usize).map(|(slot, _)| *slot);
                 if let (true, Some(slot)) = (seen, slot) {
@@ -37,22 +38,29 @@ impl Lowering<'_> {
 
     /// The kind of `expr`, and whether a slot has to see its value.
     fn kind(&mut self, expr: &mut syn::Expr, value: bool) -> (ExprKind, bool) {
+        if let Some(call) = view::write(expr) {
+            *expr = syn::Expr::MethodCall(call);
+        }
         match expr {
             syn::Expr::Lit(it) => (self.literal(&it.lit), false),
             syn::Expr::Path(it) if it.path.is_ident("None") && it.qself.is_none() => {
                 (ExprKind::Constructor("None".into(), Vec::new()), true)
             }
-            syn::Expr::Path(it) => (self.path(it), false),
+            syn::Expr::Path(it) => {
+                let seen = pattern::is_variant(&it.path);
+                (self.path(it), seen)
+            }
             syn::Expr::Paren(it) => self.kind(&mut it.expr, value),
             syn::Expr::Group(it) => self.kind(&mut it.expr, value),
             syn::Expr::Unary(it) => self.unary(it),
             syn::Expr::Binary(it) => self.binary(it),
-            syn::Expr::Assign(it)
-                if matches!(&*it.left, syn::Expr::Tuple(_) | syn::Expr::Array(_)) =>
-            {
-                self.refusals.add(it.left.span(), refuse::SEVERAL_PLACES);
-                self.value(&mut it.right);
-                (UNIT, false)
+            syn::Expr::Assign(it) if gives_several(&it.left) => {
+                let value = Box::new(self.whole(&mut it.right));
+                let places = Box::new(self.places(&mut it.left));
+                (ExprKind::AssignEach(places, value), false)
+            }
+            syn::Expr::Assign(it) if matches!(&*it.left, syn::Expr::Infer(_)) => {
+                (self.value(&mut it.right).kind, false)
             }
             syn::Expr::Assign(it) => {
                 let (value, place) = (self.value(&mut it.right), self.value(&mut it.left));
@@ -63,8 +71,14 @@ impl Lowering<'_> {
                 let seen = value || matches!(kind, ExprKind::Path(..));
                 (kind, seen)
             }
-            syn::Expr::MethodCall(it) => (self.method_call(it), value),
+            syn::Expr::MethodCall(it) => {
+                let seen = value && !call::gives_slice(it);
+                (self.method_call(it), seen)
+            }
             syn::Expr::Field(it) => (self.field(it), false),
+            syn::Expr::Index(it) if matches!(&*it.index, syn::Expr::Range(_)) => {
+                (self.slice(it), false)
+            }
             syn::Expr::Index(it) => {
                 let (base, index) = (self.value(&mut it.expr), self.index(&mut it.index));
                 (ExprKind::Index(Box::new(base), Box::new(index)), false)
@@ -155,12 +169,36 @@ impl Lowering<'_> {
                 let site = site(it);
                 tree::Expr { kind: self.tuple(it), site, slot: None }
             }
-            syn::Expr::Range(it) => {
-                self.refusals.add(it.span(), refuse::PART);
-                tree::Expr { kind: UNIT, site: Default::default(), slot: None }
-            }
             other => self.value(other),
         }
+    }
+
+    /// What stands on the left of an assignment.
+    fn places(&mut self, expr: &mut syn::Expr) -> tree::Places {
+        match expr {
+            syn::Expr::Infer(_) => tree::Places::None,
+            syn::Expr::Paren(it) => self.places(&mut it.expr),
+            syn::Expr::Tuple(syn::ExprTuple { elems, .. })
+            | syn::Expr::Array(syn::ExprArray { elems, .. }) => {
+                tree::Places::Each(elems.iter_mut().map(|it| self.places(it)).collect())
+            }
+            syn::Expr::Struct(_) | syn::Expr::Call(_) | syn::Expr::Range(_) => {
+                self.refusals.add(expr.span(), refuse::SEVERAL_PLACES);
+                tree::Places::None
+            }
+            other => tree::Places::One(self.value(other)),
+        }
+    }
+
+    /// `base[from..to]`.
+    fn slice(&mut self, it: &mut syn::ExprIndex) -> ExprKind {
+        let base = Box::new(self.value(&mut it.expr));
+        let syn::Expr::Range(range) = &mut *it.index else { return UNIT };
+        let inclusive = matches!(range.limits, syn::RangeLimits::Closed(_));
+        let mut end =
+            |end: &mut Option<Box<syn::Expr>>| end.as_mut().map(|end| Box::new(self.value(end)));
+        let (from, to) = (end(&mut range.start), end(&mut range.end));
+        ExprKind::Slice(base, from, to, inclusive)
     }
 
     fn tuple(&mut self, it: &mut syn::ExprTuple) -> ExprKind {
@@ -257,6 +295,12 @@ impl Lowering<'_> {
         let rest = it.rest.as_mut().map(|rest| Box::new(self.value(rest)));
         ExprKind::Struct(pattern::last_segment(&it.path), fields, rest)
     }
+}
+
+/// Whether what stands on the left of an assignment takes the value apart.
+fn gives_several(left: &syn::Expr) -> bool {
+    use syn::Expr::{Array, Call, Struct, Tuple};
+    matches!(left, Tuple(_) | Array(_) | Struct(_) | Call(_))
 }
 
 /// What stands for an expression that was refused.

@@ -107,7 +107,7 @@ impl Lowering<'_> {
         }
         self.apart = true;
         for (pattern, array) in closure.inputs.iter().skip(from).zip(arrays) {
-            let source = Source::One { array: Box::new(array), owned: true };
+            let source = Source::One { array: Box::new(array), owned: true, group: None };
             self.elements(pattern, source, &mut parts, looks);
         }
         self.apart = false;
@@ -128,7 +128,14 @@ impl Lowering<'_> {
         let name = self.hidden("mapped");
         let at = local(&index, node);
         let body = assigned(&name, at, value, node);
-        let kind = ExprKind::Each { label: None, index: Some(index), parts, reversed: false, body };
+        let kind = ExprKind::Each {
+            label: None,
+            index: Some(index),
+            parts,
+            order: tree::Order::Up,
+            cuts: Vec::new(),
+            body,
+        };
         Some(ExprKind::Fold { name, start: Start::Elements, each: Box::new(plain(kind, node)) })
     }
 
@@ -171,7 +178,14 @@ impl Lowering<'_> {
         parts.iter_mut().for_each(|part| part.owned = false);
         let effect = self.closure_effect(closure, looks);
         let body = tree::Block { stmts: vec![tree::Stmt::Expr(effect)], tail: None };
-        let kind = ExprKind::Each { label: None, index: None, parts, reversed: false, body };
+        let kind = ExprKind::Each {
+            label: None,
+            index: None,
+            parts,
+            order: tree::Order::Up,
+            cuts: Vec::new(),
+            body,
+        };
         let stmts = vec![tree::Stmt::Expr(plain(kind, node))];
         Some(ExprKind::Block(tree::Block { stmts, tail: None }))
     }
@@ -190,7 +204,14 @@ impl Lowering<'_> {
         let value = self.closure_body(closure, looks);
         let assign = ExprKind::Assign(None, local(&name, node), Box::new(value));
         let body = tree::Block { stmts: vec![tree::Stmt::Expr(plain(assign, node))], tail: None };
-        let kind = ExprKind::Each { label: None, index: None, parts, reversed: false, body };
+        let kind = ExprKind::Each {
+            label: None,
+            index: None,
+            parts,
+            order: tree::Order::Up,
+            cuts: Vec::new(),
+            body,
+        };
         let each = Box::new(plain(kind, node));
         Some(ExprKind::Fold { name, start: Start::Value(Box::new(start)), each })
     }

@@ -19,8 +19,10 @@ mod expr;
 mod matrix;
 mod pattern;
 pub mod refuse;
+mod search;
 mod signature;
 mod strip;
+mod view;
 
 use bessemer_ir::tree;
 use proc_macro2::TokenStream;
@@ -172,6 +174,16 @@ impl<'a> Lowering<'a> {
         slot
     }
 
+    /// The same for a value with references in it, of which a slot holds the type without their lifetime.
+    fn glance(&mut self, expr: &mut syn::Expr) -> u32 {
+        let slot = self.slot();
+        if GENERATING {
+            let name = slot_name(slot);
+            *expr = syn::Expr::Verbatim(quote_spanned! { expr.span() => __glance(&#name, #expr) });
+        }
+        slot
+    }
+
     fn see_in(&self, slot: u32, expr: &mut syn::Expr) {
         if GENERATING {
             let name = slot_name(slot);
@@ -202,6 +214,10 @@ impl<'a> Lowering<'a> {
                 syn::Stmt::Local(local) => {
                     if self.closure_local(local) {
                         stmts.push(stmt);
+                        continue;
+                    }
+                    if takes_apart(local) && local.init.is_none() {
+                        self.refusals.add(local.pat.span(), refuse::LATER);
                         continue;
                     }
                     if takes_apart(local) {
@@ -245,8 +261,17 @@ impl<'a> Lowering<'a> {
             syn::Item::Const(_) | syn::Item::Use(_) if self.scopes.len() == 2 => {
                 self.items.push(item.clone())
             }
+            syn::Item::Static(it)
+                if self.scopes.len() == 2
+                    && matches!(it.mutability, syn::StaticMutability::None) =>
+            {
+                self.items.push(item.clone())
+            }
             syn::Item::Const(it) => self.refusals.add(it.const_token.span, refuse::NESTED_CONST),
             syn::Item::Use(it) => self.refusals.add(it.use_token.span, refuse::NESTED_CONST),
+            syn::Item::Static(it) if matches!(it.mutability, syn::StaticMutability::None) => {
+                self.refusals.add(it.static_token.span, refuse::NESTED_CONST);
+            }
             syn::Item::Static(it) => self.refusals.add(it.static_token.span, refuse::STATIC),
             other => self.refusals.add(refuse::first_token(other), refuse::NESTED_ITEM),
         }
@@ -324,7 +349,7 @@ impl<'a> Lowering<'a> {
         let name =
             mac.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default();
         let compared = match name.as_str() {
-            "assert" => None,
+            "assert" | "__inside" | "__room" => None,
             "assert_eq" => Some(tree::BinaryOp::Eq),
             "assert_ne" => Some(tree::BinaryOp::Ne),
             _ => {
@@ -353,7 +378,13 @@ impl<'a> Lowering<'a> {
                 tree::Expr { kind, site, slot: None }
             }
         };
-        Some(tree::Expr { kind: tree::ExprKind::Assert(Box::new(condition)), site, slot: None })
+        let claim = match name.as_str() {
+            "__inside" => tree::Claim::Index,
+            "__room" => tree::Claim::Capacity,
+            _ => tree::Claim::Assertion,
+        };
+        let kind = tree::ExprKind::Assert(Box::new(condition), claim);
+        Some(tree::Expr { kind, site, slot: None })
     }
 }
 

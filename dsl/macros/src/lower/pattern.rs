@@ -65,6 +65,10 @@ impl Lowering<'_> {
                 let mut literal = syn::Expr::Lit(it.clone());
                 tree::Pattern::Value(self.value(&mut literal))
             }
+            // Of which type is the value's to say.
+            syn::Pat::Path(it) if is_variant(&it.path) => {
+                tree::Pattern::Constructor(last_segment(&it.path), Vec::new())
+            }
             syn::Pat::Path(it) => {
                 tree::Pattern::Value(self.constant(it.to_token_stream(), &it.path))
             }
@@ -153,6 +157,14 @@ pub fn member(member: &syn::Member) -> String {
 /// The last name of a path.
 pub(super) fn last_segment(path: &syn::Path) -> String {
     path.segments.last().map(|segment| text(&segment.ident)).unwrap_or_default()
+}
+
+/// Whether a path is that of a variant: a constant has no small letters.
+pub(super) fn is_variant(path: &syn::Path) -> bool {
+    let last = last_segment(path);
+    path.segments.len() > 1
+        && last.starts_with(|first: char| first.is_uppercase())
+        && last.contains(|letter: char| letter.is_lowercase())
 }
 
 fn is_constant_name(ident: &syn::Ident) -> bool {

@@ -107,6 +107,11 @@ impl<'ast> Visit<'ast> for Types<'_> {
     fn visit_type(&mut self, ty: &'ast syn::Type) {
         let reason = match ty {
             syn::Type::Ptr(_) => refuse::POINTER,
+            syn::Type::Reference(it) if !self.field => match &*it.elem {
+                // A slice that is passed.
+                syn::Type::Slice(slice) => return self.visit_type(&slice.elem),
+                _ => return visit::visit_type(self, ty),
+            },
             syn::Type::Slice(_) => refuse::SLICE,
             syn::Type::TraitObject(_) => refuse::TRAIT_OBJECT,
             syn::Type::ImplTrait(_) => refuse::IMPL_TRAIT,

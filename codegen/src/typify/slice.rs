@@ -1,0 +1,549 @@
+//! Slices: a part of an array that is lent.
+//!
+//! Within a function a slice is the array itself and which of its elements are meant; only what is passed
+//! to another function becomes an address and a length. So a slice copies nothing, and an index is
+//! checked against the slice once, and against the array unless it follows.
+
+use bessemer_ir::tree::{self, Site, Ty};
+use bessemer_ir::{
+    Argument, BinaryOp, Block, CompareOp, Expr, ExprKind, Fault, Intrinsic, Local, LogicOp, Mode,
+    Place, Span, Step, StmtKind, Type,
+};
+
+use super::equal::{number, stmt};
+use super::function::{Binding, Lowering, is_literal};
+use super::pattern::{inside, load, logic};
+use super::{OUR_FAULT, Result, problem};
+
+/// Elements of an array, in their place.
+#[derive(Clone)]
+pub(super) struct Slice {
+    /// The array, or the parameter that is a slice.
+    pub base: Place,
+    element: Type,
+    /// The first element, and the one behind the last: numbers, or locals that nothing writes.
+    pub from: Expr,
+    pub to: Expr,
+    /// How many there are.
+    pub length: Expr,
+    /// Whether these are all elements of the base.
+    whole: bool,
+}
+
+impl Slice {
+    fn whole(base: Place, element: Type, length: Expr) -> Slice {
+        let from = number(0, base.span);
+        Slice { base, element, from, to: length.clone(), length, whole: true }
+    }
+
+    /// The type of what is lent.
+    pub fn ty(&self) -> Type {
+        Type::Slice(Box::new(self.element.clone()))
+    }
+
+    /// Where the first element is.
+    pub fn place(&self) -> Place {
+        match (&self.base.ty, is_number(&self.from, 0)) {
+            (Type::Slice(_), true) => self.base.clone(),
+            _ => inside(&self.base, Step::From(self.from.clone()), self.ty()),
+        }
+    }
+
+    /// An element of the base, by its index there.
+    pub fn at(&self, index: Expr) -> Place {
+        let step = match &self.base.ty {
+            Type::Matrix { cols: 1, .. } => Step::Element(index, number(0, self.base.span)),
+            Type::Matrix { rows: 1, .. } => Step::Element(number(0, self.base.span), index),
+            _ => Step::Index(index),
+        };
+        inside(&self.base, step, self.element.clone())
+    }
+
+    /// `length` elements from `begin` on, which are known to be there.
+    pub fn part(&self, begin: Expr, length: Expr) -> Slice {
+        let from = plus(self.from.clone(), begin);
+        let to = plus(from.clone(), length.clone());
+        Slice { from, to, length, whole: false, ..self.clone() }
+    }
+
+    /// What a call passes for it.
+    pub fn passed(self, mode: Mode) -> [Argument; 2] {
+        let place = self.place();
+        let first = match mode {
+            Mode::RefMut => Argument::RefMut(place),
+            _ => Argument::Ref(load(&place)),
+        };
+        [first, Argument::Value(self.length)]
+    }
+}
+
+impl Lowering<'_, '_> {
+    /// A parameter that is a slice, and the one of its length.
+    pub(super) fn slice_parameter(
+        &mut self,
+        param: &tree::Param,
+        element: &Ty,
+        mutable: bool,
+    ) -> Result<()> {
+        if matches!(self.source.tree.role, tree::Role::Entry { .. }) {
+            return problem(
+                param.site,
+                "an entry point takes no slice: nothing could tell whether its length is right",
+                "take an array, `&[T; N]`, or a `List<T, N>`",
+            );
+        }
+        let element = self.cx.value_type(element, param.site)?;
+        let mode = if mutable { Mode::RefMut } else { Mode::Ref };
+        let span = self.span(param.site);
+        self.declare(&param.name, Type::Slice(Box::new(element)), mode, span);
+        let name = format!("{}_length", param.name);
+        let length = Local { name, ty: Type::USIZE, mode: Mode::Value, span };
+        self.locals.push(length);
+        Ok(())
+    }
+
+    /// `let part = &values[1..];`: another name for the elements.
+    pub(super) fn let_slice(&mut self, name: &str, value: &tree::Expr) -> Result<()> {
+        let naming = std::mem::replace(&mut self.naming, name.to_owned());
+        let slice = self.sliced(value)?;
+        self.naming = naming;
+        self.bind(name, Binding::Slice(Box::new(slice)));
+        Ok(())
+    }
+
+    /// What is lent: a slice, or all elements of an array or a list.
+    pub(super) fn sliced(&mut self, expr: &tree::Expr) -> Result<Slice> {
+        if let Some(slice) = self.slice(expr)? {
+            return Ok(slice);
+        }
+        let place = self.base(expr)?;
+        let place = self.held_still(place);
+        match self.all_of(place) {
+            Some(slice) => Ok(slice),
+            None => problem(
+                expr.site,
+                "this has no elements in a row",
+                "take an array, a `List`, or `.as_slice()` of a vector",
+            ),
+        }
+    }
+
+    /// All elements of an array, a vector or a list.
+    pub(super) fn all_of(&mut self, place: Place) -> Option<Slice> {
+        if let Some((length, items)) = self.list_items(&place) {
+            let Type::Array { element, len } = items.ty.clone() else { return None };
+            let most = number(u64::from(len), place.span);
+            let length = super::list::lesser(load(&length), most);
+            return Some(Slice { whole: false, ..Slice::whole(items, *element, length) });
+        }
+        match place.ty.clone() {
+            Type::Array { element, len } => {
+                let length = number(u64::from(len), place.span);
+                Some(Slice::whole(place, *element, length))
+            }
+            Type::Matrix { element, rows, cols } => {
+                let length = number(u64::from(rows * cols), place.span);
+                Some(Slice::whole(place, Type::Scalar(element), length))
+            }
+            _ => None,
+        }
+    }
+
+    /// The slice that an expression is, if its syntax or its name shows that it is one.
+    pub(super) fn slice(&mut self, expr: &tree::Expr) -> Result<Option<Slice>> {
+        match &expr.kind {
+            tree::ExprKind::Local(name) => Ok(match self.lookup(name, expr.site)? {
+                Binding::Slice(slice) => Some(*slice),
+                Binding::Local(root) => match self.locals[root.index()].ty.clone() {
+                    Type::Slice(element) => {
+                        let span = self.span(expr.site);
+                        let ty = Type::Slice(element.clone());
+                        let base = Place { root, steps: Vec::new(), ty, span };
+                        let length = bessemer_ir::LocalId(root.0 + 1);
+                        let length =
+                            Place { root: length, steps: Vec::new(), ty: Type::USIZE, span };
+                        Some(Slice::whole(base, *element, load(&length)))
+                    }
+                    _ => None,
+                },
+                Binding::Alias(_) => None,
+            }),
+            tree::ExprKind::Ref(_, inner) | tree::ExprKind::Deref(inner) => self.slice(inner),
+            tree::ExprKind::Slice(base, from, to, inclusive) => {
+                let base = self.sliced(base)?;
+                let span = self.span(expr.site);
+                self.narrowed(base, (from.as_deref(), to.as_deref()), *inclusive, span).map(Some)
+            }
+            tree::ExprKind::Cut(base, cut) => {
+                let base = self.sliced(base)?;
+                let count = self.value(&cut.count, Some(&Type::USIZE))?;
+                let count = least(count, base.length.clone());
+                let count = self.steady("count", count);
+                Ok(Some(match cut.skip {
+                    true => {
+                        let length = minus(base.length.clone(), count.clone());
+                        let from = plus(base.from.clone(), count);
+                        Slice { from, length, whole: false, ..base }
+                    }
+                    false => base.part(number(0, base.base.span), count),
+                }))
+            }
+            tree::ExprKind::Call(callee, arguments)
+                if matches!(self.source.callees.get(*callee as usize),
+                    Some(tree::Callee::Builtin(name)) if name == "as_slice") =>
+            {
+                self.sliced(&arguments[0]).map(Some)
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// `slice[from..to]`, checked as Rust does.
+    fn narrowed(
+        &mut self,
+        slice: Slice,
+        (from, to): (Option<&tree::Expr>, Option<&tree::Expr>),
+        inclusive: bool,
+        span: Span,
+    ) -> Result<Slice> {
+        let written = match from {
+            Some(from) => self.value(from, Some(&Type::USIZE))?,
+            None => number(0, span),
+        };
+        let mark = self.out.len();
+        let from = self.steady("start", written.clone());
+        let kept = self.later(mark);
+        let open = to.is_none();
+        let mut to = match to {
+            Some(to) => self.value(to, Some(&Type::USIZE))?,
+            None => slice.length.clone(),
+        };
+        let between = self.later(mark);
+        let undisturbed = between.is_empty();
+        self.out.extend(kept);
+        self.out.extend(between);
+        // `i + 4` behind `i..` is so many more than what was kept of `i`.
+        if let (true, ExprKind::Binary(_, _, more)) = (is_further(&written, &to), &to.kind)
+            && undisturbed
+        {
+            to = plus(from.clone(), (**more).clone());
+        }
+        if inclusive {
+            // The last one has to be there before the one behind it can be named.
+            to = self.steady("last", to);
+            let there = compare(CompareOp::Lt, to.clone(), slice.length.clone(), span);
+            self.emit(StmtKind::Check { condition: there, fault: Fault::Index }, span);
+            to = plus(to, number(1, span));
+        } else if !open && !is_further(&from, &to) {
+            to = self.steady("end", to);
+        }
+        let mut conditions = Vec::new();
+        if !is_number(&from, 0) && !is_further(&from, &to) {
+            conditions.push(compare(CompareOp::Le, from.clone(), to.clone(), span));
+        }
+        if !open && !inclusive {
+            conditions.push(compare(CompareOp::Le, to.clone(), slice.length.clone(), span));
+        }
+        let condition = conditions.into_iter().reduce(|a, b| logic(LogicOp::And, a, b));
+        if let Some(condition) = condition {
+            self.emit(StmtKind::Check { condition, fault: Fault::Index }, span);
+        }
+        let whole = slice.whole && open && is_number(&from, 0);
+        let length = minus(to.clone(), from.clone());
+        let (from, to) = (plus(slice.from.clone(), from), plus(slice.from, to));
+        Ok(Slice { base: slice.base, element: slice.element, from, to, length, whole })
+    }
+
+    /// A value that is computed once, and written down again as it is where nothing changes it.
+    pub(super) fn steady(&mut self, role: &str, value: Expr) -> Expr {
+        match self.is_steady(&value) {
+            true => value,
+            false => self.temporary(role, value),
+        }
+    }
+
+    fn is_steady(&self, value: &Expr) -> bool {
+        match &value.kind {
+            ExprKind::Load(place) => {
+                let known = self.steady.contains(&place.root) || self.held.contains(&place.root);
+                place.steps.is_empty() && known
+            }
+            _ => is_literal(value),
+        }
+    }
+
+    /// `slice[index]`.
+    pub(super) fn slice_element(
+        &mut self,
+        slice: &Slice,
+        index: &tree::Expr,
+        span: Span,
+    ) -> Result<Place> {
+        let index = self.value(index, Some(&Type::USIZE))?;
+        let place = self.element_of(slice, index, span);
+        Ok(Place { span, ..place })
+    }
+
+    /// An element, its index checked.
+    fn element_of(&mut self, slice: &Slice, index: Expr, span: Span) -> Place {
+        if slice.whole {
+            return slice.at(index);
+        }
+        let index = match super::order::is_free(&index) {
+            true => index,
+            false => self.temporary("index", index),
+        };
+        let there = compare(CompareOp::Lt, index.clone(), slice.length.clone(), span);
+        self.emit(StmtKind::Check { condition: there, fault: Fault::Index }, span);
+        slice.at(plus(slice.from.clone(), index))
+    }
+
+    /// The value of a method of slices that has one; none if `name` is no such method.
+    pub(super) fn slice_method(
+        &mut self,
+        name: &str,
+        arguments: &[tree::Expr],
+        expr: &tree::Expr,
+    ) -> Result<Option<Expr>> {
+        let Some(name) = name.strip_prefix("slice_") else { return Ok(None) };
+        let span = self.span(expr.site);
+        let slice = self.sliced(&arguments[0])?;
+        let zero = number(0, span);
+        match (name, arguments) {
+            ("len", _) => Ok(Some(slice.length)),
+            ("is_empty", _) => Ok(Some(compare(CompareOp::Eq, slice.length, zero, span))),
+            ("first", _) => self.maybe(&slice, zero, expr).map(Some),
+            ("last", _) => {
+                let there = compare(CompareOp::Gt, slice.length.clone(), zero, span);
+                let last = minus(slice.to.clone(), number(1, span));
+                self.maybe_where(there, slice.at(last), expr).map(Some)
+            }
+            ("get", [_, index]) => {
+                let index = self.value(index, Some(&Type::USIZE))?;
+                let index = self.steady("index", index);
+                self.maybe(&slice, index, expr).map(Some)
+            }
+            ("contains", [_, element]) => self.contains(&slice, element, expr.site).map(Some),
+            _ => problem(expr.site, "this has no value", "write it as a statement"),
+        }
+    }
+
+    /// `Some` of a copy of an element, if it is there.
+    fn maybe(&mut self, slice: &Slice, index: Expr, expr: &tree::Expr) -> Result<Expr> {
+        let span = self.span(expr.site);
+        let there = compare(CompareOp::Lt, index.clone(), slice.length.clone(), span);
+        self.maybe_where(there, slice.at(plus(slice.from.clone(), index)), expr)
+    }
+
+    fn maybe_where(&mut self, there: Expr, place: Place, expr: &tree::Expr) -> Result<Expr> {
+        let span = self.span(expr.site);
+        let Type::Struct(option) = self.slot_of(expr)? else {
+            return problem(expr.site, "this is not an `Option`", OUR_FAULT);
+        };
+        let none = self.choice(option, 0, None, expr.site)?;
+        let held = self.temporary("found", none);
+        let ExprKind::Load(target) = held.kind.clone() else { return Ok(held) };
+        let value = self.choice(option, 1, Some(load(&place)), expr.site)?;
+        let then = Block(vec![stmt(StmtKind::Assign { place: target, value }, span)]);
+        let (condition, otherwise) = (there, Block::default());
+        self.emit(StmtKind::If { condition, then, otherwise }, span);
+        Ok(held)
+    }
+
+    fn contains(&mut self, slice: &Slice, element: &tree::Expr, site: Site) -> Result<Expr> {
+        let span = self.span(site);
+        let value = self.value(element, Some(&slice.element))?;
+        self.agree(&value.ty, &slice.element, element.site)?;
+        let wanted = match is_literal(&value) {
+            true => self.temporary("wanted", value),
+            false => value,
+        };
+        let wanted = self.hold(wanted, site)?;
+        let held = self.temporary("found", truth(0, span));
+        let ExprKind::Load(flag) = held.kind.clone() else { return Ok(held) };
+        self.each_index(slice, span, |inner, index| {
+            let condition = inner.equal(&slice.at(index), &wanted, site, span)?;
+            let then = Block(vec![
+                stmt(StmtKind::Assign { place: flag, value: truth(1, span) }, span),
+                stmt(StmtKind::Break, span),
+            ]);
+            inner.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
+            Ok(())
+        })?;
+        Ok(held)
+    }
+
+    /// A loop over the indices of the base.
+    fn each_index(
+        &mut self,
+        slice: &Slice,
+        span: Span,
+        body: impl FnOnce(&mut Self, Expr) -> Result<()>,
+    ) -> Result<()> {
+        let variable = self.counter("i", span);
+        let index = Place { root: variable, steps: Vec::new(), ty: Type::USIZE, span };
+        let body = self.scoped(|inner| body(inner, load(&index)))?;
+        let (from, to) = (slice.from.clone(), slice.to.clone());
+        let (inclusive, reversed) = (false, false);
+        self.emit(StmtKind::For { variable, from, to, inclusive, reversed, body }, span);
+        Ok(())
+    }
+
+    /// A method of slices for its effect; false if it is none.
+    pub(super) fn slice_effect(&mut self, expr: &tree::Expr) -> Result<bool> {
+        let tree::ExprKind::Call(callee, arguments) = &expr.kind else { return Ok(false) };
+        let name = match self.source.callees.get(*callee as usize) {
+            Some(tree::Callee::Builtin(name)) => name.clone(),
+            _ => return Ok(false),
+        };
+        let span = self.span(expr.site);
+        match (name.as_str(), arguments.as_slice()) {
+            ("slice_swap", [array, one, other]) => {
+                let slice = self.sliced(array)?;
+                let mut index = |index: &tree::Expr, role| {
+                    let index = self.value(index, Some(&Type::USIZE))?;
+                    Ok(self.steady(role, index))
+                };
+                let (one, other) = (index(one, "one")?, index(other, "other")?);
+                let one = self.element_of(&slice, one, span);
+                let other = self.element_of(&slice, other, span);
+                self.exchange(one, other, span);
+            }
+            ("slice_fill", [array, element]) => {
+                let slice = self.sliced(array)?;
+                let value = self.value(element, Some(&slice.element))?;
+                self.agree(&value.ty, &slice.element, element.site)?;
+                let value = self.steady("element", value);
+                self.each_index(&slice, span, |inner, index| {
+                    inner.emit(StmtKind::Assign { place: slice.at(index), value }, span);
+                    Ok(())
+                })?;
+            }
+            ("slice_reverse", [array]) => {
+                let slice = self.sliced(array)?;
+                let half = binary(BinaryOp::Div, slice.length.clone(), number(2, span));
+                let half = match slice.length.kind {
+                    ExprKind::Literal(length) => number(length / 2, span),
+                    _ => half,
+                };
+                let start = Slice { to: half, from: number(0, span), ..slice.clone() };
+                self.each_index(&start, span, |inner, index| {
+                    let last = minus(minus(slice.to.clone(), number(1, span)), index.clone());
+                    let first = slice.at(plus(slice.from.clone(), index));
+                    inner.exchange(first, slice.at(last), span);
+                    Ok(())
+                })?;
+            }
+            ("slice_copy_from", [array, from]) => {
+                let (to, from) = (self.sliced(array)?, self.sliced(from)?);
+                let same = compare(CompareOp::Eq, to.length.clone(), from.length.clone(), span);
+                if !is_literal(&to.length) || !is_literal(&from.length) {
+                    self.emit(StmtKind::Check { condition: same, fault: Fault::Index }, span);
+                } else if to.length.kind != from.length.kind {
+                    return problem(
+                        expr.site,
+                        "these are never of one length",
+                        "name as many elements on both sides",
+                    );
+                }
+                let all = Slice { from: number(0, span), to: to.length.clone(), ..to.clone() };
+                self.each_index(&all, span, |inner, index| {
+                    let place = to.at(plus(to.from.clone(), index.clone()));
+                    let value = load(&from.at(plus(from.from.clone(), index)));
+                    inner.emit(StmtKind::Assign { place, value }, span);
+                    Ok(())
+                })?;
+            }
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+
+    fn exchange(&mut self, one: Place, other: Place, span: Span) {
+        let before = self.temporary("before", load(&one));
+        self.emit(StmtKind::Assign { place: one, value: load(&other) }, span);
+        self.emit(StmtKind::Assign { place: other, value: before }, span);
+    }
+}
+
+fn is_number(expr: &Expr, wanted: u64) -> bool {
+    expr.kind == ExprKind::Literal(wanted)
+}
+
+/// Whether `to` is a number more than `from`, so that it is never before it.
+fn is_further(from: &Expr, to: &Expr) -> bool {
+    match (&from.kind, &to.kind) {
+        (ExprKind::Literal(from), ExprKind::Literal(to)) => from <= to,
+        (_, ExprKind::Binary(BinaryOp::Add, base, more)) => {
+            same(base, from) && matches!(more.kind, ExprKind::Literal(_) | ExprKind::Const(_))
+        }
+        _ => false,
+    }
+}
+
+/// Whether both are the same but for where they stand.
+fn same(one: &Expr, other: &Expr) -> bool {
+    match (&one.kind, &other.kind) {
+        (ExprKind::Load(one), ExprKind::Load(other)) => {
+            one.root == other.root && one.steps.is_empty() && other.steps.is_empty()
+        }
+        (one, other) => one == other,
+    }
+}
+
+/// `one + other`, shorter where one of them is a number.
+pub(super) fn plus(one: Expr, other: Expr) -> Expr {
+    match (&one.kind, &other.kind) {
+        (ExprKind::Literal(0), _) => other,
+        (_, ExprKind::Literal(0)) => one,
+        (ExprKind::Literal(a), ExprKind::Literal(b)) => number(a.saturating_add(*b), one.span),
+        (ExprKind::Literal(_), _) => binary(BinaryOp::Add, other, one),
+        _ => binary(BinaryOp::Add, one, other),
+    }
+}
+
+/// `one - other`, the same.
+pub(super) fn minus(one: Expr, other: Expr) -> Expr {
+    match (&one.kind, &other.kind) {
+        (_, ExprKind::Literal(0)) => one,
+        (ExprKind::Literal(a), ExprKind::Literal(b)) => number(a.saturating_sub(*b), one.span),
+        (ExprKind::Binary(BinaryOp::Add, base, more), _) if same(base, &other) => (**more).clone(),
+        _ => binary(BinaryOp::Sub, one, other),
+    }
+}
+
+/// The lesser of two, where one of them may be a number that is known to be.
+pub(super) fn least(one: Expr, other: Expr) -> Expr {
+    match (&one.kind, &other.kind) {
+        (ExprKind::Literal(a), ExprKind::Literal(b)) => number(*a.min(b), one.span),
+        _ => super::list::lesser(one, other),
+    }
+}
+
+pub(super) fn greatest(one: Expr, other: Expr) -> Expr {
+    let span = one.span;
+    let kind = ExprKind::Intrinsic(Intrinsic::Max, vec![one, other]);
+    Expr { kind, ty: Type::USIZE, span }
+}
+
+pub(super) fn times(one: Expr, other: Expr) -> Expr {
+    binary(BinaryOp::Mul, one, other)
+}
+
+pub(super) fn divided(one: Expr, other: Expr) -> Expr {
+    binary(BinaryOp::Div, one, other)
+}
+
+fn binary(op: BinaryOp, one: Expr, other: Expr) -> Expr {
+    let span = one.span;
+    Expr { kind: ExprKind::Binary(op, Box::new(one), Box::new(other)), ty: Type::USIZE, span }
+}
+
+fn compare(op: CompareOp, left: Expr, right: Expr, span: Span) -> Expr {
+    let kind = ExprKind::Compare(op, Box::new(left), Box::new(right));
+    Expr { kind, ty: Type::BOOL, span }
+}
+
+fn truth(word: u64, span: Span) -> Expr {
+    Expr { kind: ExprKind::Literal(word), ty: Type::BOOL, span }
+}

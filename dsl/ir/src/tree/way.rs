@@ -1,0 +1,74 @@
+//! What loops go through and how, what an assignment writes, and what an assertion claims.
+
+use alloc::vec::Vec;
+
+use serde::{Deserialize, Serialize};
+
+use super::{Expr, Pattern};
+
+/// The way through an array.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Order {
+    /// From the first element to the last.
+    #[default]
+    Up,
+    /// From the last to the first, its index with each.
+    Down,
+    /// From the last to the first, counted from 0.
+    Mirrored,
+}
+
+/// `.skip(n)`, or `.take(n)`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Cut {
+    /// Leaves so many out; else takes so many.
+    pub skip: bool,
+    /// Counted from the last one.
+    pub back: bool,
+    /// How many.
+    pub count: Expr,
+}
+
+/// `.windows(n)`, or `.chunks_exact(n)`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Group {
+    /// One behind the other; else each begins one further.
+    pub chunks: bool,
+    /// Of how many elements.
+    pub size: Expr,
+}
+
+/// An array that a loop goes through.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Part {
+    /// What is taken from each element.
+    pub pattern: Pattern,
+    /// The array.
+    pub array: Expr,
+    /// Whether the loop goes through a copy.
+    pub owned: bool,
+    /// What takes the place of single elements.
+    pub group: Option<Group>,
+}
+
+/// What stands on the left of an assignment.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Places {
+    /// `_`.
+    None,
+    /// A place.
+    One(Expr),
+    /// The places of a tuple or an array.
+    Each(Vec<Places>),
+}
+
+/// What is wrong where an assertion does not hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Claim {
+    /// Whatever the author says.
+    Assertion,
+    /// An index is beyond the end.
+    Index,
+    /// There is no room.
+    Capacity,
+}

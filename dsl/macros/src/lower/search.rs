@@ -1,0 +1,115 @@
+//! Chains of iterators that end in an `Option`: `.max()`, `.find(…)` and the like.
+//!
+//! In the tree the loop assigns what it has found so far.
+
+use bessemer_ir::tree::{self, BinaryOp, ExprKind, Order, Pattern, Start};
+
+use super::chain::{Flow, Item, Over, Step, named_by};
+use super::closure::{closure_of, plain};
+use super::{GENERATING, Lowering, slot_name};
+
+/// What such a chain may end with.
+pub(super) const ENDS: [&str; 5] = ["min", "max", "last", "find", "position"];
+
+impl Lowering<'_> {
+    /// The value of such a chain; none if the DSL does not take it.
+    pub(super) fn search(&mut self, it: &mut syn::ExprMethodCall, end: &str) -> Option<ExprKind> {
+        let node = it.method.clone();
+        let mut flow = self.flow(&mut it.receiver)?;
+        let slot = self.slot();
+        let name = self.hidden(end);
+        let local = |name: &str| plain(ExprKind::Local(name.to_owned()), &node);
+        let option = |name: &str, parts| tree::Expr {
+            kind: ExprKind::Constructor(name.to_owned(), parts),
+            slot: Some(slot),
+            ..plain(super::expr::UNIT, &node)
+        };
+        let told = |item: tree::Expr| {
+            let some = Box::new(option("Some", vec![item]));
+            tree::Stmt::Expr(plain(ExprKind::Assign(None, Box::new(local(&name)), some), &node))
+        };
+        let block = |stmts| tree::Block { stmts, tail: None };
+        let when = |condition: tree::Expr, then, otherwise: Option<tree::Block>| {
+            let otherwise = otherwise.map(|it| Box::new(plain(ExprKind::Block(it), &node)));
+            let kind = ExprKind::If(Box::new(condition), then, otherwise);
+            tree::Stmt::Expr(plain(kind, &node))
+        };
+        let stop = tree::Stmt::Expr(plain(ExprKind::Break(None, None), &node));
+        let last = match end {
+            "position" => {
+                let index = self.count_from_zero(&mut flow)?;
+                let condition = self.through(&mut flow, closure_of(it.args.get_mut(0)?)?, 0)?;
+                when(condition, block(vec![told(local(&index)), stop]), None)
+            }
+            "find" => {
+                let condition = self.through(&mut flow, closure_of(it.args.get_mut(0)?)?, 0)?;
+                let Item::Named(item) = &flow.item else { return None };
+                when(condition, block(vec![told(local(item)), stop]), None)
+            }
+            end => {
+                let (item, slot) = self.item_name(&mut flow, it)?;
+                if end == "last" {
+                    told(local(&item))
+                } else {
+                    let best = self.hidden("best");
+                    let name_best =
+                        Pattern::Name { name: best.clone(), slot, mutable: false, inner: None };
+                    let pattern = Pattern::Constructor("Some".into(), vec![name_best]);
+                    let found = ExprKind::Let(Box::new(pattern), Box::new(local(&name)));
+                    let op = if end == "max" { BinaryOp::Gt } else { BinaryOp::Lt };
+                    let sides = (Box::new(local(&item)), Box::new(local(&best)));
+                    let better = plain(ExprKind::Binary(op, sides.0, sides.1), &node);
+                    let replace = when(better, block(vec![told(local(&item))]), None);
+                    let first = block(vec![told(local(&item))]);
+                    when(plain(found, &node), block(vec![replace]), Some(first))
+                }
+            }
+        };
+        let start = Start::Value(Box::new(option("None", Vec::new())));
+        let each = Box::new(plain(flow.into_loop(last), &node));
+        if GENERATING {
+            let (slot, call) = (slot_name(slot), it.clone());
+            *it = syn::parse_quote! { #slot.__glance(#call) };
+        }
+        Some(ExprKind::Fold { name, start, each })
+    }
+
+    /// The index of the elements, counted as they come.
+    fn count_from_zero(&mut self, flow: &mut Flow) -> Option<String> {
+        let plain = flow.steps.is_empty() && matches!(flow.item, Item::Source(_));
+        let Over::Each { index, indexed: false, order, cuts, .. } = &mut flow.over else {
+            return None;
+        };
+        if !plain || !cuts.is_empty() {
+            return None;
+        }
+        if *order == Order::Down {
+            *order = Order::Mirrored;
+        }
+        let name = self.hidden("i");
+        *index = Some(name.clone());
+        Some(name)
+    }
+
+    /// A name for what flows out of a chain, and the slot of its type.
+    fn item_name(
+        &mut self,
+        flow: &mut Flow,
+        it: &mut syn::ExprMethodCall,
+    ) -> Option<(String, u32)> {
+        if let Item::Value(value) = &flow.item {
+            let (slot, site) = (value.slot?, value.site);
+            let name = self.hidden("value");
+            let value = Some(value.clone());
+            flow.steps.push(Step::Do(tree::Stmt::Let { name: name.clone(), slot, value, site }));
+            return Some((name, slot));
+        }
+        let value = self.item_value(flow, &mut it.receiver)?;
+        let ExprKind::Local(name) = value.kind else { return None };
+        let slot = match &flow.over {
+            Over::Range(_, variable) => variable.as_ref()?.1,
+            Over::Each { parts, .. } => named_by(parts.first()?)?.1,
+        };
+        Some((name, slot))
+    }
+}

@@ -1,0 +1,228 @@
+//! Matrices whose size is known when they are used, with a largest number of rows and of columns.
+//!
+//! Written in the DSL itself, so that the C is made of the Rust that the simulation runs. What has no room,
+//! and an index beyond the size, is a panic, as it is a fault in the C. Elements beyond the size are zero.
+
+use core::ops::{Index, IndexMut};
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::math::Real;
+use crate::{List, data};
+
+/// A matrix of at most `R` rows and `C` columns; a dimension that never changes is one that is never resized.
+///
+/// ```
+/// use bessemer::BoundedMatrix;
+/// let mut m: BoundedMatrix<f64, 3, 5> = BoundedMatrix::new(2, 2);
+/// m[(0, 1)] = 1.5;
+/// m.resize(3, 2, 4.0);
+/// assert_eq!((m.nrows(), m.ncols(), m[(0, 1)], m[(2, 0)]), (3, 2, 1.5, 4.0));
+/// ```
+#[data]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BoundedMatrix<T, const R: usize, const C: usize> {
+    /// How many rows there are.
+    rows: usize,
+    /// How many columns there are.
+    columns: usize,
+    /// The elements, column by column; zero beyond the size.
+    elements: [[T; R]; C],
+}
+
+#[data]
+impl<T: Real, const R: usize, const C: usize> BoundedMatrix<T, R, C> {
+    /// Zeros.
+    ///
+    /// # Panics
+    /// If there is no room for so many rows or columns.
+    pub fn new(rows: usize, columns: usize) -> Self {
+        crate::__room!(rows <= R && columns <= C);
+        BoundedMatrix { rows, columns, elements: [[T::ZERO; R]; C] }
+    }
+
+    /// How many rows there are.
+    pub fn nrows(&self) -> usize {
+        self.rows.min(R)
+    }
+
+    /// How many columns there are.
+    pub fn ncols(&self) -> usize {
+        self.columns.min(C)
+    }
+
+    /// Makes it a matrix of another size: what is in both keeps its place, what is new is `value`.
+    ///
+    /// # Panics
+    /// If there is no room for so many rows or columns.
+    pub fn resize(&mut self, rows: usize, columns: usize, value: T) {
+        crate::__room!(rows <= R && columns <= C);
+        for column in 0..C {
+            for row in 0..R {
+                let known = row < self.rows && column < self.columns;
+                if row >= rows || column >= columns {
+                    self.elements[column][row] = T::ZERO;
+                } else if !known {
+                    self.elements[column][row] = value;
+                }
+            }
+        }
+        self.rows = rows;
+        self.columns = columns;
+    }
+
+    /// Makes every element the same.
+    pub fn fill(&mut self, value: T) {
+        for column in 0..self.columns.min(C) {
+            for row in 0..self.rows.min(R) {
+                self.elements[column][row] = value;
+            }
+        }
+    }
+
+    /// The sum, element by element.
+    ///
+    /// # Panics
+    /// If the sizes differ.
+    pub fn plus(&self, other: &BoundedMatrix<T, R, C>) -> BoundedMatrix<T, R, C> {
+        assert!(self.rows == other.rows && self.columns == other.columns, "the sizes differ");
+        let mut sum = *self;
+        for column in 0..self.columns.min(C) {
+            for row in 0..self.rows.min(R) {
+                sum.elements[column][row] += other.elements[column][row];
+            }
+        }
+        sum
+    }
+
+    /// The difference, element by element.
+    ///
+    /// # Panics
+    /// If the sizes differ.
+    pub fn minus(&self, other: &BoundedMatrix<T, R, C>) -> BoundedMatrix<T, R, C> {
+        assert!(self.rows == other.rows && self.columns == other.columns, "the sizes differ");
+        let mut difference = *self;
+        for column in 0..self.columns.min(C) {
+            for row in 0..self.rows.min(R) {
+                difference.elements[column][row] -= other.elements[column][row];
+            }
+        }
+        difference
+    }
+
+    /// Each element times `factor`.
+    pub fn scale(&self, factor: T) -> BoundedMatrix<T, R, C> {
+        let mut scaled = *self;
+        for column in 0..self.columns.min(C) {
+            for row in 0..self.rows.min(R) {
+                scaled.elements[column][row] *= factor;
+            }
+        }
+        scaled
+    }
+
+    /// Rows as columns.
+    pub fn transpose(&self) -> BoundedMatrix<T, C, R> {
+        let mut transposed =
+            BoundedMatrix { rows: self.columns, columns: self.rows, elements: [[T::ZERO; C]; R] };
+        for column in 0..self.columns.min(C) {
+            for row in 0..self.rows.min(R) {
+                transposed.elements[row][column] = self.elements[column][row];
+            }
+        }
+        transposed
+    }
+
+    /// The product with another matrix: each element the sum of its terms, from the first on.
+    ///
+    /// # Panics
+    /// If the other has not as many rows as this has columns.
+    pub fn times<const K: usize>(&self, other: &BoundedMatrix<T, C, K>) -> BoundedMatrix<T, R, K> {
+        assert!(self.columns == other.rows, "the sizes do not fit");
+        let mut product =
+            BoundedMatrix { rows: self.rows, columns: other.columns, elements: [[T::ZERO; R]; K] };
+        for column in 0..other.columns.min(K) {
+            for inner in 0..self.columns.min(C) {
+                let factor = other.elements[column][inner];
+                for row in 0..self.rows.min(R) {
+                    product.elements[column][row] += self.elements[inner][row] * factor;
+                }
+            }
+        }
+        product
+    }
+
+    /// A row, its elements as a list.
+    ///
+    /// # Panics
+    /// If there is no such row.
+    pub fn row(&self, row: usize) -> List<T, C> {
+        crate::__inside!(row < self.rows.min(R));
+        let mut elements = List::new();
+        for column in 0..self.columns.min(C) {
+            elements.push(self.elements[column][row]);
+        }
+        elements
+    }
+
+    /// A column, its elements as a list.
+    ///
+    /// # Panics
+    /// If there is no such column.
+    pub fn column(&self, column: usize) -> List<T, R> {
+        crate::__inside!(column < self.columns.min(C));
+        let mut elements = List::new();
+        for row in 0..self.rows.min(R) {
+            elements.push(self.elements[column][row]);
+        }
+        elements
+    }
+
+    /// The elements of a matrix that fits.
+    pub fn from_matrix<const ROWS: usize, const COLUMNS: usize>(
+        matrix: &SMatrix<T, ROWS, COLUMNS>,
+    ) -> Self {
+        crate::__room!(ROWS <= R && COLUMNS <= C);
+        let mut all = BoundedMatrix { rows: ROWS, columns: COLUMNS, elements: [[T::ZERO; R]; C] };
+        for column in 0..COLUMNS {
+            for row in 0..ROWS {
+                all.elements[column][row] = matrix[(row, column)];
+            }
+        }
+        all
+    }
+
+    /// The product with a vector of the largest size, of which as many elements count as there are columns.
+    pub fn times_vector(&self, vector: &SVector<T, C>) -> SVector<T, R> {
+        let mut product = SVector::<T, R>::zeros();
+        for column in 0..self.columns.min(C) {
+            for row in 0..self.rows.min(R) {
+                product[row] += self.elements[column][row] * vector[column];
+            }
+        }
+        product
+    }
+}
+
+impl<T: Real, const R: usize, const C: usize> Default for BoundedMatrix<T, R, C> {
+    fn default() -> Self {
+        BoundedMatrix { rows: 0, columns: 0, elements: [[T::ZERO; R]; C] }
+    }
+}
+
+impl<T, const R: usize, const C: usize> Index<(usize, usize)> for BoundedMatrix<T, R, C> {
+    type Output = T;
+    fn index(&self, (row, column): (usize, usize)) -> &T {
+        crate::__inside!(self.rows <= R && self.columns <= C);
+        crate::__inside!(row < self.rows && column < self.columns);
+        &self.elements[column][row]
+    }
+}
+
+impl<T, const R: usize, const C: usize> IndexMut<(usize, usize)> for BoundedMatrix<T, R, C> {
+    fn index_mut(&mut self, (row, column): (usize, usize)) -> &mut T {
+        crate::__inside!(self.rows <= R && self.columns <= C);
+        crate::__inside!(row < self.rows && column < self.columns);
+        &mut self.elements[column][row]
+    }
+}

@@ -1,0 +1,79 @@
+//! The companions of the methods of slices, which arrays and lists have too.
+
+use alloc::borrow::ToOwned;
+
+use bessemer_ir::tree;
+use nalgebra::SVector;
+
+use super::builtin::markers;
+use super::{Builder, Called, Callee};
+
+markers! {
+    AsSlice: "as_slice";
+    Len: "slice_len";
+    IsEmpty: "slice_is_empty";
+    First: "slice_first";
+    Last: "slice_last";
+    Get: "slice_get";
+    Swap: "slice_swap";
+    Fill: "slice_fill";
+    CopyFrom: "slice_copy_from";
+    Reverse: "slice_reverse";
+    Contains: "slice_contains";
+}
+
+/// Methods of slices.
+#[allow(missing_docs)]
+pub trait SliceBuiltins<T> {
+    fn __b_as_slice(&self) -> Called<AsSlice, &[T]> {
+        unreachable!()
+    }
+    fn __b_as_mut_slice(&mut self) -> Called<AsSlice, &mut [T]> {
+        unreachable!()
+    }
+    fn __b_len(&self) -> Called<Len, usize> {
+        unreachable!()
+    }
+    fn __b_is_empty(&self) -> Called<IsEmpty, bool> {
+        unreachable!()
+    }
+    fn __b_first(&self) -> Called<First, Option<&T>> {
+        unreachable!()
+    }
+    fn __b_last(&self) -> Called<Last, Option<&T>> {
+        unreachable!()
+    }
+    fn __b_get(&self, _index: usize) -> Called<Get, Option<&T>> {
+        unreachable!()
+    }
+    fn __b_swap(&mut self, _one: usize, _other: usize) -> Called<Swap, ()> {
+        unreachable!()
+    }
+    fn __b_fill(&mut self, _element: T) -> Called<Fill, ()> {
+        unreachable!()
+    }
+    fn __b_copy_from_slice(&mut self, _from: &[T]) -> Called<CopyFrom, ()> {
+        unreachable!()
+    }
+    fn __b_reverse(&mut self) -> Called<Reverse, ()> {
+        unreachable!()
+    }
+    fn __b_contains(&self, _element: &T) -> Called<Contains, bool> {
+        unreachable!()
+    }
+}
+
+impl<T> SliceBuiltins<T> for [T] {}
+
+/// Vectors as slices.
+#[allow(missing_docs)]
+pub trait VectorSliceBuiltins<T> {
+    fn __b_as_slice(&self) -> Called<AsSlice, &[T]> {
+        unreachable!()
+    }
+    fn __b_as_mut_slice(&mut self) -> Called<AsSlice, &mut [T]> {
+        unreachable!()
+    }
+}
+
+impl<T, const N: usize> VectorSliceBuiltins<T> for SVector<T, N> {}

@@ -1,0 +1,174 @@
+//! Rows, columns and blocks of matrices: what nalgebra's views of these names hold, written in the DSL for the C.
+//!
+//! In the C a view that is read is a copy; one that is written is the matrix itself.
+
+// An index that overflows by one is told as nalgebra's own check tells it.
+#![allow(clippy::int_plus_one)]
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::function;
+use crate::math::Real;
+
+/// A row.
+#[function]
+pub fn row<T: Real, const R: usize, const C: usize>(
+    a: &SMatrix<T, R, C>,
+    row: usize,
+) -> SMatrix<T, 1, C> {
+    crate::__inside!(row + 1 <= R);
+    let mut part = SMatrix::<T, 1, C>::zeros();
+    for column in 0..C {
+        part[(0, column)] = a[(row, column)];
+    }
+    part
+}
+
+/// A column.
+#[function]
+pub fn column<T: Real, const R: usize, const C: usize>(
+    a: &SMatrix<T, R, C>,
+    column: usize,
+) -> SVector<T, R> {
+    crate::__inside!(column + 1 <= C);
+    let mut part = SVector::<T, R>::zeros();
+    for row in 0..R {
+        part[row] = a[(row, column)];
+    }
+    part
+}
+
+/// The block whose first element is at a row and a column.
+#[function]
+pub fn fixed_view<
+    T: Real,
+    const R: usize,
+    const C: usize,
+    const ROWS: usize,
+    const COLUMNS: usize,
+>(
+    a: &SMatrix<T, R, C>,
+    row: usize,
+    column: usize,
+) -> SMatrix<T, ROWS, COLUMNS> {
+    crate::__inside!(row + ROWS <= R);
+    crate::__inside!(column + COLUMNS <= C);
+    let mut part = SMatrix::<T, ROWS, COLUMNS>::zeros();
+    for j in 0..COLUMNS {
+        for i in 0..ROWS {
+            part[(i, j)] = a[(row + i, column + j)];
+        }
+    }
+    part
+}
+
+/// Rows one below the other.
+#[function]
+pub fn fixed_rows<T: Real, const R: usize, const C: usize, const ROWS: usize>(
+    a: &SMatrix<T, R, C>,
+    row: usize,
+) -> SMatrix<T, ROWS, C> {
+    crate::__inside!(row + ROWS <= R);
+    let mut part = SMatrix::<T, ROWS, C>::zeros();
+    for j in 0..C {
+        for i in 0..ROWS {
+            part[(i, j)] = a[(row + i, j)];
+        }
+    }
+    part
+}
+
+/// Columns side by side.
+#[function]
+pub fn fixed_columns<T: Real, const R: usize, const C: usize, const COLUMNS: usize>(
+    a: &SMatrix<T, R, C>,
+    column: usize,
+) -> SMatrix<T, R, COLUMNS> {
+    crate::__inside!(column + COLUMNS <= C);
+    let mut part = SMatrix::<T, R, COLUMNS>::zeros();
+    for j in 0..COLUMNS {
+        for i in 0..R {
+            part[(i, j)] = a[(i, column + j)];
+        }
+    }
+    part
+}
+
+/// Writes a row.
+#[function]
+pub fn set_row<T: Real, const R: usize, const C: usize>(
+    a: &mut SMatrix<T, R, C>,
+    row: usize,
+    part: &SMatrix<T, 1, C>,
+) {
+    crate::__inside!(row + 1 <= R);
+    for column in 0..C {
+        a[(row, column)] = part[(0, column)];
+    }
+}
+
+/// Writes a column.
+#[function]
+pub fn set_column<T: Real, const R: usize, const C: usize>(
+    a: &mut SMatrix<T, R, C>,
+    column: usize,
+    part: &SVector<T, R>,
+) {
+    crate::__inside!(column + 1 <= C);
+    for row in 0..R {
+        a[(row, column)] = part[row];
+    }
+}
+
+/// Writes the block whose first element is at a row and a column.
+#[function]
+pub fn set_fixed_view<
+    T: Real,
+    const R: usize,
+    const C: usize,
+    const ROWS: usize,
+    const COLUMNS: usize,
+>(
+    a: &mut SMatrix<T, R, C>,
+    row: usize,
+    column: usize,
+    part: &SMatrix<T, ROWS, COLUMNS>,
+) {
+    crate::__inside!(row + ROWS <= R);
+    crate::__inside!(column + COLUMNS <= C);
+    for j in 0..COLUMNS {
+        for i in 0..ROWS {
+            a[(row + i, column + j)] = part[(i, j)];
+        }
+    }
+}
+
+/// Writes rows one below the other.
+#[function]
+pub fn set_fixed_rows<T: Real, const R: usize, const C: usize, const ROWS: usize>(
+    a: &mut SMatrix<T, R, C>,
+    row: usize,
+    part: &SMatrix<T, ROWS, C>,
+) {
+    crate::__inside!(row + ROWS <= R);
+    for j in 0..C {
+        for i in 0..ROWS {
+            a[(row + i, j)] = part[(i, j)];
+        }
+    }
+}
+
+/// Writes columns side by side.
+#[function]
+pub fn set_fixed_columns<T: Real, const R: usize, const C: usize, const COLUMNS: usize>(
+    a: &mut SMatrix<T, R, C>,
+    column: usize,
+    part: &SMatrix<T, R, COLUMNS>,
+) {
+    crate::__inside!(column + COLUMNS <= C);
+    for j in 0..COLUMNS {
+        for i in 0..R {
+            a[(i, column + j)] = part[(i, j)];
+        }
+    }
+}

@@ -1,0 +1,22 @@
+//! A Savitzky-Golay filter of five points: the slope of a signal.
+
+use bessemer::prelude::*;
+
+/// Weights of the slope of a parabola through five points.
+static WEIGHTS: [f64; 5] = [-0.2, -0.1, 0.0, 0.1, 0.2];
+
+/// Slopes at the points that have two neighbours on each side, per `period`.
+#[function]
+pub fn slopes(samples: &[f64; 12], period: f64) -> List<f64, 8> {
+    let mut slopes = List::new();
+    for window in samples.windows(5) {
+        slopes.push(window.iter().zip(&WEIGHTS).map(|(x, w)| x * w).sum::<f64>() / period);
+    }
+    slopes
+}
+
+/// How often the signal crosses zero.
+#[function]
+pub fn crossings(samples: &[f64; 12]) -> usize {
+    samples.windows(2).filter(|pair| (pair[0] < 0.0) != (pair[1] < 0.0)).count()
+}

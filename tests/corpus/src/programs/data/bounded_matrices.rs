@@ -1,0 +1,31 @@
+//! A `BoundedMatrix` has up to so many rows and columns; its size travels with it, and loops go as far as it is.
+
+use bessemer::prelude::*;
+
+/// Measurements of up to four sensors at up to three times.
+#[component]
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Measured {
+    values: BoundedMatrix<f64, 4, 3>,
+}
+
+#[component]
+impl Measured {
+    /// As many sensors and times as there are now; a fault if there is no room.
+    #[entry]
+    pub fn resize(&mut self, sensors: usize, times: usize) {
+        self.values.resize(sensors, times, 0.0);
+    }
+
+    /// Keeps a value; a fault if there is no such sensor or time.
+    #[entry]
+    pub fn keep(&mut self, sensor: usize, time: usize, value: f64) {
+        self.values[(sensor, time)] = value;
+    }
+
+    /// The products of the sensors with each other, summed over time.
+    #[entry]
+    pub fn products(&mut self) -> BoundedMatrix<f64, 4, 4> {
+        self.values.times(&self.values.transpose())
+    }
+}

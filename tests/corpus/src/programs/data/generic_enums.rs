@@ -1,0 +1,44 @@
+//! An enum may be generic, too: each instance is a tag and a union of its own.
+
+use bessemer::prelude::*;
+
+/// A value as it came: new, repeated, or not at all.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Received<T> {
+    /// For the first time.
+    New(T),
+    /// Once more, so many periods later.
+    Again { value: T, age: u32 },
+    /// Nothing came.
+    #[default]
+    Nothing,
+}
+
+#[data]
+impl<T: Real> Received<T> {
+    /// The value, or another if there is none.
+    pub fn value_or(&self, other: T) -> T {
+        match self {
+            Received::New(value) => *value,
+            Received::Again { value, .. } => *value,
+            Received::Nothing => other,
+        }
+    }
+}
+
+/// The mean of two values that came, as far as they did.
+#[function]
+pub fn middle(low: &Received<f32>, high: &Received<f32>, otherwise: f32) -> f32 {
+    (low.value_or(otherwise) + high.value_or(otherwise)) / 2.0
+}
+
+/// What is left of a value after a period without one.
+#[function]
+pub fn aged(last: &Received<f64>) -> Received<f64> {
+    match *last {
+        Received::New(value) => Received::Again { value, age: 1 },
+        Received::Again { value, age } if age < 5 => Received::Again { value, age: age + 1 },
+        _ => Received::Nothing,
+    }
+}
