@@ -81,8 +81,7 @@ pub fn measure(longest: f64) -> Result<Vec<Row>, String> {
     let main = laid.path().join("harness_main.c");
     std::fs::write(&main, harness::marked(&compiled.explicit, step, params)).map_err(failed)?;
     let program = laid.path().join("harness");
-    let sources: Vec<_> = laid.sources().iter().cloned().chain([main]).collect();
-    target().link(&sources, &program, &[])?;
+    target().around(&main, laid.sources(), &program, &[])?;
 
     let mut rows = Vec::new();
     for name in FLIGHTS {

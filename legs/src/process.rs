@@ -102,12 +102,11 @@ impl Process {
         toolchain: &Toolchain,
         flags: &[&str],
     ) -> Result<Process, Error> {
-        let Folder { folder, mut sources } = lay_out(compiled)?;
+        let Folder { folder, sources } = lay_out(compiled)?;
         let path = folder.path().join("harness_main.c");
         std::fs::write(&path, main)?;
-        sources.push(path);
         let program = folder.path().join("harness");
-        toolchain.link(&sources, &program, flags).map_err(Error::Compile)?;
+        toolchain.around(&path, &sources, &program, flags).map_err(Error::Compile)?;
         let (child, input, output) = spawn(toolchain, &program)?;
         Ok(Process { child, input, output, results: 0, folder })
     }

@@ -57,6 +57,27 @@ impl Toolchain {
         run(self.command().args(flags).args(sources).arg("-o").arg(program).arg("-lm"))
     }
 
+    /// Compiles and links emitted `sources` around the program `main`, with more flags if there are any.
+    ///
+    /// The program only moves words: it is compiled without optimisation, at which compilers spend minutes
+    /// where there are thousands of calls.
+    ///
+    /// # Errors
+    /// What the compiler said.
+    pub fn around(
+        &self,
+        main: &Path,
+        sources: &[PathBuf],
+        program: &Path,
+        flags: &[&str],
+    ) -> Result<(), String> {
+        let object = main.with_extension("o");
+        let plain = Toolchain { level: 0, ..self.clone() };
+        run(plain.command().args(flags).arg("-c").arg(main).arg("-o").arg(&object))?;
+        let all: Vec<PathBuf> = sources.iter().cloned().chain([object]).collect();
+        self.link(&all, program, flags)
+    }
+
     /// A command that runs `program`.
     pub fn runner(&self, program: &Path) -> Command {
         match self.emulator {

@@ -14,7 +14,7 @@ use bessemer_ir::{Float, FunctionId, Int, Scalar, Type};
 
 use crate::harness;
 use crate::process::{Error, lay_out};
-use crate::toolchain::{self, Toolchain};
+use crate::toolchain::Toolchain;
 
 /// The outcome of a call: the status, and the word of the result.
 pub type Outcome = (u64, u64);
@@ -34,9 +34,7 @@ pub fn run(
     let main = folder.path().join("batch_main.c");
     std::fs::write(&main, program(compiled, functions))?;
     let program = folder.path().join("batch");
-    let mut command = toolchain.command();
-    command.args(flags).args(folder.sources()).arg(main).arg("-o").arg(&program).arg("-lm");
-    toolchain::run(&mut command).map_err(Error::Compile)?;
+    toolchain.around(&main, folder.sources(), &program, flags).map_err(Error::Compile)?;
     let input = std::fs::File::open(input)?;
     let output = toolchain.runner(&program).stdin(Stdio::from(input)).output()?;
     if !output.status.success() {
