@@ -41,7 +41,7 @@ extern crate self as bessemer;
 pub use bessemer_macros::{component, data, entry, function, interface};
 pub use bounded::BoundedMatrix;
 pub use instance::EntriesInOneBlock;
-pub use linear::{inverse, inverse_mut, solve, solve_mut};
+pub use linear::{inverse, inverse_mut, solve, solve_into, solve_mut};
 pub use list::List;
 pub use nalgebra;
 pub use plain::Plain;

@@ -1,5 +1,5 @@
-//! The generated C as a contender: the kernels as the back end emits them, each called on a copy, as a
-//! model calls them; the parts of Chapter 6 in place, after their loader.
+//! The generated C as a contender: the kernels as the back end emits them, called as a
+//! model calls them: what is changed in place is copied before. The parts of Chapter 6 after their loader.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -18,7 +18,7 @@ pub fn kernel(case: &Case) -> Option<Kernel> {
         Element::F32 => Float::F32,
     };
     let (routine, dims) = match case.routine {
-        Routine::LuSolve => (KernelRoutine::LuSolve, vec![size, 1]),
+        Routine::LuSolve => (KernelRoutine::Solve, vec![size, 1]),
         Routine::Inverse => (KernelRoutine::Inverse, vec![size]),
         Routine::Product => (KernelRoutine::Product, vec![size; 3]),
         Routine::CholeskySolve => return None,
@@ -50,7 +50,7 @@ pub fn write(cases: &[Case], folder: &Path) -> Result<Vec<PathBuf>, String> {
     Ok(sources)
 }
 
-/// Each kernel on a copy.
+/// Each kernel on copies of what it changes.
 fn copied(known: &[(Case, Kernel)]) -> String {
     let mut before = String::from("#include <string.h>\n");
     for (case, kernel) in known {
@@ -76,10 +76,8 @@ fn copied(known: &[(Case, Kernel)]) -> String {
             _ => writeln!(
                 before,
                 "{work}static void copy_{case}(const {real} *a, const {real} *b, {real} *x)\n{{\n    \
-                 {real} copy[{count}];\n    memcpy(copy, a, sizeof copy);\n    \
-                 memcpy(x, b, {n} * sizeof *x);\n    (void){name}(copy, x{lent});\n}}",
+                 memcpy(x, b, {n} * sizeof *x);\n    (void){name}(a, x{lent});\n}}",
                 case = case.name(),
-                count = n * n,
                 work = call.work,
                 lent = call.lent,
             ),
@@ -118,11 +116,10 @@ fn loaded(known: &[(Case, Kernel)]) -> String {
         let (load, run) = match case.routine {
             Routine::LuSolve => (
                 format!(
-                    "static double a[{count}];\nstatic void load_{name}(void)\n{{\n    \
-                     memcpy(a, matrix.f64, sizeof a);\n    memcpy(result.f64, vector.f64, {n} * sizeof(double));\n}}\n",
-                    count = n * n
+                    "static void load_{name}(void)\n{{\n    \
+                     memcpy(result.f64, vector.f64, {n} * sizeof(double));\n}}\n"
                 ),
-                format!("{name}(a, result.f64{})", call.lent),
+                format!("{name}(matrix.f64, result.f64{})", call.lent),
             ),
             _ => (
                 format!(

@@ -71,7 +71,7 @@ fn square<R: Real>(memory: &mut [u64], kernel: &Kernel, operands: &[Operand<'_>]
     let mut a = Matrix::<R>::read(memory, at, size, size);
     match kernel.routine {
         KernelRoutine::Product | KernelRoutine::TrMul => unreachable!("done before"),
-        KernelRoutine::LuSolve => {
+        KernelRoutine::LuSolve | KernelRoutine::Solve => {
             let other = operands[1].at;
             let mut b = Matrix::<R>::read(memory, other, size, kernel.dims[1] as usize);
             let solved = solve(&mut a, &mut b);
@@ -79,7 +79,9 @@ fn square<R: Real>(memory: &mut [u64], kernel: &Kernel, operands: &[Operand<'_>]
                 a.fill(R::NAN);
                 b.fill(R::NAN);
             }
-            a.write(memory, at);
+            if kernel.routine == KernelRoutine::LuSolve {
+                a.write(memory, at);
+            }
             b.write(memory, other);
             memory[out] = u64::from(solved);
         }

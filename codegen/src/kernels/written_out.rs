@@ -22,7 +22,9 @@ const PIVOTS_WRITTEN_OUT: u32 = 9;
 /// Whether a kernel is written out.
 pub(super) fn fits(kernel: &Kernel) -> bool {
     match (kernel.routine, kernel.dims.as_slice()) {
-        (KernelRoutine::LuSolve, &[size, _]) => size > 1 && bytes(size) <= BUDGET,
+        (KernelRoutine::LuSolve | KernelRoutine::Solve, &[size, _]) => {
+            size > 1 && bytes(size) <= BUDGET
+        }
         // From here on tiles of the right-hand sides take fewer instructions.
         (KernelRoutine::Inverse, &[size]) => size > 4 && (size < 12 || (13..16).contains(&size)),
         _ => false,
@@ -66,12 +68,21 @@ static void exchange_rows($real *a, uint32_t columns, uint32_t row, uint32_t oth
 }
 ";
 
-const SOLVE: &str = "\
-if (!factor(a, pivots)) {
-    for (uint32_t index = 0U; index < $all; index++) {
+const COPY: &str = "\
+for (uint32_t index = 0U; index < $all; index++) {
+    factors[index] = a[index];
+}
+";
+
+/// Where the matrix is lent to become the factors, it holds NaN if there are none.
+const SPOIL: &str = "    for (uint32_t index = 0U; index < $all; index++) {
         a[index] = $nan;
     }
-    for (uint32_t index = 0U; index < $known; index++) {
+";
+
+const SOLVE: &str = "\
+if (!factor($factors, pivots)) {
+$spoil    for (uint32_t index = 0U; index < $known; index++) {
         b[index] = $nan;
     }
     return false;
@@ -83,15 +94,12 @@ for (uint32_t column = 0U; column < $columns; column++) {
         x[k] = x[pivots[k]];
         x[pivots[k]] = number;
     }
-    substitute(a, x);
+    substitute($factors, x);
 }
 return true;
 ";
 
 const INVERSE: &str = "\
-for (uint32_t index = 0U; index < $all; index++) {
-    factors[index] = a[index];
-}
 if (!factor(factors, pivots)) {
     return false;
 }
@@ -124,22 +132,21 @@ pub(super) fn buffers(kernel: &Kernel) -> Vec<Buffer> {
         len: size,
         holds: "The row that each step exchanges with its own.",
     };
+    let factors = Buffer {
+        name: "factors",
+        element: Scalar::Float(kernel.element),
+        len: size * size,
+        holds: "The matrix, then its factors.",
+    };
+    let order = Buffer {
+        name: "order",
+        element: Scalar::Int(Int::U32),
+        len: size,
+        holds: "The column of the inverse that each pivot gives.",
+    };
     match kernel.routine {
-        KernelRoutine::Inverse => vec![
-            Buffer {
-                name: "factors",
-                element: Scalar::Float(kernel.element),
-                len: size * size,
-                holds: "The matrix, then its factors.",
-            },
-            pivots,
-            Buffer {
-                name: "order",
-                element: Scalar::Int(Int::U32),
-                len: size,
-                holds: "The column of the inverse that each pivot gives.",
-            },
-        ],
+        KernelRoutine::Inverse => vec![factors, pivots, order],
+        KernelRoutine::Solve => vec![factors, pivots],
         _ => vec![pivots],
     }
 }
@@ -147,10 +154,14 @@ pub(super) fn buffers(kernel: &Kernel) -> Vec<Buffer> {
 /// The C of a kernel.
 pub(super) fn source(kernel: &Kernel) -> Source {
     let size = kernel.dims[0];
-    let (body, columns) = match kernel.routine {
-        KernelRoutine::Inverse => (INVERSE, size),
-        _ => (SOLVE, kernel.dims[1]),
+    let solve =
+        |factors: &str, spoil: &str| SOLVE.replace("$factors", factors).replace("$spoil", spoil);
+    let body = match kernel.routine {
+        KernelRoutine::Inverse => [COPY, INVERSE].concat(),
+        KernelRoutine::Solve => COPY.to_owned() + &solve("factors", ""),
+        _ => solve("a", SPOIL),
     };
+    let columns = kernel.dims.get(1).copied().unwrap_or(size);
     let sizes =
         [("n", size), ("columns", columns), ("all", size * size), ("known", size * columns)];
     let values = values(kernel.element, &sizes);
@@ -158,7 +169,7 @@ pub(super) fn source(kernel: &Kernel) -> Source {
     let before = [shared, &factor(size), &substitute(size)].join("\n");
     Source {
         before: fill(&before, &values).trim().to_owned(),
-        body: fill(&(declarations(kernel) + body), &values),
+        body: fill(&(declarations(kernel) + &body), &values),
         math: true,
         ..Source::default()
     }

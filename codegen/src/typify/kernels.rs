@@ -13,6 +13,7 @@ use crate::kernels::is_large;
 fn routine(name: &str) -> Option<KernelRoutine> {
     Some(match name {
         "solve_mut" => KernelRoutine::LuSolve,
+        "solve_into" => KernelRoutine::Solve,
         "inverse_mut" => KernelRoutine::Inverse,
         "determinant" => KernelRoutine::Determinant,
         "cholesky_mut" => KernelRoutine::Cholesky,

@@ -30,6 +30,9 @@ pub enum KernelRoutine {
     /// packs them, `b` the solution, and the result is `true`. A singular `a` gives `false`, and NaN in
     /// every element of both. The size, the columns of `b`.
     LuSolve,
+    /// Solves `a x = b` in place of `b` in the same way; `a` stays as it is. `false`, and NaN in `b`, where `a` is
+    /// singular. The size, the columns of `b`.
+    Solve,
     /// Inverts `a` in place; `false`, and `a` as it was, where it is singular. The size. Up to 4 by
     /// cofactors, above by elimination.
     Inverse,
@@ -64,10 +67,11 @@ pub struct Kernel {
 
 impl KernelRoutine {
     /// Every routine.
-    pub const ALL: [KernelRoutine; 11] = [
+    pub const ALL: [KernelRoutine; 12] = [
         KernelRoutine::Product,
         KernelRoutine::TrMul,
         KernelRoutine::LuSolve,
+        KernelRoutine::Solve,
         KernelRoutine::Inverse,
         KernelRoutine::Determinant,
         KernelRoutine::Cholesky,
@@ -84,6 +88,7 @@ impl KernelRoutine {
             KernelRoutine::Product => "product",
             KernelRoutine::TrMul => "tr_mul",
             KernelRoutine::LuSolve => "lu_solve",
+            KernelRoutine::Solve => "solve",
             KernelRoutine::Inverse => "inverse",
             KernelRoutine::Determinant => "determinant",
             KernelRoutine::Cholesky => "cholesky",
@@ -104,7 +109,9 @@ impl KernelRoutine {
     pub const fn result(self) -> &'static str {
         match self {
             KernelRoutine::Product | KernelRoutine::TrMul => "product",
-            KernelRoutine::LuSolve | KernelRoutine::CholeskySolve => "solved",
+            KernelRoutine::LuSolve | KernelRoutine::Solve | KernelRoutine::CholeskySolve => {
+                "solved"
+            }
             KernelRoutine::SolveLower | KernelRoutine::SolveUpper => "solved",
             KernelRoutine::TrSolveLower | KernelRoutine::TrSolveUpper => "solved",
             KernelRoutine::Cholesky => "factored",
@@ -118,6 +125,7 @@ impl KernelRoutine {
         match self {
             KernelRoutine::Product | KernelRoutine::TrMul => 3,
             KernelRoutine::LuSolve
+            | KernelRoutine::Solve
             | KernelRoutine::CholeskySolve
             | KernelRoutine::SolveLower
             | KernelRoutine::SolveUpper
@@ -198,7 +206,8 @@ impl Kernel {
                 alloc::vec![("a", matrix(n, n), Mode::Ref), ("b", matrix(n, m), Mode::RefMut)],
                 Type::Unit,
             ),
-            KernelRoutine::SolveLower
+            KernelRoutine::Solve
+            | KernelRoutine::SolveLower
             | KernelRoutine::SolveUpper
             | KernelRoutine::TrSolveLower
             | KernelRoutine::TrSolveUpper => (
@@ -226,6 +235,14 @@ impl Kernel {
                 "Solves a x = b by elimination with row pivots, in place; matrices by columns. a becomes its",
                 "factors, rows in the order of the pivots: U, and below the diagonal L without its ones. b",
                 "becomes x. False, and NaN in both, if a is singular.",
+                "",
+                "The pivot is the first of the largest magnitudes; a multiplier is an element times the",
+                "reciprocal of the pivot; an element takes the steps of the elimination in their order,",
+                "each as (-u) * l + element.",
+            ],
+            (KernelRoutine::Solve, _) => &[
+                "Solves a x = b by elimination with row pivots, in place of b; matrices by columns. a stays as",
+                "it is. False, and NaN in b, if a is singular.",
                 "",
                 "The pivot is the first of the largest magnitudes; a multiplier is an element times the",
                 "reciprocal of the pivot; an element takes the steps of the elimination in their order,",

@@ -10,14 +10,14 @@ use nalgebra::{SMatrix, Scalar};
 use super::builtin::markers;
 use super::slot::ScalarType;
 use super::{Builder, Called, Callee};
-use crate::linear::{by_rows, inverse_mut, kernels, solve_mut};
+use crate::linear::{by_rows, inverse_mut, kernels, solve_into, solve_mut};
 
 markers! {
     CholeskyMut: "cholesky_mut"; CholeskySolveMut: "cholesky_solve_mut";
     SolveLowerMut: "solve_lower_mut"; SolveUpperMut: "solve_upper_mut";
     TrSolveLowerMut: "tr_solve_lower_mut"; TrSolveUpperMut: "tr_solve_upper_mut";
     ByRows: "matrix_by_rows";
-    SolveMut: "solve_mut"; InverseMut: "inverse_mut"; Determinant: "determinant";
+    SolveMut: "solve_mut"; SolveInto: "solve_into"; InverseMut: "inverse_mut"; Determinant: "determinant";
 }
 
 impl by_rows {
@@ -33,6 +33,15 @@ impl solve_mut {
         _a: &mut SMatrix<T, N, N>,
         _b: &mut SMatrix<T, N, K>,
     ) -> Called<SolveMut, bool> {
+        unreachable!()
+    }
+}
+
+impl solve_into {
+    pub fn __call<T: ScalarType, const N: usize, const K: usize>(
+        _a: &SMatrix<T, N, N>,
+        _b: &mut SMatrix<T, N, K>,
+    ) -> Called<SolveInto, bool> {
         unreachable!()
     }
 }

@@ -42,6 +42,29 @@ pub fn solve_mut<T: Real, const N: usize, const K: usize>(
     true
 }
 
+/// Solves `a x = b` for each column of `b`, in place of `b`, with the bits of nalgebra's `a.lu().solve(&b)`; `a`
+/// stays as it is.
+///
+/// If `a` is singular (a pivot is exactly zero), the result is `false` and every element of `b` is NaN.
+///
+/// ```
+/// use bessemer::prelude::*;
+///
+/// let a = Matrix2::new(2.0, 1.0, 1.0, 3.0);
+/// let mut b = Vector2::new(3.0, 5.0);
+/// assert!(bessemer::solve_into(&a, &mut b));
+/// assert_eq!(b, Vector2::new(0.8, 1.4));
+/// ```
+///
+/// Natively a copy of `a` lies on the stack; in the C there is none where it is large.
+pub fn solve_into<T: Real, const N: usize, const K: usize>(
+    a: &SMatrix<T, N, N>,
+    b: &mut SMatrix<T, N, K>,
+) -> bool {
+    let mut factors = *a;
+    solve_mut(&mut factors, b)
+}
+
 /// Inverts `a` in place, with the bits of nalgebra's `a.try_inverse()`: up to four rows by cofactors,
 /// above by elimination.
 ///
@@ -114,6 +137,11 @@ fn by_elimination<T: Real, const N: usize>(a: &SMatrix<T, N, N>) -> T {
 #[doc(hidden)]
 #[allow(non_camel_case_types)]
 pub struct solve_mut {}
+
+/// Carries the companion of [`solve_into`].
+#[doc(hidden)]
+#[allow(non_camel_case_types)]
+pub struct solve_into {}
 
 /// Carries the companion of [`inverse_mut`].
 #[doc(hidden)]

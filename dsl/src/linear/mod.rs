@@ -28,5 +28,5 @@ pub mod views;
 pub use factored::eigen::symmetric as symmetric_eigen;
 pub use factored::svd::jacobi as svd;
 pub use literal::by_rows;
-pub use lu::{inverse_mut, solve_mut};
+pub use lu::{inverse_mut, solve_into, solve_mut};
 pub use systems::{inverse, solve};

@@ -2,21 +2,20 @@
 
 use nalgebra::SMatrix;
 
-use super::{inverse_mut, solve_mut};
+use super::{inverse_mut, solve_into};
 use crate::function;
 use crate::math::Real;
 
 /// The solution of `a x = b` for each column of `b`, with the bits of nalgebra's `a.lu().solve(&b)`; none if
 /// `a` is singular. Of any size; natively copies of both lie on the stack: for large ones there is
-/// [`solve_mut`].
+/// [`solve_into`] and [`super::solve_mut`].
 #[function]
 pub fn solve<T: Real, const N: usize, const K: usize>(
     a: &SMatrix<T, N, N>,
     b: &SMatrix<T, N, K>,
 ) -> Option<SMatrix<T, N, K>> {
-    let mut factors = *a;
     let mut x = *b;
-    if solve_mut(&mut factors, &mut x) { Some(x) } else { None }
+    if solve_into(a, &mut x) { Some(x) } else { None }
 }
 
 /// The inverse of `a`, with the bits of nalgebra's `a.try_inverse()`; none if `a` is singular. Of any

@@ -60,6 +60,9 @@ macro_rules! sizes {
                 solve(
                     a: [&mut] [SMatrix<$real, $n, $n>], b: [&mut] [SMatrix<$real, $n, 1>]
                 ) -> [bool] { bessemer::solve_mut(a, b) }
+                solve_into(
+                    a: [&] [SMatrix<$real, $n, $n>], b: [&mut] [SMatrix<$real, $n, 1>]
+                ) -> [bool] { bessemer::solve_into(a, b) }
                 solve_for_three(
                     a: [&mut] [SMatrix<$real, $n, $n>], b: [&mut] [SMatrix<$real, $n, 3>]
                 ) -> [bool] { bessemer::solve_mut(a, b) }

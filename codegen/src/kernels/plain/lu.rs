@@ -66,14 +66,16 @@ for (uint32_t column = 0U; column < $columns; column++) {
 return true;
 ";
 
-const FAIL: &str = "\
+const SPOIL_A: &str = "\
 for (uint32_t index = 0U; index < $all; index++) {
     a[index] = $nan;
 }
+";
+
+const SPOIL_B: &str = "\
 for (uint32_t index = 0U; index < $known; index++) {
     b[index] = $nan;
 }
-return false;
 ";
 
 const COPY: &str = "\
@@ -95,17 +97,22 @@ fn block(head: &str, inner: &[&str]) -> String {
     format!("{head} {{\n{}}}\n", indented(&inner.concat()))
 }
 
-pub(super) fn solve(kernel: &Kernel, size: u32, columns: u32) -> Source {
-    let singular = block("if (diagonal == $zero)", &[FAIL]);
+/// In place, or in a copy of `a` that stays as it is.
+pub(super) fn solve(kernel: &Kernel, size: u32, columns: u32, keeps: bool) -> Source {
+    let (factors, before, fail) = match keeps {
+        true => ("factors", declarations(kernel) + COPY, SPOIL_B.to_owned()),
+        false => ("a", String::new(), SPOIL_A.to_owned() + SPOIL_B),
+    };
+    let singular = block("if (diagonal == $zero)", &[&fail, "return false;\n"]);
     let of =
         |matrix: &str, columns: &str| SWAP.replace("$matrix", matrix).replace("$columns", columns);
-    let exchange = block("if (pivot != k)", &[&of("a", "$n"), &of("b", "$columns")]);
+    let exchange = block("if (pivot != k)", &[&of(factors, "$n"), &of("b", "$columns")]);
     let step = [PIVOT, &singular, &exchange, ELIMINATE, FORWARD];
-    let body = block("for (uint32_t k = 0U; k < $n; k++)", &step) + BACKWARD;
+    let body = before + &block("for (uint32_t k = 0U; k < $n; k++)", &step) + BACKWARD;
     let sizes =
         [("n", size), ("columns", columns), ("all", size * size), ("known", size * columns)];
     let mut values = values(kernel.element, &sizes);
-    values.extend([("a", "a".to_owned()), ("b", "b".to_owned())]);
+    values.extend([("a", factors.to_owned()), ("b", "b".to_owned())]);
     Source { body: fill(&body, &values), math: true, ..Source::default() }
 }
 

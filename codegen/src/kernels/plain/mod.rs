@@ -17,7 +17,8 @@ pub(super) fn source(kernel: &Kernel) -> Source {
             product::product(kernel, rows, inner, cols)
         }
         (KernelRoutine::TrMul, &[rows, left, right]) => product::tr_mul(kernel, rows, left, right),
-        (KernelRoutine::LuSolve, &[size, cols]) => lu::solve(kernel, size, cols),
+        (KernelRoutine::LuSolve, &[size, cols]) => lu::solve(kernel, size, cols, false),
+        (KernelRoutine::Solve, &[size, cols]) => lu::solve(kernel, size, cols, true),
         (KernelRoutine::Inverse, &[size @ 1..=4]) => inverse::by_cofactors(kernel, size),
         (KernelRoutine::Inverse, &[size]) => lu::inverse(kernel, size),
         (KernelRoutine::Determinant, &[size @ 1..=3]) => inverse::determinant(kernel, size),
@@ -49,6 +50,7 @@ pub(super) fn buffers(kernel: &Kernel) -> Vec<Buffer> {
     };
     match (kernel.routine, kernel.dims.as_slice()) {
         (KernelRoutine::Inverse, &[size]) if size > 4 => vec![factors(size), pivots(size)],
+        (KernelRoutine::Solve, &[size, _]) => vec![factors(size)],
         (KernelRoutine::Determinant, &[size]) if size > 3 => vec![factors(size)],
         _ => Vec::new(),
     }

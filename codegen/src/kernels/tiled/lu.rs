@@ -1,6 +1,6 @@
 //! Elimination with row pivots in tiles: solve and inverse.
 
-use bessemer_ir::{Float, Int, Kernel, Scalar};
+use bessemer_ir::{Float, Int, Kernel, KernelRoutine, Scalar};
 
 use super::lanes;
 use crate::kernels::text::{fill, values};
@@ -70,6 +70,11 @@ const PAD_ROWS: &str = "\
     }
 ";
 
+const SPOIL: &str = "    for (uint32_t index = 0U; index < SIZE * SIZE; index++) {
+        a[index] = $nan;
+    }
+";
+
 /// Rows in whole tiles.
 fn rows(size: u32) -> u32 {
     size.next_multiple_of(4)
@@ -118,15 +123,23 @@ pub(super) fn buffers(kernel: &Kernel, size: u32, sides: bool) -> Vec<Buffer> {
     buffers
 }
 
-/// Solves for one right-hand side, or for panels of them.
+/// Solves for one right-hand side, or for panels of them; where `a` is lent for it, it becomes the factors.
 pub(super) fn solve(kernel: &Kernel, size: u32, sides: u32) -> Source {
     let edges = usize::from(!size.is_multiple_of(4));
     let (parts, substitute) = match sides {
         1 => (SOLVE, ONE_SIDE),
         _ => (PANELS, MANY_SIDES),
     };
-    let body = LU_SOLVE.replace("$substitute\n", substitute);
-    assemble(kernel, size, sides, &[parts, GIVE_BACK[edges]], &body)
+    let (mut parts, mut spoil, mut give_back) = (vec![parts], "", "");
+    if kernel.routine == KernelRoutine::LuSolve {
+        parts.push(GIVE_BACK[edges]);
+        (spoil, give_back) = (SPOIL, "give_back(a, tiles);\n");
+    }
+    let body = LU_SOLVE
+        .replace("$substitute\n", substitute)
+        .replace("$spoil", spoil)
+        .replace("$give_back", give_back);
+    assemble(kernel, size, sides, &parts, &body)
 }
 
 /// Inverts: right-hand sides in the order of the pivots.

@@ -20,7 +20,9 @@ use super::{Buffer, Source};
 /// The C of a kernel, if it gains by tiles.
 pub(super) fn source(kernel: &Kernel) -> Option<Source> {
     match (kernel.routine, kernel.dims.as_slice()) {
-        (KernelRoutine::LuSolve, &[size, columns]) if size >= lu::SMALLEST => {
+        (KernelRoutine::LuSolve | KernelRoutine::Solve, &[size, columns])
+            if size >= lu::SMALLEST =>
+        {
             Some(lu::solve(kernel, size, columns))
         }
         (KernelRoutine::Inverse, &[size]) if size >= lu::SMALLEST => {
@@ -33,7 +35,7 @@ pub(super) fn source(kernel: &Kernel) -> Option<Source> {
 /// The memory that a kernel in tiles works with.
 pub(super) fn buffers(kernel: &Kernel) -> Option<Vec<Buffer>> {
     match (kernel.routine, kernel.dims.as_slice()) {
-        (KernelRoutine::LuSolve, &[size, _]) if size >= lu::SMALLEST => {
+        (KernelRoutine::LuSolve | KernelRoutine::Solve, &[size, _]) if size >= lu::SMALLEST => {
             Some(lu::buffers(kernel, size, false))
         }
         (KernelRoutine::Inverse, &[size]) if size >= lu::SMALLEST => {
@@ -56,6 +58,7 @@ mod tests {
                 for (routine, dims) in [
                     (KernelRoutine::LuSolve, vec![size, 1]),
                     (KernelRoutine::LuSolve, vec![size, 3]),
+                    (KernelRoutine::Solve, vec![size, 1]),
                     (KernelRoutine::Inverse, vec![size]),
                 ] {
                     let kernel = Kernel::new(routine, element, &dims).expect("sound");
