@@ -8,6 +8,7 @@ use bessemer_ir::tree::Package;
 
 use crate::c::{self, CFile, EntryReport};
 use crate::diagnostic::Diagnostic;
+use crate::kernels::replace::Replacement;
 use crate::source::Sources;
 use crate::{passes, typify, validate};
 
@@ -26,6 +27,8 @@ pub struct Compiled {
     pub entries: Vec<EntryReport>,
     /// The checks that are left in each function, and why.
     pub checks: passes::Report,
+    /// The kernels that the user's own functions stand for, and whose these are.
+    pub replaced: Vec<(String, String)>,
 }
 
 /// Compiles a package.
@@ -47,7 +50,17 @@ pub fn compile(
     gate(&explicit)?;
     let files = c::emit(&explicit, options);
     let entries = c::report(&explicit, options, &files);
-    Ok(Compiled { module, explicit, files, entries, checks })
+    let replaced = replaced(&explicit, options);
+    Ok(Compiled { module, explicit, files, entries, checks, replaced })
+}
+
+fn replaced(module: &Module, options: &Options) -> Vec<(String, String)> {
+    let kernels = module.functions.iter().filter_map(|function| function.kernel.as_ref());
+    let replaced = |kernel: &bessemer_ir::Kernel| {
+        let replacement = Replacement::of(&options.replacements, kernel)?;
+        Some((kernel.name(), replacement.library.clone()))
+    };
+    kernels.filter_map(replaced).collect()
 }
 
 /// Validation; what it finds is a fault of the tool, since the author's were found before.

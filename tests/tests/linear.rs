@@ -138,7 +138,7 @@ fn cases(compiled: &Compiled) -> Vec<Case> {
         function.name == native.name && function.module == native.module
     };
     let mut cases = Vec::new();
-    for native in CASES.iter().copied().flatten() {
+    for native in CASES.into_iter().flatten().copied().flatten() {
         let name = format!("{}::{}", native.module, native.name);
         let index = module.functions.iter().position(|function| is(native, function));
         let id = FunctionId(index.unwrap_or_else(|| panic!("`{name}` was not compiled")) as u32);

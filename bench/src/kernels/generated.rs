@@ -5,34 +5,40 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use bessemer_codegen::{c, kernels, passes};
-use bessemer_ir::{Float, Kernel, KernelRoutine, Module};
+use bessemer_ir::{
+    Block, Expr, ExprKind, Float, Function, Kernel, KernelRoutine, LocalId, Module, Place,
+    Routine as Node, Stmt, StmtKind,
+};
 
 use super::case::{Case, Element, Routine};
 use super::contender::{put, real, table};
 
-/// The kernel of a case, if there is one.
-pub fn kernel(case: &Case) -> Option<Kernel> {
-    let size = u32::try_from(case.size).ok()?;
+/// The kernels of a case.
+pub fn kernels_of(case: &Case) -> Vec<Kernel> {
+    let size = u32::try_from(case.size).unwrap_or_default();
     let element = match case.element {
         Element::F64 => Float::F64,
         Element::F32 => Float::F32,
     };
-    let (routine, dims) = match case.routine {
-        Routine::LuSolve => (KernelRoutine::Solve, vec![size, 1]),
-        Routine::Inverse => (KernelRoutine::Inverse, vec![size]),
-        Routine::Product => (KernelRoutine::Product, vec![size; 3]),
-        Routine::CholeskySolve => return None,
+    let kernels = match case.routine {
+        Routine::LuSolve => vec![(KernelRoutine::Solve, vec![size, 1])],
+        Routine::Inverse => vec![(KernelRoutine::Inverse, vec![size])],
+        Routine::Product => vec![(KernelRoutine::Product, vec![size; 3])],
+        Routine::CholeskySolve => vec![
+            (KernelRoutine::Cholesky, vec![size]),
+            (KernelRoutine::CholeskySolve, vec![size, 1]),
+        ],
     };
-    Kernel::new(routine, element, &dims)
+    kernels.into_iter().filter_map(|(routine, dims)| Kernel::new(routine, element, &dims)).collect()
 }
 
 /// Writes the kernels and the list of the cases; gives the sources.
 pub fn write(cases: &[Case], folder: &Path) -> Result<Vec<PathBuf>, String> {
-    let known: Vec<(Case, Kernel)> =
-        cases.iter().filter_map(|case| Some((*case, kernel(case)?))).collect();
+    let known: Vec<(Case, Vec<Kernel>)> =
+        cases.iter().map(|case| (*case, kernels_of(case))).collect();
     let module = Module {
         name: "bench".into(),
-        functions: known.iter().map(|(_, kernel)| kernel.function()).collect(),
+        functions: known.iter().flat_map(|(_, kernels)| kernels).map(function).collect(),
         ..Module::default()
     };
     let files = c::emit(&passes::lend(module), &c::Options::default());
@@ -50,11 +56,39 @@ pub fn write(cases: &[Case], folder: &Path) -> Result<Vec<PathBuf>, String> {
     Ok(sources)
 }
 
+/// A kernel; or where the product has none, a function that holds what a model's would.
+fn function(kernel: &Kernel) -> Function {
+    let mut function = kernel.function();
+    if kernel.is_function() {
+        return function;
+    }
+    let operand = |index: u32| {
+        let (root, span) = (LocalId(index), function.span);
+        let ty = function.local(root).ty.clone();
+        let place = Place { root, steps: Vec::new(), ty: ty.clone(), span };
+        Expr { kind: ExprKind::Load(place), ty, span }
+    };
+    let (ty, span) = (function.result.clone(), function.span);
+    let kind = ExprKind::Routine(Node::Product, vec![operand(0), operand(1)]);
+    let value = Some(Expr { kind, ty, span });
+    let stmt = Stmt { kind: StmtKind::Return(value), span, comments: Vec::new() };
+    function.body = Block(vec![stmt]);
+    function.kernel = None;
+    // The C name is the module's and its own: the kernel's.
+    function.module = "bench::product".into();
+    function.name = kernel.name().trim_start_matches("product_").into();
+    function
+}
+
 /// Each kernel on copies of what it changes.
-fn copied(known: &[(Case, Kernel)]) -> String {
+fn copied(known: &[(Case, Vec<Kernel>)]) -> String {
     let mut before = String::from("#include <string.h>\n");
-    for (case, kernel) in known {
-        let _ = writeln!(before, "#include \"{}.h\"", kernel.name());
+    for (case, kernels) in known {
+        for kernel in kernels {
+            let header = if kernel.is_function() { kernel.name() } else { "product".into() };
+            let _ = writeln!(before, "#include \"{header}.h\"");
+        }
+        let kernel = &kernels[0];
         let (real, name, n) = (real(case).0, kernel.name(), case.size);
         let call = Call::new(kernel);
         let _ = match case.routine {
@@ -73,7 +107,16 @@ fn copied(known: &[(Case, Kernel)]) -> String {
                 work = call.work,
                 lent = call.lent,
             ),
-            _ => writeln!(
+            Routine::CholeskySolve => writeln!(
+                before,
+                "static void copy_{case}(const {real} *a, const {real} *b, {real} *x)\n{{\n    \
+                 {real} factor[{count}];\n    memcpy(factor, a, sizeof factor);\n    \
+                 memcpy(x, b, {n} * sizeof *x);\n    (void){name}(factor);\n    {solve}(factor, x);\n}}",
+                case = case.name(),
+                count = n * n,
+                solve = kernels[1].name(),
+            ),
+            Routine::LuSolve => writeln!(
                 before,
                 "{work}static void copy_{case}(const {real} *a, const {real} *b, {real} *x)\n{{\n    \
                  memcpy(x, b, {n} * sizeof *x);\n    (void){name}(a, x{lent});\n}}",
@@ -107,10 +150,11 @@ impl Call {
 }
 
 /// The parts of Chapter 6: a loader, and the kernel in place.
-fn loaded(known: &[(Case, Kernel)]) -> String {
+fn loaded(known: &[(Case, Vec<Kernel>)]) -> String {
     let mut text = String::from("#include \"case.h\"\n#include <string.h>\n");
     let mut list = String::new();
-    for (case, kernel) in known {
+    for (case, kernels) in known {
+        let kernel = &kernels[0];
         let (name, n, call) = (kernel.name(), case.size, Call::new(kernel));
         let _ = write!(text, "#include \"{name}.h\"\n{}", call.work);
         let (load, run) = match case.routine {

@@ -38,8 +38,7 @@ pub fn run(plan: &Plan, say: &dyn Fn(&str)) -> Result<Results, String> {
     let folder = bessemer_tests::root().join("target/bench");
     std::fs::create_dir_all(&folder).map_err(|error| error.to_string())?;
     let mut results = Results::default();
-    let mut small = Case::small(plan.sizes);
-    small.retain(|case| generated::kernel(case).is_some());
+    let small = Case::small(plan.sizes);
     let timed: &[Machine] = if plan.quick { &[HOST] } else { &[HOST, HOST_SCALAR] };
     let counted: &[Machine] =
         if plan.quick { &[A9] } else { &[HOST_SSE2, HOST_AVX2, A9, A9_PLAIN] };
@@ -195,7 +194,7 @@ impl Bench<'_> {
         let kind = if cases.iter().any(|case| case.size > 20) { "chapter6" } else { "small" };
         let folder = self.folder.join(format!("{}-generated-{kind}", machine.name));
         let tool = if machine.target { "arm-linux-gnueabihf-size" } else { "size" };
-        for name in cases.iter().filter_map(|case| Some(generated::kernel(case)?.name())) {
+        for name in cases.iter().flat_map(generated::kernels_of).map(|kernel| kernel.name()) {
             let object = folder.join(format!("{name}.o"));
             let known = |size: &Size| size.kernel == name && size.machine == machine.name;
             if self.results.sizes.iter().any(known) || !object.exists() {

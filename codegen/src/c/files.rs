@@ -20,6 +20,7 @@ use super::shell::{Shell, frame};
 use super::tree::{Declarator, Init, Item, Lines, Origin, StmtKind, plain};
 use super::{CFile, Options, init, literal};
 use crate::kernels;
+use crate::kernels::replace::Replacement;
 
 /// What one pair of files holds.
 #[derive(Default)]
@@ -240,7 +241,11 @@ impl Writer<'_> {
 
     /// A kernel, and what stands before it.
     fn kernel(&self, kernel: &Kernel, id: FunctionId, uses: &mut Uses) -> Vec<Item> {
-        let source = kernels::source(kernel);
+        let own = kernels::source(kernel);
+        let source = match Replacement::of(&self.options.replacements, kernel) {
+            Some(replacement) => replacement.replace(kernel, own),
+            None => own,
+        };
         uses.math |= source.math;
         uses.string |= source.string;
         uses.helpers.extend(source.dot.then_some(Helper::Dot(kernel.element)));

@@ -32,6 +32,8 @@ pub use report::{EntryReport, report};
 use analysis::Faults;
 use names::Names;
 
+use crate::kernels::replace::Replacement;
+
 /// The flags under which emitted C raises no warning, with gcc and clang; the last of them it needs.
 pub const FLAGS: &[&str] = &[
     "-std=c99",
@@ -56,6 +58,8 @@ pub struct Options {
     pub status: String,
     /// The SPDX expression of the emitted files.
     pub license: String,
+    /// The user's own functions in place of kernels.
+    pub replacements: Vec<Replacement>,
 }
 
 impl Default for Options {
@@ -64,6 +68,7 @@ impl Default for Options {
             prefix: String::new(),
             status: "bessemer".to_owned(),
             license: "MIT OR Apache-2.0".to_owned(),
+            replacements: Vec::new(),
         }
     }
 }

@@ -36,13 +36,18 @@ impl Manifest {
             })
             .collect();
         let names: Vec<&str> = files.names().collect();
-        let content = json!({
+        let mut content = json!({
             "tool": "bessemer",
             "version": version,
             "package": compiled.module.name,
             "entries": entries,
             "files": names,
         });
+        if !compiled.replaced.is_empty() {
+            let replaced = compiled.replaced.iter();
+            let replaced = replaced.map(|(name, library)| (name.clone(), json!(library)));
+            content["replaced"] = Value::Object(replaced.collect());
+        }
         Manifest { content }
     }
 

@@ -34,6 +34,8 @@ pub struct Job {
     pub colour: bool,
     /// The version that the manifest names: the tool's.
     pub version: String,
+    /// What the user decides about the C.
+    pub options: compile::Options,
 }
 
 impl Job {
@@ -42,7 +44,8 @@ impl Job {
         let root = root.into();
         let output = root.join("generated");
         let version = env!("CARGO_PKG_VERSION").to_owned();
-        Job { root, package: package.to_owned(), output, check: false, colour: false, version }
+        let (check, colour, options) = (false, false, compile::Options::default());
+        Job { root, package: package.to_owned(), output, check, colour, version, options }
     }
 }
 
@@ -121,7 +124,7 @@ impl Error {
 pub fn generate(job: &Job) -> Result<Summary, Error> {
     let sources = Sources::new(&job.root);
     let package = package::tree(job, &sources)?;
-    let compiled = compile::compile(&package, &sources, &compile::Options::default())
+    let compiled = compile::compile(&package, &sources, &job.options)
         .map_err(|diagnostics| refused(job, &diagnostics, &sources))?;
     let mut files = output::Files::default();
     for file in &compiled.files {

@@ -35,5 +35,11 @@ pub fn table(compiled: &Compiled) -> String {
             .collect();
         let _ = writeln!(text, "{}", cells.join("  ").trim_end());
     }
+    for (kernel, library) in &compiled.replaced {
+        let _ = writeln!(
+            text,
+            "{kernel}: {library}'s function; whether its bits are the Rust's rests on that"
+        );
+    }
     text
 }

@@ -22,8 +22,10 @@
 //!
 //! Absent: IR, names, files; any knowledge of who calls.
 
+mod cholesky;
 pub mod plain;
 mod product;
+pub mod replace;
 pub mod text;
 mod tiled;
 mod written_out;
@@ -77,12 +79,16 @@ pub fn source(kernel: &Kernel) -> Source {
     if written_out::fits(kernel) {
         return written_out::source(kernel);
     }
-    if let (KernelRoutine::Product, &[rows, inner, columns]) =
-        (kernel.routine, kernel.dims.as_slice())
-    {
-        return product::source(kernel, rows, inner, columns);
+    match (kernel.routine, kernel.dims.as_slice()) {
+        (KernelRoutine::Product, &[rows, inner, columns]) => {
+            product::source(kernel, rows, inner, columns)
+        }
+        (KernelRoutine::Cholesky, &[size]) => cholesky::factor(kernel, size),
+        (KernelRoutine::CholeskySolve, &[size @ ..=cholesky::SUBSTITUTIONS, columns]) => {
+            cholesky::solve(kernel, size, columns)
+        }
+        _ => tiled::source(kernel).unwrap_or_else(|| plain::source(kernel)),
     }
-    tiled::source(kernel).unwrap_or_else(|| plain::source(kernel))
 }
 
 /// The memory that a kernel works with.
@@ -147,17 +153,5 @@ fn scalar(scalar: Scalar) -> &'static str {
         Scalar::Float(Float::F64) => "double",
         Scalar::Float(Float::F32) => "float",
         _ => "uint32_t",
-    }
-}
-
-/// Whether a product of this shape has a kernel of its own, or is written out where it stands.
-pub fn is_large(routine: KernelRoutine, dims: &[u32]) -> bool {
-    /// Up to so many multiplications a product is written out.
-    const WRITTEN_OUT: u64 = 64;
-    match routine {
-        KernelRoutine::Product | KernelRoutine::TrMul => {
-            dims.iter().map(|dim| u64::from(*dim)).product::<u64>() > WRITTEN_OUT
-        }
-        _ => true,
     }
 }

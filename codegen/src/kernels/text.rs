@@ -23,6 +23,14 @@ pub fn fill(template: &str, values: &[(&str, String)]) -> String {
     text
 }
 
+/// Bytes of a number.
+pub fn bytes(float: Float) -> u32 {
+    match float {
+        Float::F64 => 8,
+        Float::F32 => 4,
+    }
+}
+
 /// What C calls the numbers of a float type: `$real`, `$zero`, `$one`, `$abs`, `$sqrt`, `$nan`.
 pub fn numbers(float: Float) -> Vec<(&'static str, String)> {
     let words: [(&str, &str); 6] = match float {

@@ -7,7 +7,6 @@ use bessemer_ir::{
 
 use super::function::Lowering;
 use super::{Context, OUR_FAULT, Result, problem};
-use crate::kernels::is_large;
 
 /// What the DSL calls its kernels.
 fn routine(name: &str) -> Option<KernelRoutine> {
@@ -85,7 +84,7 @@ impl Lowering<'_, '_> {
             }
             _ => None,
         };
-        match kernel.filter(|kernel| is_large(which, &kernel.dims)) {
+        match kernel.filter(Kernel::is_function) {
             None => self.node(ExprKind::Routine(routine, values), ty, site),
             Some(kernel) => {
                 let id = self.cx.kernel(&kernel);

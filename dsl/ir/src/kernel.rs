@@ -136,6 +136,9 @@ impl KernelRoutine {
     }
 }
 
+/// Up to so many multiplications a product is written out where it stands.
+pub const WRITTEN_OUT: u32 = 64;
+
 impl Kernel {
     /// A kernel, if the dimensions are as many as the routine has, none of them 0.
     pub fn new(routine: KernelRoutine, element: Float, dims: &[u32]) -> Option<Kernel> {
@@ -155,6 +158,16 @@ impl Kernel {
             _ => String::from("unsound"),
         };
         format!("{}_{}_{shape}", self.routine.name(), Scalar::Float(self.element).name())
+    }
+
+    /// Whether it is a function of its own; else it is written out where it stands.
+    pub fn is_function(&self) -> bool {
+        match self.routine {
+            KernelRoutine::Product | KernelRoutine::TrMul => {
+                self.dims.iter().map(|dim| u64::from(*dim)).product::<u64>() > WRITTEN_OUT.into()
+            }
+            _ => true,
+        }
     }
 
     /// The function that stands for it: a face, without a body.

@@ -107,10 +107,8 @@ macro_rules! sizes {
             }
         })*
 
-        pub const CASES: &[&[Case]] = &[$($module::CASES,)* parts::f64_3::CASES, parts::f32_9::CASES,
-            methods::f64_3x4::CASES, methods::f32_5x2::CASES,
-            factored::f64_1::CASES, factored::f64_3::CASES, factored::f64_6::CASES,
-            factored::f64_2::CASES, factored::f32_9::CASES];
+        /// Every function of these sizes.
+        const SIZES: &[&[Case]] = &[$($module::CASES,)*];
     };
 }
 
@@ -120,6 +118,9 @@ sizes! {
     f32_1: f32 1; f32_3: f32 3; f32_4: f32 4; f32_5: f32 5; f32_9: f32 9;
 }
 
+/// Sizes at which kernels change their ways, and those beyond what is written out.
+pub mod borders;
+
 /// What nalgebra has for parts of matrices and for products that add; a few sizes are enough.
 pub mod parts;
 
@@ -128,3 +129,20 @@ pub mod factored;
 
 /// Every other method of matrices.
 pub mod methods;
+
+/// Every function.
+pub const CASES: [&[&[Case]]; 3] = [
+    SIZES,
+    borders::CASES,
+    &[
+        parts::f64_3::CASES,
+        parts::f32_9::CASES,
+        methods::f64_3x4::CASES,
+        methods::f32_5x2::CASES,
+        factored::f64_1::CASES,
+        factored::f64_3::CASES,
+        factored::f64_6::CASES,
+        factored::f64_2::CASES,
+        factored::f32_9::CASES,
+    ],
+];

@@ -3,19 +3,18 @@
 //! Small results are written out, a line per element; larger ones are loops. Element-wise routines
 //! that nest are one loop over all of them.
 
+use bessemer_ir::kernel::WRITTEN_OUT;
 use bessemer_ir::{BinaryOp, Expr as Ir, ExprKind, Float, Place, Routine, Scalar, Type};
 
 use super::super::analysis::reads;
 use super::super::helpers::Helper;
 use super::super::literal;
-use super::super::tree::{Expr, Init, Lines};
+use super::super::tree::{Expr, Init, Lines, StmtKind};
 use super::Lower;
 use super::place::{element, offset, shape};
 
 /// Up to so many elements an element-wise routine is written out.
 const ELEMENTS: u32 = 4;
-/// Up to so many multiplications a product is written out.
-const PRODUCTS: u32 = 64;
 /// Up to so many elements a transposition is written out.
 const MOVES: u32 = 16;
 /// Up to so many terms a scalar product is written out.
@@ -56,8 +55,8 @@ impl Lower<'_> {
     pub(super) fn is_straight(&self, routine: Routine, operands: &[Ir], ty: &Type) -> bool {
         let (_, rows, cols) = shape(ty);
         match routine {
-            Routine::Product => rows * cols * shape(&operands[0].ty).2 <= PRODUCTS,
-            Routine::TrMul => rows * cols * shape(&operands[0].ty).1 <= PRODUCTS,
+            Routine::Product => rows * cols * shape(&operands[0].ty).2 <= WRITTEN_OUT,
+            Routine::TrMul => rows * cols * shape(&operands[0].ty).1 <= WRITTEN_OUT,
             Routine::Transpose => rows * cols <= MOVES,
             Routine::Cross => true,
             _ => rows * cols <= ELEMENTS,
@@ -117,11 +116,19 @@ impl Lower<'_> {
         (routine, operands): (Routine, &[Ir]),
         value: &Ir,
     ) {
+        let (scalar, rows, cols) = shape(&value.ty);
+        let many = rows > 1 && cols > 1;
+        if many
+            && matches!(routine, Routine::Product | Routine::TrMul)
+            && self.is_straight(routine, operands, &value.ty)
+        {
+            self.store_beside(&dest, value);
+            return;
+        }
         if !is_element_wise(routine) && place.is_some_and(|place| reads(value, place)) {
             self.store_through_copy(dest, value);
             return;
         }
-        let (scalar, rows, cols) = shape(&value.ty);
         if self.is_straight(routine, operands, &value.ty) {
             let (elements, _) = self.straight(routine, operands, &value.ty, place);
             for (index, value) in elements.into_iter().enumerate() {
@@ -150,6 +157,21 @@ impl Lower<'_> {
                 });
             }
         }
+    }
+
+    /// Writes a straight product to `dest` once all of it is known: a compiler cannot know that no
+    /// operand lies there, and would load each anew after every element.
+    fn store_beside(&mut self, dest: &Expr, value: &Ir) {
+        let (_, rows, cols) = shape(&value.ty);
+        let block = self.scope(|lower| {
+            let name = lower.fresh("product");
+            lower.define(&value.ty, &name, value, true);
+            for index in 0..rows * cols {
+                let at = Expr::name(index.to_string());
+                lower.assign(dest.clone().at(at.clone()), Expr::name(&name).at(at));
+            }
+        });
+        self.emit(StmtKind::Block(block));
     }
 
     fn fuse(&mut self, routine: Routine, operands: &[Ir], place: Option<&Place>) -> Fused {

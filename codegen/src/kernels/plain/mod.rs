@@ -1,9 +1,8 @@
 //! Kernels as plain loops in nalgebra's order: short, portable, the reference for faster ones.
 
-mod cholesky;
 mod inverse;
 mod lu;
-mod product;
+mod tr_mul;
 mod triangular;
 
 use bessemer_ir::{Int, Kernel, KernelRoutine, Scalar};
@@ -13,23 +12,19 @@ use super::{Buffer, Source};
 /// The C of a kernel.
 pub(super) fn source(kernel: &Kernel) -> Source {
     match (kernel.routine, kernel.dims.as_slice()) {
-        (KernelRoutine::Product, &[rows, inner, cols]) => {
-            product::product(kernel, rows, inner, cols)
-        }
-        (KernelRoutine::TrMul, &[rows, left, right]) => product::tr_mul(kernel, rows, left, right),
+        (KernelRoutine::TrMul, &[rows, left, right]) => tr_mul::tr_mul(kernel, rows, left, right),
         (KernelRoutine::LuSolve, &[size, cols]) => lu::solve(kernel, size, cols, false),
         (KernelRoutine::Solve, &[size, cols]) => lu::solve(kernel, size, cols, true),
         (KernelRoutine::Inverse, &[size @ 1..=4]) => inverse::by_cofactors(kernel, size),
         (KernelRoutine::Inverse, &[size]) => lu::inverse(kernel, size),
         (KernelRoutine::Determinant, &[size @ 1..=3]) => inverse::determinant(kernel, size),
         (KernelRoutine::Determinant, &[size]) => lu::determinant(kernel, size),
-        (KernelRoutine::Cholesky, &[size]) => cholesky::factor(kernel, size),
         (KernelRoutine::CholeskySolve, &[size, cols]) => triangular::cholesky(kernel, size, cols),
         (KernelRoutine::SolveLower, &[size, cols]) => triangular::lower(kernel, size, cols),
         (KernelRoutine::SolveUpper, &[size, cols]) => triangular::upper(kernel, size, cols),
         (KernelRoutine::TrSolveLower, &[size, cols]) => triangular::tr_lower(kernel, size, cols),
         (KernelRoutine::TrSolveUpper, &[size, cols]) => triangular::tr_upper(kernel, size, cols),
-        _ => unreachable!("the validator counts dimensions"),
+        _ => unreachable!("the others are done elsewhere; the validator counts dimensions"),
     }
 }
 

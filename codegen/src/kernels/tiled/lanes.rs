@@ -2,20 +2,12 @@
 
 use bessemer_ir::Float;
 
-use crate::kernels::text::{fill, numbers};
+use crate::kernels::text::{bytes, fill, numbers};
 
 /// The vectors of x86-64, the widest first: the macro that says that they are there, and their bytes.
 const VECTORS: [(&str, u32); 3] = [("__AVX512F__", 64), ("__AVX__", 32), ("__SSE2__", 16)];
 
 const LANES: &str = include_str!("lanes.c");
-
-/// Bytes of a number.
-fn bytes(element: Float) -> u32 {
-    match element {
-        Float::F64 => 8,
-        Float::F32 => 4,
-    }
-}
 
 /// The vectors that are worth while: a panel, of two vectors, is no wider than the matrix.
 fn vectors(element: Float, columns: u32) -> impl Iterator<Item = (&'static str, u32)> {

@@ -17,6 +17,21 @@ const LU_SOLVE: &str = include_str!("lu_solve.c");
 const ONE_SIDE: &str = include_str!("one_side.c");
 const MANY_SIDES: &str = include_str!("many_sides.c");
 const INVERSE: &str = include_str!("inverse.c");
+const INVERT_PANELS: &str = include_str!("invert_panels.c");
+const THREADS: &str = include_str!("threads.c");
+
+/// From this size on, threads are worth their start.
+const THREADED: u32 = 48;
+
+const ONE_THREAD: &str = "invert_panels(tiles, panel, a, order, finite, 0U, 1U);\n";
+
+const MANY_THREADS: &str = "\
+#if defined(BESSEMER_THREADS)
+invert_by_threads(tiles, panel, a, order, finite);
+#else
+invert_panels(tiles, panel, a, order, finite, 0U, 1U);
+#endif
+";
 
 /// Where the size is a multiple of four, and where the last tiles have to be filled up.
 const GIVE_BACK: [&str; 2] = [include_str!("give_back.c"), include_str!("give_back_edges.c")];
@@ -145,7 +160,13 @@ pub(super) fn solve(kernel: &Kernel, size: u32, sides: u32) -> Source {
 /// Inverts: right-hand sides in the order of the pivots.
 pub(super) fn inverse(kernel: &Kernel, size: u32) -> Source {
     let edges = usize::from(!size.is_multiple_of(4));
-    assemble(kernel, size, size, &[PANELS, GIVE_COLUMNS[edges]], INVERSE)
+    let mut parts = vec![PANELS, GIVE_COLUMNS[edges], INVERT_PANELS];
+    let mut panels = ONE_THREAD;
+    if size >= THREADED {
+        parts.push(THREADS);
+        panels = MANY_THREADS;
+    }
+    assemble(kernel, size, size, &parts, &INVERSE.replace("$panels\n", panels))
 }
 
 /// The head with the sizes, the rows of the targets, elimination, the rest, and the body.
@@ -169,6 +190,10 @@ fn assemble(kernel: &Kernel, size: u32, sides: u32, rest: &[&str], body: &str) -
 fn all_values(element: Float, size: u32, sides: u32) -> Vec<(&'static str, String)> {
     let edge = size % 4;
     let mut all = values(element, &[("columns", sides), ("edge", edge)]);
+    // As the panel's memory in `buffers`.
+    let widest = lanes::widest(element, rows(size));
+    let panel = (rows(size) + 4) * widest + lanes::line(element);
+    all.push(("panel", format!("{panel}U")));
     let (bits, rank, infinite) = match element {
         Float::F64 => ("uint64_t", "(uint32_t)(bits >> 32)", "0xFFE00000U"),
         Float::F32 => ("uint32_t", "bits", "0xFF000000U"),

@@ -59,6 +59,9 @@ mod tests {
                     (KernelRoutine::LuSolve, vec![size, 1]),
                     (KernelRoutine::LuSolve, vec![size, 3]),
                     (KernelRoutine::Solve, vec![size, 1]),
+                    (KernelRoutine::Cholesky, vec![size]),
+                    (KernelRoutine::CholeskySolve, vec![size, 2]),
+                    (KernelRoutine::Product, vec![size, size, 3]),
                     (KernelRoutine::Inverse, vec![size]),
                 ] {
                     let kernel = Kernel::new(routine, element, &dims).expect("sound");

@@ -1,21 +1,9 @@
-//! Products of matrices.
+//! Products with a transpose.
 
 use bessemer_ir::{Float, Kernel};
 
 use crate::kernels::Source;
 use crate::kernels::text::{fill, values};
-
-const PRODUCT: &str = "\
-for (uint32_t column = 0U; column < $columns; column++) {
-    for (uint32_t row = 0U; row < $rows; row++) {
-        $real sum = a[row] * b[$inner * column];
-        for (uint32_t k = 1U; k < $inner; k++) {
-            sum += a[row + $rows * k] * b[k + $inner * column];
-        }
-        result[row + $rows * column] = sum;
-    }
-}
-";
 
 const TR_MUL: &str = "\
 for (uint32_t column = 0U; column < $columns; column++) {
@@ -26,12 +14,6 @@ for (uint32_t column = 0U; column < $columns; column++) {
     }
 }
 ";
-
-pub(super) fn product(kernel: &Kernel, rows: u32, inner: u32, columns: u32) -> Source {
-    let sizes = [("rows", rows), ("inner", inner), ("columns", columns)];
-    let body = fill(PRODUCT, &values(kernel.element, &sizes));
-    Source { body, ..Source::default() }
-}
 
 pub(super) fn tr_mul(kernel: &Kernel, rows: u32, left: u32, columns: u32) -> Source {
     let sizes = [("rows", rows), ("left", left), ("columns", columns)];

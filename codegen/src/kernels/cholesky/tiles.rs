@@ -1,0 +1,140 @@
+//! Factors in tiles of four by four, in place: the columns that are left over by fours come first.
+
+use std::fmt::Write as _;
+
+use bessemer_ir::{Float, Kernel};
+
+use super::super::Source;
+use super::super::text::{bytes, fill, values};
+use super::written_out::SPOIL;
+
+const VECTORS: &str = include_str!("vectors.c");
+const BODY: &str = include_str!("factor.c");
+
+/// The columns that are left over by fours, one by one.
+const FIRST: &str = "\
+for (uint32_t column = 0U; column < $first; column++) {
+    $real *const below = &a[$n * column];
+    for (uint32_t k = 0U; k < column; k++) {
+        const $real factor = a[column + $n * k];
+        for (uint32_t row = column; row < $n; row++) {
+            below[row] -= factor * a[row + $n * k];
+        }
+    }
+    if (!(below[column] > $zero)) {
+        return spoil(a);
+    }
+    const $real root = $sqrt(below[column]);
+    below[column] = root;
+    for (uint32_t row = column + 1U; row < $n; row++) {
+        below[row] /= root;
+    }
+}
+";
+
+/// Four rows of a column are a vector, two, or numbers.
+fn targets(element: Float) -> String {
+    let target = |macro_name: &str, lanes: u32| {
+        format!(
+            "if defined(__GNUC__) && defined({macro_name}) && !defined(BESSEMER_PLAIN)\n#define LANES {lanes}U\n"
+        )
+    };
+    match element {
+        Float::F64 => format!("#{}#el{}#endif\n", target("__AVX__", 4), target("__SSE2__", 2)),
+        Float::F32 => format!("#{}#endif\n", target("__SSE2__", 4)),
+    }
+}
+
+pub(super) fn factor(kernel: &Kernel, n: u32) -> Source {
+    let mut values = values(kernel.element, &[("n", n), ("first", n % 4)]);
+    values.push(("bytes", bytes(kernel.element).to_string()));
+    let first = if n.is_multiple_of(4) { "" } else { FIRST };
+    let targets = targets(kernel.element);
+    let before = format!(
+        "{targets}\n{SPOIL}\n#if defined(LANES)\n{VECTORS}#else\n{}#endif\n\n{}",
+        numbers(n),
+        top(n)
+    );
+    Source {
+        before: fill(&before, &values).trim_end().to_owned(),
+        body: fill(&[first, BODY].concat(), &values),
+        math: true,
+        ..Source::default()
+    }
+}
+
+/// The tile below the diagonal, number by number.
+fn numbers(n: u32) -> String {
+    let mut text = String::from(HEAD);
+    for column in 0..4 {
+        for row in 0..4 {
+            let _ = writeln!(text, "    $real y{row}{column} = tile[{}];", row + n * column);
+        }
+    }
+    text += "    for (; known > 0U; known--) {\n";
+    for column in 0..4 {
+        let _ = writeln!(text, "        const $real l{column} = columns[{column}];");
+    }
+    for row in 0..4 {
+        let _ = writeln!(text, "        const $real r{row} = rows[{row}];");
+        for column in 0..4 {
+            let _ = writeln!(text, "        y{row}{column} -= r{row} * l{column};");
+        }
+    }
+    text += "        rows += $n;\n        columns += $n;\n    }\n    if (top != tile) {\n";
+    for column in 0..4 {
+        for k in 0..column {
+            let _ = writeln!(text, "        const $real l{column}{k} = top[{}];", column + n * k);
+            for row in 0..4 {
+                let _ = writeln!(text, "        y{row}{column} -= y{row}{k} * l{column}{k};");
+            }
+        }
+        let _ = writeln!(text, "        const $real root{column} = top[{}];", column + n * column);
+        for row in 0..4 {
+            let _ = writeln!(text, "        y{row}{column} /= root{column};");
+        }
+    }
+    text += "    }\n";
+    for column in 0..4 {
+        for row in 0..4 {
+            let _ = writeln!(text, "    tile[{}] = y{row}{column};", row + n * column);
+        }
+    }
+    text + "}\n"
+}
+
+const HEAD: &str = "\
+/* Takes the known columns on the left from a tile. Then, unless it is the one of the diagonal, solves
+   by that. */
+static void take($real *tile, const $real *rows, const $real *columns, uint32_t known, const $real *top)
+{
+";
+
+/// The tile of the diagonal, of which the lower triangle counts.
+fn top(n: u32) -> String {
+    let mut text = String::from(
+        "/* Factors a tile of the diagonal. */\nstatic inline bool factor_top($real *top)\n{\n",
+    );
+    for column in 0..4 {
+        for row in column..4 {
+            let _ = writeln!(text, "    $real l{row}{column} = top[{}];", row + n * column);
+            for k in 0..column {
+                let _ = writeln!(text, "    l{row}{column} -= l{column}{k} * l{row}{k};");
+            }
+        }
+        let _ = writeln!(
+            text,
+            "    if (!(l{column}{column} > $zero)) {{\n        return false;\n    }}"
+        );
+        let _ = writeln!(text, "    l{column}{column} = $sqrt(l{column}{column});");
+        for row in column + 1..4 {
+            let _ = writeln!(text, "    l{row}{column} /= l{column}{column};");
+        }
+    }
+    for column in 0..4 {
+        for row in column..4 {
+            let _ = writeln!(text, "    top[{}] = l{row}{column};", row + n * column);
+        }
+    }
+    text + "    return true;\n}\n"
+}

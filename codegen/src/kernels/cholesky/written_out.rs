@@ -1,0 +1,124 @@
+//! Small factors, written out: a column stays in registers until it is done.
+
+use std::fmt::Write as _;
+
+use bessemer_ir::Kernel;
+
+use super::super::Source;
+use super::super::text::{fill, values};
+
+/// What is left where there is no factor.
+pub(super) const SPOIL: &str = "\
+/* There is no factor: NaN in the lower triangle. */
+static bool spoil($real *a)
+{
+    for (uint32_t column = 0U; column < $n; column++) {
+        for (uint32_t row = column; row < $n; row++) {
+            a[row + $n * column] = $nan;
+        }
+    }
+    return false;
+}
+";
+
+/// Every column: the ones on its left, the root, the division.
+pub(super) fn factor(kernel: &Kernel, n: u32) -> Source {
+    let mut text = String::new();
+    // Writing to a string cannot fail.
+    let mut put = |line: String| {
+        let _ = writeln!(text, "{line}");
+    };
+    for column in 0..n {
+        for row in column..n {
+            put(format!("$real l{row}_{column} = a[{}];", row + n * column));
+        }
+        for k in 0..column {
+            for row in column..n {
+                put(format!("l{row}_{column} -= l{column}_{k} * l{row}_{k};"));
+            }
+        }
+        let diagonal = format!("l{column}_{column}");
+        put(format!("if (!({diagonal} > $zero)) {{\n    return spoil(a);\n}}"));
+        put(format!("{diagonal} = $sqrt({diagonal});"));
+        for row in column + 1..n {
+            put(format!("l{row}_{column} /= {diagonal};"));
+        }
+    }
+    for column in 0..n {
+        for row in column..n {
+            put(format!("a[{}] = l{row}_{column};", row + n * column));
+        }
+    }
+    put("return true;".into());
+    let values = values(kernel.element, &[("n", n)]);
+    Source {
+        before: fill(SPOIL, &values).trim_end().to_owned(),
+        body: fill(&text, &values),
+        math: true,
+        ..Source::default()
+    }
+}
+
+/// Both substitutions, for each right-hand side in registers.
+pub(super) fn solve(kernel: &Kernel, n: u32, columns: u32) -> Source {
+    let mut text = String::from(
+        "/* Solves for one right-hand side: down by L, then up by its transpose. */\n\
+         static void substitute(const $real *a, $real *x)\n{\n",
+    );
+    for row in 0..n {
+        let _ = writeln!(text, "    $real x{row} = x[{row}];");
+        for k in 0..row {
+            let _ = writeln!(text, "    x{row} -= a[{}] * x{k};", n * k + row);
+        }
+        let _ = writeln!(text, "    x{row} /= a[{}];", n * row + row);
+    }
+    for row in (0..n).rev() {
+        known(&mut text, n, row);
+        let _ = writeln!(text, "    x{row} = (x{row} - known{row}) / a[{}];", n * row + row);
+        let _ = writeln!(text, "    x[{row}] = x{row};");
+    }
+    text += "}\n";
+    let values = values(kernel.element, &[("n", n), ("columns", columns)]);
+    let body = match columns {
+        1 => "substitute(a, b);\n",
+        _ => {
+            "for (uint32_t column = 0U; column < $columns; column++) {\n    \
+             substitute(a, &b[$n * column]);\n}\n"
+        }
+    };
+    Source {
+        before: fill(&text, &values).trim_end().to_owned(),
+        body: fill(body, &values),
+        ..Source::default()
+    }
+}
+
+/// The scalar product of a column below the diagonal with what is known, as nalgebra orders it: from eight
+/// terms on in eight sums, which then go in pairs.
+fn known(text: &mut String, n: u32, row: u32) {
+    let terms = n - 1 - row;
+    let whole = terms - terms % 8;
+    let product = |term: u32| {
+        let other = row + 1 + term;
+        format!("a[{}] * x{other}", n * row + other)
+    };
+    if whole > 0 {
+        for lane in 0..8 {
+            let _ = write!(text, "    const $real sum{row}_{lane} = $zero");
+            for term in (lane..whole).step_by(8) {
+                let _ = write!(text, " + {}", product(term));
+            }
+            text.push_str(";\n");
+        }
+    }
+    // The leading zero makes +0 of a sum of −0.
+    let _ = writeln!(text, "    $real known{row} = $zero;");
+    if whole > 0 {
+        for lane in 0..4 {
+            let _ = writeln!(text, "    known{row} += sum{row}_{lane} + sum{row}_{};", lane + 4);
+        }
+    }
+    for term in whole..terms {
+        let _ = writeln!(text, "    known{row} += {};", product(term));
+    }
+}

@@ -1,0 +1,169 @@
+//! Tiles of single numbers, in plain C99: made for targets with 32 registers, as ARM's VFPv3.
+
+use std::fmt::Write as _;
+
+use super::Sizes;
+
+/// Rows and columns of the tiles that are tried: their sums, and what these are made of, stay in registers.
+const SHAPES: [(u32, u32); 5] = [(4, 4), (3, 6), (6, 3), (4, 5), (5, 4)];
+
+/// Bytes of code up to which the loop over k is unrolled.
+const BUDGET: u32 = 2048;
+
+/// The functions of the tiles, and the calls of them.
+pub(super) fn source(real: &str, sizes: Sizes) -> (String, String) {
+    let plan = plan(sizes);
+    let mut body = String::new();
+    // Whole tiles in loops, then what is left below and on the right.
+    for (column, width, columns_many) in parts(sizes.columns, plan.shape.1) {
+        let inset = if columns_many { "    " } else { "" };
+        if columns_many {
+            let _ = writeln!(
+                body,
+                "for (uint32_t column = 0U; column < {column}U; column += {width}U) {{"
+            );
+        }
+        for (row, height, rows_many) in parts(sizes.rows, plan.shape.0) {
+            let a = place(&[(1, row, rows_many.then_some("row"))]);
+            let b = place(&[(sizes.inner, column, columns_many.then_some("column"))]);
+            let to = place(&[
+                (1, row, rows_many.then_some("row")),
+                (sizes.rows, column, columns_many.then_some("column")),
+            ]);
+            let call = format!("tile_{height}x{width}(&a[{a}], &b[{b}], &result[{to}]);");
+            if rows_many {
+                let _ = writeln!(
+                    body,
+                    "{inset}for (uint32_t row = 0U; row < {row}U; row += {height}U) {{\n{inset}    {call}\n{inset}}}"
+                );
+            } else {
+                let _ = writeln!(body, "{inset}{call}");
+            }
+        }
+        body += if columns_many { "}\n" } else { "" };
+    }
+    let tile = |shape: &(u32, u32)| tile(real, *shape, sizes, plan.unrolled);
+    let tiles: Vec<String> = shapes(sizes, plan.shape).iter().map(tile).collect();
+    (tiles.join("\n").trim_end().to_owned(), body)
+}
+
+/// How a product is cut up.
+struct Plan {
+    shape: (u32, u32),
+    /// Whether the loop over k is.
+    unrolled: bool,
+}
+
+/// The tile that takes the fewest instructions.
+fn plan(sizes: Sizes) -> Plan {
+    let step = |(height, width): (u32, u32)| height * width + height + width;
+    let plan = |shape| {
+        let bytes: u32 =
+            shapes(sizes, shape).into_iter().map(|shape| 4 * sizes.inner * step(shape)).sum();
+        Plan { shape, unrolled: bytes <= BUDGET && sizes.inner > 1 }
+    };
+    // A tile: its steps, their loop, its sums from and to memory, its call.
+    let cost = |plan: &Plan| {
+        let mut sum = 0;
+        for (column, width, columns_many) in parts(sizes.columns, plan.shape.1) {
+            for (row, height, rows_many) in parts(sizes.rows, plan.shape.0) {
+                let tiles = if columns_many { column / width } else { 1 }
+                    * if rows_many { row / height } else { 1 };
+                let turn = if plan.unrolled { 0 } else { 5 };
+                sum += tiles * (sizes.inner * (step((height, width)) + turn) + height * width + 12);
+            }
+        }
+        sum
+    };
+    SHAPES.into_iter().map(plan).min_by_key(cost).unwrap_or(Plan { shape: (4, 4), unrolled: false })
+}
+
+/// The shapes that occur, each once.
+fn shapes(sizes: Sizes, shape: (u32, u32)) -> Vec<(u32, u32)> {
+    let mut shapes = Vec::new();
+    for (_, width, _) in parts(sizes.columns, shape.1) {
+        for (_, height, _) in parts(sizes.rows, shape.0) {
+            if !shapes.contains(&(height, width)) {
+                shapes.push((height, width));
+            }
+        }
+    }
+    shapes
+}
+
+/// An index: the known parts as one number, then each loop's counter times its stride.
+fn place(parts: &[(u32, u32, Option<&str>)]) -> String {
+    let known = |&(stride, start, counter): &(u32, u32, Option<&str>)| match counter {
+        Some(_) => 0,
+        None => stride * start,
+    };
+    let known: u32 = parts.iter().map(known).sum();
+    let mut terms: Vec<String> = Vec::new();
+    for (stride, _, counter) in parts {
+        match (stride, counter) {
+            (1, Some(counter)) => terms.push((*counter).to_owned()),
+            (_, Some(counter)) => terms.push(format!("{stride}U * {counter}")),
+            (_, None) => {}
+        }
+    }
+    if known > 0 || terms.is_empty() {
+        terms.push(format!("{known}U"));
+    }
+    terms.join(" + ")
+}
+
+/// The whole tiles, if there are any: where they end (or one begins), how many lines a tile has, and
+/// whether they are many; then the rest.
+fn parts(count: u32, tile: u32) -> Vec<(u32, u32, bool)> {
+    let whole = count - count % tile;
+    let mut parts = Vec::new();
+    if whole > tile {
+        parts.push((whole, tile, true));
+    } else if whole == tile {
+        parts.push((0, tile, false));
+    }
+    if count > whole {
+        parts.push((whole, count - whole, false));
+    }
+    parts
+}
+
+/// A tile of the result: so many rows by so many columns.
+fn tile(real: &str, (height, width): (u32, u32), sizes: Sizes, unrolled: bool) -> String {
+    let Sizes { rows, inner, .. } = sizes;
+    let mut text = format!(
+        "/* A tile of {height} by {width} elements: the first products, then the others in order. */\n\
+         static void tile_{height}x{width}(const {real} *a, const {real} *b, {real} *result)\n{{\n"
+    );
+    // Writing to a string cannot fail.
+    for column in 0..width {
+        for row in 0..height {
+            let first = inner * column;
+            let _ = writeln!(text, "    {real} y{row}{column} = a[{row}] * b[{first}];");
+        }
+    }
+    if inner > 1 {
+        if unrolled {
+            let _ = writeln!(text, "#if defined(__GNUC__)\n#pragma GCC unroll {inner}\n#endif");
+        }
+        let _ =
+            writeln!(text, "    for (uint32_t k = 1U; k < {inner}U; k++) {{\n        a += {rows};");
+        for row in 0..height {
+            let _ = writeln!(text, "        const {real} a{row} = a[{row}];");
+        }
+        for column in 0..width {
+            let first = inner * column;
+            let _ = writeln!(text, "        const {real} b{column} = b[k + {first}U];");
+            for row in 0..height {
+                let _ = writeln!(text, "        y{row}{column} += a{row} * b{column};");
+            }
+        }
+        text.push_str("    }\n");
+    }
+    for column in 0..width {
+        for row in 0..height {
+            let _ = writeln!(text, "    result[{}] = y{row}{column};", row + rows * column);
+        }
+    }
+    text + "}\n"
+}

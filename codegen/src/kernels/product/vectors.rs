@@ -1,0 +1,166 @@
+//! Blocks of vectors of rows by columns, where gcc or clang have vectors.
+//!
+//! The last vector of a block, and the last block, may overlap the one before: elements are then computed
+//! twice, to the same bits.
+
+use bessemer_ir::Float;
+
+use super::Sizes;
+use crate::kernels::text::{bytes, fill, numbers};
+
+/// A kind of vectors.
+struct Target {
+    /// What says that they are there.
+    condition: &'static str,
+    /// What else to say about them.
+    text: &'static str,
+    /// Whether they are for `f32` alone.
+    single: bool,
+    /// Bytes of the widest.
+    widest: u32,
+    /// How many registers.
+    registers: u32,
+    /// Instructions to multiply and add.
+    step: u32,
+    /// Quarters of an instruction to have a number in each lane.
+    spread: u32,
+}
+
+/// The widest first. NEON flushes subnormals to zero, so it is there for those only who say that they do
+/// not mind; its multiplication with addition rounds twice, as C's.
+const TARGETS: [Target; 4] = [
+    Target {
+        condition: "defined(__AVX512F__)",
+        text: "",
+        single: false,
+        widest: 64,
+        registers: 32,
+        step: 2,
+        spread: 2,
+    },
+    Target {
+        condition: "defined(__AVX__)",
+        text: "",
+        single: false,
+        widest: 32,
+        registers: 16,
+        step: 2,
+        spread: 4,
+    },
+    Target {
+        condition: "defined(__SSE2__)",
+        text: "",
+        single: false,
+        widest: 16,
+        registers: 16,
+        step: 3,
+        spread: 8,
+    },
+    Target {
+        condition: "defined(__ARM_NEON) && defined(BESSEMER_NEON_F32)",
+        text: NEON,
+        single: true,
+        widest: 16,
+        registers: 16,
+        step: 1,
+        spread: 4,
+    },
+];
+
+const NEON: &str = "\
+#include <arm_neon.h>
+#define TIMES(rows, number) vmulq_n_f32((float32x4_t)(rows), (number))
+#define PLUS(sum, rows, number) vmlaq_n_f32((float32x4_t)(sum), (float32x4_t)(rows), (number))
+";
+
+/// A block of the result.
+#[derive(Clone, Copy, PartialEq)]
+struct Block {
+    /// Numbers of a vector.
+    lanes: u32,
+    /// Vectors below one another.
+    down: u32,
+    /// Columns.
+    across: u32,
+}
+
+const BLOCK: &str = include_str!("block.c");
+const LOOPS: &str = include_str!("blocks.c");
+
+/// What each target has, the function of a block, and the loops over blocks; none if there are too few rows.
+pub(super) fn source(element: Float, sizes: Sizes) -> Option<(String, String, String)> {
+    let mut branches: Vec<String> = Vec::new();
+    let mut last = None;
+    for target in TARGETS.iter().rev() {
+        if target.single && element != Float::F32 {
+            continue;
+        }
+        let Some(block) = best(target, element, sizes) else { continue };
+        // The same as with narrower vectors: no case of its own.
+        if last == Some(block) {
+            continue;
+        }
+        last = (!target.single).then_some(block);
+        let Block { lanes, down, across } = block;
+        branches.push(format!(
+            "if defined(__GNUC__) && {} && !defined(BESSEMER_PLAIN)\n{}\
+             #define LANES {lanes}U\n#define DOWN {down}U\n#define ACROSS {across}U\n",
+            target.condition, target.text
+        ));
+    }
+    if branches.is_empty() {
+        return None;
+    }
+    branches.reverse();
+    let targets = format!("#{}#endif\n", branches.join("#el"));
+    let mut values = numbers(element);
+    values.extend([
+        ("rows", format!("{}U", sizes.rows)),
+        ("inner", format!("{}U", sizes.inner)),
+        ("columns", format!("{}U", sizes.columns)),
+        ("bytes", bytes(element).to_string()),
+    ]);
+    Some((targets, fill(BLOCK, &values), fill(LOOPS, &values)))
+}
+
+/// The block that takes the fewest instructions.
+fn best(target: &Target, element: Float, sizes: Sizes) -> Option<Block> {
+    let mut found: Option<(u32, Block)> = None;
+    let mut bytes_of_vector = target.widest;
+    while bytes_of_vector >= 16 {
+        let lanes = bytes_of_vector / bytes(element);
+        for down in 1..=8 {
+            for across in 1..=sizes.columns.min(8) {
+                let block = Block { lanes, down, across };
+                if block.fits(target, sizes) {
+                    let cost = block.cost(target, sizes);
+                    if found.is_none_or(|(least, _)| cost < least) {
+                        found = Some((cost, block));
+                    }
+                }
+            }
+        }
+        bytes_of_vector /= 2;
+    }
+    found.map(|(_, block)| block)
+}
+
+impl Block {
+    /// Whether it stays in registers, and within the result.
+    fn fits(&self, target: &Target, sizes: Sizes) -> bool {
+        // Beside the sums: a vector of `a`, a product, and the numbers of `b`.
+        let spread = if self.down > 1 { self.across } else { 1 };
+        let registers = self.down * self.across + spread + 2;
+        self.lanes <= sizes.rows
+            && (self.down - 1) * self.lanes < sizes.rows
+            && registers <= target.registers
+    }
+
+    /// Quarters of instructions, for each k.
+    fn cost(&self, target: &Target, sizes: Sizes) -> u32 {
+        let blocks =
+            sizes.rows.div_ceil(self.lanes * self.down) * sizes.columns.div_ceil(self.across);
+        let step = 4 * target.step * self.down * self.across;
+        blocks * (4 * self.down + target.spread * self.across + step + 12)
+    }
+}

@@ -1,0 +1,101 @@
+//! Options of kernels, as programs: functions of the user's own in place of kernels are called, give the
+//! kernel's result and can be taken back; threads change no bit.
+
+use std::path::Path;
+use std::process::Command;
+
+use bessemer_codegen::c::{self, Options};
+use bessemer_codegen::kernels::replace;
+use bessemer_codegen::passes;
+use bessemer_ir::{Float, Kernel, KernelRoutine, Module};
+
+/// The words that a program of `tests/kernels` prints, with these kernels; none if it does not link.
+fn words(kernels: &[Kernel], program: &str, options: &Options, flags: &[&str]) -> Option<Vec<u64>> {
+    let folder = tempfile::tempdir().expect("a folder");
+    let module = Module {
+        name: "options".into(),
+        functions: kernels.iter().map(Kernel::function).collect(),
+        ..Module::default()
+    };
+    let own = bessemer_tests::root().join("tests/kernels");
+    let mut sources = vec![own.join(program), own.join("own_product.c")];
+    for file in c::emit(&passes::lend(module), options) {
+        let path = folder.path().join(&file.name);
+        std::fs::write(&path, &file.text).expect("a folder of ours");
+        if file.name.ends_with(".c") {
+            sources.push(path);
+        }
+    }
+    let program = folder.path().join("program");
+    let mut command = Command::new("gcc");
+    command.args(["-std=c99", "-O2", "-Wall", "-Wextra", "-Werror", "-ffp-contract=off", "-I"]);
+    command.arg(folder.path()).arg("-I").arg(&own).args(sources);
+    let output = command.arg("-o").arg(&program).args(flags).output().ok()?;
+    if !output.status.success() {
+        println!("{}", String::from_utf8_lossy(&output.stderr));
+        return None;
+    }
+    let output = Command::new(program).output().expect("a program of ours");
+    assert!(output.status.success());
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    Some(text.lines().map(|line| line.parse().expect("a word of ours")).collect())
+}
+
+fn kernel(routine: KernelRoutine, element: Float, dims: &[u32]) -> Kernel {
+    Kernel::new(routine, element, dims).expect("as many as it has")
+}
+
+/// The words of the two products, with these replacements.
+fn products(table: &str, flags: &[&str]) -> Option<Vec<u64>> {
+    let kernels = [
+        kernel(KernelRoutine::Product, Float::F64, &[20; 3]),
+        kernel(KernelRoutine::Product, Float::F32, &[9; 3]),
+    ];
+    let replacements = replace::parse(table).expect("a sound table");
+    words(&kernels, "products.c", &Options { replacements, ..Options::default() }, flags)
+}
+
+#[test]
+fn an_own_function_and_a_library_stand_for_kernels() {
+    let table = bessemer_tests::root().join("tests/kernels/replacements.json");
+    let table = std::fs::read_to_string(table).expect("in the repository");
+    let Some(kernels) = products("[]", &[]) else {
+        println!("left out: there is no gcc");
+        return;
+    };
+    let back = products(&table, &["-DBESSEMER_OWN_KERNELS"]);
+    assert_eq!(back.as_ref(), Some(&kernels), "the kernels come back");
+
+    // The own function alone: nothing is large enough for the library.
+    let own = products(&table.replacen("16", "99", 1), &[]);
+    assert_eq!(own.as_ref(), Some(&kernels), "an own function in the kernel's order has its bits");
+
+    let Some(library) = products(&table, &["-lopenblas"]) else {
+        println!("left out: there is no CBLAS");
+        return;
+    };
+    assert_eq!(library[400..], kernels[400..]);
+    for (word, ours) in library.iter().zip(&kernels).take(400) {
+        let (theirs, ours) = (f64::from_bits(*word), f64::from_bits(*ours));
+        // Twenty products of numbers below a half, in any order, fused or not.
+        assert!((theirs - ours).abs() <= 20.0 * 20.0 * 0.25 * f64::EPSILON, "{theirs} {ours}");
+    }
+}
+
+#[test]
+fn threads_change_no_bit() {
+    let kernels = [
+        kernel(KernelRoutine::Inverse, Float::F64, &[100]),
+        kernel(KernelRoutine::Inverse, Float::F32, &[50]),
+    ];
+    let run = |flags: &[&str]| words(&kernels, "inverses.c", &Options::default(), flags);
+    let Some(alone) = run(&[]) else {
+        println!("left out: there is no gcc");
+        return;
+    };
+    for threads in ["-DBESSEMER_THREADS=2U", "-DBESSEMER_THREADS=3U", "-DBESSEMER_THREADS=8U"] {
+        assert_eq!(run(&[threads, "-pthread"]).as_ref(), Some(&alone), "{threads}");
+        let plain = run(&[threads, "-pthread", "-DBESSEMER_PLAIN"]);
+        assert_eq!(plain.as_ref(), Some(&alone), "{threads}");
+    }
+}
