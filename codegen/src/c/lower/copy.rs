@@ -70,7 +70,7 @@ impl Lower<'_> {
             (ExprKind::Struct(items), Type::Struct(id)) => {
                 let names = &self.context.names.structs[id.index()];
                 for (index, (item, field)) in items.iter().zip(&names.fields).enumerate() {
-                    if !self.is_held(*id, index, items) {
+                    if !self.is_held(*id, index, items) || self.is_part(item) {
                         continue;
                     }
                     self.store(dest.clone().field(field), None, item);
@@ -102,6 +102,11 @@ impl Lower<'_> {
             (ExprKind::Splat(item), ty) => self.fill(dest, ty, item),
             (kind, _) => unreachable!("the validator refuses {kind:?} as a whole value"),
         }
+    }
+
+    /// Whether a value stands where it belongs from the start.
+    fn is_part(&self, item: &Ir) -> bool {
+        matches!(&item.kind, ExprKind::Load(place) if self.parts.contains_key(&place.root))
     }
 
     /// Whether a part of a struct is written: not what shares its memory with the part that is there.

@@ -10,6 +10,7 @@
 
 mod call;
 mod copy;
+mod direct;
 mod fill;
 mod loops;
 mod numbers;
@@ -20,7 +21,7 @@ mod stmt;
 mod variants;
 mod word;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use bessemer_ir::{
     Block, ConstId, ExprKind, Function, FunctionId, LocalId, Mode, Module, Owner, Role, Span,
@@ -101,6 +102,8 @@ pub(super) struct Lower<'a> {
     looks: bool,
     /// The local that is the result, and stands in the caller's storage from the start.
     in_place: Option<LocalId>,
+    /// The locals that are fields of the result from the start.
+    parts: BTreeMap<LocalId, usize>,
     bytes: u64,
 }
 
@@ -123,6 +126,7 @@ pub fn function<'a>(context: Context<'a>, id: FunctionId, uses: &'a mut Uses) ->
         latch: None,
         looks: false,
         in_place: None,
+        parts: BTreeMap::new(),
         bytes: 0,
     };
     lower.parameters();
@@ -159,6 +163,9 @@ impl<'a> Lower<'a> {
         self.check_latch();
         self.check_variants();
         self.in_place = self.result_local();
+        if !self.is_fallible() && self.result_storage().is_some() {
+            self.parts = direct::parts(function, self.context.module);
+        }
         for (index, local) in function.parameters().iter().enumerate() {
             let own =
                 local.mode == Mode::Value && local.ty.is_aggregate() && self.usage.assigned[index];

@@ -62,6 +62,14 @@ impl Lower<'_> {
             self.let_in_place(local, value);
             return;
         }
+        if let (Some(field), Some(value), Some(result)) =
+            (self.parts.get(&local), value, self.result_storage())
+            && let Type::Struct(id) = self.function.result
+        {
+            let name = &self.context.names.structs[id.index()].fields[*field];
+            self.store(result.field(name), None, value);
+            return;
+        }
         let constant = value.is_some() && !self.usage.assigned[local.index()];
         match value {
             None => {
