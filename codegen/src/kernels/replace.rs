@@ -10,7 +10,6 @@
 use bessemer_ir::{Float, Kernel, KernelRoutine};
 use serde_json::Value;
 
-use super::text::indented;
 use super::{Source, lent};
 
 /// What stands in place of some kernels.

@@ -24,9 +24,9 @@ static inline void store_tile($real *to, const tile_t *tile)
 /* Takes a row, times the four multipliers of a column, from the rows of the tile. */
 static inline void step(tile_t *tile, const $real *column, const $real *row)
 {
-#if defined(WORDS)
+#if defined(WORDS) || defined(HALF)
     const four_t factor = load_four(column);
-    const four_t other = load_four(row);
+    const row_t other = load_operand(row);
     tile->r0 = minus(tile->r0, factor.a, other);
     tile->r1 = minus(tile->r1, factor.b, other);
     tile->r2 = minus(tile->r2, factor.c, other);
