@@ -13,7 +13,6 @@
 #include <float.h>
 #include <stdbool.h>
 #include <stdint.h>
-#include <string.h>
 
 #include "sine.h"
 
@@ -32,10 +31,8 @@ static const double PI = 3.141592653589793;
 
 void airframe_mambo(airframe_t *airframe)
 {
-    double airframe_thrust_coefficients[8];
-    airframe_for_each(UINT64_C(4), 0.0107, airframe_thrust_coefficients);
-    double airframe_drag_coefficients[8];
-    airframe_for_each(UINT64_C(4), 0.0007826, airframe_drag_coefficients);
+    airframe_for_each(UINT64_C(4), 0.0107, airframe->thrust_coefficients);
+    airframe_for_each(UINT64_C(4), 0.0007826, airframe->drag_coefficients);
     airframe->mass = 0.07;
     airframe->inertia[0] = 5.82857e-5;
     airframe->inertia[1] = 7.16914e-5;
@@ -46,16 +43,12 @@ void airframe_mambo(airframe_t *airframe)
     airframe->propeller_radius = 0.033;
     airframe->disc_area = 0.0034;
     airframe->air_density = 1.184;
-    memcpy(airframe->thrust_coefficients, airframe_thrust_coefficients, sizeof(double[8]));
-    memcpy(airframe->drag_coefficients, airframe_drag_coefficients, sizeof(double[8]));
 }
 
 void airframe_hexacopter(airframe_t *airframe)
 {
-    double airframe_thrust_coefficients[8];
-    airframe_for_each(UINT64_C(6), 0.0107, airframe_thrust_coefficients);
-    double airframe_drag_coefficients[8];
-    airframe_for_each(UINT64_C(6), 0.0007826, airframe_drag_coefficients);
+    airframe_for_each(UINT64_C(6), 0.0107, airframe->thrust_coefficients);
+    airframe_for_each(UINT64_C(6), 0.0007826, airframe->drag_coefficients);
     airframe->mass = 1.6;
     airframe->inertia[0] = 0.023;
     airframe->inertia[1] = 0.023;
@@ -66,8 +59,6 @@ void airframe_hexacopter(airframe_t *airframe)
     airframe->propeller_radius = 0.127;
     airframe->disc_area = 0.0507;
     airframe->air_density = 1.184;
-    memcpy(airframe->thrust_coefficients, airframe_thrust_coefficients, sizeof(double[8]));
-    memcpy(airframe->drag_coefficients, airframe_drag_coefficients, sizeof(double[8]));
 }
 
 void airframe_for_each(uint64_t count, double value, double all[8])

@@ -30,12 +30,10 @@
 void axis_filter_at_rest(double place, double bias, axis_filter_t *axis_filter)
 {
     const double spread[3] = {place * place, 0.01, bias * bias};
-    double axis_filter_covariance[9];
-    covariance_diagonal_3(spread, axis_filter_covariance);
+    covariance_diagonal_3(spread, axis_filter->covariance);
     axis_filter->state[0] = 0.0;
     axis_filter->state[1] = 0.0;
     axis_filter->state[2] = 0.0;
-    memcpy(axis_filter->covariance, axis_filter_covariance, sizeof(double[9]));
 }
 
 void axis_filter_predict(axis_filter_t *self, double acceleration, double period, double noise,

@@ -473,20 +473,12 @@ static void estimator_state(estimator_t *self, const sensors_t *sensors,
         self->rates[2] - self->attitude.bias[2]
     };
     memcpy(work->axes, self->axes, sizeof(axis_filter_t[3]));
-    double estimate_velocity[3];
-    estimator_velocity(self, estimate_velocity);
-    double estimate_rates[3];
-    low_pass_step(&self->smooth, sensors->smoothing, rates, estimate_rates);
+    estimator_velocity(self, estimate->velocity);
+    low_pass_step(&self->smooth, sensors->smoothing, rates, estimate->rates);
     estimate->position[0] = work->axes[0].state[0];
     estimate->position[1] = work->axes[1].state[0];
     estimate->position[2] = work->axes[2].state[0];
     estimate->angles[0] = self->attitude.angles[0];
     estimate->angles[1] = self->attitude.angles[1];
     estimate->angles[2] = self->attitude.angles[2];
-    estimate->velocity[0] = estimate_velocity[0];
-    estimate->velocity[1] = estimate_velocity[1];
-    estimate->velocity[2] = estimate_velocity[2];
-    estimate->rates[0] = estimate_rates[0];
-    estimate->rates[1] = estimate_rates[1];
-    estimate->rates[2] = estimate_rates[2];
 }

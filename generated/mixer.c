@@ -14,7 +14,6 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
-#include <string.h>
 
 #include "airframe.h"
 #include "signals.h"
@@ -58,12 +57,8 @@ static double max_f64(double a, double b)
 void mixer_new(const airframe_t *airframe, double square_per_command, double largest_command,
     mixer_t *mixer)
 {
-    double allocation[32];
-    airframe_allocation(airframe, allocation);
-    double mixer_spins[8];
-    airframe_spins(airframe, mixer_spins);
-    memcpy(mixer->allocation, allocation, sizeof(double[32]));
-    memcpy(mixer->spins, mixer_spins, sizeof(double[8]));
+    airframe_allocation(airframe, mixer->allocation);
+    airframe_spins(airframe, mixer->spins);
     mixer->square_per_command = square_per_command;
     mixer->largest_command = largest_command;
 }

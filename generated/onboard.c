@@ -46,33 +46,19 @@ static double onboard_gain(const onboard_t *self, const settings_t *settings,
 
 void settings_mambo(settings_mambo_work_t *work, settings_t *settings)
 {
-    airframe_t settings_airframe;
-    airframe_mambo(&settings_airframe);
-    calibration_t settings_calibration;
-    calibration_mambo(&settings_calibration);
-    sensors_t settings_sensors;
-    sensors_mambo(&settings_sensors);
-    course_t settings_course;
-    course_mambo(&settings_course);
-    limits_t settings_limits;
-    limits_room(&settings_limits);
+    airframe_mambo(&settings->airframe);
+    calibration_mambo(&settings->calibration);
+    sensors_mambo(&settings->sensors);
+    course_mambo(&settings->course);
+    limits_room(&settings->limits);
     parameters_mambo(&work->mambo_work, &work->settings_parameters);
-    injection_t settings_injection;
-    injection_none(&settings_injection);
-    choice_t settings_choice;
-    choice_usual(&settings_choice);
-    settings->airframe = settings_airframe;
-    settings->calibration = settings_calibration;
-    settings->sensors = settings_sensors;
+    injection_none(&settings->injection);
+    choice_usual(&settings->choice);
     settings->space.reach = 3.0;
     settings->space.heights[0] = 0.0;
     settings->space.heights[1] = 3.0;
     settings->space.latest = 3600.0;
-    settings->course = settings_course;
-    settings->limits = settings_limits;
     settings->parameters = work->settings_parameters;
-    settings->injection = settings_injection;
-    settings->choice = settings_choice;
 }
 
 void onboard_init(onboard_t *self)

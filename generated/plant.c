@@ -94,8 +94,7 @@ void motion_slope(const motion_t *self, const airframe_t *airframe, const wrench
         wrench->torque[1] - turn_cross[1],
         wrench->torque[2] - turn_cross[2]
     };
-    double motion_angles[3];
-    orientation_angle_rates(&orientation, self->rates, motion_angles);
+    orientation_angle_rates(&orientation, self->rates, motion->angles);
     const double motion_matrix[3] = {0.0, 0.0, GRAVITY};
     const double motion_velocity[3] = {
         push[0] - motion_matrix[0],
@@ -110,9 +109,6 @@ void motion_slope(const motion_t *self, const airframe_t *airframe, const wrench
     motion->position[0] = self->velocity[0];
     motion->position[1] = self->velocity[1];
     motion->position[2] = self->velocity[2];
-    motion->angles[0] = motion_angles[0];
-    motion->angles[1] = motion_angles[1];
-    motion->angles[2] = motion_angles[2];
     motion->velocity[0] = motion_velocity[0];
     motion->velocity[1] = motion_velocity[1];
     motion->velocity[2] = motion_velocity[2];

@@ -24,213 +24,152 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
-#if defined(__GNUC__) && defined(__SSE2__) && !defined(BESSEMER_PLAIN)
-#define VECTORS
-typedef double four_t __attribute__((vector_size(32), aligned(8), may_alias));
+#if defined(__GNUC__) && defined(__AVX512F__) && !defined(BESSEMER_PLAIN)
+#define LANES 4U
+#define DOWN 2U
+#define ACROSS 6U
+#elif defined(__GNUC__) && defined(__AVX__) && !defined(BESSEMER_PLAIN)
+#define LANES 4U
+#define DOWN 2U
+#define ACROSS 3U
+#elif defined(__GNUC__) && defined(__SSE2__) && !defined(BESSEMER_PLAIN)
+#define LANES 2U
+#define DOWN 3U
+#define ACROSS 3U
 #endif
 
-/* A tile of 4 by 4 elements: the first products, then the others in order. */
-static void tile_4x4(const double *a, const double *b, double *result)
+#if defined(LANES)
+/* The rows of a block; the last vector overlaps where they are no multiple of its lanes. */
+#define HEIGHT ((LANES * DOWN < 6U) ? LANES * DOWN : 6U)
+#define OFFSET(vector) ((LANES * (vector) + LANES <= HEIGHT) ? LANES * (vector) : HEIGHT - LANES)
+
+#if !defined(PLUS)
+#define TIMES(rows, number) ((rows) * (number))
+#define PLUS(sum, rows, number) ((sum) + (rows) * (number))
+#endif
+
+typedef double lanes_t __attribute__((vector_size(8 * LANES), aligned(8), may_alias));
+
+/* A block of the result, vectors of rows by columns: the first products, then the others in order. */
+static inline void block(const double *a, const double *b, double *result)
 {
-#if defined(VECTORS)
-    four_t column = *(const four_t *)a;
-    four_t y0 = column * b[0];
-    four_t y1 = column * b[6];
-    four_t y2 = column * b[12];
-    four_t y3 = column * b[18];
-    for (uint32_t k = 1U; k < 6U; k++) {
-        a += 6;
-        column = *(const four_t *)a;
-        y0 += column * b[k + 0U];
-        y1 += column * b[k + 6U];
-        y2 += column * b[k + 12U];
-        y3 += column * b[k + 18U];
+    lanes_t sums[ACROSS][DOWN];
+#pragma GCC unroll 8
+    for (uint32_t down = 0U; down < DOWN; down++) {
+        const lanes_t rows = *(const lanes_t *)&a[OFFSET(down)];
+#pragma GCC unroll 8
+        for (uint32_t across = 0U; across < ACROSS; across++) {
+            sums[across][down] = TIMES(rows, b[6U * across]);
+        }
     }
-    *(four_t *)&result[0] = y0;
-    *(four_t *)&result[6] = y1;
-    *(four_t *)&result[12] = y2;
-    *(four_t *)&result[18] = y3;
+    for (uint32_t k = 1U; k < 6U; k++) {
+#pragma GCC unroll 8
+        for (uint32_t down = 0U; down < DOWN; down++) {
+            const lanes_t rows = *(const lanes_t *)&a[6U * k + OFFSET(down)];
+#pragma GCC unroll 8
+            for (uint32_t across = 0U; across < ACROSS; across++) {
+                sums[across][down] = PLUS(sums[across][down], rows, b[k + 6U * across]);
+            }
+        }
+    }
+#pragma GCC unroll 8
+    for (uint32_t across = 0U; across < ACROSS; across++) {
+#pragma GCC unroll 8
+        for (uint32_t down = 0U; down < DOWN; down++) {
+            *(lanes_t *)&result[6U * across + OFFSET(down)] = sums[across][down];
+        }
+    }
+}
 #else
+/* A tile of 3 by 6 elements: the first products, then the others in order. */
+static void tile_3x6(const double *a, const double *b, double *result)
+{
     double y00 = a[0] * b[0];
     double y10 = a[1] * b[0];
     double y20 = a[2] * b[0];
-    double y30 = a[3] * b[0];
     double y01 = a[0] * b[6];
     double y11 = a[1] * b[6];
     double y21 = a[2] * b[6];
-    double y31 = a[3] * b[6];
     double y02 = a[0] * b[12];
     double y12 = a[1] * b[12];
     double y22 = a[2] * b[12];
-    double y32 = a[3] * b[12];
     double y03 = a[0] * b[18];
     double y13 = a[1] * b[18];
     double y23 = a[2] * b[18];
-    double y33 = a[3] * b[18];
+    double y04 = a[0] * b[24];
+    double y14 = a[1] * b[24];
+    double y24 = a[2] * b[24];
+    double y05 = a[0] * b[30];
+    double y15 = a[1] * b[30];
+    double y25 = a[2] * b[30];
+#if defined(__GNUC__)
+#pragma GCC unroll 6
+#endif
     for (uint32_t k = 1U; k < 6U; k++) {
         a += 6;
         const double a0 = a[0];
         const double a1 = a[1];
         const double a2 = a[2];
-        const double a3 = a[3];
         const double b0 = b[k + 0U];
-        const double b1 = b[k + 6U];
-        const double b2 = b[k + 12U];
-        const double b3 = b[k + 18U];
         y00 += a0 * b0;
         y10 += a1 * b0;
         y20 += a2 * b0;
-        y30 += a3 * b0;
+        const double b1 = b[k + 6U];
         y01 += a0 * b1;
         y11 += a1 * b1;
         y21 += a2 * b1;
-        y31 += a3 * b1;
+        const double b2 = b[k + 12U];
         y02 += a0 * b2;
         y12 += a1 * b2;
         y22 += a2 * b2;
-        y32 += a3 * b2;
+        const double b3 = b[k + 18U];
         y03 += a0 * b3;
         y13 += a1 * b3;
         y23 += a2 * b3;
-        y33 += a3 * b3;
+        const double b4 = b[k + 24U];
+        y04 += a0 * b4;
+        y14 += a1 * b4;
+        y24 += a2 * b4;
+        const double b5 = b[k + 30U];
+        y05 += a0 * b5;
+        y15 += a1 * b5;
+        y25 += a2 * b5;
     }
     result[0] = y00;
     result[1] = y10;
     result[2] = y20;
-    result[3] = y30;
     result[6] = y01;
     result[7] = y11;
     result[8] = y21;
-    result[9] = y31;
     result[12] = y02;
     result[13] = y12;
     result[14] = y22;
-    result[15] = y32;
     result[18] = y03;
     result[19] = y13;
     result[20] = y23;
-    result[21] = y33;
+    result[24] = y04;
+    result[25] = y14;
+    result[26] = y24;
+    result[30] = y05;
+    result[31] = y15;
+    result[32] = y25;
+}
 #endif
-}
-
-/* A tile of 2 by 4 elements: the first products, then the others in order. */
-static void tile_2x4(const double *a, const double *b, double *result)
-{
-    double y00 = a[0] * b[0];
-    double y10 = a[1] * b[0];
-    double y01 = a[0] * b[6];
-    double y11 = a[1] * b[6];
-    double y02 = a[0] * b[12];
-    double y12 = a[1] * b[12];
-    double y03 = a[0] * b[18];
-    double y13 = a[1] * b[18];
-    for (uint32_t k = 1U; k < 6U; k++) {
-        a += 6;
-        const double a0 = a[0];
-        const double a1 = a[1];
-        const double b0 = b[k + 0U];
-        const double b1 = b[k + 6U];
-        const double b2 = b[k + 12U];
-        const double b3 = b[k + 18U];
-        y00 += a0 * b0;
-        y10 += a1 * b0;
-        y01 += a0 * b1;
-        y11 += a1 * b1;
-        y02 += a0 * b2;
-        y12 += a1 * b2;
-        y03 += a0 * b3;
-        y13 += a1 * b3;
-    }
-    result[0] = y00;
-    result[1] = y10;
-    result[6] = y01;
-    result[7] = y11;
-    result[12] = y02;
-    result[13] = y12;
-    result[18] = y03;
-    result[19] = y13;
-}
-
-/* A tile of 4 by 2 elements: the first products, then the others in order. */
-static void tile_4x2(const double *a, const double *b, double *result)
-{
-#if defined(VECTORS)
-    four_t column = *(const four_t *)a;
-    four_t y0 = column * b[0];
-    four_t y1 = column * b[6];
-    for (uint32_t k = 1U; k < 6U; k++) {
-        a += 6;
-        column = *(const four_t *)a;
-        y0 += column * b[k + 0U];
-        y1 += column * b[k + 6U];
-    }
-    *(four_t *)&result[0] = y0;
-    *(four_t *)&result[6] = y1;
-#else
-    double y00 = a[0] * b[0];
-    double y10 = a[1] * b[0];
-    double y20 = a[2] * b[0];
-    double y30 = a[3] * b[0];
-    double y01 = a[0] * b[6];
-    double y11 = a[1] * b[6];
-    double y21 = a[2] * b[6];
-    double y31 = a[3] * b[6];
-    for (uint32_t k = 1U; k < 6U; k++) {
-        a += 6;
-        const double a0 = a[0];
-        const double a1 = a[1];
-        const double a2 = a[2];
-        const double a3 = a[3];
-        const double b0 = b[k + 0U];
-        const double b1 = b[k + 6U];
-        y00 += a0 * b0;
-        y10 += a1 * b0;
-        y20 += a2 * b0;
-        y30 += a3 * b0;
-        y01 += a0 * b1;
-        y11 += a1 * b1;
-        y21 += a2 * b1;
-        y31 += a3 * b1;
-    }
-    result[0] = y00;
-    result[1] = y10;
-    result[2] = y20;
-    result[3] = y30;
-    result[6] = y01;
-    result[7] = y11;
-    result[8] = y21;
-    result[9] = y31;
-#endif
-}
-
-/* A tile of 2 by 2 elements: the first products, then the others in order. */
-static void tile_2x2(const double *a, const double *b, double *result)
-{
-    double y00 = a[0] * b[0];
-    double y10 = a[1] * b[0];
-    double y01 = a[0] * b[6];
-    double y11 = a[1] * b[6];
-    for (uint32_t k = 1U; k < 6U; k++) {
-        a += 6;
-        const double a0 = a[0];
-        const double a1 = a[1];
-        const double b0 = b[k + 0U];
-        const double b1 = b[k + 6U];
-        y00 += a0 * b0;
-        y10 += a1 * b0;
-        y01 += a0 * b1;
-        y11 += a1 * b1;
-    }
-    result[0] = y00;
-    result[1] = y10;
-    result[6] = y01;
-    result[7] = y11;
-}
 
 void product_f64_6x6_6x6(const double a[36], const double b[36], double result[36])
 {
-    tile_4x4(&a[0U], &b[0U], &result[0U]);
-    tile_2x4(&a[4U], &b[0U], &result[4U]);
-    tile_4x2(&a[0U], &b[24U], &result[24U]);
-    tile_2x2(&a[4U], &b[24U], &result[28U]);
+#if defined(LANES)
+    /* The last blocks overlap the ones before, where the result is no multiple of them. */
+    for (uint32_t column = 0U; column < 6U; column += ACROSS) {
+        const uint32_t left = (column + ACROSS <= 6U) ? column : 6U - ACROSS;
+        for (uint32_t row = 0U; row < 6U; row += HEIGHT) {
+            const uint32_t top = (row + HEIGHT <= 6U) ? row : 6U - HEIGHT;
+            block(&a[top], &b[6U * left], &result[top + 6U * left]);
+        }
+    }
+#else
+    for (uint32_t row = 0U; row < 6U; row += 3U) {
+        tile_3x6(&a[row], &b[0U], &result[row]);
+    }
+#endif
 }

@@ -15,6 +15,8 @@ use super::place::{element, offset, shape};
 
 /// Up to so many elements an element-wise routine is written out.
 const ELEMENTS: u32 = 4;
+/// Up to so many elements of a product are computed before any is stored.
+const BESIDE: u32 = 16;
 /// Up to so many elements a transposition is written out.
 const MOVES: u32 = 16;
 /// Up to so many terms a scalar product is written out.
@@ -117,11 +119,14 @@ impl Lower<'_> {
         value: &Ir,
     ) {
         let (scalar, rows, cols) = shape(&value.ty);
-        let many = rows > 1 && cols > 1;
-        if many
-            && matches!(routine, Routine::Product | Routine::TrMul)
-            && self.is_straight(routine, operands, &value.ty)
-        {
+        let terms = match routine {
+            Routine::Product => shape(&operands[0].ty).2,
+            Routine::TrMul => shape(&operands[0].ty).1,
+            _ => 1,
+        };
+        // As many elements as registers hold, each of several terms.
+        let again = rows > 1 && cols > 1 && terms > 1 && rows * cols <= BESIDE;
+        if again && self.is_straight(routine, operands, &value.ty) {
             self.store_beside(&dest, value);
             return;
         }
