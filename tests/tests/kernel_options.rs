@@ -1,7 +1,6 @@
 //! Options of kernels, as programs: functions of the user's own in place of kernels are called, give the
 //! kernel's result and can be taken back; threads change no bit.
 
-use std::path::Path;
 use std::process::Command;
 
 use bessemer_codegen::c::{self, Options};
