@@ -12,12 +12,12 @@ mod report;
 
 use std::path::{Path, PathBuf};
 
-use crate::compile::{self, Compiled};
+use crate::compile::{self, Compiled, Options};
 use crate::diagnostic::{self, Diagnostic};
 use crate::source::Sources;
 
 pub use manifest::Manifest;
-pub use report::table;
+pub use report::{explanation, table};
 
 /// What to generate, and where to.
 #[derive(Clone, Debug)]
@@ -30,6 +30,8 @@ pub struct Job {
     pub output: PathBuf,
     /// Compare instead of writing.
     pub check: bool,
+    /// What the user decides about the C.
+    pub options: Options,
     /// Colour in diagnostics and differences.
     pub colour: bool,
     /// The version that the manifest names: the tool's.
@@ -42,7 +44,8 @@ impl Job {
         let root = root.into();
         let output = root.join("generated");
         let version = env!("CARGO_PKG_VERSION").to_owned();
-        Job { root, package: package.to_owned(), output, check: false, colour: false, version }
+        let (package, options) = (package.to_owned(), Options::default());
+        Job { root, package, output, check: false, options, colour: false, version }
     }
 }
 
@@ -121,7 +124,7 @@ impl Error {
 pub fn generate(job: &Job) -> Result<Summary, Error> {
     let sources = Sources::new(&job.root);
     let package = package::tree(job, &sources)?;
-    let compiled = compile::compile(&package, &sources, &compile::Options::default())
+    let compiled = compile::compile(&package, &sources, &job.options)
         .map_err(|diagnostics| refused(job, &diagnostics, &sources))?;
     let mut files = output::Files::default();
     for file in &compiled.files {

@@ -9,6 +9,7 @@
 //! temporary wherever a result would be written over an operand.
 
 mod call;
+mod compare;
 mod copy;
 mod fill;
 mod loops;
@@ -48,6 +49,8 @@ pub struct Uses {
     pub math: bool,
     /// `string.h`.
     pub string: bool,
+    /// The macro that asks for a loop to be written out.
+    pub unroll: bool,
 }
 
 /// What all functions share.
@@ -102,6 +105,8 @@ pub(super) struct Lower<'a> {
     /// The local that is the result, and stands in the caller's storage from the start.
     in_place: Option<LocalId>,
     bytes: u64,
+    /// How far the author wants the next loop written out.
+    unroll: Option<u32>,
 }
 
 /// Lowers the body of a function; notes in `uses` what it needs.
@@ -124,6 +129,7 @@ pub fn function<'a>(context: Context<'a>, id: FunctionId, uses: &'a mut Uses) ->
         looks: false,
         in_place: None,
         bytes: 0,
+        unroll: None,
     };
     lower.parameters();
     lower.prologue();
@@ -210,7 +216,9 @@ impl<'a> Lower<'a> {
             otherwise: Vec::new(),
         });
         self.looks = true;
-        self.latch = (first.mode == Mode::RefMut).then_some(fault);
+        // An entry that rolls back can be called again.
+        let latches = first.mode == Mode::RefMut && !self.function.attributes.atomic;
+        self.latch = latches.then_some(fault);
     }
 
     /// The local that every `return` gives back, if it can be built where the caller wants it: a
