@@ -13,6 +13,7 @@ use crate::source::Sources;
 use crate::{passes, typify, validate};
 
 pub use crate::c::Options;
+pub use crate::typify::Typed;
 
 /// A package as IR and as C.
 pub struct Compiled {
@@ -21,6 +22,8 @@ pub struct Compiled {
     /// The IR that the C is printed from: faults explicit, one step a statement, large temporaries
     /// the caller's.
     pub explicit: Module,
+    /// How many types were computed, and how many of them rustc was asked about.
+    pub typed: Typed,
     /// The C.
     pub files: Vec<CFile>,
     /// What there is to call, and what it costs.
@@ -41,17 +44,27 @@ pub fn compile(
     options: &Options,
 ) -> Result<Compiled, Vec<Diagnostic>> {
     let options = &Options { license: package.license.clone(), ..options.clone() };
-    let module = typify::typify(package, sources)?;
+    let (module, typed) = typify::typify(package, sources)?;
     gate(&module)?;
     let (explicit, checks) = passes::explicit(module.clone()).map_err(|errors| {
         errors.iter().map(|error| unproved(&module, error)).collect::<Vec<_>>()
     })?;
     let explicit = passes::lend(explicit);
     gate(&explicit)?;
+    let taken: Vec<_> = c::given::taken(&explicit, options)
+        .iter()
+        .map(|(span, taken)| Diagnostic {
+            help: "give it another name, or leave the name to Bessemer".to_owned(),
+            ..place(&module, *span, taken)
+        })
+        .collect();
+    if !taken.is_empty() {
+        return Err(taken);
+    }
     let files = c::emit(&explicit, options);
     let entries = c::report(&explicit, options, &files);
     let replaced = replaced(&explicit, options);
-    Ok(Compiled { module, explicit, files, entries, checks, replaced })
+    Ok(Compiled { module, explicit, typed, files, entries, checks, replaced })
 }
 
 fn replaced(module: &Module, options: &Options) -> Vec<(String, String)> {
@@ -72,6 +85,10 @@ fn gate(module: &Module) -> Result<(), Vec<Diagnostic>> {
 /// A claim of the author's that could not be proved; anything else is a fault of the tool.
 fn unproved(module: &Module, error: &passes::Error) -> Diagnostic {
     let (span, help) = match error {
+        passes::Error::Fallible { check, claim, .. } if *claim == passes::STAND_IN => (
+            check.span,
+            "rule the fault out: the firmware's function has no status that could tell of it",
+        ),
         passes::Error::Fallible { check, .. } => (
             check.span,
             "rule the fault out (a constant index, a smaller type, a comparison before), or write `#[entry]`",

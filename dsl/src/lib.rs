@@ -38,7 +38,7 @@
 extern crate alloc;
 extern crate self as bessemer;
 
-pub use bessemer_macros::{component, data, entry, function, interface};
+pub use bessemer_macros::{c, component, data, entry, external, function, interface};
 pub use bounded::BoundedMatrix;
 pub use instance::EntriesInOneBlock;
 pub use linear::{inverse, inverse_mut, solve, solve_into, solve_mut};
@@ -60,7 +60,8 @@ mod plain;
 pub mod prelude {
     pub use crate::math::{Real, real};
     pub use crate::{
-        BoundedMatrix, List, component, data, entry, function, interface, matrix, vector,
+        BoundedMatrix, List, c, component, data, entry, external, function, interface, matrix,
+        vector,
     };
     pub use nalgebra::{
         Matrix2, Matrix3, Matrix4, Matrix6, SMatrix, SVector, Vector2, Vector3, Vector4, Vector5,

@@ -15,7 +15,9 @@ pub use bessemer_legs::{
     words,
 };
 
+use bessemer_codegen::c::CFile;
 use bessemer_codegen::compile::Compiled;
+use std::path::PathBuf;
 use std::sync::OnceLock;
 
 /// The flight models, compiled once for a test program.
@@ -33,5 +35,21 @@ pub fn flight_models() -> &'static Compiled {
 /// If they do not compile: no test can run then.
 pub fn corpus() -> &'static Compiled {
     static COMPILED: OnceLock<Compiled> = OnceLock::new();
-    COMPILED.get_or_init(|| compiled("corpus"))
+    COMPILED.get_or_init(|| {
+        let mut compiled = compiled("corpus");
+        compiled.files.extend(brought());
+        compiled
+    })
+}
+
+/// The C that the firmware would bring for the corpus' external functions.
+fn brought() -> Vec<CFile> {
+    let folder = root().join("tests/corpus/c");
+    let entries = std::fs::read_dir(folder).expect("the folder of the C").flatten();
+    let read = |path: PathBuf| CFile {
+        name: path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+        text: std::fs::read_to_string(&path).expect("a file of C"),
+        map: Vec::new(),
+    };
+    entries.map(|entry| read(entry.path())).collect()
 }

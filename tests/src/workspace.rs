@@ -104,10 +104,18 @@ impl Workspace {
     /// # Errors
     /// What the generator or the compiler said.
     pub fn compiled(&self) -> Result<Compiled, String> {
+        self.compiled_with(&compile::Options::default())
+    }
+
+    /// The same, with what the user decides.
+    ///
+    /// # Errors
+    /// What the generator or the compiler said.
+    pub fn compiled_with(&self, options: &compile::Options) -> Result<Compiled, String> {
         let sources = Sources::new(self.path(""));
         let package =
             generate::tree(&self.path(""), "models").map_err(|error| error.to_string())?;
-        compile::compile(&package, &sources, &compile::Options::default())
+        compile::compile(&package, &sources, options)
             .map_err(|errors| diagnostic::render(&errors, &sources, false))
     }
 

@@ -63,12 +63,16 @@ pub enum Task {
 Examples:
   cargo xtask gen            Bring generated/ up to date
   cargo xtask gen --check    Fail, with a diff, if generated/ is stale
+  cargo xtask gen --explain  Also list the checks that are left in each entry point, and why
 
 Needs Rust, nothing else. The output is written whole or not at all.")]
 pub struct Gen {
     /// Write nothing; fail, with a diff, if what is committed is stale
     #[arg(long)]
     pub check: bool,
+    /// List the checks that are left in each entry point: line, fault, and why it could not be ruled out
+    #[arg(long, conflicts_with = "check")]
+    pub explain: bool,
 }
 
 /// Whether generation writes or only compares.

@@ -13,12 +13,12 @@ use std::path::Path;
 /// The package whose C is committed.
 const MODELS: &str = "models";
 
-/// Writes generated/ anew, or compares it, for the workspace at `root`.
+/// Writes generated/ anew, or compares it, for the workspace at `root`; `explain`: says which checks are left.
 ///
 /// # Errors
 /// What the models, the compiler or the file system said; [`generate::Error::Stale`] when comparing finds a
 /// difference.
-pub fn run(root: &Path, mode: Mode) -> Result<Outcome, Error> {
+pub fn run(root: &Path, mode: Mode, explain: bool) -> Result<Outcome, Error> {
     let mut job = Job::new(root, MODELS);
     job.check = mode == Mode::Check;
     job.colour = std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
@@ -33,6 +33,9 @@ pub fn run(root: &Path, mode: Mode) -> Result<Outcome, Error> {
                 summary.changed.join(" ")
             ),
         }
+    }
+    if explain {
+        anstream::print!("\n{}", generate::explanation(&summary.compiled));
     }
     Ok(Outcome::Good)
 }

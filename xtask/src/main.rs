@@ -25,7 +25,7 @@ fn main() -> ExitCode {
 fn perform(task: &Task) -> Result<Outcome, Error> {
     let root = project::root();
     match task {
-        Task::Gen(wanted) => generate::run(&root, wanted.mode()),
+        Task::Gen(wanted) => generate::run(&root, wanted.mode(), wanted.explain),
         Task::Test(wanted) => test::run(&root, wanted, &ThisMachine),
         Task::Doctor(wanted) => doctor::run(wanted, &ThisMachine),
         Task::Bench(wanted) => bench::run(&root, wanted, &ThisMachine),

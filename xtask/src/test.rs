@@ -38,7 +38,7 @@ pub fn run(root: &Path, wanted: &Test, machine: &dyn Machine) -> Result<Outcome,
     check(&mut progress, "format", cargo(&["fmt", "--all", "--check"]), Some("cargo fmt --all"))?;
     let lints = cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]);
     check(&mut progress, "lints", lints, None)?;
-    progress.open("gen --check", || generate::run(root, Mode::Check))?;
+    progress.open("gen --check", || generate::run(root, Mode::Check, false))?;
     show(&mut progress, "documentation tests", cargo(&["test", "--workspace", "--doc"]))?;
     // Features of a package alone: in a workspace build they would reach the models of every test.
     show(

@@ -17,12 +17,15 @@ pub struct Faults {
     latched: Vec<bool>,
     /// Checks in each function, its callees' included once per call.
     pub checks: Vec<u32>,
+    /// Whether a hook of the user's is called at a fault, and nothing returns a status.
+    hook: bool,
 }
 
 impl Faults {
     /// Looks at every function; callees stand before callers.
-    pub fn new(module: &Module) -> Faults {
+    pub fn new(module: &Module, hook: bool) -> Faults {
         let mut faults = Faults {
+            hook,
             functions: Vec::new(),
             latched: vec![false; module.structs.len()],
             checks: Vec::new(),
@@ -44,7 +47,8 @@ impl Faults {
             });
             faults.functions.push(fallible);
             faults.checks.push(checks);
-            if let (true, Some(component)) = (fallible, entry_owner(module, function)) {
+            let latches = fallible && !hook && !function.attributes.atomic;
+            if let (true, Some(component)) = (latches, entry_owner(module, function)) {
                 faults.latched[component.index()] = true;
             }
         }
@@ -53,7 +57,7 @@ impl Faults {
 
     /// Whether the function returns a status.
     pub fn fallible(&self, function: FunctionId) -> bool {
-        self.functions[function.index()]
+        !self.hook && self.functions[function.index()]
     }
 
     /// Whether the component's state holds the fault that stopped it.
@@ -258,22 +262,36 @@ fn walk_place(place: &Place, visit: &mut dyn FnMut(&Expr)) {
     }
 }
 
-/// Which functions anything can call: those that other files see, and what they call.
-pub fn reachable(module: &Module, is_static: impl Fn(FunctionId) -> bool) -> Vec<bool> {
+/// The functions that the C needs: those that others can call, and what they call. What another crate
+/// brings for the stand-in of an external function alone is none of them.
+pub fn reachable(module: &Module, is_extern: impl Fn(FunctionId) -> bool) -> Vec<bool> {
     let count = module.functions.len();
-    let mut reached: Vec<bool> =
-        (0..count).map(|index| !is_static(FunctionId(index as u32))).collect();
+    let ids = || (0..count).map(|index| FunctionId(index as u32));
+    let is_external = |id: FunctionId| module.functions[id.index()].attributes.external.is_some();
+    let mut stands_in: Vec<bool> = ids().map(is_external).collect();
+    follow(module, &mut stands_in, |_| true);
+    let package = module.name.replace('-', "_");
+    let is_own = |id: FunctionId| {
+        module.functions[id.index()].module.split("::").next() == Some(package.as_str())
+    };
+    let is_root = |id: FunctionId| is_extern(id) && (!stands_in[id.index()] || is_own(id));
+    let mut reached: Vec<bool> = ids().map(is_root).collect();
+    follow(module, &mut reached, |id| !is_external(id));
+    reached
+}
+
+/// Marks what marked functions call, as far as `through` goes on from them.
+fn follow(module: &Module, marked: &mut [bool], through: impl Fn(FunctionId) -> bool) {
     // Callees stand before callers.
-    for index in (0..count).rev() {
-        if reached[index] {
+    for index in (0..marked.len()).rev() {
+        if marked[index] && through(FunctionId(index as u32)) {
             walk_exprs(&module.functions[index].body, &mut |expr| {
                 if let ExprKind::Call(callee, _) = &expr.kind {
-                    reached[callee.index()] = true;
+                    marked[callee.index()] = true;
                 }
             });
         }
     }
-    reached
 }
 
 /// The inline functions that these functions call, directly or through one another; callees first.

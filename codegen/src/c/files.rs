@@ -14,11 +14,11 @@ use bessemer_ir::{
 use super::analysis::{inline_callees, reachable};
 use super::helpers::{Helper, closure};
 use super::lower::{self, Context, Uses};
-use super::names::{FAULTS, OVERLAY, Returned, Signature, Storage};
+use super::names::{OVERLAY, Returned, Signature, Storage};
 use super::print::Printer;
 use super::shell::{Shell, frame};
 use super::tree::{Declarator, Init, Item, Lines, Origin, StmtKind, plain};
-use super::{CFile, Options, init, literal};
+use super::{CFile, Options, asked, init, literal, status};
 use crate::kernels;
 use crate::kernels::replace::Replacement;
 
@@ -48,7 +48,7 @@ enum Callable {
 pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {
     let mut list = Vec::new();
     if context.faults.any() {
-        list.push(status_header(context, options));
+        list.push(status::header(context, options));
     }
     for (name, unit) in units(context) {
         let writer = Writer { context, options, name, unit };
@@ -81,10 +81,10 @@ fn units(context: Context<'_>) -> BTreeMap<String, Unit> {
         unit.types.push(TypeId::Enum(EnumId(index as u32)));
         unit.modules.insert(item.module.clone());
     }
-    let reached = reachable(module, |id| names.signature(id).storage != Storage::Extern);
+    let reached = reachable(module, |id| names.signature(id).storage == Storage::Extern);
     for (index, item) in module.functions.iter().enumerate().filter(|(index, _)| reached[*index]) {
         let id = FunctionId(index as u32);
-        if names.signature(id).storage == Storage::Inline {
+        if matches!(names.signature(id).storage, Storage::Inline | Storage::Foreign) {
             continue;
         }
         let unit = units.entry(names.function_file(module, id)).or_default();
@@ -191,6 +191,7 @@ impl Writer<'_> {
         let mut includes = Includes::default();
         let mut definitions = Vec::new();
         let mut prototypes = Vec::new();
+        let mut asked = BTreeSet::new();
         let inline: Vec<Callable> = self.inline().collect();
         for callable in inline.iter().chain(&self.unit.functions) {
             let id = match callable {
@@ -208,7 +209,7 @@ impl Writer<'_> {
             }
             let lowered = lower::function(self.context, id, &mut uses);
             match signature.storage {
-                Storage::Extern => {}
+                Storage::Extern | Storage::Foreign => {}
                 Storage::Static => prototypes.push(self.prototype(id, false)),
                 Storage::Inline => includes.signature(self.context, signature),
             }
@@ -216,15 +217,23 @@ impl Writer<'_> {
                 includes.own.insert(names.status.header.clone());
             }
             let declared = signature.storage == Storage::Extern;
+            let mut head = names.head(signature);
+            for (wanted, text) in asked::of(&function.attributes, self.options) {
+                asked.insert(wanted);
+                head.asked.push(text);
+            }
             definitions.push(Item::Function {
                 docs: if declared { Vec::new() } else { function.docs.clone() },
-                head: names.head(signature),
+                head,
                 body: lowered.body,
                 origin: origin(function.span),
                 function: rust_path(self.context, function),
             });
         }
-        let mut items = self.constants(&uses, &mut includes);
+        let mut items: Vec<Item> = Vec::new();
+        asked.extend(uses.unroll.then_some(asked::Macro::Unroll));
+        items.extend(asked.iter().map(|asked| Item::Verbatim(asked.text(self.options))));
+        items.extend(self.constants(&uses, &mut includes));
         for helper in closure(&uses.helpers) {
             uses.math |= helper.needs_math();
             uses.string |= helper.needs_string();
@@ -407,7 +416,7 @@ impl Writer<'_> {
     }
 }
 
-fn assemble(
+pub(super) fn assemble(
     context: Context<'_>,
     name: &str,
     shell: &Shell<'_>,
@@ -436,43 +445,6 @@ fn assemble(
         text
     };
     CFile { name: name.to_owned(), text, map }
-}
-
-/// The header of the status type: what a call can come to.
-fn status_header(context: Context<'_>, options: &Options) -> CFile {
-    let status = &context.names.status;
-    let mut variants = vec![(vec!["All is well.".to_owned()], status.ok.clone())];
-    for fault in FAULTS {
-        let docs = match fault {
-            bessemer_ir::Fault::Overflow => "Integer arithmetic left its type.",
-            bessemer_ir::Fault::DivisionByZero => "An integer was divided by zero.",
-            bessemer_ir::Fault::Shift => "A shift by the width of the type or more.",
-            bessemer_ir::Fault::Index => "An index beyond the end.",
-            bessemer_ir::Fault::Clamp => "Bounds that are not low <= high.",
-            bessemer_ir::Fault::Variant => "An enum that holds none of its values.",
-            bessemer_ir::Fault::Assertion => "An assertion does not hold.",
-            bessemer_ir::Fault::Bound => "A loop did not end within its bound.",
-            bessemer_ir::Fault::Absent => "A value that is not there was taken.",
-            bessemer_ir::Fault::Capacity => "A bounded container is full.",
-        };
-        variants.push((vec![docs.to_owned()], status.fault(fault)));
-    }
-    let item = Item::Enum {
-        docs: vec!["What a call came to. After a fault its outputs are as they were.".to_owned()],
-        name: status.ty.clone(),
-        variants,
-        origin: Origin { file: 0, line: 0 },
-    };
-    let shell = Shell {
-        file: &status.header,
-        header: &status.header,
-        summary: "what a call came to.",
-        source: &context.module.name,
-        license: &options.license,
-        system_includes: Vec::new(),
-        own_includes: Vec::new(),
-    };
-    assemble(context, &status.header, &shell, true, &[item])
 }
 
 /// The struct or enum that a type is made of, if one.

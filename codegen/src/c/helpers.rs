@@ -29,6 +29,8 @@ pub enum Helper {
     Clamp(Scalar),
     /// The absolute value of an integer.
     Abs(Int),
+    /// The bits in which two values differ, where they are compared.
+    Xor(Int),
     /// Bits shifted left, signed.
     ShiftLeft(Int),
     /// Rust's `>>` on signed integers.
@@ -99,6 +101,7 @@ impl Helper {
             Helper::Max(ty) => Helper::Max(scalar(ty)),
             Helper::Clamp(ty) => Helper::Clamp(scalar(ty)),
             Helper::Abs(int) => Helper::Abs(Helper::plain(int)),
+            Helper::Xor(int) => Helper::Xor(Helper::plain(int)),
             Helper::ShiftLeft(int) => Helper::ShiftLeft(Helper::plain(int)),
             Helper::ShiftRight(int) => Helper::ShiftRight(Helper::plain(int)),
             Helper::FromFloat(int, float) => Helper::FromFloat(Helper::plain(int), float),
@@ -128,6 +131,7 @@ impl Helper {
             Helper::Max(ty) => format!("max_{}", ty.name()),
             Helper::Clamp(ty) => format!("clamp_{}", ty.name()),
             Helper::Abs(int) => format!("abs_{}", int.name()),
+            Helper::Xor(int) => format!("xor_{}", int.name()),
             Helper::ShiftLeft(int) => format!("shift_left_{}", int.name()),
             Helper::ShiftRight(int) => format!("shift_right_{}", int.name()),
             Helper::FromFloat(int, float) => format!("{}_from_{}", int.name(), float.name()),
@@ -192,6 +196,7 @@ impl Helper {
             Helper::Max(ty) => choose(&name, ty, "larger", ">"),
             Helper::Clamp(ty) => clamp(&name, ty),
             Helper::Abs(int) => absolute(&name, int),
+            Helper::Xor(int) => integers::exclusive(&name, int),
             Helper::ShiftLeft(int) => shift_left(&name, int),
             Helper::ShiftRight(int) => shift_right(&name, int),
             Helper::FromFloat(int, float) => from_float(&name, int, float),

@@ -24,6 +24,7 @@ pub fn head(context: Context<'_>, id: StructId) -> Head {
         dimensions: String::new(),
     };
     Head {
+        asked: Vec::new(),
         storage: Storage::Extern,
         result: "void".to_owned(),
         name: names.init.clone().expect("only components have it"),

@@ -9,8 +9,10 @@
 //! in the IR.
 
 mod analysis;
+mod asked;
 mod const_names;
 mod files;
+pub mod given;
 mod helpers;
 mod init;
 mod layout;
@@ -23,6 +25,7 @@ mod report;
 mod reserved;
 mod shell;
 mod spelling;
+mod status;
 mod tree;
 
 use bessemer_ir::Module;
@@ -56,6 +59,9 @@ pub struct Options {
     pub prefix: String,
     /// The stem of the status type: `bessemer` gives `bessemer_status_t`.
     pub status: String,
+    /// A function of the firmware's that a fault calls, and that does not return: then functions return
+    /// their results plainly, and no status.
+    pub hook: Option<String>,
     /// The SPDX expression of the emitted files.
     pub license: String,
     /// The user's own functions in place of kernels.
@@ -67,6 +73,7 @@ impl Default for Options {
         Options {
             prefix: String::new(),
             status: "bessemer".to_owned(),
+            hook: None,
             license: "MIT OR Apache-2.0".to_owned(),
             replacements: Vec::new(),
         }
@@ -99,7 +106,7 @@ pub struct MapLine {
 
 /// Emits a module that the passes have made explicit; files in the order of their names.
 pub fn emit(module: &Module, options: &Options) -> Vec<CFile> {
-    let faults = Faults::new(module);
+    let faults = Faults::new(module, options.hook.is_some());
     let names = Names::with_faults(module, options, &faults);
     files::files(lower::Context { module, names: &names, faults: &faults }, options)
 }

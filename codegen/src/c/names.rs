@@ -13,7 +13,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use bessemer_ir::{
-    ConstId, EnumId, Fault, Function, FunctionId, Int, Mode, Module, Owner, Scalar, StructId, Type,
+    ConstId, EnumId, Function, FunctionId, Int, Mode, Module, Owner, Scalar, StructId, Type,
 };
 
 use super::Options;
@@ -22,6 +22,7 @@ use super::const_names::ConstNames;
 use super::helpers::is_helper_name;
 use super::reserved::{is_keyword, is_reserved_file, is_reserved_for_locals, is_reserved_globally};
 use super::spelling::{identifier, last_segment, relative, screaming, snake};
+pub use super::status::{FAULTS, StatusNames};
 pub use super::tree::Storage;
 use super::tree::{Declarator, Head};
 
@@ -105,51 +106,6 @@ pub struct Signature {
     pub header: String,
 }
 
-/// The names of the status type and its values.
-#[derive(Clone, Debug)]
-pub struct StatusNames {
-    /// The type, `bessemer_status_t`.
-    pub ty: String,
-    /// No fault.
-    pub ok: String,
-    /// The header.
-    pub header: String,
-    prefix: String,
-}
-
-/// Every fault, in the order of its number in C (from 1).
-pub const FAULTS: [Fault; 10] = [
-    Fault::Overflow,
-    Fault::DivisionByZero,
-    Fault::Shift,
-    Fault::Index,
-    Fault::Clamp,
-    Fault::Variant,
-    Fault::Assertion,
-    Fault::Bound,
-    Fault::Absent,
-    Fault::Capacity,
-];
-
-impl StatusNames {
-    /// The enumerator of a fault.
-    pub fn fault(&self, fault: Fault) -> String {
-        let word = match fault {
-            Fault::Overflow => "OVERFLOW",
-            Fault::DivisionByZero => "DIVISION_BY_ZERO",
-            Fault::Shift => "SHIFT",
-            Fault::Index => "INDEX",
-            Fault::Clamp => "CLAMP",
-            Fault::Variant => "VARIANT",
-            Fault::Assertion => "ASSERTION",
-            Fault::Bound => "BOUND",
-            Fault::Absent => "ABSENT",
-            Fault::Capacity => "CAPACITY",
-        };
-        format!("{}_{word}", self.prefix)
-    }
-}
-
 /// The names of a whole module.
 #[derive(Clone, Debug)]
 pub struct Names {
@@ -170,23 +126,17 @@ pub struct Names {
 impl Names {
     /// Names everything.
     pub fn new(module: &Module, options: &Options) -> Names {
-        Names::with_faults(module, options, &Faults::new(module))
+        Names::with_faults(module, options, &Faults::new(module, options.hook.is_some()))
     }
 
     pub(crate) fn with_faults(module: &Module, options: &Options, faults: &Faults) -> Names {
-        let stem = identifier(&options.status);
         let mut names = Names {
             structs: Vec::new(),
             enums: Vec::new(),
             consts: ConstNames::default(),
             globals: BTreeSet::new(),
             functions: Vec::new(),
-            status: StatusNames {
-                ty: format!("{stem}_status_t"),
-                ok: format!("{}_STATUS_OK", stem.to_uppercase()),
-                header: format!("{stem}_status.h"),
-                prefix: format!("{}_STATUS", stem.to_uppercase()),
-            },
+            status: StatusNames::new(options),
             files: file_names(module),
         };
         names.name_types(module, options, faults);
@@ -284,6 +234,7 @@ impl Names {
     /// The head of a function.
     pub fn head(&self, signature: &Signature) -> Head {
         Head {
+            asked: Vec::new(),
             storage: signature.storage,
             result: match &signature.returned {
                 Returned::Nothing => "void".to_owned(),
@@ -356,7 +307,9 @@ impl Names {
         }
         let mut chosen: Vec<String> = (module.functions.iter().zip(&short))
             .map(|(function, name)| {
-                if wanted[name.as_str()] > 1 || is_reserved_globally(name) {
+                if let Some(name) = &function.attributes.name {
+                    name.clone()
+                } else if wanted[name.as_str()] > 1 || is_reserved_globally(name) {
                     long_name(self, module, function, options)
                 } else {
                     name.clone()
@@ -369,7 +322,8 @@ impl Names {
             .map(|(_, name)| name.clone())
             .collect();
         for (function, name) in module.functions.iter().zip(&mut chosen) {
-            if function.owner.is_none() && methods.contains(name) {
+            let own = function.attributes.name.is_some();
+            if function.owner.is_none() && !own && methods.contains(name) {
                 name.push_str("_fn");
             }
         }
@@ -384,18 +338,25 @@ impl Names {
             self.functions.push(Signature {
                 name: chosen[index].clone(),
                 storage: match function.role {
+                    _ if function.attributes.external.is_some() => Storage::Foreign,
                     bessemer_ir::Role::Private if locally[index] => Storage::Static,
                     bessemer_ir::Role::Inline => Storage::Inline,
                     _ => Storage::Extern,
                 },
                 params,
                 returned,
-                header: format!("{}.h", self.function_file(module, id)),
+                header: match &function.attributes.external {
+                    Some(header) => header.clone(),
+                    None => format!("{}.h", self.function_file(module, id)),
+                },
             });
         }
     }
 
     fn short_name(&self, function: &Function, options: &Options) -> String {
+        if let Some(name) = &function.attributes.name {
+            return name.clone();
+        }
         let name = identifier(&function.name);
         if function.kernel.is_some() {
             return format!("{}{name}", options.prefix);

@@ -146,9 +146,12 @@ impl<'a> Printer<'a> {
     }
 
     fn head(&mut self, head: &Head, end: &str) {
+        if !head.asked.is_empty() {
+            self.put(&head.asked.join(" "));
+        }
         let mut pieces = Pieces::default();
         let storage = match head.storage {
-            Storage::Extern => "",
+            Storage::Extern | Storage::Foreign => "",
             Storage::Static => "static ",
             Storage::Inline => "static inline ",
         };
@@ -258,6 +261,10 @@ impl<'a> Printer<'a> {
                 pieces.expr(value, 0);
                 pieces.glue(";");
                 self.put_filled(pieces, INDENT);
+            }
+            StmtKind::Forever => {
+                self.put("for (;;) {");
+                self.put("}");
             }
             StmtKind::Break => self.put("break;"),
             StmtKind::Continue => self.put("continue;"),

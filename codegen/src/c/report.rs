@@ -35,7 +35,7 @@ pub struct EntryReport {
 
 /// Reports on every entry point, in the order of the module.
 pub fn report(module: &Module, options: &Options, files: &[CFile]) -> Vec<EntryReport> {
-    let faults = Faults::new(module);
+    let faults = Faults::new(module, options.hook.is_some());
     let names = Names::with_faults(module, options, &faults);
     let context = Context { module, names: &names, faults: &faults };
     let mut deepest: Vec<(u64, u64)> = Vec::new();

@@ -221,6 +221,8 @@ pub enum StmtKind {
     Break,
     /// `continue`.
     Continue,
+    /// `for (;;) { }`: nothing runs on.
+    Forever,
     /// `{ … }`.
     Block(Vec<Stmt>),
     /// Lines that come as they are.
@@ -256,11 +258,15 @@ pub enum Storage {
     Static,
     /// Each file that calls it has it.
     Inline,
+    /// The firmware's.
+    Foreign,
 }
 
 /// The head of a function, as C writes it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Head {
+    /// What is asked of the compiler, a macro each.
+    pub asked: Vec<String>,
     /// `static`, or `static inline`.
     pub storage: Storage,
     /// The type of the result.

@@ -12,12 +12,12 @@ mod report;
 
 use std::path::{Path, PathBuf};
 
-use crate::compile::{self, Compiled};
+use crate::compile::{self, Compiled, Options};
 use crate::diagnostic::{self, Diagnostic};
 use crate::source::Sources;
 
 pub use manifest::Manifest;
-pub use report::table;
+pub use report::{explanation, table};
 
 /// What to generate, and where to.
 #[derive(Clone, Debug)]
@@ -30,12 +30,12 @@ pub struct Job {
     pub output: PathBuf,
     /// Compare instead of writing.
     pub check: bool,
+    /// What the user decides about the C.
+    pub options: Options,
     /// Colour in diagnostics and differences.
     pub colour: bool,
     /// The version that the manifest names: the tool's.
     pub version: String,
-    /// What the user decides about the C.
-    pub options: compile::Options,
 }
 
 impl Job {
@@ -44,8 +44,8 @@ impl Job {
         let root = root.into();
         let output = root.join("generated");
         let version = env!("CARGO_PKG_VERSION").to_owned();
-        let (check, colour, options) = (false, false, compile::Options::default());
-        Job { root, package: package.to_owned(), output, check, colour, version, options }
+        let (package, options) = (package.to_owned(), Options::default());
+        Job { root, package, output, check: false, options, colour: false, version }
     }
 }
 

@@ -1,10 +1,14 @@
-//! What a generation made, as an aligned table.
+//! What a generation made: an aligned table, the checks that are left and why, and what rests on stand-ins.
 
 use std::fmt::Write as _;
 
-use crate::compile::Compiled;
+use bessemer_ir::{Fault, Owner, Role, Span};
 
-/// Component, entry point, lines of C, bytes of state, estimated stack, checks left.
+use crate::compile::Compiled;
+use crate::passes;
+
+/// Component, entry point, lines of C, bytes of state, estimated stack, checks left; below it the external
+/// functions.
 pub fn table(compiled: &Compiled) -> String {
     let titles = ["component", "entry point", "C lines", "state", "stack", "checks"];
     let mut rows: Vec<[String; 6]> = vec![titles.map(str::to_owned)];
@@ -41,5 +45,74 @@ pub fn table(compiled: &Compiled) -> String {
             "{kernel}: {library}'s function; whether its bits are the Rust's rests on that"
         );
     }
+    text.push_str(&externals(compiled));
     text
+}
+
+/// The functions for which the firmware's C has to give the bits of what stands in for it.
+fn externals(compiled: &Compiled) -> String {
+    let functions = compiled.explicit.functions.iter();
+    let lines = functions.filter_map(|function| {
+        let attributes = &function.attributes;
+        let (header, name) = (attributes.external.as_ref()?, attributes.name.as_ref()?);
+        Some(format!("  {name} ({header}): {}\n", place(compiled, function.span)))
+    });
+    let lines: String = lines.collect();
+    if lines.is_empty() {
+        return lines;
+    }
+    format!(
+        "\nThe same bits in Rust and C rest on stand-ins here: what the firmware brings must do what they do.\n{lines}"
+    )
+}
+
+/// The checks that are left in each entry point and in each function that it calls: the author's line, the
+/// fault, and why it could not be ruled out.
+pub fn explanation(compiled: &Compiled) -> String {
+    let mut text = String::new();
+    let functions = &compiled.module.functions;
+    for (index, function) in functions.iter().enumerate() {
+        let (Role::Entry { .. }, Some(Owner::Struct(owner))) = (function.role, function.owner)
+        else {
+            continue;
+        };
+        let component = &compiled.module.structs[owner.index()].name;
+        let mut lines = String::new();
+        let mut count = 0;
+        for reached in passes::reached(&compiled.module, index) {
+            for check in compiled.checks.functions.get(reached).into_iter().flatten() {
+                count += 1;
+                let (at, fault) = (place(compiled, check.span), word(check.fault));
+                let _ = writeln!(lines, "  {at}: {fault}: {}", check.reason);
+            }
+        }
+        let left = match count {
+            0 => "no check is left".to_owned(),
+            1 => "1 check is left".to_owned(),
+            more => format!("{more} checks are left"),
+        };
+        let _ = writeln!(text, "{component}::{}: {left}\n{}", function.name, lines);
+    }
+    text
+}
+
+/// `models/src/height.rs:12:9`.
+fn place(compiled: &Compiled, span: Span) -> String {
+    let file = compiled.module.files.get(span.file as usize).map_or("", String::as_str);
+    format!("{file}:{}:{}", span.line, span.column)
+}
+
+fn word(fault: Fault) -> &'static str {
+    match fault {
+        Fault::Overflow => "overflow",
+        Fault::DivisionByZero => "division by zero",
+        Fault::Shift => "shift",
+        Fault::Index => "index",
+        Fault::Clamp => "clamp",
+        Fault::Variant => "variant",
+        Fault::Assertion => "assertion",
+        Fault::Bound => "bound",
+        Fault::Absent => "absent",
+        Fault::Capacity => "capacity",
+    }
 }

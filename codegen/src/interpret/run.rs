@@ -198,7 +198,7 @@ impl<'m, 'r> Run<'m, 'r> {
     }
 
     fn repeat(&mut self, frame: Frame<'m, 'r>, stmt: &'m Stmt) -> Result<Flow, Stop> {
-        let StmtKind::For { variable, from, to, inclusive, reversed, body } = &stmt.kind else {
+        let StmtKind::For { variable, from, to, inclusive, reversed, body, .. } = &stmt.kind else {
             unreachable!("called for loops only")
         };
         let Some(int) = from.ty.as_int() else { unreachable!("validated: bounds are integers") };

@@ -61,12 +61,14 @@ pub struct Report {
 pub enum Error {
     /// An entry point claims that it has no fault left, and has one.
     #[error(
-        "`{entry}` is not infallible: in `{function}`, {fault:?}: {}",
+        "`{entry}` {claim}: in `{function}`, {fault:?}: {}",
         .check.reason
     )]
     Fallible {
-        /// The entry point.
+        /// The entry point, or the external function.
         entry: String,
+        /// What is not so.
+        claim: &'static str,
         /// The function that holds the check, the entry itself or what it calls.
         function: String,
         /// The fault, once more, for the message.
@@ -145,17 +147,22 @@ fn may_fault(function: &Function, callees: &[Callee]) -> bool {
     calls.checks || calls.called.iter().any(faults)
 }
 
+/// What an external function must not do: its C has no status to tell of it.
+pub const STAND_IN: &str = "is external, and its stand-in may fault";
+
 /// An error for each check that an infallible entry point can reach.
 fn broken_claims(module: &Module, report: &Report) -> Vec<Error> {
     let mut errors = Vec::new();
     for (index, entry) in module.functions.iter().enumerate() {
-        if entry.role != (Role::Entry { infallible: true }) {
+        let external = entry.attributes.external.is_some();
+        if entry.role != (Role::Entry { infallible: true }) && !external {
             continue;
         }
         for reached in reached(module, index) {
             let (function, checks) = (&module.functions[reached], &report.functions[reached]);
             errors.extend(checks.iter().map(|check| Error::Fallible {
                 entry: entry.name.clone(),
+                claim: if external { STAND_IN } else { "is not infallible" },
                 function: function.name.clone(),
                 fault: check.fault,
                 check: check.clone(),
@@ -166,7 +173,7 @@ fn broken_claims(module: &Module, report: &Report) -> Vec<Error> {
 }
 
 /// A function and all that it calls; callees before callers.
-fn reached(module: &Module, index: usize) -> Vec<usize> {
+pub fn reached(module: &Module, index: usize) -> Vec<usize> {
     let mut reached = vec![false; module.functions.len()];
     reached[index] = true;
     for caller in (0..=index).rev() {

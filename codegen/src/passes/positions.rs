@@ -46,7 +46,10 @@ impl Callee {
         Callee {
             fallible,
             through_pointer: status || function.result.is_aggregate(),
-            nests: !status && reads && function.result.is_word(),
+            nests: !status
+                && reads
+                && function.attributes.external.is_none()
+                && function.result.is_word(),
         }
     }
 }

@@ -194,7 +194,9 @@ impl Lowering<'_> {
     }
 
     fn repeat(&mut self, kind: StmtKind, span: Span) {
-        let StmtKind::For { variable, from, to, inclusive, reversed, body } = kind else { return };
+        let StmtKind::For { variable, from, to, inclusive, reversed, unroll, body } = kind else {
+            return;
+        };
         let name = self.function.local(variable).name.clone();
         let ty = self.function.local(variable).ty.clone();
         let (mut from, mut to) = self.pair(from, to);
@@ -213,7 +215,7 @@ impl Lowering<'_> {
         self.facts.enter_body(&counter, (&from, &to), ranges, inclusive);
         let body = self.block(body);
         self.facts = head;
-        self.emit(StmtKind::For { variable, from, to, inclusive, reversed, body }, span);
+        self.emit(StmtKind::For { variable, from, to, inclusive, reversed, unroll, body }, span);
     }
 
     /// A check of the author's.

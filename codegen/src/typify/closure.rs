@@ -21,8 +21,8 @@ enum Body<'t> {
 /// The closure's parameter, and its body.
 fn parts(closure: &Expr) -> Option<(Pattern, &Expr)> {
     match &closure.kind {
-        ExprKind::Closure(parameters, body) => {
-            Some((parameters.first().cloned().unwrap_or(Pattern::Any), body))
+        ExprKind::Closure(it) => {
+            Some((it.parameters.first().cloned().unwrap_or(Pattern::Any), &it.body))
         }
         _ => None,
     }

@@ -227,6 +227,20 @@ impl Lowering<'_, '_> {
                 }
                 None => self.loop_stmt(expr.site, label.as_deref(), bound, body, None),
             },
+            tree::ExprKind::Unroll(count, inner) => {
+                let mark = self.out.len();
+                self.effect(inner)?;
+                // A loop over the elements of a value may stand behind a copy of it.
+                let loops = self.out[mark..].iter_mut().rev();
+                let mut hints = loops.filter_map(|stmt| match &mut stmt.kind {
+                    StmtKind::For { unroll, .. } => Some(unroll),
+                    _ => None,
+                });
+                if let Some(unroll) = hints.next() {
+                    *unroll = Some(*count);
+                }
+                Ok(())
+            }
             tree::ExprKind::Return(value) => self.return_stmt(value.as_deref(), expr.site),
             tree::ExprKind::Break(label, value) => {
                 self.break_stmt(label.as_deref(), value.as_deref(), expr.site)
@@ -245,6 +259,13 @@ impl Lowering<'_, '_> {
                 self.unwrap("unwrap", arguments, expr).map(|_| ())
             }
             tree::ExprKind::Try(operand) => self.try_value(operand, expr.site).map(|_| ()),
+            tree::ExprKind::Apply(name, arguments) => {
+                let value = self.apply(name, arguments, expr.site)?;
+                if value.ty != Type::Unit {
+                    self.emit(StmtKind::Expr(value), span);
+                }
+                Ok(())
+            }
             _ => {
                 let value = self.value(expr, None)?;
                 self.emit(StmtKind::Expr(value), span);

@@ -75,7 +75,15 @@ impl Lowering<'_, '_> {
             copies = inner.copy_written(parts, &places, &mut block, span);
             inner.counters.pop();
             let (from, to) = (from.clone(), end.clone());
-            Ok(StmtKind::For { variable, from, to, inclusive: false, reversed, body: block })
+            Ok(StmtKind::For {
+                variable,
+                from,
+                to,
+                inclusive: false,
+                reversed,
+                unroll: None,
+                body: block,
+            })
         };
         let mark = self.out.len();
         self.repeated(label, None, span, &mut lowered)?;
@@ -136,6 +144,7 @@ impl Lowering<'_, '_> {
             to: count(to),
             inclusive: false,
             reversed: false,
+            unroll: None,
             body,
         };
         let rows = Stmt { kind: through(inner, rows, block), span, comments: Vec::new() };

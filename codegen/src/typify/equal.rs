@@ -194,7 +194,10 @@ impl Lowering<'_, '_> {
             Ok(())
         })?;
         let (from, inclusive, reversed) = (number(0, span), false, false);
-        self.emit(StmtKind::For { variable, from, to: count, inclusive, reversed, body }, span);
+        self.emit(
+            StmtKind::For { variable, from, to: count, inclusive, reversed, unroll: None, body },
+            span,
+        );
         Ok(held)
     }
 

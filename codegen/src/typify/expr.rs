@@ -2,8 +2,8 @@
 
 use bessemer_ir::tree::{self, BinaryOp as Op, Site};
 use bessemer_ir::{
-    Argument, BinaryOp, CompareOp, Expr, ExprKind, FunctionId, Int, LogicOp, Mode, Place, Routine,
-    Scalar, Stmt, StmtKind, Type, UnaryOp,
+    BinaryOp, CompareOp, Expr, ExprKind, FunctionId, Int, LogicOp, Place, Routine, Scalar, Stmt,
+    StmtKind, Type, UnaryOp,
 };
 
 use super::function::{Lowering, Target, control_with_value};
@@ -24,9 +24,11 @@ impl Lowering<'_, '_> {
             return self.value(&other, expected);
         }
         let value = self.bare_value(expr, expected)?;
+        self.cx.typed.expressions += 1;
         if let Some(slot) = expr.slot {
             let rustc = self.seen(slot, expr.site)?;
             self.agree(&value.ty, &rustc, expr.site)?;
+            self.cx.typed.agreed += 1;
         }
         Ok(value)
     }
@@ -59,6 +61,12 @@ impl Lowering<'_, '_> {
             tree::ExprKind::Unary(op, operand) => self.unary(*op, operand, expected, site),
             tree::ExprKind::Binary(op, left, right) => self.binary(*op, left, right, expr),
             tree::ExprKind::Call(callee, arguments) => self.call(*callee, arguments, expr),
+            tree::ExprKind::Apply(name, arguments) => self.apply(name, arguments, site),
+            tree::ExprKind::Closure(_) => problem(
+                site,
+                "this does not take a closure in the DSL",
+                "give the closure a name with `let`, call it, and pass its value",
+            ),
             tree::ExprKind::Struct(name, fields, rest) => {
                 self.struct_value(name, fields, rest.as_deref(), expr)
             }
@@ -457,6 +465,9 @@ impl Lowering<'_, '_> {
         match self.source.callees.get(callee as usize) {
             Some(tree::Callee::Builtin(name)) => self.builtin(name, arguments, expr),
             Some(tree::Callee::Function(path)) => {
+                if let Some(template) = self.cx.templates.get(path.as_str()).copied() {
+                    return self.call_handing(template, arguments, expr);
+                }
                 if let Some(value) = self.shorter(path, arguments, expr)? {
                     return Ok(value);
                 }
@@ -474,54 +485,6 @@ impl Lowering<'_, '_> {
             }
             None => problem(expr.site, "the tree names a callee that is not there", OUR_FAULT),
         }
-    }
-
-    pub(super) fn call_function(
-        &mut self,
-        id: FunctionId,
-        arguments: &[tree::Expr],
-        expr: &tree::Expr,
-    ) -> Result<Expr> {
-        let callee = &self.cx.module.functions[id.index()];
-        let parameters: Vec<_> =
-            callee.parameters().iter().map(|local| (local.mode, local.ty.clone())).collect();
-        let result = callee.result.clone();
-        let mut passed = Vec::new();
-        let mut parameters = parameters.into_iter();
-        for argument in arguments {
-            let Some((mode, ty)) = parameters.next() else { break };
-            let mark = self.out.len();
-            if let Type::Slice(_) = ty {
-                // The length is a parameter of its own.
-                parameters.next();
-                let slice = self.sliced(argument)?;
-                let later = self.later(mark);
-                self.settle_arguments(&mut passed, &later);
-                self.out.extend(later);
-                passed.extend(slice.passed(mode));
-                continue;
-            }
-            let next = match mode {
-                Mode::RefMut => match self.place(argument)? {
-                    Some(place) => Argument::RefMut(place),
-                    None => {
-                        let value = self.value(argument, Some(&ty))?;
-                        let held = self.temporary("argument", value);
-                        let ExprKind::Load(place) = held.kind else {
-                            return problem(argument.site, "a temporary is not a place", OUR_FAULT);
-                        };
-                        Argument::RefMut(place)
-                    }
-                },
-                Mode::Ref => Argument::Ref(self.value(argument, Some(&ty))?),
-                Mode::Value => Argument::Value(self.value(argument, Some(&ty))?),
-            };
-            let later = self.later(mark);
-            self.settle_arguments(&mut passed, &later);
-            self.out.extend(later);
-            passed.push(next);
-        }
-        self.node(ExprKind::Call(id, passed), result, expr.site)
     }
 }
 

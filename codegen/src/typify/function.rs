@@ -1,6 +1,6 @@
 //! One function: its parameters, its scopes, and its statements in order.
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 use bessemer_ir::tree::{self, NO_SLOT, Site, Ty};
 use bessemer_ir::{
@@ -8,6 +8,7 @@ use bessemer_ir::{
     StmtKind, Type,
 };
 
+use super::handed::Handed;
 use super::loops::Frame;
 use super::slice::Slice;
 use super::types::split;
@@ -19,7 +20,7 @@ pub(super) struct Lowering<'a, 'c> {
     pub source: &'a tree::Function,
     pub locals: Vec<Local>,
     /// Innermost scope last; in each, later bindings shadow.
-    scopes: Vec<Vec<(String, Binding)>>,
+    pub scopes: Vec<Vec<(String, Binding)>>,
     /// The statements of the block being lowered, so far.
     pub out: Vec<Stmt>,
     /// What to call a value that the author left unnamed here.
@@ -33,6 +34,8 @@ pub(super) struct Lowering<'a, 'c> {
     pub frames: Vec<Frame>,
     /// The counters of the loops over elements around it, outermost first.
     pub counters: Vec<LocalId>,
+    /// The closures that were handed to it, by the names of its parameters.
+    pub handed: HashMap<String, Handed<'a>>,
 }
 
 /// What a name means.
@@ -59,31 +62,15 @@ pub(super) enum Target {
 pub(super) fn lower(cx: &mut Context<'_>, source: &tree::Function) -> Result<Function> {
     let tree = &source.tree;
     let span = cx.span(&source.file, tree.site);
-    let owner = match &source.owner {
-        None => None,
-        Some(path) => match cx.types.get(path) {
-            Some(Type::Struct(id)) => Some(Owner::Struct(*id)),
-            Some(Type::Enum(id)) => Some(Owner::Enum(*id)),
-            _ => return problem(tree.site, format!("`{path}` was not built"), "mark it `#[data]`"),
-        },
-    };
-    let result = cx.value_type(slot_type(source, tree.result, tree.site)?, tree.site)?;
-    let mut lowering = Lowering {
-        cx,
-        source,
-        locals: Vec::new(),
-        scopes: vec![Vec::new()],
-        out: Vec::new(),
-        naming: "value".into(),
-        result: result.clone(),
-        held: HashSet::new(),
-        steady: HashSet::new(),
-        frames: Vec::new(),
-        counters: Vec::new(),
-    };
+    let mut lowering = Lowering::new(cx, source)?;
+    let owner = lowering.owner();
     lowering.parameters()?;
     let params = lowering.locals.len() as u32;
     lowering.body(&tree.body)?;
+    if tree.attributes.atomic {
+        lowering.roll_back(tree.params.len(), span);
+    }
+    let result = lowering.result.clone();
     let result_name = result_name(lowering.cx, tree, &result);
     let home = source.owner.as_deref().unwrap_or(&source.module);
     let suffix = lowering.cx.suffix(&source.suffix);
@@ -108,6 +95,7 @@ pub(super) fn lower(cx: &mut Context<'_>, source: &tree::Function) -> Result<Fun
             tree::Role::Private => Role::Private,
             tree::Role::Inline => Role::Inline,
         },
+        attributes: tree.attributes.clone(),
         docs: tree.docs.clone(),
         params,
         result_name,
@@ -120,12 +108,12 @@ pub(super) fn lower(cx: &mut Context<'_>, source: &tree::Function) -> Result<Fun
 }
 
 /// The local without the marks that kept its name apart from others.
-fn without_marks(local: Local) -> Local {
+pub(super) fn without_marks(local: Local) -> Local {
     Local { name: local.name.replace('%', ""), ..local }
 }
 
 /// The author's name for the result if the body ends in one, else the name of its type.
-fn result_name(cx: &Context<'_>, tree: &tree::FunctionTree, result: &Type) -> String {
+pub(super) fn result_name(cx: &Context<'_>, tree: &tree::FunctionTree, result: &Type) -> String {
     if let Some(tree::ExprKind::Local(name)) = tree.body.tail.as_ref().map(|tail| &tail.kind)
         && name != "self"
         && tree.params.iter().all(|param| param.name != *name)
@@ -159,9 +147,46 @@ fn slot_type(source: &tree::Function, slot: u32, site: Site) -> Result<&Ty> {
     }
 }
 
+impl<'a, 'c> Lowering<'a, 'c> {
+    /// With nothing lowered yet.
+    pub(super) fn new(cx: &'a mut Context<'c>, source: &'a tree::Function) -> Result<Self> {
+        let site = source.tree.site;
+        if let Some(path) = &source.owner
+            && !matches!(cx.types.get(path), Some(Type::Struct(_) | Type::Enum(_)))
+        {
+            return problem(site, format!("`{path}` was not built"), "mark it `#[data]`");
+        }
+        let result = cx.value_type(slot_type(source, source.tree.result, site)?, site)?;
+        Ok(Lowering {
+            cx,
+            source,
+            locals: Vec::new(),
+            scopes: vec![Vec::new()],
+            out: Vec::new(),
+            naming: "value".into(),
+            result,
+            held: HashSet::new(),
+            steady: HashSet::new(),
+            frames: Vec::new(),
+            counters: Vec::new(),
+            handed: HashMap::new(),
+        })
+    }
+}
+
 impl Lowering<'_, '_> {
-    fn parameters(&mut self) -> Result<()> {
-        for param in &self.source.tree.params {
+    /// The type whose method is being lowered.
+    pub(super) fn owner(&self) -> Option<Owner> {
+        match self.cx.types.get(self.source.owner.as_ref()?) {
+            Some(Type::Struct(id)) => Some(Owner::Struct(*id)),
+            Some(Type::Enum(id)) => Some(Owner::Enum(*id)),
+            _ => None,
+        }
+    }
+
+    pub(super) fn parameters(&mut self) -> Result<()> {
+        let source = self.source;
+        for param in source.tree.params.iter().filter(|param| !param.closure) {
             let ty = slot_type(self.source, param.slot, param.site)?;
             if let Some(element) = slice_of(ty) {
                 self.slice_parameter(param, element, matches!(ty, Ty::Ref(_, true)))?;
@@ -179,7 +204,7 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    fn body(&mut self, block: &tree::Block) -> Result<()> {
+    pub(super) fn body(&mut self, block: &tree::Block) -> Result<()> {
         self.stmts(block)?;
         let Some(tail) = &block.tail else { return Ok(()) };
         let mark = self.out.len();

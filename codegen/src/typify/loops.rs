@@ -65,7 +65,7 @@ impl Lowering<'_, '_> {
                 inner.statements(body)
             })?;
             let (inclusive, reversed) = (range.inclusive, range.reversed);
-            Ok(StmtKind::For { variable, from, to, inclusive, reversed, body })
+            Ok(StmtKind::For { variable, from, to, inclusive, reversed, unroll: None, body })
         })
     }
 
@@ -311,7 +311,15 @@ fn begun(pass: LocalId, bound: &Expr, span: Span) -> StmtKind {
 /// The passes of a loop with a bound; `over`: one more begins, for its check to tell.
 fn passes(variable: LocalId, bound: Expr, over: bool, body: Block) -> StmtKind {
     let from = Expr { kind: ExprKind::Literal(0), ..bound.clone() };
-    StmtKind::For { variable, from, to: bound, inclusive: over, reversed: false, body }
+    StmtKind::For {
+        variable,
+        from,
+        to: bound,
+        inclusive: over,
+        reversed: false,
+        unroll: None,
+        body,
+    }
 }
 
 fn alone(kind: StmtKind, span: Span) -> Block {

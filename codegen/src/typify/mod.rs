@@ -7,8 +7,10 @@
 //! Must not know: C, or how an operation is computed. It does not infer: a type that does not follow
 //! from the operands comes from a slot.
 
+mod atomic;
 mod bounded;
 mod builtin;
+mod call;
 mod choice;
 mod closure;
 mod control;
@@ -19,6 +21,7 @@ mod fields;
 mod function;
 mod gather;
 mod generic;
+mod handed;
 mod kernels;
 mod list;
 mod literal;
@@ -60,8 +63,17 @@ fn problem<T>(site: Site, message: impl Into<String>, help: impl Into<String>) -
     Err(Problem { site, message: message.into(), help: help.into() })
 }
 
+/// How the types were found: from the bottom up, and held against what rustc put in the slots.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Typed {
+    /// Expressions whose type was computed.
+    pub expressions: u32,
+    /// Those that rustc was asked about, and agreed.
+    pub agreed: u32,
+}
+
 /// The typed module of a package, or everything that is wrong with it.
-pub fn typify(package: &Package, sources: &Sources) -> Result<Module, Vec<Diagnostic>> {
+pub fn typify(package: &Package, sources: &Sources) -> Result<(Module, Typed), Vec<Diagnostic>> {
     let mut errors: Vec<Diagnostic> = package.errors.iter().map(refusal).collect();
     let mut cx = Context::new(package, sources);
     for definition in &package.types {
@@ -69,9 +81,14 @@ pub fn typify(package: &Package, sources: &Sources) -> Result<Module, Vec<Diagno
             errors.push(diagnostic(&definition.file, problem));
         }
     }
+    let (templates, functions): (Vec<_>, Vec<_>) = package
+        .functions
+        .iter()
+        .partition(|function| function.tree.params.iter().any(|param| param.closure));
+    cx.templates = templates.into_iter().map(|it| (it.path.as_str(), it)).collect();
     // Of other crates comes what is called, when it is called.
     let (own, other): (Vec<_>, Vec<_>) =
-        package.functions.iter().partition(|function| is_own(package, function));
+        functions.into_iter().partition(|function| is_own(package, function));
     cx.uncalled = other.into_iter().map(|function| (function.path.as_str(), function)).collect();
     for function in own {
         match function::lower(&mut cx, function) {
@@ -88,7 +105,7 @@ pub fn typify(package: &Package, sources: &Sources) -> Result<Module, Vec<Diagno
     errors.sort_by(|one, other| {
         (&one.file, one.line, one.column).cmp(&(&other.file, other.line, other.column))
     });
-    if errors.is_empty() { Ok(cx.module) } else { Err(errors) }
+    if errors.is_empty() { Ok((cx.module, cx.typed)) } else { Err(errors) }
 }
 
 /// Whether a function is the package's own: it stands there, or its instance is named there.
@@ -137,6 +154,7 @@ fn claim(function: &tree::Function) -> (Option<&str>, &str, &[tree::Argument]) {
 /// The module so far, and what its names mean.
 struct Context<'a> {
     module: Module,
+    typed: Typed,
     sources: &'a Sources,
     files: HashMap<String, u32>,
     types: HashMap<String, bessemer_ir::Type>,
@@ -160,6 +178,8 @@ struct Context<'a> {
     /// The instances of `BoundedMatrix`.
     bounded: HashSet<StructId>,
     functions: HashMap<String, FunctionId>,
+    /// The functions that take closures: each call has a copy of its own.
+    templates: HashMap<&'a str, &'a tree::Function>,
     /// Functions of other crates that nothing has called so far.
     uncalled: HashMap<&'a str, &'a tree::Function>,
 }
@@ -173,6 +193,7 @@ impl<'a> Context<'a> {
         }
         Context {
             module,
+            typed: Typed::default(),
             sources,
             files: HashMap::new(),
             types: HashMap::new(),
@@ -187,6 +208,7 @@ impl<'a> Context<'a> {
             unequal: HashSet::new(),
             bounded: HashSet::new(),
             functions: HashMap::new(),
+            templates: HashMap::new(),
             uncalled: HashMap::new(),
         }
     }

@@ -385,7 +385,10 @@ impl Lowering<'_, '_> {
         let body = self.scoped(|inner| body(inner, load(&index)))?;
         let (from, to) = (slice.from.clone(), slice.to.clone());
         let (inclusive, reversed) = (false, false);
-        self.emit(StmtKind::For { variable, from, to, inclusive, reversed, body }, span);
+        self.emit(
+            StmtKind::For { variable, from, to, inclusive, reversed, unroll: None, body },
+            span,
+        );
         Ok(())
     }
 

@@ -49,7 +49,15 @@ impl Lowering<'_, '_> {
             })?;
             let from = Expr { kind: ExprKind::Literal(0), ..passes.clone() };
             let reversed = range.reversed;
-            Ok(StmtKind::For { variable: pass, from, to: passes, inclusive: false, reversed, body })
+            Ok(StmtKind::For {
+                variable: pass,
+                from,
+                to: passes,
+                inclusive: false,
+                reversed,
+                unroll: None,
+                body,
+            })
         })
     }
 

@@ -162,6 +162,7 @@ impl Generator<'_> {
             module: "random".into(),
             owner: None,
             role: Role::Public,
+            attributes: Default::default(),
             docs: Vec::new(),
             locals: generator.locals,
             params,
@@ -302,7 +303,7 @@ impl Generator<'_> {
         self.loops -= 1;
         self.scope.truncate(scope);
         let (inclusive, reversed) = (self.random.chance(40), self.random.chance(30));
-        StmtKind::For { variable, from, to, inclusive, reversed, body }
+        StmtKind::For { variable, from, to, inclusive, reversed, unroll: None, body }
     }
 
     fn small(&mut self, ty: &Type, word: u64) -> Expr {

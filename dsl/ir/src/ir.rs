@@ -13,6 +13,7 @@ use alloc::boxed::Box;
 use alloc::string::String;
 use alloc::vec::Vec;
 
+use crate::attributes::Attributes;
 use crate::kernel::Kernel;
 use crate::number::{Float, Int, Scalar};
 pub use crate::operation::{BinaryOp, CompareOp, Intrinsic, LogicOp, Routine, UnaryOp};
@@ -196,6 +197,8 @@ pub struct Function {
     pub owner: Option<Owner>,
     /// What it is to its callers.
     pub role: Role,
+    /// What its author asks of the C.
+    pub attributes: Attributes,
     /// The author's doc comment, a line each.
     pub docs: Vec<String>,
     /// Every local; the first [`Function::params`] of them are the parameters.
@@ -326,6 +329,8 @@ pub enum StmtKind {
         inclusive: bool,
         /// Counts down from the last to the first (`.rev()`).
         reversed: bool,
+        /// How many passes its author asks compilers to write out at once; 1: to keep the loop.
+        unroll: Option<u32>,
         /// What is repeated.
         body: Block,
     },

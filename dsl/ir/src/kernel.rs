@@ -183,6 +183,7 @@ impl Kernel {
             name,
             owner: None,
             role: Role::Public,
+            attributes: Default::default(),
             docs: self.docs(),
             params: locals.len() as u32,
             locals,

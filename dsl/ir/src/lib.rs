@@ -11,6 +11,7 @@
 
 extern crate alloc;
 
+pub mod attributes;
 mod canonical;
 pub mod ir;
 pub mod kernel;
@@ -20,6 +21,7 @@ pub mod text;
 pub mod tree;
 pub mod visit;
 
+pub use attributes::{Attributes, Inlining};
 pub use ir::*;
 pub use kernel::{Kernel, KernelRoutine};
 pub use number::{Float, Int, Scalar};

@@ -14,6 +14,7 @@ use alloc::vec::Vec;
 
 use serde::{Deserialize, Serialize};
 
+use crate::attributes::Attributes;
 use crate::number::Scalar;
 
 pub use way::*;
@@ -221,6 +222,9 @@ pub struct FunctionTree {
     pub docs: Vec<String>,
     /// What it is to its callers.
     pub role: Role,
+    /// What its author asks of the C.
+    #[serde(default)]
+    pub attributes: Attributes,
     /// Parameters, `self` included.
     pub params: Vec<Param>,
     /// The slot of the result.
@@ -248,6 +252,9 @@ pub struct Param {
     pub slot: u32,
     /// Where it stands.
     pub site: Site,
+    /// Whether it takes a closure: then the slot says nothing.
+    #[serde(default)]
+    pub closure: bool,
 }
 
 /// Statements, then perhaps a value.
@@ -324,8 +331,10 @@ pub enum ExprKind {
     AssignEach(Box<Places>, Box<Expr>),
     /// A call, a method's receiver first: index into [`Function::callees`].
     Call(u32, Vec<Expr>),
-    /// `|x| …` as the argument of a call: its parameters, and its value.
-    Closure(Vec<Pattern>, Box<Expr>),
+    /// `|x| …` as the argument of a call.
+    Closure(Closure),
+    /// `f(x)`, where `f` is a parameter that takes a closure.
+    Apply(String, Vec<Expr>),
     /// `base.name`.
     Field(Box<Expr>, String),
     /// `base[index]`.
@@ -421,6 +430,8 @@ pub enum ExprKind {
         /// What is repeated.
         body: Block,
     },
+    /// `#[unroll(4)]` above a `for`; 1: `#[keep]`.
+    Unroll(u32, Box<Expr>),
     /// `return value`.
     Return(Option<Box<Expr>>),
     /// `break 'label value`.
@@ -465,6 +476,17 @@ pub struct Arm {
     pub guard: Option<Expr>,
     /// Its value.
     pub body: Expr,
+}
+
+/// A closure as the argument of a call.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Closure {
+    /// The author's name for it, if it has one.
+    pub name: Option<String>,
+    /// Its parameters.
+    pub parameters: Vec<Pattern>,
+    /// Its value.
+    pub body: Box<Expr>,
 }
 
 /// The slot of a name that no author wrote: its type is that of what it stands for.

@@ -4,13 +4,15 @@
 //! witness copy), and then hands on the tree with the types that the slots were given. It is emitted
 //! in generation builds only; the refusals come in every build.
 
-use bessemer_ir::tree::{FunctionTree, Param, Role};
+use bessemer_ir::tree::{FunctionTree, Param};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
+use crate::attributes::{self, Asked};
+use crate::closures;
 use crate::docs;
 use crate::generics::Scope;
-use crate::lower::{self, Lowering, Parameter, Refusals};
+use crate::lower::{self, Lowering, Parameter, Refusals, refuse};
 
 /// A function as the author wrote it.
 pub struct Subject<'a> {
@@ -22,8 +24,8 @@ pub struct Subject<'a> {
     pub signature: &'a syn::Signature,
     /// Its body.
     pub body: &'a syn::Block,
-    /// What it is to its callers.
-    pub role: Role,
+    /// What it is to its callers, and what its author asks of the C.
+    pub asked: Asked,
     /// Where it stands.
     pub home: Home<'a>,
 }
@@ -41,20 +43,11 @@ pub enum Home<'a> {
     Implementation(&'a syn::Path),
 }
 
-/// Whether the author wants the function where it is called: `#[inline]`.
-pub fn inline(attributes: &[syn::Attribute]) -> bool {
-    attributes.iter().any(|attribute| match &attribute.meta {
-        syn::Meta::List(list) => {
-            list.path.is_ident("inline") && list.tokens.to_string() == "always"
-        }
-        other => other.path().is_ident("inline"),
-    })
-}
-
 /// Refuses what the DSL does not take; in a generation build gives the items that stand beside a
 /// free function. For a method see [`method`].
 pub fn build(subject: &Subject<'_>, refusals: &mut Refusals) -> TokenStream {
-    let scope = Scope::of_function(&subject.signature.generics);
+    let generics = closures::without(&subject.signature.generics);
+    let scope = Scope::of_function(&generics);
     let Some(parts) = lower(subject, scope, refusals) else { return TokenStream::new() };
     let name = &subject.signature.ident;
     let call = format_ident!("__call", span = name.span());
@@ -86,7 +79,8 @@ pub fn method(
     subject: &Subject<'_>,
     refusals: &mut Refusals,
 ) -> TokenStream {
-    let scope = Scope::of_type(generics).with_method(&subject.signature.generics);
+    let own = closures::without(&subject.signature.generics);
+    let scope = Scope::of_type(generics).with_method(&own);
     let Some(parts) = lower(subject, scope, refusals) else { return TokenStream::new() };
     let name = &subject.signature.ident;
     let marker = format_ident!("__method_{}", lower::text(name));
@@ -189,6 +183,11 @@ pub struct Parts {
 
 pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -> Option<Parts> {
     lower::check_attributes(subject.attributes, refusals);
+    if let (true, Some(reason)) =
+        (scope.is_generic(), attributes::of_one_instance(&subject.asked.attributes))
+    {
+        refusals.add(subject.signature.ident.span(), reason);
+    }
     let mut copy = subject.body.clone();
     let mut signature = subject.signature.clone();
     lower::strip(&mut signature, &mut copy, refusals);
@@ -196,12 +195,18 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
     let parameters = lower::parameters(signature, refusals);
     let mut walk = Lowering::new(&signature.ident, subject.is_method(), refusals);
     let mut params = Vec::new();
+    let open = matches!(subject.home, Home::Interface(_) | Home::Implementation(_));
     for parameter in &parameters {
+        if open && parameter.closure {
+            walk.refusals.add(parameter.ident.span(), refuse::INTERFACE_CLOSURE);
+        }
         walk.bind(&parameter.name);
+        walk.called.extend(parameter.closure.then(|| parameter.name.clone()));
         params.push(Param {
             name: parameter.name.clone(),
             slot: walk.slot(),
             site: parameter.site,
+            closure: parameter.closure,
         });
     }
     let result = walk.slot();
@@ -213,7 +218,8 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
         name: lower::text(&signature.ident),
         site: lower::site(&signature.ident),
         docs: docs::lines(subject.attributes),
-        role: subject.role,
+        role: subject.asked.role,
+        attributes: subject.asked.attributes.clone(),
         params,
         result,
         body,
@@ -247,7 +253,10 @@ fn builder(
     let types = parameters.iter().map(|parameter| &parameter.ty);
     let looks = tree.params.iter().zip(parameters).map(|(param, parameter)| {
         let (slot, name) = (lower::slot_name(param.slot), &parameter.ident);
-        quote! { __look(&#slot, &#name); }
+        match param.closure {
+            true => quote! { __result::<()>(&#slot); },
+            false => quote! { __look(&#slot, &#name); },
+        }
     });
     let constants = walk.constants.iter().map(|(slot, path)| {
         let slot = lower::slot_name(*slot);

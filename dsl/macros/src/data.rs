@@ -8,7 +8,9 @@ use proc_macro2::TokenStream;
 use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned;
 
+use crate::attributes;
 use crate::builder::{self, Home, Subject};
+use crate::closures;
 use crate::docs;
 use crate::function::refuse_body;
 use crate::generics::Scope;
@@ -33,8 +35,16 @@ pub fn expand(kind: Kind, arguments: TokenStream, item: TokenStream) -> TokenStr
         refusals.add(arguments.span(), refuse::ARGUMENTS);
     }
     let (native, beside) = match syn::parse2::<syn::Item>(item.clone()) {
-        Ok(syn::Item::Struct(it)) => (it.to_token_stream(), data_struct(kind, &it, &mut refusals)),
-        Ok(syn::Item::Enum(it)) => (it.to_token_stream(), data_enum(kind, &it, &mut refusals)),
+        Ok(syn::Item::Struct(mut it)) => {
+            let beside = data_struct(kind, &it, &mut refusals);
+            strip_units(&mut it.fields);
+            (it.to_token_stream(), beside)
+        }
+        Ok(syn::Item::Enum(mut it)) => {
+            let beside = data_enum(kind, &it, &mut refusals);
+            it.variants.iter_mut().for_each(|variant| strip_units(&mut variant.fields));
+            (it.to_token_stream(), beside)
+        }
         Ok(syn::Item::Type(it)) => (it.to_token_stream(), instance::named(&it, &mut refusals)),
         Ok(syn::Item::Impl(it)) => methods(kind, it, &mut refusals),
         Ok(syn::Item::Union(it)) => {
@@ -114,8 +124,21 @@ fn field_bounds(scope: Scope<'_>, fields: &syn::Fields, of: &TokenStream) -> Tok
     scope.bounds(types.map(|ty| quote! { #ty: #of }))
 }
 
+/// The units are the DSL's alone.
+fn strip_units(fields: &mut syn::Fields) {
+    for field in fields.iter_mut() {
+        field.attrs.retain(|attribute| !attribute.path().is_ident("unit"));
+    }
+}
+
 fn check_fields(fields: &syn::Fields, refusals: &mut Refusals) {
     for field in fields {
+        for attribute in field.attrs.iter().filter(|it| it.path().is_ident("unit")) {
+            let unit = docs::unit(attribute).map(|unit| unit.value()).unwrap_or_default();
+            if unit.trim().is_empty() || unit.contains("*/") {
+                refusals.add(attribute.path().span(), refuse::UNIT);
+            }
+        }
         lower::check_attributes(&field.attrs, refusals);
         lower::check_field(&field.ty, refusals);
     }
@@ -160,7 +183,7 @@ fn definition_bounds<'a>(
 /// The list of the definitions of fields.
 fn field_definitions(fields: &syn::Fields) -> TokenStream {
     let fields = fields.iter().zip(fields.members()).map(|(field, member)| {
-        let (name, docs, ty) = (lower::member(&member), docs::lines(&field.attrs), &field.ty);
+        let (name, docs, ty) = (lower::member(&member), docs::field(field), &field.ty);
         quote! { ::bessemer::generate::field::<#ty>(cx, #name, &[#(#docs),*]) }
     });
     quote! { ::bessemer::generate::list([#(#fields),*]) }
@@ -346,17 +369,19 @@ fn methods(
             }
         };
         let mut refusals = Refusals::default();
-        let role = role(kind, &mut method.attrs, &mut refusals);
+        let asked = attributes::of_method(kind, &mut method.attrs, &mut refusals);
+        let role = asked.role;
         let subject = Subject {
             attributes: &method.attrs,
             visibility: &method.vis,
             signature: &method.sig,
             body: &method.block,
-            role,
+            asked,
             home: Home::Block,
         };
         beside.extend(builder::method(&it.self_ty, &it.generics, &subject, &mut refusals));
-        let generic = Scope::of_function(&method.sig.generics).is_generic();
+        let own = closures::without(&method.sig.generics);
+        let generic = Scope::of_function(&own).is_generic();
         if !generic
             && (matches!(role, Role::Entry { .. })
                 || instance::is_public(&method.vis) && kind == Kind::Data)
@@ -393,32 +418,4 @@ fn alias(method: &syn::ImplItemFn) -> Option<syn::ImplItem> {
     let arguments: Vec<_> = arguments.collect();
     alias.block = syn::parse_quote!({ Self::#name(#(#arguments),*) });
     Some(syn::ImplItem::Fn(alias))
-}
-
-/// Takes `#[entry]` off a method and says what the method is to its callers.
-pub fn role(kind: Kind, attributes: &mut Vec<syn::Attribute>, refusals: &mut Refusals) -> Role {
-    let mut role = match kind {
-        Kind::Data if builder::inline(attributes) => Role::Inline,
-        Kind::Data => Role::Public,
-        Kind::Component => Role::Private,
-    };
-    attributes.retain(|attribute| {
-        if !attribute.path().is_ident("entry") {
-            return true;
-        }
-        let infallible = match &attribute.meta {
-            syn::Meta::List(list) if list.tokens.to_string() == "infallible" => true,
-            syn::Meta::Path(_) => false,
-            other => {
-                refusals.add(other.path().span(), refuse::ENTRY_ARGUMENT);
-                false
-            }
-        };
-        if kind == Kind::Data {
-            refusals.add(attribute.path().span(), refuse::ENTRY_OF_DATA);
-        }
-        role = Role::Entry { infallible };
-        false
-    });
-    role
 }

@@ -1,9 +1,11 @@
 //! Free functions: the native item, its carrier, and in a generation build the builder.
 
+use bessemer_ir::attributes::Attributes;
 use bessemer_ir::tree::Role;
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
+use crate::attributes::{self, Asked};
 use crate::builder::{self, Home, Subject};
 use crate::lower::{Refusals, refuse};
 use crate::redirect;
@@ -14,6 +16,22 @@ pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
     if !arguments.is_empty() {
         refusals.add(syn::spanned::Spanned::span(&arguments), refuse::ARGUMENTS);
     }
+    marked(item, refusals, |_, _| Attributes::default())
+}
+
+/// `#[external]`.
+pub fn expand_external(arguments: TokenStream, item: TokenStream) -> TokenStream {
+    marked(item, Refusals::default(), |function, refusals| {
+        attributes::external(&arguments, function, refusals)
+    })
+}
+
+/// A free function with what its attribute itself asks for.
+fn marked(
+    item: TokenStream,
+    mut refusals: Refusals,
+    more: impl FnOnce(&syn::ItemFn, &mut Refusals) -> Attributes,
+) -> TokenStream {
     let mut function = match syn::parse2::<syn::Item>(item.clone()) {
         Ok(syn::Item::Fn(function)) => function,
         Ok(other) => {
@@ -26,12 +44,17 @@ pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
         refusals.add(receiver.self_token.span, refuse::METHOD_ALONE);
         return with_errors(refusals, item);
     }
+    let more = more(&function, &mut refusals);
+    let mut asked = attributes::of_function(&mut function.attrs, &mut refusals);
+    if more.external.is_some() {
+        asked = Asked { role: Role::Public, attributes: more };
+    }
     let subject = Subject {
         attributes: &function.attrs,
         visibility: &function.vis,
         signature: &function.sig,
         body: &function.block,
-        role: if builder::inline(&function.attrs) { Role::Inline } else { Role::Public },
+        asked,
         home: Home::Module,
     };
     let builder = builder::build(&subject, &mut refusals);

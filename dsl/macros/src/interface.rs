@@ -7,13 +7,15 @@ use proc_macro2::TokenStream;
 use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::spanned::Spanned;
 
+use crate::attributes::{self, Asked};
 use crate::builder::{self, Home, Subject};
-use crate::data::{self, Kind};
+use crate::data::Kind;
 use crate::function::refuse_body;
 use crate::generics::Scope;
 use crate::instance;
 use crate::lower::{self, Refusals, refuse};
 use crate::redirect;
+use bessemer_ir::attributes::Attributes;
 use bessemer_ir::tree::Role;
 
 /// `#[interface]`.
@@ -107,7 +109,7 @@ impl Method<'_> {
             visibility: &syn::Visibility::Inherited,
             signature,
             body: method.default.as_ref().unwrap_or(&empty),
-            role: Role::Public,
+            asked: Asked { role: Role::Public, attributes: Attributes::default() },
             home: Home::Interface(interface),
         };
         let scope = Scope::of_type(generics).with_method(&signature.generics);
@@ -168,6 +170,18 @@ impl Method<'_> {
     }
 }
 
+/// Whether a type is a scalar, an array or the like, as far as its syntax shows: nobody can mark it.
+fn is_rusts_own(ty: &syn::Type) -> bool {
+    match ty {
+        syn::Type::Path(it) => {
+            let name = it.path.get_ident().map(ToString::to_string);
+            name.is_some_and(|name| bessemer_ir::Scalar::from_name(&name).is_some())
+        }
+        syn::Type::Array(_) | syn::Type::Tuple(_) | syn::Type::Reference(_) => true,
+        _ => false,
+    }
+}
+
 /// The `impl` block of an interface as Rust runs it, and what stands beside it.
 pub fn implementation(
     kind: Kind,
@@ -177,6 +191,10 @@ pub fn implementation(
     let Some((path, _)) = it.trait_.clone() else { return Default::default() };
     if let Some(reason) = refuse::known_trait(&path) {
         refusals.add(path.span(), reason);
+        return (it.into_token_stream(), TokenStream::new());
+    }
+    if is_rusts_own(&it.self_ty) {
+        refusals.add(it.self_ty.span(), refuse::FOREIGN_IMPLEMENTATION);
         return (it.into_token_stream(), TokenStream::new());
     }
     let mut hidden: Vec<syn::ImplItem> = Vec::new();
@@ -191,13 +209,14 @@ pub fn implementation(
             }
         };
         let mut refusals = Refusals::default();
-        let role = data::role(kind, &mut method.attrs, &mut refusals);
+        let asked = attributes::of_method(kind, &mut method.attrs, &mut refusals);
+        let role = asked.role;
         let subject = Subject {
             attributes: &method.attrs,
             visibility: &method.vis,
             signature: &method.sig,
             body: &method.block,
-            role,
+            asked,
             home: Home::Implementation(&path),
         };
         let scope = Scope::of_type(&it.generics).with_method(&method.sig.generics);

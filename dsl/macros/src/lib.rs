@@ -6,7 +6,9 @@
 //!
 //! Must not know: types. rustc supplies them through the witness slots of the builder.
 
+mod attributes;
 mod builder;
+mod closures;
 mod data;
 mod docs;
 mod function;
@@ -42,6 +44,24 @@ pub fn function(arguments: TokenStream, item: TokenStream) -> TokenStream {
     function::expand(arguments.into(), item.into()).into()
 }
 
+/// A function that the firmware brings in C; its body stands in for it in the simulation and in the tests.
+///
+/// `#[external(header = "board.h")]` includes the header and calls the function by its name, or by that of
+/// `name = "…"`. The body must not fault. What the C then computes is the firmware's own: that it gives the
+/// same bits as the stand-in rests on whoever wrote it, and the report says so.
+#[proc_macro_attribute]
+pub fn external(arguments: TokenStream, item: TokenStream) -> TokenStream {
+    function::expand_external(arguments.into(), item.into()).into()
+}
+
+/// What the C of a function is called, and where it is placed: `#[c(name = "pid_step", section = ".fast")]`.
+///
+/// It stands below `#[function]`, or on a method of a marked `impl` block: on its own it is an error.
+#[proc_macro_attribute]
+pub fn c(_arguments: TokenStream, item: TokenStream) -> TokenStream {
+    alone(item.into(), lower::refuse::C_ALONE)
+}
+
 /// An interface: a trait whose methods a model calls on whatever implements it, decided when the C is
 /// written.
 ///
@@ -58,9 +78,13 @@ pub fn interface(arguments: TokenStream, item: TokenStream) -> TokenStream {
 /// Its meaning is the component's: on its own it is an error.
 #[proc_macro_attribute]
 pub fn entry(_arguments: TokenStream, item: TokenStream) -> TokenStream {
-    let item: proc_macro2::TokenStream = item.into();
+    alone(item.into(), lower::refuse::ENTRY_ALONE)
+}
+
+/// An attribute that means something only below another.
+fn alone(item: proc_macro2::TokenStream, reason: lower::refuse::Reason) -> TokenStream {
     let mut refusals = lower::Refusals::default();
-    refusals.add(lower::refuse::first_token(&item), lower::refuse::ENTRY_ALONE);
+    refusals.add(lower::refuse::first_token(&item), reason);
     let error = refusals.into_tokens();
     quote::quote! { #error #item }.into()
 }

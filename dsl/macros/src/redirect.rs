@@ -8,7 +8,7 @@
 use proc_macro2::Span;
 use syn::visit_mut::{self, VisitMut};
 
-use crate::lower::{bound, by_rows, matching};
+use crate::lower::{bound, by_rows, matching, unroll};
 
 /// The methods that the DSL owns: their result in the last bits, at ±0 or for NaN depends on the
 /// platform, or they do not exist without std.
@@ -119,6 +119,11 @@ impl VisitMut for Redirect {
         }
         visit_mut::visit_expr_mut(self, expr);
         bound::count(expr);
+    }
+
+    fn visit_expr_for_loop_mut(&mut self, it: &mut syn::ExprForLoop) {
+        unroll::strip(&mut it.attrs);
+        visit_mut::visit_expr_for_loop_mut(self, it);
     }
 
     fn visit_expr_method_call_mut(&mut self, call: &mut syn::ExprMethodCall) {

@@ -120,6 +120,20 @@ macro_rules! integers {
                 limits(a: $t) -> $t { if a == <$t>::MAX || a == <$t>::MIN { a } else { a ^ 1 } }
                 width(a: $t) -> u32 { if a > 1 { <$t>::BITS } else { 0 } }
                 negated(a: $t) -> $t { 0 - a }
+                checked_add(a: $t, b: $t) -> $t { a.checked_add(b).unwrap_or(a ^ b) }
+                checked_sub(a: $t, b: $t) -> $t { a.checked_sub(b).unwrap_or(a ^ b) }
+                checked_mul(a: $t, b: $t) -> $t { a.checked_mul(b).unwrap_or(a ^ b) }
+                checked_div(a: $t, b: $t) -> $t { a.checked_div(b).unwrap_or(a ^ b) }
+                checked_rem(a: $t, b: $t) -> $t { a.checked_rem(b).unwrap_or(a ^ b) }
+                checked_shl(a: $t, b: u32) -> $t { a.checked_shl(b).unwrap_or(a ^ 1) }
+                checked_shr(a: $t, b: u32) -> $t { a.checked_shr(b).unwrap_or(a ^ 1) }
+                checked_pow(a: $t, b: u32) -> $t { a.checked_pow(b).unwrap_or(a ^ 1) }
+                checked_neg(a: $t) -> $t { a.checked_neg().unwrap_or(a ^ 1) }
+                complement_below(a: $t, b: $t) -> bool { !a < b }
+                complements_equal(a: $t, b: $t) -> bool { !a == !b }
+                exclusive_below(a: $t, b: $t) -> bool { a ^ <$t>::MAX < b }
+                left_below(a: $t, b: $t) -> bool { <$t>::MAX - a < b }
+                wrapped_below(a: $t, b: $t) -> bool { <$t>::MAX.wrapping_sub(a) < b }
             }
         }
     )*};
@@ -133,6 +147,7 @@ macro_rules! signed {
                 of_abs(a: $t) -> $t { a.abs() }
                 signum(a: $t) -> $t { a.signum() }
                 wrapping_abs(a: $t) -> $t { a.wrapping_abs() }
+                checked_abs(a: $t) -> $t { a.checked_abs().unwrap_or(a ^ 1) }
                 is_positive(a: $t) -> bool { a.is_positive() }
                 is_negative(a: $t) -> bool { a.is_negative() }
                 unsigned_abs(a: $t) -> $unsigned { a.unsigned_abs() }
@@ -187,6 +202,23 @@ macro_rules! floats {
                 of_sin(a: $t) -> $t { a.sin() }
                 of_cos(a: $t) -> $t { a.cos() }
                 of_tan(a: $t) -> $t { a.tan() }
+                of_asin(a: $t) -> $t { a.asin() }
+                of_acos(a: $t) -> $t { a.acos() }
+                of_atan(a: $t) -> $t { a.atan() }
+                of_exp(a: $t) -> $t { a.exp() }
+                of_exp2(a: $t) -> $t { a.exp2() }
+                of_exp_m1(a: $t) -> $t { a.exp_m1() }
+                of_ln(a: $t) -> $t { a.ln() }
+                of_log2(a: $t) -> $t { a.log2() }
+                of_log10(a: $t) -> $t { a.log10() }
+                of_ln_1p(a: $t) -> $t { a.ln_1p() }
+                of_sinh(a: $t) -> $t { a.sinh() }
+                of_cosh(a: $t) -> $t { a.cosh() }
+                of_tanh(a: $t) -> $t { a.tanh() }
+                of_cbrt(a: $t) -> $t { a.cbrt() }
+                of_powf(a: $t, b: $t) -> $t { a.powf(b) }
+                of_powi(a: $t, b: i32) -> $t { a.powi(b) }
+                of_hypot(a: $t, b: $t) -> $t { a.hypot(b) }
                 is_nan(a: $t) -> bool { a.is_nan() }
                 is_finite(a: $t) -> bool { a.is_finite() }
                 is_infinite(a: $t) -> bool { a.is_infinite() }

@@ -323,3 +323,11 @@ static {ty} {name}({ty} bits)
 {body}}}"
     )
 }
+
+/// Written out in a comparison, gcc takes it for a complement and warns.
+pub fn exclusive(name: &str, int: Int) -> String {
+    let ty = int_type(int);
+    format!(
+        "/* The bits in which two integers differ. */\nstatic {ty} {name}({ty} a, {ty} b)\n{{\n    return ({ty})(a ^ b);\n}}"
+    )
+}

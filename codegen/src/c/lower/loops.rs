@@ -4,8 +4,7 @@
 //! fails; unless the bound is known to be smaller, a flag ends the loop.
 
 use bessemer_ir::{
-    BinaryOp, Block, CompareOp, Expr as Ir, ExprKind, Int, LocalId, Scalar, StmtKind as IrKind,
-    Type,
+    Block, CompareOp, Expr as Ir, ExprKind, Int, LocalId, Scalar, StmtKind as IrKind, Type,
 };
 
 use super::super::analysis::{reads_local, walk_expr, walk_exprs, walk_stmts};
@@ -98,6 +97,11 @@ impl Lower<'_> {
 
     fn finish(&mut self, counter: Declarator, head: Head, body: &Block) {
         let origin = self.origin;
+        if let Some(count) = self.unroll.take() {
+            self.uses.unroll = true;
+            let hint = format!("{}({count})", self.context.names.status.unroll());
+            self.emit(StmtKind::Verbatim(hint));
+        }
         let body = self.scope(|lower| {
             if let Some(begin) = head.begin {
                 lower.emit(begin);
@@ -169,15 +173,12 @@ impl Lower<'_> {
     /// A bound that is read before every pass.
     fn bound(&mut self, value: &Ir, name: &str, narrow: bool, body: &Block) -> (Expr, Ir) {
         let lowered = self.bound_value(value, narrow);
-        // gcc takes `(uint8_t)(255 - x)` for `~x`, and warns where it is compared.
-        let small = value.ty.as_int().is_some_and(is_small);
-        let complement = small && matches!(value.kind, ExprKind::Binary(BinaryOp::Sub, ..));
-        if complement || !holds_still(value, body) || calls(&lowered) {
+        if !holds_still(value, body) || calls(&lowered) {
             let name = self.fresh(name);
             self.declare(&value.ty, &name, Some(Init::Value(lowered)), true);
             return (Expr::name(name), value.clone());
         }
-        (lowered, value.clone())
+        (self.comparable(lowered), value.clone())
     }
 
     fn bound_value(&mut self, value: &Ir, narrow: bool) -> Expr {

@@ -9,6 +9,7 @@
 //! temporary wherever a result would be written over an operand.
 
 mod call;
+mod compare;
 mod copy;
 mod direct;
 mod fill;
@@ -49,6 +50,8 @@ pub struct Uses {
     pub math: bool,
     /// `string.h`.
     pub string: bool,
+    /// The macro that asks for a loop to be written out.
+    pub unroll: bool,
 }
 
 /// What all functions share.
@@ -105,6 +108,8 @@ pub(super) struct Lower<'a> {
     /// The locals that are fields of the result from the start.
     parts: BTreeMap<LocalId, usize>,
     bytes: u64,
+    /// How far the author wants the next loop written out.
+    unroll: Option<u32>,
 }
 
 /// Lowers the body of a function; notes in `uses` what it needs.
@@ -128,6 +133,7 @@ pub fn function<'a>(context: Context<'a>, id: FunctionId, uses: &'a mut Uses) ->
         in_place: None,
         parts: BTreeMap::new(),
         bytes: 0,
+        unroll: None,
     };
     lower.parameters();
     lower.prologue();
@@ -217,7 +223,9 @@ impl<'a> Lower<'a> {
             otherwise: Vec::new(),
         });
         self.looks = true;
-        self.latch = (first.mode == Mode::RefMut).then_some(fault);
+        // An entry that rolls back can be called again.
+        let latches = first.mode == Mode::RefMut && !self.function.attributes.atomic;
+        self.latch = latches.then_some(fault);
     }
 
     /// The local that every `return` gives back, if it can be built where the caller wants it: a

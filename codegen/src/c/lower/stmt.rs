@@ -46,8 +46,10 @@ impl Lower<'_> {
             IrKind::Match { scrutinee, arms, otherwise } => {
                 self.match_(scrutinee, arms, otherwise.as_ref(), tail);
             }
-            IrKind::For { variable, from, to, inclusive, reversed, body } => {
+            IrKind::For { variable, from, to, inclusive, reversed, unroll, body } => {
+                self.unroll = *unroll;
                 self.for_(*variable, (from, to), *inclusive, *reversed, body);
+                self.unroll = None;
             }
             IrKind::Check { condition, fault } => self.check(condition, *fault),
             IrKind::Return(value) => self.return_(value.as_ref(), tail),
@@ -163,6 +165,13 @@ impl Lower<'_> {
 
     /// Ends the function with a status that is not OK.
     pub(super) fn fail(&mut self, status: Expr) {
+        let names = &self.context.names.status;
+        if let Some(hook) = &names.hook {
+            self.uses.headers.insert(names.header.clone());
+            self.emit(StmtKind::Expr(Expr::call(hook, vec![status])));
+            self.emit(StmtKind::Forever);
+            return;
+        }
         match self.latch.clone() {
             None => self.emit(StmtKind::Return(Some(status))),
             Some(latch) => {

@@ -95,7 +95,8 @@ impl Lower<'_> {
             return Expr::name(if equal { "true" } else { "false" });
         }
         let limit = |value: Expr, ir: &Ir| super::range::limit(ir).map_or(value, Expr::name);
-        Expr::binary(comparison(op), limit(a, left), limit(b, right))
+        let (a, b) = (limit(a, left), limit(b, right));
+        Expr::binary(comparison(op), self.comparable(a), self.comparable(b))
     }
 
     /// The negation of a condition, as a reader would put it: comparisons turned round where that is

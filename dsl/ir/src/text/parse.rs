@@ -7,6 +7,7 @@ use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
+use crate::attributes::{Attributes, Inlining};
 use crate::ir::{
     Block, Const, ConstId, Enum, EnumId, Field, Form, Function, FunctionId, Local, LocalId, Module,
     Owner, Role, Span, Struct, StructId, Type, Variant,
@@ -367,6 +368,7 @@ impl Parser {
         } else {
             Role::Public
         };
+        let attributes = self.attributes()?;
         if !self.eat_word("fn") {
             return self.fail("expected `struct`, `enum`, `const` or `fn`");
         }
@@ -396,6 +398,7 @@ impl Parser {
             module,
             owner,
             role,
+            attributes,
             docs,
             locals,
             params,
@@ -406,6 +409,23 @@ impl Parser {
             span,
         });
         Ok(())
+    }
+
+    /// `#name "servo_set" #never_inline`.
+    fn attributes(&mut self) -> Parsed<Attributes> {
+        let mut attributes = Attributes::default();
+        while self.eat("#") {
+            match self.name()?.as_str() {
+                "name" => attributes.name = Some(self.name()?),
+                "section" => attributes.section = Some(self.name()?),
+                "external" => attributes.external = Some(self.name()?),
+                "never_inline" => attributes.inlining = Inlining::Never,
+                "always_inline" => attributes.inlining = Inlining::Always,
+                "atomic" => attributes.atomic = true,
+                _ => return self.fail("expected the name of an attribute before this"),
+            }
+        }
+        Ok(attributes)
     }
 
     /// The struct or enum that a function belongs to.

@@ -143,8 +143,9 @@ impl Parser {
             self.expect("..")?;
         }
         let to = self.expr(base)?;
+        let unroll = if self.eat("#") { Some(self.number()?) } else { None };
         let body = self.block(base)?;
-        Ok(StmtKind::For { variable, from, to, inclusive, reversed, body })
+        Ok(StmtKind::For { variable, from, to, inclusive, reversed, unroll, body })
     }
 
     fn check(&mut self, base: Span) -> Parsed<StmtKind> {

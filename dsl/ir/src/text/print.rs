@@ -9,6 +9,7 @@ use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use core::fmt::Write;
 
+use crate::attributes::{Attributes, Inlining};
 use crate::ir::{
     ConstId, EnumId, Field, Form, Function, FunctionId, LocalId, Mode, Module, Owner, Role, Span,
     Struct, StructId, Type, Variant,
@@ -220,11 +221,11 @@ impl<'m> Printer<'m> {
             *self.locals.uses.entry(&local.name).or_default() += 1;
         }
         let keyword = match function.role {
-            Role::Entry { infallible: true } => "entry infallible fn",
-            Role::Entry { infallible: false } => "entry fn",
-            Role::Public => "fn",
-            Role::Private => "private fn",
-            Role::Inline => "inline fn",
+            Role::Entry { infallible: true } => "entry infallible ",
+            Role::Entry { infallible: false } => "entry ",
+            Role::Public => "",
+            Role::Private => "private ",
+            Role::Inline => "inline ",
         };
         let place = relative(function.span, Span::default(), Span::default());
         self.out.push('\n');
@@ -236,7 +237,8 @@ impl<'m> Printer<'m> {
             .owner
             .map_or(String::new(), |owner| format!("{}::", self.type_name(owner_id(owner))));
         let name = shown(&function.name);
-        self.put(format_args!("{keyword} {owner}{name}{}(", home(&function.module)));
+        let attributes = shown_attributes(&function.attributes);
+        self.put(format_args!("{keyword}{attributes}fn {owner}{name}{}(", home(&function.module)));
         let params = (function.params as usize).min(function.locals.len());
         for index in 0..params {
             if index > 0 {
@@ -448,6 +450,28 @@ pub(super) fn relative(span: Span, default: Span, base: Span) -> String {
     } else {
         format!("@{column}")
     }
+}
+
+/// `#name "servo_set" #never_inline `.
+fn shown_attributes(attributes: &Attributes) -> String {
+    let mut text = String::new();
+    let named = [
+        ("name", &attributes.name),
+        ("section", &attributes.section),
+        ("external", &attributes.external),
+    ];
+    for (name, value) in named {
+        if let Some(value) = value {
+            text.push_str(&format!("#{name} {value:?} "));
+        }
+    }
+    text.push_str(match attributes.inlining {
+        Inlining::Free => "",
+        Inlining::Never => "#never_inline ",
+        Inlining::Always => "#always_inline ",
+    });
+    text.push_str(if attributes.atomic { "#atomic " } else { "" });
+    text
 }
 
 /// A word of a constant: readable where that reads back to the same bits.

@@ -165,13 +165,18 @@ impl<'m> Printer<'m> {
     }
 
     fn repeat(&mut self, kind: &StmtKind, base: Span) {
-        let StmtKind::For { variable, from, to, inclusive, reversed, body } = kind else { return };
+        let StmtKind::For { variable, from, to, inclusive, reversed, unroll, body } = kind else {
+            return;
+        };
         self.out.push_str("for ");
         self.binding(*variable, base);
         self.out.push_str(if *reversed { " in rev " } else { " in " });
         self.expr(from, base);
         self.out.push_str(if *inclusive { "..=" } else { ".." });
         self.expr(to, base);
+        if let Some(count) = unroll {
+            self.out.push_str(&alloc::format!(" #{count}"));
+        }
         self.out.push(' ');
         self.block(body, base);
     }

@@ -215,6 +215,13 @@ impl Source<'_> {
                 Role::Entry { infallible: true },
                 Role::Entry { infallible: false },
             ]),
+            attributes: Attributes {
+                name: self.chance(20).then(|| self.text()),
+                section: self.chance(20).then(|| self.text()),
+                inlining: self.pick(&[Inlining::Free, Inlining::Never, Inlining::Always]),
+                atomic: self.chance(20),
+                external: self.chance(20).then(|| self.text()),
+            },
             docs: self.some(2, Source::text),
             params: self.below(self.locals + 1),
             locals,
@@ -274,6 +281,7 @@ impl Source<'_> {
                 to: self.expr(),
                 inclusive: self.chance(2),
                 reversed: self.chance(2),
+                unroll: self.chance(4).then(|| self.below(9)),
                 body: self.block(),
             },
             7 => StmtKind::Check {

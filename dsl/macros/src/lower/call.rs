@@ -35,6 +35,9 @@ impl Lowering<'_> {
         {
             return kind;
         }
+        if let Some(name) = name.as_ref().filter(|name| self.is_called(name)) {
+            return ExprKind::Apply(name.clone(), arguments);
+        }
         let local = name.is_some_and(|name| self.is_local(&name));
         let reason = if local {
             // A closure or a function pointer was refused where it came from.

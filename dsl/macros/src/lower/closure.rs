@@ -105,19 +105,31 @@ impl Lowering<'_> {
                     let inputs = closure.inputs.iter();
                     let parameters = inputs.map(|it| walk.pattern(it, &mut looks)).collect();
                     let body = walk.closure_body(closure, looks);
-                    ExprKind::Closure(parameters, Box::new(body))
+                    let body = Box::new(body);
+                    ExprKind::Closure(tree::Closure { name: None, parameters, body })
                 });
                 plain(kind, &place)
             }
             syn::Expr::Path(path) if path.qself.is_none() => {
-                let name = path.path.get_ident().map(text);
-                match name.and_then(|name| self.closure_value(&name, path.span())) {
+                let name = path.path.get_ident().map(text).unwrap_or_default();
+                if self.is_called(&name) {
+                    // Handed on as it came.
+                    return plain(ExprKind::Local(name), path);
+                }
+                match self.closure_value(&name, path.span()) {
                     Some(kind) => plain(kind, path),
                     None => self.value(expr),
                 }
             }
             other => self.value(other),
         }
+    }
+
+    /// Whether a name is that of a parameter that takes a closure.
+    pub(super) fn is_called(&self, name: &str) -> bool {
+        self.called.iter().any(|known| known == name)
+            && self.bindings(name) == 1
+            && self.local_name(name) == Some(name)
     }
 
     /// A closure by its name.
@@ -133,7 +145,8 @@ impl Lowering<'_> {
             mutable: false,
             inner: None,
         });
-        Some(ExprKind::Closure(parameters.collect(), Box::new(body)))
+        let (parameters, body) = (parameters.collect(), Box::new(body));
+        Some(ExprKind::Closure(tree::Closure { name: Some(name.to_owned()), parameters, body }))
     }
 
     fn closure_named(&self, name: &str) -> Option<&Closure> {

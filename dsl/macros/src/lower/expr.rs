@@ -5,7 +5,7 @@ use bessemer_ir::tree::{self, BinaryOp, ExprKind, UnaryOp};
 use quote::ToTokens;
 use syn::spanned::Spanned;
 
-use super::{Lowering, bound, call, pattern, refuse, signature, site, text, view};
+use super::{Lowering, bound, call, pattern, refuse, signature, site, text, unroll, view};
 
 impl Lowering<'_> {
     /// An expression whose value is wanted.
@@ -115,7 +115,17 @@ impl Lowering<'_> {
                 }
                 (ExprKind::Block(self.block(&mut it.block)), value)
             }
-            syn::Expr::ForLoop(it) => (self.for_loop(it).unwrap_or(UNIT), false),
+            syn::Expr::ForLoop(it) => {
+                let (site, unroll) = (site(it), unroll::take(&mut it.attrs, self.refusals));
+                let kind = self.for_loop(it).unwrap_or(UNIT);
+                let kind = match unroll {
+                    Some(count) => {
+                        ExprKind::Unroll(count, Box::new(tree::Expr { kind, site, slot: None }))
+                    }
+                    None => kind,
+                };
+                (kind, false)
+            }
             syn::Expr::While(it) => (self.while_loop(it).unwrap_or(UNIT), false),
             syn::Expr::Loop(it) => {
                 let value = value && bound::gives_value(it);

@@ -22,6 +22,7 @@ pub mod refuse;
 mod search;
 mod signature;
 mod strip;
+pub mod unroll;
 mod view;
 
 use bessemer_ir::tree;
@@ -45,6 +46,8 @@ pub struct Lowering<'a> {
     scopes: Vec<Vec<(String, String)>>,
     /// The closures that have a name, by it.
     closures: Vec<closure::Closure>,
+    /// The parameters that take closures.
+    pub called: Vec<String>,
     /// Whether patterns are those of a closure, whose names are kept apart from those around it.
     apart: bool,
     slots: u32,
@@ -93,6 +96,7 @@ impl<'a> Lowering<'a> {
             refusals,
             scopes: vec![Vec::new()],
             closures: Vec::new(),
+            called: Vec::new(),
             apart: false,
             slots: 0,
             callees: 0,

@@ -136,8 +136,8 @@ reasons! {
     LOOP: "this `loop` declares no bound that the C could promise", "write `#[bound(64)]` above it: another pass than that is a fault";
     BOUND: "the bound of a loop is a number, or a constant", "write `#[bound(64)]`, or `#[bound(LIMIT)]`";
     BLOCK_LABEL: "a block has no label in the DSL", "move the block into a function, and `return` from it";
-    CLOSURE: "a closure is not a value in the DSL", "give it a name with `let` and call it, or write it in `.map(…)`, `.fold(…)` and the like";
-    CLOSURE_VALUE: "a closure is called in the DSL, and not handed on", "call it, or write a function marked `#[function]`";
+    CLOSURE: "a closure is not a value in the DSL", "give it a name with `let` and call it, pass it to a function, or write it in `.map(…)`, `.fold(…)` and the like";
+    CLOSURE_VALUE: "a closure is called or passed to a function in the DSL, and not kept", "call it, or write a function marked `#[function]`";
     CLOSURE_MOVE: "a closure borrows what it uses in the DSL", "leave `move` out, and copy before: `let k = self.k;`";
     CLOSURE_RETURN: "`return` in a closure is not in the DSL", "let its body end in the value: `if … { a } else { b }`";
     CLOSURE_PARAMETERS: "this parameter of a closure is not in the DSL", "write a name, or for elements `(i, x)`, `(x, y)`, `&x`";
@@ -148,10 +148,10 @@ reasons! {
     UNSAFE: "`unsafe` has no meaning that the C could keep", "use indices and `to_bits`/`from_bits`";
     RAW_BORROW: "raw pointers are not in the DSL", "pass `&` or `&mut`";
     POINTER: "raw pointers are not in the DSL", "pass `&T` or `&mut T`";
-    EXTERN: "external functions are not in the DSL yet", "call them from the firmware, and pass the result as an input";
+    EXTERN: "an external function needs a stand-in that the simulation can run", "write `#[external(header = \"board.h\")]` above a function of Rust that does the same";
     SLICE: "a slice is passed, and not held: its length is not known when the C is written", "hold an array, `[T; N]`, or a `List<T, N>`";
     TRAIT_OBJECT: "trait objects need a table of function pointers", "name the type, or choose with an `enum` and a `match`";
-    IMPL_TRAIT: "`impl Trait` hides the type that the C has to name", "name the type";
+    IMPL_TRAIT: "`impl Trait` hides the type that the C has to name", "name the type; a closure is taken by `impl Fn(f64) -> f64`, in functions and in methods of a type";
     GENERIC_ALIAS: "the name of an instance has no parameters of its own", "name each instance: `pub type PidF32 = Pid<f32>;`";
     RETURNED_REFERENCE: "a result is a value in the DSL", "return a copy, or the index of the element";
     REFERENCE_FIELD: "a reference in a struct would let two owners share memory in the C", "hold the value, or pass the reference to the method";
@@ -174,7 +174,21 @@ reasons! {
     FORMAT: "text is not formatted on the target", "return the numbers, and format them where they are shown";
     PANIC: "a panic has no counterpart in the C", "write `assert!(condition)`: it becomes a fault of the entry point";
     ASSERT: "a debug assertion would not be in every build", "write `assert!`, `assert_eq!` or `assert_ne!`: it becomes a fault of the entry point";
-    ENTRY_ARGUMENT: "`#[entry]` takes nothing, or `infallible`", "write `#[entry]` or `#[entry(infallible)]`";
+    ENTRY_ARGUMENT: "`#[entry]` takes nothing, `infallible` or `atomic`", "write `#[entry]`, `#[entry(infallible)]` or `#[entry(atomic)]`";
+    ENTRY_BOTH: "an infallible entry has nothing to roll back", "leave out `atomic`, or `infallible`";
+    ENTRY_INLINE: "an entry point is called by the firmware, and stands by itself", "leave `#[inline(always)]` out";
+    UNROLL: "this does not say how far a loop is written out", "write `#[unroll(4)]`, at most 64, or `#[keep]`";
+    UNIT: "this is no unit", "write `#[unit(\"m/s\")]`";
+    FOREIGN_IMPLEMENTATION: "an interface is implemented by types of the author's own in the DSL", "wrap the value: `#[data] struct Gain(f64);`, and implement the interface for that";
+    INTERFACE_CLOSURE: "a method of an interface takes no closure in the DSL", "write a function or a method of a type that takes it";
+    C_ALONE: "`#[c(…)]` means something below the DSL's attribute alone", "write it below `#[function]`, or on a method of a marked `impl` block";
+    C_ARGUMENT: "`#[c(…)]` takes `name` and `section`", "write `#[c(name = \"pid_step\", section = \".fast\")]`";
+    C_NAME: "this is no name that C takes", "begin with a letter; go on with letters, digits and `_`";
+    C_SECTION: "this is no name of a section", "write letters, digits, `.`, `_`: `.fast`";
+    INLINE_SECTION: "a function that stands where it is called is in no section of its own", "leave `#[inline]` out, or the section";
+    GENERIC_NAME: "each instance of what is generic needs a name of its own in the C", "leave the name out, and name the instance with `type`";
+    EXTERNAL_ARGUMENT: "an external function names its header", "write `#[external(header = \"board.h\")]`, with `name = \"…\"` if it is called otherwise in the C";
+    EXTERNAL_GENERIC: "an external function has one type", "write one function for each type";
     ENTRY_ALONE: "`#[entry]` stands on a method inside an `impl` block marked `#[component]`", "mark the `impl` block, or call a free function from an entry point";
     ENTRY_OF_DATA: "plain data has no entry points", "mark the struct and this block `#[component]`";
     MACRO: "this macro is not part of the DSL", "write the expression out, or a function marked `#[function]`";
@@ -227,8 +241,12 @@ pub fn known_trait(path: &syn::Path) -> Option<Reason> {
 
 /// The reason for a type that its name shows to be out of reach.
 pub fn named_type(path: &syn::Path) -> Option<Reason> {
-    let name = path.segments.last()?.ident.to_string();
+    let last = path.segments.last()?;
+    let name = last.ident.to_string();
+    // Without what it holds, it is the author's own of that name.
+    let bare = path.segments.len() == 1 && last.arguments.is_empty();
     Some(match name.as_str() {
+        "Cell" | "RefCell" | "Mutex" | "RwLock" | "Quaternion" if bare => return None,
         "Vec" | "Box" | "String" | "Rc" | "Arc" | "VecDeque" | "HashMap" | "BTreeMap"
         | "HashSet" | "BTreeSet" | "BinaryHeap" => HEAP,
         "DMatrix" | "DVector" | "RowDVector" | "MatrixXx1" | "Matrix1xX" | "OMatrix"

@@ -5,6 +5,8 @@ use quote::{ToTokens, quote};
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 
+use crate::closures;
+
 use super::{Refusals, pattern, refuse, site, text};
 
 /// What the witness copy calls `self`.
@@ -22,15 +24,25 @@ pub struct Parameter {
     pub ty: proc_macro2::TokenStream,
     /// Where it stands.
     pub site: Site,
+    /// Whether it takes a closure; then `ty` is the function pointer that stands for one.
+    pub closure: bool,
 }
 
 /// The parameters of a signature, after refusing what the DSL does not take in one.
 pub fn parameters(signature: &syn::Signature, refusals: &mut Refusals) -> Vec<Parameter> {
     check_signature(signature, refusals);
-    signature.inputs.iter().filter_map(|input| parameter(input, refusals)).collect()
+    signature
+        .inputs
+        .iter()
+        .filter_map(|input| parameter(input, &signature.generics, refusals))
+        .collect()
 }
 
-fn parameter(input: &syn::FnArg, refusals: &mut Refusals) -> Option<Parameter> {
+fn parameter(
+    input: &syn::FnArg,
+    generics: &syn::Generics,
+    refusals: &mut Refusals,
+) -> Option<Parameter> {
     match input {
         syn::FnArg::Receiver(it) => {
             let ty = match &it.kind {
@@ -49,10 +61,14 @@ fn parameter(input: &syn::FnArg, refusals: &mut Refusals) -> Option<Parameter> {
                 ident: receiver,
                 ty,
                 site: site(&it.self_token),
+                closure: false,
             })
         }
         syn::FnArg::Typed(it) => {
-            check_type(&it.ty, refusals);
+            let closure = closures::pointer(&it.ty, generics);
+            if closure.is_none() {
+                check_type(&it.ty, refusals);
+            }
             if let syn::Pat::Wild(it) = &*it.pat {
                 refusals.add(it.underscore_token.span, refuse::UNNAMED);
                 return None;
@@ -61,7 +77,8 @@ fn parameter(input: &syn::FnArg, refusals: &mut Refusals) -> Option<Parameter> {
             Some(Parameter {
                 name: text(&ident),
                 pattern: it.pat.to_token_stream(),
-                ty: it.ty.to_token_stream(),
+                closure: closure.is_some(),
+                ty: closure.unwrap_or_else(|| it.ty.to_token_stream()),
                 site: site(&ident),
                 ident,
             })

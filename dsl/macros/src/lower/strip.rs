@@ -5,7 +5,7 @@
 use syn::spanned::Spanned;
 use syn::visit_mut::{self, VisitMut};
 
-use super::{Refusals, bound, refuse};
+use super::{Refusals, bound, refuse, unroll};
 
 /// Refuses the attributes of an item, field or method that would make the C differ from the Rust.
 ///
@@ -65,6 +65,13 @@ impl VisitMut for Strip<'_> {
         let bound = bound::take(&mut it.attrs);
         visit_mut::visit_expr_loop_mut(self, it);
         it.attrs.extend(bound);
+    }
+
+    /// So is what is asked of the C of one.
+    fn visit_expr_for_loop_mut(&mut self, it: &mut syn::ExprForLoop) {
+        let unroll = unroll::strip(&mut it.attrs);
+        visit_mut::visit_expr_for_loop_mut(self, it);
+        it.attrs.extend(unroll);
     }
 
     fn visit_type_reference_mut(&mut self, ty: &mut syn::TypeReference) {

@@ -1,0 +1,92 @@
+//! What authors ask of compilers that C99 has no word for: sections, and what is put where it is called.
+//!
+//! Each is a macro that is empty where the compiler knows no such attribute, defined in the file that uses
+//! it; a firmware for another compiler defines it on the command line.
+
+use bessemer_ir::{Attributes, Inlining};
+
+use super::Options;
+use super::spelling::identifier;
+
+/// One of the macros.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Macro {
+    AlwaysInline,
+    NeverInline,
+    Section,
+    Unroll,
+}
+
+impl Macro {
+    fn name(self, options: &Options) -> String {
+        let stem = identifier(&options.status).to_uppercase();
+        match self {
+            Macro::AlwaysInline => format!("{stem}_ALWAYS_INLINE"),
+            Macro::NeverInline => format!("{stem}_NEVER_INLINE"),
+            Macro::Section => format!("{stem}_SECTION"),
+            Macro::Unroll => format!("{stem}_UNROLL"),
+        }
+    }
+
+    /// The text that defines it.
+    pub fn text(self, options: &Options) -> String {
+        let (name, docs) = (self.name(options), self.docs());
+        let (parameters, meaning) = match self {
+            Macro::AlwaysInline => ("", "always_inline"),
+            Macro::NeverInline => ("", "noinline"),
+            Macro::Section => ("(name)", "section(name)"),
+            Macro::Unroll => return unroll(&name, docs),
+        };
+        format!(
+            "/* {docs} Nothing where the compiler is not known. */\n#ifndef {name}\n#if defined(__GNUC__)\n\
+             #define {name}{parameters} __attribute__(({meaning}))\n#else\n#define {name}{parameters}\n\
+             #endif\n#endif"
+        )
+    }
+
+    fn docs(self) -> &'static str {
+        match self {
+            Macro::AlwaysInline => "Stands where it is called.",
+            Macro::NeverInline => "Stands by itself, however often it is called.",
+            Macro::Section => "Stands in a section of its own.",
+            Macro::Unroll => {
+                "So many passes of the loop are written out at once; 1 keeps the loop."
+            }
+        }
+    }
+}
+
+/// The macros that a function's author asks for, each as it stands before the function.
+pub fn of(attributes: &Attributes, options: &Options) -> Vec<(Macro, String)> {
+    let mut asked = Vec::new();
+    if let Some(section) = &attributes.section {
+        let name = Macro::Section.name(options);
+        asked.push((Macro::Section, format!("{name}(\"{section}\")")));
+    }
+    match attributes.inlining {
+        Inlining::Free => {}
+        Inlining::Never => {
+            asked.push((Macro::NeverInline, Macro::NeverInline.name(options)));
+        }
+        Inlining::Always => {
+            asked.push((Macro::AlwaysInline, Macro::AlwaysInline.name(options)));
+        }
+    }
+    asked
+}
+
+/// The macro before a loop, which is a pragma, and another for each compiler.
+fn unroll(name: &str, docs: &str) -> String {
+    let pragma = name.replace("_UNROLL", "_PRAGMA");
+    let define = |word: &str| {
+        format!(
+            "#define {pragma}(text) _Pragma(#text)\n#define {name}(count) {pragma}({word} count)\n"
+        )
+    };
+    format!(
+        "/* {docs} Nothing where the compiler is not known. */\n#ifndef {name}\n#if defined(__clang__)\n{}\
+         #elif defined(__GNUC__) && __GNUC__ >= 8\n{}#else\n#define {name}(count)\n#endif\n#endif",
+        define("unroll"),
+        define("GCC unroll")
+    )
+}

@@ -1,0 +1,48 @@
+//! Values as they can be compared.
+//!
+//! gcc takes `(uint8_t)(255U - x)` and `(uint8_t)(x ^ 255U)` for `(uint8_t)~x`, the number perhaps behind the name of a
+//! constant, and warns of any comparison with that. The same value in 32 bits, or from a function, means what it says.
+
+use bessemer_ir::Int;
+
+use super::super::helpers::Helper;
+use super::super::tree::Expr;
+use super::Lower;
+
+impl Lower<'_> {
+    /// A value in a form that no compiler takes for a complement.
+    pub(super) fn comparable(&mut self, value: Expr) -> Expr {
+        let Expr::Cast(ty, inner) = value else { return value };
+        let (mask, int) = match ty.as_str() {
+            "uint8_t" => ("255U", Int::U8),
+            "uint16_t" => ("65535U", Int::U16),
+            // In a wider type it is a complement still.
+            _ => return Expr::Cast(ty, Box::new(self.comparable(*inner))),
+        };
+        match *inner {
+            Expr::Unary("~", operand) => {
+                let all = Expr::unary("~", Expr::cast("uint32_t", *operand));
+                Expr::binary("&", all, Expr::name(mask))
+            }
+            Expr::Binary("-", left, right) if self.may_be_constant(&left) => {
+                let difference = Expr::cast("uint32_t", Expr::Binary("-", left, right));
+                Expr::binary("&", difference, Expr::name(mask))
+            }
+            Expr::Binary("^", left, right)
+                if self.may_be_constant(&left) || self.may_be_constant(&right) =>
+            {
+                self.helper(Helper::Xor(int), vec![*left, *right])
+            }
+            other => Expr::Cast(ty, Box::new(other)),
+        }
+    }
+
+    /// Whether a compiler might know a value: a number, or what is no parameter.
+    fn may_be_constant(&self, value: &Expr) -> bool {
+        match value {
+            Expr::Name(name) => !self.signature.params.iter().any(|param| param.name == *name),
+            Expr::Cast(_, inner) => self.may_be_constant(inner),
+            _ => false,
+        }
+    }
+}

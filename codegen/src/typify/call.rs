@@ -1,0 +1,69 @@
+//! Calls of functions: what is passed, in the order in which Rust computes it.
+
+use bessemer_ir::tree;
+use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Mode, Type};
+
+use super::function::Lowering;
+use super::{OUR_FAULT, Result, problem};
+
+impl Lowering<'_, '_> {
+    pub(super) fn call_function(
+        &mut self,
+        id: FunctionId,
+        arguments: &[tree::Expr],
+        expr: &tree::Expr,
+    ) -> Result<Expr> {
+        self.call_with(id, arguments, Vec::new(), expr)
+    }
+
+    /// The same, with more that is passed behind the author's arguments.
+    pub(super) fn call_with(
+        &mut self,
+        id: FunctionId,
+        arguments: &[tree::Expr],
+        more: Vec<Argument>,
+        expr: &tree::Expr,
+    ) -> Result<Expr> {
+        let callee = &self.cx.module.functions[id.index()];
+        let parameters: Vec<_> =
+            callee.parameters().iter().map(|local| (local.mode, local.ty.clone())).collect();
+        let result = callee.result.clone();
+        let mut passed = Vec::new();
+        let mut parameters = parameters.into_iter();
+        for argument in arguments {
+            let Some((mode, ty)) = parameters.next() else { break };
+            let mark = self.out.len();
+            if let Type::Slice(_) = ty {
+                // The length is a parameter of its own.
+                parameters.next();
+                let slice = self.sliced(argument)?;
+                let later = self.later(mark);
+                self.settle_arguments(&mut passed, &later);
+                self.out.extend(later);
+                passed.extend(slice.passed(mode));
+                continue;
+            }
+            let next = match mode {
+                Mode::RefMut => match self.place(argument)? {
+                    Some(place) => Argument::RefMut(place),
+                    None => {
+                        let value = self.value(argument, Some(&ty))?;
+                        let held = self.temporary("argument", value);
+                        let ExprKind::Load(place) = held.kind else {
+                            return problem(argument.site, "a temporary is not a place", OUR_FAULT);
+                        };
+                        Argument::RefMut(place)
+                    }
+                },
+                Mode::Ref => Argument::Ref(self.value(argument, Some(&ty))?),
+                Mode::Value => Argument::Value(self.value(argument, Some(&ty))?),
+            };
+            let later = self.later(mark);
+            self.settle_arguments(&mut passed, &later);
+            self.out.extend(later);
+            passed.push(next);
+        }
+        passed.extend(more);
+        self.node(ExprKind::Call(id, passed), result, expr.site)
+    }
+}

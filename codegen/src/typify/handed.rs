@@ -1,0 +1,322 @@
+//! Functions that take closures: a copy of the function for each closure that it is called with.
+//!
+//! The copy takes, in the closure's place, what the closure uses: words that it only reads by value, everything
+//! else by reference. Where the function calls its closure, the closure's body stands.
+
+use std::collections::{BTreeSet, HashMap};
+
+use bessemer_ir::tree::{self, Site, Ty};
+use bessemer_ir::visit::{Access, Visit, walk_place};
+use bessemer_ir::{
+    Argument, Block, Expr, ExprKind, FunctionId, Local, LocalId, Mode, Place, Role, Type,
+};
+
+use super::function::{Binding, Lowering};
+use super::pattern::{Subject, load};
+use super::{OUR_FAULT, Result, names, problem};
+
+/// A closure that was handed to the function that is being lowered.
+#[derive(Clone)]
+pub(super) struct Handed<'a> {
+    closure: tree::Closure,
+    /// The function that its body stands in.
+    source: &'a tree::Function,
+    /// What it uses, and where that is here.
+    captures: Vec<(String, Place)>,
+}
+
+impl<'a> Lowering<'a, '_> {
+    /// A call of a function that takes closures.
+    pub(super) fn call_handing(
+        &mut self,
+        template: &'a tree::Function,
+        arguments: &[tree::Expr],
+        expr: &tree::Expr,
+    ) -> Result<Expr> {
+        let mut handed = HashMap::new();
+        let mut plain = Vec::new();
+        for (param, argument) in template.tree.params.iter().zip(arguments) {
+            match param.closure {
+                true => drop(handed.insert(param.name.clone(), self.handed(argument)?)),
+                false => plain.push(argument.clone()),
+            }
+        }
+        let (id, captured) = self.specialised(template, handed, expr.site)?;
+        self.call_with(id, &plain, captured, expr)
+    }
+
+    /// The closure that an argument is, and what it uses.
+    fn handed(&mut self, argument: &tree::Expr) -> Result<Handed<'a>> {
+        let closure = match &argument.kind {
+            tree::ExprKind::Closure(closure) => closure.clone(),
+            tree::ExprKind::Local(name) => match self.handed.get(name) {
+                Some(handed) => return Ok(handed.clone()),
+                None => return problem(argument.site, "this is not a closure", OUR_FAULT),
+            },
+            _ => {
+                return problem(
+                    argument.site,
+                    "a function that takes a closure is given one in the DSL",
+                    "write one that calls the function: `|x| name(x)`",
+                );
+            }
+        };
+        let mut captures = Vec::new();
+        for name in names_in(&closure) {
+            if let Ok(binding) = self.lookup(&name, argument.site) {
+                let span = self.span(argument.site);
+                let place = match binding {
+                    Binding::Alias(place) => place,
+                    Binding::Slice(_) => {
+                        return problem(
+                            argument.site,
+                            "a closure that is handed to a function uses no slice in the DSL",
+                            "take what it needs of the slice before: `let first = values[0];`",
+                        );
+                    }
+                    Binding::Local(root) => {
+                        let ty = self.locals[root.index()].ty.clone();
+                        Place { root, steps: Vec::new(), ty, span }
+                    }
+                };
+                captures.push((name, place));
+            }
+        }
+        Ok(Handed { closure, source: self.source, captures })
+    }
+
+    /// The copy of a function for closures; and what they use, as the arguments for it.
+    fn specialised(
+        &mut self,
+        template: &'a tree::Function,
+        mut handed: HashMap<String, Handed<'a>>,
+        site: Site,
+    ) -> Result<(FunctionId, Vec<Argument>)> {
+        let called = self.copy_name(template, &handed);
+        let home = self.source;
+        let owner = self.owner();
+        let is_inline = home.tree.role == tree::Role::Inline;
+        let mut outside: Vec<Place> = Vec::new();
+        let mut inner = Lowering::new(&mut *self.cx, template)?;
+        inner.parameters()?;
+        let first = inner.locals.len();
+        let mut order: Vec<_> = handed.keys().cloned().collect();
+        order.sort();
+        for param in order {
+            let Some(handed) = handed.get_mut(&param) else { continue };
+            for (name, place) in &mut handed.captures {
+                let root = LocalId(inner.locals.len() as u32);
+                let local = Local {
+                    name: name.clone(),
+                    ty: place.ty.clone(),
+                    mode: Mode::RefMut,
+                    span: place.span,
+                };
+                inner.locals.push(local);
+                outside.push(place.clone());
+                *place = Place { root, steps: Vec::new(), ty: place.ty.clone(), span: place.span };
+            }
+        }
+        let params = inner.locals.len();
+        inner.handed = handed;
+        inner.body(&template.tree.body)?;
+        let body = Block(std::mem::take(&mut inner.out));
+        let written = Written::of(&body);
+        let mut locals = std::mem::take(&mut inner.locals);
+        let result = inner.result.clone();
+        let mut captured = Vec::new();
+        for (index, place) in outside.into_iter().enumerate() {
+            let id = LocalId((first + index) as u32);
+            let local = &mut locals[id.index()];
+            let argument = match (written.0.contains(&id), local.ty.is_word()) {
+                (true, _) => Argument::RefMut(place),
+                (false, true) => Argument::Value(load(&place)),
+                (false, false) => Argument::Ref(load(&place)),
+            };
+            local.mode = match &argument {
+                Argument::RefMut(_) => Mode::RefMut,
+                Argument::Value(_) => Mode::Value,
+                Argument::Ref(_) => Mode::Ref,
+            };
+            captured.push(argument);
+        }
+        let function = bessemer_ir::Function {
+            name: called,
+            module: home.module.clone(),
+            owner,
+            role: if is_inline { Role::Inline } else { Role::Private },
+            attributes: template.tree.attributes.clone(),
+            docs: template.tree.docs.clone(),
+            params: params as u32,
+            result_name: super::function::result_name(self.cx, &template.tree, &result),
+            body,
+            locals: locals.into_iter().map(super::function::without_marks).collect(),
+            result,
+            kernel: None,
+            span: self.cx.span(&home.file, site),
+        };
+        let id = FunctionId(self.cx.module.functions.len() as u32);
+        self.cx.module.functions.push(function);
+        Ok((id, captured))
+    }
+
+    /// `bisect_error`, for the closure called `error`; else `bisect_in_step`, for the function that calls it.
+    fn copy_name(&self, template: &tree::Function, handed: &HashMap<String, Handed<'a>>) -> String {
+        let mut given: Vec<_> =
+            handed.values().filter_map(|handed| handed.closure.name.clone()).collect();
+        given.sort();
+        let suffix = match given.is_empty() {
+            true => format!("in_{}", names::snake(&self.source.tree.name)),
+            false => given.join("_"),
+        };
+        let wanted = format!("{}_{suffix}", template.tree.name);
+        let taken = |name: &str| {
+            let mut all = self.cx.module.functions.iter();
+            all.any(|it| it.module == self.source.module && it.name == name)
+        };
+        let numbered = (2..).map(|number| format!("{wanted}_{number}"));
+        let mut candidates = std::iter::once(wanted.clone()).chain(numbered);
+        candidates.find(|name| !taken(name)).unwrap_or(wanted)
+    }
+
+    /// `f(x)`: the body of the closure, its parameters the arguments; none if there is nothing to its value.
+    pub(super) fn apply(
+        &mut self,
+        name: &str,
+        arguments: &[tree::Expr],
+        site: Site,
+    ) -> Result<Expr> {
+        let Some(handed) = self.handed.get(name).cloned() else {
+            return problem(
+                site,
+                "a closure that was handed on is not called in another closure in the DSL",
+                "call it before, and use its value",
+            );
+        };
+        let mut subjects = Vec::new();
+        let parameters = handed.closure.parameters.iter().map(Some).chain(std::iter::repeat(None));
+        for (argument, parameter) in arguments.iter().zip(parameters) {
+            let taken = match parameter {
+                Some(tree::Pattern::Name { slot, .. }) => handed.source.slots.get(*slot as usize),
+                _ => None,
+            };
+            let (lent, expected) = match taken {
+                Some(ty) => (matches!(ty, Ty::Ref(..)), Some(self.cx.pointee(ty, site)?)),
+                None => (false, None),
+            };
+            let mut value = self.value(argument, expected.as_ref())?;
+            if !lent {
+                // In a place of its own: the body may write to what it was computed from.
+                value = self.named_argument(parameter, value);
+            }
+            subjects.push(self.value_subject(value, argument.site)?);
+        }
+        let scopes = std::mem::take(&mut self.scopes);
+        let outer = std::mem::take(&mut self.handed);
+        let source = std::mem::replace(&mut self.source, handed.source);
+        self.scopes = vec![Vec::new()];
+        for (name, place) in &handed.captures {
+            self.alias_to(name, place.clone());
+        }
+        let value = self.applied(&handed.closure, &subjects);
+        self.source = source;
+        self.scopes = scopes;
+        self.handed = outer;
+        let value = value?;
+        // What it is made of may change before it is used.
+        Ok(if value.ty == Type::Unit { value } else { self.temporary("value", value) })
+    }
+
+    /// What a closure is given, called as the closure calls it.
+    fn named_argument(&mut self, parameter: Option<&tree::Pattern>, value: Expr) -> Expr {
+        let Some(tree::Pattern::Name { name, .. }) = parameter else {
+            return self.temporary("argument", value);
+        };
+        let naming = std::mem::take(&mut self.naming);
+        let held = self.temporary(name, value);
+        self.naming = naming;
+        held
+    }
+
+    fn applied(&mut self, closure: &tree::Closure, subjects: &[Subject]) -> Result<Expr> {
+        let mut names = Vec::new();
+        for (pattern, subject) in closure.parameters.iter().zip(subjects) {
+            self.test(pattern, subject, closure.body.site, &mut names)?;
+        }
+        self.bind_names(&names)?;
+        let unit = match closure.body.slot {
+            Some(slot) => self.slot(slot, closure.body.site)? == Type::Unit,
+            None => false,
+        };
+        if unit {
+            self.effect(&closure.body)?;
+            let span = self.span(closure.body.site);
+            return Ok(Expr { kind: ExprKind::Struct(Vec::new()), ty: Type::Unit, span });
+        }
+        self.value(&closure.body, None)
+    }
+}
+
+/// The names that stand in a closure's body, as far as they are not its own parameters.
+fn names_in(closure: &tree::Closure) -> BTreeSet<String> {
+    // In its travelling form the tree can be searched without a walk over every kind of node.
+    fn locals(value: &serde_json::Value, found: &mut BTreeSet<String>) {
+        match value {
+            serde_json::Value::Object(map) => {
+                for (key, value) in map {
+                    match (key.as_str(), value) {
+                        ("Local", serde_json::Value::String(name)) => {
+                            found.insert(name.clone());
+                        }
+                        _ => locals(value, found),
+                    }
+                }
+            }
+            serde_json::Value::Array(items) => items.iter().for_each(|item| locals(item, found)),
+            _ => {}
+        }
+    }
+    let mut found = BTreeSet::new();
+    locals(&serde_json::to_value(&closure.body).unwrap_or_default(), &mut found);
+    let parameters = serde_json::to_value(&closure.parameters).unwrap_or_default();
+    let mut own = BTreeSet::new();
+    bound(&parameters, &mut own);
+    found.difference(&own).cloned().collect()
+}
+
+/// The names that patterns bind.
+fn bound(value: &serde_json::Value, found: &mut BTreeSet<String>) {
+    match value {
+        serde_json::Value::Object(map) => {
+            if let Some(serde_json::Value::Object(name)) = map.get("Name")
+                && let Some(serde_json::Value::String(text)) = name.get("name")
+            {
+                found.insert(text.clone());
+            }
+            map.values().for_each(|value| bound(value, found));
+        }
+        serde_json::Value::Array(items) => items.iter().for_each(|item| bound(item, found)),
+        _ => {}
+    }
+}
+
+/// The locals that a body writes.
+#[derive(Default)]
+struct Written(BTreeSet<LocalId>);
+
+impl Written {
+    fn of(body: &Block) -> Written {
+        let mut written = Written::default();
+        written.block(body);
+        written
+    }
+}
+
+impl Visit for Written {
+    fn place(&mut self, place: &Place, access: Access) {
+        if access != Access::Read {
+            self.0.insert(place.root);
+        }
+        walk_place(self, place);
+    }
+}

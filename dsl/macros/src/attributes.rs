@@ -1,0 +1,187 @@
+//! What an author asks of the C beside what the code does: `#[c(name = "…", section = "…")]`,
+//! `#[inline(never)]`, `#[entry(atomic)]`, `#[external(header = "…")]`.
+//!
+//! The attributes are the DSL's alone: the native item goes without them. What they ask for reaches the
+//! tree as [`Attributes`].
+
+use bessemer_ir::attributes::{Attributes, Inlining};
+use bessemer_ir::tree::Role;
+use proc_macro2::TokenStream;
+use syn::spanned::Spanned;
+
+use crate::data::Kind;
+use crate::lower::refuse::{self, Reason};
+use crate::lower::{self, Refusals};
+
+/// What a function is to its callers, and what its author asks of its C. Takes the DSL's attributes off it.
+pub struct Asked {
+    /// What it is to its callers.
+    pub role: Role,
+    /// What is asked.
+    pub attributes: Attributes,
+}
+
+/// Of a free function.
+pub fn of_function(attributes: &mut Vec<syn::Attribute>, refusals: &mut Refusals) -> Asked {
+    let inlining = inlining(attributes);
+    let role = if is_inline(attributes) { Role::Inline } else { Role::Public };
+    let mut asked = Asked { role, attributes: Attributes { inlining, ..Attributes::default() } };
+    asked.take(attributes, refusals);
+    asked
+}
+
+/// Of a method.
+pub fn of_method(
+    kind: Kind,
+    attributes: &mut Vec<syn::Attribute>,
+    refusals: &mut Refusals,
+) -> Asked {
+    let inlining = inlining(attributes);
+    let role = match kind {
+        Kind::Data if is_inline(attributes) => Role::Inline,
+        Kind::Data => Role::Public,
+        Kind::Component if inlining == Inlining::Always => Role::Inline,
+        Kind::Component => Role::Private,
+    };
+    let mut asked = Asked { role, attributes: Attributes { inlining, ..Attributes::default() } };
+    attributes.retain(|attribute| {
+        let is_entry = attribute.path().is_ident("entry");
+        if is_entry {
+            asked.entry(kind, attribute, refusals);
+        }
+        !is_entry
+    });
+    asked.take(attributes, refusals);
+    asked
+}
+
+impl Asked {
+    /// `#[entry]`, `#[entry(infallible)]`, `#[entry(atomic)]`.
+    fn entry(&mut self, kind: Kind, attribute: &syn::Attribute, refusals: &mut Refusals) {
+        let words = match &attribute.meta {
+            syn::Meta::Path(_) => String::new(),
+            syn::Meta::List(list) => list.tokens.to_string(),
+            syn::Meta::NameValue(_) => "=".into(),
+        };
+        let infallible = words == "infallible";
+        self.attributes.atomic = words == "atomic";
+        if !(words.is_empty() || infallible || self.attributes.atomic) {
+            let both = words.contains("infallible") && words.contains("atomic");
+            let reason = if both { refuse::ENTRY_BOTH } else { refuse::ENTRY_ARGUMENT };
+            refusals.add(attribute.path().span(), reason);
+        }
+        if kind == Kind::Data {
+            refusals.add(attribute.path().span(), refuse::ENTRY_OF_DATA);
+        }
+        if self.attributes.inlining == Inlining::Always {
+            refusals.add(attribute.path().span(), refuse::ENTRY_INLINE);
+        }
+        self.role = Role::Entry { infallible };
+    }
+
+    /// `#[c(name = "…", section = "…")]`.
+    fn take(&mut self, attributes: &mut Vec<syn::Attribute>, refusals: &mut Refusals) {
+        let role = self.role;
+        attributes.retain(|attribute| {
+            if !attribute.path().is_ident("c") {
+                return true;
+            }
+            let parsed = attribute.parse_nested_meta(|meta| {
+                let text: syn::LitStr = meta.value()?.parse()?;
+                if meta.path.is_ident("name") {
+                    check_name(&text, refusals);
+                    self.attributes.name = Some(text.value());
+                } else if meta.path.is_ident("section") {
+                    check_section(&text, role, refusals);
+                    self.attributes.section = Some(text.value());
+                } else {
+                    refusals.add(meta.path.span(), refuse::C_ARGUMENT);
+                }
+                Ok(())
+            });
+            if parsed.is_err() {
+                refusals.add(attribute.path().span(), refuse::C_ARGUMENT);
+            }
+            false
+        });
+    }
+}
+
+/// The arguments of `#[external(header = "board.h", name = "board_sine")]`.
+pub fn external(
+    arguments: &TokenStream,
+    function: &syn::ItemFn,
+    refusals: &mut Refusals,
+) -> Attributes {
+    let mut attributes =
+        Attributes { name: Some(lower::text(&function.sig.ident)), ..Attributes::default() };
+    let parser = syn::meta::parser(|meta| {
+        let text: syn::LitStr = meta.value()?.parse()?;
+        if meta.path.is_ident("name") {
+            check_name(&text, refusals);
+            attributes.name = Some(text.value());
+        } else if meta.path.is_ident("header") && is_header(&text.value()) {
+            attributes.external = Some(text.value());
+        } else {
+            refusals.add(meta.path.span(), refuse::EXTERNAL_ARGUMENT);
+        }
+        Ok(())
+    });
+    let parsed = syn::parse::Parser::parse2(parser, arguments.clone());
+    if parsed.is_err() || attributes.external.is_none() && refusals.is_empty() {
+        refusals.add(function.sig.fn_token.span, refuse::EXTERNAL_ARGUMENT);
+    }
+    attributes
+}
+
+/// `board/adc.h`: what can stand between quotation marks behind `#include`.
+fn is_header(text: &str) -> bool {
+    let allowed = |c: char| c.is_ascii_alphanumeric() || "_-./".contains(c);
+    text.len() > 2 && text.ends_with(".h") && text.chars().all(allowed)
+}
+
+fn check_name(text: &syn::LitStr, refusals: &mut Refusals) {
+    let name = text.value();
+    let mut letters = name.chars();
+    let starts = letters.next().is_some_and(|first| first.is_ascii_alphabetic());
+    if !starts || !letters.all(|letter| letter.is_ascii_alphanumeric() || letter == '_') {
+        refusals.add(text.span(), refuse::C_NAME);
+    }
+}
+
+fn check_section(text: &syn::LitStr, role: Role, refusals: &mut Refusals) {
+    let allowed = |c: char| c.is_ascii_alphanumeric() || "_.$-,".contains(c);
+    if text.value().is_empty() || !text.value().chars().all(allowed) {
+        refusals.add(text.span(), refuse::C_SECTION);
+    }
+    if role == Role::Inline {
+        refusals.add(text.span(), refuse::INLINE_SECTION);
+    }
+}
+
+/// Whether the author wants the function where it is called: `#[inline]`.
+fn is_inline(attributes: &[syn::Attribute]) -> bool {
+    let is_inline = attributes.iter().any(|attribute| attribute.path().is_ident("inline"));
+    is_inline && inlining(attributes) != Inlining::Never
+}
+
+fn inlining(attributes: &[syn::Attribute]) -> Inlining {
+    let mut lists = attributes.iter().filter_map(|attribute| match &attribute.meta {
+        syn::Meta::List(list) if list.path.is_ident("inline") => Some(list.tokens.to_string()),
+        _ => None,
+    });
+    match lists.next_back().as_deref() {
+        Some("never") => Inlining::Never,
+        Some("always") => Inlining::Always,
+        _ => Inlining::Free,
+    }
+}
+
+/// What something generic cannot ask for: each of its instances would.
+pub fn of_one_instance(attributes: &Attributes) -> Option<Reason> {
+    match attributes {
+        Attributes { external: Some(_), .. } => Some(refuse::EXTERNAL_GENERIC),
+        Attributes { name: Some(_), .. } => Some(refuse::GENERIC_NAME),
+        _ => None,
+    }
+}

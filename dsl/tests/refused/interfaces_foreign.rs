@@ -1,0 +1,36 @@
+#![no_std]
+extern crate std;
+
+use bessemer::prelude::*;
+
+/// A stage of a chain.
+#[interface]
+pub trait Stage {
+    /// What it makes of a value.
+    fn step(&mut self, x: f64) -> f64;
+}
+
+/// A gain cannot be marked.
+#[data]
+impl Stage for f64 {
+    fn step(&mut self, x: f64) -> f64 {
+        *self * x
+    }
+}
+
+/// Nor can two.
+#[data]
+impl Stage for [f64; 2] {
+    fn step(&mut self, x: f64) -> f64 {
+        self[0] * x + self[1]
+    }
+}
+
+/// An interface is open: nobody knows the closures that it will be given.
+#[interface]
+pub trait Each {
+    /// Calls the closure.
+    fn each(&self, f: impl Fn(f64) -> f64) -> f64;
+}
+
+fn main() {}

@@ -1,0 +1,27 @@
+//! What is asked of the C: a name, a section, and whether a function is put where it is called.
+
+use bessemer::prelude::*;
+
+/// The torque of a motor at a current, N·m.
+#[function]
+#[inline(never)]
+#[c(name = "motor_torque", section = ".ramfunc")]
+pub fn torque(current: f32, constant: f32) -> f32 {
+    current * constant
+}
+
+/// The power that it takes, W.
+#[function]
+#[inline(always)]
+fn power(current: f32, resistance: f32) -> f32 {
+    current * current * resistance
+}
+
+/// The torque for each watt; none without current.
+#[function]
+pub fn efficiency(current: f32, constant: f32, resistance: f32) -> Option<f32> {
+    if current == 0.0 {
+        return None;
+    }
+    Some(torque(current, constant) / power(current, resistance))
+}

@@ -1,0 +1,53 @@
+//! Comparisons with what gcc takes for a complement, and would warn of.
+
+use bessemer::prelude::*;
+
+/// What is left of a byte, compared.
+#[function]
+pub fn left(x: u8, y: u8) -> (bool, bool, bool) {
+    (u8::MAX - x < y, 255 - x == y, y >= u8::MAX - x)
+}
+
+/// The same in 16 bits, and with constants.
+#[function]
+pub fn wide(x: u16, y: u16) -> (bool, bool, bool) {
+    (u16::MAX - x > y, 65535 - x != 7, u16::MAX - x <= 9)
+}
+
+/// Complements and exclusive ors.
+#[function]
+pub fn bits(x: u8, y: u16) -> (bool, bool, bool, bool) {
+    (!x < 7, !y == 9, x ^ 0xff > 3, y ^ u16::MAX < !y)
+}
+
+/// Behind other arithmetic, and where it wraps.
+#[function]
+pub fn wrapped(x: u8, y: u8) -> (bool, bool, bool) {
+    let sum = x / 2 + y / 2;
+    (255 - sum < y, 255u8.wrapping_sub(x) < y, !(x ^ y) == y)
+}
+
+/// The bound of a loop, and an index.
+#[function]
+pub fn counted(from: u8, table: &[u8; 4]) -> u32 {
+    let mut count = 0;
+    for i in from..u8::MAX - from {
+        if !i < 100 && usize::from(!i) < 4 {
+            count += u32::from(table[usize::from(!i)]);
+        }
+    }
+    count
+}
+
+/// An author's own type of a name that core has, too.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Cell {
+    pub voltage: u16,
+}
+
+/// Whether it is full.
+#[function]
+pub fn full(cell: &Cell) -> bool {
+    u16::MAX - cell.voltage < 5
+}

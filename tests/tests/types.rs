@@ -1,0 +1,79 @@
+//! Every type of the IR is rustc's own: each is computed from the bottom up and held against what rustc put in
+//! the slot of the expression. A disagreement is an error of the tool, named as such.
+
+use bessemer_codegen::compile::{self, Options};
+use bessemer_codegen::generate;
+use bessemer_codegen::source::Sources;
+use bessemer_ir::tree::{Package, Ty};
+use bessemer_ir::{Float, Int, Scalar};
+use bessemer_tests::{compiled, root};
+
+/// The packages whose every expression is checked.
+const PACKAGES: [&str; 5] = ["models", "corpus", "control", "edges", "linear"];
+
+#[test]
+fn every_type_is_rustcs_own() {
+    for package in PACKAGES {
+        let typed = compiled(package).typed;
+        println!(
+            "{package}: {} expressions typed from the bottom up, {} of them held against rustc",
+            typed.expressions, typed.agreed
+        );
+        assert!(typed.agreed > 0 && typed.agreed <= typed.expressions, "{package}: {typed:?}");
+    }
+}
+
+/// The package with the type in one slot another than rustc's.
+fn doctored(package: &Package, function: usize, slot: usize) -> Option<Package> {
+    let mut other = package.clone();
+    let ty = other.functions.get_mut(function)?.slots.get_mut(slot)?;
+    *ty = match ty {
+        Ty::Scalar(Scalar::Float(Float::F64)) => Ty::Scalar(Scalar::Float(Float::F32)),
+        Ty::Scalar(Scalar::Float(Float::F32)) => Ty::Scalar(Scalar::Float(Float::F64)),
+        Ty::Scalar(Scalar::Int(Int::U32)) => Ty::Scalar(Scalar::Int(Int::I32)),
+        Ty::Scalar(Scalar::Int(_)) => Ty::Scalar(Scalar::Int(Int::U32)),
+        Ty::Scalar(Scalar::Bool) => Ty::Scalar(Scalar::Int(Int::U8)),
+        _ => return None,
+    };
+    Some(other)
+}
+
+/// The slots of a function's arithmetic: their types follow from their operands.
+fn arithmetic(value: &serde_json::Value, found: &mut Vec<usize>) {
+    match value {
+        serde_json::Value::Object(map) => {
+            let binary = map.get("kind").is_some_and(|kind| kind.get("Binary").is_some());
+            if let (true, Some(slot)) = (binary, map.get("slot").and_then(|slot| slot.as_u64())) {
+                found.push(slot as usize);
+            }
+            map.values().for_each(|value| arithmetic(value, found));
+        }
+        serde_json::Value::Array(items) => items.iter().for_each(|item| arithmetic(item, found)),
+        _ => {}
+    }
+}
+
+#[test]
+fn a_type_that_is_not_rustcs_is_told() {
+    let package = generate::tree(&root(), "control").expect("the tree of the package");
+    let sources = Sources::new(root());
+    let (mut told, mut tried) = (0, 0);
+    for (index, function) in package.functions.iter().enumerate() {
+        let tree = serde_json::to_value(&function.tree).expect("a tree as JSON");
+        let mut slots = Vec::new();
+        arithmetic(&tree, &mut slots);
+        for slot in slots.into_iter().take(2) {
+            let Some(other) = doctored(&package, index, slot) else { continue };
+            tried += 1;
+            let errors = match compile::compile(&other, &sources, &Options::default()) {
+                Ok(_) => panic!("{}: nobody saw that slot {slot} is another", function.path),
+                Err(errors) => errors,
+            };
+            let named = |help: &str| help.contains("a fault of Bessemer");
+            told += usize::from(errors.iter().any(|error| named(&error.help)));
+        }
+    }
+    println!("{tried} types changed behind rustc's back, {told} told as a fault of the tool");
+    // Where a literal no longer fits, it is the literal that is told.
+    assert!(tried >= 20 && told * 10 >= tried * 9, "{told} of {tried}");
+}
