@@ -30,6 +30,7 @@ static const double E2 = 0.5;
 static const double E3 = 0.16666666666666666;
 static const double E4 = 0.041666666666666664;
 static const double E5 = 0.008333333333333333;
+static const double E6 = 0.001388888888888889;
 static const double F64_INFINITY = (double)INFINITY;
 static const double NORMAL = 660.0;
 static const uint64_t POWERS[128][2] = {
@@ -207,22 +208,19 @@ static inline double exponential_step_rest(uint64_t steps)
     return f64_from_bits(POWERS[steps & UINT64_C(127)][0]);
 }
 
-/** 2^(`steps`/128) · e^`r` for |r| ≤ (ln 2)/256. */
-static inline void exponential_step_power(uint64_t steps, double r, power_t *power)
-{
-    const double z = r * r;
-    const double tail = E2 + r * E3 + z * (E4 + r * E5);
-    power->steps = steps;
-    power->rest = exponential_step_rest(steps) + r + z * tail;
-}
-
-/** e^(`high` + `low`) for −750 to 750, before its last rounding. */
+/** e^(`high` + `low`) for −750 to 750 and a `low` of up to 1/200, before its last rounding. */
 static inline void exponential_exponential_of_pair(double high, double low, power_t *power)
 {
     const double shifted = high * STEPS_PER_UNIT + TO_INTEGER;
     const double steps = shifted - TO_INTEGER;
     const double r = high - steps * UNIT_STEP_HIGH - steps * UNIT_STEP_LOW + low;
-    exponential_step_power(raw_bits_of_f64(shifted), r, power);
+
+    /* As in `step_power`, a term longer. */
+    const double z = r * r;
+    const double tail = E2 + r * E3 + z * (E4 + r * E5 + z * E6);
+    const uint64_t steps_2 = raw_bits_of_f64(shifted);
+    power->steps = steps_2;
+    power->rest = exponential_step_rest(steps_2) + r + z * tail;
 }
 
 /** The double next to 2^(`steps`/128), for a normal number. */
@@ -232,6 +230,15 @@ static inline double exponential_step(uint64_t steps)
     const uint64_t bits = POWERS[steps & UINT64_C(127)][1];
     const uint32_t upper = (uint32_t)(bits >> 32) + ((uint32_t)steps << 13);
     return f64_from_bits(((uint64_t)upper << 32) | (bits & UINT64_C(4294967295)));
+}
+
+/** 2^(`steps`/128) · e^`r` for |r| ≤ (ln 2)/256. */
+static inline void exponential_step_power(uint64_t steps, double r, power_t *power)
+{
+    const double z = r * r;
+    const double tail = E2 + r * E3 + z * (E4 + r * E5);
+    power->steps = steps;
+    power->rest = exponential_step_rest(steps) + r + z * tail;
 }
 
 /** e^x for −750 to 750, before its last rounding. */
