@@ -168,7 +168,7 @@ reasons! {
     OWNED_NAME: "a method of this name belongs to numbers in the DSL", "give it a name of its own";
     HEAP: "a model has no heap", "use an array of fixed length: `[T; N]`";
     DYNAMIC_MATRIX: "the size of a dynamic matrix is not known when the C is written", "use `SMatrix<f64, R, C>` or `SVector<f64, N>`";
-    NALGEBRA_ANGLES: "nalgebra takes sine and cosine from the platform here, so the bits would depend on the target", "build the matrix from `sin` and `cos` of the DSL";
+    NALGEBRA_ANGLES: "nalgebra takes sine and cosine from the platform here, so the bits would depend on the target", "call `bessemer::rotation::Turn`: `of_euler_angles`, `about`, `of_scaled_axis`, `matrix`, `roll_pitch_yaw`, `towards`";
     STD: "std is not there on the target", "use `core`, and pass what the platform provides as an input";
     SHARED_CELL: "shared mutable state is not in the DSL", "keep it in a field of the component, behind `&mut self`";
     FORMAT: "text is not formatted on the target", "return the numbers, and format them where they are shown";
