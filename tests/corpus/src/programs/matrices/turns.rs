@@ -34,10 +34,12 @@ impl Gyro {
     }
 }
 
-/// Half of the way between two orientations, as a matrix.
+/// Half of the way between two orientations, each the axis times the angle, rad, as a matrix.
 #[function]
-pub fn middle(one: &Turn<f32>, other: &Turn<f32>) -> Matrix3<f32> {
-    one.towards(other, 0.5).after(&other.inverse()).matrix()
+pub fn middle(one: &Vector3<f32>, other: &Vector3<f32>) -> Matrix3<f32> {
+    let one = Turn::of_scaled_axis(one);
+    let other = Turn::of_scaled_axis(other);
+    one.towards(&other, 0.5).after(&other.inverse()).matrix()
 }
 
 /// What a camera that turns about an axis of length 1 sees of the world, its own angle, rad, back.
