@@ -11,7 +11,7 @@ use crate::diagnostic::Diagnostic;
 use crate::source::Sources;
 use crate::{passes, typify, validate};
 
-pub use crate::c::Options;
+pub use crate::c::{Math, Options};
 
 /// A package as IR and as C.
 pub struct Compiled {
@@ -26,6 +26,8 @@ pub struct Compiled {
     pub entries: Vec<EntryReport>,
     /// The checks that are left in each function, and why.
     pub checks: passes::Report,
+    /// Functions of the target's `math.h` that the C calls: there the bits need not be the Rust's.
+    pub library: Vec<String>,
 }
 
 /// Compiles a package.
@@ -47,7 +49,8 @@ pub fn compile(
     gate(&explicit)?;
     let files = c::emit(&explicit, options);
     let entries = c::report(&explicit, options, &files);
-    Ok(Compiled { module, explicit, files, entries, checks })
+    let library = c::library_calls(&explicit, options);
+    Ok(Compiled { module, explicit, files, entries, checks, library })
 }
 
 /// Validation; what it finds is a fault of the tool, since the author's were found before.

@@ -258,14 +258,19 @@ fn walk_place(place: &Place, visit: &mut dyn FnMut(&Expr)) {
     }
 }
 
-/// Which functions anything can call: those that other files see, and what they call.
-pub fn reachable(module: &Module, is_static: impl Fn(FunctionId) -> bool) -> Vec<bool> {
+/// Which functions anything can call: those that others call, and what they call. The body of a
+/// function of a library does not count.
+pub fn reachable(
+    module: &Module,
+    is_root: impl Fn(FunctionId) -> bool,
+    is_library: impl Fn(FunctionId) -> bool,
+) -> Vec<bool> {
     let count = module.functions.len();
     let mut reached: Vec<bool> =
-        (0..count).map(|index| !is_static(FunctionId(index as u32))).collect();
+        (0..count).map(|index| is_root(FunctionId(index as u32))).collect();
     // Callees stand before callers.
     for index in (0..count).rev() {
-        if reached[index] {
+        if reached[index] && !is_library(FunctionId(index as u32)) {
             walk_exprs(&module.functions[index].body, &mut |expr| {
                 if let ExprKind::Call(callee, _) = &expr.kind {
                     reached[callee.index()] = true;

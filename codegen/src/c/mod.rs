@@ -15,6 +15,7 @@ mod helpers;
 mod init;
 mod layout;
 mod layout_text;
+mod library;
 mod literal;
 mod lower;
 pub mod names;
@@ -27,6 +28,7 @@ mod tree;
 
 use bessemer_ir::Module;
 
+pub use library::Math;
 pub use report::{EntryReport, report};
 
 use analysis::Faults;
@@ -56,6 +58,8 @@ pub struct Options {
     pub status: String,
     /// The SPDX expression of the emitted files.
     pub license: String,
+    /// Whose elementary functions are called.
+    pub math: Math,
 }
 
 impl Default for Options {
@@ -64,6 +68,7 @@ impl Default for Options {
             prefix: String::new(),
             status: "bessemer".to_owned(),
             license: "MIT OR Apache-2.0".to_owned(),
+            math: Math::Portable,
         }
     }
 }
@@ -97,4 +102,17 @@ pub fn emit(module: &Module, options: &Options) -> Vec<CFile> {
     let faults = Faults::new(module);
     let names = Names::with_faults(module, options, &faults);
     files::files(lower::Context { module, names: &names, faults: &faults }, options)
+}
+
+/// The functions of the target's `math.h` that the C calls in place of the DSL's, by their C names.
+pub fn library_calls(module: &Module, options: &Options) -> Vec<String> {
+    let faults = Faults::new(module);
+    let names = Names::with_faults(module, options, &faults);
+    let reached = files::reached(lower::Context { module, names: &names, faults: &faults });
+    let mut called: Vec<String> = (names.functions.iter().zip(reached))
+        .filter(|(signature, reached)| *reached && signature.storage == names::Storage::Library)
+        .map(|(signature, _)| signature.name.clone())
+        .collect();
+    called.sort();
+    called
 }

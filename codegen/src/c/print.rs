@@ -148,7 +148,7 @@ impl<'a> Printer<'a> {
     fn head(&mut self, head: &Head, end: &str) {
         let mut pieces = Pieces::default();
         let storage = match head.storage {
-            Storage::Extern => "",
+            Storage::Extern | Storage::Library => "",
             Storage::Static => "static ",
             Storage::Inline => "static inline ",
         };

@@ -256,6 +256,8 @@ pub enum Storage {
     Static,
     /// Each file that calls it has it.
     Inline,
+    /// It is the target's own, of `math.h`.
+    Library,
 }
 
 /// The head of a function, as C writes it.

@@ -36,13 +36,16 @@ impl Manifest {
             })
             .collect();
         let names: Vec<&str> = files.names().collect();
-        let content = json!({
+        let mut content = json!({
             "tool": "bessemer",
             "version": version,
             "package": compiled.module.name,
             "entries": entries,
             "files": names,
         });
+        if !compiled.library.is_empty() {
+            content["target_math"] = json!(compiled.library);
+        }
         Manifest { content }
     }
 

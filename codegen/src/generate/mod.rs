@@ -12,7 +12,7 @@ mod report;
 
 use std::path::{Path, PathBuf};
 
-use crate::compile::{self, Compiled};
+use crate::compile::{self, Compiled, Math};
 use crate::diagnostic::{self, Diagnostic};
 use crate::source::Sources;
 
@@ -34,6 +34,8 @@ pub struct Job {
     pub colour: bool,
     /// The version that the manifest names: the tool's.
     pub version: String,
+    /// Whose elementary functions the C calls.
+    pub math: Math,
 }
 
 impl Job {
@@ -42,7 +44,8 @@ impl Job {
         let root = root.into();
         let output = root.join("generated");
         let version = env!("CARGO_PKG_VERSION").to_owned();
-        Job { root, package: package.to_owned(), output, check: false, colour: false, version }
+        let (package, math) = (package.to_owned(), Math::Portable);
+        Job { root, package, output, check: false, colour: false, version, math }
     }
 }
 
@@ -121,7 +124,8 @@ impl Error {
 pub fn generate(job: &Job) -> Result<Summary, Error> {
     let sources = Sources::new(&job.root);
     let package = package::tree(job, &sources)?;
-    let compiled = compile::compile(&package, &sources, &compile::Options::default())
+    let options = compile::Options { math: job.math, ..compile::Options::default() };
+    let compiled = compile::compile(&package, &sources, &options)
         .map_err(|diagnostics| refused(job, &diagnostics, &sources))?;
     let mut files = output::Files::default();
     for file in &compiled.files {

@@ -35,5 +35,12 @@ pub fn table(compiled: &Compiled) -> String {
             .collect();
         let _ = writeln!(text, "{}", cells.join("  ").trim_end());
     }
+    if !compiled.library.is_empty() {
+        let _ = writeln!(
+            text,
+            "\nThe C calls the target's math.h ({}): there its results need not be the Rust's to the bit.",
+            compiled.library.join(", ")
+        );
+    }
     text
 }

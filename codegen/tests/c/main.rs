@@ -151,6 +151,7 @@ fn options_name_things() {
         prefix: "acme_".to_owned(),
         status: "acme".to_owned(),
         license: "Apache-2.0".to_owned(),
+        ..Options::default()
     };
     let files = emit(&module, &options);
     compilers::check("options", &files);
