@@ -116,7 +116,7 @@ reasons! {
     IGNORED: "`_` is not a place in the DSL", "write `let _ = …;`";
     PART: "a pattern does not give a name to a part of an array in the DSL", "take the part behind it: `let rest = &values[1..];`";
     CORE: "functions of the standard library are not in the DSL", "write it out, or use the method of the same name";
-    ROTATION: "nalgebra's rotations are not in the DSL yet", "use `Matrix3<f64>`, built from `sin` and `cos`";
+    ROTATION: "nalgebra's rotations are not in the DSL", "use `bessemer::rotation::Turn<f64>`, or a `Matrix3<f64>` from its `matrix`";
     LATER: "several variables that are assigned later stand in one `let`", "write a `let` for each";
     SEVERAL_PLACES: "an assignment takes tuples and arrays apart in the DSL, and nothing else", "take the value apart with `let`, then assign each";
     DESTRUCTURING: "this pattern is not in the DSL here", "take the value apart with `let`: `let [x, y] = pair;`, `let Gains { p, i } = gains;`";
