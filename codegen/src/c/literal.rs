@@ -68,7 +68,7 @@ pub fn integer(int: Int, value: i128) -> Expr {
     let magnitude = Expr::name(match (int.bits(), int.signed()) {
         (64, true) => format!("INT64_C({digits})"),
         (64, false) => format!("UINT64_C({digits})"),
-        (_, true) => format!("{digits}"),
+        (_, true) => digits,
         (_, false) => format!("{digits}U"),
     });
     if value < 0 { Expr::unary("-", magnitude) } else { magnitude }
