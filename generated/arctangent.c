@@ -107,7 +107,7 @@ static const double F64_NAN = (double)NAN;
 static const double HALF_PI_HIGH = 1.5707963267948966;
 static const double HALF_PI_LOW = 6.123233995736766e-17;
 static const double SPLITTER = 134217729.0;
-static const uint64_t UPPER = UINT64_C(18446744069414584320);
+static const uint64_t UPPER = UINT64_C(0xFFFFFFFF00000000);
 static const double WHOLE_PI_HIGH = 3.141592653589793;
 static const double WHOLE_PI_LOW = 1.2246467991473532e-16;
 

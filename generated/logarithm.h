@@ -13,16 +13,14 @@
 extern "C" {
 #endif
 
-/** A positive number as 2^`exponent` · (`coarse` + `fine`) with that between 0.707 and 1.414. */
+/** A positive number as 2^`exponent` · `significand`, that from 0.705 to 1.410. */
 typedef struct {
     /** The exponent. */
     int32_t exponent;
-    /** The first seven bits of the significand behind its leading one. */
+    /** The row of the tables. */
     uint64_t row;
-    /** The significand, to 21 bits. */
-    double coarse;
-    /** The rest of it. */
-    double fine;
+    /** The significand. */
+    double significand;
 } parts_t;
 
 #ifdef __cplusplus

@@ -41,18 +41,18 @@ static const double QUARTER_TURN_4 = 8.4784276603689e-32;
 static const double SPLITTER = 134217729.0;
 static const double TO_INTEGER = 6755399441055744.0;
 static const uint64_t TWO_OVER_PI[36] = {
-    UINT64_C(0), UINT64_C(11743562013128004905), UINT64_C(18169587780923219392),
-    UINT64_C(15808362127397457985), UINT64_C(18325537948574664033), UINT64_C(13196794004601950944),
-    UINT64_C(452944820249399836), UINT64_C(18311050168422213438), UINT64_C(16754012890938950788),
-    UINT64_C(16833452818741296705), UINT64_C(4148332274289687028), UINT64_C(11278244420634880059),
-    UINT64_C(2303758334597371919), UINT64_C(17235013589178936607), UINT64_C(7869616827067468215),
-    UINT64_C(5712322887342352941), UINT64_C(8441921394348257659), UINT64_C(4397547296490951402),
-    UINT64_C(7780917995555872008), UINT64_C(6197850593633725355), UINT64_C(17352294737506481693),
-    UINT64_C(12241788059513133832), UINT64_C(7321029312681896000), UINT64_C(10232134923975862065),
-    UINT64_C(434057876595779785), UINT64_C(6981278439297468356), UINT64_C(1856441605278927146),
-    UINT64_C(9464812105322863782), UINT64_C(15974062069206549822), UINT64_C(11961286854440793064),
-    UINT64_C(3657730280815492539), UINT64_C(14068443620711489272), UINT64_C(11473517316578377501),
-    UINT64_C(9795647568955057258), UINT64_C(18045595464756118331), UINT64_C(1568964290442544066)
+    UINT64_C(0), UINT64_C(0xA2F9836E4E441529), UINT64_C(0xFC2757D1F534DDC0),
+    UINT64_C(0xDB6295993C439041), UINT64_C(0xFE5163ABDEBBC561), UINT64_C(0xB7246E3A424DD2E0),
+    UINT64_C(0x6492EEA09D1921C), UINT64_C(0xFE1DEB1CB129A73E), UINT64_C(0xE88235F52EBB4484),
+    UINT64_C(0xE99C7026B45F7E41), UINT64_C(0x3991D639835339F4), UINT64_C(0x9C845F8BBDF9283B),
+    UINT64_C(0x1FF897FFDE05980F), UINT64_C(0xEF2F118B5A0A6D1F), UINT64_C(0x6D367ECF27CB09B7),
+    UINT64_C(0x4F463F669E5FEA2D), UINT64_C(0x7527BAC7EBE5F17B), UINT64_C(0x3D0739F78A5292EA),
+    UINT64_C(0x6BFB5FB11F8D5D08), UINT64_C(0x56033046FC7B6BAB), UINT64_C(0xF0CFBC209AF4361D),
+    UINT64_C(0xA9E391615EE61B08), UINT64_C(7321029312681896000), UINT64_C(0x8DFFD8804D732731),
+    UINT64_C(0x6061556CA73A8C9), UINT64_C(0x60E27BC08C6B47C4), UINT64_C(0x19C367CDDCE8092A),
+    UINT64_C(0x8359C4768B961CA6), UINT64_C(0xDDAF44D15719053E), UINT64_C(0xA5FF07053F7E33E8),
+    UINT64_C(0x32C2DE4F98327DBB), UINT64_C(0xC33D26EF6B1E5EF8), UINT64_C(0x9F3A1F35CAF27F1D),
+    UINT64_C(0x87F121907C7C246A), UINT64_C(0xFA6ED5772D30433B), UINT64_C(0x15C614B59D19C3C2)
 };
 
 /* The bits of a number that is not a NaN. */
@@ -74,11 +74,11 @@ static inline uint64_t reduction_window(uint64_t word, uint64_t next, uint64_t s
 static inline uint64_t reduction_upper_product(uint64_t a, uint64_t b)
 {
     const uint64_t a_high = a >> 32;
-    const uint64_t a_low = a & UINT64_C(4294967295);
+    const uint64_t a_low = a & UINT64_C(0xFFFFFFFF);
     const uint64_t b_high = b >> 32;
-    const uint64_t b_low = b & UINT64_C(4294967295);
+    const uint64_t b_low = b & UINT64_C(0xFFFFFFFF);
     const uint64_t first = a_high * b_low + ((a_low * b_low) >> 32);
-    const uint64_t second = a_low * b_high + (first & UINT64_C(4294967295));
+    const uint64_t second = a_low * b_high + (first & UINT64_C(0xFFFFFFFF));
     return a_high * b_high + (first >> 32) + (second >> 32);
 }
 
@@ -164,7 +164,7 @@ void reduction_reduced_huge_angle(double x, reduced_angle_t *reduced_angle)
     /* Bits of 2/π before this one make whole turns. The table starts with 64 zeros. */
     const uint64_t start = ((bits >> 52) & UINT64_C(2047))
         - (UINT64_C(1023) + UINT64_C(52) + UINT64_C(2) - UINT64_C(64));
-    const uint64_t mantissa = (bits & UINT64_C(4503599627370495)) | UINT64_C(4503599627370496);
+    const uint64_t mantissa = (bits & UINT64_C(0xFFFFFFFFFFFFF)) | UINT64_C(0x10000000000000);
     const uint64_t word = (start >> 6) & UINT64_C(31);
     const uint64_t third = TWO_OVER_PI[word + UINT64_C(2)];
     const uint64_t high = reduction_window(TWO_OVER_PI[word], TWO_OVER_PI[word + UINT64_C(1)],
@@ -185,7 +185,7 @@ void reduction_reduced_huge_angle(double x, reduced_angle_t *reduced_angle)
     const uint64_t first = mantissa * high + reduction_upper_product(mantissa, middle) + carry;
 
     /* To the nearest quarter turn; the fraction is signed. */
-    const uint64_t turns = (first + UINT64_C(2305843009213693952)) >> 62;
+    const uint64_t turns = (first + UINT64_C(0x2000000000000000)) >> 62;
     const uint64_t fraction = (first << 2) | (centre >> 62);
     const bool negative = (fraction >> 63) == UINT64_C(1);
     uint64_t flip;
@@ -199,10 +199,10 @@ void reduction_reduced_huge_angle(double x, reduced_angle_t *reduced_angle)
     const uint64_t end = (last << 2) ^ flip;
     pair_t lead;
     pair_sum((double)(uint32_t)(head >> 32) * 2.3283064365386963e-10,
-        (double)(uint32_t)(head & UINT64_C(4294967295)) * 5.421010862427522e-20, &lead);
+        (double)(uint32_t)(head & UINT64_C(0xFFFFFFFF)) * 5.421010862427522e-20, &lead);
     pair_t rest;
     pair_sum(lead.low, (double)(uint32_t)(tail >> 32) * 1.262177448353619e-29, &rest);
-    const double least = (double)(uint32_t)(tail & UINT64_C(4294967295)) * 2.938735877055719e-39
+    const double least = (double)(uint32_t)(tail & UINT64_C(0xFFFFFFFF)) * 2.938735877055719e-39
         + (double)(uint32_t)(end >> 32) * 6.842277657836021e-49;
     pair_t upper;
     pair_ordered_sum(lead.high, rest.high, &upper);

@@ -220,7 +220,11 @@ static inline double sine_turned_sine(double x, uint64_t turns)
 double sine_sine_by_reduction(double x, uint64_t turns)
 {
     if (fabs(x) < TINY) {
-        return x;
+        if (turns == UINT64_C(0)) {
+            return x;
+        } else {
+            return 1.0;
+        }
     }
     reduced_angle_t angle;
     reduction_reduced_angle(x, &angle);

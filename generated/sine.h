@@ -14,8 +14,8 @@ extern "C" {
 #endif
 
 /**
- * Sine of `x` + `turns` · π/2, by way of the reduced angle in two doubles; a tiny `x` comes here only
- * for its sine.
+ * Sine of `x` + `turns` · π/2, by way of the reduced angle in two doubles; of a tiny `x`, with 0 or 1
+ * turns.
  */
 double sine_sine_by_reduction(double x, uint64_t turns);
 

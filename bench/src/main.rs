@@ -167,7 +167,7 @@ fn generation(arguments: &Arguments) -> Result<(), String> {
 }
 
 fn elementary(arguments: &Arguments) -> Result<(), String> {
-    let rows = elementary::measure(if arguments.quick { 101 } else { 1001 })?;
+    let rows = elementary::measure(if arguments.quick { 31 } else { 301 })?;
     println!("{}", elementary::table(&rows));
     arguments.write("elementary", &elementary::json(&rows))
 }

@@ -12,7 +12,7 @@ use crate::kernels::replace::Replacement;
 use crate::source::Sources;
 use crate::{passes, typify, validate};
 
-pub use crate::c::Options;
+pub use crate::c::{Math, Options};
 pub use crate::typify::Typed;
 
 /// A package as IR and as C.
@@ -32,6 +32,8 @@ pub struct Compiled {
     pub checks: passes::Report,
     /// The kernels that the user's own functions stand for, and whose these are.
     pub replaced: Vec<(String, String)>,
+    /// Functions of the target's `math.h` that the C calls: there the bits need not be the Rust's.
+    pub library: Vec<String>,
 }
 
 /// Compiles a package.
@@ -64,7 +66,8 @@ pub fn compile(
     let files = c::emit(&explicit, options);
     let entries = c::report(&explicit, options, &files);
     let replaced = replaced(&explicit, options);
-    Ok(Compiled { module, explicit, typed, files, entries, checks, replaced })
+    let library = c::library_calls(&explicit, options);
+    Ok(Compiled { module, explicit, typed, files, entries, checks, replaced, library })
 }
 
 fn replaced(module: &Module, options: &Options) -> Vec<(String, String)> {

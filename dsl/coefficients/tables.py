@@ -116,38 +116,41 @@ def odd(function):
     return lambda z: (function(sqrt(z)) / sqrt(z) - 1) / z
 
 
-def reciprocals(function, unit):
-    """128 rows (c, f(1/c)), row j for mantissas near 1 + j/128, halved from the 53rd on so that 1 is
-    in the middle; c has 32 bits, and is chosen so that f(1/c) is next to a multiple of `unit`."""
+def cell(j):
+    """The significands of row j of 128: rows follow the first seven bits from 1 + 52.5/128 halved on,
+    so that 1 is in the middle of row 75."""
+    return tuple((1 + t) / 2 if t < 1 else t for t in (mpf(105 + 2 * (j + end)) / 256 for end in (0, 1)))
+
+
+def accurate_rows(function, unit):
+    """128 rows (1/c, f(c), c), c of 33 bits near the middle of its row, and chosen so that f(c) is next
+    to a multiple of `unit` (S. Gal's accurate tables) and 1/c next to a double."""
     mp.prec, before = 150, mp.prec
-    table = []
+    scale = function(mp.e) / unit
+    found = []
     for j in range(128):
-        middle = 1 + (mpf(j) + mpf(1) / 2) / 128
-        if j >= 53:
-            middle /= 2
-        if j in (0, 127):
-            table.append((mpf(1), mpf(0)))
+        low, high = cell(j)
+        if low < 1 < high:
+            found.append((mpf(1), mpf(0), mpf(1)))
             continue
-        centre = rounded(1 / middle, 32)
-        step = mpf(2) ** (-31 if centre >= 1 else -32)
-        # Candidates within 2⁻¹¹ of it: by the series of the logarithm, in units, modulo one.
-        step = mpf(2) ** (-31 if centre >= 1 else -32)
-        scale = -function(mp.e) / unit
+        middle = rounded((low + high) / 2, 33)
+        step = mpf(2) ** (-33 if middle < 1 else -32)
+        # Candidates within 2⁻¹² of it: by the series of the logarithm, in units, modulo one.
         x = numpy.arange(-(2**20), 2**20, dtype=float)
-        first, second, third, fourth = (
-            float((scale * (step / centre) ** n / n * (-1) ** (n + 1)) % 1 if n == 1 else
-                  scale * (step / centre) ** n / n * (-1) ** (n + 1)) for n in (1, 2, 3, 4))
-        start = float((function(1 / centre) / unit) % 1)
-        value = start + x * first + x * x * (second + x * (third + x * fourth))
-        away = numpy.abs(value - numpy.round(value))
-        near = numpy.argsort(away)[:20]
-        def rest(c):
-            exact = function(1 / c) / unit
-            return abs(exact - nint(exact))
-        chosen = min((centre + step * int(x[k]) for k in near), key=rest)
-        table.append((chosen, nint(function(1 / chosen) / unit) * unit))
+        first, second, third, fourth = (scale * (step / middle) ** n / n for n in (1, 2, 3, 4))
+        start = (function(middle) / unit) % 1
+        value = float(start) + x * float(first % 1) - x * x * (float(second) - x * (float(third) - x * float(fourth)))
+        near = numpy.argsort(numpy.abs(value - numpy.round(value)))[:40]
+
+        def rests(c):
+            exact = function(c) / unit
+            away = abs(exact - nint(exact))
+            return (max(away, mpf(2) ** -18), abs(double(1 / c) * c - 1))
+
+        chosen = min((middle + step * int(x[k]) for k in near), key=rests)
+        found.append((double(1 / chosen), nint(function(chosen) / unit) * unit, chosen))
     mp.prec = before
-    return table
+    return found
 
 
 files = contextlib.ExitStack()
@@ -186,10 +189,6 @@ rows("TANGENTS", [split(exact(tan(k * pi / 64))) if k != 32 else (mpf(0), mpf(0)
      "tan(k·π/64), to a double and less that; at its pole 0.")
 polynomial("SINE", odd(sin), 5, 0, (mpf("5.6") * pi / 64) ** 2, "(sin x − x)/x³ in powers of x², to 0.27.")
 polynomial("TANGENT", odd(tan), 8, 0, (mpf("4.6") * pi / 64) ** 2, "(tan x − x)/x³ in powers of x², to 0.22.")
-polynomial("SINE_F32", odd(sin), 4, 0, mpf("0.79") ** 2, "(sin x − x)/x³ in powers of x², to π/4, for single precision.")
-polynomial("COSINE_F32", lambda z: ((cos(sqrt(z)) - 1) / z + mpf(1) / 2) / z, 3, 0, mpf("0.79") ** 2,
-           "(cos x − 1 + x²/2)/x⁴ in powers of x², to π/4, for single precision.")
-
 # Row j is for numbers whose exponent and first three binary digits are those of j/8 counted from 1/16.
 centres = []
 for j in range(64):
@@ -209,11 +208,8 @@ constant("UNIT_STEP_HIGH", cut(two / 128, 36), "The leading 36 bits of (ln 2)/12
 constant("UNIT_STEP_LOW", double(two / 128 - cut(two / 128, 36)), "The rest of (ln 2)/128.")
 rows("POWERS", [(bits((v - double(v)) / v), (bits(double(v)) - (k << 45)) % 2**64) for k, v in enumerate(steps)],
      "2^(k/128): what the double leaves out, as a fraction; its bits less k·2⁴⁵.", "u64")
-table("POWERS_F32", [(bits(double(steps[4 * k])) - (k << 47)) % 2**64 for k in range(32)],
-      "The bits of 2^(k/32) less k·2⁴⁷.", "u64")
-constant("STEPS_PER_UNIT_F32", double(32 / two), "32/ln 2.")
-polynomial("EXPONENTIAL_F32", lambda r: expm1(r * two / 32) / r, 3, mpf(-1) / 2, mpf(1) / 2,
-           "(2^(r/32) − 1)/r in powers of r, −1/2 to 1/2.")
+polynomial("EXPONENTIAL_F32", lambda r: expm1(r * two) / r, 2, mpf(-1) / 256, mpf(1) / 256,
+           "(2^r − 1)/r in powers of r, −1/256 to 1/256.")
 polynomial("EXP_M1", lambda x: (exp(x) - 1 - x - x * x / 2) / x**3, 11, mpf("-0.30"), mpf("0.3000001"),
            "(e^x − 1 − x − x²/2)/x³ in powers of x, −0.3 to 0.3.")
 polynomial("SINH", odd(sinh), 5, 0, mpf("0.31") ** 2, "(sinh x − x)/x³ in powers of x², to 0.3.")
@@ -221,45 +217,65 @@ rows("TANHS", [split(tanh((k + mpf(1) / 2) / 16)) for k in range(64)],
      "tanh((k + 1/2)/16), to a double and less that.")
 polynomial("TANH", odd(tanh), 8, 0, mpf("0.251") ** 2, "(tanh x − x)/x³ in powers of x², to 1/4.")
 
-module("logarithms", "Logarithms.")
-constant("LN_2_HIGH", grid(two, -42), "ln 2 to a multiple of 2⁻⁴².")
-constant("LN_2_LOW", double(two - grid(two, -42)), "ln 2 less its high part.")
-constant("LOG10_2_HIGH", grid(two / log(mpf(10)), -42), "log₁₀ 2 to a multiple of 2⁻⁴².")
-constant("LOG10_2_LOW", double(two / log(mpf(10)) - grid(two / log(mpf(10)), -42)), "log₁₀ 2 less its high part.")
-for base, unit in (("2", two), ("10", log(mpf(10)))):
-    constant(f"RECIPROCAL_LN_{base}_HIGH", rounded(1 / unit, 31), f"1/ln {base}, to 31 bits.")
-    constant(f"RECIPROCAL_LN_{base}_LOW", double(1 / unit - rounded(1 / unit, 31)), f"1/ln {base}, less its high part.")
-about = "c near the reciprocal of a mantissa, and minus the logarithm of c,"
-rows("LN_ROWS", reciprocals(log, mpf(2) ** -43), f"{about} natural.")
-rows("LOG2_ROWS", reciprocals(lambda x: log(x) / two, mpf(2) ** -42), f"{about} to base 2.")
-rows("LOG10_ROWS", reciprocals(lambda x: log(x) / log(mpf(10)), mpf(2) ** -43), f"{about} to base 10.")
-polynomial("LN", lambda r: (log(1 + r) - r + r * r / 2) / r**3, 5, mpf(-1) / 200, mpf(1) / 128,
-           "(ln(1 + r) − r + r²/2)/r³ in powers of r.")
+width = mpf("0.00404")
+
+
+def logarithm(name, base, unit):
+    """The tables of a logarithm."""
+    found = accurate_rows(lambda x: log(x) / log(base), mpf(2) ** unit)
+    rows(f"{name}_ROWS", [row[:2] for row in found], f"1/c and the logarithm of c, c as in `{name}_CENTRES`.")
+    table(f"{name}_CENTRES", [row[2] for row in found], "c near the middle of the row's significands.")
+    if base != mp.e:
+        polynomial(name, lambda r: log(1 + r) / log(base) / r, 6, -width, width,
+                   "log(1 + r)/r in powers of r, within a row.")
+        constant(f"{name}_E_HIGH", rounded(1 / log(base), 31), "The logarithm of e, to 31 bits.")
+        constant(f"{name}_E_LOW", double(1 / log(base) - rounded(1 / log(base), 31)), "The logarithm of e, less its high part.")
+    if base != 2:
+        part = log(mpf(2)) / log(base)
+        constant(f"{name}_2_HIGH", grid(part, -42), "The logarithm of 2 to a multiple of 2⁻⁴².")
+        constant(f"{name}_2_LOW", double(part - grid(part, -42)), "The logarithm of 2 less its high part.")
+
+
+module("logarithms", "Logarithms, natural and to base 2.")
+logarithm("LN", mp.e, -43)
+polynomial("LN", lambda r: (log(1 + r) - r + r * r / 2) / r**3, 4, -width, width,
+           "(ln(1 + r) − r + r²/2)/r³ in powers of r, within a row.")
+polynomial("LN_NEAR_ONE", lambda r: (log(1 + r) - r + r * r / 2) / r**3, 11, mpf("-0.0625"), mpf("0.0626"),
+           "(ln(1 + r) − r + r²/2)/r³ in powers of r, −1/16 to 1/16.")
+logarithm("LOG2", mpf(2), -42)
+module("decimal", "Logarithms to base 10.")
+logarithm("LOG10", mpf(10), -43)
 
 module("finer", "Logarithms for powers and for single precision, cube roots.")
-# The same rows with c of 12 bits at most.
-coarse = []
-for j in range(128):
-    middle = (1 + (mpf(j) + mpf(1) / 2) / 128) / (2 if j >= 53 else 1)
-    coarse.append(mpf(1) if j in (0, 127) else grid(1 / middle, -11))
+
+
+def coarse_reciprocal(low, high):
+    """1/c of few bits, such that a significand times it, less 1, is a double."""
+    if low < 1 < high:
+        return mpf(1)
+    # Multiples of 2^(last digit of the significand − bits), below 2^−most.
+    for bits in (10, 9, 8, 7):
+        c = grid(2 / (low + high), -bits)
+        most = bits if high <= 1 else bits - 1
+        if max(abs(low * c - 1), abs(high * c - 1)) < mpf(2) ** -most:
+            return c
+    raise ValueError(f"no reciprocal for {low} to {high}")
+
+
+coarse = [coarse_reciprocal(*cell(j)) for j in range(128)]
 logarithms = [-log(c) for c in coarse]
 rows("COARSE_ROWS", [(c, grid(v, -42)) for c, v in zip(coarse, logarithms)],
-     "c near the reciprocal of a mantissa, a multiple of 2⁻¹¹, and minus its ln to multiples of 2⁻⁴².")
-table("COARSE_REST", [double(v - grid(v, -42)) for v in logarithms], "Minus ln of the first of `COARSE_ROWS`, less the second.")
+     "1/c, of ten bits at most, and ln c to multiples of 2⁻⁴².")
+table("COARSE_REST", [double(v - grid(v, -42)) for v in logarithms], "ln c less the second of `COARSE_ROWS`.")
+width = mpf("0.0068")
+polynomial("FINER_LN", lambda r: (log(1 + r) - r + r * r / 2) / r**3, 7, -width, width * 1.01,
+           "(ln(1 + r) − r + r²/2)/r³ in powers of r, within such a row.")
 
-# 32 rows for single precision: the first bits of a mantissa from 0.703 to 1.406.
-single = []
-for j in range(32):
-    middle = 1 + (mpf(j) + mpf(1) / 2) / 32
-    if j >= 13:
-        middle /= 2
-    single.append(mpf(1) if j in (0, 31) else double(1 / middle))
+single = [mpf(1) if low < 1 < high else double(2 / (low + high)) for low, high in map(cell, range(128))]
 rows("LOG2_ROWS_F32", [(c, double(-log(c) / two)) for c in single],
-     "c near the reciprocal of a mantissa, and minus its logarithm to base 2, for single precision.")
-polynomial("LOG2_F32", lambda r: log(1 + r) / two / r if r else 1 / two, 5, mpf(-1) / 60, mpf(1) / 32,
-           "log₂(1 + r)/r in powers of r.")
-polynomial("FINER_LOG2_F32", lambda r: log(1 + r) / two / r if r else 1 / two, 7, mpf(-1) / 60, mpf(1) / 32,
-           "The same, finer.")
+     "1/c and log₂ c for c in the middle of a row, for single precision.")
+width = mpf("0.00392")
+polynomial("LOG2_F32", lambda r: log(1 + r) / two / r, 4, -width, width, "log₂(1 + r)/r in powers of r, within a row.")
 
 polynomial("CUBE_ROOT", lambda r: r ** (-mpf(1) / 3), 5, mpf("0.90"), mpf("1.11"), "r^(−1/3) in powers of r, 0.9 to 1.1.")
 polynomial("CUBE_ROOT_F32", lambda r: r ** (-mpf(1) / 3), 7, mpf("0.90"), mpf("1.11"), "The same, finer.")

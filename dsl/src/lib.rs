@@ -55,6 +55,7 @@ pub mod linear;
 mod list;
 pub mod math;
 mod plain;
+pub mod rotation;
 
 /// What a model imports with one line: `use bessemer::prelude::*;`.
 pub mod prelude {

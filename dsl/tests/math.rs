@@ -5,11 +5,12 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 use bessemer::math::arctangent::{acos, asin, atan, atan2};
 use bessemer::math::exponential::{exp, exp_m1, exp2};
+use bessemer::math::fused::{far_mul_add, mul_add, mul_addf};
 use bessemer::math::hyperbolic::{cosh, sinh, tanh};
 use bessemer::math::logarithm::{ln, ln_1p, log2, log10};
 use bessemer::math::power::{powf, powi};
 use bessemer::math::roots::{cbrt, hypot};
-use bessemer::math::sine::{cos, sin};
+use bessemer::math::sine::{cos, sin, sin_cos};
 use bessemer::math::single::*;
 use bessemer::math::tangent::tan;
 use bessemer::math::{FloatMethods, OrderMethods};
@@ -291,6 +292,72 @@ fn lengths_at_special_values() {
     is(hypot(3e-320, 4e-320), 5e-320);
 }
 
+/// Any bits, so that every exponent is as likely as another.
+fn any_bits() -> impl Strategy<Value = f64> {
+    prop_oneof![any::<u64>().prop_map(f64::from_bits), -4.0..4.0_f64, Just(0.0), Just(-0.0)]
+}
+
+/// std's `mul_add` is the machine's or the C library's, which round once.
+fn is_fused(x: f64, a: f64, b: f64) {
+    let expected = x.mul_add(a, b);
+    for value in [mul_add(x, a, b), far_mul_add(x, a, b)] {
+        let same = value.to_bits() == expected.to_bits() || value.is_nan() && expected.is_nan();
+        assert!(same, "{x:e} * {a:e} + {b:e}: {value:e} is not {expected:e}");
+    }
+}
+
+/// Every pair of a product's exponent with what is added to it, over the whole range.
+#[test]
+fn mul_add_rounds_once_at_every_exponent() {
+    let mantissas = [0, 1, 0x0008_0000_0000_0000, 0x000f_ffff_ffff_ffff, 0x0005_5555_5555_5555];
+    for exponent in (0..2047u64).step_by(31) {
+        for other in (0..2047u64).step_by(29) {
+            for (index, mantissa) in mantissas.iter().enumerate() {
+                let x = f64::from_bits(exponent << 52 | mantissa);
+                let a = f64::from_bits(other << 52 | mantissas[(index + 1) % 5]);
+                let product = x * a;
+                for b in [product, -product, 1e-300, -5e-324, 1e300, f64::MIN_POSITIVE] {
+                    for off in [0, 1, -1, 1 << 53, -(1 << 53), 54 << 52, -(54 << 52)] {
+                        is_fused(x, a, f64::from_bits(b.to_bits().wrapping_add_signed(off)));
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn mul_add_at_special_values() {
+    let specials = [
+        0.0,
+        -0.0,
+        1.0,
+        -1.0,
+        INF,
+        -INF,
+        f64::NAN,
+        f64::MAX,
+        f64::MIN,
+        5e-324,
+        -5e-324,
+        f64::MIN_POSITIVE,
+        1e154,
+        1e-154,
+        1.5,
+    ];
+    for x in specials {
+        for a in specials {
+            for b in specials {
+                is_fused(x, a, b);
+                let (x, a, b) = (x as f32, a as f32, b as f32);
+                let (value, expected) = (mul_addf(x, a, b), x.mul_add(a, b));
+                let same = value.to_bits() == expected.to_bits();
+                assert!(same || value.is_nan() && expected.is_nan(), "{x:e} * {a:e} + {b:e}");
+            }
+        }
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
@@ -301,6 +368,34 @@ proptest! {
             prop_assert!(value.abs() <= 1.0 || x.is_nan() || x.is_infinite());
         }
         prop_assert!(atan2(y, x).abs() <= PI || x.is_nan() || y.is_nan());
+    }
+
+    #[test]
+    fn mul_add_rounds_once(x in any_bits(), a in any_bits(), b in any_bits(), off in -3..4_i64) {
+        is_fused(x, a, b);
+        let product = -x * a;
+        is_fused(x, a, f64::from_bits(product.to_bits().wrapping_add_signed(off)));
+    }
+
+    #[test]
+    fn mul_add_rounds_once_in_single_precision(x: u32, a: u32, b: u32, off in -3..4_i32) {
+        let [x, a, b] = [x, a, b].map(f32::from_bits);
+        let near = f32::from_bits((-x * a).to_bits().wrapping_add_signed(off));
+        for b in [b, near] {
+            let (value, expected) = (mul_addf(x, a, b), x.mul_add(a, b));
+            let same = value.to_bits() == expected.to_bits();
+            prop_assert!(same || value.is_nan() && expected.is_nan(), "{x:e} {a:e} {b:e}");
+        }
+    }
+
+    #[test]
+    fn sine_and_cosine_together_are_those_apart(x in any_bits()) {
+        let (sine, cosine) = sin_cos(x);
+        is(sine, sin(x));
+        is(cosine, cos(x));
+        let (sine, cosine) = sin_cosf(x as f32);
+        is(sine.into(), sinf(x as f32).into());
+        is(cosine.into(), cosf(x as f32).into());
     }
 
     /// Odd and even, to the bit.

@@ -85,6 +85,12 @@ pub fn double(which: u32, x: f64, y: f64) -> f64 {
         18 => x.powf(y),
         19 => x.hypot(y),
         20 => x.powi(y.to_bits() as i32 >> 20),
+        // Where the product and what is added nearly cancel, too.
+        21 => x.mul_add(y, if y > 0.0 { -x * y } else { x }),
+        22 => {
+            let (sine, cosine) = x.sin_cos();
+            sine + 2.0 * cosine
+        }
         _ => x,
     }
 }
@@ -114,6 +120,12 @@ pub fn single(which: u32, x: f32, y: f32) -> f32 {
         18 => x.powf(y),
         19 => x.hypot(y),
         20 => x.powi(y.to_bits() as i32 >> 20),
+        // Where the product and what is added nearly cancel, too.
+        21 => x.mul_add(y, if y > 0.0 { -x * y } else { x }),
+        22 => {
+            let (sine, cosine) = x.sin_cos();
+            sine + 2.0 * cosine
+        }
         _ => x,
     }
 }

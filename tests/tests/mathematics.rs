@@ -5,19 +5,20 @@
 #[path = "../mathematics/probe.rs"]
 mod probe;
 
+use std::process::Command;
 use std::thread;
 
 use bessemer_codegen::compile::{self, Compiled};
 use bessemer_codegen::source::Sources;
 use bessemer_codegen::{diagnostic, generate};
 use bessemer_tests::pilot::entry;
-use bessemer_tests::process::Process;
-use bessemer_tests::toolchain::{self, Toolchain};
+use bessemer_tests::process::{Process, lay_out};
+use bessemer_tests::toolchain::{self, Toolchain, run};
 use bessemer_tests::workspace::Workspace;
 use probe::{POINTS, Probe};
 
 /// How many functions `probe::double` knows.
-const FUNCTIONS: u32 = 21;
+const FUNCTIONS: u32 = 23;
 /// Calls for each function: 100 000 points, in both precisions.
 const CALLS: u32 = 100;
 
@@ -84,5 +85,40 @@ fn no_table_is_larger_than_two_kibibytes() {
     assert!(tables.len() > 10, "the functions have tables");
     for table in tables {
         assert!(table.words.len() * 8 <= 2048, "{}", table.name);
+    }
+}
+
+/// Read off the symbols of every object, with no function of the compiler's own: nothing is called but
+/// the emitted functions and what is exact in every C library.
+#[test]
+fn no_call_slips_past_to_the_platform() {
+    let compiled = compiled();
+    let folder = lay_out(&compiled).expect("the C");
+    for toolchain in toolchain::host().iter().filter(|it| it.level == 0) {
+        let (mut defined, mut called) = (Vec::new(), Vec::new());
+        for source in folder.sources() {
+            let object = source.with_extension("o");
+            let mut command = toolchain.command();
+            command.args(["-fno-builtin", "-c"]).arg(source).arg("-o").arg(&object);
+            run(&mut command).expect("an object");
+            let symbols = Command::new("nm").arg(&object).output().expect("nm");
+            for line in String::from_utf8_lossy(&symbols.stdout).lines() {
+                let mut words = line.split_whitespace().rev();
+                let name = words.next().unwrap_or_default().to_owned();
+                match words.next() {
+                    Some("T" | "t") => defined.push(name),
+                    Some("U") => called.push(name),
+                    _ => {}
+                }
+            }
+        }
+        called.retain(|name| !defined.contains(name) && name != "_GLOBAL_OFFSET_TABLE_");
+        called.sort();
+        called.dedup();
+        let exact = ["copysign", "fabs", "fabsf", "floor", "memcpy", "sqrt"];
+        assert!(defined.iter().any(|name| name.ends_with("hypot")), "the functions are here");
+        for name in &called {
+            assert!(exact.contains(&name.as_str()), "{}: `{name}` is called", toolchain.name());
+        }
     }
 }

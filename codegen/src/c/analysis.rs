@@ -263,8 +263,13 @@ fn walk_place(place: &Place, visit: &mut dyn FnMut(&Expr)) {
 }
 
 /// The functions that the C needs: those that others can call, and what they call. What another crate
-/// brings for the stand-in of an external function alone is none of them.
-pub fn reachable(module: &Module, is_extern: impl Fn(FunctionId) -> bool) -> Vec<bool> {
+/// brings for the stand-in of an external function alone is none of them; nor is what a function of a
+/// library calls in Rust.
+pub fn reachable(
+    module: &Module,
+    is_extern: impl Fn(FunctionId) -> bool,
+    is_library: impl Fn(FunctionId) -> bool,
+) -> Vec<bool> {
     let count = module.functions.len();
     let ids = || (0..count).map(|index| FunctionId(index as u32));
     let is_external = |id: FunctionId| module.functions[id.index()].attributes.external.is_some();
@@ -276,7 +281,7 @@ pub fn reachable(module: &Module, is_extern: impl Fn(FunctionId) -> bool) -> Vec
     };
     let is_root = |id: FunctionId| is_extern(id) && (!stands_in[id.index()] || is_own(id));
     let mut reached: Vec<bool> = ids().map(is_root).collect();
-    follow(module, &mut reached, |id| !is_external(id));
+    follow(module, &mut reached, |id| !is_external(id) && !is_library(id));
     reached
 }
 

@@ -13,6 +13,7 @@ use bessemer_ir::{
 
 use super::analysis::{inline_callees, reachable};
 use super::helpers::{Helper, closure};
+use super::library::is_mathematics;
 use super::lower::{self, Context, Uses};
 use super::names::{OVERLAY, Returned, Signature, Storage};
 use super::print::Printer;
@@ -81,10 +82,24 @@ fn units(context: Context<'_>) -> BTreeMap<String, Unit> {
         unit.types.push(TypeId::Enum(EnumId(index as u32)));
         unit.modules.insert(item.module.clone());
     }
-    let reached = reachable(module, |id| names.signature(id).storage == Storage::Extern);
+    let reached = reached(context);
+    // Without a function of the mathematics, its types serve nobody.
+    let mut kept = module.functions.iter().zip(&names.functions).zip(&reached);
+    let bare = names.has_library()
+        && !kept.any(|((function, signature), reached)| {
+            *reached && signature.storage != Storage::Library && is_mathematics(&function.module)
+        });
+    if bare {
+        units.retain(|_, unit| {
+            !unit.modules.iter().all(|name| is_mathematics(name)) || unit.modules.is_empty()
+        });
+    }
     for (index, item) in module.functions.iter().enumerate().filter(|(index, _)| reached[*index]) {
         let id = FunctionId(index as u32);
-        if matches!(names.signature(id).storage, Storage::Inline | Storage::Foreign) {
+        if matches!(
+            names.signature(id).storage,
+            Storage::Inline | Storage::Foreign | Storage::Library
+        ) {
             continue;
         }
         let unit = units.entry(names.function_file(module, id)).or_default();
@@ -112,6 +127,18 @@ fn units(context: Context<'_>) -> BTreeMap<String, Unit> {
         });
     }
     units
+}
+
+/// Which functions stand in a file, or are called in a library. What is annotated does, used or not;
+/// of the mathematics, beside a library's, what is called.
+pub fn reached(context: Context<'_>) -> Vec<bool> {
+    let (module, names) = (context.module, context.names);
+    let storage = |id: FunctionId| names.signature(id).storage;
+    let is_root = |id: FunctionId| {
+        let spare = names.has_library() && is_mathematics(&module.functions[id.index()].module);
+        storage(id) == Storage::Extern && !spare
+    };
+    reachable(module, is_root, |id| storage(id) == Storage::Library)
 }
 
 fn place(context: Context<'_>, span: Span) -> (String, u32, u32) {
@@ -209,7 +236,7 @@ impl Writer<'_> {
             }
             let lowered = lower::function(self.context, id, &mut uses);
             match signature.storage {
-                Storage::Extern | Storage::Foreign => {}
+                Storage::Extern | Storage::Foreign | Storage::Library => {}
                 Storage::Static => prototypes.push(self.prototype(id, false)),
                 Storage::Inline => includes.signature(self.context, signature),
             }

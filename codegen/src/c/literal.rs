@@ -64,11 +64,17 @@ pub fn integer(int: Int, value: i128) -> Expr {
         return Expr::name(format!("{unsigned}INT{}_MAX", int.bits()));
     }
     let digits = value.unsigned_abs();
+    let digits = if is_pattern(int, digits) { format!("0x{digits:X}") } else { digits.to_string() };
     let magnitude = Expr::name(match (int.bits(), int.signed()) {
         (64, true) => format!("INT64_C({digits})"),
         (64, false) => format!("UINT64_C({digits})"),
-        (_, true) => format!("{digits}"),
+        (_, true) => digits,
         (_, false) => format!("{digits}U"),
     });
     if value < 0 { Expr::unary("-", magnitude) } else { magnitude }
+}
+
+/// Whether a number is read by its bits: one that nobody counts to, and that is not round in decimal.
+fn is_pattern(int: Int, value: u128) -> bool {
+    !int.signed() && value >= 1 << 20 && !value.is_multiple_of(100)
 }

@@ -17,6 +17,7 @@ mod helpers;
 mod init;
 mod layout;
 mod layout_text;
+mod library;
 mod literal;
 mod lower;
 pub mod names;
@@ -30,6 +31,7 @@ mod tree;
 
 use bessemer_ir::Module;
 
+pub use library::Math;
 pub use report::{EntryReport, report};
 
 use analysis::Faults;
@@ -66,6 +68,8 @@ pub struct Options {
     pub license: String,
     /// The user's own functions in place of kernels.
     pub replacements: Vec<Replacement>,
+    /// Whose elementary functions are called.
+    pub math: Math,
 }
 
 impl Default for Options {
@@ -76,6 +80,7 @@ impl Default for Options {
             hook: None,
             license: "MIT OR Apache-2.0".to_owned(),
             replacements: Vec::new(),
+            math: Math::Portable,
         }
     }
 }
@@ -109,4 +114,17 @@ pub fn emit(module: &Module, options: &Options) -> Vec<CFile> {
     let faults = Faults::new(module, options.hook.is_some());
     let names = Names::with_faults(module, options, &faults);
     files::files(lower::Context { module, names: &names, faults: &faults }, options)
+}
+
+/// The functions of the target's `math.h` that the C calls in place of the DSL's, by their C names.
+pub fn library_calls(module: &Module, options: &Options) -> Vec<String> {
+    let faults = Faults::new(module, options.hook.is_some());
+    let names = Names::with_faults(module, options, &faults);
+    let reached = files::reached(lower::Context { module, names: &names, faults: &faults });
+    let mut called: Vec<String> = (names.functions.iter().zip(reached))
+        .filter(|(signature, reached)| *reached && signature.storage == names::Storage::Library)
+        .map(|(signature, _)| signature.name.clone())
+        .collect();
+    called.sort();
+    called
 }

@@ -20,6 +20,7 @@ use super::Options;
 use super::analysis::Faults;
 use super::const_names::ConstNames;
 use super::helpers::is_helper_name;
+use super::library::{self, Math};
 use super::reserved::{is_keyword, is_reserved_file, is_reserved_for_locals, is_reserved_globally};
 use super::spelling::{identifier, last_segment, relative, screaming, snake};
 pub use super::status::{FAULTS, StatusNames};
@@ -327,6 +328,15 @@ impl Names {
                 name.push_str("_fn");
             }
         }
+        let library = |function: &Function| match options.math {
+            Math::Portable => None,
+            Math::Target => library::name(function),
+        };
+        for (function, name) in module.functions.iter().zip(&mut chosen) {
+            if let Some(theirs) = library(function) {
+                *name = theirs;
+            }
+        }
         let locally = called_in_own_file_only(self, module);
         self.gather_globals(&chosen);
         for (index, function) in module.functions.iter().enumerate() {
@@ -339,6 +349,7 @@ impl Names {
                 name: chosen[index].clone(),
                 storage: match function.role {
                     _ if function.attributes.external.is_some() => Storage::Foreign,
+                    _ if library(function).is_some() => Storage::Library,
                     bessemer_ir::Role::Private if locally[index] => Storage::Static,
                     bessemer_ir::Role::Inline => Storage::Inline,
                     _ => Storage::Extern,
@@ -541,5 +552,10 @@ impl Names {
     /// The face of a function.
     pub fn signature(&self, id: FunctionId) -> &Signature {
         &self.functions[id.index()]
+    }
+
+    /// Whether functions of a library stand for some.
+    pub fn has_library(&self) -> bool {
+        self.functions.iter().any(|signature| signature.storage == Storage::Library)
     }
 }

@@ -151,7 +151,7 @@ impl<'a> Printer<'a> {
         }
         let mut pieces = Pieces::default();
         let storage = match head.storage {
-            Storage::Extern | Storage::Foreign => "",
+            Storage::Extern | Storage::Foreign | Storage::Library => "",
             Storage::Static => "static ",
             Storage::Inline => "static inline ",
         };

@@ -260,6 +260,8 @@ pub enum Storage {
     Inline,
     /// The firmware's.
     Foreign,
+    /// It is the target's own, of `math.h`.
+    Library,
 }
 
 /// The head of a function, as C writes it.

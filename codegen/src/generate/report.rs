@@ -46,6 +46,13 @@ pub fn table(compiled: &Compiled) -> String {
         );
     }
     text.push_str(&externals(compiled));
+    if !compiled.library.is_empty() {
+        let _ = writeln!(
+            text,
+            "\nThe C calls the target's math.h ({}): there its results need not be the Rust's to the bit.",
+            compiled.library.join(", ")
+        );
+    }
     text
 }
 

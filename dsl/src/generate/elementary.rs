@@ -2,7 +2,7 @@
 
 use super::{Called, Callee};
 use crate::math::{
-    arctangent, exponential, hyperbolic, logarithm, power, roots, sine, single, tangent,
+    arctangent, exponential, fused, hyperbolic, logarithm, power, roots, sine, single, tangent,
 };
 
 /// Elementary functions of floats.
@@ -29,6 +29,8 @@ pub trait ElementaryBuiltins: Sized {
     type Powf: Callee;
     type Hypot: Callee;
     type Powi: Callee;
+    type MulAdd: Callee;
+    type SinCos: Callee;
     fn __b_sin(self) -> Called<Self::Sin, Self> {
         unreachable!()
     }
@@ -92,6 +94,12 @@ pub trait ElementaryBuiltins: Sized {
     fn __b_powi(self, _n: i32) -> Called<Self::Powi, Self> {
         unreachable!()
     }
+    fn __b_mul_add(self, _a: Self, _b: Self) -> Called<Self::MulAdd, Self> {
+        unreachable!()
+    }
+    fn __b_sin_cos(self) -> Called<Self::SinCos, (Self, Self)> {
+        unreachable!()
+    }
 }
 
 impl ElementaryBuiltins for f64 {
@@ -116,6 +124,8 @@ impl ElementaryBuiltins for f64 {
     type Powf = power::powf;
     type Hypot = roots::hypot;
     type Powi = power::powi;
+    type MulAdd = fused::mul_add;
+    type SinCos = sine::sin_cos;
 }
 
 impl ElementaryBuiltins for f32 {
@@ -140,4 +150,6 @@ impl ElementaryBuiltins for f32 {
     type Powf = single::powff;
     type Hypot = single::hypotf;
     type Powi = single::powif;
+    type MulAdd = fused::mul_addf;
+    type SinCos = single::sin_cosf;
 }

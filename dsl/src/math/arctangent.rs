@@ -19,6 +19,8 @@ const A9: f64 = 1.0 / 9.0;
 
 /// The upper half of a double.
 const UPPER: u64 = 0xffff_ffff_0000_0000;
+/// All but the last 27 bits: what is left has a square without loss.
+const LEADING: u64 = 0xffff_ffff_f800_0000;
 
 /// The row for a ratio: 0 to 63 from 1/16 to 16, more outside.
 #[inline]
@@ -173,23 +175,26 @@ pub fn atan2(y: f64, x: f64) -> f64 {
 pub fn arcsine_curve(z: f64) -> f64 {
     let w = z * z;
     let v = w * w;
-    let even_end = ARCSINE[8] + w * (ARCSINE[10] + w * ARCSINE[12]);
-    let even = (ARCSINE[0] + w * ARCSINE[2]) + v * ((ARCSINE[4] + w * ARCSINE[6]) + v * even_end);
-    let odd_end = (ARCSINE[5] + w * ARCSINE[7]) + v * (ARCSINE[9] + w * ARCSINE[11]);
-    let odd = (ARCSINE[1] + w * ARCSINE[3]) + v * odd_end;
-    even + z * odd
+    let lower = (ARCSINE[0] + z * ARCSINE[1]) + w * (ARCSINE[2] + z * ARCSINE[3]);
+    let middle = (ARCSINE[4] + z * ARCSINE[5]) + w * (ARCSINE[6] + z * ARCSINE[7]);
+    let upper = (ARCSINE[8] + z * ARCSINE[9]) + w * (ARCSINE[10] + z * ARCSINE[11]);
+    lower + v * (middle + v * (upper + v * ARCSINE[12]))
 }
 
-/// Half the arccosine of `size` from 1/2 to 1, without 1: the root r of (1 − `size`)/2 to 21 bits, and
-/// what is added to it.
+/// Half the arccosine of `size` from 1/2 to 1, without 1: the root r of (1 − `size`)/2 as it is rounded,
+/// and what is added to it.
 #[inline]
 #[function]
 pub fn half_arccosine(size: f64) -> Pair {
     let z = 0.5 - 0.5 * size;
     let root = z.sqrt();
-    let high = f64::from_bits(root.raw_bits() & UPPER);
-    let curved = root * (z * arcsine_curve(z));
-    Pair { high, low: (z - high * high) / (root + high) + curved }
+    // What the root is off by is (z − r²)/2r; half its last place, so that three bits of 1/r will do:
+    // the bits of a number are nearly its logarithm.
+    let leading = f64::from_bits(root.raw_bits() & LEADING);
+    let left = (z - leading * leading) - (root - leading) * (root + leading);
+    let upper = 0x7fde_6000_u32.wrapping_sub((root.raw_bits() >> 32) as u32);
+    let reciprocal = f64::from_bits((upper as u64) << 32);
+    Pair { high: root, low: root * z * arcsine_curve(z) + 0.5 * left * reciprocal }
 }
 
 /// 2⁻²⁷: below, a number is its own arcsine.

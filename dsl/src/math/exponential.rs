@@ -17,6 +17,15 @@ const E2: f64 = 1.0 / 2.0;
 const E3: f64 = 1.0 / 6.0;
 const E4: f64 = 1.0 / 24.0;
 const E5: f64 = 1.0 / 120.0;
+const E6: f64 = 1.0 / 720.0;
+
+const P2: f64 = LN_2 * LN_2 / 2.0;
+const P3: f64 = LN_2 * LN_2 * LN_2 / 6.0;
+const P4: f64 = LN_2 * LN_2 * LN_2 * LN_2 / 24.0;
+const P5: f64 = LN_2 * LN_2 * LN_2 * LN_2 * LN_2 / 120.0;
+
+/// 1.5 · 2⁴⁵: added to a smaller number it leaves the nearest multiple of 1/128 in the last bits.
+pub const TO_STEP: f64 = TO_INTEGER / 128.0;
 
 /// To here e^x is normal, and so is what its last rounding takes in.
 pub const NORMAL: f64 = 660.0;
@@ -73,14 +82,18 @@ pub fn exponential(x: f64) -> Power {
     step_power(shifted.raw_bits(), (x - steps * UNIT_STEP_HIGH) - steps * UNIT_STEP_LOW)
 }
 
-/// e^(`high` + `low`) for −750 to 750, before its last rounding.
+/// e^(`high` + `low`) for −750 to 750 and a `low` of up to 1/200, before its last rounding.
 #[inline]
 #[function]
 pub fn exponential_of_pair(high: f64, low: f64) -> Power {
     let shifted = high * STEPS_PER_UNIT + TO_INTEGER;
     let steps = shifted - TO_INTEGER;
     let r = ((high - steps * UNIT_STEP_HIGH) - steps * UNIT_STEP_LOW) + low;
-    step_power(shifted.raw_bits(), r)
+    // As in `step_power`, a term longer.
+    let z = r * r;
+    let tail = (E2 + r * E3) + z * ((E4 + r * E5) + z * E6);
+    let steps = shifted.raw_bits();
+    Power { steps, rest: (step_rest(steps) + r) + z * tail }
 }
 
 /// The power times 2^`more`, rounded once, for a result that may not be a normal number.
@@ -139,13 +152,23 @@ pub fn exp(x: f64) -> f64 {
     }
 }
 
+/// 2^x for −1080 to 1080, before its last rounding.
+#[inline]
+#[function]
+pub fn binary_exponential(x: f64) -> Power {
+    let shifted = x + TO_STEP;
+    let r = x - (shifted - TO_STEP);
+    let steps = shifted.raw_bits();
+    let z = r * r;
+    let tail = (P2 + r * P3) + z * (P4 + r * P5);
+    Power { steps, rest: (step_rest(steps) + r * LN_2) + z * tail }
+}
+
 /// 2^x for |x| from 960 on, infinities and NaN.
 #[function]
 pub fn far_power(x: f64) -> f64 {
     if x.abs() <= 1080.0 {
-        let shifted = x * 128.0 + TO_INTEGER;
-        let r = (x - (shifted - TO_INTEGER) * 0.0078125) * LN_2;
-        rounded(step_power(shifted.raw_bits(), r), 0)
+        rounded(binary_exponential(x), 0)
     } else if x > 0.0 {
         f64::INFINITY
     } else if x < 0.0 {
@@ -159,9 +182,7 @@ pub fn far_power(x: f64) -> f64 {
 #[function]
 pub fn exp2(x: f64) -> f64 {
     if x.abs() < 960.0 {
-        let shifted = x * 128.0 + TO_INTEGER;
-        let r = (x - (shifted - TO_INTEGER) * 0.0078125) * LN_2;
-        let power = step_power(shifted.raw_bits(), r);
+        let power = binary_exponential(x);
         let lead = step(power.steps);
         lead + lead * power.rest
     } else {

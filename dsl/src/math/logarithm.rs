@@ -1,65 +1,57 @@
 //! The logarithms.
 //!
 //! After P. T. P. Tang, *Table-driven implementation of the logarithm function in IEEE floating-point
-//! arithmetic* (ACM TOMS 16, 1990), with reciprocals in place of its division: x = 2^k · m with m
-//! around 1, and c near 1/m from a table. The upper 21 bits of m times the 32 bits of c come out
-//! exactly, so r = m·c − 1 is exact in two parts. Then ln x = k · ln 2 − ln c + ln(1 + r), the last from
-//! a polynomial. The c are chosen so that −ln c fits in a double with nothing left over. [`powf`]
-//! needs more: the logarithm in two doubles, [`logarithm`], from coarser c.
+//! arithmetic* (ACM TOMS 16, 1990): x = 2^k · m with m around 1, and c near m from a table with 1/c and
+//! its logarithm; m − c is exact, and with r = (m − c)/c, ln x = k · ln 2 + ln c + ln(1 + r), the last
+//! from a polynomial. The c are chosen so that ln c fits in a double with nothing left over (S. Gal,
+//! *Computing elementary functions*, 1986). So k · ln 2 + ln c is exact but for what the head of ln 2
+//! leaves out, and one sum rounds.
+//!
+//! From 15/16 to 17/16 that would lose too much: there ln(1 + r) is r − r²/2 in two doubles and a longer
+//! polynomial. [`powf`] needs more everywhere: the logarithm in two doubles, [`logarithm`], from c whose
+//! reciprocals have so few bits that r is exact.
 //!
 //! [`powf`]: super::power::powf
-
-use core::f64::consts::{LOG2_E, LOG10_E};
 
 use super::RawBits as _;
 use super::pair::{Pair, ordered_sum, sum};
 use super::tables::{
-    COARSE_REST, COARSE_ROWS, LN, LN_2_HIGH, LN_2_LOW, LN_ROWS, LOG2_ROWS, LOG10_2_HIGH,
-    LOG10_2_LOW, LOG10_ROWS, RECIPROCAL_LN_2_HIGH, RECIPROCAL_LN_2_LOW, RECIPROCAL_LN_10_HIGH,
-    RECIPROCAL_LN_10_LOW,
+    COARSE_REST, COARSE_ROWS, FINER_LN, LN, LN_2_HIGH, LN_2_LOW, LN_CENTRES, LN_NEAR_ONE, LN_ROWS,
+    LOG2, LOG2_CENTRES, LOG2_E_HIGH, LOG2_E_LOW, LOG2_ROWS, LOG10, LOG10_2_HIGH, LOG10_2_LOW,
+    LOG10_CENTRES, LOG10_E_HIGH, LOG10_E_LOW, LOG10_ROWS,
 };
 use crate::prelude::*;
 
-const L3: f64 = 1.0 / 3.0;
-const L4: f64 = -1.0 / 4.0;
-const L5: f64 = 1.0 / 5.0;
-const L6: f64 = -1.0 / 6.0;
-const L7: f64 = 1.0 / 7.0;
-const L8: f64 = -1.0 / 8.0;
-const L9: f64 = 1.0 / 9.0;
-
 /// The upper half of a double.
 const UPPER: u64 = 0xffff_ffff_0000_0000;
+/// All but the last 27 bits: what is left has a square without loss.
+const LEADING: u64 = 0xffff_ffff_f800_0000;
+/// Within this of 1, logarithms are those next to 1.
+const NEAR: f64 = 0.0625;
 
-/// A positive number as 2^`exponent` · (`coarse` + `fine`) with that between 0.707 and 1.414.
+/// A positive number as 2^`exponent` · `significand`, that from 0.705 to 1.410.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Parts {
     /// The exponent.
     pub exponent: i32,
-    /// The first seven bits of the significand behind its leading one.
+    /// The row of the tables.
     pub row: usize,
-    /// The significand, to 21 bits.
-    pub coarse: f64,
-    /// The rest of it.
-    pub fine: f64,
+    /// The significand.
+    pub significand: f64,
 }
 
 /// The parts of a normal number, from its bits.
 #[inline]
 #[function]
 pub fn parts(bits: u64) -> Parts {
-    // Above 1 + 53/128 a significand is halved.
-    let above = ((bits >> 32) as u32).wrapping_sub(0x3fe6_a000);
+    // Above 1 + 52.5/128 a significand is halved.
+    let above = ((bits >> 32) as u32).wrapping_sub(0x3fe6_9000);
     let exponent = above as i32 >> 20;
-    let significand = bits.wrapping_sub((exponent as u32 as u64) << 52);
-    // To the nearest: next to 1 the coarse part alone is 1.
-    let coarse = f64::from_bits(significand.wrapping_add(0x8000_0000) & UPPER);
     Parts {
         exponent,
-        row: ((bits >> 45) & 127) as usize,
-        coarse,
-        fine: f64::from_bits(significand) - coarse,
+        row: ((above >> 13) & 127) as usize,
+        significand: f64::from_bits(bits.wrapping_sub((exponent as u32 as u64) << 52)),
     }
 }
 
@@ -77,70 +69,39 @@ pub fn normal_bits(x: f64) -> u64 {
     if x < f64::MIN_POSITIVE { (x * 18_014_398_509_481_984.0).raw_bits() } else { x.raw_bits() }
 }
 
-/// (ln(1 + r) − r)/r².
-#[inline]
+/// ln(1 + `r`) for −1/16 to 1/16: r − r²/2, rounded, and what is added to it.
 #[function]
-pub fn curve(r: f64) -> f64 {
+pub fn ln_near_one(r: f64) -> Pair {
     let z = r * r;
-    r * ((LN[0] + r * LN[1]) + z * ((LN[2] + r * LN[3]) + z * LN[4])) - 0.5
+    let w = z * z;
+    let lower = (LN_NEAR_ONE[0] + r * LN_NEAR_ONE[1]) + z * (LN_NEAR_ONE[2] + r * LN_NEAR_ONE[3]);
+    let middle = (LN_NEAR_ONE[4] + r * LN_NEAR_ONE[5]) + z * (LN_NEAR_ONE[6] + r * LN_NEAR_ONE[7]);
+    let upper = (LN_NEAR_ONE[8] + r * LN_NEAR_ONE[9]) + z * LN_NEAR_ONE[10];
+    let tail = r * z * (lower + w * (middle + w * upper));
+    let leading = f64::from_bits(r.raw_bits() & LEADING);
+    let half_square = 0.5 * leading * leading;
+    let high = r - half_square;
+    let lost = (r - high) - half_square;
+    let cross = 0.5 * (r - leading) * (r + leading);
+    Pair { high, low: lost + (tail - cross) }
 }
 
-/// The natural logarithm of 2^`exponent` · `parts`.
+/// How far the significand is from its c in the table of natural logarithms; exact.
 #[inline]
 #[function]
-pub fn ln_of_parts(parts: Parts, exponent: f64) -> f64 {
-    let reciprocal = LN_ROWS[parts.row & 127][0];
-    let r_high = parts.coarse * reciprocal - 1.0;
-    let r_low = parts.fine * reciprocal;
-    let r = r_high + r_low;
-    let row = exponent * LN_2_HIGH + LN_ROWS[parts.row & 127][1];
-    let lead = row + r;
-    let low = (((row - lead) + r) + ((r_high - r) + r_low)) + exponent * LN_2_LOW;
-    lead + (low + r * r * curve(r))
+pub fn offset(parts: Parts) -> f64 {
+    parts.significand - LN_CENTRES[parts.row & 127]
 }
 
-/// A row of a table.
-#[data]
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Row {
-    /// c, near the reciprocal of a significand.
-    pub reciprocal: f64,
-    /// Minus its logarithm.
-    pub logarithm: f64,
-}
-
-/// What turns natural logarithms into those of a base.
-#[data]
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Base {
-    /// One by the natural logarithm of the base, to 31 bits.
-    pub unit: f64,
-    /// What `unit` leaves out.
-    pub unit_low: f64,
-    /// Both together.
-    pub whole: f64,
-    /// The logarithm of 2 to the base, to few bits.
-    pub two: f64,
-    /// What `two` leaves out.
-    pub two_low: f64,
-}
-
-/// The logarithm of 2^`exponent` · `parts` to another base.
+/// The natural logarithm of 2^`exponent` times what is `offset` from the c of `row`, and not next to 1.
 #[inline]
 #[function]
-pub fn log_of_parts(parts: Parts, exponent: f64, row: Row, base: Base) -> f64 {
-    let r_high = parts.coarse * row.reciprocal - 1.0;
-    let r_low = parts.fine * row.reciprocal;
-    let r = r_high + r_low;
-    let upper = f64::from_bits(r.raw_bits() & UPPER);
-    let rest = (r_high - upper) + r_low;
-    let start = exponent * base.two + row.logarithm;
-    // Exact: 21 bits times 31.
-    let step = upper * base.unit;
-    let lead = start + step;
-    let low = ((start - lead) + step) + exponent * base.two_low;
-    let tail = rest * base.unit + r * base.unit_low;
-    lead + (low + (tail + r * r * curve(r) * base.whole))
+pub fn ln_of_offset(row: usize, exponent: f64, offset: f64) -> f64 {
+    let r = offset * LN_ROWS[row & 127][0];
+    let z = r * r;
+    let tail = (LN[0] + r * LN[1]) + z * (LN[2] + r * LN[3]);
+    let lead = exponent * LN_2_HIGH + LN_ROWS[row & 127][1];
+    lead + (r + (z * (r * tail - 0.5) + exponent * LN_2_LOW))
 }
 
 /// The logarithm where its argument is zero, negative, infinite or NaN.
@@ -167,30 +128,41 @@ pub fn is_small(x: f64) -> bool {
 pub fn ln(x: f64) -> f64 {
     let bits = x.raw_bits();
     if is_plain(bits) {
+        let r = x - 1.0;
+        if r.abs() < NEAR {
+            let near = ln_near_one(r);
+            return near.high + near.low;
+        }
         let parts = parts(bits);
-        ln_of_parts(parts, parts.exponent as f64)
+        ln_of_offset(parts.row, parts.exponent as f64, offset(parts))
     } else if is_small(x) {
         let parts = parts(normal_bits(x));
-        ln_of_parts(parts, parts.exponent as f64 - 54.0)
+        ln_of_offset(parts.row, parts.exponent as f64 - 54.0, offset(parts))
     } else {
         logarithm_at_limit(x)
     }
 }
 
-/// The logarithm to base 2 of 2^`exponent` · `parts`.
+/// ln(1 + `r`) next to 1, times the logarithm of e to another base: its head of 31 bits and the rest.
+#[function]
+pub fn near_one_in_base(r: f64, e_high: f64, e_low: f64) -> f64 {
+    let near = ln_near_one(r);
+    // 21 bits times 31: exact.
+    let upper = f64::from_bits(near.high.raw_bits() & UPPER);
+    let rest = (near.high - upper) + near.low;
+    upper * e_high + (rest * (e_high + e_low) + upper * e_low)
+}
+
+/// The logarithm to base 2 of 2^`exponent` · `parts` that is not next to 1.
 #[inline]
 #[function]
 pub fn log2_of_parts(parts: Parts, exponent: f64) -> f64 {
-    let row =
-        Row { reciprocal: LOG2_ROWS[parts.row & 127][0], logarithm: LOG2_ROWS[parts.row & 127][1] };
-    let base = Base {
-        unit: RECIPROCAL_LN_2_HIGH,
-        unit_low: RECIPROCAL_LN_2_LOW,
-        whole: LOG2_E,
-        two: 1.0,
-        two_low: 0.0,
-    };
-    log_of_parts(parts, exponent, row, base)
+    let row = parts.row & 127;
+    let r = (parts.significand - LOG2_CENTRES[row]) * LOG2_ROWS[row][0];
+    let z = r * r;
+    let upper = (LOG2[2] + r * LOG2[3]) + z * (LOG2[4] + r * LOG2[5]);
+    let tail = (LOG2[0] + r * LOG2[1]) + z * upper;
+    (exponent + LOG2_ROWS[row][1]) + r * tail
 }
 
 /// The logarithm to base 2.
@@ -198,6 +170,10 @@ pub fn log2_of_parts(parts: Parts, exponent: f64) -> f64 {
 pub fn log2(x: f64) -> f64 {
     let bits = x.raw_bits();
     if is_plain(bits) {
+        let r = x - 1.0;
+        if r.abs() < NEAR {
+            return near_one_in_base(r, LOG2_E_HIGH, LOG2_E_LOW);
+        }
         let parts = parts(bits);
         log2_of_parts(parts, parts.exponent as f64)
     } else if is_small(x) {
@@ -208,22 +184,17 @@ pub fn log2(x: f64) -> f64 {
     }
 }
 
-/// The logarithm to base 10 of 2^`exponent` · `parts`.
+/// The logarithm to base 10 of 2^`exponent` · `parts` that is not next to 1.
 #[inline]
 #[function]
 pub fn log10_of_parts(parts: Parts, exponent: f64) -> f64 {
-    let row = Row {
-        reciprocal: LOG10_ROWS[parts.row & 127][0],
-        logarithm: LOG10_ROWS[parts.row & 127][1],
-    };
-    let base = Base {
-        unit: RECIPROCAL_LN_10_HIGH,
-        unit_low: RECIPROCAL_LN_10_LOW,
-        whole: LOG10_E,
-        two: LOG10_2_HIGH,
-        two_low: LOG10_2_LOW,
-    };
-    log_of_parts(parts, exponent, row, base)
+    let row = parts.row & 127;
+    let r = (parts.significand - LOG10_CENTRES[row]) * LOG10_ROWS[row][0];
+    let z = r * r;
+    let upper = (LOG10[2] + r * LOG10[3]) + z * (LOG10[4] + r * LOG10[5]);
+    let tail = (LOG10[0] + r * LOG10[1]) + z * upper;
+    let lead = exponent * LOG10_2_HIGH + LOG10_ROWS[row][1];
+    lead + (r * tail + exponent * LOG10_2_LOW)
 }
 
 /// The logarithm to base 10.
@@ -231,6 +202,10 @@ pub fn log10_of_parts(parts: Parts, exponent: f64) -> f64 {
 pub fn log10(x: f64) -> f64 {
     let bits = x.raw_bits();
     if is_plain(bits) {
+        let r = x - 1.0;
+        if r.abs() < NEAR {
+            return near_one_in_base(r, LOG10_E_HIGH, LOG10_E_LOW);
+        }
         let parts = parts(bits);
         log10_of_parts(parts, parts.exponent as f64)
     } else if is_small(x) {
@@ -247,11 +222,15 @@ pub fn ln_1p(x: f64) -> f64 {
     // From 2⁻⁵⁴ to 2⁶⁰: below, it is x itself, above, the one is lost.
     let exponent = ((x.raw_bits() >> 32) as u32 & 0x7fff_ffff).wrapping_sub(0x3c90_0000);
     if exponent < 0x0720_0000 && x > -1.0 {
+        if x.abs() < NEAR {
+            let near = ln_near_one(x);
+            return near.high + near.low;
+        }
         let whole = sum(1.0, x);
         let parts = parts(whole.high.raw_bits());
         let scale = f64::from_bits((1023_i32.wrapping_sub(parts.exponent) as u32 as u64) << 52);
-        let fine = parts.fine + whole.low * scale;
-        ln_of_parts(Parts { fine, ..parts }, parts.exponent as f64)
+        let offset = offset(parts) + whole.low * scale;
+        ln_of_offset(parts.row, parts.exponent as f64, offset)
     } else {
         far_ln_1p(x)
     }
@@ -263,22 +242,28 @@ pub fn far_ln_1p(x: f64) -> f64 {
     if x.abs() < 0.5 { x } else { ln(1.0 + x) }
 }
 
-/// ln x of 2^`exponent` · `parts`, in two doubles, to some 66 bits.
+/// ln x of 2^`exponent` · `parts`, in two doubles that need not be apart, to some 68 bits.
 #[inline]
 #[function]
 pub fn logarithm(parts: Parts, exponent: f64) -> Pair {
-    let index = parts.row & 127;
-    let reciprocal = COARSE_ROWS[index][0];
-    let r_high = parts.coarse * reciprocal - 1.0;
-    let r_low = parts.fine * reciprocal;
+    let row = parts.row & 127;
+    let reciprocal = COARSE_ROWS[row][0];
+    // To the nearest: next to 1 the coarse part alone is 1.
+    let bits = parts.significand.raw_bits();
+    let coarse = f64::from_bits(bits.wrapping_add(0x8000_0000) & UPPER);
+    let r_high = coarse * reciprocal - 1.0;
+    let r_low = (parts.significand - coarse) * reciprocal;
+    // Exact, as are both parts, the first sum, and the square of r_high.
     let r = r_high + r_low;
-    let z = r * r;
-    let tail = (L3 + r * L4) + z * ((L5 + r * L6) + z * ((L7 + r * L8) + z * L9));
+    let start = exponent * LN_2_HIGH + COARSE_ROWS[row][1];
+    let lead = ordered_sum(start, r);
+    let half = 0.5 * r_high;
+    let next = ordered_sum(lead.high, -half * r_high);
+    let cross = r_low * (half + 0.5 * r);
+    let rest = COARSE_REST[row] + exponent * LN_2_LOW;
 
-    // The first sum and the square of r_high are exact.
-    let lead = ordered_sum(exponent * LN_2_HIGH + COARSE_ROWS[index][1] + r_high, r_low);
-    let next = ordered_sum(lead.high, -0.5 * r_high * r_high);
-    let cross = r_low * (r_high + 0.5 * r_low);
-    let small = (r * z * tail - cross) + (COARSE_REST[index] + exponent * LN_2_LOW);
-    ordered_sum(next.high, (next.low + lead.low) + small)
+    let z = r * r;
+    let upper = (FINER_LN[4] + r * FINER_LN[5]) + z * FINER_LN[6];
+    let tail = (FINER_LN[0] + r * FINER_LN[1]) + z * ((FINER_LN[2] + r * FINER_LN[3]) + z * upper);
+    Pair { high: next.high, low: r * z * tail + ((rest + lead.low) + (next.low - cross)) }
 }

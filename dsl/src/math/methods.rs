@@ -1,6 +1,8 @@
 //! The methods of floats that are elementary functions: what `x.sin()` in an annotated item means.
 
-use super::{arctangent, exponential, hyperbolic, logarithm, power, roots, sine, single, tangent};
+use super::{
+    arctangent, exponential, fused, hyperbolic, logarithm, power, roots, sine, single, tangent,
+};
 
 /// Elementary functions that the attributes redirect to the DSL.
 pub trait ElementaryMethods: Copy {
@@ -46,10 +48,14 @@ pub trait ElementaryMethods: Copy {
     fn dsl_hypot(self, y: Self) -> Self;
     /// self^n, by squaring in the order of [`power::powi`].
     fn dsl_powi(self, n: i32) -> Self;
+    /// self · a + b, rounded once.
+    fn dsl_mul_add(self, a: Self, b: Self) -> Self;
+    /// Sine and cosine of an angle in rad: the bits of either function.
+    fn dsl_sin_cos(self) -> (Self, Self);
 }
 
 macro_rules! elementary {
-    ($($float:ident: $($unary:ident $function:path),*; $($binary:ident $of_two:path),*; $powi:path;)*) => {$(
+    ($($float:ident: $($unary:ident $function:path),*; $($binary:ident $of_two:path),*; $powi:path, $mul_add:path, $sin_cos:path;)*) => {$(
         impl ElementaryMethods for $float {
             $(fn $unary(self) -> $float {
                 $function(self)
@@ -59,6 +65,12 @@ macro_rules! elementary {
             })*
             fn dsl_powi(self, n: i32) -> $float {
                 $powi(self, n)
+            }
+            fn dsl_mul_add(self, a: $float, b: $float) -> $float {
+                $mul_add(self, a, b)
+            }
+            fn dsl_sin_cos(self) -> ($float, $float) {
+                $sin_cos(self)
             }
         }
     )*};
@@ -86,7 +98,7 @@ elementary! {
         dsl_atan2 arctangent::atan2,
         dsl_powf power::powf,
         dsl_hypot roots::hypot;
-        power::powi;
+        power::powi, fused::mul_add, sine::sin_cos;
     f32:
         dsl_sin single::sinf,
         dsl_cos single::cosf,
@@ -108,5 +120,5 @@ elementary! {
         dsl_atan2 single::atan2f,
         dsl_powf single::powff,
         dsl_hypot single::hypotf;
-        single::powif;
+        single::powif, fused::mul_addf, single::sin_cosf;
 }

@@ -15,6 +15,7 @@ pub mod checked;
 pub mod exponential;
 pub mod extremes;
 mod float;
+pub mod fused;
 pub mod hyperbolic;
 pub mod integer;
 pub mod logarithm;

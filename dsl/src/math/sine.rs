@@ -18,11 +18,14 @@ pub const TO_INTEGER: f64 = 6_755_399_441_055_744.0;
 /// Below this an angle is its own sine and tangent: 2⁻²⁷.
 pub const TINY: f64 = 7.450580596923828e-9;
 
-const S3: f64 = -1.0 / 6.0;
+/// Of the Taylor series of the sine, x³.
+pub const S3: f64 = -1.0 / 6.0;
 const S5: f64 = 1.0 / 120.0;
 const S7: f64 = -1.0 / 5_040.0;
-const C2: f64 = -1.0 / 2.0;
-const C4: f64 = 1.0 / 24.0;
+/// Of the Taylor series of the cosine, x².
+pub const C2: f64 = -1.0 / 2.0;
+/// x⁴.
+pub const C4: f64 = 1.0 / 24.0;
 const C6: f64 = -1.0 / 720.0;
 
 /// Sine of `row`·π/64 + `rest` for |rest| ≤ π/128 and a sine of 1/4 or more.
@@ -46,12 +49,12 @@ pub fn sine_near_zero(high: f64, low: f64) -> f64 {
     high + (low + high * z * tail)
 }
 
-/// Sine of `x` + `turns` · π/2, by way of the reduced angle in two doubles; a tiny `x` comes here only
-/// for its sine.
+/// Sine of `x` + `turns` · π/2, by way of the reduced angle in two doubles; of a tiny `x`, with 0 or 1
+/// turns.
 #[function]
 pub fn sine_by_reduction(x: f64, turns: u64) -> f64 {
     if x.abs() < TINY {
-        return x;
+        return if turns == 0 { x } else { 1.0 };
     }
     let angle = reduced_angle(x);
     let quadrant = angle.quadrant.wrapping_add(turns);
@@ -91,4 +94,19 @@ pub fn sin(x: f64) -> f64 {
 #[function]
 pub fn cos(x: f64) -> f64 {
     turned_sine(x, 1)
+}
+
+/// Sine and cosine of an angle in rad: the bits of [`sin`] and of [`cos`], with one reduction.
+#[function]
+pub fn sin_cos(x: f64) -> (f64, f64) {
+    let shifted = x * STEPS_PER_RADIAN + TO_INTEGER;
+    let row = shifted.raw_bits();
+    // Next to a multiple of π/2 one of them is small.
+    if x.abs() < MODERATE && (row.wrapping_add(5) & 31) > 10 {
+        let steps = shifted - TO_INTEGER;
+        let rest = (x - steps * STEP_HIGH) - steps * STEP_LOW;
+        (sine_from_row(row, rest), sine_from_row(row.wrapping_add(32), rest))
+    } else {
+        (sin(x), cos(x))
+    }
 }

@@ -1,55 +1,64 @@
 //! The elementary functions in single precision: computed in double to some 33 bits, and rounded
 //! once. Where that saves much they have shorter polynomials and tables of their own.
 
-use core::f64::consts::{FRAC_2_PI, LN_2, LOG10_2, PI};
+use core::f64::consts::{LN_2, LOG2_E, LOG10_2, PI};
 
 use super::RawBits as _;
 use super::arctangent::{atan, atan2};
-use super::exponential::{exp, exp_m1, exp2};
+use super::exponential::{TO_STEP, exp, exp_m1, exp2, step};
 use super::hyperbolic::{cosh, sinh, tanh};
-use super::logarithm::{ln_1p, logarithm_at_limit};
+use super::logarithm::{ln_1p, logarithm_at_limit, parts};
 use super::power::{powf, powi};
 use super::roots::{COARSE, coarse_root};
-use super::sine::{MODERATE, TO_INTEGER, sine_by_reduction};
+use super::sine::{C2, C4, S3, TO_INTEGER, sine_by_reduction};
 use super::tables::{
-    ARCSINE_F32, COSINE_F32, CUBE_ROOT_F32, EXPONENTIAL_F32, FINER_LOG2_F32, LOG2_F32,
-    LOG2_ROWS_F32, POWERS_F32, QUARTER_TURN_1, QUARTER_TURN_REST, SINE_F32, STEPS_PER_UNIT_F32,
+    ARCSINE_F32, CUBE_ROOT_F32, EXPONENTIAL_F32, LOG2_F32, LOG2_ROWS_F32, SINES, STEP_HIGH,
+    STEP_LOW, STEPS_PER_RADIAN,
 };
 use super::tangent::tan;
 use crate::prelude::*;
 
-/// Sine of `x` + `turns` · π/2.
+/// Sine of `x` + `turns` · π/2 for up to 2¹⁵ rad: a row of the table of sines, and two short Taylor
+/// polynomials.
 #[inline]
 #[function]
-pub fn turned_sinef(x: f64, turns: u64) -> f64 {
-    if x.abs() < MODERATE {
-        let shifted = x * FRAC_2_PI + TO_INTEGER;
-        let taken = shifted - TO_INTEGER;
-        let rest = (x - taken * QUARTER_TURN_1) - taken * QUARTER_TURN_REST;
-        let quadrant = shifted.raw_bits().wrapping_add(turns);
-        let z = rest * rest;
-        let value = if (quadrant & 1) == 0 {
-            let upper = SINE_F32[2] + z * SINE_F32[3];
-            rest * (1.0 + z * (SINE_F32[0] + z * (SINE_F32[1] + z * upper)))
-        } else {
-            1.0 + z * (z * (COSINE_F32[0] + z * (COSINE_F32[1] + z * COSINE_F32[2])) - 0.5)
-        };
-        if (quadrant & 2) == 0 { value } else { -value }
-    } else {
-        sine_by_reduction(x, turns)
-    }
+pub fn moderate_sine(x: f64, turns: u64) -> f64 {
+    let shifted = x * STEPS_PER_RADIAN + TO_INTEGER;
+    let steps = shifted - TO_INTEGER;
+    let rest = (x - steps * STEP_HIGH) - steps * STEP_LOW;
+    let row = shifted.raw_bits().wrapping_add(turns << 5);
+    let sine = SINES[(row & 127) as usize][0];
+    let slope = SINES[(row.wrapping_add(32) & 127) as usize][0];
+    let z = rest * rest;
+    sine + (slope * rest + z * (S3 * slope * rest + sine * (C2 + z * C4)))
 }
 
 /// Sine of an angle in rad.
 #[function]
 pub fn sinf(x: f32) -> f32 {
-    turned_sinef(x as f64, 0) as f32
+    // From 2⁻²⁷, so that −0 stays what it is, to 2¹⁵.
+    if (x.raw_bits() & 0x7fff_ffff).wrapping_sub(0x3200_0000) < 0x1500_0000 {
+        moderate_sine(x as f64, 0) as f32
+    } else {
+        sine_by_reduction(x as f64, 0) as f32
+    }
 }
 
 /// Cosine of an angle in rad.
 #[function]
 pub fn cosf(x: f32) -> f32 {
-    turned_sinef(x as f64, 1) as f32
+    // To 2¹⁵.
+    if (x.raw_bits() & 0x7fff_ffff) < 0x4700_0000 {
+        moderate_sine(x as f64, 1) as f32
+    } else {
+        sine_by_reduction(x as f64, 1) as f32
+    }
+}
+
+/// Sine and cosine of an angle in rad: the bits of [`sinf`] and of [`cosf`].
+#[function]
+pub fn sin_cosf(x: f32) -> (f32, f32) {
+    (sinf(x), cosf(x))
 }
 
 /// Tangent of an angle in rad.
@@ -99,34 +108,26 @@ pub fn atanf(x: f32) -> f32 {
     atan(x as f64) as f32
 }
 
-/// 2^(`steps`/32) for a normal number.
+/// 2^`x` for a normal number.
 #[inline]
 #[function]
-pub fn power_of_steps(steps: f64) -> f64 {
-    let shifted = steps + TO_INTEGER;
-    let r = steps - (shifted - TO_INTEGER);
-    let bits = shifted.raw_bits();
-    // The upper half alone changes: one addition where a word has 32 bits.
-    let row = POWERS_F32[(bits & 31) as usize];
-    let upper = ((row >> 32) as u32).wrapping_add((bits as u32) << 15);
-    let lead = f64::from_bits(((upper as u64) << 32) | (row & 0xffff_ffff));
-    lead + lead * (r * (EXPONENTIAL_F32[0] + r * (EXPONENTIAL_F32[1] + r * EXPONENTIAL_F32[2])))
+pub fn power_of_two(x: f64) -> f64 {
+    let shifted = x + TO_STEP;
+    let r = x - (shifted - TO_STEP);
+    let lead = step(shifted.raw_bits());
+    lead + lead * r * (EXPONENTIAL_F32[0] + r * EXPONENTIAL_F32[1])
 }
 
 /// e^x.
 #[function]
 pub fn expf(x: f32) -> f32 {
-    if x.abs() < 100.0 {
-        power_of_steps(x as f64 * STEPS_PER_UNIT_F32) as f32
-    } else {
-        exp(x as f64) as f32
-    }
+    if x.abs() < 100.0 { power_of_two(x as f64 * LOG2_E) as f32 } else { exp(x as f64) as f32 }
 }
 
 /// 2^x.
 #[function]
 pub fn exp2f(x: f32) -> f32 {
-    if x.abs() < 150.0 { power_of_steps(x as f64 * 32.0) as f32 } else { exp2(x as f64) as f32 }
+    if x.abs() < 150.0 { power_of_two(x as f64) as f32 } else { exp2(x as f64) as f32 }
 }
 
 /// e^x − 1, without cancellation.
@@ -142,42 +143,49 @@ pub fn is_plain(x: f32) -> bool {
     x.raw_bits().wrapping_sub(0x0080_0000) < 0x7f00_0000
 }
 
-/// log₂ of `exponent` and a significand from 0.703 to 1.406 with its row.
-#[inline]
-#[function]
-pub fn logarithm_in_row(exponent: f64, significand: f64, row: u32) -> f64 {
-    let index = (row & 31) as usize;
-    let r = significand * LOG2_ROWS_F32[index][0] - 1.0;
-    let tail = LOG2_F32[2] + r * (LOG2_F32[3] + r * LOG2_F32[4]);
-    let curved = r * (LOG2_F32[0] + r * (LOG2_F32[1] + r * tail));
-    (exponent + LOG2_ROWS_F32[index][1]) + curved
+/// A positive number as 2^`exponent` · `significand`, that from 0.705 to 1.410.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PartsF32 {
+    /// The exponent.
+    pub exponent: i32,
+    /// The row of the tables.
+    pub row: usize,
+    /// The significand.
+    pub significand: f32,
 }
 
-/// The same to some 40 bits, for [`powff`].
+/// The parts of a normal number.
 #[inline]
 #[function]
-pub fn finer_logarithm(x: f32) -> f64 {
+pub fn partsf(x: f32) -> PartsF32 {
     let bits = x.raw_bits();
-    let exponent = bits.wrapping_sub(0x3f34_0000) as i32 >> 23;
-    let significand = f32::from_bits(bits.wrapping_sub((exponent as u32) << 23));
-    let index = ((bits >> 18) & 31) as usize;
-    let r = significand as f64 * LOG2_ROWS_F32[index][0] - 1.0;
-    let z = r * r;
-    let upper = (FINER_LOG2_F32[4] + r * FINER_LOG2_F32[5]) + z * FINER_LOG2_F32[6];
-    let tail = (FINER_LOG2_F32[2] + r * FINER_LOG2_F32[3]) + z * upper;
-    let curved = r * ((FINER_LOG2_F32[0] + r * FINER_LOG2_F32[1]) + z * tail);
-    (exponent as f64 + LOG2_ROWS_F32[index][1]) + curved
+    // Above 1 + 52.5/128 a significand is halved.
+    let above = bits.wrapping_sub(0x3f34_8000);
+    let exponent = above as i32 >> 23;
+    PartsF32 {
+        exponent,
+        row: ((above >> 16) & 127) as usize,
+        significand: f32::from_bits(bits.wrapping_sub((exponent as u32) << 23)),
+    }
+}
+
+/// The logarithm to base 2 of 2^`exponent` · `significand`.
+#[inline]
+#[function]
+pub fn logarithm_in_row(exponent: i32, row: usize, significand: f64) -> f64 {
+    let r = significand * LOG2_ROWS_F32[row & 127][0] - 1.0;
+    let upper = LOG2_F32[2] + r * LOG2_F32[3];
+    (exponent as f64 + LOG2_ROWS_F32[row & 127][1])
+        + r * (LOG2_F32[0] + r * (LOG2_F32[1] + r * upper))
 }
 
 /// The logarithm to base 2 of a positive, normal number.
 #[inline]
 #[function]
 pub fn binary_logarithm(x: f32) -> f64 {
-    let bits = x.raw_bits();
-    // Above 1 + 13/32 a significand is halved.
-    let exponent = bits.wrapping_sub(0x3f34_0000) as i32 >> 23;
-    let significand = f32::from_bits(bits.wrapping_sub((exponent as u32) << 23));
-    logarithm_in_row(exponent as f64, significand as f64, bits >> 18)
+    let parts = partsf(x);
+    logarithm_in_row(parts.exponent, parts.row, parts.significand as f64)
 }
 
 /// `unit` times the logarithm to base 2 of what is zero, negative, infinite, NaN, or below the normal
@@ -215,11 +223,8 @@ pub fn log10f(x: f32) -> f32 {
 pub fn ln_1pf(x: f32) -> f32 {
     // 2⁻²⁹: from here on 1 + x is exact in double.
     if x.abs() >= 1.8626451e-9 && x > -1.0 && x <= f32::MAX {
-        let bits = (1.0 + x as f64).raw_bits();
-        let exponent = ((bits >> 32) as u32).wrapping_sub(0x3fe6_8000) as i32 >> 20;
-        let significand = f64::from_bits(bits.wrapping_sub((exponent as u32 as u64) << 52));
-        let row = (bits >> 47) as u32;
-        (logarithm_in_row(exponent as f64, significand, row) * LN_2) as f32
+        let parts = parts((1.0 + x as f64).raw_bits());
+        (logarithm_in_row(parts.exponent, parts.row, parts.significand) * LN_2) as f32
     } else {
         ln_1p(x as f64) as f32
     }
@@ -247,10 +252,12 @@ pub fn tanhf(x: f32) -> f32 {
 #[function]
 pub fn cbrtf(x: f32) -> f32 {
     let size = (x as f64).abs();
-    if !(size > 0.0 && size <= f64::MAX) {
+    let upper = (size.raw_bits() >> 32) as u32;
+    // Zero, infinite or NaN.
+    if upper.wrapping_sub(1) >= 0x7fef_ffff {
         return x;
     }
-    let coarse = coarse_root((size.raw_bits() >> 32) as u32, COARSE);
+    let coarse = coarse_root(upper, COARSE);
     let ratio = (coarse * coarse) * (coarse / size);
     let tail = CUBE_ROOT_F32[4] + ratio * (CUBE_ROOT_F32[5] + ratio * CUBE_ROOT_F32[6]);
     let upper = CUBE_ROOT_F32[2] + ratio * (CUBE_ROOT_F32[3] + ratio * tail);
@@ -264,14 +271,22 @@ pub fn atan2f(y: f32, x: f32) -> f32 {
     atan2(y as f64, x as f64) as f32
 }
 
-/// x^y.
+/// x^y = 2^(y · log₂ x), the logarithm to some 38 bits.
 #[function]
 pub fn powff(x: f32, y: f32) -> f32 {
     if is_plain(x) {
-        let exponent = y as f64 * finer_logarithm(x);
-        // Infinities, NaN and what leaves the range go the other way.
-        if exponent.abs() < 1000.0 {
-            return power_of_steps(exponent * 32.0) as f32;
+        let parts = partsf(x);
+        let row = parts.row & 127;
+        // The float as a double: its bits, with the other exponent.
+        let wide =
+            ((parts.significand.raw_bits() as u64) << 29).wrapping_add(0x3800_0000_0000_0000);
+        let r = f64::from_bits(wide) * LOG2_ROWS_F32[row][0] - 1.0;
+        let tail = (LOG2_F32[0] + r * LOG2_F32[1]) + r * r * (LOG2_F32[2] + r * LOG2_F32[3]);
+        let factor = y as f64;
+        let exponent = factor * (parts.exponent as f64 + LOG2_ROWS_F32[row][1]) + factor * r * tail;
+        // Below 2⁹. Infinities, NaN and what leaves the range go the other way.
+        if (exponent.raw_bits() >> 52 & 0x7ff) < 1023 + 9 {
+            return power_of_two(exponent) as f32;
         }
     }
     powf(x as f64, y as f64) as f32

@@ -8,7 +8,7 @@ use bessemer::prelude::*;
 pub fn functions(x: f64, y: f64) -> f64 {
     let growth = x.asinh() + f64::atanh(y);
     let angle = x.log(y);
-    angle + growth.mul_add(x, y)
+    angle + growth
 }
 
 /// Nor these, of integers.

@@ -131,8 +131,12 @@ impl Lower<'_> {
 
     fn arguments(&mut self, callee: FunctionId, arguments: &[Argument]) -> Vec<Expr> {
         let signature = self.context.names.signature(callee);
-        if signature.storage != Storage::Inline {
-            self.uses.headers.insert(signature.header.clone());
+        match signature.storage {
+            Storage::Inline => {}
+            Storage::Library => self.uses.math = true,
+            Storage::Extern | Storage::Static | Storage::Foreign => {
+                self.uses.headers.insert(signature.header.clone());
+            }
         }
         let mut list = Vec::new();
         for (argument, param) in arguments.iter().zip(&signature.params) {

@@ -15,8 +15,6 @@ const ABSENT: &[(&str, usize, &str)] = &[
     ("acosh", 0, "write `(x + (x * x - 1.0).sqrt()).ln()`"),
     ("atanh", 0, "write `0.5 * (2.0 * x / (1.0 - x)).ln_1p()`"),
     ("log", 1, "write `x.ln() / base.ln()`"),
-    ("sin_cos", 0, "call `sin` and `cos`"),
-    ("mul_add", 2, "write `x * a + b`: rounded twice, it is the same on every target"),
     ("cmp partial_cmp total_cmp eq ne lt le gt ge", 1, "compare with `<`, `==` and the like"),
     ("overflowing_add overflowing_sub overflowing_mul", 1, WIDER),
     ("into", 0, "write the type: `f64::from(x)`"),

@@ -282,12 +282,6 @@ pub const TANGENT: [f64; 8] = [
     0.0014515187098262862,
     0.0006412845378130403,
 ];
-/// (sin x − x)/x³ in powers of x², to π/4, for single precision.
-pub const SINE_F32: [f64; 4] =
-    [-0.1666666666372105, 0.008333331822812816, -0.00019840058863568338, 2.7246332908640676e-6];
-/// (cos x − 1 + x²/2)/x⁴ in powers of x², to π/4, for single precision.
-pub const COSINE_F32: [f64; 3] =
-    [0.04166666458806888, -0.001388828923166896, 2.4544976870193085e-5];
 /// c and atan c, to a double and less that: eight c for each octave from 1/16 to 16.
 pub const ARCTANGENTS: [[f64; 3]; 64] = [
     [0.06640625, 0.06630889491982349, -4.885923989304001e-19],

@@ -5,11 +5,13 @@
 #![allow(clippy::approx_constant)]
 
 mod angles;
+mod decimal;
 mod finer;
 mod logarithms;
 mod powers;
 
 pub use angles::*;
+pub use decimal::*;
 pub use finer::*;
 pub use logarithms::*;
 pub use powers::*;

@@ -139,46 +139,8 @@ pub const POWERS: [[u64; 2]; 128] = [
     [0x3c77893b4d91cd9c, 0x3fefe7c1819e90d8],
     [0x3c5305c14160cc89, 0x3feff3c22b8f71f1],
 ];
-/// The bits of 2^(k/32) less k·2⁴⁷.
-pub const POWERS_F32: [u64; 32] = [
-    0x3ff0000000000000,
-    0x3fefd9b0d3158574,
-    0x3fefb5586cf9890f,
-    0x3fef9301d0125b51,
-    0x3fef72b83c7d517b,
-    0x3fef54873168b9aa,
-    0x3fef387a6e756238,
-    0x3fef1e9df51fdee1,
-    0x3fef06fe0a31b715,
-    0x3feef1a7373aa9cb,
-    0x3feedea64c123422,
-    0x3feece086061892d,
-    0x3feebfdad5362a27,
-    0x3feeb42b569d4f82,
-    0x3feeab07dd485429,
-    0x3feea47eb03a5585,
-    0x3feea09e667f3bcd,
-    0x3fee9f75e8ec5f74,
-    0x3feea11473eb0187,
-    0x3feea589994cce13,
-    0x3feeace5422aa0db,
-    0x3feeb737b0cdc5e5,
-    0x3feec49182a3f090,
-    0x3feed503b23e255d,
-    0x3feee89f995ad3ad,
-    0x3feeff76f2fb5e47,
-    0x3fef199bdd85529c,
-    0x3fef3720dcef9069,
-    0x3fef5818dcfba487,
-    0x3fef7c97337b9b5f,
-    0x3fefa4afa2a490da,
-    0x3fefd0765b6e4540,
-];
-/// 32/ln 2.
-pub const STEPS_PER_UNIT_F32: f64 = 46.16624130844683;
-/// (2^(r/32) − 1)/r in powers of r, −1/2 to 1/2.
-pub const EXPONENTIAL_F32: [f64; 3] =
-    [0.02166084939249829, 0.00023459791806279678, 1.6938584231590093e-6];
+/// (2^r − 1)/r in powers of r, −1/256 to 1/256.
+pub const EXPONENTIAL_F32: [f64; 2] = [0.693147604022766, 0.2402265803396113];
 /// (e^x − 1 − x − x²/2)/x³ in powers of x, −0.3 to 0.3.
 pub const EXP_M1: [f64; 11] = [
     0.16666666666666666,

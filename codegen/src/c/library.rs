@@ -1,0 +1,51 @@
+//! The functions of the target's own `math.h`, for those who want these instead of the DSL's.
+//!
+//! What rounds once (`mul_add`), what is defined as an expansion (`powi`), and `sin_cos`, which C99 has
+//! not, stay the DSL's.
+
+use bessemer_ir::Function;
+
+/// Whose elementary functions the C calls.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Math {
+    /// The DSL's, emitted with the models: the same bits as the Rust on every target.
+    #[default]
+    Portable,
+    /// Those of the target's `math.h`: the bits are the library's, and need not be the Rust's.
+    Target,
+}
+
+/// Modules of the mathematics, the Rust names there, and what C calls them in double precision.
+const DOUBLE: &[(&str, &[(&str, &str)])] = &[
+    ("sine", &[("sin", "sin"), ("cos", "cos")]),
+    ("tangent", &[("tan", "tan")]),
+    ("arctangent", &[("asin", "asin"), ("acos", "acos"), ("atan", "atan"), ("atan2", "atan2")]),
+    ("exponential", &[("exp", "exp"), ("exp2", "exp2"), ("exp_m1", "expm1")]),
+    ("logarithm", &[("ln", "log"), ("log2", "log2"), ("log10", "log10"), ("ln_1p", "log1p")]),
+    ("hyperbolic", &[("sinh", "sinh"), ("cosh", "cosh"), ("tanh", "tanh")]),
+    ("power", &[("powf", "pow")]),
+    ("roots", &[("cbrt", "cbrt"), ("hypot", "hypot")]),
+];
+
+/// The module of those in single precision: the Rust names have an `f` more, and so have C's.
+const SINGLE: &str = "single";
+
+/// Whether a Rust module is one of the mathematics.
+pub fn is_mathematics(module: &str) -> bool {
+    module == "bessemer::math" || module.starts_with("bessemer::math::")
+}
+
+/// What C's `math.h` calls a function of the mathematics.
+pub fn name(function: &Function) -> Option<String> {
+    if function.owner.is_some() || !is_mathematics(&function.module) {
+        return None;
+    }
+    let module = function.module.rsplit("::").next()?;
+    if module == SINGLE {
+        let name = function.name.strip_suffix('f')?;
+        let mut all = DOUBLE.iter().flat_map(|(_, names)| names.iter());
+        return all.find(|(rust, _)| *rust == name).map(|(_, c)| format!("{c}f"));
+    }
+    let (_, names) = DOUBLE.iter().find(|(own, _)| *own == module)?;
+    names.iter().find(|(rust, _)| *rust == function.name).map(|(_, c)| (*c).to_owned())
+}

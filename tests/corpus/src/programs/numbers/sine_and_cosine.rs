@@ -1,0 +1,17 @@
+//! `sin_cos` gives both, with one reduction of the angle: the bits of `sin` and of `cos`.
+
+use bessemer::prelude::*;
+
+/// A vector turned by an angle, rad.
+#[function]
+pub fn turned(x: f64, y: f64, angle: f64) -> [f64; 2] {
+    let (sine, cosine) = angle.sin_cos();
+    [cosine * x - sine * y, sine * x + cosine * y]
+}
+
+/// The same in single precision.
+#[function]
+pub fn turned_f32(x: f32, y: f32, angle: f32) -> [f32; 2] {
+    let (sine, cosine) = angle.sin_cos();
+    [cosine * x - sine * y, sine * x + cosine * y]
+}
