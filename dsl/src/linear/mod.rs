@@ -25,6 +25,7 @@ pub mod parts;
 mod systems;
 
 pub use factored::eigen::symmetric as symmetric_eigen;
+pub use factored::ldl::factored as ldl;
 pub use factored::svd::jacobi as svd;
 pub use literal::by_rows;
 pub use lu::{inverse_mut, solve_mut};
