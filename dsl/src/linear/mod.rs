@@ -26,6 +26,7 @@ mod systems;
 pub mod views;
 
 pub use factored::eigen::symmetric as symmetric_eigen;
+pub use factored::ldl::factored as ldl;
 pub use factored::svd::jacobi as svd;
 pub use literal::by_rows;
 pub use lu::{inverse_mut, solve_into, solve_mut};

@@ -9,6 +9,7 @@
 
 pub mod cholesky;
 pub mod eigen;
+pub mod ldl;
 pub mod lu;
 pub mod qr;
 pub mod svd;

@@ -1,4 +1,5 @@
-//! `udu` factors a covariance as Bierman's filters keep it.
+//! `udu` factors a covariance as Bierman's filters keep it; `bessemer::linear::ldl` factors without roots what need
+//! not be positive definite.
 
 use bessemer::prelude::*;
 
@@ -17,4 +18,20 @@ pub fn composed(p: &Matrix2<f64>) -> Matrix2<f64> {
     } else {
         Matrix2::zeros()
     }
+}
+
+/// The gain of an update, P·Hᵀ·S⁻¹, by factors without roots; zero where S has none.
+#[function]
+pub fn gain(p: &Matrix3<f64>, h: &SMatrix<f64, 2, 3>, s: &Matrix2<f64>) -> SMatrix<f64, 3, 2> {
+    match bessemer::linear::ldl(s) {
+        Some(factors) => factors.solve(&(h * p)).transpose(),
+        None => SMatrix::zeros(),
+    }
+}
+
+/// Whether a matrix is a covariance of full rank, and its determinant.
+#[function]
+pub fn full_rank(p: &Matrix3<f32>) -> (bool, f32) {
+    let factors = bessemer::linear::ldl(p);
+    (factors.is_some_and(|it| it.is_positive()), factors.map_or(0.0, |it| it.determinant()))
 }
