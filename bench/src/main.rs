@@ -22,6 +22,9 @@ struct Arguments {
     /// Only this one
     #[arg(long)]
     only: Option<Part>,
+    /// The small sizes for `kernels`, such as 2,3,4,6,8: Eigen's alone take a compiler many minutes
+    #[arg(long, value_delimiter = ',')]
+    sizes: Vec<usize>,
     /// Points of each function for `equality`
     #[arg(long, default_value_t = 10_000_000)]
     points: u32,
@@ -100,15 +103,18 @@ fn kernels(arguments: &Arguments) -> Result<(), String> {
             eprintln!("{line}");
         }
     };
-    let plan = if arguments.quick { run::QUICK } else { run::FULL };
+    let mut plan = if arguments.quick { run::QUICK } else { run::FULL };
+    if !arguments.sizes.is_empty() {
+        plan.sizes = &arguments.sizes;
+    }
     let results = run::run(&plan, &say)?;
     bar.finish_and_clear();
     print!("{}", report::terminal(&results));
-    if arguments.quick { Ok(()) } else { report_kernels(&results) }
+    if arguments.quick { Ok(()) } else { report_kernels(&results, &arguments.sizes) }
 }
 
-fn report_kernels(results: &Results) -> Result<(), String> {
-    let about = about();
+fn report_kernels(results: &Results, sizes: &[usize]) -> Result<(), String> {
+    let about = about(sizes);
     put("kernels.json", &format!("{:#}\n", results.json(&about)))?;
     put("kernels.md", &report::markdown(results, &about))?;
     put("chapter6.svg", &plot::chapter_6(results))?;
@@ -116,12 +122,16 @@ fn report_kernels(results: &Results) -> Result<(), String> {
 }
 
 /// The machine and the compilers.
-fn about() -> BTreeMap<&'static str, String> {
+fn about(sizes: &[usize]) -> BTreeMap<&'static str, String> {
     let first = |program: &str| {
         let output = Command::new(program).arg("--version").output().ok()?;
         Some(String::from_utf8_lossy(&output.stdout).lines().next()?.to_owned())
     };
-    let command = "cargo xtask bench --only kernels".to_owned();
+    let mut command = "cargo xtask bench --only kernels".to_owned();
+    if !sizes.is_empty() {
+        let sizes: Vec<String> = sizes.iter().map(usize::to_string).collect();
+        command += &format!(" --sizes {}", sizes.join(","));
+    }
     let mut about = BTreeMap::from([("command", command)]);
     let processor = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     if let Some(line) = processor.lines().find(|line| line.starts_with("model name")) {

@@ -142,9 +142,12 @@ pub struct Bench {
     /// Measure the short list only, and write nothing
     #[arg(long)]
     pub quick: bool,
-    /// Only this part: kernels, elementary, check-cost, rebuild, generation, equality
+    /// Only this part: kernels, elementary, check-cost, rebuild, generation, onboard, equality
     #[arg(long)]
     pub only: Option<String>,
+    /// The small sizes for `kernels`, such as 2,3,4,6,8; all of 2 to 20 take a compiler most of an hour
+    #[arg(long)]
+    pub sizes: Option<String>,
     /// Points of each function for `equality`
     #[arg(long)]
     pub points: Option<u32>,

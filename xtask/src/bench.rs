@@ -29,6 +29,9 @@ pub fn run(root: &Path, wanted: &Bench, machine: &dyn Machine) -> Result<Outcome
     if let Some(only) = &wanted.only {
         command.args(["--only", only]);
     }
+    if let Some(sizes) = &wanted.sizes {
+        command.args(["--sizes", sizes]);
+    }
     if let Some(points) = wanted.points {
         command.args(["--points", &points.to_string()]);
     }

@@ -6,8 +6,12 @@ use super::case::{Element, Routine};
 use super::report::ratio;
 use super::results::{Results, Table};
 
-const COLOURS: [&str; 7] =
-    ["#b3541e", "#6b7280", "#9ca3af", "#2563eb", "#0f766e", "#7c3aed", "#111827"];
+/// One for each contender or routine, the same in every panel.
+const COLOURS: [&str; 8] =
+    ["#b3541e", "#6b7280", "#9ca3af", "#0891b2", "#2563eb", "#0f766e", "#7c3aed", "#111827"];
+
+/// One for each routine; f32 is dashed.
+const SHADES: [&str; 4] = ["#b3541e", "#2563eb", "#0f766e", "#7c3aed"];
 
 fn open(width: usize, height: usize) -> String {
     format!(
@@ -24,8 +28,9 @@ pub fn chapter_6(results: &Results) -> String {
     for table in &results.chapter_6 {
         let _ = writeln!(
             text,
-            "<text x=\"10\" y=\"{y}\" font-weight=\"bold\">{}, both parts</text>",
-            table.machine.title
+            "<text x=\"10\" y=\"{y}\" font-weight=\"bold\">{}: both parts, {}</text>",
+            table.machine.title,
+            if is_timed(table) { "µs" } else { "million instructions" }
         );
         y += 20;
         let totals: Vec<f64> =
@@ -33,7 +38,7 @@ pub fn chapter_6(results: &Results) -> String {
         let largest = totals.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
         for (index, contender) in table.contenders.iter().enumerate() {
             let width = 420.0 * totals[index] / largest;
-            let colour = COLOURS[index % COLOURS.len()];
+            let colour = COLOURS[*contender as usize % COLOURS.len()];
             let _ = writeln!(
                 text,
                 "<text x=\"10\" y=\"{y}\">{}</text><rect x=\"230\" y=\"{}\" width=\"{width:.1}\" height=\"13\" \
@@ -48,6 +53,10 @@ pub fn chapter_6(results: &Results) -> String {
         y += 20;
     }
     text + "</svg>\n"
+}
+
+fn is_timed(table: &Table) -> bool {
+    table.rows.iter().flat_map(|row| row.cells.iter().flatten()).any(|cell| cell.times.is_some())
 }
 
 fn total(table: &Table, index: usize) -> f64 {
@@ -68,9 +77,10 @@ pub fn small(results: &Results) -> String {
         let y = |ratio: f64| top + 160.0 - 80.0 * ratio.clamp(0.0, 2.0);
         let _ = writeln!(
             text,
-            "<text x=\"10\" y=\"{}\" font-weight=\"bold\">{}</text>",
+            "<text x=\"10\" y=\"{}\" font-weight=\"bold\">{}: {} of generated C / best of the others, by rows</text>",
             top - 12.0,
-            table.machine.title
+            table.machine.title,
+            if is_timed(table) { "time" } else { "instructions" }
         );
         for line in [0.5, 1.0, 1.5] {
             let _ = writeln!(
@@ -88,7 +98,7 @@ pub fn small(results: &Results) -> String {
                 top + 176.0
             );
         }
-        let mut entry = 0;
+        let mut entry: usize = 0;
         for element in [Element::F64, Element::F32] {
             for routine in Routine::ALL {
                 let rows = table
@@ -103,10 +113,11 @@ pub fn small(results: &Results) -> String {
                 if points.is_empty() {
                     continue;
                 }
-                let colour = COLOURS[entry % COLOURS.len()];
+                let colour = SHADES[entry % SHADES.len()];
+                let dashes = if element == Element::F32 { "5 3" } else { "none" };
                 let _ = writeln!(
                     text,
-                    "<polyline points=\"{}\" fill=\"none\" stroke=\"{colour}\"/><text x=\"575\" y=\"{:.0}\" fill=\"{colour}\">{} {}</text>",
+                    "<polyline points=\"{}\" fill=\"none\" stroke=\"{colour}\" stroke-dasharray=\"{dashes}\"/><text x=\"575\" y=\"{:.0}\" fill=\"{colour}\">{} {}</text>",
                     points.join(" "),
                     top + 10.0 + 16.0 * entry as f64,
                     routine.title(),

@@ -11,9 +11,9 @@ use super::{check, count, generated};
 
 /// How much is measured.
 #[derive(Clone, Copy, Debug)]
-pub struct Plan {
+pub struct Plan<'a> {
     /// The small sizes.
-    pub sizes: &'static [usize],
+    pub sizes: &'a [usize],
     /// Rounds of each race.
     pub rounds: usize,
     /// The short run leaves out the machines that only complete the picture.
@@ -21,20 +21,20 @@ pub struct Plan {
 }
 
 /// The full plan.
-pub const FULL: Plan = Plan {
+pub const FULL: Plan<'static> = Plan {
     sizes: &[2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20],
     rounds: 101,
     quick: false,
 };
 
 /// The short one.
-pub const QUICK: Plan = Plan { sizes: &[3, 6, 12], rounds: 31, quick: true };
+pub const QUICK: Plan<'static> = Plan { sizes: &[3, 6, 12], rounds: 31, quick: true };
 
 /// Runs it; `say` is told what is going on.
 ///
 /// # Errors
 /// A program does not compile, does not run, or has a wrong result.
-pub fn run(plan: &Plan, say: &dyn Fn(&str)) -> Result<Results, String> {
+pub fn run(plan: &Plan<'_>, say: &dyn Fn(&str)) -> Result<Results, String> {
     let folder = bessemer_tests::root().join("target/bench");
     std::fs::create_dir_all(&folder).map_err(|error| error.to_string())?;
     let mut results = Results::default();
