@@ -1,13 +1,16 @@
-//! The whole onboard software in the loop: every flight with its C, every output and every state by bits.
+//! The whole onboard software in the loop: every flight with its C, every output and every state by bits; and
+//! the model of the plant, which is C too, moved by the motors of every flight.
 
 use std::sync::Mutex;
 
+use bessemer_tests::process::Process;
 use bessemer_tests::toolchain::{self, Toolchain};
-use bessemer_tests::{flight_models, words};
+use bessemer_tests::{entry, flight_models, words};
+use models::plant::Plant;
 use sim::computer::{Computer, Emitted, Native};
 use sim::flights::{FLIGHTS, Flight, find};
 use sim::scenario::Scenario;
-use sim::voyage::follow;
+use sim::voyage::{fly, follow};
 
 /// What is flown of a flight, s: the longest takes three minutes, and `cargo xtask sim all --c` flies it whole.
 const LONGEST: f64 = 75.0;
@@ -73,5 +76,44 @@ fn every_compiler_flies_a_hover_to_the_same_bits() {
     let hover = find("hover").expect("a flight");
     for toolchain in toolchain::all() {
         same(hover, 6.0, &toolchain, &mut started(&toolchain));
+    }
+}
+
+#[test]
+fn the_plant_model_moves_to_the_same_bits_in_every_flight() {
+    let step = entry(flight_models(), "Plant", "step").expect("an entry point");
+    let toolchains: Vec<_> = toolchain::all().into_iter().filter(|it| it.level == 2).collect();
+    let mut processes: Vec<_> = toolchains
+        .iter()
+        .map(|toolchain| {
+            Process::start(flight_models(), step, toolchain)
+                .unwrap_or_else(|error| panic!("{}: {error}", toolchain.name()))
+        })
+        .collect();
+    for flight in FLIGHTS {
+        let mut scenario = (flight.scenario)(1);
+        scenario.duration = scenario.duration.min(15.0);
+        let period = scenario.settings.parameters.period;
+        let (mut plant, mut arguments, mut expected) = (Plant::default(), Vec::new(), Vec::new());
+        for moment in fly(&scenario, &mut Native::default()).moments {
+            let motion = plant.step(&scenario.airframe, &moment.speeds, period);
+            let given = [words(&scenario.airframe), words(&moment.speeds), words(&period)];
+            arguments.push(given.concat());
+            expected.push([vec![0], words(&motion), words(&plant)].concat());
+        }
+        for (process, toolchain) in processes.iter_mut().zip(&toolchains) {
+            process.restart(toolchain).unwrap_or_else(|error| panic!("{error}"));
+            for (arguments, expected) in arguments.iter().zip(&expected) {
+                let results = process
+                    .step(arguments)
+                    .unwrap_or_else(|error| panic!("{}: {error}", flight.name));
+                assert!(
+                    plain(&results).eq(plain(expected)),
+                    "{} with {}",
+                    flight.name,
+                    toolchain.name()
+                );
+            }
+        }
     }
 }
