@@ -23,8 +23,8 @@ struct Arguments {
     #[arg(long)]
     only: Option<Part>,
     /// The small sizes for `kernels`, such as 2,3,4,6,8: Eigen's alone take a compiler many minutes
-    #[arg(long, value_delimiter = ',')]
-    sizes: Vec<usize>,
+    #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u8).range(2..=20))]
+    sizes: Vec<u8>,
     /// Points of each function for `equality`
     #[arg(long, default_value_t = 10_000_000)]
     points: u32,
@@ -104,13 +104,14 @@ fn kernels(arguments: &Arguments) -> Result<(), String> {
         }
     };
     let mut plan = if arguments.quick { run::QUICK } else { run::FULL };
-    if !arguments.sizes.is_empty() {
-        plan.sizes = &arguments.sizes;
+    let sizes: Vec<usize> = arguments.sizes.iter().copied().map(usize::from).collect();
+    if !sizes.is_empty() {
+        plan.sizes = &sizes;
     }
     let results = run::run(&plan, &say)?;
     bar.finish_and_clear();
     print!("{}", report::terminal(&results));
-    if arguments.quick { Ok(()) } else { report_kernels(&results, &arguments.sizes) }
+    if arguments.quick { Ok(()) } else { report_kernels(&results, &sizes) }
 }
 
 fn report_kernels(results: &Results, sizes: &[usize]) -> Result<(), String> {

@@ -10,7 +10,14 @@ use crate::tools::{self, Machine, Need, Tool};
 use crate::{project, stages};
 use std::path::Path;
 
-const NEEDS: &[Need] = &[Need::Everything, Need::Host, Need::Target, Need::Bench];
+/// What a part cannot do without; the others need Rust alone, or leave out what is not there.
+fn needs(only: Option<&str>) -> &'static [Need] {
+    match only {
+        None | Some("kernels") => &[Need::Everything, Need::Host, Need::Target, Need::Bench],
+        Some("onboard") => &[Need::Everything, Need::Host, Need::Target],
+        Some(_) => &[],
+    }
+}
 
 /// Runs the measurements.
 ///
@@ -18,10 +25,7 @@ const NEEDS: &[Need] = &[Need::Everything, Need::Host, Need::Target, Need::Bench
 /// [`Error::Missing`] without `--install`; with it, what went wrong while installing; [`Error::Spawn`] if cargo
 /// does not start.
 pub fn run(root: &Path, wanted: &Bench, machine: &dyn Machine) -> Result<Outcome, Error> {
-    // The others need Rust alone, or leave out what is not there.
-    if wanted.only.as_deref().is_none_or(|only| only == "kernels") {
-        prepare(wanted, machine)?;
-    }
+    prepare(wanted, machine)?;
     let mut command = project::cargo(root, &["run", "--quiet", "--package", "bench", "--"]);
     if wanted.quick {
         command.arg("--quick");
@@ -40,7 +44,8 @@ pub fn run(root: &Path, wanted: &Bench, machine: &dyn Machine) -> Result<Outcome
 }
 
 fn prepare(wanted: &Bench, machine: &dyn Machine) -> Result<(), Error> {
-    let missing = lacking(machine);
+    let needs = needs(wanted.only.as_deref());
+    let missing = lacking(machine, needs);
     if missing.is_empty() {
         return Ok(());
     }
@@ -49,12 +54,12 @@ fn prepare(wanted: &Bench, machine: &dyn Machine) -> Result<(), Error> {
         return Err(Error::Missing { tools: names(&missing), line: plan.map(|plan| plan.line()) });
     };
     plan.carry_out(&missing, &mut Progress::default())?;
-    let left = lacking(machine);
+    let left = lacking(machine, needs);
     if left.is_empty() { Ok(()) } else { Err(Error::StillMissing { tools: names(&left) }) }
 }
 
-fn lacking(machine: &dyn Machine) -> Vec<&'static Tool> {
-    tools::missing(&tools::survey(machine), NEEDS)
+fn lacking(machine: &dyn Machine, needs: &[Need]) -> Vec<&'static Tool> {
+    tools::missing(&tools::survey(machine), needs)
 }
 
 fn names(tools: &[&'static Tool]) -> Vec<&'static str> {

@@ -231,9 +231,14 @@ fn main() {
     let mut json = Vec::new();
     let mut take = |routine: &str, n: usize, kind: &str, findings: &Findings| {
         let [ours, theirs] = [&findings.ours, &findings.theirs];
+        if ours.is_empty() {
+            let _ = writeln!(rows, "| {routine} | {n} | {kind} | 0 | – | – | – | – | – | – |");
+            return;
+        }
         let _ = writeln!(
             rows,
-            "| {routine} | {n} | {kind} | {:.3} | {:.3} | {:.3} | {:.3} | {:.1e} | {:.1e} |",
+            "| {routine} | {n} | {kind} | {} | {:.3} | {:.3} | {:.3} | {:.3} | {:.1e} | {:.1e} |",
+            ours.len(),
             worst(ours, 0),
             worst(theirs, 0),
             median(ours, 0),
@@ -272,9 +277,11 @@ fn main() {
          [quality.json](quality.json) has the same figures. {SYSTEMS} matrices of each kind and size, f64. A residual is\n\
          `‖b − A x‖ / (ε (‖A‖ ‖x‖ + ‖b‖))`, norms of rows, an error `‖x − x*‖ / ‖x*‖`, both in 80 digits, with the\n\
          true solution `x*` in 80 digits. Ours are those of the emitted C, bit for bit; beside them LAPACK's (dgesv,\n\
-         dgetrf and dgetri, dposv) on the same numbers. Inverses of up to four rows go by cofactors, as nalgebra's do.\n\n\
-         | routine | size | matrices | residual, worst: ours | LAPACK's | median: ours | LAPACK's | error, worst: ours | LAPACK's |\n\
-         |---|---|---|---|---|---|---|---|---|\n{rows}"
+         dgetrf and dgetri, dposv) on the same numbers. Inverses of up to four rows go by cofactors, as nalgebra's do.\n\
+         `solutions`: how many there are, a column of an inverse being one; a matrix that rounding makes indefinite has none.\n\
+         Residuals of inverses are those of `A X = I`; dgetri is made for `X A = I`, so compare errors there.\n\n\
+         | routine | size | matrices | solutions | residual, worst: ours | LAPACK's | median: ours | LAPACK's | error, worst: ours | LAPACK's |\n\
+         |---|---|---|---|---|---|---|---|---|---|\n{rows}"
     );
     println!("{text}");
     let write =
