@@ -17,6 +17,7 @@
 
 #include "covariance.h"
 #include "geometry.h"
+#include "product_f64_6x6_6x1.h"
 
 #if defined(__FAST_MATH__)
 #error "-ffast-math changes results: compile without it"
@@ -109,26 +110,8 @@ void attitude_filter_advance(const attitude_filter_t *self, const orientation_t 
 bool attitude_filter_correct(attitude_filter_t *self, const double row[6], double innovation,
     double variance, double gate, attitude_filter_correct_work_t *work)
 {
-    const double spread[6] = {
-        self->covariance[0 + 6 * 0] * row[0] + self->covariance[0 + 6 * 1] * row[1]
-            + self->covariance[0 + 6 * 2] * row[2] + self->covariance[0 + 6 * 3] * row[3]
-            + self->covariance[0 + 6 * 4] * row[4] + self->covariance[0 + 6 * 5] * row[5],
-        self->covariance[1 + 6 * 0] * row[0] + self->covariance[1 + 6 * 1] * row[1]
-            + self->covariance[1 + 6 * 2] * row[2] + self->covariance[1 + 6 * 3] * row[3]
-            + self->covariance[1 + 6 * 4] * row[4] + self->covariance[1 + 6 * 5] * row[5],
-        self->covariance[2 + 6 * 0] * row[0] + self->covariance[2 + 6 * 1] * row[1]
-            + self->covariance[2 + 6 * 2] * row[2] + self->covariance[2 + 6 * 3] * row[3]
-            + self->covariance[2 + 6 * 4] * row[4] + self->covariance[2 + 6 * 5] * row[5],
-        self->covariance[3 + 6 * 0] * row[0] + self->covariance[3 + 6 * 1] * row[1]
-            + self->covariance[3 + 6 * 2] * row[2] + self->covariance[3 + 6 * 3] * row[3]
-            + self->covariance[3 + 6 * 4] * row[4] + self->covariance[3 + 6 * 5] * row[5],
-        self->covariance[4 + 6 * 0] * row[0] + self->covariance[4 + 6 * 1] * row[1]
-            + self->covariance[4 + 6 * 2] * row[2] + self->covariance[4 + 6 * 3] * row[3]
-            + self->covariance[4 + 6 * 4] * row[4] + self->covariance[4 + 6 * 5] * row[5],
-        self->covariance[5 + 6 * 0] * row[0] + self->covariance[5 + 6 * 1] * row[1]
-            + self->covariance[5 + 6 * 2] * row[2] + self->covariance[5 + 6 * 3] * row[3]
-            + self->covariance[5 + 6 * 4] * row[4] + self->covariance[5 + 6 * 5] * row[5]
-    };
+    double spread[6];
+    product_f64_6x6_6x1(self->covariance, row, spread);
     const double expected = 0.0 + row[0] * spread[0] + row[1] * spread[1] + row[2] * spread[2]
         + row[3] * spread[3] + row[4] * spread[4] + row[5] * spread[5] + variance;
     const bool plausible = innovation * innovation <= gate * gate * expected;

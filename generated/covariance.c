@@ -14,7 +14,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "product_f64_3x3_3x3.h"
 #include "product_f64_6x6_6x6.h"
+#include "product_tr_f64_3x3_3x3.h"
+#include "product_tr_f64_6x6_6x6.h"
 
 #if defined(__FAST_MATH__)
 #error "-ffast-math changes results: compile without it"
@@ -49,63 +52,13 @@ void covariance_diagonal_6(const double values[6], double all[36])
 void covariance_grown_3(const double covariance[9], const double advance[9], const double growth[9],
     double result[9])
 {
-    const double result_product[9] = {
-        advance[0 + 3 * 0] * covariance[0 + 3 * 0] + advance[0 + 3 * 1] * covariance[1 + 3 * 0]
-            + advance[0 + 3 * 2] * covariance[2 + 3 * 0],
-        advance[1 + 3 * 0] * covariance[0 + 3 * 0] + advance[1 + 3 * 1] * covariance[1 + 3 * 0]
-            + advance[1 + 3 * 2] * covariance[2 + 3 * 0],
-        advance[2 + 3 * 0] * covariance[0 + 3 * 0] + advance[2 + 3 * 1] * covariance[1 + 3 * 0]
-            + advance[2 + 3 * 2] * covariance[2 + 3 * 0],
-        advance[0 + 3 * 0] * covariance[0 + 3 * 1] + advance[0 + 3 * 1] * covariance[1 + 3 * 1]
-            + advance[0 + 3 * 2] * covariance[2 + 3 * 1],
-        advance[1 + 3 * 0] * covariance[0 + 3 * 1] + advance[1 + 3 * 1] * covariance[1 + 3 * 1]
-            + advance[1 + 3 * 2] * covariance[2 + 3 * 1],
-        advance[2 + 3 * 0] * covariance[0 + 3 * 1] + advance[2 + 3 * 1] * covariance[1 + 3 * 1]
-            + advance[2 + 3 * 2] * covariance[2 + 3 * 1],
-        advance[0 + 3 * 0] * covariance[0 + 3 * 2] + advance[0 + 3 * 1] * covariance[1 + 3 * 2]
-            + advance[0 + 3 * 2] * covariance[2 + 3 * 2],
-        advance[1 + 3 * 0] * covariance[0 + 3 * 2] + advance[1 + 3 * 1] * covariance[1 + 3 * 2]
-            + advance[1 + 3 * 2] * covariance[2 + 3 * 2],
-        advance[2 + 3 * 0] * covariance[0 + 3 * 2] + advance[2 + 3 * 1] * covariance[1 + 3 * 2]
-            + advance[2 + 3 * 2] * covariance[2 + 3 * 2]
-    };
-    const double result_transposed[9] = {
-        advance[0 + 3 * 0], advance[0 + 3 * 1], advance[0 + 3 * 2],
-        advance[1 + 3 * 0], advance[1 + 3 * 1], advance[1 + 3 * 2],
-        advance[2 + 3 * 0], advance[2 + 3 * 1], advance[2 + 3 * 2]
-    };
-    const double result_product_2[9] = {
-        result_product[0 + 3 * 0] * result_transposed[0 + 3 * 0]
-            + result_product[0 + 3 * 1] * result_transposed[1 + 3 * 0]
-            + result_product[0 + 3 * 2] * result_transposed[2 + 3 * 0],
-        result_product[1 + 3 * 0] * result_transposed[0 + 3 * 0]
-            + result_product[1 + 3 * 1] * result_transposed[1 + 3 * 0]
-            + result_product[1 + 3 * 2] * result_transposed[2 + 3 * 0],
-        result_product[2 + 3 * 0] * result_transposed[0 + 3 * 0]
-            + result_product[2 + 3 * 1] * result_transposed[1 + 3 * 0]
-            + result_product[2 + 3 * 2] * result_transposed[2 + 3 * 0],
-        result_product[0 + 3 * 0] * result_transposed[0 + 3 * 1]
-            + result_product[0 + 3 * 1] * result_transposed[1 + 3 * 1]
-            + result_product[0 + 3 * 2] * result_transposed[2 + 3 * 1],
-        result_product[1 + 3 * 0] * result_transposed[0 + 3 * 1]
-            + result_product[1 + 3 * 1] * result_transposed[1 + 3 * 1]
-            + result_product[1 + 3 * 2] * result_transposed[2 + 3 * 1],
-        result_product[2 + 3 * 0] * result_transposed[0 + 3 * 1]
-            + result_product[2 + 3 * 1] * result_transposed[1 + 3 * 1]
-            + result_product[2 + 3 * 2] * result_transposed[2 + 3 * 1],
-        result_product[0 + 3 * 0] * result_transposed[0 + 3 * 2]
-            + result_product[0 + 3 * 1] * result_transposed[1 + 3 * 2]
-            + result_product[0 + 3 * 2] * result_transposed[2 + 3 * 2],
-        result_product[1 + 3 * 0] * result_transposed[0 + 3 * 2]
-            + result_product[1 + 3 * 1] * result_transposed[1 + 3 * 2]
-            + result_product[1 + 3 * 2] * result_transposed[2 + 3 * 2],
-        result_product[2 + 3 * 0] * result_transposed[0 + 3 * 2]
-            + result_product[2 + 3 * 1] * result_transposed[1 + 3 * 2]
-            + result_product[2 + 3 * 2] * result_transposed[2 + 3 * 2]
-    };
+    double result_a[9];
+    product_f64_3x3_3x3(advance, covariance, result_a);
+    double result_product[9];
+    product_tr_f64_3x3_3x3(result_a, advance, result_product);
     double result_matrix[9];
     for (uint32_t i = 0U; i < 9U; i++) {
-        result_matrix[i] = result_product_2[i] + growth[i];
+        result_matrix[i] = result_product[i] + growth[i];
     }
     covariance_symmetric_3(result_matrix, result);
 }
@@ -114,16 +67,11 @@ void covariance_grown_6(const double covariance[36], const double advance[36],
     const double growth[36], covariance_grown_6_work_t *work, double result[36])
 {
     product_f64_6x6_6x6(advance, covariance, work->result_a);
-    for (uint32_t column = 0U; column < 6U; column++) {
-        for (uint32_t row = 0U; row < 6U; row++) {
-            work->result_b[row + 6 * column] = advance[column + 6 * row];
-        }
-    }
-    product_f64_6x6_6x6(work->result_a, work->result_b, work->result_product);
+    product_tr_f64_6x6_6x6(work->result_a, advance, work->result_product);
     for (uint32_t i = 0U; i < 36U; i++) {
         work->result_matrix[i] = work->result_product[i] + growth[i];
     }
-    covariance_symmetric_6(work->result_matrix, &work->symmetric_6_work, result);
+    covariance_symmetric_6(work->result_matrix, result);
 }
 
 void covariance_corrected_3(const double covariance[9], const double row[3], const double gain[3],
@@ -134,95 +82,25 @@ void covariance_corrected_3(const double covariance[9], const double row[3], con
         0.0, 1.0, 0.0,
         0.0, 0.0, 1.0
     };
-    const double kept_transposed[3] = {row[0], row[1], row[2]};
-    const double kept_product[9] = {
-        gain[0] * kept_transposed[0],
-        gain[1] * kept_transposed[0],
-        gain[2] * kept_transposed[0],
-        gain[0] * kept_transposed[1],
-        gain[1] * kept_transposed[1],
-        gain[2] * kept_transposed[1],
-        gain[0] * kept_transposed[2],
-        gain[1] * kept_transposed[2],
-        gain[2] * kept_transposed[2]
-    };
     double kept[9];
-    for (uint32_t i = 0U; i < 9U; i++) {
-        kept[i] = kept_matrix[i] - kept_product[i];
+    for (uint32_t column = 0U; column < 3U; column++) {
+        for (uint32_t row_2 = 0U; row_2 < 3U; row_2++) {
+            kept[row_2 + 3 * column] = kept_matrix[row_2 + 3 * column] - gain[row_2] * row[column];
+        }
     }
-    const double noise_transposed[3] = {gain[0], gain[1], gain[2]};
-    const double noise_product[9] = {
-        gain[0] * noise_transposed[0],
-        gain[1] * noise_transposed[0],
-        gain[2] * noise_transposed[0],
-        gain[0] * noise_transposed[1],
-        gain[1] * noise_transposed[1],
-        gain[2] * noise_transposed[1],
-        gain[0] * noise_transposed[2],
-        gain[1] * noise_transposed[2],
-        gain[2] * noise_transposed[2]
-    };
     double noise[9];
-    for (uint32_t i = 0U; i < 9U; i++) {
-        noise[i] = noise_product[i] * variance;
+    for (uint32_t column = 0U; column < 3U; column++) {
+        for (uint32_t row_2 = 0U; row_2 < 3U; row_2++) {
+            noise[row_2 + 3 * column] = gain[row_2] * gain[column] * variance;
+        }
     }
-    const double result_product[9] = {
-        kept[0 + 3 * 0] * covariance[0 + 3 * 0] + kept[0 + 3 * 1] * covariance[1 + 3 * 0]
-            + kept[0 + 3 * 2] * covariance[2 + 3 * 0],
-        kept[1 + 3 * 0] * covariance[0 + 3 * 0] + kept[1 + 3 * 1] * covariance[1 + 3 * 0]
-            + kept[1 + 3 * 2] * covariance[2 + 3 * 0],
-        kept[2 + 3 * 0] * covariance[0 + 3 * 0] + kept[2 + 3 * 1] * covariance[1 + 3 * 0]
-            + kept[2 + 3 * 2] * covariance[2 + 3 * 0],
-        kept[0 + 3 * 0] * covariance[0 + 3 * 1] + kept[0 + 3 * 1] * covariance[1 + 3 * 1]
-            + kept[0 + 3 * 2] * covariance[2 + 3 * 1],
-        kept[1 + 3 * 0] * covariance[0 + 3 * 1] + kept[1 + 3 * 1] * covariance[1 + 3 * 1]
-            + kept[1 + 3 * 2] * covariance[2 + 3 * 1],
-        kept[2 + 3 * 0] * covariance[0 + 3 * 1] + kept[2 + 3 * 1] * covariance[1 + 3 * 1]
-            + kept[2 + 3 * 2] * covariance[2 + 3 * 1],
-        kept[0 + 3 * 0] * covariance[0 + 3 * 2] + kept[0 + 3 * 1] * covariance[1 + 3 * 2]
-            + kept[0 + 3 * 2] * covariance[2 + 3 * 2],
-        kept[1 + 3 * 0] * covariance[0 + 3 * 2] + kept[1 + 3 * 1] * covariance[1 + 3 * 2]
-            + kept[1 + 3 * 2] * covariance[2 + 3 * 2],
-        kept[2 + 3 * 0] * covariance[0 + 3 * 2] + kept[2 + 3 * 1] * covariance[1 + 3 * 2]
-            + kept[2 + 3 * 2] * covariance[2 + 3 * 2]
-    };
-    const double result_transposed[9] = {
-        kept[0 + 3 * 0], kept[0 + 3 * 1], kept[0 + 3 * 2],
-        kept[1 + 3 * 0], kept[1 + 3 * 1], kept[1 + 3 * 2],
-        kept[2 + 3 * 0], kept[2 + 3 * 1], kept[2 + 3 * 2]
-    };
-    const double result_product_2[9] = {
-        result_product[0 + 3 * 0] * result_transposed[0 + 3 * 0]
-            + result_product[0 + 3 * 1] * result_transposed[1 + 3 * 0]
-            + result_product[0 + 3 * 2] * result_transposed[2 + 3 * 0],
-        result_product[1 + 3 * 0] * result_transposed[0 + 3 * 0]
-            + result_product[1 + 3 * 1] * result_transposed[1 + 3 * 0]
-            + result_product[1 + 3 * 2] * result_transposed[2 + 3 * 0],
-        result_product[2 + 3 * 0] * result_transposed[0 + 3 * 0]
-            + result_product[2 + 3 * 1] * result_transposed[1 + 3 * 0]
-            + result_product[2 + 3 * 2] * result_transposed[2 + 3 * 0],
-        result_product[0 + 3 * 0] * result_transposed[0 + 3 * 1]
-            + result_product[0 + 3 * 1] * result_transposed[1 + 3 * 1]
-            + result_product[0 + 3 * 2] * result_transposed[2 + 3 * 1],
-        result_product[1 + 3 * 0] * result_transposed[0 + 3 * 1]
-            + result_product[1 + 3 * 1] * result_transposed[1 + 3 * 1]
-            + result_product[1 + 3 * 2] * result_transposed[2 + 3 * 1],
-        result_product[2 + 3 * 0] * result_transposed[0 + 3 * 1]
-            + result_product[2 + 3 * 1] * result_transposed[1 + 3 * 1]
-            + result_product[2 + 3 * 2] * result_transposed[2 + 3 * 1],
-        result_product[0 + 3 * 0] * result_transposed[0 + 3 * 2]
-            + result_product[0 + 3 * 1] * result_transposed[1 + 3 * 2]
-            + result_product[0 + 3 * 2] * result_transposed[2 + 3 * 2],
-        result_product[1 + 3 * 0] * result_transposed[0 + 3 * 2]
-            + result_product[1 + 3 * 1] * result_transposed[1 + 3 * 2]
-            + result_product[1 + 3 * 2] * result_transposed[2 + 3 * 2],
-        result_product[2 + 3 * 0] * result_transposed[0 + 3 * 2]
-            + result_product[2 + 3 * 1] * result_transposed[1 + 3 * 2]
-            + result_product[2 + 3 * 2] * result_transposed[2 + 3 * 2]
-    };
+    double result_a[9];
+    product_f64_3x3_3x3(kept, covariance, result_a);
+    double result_product[9];
+    product_tr_f64_3x3_3x3(result_a, kept, result_product);
     double result_matrix[9];
     for (uint32_t i = 0U; i < 9U; i++) {
-        result_matrix[i] = result_product_2[i] + noise[i];
+        result_matrix[i] = result_product[i] + noise[i];
     }
     covariance_symmetric_3(result_matrix, result);
 }
@@ -239,120 +117,39 @@ void covariance_corrected_6(const double covariance[36], const double row[6], co
     work->kept_matrix[3 + 6 * 3] = 1.0;
     work->kept_matrix[4 + 6 * 4] = 1.0;
     work->kept_matrix[5 + 6 * 5] = 1.0;
-    const double kept_transposed[6] = {row[0], row[1], row[2], row[3], row[4], row[5]};
-    work->kept_product[0 + 6 * 0] = gain[0] * kept_transposed[0];
-    work->kept_product[1 + 6 * 0] = gain[1] * kept_transposed[0];
-    work->kept_product[2 + 6 * 0] = gain[2] * kept_transposed[0];
-    work->kept_product[3 + 6 * 0] = gain[3] * kept_transposed[0];
-    work->kept_product[4 + 6 * 0] = gain[4] * kept_transposed[0];
-    work->kept_product[5 + 6 * 0] = gain[5] * kept_transposed[0];
-    work->kept_product[0 + 6 * 1] = gain[0] * kept_transposed[1];
-    work->kept_product[1 + 6 * 1] = gain[1] * kept_transposed[1];
-    work->kept_product[2 + 6 * 1] = gain[2] * kept_transposed[1];
-    work->kept_product[3 + 6 * 1] = gain[3] * kept_transposed[1];
-    work->kept_product[4 + 6 * 1] = gain[4] * kept_transposed[1];
-    work->kept_product[5 + 6 * 1] = gain[5] * kept_transposed[1];
-    work->kept_product[0 + 6 * 2] = gain[0] * kept_transposed[2];
-    work->kept_product[1 + 6 * 2] = gain[1] * kept_transposed[2];
-    work->kept_product[2 + 6 * 2] = gain[2] * kept_transposed[2];
-    work->kept_product[3 + 6 * 2] = gain[3] * kept_transposed[2];
-    work->kept_product[4 + 6 * 2] = gain[4] * kept_transposed[2];
-    work->kept_product[5 + 6 * 2] = gain[5] * kept_transposed[2];
-    work->kept_product[0 + 6 * 3] = gain[0] * kept_transposed[3];
-    work->kept_product[1 + 6 * 3] = gain[1] * kept_transposed[3];
-    work->kept_product[2 + 6 * 3] = gain[2] * kept_transposed[3];
-    work->kept_product[3 + 6 * 3] = gain[3] * kept_transposed[3];
-    work->kept_product[4 + 6 * 3] = gain[4] * kept_transposed[3];
-    work->kept_product[5 + 6 * 3] = gain[5] * kept_transposed[3];
-    work->kept_product[0 + 6 * 4] = gain[0] * kept_transposed[4];
-    work->kept_product[1 + 6 * 4] = gain[1] * kept_transposed[4];
-    work->kept_product[2 + 6 * 4] = gain[2] * kept_transposed[4];
-    work->kept_product[3 + 6 * 4] = gain[3] * kept_transposed[4];
-    work->kept_product[4 + 6 * 4] = gain[4] * kept_transposed[4];
-    work->kept_product[5 + 6 * 4] = gain[5] * kept_transposed[4];
-    work->kept_product[0 + 6 * 5] = gain[0] * kept_transposed[5];
-    work->kept_product[1 + 6 * 5] = gain[1] * kept_transposed[5];
-    work->kept_product[2 + 6 * 5] = gain[2] * kept_transposed[5];
-    work->kept_product[3 + 6 * 5] = gain[3] * kept_transposed[5];
-    work->kept_product[4 + 6 * 5] = gain[4] * kept_transposed[5];
-    work->kept_product[5 + 6 * 5] = gain[5] * kept_transposed[5];
-    for (uint32_t i = 0U; i < 36U; i++) {
-        work->kept[i] = work->kept_matrix[i] - work->kept_product[i];
-    }
-    const double noise_transposed[6] = {gain[0], gain[1], gain[2], gain[3], gain[4], gain[5]};
-    work->noise_product[0 + 6 * 0] = gain[0] * noise_transposed[0];
-    work->noise_product[1 + 6 * 0] = gain[1] * noise_transposed[0];
-    work->noise_product[2 + 6 * 0] = gain[2] * noise_transposed[0];
-    work->noise_product[3 + 6 * 0] = gain[3] * noise_transposed[0];
-    work->noise_product[4 + 6 * 0] = gain[4] * noise_transposed[0];
-    work->noise_product[5 + 6 * 0] = gain[5] * noise_transposed[0];
-    work->noise_product[0 + 6 * 1] = gain[0] * noise_transposed[1];
-    work->noise_product[1 + 6 * 1] = gain[1] * noise_transposed[1];
-    work->noise_product[2 + 6 * 1] = gain[2] * noise_transposed[1];
-    work->noise_product[3 + 6 * 1] = gain[3] * noise_transposed[1];
-    work->noise_product[4 + 6 * 1] = gain[4] * noise_transposed[1];
-    work->noise_product[5 + 6 * 1] = gain[5] * noise_transposed[1];
-    work->noise_product[0 + 6 * 2] = gain[0] * noise_transposed[2];
-    work->noise_product[1 + 6 * 2] = gain[1] * noise_transposed[2];
-    work->noise_product[2 + 6 * 2] = gain[2] * noise_transposed[2];
-    work->noise_product[3 + 6 * 2] = gain[3] * noise_transposed[2];
-    work->noise_product[4 + 6 * 2] = gain[4] * noise_transposed[2];
-    work->noise_product[5 + 6 * 2] = gain[5] * noise_transposed[2];
-    work->noise_product[0 + 6 * 3] = gain[0] * noise_transposed[3];
-    work->noise_product[1 + 6 * 3] = gain[1] * noise_transposed[3];
-    work->noise_product[2 + 6 * 3] = gain[2] * noise_transposed[3];
-    work->noise_product[3 + 6 * 3] = gain[3] * noise_transposed[3];
-    work->noise_product[4 + 6 * 3] = gain[4] * noise_transposed[3];
-    work->noise_product[5 + 6 * 3] = gain[5] * noise_transposed[3];
-    work->noise_product[0 + 6 * 4] = gain[0] * noise_transposed[4];
-    work->noise_product[1 + 6 * 4] = gain[1] * noise_transposed[4];
-    work->noise_product[2 + 6 * 4] = gain[2] * noise_transposed[4];
-    work->noise_product[3 + 6 * 4] = gain[3] * noise_transposed[4];
-    work->noise_product[4 + 6 * 4] = gain[4] * noise_transposed[4];
-    work->noise_product[5 + 6 * 4] = gain[5] * noise_transposed[4];
-    work->noise_product[0 + 6 * 5] = gain[0] * noise_transposed[5];
-    work->noise_product[1 + 6 * 5] = gain[1] * noise_transposed[5];
-    work->noise_product[2 + 6 * 5] = gain[2] * noise_transposed[5];
-    work->noise_product[3 + 6 * 5] = gain[3] * noise_transposed[5];
-    work->noise_product[4 + 6 * 5] = gain[4] * noise_transposed[5];
-    work->noise_product[5 + 6 * 5] = gain[5] * noise_transposed[5];
-    for (uint32_t i = 0U; i < 36U; i++) {
-        work->noise[i] = work->noise_product[i] * variance;
-    }
-    product_f64_6x6_6x6(work->kept, covariance, work->result_a);
     for (uint32_t column = 0U; column < 6U; column++) {
         for (uint32_t row_2 = 0U; row_2 < 6U; row_2++) {
-            work->result_b[row_2 + 6 * column] = work->kept[column + 6 * row_2];
+            work->kept[row_2 + 6 * column] = work->kept_matrix[row_2 + 6 * column]
+                - gain[row_2] * row[column];
         }
     }
-    product_f64_6x6_6x6(work->result_a, work->result_b, work->result_product);
+    for (uint32_t column = 0U; column < 6U; column++) {
+        for (uint32_t row_2 = 0U; row_2 < 6U; row_2++) {
+            work->noise[row_2 + 6 * column] = gain[row_2] * gain[column] * variance;
+        }
+    }
+    product_f64_6x6_6x6(work->kept, covariance, work->result_a);
+    product_tr_f64_6x6_6x6(work->result_a, work->kept, work->result_product);
     for (uint32_t i = 0U; i < 36U; i++) {
         work->result_matrix[i] = work->result_product[i] + work->noise[i];
     }
-    covariance_symmetric_6(work->result_matrix, &work->symmetric_6_work, result);
+    covariance_symmetric_6(work->result_matrix, result);
 }
 
 void covariance_symmetric_3(const double matrix[9], double result[9])
 {
-    const double result_transposed[9] = {
-        matrix[0 + 3 * 0], matrix[0 + 3 * 1], matrix[0 + 3 * 2],
-        matrix[1 + 3 * 0], matrix[1 + 3 * 1], matrix[1 + 3 * 2],
-        matrix[2 + 3 * 0], matrix[2 + 3 * 1], matrix[2 + 3 * 2]
-    };
-    for (uint32_t i = 0U; i < 9U; i++) {
-        result[i] = (matrix[i] + result_transposed[i]) * 0.5;
+    for (uint32_t column = 0U; column < 3U; column++) {
+        for (uint32_t row = 0U; row < 3U; row++) {
+            result[row + 3 * column] = (matrix[row + 3 * column] + matrix[column + 3 * row]) * 0.5;
+        }
     }
 }
 
-void covariance_symmetric_6(const double matrix[36], covariance_symmetric_6_work_t *work,
-    double result[36])
+void covariance_symmetric_6(const double matrix[36], double result[36])
 {
     for (uint32_t column = 0U; column < 6U; column++) {
         for (uint32_t row = 0U; row < 6U; row++) {
-            work->result_transposed[row + 6 * column] = matrix[column + 6 * row];
+            result[row + 6 * column] = (matrix[row + 6 * column] + matrix[column + 6 * row]) * 0.5;
         }
-    }
-    for (uint32_t i = 0U; i < 36U; i++) {
-        result[i] = (matrix[i] + work->result_transposed[i]) * 0.5;
     }
 }

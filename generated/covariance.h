@@ -11,19 +11,11 @@
 extern "C" {
 #endif
 
-/** What `symmetric_6` works with; its content means nothing between calls. */
-typedef struct {
-    double result_transposed[36];
-} covariance_symmetric_6_work_t;
-
 /** What `grown_6` works with; its content means nothing between calls. */
 typedef struct {
     double result_a[36];
-    double result_b[36];
     double result_product[36];
     double result_matrix[36];
-    /** What `symmetric_6` works with. */
-    covariance_symmetric_6_work_t symmetric_6_work;
 } covariance_grown_6_work_t;
 
 /** What `corrected_6` works with; its content means nothing between calls. */
@@ -31,14 +23,9 @@ typedef struct {
     double kept[36];
     double noise[36];
     double kept_matrix[36];
-    double kept_product[36];
-    double noise_product[36];
     double result_a[36];
-    double result_b[36];
     double result_product[36];
     double result_matrix[36];
-    /** What `symmetric_6` works with. */
-    covariance_symmetric_6_work_t symmetric_6_work;
 } covariance_corrected_6_work_t;
 
 /** The matrix with the given diagonal. */
@@ -73,8 +60,7 @@ void covariance_corrected_6(const double covariance[36], const double row[6], co
 void covariance_symmetric_3(const double matrix[9], double result[9]);
 
 /** The symmetric part. */
-void covariance_symmetric_6(const double matrix[36], covariance_symmetric_6_work_t *work,
-    double result[36]);
+void covariance_symmetric_6(const double matrix[36], double result[36]);
 
 #ifdef __cplusplus
 }

@@ -18,6 +18,7 @@
 #include "geometry.h"
 #include "parameters.h"
 #include "roots.h"
+#include "tr_product_f64_3x3_3x3.h"
 
 #if defined(__FAST_MATH__)
 #error "-ffast-math changes results: compile without it"
@@ -66,40 +67,8 @@ void geometric_track(const parameters_t *parameters, const estimate_t *estimate,
     orientation_rotation(&wanted_self, wanted);
 
     /* The turn that is left, as the antisymmetric part of the rotation between the two. */
-    const double apart_transposed[9] = {
-        wanted[0 + 3 * 0], wanted[0 + 3 * 1], wanted[0 + 3 * 2],
-        wanted[1 + 3 * 0], wanted[1 + 3 * 1], wanted[1 + 3 * 2],
-        wanted[2 + 3 * 0], wanted[2 + 3 * 1], wanted[2 + 3 * 2]
-    };
-    const double apart[9] = {
-        apart_transposed[0 + 3 * 0] * rotation[0 + 3 * 0]
-            + apart_transposed[0 + 3 * 1] * rotation[1 + 3 * 0]
-            + apart_transposed[0 + 3 * 2] * rotation[2 + 3 * 0],
-        apart_transposed[1 + 3 * 0] * rotation[0 + 3 * 0]
-            + apart_transposed[1 + 3 * 1] * rotation[1 + 3 * 0]
-            + apart_transposed[1 + 3 * 2] * rotation[2 + 3 * 0],
-        apart_transposed[2 + 3 * 0] * rotation[0 + 3 * 0]
-            + apart_transposed[2 + 3 * 1] * rotation[1 + 3 * 0]
-            + apart_transposed[2 + 3 * 2] * rotation[2 + 3 * 0],
-        apart_transposed[0 + 3 * 0] * rotation[0 + 3 * 1]
-            + apart_transposed[0 + 3 * 1] * rotation[1 + 3 * 1]
-            + apart_transposed[0 + 3 * 2] * rotation[2 + 3 * 1],
-        apart_transposed[1 + 3 * 0] * rotation[0 + 3 * 1]
-            + apart_transposed[1 + 3 * 1] * rotation[1 + 3 * 1]
-            + apart_transposed[1 + 3 * 2] * rotation[2 + 3 * 1],
-        apart_transposed[2 + 3 * 0] * rotation[0 + 3 * 1]
-            + apart_transposed[2 + 3 * 1] * rotation[1 + 3 * 1]
-            + apart_transposed[2 + 3 * 2] * rotation[2 + 3 * 1],
-        apart_transposed[0 + 3 * 0] * rotation[0 + 3 * 2]
-            + apart_transposed[0 + 3 * 1] * rotation[1 + 3 * 2]
-            + apart_transposed[0 + 3 * 2] * rotation[2 + 3 * 2],
-        apart_transposed[1 + 3 * 0] * rotation[0 + 3 * 2]
-            + apart_transposed[1 + 3 * 1] * rotation[1 + 3 * 2]
-            + apart_transposed[1 + 3 * 2] * rotation[2 + 3 * 2],
-        apart_transposed[2 + 3 * 0] * rotation[0 + 3 * 2]
-            + apart_transposed[2 + 3 * 1] * rotation[1 + 3 * 2]
-            + apart_transposed[2 + 3 * 2] * rotation[2 + 3 * 2]
-    };
+    double apart[9];
+    tr_product_f64_3x3_3x3(wanted, rotation, apart);
     const double error[3] = {
         0.5 * (apart[2 + 3 * 1] - apart[1 + 3 * 2]), 0.5 * (apart[0 + 3 * 2] - apart[2 + 3 * 0]),
         0.5 * (apart[1 + 3 * 0] - apart[0 + 3 * 1])

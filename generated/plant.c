@@ -16,6 +16,7 @@
 
 #include "airframe.h"
 #include "geometry.h"
+#include "product_f64_4x8_8x1.h"
 
 #if defined(__FAST_MATH__)
 #error "-ffast-math changes results: compile without it"
@@ -149,38 +150,10 @@ void airframe_wrench(const airframe_t *self, const double speeds[8], wrench_t *w
     for (uint32_t n = 0U; n < MOST_MOTORS; n++) {
         squares[n] = speeds[n] * speeds[n];
     }
-    double effect_effectiveness[32];
-    airframe_effectiveness(self, effect_effectiveness);
-    const double effect[4] = {
-        effect_effectiveness[0 + 4 * 0] * squares[0] + effect_effectiveness[0 + 4 * 1] * squares[1]
-            + effect_effectiveness[0 + 4 * 2] * squares[2]
-            + effect_effectiveness[0 + 4 * 3] * squares[3]
-            + effect_effectiveness[0 + 4 * 4] * squares[4]
-            + effect_effectiveness[0 + 4 * 5] * squares[5]
-            + effect_effectiveness[0 + 4 * 6] * squares[6]
-            + effect_effectiveness[0 + 4 * 7] * squares[7],
-        effect_effectiveness[1 + 4 * 0] * squares[0] + effect_effectiveness[1 + 4 * 1] * squares[1]
-            + effect_effectiveness[1 + 4 * 2] * squares[2]
-            + effect_effectiveness[1 + 4 * 3] * squares[3]
-            + effect_effectiveness[1 + 4 * 4] * squares[4]
-            + effect_effectiveness[1 + 4 * 5] * squares[5]
-            + effect_effectiveness[1 + 4 * 6] * squares[6]
-            + effect_effectiveness[1 + 4 * 7] * squares[7],
-        effect_effectiveness[2 + 4 * 0] * squares[0] + effect_effectiveness[2 + 4 * 1] * squares[1]
-            + effect_effectiveness[2 + 4 * 2] * squares[2]
-            + effect_effectiveness[2 + 4 * 3] * squares[3]
-            + effect_effectiveness[2 + 4 * 4] * squares[4]
-            + effect_effectiveness[2 + 4 * 5] * squares[5]
-            + effect_effectiveness[2 + 4 * 6] * squares[6]
-            + effect_effectiveness[2 + 4 * 7] * squares[7],
-        effect_effectiveness[3 + 4 * 0] * squares[0] + effect_effectiveness[3 + 4 * 1] * squares[1]
-            + effect_effectiveness[3 + 4 * 2] * squares[2]
-            + effect_effectiveness[3 + 4 * 3] * squares[3]
-            + effect_effectiveness[3 + 4 * 4] * squares[4]
-            + effect_effectiveness[3 + 4 * 5] * squares[5]
-            + effect_effectiveness[3 + 4 * 6] * squares[6]
-            + effect_effectiveness[3 + 4 * 7] * squares[7]
-    };
+    double effect_a[32];
+    airframe_effectiveness(self, effect_a);
+    double effect[4];
+    product_f64_4x8_8x1(effect_a, squares, effect);
     wrench->thrust = effect[0];
     wrench->torque[0] = effect[1];
     wrench->torque[1] = effect[2];

@@ -31,11 +31,11 @@ int qemu_plugin_version = 1;
 static uint64_t executed;
 static uint64_t begun;
 
-static void at_begin(unsigned int cpu, void *data)
+/* Called before the first instruction of a block that is that long, which is left out. */
+static void at_begin(unsigned int cpu, void *length)
 {
     (void)cpu;
-    (void)data;
-    begun = executed;
+    begun = executed + (uintptr_t)length;
 }
 
 static void at_end(unsigned int cpu, void *data)
@@ -48,11 +48,12 @@ static void at_end(unsigned int cpu, void *data)
 static void translated(qemu_plugin_id_t id, struct qemu_plugin_tb *tb)
 {
     (void)id;
+    void *const length = (void *)(uintptr_t)qemu_plugin_tb_n_insns(tb);
     for (size_t i = 0; i < qemu_plugin_tb_n_insns(tb); i++) {
         struct qemu_plugin_insn *insn = qemu_plugin_tb_get_insn(tb, i);
         const char *symbol = qemu_plugin_insn_symbol(insn);
         if (i == 0 && symbol != NULL && strstr(symbol, "bench_begin") != NULL) {
-            qemu_plugin_register_vcpu_insn_exec_cb(insn, at_begin, NO_REGISTERS, NULL);
+            qemu_plugin_register_vcpu_insn_exec_cb(insn, at_begin, NO_REGISTERS, length);
         }
         if (i == 0 && symbol != NULL && strstr(symbol, "bench_end") != NULL) {
             qemu_plugin_register_vcpu_insn_exec_cb(insn, at_end, NO_REGISTERS, NULL);

@@ -1,17 +1,16 @@
 //! Counts the instructions that a program executes on the emulated Cortex-A9.
 //!
-//! The program calls `bench_begin` and `bench_end` around what is to be counted, empty functions of
-//! external linkage; a plugin of QEMU's (`plugin.c`) counts between them. The count is exact and the
-//! same in every run. Instructions are not cycles: there is no cache and no pipeline.
+//! The program calls `bench_begin` and `bench_end` around what is to be counted, functions that stay
+//! functions; a plugin of QEMU's (`c/count.c`) counts between them. The count is exact and the same in every
+//! run. Instructions are not cycles: there is no cache and no pipeline.
 
-use std::fs::File;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use bessemer_tests::toolchain::run;
 
 /// The plugin's source.
-const PLUGIN: &str = include_str!("count/plugin.c");
+const PLUGIN: &str = include_str!("../c/count.c");
 
 /// The counts that a run of `program` comes to, in the order of its calls of `bench_end`. `folder` is
 /// for the plugin.
@@ -19,50 +18,41 @@ const PLUGIN: &str = include_str!("count/plugin.c");
 /// # Errors
 /// What the compiler, `nm` or QEMU said.
 pub fn count(program: &Path, folder: &Path) -> Result<Vec<u64>, String> {
-    Ok(fed(program, folder, Stdio::null())?.0)
+    Ok(fed(program, folder, &[], Stdio::null())?.0)
 }
 
-/// The same for a program that reads: its counts, and what it wrote.
+/// The same for a program with arguments, or one that reads: its counts, and what it wrote.
 ///
 /// # Errors
-/// What the compiler, `nm` or QEMU said.
-pub fn fed(program: &Path, folder: &Path, input: Stdio) -> Result<(Vec<u64>, Vec<u8>), String> {
-    let failed = |error: std::io::Error| error.to_string();
-    let (source, plugin) = (folder.join("plugin.c"), folder.join("plugin.so"));
-    if !plugin.exists() {
-        std::fs::write(&source, PLUGIN).map_err(failed)?;
-        run(Command::new("gcc")
-            .args(["-O2", "-shared", "-fPIC"])
-            .arg(&source)
-            .arg("-o")
-            .arg(&plugin))?;
-    }
-    let listed = Command::new("arm-linux-gnueabihf-nm").arg(program).output().map_err(failed)?;
-    let listed = String::from_utf8_lossy(&listed.stdout).into_owned();
-    let address = |name: &str| {
-        let line = listed.lines().find(|line| line.split(' ').next_back() == Some(name));
-        let number = line.and_then(|line| u64::from_str_radix(line.get(..8)?, 16).ok());
-        number.ok_or_else(|| format!("the program has no `{name}`"))
-    };
-    let plugin = format!(
-        "{},begin={:#x},end={:#x}",
-        plugin.display(),
-        address("bench_begin")?,
-        address("bench_end")?
-    );
+/// What the compiler or QEMU said.
+pub fn fed(
+    program: &Path,
+    folder: &Path,
+    arguments: &[String],
+    input: Stdio,
+) -> Result<(Vec<u64>, Vec<u8>), String> {
+    let plugin = plugin(folder)?;
     let mut command = Command::new("qemu-arm");
-    // QEMU prints what plugins say to its log.
-    let log = folder.join("counts.txt");
-    command.args(["-cpu", "cortex-a9", "-d", "plugin", "-D"]).arg(&log);
-    let written = folder.join("written");
-    command.args(["-plugin", &plugin]).arg(program);
-    let output = File::create(&written).map_err(failed)?;
-    let status = command.stdin(input).stdout(output).status().map_err(failed)?;
-    if !status.success() {
-        return Err(format!("{command:?}: {status}"));
+    command.args(["-cpu", "cortex-a9", "-plugin"]).arg(plugin).arg(program).args(arguments);
+    let output = command.stdin(input).output().map_err(|error| format!("{command:?}: {error}"))?;
+    let said = String::from_utf8_lossy(&output.stderr);
+    if !output.status.success() {
+        return Err(format!("{command:?}: {}\n{said}", output.status));
     }
-    let text = std::fs::read_to_string(&log).map_err(failed)?;
     let number = |line: &str| line.parse().map_err(|_| format!("QEMU said `{line}`"));
-    let counts = text.lines().map(number).collect::<Result<_, _>>()?;
-    Ok((counts, std::fs::read(&written).map_err(failed)?))
+    let counts = said.lines().map(number).collect::<Result<_, _>>()?;
+    Ok((counts, output.stdout))
+}
+
+/// Compiles the plugin, unless it is there.
+fn plugin(folder: &Path) -> Result<PathBuf, String> {
+    let failed = |error: std::io::Error| error.to_string();
+    let (source, plugin) = (folder.join("count.c"), folder.join("count.so"));
+    let known = std::fs::read_to_string(&source).is_ok_and(|text| text == PLUGIN);
+    if !known || !plugin.exists() {
+        std::fs::write(&source, PLUGIN).map_err(failed)?;
+        let mut command = Command::new("gcc");
+        run(command.args(["-O2", "-shared", "-fPIC"]).arg(&source).arg("-o").arg(&plugin))?;
+    }
+    Ok(plugin)
 }

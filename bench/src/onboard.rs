@@ -93,7 +93,7 @@ pub fn measure(longest: f64) -> Result<Vec<Row>, String> {
         let input = laid.path().join("input");
         std::fs::write(&input, bytes(&recorded.arguments)).map_err(failed)?;
         let input = File::open(&input).map_err(failed)?;
-        let (counts, written) = fed(&program, laid.path(), input.into())?;
+        let (counts, written) = fed(&program, laid.path(), &[], input.into())?;
         if !same(&recorded.results, &written) {
             return Err(format!("{name}: the C does not compute what the Rust does"));
         }

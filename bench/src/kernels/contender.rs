@@ -2,10 +2,12 @@
 //!
 //! A program is compiled anew only if its sources or its command changed.
 
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::case::{Case, Routine};
 use super::generated;
@@ -110,8 +112,15 @@ impl Contender {
             (Contender::OpenBlas | Contender::Lapack, _) => sources.push(c.join("lapack.c")),
             (Contender::Eigen, "chapter6") => sources.push(c.join("eigen_chapter6.cpp")),
             (Contender::Eigen, _) => {
-                let text = table("eigen.hpp", cases, eigen, "");
-                sources.push(put(&folder, "cases.cpp", &text)?);
+                // A source for each size: they compile side by side, and one of another run serves again.
+                let of = |size: usize| cases.iter().copied().filter(move |case| case.size == size);
+                let sizes: BTreeSet<usize> = cases.iter().map(|case| case.size).collect();
+                for size in sizes {
+                    let cases: Vec<Case> = of(size).collect();
+                    let text = functions("eigen.hpp", &cases, eigen, "extern \"C\"");
+                    sources.push(put(&folder, &format!("cases_{size}.cpp"), &text)?);
+                }
+                sources.push(put(&folder, "cases.c", &list(cases))?);
             }
             _ => {
                 let text = naive(cases);
@@ -122,41 +131,48 @@ impl Contender {
     }
 }
 
-/// Compiles the sources, each by itself, and links them with the harness.
+/// Compiles the sources, each by itself and as many at a time as there are processors, and links them with
+/// the harness.
 fn link(
     contender: Contender,
     machine: &Machine,
     sources: &[PathBuf],
     folder: &Path,
 ) -> Result<PathBuf, String> {
-    let c = bessemer_tests::root().join("bench/c");
+    let harness = bessemer_tests::root().join("bench/c/harness.c");
+    let sources: Vec<&PathBuf> = sources.iter().chain([&harness]).collect();
+    let shared = shared(folder)?;
+    let next = AtomicUsize::new(0);
+    let compile = || {
+        let mut done = Vec::new();
+        while let Some(source) = sources.get(next.fetch_add(1, Ordering::Relaxed)) {
+            done.push(object(contender, machine, source, folder, &shared)?);
+        }
+        Ok::<_, String>(done)
+    };
+    let workers = std::thread::available_parallelism().map_or(1, usize::from);
+    let compiled: Vec<Result<Vec<(PathBuf, bool)>, String>> = std::thread::scope(|scope| {
+        let workers: Vec<_> = (0..workers).map(|_| scope.spawn(compile)).collect();
+        let join = |worker: std::thread::ScopedJoinHandle<'_, _>| {
+            worker.join().unwrap_or_else(|_| Err("a compiling thread ended".into()))
+        };
+        workers.into_iter().map(join).collect()
+    });
     let mut objects = Vec::new();
-    let mut fresh = true;
-    for source in sources.iter().chain([&c.join("harness.c")]) {
-        let cpp = source.extension().is_some_and(|extension| extension == "cpp");
-        let stem = source.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        let object = folder.join(format!("{stem}.o"));
-        let mut command = Command::new(machine.compiler(cpp));
-        command.args(machine.flags).arg("-c").arg(source).arg("-o").arg(&object);
-        command.arg("-I").arg(&c).arg("-I").arg(folder);
-        if !cpp {
-            command.arg("-std=c99");
-        } else {
-            command.args(["-std=c++17", "-DNDEBUG", "-I/usr/include/eigen3"]);
-        }
-        if contender == Contender::Generated && !stem.starts_with("harness") {
-            command.arg("-fstack-usage");
-        }
-        fresh &= once(&mut command, source, &object)?;
-        objects.push(object);
+    for list in compiled {
+        objects.extend(list?);
     }
+    objects.sort();
+    let fresh = objects.iter().all(|(_, fresh)| *fresh);
     let program = folder.join("program");
-    if fresh && program.exists() {
+    let linked = folder.join("program.objects");
+    let list = format!("{objects:?}").replace("false", "true");
+    if fresh && program.exists() && fs::read_to_string(&linked).is_ok_and(|known| known == list) {
         return Ok(program);
     }
-    let cpp = contender == Contender::Eigen;
-    let mut command = Command::new(machine.compiler(cpp));
-    command.args(machine.flags).args(&objects).arg("-o").arg(&program);
+    let mut command = Command::new(machine.compiler(contender == Contender::Eigen));
+    command.args(machine.flags).args(objects.iter().map(|(object, _)| object));
+    command.arg("-o").arg(&program);
     match contender {
         Contender::OpenBlas => drop(command.arg("-lopenblas")),
         Contender::Lapack => {
@@ -166,21 +182,50 @@ fn link(
         _ => {}
     }
     run(command.arg("-lm"))?;
+    fs::write(&linked, list).map_err(|error| error.to_string())?;
     Ok(program)
 }
 
-/// Runs a compiler unless the object is there and was made by the same command of the same text.
-fn once(command: &mut Command, source: &Path, object: &Path) -> Result<bool, String> {
-    let text = fs::read_to_string(source).map_err(|error| error.to_string())?;
+/// Compiles a source; its object, and whether that was there already.
+fn object(
+    contender: Contender,
+    machine: &Machine,
+    source: &Path,
+    folder: &Path,
+    shared: &str,
+) -> Result<(PathBuf, bool), String> {
+    let cpp = source.extension().is_some_and(|extension| extension == "cpp");
+    let stem = source.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let object = folder.join(format!("{stem}.o"));
+    let mut command = Command::new(machine.compiler(cpp));
+    command.args(machine.flags).arg("-c").arg(source).arg("-o").arg(&object);
+    command.arg("-I").arg(bessemer_tests::root().join("bench/c")).arg("-I").arg(folder);
+    match cpp {
+        false => command.arg("-std=c99"),
+        true => command.args(["-std=c++17", "-DNDEBUG", "-w", "-I/usr/include/eigen3"]),
+    };
+    if contender == Contender::Generated && !stem.starts_with("harness") {
+        command.arg("-fstack-usage");
+    }
+    let fresh = once(&mut command, source, &object, shared)?;
+    Ok((object, fresh))
+}
+
+/// The text of every header that a source of this folder may include.
+fn shared(folder: &Path) -> Result<String, String> {
     let c = bessemer_tests::root().join("bench/c");
     let mut headers: Vec<PathBuf> =
         ["case.h", "eigen.hpp", "naive.h"].iter().map(|name| c.join(name)).collect();
-    let folder = object.parent().unwrap_or(Path::new("."));
     for entry in fs::read_dir(folder).map_err(|error| error.to_string())?.flatten() {
         headers.extend((entry.path().extension() == Some("h".as_ref())).then(|| entry.path()));
     }
     headers.sort();
-    let shared: String = headers.iter().filter_map(|path| fs::read_to_string(path).ok()).collect();
+    Ok(headers.iter().filter_map(|path| fs::read_to_string(path).ok()).collect())
+}
+
+/// Runs a compiler unless the object is there and was made by the same command of the same text.
+fn once(command: &mut Command, source: &Path, object: &Path, shared: &str) -> Result<bool, String> {
+    let text = fs::read_to_string(source).map_err(|error| error.to_string())?;
     let stamp = object.with_extension("stamp");
     let key = format!("{command:?}\n{shared}{text}");
     if object.exists() && fs::read_to_string(&stamp).is_ok_and(|known| known == key) {
@@ -254,8 +299,18 @@ pub fn table(
     function: impl Fn(&Case) -> String,
     before: &str,
 ) -> String {
-    let mut text = format!("#include \"case.h\"\n#include \"{include}\"\n{before}\n");
-    let mut list = String::new();
+    let head = format!("#include \"case.h\"\n{before}\n");
+    head + &functions(include, cases, function, "") + &list(cases)
+}
+
+/// A source with a function for each case, of this linkage.
+fn functions(
+    include: &str,
+    cases: &[Case],
+    function: impl Fn(&Case) -> String,
+    linkage: &str,
+) -> String {
+    let mut text = format!("#include \"{include}\"\n\n");
     for case in cases {
         let (name, field) = (case.name(), case.element.name());
         let operand = match case.routine {
@@ -265,24 +320,32 @@ pub fn table(
         };
         let _ = writeln!(
             text,
-            "__attribute__((noinline)) static void case_{name}(void)\n{{\n    \
+            "{linkage} void case_{name}(void);\n{linkage} __attribute__((noinline)) void case_{name}(void)\n{{\n    \
              {}(matrix.{field}, {operand}result.{field});\n}}\n",
             function(case)
         );
-        let single = u8::from(field == "f32");
+    }
+    text
+}
+
+/// The list of the cases, whose functions may stand elsewhere.
+fn list(cases: &[Case]) -> String {
+    let mut text = String::from("#include \"case.h\"\n\n");
+    let mut entries = String::new();
+    for case in cases {
+        let name = case.name();
+        let single = u8::from(case.element.name() == "f32");
         let routine = case.routine.name().to_uppercase();
+        let _ = writeln!(text, "void case_{name}(void);");
         let _ = writeln!(
-            list,
+            entries,
             "    {{\"{name}\", {routine}, {}, {single}, NULL, case_{name}, NULL}},",
             case.size
         );
     }
-    let _ = write!(
-        text,
-        "#ifdef __cplusplus\nextern \"C\" {{\nextern const case_t CASES[];\nextern const size_t CASE_COUNT;\n}}\n#endif\n\
-         const case_t CASES[] = {{\n{list}}};\nconst size_t CASE_COUNT = sizeof CASES / sizeof CASES[0];\n"
-    );
-    text
+    text + &format!(
+        "const case_t CASES[] = {{\n{entries}}};\nconst size_t CASE_COUNT = sizeof CASES / sizeof CASES[0];\n"
+    )
 }
 
 /// Writes a file if its text is new, and gives its path.

@@ -1,7 +1,7 @@
 //! Executed instructions, exact and repeatable: callgrind on the host, QEMU's plugin on the Cortex-A9.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Stdio};
 
 use super::machine::Machine;
@@ -32,31 +32,10 @@ pub fn count(
 type Counted = (Vec<String>, Vec<u64>);
 
 fn with_plugin(program: &Path, cases: &[String], folder: &Path) -> Result<Counted, String> {
-    let output = Command::new("qemu-arm")
-        .args(["-cpu", "cortex-a9", "-plugin"])
-        .arg(plugin(folder)?)
-        .arg(program)
-        .arg("count")
-        .args(cases)
-        .output()
-        .map_err(|error| format!("qemu-arm: {error}"))?;
-    let lines = |bytes: &[u8]| -> Vec<String> {
-        String::from_utf8_lossy(bytes).lines().map(str::to_owned).collect()
-    };
-    let counts = lines(&output.stderr).iter().filter_map(|line| line.parse().ok()).collect();
-    Ok((lines(&output.stdout), counts))
-}
-
-/// Compiles the plugin.
-fn plugin(folder: &Path) -> Result<PathBuf, String> {
-    let path = folder.join("count.so");
-    if !path.exists() {
-        let source = bessemer_tests::root().join("bench/c/count.c");
-        let command = &mut Command::new("gcc");
-        command.args(["-O2", "-shared", "-fPIC"]).arg(source).arg("-o").arg(&path);
-        super::contender::run(command)?;
-    }
-    Ok(path)
+    let arguments: Vec<String> =
+        std::iter::once("count".to_owned()).chain(cases.iter().cloned()).collect();
+    let (counts, written) = crate::count::fed(program, folder, &arguments, Stdio::null())?;
+    Ok((String::from_utf8_lossy(&written).lines().map(str::to_owned).collect(), counts))
 }
 
 fn with_callgrind(

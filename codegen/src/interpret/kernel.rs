@@ -11,9 +11,50 @@ use super::routine::{Operand, Real, lanes, routine};
 pub(super) fn run(memory: &mut [u64], kernel: &Kernel, operands: &[Operand<'_>], out: usize) {
     match (kernel.routine, kernel.element) {
         (KernelRoutine::Product, _) => routine(memory, Routine::Product, &operands[..2], out),
+        (KernelRoutine::ProductTr, _) => {
+            let [rows, inner, columns] = [0, 1, 2].map(|dim| kernel.dims[dim] as usize);
+            let (a, b) = (operands[0].at, operands[1].at);
+            let factors = (|row, k| a + row + rows * k, |k, column| b + column + columns * k);
+            product(memory, kernel.element, (rows, inner, columns), factors, out);
+        }
+        (KernelRoutine::TrProduct, _) => {
+            let [rows, inner, columns] = [0, 1, 2].map(|dim| kernel.dims[dim] as usize);
+            let (a, b) = (operands[0].at, operands[1].at);
+            let factors = (|row, k| a + k + inner * row, |k, column| b + k + inner * column);
+            product(memory, kernel.element, (rows, inner, columns), factors, out);
+        }
         (KernelRoutine::TrMul, _) => routine(memory, Routine::TrMul, &operands[..2], out),
         (_, Float::F64) => square::<f64>(memory, kernel, operands, out),
         (_, Float::F32) => square::<f32>(memory, kernel, operands, out),
+    }
+}
+
+/// A product of this many rows, steps and columns, of factors whose elements lie where the functions say.
+fn product(
+    memory: &mut [u64],
+    element: Float,
+    sizes: (usize, usize, usize),
+    factors: (impl Fn(usize, usize) -> usize, impl Fn(usize, usize) -> usize),
+    out: usize,
+) {
+    match element {
+        Float::F64 => sums::<f64>(memory, sizes, factors, out),
+        Float::F32 => sums::<f32>(memory, sizes, factors, out),
+    }
+}
+
+fn sums<R: Real>(
+    memory: &mut [u64],
+    (rows, inner, columns): (usize, usize, usize),
+    (a, b): (impl Fn(usize, usize) -> usize, impl Fn(usize, usize) -> usize),
+    out: usize,
+) {
+    for column in 0..columns {
+        for row in 0..rows {
+            let term = |k| R::of(memory[a(row, k)]) * R::of(memory[b(k, column)]);
+            let sum = (1..inner).fold(term(0), |sum, k| term(k) + sum);
+            memory[out + row + rows * column] = sum.word();
+        }
     }
 }
 
@@ -70,7 +111,10 @@ fn square<R: Real>(memory: &mut [u64], kernel: &Kernel, operands: &[Operand<'_>]
     let at = operands[0].at;
     let mut a = Matrix::<R>::read(memory, at, size, size);
     match kernel.routine {
-        KernelRoutine::Product | KernelRoutine::TrMul => unreachable!("done before"),
+        KernelRoutine::Product
+        | KernelRoutine::ProductTr
+        | KernelRoutine::TrProduct
+        | KernelRoutine::TrMul => unreachable!("done before"),
         KernelRoutine::LuSolve | KernelRoutine::Solve => {
             let other = operands[1].at;
             let mut b = Matrix::<R>::read(memory, other, size, kernel.dims[1] as usize);

@@ -80,9 +80,10 @@ pub fn source(kernel: &Kernel) -> Source {
         return written_out::source(kernel);
     }
     match (kernel.routine, kernel.dims.as_slice()) {
-        (KernelRoutine::Product, &[rows, inner, columns]) => {
-            product::source(kernel, rows, inner, columns)
-        }
+        (
+            KernelRoutine::Product | KernelRoutine::ProductTr | KernelRoutine::TrProduct,
+            &[rows, inner, columns],
+        ) => product::source(kernel, rows, inner, columns),
         (KernelRoutine::Cholesky, &[size]) => cholesky::factor(kernel, size),
         (KernelRoutine::CholeskySolve, &[size @ ..=cholesky::SUBSTITUTIONS, columns]) => {
             cholesky::solve(kernel, size, columns)

@@ -1,8 +1,9 @@
 //! From valid IR to explicit IR: what the C back end can write down as it stands.
 //!
 //! Precondition: a valid module. Postcondition, verified by [`check`]:
-//! * **F1** aggregates stand only as whole values, as operands that are places or constants, and as
-//!   trees of constructors or of element-wise routines; nothing is written where it is still read;
+//! * **F1** aggregates stand only as whole values, as operands that are places or constants (of products and
+//!   element-wise routines also their transposes), and as trees of constructors or of element-wise routines,
+//!   a column times a row among them; nothing is written where it is still read;
 //! * **F2** calls stand only as whole values or for their effect, unless they give a word, take words
 //!   and shared references, and cannot fault;
 //! * **F3** no operation faults by itself: a [`StmtKind::Check`](bessemer_ir::StmtKind::Check) stands

@@ -166,6 +166,11 @@ pub(crate) fn elementwise(routine: Routine) -> bool {
     }
 }
 
+/// Whether a routine is a column times a row: an element is one product, so that it may nest too.
+pub(crate) fn outer(routine: Routine, operands: &[Expr]) -> bool {
+    routine == Routine::Product && matches!(operands[0].ty, Type::Matrix { cols: 1, .. })
+}
+
 /// Whether writing `value` into `destination` part by part would disturb what is still to be read.
 /// `through_pointer`: whether a call delivers even a word through a pointer.
 pub(crate) fn disturbs(destination: &Place, value: &Expr, through_pointer: bool) -> bool {

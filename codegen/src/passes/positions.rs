@@ -1,8 +1,8 @@
 //! The grammar of explicit IR: which expressions may stand where.
 
-use bessemer_ir::{Argument, Expr, ExprKind, Function, Mode, Role};
+use bessemer_ir::{Argument, Expr, ExprKind, Function, Mode, Role, Routine};
 
-use super::places::elementwise;
+use super::places::{elementwise, outer};
 
 /// Where an expression stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,6 +19,8 @@ pub(crate) enum Position {
     Repeated,
     /// An operand that is read many times.
     Leaf,
+    /// A factor of a product: the same, or the transpose of one.
+    Factor,
     /// What a reference is taken of.
     Reference,
 }
@@ -56,7 +58,7 @@ impl Callee {
 
 /// Whether `expr`, itself well made, may stand at `position`.
 pub(crate) fn accepts(callees: &[Callee], position: Position, expr: &Expr) -> bool {
-    use Position::{Elementwise, Nested, Part, Reference, Repeated, Whole};
+    use Position::{Elementwise, Factor, Nested, Part, Reference, Repeated, Whole};
     match &expr.kind {
         _ if position == Whole => true,
         ExprKind::Call(callee, _) => {
@@ -68,7 +70,10 @@ pub(crate) fn accepts(callees: &[Callee], position: Position, expr: &Expr) -> bo
         _ if expr.ty.is_word() => matches!(position, Nested | Part),
         ExprKind::Struct(_) | ExprKind::Array(_) | ExprKind::Matrix(_) => position == Part,
         ExprKind::Splat(_) => matches!(position, Part | Repeated),
-        ExprKind::Routine(routine, _) => position == Elementwise && elementwise(*routine),
+        ExprKind::Routine(Routine::Transpose, _) => matches!(position, Elementwise | Factor),
+        ExprKind::Routine(routine, operands) => {
+            position == Elementwise && (elementwise(*routine) || outer(*routine, operands))
+        }
         _ => false,
     }
 }
@@ -81,6 +86,7 @@ pub(crate) fn operand(parent: &ExprKind, operand: &Expr) -> Position {
         ExprKind::Routine(routine, _) if elementwise(*routine) && operand.ty.is_aggregate() => {
             Position::Elementwise
         }
+        ExprKind::Routine(Routine::Product, _) => Position::Factor,
         ExprKind::Routine(..) => Position::Leaf,
         _ => Position::Nested,
     }

@@ -73,26 +73,37 @@ impl Lowering<'_, '_> {
         ty: Type,
         site: Site,
     ) -> Result<Expr> {
-        let (which, right) = match (routine, values.as_slice()) {
-            (Routine::Product, [_, right]) => (KernelRoutine::Product, &right.ty),
-            (Routine::TrMul, [_, right]) => (KernelRoutine::TrMul, &right.ty),
-            _ => return self.node(ExprKind::Routine(routine, values), ty, site),
+        let Some((kernel, operands)) = product(routine, &values) else {
+            return self.node(ExprKind::Routine(routine, values), ty, site);
         };
-        let kernel = match *right {
-            Type::Matrix { cols: outer, .. } => {
-                of(which, &values[0].ty, |rows, cols| vec![rows, cols, outer])
-            }
-            _ => None,
-        };
-        match kernel.filter(Kernel::is_function) {
-            None => self.node(ExprKind::Routine(routine, values), ty, site),
-            Some(kernel) => {
-                let id = self.cx.kernel(&kernel);
-                let arguments = values.into_iter().map(Argument::Ref).collect();
-                self.node(ExprKind::Call(id, arguments), ty, site)
-            }
-        }
+        let id = self.cx.kernel(&kernel);
+        let arguments = operands.into_iter().map(Argument::Ref).collect();
+        self.node(ExprKind::Call(id, arguments), ty, site)
     }
+}
+
+/// The kernel that a product is, and its operands: what is transposed for the product alone is read as it
+/// lies in memory.
+fn product(routine: Routine, values: &[Expr]) -> Option<(Kernel, Vec<Expr>)> {
+    let [left, right] = values else { return None };
+    let transposed = |value: &Expr| match &value.kind {
+        ExprKind::Routine(Routine::Transpose, list) => list.first().cloned(),
+        _ => None,
+    };
+    let (which, left, right) = match (routine, transposed(left), transposed(right)) {
+        (Routine::TrMul, ..) => (KernelRoutine::TrMul, left.clone(), right.clone()),
+        (Routine::Product, _, Some(right)) => (KernelRoutine::ProductTr, left.clone(), right),
+        (Routine::Product, Some(left), None) => (KernelRoutine::TrProduct, left, right.clone()),
+        (Routine::Product, None, None) => (KernelRoutine::Product, left.clone(), right.clone()),
+        _ => return None,
+    };
+    let Type::Matrix { rows: first, cols: second, .. } = right.ty else { return None };
+    let kernel = of(which, &left.ty, |rows, cols| match which {
+        KernelRoutine::ProductTr => vec![rows, cols, first],
+        KernelRoutine::TrProduct => vec![cols, rows, second],
+        _ => vec![rows, cols, second],
+    })?;
+    kernel.is_function().then(|| (kernel, vec![left, right]))
 }
 
 /// The kernel of a routine for its first operand's type.

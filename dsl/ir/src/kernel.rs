@@ -24,6 +24,10 @@ pub enum KernelRoutine {
     /// `a * b`; rows of `a`, columns of `a`, columns of `b`. Per output the first product, then k
     /// ascending `y = a_k * b_k + y`.
     Product,
+    /// `a * b.transpose()` in the order of a product; rows of `a`, columns of both, rows of `b`.
+    ProductTr,
+    /// `a.transpose() * b` in the order of a product; columns of `a`, rows of both, columns of `b`.
+    TrProduct,
     /// `a.tr_mul(&b)`; rows of both, columns of `a`, columns of `b`. Per output the `dot` of two columns.
     TrMul,
     /// Solves `a x = b` by elimination with row pivots, in place: `a` becomes its factors as nalgebra
@@ -67,8 +71,10 @@ pub struct Kernel {
 
 impl KernelRoutine {
     /// Every routine.
-    pub const ALL: [KernelRoutine; 12] = [
+    pub const ALL: [KernelRoutine; 14] = [
         KernelRoutine::Product,
+        KernelRoutine::ProductTr,
+        KernelRoutine::TrProduct,
         KernelRoutine::TrMul,
         KernelRoutine::LuSolve,
         KernelRoutine::Solve,
@@ -86,6 +92,8 @@ impl KernelRoutine {
     pub const fn name(self) -> &'static str {
         match self {
             KernelRoutine::Product => "product",
+            KernelRoutine::ProductTr => "product_tr",
+            KernelRoutine::TrProduct => "tr_product",
             KernelRoutine::TrMul => "tr_mul",
             KernelRoutine::LuSolve => "lu_solve",
             KernelRoutine::Solve => "solve",
@@ -108,7 +116,10 @@ impl KernelRoutine {
     /// One word for its result.
     pub const fn result(self) -> &'static str {
         match self {
-            KernelRoutine::Product | KernelRoutine::TrMul => "product",
+            KernelRoutine::Product
+            | KernelRoutine::ProductTr
+            | KernelRoutine::TrProduct
+            | KernelRoutine::TrMul => "product",
             KernelRoutine::LuSolve | KernelRoutine::Solve | KernelRoutine::CholeskySolve => {
                 "solved"
             }
@@ -123,7 +134,10 @@ impl KernelRoutine {
     /// How many dimensions it has.
     pub const fn dims(self) -> usize {
         match self {
-            KernelRoutine::Product | KernelRoutine::TrMul => 3,
+            KernelRoutine::Product
+            | KernelRoutine::ProductTr
+            | KernelRoutine::TrProduct
+            | KernelRoutine::TrMul => 3,
             KernelRoutine::LuSolve
             | KernelRoutine::Solve
             | KernelRoutine::CholeskySolve
@@ -137,7 +151,10 @@ impl KernelRoutine {
 }
 
 /// Up to so many multiplications a product is written out where it stands.
-pub const WRITTEN_OUT: u32 = 64;
+pub const WRITTEN_OUT: u32 = 24;
+
+/// Up to so many multiplications a product of the scalar products of columns is.
+pub const DOTS_WRITTEN_OUT: u32 = 64;
 
 impl Kernel {
     /// A kernel, if the dimensions are as many as the routine has, none of them 0.
@@ -152,6 +169,12 @@ impl Kernel {
             (KernelRoutine::Product, [rows, inner, cols]) => {
                 format!("{rows}x{inner}_{inner}x{cols}")
             }
+            (KernelRoutine::ProductTr, [rows, inner, cols]) => {
+                format!("{rows}x{inner}_{cols}x{inner}")
+            }
+            (KernelRoutine::TrProduct, [rows, inner, cols]) => {
+                format!("{inner}x{rows}_{inner}x{cols}")
+            }
             (KernelRoutine::TrMul, [rows, left, right]) => format!("{rows}x{left}_{rows}x{right}"),
             (_, [size, 1] | [size]) => format!("{size}"),
             (_, [size, cols]) => format!("{size}x{cols}"),
@@ -160,12 +183,16 @@ impl Kernel {
         format!("{}_{}_{shape}", self.routine.name(), Scalar::Float(self.element).name())
     }
 
-    /// Whether it is a function of its own; else it is written out where it stands.
+    /// Whether it is a function of its own; else it is written out where it stands, as is a column times
+    /// a row, which may be part of a loop over elements.
     pub fn is_function(&self) -> bool {
-        match self.routine {
-            KernelRoutine::Product | KernelRoutine::TrMul => {
-                self.dims.iter().map(|dim| u64::from(*dim)).product::<u64>() > WRITTEN_OUT.into()
-            }
+        let multiplications: u64 = self.dims.iter().map(|dim| u64::from(*dim)).product();
+        match (self.routine, self.dims.as_slice()) {
+            (
+                KernelRoutine::Product | KernelRoutine::ProductTr | KernelRoutine::TrProduct,
+                [_, inner, _],
+            ) => *inner > 1 && multiplications > WRITTEN_OUT.into(),
+            (KernelRoutine::TrMul, _) => multiplications > DOTS_WRITTEN_OUT.into(),
             _ => true,
         }
     }
@@ -205,6 +232,14 @@ impl Kernel {
                 alloc::vec![("a", matrix(n, m), Mode::Ref), ("b", matrix(m, k), Mode::Ref)],
                 matrix(n, k),
             ),
+            KernelRoutine::ProductTr => (
+                alloc::vec![("a", matrix(n, m), Mode::Ref), ("b", matrix(k, m), Mode::Ref)],
+                matrix(n, k),
+            ),
+            KernelRoutine::TrProduct => (
+                alloc::vec![("a", matrix(m, n), Mode::Ref), ("b", matrix(m, k), Mode::Ref)],
+                matrix(n, k),
+            ),
             KernelRoutine::TrMul => (
                 alloc::vec![("a", matrix(n, m), Mode::Ref), ("b", matrix(n, k), Mode::Ref)],
                 matrix(m, k),
@@ -240,6 +275,14 @@ impl Kernel {
             (KernelRoutine::Product, _) => &[
                 "The product of a and b, matrices by columns. Each element of the result starts as its",
                 "first product and adds the others in the order of the columns of a.",
+            ],
+            (KernelRoutine::ProductTr, _) => &[
+                "The product of a with the transpose of b, matrices by columns. Each element of the result",
+                "starts as its first product and adds the others in the order of the columns of a.",
+            ],
+            (KernelRoutine::TrProduct, _) => &[
+                "The product of the transpose of a with b, matrices by columns. Each element of the result",
+                "starts as its first product and adds the others in the order of the rows of a.",
             ],
             (KernelRoutine::TrMul, _) => &[
                 "The product of the transpose of a with b, matrices by columns. Each element of the result",

@@ -101,6 +101,15 @@ macro_rules! sizes {
                 outer_product(
                     a: [&] [SMatrix<$real, $n, 1>], b: [&] [SMatrix<$real, 1, 7>]
                 ) -> [SMatrix<$real, $n, 7>] { a * b }
+                product_tr(
+                    a: [&] [SMatrix<$real, 4, $n>], b: [&] [SMatrix<$real, $n, $n>]
+                ) -> [SMatrix<$real, 4, $n>] { a * b.transpose() }
+                tr_product(
+                    a: [&] [SMatrix<$real, $n, $n>], b: [&] [SMatrix<$real, $n, 5>]
+                ) -> [SMatrix<$real, $n, 5>] { a.transpose() * b }
+                congruence(
+                    a: [&] [SMatrix<$real, $n, $n>], p: [&] [SMatrix<$real, $n, $n>]
+                ) -> [SMatrix<$real, $n, $n>] { a * p * a.transpose() }
                 tr_mul(
                     a: [&] [SMatrix<$real, $n, $n>], b: [&] [SMatrix<$real, $n, 4>]
                 ) -> [SMatrix<$real, $n, 4>] { a.tr_mul(b) }

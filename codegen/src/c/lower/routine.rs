@@ -3,7 +3,7 @@
 //! Small results are written out, a line per element; larger ones are loops. Element-wise routines
 //! that nest are one loop over all of them.
 
-use bessemer_ir::kernel::WRITTEN_OUT;
+use bessemer_ir::kernel::{DOTS_WRITTEN_OUT, WRITTEN_OUT};
 use bessemer_ir::{BinaryOp, Expr as Ir, ExprKind, Float, Place, Routine, Scalar, Type};
 
 use super::super::analysis::reads;
@@ -22,10 +22,32 @@ const MOVES: u32 = 16;
 /// Up to so many terms a scalar product is written out.
 const TERMS: u32 = 8;
 
+/// A matrix as it lies in memory, and whether its transpose is meant.
+#[derive(Clone)]
+struct Stored {
+    matrix: Expr,
+    shape: (u32, u32),
+    transposed: bool,
+}
+
+impl Stored {
+    /// The element in this row and column of what is meant.
+    fn at(&self, row: Expr, column: Expr) -> Expr {
+        let (row, column) = if self.transposed { (column, row) } else { (row, column) };
+        self.matrix.clone().at(offset(self.shape, row, column))
+    }
+
+    /// Whether elements lie in memory in the order of what is meant.
+    fn is_flat(&self) -> bool {
+        !self.transposed || self.shape.0 == 1 || self.shape.1 == 1
+    }
+}
+
 /// Element-wise routines as one expression over the elements.
 enum Fused {
-    /// The element of a matrix of this shape.
-    Matrix(Expr, (u32, u32)),
+    Matrix(Stored),
+    /// A column times a row.
+    Outer(Stored, Stored),
     /// The same value everywhere.
     Scalar(Expr),
     Binary(BinaryOp, Box<Fused>, Box<Fused>),
@@ -35,7 +57,9 @@ enum Fused {
 /// Which element.
 enum At<'e> {
     Fixed(u32, u32),
+    /// By its place in memory.
     Counted(&'e Expr),
+    Cell(&'e Expr, &'e Expr),
 }
 
 /// A column of a matrix.
@@ -58,7 +82,7 @@ impl Lower<'_> {
         let (_, rows, cols) = shape(ty);
         match routine {
             Routine::Product => rows * cols * shape(&operands[0].ty).2 <= WRITTEN_OUT,
-            Routine::TrMul => rows * cols * shape(&operands[0].ty).1 <= WRITTEN_OUT,
+            Routine::TrMul => rows * cols * shape(&operands[0].ty).1 <= DOTS_WRITTEN_OUT,
             Routine::Transpose => rows * cols <= MOVES,
             Routine::Cross => true,
             _ => rows * cols <= ELEMENTS,
@@ -76,7 +100,15 @@ impl Lower<'_> {
         let (scalar, rows, cols) = shape(ty);
         let each = (0..cols).flat_map(|column| (0..rows).map(move |row| (row, column)));
         match routine {
-            Routine::Product | Routine::TrMul | Routine::Transpose | Routine::Cross => {
+            Routine::Product => {
+                let depth = shape(&operands[0].ty).2;
+                let factors = [self.stored(&operands[0]), self.stored(&operands[1])];
+                let elements = each.map(|(row, column)| {
+                    self.product_element(scalar, &factors, depth, (row, column))
+                });
+                (elements.collect(), Lines::Each)
+            }
+            Routine::TrMul | Routine::Transpose | Routine::Cross => {
                 let list: Vec<(Expr, (u32, u32))> = operands
                     .iter()
                     .map(|operand| {
@@ -85,7 +117,6 @@ impl Lower<'_> {
                     })
                     .collect();
                 let elements = each.map(|(row, column)| match routine {
-                    Routine::Product => self.product_element(scalar, &list, row, column),
                     Routine::TrMul => {
                         let a = Column { matrix: list[0].0.clone(), shape: list[0].1, index: row };
                         let b =
@@ -143,7 +174,9 @@ impl Lower<'_> {
             return;
         }
         match routine {
-            Routine::Product => self.product_loops(&dest, scalar, operands, (rows, cols)),
+            Routine::Product if terms > 1 => {
+                self.product_loops(&dest, scalar, operands, (rows, cols))
+            }
             Routine::TrMul => self.tr_mul_loops(&dest, scalar, operands, (rows, cols)),
             Routine::Transpose => {
                 let from = self.operand(&operands[0]);
@@ -156,11 +189,31 @@ impl Lower<'_> {
             }
             _ => {
                 let fused = self.fuse(routine, operands, place);
-                self.count_up(rows * cols, |lower, index| {
-                    let value = lower.fused_element(&fused, scalar, &At::Counted(&index));
-                    lower.assign(dest.at(index), value);
-                });
+                self.store_each(&dest, &fused, scalar, (rows, cols));
             }
+        }
+    }
+
+    /// A loop over the elements, or two where they do not lie in one order.
+    fn store_each(&mut self, dest: &Expr, fused: &Fused, scalar: Scalar, shape: (u32, u32)) {
+        if fused.is_flat() {
+            self.count_up(shape.0 * shape.1, |lower, index| {
+                let value = lower.fused_element(fused, scalar, &At::Counted(&index));
+                lower.assign(dest.clone().at(index), value);
+            });
+            return;
+        }
+        let cell = |lower: &mut Self, row: Expr, column: Expr| {
+            let value = lower.fused_element(fused, scalar, &At::Cell(&row, &column));
+            lower.assign(dest.clone().at(offset(shape, row, column)), value);
+        };
+        let rows = |lower: &mut Self, column: Expr| match shape.0 {
+            1 => cell(lower, Expr::name("0"), column),
+            rows => lower.count_from("row", 0, rows, |lower, row| cell(lower, row, column)),
+        };
+        match shape.1 {
+            1 => rows(self, Expr::name("0")),
+            columns => self.count_from("column", 0, columns, rows),
         }
     }
 
@@ -186,6 +239,9 @@ impl Lower<'_> {
             Routine::Scale | Routine::ComponentMul => BinaryOp::Mul,
             Routine::Unscale | Routine::ComponentDiv => BinaryOp::Div,
             Routine::Neg => return Fused::Neg(Box::new(self.fuse_operand(&operands[0], place))),
+            Routine::Product => {
+                return Fused::Outer(self.stored(&operands[0]), self.stored(&operands[1]));
+            }
             _ => unreachable!("{routine:?} is not element-wise"),
         };
         let left = self.fuse_operand(&operands[0], place);
@@ -198,25 +254,48 @@ impl Lower<'_> {
             return Fused::Scalar(self.once("factor", operand, place));
         }
         match &operand.kind {
-            ExprKind::Routine(routine, operands) if is_element_wise(*routine) => {
+            ExprKind::Routine(routine, operands)
+                if is_element_wise(*routine) || is_outer(*routine, operands) =>
+            {
                 self.fuse(*routine, operands, place)
             }
             ExprKind::Splat(item) => Fused::Scalar(self.once("factor", item, place)),
-            _ => {
-                let (_, rows, cols) = shape(&operand.ty);
-                Fused::Matrix(self.operand(operand), (rows, cols))
-            }
+            _ => Fused::Matrix(self.stored(operand)),
         }
+    }
+
+    /// A matrix, or the one whose transpose an operand is.
+    fn stored(&mut self, operand: &Ir) -> Stored {
+        let (inner, transposed) = match &operand.kind {
+            ExprKind::Routine(Routine::Transpose, list) => (&list[0], true),
+            _ => (operand, false),
+        };
+        let (_, rows, cols) = shape(&inner.ty);
+        Stored { matrix: self.operand(inner), shape: (rows, cols), transposed }
     }
 
     fn fused_element(&mut self, fused: &Fused, scalar: Scalar, at: &At<'_>) -> Expr {
         let ty = Type::Scalar(scalar);
         match (fused, at) {
             (Fused::Scalar(value), _) => value.clone(),
-            (Fused::Matrix(matrix, shape), At::Fixed(row, column)) => {
-                element(matrix.clone(), *shape, *row, *column)
+            (Fused::Matrix(stored), At::Fixed(row, column)) => {
+                stored.at(number(*row), number(*column))
             }
-            (Fused::Matrix(matrix, _), At::Counted(index)) => matrix.clone().at((*index).clone()),
+            (Fused::Matrix(stored), At::Counted(index)) => {
+                stored.matrix.clone().at((*index).clone())
+            }
+            (Fused::Matrix(stored), At::Cell(row, column)) => {
+                stored.at((*row).clone(), (*column).clone())
+            }
+            (Fused::Outer(a, b), at) => {
+                let (row, column) = match at {
+                    At::Fixed(row, column) => (number(*row), number(*column)),
+                    At::Cell(row, column) => ((*row).clone(), (*column).clone()),
+                    At::Counted(_) => unreachable!("an outer product is not flat"),
+                };
+                let (left, right) = (a.at(row, number(0)), b.at(number(0), column));
+                self.arithmetic(BinaryOp::Mul, &ty, left, right)
+            }
             (Fused::Neg(inner), _) => {
                 let inner = self.fused_element(inner, scalar, at);
                 super::word::narrowed(&ty, Expr::unary("-", inner))
@@ -233,16 +312,15 @@ impl Lower<'_> {
     fn product_element(
         &mut self,
         scalar: Scalar,
-        list: &[(Expr, (u32, u32))],
-        row: u32,
-        column: u32,
+        [a, b]: &[Stored; 2],
+        depth: u32,
+        (row, column): (u32, u32),
     ) -> Expr {
         let ty = Type::Scalar(scalar);
-        let ((a, a_shape), (b, b_shape)) = (&list[0], &list[1]);
         let mut sum: Option<Expr> = None;
-        for k in 0..a_shape.1 {
-            let left = element(a.clone(), *a_shape, row, k);
-            let right = element(b.clone(), *b_shape, k, column);
+        for k in 0..depth {
+            let left = a.at(number(row), number(k));
+            let right = b.at(number(k), number(column));
             let term = self.arithmetic(BinaryOp::Mul, &ty, left, right);
             sum = Some(match sum {
                 None => term,
@@ -271,12 +349,12 @@ impl Lower<'_> {
     ) {
         let ty = Type::Scalar(scalar);
         let depth = shape(&operands[0].ty).2;
-        let (a, b) = (self.operand(&operands[0]), self.operand(&operands[1]));
+        let (a, b) = (self.stored(&operands[0]), self.stored(&operands[1]));
         self.count_from("column", 0, cols, |lower, column| {
             lower.count_from("row", 0, rows, |lower, row| {
                 let term = |lower: &mut Self, k: Expr| {
-                    let left = a.clone().at(offset((rows, depth), row.clone(), k.clone()));
-                    let right = b.clone().at(offset((depth, cols), k, column.clone()));
+                    let left = a.at(row.clone(), k.clone());
+                    let right = b.at(k, column.clone());
                     lower.arithmetic(BinaryOp::Mul, &ty, left, right)
                 };
                 let first = term(lower, Expr::name("0"));
@@ -385,6 +463,28 @@ fn small_dot(terms: Vec<Expr>) -> Expr {
         Ok([a, b, c, d]) => add(add(a, c), add(b, d)),
         Err(terms) => terms.into_iter().reduce(add).expect("two or three terms"),
     }
+}
+
+impl Fused {
+    /// Whether all that it is made of lies in memory in one order.
+    fn is_flat(&self) -> bool {
+        match self {
+            Fused::Matrix(stored) => stored.is_flat(),
+            Fused::Outer(..) => false,
+            Fused::Scalar(_) => true,
+            Fused::Binary(_, left, right) => left.is_flat() && right.is_flat(),
+            Fused::Neg(inner) => inner.is_flat(),
+        }
+    }
+}
+
+fn number(value: u32) -> Expr {
+    Expr::name(value.to_string())
+}
+
+/// Whether a routine is a column times a row: one product an element.
+fn is_outer(routine: Routine, operands: &[Ir]) -> bool {
+    routine == Routine::Product && shape(&operands[0].ty).2 == 1
 }
 
 fn is_element_wise(routine: Routine) -> bool {

@@ -8,26 +8,26 @@
 #endif
 
 typedef $real lanes_t __attribute__((vector_size($bytes * LANES), aligned($bytes), may_alias));
-
+$gather
 /* A block of the result, vectors of rows by columns: the first products, then the others in order. */
 static inline void block(const $real *a, const $real *b, $real *result)
 {
     lanes_t sums[ACROSS][DOWN];
 #pragma GCC unroll 8
     for (uint32_t down = 0U; down < DOWN; down++) {
-        const lanes_t rows = *(const lanes_t *)&a[OFFSET(down)];
+        const lanes_t rows = $first_rows;
 #pragma GCC unroll 8
         for (uint32_t across = 0U; across < ACROSS; across++) {
-            sums[across][down] = TIMES(rows, b[$inner * across]);
+            sums[across][down] = TIMES(rows, b[$first_number]);
         }
     }
     for (uint32_t k = 1U; k < $inner; k++) {
 #pragma GCC unroll 8
         for (uint32_t down = 0U; down < DOWN; down++) {
-            const lanes_t rows = *(const lanes_t *)&a[$rows * k + OFFSET(down)];
+            const lanes_t rows = $next_rows;
 #pragma GCC unroll 8
             for (uint32_t across = 0U; across < ACROSS; across++) {
-                sums[across][down] = PLUS(sums[across][down], rows, b[k + $inner * across]);
+                sums[across][down] = PLUS(sums[across][down], rows, b[$next_number]);
             }
         }
     }

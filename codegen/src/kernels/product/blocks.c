@@ -3,6 +3,6 @@ for (uint32_t column = 0U; column < $columns; column += ACROSS) {
     const uint32_t left = (column + ACROSS <= $columns) ? column : $columns - ACROSS;
     for (uint32_t row = 0U; row < $rows; row += HEIGHT) {
         const uint32_t top = (row + HEIGHT <= $rows) ? row : $rows - HEIGHT;
-        block(&a[top], &b[$inner * left], &result[top + $rows * left]);
+        block(&a[$top], &b[$left], &result[top + $rows * left]);
     }
 }

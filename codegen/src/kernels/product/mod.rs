@@ -8,21 +8,48 @@
 mod numbers;
 mod vectors;
 
-use bessemer_ir::{Float, Kernel};
+use bessemer_ir::{Float, Kernel, KernelRoutine};
 
 use super::Source;
 
-/// Rows of `a`, columns of `a`, columns of `b`.
+/// Rows of the result, terms of an element, columns of the result; and how far apart what follows lies.
 #[derive(Clone, Copy)]
 struct Sizes {
     rows: u32,
     inner: u32,
     columns: u32,
+    /// From a row of the left factor to the next, and from a term to the next.
+    left: (u32, u32),
+    /// From a term to the next in the right factor, and from a column to the next.
+    right: (u32, u32),
 }
 
-/// The C of a product; the columns of `b` are the result's.
+impl Sizes {
+    /// The sizes of a product of these dimensions, of factors as they lie in memory.
+    fn new(routine: KernelRoutine, rows: u32, inner: u32, columns: u32) -> Sizes {
+        let left = match routine {
+            KernelRoutine::TrProduct => (inner, 1),
+            _ => (1, rows),
+        };
+        let right = match routine {
+            KernelRoutine::ProductTr => (columns, 1),
+            _ => (1, inner),
+        };
+        Sizes { rows, inner, columns, left, right }
+    }
+}
+
+/// An index: what lies so far apart times its counter.
+fn times(stride: u32, counter: &str) -> String {
+    match stride {
+        1 => counter.to_owned(),
+        _ => format!("{stride}U * {counter}"),
+    }
+}
+
+/// The C of a product.
 pub(super) fn source(kernel: &Kernel, rows: u32, inner: u32, columns: u32) -> Source {
-    let sizes = Sizes { rows, inner, columns };
+    let sizes = Sizes::new(kernel.routine, rows, inner, columns);
     let real = match kernel.element {
         Float::F64 => "double",
         Float::F32 => "float",

@@ -24,8 +24,8 @@ pub(super) fn source(real: &str, sizes: Sizes) -> (String, String) {
             );
         }
         for (row, height, rows_many) in parts(sizes.rows, plan.shape.0) {
-            let a = place(&[(1, row, rows_many.then_some("row"))]);
-            let b = place(&[(sizes.inner, column, columns_many.then_some("column"))]);
+            let a = place(&[(sizes.left.0, row, rows_many.then_some("row"))]);
+            let b = place(&[(sizes.right.1, column, columns_many.then_some("column"))]);
             let to = place(&[
                 (1, row, rows_many.then_some("row")),
                 (sizes.rows, column, columns_many.then_some("column")),
@@ -130,7 +130,7 @@ fn parts(count: u32, tile: u32) -> Vec<(u32, u32, bool)> {
 
 /// A tile of the result: so many rows by so many columns.
 fn tile(real: &str, (height, width): (u32, u32), sizes: Sizes, unrolled: bool) -> String {
-    let Sizes { rows, inner, .. } = sizes;
+    let Sizes { rows, inner, left, right, .. } = sizes;
     let mut text = format!(
         "/* A tile of {height} by {width} elements: the first products, then the others in order. */\n\
          static void tile_{height}x{width}(const {real} *a, const {real} *b, {real} *result)\n{{\n"
@@ -138,22 +138,26 @@ fn tile(real: &str, (height, width): (u32, u32), sizes: Sizes, unrolled: bool) -
     // Writing to a string cannot fail.
     for column in 0..width {
         for row in 0..height {
-            let first = inner * column;
-            let _ = writeln!(text, "    {real} y{row}{column} = a[{row}] * b[{first}];");
+            let (first, second) = (left.0 * row, right.1 * column);
+            let _ = writeln!(text, "    {real} y{row}{column} = a[{first}] * b[{second}];");
         }
     }
     if inner > 1 {
         if unrolled {
             let _ = writeln!(text, "#if defined(__GNUC__)\n#pragma GCC unroll {inner}\n#endif");
         }
-        let _ =
-            writeln!(text, "    for (uint32_t k = 1U; k < {inner}U; k++) {{\n        a += {rows};");
+        let _ = writeln!(text, "    for (uint32_t k = 1U; k < {inner}U; k++) {{");
+        let _ = writeln!(text, "        a += {};", left.1);
+        if right.0 > 1 {
+            let _ = writeln!(text, "        b += {};", right.0);
+        }
         for row in 0..height {
-            let _ = writeln!(text, "        const {real} a{row} = a[{row}];");
+            let _ = writeln!(text, "        const {real} a{row} = a[{}];", left.0 * row);
         }
         for column in 0..width {
-            let first = inner * column;
-            let _ = writeln!(text, "        const {real} b{column} = b[k + {first}U];");
+            let at = right.1 * column;
+            let at = if right.0 > 1 { at.to_string() } else { format!("k + {at}U") };
+            let _ = writeln!(text, "        const {real} b{column} = b[{at}];");
             for row in 0..height {
                 let _ = writeln!(text, "        y{row}{column} += a{row} * b{column};");
             }

@@ -5,7 +5,7 @@
 
 use bessemer_ir::Float;
 
-use super::Sizes;
+use super::{Sizes, times};
 use crate::kernels::text::{bytes, fill, numbers};
 
 /// A kind of vectors.
@@ -85,6 +85,7 @@ struct Block {
 }
 
 const BLOCK: &str = include_str!("block.c");
+const GATHER: &str = include_str!("gather.c");
 const LOOPS: &str = include_str!("blocks.c");
 
 /// What each target has, the function of a block, and the loops over blocks; none if there are too few rows.
@@ -118,9 +119,33 @@ pub(super) fn source(element: Float, sizes: Sizes) -> Option<(String, String, St
         ("rows", format!("{}U", sizes.rows)),
         ("inner", format!("{}U", sizes.inner)),
         ("columns", format!("{}U", sizes.columns)),
+        ("first_rows", rows_of(sizes, None)),
+        ("next_rows", rows_of(sizes, Some("k"))),
+        ("first_number", times(sizes.right.1, "across")),
+        (
+            "next_number",
+            format!("{} + {}", times(sizes.right.0, "k"), times(sizes.right.1, "across")),
+        ),
+        ("top", times(sizes.left.0, "top")),
+        ("left", times(sizes.right.1, "left")),
+        ("apart", format!("{}U", sizes.left.0)),
         ("bytes", bytes(element).to_string()),
     ]);
-    Some((targets, fill(BLOCK, &values), fill(LOOPS, &values)))
+    let block = BLOCK.replace("$gather", if sizes.left.0 == 1 { "" } else { GATHER });
+    Some((targets, fill(&block, &values), fill(LOOPS, &values)))
+}
+
+/// A vector of rows of the left factor, of a term.
+fn rows_of(sizes: Sizes, term: Option<&str>) -> String {
+    let at = times(sizes.left.0, "OFFSET(down)");
+    let at = match term {
+        Some(term) => format!("{} + {at}", times(sizes.left.1, term)),
+        None => at,
+    };
+    match sizes.left.0 {
+        1 => format!("*(const lanes_t *)&a[{at}]"),
+        _ => format!("gather(&a[{at}])"),
+    }
 }
 
 /// The block that takes the fewest instructions.
@@ -161,6 +186,8 @@ impl Block {
         let blocks =
             sizes.rows.div_ceil(self.lanes * self.down) * sizes.columns.div_ceil(self.across);
         let step = 4 * target.step * self.down * self.across;
-        blocks * (4 * self.down + target.spread * self.across + step + 12)
+        // A vector of numbers that lie apart: a load for each.
+        let load = if sizes.left.0 == 1 { 4 } else { 4 * self.lanes };
+        blocks * (load * self.down + target.spread * self.across + step + 12)
     }
 }

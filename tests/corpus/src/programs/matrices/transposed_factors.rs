@@ -1,0 +1,56 @@
+//! Transposes that are read where they lie: as factors of products, beside other elements, and where the
+//! matrix itself is written.
+
+use bessemer::prelude::*;
+
+/// Covariance and mean of two states.
+#[data]
+#[derive(Clone, Debug, PartialEq)]
+pub struct Belief {
+    /// The covariance.
+    pub covariance: Matrix2<f64>,
+    /// The mean.
+    pub mean: Vector2<f64>,
+}
+
+/// The covariance of what has advanced, made symmetric in place.
+#[function]
+pub fn advance(belief: &mut Belief, advance: &Matrix2<f64>) {
+    belief.covariance = advance * belief.covariance * advance.transpose();
+    belief.covariance = (belief.covariance + belief.covariance.transpose()) * 0.5;
+    belief.mean = advance.transpose() * belief.mean;
+}
+
+/// A covariance less what a measurement tells: a column times a row, and more.
+#[function]
+pub fn corrected(
+    covariance: &Matrix3<f64>,
+    gain: &Vector3<f64>,
+    row: &Vector3<f64>,
+    variance: f64,
+) -> Matrix3<f64> {
+    let kept = Matrix3::identity() - gain * row.transpose();
+    kept * covariance * kept.transpose() + gain * gain.transpose() * variance
+}
+
+/// Twice transposed, a transposed oblong, and an oblong's own products.
+#[function]
+pub fn oblongs(a: &SMatrix<f32, 2, 3>, b: &SMatrix<f32, 3, 2>) -> (Matrix3<f32>, Matrix2<f32>, SMatrix<f32, 3, 2>) {
+    let both = a.transpose() * b.transpose();
+    let sum = a.transpose() - b.component_mul(&a.transpose());
+    (both, a * a.transpose() + (b.transpose() * b) * 2.0, sum)
+}
+
+/// A row of sums, and a row beside its column.
+#[function]
+pub fn lines(a: &Vector4<f64>, b: &SMatrix<f64, 1, 4>) -> (SMatrix<f64, 1, 4>, Vector4<f64>, f64) {
+    let across = a.transpose() + b;
+    let down = -(a * 3.0 - b.transpose());
+    (across, down, (across * down)[(0, 0)])
+}
+
+/// A large one: products of kernels with a transpose on either side.
+#[function]
+pub fn large(a: &SMatrix<f64, 5, 4>, b: &SMatrix<f64, 5, 6>) -> (SMatrix<f64, 4, 6>, SMatrix<f64, 5, 5>) {
+    (a.transpose() * b, b * b.transpose() - a * a.transpose())
+}
