@@ -188,7 +188,11 @@ mod tests {
         assert!(matches!(parse("["), Err(Error::Text { line: 1, .. })));
         assert_eq!(parse("{}"), Err(Error::Shape));
         let error = parse(&TABLE.replace("product", "matmul")).expect_err("no such routine");
-        assert!(error.to_string().starts_with("entry 1, `routine`: one of product, tr_mul"));
+        assert!(
+            error
+                .to_string()
+                .starts_with("entry 1, `routine`: one of product, product_tr, tr_product, tr_mul")
+        );
         let error = parse(&TABLE.replace("at_least", "atleast")).expect_err("no such field");
         assert!(error.to_string().starts_with("entry 1, `atleast`: one of routine"));
     }
