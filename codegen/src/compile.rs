@@ -10,7 +10,7 @@ use crate::c::{self, CFile, EntryReport};
 use crate::diagnostic::Diagnostic;
 use crate::kernels::replace::Replacement;
 use crate::source::Sources;
-use crate::{passes, typify, validate};
+use crate::{kernels, passes, typify, validate};
 
 pub use crate::c::{Math, Options};
 pub use crate::typify::Typed;
@@ -32,6 +32,8 @@ pub struct Compiled {
     pub checks: passes::Report,
     /// The kernels that the user's own functions stand for, and whose these are.
     pub replaced: Vec<(String, String)>,
+    /// The kernels that are made in the fast mode: their bits need not be the Rust's.
+    pub fast: Vec<String>,
     /// Functions of the target's `math.h` that the C calls: there the bits need not be the Rust's.
     pub library: Vec<String>,
 }
@@ -51,7 +53,7 @@ pub fn compile(
     let (explicit, checks) = passes::explicit(module.clone()).map_err(|errors| {
         errors.iter().map(|error| unproved(&module, error)).collect::<Vec<_>>()
     })?;
-    let explicit = passes::lend(explicit);
+    let explicit = passes::lend(explicit, &options.kernels);
     gate(&explicit)?;
     let taken: Vec<_> = c::given::taken(&explicit, options)
         .iter()
@@ -66,8 +68,9 @@ pub fn compile(
     let files = c::emit(&explicit, options);
     let entries = c::report(&explicit, options, &files);
     let replaced = replaced(&explicit, options);
+    let fast = fast(&explicit, options);
     let library = c::library_calls(&explicit, options);
-    Ok(Compiled { module, explicit, typed, files, entries, checks, replaced, library })
+    Ok(Compiled { module, explicit, typed, files, entries, checks, replaced, fast, library })
 }
 
 fn replaced(module: &Module, options: &Options) -> Vec<(String, String)> {
@@ -77,6 +80,12 @@ fn replaced(module: &Module, options: &Options) -> Vec<(String, String)> {
         Some((kernel.name(), replacement.library.clone()))
     };
     kernels.filter_map(replaced).collect()
+}
+
+fn fast(module: &Module, options: &Options) -> Vec<String> {
+    let kernels = module.functions.iter().filter_map(|function| function.kernel.as_ref());
+    let fast = |kernel: &&bessemer_ir::Kernel| kernels::is_fast(kernel, &options.kernels);
+    kernels.filter(fast).map(bessemer_ir::Kernel::name).collect()
 }
 
 /// Validation; what it finds is a fault of the tool, since the author's were found before.

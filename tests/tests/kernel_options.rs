@@ -1,12 +1,14 @@
 //! Options of kernels, as programs: functions of the user's own in place of kernels are called, give the
-//! kernel's result and can be taken back; threads change no bit.
+//! kernel's result and can be taken back; threads change no bit; a budget of code makes objects smaller and changes
+//! no bit; the fast mode stays within the bound that its order allows.
 
 use std::process::Command;
 
 use bessemer_codegen::c::{self, Options};
-use bessemer_codegen::kernels::replace;
+use bessemer_codegen::interpret::Interpreter;
+use bessemer_codegen::kernels::{Mode, Tuning, replace};
 use bessemer_codegen::passes;
-use bessemer_ir::{Float, Kernel, KernelRoutine, Module};
+use bessemer_ir::{Float, FunctionId, Kernel, KernelRoutine, Module};
 
 /// The words that a program of `tests/kernels` prints, with these kernels; none if it does not link.
 fn words(kernels: &[Kernel], program: &str, options: &Options, flags: &[&str]) -> Option<Vec<u64>> {
@@ -18,7 +20,7 @@ fn words(kernels: &[Kernel], program: &str, options: &Options, flags: &[&str]) -
     };
     let own = bessemer_tests::root().join("tests/kernels");
     let mut sources = vec![own.join(program), own.join("own_product.c")];
-    for file in c::emit(&passes::lend(module), options) {
+    for file in c::emit(&passes::lend(module, &options.kernels), options) {
         let path = folder.path().join(&file.name);
         std::fs::write(&path, &file.text).expect("a folder of ours");
         if file.name.ends_with(".c") {
@@ -97,4 +99,136 @@ fn threads_change_no_bit() {
         let plain = run(&[threads, "-pthread", "-DBESSEMER_PLAIN"]);
         assert_eq!(plain.as_ref(), Some(&alone), "{threads}");
     }
+}
+
+/// Solve, inverse, factor and products of several ways, as `solves.c` prints them.
+fn solves(tuning: Tuning, flags: &[&str]) -> Option<Vec<u64>> {
+    let kernels = [
+        kernel(KernelRoutine::Solve, Float::F64, &[150, 1]),
+        kernel(KernelRoutine::Solve, Float::F64, &[17, 1]),
+        kernel(KernelRoutine::Inverse, Float::F64, &[12]),
+        kernel(KernelRoutine::Cholesky, Float::F64, &[8]),
+        kernel(KernelRoutine::ProductTr, Float::F64, &[6; 3]),
+        kernel(KernelRoutine::TrProduct, Float::F64, &[6; 3]),
+    ];
+    words(&kernels, "solves.c", &Options { kernels: tuning, ..Options::default() }, flags)
+}
+
+/// Where the parts of what `solves.c` prints begin: a matrix, a right-hand side, its solution, the rest.
+const PARTS: [usize; 3] = [22_500, 22_650, 22_800];
+
+#[test]
+fn a_budget_changes_size_and_no_bit() {
+    let Some(roomy) = solves(Tuning::default(), &[]) else {
+        println!("left out: there is no gcc");
+        return;
+    };
+    for code_bytes in [4096, 2048, 1024, 512, 0] {
+        let tuning = Tuning { code_bytes, ..Tuning::default() };
+        for flags in [&[][..], &["-DBESSEMER_PLAIN"], &["-march=native"]] {
+            assert_eq!(solves(tuning, flags).as_ref(), Some(&roomy), "{code_bytes} {flags:?}");
+        }
+    }
+}
+
+#[test]
+fn a_size_that_nalgebra_has_no_solve_for_agrees_with_the_interpreter() {
+    let Some(found) = solves(Tuning::default(), &["-march=native"]) else {
+        println!("left out: there is no gcc");
+        return;
+    };
+    let solve = kernel(KernelRoutine::Solve, Float::F64, &[150, 1]).function();
+    let module = Module { name: "options".into(), functions: vec![solve], ..Module::default() };
+    let mut arguments = [found[..PARTS[0]].to_vec(), found[PARTS[0]..PARTS[1]].to_vec()];
+    let result = Interpreter::new(&module).call(FunctionId(0), &mut arguments);
+    assert_eq!(result.ok(), Some(vec![1]));
+    assert_eq!(arguments[1], found[PARTS[1]..PARTS[2]]);
+}
+
+#[test]
+fn a_budget_makes_objects_smaller() {
+    let kernels = [
+        kernel(KernelRoutine::LuSolve, Float::F64, &[8, 1]),
+        kernel(KernelRoutine::Solve, Float::F32, &[12, 1]),
+        kernel(KernelRoutine::Solve, Float::F64, &[60, 1]),
+        kernel(KernelRoutine::Inverse, Float::F64, &[9]),
+        kernel(KernelRoutine::Cholesky, Float::F64, &[8]),
+        kernel(KernelRoutine::CholeskySolve, Float::F64, &[14, 1]),
+        kernel(KernelRoutine::Product, Float::F64, &[12; 3]),
+        kernel(KernelRoutine::TrProduct, Float::F64, &[9; 3]),
+    ];
+    for kernel in kernels {
+        let bytes = |code_bytes| object_bytes(&kernel, Tuning { code_bytes, ..Tuning::default() });
+        let (Some(roomy), Some(tight)) = (bytes(8192), bytes(1024)) else {
+            println!("left out: there is no gcc");
+            return;
+        };
+        assert!(tight < roomy, "{}: {tight} of {roomy} bytes", kernel.name());
+        // The estimate is one for ARM; instructions of x86-64 are longer.
+        assert!(tight <= 1536 && roomy <= 10 * 1024, "{}: {tight}, {roomy} bytes", kernel.name());
+    }
+}
+
+/// Bytes of machine code of a kernel in plain C.
+fn object_bytes(kernel: &Kernel, tuning: Tuning) -> Option<u64> {
+    let folder = tempfile::tempdir().expect("a folder");
+    let functions = vec![kernel.function()];
+    let module = Module { name: "options".into(), functions, ..Module::default() };
+    let options = Options { kernels: tuning, ..Options::default() };
+    for file in c::emit(&passes::lend(module, &options.kernels), &options) {
+        std::fs::write(folder.path().join(&file.name), &file.text).expect("a folder of ours");
+    }
+    let mut command = Command::new("gcc");
+    command.args(["-std=c99", "-O2", "-ffp-contract=off", "-DBESSEMER_PLAIN", "-c"]);
+    command.arg(format!("{}.c", kernel.name())).current_dir(&folder);
+    command.status().ok().filter(|status| status.success())?;
+    let object = folder.path().join(format!("{}.o", kernel.name()));
+    let output = Command::new("size").arg(object).output().ok()?;
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    text.lines().nth(1)?.split_whitespace().next()?.parse().ok()
+}
+
+#[test]
+fn the_fast_mode_stays_within_its_bound() {
+    let Some(exact) = solves(Tuning::default(), &["-march=native"]) else {
+        println!("left out: there is no gcc");
+        return;
+    };
+    let fast = Tuning { mode: Mode::Fast, ..Tuning::default() };
+    let plain = solves(fast, &["-DBESSEMER_PLAIN"]);
+    assert_eq!(plain.as_ref(), Some(&exact), "without vectors nothing is faster, nor different");
+    let number = |words: &[u64]| words.iter().map(|word| f64::from_bits(*word)).collect::<Vec<_>>();
+    let fast = solves(fast, &["-march=native"]).expect("gcc is there");
+    let [a, b, x] = [&fast[..PARTS[0]], &fast[PARTS[0]..PARTS[1]], &fast[PARTS[1]..PARTS[2]]];
+    let (a, b, x) = (number(a), number(b), number(x));
+    let exact = number(&exact[PARTS[1]..PARTS[2]]);
+    // (A + E) x = b with |E| <= 3 n u |L| |U|, in whatever order the sums go and fused or not (Higham, Accuracy and
+    // Stability of Numerical Algorithms, theorem 9.4). With row pivots |L| <= 1, and |U| is at most the growth
+    // (below 8 n^(2/3) on random matrices) times the largest element.
+    let n = b.len() as f64;
+    let growth = 8.0 * n.powf(2.0 / 3.0);
+    let norm: f64 = x.iter().map(|x| x.abs()).sum();
+    let bound = 3.0 * n * f64::EPSILON / 2.0 * n * growth * 0.5 * norm;
+    let (fast, exact) = (residual(&a, &b, &x), residual(&a, &b, &exact));
+    assert!(fast <= bound, "{fast} of {bound}");
+    // What is to be expected is far below: no worse than a few times the exact mode's.
+    assert!(fast <= 4.0 * exact, "{fast}, in the exact mode {exact}");
+}
+
+/// The largest element of A x − b, computed in twice the precision.
+fn residual(a: &[f64], b: &[f64], x: &[f64]) -> f64 {
+    let n = b.len();
+    let element = |row: usize| {
+        let (mut high, mut low) = (-b[row], 0.0);
+        for (column, x) in x.iter().enumerate() {
+            let product = a[row + n * column] * x;
+            low += a[row + n * column].mul_add(*x, -product);
+            let sum = high + product;
+            let part = sum - high;
+            low += (high - (sum - part)) + (product - part);
+            high = sum;
+        }
+        (high + low).abs()
+    };
+    (0..n).map(element).fold(0.0, f64::max)
 }

@@ -9,6 +9,8 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use bessemer_codegen::kernels::{Mode, Tuning};
+
 use super::case::{Case, Routine};
 use super::generated;
 use super::machine::{Machine, RUST_TARGET};
@@ -18,6 +20,8 @@ use super::machine::{Machine, RUST_TARGET};
 pub enum Contender {
     /// Our C.
     Generated,
+    /// Our C in the fast mode.
+    Fast,
     /// The handwritten C of the thesis.
     Thesis,
     /// Careful handwritten C.
@@ -41,6 +45,7 @@ impl Contender {
     pub fn name(self) -> &'static str {
         match self {
             Contender::Generated => "generated",
+            Contender::Fast => "fast",
             Contender::Thesis => "thesis",
             Contender::Careful => "careful",
             Contender::Naive => "naive",
@@ -55,6 +60,7 @@ impl Contender {
     pub fn title(self) -> &'static str {
         match self {
             Contender::Generated => "generated C",
+            Contender::Fast => "generated C, fast mode",
             Contender::Thesis => "handwritten, as in the thesis",
             Contender::Careful => "handwritten, careful",
             Contender::Naive => "naive C",
@@ -67,10 +73,10 @@ impl Contender {
 
     /// Those of the Chapter 6 job.
     pub fn of_chapter_6(machine: &Machine) -> Vec<Contender> {
-        use Contender::{Careful, Eigen, Generated, Lapack, Native, OpenBlas, Thesis};
+        use Contender::{Careful, Eigen, Fast, Generated, Lapack, Native, OpenBlas, Thesis};
         match machine.target {
             true => vec![Generated, Thesis, Careful, Eigen, Native],
-            false => vec![Generated, Thesis, Careful, Eigen, OpenBlas, Lapack, Native],
+            false => vec![Generated, Fast, Thesis, Careful, Eigen, OpenBlas, Lapack, Native],
         }
     }
 
@@ -106,7 +112,13 @@ impl Contender {
         let c = bessemer_tests::root().join("bench/c");
         let mut sources: Vec<PathBuf> = Vec::new();
         match (self, kind) {
-            (Contender::Generated, _) => sources.extend(generated::write(cases, &folder)?),
+            (Contender::Generated, _) => {
+                sources.extend(generated::write(cases, &folder, Tuning::default())?);
+            }
+            (Contender::Fast, _) => {
+                let tuning = Tuning { mode: Mode::Fast, ..Tuning::default() };
+                sources.extend(generated::write(cases, &folder, tuning)?);
+            }
             (Contender::Thesis, _) => sources.push(c.join("thesis.c")),
             (Contender::Careful, _) => sources.push(c.join("careful.c")),
             (Contender::OpenBlas | Contender::Lapack, _) => sources.push(c.join("lapack.c")),

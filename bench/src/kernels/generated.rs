@@ -4,7 +4,8 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use bessemer_codegen::{c, kernels, passes};
+use bessemer_codegen::kernels::{self, Tuning};
+use bessemer_codegen::{c, passes};
 use bessemer_ir::{
     Block, Expr, ExprKind, Float, Function, Kernel, KernelRoutine, LocalId, Module, Place,
     Routine as Node, Stmt, StmtKind,
@@ -33,7 +34,7 @@ pub fn kernels_of(case: &Case) -> Vec<Kernel> {
 }
 
 /// Writes the kernels and the list of the cases; gives the sources.
-pub fn write(cases: &[Case], folder: &Path) -> Result<Vec<PathBuf>, String> {
+pub fn write(cases: &[Case], folder: &Path, tuning: Tuning) -> Result<Vec<PathBuf>, String> {
     let known: Vec<(Case, Vec<Kernel>)> =
         cases.iter().map(|case| (*case, kernels_of(case))).collect();
     let module = Module {
@@ -41,7 +42,8 @@ pub fn write(cases: &[Case], folder: &Path) -> Result<Vec<PathBuf>, String> {
         functions: known.iter().flat_map(|(_, kernels)| kernels).map(function).collect(),
         ..Module::default()
     };
-    let files = c::emit(&passes::lend(module), &c::Options::default());
+    let options = c::Options { kernels: tuning, ..c::Options::default() };
+    let files = c::emit(&passes::lend(module, &options.kernels), &options);
     let mut sources = Vec::new();
     for file in files {
         // The object is named by the case, whatever the kernel's file is called.
@@ -139,7 +141,7 @@ struct Call {
 impl Call {
     fn new(kernel: &Kernel) -> Call {
         let name = kernel.name();
-        match kernels::lent(kernel).is_empty() {
+        match kernels::lent(kernel, &Tuning::default()).is_empty() {
             true => Call { work: String::new(), lent: String::new() },
             false => Call {
                 work: format!("static {name}_work_t {name}_memory;\n"),

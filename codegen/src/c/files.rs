@@ -277,9 +277,11 @@ impl Writer<'_> {
 
     /// A kernel, and what stands before it.
     fn kernel(&self, kernel: &Kernel, id: FunctionId, uses: &mut Uses) -> Vec<Item> {
-        let own = kernels::source(kernel);
+        let tuning = &self.options.kernels;
+        let own = kernels::source(kernel, tuning);
+        let lends = !kernels::lent(kernel, tuning).is_empty();
         let source = match Replacement::of(&self.options.replacements, kernel) {
-            Some(replacement) => replacement.replace(kernel, own),
+            Some(replacement) => replacement.replace(kernel, own, lends),
             None => own,
         };
         uses.math |= source.math;

@@ -37,6 +37,7 @@ pub use report::{EntryReport, report};
 use analysis::Faults;
 use names::Names;
 
+use crate::kernels::Tuning;
 use crate::kernels::replace::Replacement;
 
 /// The flags under which emitted C raises no warning, with gcc and clang; the last of them it needs.
@@ -68,6 +69,8 @@ pub struct Options {
     pub license: String,
     /// The user's own functions in place of kernels.
     pub replacements: Vec<Replacement>,
+    /// How kernels are made.
+    pub kernels: Tuning,
     /// Whose elementary functions are called.
     pub math: Math,
 }
@@ -80,6 +83,7 @@ impl Default for Options {
             hook: None,
             license: "MIT OR Apache-2.0".to_owned(),
             replacements: Vec::new(),
+            kernels: Tuning::default(),
             math: Math::Portable,
         }
     }

@@ -43,7 +43,7 @@ pub fn report(module: &Module, options: &Options, files: &[CFile]) -> Vec<EntryR
     for (index, function) in module.functions.iter().enumerate() {
         let id = FunctionId(index as u32);
         let own = match &function.kernel {
-            Some(kernel) => kernels::stack_bytes(kernel),
+            Some(kernel) => kernels::stack_bytes(kernel, &options.kernels),
             None => lower::function(context, id, &mut Uses::default()).locals,
         };
         let (mut below, mut largest) = (0, own);

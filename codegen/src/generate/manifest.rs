@@ -48,6 +48,9 @@ impl Manifest {
             let replaced = replaced.map(|(name, library)| (name.clone(), json!(library)));
             content["replaced"] = Value::Object(replaced.collect());
         }
+        if !compiled.fast.is_empty() {
+            content["fast"] = json!(compiled.fast);
+        }
         if !compiled.library.is_empty() {
             content["target_math"] = json!(compiled.library);
         }

@@ -45,6 +45,13 @@ pub fn table(compiled: &Compiled) -> String {
             "{kernel}: {library}'s function; whether its bits are the Rust's rests on that"
         );
     }
+    if !compiled.fast.is_empty() {
+        let _ = writeln!(
+            text,
+            "\nIn the fast mode, so that their last bits need not be the Rust's: {}.",
+            compiled.fast.join(", ")
+        );
+    }
     text.push_str(&externals(compiled));
     if !compiled.library.is_empty() {
         let _ = writeln!(

@@ -11,7 +11,7 @@
 //! tiles prints lines.
 //!
 //! Invariants:
-//! * **Order.** Each element sees the operations that `bessemer_ir::KernelRoutine` and nalgebra give it, in
+//! * **Order.** In the exact mode each element sees the operations that `bessemer_ir::KernelRoutine` and nalgebra give it, in
 //!   that order, each rounded by itself; how elements are interleaved is free. Any NaN is as good as
 //!   another; everything else, ±0 and subnormals included, is the same bits.
 //! * **No fault.** For any input, singular, infinite or NaN, no index leaves its array and every loop ends.
@@ -63,52 +63,103 @@ pub struct Buffer {
     pub holds: &'static str,
 }
 
-/// What there is to say about a kernel.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Report {
-    /// Its function.
-    pub name: String,
-    /// Bytes of memory that its caller lends it.
-    pub lent_bytes: u64,
-    /// Lines of C.
-    pub lines: usize,
+/// How kernels round.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Mode {
+    /// As the Rust does, bit for bit.
+    #[default]
+    Exact,
+    /// Multiplications fuse with additions, and sums go in any order, where that is faster.
+    Fast,
+}
+
+/// What stands in a kernel of the fast mode.
+const NOTE: &str = "\
+/* The fast mode: steps are fused and sums are split, where the target gains by it. The last bits may
+   differ from the Rust's. */
+";
+
+/// What a project can choose about all of its kernels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tuning {
+    /// Bytes of code that a kernel may take, by an estimate of four bytes an instruction without vectors.
+    pub code_bytes: u32,
+    /// How they round.
+    pub mode: Mode,
+}
+
+impl Default for Tuning {
+    fn default() -> Tuning {
+        Tuning { code_bytes: 8 * 1024, mode: Mode::Exact }
+    }
+}
+
+/// How a kernel is made; the fastest first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Way {
+    /// Every operation by itself.
+    WrittenOut,
+    /// Loops over tiles.
+    Tiles,
+    /// Loops over elements.
+    Loops,
+}
+
+/// The fastest way that has room.
+fn way(kernel: &Kernel, tuning: &Tuning) -> Way {
+    if written_out::fits(kernel) && written_out::has_room(kernel, tuning.code_bytes) {
+        Way::WrittenOut
+    } else if tiled::fits(kernel) && tiled::BYTES <= tuning.code_bytes {
+        Way::Tiles
+    } else {
+        Way::Loops
+    }
 }
 
 /// The C of a kernel.
-pub fn source(kernel: &Kernel) -> Source {
-    if written_out::fits(kernel) {
-        return written_out::source(kernel);
-    }
+pub fn source(kernel: &Kernel, tuning: &Tuning) -> Source {
     match (kernel.routine, kernel.dims.as_slice()) {
         (
             KernelRoutine::Product | KernelRoutine::ProductTr | KernelRoutine::TrProduct,
             &[rows, inner, columns],
-        ) => product::source(kernel, rows, inner, columns),
-        (KernelRoutine::Cholesky, &[size]) => cholesky::factor(kernel, size),
-        (KernelRoutine::CholeskySolve, &[size @ ..=cholesky::SUBSTITUTIONS, columns]) => {
+        ) => product::source(kernel, (rows, inner, columns), tuning)
+            .unwrap_or_else(|| plain::source(kernel)),
+        (KernelRoutine::Cholesky, &[size]) => cholesky::factor(kernel, size, tuning.code_bytes),
+        (KernelRoutine::CholeskySolve, &[size @ ..=cholesky::SUBSTITUTIONS, columns])
+            if cholesky::solve_bytes(size) <= tuning.code_bytes =>
+        {
             cholesky::solve(kernel, size, columns)
         }
-        _ => tiled::source(kernel).unwrap_or_else(|| plain::source(kernel)),
+        _ => match way(kernel, tuning) {
+            Way::WrittenOut => written_out::source(kernel, tuning.code_bytes),
+            Way::Tiles => tiled::source(kernel, tuning.mode),
+            Way::Loops => plain::source(kernel),
+        },
     }
 }
 
 /// The memory that a kernel works with.
-pub fn buffers(kernel: &Kernel) -> Vec<Buffer> {
-    if written_out::fits(kernel) {
-        return written_out::buffers(kernel);
+pub fn buffers(kernel: &Kernel, tuning: &Tuning) -> Vec<Buffer> {
+    match way(kernel, tuning) {
+        Way::WrittenOut => written_out::buffers(kernel),
+        Way::Tiles => tiled::buffers(kernel),
+        Way::Loops => plain::buffers(kernel),
     }
-    tiled::buffers(kernel).unwrap_or_else(|| plain::buffers(kernel))
 }
 
 /// The memory that a kernel's caller lends it: all its buffers, or none if they are small.
-pub fn lent(kernel: &Kernel) -> Vec<Buffer> {
-    let buffers = buffers(kernel);
-    if buffers.iter().map(Buffer::bytes).sum::<u64>() > LARGEST { buffers } else { Vec::new() }
+pub fn lent(kernel: &Kernel, tuning: &Tuning) -> Vec<Buffer> {
+    let buffers = buffers(kernel, tuning);
+    if are_lent(&buffers) { buffers } else { Vec::new() }
 }
 
-/// The declarations of a kernel's buffers: locals, or names for what its caller lends.
-pub fn declarations(kernel: &Kernel) -> String {
-    let lent = !lent(kernel).is_empty();
+fn are_lent(buffers: &[Buffer]) -> bool {
+    buffers.iter().map(Buffer::bytes).sum::<u64>() > LARGEST
+}
+
+/// The declarations of buffers: locals, or names for what the caller lends.
+fn declarations(buffers: &[Buffer]) -> String {
+    let lent = are_lent(buffers);
     let declare = |buffer: &Buffer| {
         let (ty, name, len) = (scalar(buffer.element), buffer.name, buffer.len);
         match lent {
@@ -116,22 +167,17 @@ pub fn declarations(kernel: &Kernel) -> String {
             false => format!("{ty} {name}[{len}];\n"),
         }
     };
-    buffers(kernel).iter().map(declare).collect()
+    buffers.iter().map(declare).collect()
 }
 
-/// What there is to say about a kernel.
-pub fn report(kernel: &Kernel) -> Report {
-    let source = source(kernel);
-    Report {
-        name: kernel.name(),
-        lent_bytes: lent(kernel).iter().map(Buffer::bytes).sum(),
-        lines: source.before.lines().count() + source.body.lines().count(),
-    }
+/// Whether the bits of a kernel may differ from the Rust's, as it is made.
+pub fn is_fast(kernel: &Kernel, tuning: &Tuning) -> bool {
+    source(kernel, tuning) != source(kernel, &Tuning { mode: Mode::Exact, ..*tuning })
 }
 
 /// Bytes of the buffers that are locals of the kernel.
-pub fn stack_bytes(kernel: &Kernel) -> u64 {
-    let all: u64 = buffers(kernel).iter().map(Buffer::bytes).sum();
+pub fn stack_bytes(kernel: &Kernel, tuning: &Tuning) -> u64 {
+    let all: u64 = buffers(kernel, tuning).iter().map(Buffer::bytes).sum();
     if all > LARGEST { 0 } else { all }
 }
 

@@ -10,7 +10,7 @@
 use bessemer_ir::{Float, Kernel, KernelRoutine};
 use serde_json::Value;
 
-use super::{Source, lent};
+use super::Source;
 
 /// What stands in place of some kernels.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -142,13 +142,13 @@ impl Replacement {
         })
     }
 
-    /// The kernel's C with this before it.
-    pub fn replace(&self, kernel: &Kernel, own: Source) -> Source {
+    /// The kernel's C with this before it; `lends` if a caller lends it memory.
+    pub fn replace(&self, kernel: &Kernel, own: Source, lends: bool) -> Source {
         let mut lines = self.body.join("\n");
         for (index, dim) in kernel.dims.iter().enumerate() {
             lines = lines.replace(&format!("{{{index}}}"), &dim.to_string());
         }
-        if !lent(kernel).is_empty() {
+        if lends {
             lines = format!("(void)work;\n{lines}");
         }
         let switch = "#if !defined(BESSEMER_OWN_KERNELS)\n";

@@ -61,6 +61,31 @@ pub fn values(float: Float, sizes: &[(&'static str, u32)]) -> Vec<(&'static str,
     values
 }
 
+/// What stands before what [`fused`] gives, up to an `#endif`.
+pub const FUSED: &str = "#if defined(__FMA__)\n#include <immintrin.h>\n";
+
+/// The fused operation of x86-64 on vectors of so many bytes: a number in each lane, and two vectors.
+pub fn fused(
+    element: Float,
+    vector: u32,
+    operation: &str,
+    [number, left, right]: [&str; 3],
+) -> String {
+    let (suffix, letter) = match element {
+        Float::F64 => ("pd", "d"),
+        Float::F32 => ("ps", ""),
+    };
+    let (prefix, bits) = match vector {
+        64 => ("_mm512", "512"),
+        32 => ("_mm256", "256"),
+        _ => ("_mm", "128"),
+    };
+    format!(
+        "{prefix}_{operation}_{suffix}({prefix}_set1_{suffix}({number}), (__m{bits}{letter})({left}), \
+         (__m{bits}{letter})({right}))"
+    )
+}
+
 /// Every line one level further in.
 pub fn indented(text: &str) -> String {
     text.lines()

@@ -13,31 +13,42 @@ use bessemer_ir::{Int, Kernel, KernelRoutine, Scalar};
 use super::text::{fill, values};
 use super::{Buffer, Source, declarations};
 
-/// Bytes of code that a kernel may take, by the estimate of [`bytes`].
-const BUDGET: u32 = 8 * 1024;
-
 /// Up to this size the search of a pivot and the exchange of rows are written out too.
 const PIVOTS_WRITTEN_OUT: u32 = 9;
 
-/// Whether a kernel is written out.
+/// Whether a kernel gains by being written out.
 pub(super) fn fits(kernel: &Kernel) -> bool {
     match (kernel.routine, kernel.dims.as_slice()) {
-        (KernelRoutine::LuSolve | KernelRoutine::Solve, &[size, _]) => {
-            size > 1 && bytes(size) <= BUDGET
-        }
+        (KernelRoutine::LuSolve | KernelRoutine::Solve, &[size, _]) => size > 1,
         // From here on tiles of the right-hand sides take fewer instructions.
         (KernelRoutine::Inverse, &[size]) => size > 4 && (size < 12 || (13..16).contains(&size)),
         _ => false,
     }
 }
 
-/// The code of elimination and of one right-hand side, four bytes an instruction.
+/// Whether a kernel has room: with its substitutions written out, or one right-hand side with loops for them.
+pub(super) fn has_room(kernel: &Kernel, code_bytes: u32) -> bool {
+    let size = kernel.dims[0];
+    let loops = kernel.routine != KernelRoutine::Inverse && !size.is_multiple_of(4);
+    bytes(size) <= code_bytes || loops && bytes(size) - substitution_bytes(size) <= code_bytes
+}
+
+/// The code of elimination and of one right-hand side, four bytes an instruction; the estimate is high by a
+/// few parts in a hundred.
 fn bytes(size: u32) -> u32 {
-    /// For a multiplier: three to make it, three to use it, two each way of the substitution; and
-    /// thirteen to find the pivot and to exchange rows, where these are written out.
-    const INSTRUCTIONS: [u32; 2] = [10, 23];
+    /// For a multiplier and its step, both substitutions among it; and to find the pivot and to exchange rows,
+    /// where these are written out.
+    const INSTRUCTIONS: [u32; 2] = [16, 28];
     let written_out = usize::from(size <= PIVOTS_WRITTEN_OUT);
-    4 * INSTRUCTIONS[written_out] * size * (size - 1) / 2 + 400
+    // More than any budget: nothing of that size is written out.
+    let size = size.min(1000);
+    2 * INSTRUCTIONS[written_out] * size * (size - 1) + 400
+}
+
+/// The part of the substitutions, less what loops take.
+fn substitution_bytes(size: u32) -> u32 {
+    let size = size.min(1000);
+    (8 * size * (size - 1)).saturating_sub(200)
 }
 
 const FIND_PIVOT: &str = "\
@@ -64,6 +75,26 @@ static void exchange_rows($real *a, uint32_t columns, uint32_t row, uint32_t oth
         a[row] = a[other];
         a[other] = number;
         a += $n;
+    }
+}
+";
+
+const LOOPS: &str = "\
+/* Solves for one right-hand side: down by L, then up by U. */
+static void substitute(const $real *a, $real *x)
+{
+    for (uint32_t k = 0U; k < $n; k++) {
+        const $real value = x[k];
+        for (uint32_t row = k + 1U; row < $n; row++) {
+            x[row] -= a[row + $n * k] * value;
+        }
+    }
+    for (uint32_t k = $n; k-- > 0U;) {
+        const $real value = x[k] / a[k + $n * k];
+        x[k] = value;
+        for (uint32_t row = 0U; row < k; row++) {
+            x[row] -= a[row + $n * k] * value;
+        }
     }
 }
 ";
@@ -152,8 +183,9 @@ pub(super) fn buffers(kernel: &Kernel) -> Vec<Buffer> {
 }
 
 /// The C of a kernel.
-pub(super) fn source(kernel: &Kernel) -> Source {
+pub(super) fn source(kernel: &Kernel, code_bytes: u32) -> Source {
     let size = kernel.dims[0];
+    let substitute = if bytes(size) <= code_bytes { substitute(size) } else { LOOPS.to_owned() };
     let solve =
         |factors: &str, spoil: &str| SOLVE.replace("$factors", factors).replace("$spoil", spoil);
     let body = match kernel.routine {
@@ -166,10 +198,10 @@ pub(super) fn source(kernel: &Kernel) -> Source {
         [("n", size), ("columns", columns), ("all", size * size), ("known", size * columns)];
     let values = values(kernel.element, &sizes);
     let shared = if size > PIVOTS_WRITTEN_OUT { FIND_PIVOT } else { "" };
-    let before = [shared, &factor(size), &substitute(size)].join("\n");
+    let before = [shared, &factor(size), &substitute].join("\n");
     Source {
         before: fill(&before, &values).trim().to_owned(),
-        body: fill(&(declarations(kernel) + &body), &values),
+        body: fill(&(declarations(&buffers(kernel)) + &body), &values),
         math: true,
         ..Source::default()
     }

@@ -14,18 +14,18 @@ use bessemer_ir::{
     Module, Owner, Place, Scalar, Step, Stmt, StmtKind, Struct, StructId, Type,
 };
 
-use crate::kernels::{self, Buffer};
+use crate::kernels::{self, Buffer, Tuning};
 
 /// Bytes that a local may take on the stack.
 pub const LARGEST: u64 = 256;
 
-/// Lends large temporaries from the caller.
-pub fn lend(mut module: Module) -> Module {
+/// Lends large temporaries from the caller; what kernels need follows from how they are made.
+pub fn lend(mut module: Module, tuning: &Tuning) -> Module {
     let mut works: BTreeMap<FunctionId, StructId> = BTreeMap::new();
     for (index, fallible) in super::fallible(&module).into_iter().enumerate() {
         let id = FunctionId(index as u32);
         if let Some(kernel) = &module.functions[index].kernel {
-            if let Some(definition) = scratch(kernel) {
+            if let Some(definition) = scratch(kernel, tuning) {
                 let work = StructId(module.structs.len() as u32);
                 module.structs.push(definition);
                 works.insert(id, work);
@@ -240,9 +240,9 @@ fn take_work(function: &mut Function, work: StructId) -> LocalId {
 }
 
 /// The work of a kernel that needs more memory than a function may take for itself.
-fn scratch(kernel: &Kernel) -> Option<Struct> {
+fn scratch(kernel: &Kernel, tuning: &Tuning) -> Option<Struct> {
     let name = kernel.name();
-    let lent = kernels::lent(kernel);
+    let lent = kernels::lent(kernel, tuning);
     let field = |buffer: &Buffer| Field {
         name: buffer.name.into(),
         docs: vec![buffer.holds.to_owned()],

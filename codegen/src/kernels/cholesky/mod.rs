@@ -3,7 +3,8 @@
 //! Each element sees nalgebra's operations in nalgebra's order: the columns on its left ascending, each as
 //! `a_ij - l_jk * l_ik`, then the division by the root of its column's diagonal.
 //!
-//! Small matrices are written out ([`written_out`]), larger ones go in tiles of four by four ([`tiles`]).
+//! Small matrices are written out ([`written_out`]), larger ones go in tiles of four by four ([`tiles`]), in loops
+//! where there is no room for either.
 
 mod tiles;
 mod written_out;
@@ -15,18 +16,33 @@ use super::Source;
 /// From this size on, a factorisation goes in tiles.
 const TILES: u32 = 10;
 
-/// Up to this size, the substitutions are written out: two kilobytes and a half of code.
+/// Bytes of code of a factorisation in tiles.
+const TILED_BYTES: u32 = 1536;
+
+/// Up to this size, the substitutions gain by being written out.
 pub(super) const SUBSTITUTIONS: u32 = 20;
 
-/// The C of a factorisation.
-pub(super) fn factor(kernel: &Kernel, size: u32) -> Source {
+/// The C of a factorisation in so many bytes of code.
+pub(super) fn factor(kernel: &Kernel, size: u32, code_bytes: u32) -> Source {
     match size {
-        TILES.. => tiles::factor(kernel, size),
-        _ => written_out::factor(kernel, size),
+        ..TILES if factor_bytes(size) <= code_bytes => written_out::factor(kernel, size),
+        4.. if TILED_BYTES <= code_bytes => tiles::factor(kernel, size),
+        _ => tiles::loops(kernel, size),
     }
 }
 
-/// The C of the solves with its factor, where they are written out.
+/// The C of the solves with its factor, written out.
 pub(super) fn solve(kernel: &Kernel, size: u32, columns: u32) -> Source {
     written_out::solve(kernel, size, columns)
+}
+
+/// The code of a factorisation that is written out, four bytes an instruction: a multiplication takes three,
+/// an element its load, its store and a share of its division.
+fn factor_bytes(size: u32) -> u32 {
+    2 * size * size * size + 22 * size * size
+}
+
+/// The code of the substitutions: a load and a multiplication each way for an element.
+pub(super) fn solve_bytes(size: u32) -> u32 {
+    12 * size * size + 80
 }

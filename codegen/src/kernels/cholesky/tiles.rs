@@ -63,6 +63,17 @@ pub(super) fn factor(kernel: &Kernel, n: u32) -> Source {
     }
 }
 
+/// Every column as the first ones are.
+pub(super) fn loops(kernel: &Kernel, n: u32) -> Source {
+    let values = values(kernel.element, &[("n", n), ("first", n)]);
+    Source {
+        before: fill(SPOIL, &values).trim_end().to_owned(),
+        body: fill(&[FIRST, "return true;\n"].concat(), &values),
+        math: true,
+        ..Source::default()
+    }
+}
+
 /// The tile below the diagonal, number by number.
 fn numbers(n: u32) -> String {
     let mut text = String::from(HEAD);

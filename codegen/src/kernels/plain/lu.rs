@@ -5,6 +5,8 @@ use bessemer_ir::Kernel;
 use crate::kernels::text::{fill, indented, values};
 use crate::kernels::{Source, declarations};
 
+use super::buffers;
+
 /// Finds the pivot of step `k` in `$a`.
 const PIVOT: &str = "\
 uint32_t pivot = k;
@@ -100,7 +102,7 @@ fn block(head: &str, inner: &[&str]) -> String {
 /// In place, or in a copy of `a` that stays as it is.
 pub(super) fn solve(kernel: &Kernel, size: u32, columns: u32, keeps: bool) -> Source {
     let (factors, before, fail) = match keeps {
-        true => ("factors", declarations(kernel) + COPY, SPOIL_B.to_owned()),
+        true => ("factors", declarations(&buffers(kernel)) + COPY, SPOIL_B.to_owned()),
         false => ("a", String::new(), SPOIL_A.to_owned() + SPOIL_B),
     };
     let singular = block("if (diagonal == $zero)", &[&fail, "return false;\n"]);
@@ -123,7 +125,7 @@ pub(super) fn inverse(kernel: &Kernel, size: u32) -> Source {
     let step = [PIVOT, &singular, "pivots[k] = pivot;\n", &exchange, ELIMINATE];
     let again = block("if (pivot != k)", &[&of("a")]);
     let body = [
-        declarations(kernel),
+        declarations(&buffers(kernel)),
         COPY.to_owned(),
         block("for (uint32_t k = 0U; k < $n; k++)", &step),
         IDENTITY.to_owned(),
@@ -145,7 +147,7 @@ pub(super) fn determinant(kernel: &Kernel, size: u32) -> Source {
     let exchange = block("if (pivot != k)", &["sign = -sign;\n", &of]);
     let step = [PIVOT, &block("if (diagonal != $zero)", &[&exchange, ELIMINATE])];
     let body = [
-        declarations(kernel),
+        declarations(&buffers(kernel)),
         COPY.to_owned(),
         "$real sign = $one;\n".to_owned(),
         block("for (uint32_t k = 0U; k < $n; k++)", &step),

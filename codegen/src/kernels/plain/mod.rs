@@ -2,6 +2,7 @@
 
 mod inverse;
 mod lu;
+mod product;
 mod tr_mul;
 mod triangular;
 
@@ -12,6 +13,10 @@ use super::{Buffer, Source};
 /// The C of a kernel.
 pub(super) fn source(kernel: &Kernel) -> Source {
     match (kernel.routine, kernel.dims.as_slice()) {
+        (
+            KernelRoutine::Product | KernelRoutine::ProductTr | KernelRoutine::TrProduct,
+            &[rows, inner, columns],
+        ) => product::product(kernel, rows, inner, columns),
         (KernelRoutine::TrMul, &[rows, left, right]) => tr_mul::tr_mul(kernel, rows, left, right),
         (KernelRoutine::LuSolve, &[size, cols]) => lu::solve(kernel, size, cols, false),
         (KernelRoutine::Solve, &[size, cols]) => lu::solve(kernel, size, cols, true),
@@ -24,7 +29,7 @@ pub(super) fn source(kernel: &Kernel) -> Source {
         (KernelRoutine::SolveUpper, &[size, cols]) => triangular::upper(kernel, size, cols),
         (KernelRoutine::TrSolveLower, &[size, cols]) => triangular::tr_lower(kernel, size, cols),
         (KernelRoutine::TrSolveUpper, &[size, cols]) => triangular::tr_upper(kernel, size, cols),
-        _ => unreachable!("the others are done elsewhere; the validator counts dimensions"),
+        _ => unreachable!("Cholesky's factor is in `cholesky`; the validator counts dimensions"),
     }
 }
 

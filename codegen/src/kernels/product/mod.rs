@@ -10,7 +10,7 @@ mod vectors;
 
 use bessemer_ir::{Float, Kernel, KernelRoutine};
 
-use super::Source;
+use super::{Mode, NOTE, Source, Tuning};
 
 /// Rows of the result, terms of an element, columns of the result; and how far apart what follows lies.
 #[derive(Clone, Copy)]
@@ -47,18 +47,23 @@ fn times(stride: u32, counter: &str) -> String {
     }
 }
 
-/// The C of a product.
-pub(super) fn source(kernel: &Kernel, rows: u32, inner: u32, columns: u32) -> Source {
+/// The C of a product in so many bytes of code, if they are enough for blocks.
+pub(super) fn source(
+    kernel: &Kernel,
+    (rows, inner, columns): (u32, u32, u32),
+    tuning: &Tuning,
+) -> Option<Source> {
     let sizes = Sizes::new(kernel.routine, rows, inner, columns);
     let real = match kernel.element {
         Float::F64 => "double",
         Float::F32 => "float",
     };
-    let plain = numbers::source(real, sizes);
-    let Some((targets, block, loops)) = vectors::source(kernel.element, sizes) else {
-        return Source { before: plain.0, body: plain.1, ..Source::default() };
+    let plain = numbers::source(real, sizes, tuning.code_bytes)?;
+    let Some((targets, block, loops)) = vectors::source(kernel.element, sizes, tuning.mode) else {
+        return Some(Source { before: plain.0, body: plain.1, ..Source::default() });
     };
-    let before = format!("{targets}\n#if defined(LANES)\n{block}#else\n{}\n#endif", plain.0);
+    let note = if tuning.mode == Mode::Fast { NOTE } else { "" };
+    let before = format!("{note}{targets}\n#if defined(LANES)\n{block}#else\n{}\n#endif", plain.0);
     let body = format!("#if defined(LANES)\n{loops}#else\n{}#endif\n", plain.1);
-    Source { before, body, ..Source::default() }
+    Some(Source { before, body, ..Source::default() })
 }

@@ -11,8 +11,8 @@ const SHAPES: [(u32, u32); 5] = [(4, 4), (3, 6), (6, 3), (4, 5), (5, 4)];
 const BUDGET: u32 = 2048;
 
 /// The functions of the tiles, and the calls of them.
-pub(super) fn source(real: &str, sizes: Sizes) -> (String, String) {
-    let plan = plan(sizes);
+pub(super) fn source(real: &str, sizes: Sizes, code_bytes: u32) -> Option<(String, String)> {
+    let plan = plan(sizes, code_bytes)?;
     let mut body = String::new();
     // Whole tiles in loops, then what is left below and on the right.
     for (column, width, columns_many) in parts(sizes.columns, plan.shape.1) {
@@ -44,7 +44,7 @@ pub(super) fn source(real: &str, sizes: Sizes) -> (String, String) {
     }
     let tile = |shape: &(u32, u32)| tile(real, *shape, sizes, plan.unrolled);
     let tiles: Vec<String> = shapes(sizes, plan.shape).iter().map(tile).collect();
-    (tiles.join("\n").trim_end().to_owned(), body)
+    Some((tiles.join("\n").trim_end().to_owned(), body))
 }
 
 /// How a product is cut up.
@@ -54,13 +54,17 @@ struct Plan {
     unrolled: bool,
 }
 
-/// The tile that takes the fewest instructions.
-fn plan(sizes: Sizes) -> Plan {
+/// The tile that takes the fewest instructions in so many bytes of code, if there is one.
+fn plan(sizes: Sizes, code_bytes: u32) -> Option<Plan> {
     let step = |(height, width): (u32, u32)| height * width + height + width;
+    // Four bytes an instruction; the first products and the stores, and the call, stand beside the steps.
+    let bytes = |shape, steps: u32| -> u32 {
+        let tile = |shape: (u32, u32)| 4 * (steps * step(shape) + shape.0 * shape.1 + 12);
+        shapes(sizes, shape).into_iter().map(tile).sum()
+    };
     let plan = |shape| {
-        let bytes: u32 =
-            shapes(sizes, shape).into_iter().map(|shape| 4 * sizes.inner * step(shape)).sum();
-        Plan { shape, unrolled: bytes <= BUDGET && sizes.inner > 1 }
+        let unrolled = bytes(shape, sizes.inner) <= code_bytes.min(BUDGET) && sizes.inner > 1;
+        (unrolled || bytes(shape, 2) <= code_bytes).then_some(Plan { shape, unrolled })
     };
     // A tile: its steps, their loop, its sums from and to memory, its call.
     let cost = |plan: &Plan| {
@@ -75,7 +79,7 @@ fn plan(sizes: Sizes) -> Plan {
         }
         sum
     };
-    SHAPES.into_iter().map(plan).min_by_key(cost).unwrap_or(Plan { shape: (4, 4), unrolled: false })
+    SHAPES.into_iter().filter_map(plan).min_by_key(cost)
 }
 
 /// The shapes that occur, each once.

@@ -6,7 +6,8 @@
 use bessemer_ir::Float;
 
 use super::{Sizes, times};
-use crate::kernels::text::{bytes, fill, numbers};
+use crate::kernels::Mode;
+use crate::kernels::text::{FUSED, bytes, fill, fused, numbers};
 
 /// A kind of vectors.
 struct Target {
@@ -67,6 +68,8 @@ const TARGETS: [Target; 4] = [
     },
 ];
 
+const TIMES: &str = "#define TIMES(rows, number) ((rows) * (number))\n";
+
 const NEON: &str = "\
 #include <arm_neon.h>
 #define TIMES(rows, number) vmulq_n_f32((float32x4_t)(rows), (number))
@@ -89,7 +92,7 @@ const GATHER: &str = include_str!("gather.c");
 const LOOPS: &str = include_str!("blocks.c");
 
 /// What each target has, the function of a block, and the loops over blocks; none if there are too few rows.
-pub(super) fn source(element: Float, sizes: Sizes) -> Option<(String, String, String)> {
+pub(super) fn source(element: Float, sizes: Sizes, mode: Mode) -> Option<(String, String, String)> {
     let mut branches: Vec<String> = Vec::new();
     let mut last = None;
     for target in TARGETS.iter().rev() {
@@ -103,10 +106,19 @@ pub(super) fn source(element: Float, sizes: Sizes) -> Option<(String, String, St
         }
         last = (!target.single).then_some(block);
         let Block { lanes, down, across } = block;
+        let mut condition = target.condition.to_owned();
+        let mut text = target.text.to_owned();
+        if mode == Mode::Fast && target.single {
+            condition = condition.replace(" && defined(BESSEMER_NEON_F32)", "");
+        } else if mode == Mode::Fast {
+            let plus = fused(element, lanes * bytes(element), "fmadd", ["number", "rows", "sum"]);
+            text += &format!(
+                "{FUSED}{TIMES}#define PLUS(sum, rows, number) ((lanes_t){plus})\n#endif\n"
+            );
+        }
         branches.push(format!(
-            "if defined(__GNUC__) && {} && !defined(BESSEMER_PLAIN)\n{}\
+            "if defined(__GNUC__) && {condition} && !defined(BESSEMER_PLAIN)\n{text}\
              #define LANES {lanes}U\n#define DOWN {down}U\n#define ACROSS {across}U\n",
-            target.condition, target.text
         ));
     }
     if branches.is_empty() {

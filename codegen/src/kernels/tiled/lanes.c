@@ -40,8 +40,7 @@ static inline four_t load_four(const $real *from)
 #endif
 
 #if defined(HALF)
-#define load_operand load_row
-
+$names
 typedef struct {
     half_t low;
     half_t high;
@@ -59,10 +58,10 @@ static inline void store_row($real *to, row_t row)
     *(half_t *)&to[HALF] = row.high;
 }
 
-/* row - factor * other */
+$held/* row - factor * other */
 static inline row_t minus(row_t row, $real factor, row_t other)
 {
-    const row_t rest = {row.low - factor * other.low, row.high - factor * other.high};
+    const row_t rest = {$low, $high};
     return rest;
 }
 #else

@@ -2,12 +2,21 @@
 
 use bessemer_ir::Float;
 
-use crate::kernels::text::{bytes, fill, numbers};
+use crate::kernels::Mode;
+use crate::kernels::text::{FUSED, bytes, fill, fused, numbers};
 
 /// The vectors of x86-64, the widest first: the macro that says that they are there, and their bytes.
 const VECTORS: [(&str, u32); 3] = [("__AVX512F__", 64), ("__AVX__", 32), ("__SSE2__", 16)];
 
 const LANES: &str = include_str!("lanes.c");
+const HELD: &str = include_str!("held.c");
+
+/// A fused step, where the target has one.
+const MINUS: &str = "
+#if !defined(MINUS)
+#define MINUS(row, factor, other) ((row) - (factor) * (other))
+#endif
+";
 
 /// The vectors that are worth while: a panel, of two vectors, is no wider than the matrix.
 fn vectors(element: Float, columns: u32) -> impl Iterator<Item = (&'static str, u32)> {
@@ -30,14 +39,29 @@ pub fn line(element: Float) -> u32 {
 }
 
 /// Types and operations of rows, for every target.
-pub fn text(element: Float, columns: u32) -> String {
+pub fn text(element: Float, columns: u32, mode: Mode) -> String {
     let mut values = numbers(element);
-    values.push(("targets", targets(element, columns)));
+    values.push(("targets", targets(element, columns, mode)));
+    let step = match mode {
+        Mode::Exact => [
+            ("names", "#define load_operand load_row\n"),
+            ("low", "row.low - factor * other.low"),
+            ("high", "row.high - factor * other.high"),
+            ("held", ""),
+        ],
+        Mode::Fast => [
+            ("names", MINUS),
+            ("low", "MINUS(row.low, factor, other.low)"),
+            ("high", "MINUS(row.high, factor, other.high)"),
+            ("held", &format!("{HELD}\n")),
+        ],
+    };
+    values.extend(step.map(|(name, text)| (name, text.to_owned())));
     fill(&fill(LANES, &values), &numbers(element))
 }
 
 /// `#if` for each target, and what it has.
-fn targets(element: Float, columns: u32) -> String {
+fn targets(element: Float, columns: u32, mode: Mode) -> String {
     let mut branches: Vec<(String, String)> = Vec::new();
     for (macro_name, vector) in vectors(element, columns) {
         let lanes = vector / bytes(element);
@@ -46,6 +70,13 @@ fn targets(element: Float, columns: u32) -> String {
         let four = 4 * bytes(element);
         if four <= vector {
             text += &format!("#define QUAD\n{}", vector_type("quad_t", four, bytes(element)));
+        }
+        if mode == Mode::Fast {
+            let minus = fused(element, vector, "fnmadd", ["factor", "other", "row"]);
+            text +=
+                &format!("{}#define MINUS(row, factor, other) ((half_t){minus})\n#endif\n", FUSED);
+            // As many sums again as a tile has elements, where there are registers for them.
+            text += if vector == 64 { "#define SPLIT\n" } else { "" };
         }
         branches.push((format!("defined({macro_name})"), text));
     }

@@ -4,12 +4,14 @@ use bessemer_ir::{Float, Int, Kernel, KernelRoutine, Scalar};
 
 use super::lanes;
 use crate::kernels::text::{fill, values};
-use crate::kernels::{Buffer, Source, declarations};
+use crate::kernels::{Buffer, Mode, NOTE, Source, declarations};
 
 /// The smallest matrix that gains by tiles.
 pub const SMALLEST: u32 = 5;
 
 const TILE: &str = include_str!("tile.c");
+const SUBTRACT: &str = include_str!("subtract.c");
+const SUBTRACT_FAST: &str = include_str!("subtract_fast.c");
 const ELIMINATION: &str = include_str!("elimination.c");
 const SOLVE: &str = include_str!("solve.c");
 const PANELS: &str = include_str!("panels.c");
@@ -139,7 +141,7 @@ pub(super) fn buffers(kernel: &Kernel, size: u32, sides: bool) -> Vec<Buffer> {
 }
 
 /// Solves for one right-hand side, or for panels of them; where `a` is lent for it, it becomes the factors.
-pub(super) fn solve(kernel: &Kernel, size: u32, sides: u32) -> Source {
+pub(super) fn solve(kernel: &Kernel, size: u32, sides: u32, mode: Mode) -> Source {
     let edges = usize::from(!size.is_multiple_of(4));
     let (parts, substitute) = match sides {
         1 => (SOLVE, ONE_SIDE),
@@ -154,11 +156,11 @@ pub(super) fn solve(kernel: &Kernel, size: u32, sides: u32) -> Source {
         .replace("$substitute\n", substitute)
         .replace("$spoil", spoil)
         .replace("$give_back", give_back);
-    assemble(kernel, size, sides, &parts, &body)
+    assemble(kernel, (size, sides), &parts, &body, mode)
 }
 
 /// Inverts: right-hand sides in the order of the pivots.
-pub(super) fn inverse(kernel: &Kernel, size: u32) -> Source {
+pub(super) fn inverse(kernel: &Kernel, size: u32, mode: Mode) -> Source {
     let edges = usize::from(!size.is_multiple_of(4));
     let mut parts = vec![PANELS, GIVE_COLUMNS[edges], INVERT_PANELS];
     let mut panels = ONE_THREAD;
@@ -166,23 +168,38 @@ pub(super) fn inverse(kernel: &Kernel, size: u32) -> Source {
         parts.push(THREADS);
         panels = MANY_THREADS;
     }
-    assemble(kernel, size, size, &parts, &INVERSE.replace("$panels\n", panels))
+    let body = INVERSE.replace("$panels\n", panels);
+    assemble(kernel, (size, size), &parts, &body, mode)
 }
 
 /// The head with the sizes, the rows of the targets, elimination, the rest, and the body.
-fn assemble(kernel: &Kernel, size: u32, sides: u32, rest: &[&str], body: &str) -> Source {
+fn assemble(
+    kernel: &Kernel,
+    (size, sides): (u32, u32),
+    rest: &[&str],
+    body: &str,
+    mode: Mode,
+) -> Source {
     let values = all_values(kernel.element, size, sides);
     let twice = |text: &str| fill(&fill(text, &values), &values);
     let head = format!(
         "#define SIZE {size}U\n/* Rows in whole tiles. */\n#define ROWS {}U\n\n",
         rows(size)
     );
-    let mut before = head + &lanes::text(kernel.element, rows(size));
-    for part in [TILE, ELIMINATION].iter().chain(rest) {
+    let note = if mode == Mode::Fast { NOTE } else { "" };
+    let mut before = note.to_owned() + &head + &lanes::text(kernel.element, rows(size), mode);
+    let subtract = match mode {
+        Mode::Exact => SUBTRACT.to_owned(),
+        Mode::Fast => {
+            format!("#if defined(SPLIT)\n{SUBTRACT_FAST}#else\n{SUBTRACT}#endif\n")
+        }
+    };
+    for part in [TILE, &subtract, ELIMINATION].iter().chain(rest) {
         before += "\n";
         before += &twice(part);
     }
-    let body = twice(&(declarations(kernel) + body)).replace("\n\n", "\n");
+    let buffers = buffers(kernel, size, kernel.routine == KernelRoutine::Inverse);
+    let body = twice(&(declarations(&buffers) + body)).replace("\n\n", "\n");
     let before = before.trim_end().to_owned();
     Source { before, body, math: true, string: true, ..Source::default() }
 }

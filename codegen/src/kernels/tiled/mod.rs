@@ -15,41 +15,38 @@ mod lu;
 
 use bessemer_ir::{Kernel, KernelRoutine};
 
-use super::{Buffer, Source};
+use super::{Buffer, Mode, Source};
 
-/// The C of a kernel, if it gains by tiles.
-pub(super) fn source(kernel: &Kernel) -> Option<Source> {
+/// Bytes of code that a solve or an inverse takes, on a target of four bytes an instruction.
+pub(super) const BYTES: u32 = 5 * 1024;
+
+/// Whether a kernel gains by tiles.
+pub(super) fn fits(kernel: &Kernel) -> bool {
+    let factored = matches!(
+        kernel.routine,
+        KernelRoutine::LuSolve | KernelRoutine::Solve | KernelRoutine::Inverse
+    );
+    factored && kernel.dims[0] >= lu::SMALLEST
+}
+
+/// The C of a kernel.
+pub(super) fn source(kernel: &Kernel, mode: Mode) -> Source {
     match (kernel.routine, kernel.dims.as_slice()) {
-        (KernelRoutine::LuSolve | KernelRoutine::Solve, &[size, columns])
-            if size >= lu::SMALLEST =>
-        {
-            Some(lu::solve(kernel, size, columns))
-        }
-        (KernelRoutine::Inverse, &[size]) if size >= lu::SMALLEST => {
-            Some(lu::inverse(kernel, size))
-        }
-        _ => None,
+        (KernelRoutine::Inverse, &[size]) => lu::inverse(kernel, size, mode),
+        (_, dims) => lu::solve(kernel, dims[0], dims.get(1).copied().unwrap_or(1), mode),
     }
 }
 
 /// The memory that a kernel in tiles works with.
-pub(super) fn buffers(kernel: &Kernel) -> Option<Vec<Buffer>> {
-    match (kernel.routine, kernel.dims.as_slice()) {
-        (KernelRoutine::LuSolve | KernelRoutine::Solve, &[size, _]) if size >= lu::SMALLEST => {
-            Some(lu::buffers(kernel, size, false))
-        }
-        (KernelRoutine::Inverse, &[size]) if size >= lu::SMALLEST => {
-            Some(lu::buffers(kernel, size, true))
-        }
-        _ => None,
-    }
+pub(super) fn buffers(kernel: &Kernel) -> Vec<Buffer> {
+    lu::buffers(kernel, kernel.dims[0], kernel.routine == KernelRoutine::Inverse)
 }
 
 #[cfg(test)]
 mod tests {
     use bessemer_ir::{Float, Kernel, KernelRoutine};
 
-    use crate::kernels::source;
+    use crate::kernels::{Mode, Tuning, source};
 
     #[test]
     fn nothing_of_a_template_is_left() {
@@ -65,8 +62,15 @@ mod tests {
                     (KernelRoutine::Inverse, vec![size]),
                 ] {
                     let kernel = Kernel::new(routine, element, &dims).expect("sound");
-                    let text = source(&kernel);
-                    assert!(!(text.before + &text.body).contains('$'), "{}", kernel.name());
+                    for (code_bytes, mode) in [
+                        (8192, Mode::Exact),
+                        (2048, Mode::Exact),
+                        (512, Mode::Exact),
+                        (8192, Mode::Fast),
+                    ] {
+                        let text = source(&kernel, &Tuning { code_bytes, mode });
+                        assert!(!(text.before + &text.body).contains('$'), "{}", kernel.name());
+                    }
                 }
             }
         }
