@@ -254,6 +254,15 @@ impl<'a> Printer<'a> {
                 self.block(body);
                 self.put("}");
             }
+            StmtKind::While { condition, body } => {
+                let mut pieces = Pieces::default();
+                pieces.glue("while (");
+                pieces.expr(condition, 0);
+                pieces.glue(") {");
+                self.put_filled(pieces, 2 * INDENT);
+                self.block(body);
+                self.put("}");
+            }
             StmtKind::Return(None) => self.put("return;"),
             StmtKind::Return(Some(value)) => {
                 let mut pieces = Pieces::default();

@@ -215,6 +215,13 @@ pub enum StmtKind {
         /// What is repeated.
         body: Vec<Stmt>,
     },
+    /// `while (condition)`.
+    While {
+        /// While it holds.
+        condition: Expr,
+        /// What is repeated.
+        body: Vec<Stmt>,
+    },
     /// `return`.
     Return(Option<Expr>),
     /// `break`.

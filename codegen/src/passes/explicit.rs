@@ -158,11 +158,11 @@ impl Checker<'_> {
     }
 
     fn repeat(&mut self, kind: &StmtKind, span: Span) {
-        let StmtKind::For { variable, from, to, inclusive, body, .. } = kind else { return };
+        let StmtKind::For { variable, from, to, inclusive, ended, body, .. } = kind else { return };
         self.expr(from, Position::Nested);
         self.expr(to, Position::Nested);
         let written = writes(&body.0);
-        if reads(from, &written) || reads(to, &written) {
+        if !ended && (reads(from, &written) || reads(to, &written)) {
             self.wrong(Rule::Bounds, span);
         }
         let ranges = (self.facts.range(from), self.facts.range(to));

@@ -8,7 +8,8 @@
 //!   and shared references, and cannot fault;
 //! * **F3** no operation faults by itself: a [`StmtKind::Check`](bessemer_ir::StmtKind::Check) stands
 //!   before each that could not be proved;
-//! * **F4** the bounds of a loop do not change while it runs.
+//! * **F4** the bounds of a loop do not change while it runs, unless its
+//!   body ends it.
 //!
 //! The meaning stays: the same results, and the same fault first. Absent: optimisation. No constant is
 //! folded, nothing is reordered, no local of the author's is renamed, and code that is explicit already

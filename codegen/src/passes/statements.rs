@@ -194,7 +194,8 @@ impl Lowering<'_> {
     }
 
     fn repeat(&mut self, kind: StmtKind, span: Span) {
-        let StmtKind::For { variable, from, to, inclusive, reversed, unroll, body } = kind else {
+        let StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body } = kind
+        else {
             return;
         };
         let name = self.function.local(variable).name.clone();
@@ -202,10 +203,11 @@ impl Lowering<'_> {
         let (mut from, mut to) = self.pair(from, to);
         let written = writes(&body.0);
         let changes = |bound: &Expr| reads(bound, &written) || weight(bound) >= 100;
-        if changes(&from) {
+        // Nothing counts a loop that its body ends.
+        if changes(&from) && !ended {
             from = self.keep(from, Purpose::Named(&format!("{name}_start")));
         }
-        if changes(&to) {
+        if changes(&to) && !ended {
             to = self.keep(to, Purpose::Named(&format!("{name}_end")));
         }
         let ranges: (Interval, Interval) = (self.facts.range(&from), self.facts.range(&to));
@@ -215,7 +217,10 @@ impl Lowering<'_> {
         self.facts.enter_body(&counter, (&from, &to), ranges, inclusive);
         let body = self.block(body);
         self.facts = head;
-        self.emit(StmtKind::For { variable, from, to, inclusive, reversed, unroll, body }, span);
+        self.emit(
+            StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body },
+            span,
+        );
     }
 
     /// A check of the author's.

@@ -49,6 +49,7 @@ impl Lowering<'_, '_> {
                 Ok(())
             }
             tree::ExprKind::While { label, condition: None, bound, body } => {
+                let bound = bound.as_deref();
                 self.loop_stmt(expr.site, label.as_deref(), bound, body, Some(target))
             }
             tree::ExprKind::Return(_)
@@ -223,9 +224,10 @@ impl Lowering<'_, '_> {
             }
             tree::ExprKind::While { label, condition, bound, body } => match condition {
                 Some(condition) => {
+                    let bound = bound.as_deref();
                     self.while_stmt(expr.site, label.as_deref(), condition, bound, body)
                 }
-                None => self.loop_stmt(expr.site, label.as_deref(), bound, body, None),
+                None => self.loop_stmt(expr.site, label.as_deref(), bound.as_deref(), body, None),
             },
             tree::ExprKind::Unroll(count, inner) => {
                 let mark = self.out.len();

@@ -82,6 +82,7 @@ impl Lowering<'_, '_> {
                 inclusive: false,
                 reversed,
                 unroll: None,
+                ended: false,
                 body: block,
             })
         };
@@ -145,6 +146,7 @@ impl Lowering<'_, '_> {
             inclusive: false,
             reversed: false,
             unroll: None,
+            ended: false,
             body,
         };
         let rows = Stmt { kind: through(inner, rows, block), span, comments: Vec::new() };

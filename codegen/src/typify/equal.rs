@@ -195,7 +195,16 @@ impl Lowering<'_, '_> {
         })?;
         let (from, inclusive, reversed) = (number(0, span), false, false);
         self.emit(
-            StmtKind::For { variable, from, to: count, inclusive, reversed, unroll: None, body },
+            StmtKind::For {
+                variable,
+                from,
+                to: count,
+                inclusive,
+                reversed,
+                unroll: None,
+                ended: false,
+                body,
+            },
             span,
         );
         Ok(held)

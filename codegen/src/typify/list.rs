@@ -227,8 +227,16 @@ impl Lowering<'_, '_> {
         let body = Block(vec![stmt(StmtKind::Assign { place, value: element }, span)]);
         let (inclusive, reversed) = (false, false);
         let to = length.clone();
-        let kind =
-            StmtKind::For { variable, from: before, to, inclusive, reversed, unroll: None, body };
+        let kind = StmtKind::For {
+            variable,
+            from: before,
+            to,
+            inclusive,
+            reversed,
+            unroll: None,
+            ended: false,
+            body,
+        };
         self.emit(kind, span);
         self.set_length(&list, length, span);
         Ok(())

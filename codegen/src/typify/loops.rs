@@ -1,15 +1,17 @@
 //! Loops, and how they are left.
 //!
-//! A loop with a declared bound is a `for` over its passes. Leaving a loop that is not the innermost
+//! A loop with a declared bound is a `for` over its passes; one whose bound shows is a `for` that its
+//! own condition ends. Leaving a loop that is not the innermost
 //! raises a flag: each loop in between ends, and looks at the flag behind it.
 
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{
-    Block, CompareOp, Expr, ExprKind, Fault, Local, LocalId, Mode, Place, Span, Stmt, StmtKind,
-    Type, UnaryOp,
+    Block, CompareOp, Expr, ExprKind, Fault, Local, LocalId, Mode, Place, Span, Step, Stmt,
+    StmtKind, Type, UnaryOp,
 };
 
 use super::OUR_FAULT;
+use super::ended::{self, Proof};
 use super::expr::{Operand, two};
 use super::function::{Lowering, Target};
 use super::{Result, problem};
@@ -65,7 +67,16 @@ impl Lowering<'_, '_> {
                 inner.statements(body)
             })?;
             let (inclusive, reversed) = (range.inclusive, range.reversed);
-            Ok(StmtKind::For { variable, from, to, inclusive, reversed, unroll: None, body })
+            Ok(StmtKind::For {
+                variable,
+                from,
+                to,
+                inclusive,
+                reversed,
+                unroll: None,
+                ended: false,
+                body,
+            })
         })
     }
 
@@ -75,23 +86,30 @@ impl Lowering<'_, '_> {
         site: Site,
         label: Option<&str>,
         condition: &tree::Expr,
-        bound: &tree::Expr,
+        bound: Option<&tree::Expr>,
         body: &tree::Block,
     ) -> Result<()> {
         let span = self.span(site);
-        let bound = self.passes(bound)?;
+        let bound = bound.map(|bound| self.passes(bound)).transpose()?;
         self.repeated(label, None, span, |inner| {
-            let pass = inner.pass(&bound, span);
+            let declared = bound.map(|bound| (inner.pass(&bound, span), bound));
+            let mut head = 0;
             let body = inner.scoped(|inner| {
                 let mut names = Vec::new();
                 let condition = negated(inner.pattern_condition(condition, &mut names)?);
                 let (then, otherwise) = (alone(StmtKind::Break, span), Block::default());
+                head = inner.out.len();
                 inner.emit(StmtKind::If { condition, then, otherwise }, span);
-                inner.emit(begun(pass, &bound, span), span);
+                if let Some((pass, bound)) = &declared {
+                    inner.emit(begun(*pass, bound, span), span);
+                }
                 inner.bind_names(&names)?;
                 inner.statements(body)
             })?;
-            Ok(passes(pass, bound, true, body))
+            match declared {
+                Some((pass, bound)) => Ok(passes(pass, bound, true, body)),
+                None => inner.ended(site, head, body),
+            }
         })
     }
 
@@ -100,16 +118,21 @@ impl Lowering<'_, '_> {
         &mut self,
         site: Site,
         label: Option<&str>,
-        bound: &tree::Expr,
+        bound: Option<&tree::Expr>,
         body: &tree::Block,
         target: Option<&Target>,
     ) -> Result<()> {
         let span = self.span(site);
-        let bound = self.passes(bound)?;
-        let mut endless = false;
+        let bound = bound.map(|bound| self.passes(bound)).transpose()?;
+        let (mut endless, mut behind) = (false, Vec::new());
         self.repeated(label, target, span, |inner| {
-            let pass = inner.pass(&bound, span);
+            let declared = bound.map(|bound| (inner.pass(&bound, span), bound));
             let mut body = inner.scoped(|inner| inner.statements(body))?;
+            let Some((pass, bound)) = declared else {
+                behind = last_breath(&mut body);
+                let head = body.0.iter().position(|stmt| matches!(stmt.kind, StmtKind::If { .. }));
+                return inner.ended(site, head.unwrap_or(body.0.len()), body);
+            };
             endless = !breaks(&body);
             if !endless {
                 let kind = begun(pass, &bound, span);
@@ -117,12 +140,62 @@ impl Lowering<'_, '_> {
             }
             Ok(passes(pass, bound, !endless, body))
         })?;
+        self.out.extend(behind);
         if endless {
             // Behind the last pass there is nothing but the fault.
             let condition = Expr { kind: ExprKind::Literal(0), ty: Type::BOOL, span };
             self.emit(StmtKind::Check { condition, fault: Fault::Bound }, span);
         }
         Ok(())
+    }
+
+    /// A loop that the `if` at `head` of its body ends, within a bound that shows.
+    fn ended(&mut self, site: Site, head: usize, body: Block) -> Result<StmtKind> {
+        let span = self.span(site);
+        let shown = match body.0.get(head).map(|stmt| &stmt.kind) {
+            Some(StmtKind::If { condition, then, otherwise })
+                if otherwise.0.is_empty()
+                    && matches!(then.0.last(), Some(Stmt { kind: StmtKind::Break, .. })) =>
+            {
+                let name = |place: &Place| self.place_name(place);
+                let (before, rest) = (&body.0[..head], &body.0[head + 1..]);
+                ended::proof(&self.cx.module, name, (condition, false), before, rest)
+            }
+            _ => Err("it does not begin with `if … { break; }`".into()),
+        };
+        let Proof { low, high, inclusive } = match shown {
+            Ok(proof) => proof,
+            Err(reason) => {
+                return problem(
+                    site,
+                    format!("nothing shows how often this loop runs at most: {reason}"),
+                    "write `#[bound(64)]` above it: another pass than that is a fault; or count in it: \
+                     `while i < n { …; i += 1; }`",
+                );
+            }
+        };
+        // The last pass comes no further than the condition, so there is one more than the proof says.
+        let Some(int) = low.ty.as_int() else { return problem(site, "no integers", OUR_FAULT) };
+        let limit = |value: i128| Expr { kind: ExprKind::Literal(value as u64), ..low.clone() };
+        let from = if is_calm(&low) { low.clone() } else { limit(int.min()) };
+        let to = if is_calm(&high) && !inclusive { high } else { limit(int.max()) };
+        let variable = self.pass(&from, span);
+        let (inclusive, reversed, unroll) = (true, false, None);
+        Ok(StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended: true, body })
+    }
+
+    /// A place as its author names it.
+    fn place_name(&self, place: &Place) -> String {
+        let mut name = self.locals[place.root.index()].name.replace('%', "");
+        let mut ty = &self.locals[place.root.index()].ty;
+        for step in &place.steps {
+            if let (Step::Field(field), Type::Struct(id)) = (step, ty) {
+                let field = &self.cx.module.structs[id.index()].fields[*field as usize];
+                name = format!("{name}.{}", field.name);
+                ty = &field.ty;
+            }
+        }
+        name
     }
 
     /// What counts the passes of a loop with a bound; the author has no name for it.
@@ -300,6 +373,22 @@ pub(super) fn negated(condition: Expr) -> Expr {
     Expr { kind, ty, span }
 }
 
+/// What a loop does before the one `break` that it begins with: as well behind it.
+fn last_breath(body: &mut Block) -> Vec<Stmt> {
+    let Some((head, rest)) = body.0.split_first_mut() else { return Vec::new() };
+    match &mut head.kind {
+        StmtKind::If { then, .. } if !rest.iter().any(breaks_in) => match then.0.last() {
+            Some(Stmt { kind: StmtKind::Break, .. }) => then.0.drain(..then.0.len() - 1).collect(),
+            Some(Stmt { kind: StmtKind::Return(_), span, .. }) => {
+                let only = alone(StmtKind::Break, *span);
+                std::mem::replace(then, only).0
+            }
+            _ => Vec::new(),
+        },
+        _ => Vec::new(),
+    }
+}
+
 /// The check that a pass may begin.
 fn begun(pass: LocalId, bound: &Expr, span: Span) -> StmtKind {
     let place = Place { root: pass, steps: Vec::new(), ty: bound.ty.clone(), span };
@@ -318,7 +407,16 @@ fn passes(variable: LocalId, bound: Expr, over: bool, body: Block) -> StmtKind {
         inclusive: over,
         reversed: false,
         unroll: None,
+        ended: false,
         body,
+    }
+}
+
+/// Whether an expression is nothing to evaluate once more.
+fn is_calm(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Load(place) => place.steps.iter().all(|step| matches!(step, Step::Field(_))),
+        kind => matches!(kind, ExprKind::Literal(_) | ExprKind::Const(_)),
     }
 }
 
@@ -328,12 +426,16 @@ fn alone(kind: StmtKind, span: Span) -> Block {
 
 /// Whether something in the body of a loop ends it.
 fn breaks(body: &Block) -> bool {
-    body.0.iter().any(|stmt| match &stmt.kind {
+    body.0.iter().any(breaks_in)
+}
+
+fn breaks_in(stmt: &Stmt) -> bool {
+    match &stmt.kind {
         StmtKind::Break => true,
         StmtKind::If { then, otherwise, .. } => breaks(then) || breaks(otherwise),
         StmtKind::Match { arms, otherwise, .. } => {
             arms.iter().any(|arm| breaks(&arm.body)) || otherwise.as_ref().is_some_and(breaks)
         }
         _ => false,
-    })
+    }
 }

@@ -15,6 +15,7 @@ mod choice;
 mod closure;
 mod control;
 mod each;
+mod ended;
 mod equal;
 mod expr;
 mod fields;

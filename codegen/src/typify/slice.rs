@@ -386,7 +386,16 @@ impl Lowering<'_, '_> {
         let (from, to) = (slice.from.clone(), slice.to.clone());
         let (inclusive, reversed) = (false, false);
         self.emit(
-            StmtKind::For { variable, from, to, inclusive, reversed, unroll: None, body },
+            StmtKind::For {
+                variable,
+                from,
+                to,
+                inclusive,
+                reversed,
+                unroll: None,
+                ended: false,
+                body,
+            },
             span,
         );
         Ok(())

@@ -56,6 +56,7 @@ impl Lowering<'_, '_> {
                 inclusive: false,
                 reversed,
                 unroll: None,
+                ended: false,
                 body,
             })
         })

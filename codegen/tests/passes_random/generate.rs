@@ -303,7 +303,7 @@ impl Generator<'_> {
         self.loops -= 1;
         self.scope.truncate(scope);
         let (inclusive, reversed) = (self.random.chance(40), self.random.chance(30));
-        StmtKind::For { variable, from, to, inclusive, reversed, unroll: None, body }
+        StmtKind::For { variable, from, to, inclusive, reversed, unroll: None, ended: false, body }
     }
 
     fn small(&mut self, ty: &Type, word: u64) -> Expr {

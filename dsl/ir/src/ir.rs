@@ -331,6 +331,9 @@ pub enum StmtKind {
         reversed: bool,
         /// How many passes its author asks compilers to write out at once; 1: to keep the loop.
         unroll: Option<u32>,
+        /// Its body ends it within the range by itself, so that nothing has to count: a `while` of its
+        /// author's whose passes are bounded by what it counts.
+        ended: bool,
         /// What is repeated.
         body: Block,
     },
@@ -549,6 +552,17 @@ impl Struct {
             }
             _ => true,
         }
+    }
+}
+
+impl Block {
+    /// The condition under which a loop ends, if its body begins with that and nothing else.
+    pub fn head(&self) -> Option<&Expr> {
+        let StmtKind::If { condition, then, otherwise } = &self.0.first()?.kind else {
+            return None;
+        };
+        let ends = matches!(then.0.as_slice(), [Stmt { kind: StmtKind::Break, .. }]);
+        (ends && otherwise.0.is_empty()).then_some(condition)
     }
 }
 

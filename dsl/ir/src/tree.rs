@@ -425,8 +425,8 @@ pub enum ExprKind {
         label: Option<String>,
         /// What has to hold for another pass.
         condition: Option<Box<Expr>>,
-        /// How many passes there may be: a literal, or a constant.
-        bound: Box<Expr>,
+        /// How many passes there may be: a literal, or a constant. Without one it has to show.
+        bound: Option<Box<Expr>>,
         /// What is repeated.
         body: Block,
     },

@@ -7,9 +7,6 @@ use bessemer::prelude::*;
 #[function]
 pub fn halved(x: f64, most: usize) -> f64 {
     let mut rest = x;
-    while rest > 1.0 {
-        rest /= 2.0;
-    }
     #[bound(most)]
     while rest > 0.5 {
         rest /= 2.0;

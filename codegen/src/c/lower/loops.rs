@@ -1,4 +1,4 @@
-//! `for` over ranges.
+//! `for` over ranges, and `while`.
 //!
 //! A range that includes its end may end at the largest value of its type, where `i <= end` never
 //! fails; unless the bound is known to be smaller, a flag ends the loop.
@@ -93,6 +93,19 @@ impl Lower<'_> {
         } else {
             self.emit(StmtKind::Block(stmts));
         }
+    }
+
+    /// A loop that its body ends, where it begins if it can be told there.
+    pub(super) fn while_(&mut self, body: &Block) {
+        let (condition, first) = match body.head() {
+            Some(end) => (self.negated(end), 1),
+            None => (Expr::name("true"), 0),
+        };
+        let origin = self.origin;
+        let rest = Block(body.0[first..].to_vec());
+        let body = self.scope(|lower| lower.block_into(&rest, false));
+        self.origin = origin;
+        self.emit(StmtKind::While { condition, body });
     }
 
     fn finish(&mut self, counter: Declarator, head: Head, body: &Block) {

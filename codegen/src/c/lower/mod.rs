@@ -421,7 +421,9 @@ fn quiet_block(block: &mut Vec<Stmt>, names: &[String]) {
             StmtKind::Switch { arms, .. } => {
                 arms.iter_mut().for_each(|arm| quiet_block(&mut arm.body, names));
             }
-            StmtKind::For { body, .. } | StmtKind::Block(body) => quiet_block(body, names),
+            StmtKind::For { body, .. } | StmtKind::While { body, .. } | StmtKind::Block(body) => {
+                quiet_block(body, names)
+            }
             _ => {}
         }
         index += 1;

@@ -46,7 +46,8 @@ impl Lower<'_> {
             IrKind::Match { scrutinee, arms, otherwise } => {
                 self.match_(scrutinee, arms, otherwise.as_ref(), tail);
             }
-            IrKind::For { variable, from, to, inclusive, reversed, unroll, body } => {
+            IrKind::For { ended: true, body, .. } => self.while_(body),
+            IrKind::For { variable, from, to, inclusive, reversed, unroll, body, .. } => {
                 self.unroll = *unroll;
                 self.for_(*variable, (from, to), *inclusive, *reversed, body);
                 self.unroll = None;

@@ -143,9 +143,10 @@ impl Parser {
             self.expect("..")?;
         }
         let to = self.expr(base)?;
+        let ended = self.eat_word("while");
         let unroll = if self.eat("#") { Some(self.number()?) } else { None };
         let body = self.block(base)?;
-        Ok(StmtKind::For { variable, from, to, inclusive, reversed, unroll, body })
+        Ok(StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body })
     }
 
     fn check(&mut self, base: Span) -> Parsed<StmtKind> {

@@ -165,7 +165,8 @@ impl<'m> Printer<'m> {
     }
 
     fn repeat(&mut self, kind: &StmtKind, base: Span) {
-        let StmtKind::For { variable, from, to, inclusive, reversed, unroll, body } = kind else {
+        let StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body } = kind
+        else {
             return;
         };
         self.out.push_str("for ");
@@ -174,6 +175,9 @@ impl<'m> Printer<'m> {
         self.expr(from, base);
         self.out.push_str(if *inclusive { "..=" } else { ".." });
         self.expr(to, base);
+        if *ended {
+            self.out.push_str(" while");
+        }
         if let Some(count) = unroll {
             self.out.push_str(&alloc::format!(" #{count}"));
         }

@@ -282,6 +282,7 @@ impl Source<'_> {
                 inclusive: self.chance(2),
                 reversed: self.chance(2),
                 unroll: self.chance(4).then(|| self.below(9)),
+                ended: self.chance(4),
                 body: self.block(),
             },
             7 => StmtKind::Check {

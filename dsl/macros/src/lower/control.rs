@@ -134,9 +134,9 @@ impl Lowering<'_> {
         ExprKind::Return(it.expr.as_mut().map(|value| Box::new(self.value(value))))
     }
 
-    /// `while`, with the bound that its attribute declares.
+    /// `while`, with the bound that its attribute declares, if it does.
     pub(super) fn while_loop(&mut self, it: &mut syn::ExprWhile) -> Option<ExprKind> {
-        let bound = self.bound(&mut it.attrs, it.while_token.span, refuse::WHILE);
+        let bound = self.bound(&mut it.attrs)?;
         let label = it.label.as_ref().map(|label| text(&label.name.ident));
         let mut looks = Vec::new();
         let (condition, body) = self.scoped(|walk| {
@@ -144,28 +144,20 @@ impl Lowering<'_> {
             (Some(Box::new(condition)), walk.branch(&mut it.body, false))
         });
         it.body.stmts.splice(0..0, looks);
-        Some(ExprKind::While { label, condition, bound: bound?, body })
+        Some(ExprKind::While { label, condition, bound, body })
     }
 
     /// `loop`, the same.
     pub(super) fn endless_loop(&mut self, it: &mut syn::ExprLoop) -> Option<ExprKind> {
-        let bound = self.bound(&mut it.attrs, it.loop_token.span, refuse::LOOP);
+        let bound = self.bound(&mut it.attrs)?;
         let label = it.label.as_ref().map(|label| text(&label.name.ident));
         let body = self.branch(&mut it.body, false);
-        Some(ExprKind::While { label, condition: None, bound: bound?, body })
+        Some(ExprKind::While { label, condition: None, bound, body })
     }
 
-    /// Takes `#[bound(…)]` off a loop.
-    fn bound(
-        &mut self,
-        attributes: &mut Vec<syn::Attribute>,
-        keyword: proc_macro2::Span,
-        missing: refuse::Reason,
-    ) -> Option<Box<tree::Expr>> {
-        let Some(attribute) = bound::take(attributes) else {
-            self.refusals.add(keyword, missing);
-            return None;
-        };
+    /// Takes `#[bound(…)]` off a loop; nothing where it is no bound. Without one the bound has to show.
+    fn bound(&mut self, attributes: &mut Vec<syn::Attribute>) -> Option<Option<Box<tree::Expr>>> {
+        let Some(attribute) = bound::take(attributes) else { return Some(None) };
         let span = attribute.path().span();
         let Ok(mut bound) = attribute.parse_args::<syn::Expr>() else {
             self.refusals.add(span, refuse::BOUND);
@@ -175,7 +167,7 @@ impl Lowering<'_> {
         if !matches!(bound.kind, ExprKind::Int(..) | ExprKind::Path(..)) {
             self.refusals.add(span, refuse::BOUND);
         }
-        Some(Box::new(bound))
+        Some(Some(Box::new(bound)))
     }
 
     pub(super) fn break_expr(&mut self, it: &mut syn::ExprBreak) -> ExprKind {

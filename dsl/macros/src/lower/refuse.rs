@@ -132,8 +132,6 @@ reasons! {
     RECURSION: "recursion has no bound that the C could promise", "write a loop over a range";
     OPEN_RANGE: "this range is open, so the loop has no bound", "write both ends: `for i in 0..n`";
     ITERATOR: "this iterator is not in the DSL", "go through arrays with `for`: `in &array`, `.iter()`, `.enumerate()`, `.zip(…)`, `.rev()`, `.skip(n)`, `.take(n)`, `.windows(n)`, `.chunks_exact(n)`; or through a range";
-    WHILE: "this `while` declares no bound that the C could promise", "write `#[bound(64)]` above it: another pass than that is a fault";
-    LOOP: "this `loop` declares no bound that the C could promise", "write `#[bound(64)]` above it: another pass than that is a fault";
     BOUND: "the bound of a loop is a number, or a constant", "write `#[bound(64)]`, or `#[bound(LIMIT)]`";
     BLOCK_LABEL: "a block has no label in the DSL", "move the block into a function, and `return` from it";
     CLOSURE: "a closure is not a value in the DSL", "give it a name with `let` and call it, pass it to a function, or write it in `.map(…)`, `.fold(…)` and the like";

@@ -1,16 +1,14 @@
-//! `while` and `loop` declare how many passes they may take; one more is a fault.
+//! Where nothing shows how many passes a `while` takes, it declares how many there may be; one more is a fault.
 
 use bessemer::prelude::*;
 
-/// The greatest common divisor (Euclid): at most 24 divisions for 16 bits.
+/// The square root of a positive number (Newton), as near as `tolerance`.
 #[function]
-pub fn common(a: u16, b: u16) -> u16 {
-    let (mut a, mut b) = (a, b);
-    #[bound(24)]
-    while b != 0 {
-        let rest = a % b;
-        a = b;
-        b = rest;
+pub fn root(x: f64, tolerance: f64) -> f64 {
+    let mut guess = x.max(1.0);
+    #[bound(40)]
+    while guess * guess - x > tolerance {
+        guess = (guess + x / guess) / 2.0;
     }
-    a
+    guess
 }

@@ -1,0 +1,489 @@
+//! Loops that end by themselves: which numbers show how often a `while` runs at most.
+//!
+//! Its condition compares two integers, `low < high`, of which one goes up or the other down in every
+//! pass, on every path, and neither ever moves the other way. What moves is a place, what does not is
+//! written nowhere in the loop. Then no more passes begin than lie between the two before the first.
+//!
+//! Invariant: a proof errs on the side of none. Known are sums, differences, halves, remainders, middles
+//! and what was named for one of them in the same pass; integers are checked, so none of them wraps.
+
+use std::collections::HashMap;
+
+use bessemer_ir::visit::{Access, Visit, walk_place};
+use bessemer_ir::{
+    BinaryOp, Block, CompareOp, Expr, ExprKind, Intrinsic, LocalId, LogicOp, Module, Place, Stmt,
+    StmtKind, UnaryOp,
+};
+
+/// Between which two numbers there are as many as there are passes.
+pub(super) struct Proof {
+    pub low: Expr,
+    pub high: Expr,
+    /// Whether another pass may begin where they are the same.
+    pub inclusive: bool,
+}
+
+/// Why there is no proof, for the author.
+pub(super) type Reason = String;
+
+/// Shows that a loop ends which goes on while `condition` is `truth`; `before` are the statements that
+/// lead to the condition.
+pub(super) fn proof(
+    module: &Module,
+    name: impl Fn(&Place) -> String,
+    (condition, truth): (&Expr, bool),
+    before: &[Stmt],
+    body: &[Stmt],
+) -> Result<Proof, Reason> {
+    let mut reason = None;
+    for (low, high, inclusive) in comparisons(condition, truth) {
+        let mut looked = Looked { module, low, high, inclusive, name: &name, moving: Vec::new() };
+        match looked.shown(before, body) {
+            Ok(()) => return Ok(Proof { low: low.clone(), high: high.clone(), inclusive }),
+            Err(why) => reason = reason.or(Some(why)),
+        }
+    }
+    Err(reason.unwrap_or_else(|| "its condition compares no integers with `<`".into()))
+}
+
+/// The comparisons `low < high` that have to hold for a condition to be `truth`.
+fn comparisons(condition: &Expr, truth: bool) -> Vec<(&Expr, &Expr, bool)> {
+    match &condition.kind {
+        ExprKind::Unary(UnaryOp::Not, inner) => comparisons(inner, !truth),
+        ExprKind::Logic(op, a, b) if (*op == LogicOp::And) == truth => {
+            let mut all = comparisons(a, truth);
+            all.extend(comparisons(b, truth));
+            all
+        }
+        ExprKind::Compare(op, a, b) if a.ty.as_int().is_some() => match (op, truth) {
+            (CompareOp::Lt, true) | (CompareOp::Ge, false) => vec![(&**a, &**b, false)],
+            (CompareOp::Le, true) | (CompareOp::Gt, false) => vec![(a, b, true)],
+            (CompareOp::Gt, true) | (CompareOp::Le, false) => vec![(b, a, false)],
+            (CompareOp::Ge, true) | (CompareOp::Lt, false) => vec![(b, a, true)],
+            // What is not 0 is above it, if there is nothing below.
+            (CompareOp::Ne, true) | (CompareOp::Eq, false) if is_unsigned(a) => {
+                match (&a.kind, &b.kind) {
+                    (_, ExprKind::Literal(0)) => vec![(b, a, false)],
+                    (ExprKind::Literal(0), _) => vec![(a, b, false)],
+                    _ => Vec::new(),
+                }
+            }
+            _ => Vec::new(),
+        },
+        _ => Vec::new(),
+    }
+}
+
+/// How a value stands to the one that it is held against: at least that far on, or further.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Far {
+    AsFar,
+    Further,
+}
+
+/// What is known on a path through the body.
+#[derive(Clone, Default)]
+struct Path {
+    /// Whether low has gone up, or high down.
+    moved: bool,
+    /// Whether low, or high, was written.
+    written: [bool; 2],
+    /// Locals, and how they stand to low (upward) and to high (downward) as these are now.
+    locals: HashMap<LocalId, [Option<Far>; 2]>,
+}
+
+impl Path {
+    /// Forgets the locals that are written.
+    fn forget(&mut self, writes: &Writes) {
+        writes.0.iter().for_each(|written| {
+            self.locals.remove(&written.root);
+        });
+    }
+
+    /// What is known where two paths meet.
+    fn join(self, other: Option<Path>) -> Path {
+        let Some(other) = other else { return self };
+        let locals = self.locals.into_iter().filter_map(|(local, sides)| {
+            let theirs = other.locals.get(&local)?;
+            Some((local, [sides[0].min(theirs[0]), sides[1].min(theirs[1])]))
+        });
+        let either = |side: usize| self.written[side] || other.written[side];
+        Path {
+            moved: self.moved && other.moved,
+            written: [either(0), either(1)],
+            locals: locals.collect(),
+        }
+    }
+}
+
+/// A comparison that is looked at.
+struct Looked<'a> {
+    module: &'a Module,
+    low: &'a Expr,
+    high: &'a Expr,
+    inclusive: bool,
+    name: &'a dyn Fn(&Place) -> String,
+    /// Those of the two that the loop changes.
+    moving: Vec<Side>,
+}
+
+/// Which of the two numbers: 0 is low, which goes up; 1 is high, which goes down.
+type Side = usize;
+
+const WAYS: [&str; 2] = ["go up", "go down"];
+
+impl Looked<'_> {
+    fn shown(&mut self, before: &[Stmt], body: &[Stmt]) -> Result<(), Reason> {
+        let writes = Writes::of(before.iter().chain(body));
+        self.moving = (0..2).filter(|side| writes.touch(self.side(*side))).collect();
+        if self.moving.is_empty() {
+            let value = [self.low, self.high].into_iter().find_map(place);
+            return Err(match value {
+                Some(place) => format!("nothing in it changes `{}`", (self.name)(place)),
+                None => "nothing in it changes what its condition compares".into(),
+            });
+        }
+        let led = Writes::of(before);
+        let anew = |side: &Side| self.place(*side).is_none() || led.touch(self.side(*side));
+        if self.moving.iter().any(anew) {
+            return Err("what its condition compares is computed anew in every pass".into());
+        }
+        let end = self.block(body, Path::default(), false)?;
+        if end.is_some_and(|end| !end.moved) {
+            return Err(self.stuck(""));
+        }
+        Ok(())
+    }
+
+    fn side(&self, side: Side) -> &Expr {
+        [self.low, self.high][side]
+    }
+
+    /// The place that moves, if that side can.
+    fn place(&self, side: Side) -> Option<&Place> {
+        place(self.side(side))
+    }
+
+    fn stuck(&self, more: &str) -> Reason {
+        let sides = self.moving.iter().filter_map(|&side| {
+            let place = self.place(side)?;
+            Some(format!("`{}` does not {}", (self.name)(place), WAYS[side]))
+        });
+        format!("{} in every pass{more}", sides.collect::<Vec<_>>().join(", nor "))
+    }
+
+    /// Follows a block; nothing where no path comes to its end. `inner`: in a loop of the body's own.
+    fn block(&self, stmts: &[Stmt], path: Path, inner: bool) -> Result<Option<Path>, Reason> {
+        let mut path = Some(path);
+        for stmt in stmts {
+            let Some(now) = path else { return Ok(None) };
+            path = self.stmt(&stmt.kind, now, inner)?;
+        }
+        Ok(path)
+    }
+
+    fn stmt(&self, kind: &StmtKind, mut path: Path, inner: bool) -> Result<Option<Path>, Reason> {
+        match kind {
+            StmtKind::Let { local, value } => {
+                if let Some(value) = value {
+                    self.lent(value, &mut path)?;
+                    let known = [self.against(0, value, &path), self.against(1, value, &path)];
+                    path.locals.insert(*local, known);
+                }
+            }
+            StmtKind::Assign { place, value } => {
+                self.lent(value, &mut path)?;
+                self.assign(place, value, &mut path, inner)?;
+            }
+            StmtKind::Expr(value) => self.lent(value, &mut path)?,
+            StmtKind::If { condition, then, otherwise } => {
+                self.lent(condition, &mut path)?;
+                let then = self.block(&then.0, path.clone(), inner)?;
+                let otherwise = self.block(&otherwise.0, path, inner)?;
+                return Ok(meet(then, otherwise));
+            }
+            StmtKind::Match { scrutinee, arms, otherwise } => {
+                self.lent(scrutinee, &mut path)?;
+                let mut end = None;
+                for Block(body) in arms.iter().map(|arm| &arm.body).chain(otherwise) {
+                    end = meet(end, self.block(body, path.clone(), inner)?);
+                }
+                return Ok(end);
+            }
+            StmtKind::For { from, to, body, .. } => {
+                self.lent(from, &mut path)?;
+                self.lent(to, &mut path)?;
+                // It may run any number of times, so that only what it does wrong counts.
+                let touched = Writes::of(&body.0);
+                path.forget(&touched);
+                for side in 0..2 {
+                    if touched.touch(self.side(side)) {
+                        path.written[side] = true;
+                        path.locals.values_mut().for_each(|known| known[side] = None);
+                    }
+                }
+                self.block(&body.0, path.clone(), true)?;
+            }
+            StmtKind::Check { condition, .. } => self.lent(condition, &mut path)?,
+            StmtKind::Continue if !inner && !path.moved => {
+                return Err(self.stuck(": a `continue` comes before"));
+            }
+            StmtKind::Return(_) | StmtKind::Break | StmtKind::Continue => return Ok(None),
+        }
+        Ok(Some(path))
+    }
+
+    fn assign(&self, to: &Place, value: &Expr, path: &mut Path, inner: bool) -> Result<(), Reason> {
+        for side in 0..2 {
+            let Some(ours) = self.place(side).filter(|ours| overlap(ours, to)) else { continue };
+            let far = if alike(ours, to) { self.against(side, value, path) } else { None };
+            let Some(far) = far else {
+                let name = (self.name)(ours);
+                return Err(format!("`{name}` may {}", WAYS[1 - side]));
+            };
+            // In a loop of the body's own a step may be none.
+            path.moved |= far == Far::Further && !inner;
+            path.written[side] = true;
+            path.locals.values_mut().for_each(|known| known[side] = None);
+        }
+        path.locals.remove(&to.root);
+        Ok(())
+    }
+
+    /// What a call may write.
+    fn lent(&self, expr: &Expr, path: &mut Path) -> Result<(), Reason> {
+        let lent = Writes::of_expr(expr);
+        path.forget(&lent);
+        match (0..2).find(|side| lent.touch(self.side(*side))) {
+            Some(side) => Err(match self.place(side) {
+                Some(place) => format!("`{}` is lent to a function", (self.name)(place)),
+                None => "what it compares with is lent to a function".into(),
+            }),
+            None => Ok(()),
+        }
+    }
+
+    /// How a value stands to low (upward) or to high (downward), as these are now.
+    fn against(&self, side: Side, value: &Expr, path: &Path) -> Option<Far> {
+        if self.is(side, value) {
+            return Some(Far::AsFar);
+        }
+        if let ExprKind::Load(place) = &value.kind
+            && place.steps.is_empty()
+            && let Some(known) = path.locals.get(&place.root)
+        {
+            return known[side];
+        }
+        if let Some(far) = self.middle(side, value, path) {
+            return Some(far);
+        }
+        match &value.kind {
+            ExprKind::Binary(op, a, b) => self.computed(side, *op, (a, b), path),
+            ExprKind::Intrinsic(Intrinsic::Max, parts) if side == 0 => {
+                parts.iter().filter_map(|part| self.against(side, part, path)).max()
+            }
+            ExprKind::Intrinsic(Intrinsic::Min, parts) if side == 1 => {
+                parts.iter().filter_map(|part| self.against(side, part, path)).max()
+            }
+            _ => None,
+        }
+    }
+
+    fn computed(
+        &self,
+        side: Side,
+        op: BinaryOp,
+        (a, b): (&Expr, &Expr),
+        path: &Path,
+    ) -> Option<Far> {
+        // As far as `x`, and by that much further.
+        let on = |x: &Expr, by: &Expr| {
+            let least = self.least(by).filter(|least| *least >= 0)?;
+            let far = self.against(side, x, path)?;
+            Some(if least > 0 { Far::Further } else { far })
+        };
+        // Less than what it is a part of, unless that may be 0: high is more than low at first.
+        let part = |x: &Expr, less: bool| {
+            let far = self.against(side, x, path).filter(|_| is_unsigned(x))?;
+            let above = !self.inclusive || self.least(self.low) >= Some(1);
+            let positive = above && !path.written[1] && self.is(1, x);
+            Some(if less && positive { Far::Further } else { far })
+        };
+        match (op, side) {
+            (BinaryOp::Add, 0) => on(a, b).max(on(b, a)),
+            (BinaryOp::Sub, 1) => on(a, b),
+            (BinaryOp::Mul, 0) if is_unsigned(a) => {
+                let by = |x: &Expr, by| {
+                    (self.least(by) >= Some(1)).then(|| self.against(side, x, path)).flatten()
+                };
+                by(a, b).max(by(b, a))
+            }
+            (BinaryOp::Div, 1) if self.least(b) >= Some(1) => part(a, self.least(b) >= Some(2)),
+            (BinaryOp::Shr, 1) => part(a, self.least(b) >= Some(1)),
+            (BinaryOp::Rem, 1) if is_unsigned(b) => {
+                // A remainder is less than the divisor, and no more than the number.
+                let below = self.against(side, b, path).map(|_| Far::Further);
+                below.max(self.against(side, a, path))
+            }
+            (BinaryOp::And, 1) if is_unsigned(a) => {
+                self.against(side, a, path).max(self.against(side, b, path))
+            }
+            _ => None,
+        }
+    }
+
+    /// `(low + high) / 2`, `low + (high - low) / 2`: no less than low, and less than high unless they are
+    /// the same.
+    fn middle(&self, side: Side, value: &Expr, path: &Path) -> Option<Far> {
+        let half = |expr: &Expr| -> Option<Expr> {
+            match &expr.kind {
+                ExprKind::Binary(BinaryOp::Div, a, b) if self.least(b) == Some(2) => {
+                    Some((**a).clone())
+                }
+                ExprKind::Binary(BinaryOp::Shr, a, b) if self.least(b) == Some(1) => {
+                    Some((**a).clone())
+                }
+                _ => None,
+            }
+        };
+        let between = |op: BinaryOp, first: Side, expr: &Expr| match &expr.kind {
+            ExprKind::Binary(found, a, b) => {
+                *found == op && self.is(first, a) && self.is(1 - first, b)
+            }
+            _ => false,
+        };
+        let sum = half(value).is_some_and(|sum| {
+            is_unsigned(&sum)
+                && (between(BinaryOp::Add, 0, &sum) || between(BinaryOp::Add, 1, &sum))
+        });
+        let rest = match &value.kind {
+            ExprKind::Binary(BinaryOp::Add, a, b) => {
+                let other = if self.is(0, a) { b } else { a };
+                (self.is(0, a) || self.is(0, b))
+                    && half(other).is_some_and(|rest| between(BinaryOp::Sub, 1, &rest))
+            }
+            _ => false,
+        };
+        if !(sum || rest) || path.written != [false, false] {
+            return None;
+        }
+        Some(if side == 1 && !self.inclusive { Far::Further } else { Far::AsFar })
+    }
+
+    /// Whether an expression is one of the two numbers.
+    fn is(&self, side: Side, expr: &Expr) -> bool {
+        match (&self.side(side).kind, &expr.kind) {
+            (ExprKind::Load(a), ExprKind::Load(b)) => alike(a, b),
+            (ExprKind::Const(a), ExprKind::Const(b)) => a == b,
+            (ExprKind::Literal(a), ExprKind::Literal(b)) => a == b,
+            _ => false,
+        }
+    }
+
+    /// The least value of an integer, if it shows.
+    fn least(&self, expr: &Expr) -> Option<i128> {
+        let int = expr.ty.as_int()?;
+        let shown = match &expr.kind {
+            ExprKind::Literal(word) => Some(int.from_word(*word)),
+            ExprKind::Const(id) => {
+                self.module.consts[id.index()].words.first().map(|word| int.from_word(*word))
+            }
+            ExprKind::Cast(inner) if is_unsigned(inner) && is_unsigned(expr) => {
+                let from = inner.ty.as_int()?;
+                self.least(inner).filter(|_| from.bits() <= int.bits())
+            }
+            ExprKind::Binary(BinaryOp::Add, a, b) => {
+                self.least(a).zip(self.least(b)).map(|(a, b)| a + b)
+            }
+            ExprKind::Intrinsic(Intrinsic::Max, parts) => {
+                parts.iter().filter_map(|part| self.least(part)).max()
+            }
+            _ => None,
+        };
+        shown.or(is_unsigned(expr).then_some(0))
+    }
+}
+
+fn meet(a: Option<Path>, b: Option<Path>) -> Option<Path> {
+    match a {
+        Some(a) => Some(a.join(b)),
+        None => b,
+    }
+}
+
+fn is_unsigned(expr: &Expr) -> bool {
+    expr.ty.as_int().is_some_and(|int| !int.signed())
+}
+
+/// A place of fields alone.
+fn place(expr: &Expr) -> Option<&Place> {
+    match &expr.kind {
+        ExprKind::Load(place) => {
+            let fields = place.steps.iter().all(|step| matches!(step, bessemer_ir::Step::Field(_)));
+            fields.then_some(place)
+        }
+        _ => None,
+    }
+}
+
+/// Whether two places are the same one; of fields alone.
+fn alike(a: &Place, b: &Place) -> bool {
+    a.root == b.root && a.steps == b.steps
+}
+
+/// Whether two places may share memory.
+fn overlap(a: &Place, b: &Place) -> bool {
+    use bessemer_ir::Step::Field;
+    let apart = |(a, b)| matches!((a, b), (&Field(a), &Field(b)) if a != b);
+    a.root == b.root && !a.steps.iter().zip(&b.steps).any(apart)
+}
+
+/// What is written.
+#[derive(Default)]
+struct Writes(Vec<Place>);
+
+impl Writes {
+    fn of<'s>(stmts: impl IntoIterator<Item = &'s Stmt>) -> Writes {
+        let mut writes = Writes::default();
+        stmts.into_iter().for_each(|stmt| writes.stmt(stmt));
+        writes
+    }
+
+    fn of_expr(expr: &Expr) -> Writes {
+        let mut writes = Writes::default();
+        writes.expr(expr);
+        writes
+    }
+
+    /// Whether an expression reads what is written.
+    fn touch(&self, expr: &Expr) -> bool {
+        struct Touched<'w>(&'w [Place], bool);
+        impl Visit for Touched<'_> {
+            fn place(&mut self, place: &Place, _: Access) {
+                self.1 |= self.0.iter().any(|written| overlap(written, place));
+                walk_place(self, place);
+            }
+        }
+        let mut touched = Touched(&self.0, false);
+        touched.expr(expr);
+        touched.1
+    }
+}
+
+impl Visit for Writes {
+    fn place(&mut self, place: &Place, access: Access) {
+        if access != Access::Read {
+            self.0.push(place.clone());
+        }
+        walk_place(self, place);
+    }
+    fn declaration(&mut self, local: &LocalId) {
+        // One that is declared in the loop is another in each pass.
+        self.0.push(Place {
+            root: *local,
+            steps: Vec::new(),
+            ty: bessemer_ir::Type::Unit,
+            span: bessemer_ir::Span::default(),
+        });
+    }
+}

@@ -1,0 +1,40 @@
+//! A `while` that counts needs no bound: what it compares goes one way only, in every pass.
+
+use bessemer::prelude::*;
+
+/// How many samples at the start are below the limit.
+#[function]
+pub fn quiet(samples: &[f32; 16], limit: f32) -> usize {
+    let mut count = 0;
+    while count < samples.len() && samples[count] < limit {
+        count += 1;
+    }
+    count
+}
+
+/// Where `x` belongs in a table that rises (bisection).
+#[function]
+pub fn place(table: &[f32; 16], x: f32) -> usize {
+    let (mut low, mut high) = (0, 16);
+    while low < high {
+        let middle = (low + high) / 2;
+        if table[middle] <= x {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    low
+}
+
+/// The greatest common divisor (Euclid).
+#[function]
+pub fn divisor(a: u32, b: u32) -> u32 {
+    let (mut a, mut b) = (a, b);
+    while b != 0 {
+        let rest = a % b;
+        a = b;
+        b = rest;
+    }
+    a
+}
