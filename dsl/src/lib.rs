@@ -56,6 +56,7 @@ mod list;
 pub mod math;
 mod plain;
 pub mod rotation;
+mod spatial;
 
 /// What a model imports with one line: `use bessemer::prelude::*;`.
 pub mod prelude {
@@ -65,8 +66,9 @@ pub mod prelude {
         vector,
     };
     pub use nalgebra::{
-        Matrix2, Matrix3, Matrix4, Matrix6, SMatrix, SVector, Vector2, Vector3, Vector4, Vector5,
-        Vector6,
+        Isometry3, Matrix2, Matrix3, Matrix4, Matrix6, Point2, Point3, Quaternion, Rotation2,
+        Rotation3, SMatrix, SVector, Translation2, Translation3, Unit, UnitQuaternion, UnitVector3,
+        Vector2, Vector3, Vector4, Vector5, Vector6,
     };
 }
 

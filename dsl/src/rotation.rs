@@ -1,180 +1,217 @@
-//! Rotations in space: nalgebra's operations, in its order, over the DSL's own sine and cosine.
+//! Rotations from angles, and angles from rotations: nalgebra's operations, in its order, over the DSL's own
+//! sine and cosine.
 //!
-//! nalgebra's constructors from angles take the platform's trigonometry, whose last bits differ between
-//! targets, so the attributes refuse them. What needs no angle (product, inverse, the turn of a vector,
-//! the matrix) has the bits of nalgebra's `UnitQuaternion`.
+//! nalgebra's own take the platform's trigonometry, whose last bits differ between targets, so the
+//! attributes refuse them. Everything else of a `UnitQuaternion`, a `Rotation3` or an `Isometry3` is
+//! nalgebra's own. Each function has the name of nalgebra's; angles are in rad.
 //!
-//! Absent: scaling and translation. A pose is a `Turn` and a `Vector3`.
+//! ```
+//! use bessemer::nalgebra::{UnitQuaternion, Vector3};
+//! use bessemer::rotation;
+//!
+//! let level = rotation::from_euler_angles(0.0, 0.0, core::f64::consts::FRAC_PI_2);
+//! let ahead: Vector3<f64> = level * Vector3::new(1.0, 0.0, 0.0);
+//! assert!((ahead.y - 1.0).abs() < 1e-15);
+//! ```
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{
+    Matrix2, Matrix3, Quaternion, Rotation2, Rotation3, UnitQuaternion, UnitVector3, Vector3,
+};
 
 use crate::prelude::*;
 
-/// A rotation: the unit quaternion w + i·𝐢 + j·𝐣 + k·𝐤.
-///
-/// ```
-/// use bessemer::prelude::*;
-/// use bessemer::rotation::Turn;
-///
-/// let level = Turn::of_euler_angles(0.0, 0.0, core::f64::consts::FRAC_PI_2);
-/// let ahead = level.rotate(&Vector3::new(1.0, 0.0, 0.0));
-/// assert!((ahead.y - 1.0).abs() < 1e-15);
-/// ```
-#[data]
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Turn<T> {
-    /// sin(angle/2) times the first component of the axis.
-    pub i: T,
-    /// The second.
-    pub j: T,
-    /// The third.
-    pub k: T,
-    /// cos(angle/2).
-    pub w: T,
+/// By `roll` about x, then `pitch` about y, then `yaw` about z, rad.
+#[function]
+pub fn from_euler_angles<T: Real>(roll: T, pitch: T, yaw: T) -> UnitQuaternion<T> {
+    let (sr, cr) = (roll * real(0.5)).sin_cos();
+    let (sp, cp) = (pitch * real(0.5)).sin_cos();
+    let (sy, cy) = (yaw * real(0.5)).sin_cos();
+    UnitQuaternion::new_unchecked(Quaternion::new(
+        cr * cp * cy + sr * sp * sy,
+        sr * cp * cy - cr * sp * sy,
+        cr * sp * cy + sr * cp * sy,
+        cr * cp * sy - sr * sp * cy,
+    ))
 }
 
-#[data]
-impl<T: Real> Turn<T> {
-    /// No rotation.
-    pub fn identity() -> Turn<T> {
-        Turn { i: T::ZERO, j: T::ZERO, k: T::ZERO, w: T::ONE }
-    }
+/// By `angle` about an axis, rad.
+#[function]
+pub fn from_axis_angle<T: Real>(axis: &UnitVector3<T>, angle: T) -> UnitQuaternion<T> {
+    let (sine, cosine) = (angle / real(2.0)).sin_cos();
+    UnitQuaternion::new_unchecked(Quaternion::new(
+        cosine,
+        axis.x * sine,
+        axis.y * sine,
+        axis.z * sine,
+    ))
+}
 
-    /// By `roll` about x, then `pitch` about y, then `yaw` about z, rad (nalgebra's
-    /// `UnitQuaternion::from_euler_angles`).
-    pub fn of_euler_angles(roll: T, pitch: T, yaw: T) -> Turn<T> {
-        let (sr, cr) = (roll * real(0.5)).sin_cos();
-        let (sp, cp) = (pitch * real(0.5)).sin_cos();
-        let (sy, cy) = (yaw * real(0.5)).sin_cos();
-        Turn {
-            i: sr * cp * cy - cr * sp * sy,
-            j: cr * sp * cy + sr * cp * sy,
-            k: cr * cp * sy - sr * sp * cy,
-            w: cr * cp * cy + sr * sp * sy,
-        }
+/// By the length of `axis`, rad, about it; none for a length of 2ε or less. Also nalgebra's
+/// `UnitQuaternion::new`.
+#[function]
+pub fn from_scaled_axis<T: Real>(axis: Vector3<T>) -> UnitQuaternion<T> {
+    let half = axis / real::<T>(2.0);
+    let squared = half.norm_squared();
+    if squared <= T::EPSILON * T::EPSILON {
+        return UnitQuaternion::identity();
     }
+    let angle = squared.sqrt();
+    let (sine, cosine) = angle.sin_cos();
+    let share = sine / angle;
+    UnitQuaternion::new_unchecked(Quaternion::new(
+        cosine,
+        half.x * share,
+        half.y * share,
+        half.z * share,
+    ))
+}
 
-    /// By `angle` about an axis of length 1, rad (`UnitQuaternion::from_axis_angle`).
-    pub fn about(axis: &Vector3<T>, angle: T) -> Turn<T> {
-        let (sine, cosine) = (angle / real(2.0)).sin_cos();
-        Turn { i: axis.x * sine, j: axis.y * sine, k: axis.z * sine, w: cosine }
+/// How far it turns, rad, from 0 to π.
+#[function]
+pub fn angle<T: Real>(q: &UnitQuaternion<T>) -> T {
+    Vector3::new(q.i, q.j, q.k).norm().atan2(q.w.abs()) * real(2.0)
+}
+
+/// How far `to` is turned from `from`, rad.
+#[function]
+pub fn angle_to<T: Real>(from: &UnitQuaternion<T>, to: &UnitQuaternion<T>) -> T {
+    angle(&from.rotation_to(to))
+}
+
+/// The axis and the angle, rad; none of no rotation.
+#[function]
+pub fn axis_angle<T: Real>(q: &UnitQuaternion<T>) -> Option<(UnitVector3<T>, T)> {
+    let axis = q.axis()?;
+    Some((axis, angle(q)))
+}
+
+/// The axis times the angle, rad.
+#[function]
+pub fn scaled_axis<T: Real>(q: &UnitQuaternion<T>) -> Vector3<T> {
+    match q.axis() {
+        Some(axis) => axis.into_inner() * angle(q),
+        None => Vector3::zeros(),
     }
+}
 
-    /// By the length of `axis`, rad, about it (`UnitQuaternion::from_scaled_axis`); none for a length
-    /// of 2ε or less.
-    pub fn of_scaled_axis(axis: &Vector3<T>) -> Turn<T> {
-        let half = axis / real::<T>(2.0);
-        let squared = half.norm_squared();
-        if squared <= T::EPSILON * T::EPSILON {
-            return Turn::identity();
-        }
-        let angle = squared.sqrt();
-        let (sine, cosine) = angle.sin_cos();
-        let share = sine / angle;
-        Turn { i: half.x * share, j: half.y * share, k: half.z * share, w: cosine }
+/// The rotation `share` times as far, about the same axis.
+#[function]
+pub fn powf<T: Real>(q: &UnitQuaternion<T>, share: T) -> UnitQuaternion<T> {
+    match q.axis() {
+        Some(axis) => from_axis_angle(&axis, angle(q) * share),
+        None => UnitQuaternion::identity(),
     }
+}
 
-    /// `first`, and then this one: the product `self * first`.
-    pub fn after(&self, first: &Turn<T>) -> Turn<T> {
-        Turn {
-            i: self.w * first.i + self.i * first.w + self.j * first.k - self.k * first.j,
-            j: self.w * first.j - self.i * first.k + self.j * first.w + self.k * first.i,
-            k: self.w * first.k + self.i * first.j - self.j * first.i + self.k * first.w,
-            w: self.w * first.w - self.i * first.i - self.j * first.j - self.k * first.k,
-        }
+/// Roll, pitch and yaw, rad, pitch from −π/2 to π/2; at its ends yaw is 0.
+#[function]
+pub fn euler_angles<T: Real>(q: &UnitQuaternion<T>) -> (T, T, T) {
+    matrix_euler_angles(&q.to_rotation_matrix())
+}
+
+/// The rotation `share` of the way from `a` to `b`, by the shorter way; `a`, where they are too near to each
+/// other for a direction (where nalgebra panics).
+#[function]
+pub fn slerp<T: Real>(a: &UnitQuaternion<T>, b: &UnitQuaternion<T>, share: T) -> UnitQuaternion<T> {
+    let along = (a.i * b.i + a.k * b.k) + (a.j * b.j + a.w * b.w);
+    let opposite = along < T::ZERO;
+    let cosine = along.abs();
+    let sine = (T::ONE - cosine * cosine).sqrt();
+    if cosine >= T::ONE || sine == T::ZERO {
+        return *a;
     }
+    let angle = cosine.acos();
+    let own = ((T::ONE - share) * angle).sin() / sine;
+    let part = (share * angle).sin() / sine;
+    let theirs = if opposite { -part } else { part };
+    UnitQuaternion::new_unchecked(Quaternion::new(
+        theirs * b.w + own * a.w,
+        theirs * b.i + own * a.i,
+        theirs * b.j + own * a.j,
+        theirs * b.k + own * a.k,
+    ))
+}
 
-    /// The rotation back.
-    pub fn inverse(&self) -> Turn<T> {
-        Turn { i: -self.i, j: -self.j, k: -self.k, w: self.w }
+/// The matrix of a rotation in the plane, rad (`Rotation2::new`).
+#[function]
+pub fn matrix_from_angle<T: Real>(angle: T) -> Rotation2<T> {
+    let (sine, cosine) = angle.sin_cos();
+    Rotation2::from_matrix_unchecked(Matrix2::new(cosine, -sine, sine, cosine))
+}
+
+/// The matrix of `roll` about x, then `pitch` about y, then `yaw` about z, rad
+/// (`Rotation3::from_euler_angles`).
+#[function]
+pub fn matrix_from_euler_angles<T: Real>(roll: T, pitch: T, yaw: T) -> Rotation3<T> {
+    let (sr, cr) = roll.sin_cos();
+    let (sp, cp) = pitch.sin_cos();
+    let (sy, cy) = yaw.sin_cos();
+    Rotation3::from_matrix_unchecked(Matrix3::new(
+        cy * cp,
+        cy * sp * sr - sy * cr,
+        cy * sp * cr + sy * sr,
+        sy * cp,
+        sy * sp * sr + cy * cr,
+        sy * sp * cr - cy * sr,
+        -sp,
+        cp * sr,
+        cp * cr,
+    ))
+}
+
+/// The matrix of a rotation about an axis, rad (`Rotation3::from_axis_angle`).
+#[function]
+pub fn matrix_from_axis_angle<T: Real>(axis: &UnitVector3<T>, angle: T) -> Rotation3<T> {
+    if angle == T::ZERO {
+        return Rotation3::identity();
     }
+    let (x, y, z) = (axis.x, axis.y, axis.z);
+    let (xx, yy, zz) = (x * x, y * y, z * z);
+    let (sine, cosine) = angle.sin_cos();
+    let rest = T::ONE - cosine;
+    Rotation3::from_matrix_unchecked(Matrix3::new(
+        xx + (T::ONE - xx) * cosine,
+        x * y * rest - z * sine,
+        x * z * rest + y * sine,
+        x * y * rest + z * sine,
+        yy + (T::ONE - yy) * cosine,
+        y * z * rest - x * sine,
+        x * z * rest - y * sine,
+        y * z * rest + x * sine,
+        zz + (T::ONE - zz) * cosine,
+    ))
+}
 
-    /// The vector turned.
-    pub fn rotate(&self, vector: &Vector3<T>) -> Vector3<T> {
-        let axis = Vector3::new(self.i, self.j, self.k);
-        let across = axis.cross(vector) * real::<T>(2.0);
-        let twice = axis.cross(&across);
-        across * self.w + twice + vector
-    }
-
-    /// The vector turned back.
-    pub fn rotate_back(&self, vector: &Vector3<T>) -> Vector3<T> {
-        self.inverse().rotate(vector)
-    }
-
-    /// The same rotation, its quaternion brought to length 1 again.
-    pub fn renormalized(&self) -> Turn<T> {
-        let length =
-            ((self.i * self.i + self.k * self.k) + (self.j * self.j + self.w * self.w)).sqrt();
-        Turn { i: self.i / length, j: self.j / length, k: self.k / length, w: self.w / length }
-    }
-
-    /// The matrix that turns vectors so (`to_rotation_matrix`).
-    pub fn matrix(&self) -> Matrix3<T> {
-        let two: T = real(2.0);
-        let ww = self.w * self.w;
-        let ii = self.i * self.i;
-        let jj = self.j * self.j;
-        let kk = self.k * self.k;
-        let ij = self.i * self.j * two;
-        let wk = self.w * self.k * two;
-        let wj = self.w * self.j * two;
-        let ik = self.i * self.k * two;
-        let jk = self.j * self.k * two;
-        let wi = self.w * self.i * two;
-        Matrix3::new(
-            ww + ii - jj - kk,
-            ij - wk,
-            wj + ik,
-            wk + ij,
-            ww - ii + jj - kk,
-            jk - wi,
-            ik - wj,
-            wi + jk,
-            ww - ii - jj + kk,
+/// Roll, pitch and yaw of a matrix, rad, pitch from −π/2 to π/2; at its ends yaw is 0
+/// (`Rotation3::euler_angles`).
+#[function]
+pub fn matrix_euler_angles<T: Real>(m: &Rotation3<T>) -> (T, T, T) {
+    let down = m[(2, 0)];
+    let quarter = T::PI * real(0.5);
+    if down.abs() < T::ONE {
+        let pitch = -down.asin();
+        let cosine = pitch.cos();
+        (
+            (m[(2, 1)] / cosine).atan2(m[(2, 2)] / cosine),
+            pitch,
+            (m[(1, 0)] / cosine).atan2(m[(0, 0)] / cosine),
         )
+    } else if down <= -T::ONE {
+        (m[(0, 1)].atan2(m[(0, 2)]), quarter, T::ZERO)
+    } else {
+        (-m[(0, 1)].atan2(-m[(0, 2)]), -quarter, T::ZERO)
     }
+}
 
-    /// Roll, pitch and yaw, rad, pitch from −π/2 to π/2; at its ends yaw is 0 (`euler_angles`).
-    pub fn roll_pitch_yaw(&self) -> Vector3<T> {
-        let m = self.matrix();
-        let down = m[(2, 0)];
-        let quarter = T::PI * real(0.5);
-        if down.abs() < T::ONE {
-            let pitch = -down.asin();
-            let cosine = pitch.cos();
-            Vector3::new(
-                (m[(2, 1)] / cosine).atan2(m[(2, 2)] / cosine),
-                pitch,
-                (m[(1, 0)] / cosine).atan2(m[(0, 0)] / cosine),
-            )
-        } else if down <= -T::ONE {
-            Vector3::new(m[(0, 1)].atan2(m[(0, 2)]), quarter, T::ZERO)
-        } else {
-            Vector3::new(-m[(0, 1)].atan2(-m[(0, 2)]), -quarter, T::ZERO)
-        }
-    }
+/// What the attributes call in place of nalgebra's methods of the names of scalar ones.
+#[doc(hidden)]
+pub trait RotationMethods<T> {
+    /// [`powf`].
+    fn dsl_powf(&self, share: T) -> Self;
+}
 
-    /// The rotation `share` of the way to `other`, by the shorter way (`slerp`); this one, if both are
-    /// the same.
-    pub fn towards(&self, other: &Turn<T>, share: T) -> Turn<T> {
-        let along = (self.i * other.i + self.k * other.k) + (self.j * other.j + self.w * other.w);
-        let opposite = along < T::ZERO;
-        let cosine = along.abs();
-        let sine = (T::ONE - cosine * cosine).sqrt();
-        // Also where both are too near to each other for a direction.
-        if cosine >= T::ONE || sine == T::ZERO {
-            return *self;
-        }
-        let angle = cosine.acos();
-        let own = ((T::ONE - share) * angle).sin() / sine;
-        let part = (share * angle).sin() / sine;
-        let theirs = if opposite { -part } else { part };
-        Turn {
-            i: theirs * other.i + own * self.i,
-            j: theirs * other.j + own * self.j,
-            k: theirs * other.k + own * self.k,
-            w: theirs * other.w + own * self.w,
-        }
+impl<T: Real> RotationMethods<T> for UnitQuaternion<T> {
+    fn dsl_powf(&self, share: T) -> Self {
+        powf(self, share)
     }
 }

@@ -1,20 +1,18 @@
-//! Rotations against nalgebra's: the same bits where no angle takes part, and where one does, wherever
-//! the platform's sine and cosine, which nalgebra takes, happen to be the DSL's.
+//! Rotations from angles against nalgebra's: the same bits wherever the platform's sine and cosine, which
+//! nalgebra takes, happen to be the DSL's.
 
 use bessemer::math::ElementaryMethods;
 use bessemer::math::arctangent::{acos, asin, atan2};
 use bessemer::math::sine::sin_cos;
-use bessemer::nalgebra::{ComplexField, Quaternion, RealField, Unit, UnitQuaternion};
+use bessemer::nalgebra::{ComplexField, RealField};
 use bessemer::prelude::*;
-use bessemer::rotation::Turn;
+use bessemer::{Plain, rotation};
 use proptest::prelude::*;
 
-fn turn(q: &UnitQuaternion<f64>) -> Turn<f64> {
-    Turn { i: q.i, j: q.j, k: q.k, w: q.w }
-}
-
-fn bits(turn: Turn<f64>) -> [u64; 4] {
-    [turn.i, turn.j, turn.k, turn.w].map(f64::to_bits)
+fn bits<T: Plain>(value: T) -> Vec<u64> {
+    let mut words = Vec::new();
+    value.store(&mut |word| words.push(word));
+    words
 }
 
 /// Whether the platform's sine and cosine of this angle are the DSL's.
@@ -35,42 +33,36 @@ proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn without_angles_the_bits_are_nalgebras(a in unit(), b in unit(), v in vector()) {
-        let (one, other) = (turn(&a), turn(&b));
-        prop_assert_eq!(bits(one.after(&other)), bits(turn(&(a * b))));
-        prop_assert_eq!(bits(one.inverse()), bits(turn(&a.inverse())));
-        prop_assert_eq!(one.rotate(&v).data.0[0].map(f64::to_bits), (a * v).data.0[0].map(f64::to_bits));
-        let back = a.inverse_transform_vector(&v);
-        prop_assert_eq!(one.rotate_back(&v), back);
-        prop_assert_eq!(one.matrix(), a.to_rotation_matrix().into_inner());
-        let long = Quaternion::new(3.0 * a.w, 3.0 * a.i, 3.0 * a.j, 3.0 * a.k);
-        let scaled = Turn { i: long.i, j: long.j, k: long.k, w: long.w };
-        prop_assert_eq!(bits(scaled.renormalized()), bits(turn(&UnitQuaternion::new_normalize(long))));
-    }
-
-    #[test]
-    fn from_angles_too_where_the_platform_agrees(angles in vector(), angle in -7.0..7.0_f64) {
+    fn from_angles(angles in vector(), angle in -7.0..7.0_f64) {
         let [roll, pitch, yaw] = angles.data.0[0];
-        let theirs = UnitQuaternion::from_euler_angles(roll, pitch, yaw);
-        let ours = Turn::of_euler_angles(roll, pitch, yaw);
         if [roll, pitch, yaw].iter().all(|angle| agrees(0.5 * angle)) {
-            prop_assert_eq!(bits(ours), bits(turn(&theirs)));
+            let theirs = UnitQuaternion::from_euler_angles(roll, pitch, yaw);
+            prop_assert_eq!(bits(rotation::from_euler_angles(roll, pitch, yaw)), bits(theirs));
+        }
+        if [roll, pitch, yaw].iter().all(|angle| agrees(*angle)) {
+            let theirs = Rotation3::from_euler_angles(roll, pitch, yaw);
+            prop_assert_eq!(bits(rotation::matrix_from_euler_angles(roll, pitch, yaw)), bits(theirs));
         }
         let axis = Unit::new_normalize(angles);
         if agrees(angle / 2.0) {
             let theirs = UnitQuaternion::from_axis_angle(&axis, angle);
-            prop_assert_eq!(bits(Turn::about(&axis, angle)), bits(turn(&theirs)));
+            prop_assert_eq!(bits(rotation::from_axis_angle(&axis, angle)), bits(theirs));
+        }
+        if agrees(angle) {
+            let theirs = Rotation3::from_axis_angle(&axis, angle);
+            prop_assert_eq!(bits(rotation::matrix_from_axis_angle(&axis, angle)), bits(theirs));
+            prop_assert_eq!(bits(rotation::matrix_from_angle(angle)), bits(Rotation2::new(angle)));
         }
         if agrees((angles / 2.0).norm_squared().sqrt()) {
             let theirs = UnitQuaternion::from_scaled_axis(angles);
-            prop_assert_eq!(bits(Turn::of_scaled_axis(&angles)), bits(turn(&theirs)));
+            prop_assert_eq!(bits(rotation::from_scaled_axis(angles)), bits(theirs));
         }
     }
 
     #[test]
-    fn angles_and_the_way_between_too(a in unit(), b in unit(), share in 0.0..1.0_f64) {
-        let down = a.to_rotation_matrix()[(2, 0)];
+    fn angles(a in unit(), b in unit()) {
         let m = a.to_rotation_matrix();
+        let down = m[(2, 0)];
         let pitch = -asin(down);
         let [y, x] = [m[(2, 1)] / pitch.dsl_cos(), m[(2, 2)] / pitch.dsl_cos()];
         let [north, east] = [m[(1, 0)] / pitch.dsl_cos(), m[(0, 0)] / pitch.dsl_cos()];
@@ -79,14 +71,31 @@ proptest! {
             && RealField::atan2(y, x) == atan2(y, x)
             && RealField::atan2(north, east) == atan2(north, east);
         if same {
-            let (roll, pitch, yaw) = a.euler_angles();
-            prop_assert_eq!(turn(&a).roll_pitch_yaw(), Vector3::new(roll, pitch, yaw));
+            prop_assert_eq!(bits(rotation::euler_angles(&a)), bits(a.euler_angles()));
+            prop_assert_eq!(bits(rotation::matrix_euler_angles(&m)), bits(m.euler_angles()));
         }
+        let (length, w) = (a.imag().norm(), a.w.abs());
+        if RealField::atan2(length, w) == atan2(length, w) {
+            prop_assert_eq!(bits(rotation::angle(&a)), bits(a.angle()));
+            prop_assert_eq!(bits(rotation::scaled_axis(&a)), bits(a.scaled_axis()));
+            prop_assert_eq!(bits(rotation::axis_angle(&a)), bits(a.axis_angle()));
+        }
+        let delta = a.rotation_to(&b);
+        if RealField::atan2(delta.imag().norm(), delta.w.abs()) == atan2(delta.imag().norm(), delta.w.abs()) {
+            prop_assert_eq!(bits(rotation::angle_to(&a, &b)), bits(a.angle_to(&b)));
+        }
+    }
+
+    #[test]
+    fn parts_of_the_way(a in unit(), b in unit(), share in 0.0..1.0_f64) {
         let cosine = a.coords.dot(&b.coords).abs();
         let angle = acos(cosine);
         if ComplexField::acos(cosine) == angle && agrees((1.0 - share) * angle) && agrees(share * angle) {
-            let theirs = a.slerp(&b, share);
-            prop_assert_eq!(bits(turn(&a).towards(&turn(&b), share)), bits(turn(&theirs)));
+            prop_assert_eq!(bits(rotation::slerp(&a, &b, share)), bits(a.slerp(&b, share)));
+        }
+        let (length, w) = (a.imag().norm(), a.w.abs());
+        if RealField::atan2(length, w) == atan2(length, w) && agrees(a.angle() * share / 2.0) {
+            prop_assert_eq!(bits(rotation::powf(&a, share)), bits(a.powf(share)));
         }
     }
 }
@@ -99,12 +108,16 @@ fn the_platform_agrees_at_most_angles() {
 
 #[test]
 fn ends_are_those_of_nalgebra() {
-    assert_eq!(Turn::of_scaled_axis(&Vector3::zeros()), Turn::<f64>::identity());
-    let one = Turn::of_euler_angles(0.1, -0.2, 0.3);
-    assert_eq!(one.towards(&one, 0.7), one);
-    // Straight up: roll alone is left.
-    let up = Turn { i: 0.0, j: -0.5_f64.sqrt(), k: 0.0, w: 0.5_f64.sqrt() };
-    let theirs = UnitQuaternion::new_unchecked(Quaternion::new(up.w, up.i, up.j, up.k));
-    let (roll, pitch, yaw) = theirs.euler_angles();
-    assert_eq!(up.roll_pitch_yaw(), Vector3::new(roll, pitch, yaw));
+    let none = rotation::from_scaled_axis(Vector3::<f64>::zeros());
+    assert_eq!(bits(none), bits(UnitQuaternion::<f64>::identity()));
+    assert_eq!(rotation::axis_angle(&none), None);
+    assert_eq!(bits(rotation::powf(&none, 2.0)), bits(none));
+    let one = rotation::from_euler_angles(0.1, -0.2, 0.3);
+    assert_eq!(bits(rotation::slerp(&one, &one, 0.7)), bits(one));
+    // Straight up and down: roll alone is left.
+    for pitch in [-1.0, 1.0] {
+        let half = 0.5_f64.sqrt();
+        let q = UnitQuaternion::new_unchecked(Quaternion::new(half, 0.0, pitch * half, 0.0));
+        assert_eq!(bits(rotation::euler_angles(&q)), bits(q.euler_angles()));
+    }
 }

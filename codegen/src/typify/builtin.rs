@@ -109,6 +109,9 @@ impl Lowering<'_, '_> {
             ("matrix_by_rows", [rows]) => return self.by_rows(rows, expr),
             _ => {}
         }
+        if let Some(value) = self.spatial(name, arguments, expr)? {
+            return Ok(value);
+        }
         if let Some(value) = self.list_method(name, arguments, expr)? {
             return Ok(value);
         }

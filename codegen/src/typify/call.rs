@@ -47,6 +47,7 @@ impl Lowering<'_, '_> {
                 Mode::RefMut => match self.place(argument)? {
                     Some(place) => Argument::RefMut(place),
                     None => {
+                        self.not_coords(argument)?;
                         let value = self.value(argument, Some(&ty))?;
                         let held = self.temporary("argument", value);
                         let ExprKind::Load(place) = held.kind else {
@@ -55,7 +56,10 @@ impl Lowering<'_, '_> {
                         Argument::RefMut(place)
                     }
                 },
-                Mode::Ref => Argument::Ref(self.value(argument, Some(&ty))?),
+                Mode::Ref => {
+                    let value = self.value(argument, Some(&ty))?;
+                    Argument::Ref(self.as_asked(value, &ty, argument.site)?)
+                }
                 Mode::Value => Argument::Value(self.value(argument, Some(&ty))?),
             };
             let later = self.later(mark);

@@ -384,6 +384,14 @@ impl Lowering<'_, '_> {
                 self.out.extend(later);
                 self.emit(StmtKind::Assign { place, value }, span);
             }
+            Some(_) if let Some(callee) = self.operator(place.slot).cloned() => {
+                let operands = [place.clone(), value.clone()];
+                let ty = self.place_type(place)?;
+                let value = self.call_of(&callee, &operands, place)?;
+                self.agree(&value.ty, &ty, site)?;
+                let place = self.writable(place)?;
+                self.emit(StmtKind::Assign { place, value }, span);
+            }
             Some(op) => {
                 let ty = self.place_type(place)?;
                 let expected = self.compound_operand(op, &ty);
@@ -449,6 +457,7 @@ impl Lowering<'_, '_> {
 
     /// The place that an assignment writes.
     pub(super) fn writable(&mut self, expr: &tree::Expr) -> Result<Place> {
+        self.not_coords(expr)?;
         match self.place(expr)? {
             Some(place) => Ok(place),
             None => {

@@ -88,6 +88,9 @@ impl Lowering<'_, '_> {
                 "write `#[derive(PartialEq)]` below `#[data]`, or compare the fields",
             );
         }
+        if self.cx.quaternions.get(&id) == Some(&true) {
+            return Ok(self.same_rotation(id, left, right, span));
+        }
         let (form, count) = (definition.form.clone(), definition.fields.len());
         if form == Form::Sequence {
             return self.equal_lists((left, right), site, span);

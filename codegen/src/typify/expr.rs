@@ -58,7 +58,13 @@ impl Lowering<'_, '_> {
                 self.node(ExprKind::Array(items), ty, site)
             }
             tree::ExprKind::Path(index, name) => self.path(*index, name, site),
-            tree::ExprKind::Unary(op, operand) => self.unary(*op, operand, expected, site),
+            tree::ExprKind::Unary(op, operand) => match self.operator(expr.slot).cloned() {
+                Some(callee) => self.call_of(&callee, std::slice::from_ref(&**operand), expr),
+                None => self.unary(*op, operand, expected, site),
+            },
+            tree::ExprKind::Field(base, name) if name == "coords" && self.in_coords(expr)? => {
+                self.coords(base, site)
+            }
             tree::ExprKind::Binary(op, left, right) => self.binary(*op, left, right, expr),
             tree::ExprKind::Call(callee, arguments) => self.call(*callee, arguments, expr),
             tree::ExprKind::Apply(name, arguments) => self.apply(name, arguments, site),
@@ -222,6 +228,9 @@ impl Lowering<'_, '_> {
     ) -> Result<Expr> {
         if let Some(op) = logic(op) {
             return self.logic(op, left, right, expr.site);
+        }
+        if let Some(callee) = self.operator(expr.slot).cloned() {
+            return self.call_of(&callee, &[left.clone(), right.clone()], expr);
         }
         let (for_left, for_right) = match (compare(op), expr.slot) {
             (None, Some(slot)) => {
@@ -462,9 +471,23 @@ impl Lowering<'_, '_> {
     }
 
     fn call(&mut self, callee: u32, arguments: &[tree::Expr], expr: &tree::Expr) -> Result<Expr> {
-        match self.source.callees.get(callee as usize) {
-            Some(tree::Callee::Builtin(name)) => self.builtin(name, arguments, expr),
-            Some(tree::Callee::Function(path)) => {
+        let source = self.source;
+        match source.callees.get(callee as usize) {
+            Some(callee) => self.call_of(callee, arguments, expr),
+            None => problem(expr.site, "the tree names a callee that is not there", OUR_FAULT),
+        }
+    }
+
+    /// A call of what rustc resolved.
+    pub(super) fn call_of(
+        &mut self,
+        callee: &tree::Callee,
+        arguments: &[tree::Expr],
+        expr: &tree::Expr,
+    ) -> Result<Expr> {
+        match callee {
+            tree::Callee::Builtin(name) => self.builtin(name, arguments, expr),
+            tree::Callee::Function(path) => {
                 if let Some(template) = self.cx.templates.get(path.as_str()).copied() {
                     return self.call_handing(template, arguments, expr);
                 }
@@ -483,7 +506,6 @@ impl Lowering<'_, '_> {
                     None => problem(expr.site, "", ""),
                 }
             }
-            None => problem(expr.site, "the tree names a callee that is not there", OUR_FAULT),
         }
     }
 }

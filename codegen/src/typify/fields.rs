@@ -109,7 +109,7 @@ impl Lowering<'_, '_> {
     }
 
     /// A struct of its parts.
-    fn parts(
+    pub(super) fn parts(
         &mut self,
         id: StructId,
         fields: &[(String, tree::Expr)],

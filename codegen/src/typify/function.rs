@@ -122,7 +122,7 @@ pub(super) fn result_name(cx: &Context<'_>, tree: &tree::FunctionTree, result: &
     }
     match result {
         Type::Struct(id) if !cx.shown.contains_key(id) => {
-            names::snake(&cx.module.structs[id.index()].name)
+            names::role(&cx.module.structs[id.index()].name)
         }
         Type::Enum(id) => names::snake(&cx.module.enums[id.index()].name),
         _ => "result".into(),
@@ -171,6 +171,15 @@ impl<'a, 'c> Lowering<'a, 'c> {
             counters: Vec::new(),
             handed: HashMap::new(),
         })
+    }
+}
+
+/// Whether what `expr` refers to comes from a call.
+fn lends(expr: &tree::Expr) -> bool {
+    match &expr.kind {
+        tree::ExprKind::Ref(false, inner) => lends(inner),
+        tree::ExprKind::Call(..) => true,
+        _ => false,
     }
 }
 
@@ -460,6 +469,15 @@ impl Lowering<'_, '_> {
         };
         match place {
             Some(place) if fixed(&place) => {
+                self.bind(name, Binding::Alias(place));
+                Ok(())
+            }
+            // What a call lends is not written while it is lent.
+            None if let Some(value) = value
+                && lends(value) =>
+            {
+                let value = self.value(value, None)?;
+                let place = self.hold(value, site)?;
                 self.bind(name, Binding::Alias(place));
                 Ok(())
             }

@@ -53,6 +53,22 @@ fn without_loans(ty: &Ty) -> Ty {
     }
 }
 
+/// The type with nalgebra's as what they are in the C.
+fn bare(ty: &Ty) -> Ty {
+    let inside = |ty: &Ty| Box::new(bare(ty));
+    match ty {
+        Ty::Unit | Ty::Scalar(_) | Ty::Matrix(..) | Ty::Named(_) => ty.clone(),
+        Ty::Array(element, len) => Ty::Array(inside(element), *len),
+        Ty::Tuple(parts) => Ty::Tuple(parts.iter().map(bare).collect()),
+        Ty::List(element, n) => Ty::List(inside(element), *n),
+        Ty::Option(value) => Ty::Option(inside(value)),
+        Ty::Result(value, error) => Ty::Result(inside(value), inside(error)),
+        Ty::Slice(element) => Ty::Slice(inside(element)),
+        Ty::Ref(inner, mutable) => Ty::Ref(inside(inner), *mutable),
+        Ty::Known(_, inner) => bare(inner),
+    }
+}
+
 /// Which field of a struct an author means by a name, or by the number of a part.
 pub(super) fn position(fields: &[Field], name: &str) -> Option<usize> {
     match name.parse::<usize>() {
@@ -83,7 +99,7 @@ fn part(index: usize, count: usize) -> String {
 impl Context<'_> {
     /// The struct that stands for a type of Rust's own.
     pub(super) fn generic(&mut self, ty: &Ty, site: Site) -> Result<Type> {
-        let ty = &without_loans(ty);
+        let ty = &bare(&without_loans(ty));
         if let Some(known) = self.generics.get(ty) {
             return Ok(known.clone());
         }

@@ -35,6 +35,7 @@ mod pattern;
 mod place;
 mod several;
 mod slice;
+mod spatial;
 mod stepped;
 mod types;
 mod views;
@@ -178,6 +179,8 @@ struct Context<'a> {
     unequal: HashSet<StructId>,
     /// The instances of `BoundedMatrix`.
     bounded: HashSet<StructId>,
+    /// The structs that stand for quaternions, and whether these are unit ones.
+    quaternions: HashMap<StructId, bool>,
     functions: HashMap<String, FunctionId>,
     /// The functions that take closures: each call has a copy of its own.
     templates: HashMap<&'a str, &'a tree::Function>,
@@ -208,6 +211,7 @@ impl<'a> Context<'a> {
             homes: HashMap::new(),
             unequal: HashSet::new(),
             bounded: HashSet::new(),
+            quaternions: HashMap::new(),
             functions: HashMap::new(),
             templates: HashMap::new(),
             uncalled: HashMap::new(),

@@ -16,6 +16,13 @@ pub(super) fn snake(name: &str) -> String {
     snake
 }
 
+/// What a value of a type is called where its author has no name: an instance as what it is one of.
+pub(super) fn role(name: &str) -> String {
+    let snake = snake(name);
+    let bare = snake.strip_suffix("_f64").or_else(|| snake.strip_suffix("_f32"));
+    bare.unwrap_or(&snake).to_owned()
+}
+
 /// The module and the name of a constant that a function of `module` (in an `impl` of `owner`) reads by `path`: `left::LIMIT` is `LIMIT` of `left`, `Gains::LIMIT` is `GAINS_LIMIT`, `i8::MAX` is `I8_MAX`.
 pub(super) fn constant(module: &str, owner: Option<&str>, path: &str) -> (String, String) {
     let mut segments: Vec<&str> = path.split("::").collect();

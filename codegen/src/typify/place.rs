@@ -16,6 +16,11 @@ pub(super) fn is_fixed(step: &Step) -> bool {
     }
 }
 
+/// Whether a field is all there is: of a point its `coords`, of a translation its `vector`.
+fn is_whole(base: &Type, name: &str) -> bool {
+    matches!(base, Type::Matrix { .. }) && (name == "coords" || name == "vector")
+}
+
 /// The row and the column of nalgebra's `m12`, from 0.
 fn by_name(name: &str) -> Option<(u64, u64)> {
     let digit = |at: usize| match name.as_bytes().get(at)? {
@@ -39,6 +44,7 @@ impl Lowering<'_, '_> {
                 }
             })),
             tree::ExprKind::Deref(inner) | tree::ExprKind::Ref(_, inner) => self.place(inner),
+            tree::ExprKind::Field(_, name) if name == "coords" && self.in_coords(expr)? => Ok(None),
             tree::ExprKind::Field(base, name) => {
                 let base = self.base(base)?;
                 self.field(base, name, expr).map(Some)
@@ -76,7 +82,7 @@ impl Lowering<'_, '_> {
                     _ => "pair".into(),
                 }
             }
-            Type::Struct(id) => super::names::snake(&self.cx.module.structs[id.index()].name),
+            Type::Struct(id) => super::names::role(&self.cx.module.structs[id.index()].name),
             Type::Matrix { .. } => "vector".into(),
             Type::Array { .. } => "elements".into(),
             _ => "selector".into(),
@@ -91,6 +97,9 @@ impl Lowering<'_, '_> {
     }
 
     fn field(&mut self, mut base: Place, name: &str, expr: &tree::Expr) -> Result<Place> {
+        if is_whole(&base.ty, name) {
+            return Ok(base);
+        }
         let (step, ty) = self.field_step(&base.ty, name, expr)?;
         base.steps.push(step);
         base.ty = ty;
@@ -215,6 +224,9 @@ impl Lowering<'_, '_> {
             tree::ExprKind::Deref(inner) | tree::ExprKind::Ref(_, inner) => self.place_type(inner),
             tree::ExprKind::Field(base, name) => {
                 let base = self.place_type(base)?;
+                if is_whole(&base, name) {
+                    return Ok(base);
+                }
                 Ok(self.field_step(&base, name, expr)?.1)
             }
             tree::ExprKind::Index(base, _) => match self.place_type(base)? {

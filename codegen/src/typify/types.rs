@@ -77,6 +77,10 @@ impl Context<'_> {
         {
             self.bounded.insert(*id);
         }
+        if let (Type::Struct(id), Some(unit)) = (&ty, super::spatial::quaternion(&definition.path))
+        {
+            self.quaternions.insert(*id, unit);
+        }
         if let (Type::Struct(id), false) = (&ty, definition.equal) {
             self.unequal.insert(*id);
         }
@@ -130,6 +134,10 @@ impl Context<'_> {
                 format!("result_{}_{}", self.type_name(value), self.type_name(error))
             }
             Ty::Ref(inner, _) => self.type_name(inner),
+            Ty::Known(name, inner) => match &**inner {
+                Ty::Matrix(scalar, ..) => format!("{}_{}", snake(name), scalar.name()),
+                inner => format!("{}_{}", snake(name), self.type_name(inner)),
+            },
         }
     }
 
@@ -171,7 +179,7 @@ impl Context<'_> {
                     return problem(site, format!("`{path}` was not built"), "mark it `#[data]`");
                 }
             },
-            Ty::Ref(inner, _) => self.pointee(inner, site)?,
+            Ty::Ref(inner, _) | Ty::Known(_, inner) => self.pointee(inner, site)?,
             Ty::Slice(_) => {
                 return problem(
                     site,

@@ -79,6 +79,8 @@ pub enum Ty {
     Slice(Box<Ty>),
     /// `&T`, or `&mut T` when true.
     Ref(Box<Ty>, bool),
+    /// A type of nalgebra's, by its name, whose values are those of another: `Rotation3` is a matrix.
+    Known(String, Box<Ty>),
 }
 
 /// What stands for a parameter of something generic.
@@ -191,6 +193,9 @@ pub struct Function {
     pub callees: Vec<Callee>,
     /// The values of the paths that are constants.
     pub constants: Vec<Constant>,
+    /// What its operators call, by [`Operator::at`], where they are functions.
+    #[serde(default)]
+    pub operators: Vec<(u32, Callee)>,
 }
 
 /// What a call calls.
@@ -231,6 +236,20 @@ pub struct FunctionTree {
     pub result: u32,
     /// The body.
     pub body: Block,
+    /// Its operators that may be functions: which depends on the types of their operands.
+    #[serde(default)]
+    pub operators: Vec<Operator>,
+}
+
+/// An operator, and where rustc put the types of its operands.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Operator {
+    /// The slot of its value; of an assignment, of its place.
+    pub at: u32,
+    /// Which one; none for the sign.
+    pub op: Option<BinaryOp>,
+    /// The slots of its operands; none of a literal.
+    pub operands: Vec<Option<u32>>,
 }
 
 /// What a function is to its callers.

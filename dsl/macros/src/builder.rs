@@ -223,6 +223,7 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
         params,
         result,
         body,
+        operators: std::mem::take(&mut walk.operators),
     };
     let builder = builder(subject, scope, &tree, &parameters, &walk, &copy);
     Some(Parts {

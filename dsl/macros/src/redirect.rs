@@ -76,7 +76,8 @@ pub fn block(block: &mut syn::Block) {
             #[allow(unused_imports)]
             use ::bessemer::math::{
                 DivisionMethods as _, ElementaryMethods as _, FloatMethods as _, MatrixMethods as _,
-                OrderMethods as _, RoundMethods as _, SignMethods as _, SquareMethods as _,
+                OrderMethods as _, RotationMethods as _, RoundMethods as _, SignMethods as _,
+                SquareMethods as _,
             };
         };
         block.stmts.insert(0, import);

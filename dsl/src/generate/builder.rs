@@ -9,7 +9,7 @@ use alloc::vec::Vec;
 use bessemer_ir::Scalar;
 use bessemer_ir::tree::{self, Argument, DefinitionKind, Package, Refusal, Site, Ty};
 
-use super::{DslType, ScalarType};
+use super::{DslType, ScalarType, spatial};
 use crate::Plain;
 
 /// What a package is made of, so far.
@@ -156,6 +156,10 @@ fn type_text(ty: &Ty) -> String {
         Ty::Option(value) => format!("Option<{}>", type_text(value)),
         Ty::Result(value, error) => format!("Result<{}, {}>", type_text(value), type_text(error)),
         Ty::Ref(inner, true) => format!("&mut {}", type_text(inner)),
+        Ty::Known(name, inner) => match &**inner {
+            Ty::Matrix(scalar, ..) => format!("{name}<{}>", scalar.name()),
+            inner => format!("{name}<{}>", type_text(inner)),
+        },
     }
 }
 
@@ -262,7 +266,8 @@ impl Builder {
             self.stack.push(path.clone());
             let witness = witness(self);
             self.stack.pop();
-            if let Ok(tree) = serde_json::from_str(text) {
+            if let Ok(tree) = serde_json::from_str::<tree::FunctionTree>(text) {
+                let operators = spatial::operators(self, &tree.operators, &witness.slots);
                 self.package.functions.push(tree::Function {
                     path: path.clone(),
                     module: named.module.to_owned(),
@@ -275,6 +280,7 @@ impl Builder {
                     slots: witness.slots,
                     callees: witness.callees,
                     constants: witness.constants,
+                    operators,
                 });
             }
         }

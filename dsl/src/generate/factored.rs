@@ -21,12 +21,12 @@ fn held<N, D>(_: &N) -> &D {
 }
 
 /// The same, lent to be changed.
-fn held_mut<N, D>(_: &mut N) -> &mut D {
+pub(super) fn held_mut<N, D>(_: &mut N) -> &mut D {
     unreachable!()
 }
 
 /// nalgebra's value in place of the DSL's struct.
-fn gives<M, D, N>(_: Called<M, D>) -> Called<M, N> {
+pub(super) fn gives<M, D, N>(_: Called<M, D>) -> Called<M, N> {
     unreachable!()
 }
 
@@ -138,7 +138,7 @@ companions! {
     }
 }
 
-/// A trait with the companions of the methods of a decomposition.
+/// A trait with the companions of the methods of one of nalgebra's types.
 macro_rules! methods {
     (
         $(#[$doc:meta])*
@@ -161,6 +161,7 @@ macro_rules! methods {
         )*}
     };
 }
+pub(super) use methods;
 
 methods! {
     /// Methods of LU.

@@ -16,6 +16,7 @@ pub mod option;
 pub mod resized;
 pub mod slice;
 mod slot;
+pub mod spatial;
 pub mod views;
 
 pub use alloc::string::String;
@@ -61,6 +62,13 @@ pub mod prelude {
     pub use super::resized::{PushBuiltin as _, ResizedBuiltins as _};
     pub use super::slice::{SliceBuiltins as _, VectorSliceBuiltins as _};
     pub use super::slot::{__any, __glance, __look, __result, __see, __take};
+    pub use super::spatial::{
+        IsometryBuiltins as _, IsometryMethods as _, NewPoint2 as _, NewPoint3 as _,
+        NewTranslation2 as _, NewTranslation3 as _, PointBuiltins as _, QuaternionBuiltins as _,
+        QuaternionMethods as _, RotationBuiltins as _, RotationMethods as _,
+        TranslationBuiltins as _, TranslationMethods as _, UnitAxisBuiltins as _,
+        UnitBuiltins as _, UnitQuaternionBuiltins as _, UnitQuaternionMethods as _,
+    };
     pub use super::views::ViewBuiltins as _;
 }
 

@@ -22,6 +22,7 @@ pub mod matrix_resize;
 pub mod matrix_statistics;
 pub mod norms;
 pub mod parts;
+pub mod spatial;
 mod systems;
 pub mod views;
 

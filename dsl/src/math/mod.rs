@@ -31,6 +31,8 @@ pub mod single;
 pub mod tables;
 pub mod tangent;
 
+#[doc(hidden)]
+pub use crate::rotation::RotationMethods;
 pub use float::{Real, real};
 pub use matrix::{MatrixMethods, SquareMethods};
 pub use methods::ElementaryMethods;

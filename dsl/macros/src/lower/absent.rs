@@ -73,7 +73,11 @@ const ANGLES: &[&str] = &[
     "face_towards",
     "look_at_rh",
     "look_at_lh",
+    "rotation_between",
 ];
+
+/// Types whose `new` and `from_matrix` do.
+const TURNED: &[&str] = &["UnitQuaternion", "Rotation2", "Rotation3", "Isometry3"];
 
 /// The reason for a method call whose name shows it to be out of reach.
 pub fn method(call: &syn::ExprMethodCall) -> Option<Reason> {
@@ -100,7 +104,10 @@ fn absent(name: &str, arguments: usize) -> Option<Reason> {
 pub fn function(function: &syn::ExprPath, arguments: usize) -> Option<Reason> {
     let names: Vec<_> = function.path.segments.iter().map(|segment| text(&segment.ident)).collect();
     let [.., owner, last] = names.as_slice() else { return None };
-    if ANGLES.contains(&last.as_str()) {
+    let turned =
+        ["new", "from_matrix"].contains(&last.as_str()) && TURNED.contains(&owner.as_str());
+    let of_type = owner.starts_with(|first: char| first.is_uppercase());
+    if turned || of_type && ANGLES.contains(&last.as_str()) {
         return Some(refuse::NALGEBRA_ANGLES);
     }
     if let Some(reason) = refuse::named_type(&syn::Ident::new(owner, function.span()).into()) {

@@ -134,7 +134,18 @@ pub(super) fn gives_reference(expr: &syn::Expr) -> bool {
     if it.method == "__glance" {
         return true;
     }
-    let names = ["first", "last", "get", "unwrap", "expect", "unwrap_or"];
+    let names = [
+        "first",
+        "last",
+        "get",
+        "unwrap",
+        "expect",
+        "unwrap_or",
+        "as_ref",
+        "as_vector",
+        "matrix",
+        "quaternion",
+    ];
     names.iter().any(|name| call.method == format!("__b_{name}"))
 }
 

@@ -20,7 +20,7 @@ impl Lowering<'_> {
 
     fn lower(&mut self, expr: &mut syn::Expr, value: bool) -> tree::Expr {
         let place = site(expr);
-        let (kind, seen) = self.kind(expr, value);
+        let (mut kind, seen) = self.kind(expr, value);
         let slot = match (&kind, seen) {
             (_, true) if call::gives_reference(expr) => Some(self.glance(expr)),
             (ExprKind::Path(index, _), _) => {
@@ -33,6 +33,7 @@ impl Lowering<'_> {
             (_, true) => Some(self.see(expr)),
             _ => None,
         };
+        self.operator(&mut kind, slot, expr);
         tree::Expr { kind, site: place, slot }
     }
 
@@ -279,14 +280,15 @@ impl Lowering<'_> {
 
     fn binary(&mut self, it: &mut syn::ExprBinary) -> (ExprKind, bool) {
         if let Some(op) = compound(&it.op) {
-            let (place, value) = (self.value(&mut it.left), self.value(&mut it.right));
+            let place = self.value(&mut it.left);
+            let value = self.operand(op, &mut it.right);
             return (ExprKind::Assign(Some(op), Box::new(place), Box::new(value)), false);
         }
         let Some(op) = operator(&it.op) else {
             self.refusals.add(it.op.span(), refuse::SYNTAX);
             return (UNIT, false);
         };
-        let (left, right) = (self.value(&mut it.left), self.value(&mut it.right));
+        let (left, right) = (self.operand(op, &mut it.left), self.operand(op, &mut it.right));
         (ExprKind::Binary(op, Box::new(left), Box::new(right)), is_arithmetic(op))
     }
 

@@ -17,6 +17,7 @@ mod control;
 mod each;
 mod expr;
 mod matrix;
+mod operator;
 mod pattern;
 pub mod refuse;
 mod search;
@@ -52,6 +53,8 @@ pub struct Lowering<'a> {
     apart: bool,
     slots: u32,
     callees: u32,
+    /// The operators, which may be functions of a type that the library knows.
+    pub operators: Vec<tree::Operator>,
     /// Paths that rustc has to evaluate: the slot, and the path.
     pub constants: Vec<(u32, TokenStream)>,
     /// `const` items of the body: the builder needs them too.
@@ -100,6 +103,7 @@ impl<'a> Lowering<'a> {
             apart: false,
             slots: 0,
             callees: 0,
+            operators: Vec::new(),
             constants: Vec::new(),
             items: Vec::new(),
             name: text(name),

@@ -116,7 +116,7 @@ reasons! {
     IGNORED: "`_` is not a place in the DSL", "write `let _ = …;`";
     PART: "a pattern does not give a name to a part of an array in the DSL", "take the part behind it: `let rest = &values[1..];`";
     CORE: "functions of the standard library are not in the DSL", "write it out, or use the method of the same name";
-    ROTATION: "nalgebra's rotations are not in the DSL", "use `bessemer::rotation::Turn<f64>`, or a `Matrix3<f64>` from its `matrix`";
+    ROTATION: "of nalgebra's transformations this one is not in the DSL", "use `UnitQuaternion`, `Rotation2`, `Rotation3`, `Translation3` or `Isometry3`";
     LATER: "several variables that are assigned later stand in one `let`", "write a `let` for each";
     SEVERAL_PLACES: "an assignment takes tuples and arrays apart in the DSL, and nothing else", "take the value apart with `let`, then assign each";
     DESTRUCTURING: "this pattern is not in the DSL here", "take the value apart with `let`: `let [x, y] = pair;`, `let Gains { p, i } = gains;`";
@@ -166,7 +166,7 @@ reasons! {
     OWNED_NAME: "a method of this name belongs to numbers in the DSL", "give it a name of its own";
     HEAP: "a model has no heap", "use an array of fixed length: `[T; N]`";
     DYNAMIC_MATRIX: "the size of a dynamic matrix is not known when the C is written", "use `SMatrix<f64, R, C>` or `SVector<f64, N>`";
-    NALGEBRA_ANGLES: "nalgebra takes sine and cosine from the platform here, so the bits would depend on the target", "call `bessemer::rotation::Turn`: `of_euler_angles`, `about`, `of_scaled_axis`, `matrix`, `roll_pitch_yaw`, `towards`";
+    NALGEBRA_ANGLES: "nalgebra takes sine and cosine from the platform here, so the bits would depend on the target", "call the function of `bessemer::rotation` for it: `from_euler_angles(roll, pitch, yaw)`, `from_axis_angle(&axis, angle)`, `from_scaled_axis(v)`, `euler_angles(&q)`, `slerp(&a, &b, t)`, `matrix_from_euler_angles(…)` and the like";
     STD: "std is not there on the target", "use `core`, and pass what the platform provides as an input";
     SHARED_CELL: "shared mutable state is not in the DSL", "keep it in a field of the component, behind `&mut self`";
     FORMAT: "text is not formatted on the target", "return the numbers, and format them where they are shown";
@@ -244,7 +244,7 @@ pub fn named_type(path: &syn::Path) -> Option<Reason> {
     // Without what it holds, it is the author's own of that name.
     let bare = path.segments.len() == 1 && last.arguments.is_empty();
     Some(match name.as_str() {
-        "Cell" | "RefCell" | "Mutex" | "RwLock" | "Quaternion" if bare => return None,
+        "Cell" | "RefCell" | "Mutex" | "RwLock" if bare => return None,
         "Vec" | "Box" | "String" | "Rc" | "Arc" | "VecDeque" | "HashMap" | "BTreeMap"
         | "HashSet" | "BTreeSet" | "BinaryHeap" => HEAP,
         "DMatrix" | "DVector" | "RowDVector" | "MatrixXx1" | "Matrix1xX" | "OMatrix"
@@ -252,8 +252,9 @@ pub fn named_type(path: &syn::Path) -> Option<Reason> {
         "Cell" | "RefCell" | "Mutex" | "RwLock" | "AtomicBool" | "AtomicU32" | "AtomicUsize" => {
             SHARED_CELL
         }
-        "Rotation2" | "Rotation3" | "Quaternion" | "UnitQuaternion" | "UnitComplex"
-        | "Isometry2" | "Isometry3" => ROTATION,
+        "UnitComplex" | "UnitDualQuaternion" | "Isometry2" | "IsometryMatrix2"
+        | "IsometryMatrix3" | "Similarity2" | "Similarity3" | "Transform3" | "Affine3"
+        | "Projective3" => ROTATION,
         "u128" | "i128" => WIDE_INTEGER,
         "char" => CHAR,
         "str" => STRING,

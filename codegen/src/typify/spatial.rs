@@ -1,0 +1,223 @@
+//! nalgebra's rotations and poses, as far as they need no function: structs of quaternions, one as the
+//! other, and their parts as a vector.
+
+use bessemer_ir::tree::{self, Site};
+use bessemer_ir::{
+    CompareOp, Expr, ExprKind, LogicOp, Place, Routine, Span, Step, StructId, Type, UnaryOp,
+};
+
+use super::expr::{Operand, two};
+use super::function::Lowering;
+use super::pattern::{inside, load, logic};
+use super::{OUR_FAULT, Result, problem};
+
+/// Whether the type at a path stands for a quaternion, and then whether for a unit one.
+pub(super) fn quaternion(path: &str) -> Option<bool> {
+    let path = path.strip_prefix("bessemer::linear::spatial::")?;
+    match path.split('<').next()? {
+        "quaternion::Quaternion" => Some(false),
+        "unit_quaternion::UnitQuaternion" => Some(true),
+        _ => None,
+    }
+}
+
+impl Lowering<'_, '_> {
+    /// What an operator calls, if it is a function; `slot` is that of its value, or of its place.
+    pub(super) fn operator(&self, slot: Option<u32>) -> Option<&tree::Callee> {
+        let mut operators = self.source.operators.iter();
+        operators.find(|(at, _)| Some(*at) == slot).map(|(_, callee)| callee)
+    }
+
+    /// An operation on rotations or poses; none if it is something else.
+    pub(super) fn spatial(
+        &mut self,
+        name: &str,
+        arguments: &[tree::Expr],
+        expr: &tree::Expr,
+    ) -> Result<Option<Expr>> {
+        if let Some(names) = name.strip_prefix("parts ") {
+            return self.of_parts(names, arguments, expr).map(Some);
+        }
+        let value = match (name, arguments) {
+            ("platform_angles", _) => {
+                return problem(
+                    expr.site,
+                    "nalgebra takes sine and cosine from the platform here, so the bits would depend on the target",
+                    "call the function of `bessemer::rotation` for it: `angle(&q)`, `from_scaled_axis(v)`, `slerp(&a, &b, t)` and the like",
+                );
+            }
+            ("quaternion_identity", []) => {
+                let ty = self.slot_of(expr)?;
+                let Type::Struct(id) = ty else {
+                    return problem(expr.site, "this is not a quaternion", OUR_FAULT);
+                };
+                let (kind, site) =
+                    (|digits: &str| tree::ExprKind::Float(digits.into(), None), expr.site);
+                let part = |name: &str| {
+                    let digits = if name == "w" { "1.0" } else { "0.0" };
+                    (name.to_owned(), tree::Expr { kind: kind(digits), site, slot: None })
+                };
+                self.parts(id, &["i", "j", "k", "w"].map(part), None, expr)?
+            }
+            ("quaternion_coords", [q]) => self.coords(q, expr.site)?,
+            ("same_parts", [q]) => {
+                let ty = self.slot_of(expr)?;
+                let value = self.value(q, None)?;
+                self.same_parts(value, &ty, expr.site)?
+            }
+            ("plus" | "minus" | "times" | "times_transposed", [left, right]) => {
+                self.matrix_operation(name, left, right, expr)?
+            }
+            ("negative", [matrix]) => {
+                let matrix = self.value(matrix, None)?;
+                let ty = matrix.ty.clone();
+                self.node(ExprKind::Routine(Routine::Neg, vec![matrix]), ty, expr.site)?
+            }
+            _ => return Ok(None),
+        };
+        Ok(Some(value))
+    }
+
+    /// A struct from its parts, named in the order of the arguments.
+    fn of_parts(
+        &mut self,
+        names: &str,
+        arguments: &[tree::Expr],
+        expr: &tree::Expr,
+    ) -> Result<Expr> {
+        let Type::Struct(id) = self.slot_of(expr)? else {
+            return problem(expr.site, "this is not a struct", OUR_FAULT);
+        };
+        let names = names.split(' ').map(str::to_owned);
+        let parts: Vec<_> = names.zip(arguments.iter().cloned()).collect();
+        self.parts(id, &parts, None, expr)
+    }
+
+    /// An operator of matrices for what is a matrix in the C.
+    fn matrix_operation(
+        &mut self,
+        name: &str,
+        left: &tree::Expr,
+        right: &tree::Expr,
+        expr: &tree::Expr,
+    ) -> Result<Expr> {
+        let operands = self.operands(&[
+            Operand { expr: left, expected: None, role: "left" },
+            Operand { expr: right, expected: None, role: "right" },
+        ])?;
+        let [left, mut right] = two(operands, expr.site)?;
+        let op = match name {
+            "plus" => tree::BinaryOp::Add,
+            "minus" => tree::BinaryOp::Sub,
+            _ => tree::BinaryOp::Mul,
+        };
+        if name == "times_transposed" {
+            let ty = right.ty.clone();
+            right = self.routine_node(Routine::Transpose, vec![right], ty, expr.site)?;
+        }
+        self.binary_node(op, left, right, expr.site)
+    }
+
+    /// A quaternion as what is asked for, unit or not; any other value as it is.
+    pub(super) fn as_asked(&mut self, value: Expr, asked: &Type, site: Site) -> Result<Expr> {
+        let quaternion = |ty: &Type| match ty {
+            Type::Struct(id) => self.cx.quaternions.contains_key(id),
+            _ => false,
+        };
+        if value.ty != *asked && quaternion(&value.ty) && quaternion(asked) {
+            return self.same_parts(value, asked, site);
+        }
+        Ok(value)
+    }
+
+    /// A struct with the parts of another.
+    fn same_parts(&mut self, value: Expr, ty: &Type, site: Site) -> Result<Expr> {
+        let span = value.span;
+        let parts = match value.kind {
+            ExprKind::Struct(parts) => parts,
+            _ => self.parts_of(value, site)?,
+        };
+        Ok(Expr { kind: ExprKind::Struct(parts), ty: ty.clone(), span })
+    }
+
+    /// The parts of a quaternion: i, j, k and w.
+    fn parts_of(&mut self, value: Expr, site: Site) -> Result<Vec<Expr>> {
+        let Type::Struct(id) = value.ty else {
+            return problem(site, "this is not a quaternion", OUR_FAULT);
+        };
+        let place = self.hold(value, site)?;
+        Ok((0..4).map(|part| load(&self.quaternion_part(&place, id, part))).collect())
+    }
+
+    fn quaternion_part(&self, place: &Place, id: StructId, part: u32) -> Place {
+        let ty = self.cx.module.structs[id.index()].fields[part as usize].ty.clone();
+        inside(place, Step::Field(part), ty)
+    }
+
+    /// `q.coords`: i, j, k and w as a vector.
+    pub(super) fn coords(&mut self, q: &tree::Expr, site: Site) -> Result<Expr> {
+        let value = self.value(q, None)?;
+        let parts = self.parts_of(value, site)?;
+        match parts.first().map(|part| part.ty.clone()) {
+            Some(Type::Scalar(element)) => {
+                self.node(ExprKind::Matrix(parts), Type::Matrix { element, rows: 4, cols: 1 }, site)
+            }
+            _ => problem(site, "this is not a quaternion", OUR_FAULT),
+        }
+    }
+
+    /// Refuses to write to what is a value in the C.
+    pub(super) fn not_coords(&mut self, expr: &tree::Expr) -> Result<()> {
+        if self.in_coords(expr)? {
+            return problem(
+                expr.site,
+                "the parts of a quaternion are no vector in the C",
+                "write to `q.i`, `q.j`, `q.k` and `q.w`, or assign a new quaternion",
+            );
+        }
+        Ok(())
+    }
+
+    /// Whether `expr` is `q.coords` of a quaternion, or an element of it: a value, and no place.
+    pub(super) fn in_coords(&mut self, expr: &tree::Expr) -> Result<bool> {
+        match &expr.kind {
+            tree::ExprKind::Field(base, name) if name == "coords" => {
+                let ty = self.type_alone(base)?;
+                Ok(matches!(ty, Type::Struct(id) if self.cx.quaternions.contains_key(&id)))
+            }
+            tree::ExprKind::Field(base, _)
+            | tree::ExprKind::Index(base, _)
+            | tree::ExprKind::Deref(base)
+            | tree::ExprKind::Ref(_, base) => self.in_coords(base),
+            _ => Ok(false),
+        }
+    }
+
+    /// `==` of unit quaternions: the opposite one is the same rotation.
+    pub(super) fn same_rotation(
+        &self,
+        id: StructId,
+        left: &Place,
+        right: &Place,
+        span: Span,
+    ) -> Expr {
+        let all = |opposite: bool| {
+            let parts = (0..4).map(|part| {
+                let one = load(&self.quaternion_part(left, id, part));
+                let mut other = load(&self.quaternion_part(right, id, part));
+                if opposite {
+                    let ty = other.ty.clone();
+                    let kind = ExprKind::Unary(UnaryOp::Neg, Box::new(other));
+                    other = Expr { kind, ty, span };
+                }
+                let kind = ExprKind::Compare(CompareOp::Eq, Box::new(one), Box::new(other));
+                Expr { kind, ty: Type::BOOL, span }
+            });
+            parts.reduce(|all, next| logic(LogicOp::And, all, next))
+        };
+        match (all(false), all(true)) {
+            (Some(same), Some(opposite)) => logic(LogicOp::Or, same, opposite),
+            _ => super::equal::truth(1, span),
+        }
+    }
+}

@@ -1,0 +1,169 @@
+//! Quaternions of any length.
+
+use nalgebra::{Quaternion as Native, Vector3};
+
+use crate::math::{Real, real};
+use crate::{data, function};
+
+/// A quaternion w + i·𝐢 + j·𝐣 + k·𝐤.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Quaternion<T> {
+    /// The factor of 𝐢.
+    pub i: T,
+    /// The factor of 𝐣.
+    pub j: T,
+    /// The factor of 𝐤.
+    pub k: T,
+    /// The real part.
+    pub w: T,
+}
+
+/// From the real part and the factors of 𝐢, 𝐣 and 𝐤.
+#[function]
+pub fn from_parts<T: Real>(scalar: T, vector: &Vector3<T>) -> Native<T> {
+    Native::new(scalar, vector.x, vector.y, vector.z)
+}
+
+/// With these factors of 𝐢, 𝐣 and 𝐤, and no real part.
+#[function]
+pub fn from_imag<T: Real>(vector: &Vector3<T>) -> Native<T> {
+    Native::new(T::ZERO, vector.x, vector.y, vector.z)
+}
+
+/// A number as a quaternion.
+#[function]
+pub fn from_real<T: Real>(number: T) -> Native<T> {
+    Native::new(number, T::ZERO, T::ZERO, T::ZERO)
+}
+
+/// Hamilton's product.
+#[function]
+pub fn product<T: Real>(a: &Native<T>, b: &Native<T>) -> Native<T> {
+    Native::new(
+        a.w * b.w - a.i * b.i - a.j * b.j - a.k * b.k,
+        a.w * b.i + a.i * b.w + a.j * b.k - a.k * b.j,
+        a.w * b.j - a.i * b.k + a.j * b.w + a.k * b.i,
+        a.w * b.k + a.i * b.j - a.j * b.i + a.k * b.w,
+    )
+}
+
+/// The product with itself.
+#[function]
+pub fn squared<T: Real>(q: &Native<T>) -> Native<T> {
+    product(q, q)
+}
+
+/// The sum.
+#[function]
+pub fn sum<T: Real>(a: &Native<T>, b: &Native<T>) -> Native<T> {
+    Native::new(a.w + b.w, a.i + b.i, a.j + b.j, a.k + b.k)
+}
+
+/// The difference.
+#[function]
+pub fn difference<T: Real>(a: &Native<T>, b: &Native<T>) -> Native<T> {
+    Native::new(a.w - b.w, a.i - b.i, a.j - b.j, a.k - b.k)
+}
+
+/// Each part times a number.
+#[function]
+pub fn scaled<T: Real>(q: &Native<T>, factor: T) -> Native<T> {
+    Native::new(q.w * factor, q.i * factor, q.j * factor, q.k * factor)
+}
+
+/// The same, the number on the left.
+#[function]
+pub fn scaled_by<T: Real>(factor: T, q: &Native<T>) -> Native<T> {
+    Native::new(factor * q.w, factor * q.i, factor * q.j, factor * q.k)
+}
+
+/// Each part over a number.
+#[function]
+pub fn unscaled<T: Real>(q: &Native<T>, divisor: T) -> Native<T> {
+    Native::new(q.w / divisor, q.i / divisor, q.j / divisor, q.k / divisor)
+}
+
+/// The opposite.
+#[function]
+pub fn negative<T: Real>(q: &Native<T>) -> Native<T> {
+    Native::new(-q.w, -q.i, -q.j, -q.k)
+}
+
+/// The conjugate.
+#[function]
+pub fn conjugate<T: Real>(q: &Native<T>) -> Native<T> {
+    Native::new(q.w, -q.i, -q.j, -q.k)
+}
+
+/// The same in its place.
+#[function]
+pub fn conjugate_mut<T: Real>(q: &mut Native<T>) {
+    q.i = -q.i;
+    q.j = -q.j;
+    q.k = -q.k;
+}
+
+/// The real part.
+#[function]
+#[inline]
+pub fn scalar<T: Real>(q: &Native<T>) -> T {
+    q.w
+}
+
+/// The factors of 𝐢, 𝐣 and 𝐤.
+#[function]
+pub fn imag<T: Real>(q: &Native<T>) -> Vector3<T> {
+    Vector3::new(q.i, q.j, q.k)
+}
+
+/// The sum of the products of the parts.
+#[function]
+pub fn dot<T: Real>(a: &Native<T>, b: &Native<T>) -> T {
+    (a.i * b.i + a.k * b.k) + (a.j * b.j + a.w * b.w)
+}
+
+/// The square of the length.
+#[function]
+pub fn norm_squared<T: Real>(q: &Native<T>) -> T {
+    (q.i * q.i + q.k * q.k) + (q.j * q.j + q.w * q.w)
+}
+
+/// The length.
+#[function]
+pub fn norm<T: Real>(q: &Native<T>) -> T {
+    norm_squared(q).sqrt()
+}
+
+/// The quaternion at length 1.
+#[function]
+pub fn normalize<T: Real>(q: &Native<T>) -> Native<T> {
+    unscaled(q, norm(q))
+}
+
+/// The same in its place; the length that it had.
+#[function]
+pub fn normalize_mut<T: Real>(q: &mut Native<T>) -> T {
+    let length = norm(q);
+    *q = unscaled(q, length);
+    length
+}
+
+/// The inverse; none if the square of the length is below ε.
+#[function]
+pub fn try_inverse<T: Real>(q: &Native<T>) -> Option<Native<T>> {
+    let squared = norm_squared(q);
+    if squared >= T::EPSILON { Some(unscaled(&conjugate(q), squared)) } else { None }
+}
+
+/// `share` of the way from `a` to `b`.
+#[function]
+pub fn lerp<T: Real>(a: &Native<T>, b: &Native<T>, share: T) -> Native<T> {
+    sum(&scaled(a, T::ONE - share), &scaled(b, share))
+}
+
+/// Half of it.
+#[function]
+pub fn half<T: Real>(q: &Native<T>) -> Native<T> {
+    unscaled(q, real(2.0))
+}
