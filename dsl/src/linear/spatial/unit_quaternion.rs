@@ -194,11 +194,8 @@ pub fn nlerp<T: Real>(a: &Native<T>, b: &Native<T>, share: T) -> Native<T> {
 /// The axis, pointing so that the angle is at most π; none of no rotation.
 #[function]
 pub fn axis<T: Real>(q: &Native<T>) -> Option<UnitVector3<T>> {
-    let vector = if q.w >= T::ZERO {
-        Vector3::new(q.i, q.j, q.k)
-    } else {
-        Vector3::new(-q.i, -q.j, -q.k)
-    };
+    let vector =
+        if q.w >= T::ZERO { Vector3::new(q.i, q.j, q.k) } else { Vector3::new(-q.i, -q.j, -q.k) };
     let squared = vector.norm_squared();
     if squared > T::ZERO { Some(Unit::new_unchecked(vector / squared.sqrt())) } else { None }
 }
