@@ -4,6 +4,7 @@ use std::io::{BufReader, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdin, ChildStdout, Stdio};
 
+use bessemer_codegen::c::CFile;
 use bessemer_codegen::compile::Compiled;
 use bessemer_ir::FunctionId;
 use tempfile::TempDir;
@@ -43,9 +44,13 @@ pub struct Process {
 /// # Errors
 /// What the file system said.
 pub fn lay_out(compiled: &Compiled) -> Result<Folder, Error> {
+    lay_out_files(&compiled.files)
+}
+
+fn lay_out_files(files: &[CFile]) -> Result<Folder, Error> {
     let folder = tempfile::tempdir()?;
     let mut sources = Vec::new();
-    for file in &compiled.files {
+    for file in files {
         let path = folder.path().join(&file.name);
         std::fs::write(&path, &file.text)?;
         if file.name.ends_with(".c") {
@@ -102,7 +107,20 @@ impl Process {
         toolchain: &Toolchain,
         flags: &[&str],
     ) -> Result<Process, Error> {
-        let Folder { folder, sources } = lay_out(compiled)?;
+        Process::run_files(&compiled.files, main, toolchain, flags)
+    }
+
+    /// The same of some files.
+    ///
+    /// # Errors
+    /// What the compiler or the system said.
+    pub fn run_files(
+        files: &[CFile],
+        main: &str,
+        toolchain: &Toolchain,
+        flags: &[&str],
+    ) -> Result<Process, Error> {
+        let Folder { folder, sources } = lay_out_files(files)?;
         let path = folder.path().join("harness_main.c");
         std::fs::write(&path, main)?;
         let program = folder.path().join("harness");

@@ -1,20 +1,25 @@
 //! The table of linear algebra: every routine, type and size gives the bits of nalgebra in the
-//! interpreter and in C (gcc and clang, -O0 and -O3, under sanitizers, and on the Cortex-A9), on
-//! random, graded, singular and tied matrices, and on ones with NaN, infinities and zeros in them.
+//! interpreter and in C (gcc and clang, -O0 and -O3, under sanitizers, and on the Cortex-A9; sizes
+//! between those at which kernels change in one of these, optimised), on random, graded, singular and tied matrices, and on ones with NaN, infinities and zeros in them.
 
+use std::collections::BTreeSet;
 use std::sync::OnceLock;
 use std::thread;
 
+use bessemer_codegen::c::CFile;
 use bessemer_codegen::compile::Compiled;
 use bessemer_codegen::interpret::Interpreter;
 use bessemer_ir::{Float, Function, FunctionId, Mode, Module, Scalar, Type};
 use bessemer_tests::process::Process;
 use bessemer_tests::toolchain::{self, Toolchain};
 use bessemer_tests::{compiled, harness};
-use linear::CASES;
+use linear::{CASES, OTHER_SIZES};
 
 /// Calls of each routine.
 const CALLS: usize = 24;
+
+/// Calls of each routine of the other sizes: one of each kind.
+const FEWER_CALLS: usize = 6;
 
 /// A generator of numbers; the same in every run.
 struct Random(u64);
@@ -119,6 +124,8 @@ fn argument(module: &Module, ty: &Type, kind: Kind, random: &mut Random) -> Vec<
 struct Case {
     name: String,
     id: FunctionId,
+    /// Whether every compiler compiles it.
+    everywhere: bool,
     calls: Vec<(Kind, Vec<Vec<u64>>)>,
     native: Vec<Vec<u64>>,
     /// The types of the words that come out.
@@ -138,7 +145,9 @@ fn cases(compiled: &Compiled) -> Vec<Case> {
         function.name == native.name && function.module == native.module
     };
     let mut cases = Vec::new();
-    for native in CASES.into_iter().flatten().copied().flatten() {
+    let everywhere = CASES.into_iter().flatten().copied().flatten().map(|native| (native, true));
+    let once = OTHER_SIZES.iter().copied().flatten().map(|native| (native, false));
+    for (native, everywhere) in everywhere.chain(once) {
         let name = format!("{}::{}", native.module, native.name);
         let index = module.functions.iter().position(|function| is(native, function));
         let id = FunctionId(index.unwrap_or_else(|| panic!("`{name}` was not compiled")) as u32);
@@ -147,7 +156,7 @@ fn cases(compiled: &Compiled) -> Vec<Case> {
         for local in function.parameters().iter().filter(|local| local.mode == Mode::RefMut) {
             leaves.extend(module.leaves(&local.ty));
         }
-        let calls: Vec<_> = (0..CALLS)
+        let calls: Vec<_> = (0..if everywhere { CALLS } else { FEWER_CALLS })
             .map(|index| {
                 let kind = KINDS[index % KINDS.len()];
                 let words = function.parameters().iter();
@@ -160,7 +169,7 @@ fn cases(compiled: &Compiled) -> Vec<Case> {
             out
         };
         let native = calls.iter().map(run).collect();
-        cases.push(Case { name, id, calls, native, leaves });
+        cases.push(Case { name, id, everywhere, calls, native, leaves });
     }
     cases
 }
@@ -189,7 +198,8 @@ fn agree(leg: &str, case: &Case, index: usize, found: &[u64]) {
 fn the_interpreter_agrees() {
     let compiled = linear_routines();
     let cases = cases(compiled);
-    println!("{} routines, {} calls", cases.len(), cases.len() * CALLS);
+    let calls: usize = cases.iter().map(|case| case.calls.len()).sum();
+    println!("{} routines, {calls} calls", cases.len());
     let mut interpreter = Interpreter::new(&compiled.module);
     for case in &cases {
         let parameters = compiled.module.functions[case.id.index()].parameters();
@@ -207,12 +217,38 @@ fn the_interpreter_agrees() {
     }
 }
 
-fn run_c(compiled: &Compiled, cases: &[Case], toolchain: &Toolchain, flags: &[&str]) {
+/// The files that a program needs: what it includes, and what that includes.
+fn needed(compiled: &Compiled, main: &str) -> Vec<CFile> {
+    let included = |text: &str| -> Vec<String> {
+        let name = |line: &str| {
+            let rest = line.strip_prefix("#include \"")?;
+            Some(rest.strip_suffix(".h\"")?.to_owned())
+        };
+        text.lines().filter_map(name).collect()
+    };
+    let is = |file: &CFile, stem: &str| file.name.rsplit_once('.').is_some_and(|it| it.0 == stem);
+    let mut stems = BTreeSet::new();
+    let mut open = included(main);
+    while let Some(stem) = open.pop() {
+        for file in compiled.files.iter().filter(|file| is(file, &stem)) {
+            open.extend(included(&file.text).into_iter().filter(|name| !stems.contains(name)));
+        }
+        stems.insert(stem);
+    }
+    let wanted = |file: &&CFile| stems.iter().any(|stem| is(file, stem));
+    compiled.files.iter().filter(wanted).cloned().collect()
+}
+
+fn run_c(compiled: &Compiled, all: &[Case], toolchain: &Toolchain, flags: &[&str]) {
+    // The other sizes where it costs least: one optimised build, without the sanitizers.
+    let once = toolchain.compiler == "gcc" && flags.is_empty();
+    let cases: Vec<&Case> = all.iter().filter(|case| case.everywhere || once).collect();
     let leg = format!("{} {}", toolchain.name(), flags.join(" "));
     let params = |id: FunctionId| compiled.module.functions[id.index()].params;
     let ids: Vec<_> = cases.iter().map(|case| (case.id, params(case.id))).collect();
     let main = harness::programs(&compiled.explicit, &ids);
-    let mut process = Process::run(compiled, &main, toolchain, flags)
+    let files = needed(compiled, &main);
+    let mut process = Process::run_files(&files, &main, toolchain, flags)
         .unwrap_or_else(|error| panic!("{leg}: {error}"));
     for (at, case) in cases.iter().enumerate() {
         for (index, (_, call)) in case.calls.iter().enumerate() {

@@ -72,17 +72,41 @@ pub fn markdown(results: &Results, about: &BTreeMap<&'static str, String>) -> St
         text += &small(table, "");
         text += "```\n";
     }
-    text += "\n## Code and stack\n\nBytes of code and constants of each kernel, and of stack at most (all functions of the file together).\n\n\
-             | kernel | machine | text | stack |\n|---|---|---:|---:|\n";
-    for size in &results.sizes {
-        let _ = writeln!(
-            text,
-            "| `{}` | {} | {} | {} |",
-            size.kernel, size.machine, size.text, size.stack
-        );
-    }
+    text += &sizes(results);
     for line in &results.left_out {
         let _ = writeln!(text, "\nLeft out: {line}");
+    }
+    text
+}
+
+/// A line for each kernel, a column for each machine.
+fn sizes(results: &Results) -> String {
+    let mut machines = Vec::new();
+    let mut kernels = Vec::new();
+    for size in &results.sizes {
+        if !machines.contains(&size.machine) {
+            machines.push(size.machine);
+        }
+        if !kernels.contains(&&size.kernel) {
+            kernels.push(&size.kernel);
+        }
+    }
+    let mut text = format!(
+        "\n## Code and stack\n\nBytes of code and constants of each kernel on each machine; and of stack at most, all functions of the \
+         file together, on the one that takes the most.\n\n| kernel | {} | stack |\n|---|{}\n",
+        machines.join(" | "),
+        "---:|".repeat(machines.len() + 1)
+    );
+    for kernel in kernels {
+        let of = |machine: &&str| {
+            let size =
+                results.sizes.iter().find(|it| &it.kernel == kernel && it.machine == *machine);
+            size.map_or_else(|| "–".to_owned(), |size| size.text.to_string())
+        };
+        let cells: Vec<String> = machines.iter().map(of).collect();
+        let own = results.sizes.iter().filter(|it| &it.kernel == kernel);
+        let stack = own.map(|it| it.stack).max().unwrap_or_default();
+        let _ = writeln!(text, "| `{kernel}` | {} | {stack} |", cells.join(" | "));
     }
     text
 }

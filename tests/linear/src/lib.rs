@@ -51,7 +51,7 @@ macro_rules! changed {
 }
 
 macro_rules! sizes {
-    ($($module:ident: $real:ident $n:tt;)*) => {
+    ($list:ident, $docs:literal: $($module:ident: $real:ident $n:tt;)*) => {
         $(pub mod $module {
             use bessemer::linear::kernels;
             use bessemer::prelude::*;
@@ -116,15 +116,25 @@ macro_rules! sizes {
             }
         })*
 
-        /// Every function of these sizes.
-        const SIZES: &[&[Case]] = &[$($module::CASES,)*];
+        #[doc = $docs]
+        pub const $list: &[&[Case]] = &[$($module::CASES,)*];
     };
 }
 
 sizes! {
-    f64_1: f64 1; f64_2: f64 2; f64_3: f64 3; f64_4: f64 4; f64_5: f64 5; f64_6: f64 6;
-    f64_8: f64 8; f64_9: f64 9; f64_13: f64 13; f64_20: f64 20;
-    f32_1: f32 1; f32_3: f32 3; f32_4: f32 4; f32_5: f32 5; f32_9: f32 9;
+    SIZES, "Sizes at which most is different.":
+    f64_1: f64 1; f64_3: f64 3; f64_4: f64 4; f64_6: f64 6; f64_9: f64 9; f64_13: f64 13;
+    f64_20: f64 20;
+    f32_4: f32 4; f32_9: f32 9;
+}
+
+sizes! {
+    OTHER_SIZES, "The other sizes up to 20, each in both types.":
+    f64_2: f64 2; f64_5: f64 5; f64_7: f64 7; f64_8: f64 8; f64_10: f64 10; f64_11: f64 11; f64_12: f64 12; f64_14: f64 14; f64_15: f64 15;
+    f64_16: f64 16; f64_17: f64 17; f64_18: f64 18; f64_19: f64 19;
+    f32_1: f32 1; f32_2: f32 2; f32_3: f32 3; f32_5: f32 5; f32_6: f32 6; f32_7: f32 7; f32_8: f32 8; f32_10: f32 10; f32_11: f32 11; f32_12: f32 12;
+    f32_13: f32 13; f32_14: f32 14; f32_15: f32 15; f32_16: f32 16; f32_17: f32 17; f32_18: f32 18;
+    f32_19: f32 19; f32_20: f32 20;
 }
 
 /// Sizes at which kernels change their ways, and those beyond what is written out.
@@ -139,7 +149,7 @@ pub mod factored;
 /// Every other method of matrices.
 pub mod methods;
 
-/// Every function.
+/// Every function but those of [`OTHER_SIZES`].
 pub const CASES: [&[&[Case]]; 3] = [
     SIZES,
     borders::CASES,

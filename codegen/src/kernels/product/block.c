@@ -21,7 +21,7 @@ static inline void block(const $real *a, const $real *b, $real *result)
             sums[across][down] = TIMES(rows, b[$first_number]);
         }
     }
-    for (uint32_t k = 1U; k < $inner; k++) {
+$rolled    for (uint32_t k = 1U; k < $inner; k++) {
 #pragma GCC unroll 8
         for (uint32_t down = 0U; down < DOWN; down++) {
             const lanes_t rows = $next_rows;

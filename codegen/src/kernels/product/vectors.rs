@@ -88,6 +88,11 @@ struct Block {
 }
 
 const BLOCK: &str = include_str!("block.c");
+/// From more terms than these on the loop over them stays one: gcc, having unrolled it, would load all numbers at
+/// once and spill them.
+const ROLLED: u32 = 4;
+const KEEP_ROLLED: &str = "#pragma GCC unroll 1\n";
+
 const GATHER: &str = include_str!("gather.c");
 const LOOPS: &str = include_str!("blocks.c");
 
@@ -140,6 +145,7 @@ pub(super) fn source(element: Float, sizes: Sizes, mode: Mode) -> Option<(String
         ),
         ("top", times(sizes.left.0, "top")),
         ("left", times(sizes.right.1, "left")),
+        ("rolled", if sizes.inner > ROLLED { KEEP_ROLLED } else { "" }.to_owned()),
         ("apart", format!("{}U", sizes.left.0)),
         ("bytes", bytes(element).to_string()),
     ]);
