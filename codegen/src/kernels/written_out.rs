@@ -52,8 +52,15 @@ fn substitution_bytes(size: u32) -> u32 {
 }
 
 const FIND_PIVOT: &str = "\
+/* On ARM, functions for themselves take fewer instructions; on x86-64 less time where they stand. */
+#if defined(__GNUC__) && defined(__arm__)
+#define APART __attribute__((noinline))
+#else
+#define APART
+#endif
+
 /* The row of the first of the largest magnitudes in a column, from row k down. */
-static uint32_t find_pivot(const $real *column, uint32_t k)
+APART static uint32_t find_pivot(const $real *column, uint32_t k)
 {
     uint32_t pivot = k;
     $real largest = $abs(column[k]);
@@ -68,13 +75,15 @@ static uint32_t find_pivot(const $real *column, uint32_t k)
 }
 
 /* Exchanges two rows. */
-static void exchange_rows($real *a, uint32_t columns, uint32_t row, uint32_t other)
+APART static void exchange_rows($real *row, $real *other)
 {
-    for (uint32_t column = 0U; column < columns; column++) {
-        const $real number = a[row];
-        a[row] = a[other];
-        a[other] = number;
-        a += $n;
+#if defined(__GNUC__) && defined(__arm__)
+#pragma GCC unroll 32
+#endif
+    for (uint32_t at = 0U; at < $all; at += $n) {
+        const $real number = row[at];
+        row[at] = other[at];
+        other[at] = number;
     }
 }
 ";
@@ -267,7 +276,7 @@ fn find_pivot(put: &mut impl FnMut(String), n: u32, k: u32) {
             "        if (a[{column}U + pivot] == $zero) {{\n            return false;\n        }}"
         ));
         put(format!(
-            "        if (pivot != {k}U) {{\n            exchange_rows(a, $n, {k}U, pivot);\n        }}"
+            "        if (pivot != {k}U) {{\n            exchange_rows(&a[{k}], &a[pivot]);\n        }}"
         ));
         return;
     }
