@@ -52,13 +52,13 @@ void covariance_diagonal_6(const double values[6], double all[36])
 void covariance_grown_3(const double covariance[9], const double advance[9], const double growth[9],
     double result[9])
 {
-    double result_a[9];
-    product_f64_3x3_3x3(advance, covariance, result_a);
     double result_product[9];
-    product_tr_f64_3x3_3x3(result_a, advance, result_product);
+    product_f64_3x3_3x3(advance, covariance, result_product);
+    double result_product_2[9];
+    product_tr_f64_3x3_3x3(result_product, advance, result_product_2);
     double result_matrix[9];
     for (uint32_t i = 0U; i < 9U; i++) {
-        result_matrix[i] = result_product[i] + growth[i];
+        result_matrix[i] = result_product_2[i] + growth[i];
     }
     covariance_symmetric_3(result_matrix, result);
 }
@@ -66,10 +66,10 @@ void covariance_grown_3(const double covariance[9], const double advance[9], con
 void covariance_grown_6(const double covariance[36], const double advance[36],
     const double growth[36], covariance_grown_6_work_t *work, double result[36])
 {
-    product_f64_6x6_6x6(advance, covariance, work->result_a);
-    product_tr_f64_6x6_6x6(work->result_a, advance, work->result_product);
+    product_f64_6x6_6x6(advance, covariance, work->result_product);
+    product_tr_f64_6x6_6x6(work->result_product, advance, work->result_product_2);
     for (uint32_t i = 0U; i < 36U; i++) {
-        work->result_matrix[i] = work->result_product[i] + growth[i];
+        work->result_matrix[i] = work->result_product_2[i] + growth[i];
     }
     covariance_symmetric_6(work->result_matrix, result);
 }
@@ -94,13 +94,13 @@ void covariance_corrected_3(const double covariance[9], const double row[3], con
             noise[row_2 + 3 * column] = gain[row_2] * gain[column] * variance;
         }
     }
-    double result_a[9];
-    product_f64_3x3_3x3(kept, covariance, result_a);
     double result_product[9];
-    product_tr_f64_3x3_3x3(result_a, kept, result_product);
+    product_f64_3x3_3x3(kept, covariance, result_product);
+    double result_product_2[9];
+    product_tr_f64_3x3_3x3(result_product, kept, result_product_2);
     double result_matrix[9];
     for (uint32_t i = 0U; i < 9U; i++) {
-        result_matrix[i] = result_product[i] + noise[i];
+        result_matrix[i] = result_product_2[i] + noise[i];
     }
     covariance_symmetric_3(result_matrix, result);
 }
@@ -128,10 +128,10 @@ void covariance_corrected_6(const double covariance[36], const double row[6], co
             work->noise[row_2 + 6 * column] = gain[row_2] * gain[column] * variance;
         }
     }
-    product_f64_6x6_6x6(work->kept, covariance, work->result_a);
-    product_tr_f64_6x6_6x6(work->result_a, work->kept, work->result_product);
+    product_f64_6x6_6x6(work->kept, covariance, work->result_product);
+    product_tr_f64_6x6_6x6(work->result_product, work->kept, work->result_product_2);
     for (uint32_t i = 0U; i < 36U; i++) {
-        work->result_matrix[i] = work->result_product[i] + work->noise[i];
+        work->result_matrix[i] = work->result_product_2[i] + work->noise[i];
     }
     covariance_symmetric_6(work->result_matrix, result);
 }

@@ -13,8 +13,8 @@ extern "C" {
 
 /** What `grown_6` works with; its content means nothing between calls. */
 typedef struct {
-    double result_a[36];
     double result_product[36];
+    double result_product_2[36];
     double result_matrix[36];
 } covariance_grown_6_work_t;
 
@@ -23,8 +23,8 @@ typedef struct {
     double kept[36];
     double noise[36];
     double kept_matrix[36];
-    double result_a[36];
     double result_product[36];
+    double result_product_2[36];
     double result_matrix[36];
 } covariance_corrected_6_work_t;
 

@@ -150,10 +150,10 @@ void airframe_wrench(const airframe_t *self, const double speeds[8], wrench_t *w
     for (uint32_t n = 0U; n < MOST_MOTORS; n++) {
         squares[n] = speeds[n] * speeds[n];
     }
-    double effect_a[32];
-    airframe_effectiveness(self, effect_a);
+    double effect_effectiveness[32];
+    airframe_effectiveness(self, effect_effectiveness);
     double effect[4];
-    product_f64_4x8_8x1(effect_a, squares, effect);
+    product_f64_4x8_8x1(effect_effectiveness, squares, effect);
     wrench->thrust = effect[0];
     wrench->torque[0] = effect[1];
     wrench->torque[1] = effect[2];

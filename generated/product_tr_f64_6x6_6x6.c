@@ -62,6 +62,7 @@ static inline void block(const double *a, const double *b, double *result)
             sums[across][down] = TIMES(rows, b[across]);
         }
     }
+#pragma GCC unroll 1
     for (uint32_t k = 1U; k < 6U; k++) {
 #pragma GCC unroll 8
         for (uint32_t down = 0U; down < DOWN; down++) {

@@ -110,6 +110,8 @@ impl Lowering<'_> {
     fn call(&mut self, callee: FunctionId, arguments: Vec<Argument>) -> ExprKind {
         let module = self.module;
         let parameters = module.functions.get(callee.index()).map_or(&[][..], |f| f.parameters());
+        // What a kernel calls its operands says nothing of what they are here.
+        let of_kernel = module.functions.get(callee.index()).is_some_and(|f| f.kernel.is_some());
         let mut done: Vec<Argument> = Vec::new();
         for (index, argument) in arguments.into_iter().enumerate() {
             let written = match &argument {
@@ -117,8 +119,10 @@ impl Lowering<'_> {
                 Argument::RefMut(place) => lent_by_indices(place),
             };
             done.iter_mut().for_each(|done| self.protect_argument(done, &written));
-            let purpose =
-                parameters.get(index).map_or(Purpose::Operand, |p| Purpose::Part(&p.name));
+            let purpose = match parameters.get(index) {
+                Some(parameter) if !of_kernel => Purpose::Part(&parameter.name),
+                _ => Purpose::Operand,
+            };
             let position = positions::argument(&argument).map(|(_, position)| position);
             done.push(match (argument, position) {
                 (Argument::Value(value), Some(at)) => {

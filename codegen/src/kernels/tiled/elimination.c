@@ -112,10 +112,10 @@ NOT_INLINE static void eliminate($real *tile, uint32_t tiles, uint32_t step_of_f
     switch (step_of_four) {
     case 0:
         for (; tiles > 0U; tiles--) {
-            const quad_t factor = times_quad(load_quad(four), reciprocal);
-            const quad_t second = minus_quad(load_quad(&four[4]), pivot_row[4], factor);
-            const quad_t third = minus_quad(load_quad(&four[8]), pivot_row[8], factor);
-            const quad_t fourth = minus_quad(load_quad(&four[12]), pivot_row[12], factor);
+            const quad_lanes_t factor = times_quad(load_quad(four), reciprocal);
+            const quad_lanes_t second = minus_quad(load_quad(&four[4]), pivot_row[4], factor);
+            const quad_lanes_t third = minus_quad(load_quad(&four[8]), pivot_row[8], factor);
+            const quad_lanes_t fourth = minus_quad(load_quad(&four[12]), pivot_row[12], factor);
             store_quad(four, factor);
             store_quad(&four[4], second);
             store_quad(&four[8], third);
@@ -125,9 +125,9 @@ NOT_INLINE static void eliminate($real *tile, uint32_t tiles, uint32_t step_of_f
         break;
     case 1:
         for (; tiles > 0U; tiles--) {
-            const quad_t factor = times_quad(load_quad(four), reciprocal);
-            const quad_t third = minus_quad(load_quad(&four[4]), pivot_row[8], factor);
-            const quad_t fourth = minus_quad(load_quad(&four[8]), pivot_row[12], factor);
+            const quad_lanes_t factor = times_quad(load_quad(four), reciprocal);
+            const quad_lanes_t third = minus_quad(load_quad(&four[4]), pivot_row[8], factor);
+            const quad_lanes_t fourth = minus_quad(load_quad(&four[8]), pivot_row[12], factor);
             store_quad(four, factor);
             store_quad(&four[4], third);
             store_quad(&four[8], fourth);
@@ -136,8 +136,8 @@ NOT_INLINE static void eliminate($real *tile, uint32_t tiles, uint32_t step_of_f
         break;
     case 2:
         for (; tiles > 0U; tiles--) {
-            const quad_t factor = times_quad(load_quad(four), reciprocal);
-            const quad_t fourth = minus_quad(load_quad(&four[4]), pivot_row[12], factor);
+            const quad_lanes_t factor = times_quad(load_quad(four), reciprocal);
+            const quad_lanes_t fourth = minus_quad(load_quad(&four[4]), pivot_row[12], factor);
             store_quad(four, factor);
             store_quad(&four[4], fourth);
             four += TILE;

@@ -104,22 +104,22 @@ static inline $real *aligned($real *buffer)
 }
 
 #if defined(QUAD)
-static inline quad_t load_quad(const $real *from)
+static inline quad_lanes_t load_quad(const $real *from)
 {
-    return *(const quad_t *)from;
+    return *(const quad_lanes_t *)from;
 }
 
-static inline void store_quad($real *to, quad_t quad)
+static inline void store_quad($real *to, quad_lanes_t quad)
 {
-    *(quad_t *)to = quad;
+    *(quad_lanes_t *)to = quad;
 }
 
-static inline quad_t minus_quad(quad_t quad, $real factor, quad_t other)
+static inline quad_lanes_t minus_quad(quad_lanes_t quad, $real factor, quad_lanes_t other)
 {
     return quad - factor * other;
 }
 
-static inline quad_t times_quad(quad_t quad, $real factor)
+static inline quad_lanes_t times_quad(quad_lanes_t quad, $real factor)
 {
     return quad * factor;
 }
@@ -127,31 +127,31 @@ static inline quad_t times_quad(quad_t quad, $real factor)
 /* Four rows of four, so far apart, become columns. */
 static inline void transpose(const $real *from, uint32_t apart, $real *to, uint32_t beside)
 {
-    const quad_t a = load_quad(from);
-    const quad_t b = load_quad(&from[apart]);
-    const quad_t c = load_quad(&from[2U * apart]);
-    const quad_t d = load_quad(&from[3U * apart]);
-    const quad_t ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const quad_t ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const quad_t cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const quad_t cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    const quad_lanes_t a = load_quad(from);
+    const quad_lanes_t b = load_quad(&from[apart]);
+    const quad_lanes_t c = load_quad(&from[2U * apart]);
+    const quad_lanes_t d = load_quad(&from[3U * apart]);
+    const quad_lanes_t ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const quad_lanes_t ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const quad_lanes_t cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const quad_lanes_t cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
     store_quad(to, __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5));
     store_quad(&to[beside], __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5));
     store_quad(&to[2U * beside], __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7));
     store_quad(&to[3U * beside], __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7));
 }
 #else
-typedef row_t quad_t;
+typedef row_t quad_lanes_t;
 #define load_quad load_row
 #define store_quad store_row
 #define minus_quad minus
 
-static inline quad_t times_quad(quad_t quad, $real factor)
+static inline quad_lanes_t times_quad(quad_lanes_t quad, $real factor)
 {
 #if defined(HALF)
-    const quad_t product = {quad.low * factor, quad.high * factor};
+    const quad_lanes_t product = {quad.low * factor, quad.high * factor};
 #else
-    const quad_t product = {
+    const quad_lanes_t product = {
         quad.a * factor, quad.b * factor, quad.c * factor, quad.d * factor};
 #endif
     return product;

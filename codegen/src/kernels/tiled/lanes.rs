@@ -69,7 +69,7 @@ fn targets(element: Float, columns: u32, mode: Mode) -> String {
         let mut text = format!("#define WIDTH {}U\n#define HALF {lanes}U\n{half}", 2 * lanes);
         let four = 4 * bytes(element);
         if four <= vector {
-            text += &format!("#define QUAD\n{}", vector_type("quad_t", four, bytes(element)));
+            text += &format!("#define QUAD\n{}", vector_type("quad_lanes_t", four, bytes(element)));
         }
         if mode == Mode::Fast {
             let minus = fused(element, vector, "fnmadd", ["factor", "other", "row"]);
