@@ -3,11 +3,14 @@
 //! Written in the DSL itself, so that the C is made of the Rust that the simulation runs. What has no room,
 //! and an index beyond the size, is a panic, as it is a fault in the C. Elements beyond the size are zero.
 
+// The checks of indices are proved of loops over them.
+#![allow(clippy::manual_memcpy, clippy::needless_range_loop)]
+
 use core::ops::{Index, IndexMut};
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::math::Real;
+use crate::element::{Element, Number};
 use crate::{List, data};
 
 /// A matrix of at most `R` rows and `C` columns; a dimension that never changes is one that is never resized.
@@ -31,7 +34,7 @@ pub struct BoundedMatrix<T, const R: usize, const C: usize> {
 }
 
 #[data]
-impl<T: Real, const R: usize, const C: usize> BoundedMatrix<T, R, C> {
+impl<T: Element, const R: usize, const C: usize> BoundedMatrix<T, R, C> {
     /// Zeros.
     ///
     /// # Panics
@@ -80,47 +83,6 @@ impl<T: Real, const R: usize, const C: usize> BoundedMatrix<T, R, C> {
         }
     }
 
-    /// The sum, element by element.
-    ///
-    /// # Panics
-    /// If the sizes differ.
-    pub fn plus(&self, other: &BoundedMatrix<T, R, C>) -> BoundedMatrix<T, R, C> {
-        assert!(self.rows == other.rows && self.columns == other.columns, "the sizes differ");
-        let mut sum = *self;
-        for column in 0..self.columns.min(C) {
-            for row in 0..self.rows.min(R) {
-                sum.elements[column][row] += other.elements[column][row];
-            }
-        }
-        sum
-    }
-
-    /// The difference, element by element.
-    ///
-    /// # Panics
-    /// If the sizes differ.
-    pub fn minus(&self, other: &BoundedMatrix<T, R, C>) -> BoundedMatrix<T, R, C> {
-        assert!(self.rows == other.rows && self.columns == other.columns, "the sizes differ");
-        let mut difference = *self;
-        for column in 0..self.columns.min(C) {
-            for row in 0..self.rows.min(R) {
-                difference.elements[column][row] -= other.elements[column][row];
-            }
-        }
-        difference
-    }
-
-    /// Each element times `factor`.
-    pub fn scale(&self, factor: T) -> BoundedMatrix<T, R, C> {
-        let mut scaled = *self;
-        for column in 0..self.columns.min(C) {
-            for row in 0..self.rows.min(R) {
-                scaled.elements[column][row] *= factor;
-            }
-        }
-        scaled
-    }
-
     /// Rows as columns.
     pub fn transpose(&self) -> BoundedMatrix<T, C, R> {
         let mut transposed =
@@ -131,25 +93,6 @@ impl<T: Real, const R: usize, const C: usize> BoundedMatrix<T, R, C> {
             }
         }
         transposed
-    }
-
-    /// The product with another matrix: each element the sum of its terms, from the first on.
-    ///
-    /// # Panics
-    /// If the other has not as many rows as this has columns.
-    pub fn times<const K: usize>(&self, other: &BoundedMatrix<T, C, K>) -> BoundedMatrix<T, R, K> {
-        assert!(self.columns == other.rows, "the sizes do not fit");
-        let mut product =
-            BoundedMatrix { rows: self.rows, columns: other.columns, elements: [[T::ZERO; R]; K] };
-        for column in 0..other.columns.min(K) {
-            for inner in 0..self.columns.min(C) {
-                let factor = other.elements[column][inner];
-                for row in 0..self.rows.min(R) {
-                    product.elements[column][row] += self.elements[inner][row] * factor;
-                }
-            }
-        }
-        product
     }
 
     /// A row, its elements as a list.
@@ -192,9 +135,189 @@ impl<T: Real, const R: usize, const C: usize> BoundedMatrix<T, R, C> {
         all
     }
 
+    /// The elements as a matrix of a fixed size, if it has that.
+    pub fn to_matrix<const ROWS: usize, const COLUMNS: usize>(
+        &self,
+    ) -> Option<SMatrix<T, ROWS, COLUMNS>> {
+        if self.rows != ROWS || self.columns != COLUMNS || ROWS > R || COLUMNS > C {
+            return None;
+        }
+        let mut matrix = SMatrix::<T, ROWS, COLUMNS>::repeat(T::ZERO);
+        for column in 0..COLUMNS {
+            for row in 0..ROWS {
+                matrix[(row, column)] = self.elements[column][row];
+            }
+        }
+        Some(matrix)
+    }
+
+    /// How many elements there are.
+    pub fn len(&self) -> usize {
+        self.rows.min(R) * self.columns.min(C)
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.rows == 0 || self.columns == 0
+    }
+
+    /// Takes every row and column off.
+    pub fn clear(&mut self) {
+        self.elements = [[T::ZERO; R]; C];
+        self.rows = 0;
+        self.columns = 0;
+    }
+
+    /// Adds a column at the end.
+    ///
+    /// # Panics
+    /// If there is no room, or if it has not as many elements as there are rows.
+    pub fn push_column(&mut self, column: &[T]) {
+        crate::__room!(self.columns < C && self.rows <= R);
+        assert!(column.len() == self.rows, "the sizes differ");
+        for row in 0..self.rows.min(R) {
+            self.elements[self.columns][row] = column[row];
+        }
+        self.columns += 1;
+    }
+
+    /// Adds a row at the end.
+    ///
+    /// # Panics
+    /// If there is no room, or if it has not as many elements as there are columns.
+    pub fn push_row(&mut self, row: &[T]) {
+        crate::__room!(self.rows < R && self.columns <= C);
+        assert!(row.len() == self.columns, "the sizes differ");
+        for column in 0..self.columns.min(C) {
+            self.elements[column][self.rows] = row[column];
+        }
+        self.rows += 1;
+    }
+
+    /// Takes the last column off, if there is one.
+    pub fn pop_column(&mut self) -> Option<List<T, R>> {
+        if self.columns == 0 || self.columns > C {
+            return None;
+        }
+        let last = self.columns - 1;
+        let mut column = List::new();
+        for row in 0..self.rows.min(R) {
+            column.push(self.elements[last][row]);
+        }
+        self.elements[last] = [T::ZERO; R];
+        self.columns = last;
+        Some(column)
+    }
+
+    /// Takes the last row off, if there is one.
+    pub fn pop_row(&mut self) -> Option<List<T, C>> {
+        if self.rows == 0 || self.rows > R {
+            return None;
+        }
+        let last = self.rows - 1;
+        let mut row = List::new();
+        for column in 0..self.columns.min(C) {
+            row.push(self.elements[column][last]);
+            self.elements[column][last] = T::ZERO;
+        }
+        self.rows = last;
+        Some(row)
+    }
+
+    /// The part of `rows` rows and `columns` columns that begins at a row and a column.
+    ///
+    /// # Panics
+    /// If it goes beyond the matrix.
+    pub fn view(&self, row: usize, column: usize, rows: usize, columns: usize) -> Self {
+        crate::__inside!(self.rows <= R && self.columns <= C);
+        crate::__inside!(row <= self.rows && rows <= self.rows - row);
+        crate::__inside!(column <= self.columns && columns <= self.columns - column);
+        let mut part = BoundedMatrix { rows, columns, elements: [[T::ZERO; R]; C] };
+        for j in 0..columns {
+            for i in 0..rows {
+                part.elements[j][i] = self.elements[column + j][row + i];
+            }
+        }
+        part
+    }
+}
+
+#[data(more)]
+impl<T: Number, const R: usize, const C: usize> BoundedMatrix<T, R, C> {
+    /// The sum, element by element.
+    ///
+    /// # Panics
+    /// If the sizes differ.
+    pub fn plus(&self, other: &BoundedMatrix<T, R, C>) -> BoundedMatrix<T, R, C> {
+        assert!(self.rows == other.rows && self.columns == other.columns, "the sizes differ");
+        let mut sum = *self;
+        for column in 0..self.columns.min(C) {
+            for row in 0..self.rows.min(R) {
+                sum.elements[column][row] += other.elements[column][row];
+            }
+        }
+        sum
+    }
+
+    /// The difference, element by element.
+    ///
+    /// # Panics
+    /// If the sizes differ.
+    pub fn minus(&self, other: &BoundedMatrix<T, R, C>) -> BoundedMatrix<T, R, C> {
+        assert!(self.rows == other.rows && self.columns == other.columns, "the sizes differ");
+        let mut difference = *self;
+        for column in 0..self.columns.min(C) {
+            for row in 0..self.rows.min(R) {
+                difference.elements[column][row] -= other.elements[column][row];
+            }
+        }
+        difference
+    }
+
+    /// Each element times `factor`.
+    pub fn scale(&self, factor: T) -> BoundedMatrix<T, R, C> {
+        let mut scaled = *self;
+        for column in 0..self.columns.min(C) {
+            for row in 0..self.rows.min(R) {
+                scaled.elements[column][row] *= factor;
+            }
+        }
+        scaled
+    }
+
+    /// The sum of all elements, column by column.
+    pub fn sum(&self) -> T {
+        let mut sum = T::ZERO;
+        for column in 0..self.columns.min(C) {
+            for row in 0..self.rows.min(R) {
+                sum += self.elements[column][row];
+            }
+        }
+        sum
+    }
+
+    /// The product with another matrix: each element the sum of its terms, from the first on.
+    ///
+    /// # Panics
+    /// If the other has not as many rows as this has columns.
+    pub fn times<const K: usize>(&self, other: &BoundedMatrix<T, C, K>) -> BoundedMatrix<T, R, K> {
+        assert!(self.columns == other.rows, "the sizes do not fit");
+        let mut product =
+            BoundedMatrix { rows: self.rows, columns: other.columns, elements: [[T::ZERO; R]; K] };
+        for column in 0..other.columns.min(K) {
+            for inner in 0..self.columns.min(C) {
+                let factor = other.elements[column][inner];
+                for row in 0..self.rows.min(R) {
+                    product.elements[column][row] += self.elements[inner][row] * factor;
+                }
+            }
+        }
+        product
+    }
+
     /// The product with a vector of the largest size, of which as many elements count as there are columns.
     pub fn times_vector(&self, vector: &SVector<T, C>) -> SVector<T, R> {
-        let mut product = SVector::<T, R>::zeros();
+        let mut product = SVector::<T, R>::repeat(T::ZERO);
         for column in 0..self.columns.min(C) {
             for row in 0..self.rows.min(R) {
                 product[row] += self.elements[column][row] * vector[column];
@@ -204,7 +327,7 @@ impl<T: Real, const R: usize, const C: usize> BoundedMatrix<T, R, C> {
     }
 }
 
-impl<T: Real, const R: usize, const C: usize> Default for BoundedMatrix<T, R, C> {
+impl<T: Element, const R: usize, const C: usize> Default for BoundedMatrix<T, R, C> {
     fn default() -> Self {
         BoundedMatrix { rows: 0, columns: 0, elements: [[T::ZERO; R]; C] }
     }

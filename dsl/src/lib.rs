@@ -40,13 +40,16 @@ extern crate self as bessemer;
 
 pub use bessemer_macros::{c, component, data, entry, external, function, interface};
 pub use bounded::BoundedMatrix;
+pub use element::{Element, Number};
 pub use instance::EntriesInOneBlock;
 pub use linear::{inverse, inverse_mut, solve, solve_into, solve_mut};
 pub use list::List;
 pub use nalgebra;
 pub use plain::Plain;
+pub use text::Text;
 
 mod bounded;
+mod element;
 #[cfg(feature = "generate")]
 #[doc(hidden)]
 pub mod generate;
@@ -57,13 +60,14 @@ pub mod math;
 mod plain;
 pub mod rotation;
 mod spatial;
+mod text;
 
 /// What a model imports with one line: `use bessemer::prelude::*;`.
 pub mod prelude {
     pub use crate::math::{Real, real};
     pub use crate::{
-        BoundedMatrix, List, c, component, data, entry, external, function, interface, matrix,
-        vector,
+        BoundedMatrix, List, Text, c, component, data, entry, external, function, interface,
+        matrix, vector,
     };
     pub use nalgebra::{
         Isometry3, Matrix2, Matrix3, Matrix4, Matrix6, Point2, Point3, Quaternion, Rotation2,

@@ -8,9 +8,9 @@ pub fn first(list: &[Vector2<f64>; 3]) -> Vector2<f64> {
     list.iter().sum()
 }
 
-/// A reference whose place is computed.
+/// A reference to a value that is computed.
 #[function]
 pub fn second(values: &[f64; 3], n: usize) -> f64 {
-    let value = &values[n];
+    let value = &(values[n] * 2.0);
     *value + 1.0
 }

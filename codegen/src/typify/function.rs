@@ -458,35 +458,25 @@ impl Lowering<'_, '_> {
             Some(value) => self.place(value)?,
             None => None,
         };
-        let fixed = |place: &Place| {
-            place.steps.iter().all(|step| match step {
-                bessemer_ir::Step::Field(_) => true,
-                bessemer_ir::Step::Index(index) | bessemer_ir::Step::From(index) => {
-                    is_literal(index)
-                }
-                bessemer_ir::Step::Element(row, col) => is_literal(row) && is_literal(col),
-            })
-        };
-        match place {
-            Some(place) if fixed(&place) => {
-                self.bind(name, Binding::Alias(place));
-                Ok(())
-            }
-            // What a call lends is not written while it is lent.
-            None if let Some(value) = value
-                && lends(value) =>
-            {
-                let value = self.value(value, None)?;
-                let place = self.hold(value, site)?;
-                self.bind(name, Binding::Alias(place));
-                Ok(())
-            }
-            _ => problem(
-                site,
-                "a reference in a variable names a fixed place in the DSL",
-                "copy the value: `let x = *place;`, or pass the reference as an argument",
-            ),
+        // What a call lends is not written while it is lent.
+        if let (None, Some(lent)) = (&place, value.filter(|value| lends(value))) {
+            let lent = self.value(lent, None)?;
+            let place = self.hold(lent, site)?;
+            self.bind(name, Binding::Alias(place));
+            return Ok(());
         }
+        let Some(mut place) = place else {
+            return problem(
+                site,
+                "a reference in a variable names a place in the DSL",
+                "copy the value: `let x = *place;`, or pass the reference as an argument",
+            );
+        };
+        let naming = std::mem::replace(&mut self.naming, name.trim_matches('_').to_owned());
+        self.fix(&mut place);
+        self.naming = naming;
+        self.bind(name, Binding::Alias(place));
+        Ok(())
     }
 
     /// A temporary that holds `value`; named for what it is part of.

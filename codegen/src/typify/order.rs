@@ -3,9 +3,12 @@
 //! An expression of the IR is evaluated where it stands, and the statements that a later operand needs
 //! stand before the whole: what came earlier and could change by them goes into a local first.
 
+use std::collections::HashSet;
+
 use bessemer_ir::visit::{self, Access, Visit};
 use bessemer_ir::{
-    Argument, Expr, ExprKind, Intrinsic, LocalId, Place, Scalar, Step, Stmt, StmtKind, Type,
+    Argument, CompareOp, Expr, ExprKind, Fault, Intrinsic, LocalId, Place, Scalar, Step, Stmt,
+    StmtKind, Type,
 };
 
 use super::function::Lowering;
@@ -38,6 +41,48 @@ impl Lowering<'_, '_> {
                 Ok(value) => self.settle(value, "argument", later),
                 Err(place) => self.settle_place(place, later),
             }
+        }
+    }
+
+    /// Makes a place one that stays the same: its indices are computed and checked now.
+    pub(super) fn fix(&mut self, place: &mut Place) {
+        let moves = |index: &Expr, steady: &HashSet<LocalId>| match &index.kind {
+            ExprKind::Literal(_) | ExprKind::Const(_) => false,
+            ExprKind::Load(of) => !(of.steps.is_empty() && steady.contains(&of.root)),
+            _ => true,
+        };
+        let steady: HashSet<LocalId> = self.steady.union(&self.held).copied().collect();
+        self.keep_indices(place, |index| moves(index, &steady));
+        let mut ty = self.locals[place.root.index()].ty.clone();
+        for step in place.steps.clone() {
+            let (indices, inner) = match (step, ty) {
+                (Step::Field(field), Type::Struct(id)) => {
+                    let fields = &self.cx.module.structs[id.index()].fields;
+                    (Vec::new(), fields[field as usize].ty.clone())
+                }
+                (Step::Index(index), Type::Array { element, len }) => {
+                    (vec![(index, len)], *element)
+                }
+                (Step::Index(index), Type::Matrix { element, rows, cols }) => {
+                    (vec![(index, rows * cols)], Type::Scalar(element))
+                }
+                (Step::Element(row, column), Type::Matrix { element, rows, cols }) => {
+                    (vec![(row, rows), (column, cols)], Type::Scalar(element))
+                }
+                // A slice has looked already.
+                _ => return,
+            };
+            for (index, len) in indices {
+                if matches!(index.kind, ExprKind::Literal(_)) {
+                    continue;
+                }
+                let (ty, span) = (index.ty.clone(), index.span);
+                let len = Expr { kind: ExprKind::Literal(u64::from(len)), ty, span };
+                let kind = ExprKind::Compare(CompareOp::Lt, Box::new(index), Box::new(len));
+                let condition = Expr { kind, ty: Type::BOOL, span };
+                self.emit(StmtKind::Check { condition, fault: Fault::Index }, span);
+            }
+            ty = inner;
         }
     }
 

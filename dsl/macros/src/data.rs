@@ -31,7 +31,9 @@ pub enum Kind {
 /// Expands the attribute on a struct, an enum or an `impl` block.
 pub fn expand(kind: Kind, arguments: TokenStream, item: TokenStream) -> TokenStream {
     let mut refusals = Refusals::default();
-    if !arguments.is_empty() {
+    // The library's own: methods that a named instance brings only where they are called.
+    let more = arguments.to_string() == "more";
+    if !arguments.is_empty() && !more {
         refusals.add(arguments.span(), refuse::ARGUMENTS);
     }
     let (native, beside) = match syn::parse2::<syn::Item>(item.clone()) {
@@ -46,7 +48,7 @@ pub fn expand(kind: Kind, arguments: TokenStream, item: TokenStream) -> TokenStr
             (it.to_token_stream(), beside)
         }
         Ok(syn::Item::Type(it)) => (it.to_token_stream(), instance::named(&it, &mut refusals)),
-        Ok(syn::Item::Impl(it)) => methods(kind, it, &mut refusals),
+        Ok(syn::Item::Impl(it)) => methods(kind, more, it, &mut refusals),
         Ok(syn::Item::Union(it)) => {
             refusals.add(it.union_token.span, refuse::UNION);
             (it.to_token_stream(), TokenStream::new())
@@ -350,6 +352,7 @@ fn enum_words(it: &syn::ItemEnum) -> TokenStream {
 /// The `impl` block as Rust runs it, and what stands beside it.
 fn methods(
     kind: Kind,
+    more: bool,
     mut it: syn::ItemImpl,
     refusals: &mut Refusals,
 ) -> (TokenStream, TokenStream) {
@@ -396,7 +399,9 @@ fn methods(
         }
     }
     it.items.extend(owned);
-    beside.extend(instance::one_block(&it, &faces));
+    if !more {
+        beside.extend(instance::one_block(&it, &faces));
+    }
     (it.into_token_stream(), beside)
 }
 

@@ -125,7 +125,7 @@ reasons! {
     DISCRIMINANT: "explicit discriminants are not in the DSL yet", "leave the values to the DSL; convert with a `match` where a protocol fixes them";
     UNION: "a union's bytes have no type that the C could check", "use a struct, and `to_bits`/`from_bits` for the bits of a float";
     CHAR: "`char` is not in the DSL", "use `u8` for bytes: `b'A'` as a number";
-    STRING: "text is not in the DSL yet", "use an enum for a choice, or `[u8; N]` for bytes";
+    STRING: "text is not in the DSL yet", "use an enum for a choice; bytes are `*b\"abc\"`, or `Text::of(b\"abc\")` of any length up to that of a `Text<8>`";
     WIDE_INTEGER: "C99 has no 128-bit integer", "use `u64` or `i64`";
     FUNCTION_VALUE: "functions are not values in the DSL", "call the function by its name";
     FUNCTION_POINTER: "function pointers hide what is called from the stack analysis", "choose with an `enum` and a `match`";

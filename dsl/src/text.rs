@@ -1,0 +1,145 @@
+//! Texts of a bounded length: bytes, and how many of them there are.
+//!
+//! Written in the DSL itself. What has no room is a panic, as it is a fault in the C. Bytes beyond the
+//! length are zero, so that `==` part by part is right, and C that wants one finds an end where there is room.
+
+// The checks of indices are proved of loops over them.
+#![allow(clippy::manual_memcpy, clippy::needless_range_loop)]
+
+use crate::data;
+
+/// A text of at most `N` bytes.
+///
+/// ```
+/// use bessemer::Text;
+/// let mut name: Text<8> = Text::of(b"motor");
+/// name.push(b'2');
+/// assert!(name.is(b"motor2") && name.len() == 6 && name != Text::of(b"motor"));
+/// ```
+#[data]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Text<const N: usize> {
+    /// How many bytes there are.
+    length: usize,
+    /// The bytes; zero beyond the length.
+    bytes: [u8; N],
+}
+
+#[data]
+impl<const N: usize> Text<N> {
+    /// Without bytes.
+    pub fn new() -> Self {
+        Text { length: 0, bytes: [0; N] }
+    }
+
+    /// These bytes, `Text::of(b"motor")`.
+    ///
+    /// # Panics
+    /// If there is no room for so many.
+    pub fn of(bytes: &[u8]) -> Self {
+        crate::__room!(bytes.len() <= N);
+        let mut text = Text { length: bytes.len(), bytes: [0; N] };
+        for i in 0..bytes.len() {
+            text.bytes[i] = bytes[i];
+        }
+        text
+    }
+
+    /// How many bytes there are.
+    pub fn len(&self) -> usize {
+        self.length.min(N)
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.length == 0
+    }
+
+    /// How many bytes there may be.
+    pub fn capacity(&self) -> usize {
+        N
+    }
+
+    /// All bytes that there may be; zero beyond the length.
+    pub fn bytes(&self) -> [u8; N] {
+        self.bytes
+    }
+
+    /// A byte, if there are so many.
+    pub fn get(&self, index: usize) -> Option<u8> {
+        if index < self.length.min(N) { Some(self.bytes[index]) } else { None }
+    }
+
+    /// Adds a byte at the end.
+    ///
+    /// # Panics
+    /// If the text is full.
+    pub fn push(&mut self, byte: u8) {
+        crate::__room!(self.length < N);
+        self.bytes[self.length] = byte;
+        self.length += 1;
+    }
+
+    /// Takes the last byte off.
+    pub fn pop(&mut self) -> Option<u8> {
+        if self.length == 0 || self.length > N {
+            return None;
+        }
+        self.length -= 1;
+        let last = self.bytes[self.length];
+        self.bytes[self.length] = 0;
+        Some(last)
+    }
+
+    /// Adds bytes at the end.
+    ///
+    /// # Panics
+    /// If there is no room for so many.
+    pub fn append(&mut self, bytes: &[u8]) {
+        crate::__room!(self.length <= N && bytes.len() <= N - self.length);
+        for i in 0..bytes.len() {
+            self.bytes[self.length] = bytes[i];
+            self.length += 1;
+        }
+    }
+
+    /// Takes the bytes behind the first `length` off, if there are more.
+    pub fn truncate(&mut self, length: usize) {
+        if length < self.length {
+            for index in length..N {
+                self.bytes[index] = 0;
+            }
+            self.length = length;
+        }
+    }
+
+    /// Takes every byte off.
+    pub fn clear(&mut self) {
+        self.length = 0;
+        self.bytes = [0; N];
+    }
+
+    /// Whether it is these bytes: `name.is(b"motor")`.
+    pub fn is(&self, bytes: &[u8]) -> bool {
+        self.length == bytes.len() && self.starts_with(bytes)
+    }
+
+    /// Whether it begins with these bytes.
+    pub fn starts_with(&self, bytes: &[u8]) -> bool {
+        if bytes.len() > self.length.min(N) {
+            return false;
+        }
+        for i in 0..bytes.len() {
+            if self.bytes[i] != bytes[i] {
+                return false;
+            }
+        }
+        true
+    }
+}
+
+impl<const N: usize> Default for Text<N> {
+    fn default() -> Self {
+        Text { length: 0, bytes: [0; N] }
+    }
+}

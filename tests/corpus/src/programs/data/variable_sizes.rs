@@ -1,0 +1,49 @@
+//! Vectors and matrices with a largest size, each dimension fixed or variable.
+
+use bessemer::prelude::*;
+
+/// What a scanner sees.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Scan {
+    /// At most five.
+    pub ranges: List<f32, 5>,
+    /// Three by at most four: points, one behind the other.
+    pub points: List<Vector3<f32>, 4>,
+    /// At most two by at most three.
+    pub hits: BoundedMatrix<u8, 2, 3>,
+    /// Two by three.
+    pub grid: SMatrix<f32, 2, 3>,
+}
+
+/// Keeps what a beam saw; a fault if there is no room.
+#[function]
+pub fn seen(scan: &mut Scan, point: &Vector3<f32>, hits: &[u8; 2]) {
+    scan.ranges.push(point.norm());
+    scan.points.push(*point);
+    scan.hits.push_column(&hits[..scan.hits.nrows()]);
+}
+
+/// The mean of the points.
+#[function]
+pub fn middle(scan: &Scan) -> Vector3<f32> {
+    let mut sum = Vector3::zeros();
+    for point in &scan.points {
+        sum += *point;
+    }
+    sum / scan.points.len().max(1) as f32
+}
+
+/// How many hits there are above a level.
+#[function]
+pub fn strong(scan: &Scan, level: u8) -> u32 {
+    let mut count = 0;
+    for column in 0..scan.hits.ncols() {
+        for row in 0..scan.hits.nrows() {
+            if scan.hits[(row, column)] > level {
+                count += 1;
+            }
+        }
+    }
+    count
+}
