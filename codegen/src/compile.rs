@@ -12,7 +12,7 @@ use crate::kernels::replace::Replacement;
 use crate::source::Sources;
 use crate::{kernels, passes, typify, validate};
 
-pub use crate::c::{Math, Options};
+pub use crate::c::{Layout, Math, Options};
 pub use crate::typify::Typed;
 
 /// A package as IR and as C.
@@ -48,7 +48,7 @@ pub fn compile(
     options: &Options,
 ) -> Result<Compiled, Vec<Diagnostic>> {
     let options = &Options { license: package.license.clone(), ..options.clone() };
-    let (module, typed) = typify::typify(package, sources)?;
+    let (module, typed) = typify::typify(package, sources, options.layout == Layout::Columns)?;
     gate(&module)?;
     let (explicit, checks) = passes::explicit(module.clone()).map_err(|errors| {
         errors.iter().map(|error| unproved(&module, error)).collect::<Vec<_>>()

@@ -52,7 +52,12 @@ fn around(
 /// its place in `entries`, the words of the state if it has one, those of the arguments; it writes the status, and if that is no
 /// fault the words of the result, of the state, and of each argument that the call may change.
 pub fn programs(module: &Module, entries: &[(FunctionId, u32)]) -> String {
-    let names = Names::new(module, &Options::default());
+    programs_with(module, entries, &Options::default())
+}
+
+/// The same for C that was emitted with these options.
+pub fn programs_with(module: &Module, entries: &[(FunctionId, u32)], options: &Options) -> String {
+    let names = Names::new(module, options);
     let mut headers = std::collections::BTreeSet::new();
     let (mut functions, mut cases) = (String::new(), String::new());
     for (index, (entry, params)) in entries.iter().enumerate() {
@@ -226,7 +231,8 @@ impl Walk<'_> {
             }
             Type::Matrix { element, rows, cols } => {
                 for index in 0..rows * cols {
-                    found(&Type::Scalar(*element), &format!("{place}[{index}]"), text);
+                    let at = self.names.layout.subscript((*rows, *cols), index);
+                    found(&Type::Scalar(*element), &format!("{place}{at}"), text);
                 }
             }
             Type::Struct(id) => {

@@ -54,10 +54,18 @@ pub fn overflow_is_checked() -> bool {
 /// # Panics
 /// If it does not compile: no test can run then.
 pub fn compiled(package: &str) -> Compiled {
+    compiled_with(package, &compile::Options::default())
+}
+
+/// The same with options.
+///
+/// # Panics
+/// If it does not compile.
+pub fn compiled_with(package: &str, options: &compile::Options) -> Compiled {
     assert!(overflow_is_checked(), "set `overflow-checks = true` in the profile");
     let sources = Sources::new(root());
     let package = generate::tree(&root(), package).unwrap_or_else(|error| panic!("{error}"));
-    let compiled = compile::compile(&package, &sources, &compile::Options::default())
+    let compiled = compile::compile(&package, &sources, options)
         .unwrap_or_else(|errors| panic!("{}", diagnostic::render(&errors, &sources, false)));
     // To look at the C of a test's package: `BESSEMER_SHOW=folder cargo test …`.
     if let Some(folder) = std::env::var_os("BESSEMER_SHOW") {

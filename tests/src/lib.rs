@@ -11,12 +11,12 @@ pub mod pilot;
 pub mod workspace;
 
 pub use bessemer_legs::{
-    compiled, entry, harness, interpreter, overflow_is_checked, process, root, toolchain, value,
-    words,
+    compiled, compiled_with, entry, harness, interpreter, overflow_is_checked, process, root,
+    toolchain, value, words,
 };
 
 use bessemer_codegen::c::CFile;
-use bessemer_codegen::compile::Compiled;
+use bessemer_codegen::compile::{Compiled, Options};
 use std::path::PathBuf;
 use std::sync::OnceLock;
 
@@ -35,11 +35,17 @@ pub fn flight_models() -> &'static Compiled {
 /// If they do not compile: no test can run then.
 pub fn corpus() -> &'static Compiled {
     static COMPILED: OnceLock<Compiled> = OnceLock::new();
-    COMPILED.get_or_init(|| {
-        let mut compiled = compiled("corpus");
-        compiled.files.extend(brought());
-        compiled
-    })
+    COMPILED.get_or_init(|| corpus_with(&Options::default()))
+}
+
+/// The same, compiled with options.
+///
+/// # Panics
+/// If they do not compile.
+pub fn corpus_with(options: &Options) -> Compiled {
+    let mut compiled = compiled_with("corpus", options);
+    compiled.files.extend(brought());
+    compiled
 }
 
 /// The C that the firmware would bring for the corpus' external functions.

@@ -9,20 +9,23 @@ use std::panic::{AssertUnwindSafe, catch_unwind, set_hook};
 use std::thread;
 
 use bessemer_codegen::c::names::FAULTS;
-use bessemer_codegen::compile::Compiled;
+use bessemer_codegen::compile::{Compiled, Layout, Options};
 use bessemer_codegen::interpret::{Interpreter, Stop};
 use bessemer_ir::{
     Fault, Float, Form, Function, FunctionId, Int, Local, Mode, Module, Owner, Scalar, Type,
 };
 use bessemer_tests::process::{Error, Process};
 use bessemer_tests::toolchain::{self, Toolchain};
-use bessemer_tests::{corpus, entry, harness};
+use bessemer_tests::{corpus, corpus_with, entry, harness};
 use corpus::Entry;
 
 /// Calls of each entry point with words from the edges.
 const CALLS: usize = 200;
 /// Calls of each entry point in its run.
 const RUN: usize = 100;
+
+/// Tells of what C leaves undefined; warnings are another run's.
+const SANITIZED: [&str; 3] = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-w"];
 
 /// The words that come out, or the fault.
 type Outcome = Result<Vec<u64>, Fault>;
@@ -330,10 +333,20 @@ fn the_interpreter_agrees() {
 
 /// Every call in one process: all words in from one thread, all words out in another.
 fn run_c(compiled: &Compiled, cases: &[Case], toolchain: &Toolchain, flags: &[&str]) {
-    let leg = format!("{} {}", toolchain.name(), flags.join(" "));
+    run_c_with(compiled, cases, toolchain, flags, &Options::default());
+}
+
+fn run_c_with(
+    compiled: &Compiled,
+    cases: &[Case],
+    toolchain: &Toolchain,
+    flags: &[&str],
+    options: &Options,
+) {
+    let leg = format!("{} {} {:?}", toolchain.name(), flags.join(" "), options.layout);
     let params = |id: FunctionId| compiled.module.functions[id.index()].params;
     let ids: Vec<_> = cases.iter().map(|case| (case.id, params(case.id))).collect();
-    let main = harness::programs(&compiled.explicit, &ids);
+    let main = harness::programs_with(&compiled.explicit, &ids, options);
     let mut process = Process::run(compiled, &main, toolchain, flags)
         .unwrap_or_else(|error| panic!("{leg}: {error}"));
     for (at, case) in cases.iter().enumerate() {
@@ -359,7 +372,6 @@ fn called(process: &mut Process, words: &[u64], results: usize) -> Result<Outcom
 fn the_c_agrees() {
     let compiled = corpus();
     let cases = cases(compiled);
-    let sanitized = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-w"];
     thread::scope(|scope| {
         // Least and most optimised; the flight goes through every level.
         let levels =
@@ -370,9 +382,34 @@ fn the_c_agrees() {
         }
         for toolchain in toolchain::host().into_iter().filter(|it| it.level == 0) {
             let cases = &cases;
-            scope.spawn(move || run_c(compiled, cases, &toolchain, &sanitized));
+            scope.spawn(move || run_c(compiled, cases, &toolchain, &SANITIZED));
         }
     });
+}
+
+/// What has matrices, with these by rows and as arrays of rows: the same bits again.
+#[test]
+fn the_c_agrees_in_every_layout() {
+    let mut cases = cases(corpus());
+    let has_matrices =
+        |name: &str| name.contains("programs::matrices") || name.contains("programs::algorithms");
+    cases.retain(|case| has_matrices(&case.name));
+    let natives = corpus::programs::ENTRIES.iter().filter(|native| has_matrices(native.module));
+    for layout in [Layout::Rows, Layout::Array] {
+        let options = Options { layout, ..Options::default() };
+        let compiled = corpus_with(&options);
+        for (case, native) in cases.iter_mut().zip(natives.clone()) {
+            case.id = callable(&compiled, native).expect("it was compiled before");
+        }
+        thread::scope(|scope| {
+            let levels = |it: &Toolchain| it.level == 0;
+            for toolchain in toolchain::host().into_iter().filter(levels) {
+                let (compiled, cases, options) = (&compiled, &cases, &options);
+                let flags = if toolchain.name().contains("gcc") { &SANITIZED[..] } else { &[][..] };
+                scope.spawn(move || run_c_with(compiled, cases, &toolchain, flags, options));
+            }
+        });
+    }
 }
 
 /// What Rust cannot be handed: an enum that holds none of its variants.

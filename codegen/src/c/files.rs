@@ -508,10 +508,11 @@ fn constant_init(context: Context<'_>, ty: &Type, words: &mut &[u64]) -> Init {
         }
         Type::Matrix { element, rows, cols } => {
             let element = Type::Scalar(*element);
-            let items = (0..rows * cols).map(|_| (None, constant_init(context, &element, words)));
+            let items: Vec<_> =
+                (0..rows * cols).map(|_| constant_init(context, &element, words)).collect();
             let groups = *rows > 1 && *cols > 1;
             let lines = if groups { Lines::Groups(*rows as usize) } else { Lines::Fill };
-            list(items.collect(), lines)
+            context.names.layout.list(&items, (*rows, *cols), lines)
         }
         _ => {
             let (word, rest) = words.split_first().expect("the validator counts words");

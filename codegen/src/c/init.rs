@@ -96,8 +96,9 @@ impl Writer<'_> {
             Type::Struct(id) => self.structure(place, *id, words),
             Type::Array { element, len } => self.array(place, element, *len as usize, words),
             Type::Matrix { element, rows, cols } => {
-                let element = Type::Scalar(*element);
-                self.array(place, &element, (rows * cols) as usize, words);
+                let (layout, shape) = (self.context.names.layout, (*rows, *cols));
+                let words = layout.in_memory(words, shape);
+                self.value(place, &layout.array(*element, shape), &words);
             }
         }
     }

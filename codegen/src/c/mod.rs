@@ -20,6 +20,7 @@ mod layout_text;
 mod library;
 mod literal;
 mod lower;
+mod matrices;
 pub mod names;
 mod print;
 mod report;
@@ -32,6 +33,7 @@ mod tree;
 use bessemer_ir::Module;
 
 pub use library::Math;
+pub use matrices::Layout;
 pub use report::{EntryReport, report};
 
 use analysis::Faults;
@@ -73,6 +75,8 @@ pub struct Options {
     pub kernels: Tuning,
     /// Whose elementary functions are called.
     pub math: Math,
+    /// How matrices lie in memory.
+    pub layout: Layout,
 }
 
 impl Default for Options {
@@ -85,6 +89,7 @@ impl Default for Options {
             replacements: Vec::new(),
             kernels: Tuning::default(),
             math: Math::Portable,
+            layout: Layout::Columns,
         }
     }
 }

@@ -16,7 +16,6 @@ use bessemer_ir::{
     ConstId, EnumId, Function, FunctionId, Int, Mode, Module, Owner, Scalar, StructId, Type,
 };
 
-use super::Options;
 use super::analysis::Faults;
 use super::const_names::ConstNames;
 use super::helpers::is_helper_name;
@@ -26,6 +25,7 @@ use super::spelling::{identifier, last_segment, relative, screaming, snake};
 pub use super::status::{FAULTS, StatusNames};
 pub use super::tree::Storage;
 use super::tree::{Declarator, Head};
+use super::{Layout, Options};
 
 /// The names of a struct.
 #[derive(Clone, Debug)]
@@ -121,6 +121,8 @@ pub struct Names {
     pub functions: Vec<Signature>,
     /// The status type.
     pub status: StatusNames,
+    /// How matrices lie in memory.
+    pub layout: Layout,
     files: BTreeMap<String, String>,
 }
 
@@ -138,6 +140,7 @@ impl Names {
             globals: BTreeSet::new(),
             functions: Vec::new(),
             status: StatusNames::new(options),
+            layout: options.layout,
             files: file_names(module),
         };
         names.name_types(module, options, faults);
@@ -204,7 +207,7 @@ impl Names {
             Type::Scalar(_) | Type::Enum(_) => (self.word(ty), String::new()),
             Type::Struct(id) => (self.structs[id.index()].ty.clone(), String::new()),
             Type::Matrix { element, rows, cols } => {
-                (scalar_type(*element).to_owned(), format!("[{}]", rows * cols))
+                (scalar_type(*element).to_owned(), self.layout.dimensions((*rows, *cols)))
             }
             Type::Slice(element) => {
                 let (ty, inner) = self.type_parts(element);

@@ -270,7 +270,10 @@ impl Lowering<'_, '_> {
             }
             _ => {
                 let value = self.value(expr, None)?;
-                self.emit(StmtKind::Expr(value), span);
+                // What has no value may be done already.
+                if value.ty != Type::Unit || !matches!(value.kind, ExprKind::Literal(_)) {
+                    self.emit(StmtKind::Expr(value), span);
+                }
                 Ok(())
             }
         }

@@ -2,10 +2,13 @@
 
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{
-    Argument, Expr, ExprKind, FunctionId, Kernel, KernelRoutine, Routine, Scalar, Type,
+    Argument, BinaryOp, Block, Expr, ExprKind, FunctionId, Kernel, KernelRoutine, Mode, Place,
+    Routine, Scalar, Step, Stmt, StmtKind, Type,
 };
 
-use super::function::Lowering;
+use super::equal::{number, stmt};
+use super::function::{Lowering, is_literal};
+use super::pattern::{inside, load};
 use super::{Context, OUR_FAULT, Result, problem};
 
 /// What the DSL calls its kernels.
@@ -30,7 +33,11 @@ impl Context<'_> {
     fn kernel(&mut self, kernel: &Kernel) -> FunctionId {
         let known = |function: &bessemer_ir::Function| function.kernel.as_ref() == Some(kernel);
         let index = self.module.functions.iter().position(known).unwrap_or_else(|| {
-            self.module.functions.push(kernel.function());
+            let function = match self.by_columns {
+                true => kernel.function(),
+                false => kernel.flat_function(),
+            };
+            self.module.functions.push(function);
             self.module.functions.len() - 1
         });
         FunctionId(index as u32)
@@ -62,7 +69,116 @@ impl Lowering<'_, '_> {
             return problem(expr.site, "this takes matrices of `f64` or `f32`", OUR_FAULT);
         };
         let id = self.cx.kernel(&kernel);
-        self.call_function(id, arguments, expr).map(Some)
+        match self.cx.by_columns {
+            true => self.call_function(id, arguments, expr).map(Some),
+            false => self.call_with_copies(id, arguments, expr).map(Some),
+        }
+    }
+
+    /// The call of a kernel with copies of the matrices that do not lie as it takes them; what it changes is
+    /// copied back.
+    fn call_with_copies(
+        &mut self,
+        id: FunctionId,
+        arguments: &[tree::Expr],
+        expr: &tree::Expr,
+    ) -> Result<Expr> {
+        let function = &self.cx.module.functions[id.index()];
+        let result = function.result.clone();
+        let parameters: Vec<_> =
+            function.parameters().iter().map(|local| (local.mode, local.ty.clone())).collect();
+        let (mut passed, mut back) = (Vec::new(), Vec::new());
+        for (argument, (mode, ty)) in arguments.iter().zip(parameters) {
+            let mut place = self.base(argument)?;
+            self.keep_indices(&mut place, |index| !is_literal(index));
+            let place = match place.ty {
+                Type::Matrix { rows, cols, .. } if place.ty != ty => {
+                    let columns = self.columns(&place, &ty);
+                    self.copy_columns(&place, &columns, (rows, cols), true)?;
+                    if mode == Mode::RefMut {
+                        back.push((place, columns.clone(), (rows, cols)));
+                    }
+                    columns
+                }
+                _ => place,
+            };
+            passed.push(match mode {
+                Mode::RefMut => Argument::RefMut(place),
+                _ => Argument::Ref(load(&place)),
+            });
+        }
+        let call = self.node(ExprKind::Call(id, passed), result, expr.site)?;
+        if back.is_empty() {
+            return Ok(call);
+        }
+        let span = self.span(expr.site);
+        let value = match call.ty {
+            Type::Unit => {
+                self.emit(StmtKind::Expr(call), span);
+                Expr { kind: ExprKind::Literal(0), ty: Type::Unit, span }
+            }
+            _ => self.temporary("solved", call),
+        };
+        for (place, columns, shape) in back {
+            self.copy_columns(&place, &columns, shape, false)?;
+        }
+        Ok(value)
+    }
+
+    /// An array for the elements of a matrix.
+    fn columns(&mut self, matrix: &Place, ty: &Type) -> Place {
+        let span = matrix.span;
+        let local = self.temporary_local("columns", ty.clone(), span);
+        let zero = match &matrix.ty {
+            Type::Matrix { element, .. } => Type::Scalar(*element),
+            other => other.clone(),
+        };
+        let zero = Expr { kind: ExprKind::Literal(0), ty: zero, span };
+        let kind = ExprKind::Splat(Box::new(zero));
+        let value = Some(Expr { kind, ty: ty.clone(), span });
+        self.emit(StmtKind::Let { local, value }, span);
+        Place { root: local, steps: Vec::new(), ty: ty.clone(), span }
+    }
+
+    /// Loops that copy a matrix to an array of its elements, by columns, or back.
+    fn copy_columns(
+        &mut self,
+        matrix: &Place,
+        columns: &Place,
+        (rows, cols): (u32, u32),
+        to_columns: bool,
+    ) -> Result<()> {
+        let (span, Type::Matrix { element, .. }) = (matrix.span, matrix.ty.clone()) else {
+            return Ok(());
+        };
+        let element = Type::Scalar(element);
+        let at = |root| load(&Place { root, steps: Vec::new(), ty: Type::USIZE, span });
+        let column = self.counter("column", span);
+        let row = self.counter("row", span);
+        let node = |op, a: Expr, b: Expr| Expr {
+            kind: ExprKind::Binary(op, Box::new(a), Box::new(b)),
+            ty: Type::USIZE,
+            span,
+        };
+        let start = node(BinaryOp::Mul, number(u64::from(rows), span), at(column));
+        let index = node(BinaryOp::Add, at(row), start);
+        let cell = inside(matrix, Step::Element(at(row), at(column)), element.clone());
+        let part = inside(columns, Step::Index(index), element);
+        let (place, value) = if to_columns { (part, load(&cell)) } else { (cell, load(&part)) };
+        let assign = stmt(StmtKind::Assign { place, value }, span);
+        let counted = |variable, to: u32, body: Stmt| StmtKind::For {
+            variable,
+            from: number(0, span),
+            to: number(u64::from(to), span),
+            inclusive: false,
+            reversed: false,
+            unroll: None,
+            ended: false,
+            body: Block(vec![body]),
+        };
+        let inner = stmt(counted(row, rows, assign), span);
+        self.emit(counted(column, cols, inner), span);
+        Ok(())
     }
 
     /// A routine of values: a kernel, where it is large enough for one.
@@ -73,7 +189,8 @@ impl Lowering<'_, '_> {
         ty: Type,
         site: Site,
     ) -> Result<Expr> {
-        let Some((kernel, operands)) = product(routine, &values) else {
+        let kernel = if self.cx.by_columns { product(routine, &values) } else { None };
+        let Some((kernel, operands)) = kernel else {
             return self.node(ExprKind::Routine(routine, values), ty, site);
         };
         let id = self.cx.kernel(&kernel);

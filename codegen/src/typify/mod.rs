@@ -74,10 +74,15 @@ pub struct Typed {
     pub agreed: u32,
 }
 
-/// The typed module of a package, or everything that is wrong with it.
-pub fn typify(package: &Package, sources: &Sources) -> Result<(Module, Typed), Vec<Diagnostic>> {
+/// The typed module of a package, or everything that is wrong with it. `by_columns`: matrices lie in memory as
+/// kernels take them; else kernels are lent copies.
+pub fn typify(
+    package: &Package,
+    sources: &Sources,
+    by_columns: bool,
+) -> Result<(Module, Typed), Vec<Diagnostic>> {
     let mut errors: Vec<Diagnostic> = package.errors.iter().map(refusal).collect();
-    let mut cx = Context::new(package, sources);
+    let mut cx = Context { by_columns, ..Context::new(package, sources) };
     for definition in &package.types {
         if let Err(problem) = cx.define(definition) {
             errors.push(diagnostic(&definition.file, problem));
@@ -157,6 +162,7 @@ fn claim(function: &tree::Function) -> (Option<&str>, &str, &[tree::Argument]) {
 struct Context<'a> {
     module: Module,
     typed: Typed,
+    by_columns: bool,
     sources: &'a Sources,
     files: HashMap<String, u32>,
     types: HashMap<String, bessemer_ir::Type>,
@@ -198,6 +204,7 @@ impl<'a> Context<'a> {
         Context {
             module,
             typed: Typed::default(),
+            by_columns: true,
             sources,
             files: HashMap::new(),
             types: HashMap::new(),

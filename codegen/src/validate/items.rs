@@ -246,7 +246,12 @@ fn has_face(function: &Function, kernel: &Kernel) -> bool {
     let Some(sound) = Kernel::new(kernel.routine, kernel.element, &kernel.dims) else {
         return false;
     };
-    let face = sound.function();
+    // Matrices, or arrays of their elements, all of them.
+    let faces = [sound.function(), sound.flat_function()];
+    faces.iter().any(|face| has_face_of(function, face))
+}
+
+fn has_face_of(function: &Function, face: &Function) -> bool {
     let own = face.locals.len();
     let alike = |(a, b): (&Local, &Local)| a.ty == b.ty && a.mode == b.mode;
     let lent = function.locals.get(own..).unwrap_or_default();

@@ -222,6 +222,16 @@ impl Kernel {
         }
     }
 
+    /// The same for matrices that lie in memory otherwise than by columns: it takes arrays of their elements.
+    pub fn flat_function(&self) -> Function {
+        let mut function = self.function();
+        function.result = flat(&function.result);
+        for local in &mut function.locals {
+            local.ty = flat(&local.ty);
+        }
+        function
+    }
+
     fn face(&self) -> (Vec<(&'static str, Type, Mode)>, Type) {
         let element = Scalar::Float(self.element);
         let matrix = |rows, cols| Type::Matrix { element, rows, cols };
@@ -394,3 +404,14 @@ pub const COFACTORS: [(usize, Products); 16] = {
     ];
     table
 };
+
+/// A matrix of several rows and columns as the array of its elements, by columns; any other type as it is.
+pub fn flat(ty: &Type) -> Type {
+    match ty {
+        Type::Matrix { element, rows, cols } if *rows > 1 && *cols > 1 => Type::Array {
+            element: alloc::boxed::Box::new(Type::Scalar(*element)),
+            len: rows * cols,
+        },
+        other => other.clone(),
+    }
+}

@@ -94,8 +94,8 @@ impl Lower<'_> {
                     if sparse && is_zero(item) {
                         continue;
                     }
-                    let (row, column) = (index as u32 % rows, index as u32 / rows);
-                    let element = super::place::element(dest.clone(), (*rows, *cols), row, column);
+                    let layout = self.context.names.layout;
+                    let element = layout.by_columns(dest.clone(), (*rows, *cols), index as u32);
                     self.store(element, None, item);
                 }
             }
@@ -121,6 +121,13 @@ impl Lower<'_> {
 
     /// The same value everywhere.
     fn fill(&mut self, dest: Expr, ty: &Type, item: &Ir) {
+        if let Type::Matrix { element, rows, cols } = ty
+            && !self.context.names.layout.is_flat((*rows, *cols))
+        {
+            let array = self.context.names.layout.array(*element, (*rows, *cols));
+            let value = self.once("value", item, None);
+            return self.fill_rows(dest, &array, &value);
+        }
         let count = length(ty);
         let simple =
             matches!(item.kind, ExprKind::Literal(_) | ExprKind::Const(_) | ExprKind::Load(_));
@@ -141,6 +148,16 @@ impl Lower<'_> {
             Some(value) => lower.assign(dest.at(index), value),
             None => lower.store(dest.at(index), None, item),
         });
+    }
+
+    /// The same value in each element of arrays.
+    fn fill_rows(&mut self, dest: Expr, ty: &Type, value: &Expr) {
+        match ty {
+            Type::Array { element, len } => self.count_up(*len, |lower, index| {
+                lower.fill_rows(dest.at(index), element, value);
+            }),
+            _ => self.assign(dest, value.clone()),
+        }
     }
 
     /// `for (uint32_t i = 0U; i < count; i++) { body }`.
@@ -188,8 +205,9 @@ impl Lower<'_> {
         }
         if is_short(ty) {
             for index in 0..length(ty) {
-                let at = Expr::name(index.to_string());
-                self.assign(dest.clone().at(at.clone()), from.clone().at(at));
+                let to = self.part(dest.clone(), ty, index);
+                let from = self.part(from.clone(), ty, index);
+                self.assign(to, from);
             }
             return;
         }
@@ -239,6 +257,16 @@ impl Lower<'_> {
                     parts.into_iter().map(|(item, name)| (Some(name), self.initialiser(item)));
                 Init::List { items: parts.collect(), lines: Lines::Fill }
             }
+            (ExprKind::Splat(item), Type::Matrix { rows, cols, .. })
+                if !self.context.names.layout.is_flat((*rows, *cols)) =>
+            {
+                let item = self.initialiser(item);
+                let (rows, cols) = if is_zero(value) { (1, 1) } else { (*rows, *cols) };
+                let row = (0..cols).map(|_| (None, item.clone())).collect();
+                let row = Init::List { items: row, lines: Lines::Fill };
+                let items = (0..rows).map(|_| (None, row.clone())).collect();
+                Init::List { items, lines: Lines::Fill }
+            }
             (ExprKind::Splat(item), ty) => {
                 let count = if is_zero(value) { 1 } else { length(ty) };
                 let items = (0..count).map(|_| (None, self.initialiser(item)));
@@ -251,22 +279,42 @@ impl Lower<'_> {
                     }
                     _ => Lines::Fill,
                 };
-                let items = items.iter().map(|item| (None, self.initialiser(item)));
-                Init::List { items: items.collect(), lines }
+                let items: Vec<_> = items.iter().map(|item| self.initialiser(item)).collect();
+                self.list(&items, ty, lines)
             }
             (ExprKind::Routine(routine, operands), ty) => {
                 let (elements, lines) = self.straight(*routine, operands, ty, None);
-                let items = elements.into_iter().map(|element| (None, Init::Value(element)));
-                Init::List { items: items.collect(), lines }
+                let items: Vec<_> = elements.into_iter().map(Init::Value).collect();
+                self.list(&items, ty, lines)
             }
             (_, ty) if is_short(ty) => {
                 let from = self.operand(value);
-                let element = |index: u32| from.clone().at(Expr::name(index.to_string()));
-                let items = (0..length(ty)).map(|index| (None, Init::Value(element(index))));
-                Init::List { items: items.collect(), lines: Lines::Each }
+                let parts = (0..length(ty)).map(|index| self.part(from.clone(), ty, index));
+                let items: Vec<_> = parts.map(Init::Value).collect();
+                self.list(&items, ty, Lines::Each)
             }
             _ => Init::Value(self.operand(value)),
         }
+    }
+
+    /// A part of an array, or of a matrix by columns.
+    fn part(&self, whole: Expr, ty: &Type, index: u32) -> Expr {
+        let layout = self.context.names.layout;
+        match ty {
+            Type::Matrix { rows, cols, .. } if !layout.has_columns((*rows, *cols)) => {
+                layout.by_columns(whole, (*rows, *cols), index)
+            }
+            _ => whole.at(Expr::name(index.to_string())),
+        }
+    }
+
+    /// The list of the parts of an array, or of a matrix by columns.
+    fn list(&self, parts: &[Init], ty: &Type, lines: Lines) -> Init {
+        let shape = match ty {
+            Type::Matrix { rows, cols, .. } => (*rows, *cols),
+            _ => (parts.len() as u32, 1),
+        };
+        self.context.names.layout.list(parts, shape, lines)
     }
 
     /// A value to compute with more than once: itself if that is simple, else a constant.

@@ -29,20 +29,28 @@ impl Lower<'_> {
             (Step::Index(index), Type::Array { element, .. } | Type::Slice(element)) => {
                 (value.at(self.index(index)), (**element).clone())
             }
-            (Step::Index(index), Type::Matrix { element, .. }) => {
-                (value.at(self.index(index)), Type::Scalar(*element))
+            // By columns, as nalgebra counts.
+            (Step::Index(index), Type::Matrix { element, rows, cols }) => {
+                let (layout, shape) = (self.context.names.layout, (*rows, *cols));
+                let index = self.index(index);
+                let element = Type::Scalar(*element);
+                if layout.has_columns(shape) {
+                    return (value.at(index), element);
+                }
+                let part = |op| Expr::binary(op, index.clone(), Expr::name(format!("{rows}U")));
+                (layout.at(value, shape, part("%"), part("/")), element)
             }
             (Step::Element(row, column), Type::Matrix { element, rows, cols }) => {
                 // What is left out is not mentioned.
-                let at = match (rows, cols) {
-                    (_, 1) => self.index(row),
-                    (1, _) => self.index(column),
+                let value = match (rows, cols) {
+                    (_, 1) => value.at(self.index(row)),
+                    (1, _) => value.at(self.index(column)),
                     shape => {
                         let (row, column) = (self.index(row), self.index(column));
-                        offset((*shape.0, *shape.1), row, column)
+                        self.context.names.layout.at(value, (*shape.0, *shape.1), row, column)
                     }
                 };
-                (value.at(at), Type::Scalar(*element))
+                (value, Type::Scalar(*element))
             }
             // The array itself is the address of its first element.
             (Step::From(from), ty) if ty.is_array() => {
@@ -104,24 +112,6 @@ impl Lower<'_> {
             _ => value.address(),
         }
     }
-}
-
-/// `row + rows * column`, where an element of a matrix of this shape stands.
-pub(super) fn offset((rows, cols): (u32, u32), row: Expr, column: Expr) -> Expr {
-    match (rows, cols) {
-        (_, 1) => row,
-        (1, _) => column,
-        _ => {
-            let start = Expr::binary("*", Expr::name(rows.to_string()), column);
-            Expr::binary("+", row, start)
-        }
-    }
-}
-
-/// The element of a matrix at a fixed row and column.
-pub(super) fn element(matrix: Expr, shape: (u32, u32), row: u32, column: u32) -> Expr {
-    let number = |value: u32| Expr::name(value.to_string());
-    matrix.at(offset(shape, number(row), number(column)))
 }
 
 /// The shape of a matrix type.

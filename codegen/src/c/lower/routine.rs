@@ -9,9 +9,10 @@ use bessemer_ir::{BinaryOp, Expr as Ir, ExprKind, Float, Place, Routine, Scalar,
 use super::super::analysis::reads;
 use super::super::helpers::Helper;
 use super::super::literal;
+use super::super::matrices::Layout;
 use super::super::tree::{Expr, Init, Lines, StmtKind};
 use super::Lower;
-use super::place::{element, offset, shape};
+use super::place::shape;
 
 /// Up to so many elements an element-wise routine is written out.
 const ELEMENTS: u32 = 4;
@@ -25,6 +26,7 @@ const TERMS: u32 = 8;
 /// A matrix as it lies in memory, and whether its transpose is meant.
 #[derive(Clone)]
 struct Stored {
+    layout: Layout,
     matrix: Expr,
     shape: (u32, u32),
     transposed: bool,
@@ -34,12 +36,13 @@ impl Stored {
     /// The element in this row and column of what is meant.
     fn at(&self, row: Expr, column: Expr) -> Expr {
         let (row, column) = if self.transposed { (column, row) } else { (row, column) };
-        self.matrix.clone().at(offset(self.shape, row, column))
+        self.layout.at(self.matrix.clone(), self.shape, row, column)
     }
 
-    /// Whether elements lie in memory in the order of what is meant.
+    /// Whether elements lie in memory in the order of what is meant, and one index reaches each.
     fn is_flat(&self) -> bool {
-        !self.transposed || self.shape.0 == 1 || self.shape.1 == 1
+        self.layout.is_flat(self.shape)
+            && (!self.transposed || self.shape.0 == 1 || self.shape.1 == 1)
     }
 }
 
@@ -65,6 +68,7 @@ enum At<'e> {
 /// A column of a matrix.
 #[derive(Clone)]
 struct Column {
+    layout: Layout,
     matrix: Expr,
     shape: (u32, u32),
     index: u32,
@@ -72,7 +76,7 @@ struct Column {
 
 impl Column {
     fn element(&self, row: u32) -> Expr {
-        element(self.matrix.clone(), self.shape, row, self.index)
+        self.layout.element(self.matrix.clone(), self.shape, row, self.index)
     }
 }
 
@@ -116,14 +120,16 @@ impl Lower<'_> {
                         (self.operand(operand), (rows, cols))
                     })
                     .collect();
+                let layout = self.context.names.layout;
                 let elements = each.map(|(row, column)| match routine {
                     Routine::TrMul => {
-                        let a = Column { matrix: list[0].0.clone(), shape: list[0].1, index: row };
-                        let b =
-                            Column { matrix: list[1].0.clone(), shape: list[1].1, index: column };
+                        let (matrix, shape) = list[0].clone();
+                        let a = Column { layout, matrix, shape, index: row };
+                        let (matrix, shape) = list[1].clone();
+                        let b = Column { layout, matrix, shape, index: column };
                         self.dot_columns(float(scalar), &a, &b)
                     }
-                    Routine::Transpose => element(list[0].0.clone(), list[0].1, column, row),
+                    Routine::Transpose => layout.element(list[0].0.clone(), list[0].1, column, row),
                     _ => self.cross_element(scalar, &list, row + column),
                 });
                 let elements: Vec<Expr> = elements.collect();
@@ -168,8 +174,8 @@ impl Lower<'_> {
         if self.is_straight(routine, operands, &value.ty) {
             let (elements, _) = self.straight(routine, operands, &value.ty, place);
             for (index, value) in elements.into_iter().enumerate() {
-                let (row, column) = (index as u32 % rows, index as u32 / rows);
-                self.assign(element(dest.clone(), (rows, cols), row, column), value);
+                let layout = self.context.names.layout;
+                self.assign(layout.by_columns(dest.clone(), (rows, cols), index as u32), value);
             }
             return;
         }
@@ -180,10 +186,11 @@ impl Lower<'_> {
             Routine::TrMul => self.tr_mul_loops(&dest, scalar, operands, (rows, cols)),
             Routine::Transpose => {
                 let from = self.operand(&operands[0]);
+                let layout = self.context.names.layout;
                 self.count_from("column", 0, cols, |lower, column| {
                     lower.count_from("row", 0, rows, |lower, row| {
-                        let value = from.at(offset((cols, rows), column.clone(), row.clone()));
-                        lower.assign(dest.at(offset((rows, cols), row, column)), value);
+                        let value = layout.at(from, (cols, rows), column.clone(), row.clone());
+                        lower.assign(layout.at(dest, (rows, cols), row, column), value);
                     });
                 });
             }
@@ -196,7 +203,8 @@ impl Lower<'_> {
 
     /// A loop over the elements, or two where they do not lie in one order.
     fn store_each(&mut self, dest: &Expr, fused: &Fused, scalar: Scalar, shape: (u32, u32)) {
-        if fused.is_flat() {
+        let layout = self.context.names.layout;
+        if fused.is_flat() && layout.is_flat(shape) {
             self.count_up(shape.0 * shape.1, |lower, index| {
                 let value = lower.fused_element(fused, scalar, &At::Counted(&index));
                 lower.assign(dest.clone().at(index), value);
@@ -205,7 +213,7 @@ impl Lower<'_> {
         }
         let cell = |lower: &mut Self, row: Expr, column: Expr| {
             let value = lower.fused_element(fused, scalar, &At::Cell(&row, &column));
-            lower.assign(dest.clone().at(offset(shape, row, column)), value);
+            lower.assign(layout.at(dest.clone(), shape, row, column), value);
         };
         let rows = |lower: &mut Self, column: Expr| match shape.0 {
             1 => cell(lower, Expr::name("0"), column),
@@ -224,9 +232,13 @@ impl Lower<'_> {
         let block = self.scope(|lower| {
             let name = lower.fresh("product");
             lower.define(&value.ty, &name, value, true);
+            let layout = lower.context.names.layout;
+            let part = |whole: Expr, index: u32| match layout {
+                Layout::Array => Layout::Array.by_columns(whole, (rows, cols), index),
+                _ => whole.at(number(index)),
+            };
             for index in 0..rows * cols {
-                let at = Expr::name(index.to_string());
-                lower.assign(dest.clone().at(at.clone()), Expr::name(&name).at(at));
+                lower.assign(part(dest.clone(), index), part(Expr::name(&name), index));
             }
         });
         self.emit(StmtKind::Block(block));
@@ -271,7 +283,8 @@ impl Lower<'_> {
             _ => (operand, false),
         };
         let (_, rows, cols) = shape(&inner.ty);
-        Stored { matrix: self.operand(inner), shape: (rows, cols), transposed }
+        let layout = self.context.names.layout;
+        Stored { layout, matrix: self.operand(inner), shape: (rows, cols), transposed }
     }
 
     fn fused_element(&mut self, fused: &Fused, scalar: Scalar, at: &At<'_>) -> Expr {
@@ -365,7 +378,8 @@ impl Lower<'_> {
                     let total = lower.arithmetic(BinaryOp::Add, &ty, Expr::name(&sum), term);
                     lower.assign(Expr::name(&sum), total);
                 });
-                let place = dest.clone().at(offset((rows, cols), row.clone(), column.clone()));
+                let layout = lower.context.names.layout;
+                let place = layout.at(dest.clone(), (rows, cols), row.clone(), column.clone());
                 lower.assign(place, Expr::name(&sum));
             });
         });
@@ -380,8 +394,9 @@ impl Lower<'_> {
     ) {
         let depth = shape(&operands[0].ty).1;
         let (a, b) = (self.operand(&operands[0]), self.operand(&operands[1]));
+        let layout = self.context.names.layout;
         let pick = |matrix: &Expr, cols: u32, index: &Expr, k: u32| {
-            matrix.clone().at(offset((depth, cols), Expr::name(k.to_string()), index.clone()))
+            layout.at(matrix.clone(), (depth, cols), number(k), index.clone())
         };
         self.count_from("column", 0, cols, |lower, column| {
             lower.count_from("row", 0, rows, |lower, row| {
@@ -392,10 +407,15 @@ impl Lower<'_> {
                     small_dot(terms.collect())
                 } else {
                     let ends =
-                        [pick(&a, rows, &row, 0).address(), pick(&b, cols, &column, 0).address()];
+                        [(&a, rows, &row), (&b, cols, &column)].map(|(matrix, cols, index)| {
+                            if layout.has_columns((depth, cols)) {
+                                return pick(matrix, cols, index, 0).address();
+                            }
+                            lower.column(matrix, scalar, (depth, cols), index)
+                        });
                     lower.dot_call(float(scalar), ends, (depth, 1))
                 };
-                lower.assign(dest.clone().at(offset((rows, cols), row, column)), value);
+                lower.assign(layout.at(dest.clone(), (rows, cols), row, column), value);
             });
         });
     }
@@ -406,16 +426,19 @@ impl Lower<'_> {
         let (left, right) = (self.operand(a), self.operand(b));
         let shape = (rows, cols);
         if cols == 1 && (2..=4).contains(&rows) {
-            let column = |matrix| Column { matrix, shape, index: 0 };
+            let layout = self.context.names.layout;
+            let column = |matrix| Column { layout, matrix, shape, index: 0 };
             return self.dot_columns(float(scalar), &column(left), &column(right));
         }
         if rows >= TERMS || rows * cols > TERMS {
-            return self.dot_call(float(scalar), [left, right], shape);
+            let sides = [left, right].map(|matrix| self.columns(matrix, scalar, shape));
+            return self.dot_call(float(scalar), sides, shape);
         }
+        let layout = self.context.names.layout;
         let each = (0..cols).flat_map(|column| (0..rows).map(move |row| (row, column)));
         let terms = each.map(|(row, column)| {
-            let left = element(left.clone(), shape, row, column);
-            Expr::binary("*", left, element(right.clone(), shape, row, column))
+            let left = layout.element(left.clone(), shape, row, column);
+            Expr::binary("*", left, layout.element(right.clone(), shape, row, column))
         });
         terms.fold(zero(float(scalar)), |sum, term| Expr::binary("+", sum, term))
     }
@@ -426,10 +449,12 @@ impl Lower<'_> {
         let (scalar, rows, cols) = shape(&a.ty);
         let matrix = self.operand(a);
         if cols == 1 {
-            let column = Column { matrix, shape: (rows, cols), index: 0 };
+            let layout = self.context.names.layout;
+            let column = Column { layout, matrix, shape: (rows, cols), index: 0 };
             return self.dot_columns(float(scalar), &column, &column);
         }
         let number = |value: u32| Expr::name(format!("{value}U"));
+        let matrix = self.columns(matrix, scalar, (rows, cols));
         self.helper(Helper::NormSquared(float(scalar)), vec![matrix, number(rows), number(cols)])
     }
 
@@ -437,17 +462,52 @@ impl Lower<'_> {
     fn dot_columns(&mut self, float: Float, a: &Column, b: &Column) -> Expr {
         let rows = a.shape.0;
         if rows >= TERMS {
-            let start = |column: &Column| match column.index {
-                0 => column.matrix.clone(),
-                _ => column.element(0).address(),
-            };
-            return self.dot_call(float, [start(a), start(b)], (rows, 1));
+            let starts = [a, b].map(|column| {
+                if !column.layout.has_columns(column.shape) {
+                    let index = number(column.index);
+                    return self.column(&column.matrix, Scalar::Float(float), column.shape, &index);
+                }
+                match column.index {
+                    0 => column.matrix.clone(),
+                    _ => column.element(0).address(),
+                }
+            });
+            return self.dot_call(float, starts, (rows, 1));
         }
         let terms = (0..rows).map(|row| Expr::binary("*", a.element(row), b.element(row)));
         if (2..=4).contains(&rows) {
             return small_dot(terms.collect());
         }
         terms.fold(zero(float), |sum, term| Expr::binary("+", sum, term))
+    }
+
+    /// A matrix by columns: itself, or a copy where it lies otherwise.
+    fn columns(&mut self, matrix: Expr, scalar: Scalar, shape: (u32, u32)) -> Expr {
+        let layout = self.context.names.layout;
+        if layout.has_columns(shape) {
+            return matrix;
+        }
+        let name = self.fresh("columns");
+        self.declare(&Layout::Rows.array(scalar, (shape.0 * shape.1, 1)), &name, None, false);
+        self.count_from("column", 0, shape.1, |lower, column| {
+            lower.count_from("row", 0, shape.0, |lower, row| {
+                let to = Layout::Columns.at(Expr::name(&name), shape, row.clone(), column.clone());
+                lower.assign(to, layout.at(matrix, shape, row, column));
+            });
+        });
+        Expr::name(name)
+    }
+
+    /// A copy of a column of a matrix whose columns do not lie together.
+    fn column(&mut self, matrix: &Expr, scalar: Scalar, shape: (u32, u32), index: &Expr) -> Expr {
+        let layout = self.context.names.layout;
+        let name = self.fresh("column");
+        self.declare(&Layout::Rows.array(scalar, (shape.0, 1)), &name, None, false);
+        self.count_from("row", 0, shape.0, |lower, row| {
+            let from = layout.at(matrix.clone(), shape, row.clone(), index.clone());
+            lower.assign(Expr::name(&name).at(row), from);
+        });
+        Expr::name(name)
     }
 
     fn dot_call(&mut self, float: Float, [a, b]: [Expr; 2], (rows, cols): (u32, u32)) -> Expr {

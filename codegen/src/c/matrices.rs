@@ -1,0 +1,114 @@
+//! How matrices lie in memory: by columns, by rows, or as C's own arrays of rows.
+//!
+//! Of a matrix with one row or one column there is one way, an array of its elements. Only this module knows
+//! where an element stands; what reads memory in a row goes through it, or takes a copy by columns.
+
+use bessemer_ir::{Scalar, Type};
+
+use super::tree::{Expr, Init, Lines};
+
+/// How matrices of several rows and columns lie in memory.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Layout {
+    /// `double m[6]`, by columns, as nalgebra stores them: `m[row + 2 * column]`.
+    #[default]
+    Columns,
+    /// `double m[6]`, by rows: `m[column + 3 * row]`.
+    Rows,
+    /// `double m[2][3]`: `m[row][column]`.
+    Array,
+}
+
+impl Layout {
+    /// The element of a matrix of this shape.
+    pub fn at(self, matrix: Expr, (rows, cols): (u32, u32), row: Expr, column: Expr) -> Expr {
+        let flat = |near: Expr, count: u32, far: Expr| {
+            let start = Expr::binary("*", Expr::name(count.to_string()), far);
+            Expr::binary("+", near, start)
+        };
+        match (rows, cols) {
+            (_, 1) => matrix.at(row),
+            (1, _) => matrix.at(column),
+            _ => match self {
+                Layout::Columns => matrix.at(flat(row, rows, column)),
+                Layout::Rows => matrix.at(flat(column, cols, row)),
+                Layout::Array => matrix.at(row).at(column),
+            },
+        }
+    }
+
+    /// The element at a fixed row and column.
+    pub fn element(self, matrix: Expr, shape: (u32, u32), row: u32, column: u32) -> Expr {
+        let number = |value: u32| Expr::name(value.to_string());
+        self.at(matrix, shape, number(row), number(column))
+    }
+
+    /// The element that is so many from the first, by columns.
+    pub fn by_columns(self, matrix: Expr, shape: (u32, u32), index: u32) -> Expr {
+        self.element(matrix, shape, index % shape.0, index / shape.0)
+    }
+
+    /// What stands behind the name of a matrix for the element that is so many from the first, by columns.
+    pub fn subscript(self, shape @ (rows, cols): (u32, u32), index: u32) -> String {
+        let (row, column) = (index % rows, index / rows);
+        match self {
+            _ if self.has_columns(shape) => format!("[{index}]"),
+            Layout::Array => format!("[{row}][{column}]"),
+            _ => format!("[{}]", column + cols * row),
+        }
+    }
+
+    /// Whether the columns of a matrix of this shape lie one behind the other.
+    pub fn has_columns(self, shape: (u32, u32)) -> bool {
+        self == Layout::Columns || is_vector(shape)
+    }
+
+    /// Whether one index reaches each element.
+    pub fn is_flat(self, shape: (u32, u32)) -> bool {
+        self != Layout::Array || is_vector(shape)
+    }
+
+    /// What stands between the brackets of a declaration.
+    pub fn dimensions(self, shape @ (rows, cols): (u32, u32)) -> String {
+        match self.is_flat(shape) {
+            true => format!("[{}]", rows * cols),
+            false => format!("[{rows}][{cols}]"),
+        }
+    }
+
+    /// Parts by columns, in the order in which they lie in memory.
+    pub fn in_memory<T: Clone>(self, parts: &[T], shape @ (rows, cols): (u32, u32)) -> Vec<T> {
+        if self.has_columns(shape) {
+            return parts.to_vec();
+        }
+        let each = (0..rows).flat_map(|row| (0..cols).map(move |column| row + rows * column));
+        each.filter_map(|index| parts.get(index as usize).cloned()).collect()
+    }
+
+    /// The list of what a matrix is made of, by columns.
+    pub fn list(self, parts: &[Init], shape @ (rows, cols): (u32, u32), lines: Lines) -> Init {
+        let items = |parts: &[Init]| parts.iter().map(|part| (None, part.clone())).collect();
+        let parts = self.in_memory(parts, shape);
+        if self.is_flat(shape) {
+            let group = if self.has_columns(shape) { rows } else { cols };
+            let lines =
+                if let Lines::Groups(_) = lines { Lines::Groups(group as usize) } else { lines };
+            return Init::List { items: items(&parts), lines };
+        }
+        let row = |row: &[Init]| (None, Init::List { items: items(row), lines: Lines::Fill });
+        Init::List { items: parts.chunks(cols as usize).map(row).collect(), lines: Lines::Each }
+    }
+
+    /// The type of arrays that lies in memory as a matrix does, for what goes word by word.
+    pub fn array(self, element: Scalar, shape @ (rows, cols): (u32, u32)) -> Type {
+        let array = |element: Type, len: u32| Type::Array { element: Box::new(element), len };
+        match self.is_flat(shape) {
+            true => array(Type::Scalar(element), rows * cols),
+            false => array(array(Type::Scalar(element), cols), rows),
+        }
+    }
+}
+
+fn is_vector((rows, cols): (u32, u32)) -> bool {
+    rows == 1 || cols == 1
+}
