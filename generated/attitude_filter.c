@@ -107,8 +107,8 @@ void attitude_filter_advance(const attitude_filter_t *self, const orientation_t 
     advance[2 + 6 * 5] = period;
 }
 
-bool attitude_filter_correct(attitude_filter_t *self, const double row[6], double innovation,
-    double variance, double gate, attitude_filter_correct_work_t *work)
+bool attitude_filter_correct(attitude_filter_t *self, const double row[6], const double moves[6],
+    double innovation, double variance, double gate, attitude_filter_correct_work_t *work)
 {
     double spread[6];
     product_f64_6x6_6x1(self->covariance, row, spread);
@@ -120,7 +120,7 @@ bool attitude_filter_correct(attitude_filter_t *self, const double row[6], doubl
     }
     double gain[6];
     for (uint32_t i = 0U; i < 6U; i++) {
-        gain[i] = spread[i] / expected;
+        gain[i] = spread[i] * moves[i] / expected;
     }
     for (uint32_t n = 0U; n < 3U; n++) {
         self->angles[n] += gain[n] * innovation;

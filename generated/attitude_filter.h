@@ -66,9 +66,12 @@ void attitude_filter_advance(const attitude_filter_t *self, const orientation_t 
  * A measurement of the angle that `row` picks out, as its difference from what is believed, with the
  * given variance. It is refused, and nothing changes, if it lies more than `gate` standard deviations
  * off, or is not a number.
+ *
+ * `moves` has a 1 for each part of the state that it may change, and 0 elsewhere: Joseph's form holds
+ * for any gain.
  */
-bool attitude_filter_correct(attitude_filter_t *self, const double row[6], double innovation,
-    double variance, double gate, attitude_filter_correct_work_t *work);
+bool attitude_filter_correct(attitude_filter_t *self, const double row[6], const double moves[6],
+    double innovation, double variance, double gate, attitude_filter_correct_work_t *work);
 
 #ifdef __cplusplus
 }

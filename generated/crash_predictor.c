@@ -30,6 +30,7 @@
 #endif
 
 static const double GRAVITY = 9.81;
+static const double LOW = 0.2;
 
 static alarm_t crash_predictor_find(const crash_predictor_t *self, const limits_t *limits,
     const estimate_t *now, const ages_t *ages);
@@ -45,8 +46,8 @@ void limits_room(limits_t *limits)
     limits->ceiling = 4.0;
     limits->reach = 4.0;
     limits->impact = 0.7;
-    limits->blind = 8.0;
-    limits->dizzy = 0.15;
+    limits->blind = 12.0;
+    limits->dizzy = 0.1;
     limits->horizon = 0.1;
     limits->armed = true;
 }
@@ -87,8 +88,9 @@ static alarm_t crash_predictor_find(const crash_predictor_t *self, const limits_
     if (!(isfinite(sum) != 0)) {
         return ALARM_UNDEFINED;
     }
-    if (ages->inertial > limits->dizzy || ages->height > limits->blind
-            || ages->plane > limits->blind) {
+    const bool inside = ages->inertial > limits->dizzy && ages->vicon > limits->dizzy;
+    const bool dizzy = inside && ages->plane > limits->dizzy && now->position[2] > LOW;
+    if (dizzy || ages->height > limits->blind || ages->plane > limits->blind) {
         return ALARM_BLIND;
     }
     const double across = roots_hypot(now->rates[0], now->rates[1]);

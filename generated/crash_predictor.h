@@ -61,7 +61,10 @@ typedef struct {
      * inertial sensors carry the state.
      */
     double blind;
-    /** Longest time without the gyroscope, s: as long as the aircraft keeps its attitude. */
+    /**
+     * Without the gyroscope and Vicon the camera alone shows how the aircraft leans: longest time without
+     * it, s.
+     */
     double dizzy;
     /** How far ahead to look, s. */
     double horizon;

@@ -20,6 +20,7 @@
 #include "attitude_filter.h"
 #include "axis_filter.h"
 #include "calibration.h"
+#include "expectation.h"
 #include "geometry.h"
 #include "low_pass.h"
 #include "roots.h"
@@ -35,10 +36,28 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
+static const double DEAF = 0.02;
+static const double DEAF_DOUBT = 0.1;
+static const double DEAF_PUSH[2] = {3.0, 0.02};
+static const double DEAF_RATES[2] = {0.1, 1.0};
 static const double DOUBT = 0.25;
 static const double GRAVITY = 9.81;
+static const double GROUND = 0.05;
 static const double LATE_DOUBT = 0.8;
-static const double UNFELT = 5.0;
+static const double MEMORY = 0.05;
+static const double UNFELT[2] = {1.0, 0.3};
+
+/* The larger of two numbers: -0 < +0, and a NaN gives the other. */
+static double max_f64(double a, double b)
+{
+    if (a > b || b != b) {
+        return a;
+    }
+    if (a == b) {
+        return !signbit(a) ? a : b;
+    }
+    return b;
+}
 
 /* a + b, or the limit of the type beyond which it lies. */
 static uint32_t saturating_add_u32(uint32_t a, uint32_t b)
@@ -48,8 +67,11 @@ static uint32_t saturating_add_u32(uint32_t a, uint32_t b)
 }
 
 static void estimator_grow_older(estimator_t *self, double period);
+static void estimator_listen(estimator_t *self, const sensors_t *sensors, const push_t *told,
+    const measured_t *measured);
+static double estimator_patience(const estimator_t *self);
 static void estimator_advance(estimator_t *self, const sensors_t *sensors,
-    const measured_t *measured, estimator_advance_work_t *work);
+    estimator_advance_work_t *work);
 static void estimator_see_vicon(estimator_t *self, const sensors_t *sensors,
     const measured_t *measured, estimator_see_vicon_work_t *work);
 static bool estimator_see_angles(estimator_t *self, const sensors_t *sensors,
@@ -61,9 +83,13 @@ static void estimator_do_without(estimator_t *self, const sensors_t *sensors,
 static bool estimator_see_echo(estimator_t *self, const sensors_t *sensors, double distance,
     const orientation_t *orientation);
 static bool estimator_see_flow(estimator_t *self, const sensors_t *sensors, const double flow[2],
-    const orientation_t *orientation);
+    const orientation_t *orientation, estimator_see_flow_work_t *work);
 static void estimator_level(estimator_t *self, const sensors_t *sensors,
     estimator_level_work_t *work);
+static void estimator_lean(estimator_t *self, const sensors_t *sensors,
+    const double acceleration[3], estimator_lean_work_t *work);
+static void estimator_see_lean(estimator_t *self, double roll, double pitch, double variance,
+    double gate, estimator_see_lean_work_t *work);
 static void estimator_velocity(const estimator_t *self, double result[3]);
 static void estimator_state(estimator_t *self, const sensors_t *sensors,
     estimator_state_work_t *work, estimate_t *estimate);
@@ -148,6 +174,7 @@ void estimator_init(estimator_t *self)
     stuck_init(&self->accelerometer);
     stuck_init(&self->altimeter);
     stuck_init(&self->camera);
+    expectation_init(&self->expectation);
     self->rates[0] = 0.0;
     self->rates[1] = 0.0;
     self->rates[2] = 0.0;
@@ -155,6 +182,10 @@ void estimator_init(estimator_t *self)
     self->force[1] = 0.0;
     self->force[2] = 9.81;
     self->felt = true;
+    self->drift[0] = 0.0;
+    self->drift[1] = 0.0;
+    self->drift[2] = 0.0;
+    self->drift_age = 0.0;
     self->ages.inertial = 0.0;
     self->ages.vicon = 0.0;
     self->ages.height = 0.0;
@@ -162,29 +193,30 @@ void estimator_init(estimator_t *self)
     self->outliers = 0U;
 }
 
-void estimator_step(estimator_t *self, const sensors_t *sensors, const measured_t *measured,
-    estimator_step_work_t *work, estimate_t *estimate)
+void estimator_step(estimator_t *self, const sensors_t *sensors, const push_t *told,
+    const measured_t *measured, estimator_step_work_t *work, estimate_t *estimate)
 {
     estimator_grow_older(self, sensors->period);
-    estimator_advance(self, sensors, measured, &work->advance_work);
+    estimator_listen(self, sensors, told, measured);
+    estimator_advance(self, sensors, &work->advance_work);
     if (measured->vicon.fresh) {
         estimator_see_vicon(self, sensors, measured, &work->see_vicon_work);
     }
     const double distance[3] = {measured->distance, 0.0, 0.0};
     bool heard_condition = false;
     if (measured->echo) {
-        const bool heard_alive = stuck_alive(&self->altimeter, distance);
-        heard_condition = heard_alive;
+        const bool heard_says = stuck_says(&self->altimeter, distance);
+        heard_condition = heard_says;
     }
     const bool heard = heard_condition;
     const double flow[3] = {measured->flow_velocity[0], measured->flow_velocity[1], 0.0};
     bool seen_condition = false;
     if (measured->flow) {
-        const bool seen_alive = stuck_alive(&self->camera, flow);
-        seen_condition = seen_alive;
+        const bool seen_says = stuck_says(&self->camera, flow);
+        seen_condition = seen_says;
     }
     const bool seen = seen_condition;
-    if (self->ages.vicon > sensors->vicon_patience) {
+    if (self->ages.vicon > sensors->vicon_patience || estimator_is_deaf(self)) {
         estimator_do_without(self, sensors, measured, heard, seen, &work->do_without_work);
     }
     estimator_state(self, sensors, &work->state_work, estimate);
@@ -197,33 +229,80 @@ static void estimator_grow_older(estimator_t *self, double period)
     self->ages.vicon += period;
     self->ages.height += period;
     self->ages.plane += period;
+    self->drift_age += period;
 }
 
-/**
- * Carries the state over one period by the inertial sensors; while they are silent, by their last
- * good readings. An accelerometer that repeats itself is not believed: the velocity then stays, within
- * [`UNFELT`].
- */
-static void estimator_advance(estimator_t *self, const sensors_t *sensors,
-    const measured_t *measured, estimator_advance_work_t *work)
+/** Takes in the inertial sensors' readings, and what should have been where there are none. */
+static void estimator_listen(estimator_t *self, const sensors_t *sensors, const push_t *told,
+    const measured_t *measured)
 {
+    expectation_step(&self->expectation, sensors->period, told);
+    bool felt_condition = false;
     if (measured->inertial) {
+        const bool felt_says = stuck_says(&self->accelerometer, measured->force);
+        felt_condition = felt_says;
+    }
+    self->felt = felt_condition;
+    if (self->felt) {
+        expectation_felt(&self->expectation, measured->force);
         self->force[0] = measured->force[0];
         self->force[1] = measured->force[1];
         self->force[2] = measured->force[2];
-        self->felt = stuck_alive(&self->accelerometer, measured->force);
-        const bool alive = stuck_alive(&self->gyroscope, measured->rates);
-        if (alive) {
-            self->rates[0] = measured->rates[0];
-            self->rates[1] = measured->rates[1];
-            self->rates[2] = measured->rates[2];
-            self->ages.inertial = 0.0;
-        }
+    } else {
+        expectation_felt_force(&self->expectation, self->force);
     }
-    const double noise[2] = {sensors->gyroscope[0], sensors->gyroscope[1]};
+    bool condition = false;
+    if (measured->inertial) {
+        const bool says = stuck_says(&self->gyroscope, measured->rates);
+        condition = says;
+    }
+    if (condition) {
+        expectation_turned(&self->expectation, measured->rates);
+        self->rates[0] = measured->rates[0];
+        self->rates[1] = measured->rates[1];
+        self->rates[2] = measured->rates[2];
+        self->ages.inertial = 0.0;
+    } else {
+        self->rates[0] = self->expectation.rates[0];
+        self->rates[1] = self->expectation.rates[1];
+        self->rates[2] = self->expectation.rates[2];
+    }
+}
+
+bool estimator_is_deaf(const estimator_t *self)
+{
+    return self->ages.inertial > DEAF;
+}
+
+/** How long the gates may let nothing of the altimeter or of the camera through, s. */
+static double estimator_patience(const estimator_t *self)
+{
+    if (estimator_is_deaf(self)) {
+        return DEAF_DOUBT;
+    } else {
+        return LATE_DOUBT;
+    }
+}
+
+/** Carries the state over one period. */
+static void estimator_advance(estimator_t *self, const sensors_t *sensors,
+    estimator_advance_work_t *work)
+{
+    double noise[2] = {sensors->gyroscope[0], sensors->gyroscope[1]};
+    if (estimator_is_deaf(self)) {
+        noise[0] = DEAF_RATES[0];
+        noise[1] = DEAF_RATES[1];
+    }
     attitude_filter_predict(&self->attitude, self->rates, sensors->period, noise[0], noise[1],
         &work->predict_work);
     double noise_2[2] = {sensors->accelerometer[0], sensors->accelerometer[1]};
+    if (estimator_is_deaf(self)) {
+        noise_2[0] = DEAF_PUSH[0];
+        noise_2[1] = DEAF_PUSH[1];
+    } else if (!self->felt) {
+        noise_2[0] = UNFELT[0];
+        noise_2[1] = UNFELT[1];
+    }
     orientation_t orientation;
     orientation_of(self->attitude.angles, &orientation);
     double push_rotation[9];
@@ -242,14 +321,16 @@ static void estimator_advance(estimator_t *self, const sensors_t *sensors,
         push_product[1] - push_matrix[1],
         push_product[2] - push_matrix[2]
     };
-    if (!self->felt) {
-        push[0] = self->axes[0].state[2];
-        push[1] = self->axes[1].state[2];
-        push[2] = self->axes[2].state[2];
-        noise_2[0] = UNFELT;
+    if (!self->felt && self->axes[2].state[0] < GROUND) {
+        push[2] = max_f64(push[2], 0.0);
     }
     for (uint32_t n = 0U; n < 3U; n++) {
         axis_filter_predict(&self->axes[n], push[n], sensors->period, noise_2[0], noise_2[1]);
+    }
+    if (self->axes[2].state[0] < -GROUND) {
+        /* Nothing falls through the ground. */
+        self->axes[2].state[0] = -GROUND;
+        self->axes[2].state[1] = max_f64(self->axes[2].state[1], 0.0);
     }
 }
 
@@ -266,8 +347,8 @@ static void estimator_see_vicon(estimator_t *self, const sensors_t *sensors,
     const double place[3] = {vicon.position[0], vicon.position[1], vicon.position[2]};
     const bool inside = fabs(place[0]) <= space[0] && fabs(place[1]) <= space[1]
         && fabs(place[2]) <= space[2];
-    const bool alive = stuck_alive(&self->vicon, place);
-    if (!inside || !alive) {
+    const bool new_ = stuck_says(&self->vicon, place);
+    if (!inside || !new_) {
         self->outliers = saturating_add_u32(self->outliers, 1U);
         return;
     }
@@ -299,14 +380,15 @@ static bool estimator_see_angles(estimator_t *self, const sensors_t *sensors,
     double rates[3];
     orientation_angle_rates(&orientation, rates_body_rates, rates);
     const double variance = sensors->vicon[1] * sensors->vicon[1];
+    const double everything[6] = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
     bool good = true;
     for (uint32_t n = 0U; n < 3U; n++) {
         const double then = self->attitude.angles[n] - rates[n] * sensors->vicon_delay;
         double row[6] = {0.0};
         row[n] = 1.0;
         const double innovation = geometry_wrapped(angles[n] - then);
-        const bool good_correct = attitude_filter_correct(&self->attitude, row, innovation,
-            variance, sensors->gate, &work->correct_work);
+        const bool good_correct = attitude_filter_correct(&self->attitude, row, everything,
+            innovation, variance, sensors->gate, &work->correct_work);
         good = good_correct && good;
     }
     return good;
@@ -342,7 +424,7 @@ static void estimator_doubt(estimator_t *self)
 static void estimator_do_without(estimator_t *self, const sensors_t *sensors,
     const measured_t *measured, bool heard, bool seen, estimator_do_without_work_t *work)
 {
-    if (self->felt) {
+    if (self->felt && !estimator_is_deaf(self)) {
         estimator_level(self, sensors, &work->level_work);
     }
     orientation_t orientation;
@@ -358,7 +440,7 @@ static void estimator_do_without(estimator_t *self, const sensors_t *sensors,
     bool condition_2 = false;
     if (seen) {
         const bool see_flow = estimator_see_flow(self, sensors, measured->flow_velocity,
-            &orientation);
+            &orientation, &work->see_flow_work);
         condition_2 = !see_flow;
     }
     if (condition_2) {
@@ -382,7 +464,7 @@ static bool estimator_see_echo(estimator_t *self, const sensors_t *sensors, doub
         sensors->gate);
     if (good) {
         self->ages.height = 0.0;
-    } else if (self->ages.height > LATE_DOUBT) {
+    } else if (self->ages.height > estimator_patience(self)) {
         axis_filter_doubt(&self->axes[2]);
     }
     return good;
@@ -393,7 +475,7 @@ static bool estimator_see_echo(estimator_t *self, const sensors_t *sensors, doub
  * whether it was taken.
  */
 static bool estimator_see_flow(estimator_t *self, const sensors_t *sensors, const double flow[2],
-    const orientation_t *orientation)
+    const orientation_t *orientation, estimator_see_flow_work_t *work)
 {
     double rotation[9];
     orientation_rotation(orientation, rotation);
@@ -416,6 +498,18 @@ static bool estimator_see_flow(estimator_t *self, const sensors_t *sensors, cons
         rotation[2 + 3 * 0] * seen_matrix[0] + rotation[2 + 3 * 1] * seen_matrix[1]
             + rotation[2 + 3 * 2] * seen_matrix[2]
     };
+    if (estimator_is_deaf(self) && self->drift_age < MEMORY) {
+        const double acceleration[3] = {
+            (seen[0] - self->drift[0]) / self->drift_age,
+            (seen[1] - self->drift[1]) / self->drift_age,
+            (seen[2] - self->drift[2]) / self->drift_age
+        };
+        estimator_lean(self, sensors, acceleration, &work->lean_work);
+    }
+    self->drift[0] = seen[0];
+    self->drift[1] = seen[1];
+    self->drift[2] = seen[2];
+    self->drift_age = 0.0;
     const double row[3] = {0.0, 1.0, 0.0};
     const double variance = sensors->camera * sensors->camera;
     bool good = true;
@@ -426,7 +520,7 @@ static bool estimator_see_flow(estimator_t *self, const sensors_t *sensors, cons
     }
     if (good) {
         self->ages.plane = 0.0;
-    } else if (self->ages.plane > LATE_DOUBT) {
+    } else if (self->ages.plane > estimator_patience(self)) {
         axis_filter_doubt(&self->axes[0]);
         axis_filter_doubt(&self->axes[1]);
     }
@@ -445,12 +539,34 @@ static void estimator_level(estimator_t *self, const sensors_t *sensors,
     const double pitch = arctangent_atan2(along, force[2]);
     const double roll = arctangent_atan2(across, roots_hypot(along, force[2]));
     const double variance = sensors->level * sensors->level;
+    estimator_see_lean(self, roll, pitch, variance, sensors->gate, &work->see_lean_work);
+}
+
+/**
+ * Takes the direction in which the aircraft is pulled for that of its thrust: what its acceleration in
+ * the plane, m/s², says of roll and pitch while no gyroscope does.
+ */
+static void estimator_lean(estimator_t *self, const sensors_t *sensors,
+    const double acceleration[3], estimator_lean_work_t *work)
+{
+    const double roll = arctangent_atan2(acceleration[1], GRAVITY);
+    const double pitch = arctangent_atan2(-acceleration[0], roots_hypot(acceleration[1], GRAVITY));
+    const double deviation = 1.5 * sensors->camera / (self->drift_age * GRAVITY);
+    const double variance = deviation * deviation;
+    estimator_see_lean(self, roll, pitch, variance, sensors->gate, &work->see_lean_work);
+}
+
+/** A measurement of roll and pitch, rad. Of the yaw it says nothing, however uncertain that is. */
+static void estimator_see_lean(estimator_t *self, double roll, double pitch, double variance,
+    double gate, estimator_see_lean_work_t *work)
+{
     const double seen[2] = {roll, pitch};
+    const double moves[6] = {1.0, 1.0, 0.0, 1.0, 1.0, 0.0};
     for (uint32_t n = 0U; n < 2U; n++) {
         double row[6] = {0.0};
         row[n] = 1.0;
         const double innovation = seen[n] - self->attitude.angles[n];
-        (void)attitude_filter_correct(&self->attitude, row, innovation, variance, sensors->gate,
+        (void)attitude_filter_correct(&self->attitude, row, moves, innovation, variance, gate,
             &work->correct_work);
     }
 }

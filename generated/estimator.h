@@ -13,6 +13,7 @@
 #include "attitude_filter.h"
 #include "axis_filter.h"
 #include "calibration.h"
+#include "expectation.h"
 #include "low_pass.h"
 #include "signals.h"
 #include "stuck.h"
@@ -85,12 +86,18 @@ typedef struct {
     stuck_t altimeter;
     /** Whether the camera repeats itself. */
     stuck_t camera;
-    /** The last good reading of the gyroscope, rad/s. */
+    /** What the inertial sensors should say. */
+    expectation_t expectation;
+    /** The gyroscope's reading or, without one, what it should be, rad/s. */
     double rates[3];
-    /** The last good reading of the accelerometer, m/s². */
+    /** The accelerometer's likewise, m/s². */
     double force[3];
-    /** Whether that is one. */
+    /** Whether that is a reading. */
     bool felt;
+    /** What the camera saw last, in the inertial frame, m/s. */
+    double drift[3];
+    /** How old that is, s. */
+    double drift_age;
     /** How old everything is. */
     ages_t ages;
     /** How many readings were thrown away. */
@@ -115,16 +122,36 @@ typedef struct {
     estimator_see_angles_work_t see_angles_work;
 } estimator_see_vicon_work_t;
 
-/** What `Estimator::level` works with; its content means nothing between calls. */
+/** What `Estimator::see_lean` works with; its content means nothing between calls. */
 typedef struct {
     /** What `correct` works with. */
     attitude_filter_correct_work_t correct_work;
+} estimator_see_lean_work_t;
+
+/** What `Estimator::level` works with; its content means nothing between calls. */
+typedef struct {
+    /** What `see_lean` works with. */
+    estimator_see_lean_work_t see_lean_work;
 } estimator_level_work_t;
+
+/** What `Estimator::lean` works with; its content means nothing between calls. */
+typedef struct {
+    /** What `see_lean` works with. */
+    estimator_see_lean_work_t see_lean_work;
+} estimator_lean_work_t;
+
+/** What `Estimator::see_flow` works with; its content means nothing between calls. */
+typedef struct {
+    /** What `lean` works with. */
+    estimator_lean_work_t lean_work;
+} estimator_see_flow_work_t;
 
 /** What `Estimator::do_without` works with; its content means nothing between calls. */
 typedef struct {
     /** What `level` works with. */
     estimator_level_work_t level_work;
+    /** What `see_flow` works with. */
+    estimator_see_flow_work_t see_flow_work;
 } estimator_do_without_work_t;
 
 /** What `Estimator::state` works with; its content means nothing between calls. */
@@ -150,9 +177,14 @@ void sensors_mambo(sensors_t *sensors);
 /** Sets the initial state; call it before anything else. */
 void estimator_init(estimator_t *self);
 
-/** One period: the state from what was measured in it. */
-void estimator_step(estimator_t *self, const sensors_t *sensors, const measured_t *measured,
-    estimator_step_work_t *work, estimate_t *estimate);
+/**
+ * One period: the state from what was measured in it, and from what the motors were told before it.
+ */
+void estimator_step(estimator_t *self, const sensors_t *sensors, const push_t *told,
+    const measured_t *measured, estimator_step_work_t *work, estimate_t *estimate);
+
+/** Whether the gyroscope is silent for good. */
+bool estimator_is_deaf(const estimator_t *self);
 
 #ifdef __cplusplus
 }

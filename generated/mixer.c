@@ -58,6 +58,7 @@ void mixer_new(const airframe_t *airframe, double square_per_command, double lar
     mixer_t *mixer)
 {
     airframe_allocation(airframe, mixer->allocation);
+    airframe_effectiveness(airframe, mixer->effectiveness);
     airframe_spins(airframe, mixer->spins);
     mixer->square_per_command = square_per_command;
     mixer->largest_command = largest_command;
@@ -89,6 +90,48 @@ void mixer_mix(const mixer_t *self, const wrench_t *wanted, const double feed_fo
         command->closed_loop[n] = self->spins[n] * (speed - feed_forward[n]);
         command->feed_forward[n] = self->spins[n] * feed_forward[n];
     }
+}
+
+void mixer_wrench(const mixer_t *self, const command_t *command, wrench_t *wrench)
+{
+    double squares[8];
+    for (uint32_t i = 0U; i < 8U; i++) {
+        squares[i] = command->speeds[i] * command->speeds[i];
+    }
+    const double done[4] = {
+        self->effectiveness[0 + 4 * 0] * squares[0] + self->effectiveness[0 + 4 * 1] * squares[1]
+            + self->effectiveness[0 + 4 * 2] * squares[2]
+            + self->effectiveness[0 + 4 * 3] * squares[3]
+            + self->effectiveness[0 + 4 * 4] * squares[4]
+            + self->effectiveness[0 + 4 * 5] * squares[5]
+            + self->effectiveness[0 + 4 * 6] * squares[6]
+            + self->effectiveness[0 + 4 * 7] * squares[7],
+        self->effectiveness[1 + 4 * 0] * squares[0] + self->effectiveness[1 + 4 * 1] * squares[1]
+            + self->effectiveness[1 + 4 * 2] * squares[2]
+            + self->effectiveness[1 + 4 * 3] * squares[3]
+            + self->effectiveness[1 + 4 * 4] * squares[4]
+            + self->effectiveness[1 + 4 * 5] * squares[5]
+            + self->effectiveness[1 + 4 * 6] * squares[6]
+            + self->effectiveness[1 + 4 * 7] * squares[7],
+        self->effectiveness[2 + 4 * 0] * squares[0] + self->effectiveness[2 + 4 * 1] * squares[1]
+            + self->effectiveness[2 + 4 * 2] * squares[2]
+            + self->effectiveness[2 + 4 * 3] * squares[3]
+            + self->effectiveness[2 + 4 * 4] * squares[4]
+            + self->effectiveness[2 + 4 * 5] * squares[5]
+            + self->effectiveness[2 + 4 * 6] * squares[6]
+            + self->effectiveness[2 + 4 * 7] * squares[7],
+        self->effectiveness[3 + 4 * 0] * squares[0] + self->effectiveness[3 + 4 * 1] * squares[1]
+            + self->effectiveness[3 + 4 * 2] * squares[2]
+            + self->effectiveness[3 + 4 * 3] * squares[3]
+            + self->effectiveness[3 + 4 * 4] * squares[4]
+            + self->effectiveness[3 + 4 * 5] * squares[5]
+            + self->effectiveness[3 + 4 * 6] * squares[6]
+            + self->effectiveness[3 + 4 * 7] * squares[7]
+    };
+    wrench->thrust = done[0];
+    wrench->torque[0] = done[1];
+    wrench->torque[1] = done[2];
+    wrench->torque[2] = done[3];
 }
 
 void mixer_fit(const mixer_t *self, const double lift[8], const double tilt[8],

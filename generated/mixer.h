@@ -21,6 +21,11 @@ typedef struct {
      * rad²/s² per N and per N·m.
      */
     double allocation[32];
+    /**
+     * Thrust and roll, pitch and yaw torque (rows) per square of the motor speeds (columns), N·s²/rad²
+     * and N·m·s²/rad²: what the motors do.
+     */
+    double effectiveness[32];
     /** Direction in which each motor turns, 1 or −1; 0 where there is none. */
     double spins[8];
     /** Square of a motor's speed per unit of its command, rad²/s². */
@@ -42,6 +47,9 @@ void mixer_new(const airframe_t *airframe, double square_per_command, double lar
  */
 void mixer_mix(const mixer_t *self, const wrench_t *wanted, const double feed_forward[8],
     command_t *command);
+
+/** What commands come to once the motors follow them. */
+void mixer_wrench(const mixer_t *self, const command_t *command, wrench_t *wrench);
 
 /**
  * Squares of the motor speeds within 0 and `largest`: as much of the tilt as the motors span, then

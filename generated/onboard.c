@@ -66,6 +66,10 @@ void onboard_init(onboard_t *self)
     clock_monitor_init(&self->clock);
     receiver_init(&self->receiver);
     estimator_init(&self->estimator);
+    self->pushed.force = 0.0;
+    self->pushed.turn[0] = 0.0;
+    self->pushed.turn[1] = 0.0;
+    self->pushed.turn[2] = 0.0;
     reference_generator_init(&self->reference);
     crash_predictor_init(&self->predictor);
     controller_init(&self->controller);
@@ -81,15 +85,17 @@ void onboard_step(onboard_t *self, const settings_t *settings, const inputs_t *i
     measured_t measured;
     calibration_measured(&settings->calibration, &inputs->readings, &measured);
     estimate_t estimate;
-    estimator_step(&self->estimator, &settings->sensors, &measured, &work->step_work, &estimate);
+    estimator_step(&self->estimator, &settings->sensors, &self->pushed, &measured, &work->step_work,
+        &estimate);
     const alarm_t alarm = onboard_watch(self, settings, inputs->time, &estimate);
     if (alarm != ALARM_CLEAR) {
         reference_generator_end(&self->reference);
     }
     const bool landed = self->controller.touch_down.landed;
+    const bool limp = estimator_is_deaf(&self->estimator);
     reference_t reference;
     reference_generator_step(&self->reference, &settings->course, &self->receiver.orders, &estimate,
-        landed, &reference);
+        landed, limp, &reference);
     const double gain = onboard_gain(self, settings, &reference);
     command_t command;
     command_still(&command);
@@ -104,6 +110,7 @@ void onboard_step(onboard_t *self, const settings_t *settings, const inputs_t *i
         controller_step(&self->controller, &settings->parameters, &estimate, &reference.target,
             command_feed_forward, &command);
     }
+    parameters_push(&settings->parameters, &command, &self->pushed);
     const ages_t ages = self->estimator.ages;
     packet_t outputs_downlink;
     packet_none(&outputs_downlink);

@@ -15,6 +15,7 @@
 #include "controller.h"
 #include "crash_predictor.h"
 #include "estimator.h"
+#include "expectation.h"
 #include "feed_forward.h"
 #include "logger.h"
 #include "packet.h"
@@ -94,6 +95,8 @@ typedef struct {
     receiver_t receiver;
     /** Knows where the aircraft is. */
     estimator_t estimator;
+    /** What the motors were told to do to the aircraft. */
+    push_t pushed;
     /** Knows where it is wanted. */
     reference_generator_t reference;
     /** Sees trouble coming. */

@@ -37,6 +37,21 @@ double damped_respond(const damped_t *self, double error, double error_rate)
     return self->p * error + self->d * error_rate;
 }
 
+void parameters_push(const parameters_t *self, const command_t *command, push_t *push)
+{
+    wrench_t wrench;
+    mixer_wrench(&self->mixer, command, &wrench);
+    const double turn[3] = {
+        wrench.torque[0] / self->inertia[0],
+        wrench.torque[1] / self->inertia[1],
+        wrench.torque[2] / self->inertia[2]
+    };
+    push->force = wrench.thrust / self->mass;
+    push->turn[0] = turn[0];
+    push->turn[1] = turn[1];
+    push->turn[2] = turn[2];
+}
+
 void parameters_mambo(parameters_mambo_work_t *work, parameters_t *parameters)
 {
     airframe_t airframe;

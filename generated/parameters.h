@@ -7,7 +7,9 @@
 #ifndef PARAMETERS_H
 #define PARAMETERS_H
 
+#include "expectation.h"
 #include "mixer.h"
+#include "signals.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -97,6 +99,9 @@ double gains_respond(const gains_t *self, double error, double integral, double 
 
 /** The PD law: what to do about an error and its rate. */
 double damped_respond(const damped_t *self, double error, double error_rate);
+
+/** What commands are to do to the aircraft. */
+void parameters_push(const parameters_t *self, const command_t *command, push_t *push);
 
 /** The Parrot Mambo at 200 Hz (thesis, tables 3.1 and A.1). */
 void parameters_mambo(parameters_mambo_work_t *work, parameters_t *parameters);

@@ -62,7 +62,7 @@ static double copysign_f64(double size, double sign)
 }
 
 static void reference_generator_change_phase(reference_generator_t *self, const course_t *course,
-    const orders_t *orders, const estimate_t *estimate, bool landed);
+    const orders_t *orders, const estimate_t *estimate, bool landed, bool limp);
 static void reference_generator_turn(reference_generator_t *self, const course_t *course,
     const estimate_t *estimate, target_t *target);
 static void reference_generator_follow_sticks(reference_generator_t *self, const course_t *course,
@@ -93,9 +93,10 @@ void reference_generator_init(reference_generator_t *self)
 }
 
 void reference_generator_step(reference_generator_t *self, const course_t *course,
-    const orders_t *orders, const estimate_t *estimate, bool landed, reference_t *reference)
+    const orders_t *orders, const estimate_t *estimate, bool landed, bool limp,
+    reference_t *reference)
 {
-    reference_generator_change_phase(self, course, orders, estimate, landed);
+    reference_generator_change_phase(self, course, orders, estimate, landed, limp);
     self->airborne = self->airborne || estimate->position[2] > CLEAR;
     target_t target;
     target_idle(&target);
@@ -147,13 +148,20 @@ bool reference_generator_is_flying(const reference_generator_t *self)
  * takes over at half the height that is wanted, if that comes before the end of the burn.
  */
 static void reference_generator_change_phase(reference_generator_t *self, const course_t *course,
-    const orders_t *orders, const estimate_t *estimate, bool landed)
+    const orders_t *orders, const estimate_t *estimate, bool landed, bool limp)
 {
+    if (limp && (self->phase == PHASE_TAKE_OFF || self->phase == PHASE_FLIGHT)) {
+        self->wanted.position[0] = estimate->position[0];
+        self->wanted.position[1] = estimate->position[1];
+        self->wanted.position[2] = estimate->position[2];
+        self->wanted.yaw = self->yaw;
+    }
+    const bool land = orders->land || limp;
     const bool off = estimate->position[2] > 0.5 * self->wanted.position[2];
     const phase_t same = self->phase;
-    if (same == PHASE_READY && (orders->take_off && !orders->land)) {
+    if (same == PHASE_READY && (orders->take_off && !land)) {
         self->phase = PHASE_TAKE_OFF;
-    } else if ((same == PHASE_TAKE_OFF || same == PHASE_FLIGHT) && orders->land) {
+    } else if ((same == PHASE_TAKE_OFF || same == PHASE_FLIGHT) && land) {
         self->phase = PHASE_LANDING;
     } else if (same == PHASE_TAKE_OFF && (self->time >= course->burn || off)) {
         self->phase = PHASE_FLIGHT;

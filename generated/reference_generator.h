@@ -84,9 +84,13 @@ void course_mambo(course_t *course);
 /** Sets the initial state; call it before anything else. */
 void reference_generator_init(reference_generator_t *self);
 
-/** One period. `landed`: whether the landing aircraft has touched down. */
+/**
+ * One period. `landed`: whether the landing aircraft has touched down; `limp`: whether it had better
+ * land, whatever was ordered.
+ */
 void reference_generator_step(reference_generator_t *self, const course_t *course,
-    const orders_t *orders, const estimate_t *estimate, bool landed, reference_t *reference);
+    const orders_t *orders, const estimate_t *estimate, bool landed, bool limp,
+    reference_t *reference);
 
 /** Stops the motors for good. */
 void reference_generator_end(reference_generator_t *self);

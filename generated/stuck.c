@@ -24,34 +24,19 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
-static const uint32_t MOST_EQUAL = 8U;
-
-/* a + b, or the limit of the type beyond which it lies. */
-static uint32_t saturating_add_u32(uint32_t a, uint32_t b)
-{
-    const int64_t exact = (int64_t)a + (int64_t)b;
-    return exact > UINT32_MAX ? UINT32_MAX : (uint32_t)exact;
-}
-
 void stuck_init(stuck_t *self)
 {
     self->last[0] = 0.0;
     self->last[1] = 0.0;
     self->last[2] = 0.0;
-    self->equal = 0U;
 }
 
-bool stuck_alive(stuck_t *self, const double reading[3])
+bool stuck_says(stuck_t *self, const double reading[3])
 {
-    const bool same = reading[0] == self->last[0] && reading[1] == self->last[1]
-        && reading[2] == self->last[2];
-    if (same) {
-        self->equal = saturating_add_u32(self->equal, 1U);
-    } else {
-        self->equal = 0U;
-    }
+    const bool new_ = !(reading[0] == self->last[0] && reading[1] == self->last[1]
+        && reading[2] == self->last[2]);
     self->last[0] = reading[0];
     self->last[1] = reading[1];
     self->last[2] = reading[2];
-    return self->equal < MOST_EQUAL;
+    return new_;
 }

@@ -8,7 +8,6 @@
 #define STUCK_H
 
 #include <stdbool.h>
-#include <stdint.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -18,15 +17,16 @@ extern "C" {
 typedef struct {
     /** The last reading. */
     double last[3];
-    /** How many like it came in a row. */
-    uint32_t equal;
 } stuck_t;
 
 /** Sets the initial state; call it before anything else. */
 void stuck_init(stuck_t *self);
 
-/** A new reading: whether the sensor is alive. */
-bool stuck_alive(stuck_t *self, const double reading[3]);
+/**
+ * Whether a reading is a new one. Two that are equal by chance cost one of them, which is no loss; a
+ * sensor that sticks is not believed even once.
+ */
+bool stuck_says(stuck_t *self, const double reading[3]);
 
 #ifdef __cplusplus
 }

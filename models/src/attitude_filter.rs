@@ -80,9 +80,13 @@ impl AttitudeFilter {
     /// A measurement of the angle that `row` picks out, as its difference from what is believed, with the
     /// given variance. It is refused, and nothing changes, if it lies more than `gate` standard deviations
     /// off, or is not a number.
+    ///
+    /// `moves` has a 1 for each part of the state that it may change, and 0 elsewhere: Joseph's form holds
+    /// for any gain.
     pub fn correct(
         &mut self,
         row: &Vector6<f64>,
+        moves: &Vector6<f64>,
         innovation: f64,
         variance: f64,
         gate: f64,
@@ -93,7 +97,7 @@ impl AttitudeFilter {
         if !plausible {
             return false;
         }
-        let gain = spread / expected;
+        let gain = spread.component_mul(moves) / expected;
         for n in 0..3 {
             self.angles[n] += gain[n] * innovation;
             self.bias[n] += gain[n + 3] * innovation;

@@ -10,6 +10,9 @@ use crate::geometry::Orientation;
 use crate::signals::Estimate;
 use bessemer::prelude::*;
 
+/// Below this height, m, an aircraft that does not know how it leans had better go on landing.
+const LOW: f64 = 0.2;
+
 /// What is wrong.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -58,7 +61,8 @@ pub struct Limits {
     /// Longest time without a measurement of the height or of the motion in the plane, s: as long as the
     /// inertial sensors carry the state.
     pub blind: f64,
-    /// Longest time without the gyroscope, s: as long as the aircraft keeps its attitude.
+    /// Without the gyroscope and Vicon the camera alone shows how the aircraft leans: longest time without
+    /// it, s.
     pub dizzy: f64,
     /// How far ahead to look, s.
     pub horizon: f64,
@@ -77,8 +81,8 @@ impl Limits {
             ceiling: 4.0,
             reach: 4.0,
             impact: 0.7,
-            blind: 8.0,
-            dizzy: 0.15,
+            blind: 12.0,
+            dizzy: 0.1,
             horizon: 0.1,
             armed: true,
         }
@@ -95,7 +99,8 @@ pub struct CrashPredictor {
 
 #[component]
 impl CrashPredictor {
-    /// One period: what has gone wrong so far. Only what flies can crash.
+    /// One period: what has gone wrong so far. Only what flies can crash. `climb`: the vertical
+    /// acceleration, m/s².
     #[entry(infallible)]
     pub fn step(
         &mut self,
@@ -103,9 +108,10 @@ impl CrashPredictor {
         flying: bool,
         estimate: &Estimate,
         ages: &Ages,
+        climb: f64,
     ) -> Alarm {
         if flying && limits.armed && self.alarm == Alarm::Clear {
-            self.alarm = self.find(limits, estimate, ages);
+            self.alarm = self.find(limits, estimate, ages, climb);
         }
         self.alarm
     }
@@ -119,12 +125,14 @@ impl CrashPredictor {
     }
 
     /// What is wrong now, or will be within the horizon.
-    fn find(&self, limits: &Limits, now: &Estimate, ages: &Ages) -> Alarm {
+    fn find(&self, limits: &Limits, now: &Estimate, ages: &Ages, climb: f64) -> Alarm {
         let sum = now.position.norm() + now.angles.norm() + now.velocity.norm() + now.rates.norm();
         if !sum.is_finite() {
             return Alarm::Undefined;
         }
-        if ages.inertial > limits.dizzy || ages.height > limits.blind || ages.plane > limits.blind {
+        let inside = ages.inertial > limits.dizzy && ages.vicon > limits.dizzy;
+        let dizzy = inside && ages.plane > limits.dizzy && now.position.z > LOW;
+        if dizzy || ages.height > limits.blind || ages.plane > limits.blind {
             return Alarm::Blind;
         }
         let across = now.rates.x.hypot(now.rates.y);
@@ -137,11 +145,17 @@ impl CrashPredictor {
         if tilt_cosine(&now.angles) < upright || tilt_cosine(&ahead) < upright {
             return Alarm::Tilt;
         }
-        self.find_in_motion(limits, now, &orientation)
+        self.find_in_motion(limits, now, &orientation, climb)
     }
 
     /// What is wrong with where the aircraft goes.
-    fn find_in_motion(&self, limits: &Limits, now: &Estimate, orientation: &Orientation) -> Alarm {
+    fn find_in_motion(
+        &self,
+        limits: &Limits,
+        now: &Estimate,
+        orientation: &Orientation,
+        climb: f64,
+    ) -> Alarm {
         let place = now.position + now.velocity * limits.horizon;
         // In the plane the thrust that holds the weight pulls to where the aircraft leans.
         let direction = orientation.thrust_direction();
@@ -156,8 +170,9 @@ impl CrashPredictor {
         if place.x.abs() > limits.reach || place.y.abs() > limits.reach {
             return Alarm::Place;
         }
-        let falls = now.velocity.z < -limits.impact && place.z < 0.0;
-        if falls {
+        let gained = climb * limits.horizon;
+        let low = place.z + 0.5 * gained * limits.horizon;
+        if low < 0.0 && now.velocity.z + gained < -limits.impact {
             return Alarm::Impact;
         }
         Alarm::Clear

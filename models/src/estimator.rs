@@ -5,6 +5,8 @@
 //!   height, the camera for the horizontal velocity, the accelerometer for what is level.
 //! * A reading out of its sensor's range, not a number, repeated to the bit, or too far from what is
 //!   expected (the filters' gates) changes nothing. What lasts is believed in the end: [`DOUBT`].
+//! * While an inertial sensor is silent, what it should say stands in for it ([`crate::expectation`]);
+//!   without a gyroscope, Vicon or the camera tell what is level.
 //! * How long each part of the state has gone unmeasured is told, for others to judge.
 //!
 //! Knows what the sensors measure, not how the aircraft is flown.
@@ -13,6 +15,7 @@ use crate::airframe::GRAVITY;
 use crate::attitude_filter::AttitudeFilter;
 use crate::axis_filter::AxisFilter;
 use crate::calibration::Measured;
+use crate::expectation::{Expectation, Push};
 use crate::geometry::{Orientation, wrapped};
 use crate::low_pass::LowPass;
 use crate::signals::Estimate;
@@ -25,8 +28,26 @@ const DOUBT: f64 = 0.25;
 /// The same for the other sources, whose readings are nonsense more often.
 const LATE_DOUBT: f64 = 0.8;
 
-/// Accelerations that go unfelt without an accelerometer, m/s².
-const UNFELT: f64 = 5.0;
+/// The same while the gyroscope is silent, and the state is wrong more often.
+const DEAF_DOUBT: f64 = 0.1;
+
+/// How near the ground, m, it may be the ground that holds the aircraft: nothing is expected to fall there.
+const GROUND: f64 = 0.05;
+
+/// Without the gyroscope for so long, s, its expected readings are all that there is.
+const DEAF: f64 = 0.02;
+
+/// How uncertain the expected rates are, rad/s, and how they wander, rad/s in a second.
+const DEAF_RATES: Vector2<f64> = Vector2::new(0.1, 1.0);
+
+/// The same for the acceleration, whose direction is then uncertain, m/s² and m/s² in a second.
+const DEAF_PUSH: Vector2<f64> = Vector2::new(3.0, 0.02);
+
+/// How uncertain the expected acceleration is, m/s², and how it wanders, m/s² in a second.
+const UNFELT: Vector2<f64> = Vector2::new(1.0, 0.3);
+
+/// The longest time over which the camera's velocity tells an acceleration, s.
+const MEMORY: f64 = 0.05;
 
 /// How good the sensors are.
 #[data]
@@ -119,12 +140,20 @@ pub struct Estimator {
     pub altimeter: Stuck,
     /// Whether the camera repeats itself.
     pub camera: Stuck,
-    /// The last good reading of the gyroscope, rad/s.
+    /// What the inertial sensors should say.
+    pub expectation: Expectation,
+    /// The gyroscope's reading or, without one, what it should be, rad/s.
     pub rates: Vector3<f64>,
-    /// The last good reading of the accelerometer, m/s².
+    /// The accelerometer's likewise, m/s².
     pub force: Vector3<f64>,
-    /// Whether that is one.
+    /// Whether that is a reading.
     pub felt: bool,
+    /// Vertical acceleration, m/s².
+    pub climb: f64,
+    /// What the camera saw last, in the inertial frame, m/s.
+    pub drift: Vector3<f64>,
+    /// How old that is, s.
+    pub drift_age: f64,
     /// How old everything is.
     pub ages: Ages,
     /// How many readings were thrown away.
@@ -142,9 +171,13 @@ impl Default for Estimator {
             accelerometer: Stuck::default(),
             altimeter: Stuck::default(),
             camera: Stuck::default(),
+            expectation: Expectation::default(),
             rates: Vector3::zeros(),
             force: Vector3::new(0.0, 0.0, GRAVITY),
             felt: true,
+            climb: 0.0,
+            drift: Vector3::zeros(),
+            drift_age: 0.0,
             ages: Ages::default(),
             outliers: 0,
         }
@@ -153,19 +186,20 @@ impl Default for Estimator {
 
 #[component]
 impl Estimator {
-    /// One period: the state from what was measured in it.
+    /// One period: the state from what was measured in it, and from what the motors were told before it.
     #[entry(infallible)]
-    pub fn step(&mut self, sensors: &Sensors, measured: &Measured) -> Estimate {
+    pub fn step(&mut self, sensors: &Sensors, told: &Push, measured: &Measured) -> Estimate {
         self.grow_older(sensors.period);
-        self.advance(sensors, measured);
+        self.listen(sensors, told, measured);
+        self.advance(sensors);
         if measured.vicon.fresh {
             self.see_vicon(sensors, measured);
         }
         let distance = Vector3::new(measured.distance, 0.0, 0.0);
-        let heard = measured.echo && self.altimeter.alive(&distance);
+        let heard = measured.echo && self.altimeter.says(&distance);
         let flow = Vector3::new(measured.flow_velocity.x, measured.flow_velocity.y, 0.0);
-        let seen = measured.flow && self.camera.alive(&flow);
-        if self.ages.vicon > sensors.vicon_patience {
+        let seen = measured.flow && self.camera.says(&flow);
+        if self.ages.vicon > sensors.vicon_patience || self.is_deaf() {
             self.do_without(sensors, measured, heard, seen);
         }
         self.state(sensors)
@@ -177,33 +211,66 @@ impl Estimator {
         self.ages.vicon += period;
         self.ages.height += period;
         self.ages.plane += period;
+        self.drift_age += period;
     }
 
-    /// Carries the state over one period by the inertial sensors; while they are silent, by their last
-    /// good readings. An accelerometer that repeats itself is not believed: the velocity then stays, within
-    /// [`UNFELT`].
-    fn advance(&mut self, sensors: &Sensors, measured: &Measured) {
-        if measured.inertial {
+    /// Takes in the inertial sensors' readings, and what should have been where there are none.
+    fn listen(&mut self, sensors: &Sensors, told: &Push, measured: &Measured) {
+        self.expectation.step(sensors.period, told);
+        self.felt = measured.inertial && self.accelerometer.says(&measured.force);
+        if self.felt {
+            self.expectation.felt(&measured.force);
             self.force = measured.force;
-            self.felt = self.accelerometer.alive(&measured.force);
-            if self.gyroscope.alive(&measured.rates) {
-                self.rates = measured.rates;
-                self.ages.inertial = 0.0;
-            }
+        } else {
+            self.force = self.expectation.felt_force();
         }
-        let noise = sensors.gyroscope;
+        if measured.inertial && self.gyroscope.says(&measured.rates) {
+            self.expectation.turned(&measured.rates);
+            self.rates = measured.rates;
+            self.ages.inertial = 0.0;
+        } else {
+            self.rates = self.expectation.rates;
+        }
+    }
+
+    /// Whether the gyroscope is silent for good.
+    #[entry(infallible)]
+    pub fn is_deaf(&self) -> bool {
+        self.ages.inertial > DEAF
+    }
+
+    /// How long the gates may let nothing of the altimeter or of the camera through, s.
+    fn patience(&self) -> f64 {
+        if self.is_deaf() { DEAF_DOUBT } else { LATE_DOUBT }
+    }
+
+    /// Carries the state over one period.
+    fn advance(&mut self, sensors: &Sensors) {
+        let mut noise = sensors.gyroscope;
+        if self.is_deaf() {
+            noise = DEAF_RATES;
+        }
         self.attitude.predict(&self.rates, sensors.period, noise.x, noise.y);
 
         let mut noise = sensors.accelerometer;
+        if self.is_deaf() {
+            noise = DEAF_PUSH;
+        } else if !self.felt {
+            noise = UNFELT;
+        }
         let orientation = Orientation::of(&self.attitude.angles);
         let mut push = orientation.rotation() * self.force - Vector3::new(0.0, 0.0, GRAVITY);
-        if !self.felt {
-            push =
-                Vector3::new(self.axes[0].state[2], self.axes[1].state[2], self.axes[2].state[2]);
-            noise.x = UNFELT;
+        if !self.felt && self.axes[2].state[0] < GROUND {
+            push.z = push.z.max(0.0);
         }
+        self.climb = push.z - self.axes[2].state[2];
         for n in 0..3 {
             self.axes[n].predict(push[n], sensors.period, noise.x, noise.y);
+        }
+        if self.axes[2].state[0] < -GROUND {
+            // Nothing falls through the ground.
+            self.axes[2].state[0] = -GROUND;
+            self.axes[2].state[1] = self.axes[2].state[1].max(0.0);
         }
     }
 
@@ -214,8 +281,8 @@ impl Estimator {
         let place = vicon.position;
         let inside =
             place.x.abs() <= space.x && place.y.abs() <= space.y && place.z.abs() <= space.z;
-        let alive = self.vicon.alive(&place);
-        if !inside || !alive {
+        let new = self.vicon.says(&place);
+        if !inside || !new {
             self.outliers = self.outliers.saturating_add(1);
             return;
         }
@@ -239,13 +306,15 @@ impl Estimator {
         let orientation = Orientation::of(&self.attitude.angles);
         let rates = orientation.angle_rates(&(self.rates - self.attitude.bias));
         let variance = sensors.vicon.y * sensors.vicon.y;
+        let everything = Vector6::repeat(1.0);
         let mut good = true;
         for n in 0..3 {
             let then = self.attitude.angles[n] - rates[n] * sensors.vicon_delay;
             let mut row = Vector6::zeros();
             row[n] = 1.0;
             let innovation = wrapped(angles[n] - then);
-            good = self.attitude.correct(&row, innovation, variance, sensors.gate) && good;
+            good = self.attitude.correct(&row, &everything, innovation, variance, sensors.gate)
+                && good;
         }
         good
     }
@@ -272,7 +341,7 @@ impl Estimator {
     /// The other sources, in Vicon's absence; `heard` and `seen`: whether the altimeter and the camera are
     /// new and alive.
     fn do_without(&mut self, sensors: &Sensors, measured: &Measured, heard: bool, seen: bool) {
-        if self.felt {
+        if self.felt && !self.is_deaf() {
             self.level(sensors);
         }
         let orientation = Orientation::of(&self.attitude.angles);
@@ -297,7 +366,7 @@ impl Estimator {
         let good = self.axes[2].correct(&row, distance * upright, variance, sensors.gate);
         if good {
             self.ages.height = 0.0;
-        } else if self.ages.height > LATE_DOUBT {
+        } else if self.ages.height > self.patience() {
             self.axes[2].doubt();
         }
         good
@@ -314,6 +383,11 @@ impl Estimator {
         let rotation = orientation.rotation();
         let believed = rotation.tr_mul(&self.velocity());
         let seen = rotation * Vector3::new(flow.x, flow.y, believed.z);
+        if self.is_deaf() && self.drift_age < MEMORY {
+            self.lean(sensors, &((seen - self.drift) / self.drift_age));
+        }
+        self.drift = seen;
+        self.drift_age = 0.0;
         let row = Vector3::new(0.0, 1.0, 0.0);
         let variance = sensors.camera * sensors.camera;
         let mut good = true;
@@ -322,7 +396,7 @@ impl Estimator {
         }
         if good {
             self.ages.plane = 0.0;
-        } else if self.ages.plane > LATE_DOUBT {
+        } else if self.ages.plane > self.patience() {
             self.axes[0].doubt();
             self.axes[1].doubt();
         }
@@ -338,12 +412,28 @@ impl Estimator {
         let pitch = along.atan2(force.z);
         let roll = across.atan2(along.hypot(force.z));
         let variance = sensors.level * sensors.level;
+        self.see_lean(roll, pitch, variance, sensors.gate);
+    }
+
+    /// Takes the direction in which the aircraft is pulled for that of its thrust: what its acceleration in
+    /// the plane, m/s², says of roll and pitch while no gyroscope does.
+    fn lean(&mut self, sensors: &Sensors, acceleration: &Vector3<f64>) {
+        let roll = acceleration.y.atan2(GRAVITY);
+        let pitch = (-acceleration.x).atan2(acceleration.y.hypot(GRAVITY));
+        let deviation = 1.5 * sensors.camera / (self.drift_age * GRAVITY);
+        let variance = deviation * deviation;
+        self.see_lean(roll, pitch, variance, sensors.gate);
+    }
+
+    /// A measurement of roll and pitch, rad. Of the yaw it says nothing, however uncertain that is.
+    fn see_lean(&mut self, roll: f64, pitch: f64, variance: f64, gate: f64) {
         let seen = Vector2::new(roll, pitch);
+        let moves = Vector6::new(1.0, 1.0, 0.0, 1.0, 1.0, 0.0);
         for n in 0..2 {
             let mut row = Vector6::zeros();
             row[n] = 1.0;
             let innovation = seen[n] - self.attitude.angles[n];
-            self.attitude.correct(&row, innovation, variance, sensors.gate);
+            self.attitude.correct(&row, &moves, innovation, variance, gate);
         }
     }
 

@@ -7,7 +7,7 @@
 //! | [`onboard`] | everything that happens in one period | §6.1 |
 //! | [`receiver`], [`packet`], [`trajectory`] | what the ground asks for | §6.1 |
 //! | [`calibration`] | from counts to units | §6.1 |
-//! | [`estimator`], [`attitude_filter`], [`axis_filter`], [`covariance`], [`low_pass`], [`stuck`] | what is known of the aircraft | §6.1 |
+//! | [`estimator`], [`attitude_filter`], [`axis_filter`], [`covariance`], [`low_pass`], [`stuck`], [`expectation`] | what is known of the aircraft | §6.1 |
 //! | [`reference_generator`], [`touch_down`] | where it is wanted: take-off, trajectory, sticks, landing | (3.20) |
 //! | [`crash_predictor`], [`clock_monitor`] | when to stop the motors | §6.1 |
 //! | [`controller`] | the slot for the closed loop | ch. 3 |
@@ -40,6 +40,7 @@ pub mod controller;
 pub mod covariance;
 pub mod crash_predictor;
 pub mod estimator;
+pub mod expectation;
 pub mod feed_forward;
 pub mod geometric;
 pub mod geometry;

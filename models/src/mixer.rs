@@ -16,6 +16,9 @@ pub struct Mixer {
     /// Squares of the motor speeds (rows) per thrust and roll, pitch and yaw torque (columns),
     /// rad²/s² per N and per N·m.
     pub allocation: SMatrix<f64, 8, 4>,
+    /// Thrust and roll, pitch and yaw torque (rows) per square of the motor speeds (columns), N·s²/rad²
+    /// and N·m·s²/rad²: what the motors do.
+    pub effectiveness: SMatrix<f64, 4, 8>,
     /// Direction in which each motor turns, 1 or −1; 0 where there is none.
     pub spins: SVector<f64, 8>,
     /// Square of a motor's speed per unit of its command, rad²/s².
@@ -29,7 +32,14 @@ impl Mixer {
     /// The mixer of an airframe whose motors take commands up to `largest_command`.
     pub fn new(airframe: &Airframe, square_per_command: f64, largest_command: f64) -> Mixer {
         let allocation = airframe.allocation();
-        Mixer { allocation, spins: airframe.spins(), square_per_command, largest_command }
+        let effectiveness = airframe.effectiveness();
+        Mixer {
+            allocation,
+            effectiveness,
+            spins: airframe.spins(),
+            square_per_command,
+            largest_command,
+        }
     }
 
     /// Motor commands that add a wrench to what `feed_forward`, a speed for each motor, rad/s, does.
@@ -63,6 +73,13 @@ impl Mixer {
             command.feed_forward[n] = self.spins[n] * feed_forward[n];
         }
         command
+    }
+
+    /// What commands come to once the motors follow them.
+    pub fn wrench(&self, command: &Command) -> Wrench {
+        let squares = command.speeds.component_mul(&command.speeds);
+        let done = self.effectiveness * squares;
+        Wrench { thrust: done[0], torque: Vector3::new(done[1], done[2], done[3]) }
     }
 
     /// Squares of the motor speeds within 0 and `largest`: as much of the tilt as the motors span, then

@@ -10,6 +10,7 @@ use crate::clock_monitor::ClockMonitor;
 use crate::controller::Controller;
 use crate::crash_predictor::{Alarm, CrashPredictor, Limits};
 use crate::estimator::{Ages, Estimator, Sensors};
+use crate::expectation::Push;
 use crate::feed_forward::{Injection, compensation};
 use crate::logger::{Choice, Logger};
 use crate::packet::Packet;
@@ -105,6 +106,8 @@ pub struct Onboard {
     pub receiver: Receiver,
     /// Knows where the aircraft is.
     pub estimator: Estimator,
+    /// What the motors were told to do to the aircraft.
+    pub pushed: Push,
     /// Knows where it is wanted.
     pub reference: ReferenceGenerator,
     /// Sees trouble coming.
@@ -126,7 +129,7 @@ impl Onboard {
         self.receiver.step(period, &settings.space, &inputs.uplink);
 
         let measured = settings.calibration.measured(&inputs.readings);
-        let estimate = self.estimator.step(&settings.sensors, &measured);
+        let estimate = self.estimator.step(&settings.sensors, &self.pushed, &measured);
         let alarm = self.watch(settings, inputs.time, &estimate);
         if alarm != Alarm::Clear {
             self.reference.end();
@@ -134,7 +137,8 @@ impl Onboard {
 
         let landed = self.controller.touch_down.landed;
         let orders = &self.receiver.orders;
-        let reference = self.reference.step(&settings.course, orders, &estimate, landed);
+        let limp = self.estimator.is_deaf();
+        let reference = self.reference.step(&settings.course, orders, &estimate, landed, limp);
         let gain = self.gain(settings, &reference);
         let mut command = Command::still();
         if reference.motors {
@@ -143,6 +147,7 @@ impl Onboard {
             let target = &reference.target;
             command = self.controller.step(parameters, &estimate, target, &(whole * gain));
         }
+        self.pushed = settings.parameters.push(&command);
 
         let ages = self.estimator.ages;
         let mut outputs =
@@ -163,7 +168,8 @@ impl Onboard {
             self.predictor.raise(Alarm::Clock);
         }
         let flying = self.reference.is_flying();
-        self.predictor.step(&settings.limits, flying, estimate, &self.estimator.ages)
+        let climb = self.estimator.climb;
+        self.predictor.step(&settings.limits, flying, estimate, &self.estimator.ages, climb)
     }
 
     /// The share of the feed-forward that is injected now.

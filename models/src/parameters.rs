@@ -3,7 +3,9 @@
 //! Parameters never change in flight: nothing here is state.
 
 use crate::airframe::Airframe;
+use crate::expectation::Push;
 use crate::mixer::Mixer;
+use crate::signals::Command;
 use bessemer::prelude::*;
 
 /// Gains of an axis that also remembers its error.
@@ -101,6 +103,13 @@ pub struct Geometric {
 
 #[data]
 impl Parameters {
+    /// What commands are to do to the aircraft.
+    pub fn push(&self, command: &Command) -> Push {
+        let wrench = self.mixer.wrench(command);
+        let turn = wrench.torque.component_div(&self.inertia);
+        Push { force: wrench.thrust / self.mass, turn }
+    }
+
     /// The Parrot Mambo at 200 Hz (thesis, tables 3.1 and A.1).
     pub fn mambo() -> Parameters {
         let airframe = Airframe::mambo();

@@ -89,7 +89,8 @@ pub struct ReferenceGenerator {
 
 #[component]
 impl ReferenceGenerator {
-    /// One period. `landed`: whether the landing aircraft has touched down.
+    /// One period. `landed`: whether the landing aircraft has touched down; `limp`: whether it had better
+    /// land, whatever was ordered.
     #[entry(infallible)]
     pub fn step(
         &mut self,
@@ -97,8 +98,9 @@ impl ReferenceGenerator {
         orders: &Orders,
         estimate: &Estimate,
         landed: bool,
+        limp: bool,
     ) -> Reference {
-        self.change_phase(course, orders, estimate, landed);
+        self.change_phase(course, orders, estimate, landed, limp);
         self.airborne = self.airborne || estimate.position.z > CLEAR;
         let mut target = Target::idle();
         target.grounded = !self.airborne;
@@ -150,11 +152,17 @@ impl ReferenceGenerator {
         orders: &Orders,
         estimate: &Estimate,
         landed: bool,
+        limp: bool,
     ) {
+        if limp && (self.phase == Phase::TakeOff || self.phase == Phase::Flight) {
+            self.wanted.position = estimate.position;
+            self.wanted.yaw = self.yaw;
+        }
+        let land = orders.land || limp;
         let off = estimate.position.z > 0.5 * self.wanted.position.z;
         self.phase = match self.phase {
-            Phase::Ready if orders.take_off && !orders.land => Phase::TakeOff,
-            Phase::TakeOff | Phase::Flight if orders.land => Phase::Landing,
+            Phase::Ready if orders.take_off && !land => Phase::TakeOff,
+            Phase::TakeOff | Phase::Flight if land => Phase::Landing,
             Phase::TakeOff if self.time >= course.burn || off => Phase::Flight,
             Phase::Landing if landed => Phase::Over,
             same => same,

@@ -39,13 +39,14 @@ fn an_axis_stays_symmetric_and_positive_for_an_hour() {
 #[test]
 fn the_attitude_stays_symmetric_and_positive_while_it_tumbles() {
     let mut attitude = AttitudeFilter::level(1.0, 0.05);
+    let everything = Vector6::repeat(1.0);
     for n in 0..20_000_u32 {
         let rates = Vector3::new((f64::from(n) * 0.01).sin(), 0.5, -2.0);
         attitude.predict(&rates, 0.005, 0.01, 0.0005);
         attitude.angles.y = attitude.angles.y.clamp(-1.2, 1.2);
         let mut row = Vector6::zeros();
         row[n as usize % 3] = 1.0;
-        attitude.correct(&row, 0.001, if n % 2 == 0 { 1e-12 } else { 1.0 }, 5.0);
+        attitude.correct(&row, &everything, 0.001, if n % 2 == 0 { 1e-12 } else { 1.0 }, 5.0);
         assert!(is_covariance(&attitude.covariance), "{n}: {}", attitude.covariance);
     }
 }
@@ -77,13 +78,14 @@ fn an_axis_finds_the_bias_of_its_accelerometer() {
 fn attitude_finds_the_biases_of_the_gyroscope() {
     let bias = Vector3::new(0.02, -0.03, 0.01);
     let mut attitude = AttitudeFilter::level(1.0, 0.05);
+    let everything = Vector6::repeat(1.0);
     for _ in 0..8000 {
         attitude.predict(&bias, 0.005, 0.005, 1e-5);
         for n in 0..3 {
             let mut row = Vector6::zeros();
             row[n] = 1.0;
             let truth = [0.1, -0.2, 0.7][n];
-            attitude.correct(&row, truth - attitude.angles[n], 1e-5, 9.0);
+            attitude.correct(&row, &everything, truth - attitude.angles[n], 1e-5, 9.0);
         }
     }
     assert!((attitude.bias - bias).amax() < 1e-3, "{}", attitude.bias);
