@@ -33,9 +33,9 @@ static const double GRAVITY = 9.81;
 static const double LOW = 0.2;
 
 static alarm_t crash_predictor_find(const crash_predictor_t *self, const limits_t *limits,
-    const estimate_t *now, const ages_t *ages);
+    const estimate_t *now, const ages_t *ages, double climb);
 static alarm_t crash_predictor_find_in_motion(const crash_predictor_t *self, const limits_t *limits,
-    const estimate_t *now, const orientation_t *orientation);
+    const estimate_t *now, const orientation_t *orientation, double climb);
 
 void limits_room(limits_t *limits)
 {
@@ -58,10 +58,10 @@ void crash_predictor_init(crash_predictor_t *self)
 }
 
 alarm_t crash_predictor_step(crash_predictor_t *self, const limits_t *limits, bool flying,
-    const estimate_t *estimate, const ages_t *ages)
+    const estimate_t *estimate, const ages_t *ages, double climb)
 {
     if (flying && limits->armed && self->alarm == ALARM_CLEAR) {
-        self->alarm = crash_predictor_find(self, limits, estimate, ages);
+        self->alarm = crash_predictor_find(self, limits, estimate, ages, climb);
     }
     return self->alarm;
 }
@@ -75,7 +75,7 @@ void crash_predictor_raise(crash_predictor_t *self, alarm_t alarm)
 
 /** What is wrong now, or will be within the horizon. */
 static alarm_t crash_predictor_find(const crash_predictor_t *self, const limits_t *limits,
-    const estimate_t *now, const ages_t *ages)
+    const estimate_t *now, const ages_t *ages, double climb)
 {
     const double sum = sqrt(now->position[0] * now->position[0]
         + now->position[1] * now->position[1] + now->position[2] * now->position[2])
@@ -88,8 +88,8 @@ static alarm_t crash_predictor_find(const crash_predictor_t *self, const limits_
     if (!(isfinite(sum) != 0)) {
         return ALARM_UNDEFINED;
     }
-    const bool inside = ages->inertial > limits->dizzy && ages->vicon > limits->dizzy;
-    const bool dizzy = inside && ages->plane > limits->dizzy && now->position[2] > LOW;
+    const bool unaided = ages->inertial > limits->dizzy && ages->vicon > limits->dizzy;
+    const bool dizzy = unaided && ages->plane > limits->dizzy && now->position[2] > LOW;
     if (dizzy || ages->height > limits->blind || ages->plane > limits->blind) {
         return ALARM_BLIND;
     }
@@ -111,12 +111,12 @@ static alarm_t crash_predictor_find(const crash_predictor_t *self, const limits_
             || crash_predictor_tilt_cosine(ahead) < upright) {
         return ALARM_TILT;
     }
-    return crash_predictor_find_in_motion(self, limits, now, &orientation);
+    return crash_predictor_find_in_motion(self, limits, now, &orientation, climb);
 }
 
 /** What is wrong with where the aircraft goes. */
 static alarm_t crash_predictor_find_in_motion(const crash_predictor_t *self, const limits_t *limits,
-    const estimate_t *now, const orientation_t *orientation)
+    const estimate_t *now, const orientation_t *orientation, double climb)
 {
     (void)self;
     const double place[3] = {
@@ -151,8 +151,9 @@ static alarm_t crash_predictor_find_in_motion(const crash_predictor_t *self, con
     if (fabs(place[0]) > limits->reach || fabs(place[1]) > limits->reach) {
         return ALARM_PLACE;
     }
-    const bool falls = now->velocity[2] < -limits->impact && place[2] < 0.0;
-    if (falls) {
+    const double gained = climb * limits->horizon;
+    const double low = place[2] + 0.5 * gained * limits->horizon;
+    if (low < 0.0 && now->velocity[2] + gained < -limits->impact) {
         return ALARM_IMPACT;
     }
     return ALARM_CLEAR;

@@ -84,9 +84,12 @@ void limits_room(limits_t *limits);
 /** Sets the initial state; call it before anything else. */
 void crash_predictor_init(crash_predictor_t *self);
 
-/** One period: what has gone wrong so far. Only what flies can crash. */
+/**
+ * One period: what has gone wrong so far. Only what flies can crash. `climb`: the vertical
+ * acceleration, m/s².
+ */
 alarm_t crash_predictor_step(crash_predictor_t *self, const limits_t *limits, bool flying,
-    const estimate_t *estimate, const ages_t *ages);
+    const estimate_t *estimate, const ages_t *ages, double climb);
 
 /** Raises an alarm that is not found in the state. */
 void crash_predictor_raise(crash_predictor_t *self, alarm_t alarm);

@@ -182,6 +182,7 @@ void estimator_init(estimator_t *self)
     self->force[1] = 0.0;
     self->force[2] = 9.81;
     self->felt = true;
+    self->climb = 0.0;
     self->drift[0] = 0.0;
     self->drift[1] = 0.0;
     self->drift[2] = 0.0;
@@ -324,6 +325,7 @@ static void estimator_advance(estimator_t *self, const sensors_t *sensors,
     if (!self->felt && self->axes[2].state[0] < GROUND) {
         push[2] = max_f64(push[2], 0.0);
     }
+    self->climb = push[2] - self->axes[2].state[2];
     for (uint32_t n = 0U; n < 3U; n++) {
         axis_filter_predict(&self->axes[n], push[n], sensors->period, noise_2[0], noise_2[1]);
     }

@@ -94,6 +94,8 @@ typedef struct {
     double force[3];
     /** Whether that is a reading. */
     bool felt;
+    /** Vertical acceleration, m/s². */
+    double climb;
     /** What the camera saw last, in the inertial frame, m/s. */
     double drift[3];
     /** How old that is, s. */

@@ -16,6 +16,7 @@
 #include <stdint.h>
 
 #include "airframe.h"
+#include "product_f64_4x8_8x1.h"
 #include "signals.h"
 
 #if defined(__FAST_MATH__)
@@ -98,36 +99,8 @@ void mixer_wrench(const mixer_t *self, const command_t *command, wrench_t *wrenc
     for (uint32_t i = 0U; i < 8U; i++) {
         squares[i] = command->speeds[i] * command->speeds[i];
     }
-    const double done[4] = {
-        self->effectiveness[0 + 4 * 0] * squares[0] + self->effectiveness[0 + 4 * 1] * squares[1]
-            + self->effectiveness[0 + 4 * 2] * squares[2]
-            + self->effectiveness[0 + 4 * 3] * squares[3]
-            + self->effectiveness[0 + 4 * 4] * squares[4]
-            + self->effectiveness[0 + 4 * 5] * squares[5]
-            + self->effectiveness[0 + 4 * 6] * squares[6]
-            + self->effectiveness[0 + 4 * 7] * squares[7],
-        self->effectiveness[1 + 4 * 0] * squares[0] + self->effectiveness[1 + 4 * 1] * squares[1]
-            + self->effectiveness[1 + 4 * 2] * squares[2]
-            + self->effectiveness[1 + 4 * 3] * squares[3]
-            + self->effectiveness[1 + 4 * 4] * squares[4]
-            + self->effectiveness[1 + 4 * 5] * squares[5]
-            + self->effectiveness[1 + 4 * 6] * squares[6]
-            + self->effectiveness[1 + 4 * 7] * squares[7],
-        self->effectiveness[2 + 4 * 0] * squares[0] + self->effectiveness[2 + 4 * 1] * squares[1]
-            + self->effectiveness[2 + 4 * 2] * squares[2]
-            + self->effectiveness[2 + 4 * 3] * squares[3]
-            + self->effectiveness[2 + 4 * 4] * squares[4]
-            + self->effectiveness[2 + 4 * 5] * squares[5]
-            + self->effectiveness[2 + 4 * 6] * squares[6]
-            + self->effectiveness[2 + 4 * 7] * squares[7],
-        self->effectiveness[3 + 4 * 0] * squares[0] + self->effectiveness[3 + 4 * 1] * squares[1]
-            + self->effectiveness[3 + 4 * 2] * squares[2]
-            + self->effectiveness[3 + 4 * 3] * squares[3]
-            + self->effectiveness[3 + 4 * 4] * squares[4]
-            + self->effectiveness[3 + 4 * 5] * squares[5]
-            + self->effectiveness[3 + 4 * 6] * squares[6]
-            + self->effectiveness[3 + 4 * 7] * squares[7]
-    };
+    double done[4];
+    product_f64_4x8_8x1(self->effectiveness, squares, done);
     wrench->thrust = done[0];
     wrench->torque[0] = done[1];
     wrench->torque[1] = done[2];

@@ -140,8 +140,9 @@ static alarm_t onboard_watch(onboard_t *self, const settings_t *settings, uint64
         crash_predictor_raise(&self->predictor, ALARM_CLOCK);
     }
     const bool flying = reference_generator_is_flying(&self->reference);
+    const double climb = self->estimator.climb;
     return crash_predictor_step(&self->predictor, &settings->limits, flying, estimate,
-        &self->estimator.ages);
+        &self->estimator.ages, climb);
 }
 
 /** The share of the feed-forward that is injected now. */

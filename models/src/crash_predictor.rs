@@ -130,8 +130,8 @@ impl CrashPredictor {
         if !sum.is_finite() {
             return Alarm::Undefined;
         }
-        let inside = ages.inertial > limits.dizzy && ages.vicon > limits.dizzy;
-        let dizzy = inside && ages.plane > limits.dizzy && now.position.z > LOW;
+        let unaided = ages.inertial > limits.dizzy && ages.vicon > limits.dizzy;
+        let dizzy = unaided && ages.plane > limits.dizzy && now.position.z > LOW;
         if dizzy || ages.height > limits.blind || ages.plane > limits.blind {
             return Alarm::Blind;
         }
