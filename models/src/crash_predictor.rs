@@ -10,6 +10,9 @@ use crate::geometry::Orientation;
 use crate::signals::Estimate;
 use bessemer::prelude::*;
 
+/// For so many periods something has to look wrong: one reading proves nothing.
+const PROOF: u32 = 3;
+
 /// Below this height, m, an aircraft that does not know how it leans had better go on landing.
 const LOW: f64 = 0.2;
 
@@ -81,7 +84,7 @@ impl Limits {
             ceiling: 4.0,
             reach: 4.0,
             impact: 0.7,
-            blind: 12.0,
+            blind: 20.0,
             dizzy: 0.1,
             horizon: 0.1,
             armed: true,
@@ -95,6 +98,8 @@ impl Limits {
 pub struct CrashPredictor {
     /// The first thing that went wrong.
     pub alarm: Alarm,
+    /// For how many periods something has looked wrong.
+    pub suspicion: u32,
 }
 
 #[component]
@@ -111,7 +116,14 @@ impl CrashPredictor {
         climb: f64,
     ) -> Alarm {
         if flying && limits.armed && self.alarm == Alarm::Clear {
-            self.alarm = self.find(limits, estimate, ages, climb);
+            let found = self.find(limits, estimate, ages, climb);
+            self.suspicion = self.suspicion.saturating_add(1);
+            if found == Alarm::Clear {
+                self.suspicion = 0;
+            }
+            if found == Alarm::Undefined || self.suspicion >= PROOF {
+                self.alarm = found;
+            }
         }
         self.alarm
     }
@@ -135,17 +147,22 @@ impl CrashPredictor {
         if dizzy || ages.height > limits.blind || ages.plane > limits.blind {
             return Alarm::Blind;
         }
+        let mut horizon = limits.horizon;
+        if unaided {
+            // The rates are a guess, and so is what they lead to.
+            horizon *= 0.3;
+        }
         let across = now.rates.x.hypot(now.rates.y);
         if across > limits.rates.x || now.rates.z.abs() > limits.rates.y {
             return Alarm::Spin;
         }
         let orientation = Orientation::of(&now.angles);
-        let ahead = now.angles + orientation.angle_rates(&now.rates) * limits.horizon;
+        let ahead = now.angles + orientation.angle_rates(&now.rates) * horizon;
         let upright = limits.tilt.cos();
         if tilt_cosine(&now.angles) < upright || tilt_cosine(&ahead) < upright {
             return Alarm::Tilt;
         }
-        self.find_in_motion(limits, now, &orientation, climb)
+        self.find_in_motion(limits, now, &orientation, climb, horizon)
     }
 
     /// What is wrong with where the aircraft goes.
@@ -155,12 +172,13 @@ impl CrashPredictor {
         now: &Estimate,
         orientation: &Orientation,
         climb: f64,
+        horizon: f64,
     ) -> Alarm {
-        let place = now.position + now.velocity * limits.horizon;
+        let place = now.position + now.velocity * horizon;
         // In the plane the thrust that holds the weight pulls to where the aircraft leans.
         let direction = orientation.thrust_direction();
         let pull = Vector3::new(direction.x, direction.y, 0.0) * GRAVITY;
-        let velocity = now.velocity + pull * limits.horizon;
+        let velocity = now.velocity + pull * horizon;
         if now.velocity.norm() > limits.speed || velocity.norm() > limits.speed {
             return Alarm::Speed;
         }
@@ -170,8 +188,8 @@ impl CrashPredictor {
         if place.x.abs() > limits.reach || place.y.abs() > limits.reach {
             return Alarm::Place;
         }
-        let gained = climb * limits.horizon;
-        let low = place.z + 0.5 * gained * limits.horizon;
+        let gained = climb * horizon;
+        let low = place.z + 0.5 * gained * horizon;
         if low < 0.0 && now.velocity.z + gained < -limits.impact {
             return Alarm::Impact;
         }

@@ -31,6 +31,10 @@ const LATE_DOUBT: f64 = 0.8;
 /// The same while the gyroscope is silent, and the state is wrong more often.
 const DEAF_DOUBT: f64 = 0.1;
 
+/// So far below the ground, m, it is the height that is wrong: more than the inertial sensors drift in the
+/// seconds in which nothing else shows it.
+const SUNK: f64 = 0.15;
+
 /// How near the ground, m, it may be the ground that holds the aircraft: nothing is expected to fall there.
 const GROUND: f64 = 0.05;
 
@@ -267,9 +271,9 @@ impl Estimator {
         for n in 0..3 {
             self.axes[n].predict(push[n], sensors.period, noise.x, noise.y);
         }
-        if self.axes[2].state[0] < -GROUND {
+        if self.axes[2].state[0] < -SUNK {
             // Nothing falls through the ground.
-            self.axes[2].state[0] = -GROUND;
+            self.axes[2].state[0] = -SUNK;
             self.axes[2].state[1] = self.axes[2].state[1].max(0.0);
         }
     }
