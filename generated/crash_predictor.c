@@ -31,11 +31,19 @@
 
 static const double GRAVITY = 9.81;
 static const double LOW = 0.2;
+static const uint32_t PROOF = 3U;
+
+/* a + b, or the limit of the type beyond which it lies. */
+static uint32_t saturating_add_u32(uint32_t a, uint32_t b)
+{
+    const int64_t exact = (int64_t)a + (int64_t)b;
+    return exact > UINT32_MAX ? UINT32_MAX : (uint32_t)exact;
+}
 
 static alarm_t crash_predictor_find(const crash_predictor_t *self, const limits_t *limits,
     const estimate_t *now, const ages_t *ages, double climb);
 static alarm_t crash_predictor_find_in_motion(const crash_predictor_t *self, const limits_t *limits,
-    const estimate_t *now, const orientation_t *orientation, double climb);
+    const estimate_t *now, const orientation_t *orientation, double climb, double horizon);
 
 void limits_room(limits_t *limits)
 {
@@ -46,7 +54,7 @@ void limits_room(limits_t *limits)
     limits->ceiling = 4.0;
     limits->reach = 4.0;
     limits->impact = 0.7;
-    limits->blind = 12.0;
+    limits->blind = 20.0;
     limits->dizzy = 0.1;
     limits->horizon = 0.1;
     limits->armed = true;
@@ -55,13 +63,21 @@ void limits_room(limits_t *limits)
 void crash_predictor_init(crash_predictor_t *self)
 {
     self->alarm = ALARM_CLEAR;
+    self->suspicion = 0U;
 }
 
 alarm_t crash_predictor_step(crash_predictor_t *self, const limits_t *limits, bool flying,
     const estimate_t *estimate, const ages_t *ages, double climb)
 {
     if (flying && limits->armed && self->alarm == ALARM_CLEAR) {
-        self->alarm = crash_predictor_find(self, limits, estimate, ages, climb);
+        const alarm_t found = crash_predictor_find(self, limits, estimate, ages, climb);
+        self->suspicion = saturating_add_u32(self->suspicion, 1U);
+        if (found == ALARM_CLEAR) {
+            self->suspicion = 0U;
+        }
+        if (found == ALARM_UNDEFINED || self->suspicion >= PROOF) {
+            self->alarm = found;
+        }
     }
     return self->alarm;
 }
@@ -93,6 +109,11 @@ static alarm_t crash_predictor_find(const crash_predictor_t *self, const limits_
     if (dizzy || ages->height > limits->blind || ages->plane > limits->blind) {
         return ALARM_BLIND;
     }
+    double horizon = limits->horizon;
+    if (unaided) {
+        /* The rates are a guess, and so is what they lead to. */
+        horizon *= 0.3;
+    }
     const double across = roots_hypot(now->rates[0], now->rates[1]);
     if (across > limits->rates[0] || fabs(now->rates[2]) > limits->rates[1]) {
         return ALARM_SPIN;
@@ -102,27 +123,27 @@ static alarm_t crash_predictor_find(const crash_predictor_t *self, const limits_
     double ahead_angle_rates[3];
     orientation_angle_rates(&orientation, now->rates, ahead_angle_rates);
     const double ahead[3] = {
-        now->angles[0] + ahead_angle_rates[0] * limits->horizon,
-        now->angles[1] + ahead_angle_rates[1] * limits->horizon,
-        now->angles[2] + ahead_angle_rates[2] * limits->horizon
+        now->angles[0] + ahead_angle_rates[0] * horizon,
+        now->angles[1] + ahead_angle_rates[1] * horizon,
+        now->angles[2] + ahead_angle_rates[2] * horizon
     };
     const double upright = sine_cos(limits->tilt);
     if (crash_predictor_tilt_cosine(now->angles) < upright
             || crash_predictor_tilt_cosine(ahead) < upright) {
         return ALARM_TILT;
     }
-    return crash_predictor_find_in_motion(self, limits, now, &orientation, climb);
+    return crash_predictor_find_in_motion(self, limits, now, &orientation, climb, horizon);
 }
 
 /** What is wrong with where the aircraft goes. */
 static alarm_t crash_predictor_find_in_motion(const crash_predictor_t *self, const limits_t *limits,
-    const estimate_t *now, const orientation_t *orientation, double climb)
+    const estimate_t *now, const orientation_t *orientation, double climb, double horizon)
 {
     (void)self;
     const double place[3] = {
-        now->position[0] + now->velocity[0] * limits->horizon,
-        now->position[1] + now->velocity[1] * limits->horizon,
-        now->position[2] + now->velocity[2] * limits->horizon
+        now->position[0] + now->velocity[0] * horizon,
+        now->position[1] + now->velocity[1] * horizon,
+        now->position[2] + now->velocity[2] * horizon
     };
 
     /* In the plane the thrust that holds the weight pulls to where the aircraft leans. */
@@ -135,9 +156,9 @@ static alarm_t crash_predictor_find_in_motion(const crash_predictor_t *self, con
         pull_matrix[2] * GRAVITY
     };
     const double velocity[3] = {
-        now->velocity[0] + pull[0] * limits->horizon,
-        now->velocity[1] + pull[1] * limits->horizon,
-        now->velocity[2] + pull[2] * limits->horizon
+        now->velocity[0] + pull[0] * horizon,
+        now->velocity[1] + pull[1] * horizon,
+        now->velocity[2] + pull[2] * horizon
     };
     if (sqrt(now->velocity[0] * now->velocity[0] + now->velocity[1] * now->velocity[1]
             + now->velocity[2] * now->velocity[2]) > limits->speed
@@ -151,8 +172,8 @@ static alarm_t crash_predictor_find_in_motion(const crash_predictor_t *self, con
     if (fabs(place[0]) > limits->reach || fabs(place[1]) > limits->reach) {
         return ALARM_PLACE;
     }
-    const double gained = climb * limits->horizon;
-    const double low = place[2] + 0.5 * gained * limits->horizon;
+    const double gained = climb * horizon;
+    const double low = place[2] + 0.5 * gained * horizon;
     if (low < 0.0 && now->velocity[2] + gained < -limits->impact) {
         return ALARM_IMPACT;
     }

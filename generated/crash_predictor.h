@@ -8,6 +8,7 @@
 #define CRASH_PREDICTOR_H
 
 #include <stdbool.h>
+#include <stdint.h>
 
 #include "estimator.h"
 #include "signals.h"
@@ -76,6 +77,8 @@ typedef struct {
 typedef struct {
     /** The first thing that went wrong. */
     alarm_t alarm;
+    /** For how many periods something has looked wrong. */
+    uint32_t suspicion;
 } crash_predictor_t;
 
 /** Limits for flights in a room. */

@@ -45,6 +45,7 @@ static const double GRAVITY = 9.81;
 static const double GROUND = 0.05;
 static const double LATE_DOUBT = 0.8;
 static const double MEMORY = 0.05;
+static const double SUNK = 0.15;
 static const double UNFELT[2] = {1.0, 0.3};
 
 /* The larger of two numbers: -0 < +0, and a NaN gives the other. */
@@ -329,9 +330,9 @@ static void estimator_advance(estimator_t *self, const sensors_t *sensors,
     for (uint32_t n = 0U; n < 3U; n++) {
         axis_filter_predict(&self->axes[n], push[n], sensors->period, noise_2[0], noise_2[1]);
     }
-    if (self->axes[2].state[0] < -GROUND) {
+    if (self->axes[2].state[0] < -SUNK) {
         /* Nothing falls through the ground. */
-        self->axes[2].state[0] = -GROUND;
+        self->axes[2].state[0] = -SUNK;
         self->axes[2].state[1] = max_f64(self->axes[2].state[1], 0.0);
     }
 }

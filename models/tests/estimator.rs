@@ -3,8 +3,10 @@
 use bessemer::nalgebra::{SMatrix, Vector3, Vector6};
 use models::attitude_filter::AttitudeFilter;
 use models::axis_filter::AxisFilter;
+use models::expectation::{Expectation, Push};
 use models::feed_forward::{Injection, compensation};
 use models::geometry::wrapped;
+use models::stuck::Stuck;
 use models::{Airframe, Estimate};
 
 fn is_covariance<const N: usize>(p: &SMatrix<f64, N, N>) -> bool
@@ -128,4 +130,35 @@ fn gains_grow_as_the_thesis_has_them() {
     assert_eq!(Injection::constant(0.3).gain(9.9), 0.0);
     assert_eq!(Injection::constant(0.3).gain(10.0), 0.3);
     assert!((Injection::gain_for(0.75 * 9.81) - 0.5).abs() < 1e-12);
+}
+
+#[test]
+fn what_the_motors_do_stands_in_for_silent_sensors() {
+    // Propellers that push 5 % less than is believed, and unevenly: what the sensors show besides is learnt.
+    let mut expectation = Expectation::default();
+    let told = Push { force: 10.3, turn: Vector3::new(4.0, -2.0, 0.5) };
+    let mut rates = Vector3::zeros();
+    let force = Vector3::new(0.1, -0.05, 9.80665);
+    for _ in 0..2000 {
+        expectation.step(0.005, &told);
+        expectation.turned(&rates);
+        expectation.felt(&force);
+    }
+    // From now on both are silent, and twice the torque is told.
+    let more = Push { turn: told.turn * 2.0, ..told };
+    for _ in 0..40 {
+        expectation.step(0.005, &more);
+        rates += told.turn * 0.005;
+    }
+    assert!((expectation.felt_force() - force).amax() < 1e-3, "{}", expectation.felt_force());
+    // The motors follow within 17 ms.
+    assert!((expectation.rates - rates).amax() < 0.1, "{} {rates}", expectation.rates);
+}
+
+#[test]
+fn a_sensor_that_repeats_itself_is_not_believed_once() {
+    let mut stuck = Stuck::default();
+    assert!(stuck.says(&Vector3::new(0.1, 0.2, 0.3)));
+    assert!(!stuck.says(&Vector3::new(0.1, 0.2, 0.3)));
+    assert!(stuck.says(&Vector3::new(0.1, 0.2, 0.300_001)));
 }
