@@ -24,14 +24,20 @@ struct Subject {
     c: &'static str,
     x: [f64; 2],
     y: Option<[f64; 2]>,
+    /// How many arguments it takes; the third is the first again.
+    takes: usize,
 }
 
 const fn one(rust: &'static str, c: &'static str, x: [f64; 2]) -> Subject {
-    Subject { rust, c, x, y: None }
+    Subject { rust, c, x, y: None, takes: 1 }
 }
 
 const fn two(rust: &'static str, c: &'static str, x: [f64; 2], y: [f64; 2]) -> Subject {
-    Subject { rust, c, x, y: Some(y) }
+    Subject { rust, c, x, y: Some(y), takes: 2 }
+}
+
+const fn three(rust: &'static str, c: &'static str, x: [f64; 2], y: [f64; 2]) -> Subject {
+    Subject { rust, c, x, y: Some(y), takes: 3 }
 }
 
 /// Arguments as models have them: angles of a few turns, exponents of a few.
@@ -56,6 +62,7 @@ const SUBJECTS: &[Subject] = &[
     two("powf", "pow", [0.01, 100.0], [-10.0, 10.0]),
     one("cbrt", "cbrt", [-100.0, 100.0]),
     two("hypot", "hypot", [-10.0, 10.0], [-10.0, 10.0]),
+    three("mul_add", "fma", [-10.0, 10.0], [-10.0, 10.0]),
 ];
 
 /// What was measured of one function in one format.
@@ -151,7 +158,7 @@ pub fn measure(rounds: u32) -> Result<Vec<Row>, String> {
     for (subject, single) in formats() {
         let ours = emitted(&compiled, &names, &rust_name(subject, single))?;
         let theirs = c_name(subject, single);
-        let kind = if subject.y.is_some() { "B" } else { "U" };
+        let kind = ["U", "B", "T"][subject.takes - 1];
         let ty = if single { "float" } else { "double" };
         let [low, high] = subject.x;
         let ranges = subject.y.map_or(String::new(), |[low, high]| format!(", {low:?}, {high:?}"));
@@ -196,7 +203,7 @@ fn model() -> String {
     let mut text = String::from("//! Everything.\n#![no_std]\nuse bessemer::prelude::*;\n");
     for (subject, single) in formats() {
         let ty = if single { "f32" } else { "f64" };
-        let argument = if subject.y.is_some() { "y" } else { "" };
+        let argument = ["", "y", "y, x"][subject.takes - 1];
         let _ = writeln!(
             text,
             "\n/// Calls it.\n#[function]\npub fn call_{}(x: {ty}, y: {ty}) -> {ty} {{\n    x.{}({argument}) + y\n}}",
@@ -220,8 +227,8 @@ fn newlib_prototypes() -> String {
     let mut text = String::new();
     for (subject, single) in formats() {
         let ty = if single { "float" } else { "double" };
-        let second = if subject.y.is_some() { format!(", {ty}") } else { String::new() };
-        let _ = writeln!(text, "{ty} newlib_{}({ty}{second});", c_name(subject, single));
+        let arguments = vec![ty; subject.takes].join(", ");
+        let _ = writeln!(text, "{ty} newlib_{}({arguments});", c_name(subject, single));
     }
     text
 }

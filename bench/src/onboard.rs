@@ -104,7 +104,7 @@ pub fn measure(longest: f64) -> Result<Vec<Row>, String> {
 
 fn target() -> Toolchain {
     let emulator: &[&str] = &["qemu-arm", "-cpu", "cortex-a9"];
-    Toolchain { compiler: "arm-linux-gnueabihf-gcc", level: 2, emulator: Some(emulator) }
+    Toolchain { compiler: "arm-linux-gnueabihf-gcc", level: 2, emulator: Some(emulator), more: &[] }
 }
 
 fn bytes(words: &[u64]) -> Vec<u8> {

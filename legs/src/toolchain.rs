@@ -20,12 +20,15 @@ pub struct Toolchain {
     pub level: u32,
     /// What runs its programs, for another machine than this.
     pub emulator: Option<&'static [&'static str]>,
+    /// What it is told besides, such as that the processor has an instruction that not every one has.
+    pub more: &'static [&'static str],
 }
 
 impl Toolchain {
     /// As a test names it: `gcc -O2`.
     pub fn name(&self) -> String {
-        format!("{} -O{}", self.compiler, self.level)
+        let more: String = self.more.iter().map(|flag| format!(" {flag}")).collect();
+        format!("{} -O{}{more}", self.compiler, self.level)
     }
 
     /// A command that compiles with the project's warnings; sources and outputs are the caller's.
@@ -46,6 +49,7 @@ impl Toolchain {
         if self.emulator.is_some() {
             command.args(CORTEX_A9);
         }
+        command.args(self.more);
         command
     }
 
@@ -137,7 +141,9 @@ pub fn host() -> Vec<Toolchain> {
         .collect();
     compilers
         .into_iter()
-        .flat_map(|compiler| [0, 2, 3].map(|level| Toolchain { compiler, level, emulator: None }))
+        .flat_map(|compiler| {
+            [0, 2, 3].map(|level| Toolchain { compiler, level, emulator: None, more: &[] })
+        })
         .collect()
 }
 
@@ -153,7 +159,7 @@ pub fn target() -> Vec<Toolchain> {
         return Vec::new();
     }
     let emulator: &[&str] = &["qemu-arm", "-cpu", "cortex-a9"];
-    [0, 2, 3].map(|level| Toolchain { compiler, level, emulator: Some(emulator) }).into()
+    [0, 2, 3].map(|level| Toolchain { compiler, level, emulator: Some(emulator), more: &[] }).into()
 }
 
 /// Every toolchain of this run.

@@ -77,6 +77,23 @@ fn every_elementary_function_computes_the_same_bits() {
     });
 }
 
+/// Where the processor has a fused multiply-add, `mul_add` is that instruction.
+#[test]
+fn a_fused_instruction_computes_the_same_bits() {
+    #[cfg(target_arch = "x86_64")]
+    if std::arch::is_x86_feature_detected!("fma") {
+        let compiled = compiled();
+        let text: String = compiled.files.iter().map(|file| file.text.as_str()).collect();
+        assert!(text.contains("return fma(x, a, b);") && text.contains("return fmaf(x, a, b);"));
+        for toolchain in toolchain::host().into_iter().filter(|it| it.level != 3) {
+            let toolchain = Toolchain { more: &["-mfma"], ..toolchain };
+            assert_eq!(in_c(&compiled, &toolchain), native(), "{}", toolchain.name());
+        }
+        return;
+    }
+    println!("left out: this processor has no such instruction");
+}
+
 #[test]
 fn no_table_is_larger_than_two_kibibytes() {
     let compiled = compiled();

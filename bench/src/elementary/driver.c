@@ -2,8 +2,8 @@
  * Runs each elementary function on the same arguments as its rivals: in turn against the clock, or,
  * compiled with COUNT, once between bench_begin and bench_end for each rival.
  *
- * functions.inc has a line for each: U (of one argument) or B (of two), the name, the type, the
- * functions, the ranges of the arguments.
+ * functions.inc has a line for each: U (of one argument), B (of two) or T (of three, the first again as
+ * the third), the name, the type, the functions, the ranges of the arguments.
  */
 #include <math.h>
 #include <stdint.h>
@@ -73,6 +73,10 @@ double nothing_double(double x) { __asm__ volatile(""); return x; }
 float nothing_float(float x) { __asm__ volatile(""); return x; }
 double nothing2_double(double x, double y) { __asm__ volatile(""); return x + 0 * y; }
 float nothing2_float(float x, float y) { __asm__ volatile(""); return x + 0 * y; }
+__attribute__((noinline)) double nothing3_double(double x, double y, double z);
+__attribute__((noinline)) float nothing3_float(float x, float y, float z);
+double nothing3_double(double x, double y, double z) { __asm__ volatile(""); return x + 0 * y * z; }
+float nothing3_float(float x, float y, float z) { __asm__ volatile(""); return x + 0 * y * z; }
 __attribute__((noinline)) void bench_begin(void);
 __attribute__((noinline)) void bench_end(void);
 void bench_begin(void) { __asm__ volatile(""); }
@@ -96,6 +100,12 @@ int *newlib___errno(void) { static int number; return &number; }
     MEASURED(type, ours(type##_X, type##_Y)) \
     MEASURED(type, theirs(type##_X, type##_Y)) \
     MEASURED(type, newlib(type##_X, type##_Y))
+#define T(name, type, ours, theirs, newlib, low, high, y_low, y_high) \
+    fill(low, high, y_low, y_high); \
+    MEASURED(type, nothing3_##type(type##_X, type##_Y, type##_X)) \
+    MEASURED(type, ours(type##_X, type##_Y, type##_X)) \
+    MEASURED(type, theirs(type##_X, type##_Y, type##_X)) \
+    MEASURED(type, newlib(type##_X, type##_Y, type##_X))
 
 int main(void)
 {
@@ -132,6 +142,14 @@ static double now(void)
     for (int round = 0; round < ROUNDS; round++) { \
         TIMED(type, ours(type##_X, type##_Y)) \
         TIMED(type, theirs(type##_X, type##_Y)) \
+    } \
+    puts("");
+#define T(name, type, ours, theirs, newlib, low, high, y_low, y_high) \
+    fill(low, high, y_low, y_high); \
+    printf("%s", name); \
+    for (int round = 0; round < ROUNDS; round++) { \
+        TIMED(type, ours(type##_X, type##_Y, type##_X)) \
+        TIMED(type, theirs(type##_X, type##_Y, type##_X)) \
     } \
     puts("");
 

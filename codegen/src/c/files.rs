@@ -13,12 +13,12 @@ use bessemer_ir::{
 
 use super::analysis::{inline_callees, reachable};
 use super::helpers::{Helper, closure};
-use super::library::is_mathematics;
+use super::library::{self, is_mathematics};
 use super::lower::{self, Context, Uses};
 use super::names::{OVERLAY, Returned, Signature, Storage};
 use super::print::Printer;
 use super::shell::{Shell, frame};
-use super::tree::{Declarator, Init, Item, Lines, Origin, StmtKind, plain};
+use super::tree::{Declarator, Head, Init, Item, Lines, Origin, Stmt, StmtKind, plain};
 use super::{CFile, Options, asked, init, literal, status};
 use crate::kernels;
 use crate::kernels::replace::Replacement;
@@ -249,10 +249,15 @@ impl Writer<'_> {
                 asked.insert(wanted);
                 head.asked.push(text);
             }
+            let mut body = lowered.body;
+            if let Some((fast, name)) = library::instruction(function) {
+                uses.math = true;
+                body = by_instruction(fast, name, &head, body);
+            }
             definitions.push(Item::Function {
                 docs: if declared { Vec::new() } else { function.docs.clone() },
                 head,
-                body: lowered.body,
+                body,
                 origin: origin(function.span),
                 function: rust_path(self.context, function),
             });
@@ -565,4 +570,13 @@ impl Includes {
             }
         }
     }
+}
+
+/// The processor's instruction where it has one; elsewhere the body.
+fn by_instruction(fast: &str, name: &str, head: &Head, body: Vec<Stmt>) -> Vec<Stmt> {
+    let arguments: Vec<&str> = head.params.iter().map(|param| param.name.as_str()).collect();
+    let direct = format!("#if defined({fast})\nreturn {name}({});\n#else", arguments.join(", "));
+    let direct = plain(StmtKind::Verbatim(direct));
+    let end = plain(StmtKind::Verbatim("#endif".into()));
+    [vec![direct], body, vec![end]].concat()
 }

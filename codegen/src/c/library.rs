@@ -30,6 +30,19 @@ const DOUBLE: &[(&str, &[(&str, &str)])] = &[
 /// The module of those in single precision: the Rust names have an `f` more, and so have C's.
 const SINGLE: &str = "single";
 
+/// The macro of C99's `math.h` that says that the processor computes a function in an instruction, and that
+/// function, where one rounding leaves it no choice of bits.
+pub fn instruction(function: &Function) -> Option<(&'static str, &'static str)> {
+    if function.owner.is_some() || !is_mathematics(&function.module) {
+        return None;
+    }
+    match function.name.as_str() {
+        "mul_add" => Some(("FP_FAST_FMA", "fma")),
+        "mul_addf" => Some(("FP_FAST_FMAF", "fmaf")),
+        _ => None,
+    }
+}
+
 /// Whether a Rust module is one of the mathematics.
 pub fn is_mathematics(module: &str) -> bool {
     module == "bessemer::math" || module.starts_with("bessemer::math::")

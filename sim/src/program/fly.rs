@@ -123,7 +123,7 @@ struct CLeg {
 impl CLeg {
     fn start() -> Result<Self, Box<dyn std::error::Error>> {
         eprintln!("compiling the models to C …");
-        let toolchain = Toolchain { compiler: "gcc", level: 2, emulator: None };
+        let toolchain = Toolchain { compiler: "gcc", level: 2, emulator: None, more: &[] };
         let compiled = bessemer_legs::compiled("models");
         Ok(Self { emitted: Emitted::start(&compiled, &toolchain)?, toolchain })
     }
