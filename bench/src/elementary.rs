@@ -12,6 +12,7 @@ use std::process::Command;
 use bessemer_codegen::c;
 use bessemer_codegen::c::names::Names;
 use bessemer_codegen::compile::Compiled;
+use bessemer_tests::process::Folder;
 use bessemer_tests::toolchain::{CORTEX_A9, run};
 use bessemer_tests::workspace::Workspace;
 use serde_json::{Value, json};
@@ -150,19 +151,16 @@ const NEWLIB: &str = "/usr/lib/arm-none-eabi/newlib/thumb/v7-a+fp/hard/libm.a";
 /// What a tool said.
 pub fn measure(rounds: u32) -> Result<Vec<Row>, String> {
     let failed = |error: std::io::Error| error.to_string();
-    let compiled = Workspace::with_source(&model()).map_err(failed)?.compiled()?;
-    let names = Names::new(&compiled.explicit, &c::Options::default());
-    let folder = bessemer_tests::process::lay_out(&compiled).map_err(|error| error.to_string())?;
-    let here = folder.path();
+    let emission = emission()?;
+    let here = emission.folder();
     let driver = here.join("bench_driver.c");
     fs::write(&driver, include_str!("elementary/driver.c")).map_err(failed)?;
-    let headers = compiled.files.iter().filter(|file| file.name.ends_with(".h"));
-    let headers: String = headers.map(|file| format!("#include \"{}\"\n", file.name)).collect();
-    fs::write(here.join("subjects.h"), headers + &newlib_prototypes()).map_err(failed)?;
+    let headers = emission.headers() + &newlib_prototypes();
+    fs::write(here.join("subjects.h"), headers).map_err(failed)?;
     let mut lines = String::new();
     let mut rows = Vec::new();
     for (subject, single) in formats() {
-        let ours = emitted(&compiled, &names, &rust_name(subject, single))?;
+        let ours = emission.name(&rust_name(subject, single))?;
         let theirs = c_name(subject, single);
         let kind = ["U", "B", "T"][subject.takes - 1];
         let ty = if single { "float" } else { "double" };
@@ -176,11 +174,11 @@ pub fn measure(rounds: u32) -> Result<Vec<Row>, String> {
     }
     fs::write(here.join("functions.inc"), lines).map_err(failed)?;
 
-    time(here, folder.sources(), &driver, rounds, &mut rows)?;
-    let objects = Objects::new(here, folder.sources())?;
+    time(here, emission.sources(), &driver, rounds, &mut rows)?;
+    let objects = Objects::new(here, emission.sources())?;
     instructions(here, &objects, &driver, &mut rows)?;
     for ((subject, single), row) in formats().zip(&mut rows) {
-        let ours = emitted(&compiled, &names, &rust_name(subject, single))?;
+        let ours = emission.name(&rust_name(subject, single))?;
         let theirs = c_name(subject, single);
         row.bytes = [
             objects.bytes(&ours, &[])?,
@@ -220,13 +218,53 @@ fn model() -> String {
     text
 }
 
-/// The C name of a function of the DSL's mathematics.
-fn emitted(compiled: &Compiled, names: &Names, name: &str) -> Result<String, String> {
-    let functions = compiled.explicit.functions.iter();
-    let index = functions
-        .zip(&names.functions)
-        .find(|(function, _)| function.module.contains("::math::") && function.name == name);
-    index.map(|(_, signature)| signature.name.clone()).ok_or(format!("no `{name}` was emitted"))
+/// The C of all functions, in a folder that goes with it.
+pub struct Emission {
+    compiled: Compiled,
+    names: Names,
+    folder: Folder,
+}
+
+/// Emits all functions.
+///
+/// # Errors
+/// What a tool or the system said.
+pub fn emission() -> Result<Emission, String> {
+    let workspace = Workspace::with_source(&model()).map_err(|error| error.to_string())?;
+    let compiled = workspace.compiled()?;
+    let names = Names::new(&compiled.explicit, &c::Options::default());
+    let folder = bessemer_tests::process::lay_out(&compiled).map_err(|error| error.to_string())?;
+    Ok(Emission { compiled, names, folder })
+}
+
+impl Emission {
+    /// Where the C is.
+    pub fn folder(&self) -> &Path {
+        self.folder.path()
+    }
+
+    /// The C files.
+    pub fn sources(&self) -> &[PathBuf] {
+        self.folder.sources()
+    }
+
+    /// A line that includes each header.
+    pub fn headers(&self) -> String {
+        let headers = self.compiled.files.iter().filter(|file| file.name.ends_with(".h"));
+        headers.map(|file| format!("#include \"{}\"\n", file.name)).collect()
+    }
+
+    /// The C name of a function of the DSL's mathematics.
+    ///
+    /// # Errors
+    /// For a function that was not emitted.
+    pub fn name(&self, name: &str) -> Result<String, String> {
+        let functions = self.compiled.explicit.functions.iter();
+        let index = functions
+            .zip(&self.names.functions)
+            .find(|(function, _)| function.module.contains("::math::") && function.name == name);
+        index.map(|(_, signature)| signature.name.clone()).ok_or(format!("no `{name}` was emitted"))
+    }
 }
 
 fn newlib_prototypes() -> String {

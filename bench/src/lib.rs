@@ -8,11 +8,13 @@
 //! | [`rebuild`] | what the attributes add to a rebuild of the corpus |
 //! | [`elementary`] | the elementary functions against glibc and newlib |
 //! | [`onboard`] | what a control period of the onboard software takes on the Cortex-A9 |
+//! | [`accuracy_points`] | the elementary functions on the points of their accuracy, on every leg |
 //! | [`equality`] | the elementary functions on millions of points, on every leg |
 //!
 //! [`count`] counts instructions on the emulated Cortex-A9.
 //!
 
+pub mod accuracy_points;
 pub mod check_cost;
 pub mod count;
 pub mod elementary;

@@ -7,7 +7,7 @@ use std::process::{Command, ExitCode};
 use bench::check_cost::{self, Size};
 use bench::kernels::results::Results;
 use bench::kernels::{plot, report, run};
-use bench::{elementary, equality, generation, onboard, rebuild};
+use bench::{accuracy_points, elementary, equality, generation, onboard, rebuild};
 use clap::{Parser, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::Value;
@@ -25,7 +25,7 @@ struct Arguments {
     /// The small sizes for `kernels`, such as 2,3,4,6,8: Eigen's alone take a compiler many minutes
     #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u8).range(2..=20))]
     sizes: Vec<u8>,
-    /// Points of each function for `equality`
+    /// Points of each function for `equality` and `accuracy-points`
     #[arg(long, default_value_t = 10_000_000)]
     points: u32,
 }
@@ -45,14 +45,16 @@ enum Part {
     Generation,
     /// Instructions of a control period of the onboard software on the Cortex-A9
     Onboard,
-    /// The elementary functions on ten million points each, on every leg: an hour
+    /// The elementary functions on ten million points each, on every leg: a quarter of an hour
     Equality,
+    /// The same on the very points of their accuracy
+    AccuracyPoints,
 }
 
 /// A measurement: prints its table, and writes its results unless it is a short run.
 type Measurement = fn(&Arguments) -> Result<(), String>;
 
-const PARTS: [(Part, Measurement); 7] = [
+const PARTS: [(Part, Measurement); 8] = [
     (Part::Kernels, kernels),
     (Part::Elementary, elementary),
     (Part::CheckCost, check_cost),
@@ -60,15 +62,16 @@ const PARTS: [(Part, Measurement); 7] = [
     (Part::Generation, generation),
     (Part::Onboard, onboard),
     (Part::Equality, equality),
+    (Part::AccuracyPoints, on_accuracy_points),
 ];
 
 impl Arguments {
     fn wants(&self, part: Part) -> bool {
         match self.only {
             Some(only) => only == part,
-            // The short run has a minute for everything; an hour only for those who ask.
+            // The short run has a minute for everything; these only for those who ask.
             None if self.quick => part == Part::Kernels,
-            None => part != Part::Equality,
+            None => part != Part::Equality && part != Part::AccuracyPoints,
         }
     }
 
@@ -197,6 +200,16 @@ fn equality(arguments: &Arguments) -> Result<(), String> {
         return Err(format!("{} differs from the Rust", leg.name));
     }
     arguments.write("equality", &equality::json(&legs, calls))
+}
+
+fn on_accuracy_points(arguments: &Arguments) -> Result<(), String> {
+    let count = if arguments.quick { 100_000 } else { u64::from(arguments.points) };
+    let legs = accuracy_points::measure(count)?;
+    println!("{}", accuracy_points::table(&legs));
+    if let Some(leg) = legs.iter().find(|leg| leg.folded != legs[0].folded) {
+        return Err(format!("{} differs from the Rust", leg.name));
+    }
+    arguments.write("accuracy_points", &accuracy_points::json(&legs, count))
 }
 
 fn put(name: &str, text: &str) -> Result<(), String> {

@@ -12,13 +12,12 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::thread;
 
-use points::Points;
+use points::{Points, SEQUENCES};
 use rug::Float;
 use subjects::{Of, SUBJECTS, Subject};
 
 /// Enough for a correctly rounded reference to within 2⁻⁷⁰ ulp.
 const PRECISION: u32 = 128;
-const THREADS: u64 = 2;
 /// Points kept for the tests: the worst and others, for each function.
 const KEPT: usize = 24;
 
@@ -79,7 +78,7 @@ fn measure(subject: &Subject, count: u64, seed: u64) -> Findings {
     let mut findings = Findings::default();
     let mut points = Points::new(seed);
     for index in 0..count {
-        let (x, y) = points.next(subject, index);
+        let (x, y) = points.next(subject.domain(), index);
         let value = match subject.double {
             Of::One(double) => double(x),
             Of::Two(double) => double(x, y),
@@ -104,8 +103,8 @@ fn measure(subject: &Subject, count: u64, seed: u64) -> Findings {
 fn measured(subject: &Subject, count: u64) -> Findings {
     let mut all = Findings::default();
     thread::scope(|scope| {
-        let parts: Vec<_> = (0..THREADS)
-            .map(|seed| scope.spawn(move || measure(subject, count / THREADS, seed)))
+        let parts: Vec<_> = (0..SEQUENCES)
+            .map(|seed| scope.spawn(move || measure(subject, count / SEQUENCES, seed)))
             .collect();
         for part in parts {
             let part = part.join().expect("a measurement does not panic");
@@ -128,7 +127,7 @@ fn argument(subject: &Subject, found: &Finding, single: bool) -> String {
 /// Each point kept, by bits: name, arguments, the true value rounded, and what that leaves out in ulp.
 fn reference(subject: &Subject, findings: &Findings, text: &mut String) {
     let mut points = Points::new(99);
-    let more: Vec<(f64, f64)> = (0..2 * KEPT as u64).map(|i| points.next(subject, 7 * i)).collect();
+    let more: Vec<(f64, f64)> = (0..2 * KEPT as u64).map(|i| points.next(subject.domain(), 7 * i)).collect();
     let worst = findings.double.iter().map(|found| (found.x, found.y));
     for (x, y) in worst.chain(more) {
         let truth = truth(subject, x, y);

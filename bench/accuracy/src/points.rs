@@ -1,14 +1,90 @@
 //! Where the functions are measured: easy points, every magnitude, and the hard cases.
+//!
+//! Needs no more than the standard library: `bench` compares the bits of every leg on the same points.
 
-use rug::Float;
-use rug::float::Constant;
+/// A function and where its arguments lie.
+pub struct Domain {
+    /// The Rust name in double precision.
+    pub name: &'static str,
+    /// How many arguments it takes.
+    pub takes: usize,
+    /// Where most points lie, of each argument.
+    pub range: [(f64, f64); 2],
+}
 
-use crate::subjects::Subject;
+const fn one(name: &'static str, range: (f64, f64)) -> Domain {
+    Domain { name, takes: 1, range: [range, (0.0, 1.0)] }
+}
+
+const fn two(name: &'static str, range: [(f64, f64); 2]) -> Domain {
+    Domain { name, takes: 2, range }
+}
+
+const TURNS: f64 = 12.5;
+
+/// All functions.
+pub const DOMAINS: &[Domain] = &[
+    one("sin", (-TURNS, TURNS)),
+    one("cos", (-TURNS, TURNS)),
+    one("tan", (-TURNS, TURNS)),
+    one("asin", (-1.0, 1.0)),
+    one("acos", (-1.0, 1.0)),
+    one("atan", (-8.0, 8.0)),
+    two("atan2", [(-2.0, 2.0); 2]),
+    one("exp", (-745.2, 710.0)),
+    one("exp2", (-1075.0, 1024.0)),
+    one("exp_m1", (-3.0, 3.0)),
+    one("ln", (0.0, 4.0)),
+    one("log2", (0.0, 4.0)),
+    one("log10", (0.0, 4.0)),
+    one("ln_1p", (-1.0, 3.0)),
+    one("sinh", (-25.0, 25.0)),
+    one("cosh", (-25.0, 25.0)),
+    one("tanh", (-3.0, 3.0)),
+    two("powf", [(0.0, 10.0), (-100.0, 100.0)]),
+    one("cbrt", (-10.0, 10.0)),
+    two("hypot", [(-2.0, 2.0); 2]),
+];
+
+impl Domain {
+    /// Whether multiples of π/2 are hard.
+    fn is_periodic(&self) -> bool {
+        self.range[0].1 == TURNS
+    }
+}
+
+/// Of so many sequences, each with its seed from 0 on, are the points of one function.
+pub const SEQUENCES: u64 = 2;
 
 /// A repeatable sequence of points.
 pub struct Points {
     state: u64,
-    half_pi: Float,
+}
+
+/// π/2: 64 bits before the point, 256 behind it.
+const HALF_PI: [u64; 5] =
+    [1, 0x921f_b544_42d1_8469, 0x898c_c517_01b8_39a2, 0x5204_9c11_14cf_98e8, 0x0417_7d4c_7627_3644];
+
+/// The double nearest to a multiple of π/2.
+fn quarter_turns(turns: u64) -> f64 {
+    if turns == 0 {
+        return 0.0;
+    }
+    let mut product = [0u64; 6];
+    let mut carry = 0u128;
+    for n in (0..5).rev() {
+        let wide = u128::from(HALF_PI[n]) * u128::from(turns) + carry;
+        product[n + 1] = wide as u64;
+        carry = wide >> 64;
+    }
+    product[0] = carry as u64;
+    let first = if product[0] == 0 { 1 } else { 0 };
+    let shift = product[first].leading_zeros();
+    let upper = u128::from(product[first]) << 64 | u128::from(product[first + 1]);
+    // What is behind these 64 bits is never 0, and rounds like a last bit of 1.
+    let top = ((upper << shift) >> 64) as u64 | 1;
+    let places = 64 * (5 - first as i32) - 256 - shift as i32;
+    top as f64 * 2f64.powi(places)
 }
 
 /// Worth a look in every function.
@@ -49,8 +125,7 @@ const SPECIAL: &[f64] = &[
 
 impl Points {
     pub fn new(seed: u64) -> Points {
-        let half_pi = Float::with_val(1300, Constant::Pi) / 2u32;
-        Points { state: seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ 0x1234_5678, half_pi }
+        Points { state: seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ 0x1234_5678 }
     }
 
     /// Splitmix64.
@@ -89,37 +164,37 @@ impl Points {
     fn near_quarter_turn(&mut self) -> f64 {
         let bits = 1 + (self.word() % 62) as u32;
         let turns = self.word() >> (64 - bits);
-        let angle = Float::with_val(1300, &self.half_pi * turns).to_f64();
+        let angle = quarter_turns(turns);
         let off = (self.word() % 5) as i64 - 2;
         f64::from_bits(angle.to_bits().wrapping_add_signed(off))
     }
 
-    fn argument(&mut self, subject: &Subject, which: usize, index: u64) -> f64 {
-        let (low, high) = subject.range[which];
+    fn argument(&mut self, domain: &Domain, which: usize, index: u64) -> f64 {
+        let (low, high) = domain.range[which];
         match index % 16 {
             0 | 1 => self.anywhere(),
             2 | 3 => self.small(),
             // Around the ends of the tables' cells, and around 1.
             4 => self.between(-130.0, 130.0).round() / 128.0 + self.small() * 1e-7,
             5 => 1.0 + self.small() * 0.01,
-            6 if subject.periodic => self.near_quarter_turn(),
+            6 if domain.is_periodic() => self.near_quarter_turn(),
             6 => 1.0 - self.small().abs() * 1e-3,
             _ => self.between(low, high),
         }
     }
 
     /// The point of this index.
-    pub fn next(&mut self, subject: &Subject, index: u64) -> (f64, f64) {
+    pub fn next(&mut self, domain: &Domain, index: u64) -> (f64, f64) {
         let specials = SPECIAL.len() as u64;
         if index < specials * specials {
             return (SPECIAL[(index % specials) as usize], SPECIAL[(index / specials) as usize]);
         }
-        let x = self.argument(subject, 0, index);
+        let x = self.argument(domain, 0, index);
         let other = self.word() >> 7;
-        let y = self.argument(subject, 1, other);
+        let y = self.argument(domain, 1, other);
         // Coordinates of like size, and powers that stay in range.
         match other % 11 {
-            0 | 1 if subject.name == "powf" => {
+            0 | 1 if domain.name == "powf" => {
                 let logarithm = x.abs().ln();
                 let size = self.between(-750.0, 750.0);
                 (x.abs(), if logarithm == 0.0 { y } else { size / logarithm })
