@@ -137,7 +137,7 @@ fn cases(emission: &Emission) -> Result<String, String> {
     for (number, domain) in DOMAINS.iter().enumerate() {
         let wide = emission.name(domain.name)?;
         let narrow = emission.name(&format!("{}f", domain.name))?;
-        let kind = if domain.takes == 2 { "B" } else { "U" };
+        let kind = if matches!(native(domain.name), Some(Native::Two(..))) { "B" } else { "U" };
         let _ = writeln!(text, "{kind}({number}, {wide}, {narrow})");
     }
     Ok(text)

@@ -6,18 +6,16 @@
 pub struct Domain {
     /// The Rust name in double precision.
     pub name: &'static str,
-    /// How many arguments it takes.
-    pub takes: usize,
     /// Where most points lie, of each argument.
     pub range: [(f64, f64); 2],
 }
 
 const fn one(name: &'static str, range: (f64, f64)) -> Domain {
-    Domain { name, takes: 1, range: [range, (0.0, 1.0)] }
+    Domain { name, range: [range, (0.0, 1.0)] }
 }
 
 const fn two(name: &'static str, range: [(f64, f64); 2]) -> Domain {
-    Domain { name, takes: 2, range }
+    Domain { name, range }
 }
 
 const TURNS: f64 = 12.5;
