@@ -7,8 +7,10 @@ use super::report::ratio;
 use super::results::{Results, Table};
 
 /// One for each contender or routine, the same in every panel.
-const COLOURS: [&str; 8] =
-    ["#b3541e", "#6b7280", "#9ca3af", "#0891b2", "#2563eb", "#0f766e", "#7c3aed", "#111827"];
+const COLOURS: [&str; 9] = [
+    "#b3541e", "#dba27f", "#9ca3af", "#0891b2", "#2563eb", "#0f766e", "#7c3aed", "#111827",
+    "#be185d",
+];
 
 /// One for each routine; f32 is dashed.
 const SHADES: [&str; 4] = ["#b3541e", "#2563eb", "#0f766e", "#7c3aed"];
