@@ -142,13 +142,14 @@ pub struct Bench {
     /// Measure the short list only, and write nothing
     #[arg(long)]
     pub quick: bool,
-    /// Only this part: kernels, elementary, check-cost, rebuild, generation, onboard, equality
+    /// Only this part: kernels, elementary, check-cost, rebuild, generation, onboard, equality,
+    /// accuracy-points
     #[arg(long)]
     pub only: Option<String>,
     /// The small sizes for `kernels`, such as 2,3,4,6,8; all of 2 to 20 take a compiler most of an hour
     #[arg(long)]
     pub sizes: Option<String>,
-    /// Points of each function for `equality`
+    /// Points of each function for `equality` and `accuracy-points`
     #[arg(long)]
     pub points: Option<u32>,
     /// Install what is missing first, with apt-get (as root or through sudo)

@@ -14,7 +14,9 @@ use std::path::Path;
 fn needs(only: Option<&str>) -> &'static [Need] {
     match only {
         None | Some("kernels") => &[Need::Everything, Need::Host, Need::Target, Need::Bench],
-        Some("onboard") => &[Need::Everything, Need::Host, Need::Target],
+        Some("onboard" | "equality" | "accuracy-points") => {
+            &[Need::Everything, Need::Host, Need::Target]
+        }
         Some(_) => &[],
     }
 }
