@@ -127,7 +127,8 @@ fn argument(subject: &Subject, found: &Finding, single: bool) -> String {
 /// Each point kept, by bits: name, arguments, the true value rounded, and what that leaves out in ulp.
 fn reference(subject: &Subject, findings: &Findings, text: &mut String) {
     let mut points = Points::new(99);
-    let more: Vec<(f64, f64)> = (0..2 * KEPT as u64).map(|i| points.next(subject.domain(), 7 * i)).collect();
+    let more: Vec<(f64, f64)> =
+        (0..2 * KEPT as u64).map(|i| points.next(subject.domain(), 7 * i)).collect();
     let worst = findings.double.iter().map(|found| (found.x, found.y));
     for (x, y) in worst.chain(more) {
         let truth = truth(subject, x, y);

@@ -38,12 +38,7 @@ const fn one(
     single: fn(f32) -> f32,
     truth: fn(&mut Float),
 ) -> Subject {
-    Subject {
-        name,
-        double: Of::One(double),
-        single: Of::One(single),
-        truth: Of::One(truth),
-    }
+    Subject { name, double: Of::One(double), single: Of::One(single), truth: Of::One(truth) }
 }
 
 const fn two(
@@ -52,12 +47,7 @@ const fn two(
     single: fn(f32, f32) -> f32,
     truth: fn(&mut Float, &Float),
 ) -> Subject {
-    Subject {
-        name,
-        double: Of::Two(double),
-        single: Of::Two(single),
-        truth: Of::Two(truth),
-    }
+    Subject { name, double: Of::Two(double), single: Of::Two(single), truth: Of::Two(truth) }
 }
 
 pub const SUBJECTS: &[Subject] = &[
