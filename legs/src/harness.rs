@@ -154,7 +154,7 @@ impl Call {
             Returned::Value(ty) => {
                 let declarator = names.declarator(ty, "result_").text();
                 let _ = writeln!(pieces.declarations, "    static {declarator};");
-                put(ty, "result_", &mut pieces.writes);
+                walk.writes(ty, "result_", &mut pieces.writes);
                 format!("        result_ = {call};\n        status = 0;\n")
             }
         };
@@ -204,12 +204,25 @@ struct Walk<'a> {
 impl Walk<'_> {
     /// C that reads a value of type `ty` into the C place `place`, word by word.
     fn reads(&self, ty: &Type, place: &str, text: &mut String) {
-        self.words(ty, place, text, "get();", &|ty, place, text| get(self.names, ty, place, text));
+        self.words(ty, place, text, "get();", &|ty, place, text| match self.numbers(ty) {
+            Some(numbers) => get_numbered(self.names.word(ty), &numbers, place, text),
+            None => get(self.names, ty, place, text),
+        });
     }
 
     /// C that writes it.
     fn writes(&self, ty: &Type, place: &str, text: &mut String) {
-        self.words(ty, place, text, "put(0);", &put);
+        self.words(ty, place, text, "put(0);", &|ty, place, text| match self.numbers(ty) {
+            Some(numbers) => put_numbered(&numbers, place, text),
+            None => put(ty, place, text),
+        });
+    }
+
+    /// The numbers of an enum's variants, where they are not their indices.
+    fn numbers(&self, ty: &Type) -> Option<Vec<i32>> {
+        let Type::Enum(id) = ty else { return None };
+        let item = &self.module.enums[id.index()];
+        item.is_numbered().then(|| item.variants.iter().map(|variant| variant.value).collect())
     }
 
     /// Every word of a value, in order; what shares its memory only if it is there, else `skip`.
@@ -279,6 +292,32 @@ fn get(names: &Names, ty: &Type, place: &str, text: &mut String) {
         Type::Scalar(Scalar::Bool) => writeln!(text, "        {place} = get() != 0;"),
         _ => writeln!(text, "        {place} = ({name})get();"),
     };
+}
+
+/// The number of the variant whose index is read; of what is no index, one that no variant has.
+fn get_numbered(name: String, numbers: &[i32], place: &str, text: &mut String) {
+    let none = (0..=i32::MAX).find(|number| !numbers.contains(number)).unwrap_or_default();
+    let (count, list) = (numbers.len(), list(numbers));
+    let _ = writeln!(
+        text,
+        "        {{ static const int32_t all[] = {{{list}}}; const uint64_t w = get(); \
+         {place} = ({name})((w < {count}) ? all[w] : {none}); }}"
+    );
+}
+
+/// The index of the variant that has the number.
+fn put_numbered(numbers: &[i32], place: &str, text: &mut String) {
+    let (count, list) = (numbers.len(), list(numbers));
+    let _ = writeln!(
+        text,
+        "        {{ static const int32_t all[] = {{{list}}}; uint64_t w = 0; \
+         while ((w < {count}) && (all[w] != (int32_t){place})) {{ ++w; }} put(w); }}"
+    );
+}
+
+fn list(numbers: &[i32]) -> String {
+    let numbers: Vec<String> = numbers.iter().map(i32::to_string).collect();
+    numbers.join(", ")
 }
 
 fn put(ty: &Type, place: &str, text: &mut String) {

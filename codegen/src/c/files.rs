@@ -365,11 +365,12 @@ impl Writer<'_> {
             TypeId::Enum(id) => {
                 let item = &module.enums[id.index()];
                 let names = &names.enums[id.index()];
-                let docs = item.variants.iter().map(|variant| variant.docs.clone());
                 items.push(Item::Enum {
                     docs: item.docs.clone(),
                     name: names.ty.clone(),
-                    variants: docs.zip(names.variants.iter().cloned()).collect(),
+                    variants: (item.variants.iter().zip(&names.variants))
+                        .map(|(it, name)| (it.docs.clone(), name.clone(), it.value))
+                        .collect(),
                     origin: origin(item.span),
                 });
             }

@@ -113,10 +113,10 @@ impl<'a> Printer<'a> {
                 self.mark(Some(*origin));
                 self.put("typedef enum {");
                 self.level += 1;
-                for (index, (docs, variant)) in variants.iter().enumerate() {
+                for (index, (docs, variant, value)) in variants.iter().enumerate() {
                     self.docs(docs);
                     let comma = if index + 1 < variants.len() { "," } else { "" };
-                    self.put(&format!("{variant} = {index}{comma}"));
+                    self.put(&format!("{variant} = {value}{comma}"));
                 }
                 self.level -= 1;
                 self.put(&format!("}} {name};"));

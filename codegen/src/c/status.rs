@@ -78,8 +78,8 @@ impl StatusNames {
 /// The header of the status type: what a call can come to.
 pub fn header(context: Context<'_>, options: &Options) -> CFile {
     let status = &context.names.status;
-    let mut variants = vec![(vec!["All is well.".to_owned()], status.ok.clone())];
-    for fault in FAULTS {
+    let mut variants = vec![(vec!["All is well.".to_owned()], status.ok.clone(), 0)];
+    for (value, fault) in (1..).zip(FAULTS) {
         let docs = match fault {
             Fault::Overflow => "Integer arithmetic left its type.",
             Fault::DivisionByZero => "An integer was divided by zero.",
@@ -92,7 +92,7 @@ pub fn header(context: Context<'_>, options: &Options) -> CFile {
             Fault::Absent => "A value that is not there was taken.",
             Fault::Capacity => "A bounded container is full.",
         };
-        variants.push((vec![docs.to_owned()], status.fault(fault)));
+        variants.push((vec![docs.to_owned()], status.fault(fault), value));
     }
     let meaning = match status.hook {
         None => "What a call came to. After a fault its outputs are as they were.",

@@ -308,8 +308,8 @@ pub enum Item {
         docs: Vec<String>,
         /// The name of the type.
         name: String,
-        /// The enumerators, each with its doc comment, counted from 0.
-        variants: Vec<(Vec<String>, String)>,
+        /// The enumerators, each with its doc comment and its value.
+        variants: Vec<(Vec<String>, String, i32)>,
         /// Where it comes from.
         origin: Origin,
     },

@@ -321,6 +321,10 @@ impl<'m, 'r> Run<'m, 'r> {
             },
             ExprKind::Cast(operand) => {
                 let word = self.word(frame, operand)?;
+                if let Type::Enum(id) = operand.ty {
+                    let value = self.module.enums[id.index()].value(word).unwrap_or_default();
+                    return Ok(scalar::cast_number(value.into(), &expr.ty));
+                }
                 Ok(scalar::cast(&operand.ty, &expr.ty, word))
             }
             ExprKind::Intrinsic(function, operands) => {

@@ -151,6 +151,12 @@ pub(super) fn cast(from: &Type, to: &Type, word: u64) -> u64 {
     }
 }
 
+/// A whole number as `to`, as `as` brings it there.
+pub(super) fn cast_number(value: i128, to: &Type) -> u64 {
+    let Type::Scalar(to) = to else { unreachable!("validated: `as` gives a scalar") };
+    cast_int(value, *to)
+}
+
 fn cast_float(value: f64, to: Scalar) -> u64 {
     match to {
         Scalar::Float(Float::F64) => value.to_bits(),

@@ -108,7 +108,7 @@ impl<'m> Facts<'m> {
                 if *op == LogicOp::And { a.min(b) } else { a.max(b) }
             }
             ExprKind::Cast(x) => {
-                let from = self.all(&x.ty).map_or(all, |_| self.range(x));
+                let from = self.all(&x.ty).map_or(all, |_| self.number(x));
                 if from.within(all) { from } else { all }
             }
             ExprKind::Intrinsic(which, args) => {
@@ -116,6 +116,19 @@ impl<'m> Facts<'m> {
                 Interval::intrinsic(*which, &args, all)
             }
             _ => all,
+        }
+    }
+
+    /// What a word type is as a number: an enum has those of its variants.
+    fn number(&self, expr: &Expr) -> Interval {
+        let range = self.range(expr);
+        let Type::Enum(id) = expr.ty else { return range };
+        let (Ok(low), Ok(high)) = (usize::try_from(range.low), usize::try_from(range.high)) else {
+            return range;
+        };
+        match self.module.enums.get(id.index()).and_then(|it| it.values(low..=high)) {
+            Some((low, high)) => Interval::new(low.into(), high.into()),
+            None => range,
         }
     }
 

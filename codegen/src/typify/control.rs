@@ -55,6 +55,7 @@ impl Lowering<'_, '_> {
             tree::ExprKind::Return(_)
             | tree::ExprKind::Break(..)
             | tree::ExprKind::Continue(_)
+            | tree::ExprKind::Assert(..)
             | tree::ExprKind::While { .. } => self.effect(expr),
             _ => self.store(expr, target),
         }

@@ -310,6 +310,11 @@ impl Lowering<'_, '_> {
                 };
                 return Ok(if op == CompareOp::Ne { negated(equal) } else { equal });
             }
+            let (left, right) = match (&left_ty, op) {
+                (Type::Enum(_), CompareOp::Eq | CompareOp::Ne) => (left, right),
+                (Type::Enum(id), _) => (self.rank(*id, left, site)?, self.rank(*id, right, site)?),
+                _ => (left, right),
+            };
             let kind = ExprKind::Compare(op, Box::new(left), Box::new(right));
             return self.node(kind, Type::BOOL, site);
         }

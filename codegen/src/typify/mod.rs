@@ -16,6 +16,7 @@ mod closure;
 mod control;
 mod each;
 mod ended;
+mod enums;
 mod equal;
 mod expr;
 mod fields;
@@ -43,7 +44,7 @@ mod views;
 use std::collections::{HashMap, HashSet};
 
 use bessemer_ir::tree::{self, Package, Site};
-use bessemer_ir::{FunctionId, Module, Span, StructId};
+use bessemer_ir::{EnumId, FunctionId, Module, Span, StructId};
 
 use crate::diagnostic::Diagnostic;
 use crate::source::Sources;
@@ -183,6 +184,8 @@ struct Context<'a> {
     homes: HashMap<bessemer_ir::Type, generic::Home>,
     /// The structs that do not derive `PartialEq`.
     unequal: HashSet<StructId>,
+    /// The enums that derive `PartialOrd`.
+    ordered: HashSet<EnumId>,
     /// The instances of `BoundedMatrix`.
     bounded: HashSet<StructId>,
     /// The structs that stand for quaternions, and whether these are unit ones.
@@ -217,6 +220,7 @@ impl<'a> Context<'a> {
             cases: HashMap::new(),
             homes: HashMap::new(),
             unequal: HashSet::new(),
+            ordered: HashSet::new(),
             bounded: HashSet::new(),
             quaternions: HashMap::new(),
             functions: HashMap::new(),

@@ -1,7 +1,7 @@
 //! Definitions and types: from paths to handles.
 
 use bessemer_ir::tree::{Argument, Definition, DefinitionKind, Site, Ty};
-use bessemer_ir::{Const, ConstId, Enum, Form, Scalar, Struct, StructId, Type, Variant};
+use bessemer_ir::{Const, ConstId, Enum, Form, Scalar, Struct, StructId, Type};
 
 use super::generic::Home;
 use super::names::snake;
@@ -63,10 +63,7 @@ impl Context<'_> {
                 Type::Struct(StructId(self.module.structs.len() as u32 - 1))
             }
             DefinitionKind::Enum(variants) => {
-                let named = variants
-                    .iter()
-                    .map(|it| Variant { name: it.name.clone(), docs: it.docs.clone() })
-                    .collect();
+                let named = super::enums::numbered(variants, definition.site)?;
                 let named = Enum { name, module, docs, variants: named, span };
                 self.define_enum(variants, named, definition.site)?
             }
@@ -83,6 +80,9 @@ impl Context<'_> {
         }
         if let (Type::Struct(id), false) = (&ty, definition.equal) {
             self.unequal.insert(*id);
+        }
+        if let (Type::Enum(id), true) = (&ty, definition.ordered) {
+            self.ordered.insert(*id);
         }
         self.types.insert(definition.path.clone(), ty);
         Ok(())

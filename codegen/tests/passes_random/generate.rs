@@ -104,12 +104,12 @@ pub fn module(seed: u64) -> Module {
         initial: None,
         span: Span::default(),
     });
-    let variant = |name: &str| Variant { name: name.into(), docs: Vec::new() };
+    let variant = |name: &str, value| Variant { name: name.into(), docs: Vec::new(), value };
     module.enums.push(Enum {
         name: "Mode".into(),
         module: "random".into(),
         docs: Vec::new(),
-        variants: vec![variant("Idle"), variant("Climb"), variant("Land")],
+        variants: vec![variant("Idle", 40), variant("Climb", -7), variant("Land", 200)],
         span: Span::default(),
     });
     let mut random = Random::new(seed);

@@ -139,6 +139,8 @@ pub struct Variant {
     pub name: String,
     /// The author's doc comment, a line each.
     pub docs: Vec<String>,
+    /// What it is as a number (`mode as u8`), and its value in the C: its index, unless the author says otherwise.
+    pub value: i32,
 }
 
 /// A constant that rustc evaluated.

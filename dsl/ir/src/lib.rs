@@ -13,6 +13,7 @@ extern crate alloc;
 
 pub mod attributes;
 mod canonical;
+mod enums;
 pub mod ir;
 pub mod kernel;
 pub mod number;

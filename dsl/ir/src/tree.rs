@@ -128,6 +128,9 @@ pub struct Definition {
     pub site: Site,
     /// Whether it derives `PartialEq`, so that `==` compares part by part.
     pub equal: bool,
+    /// Whether it derives `PartialOrd`, so that `<` compares the variants of an enum.
+    #[serde(default)]
+    pub ordered: bool,
     /// Which of the two.
     pub kind: DefinitionKind,
 }
@@ -155,6 +158,9 @@ pub struct Variant {
     pub docs: Vec<String>,
     /// Its payload; the names of a tuple's parts are `0`, `1`, ….
     pub fields: Vec<Field>,
+    /// Its number, where the author numbers the variants: `Armed = 5`.
+    #[serde(default)]
+    pub value: Option<i64>,
 }
 
 /// A field of a struct.

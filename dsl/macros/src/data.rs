@@ -191,13 +191,13 @@ fn field_definitions(fields: &syn::Fields) -> TokenStream {
     quote! { ::bessemer::generate::list([#(#fields),*]) }
 }
 
-/// Whether `==` is derived, as far as the attributes below the DSL's show it.
-fn derives_equality(attributes: &[syn::Attribute]) -> bool {
+/// Whether a trait is derived, as far as the attributes below the DSL's show it.
+fn derives(name: &str, attributes: &[syn::Attribute]) -> bool {
     attributes.iter().filter(|it| it.path().is_ident("derive")).any(|derive| {
         use syn::punctuated::Punctuated;
         let parser = Punctuated::<syn::Path, syn::Token![,]>::parse_terminated;
         let list = derive.parse_args_with(parser).unwrap_or_default();
-        list.iter().any(|it| it.segments.last().is_some_and(|last| last.ident == "PartialEq"))
+        list.iter().any(|it| it.segments.last().is_some_and(|last| last.ident == name))
     })
 }
 
@@ -210,7 +210,8 @@ fn definition(
     attributes: &[syn::Attribute],
     kind: TokenStream,
 ) -> TokenStream {
-    let (docs, equal) = (docs::lines(attributes), derives_equality(attributes));
+    let docs = docs::lines(attributes);
+    let (equal, ordered) = (derives("PartialEq", attributes), derives("PartialOrd", attributes));
     let lower::Site(line, column) = lower::site(name);
     let text = lower::text(name);
     let (declared, arguments, told) = (scope.declared(), scope.arguments(), scope.told());
@@ -233,7 +234,7 @@ fn definition(
                     let arguments = #told;
                     cx.definition(
                         ::bessemer::generate::Named { module: ::core::module_path!(), file: ::core::file!(), name: #text },
-                        &[#(#docs),*], (#line, #column), arguments, #equal,
+                        &[#(#docs),*], (#line, #column), arguments, (#equal, #ordered),
                         |cx| #kind,
                     )
                 }
@@ -252,10 +253,11 @@ fn data_enum(kind: Kind, it: &syn::ItemEnum, refusals: &mut Refusals) -> TokenSt
     if it.variants.is_empty() {
         refusals.add(it.ident.span(), refuse::EMPTY_ENUM);
     }
+    let payload = it.variants.iter().any(|variant| !variant.fields.is_empty());
     for variant in &it.variants {
         lower::check_attributes(&variant.attrs, refusals);
         check_fields(&variant.fields, refusals);
-        if let Some((_, value)) = &variant.discriminant {
+        if let (Some((_, value)), true) = (&variant.discriminant, payload) {
             refusals.add(value.span(), refuse::DISCRIMINANT);
         }
     }
@@ -263,11 +265,17 @@ fn data_enum(kind: Kind, it: &syn::ItemEnum, refusals: &mut Refusals) -> TokenSt
         return TokenStream::new();
     }
     let plain = enum_words(it);
+    let numbered = it.variants.iter().any(|variant| variant.discriminant.is_some());
     let definition = cfg!(feature = "generate").then(|| {
         let variants = it.variants.iter().map(|variant| {
             let (name, docs) = (lower::text(&variant.ident), docs::lines(&variant.attrs));
             let fields = field_definitions(&variant.fields);
-            quote! { ::bessemer::generate::variant(#name, &[#(#docs),*], #fields) }
+            let (whole, ident) = (&it.ident, &variant.ident);
+            let value = match numbered {
+                true => quote! { ::core::option::Option::Some(#whole::#ident as i64) },
+                false => quote! { ::core::option::Option::None },
+            };
+            quote! { ::bessemer::generate::variant(#name, &[#(#docs),*], #fields, #value) }
         });
         let kind = quote! {
             ::bessemer::generate::tree::DefinitionKind::Enum(::bessemer::generate::list([#(#variants),*]))

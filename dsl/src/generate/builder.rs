@@ -90,8 +90,13 @@ pub fn field<T: DslType>(cx: &mut Builder, name: &str, docs: &[&str]) -> tree::F
 }
 
 /// A variant of an enum.
-pub fn variant(name: &str, docs: &[&str], fields: Vec<tree::Field>) -> tree::Variant {
-    tree::Variant { name: name.to_owned(), docs: owned(docs), fields }
+pub fn variant(
+    name: &str,
+    docs: &[&str],
+    fields: Vec<tree::Field>,
+    value: Option<i64>,
+) -> tree::Variant {
+    tree::Variant { name: name.to_owned(), docs: owned(docs), fields, value }
 }
 
 /// The words of a value.
@@ -183,14 +188,14 @@ pub fn package(name: &str, license: &str) -> String {
 }
 
 impl Builder {
-    /// A struct or an enum; `kind` is asked once.
+    /// A struct or an enum, and whether it derives `==` and `<`; `kind` is asked once.
     pub fn definition(
         &mut self,
         named: Named,
         docs: &[&str],
         site: (u32, u32),
         arguments: Arguments,
-        equal: bool,
+        (equal, ordered): (bool, bool),
         kind: impl FnOnce(&mut Builder) -> DefinitionKind,
     ) -> Ty {
         let path = path(named.module, named.name, &arguments);
@@ -205,6 +210,7 @@ impl Builder {
                 file: named.file.to_owned(),
                 site: Site(site.0, site.1),
                 equal,
+                ordered,
                 kind,
             });
         }

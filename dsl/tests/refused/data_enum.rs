@@ -3,11 +3,12 @@ extern crate std;
 
 use bessemer::prelude::*;
 
-/// With a value.
+/// With a number beside a payload.
 #[data]
+#[repr(u8)]
 pub enum Port {
-    /// Its number.
-    Serial = 7,
+    /// Its baud rate.
+    Serial(u32) = 7,
 }
 
 /// Without variants.

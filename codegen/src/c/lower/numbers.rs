@@ -81,8 +81,11 @@ impl Lower<'_> {
                 self.helper(Helper::Extend(*from), vec![value])
             }
             (Type::Enum(id), Scalar::Int(int)) if int.signed() => {
-                let last = self.context.module.enums[id.index()].variants.len() as i128 - 1;
-                if last <= Int::max(*int) {
+                let all = &self.context.module.enums[id.index()];
+                let of_all = all.values(0..=all.variants.len() - 1);
+                let all = Int::min(*int)..=Int::max(*int);
+                let holds = |value: i32| all.contains(&value.into());
+                if of_all.is_some_and(|(low, high)| holds(low) && holds(high)) {
                     Expr::cast(ty, value)
                 } else {
                     let bits = Expr::cast(&unsigned_type(*int), value);

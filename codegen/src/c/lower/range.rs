@@ -70,11 +70,20 @@ impl Lower<'_> {
                 Some((value, value))
             }
             ExprKind::Cast(inner) => {
-                let inner = self.type_range(inner).unwrap_or(full);
+                let inner = self.number_range(inner).unwrap_or(full);
                 Some(if inner.0 >= full.0 && inner.1 <= full.1 { inner } else { full })
             }
             _ => Some(full),
         }
+    }
+
+    /// The same as numbers: those of an enum's variants.
+    fn number_range(&self, expr: &Ir) -> Option<(i128, i128)> {
+        let range = self.type_range(expr)?;
+        let Type::Enum(id) = expr.ty else { return Some(range) };
+        let words = usize::try_from(range.0).ok()?..=usize::try_from(range.1).ok()?;
+        let (low, high) = self.context.module.enums[id.index()].values(words)?;
+        Some((low.into(), high.into()))
     }
 
     /// The range of a narrow counter.

@@ -7,7 +7,7 @@
 use bessemer_ir::{Fault, Form, Owner, Role, Type};
 
 use super::super::names::Returned;
-use super::super::tree::{Expr, StmtKind};
+use super::super::tree::{Expr, StmtKind, SwitchArm};
 use super::{Lower, bound};
 
 impl Lower<'_> {
@@ -29,9 +29,18 @@ impl Lower<'_> {
     fn check_variant(&mut self, value: Expr, ty: &Type) {
         match ty {
             Type::Enum(id) => {
-                let count = self.context.module.enums[id.index()].variants.len();
+                let item = &self.context.module.enums[id.index()];
+                let count = item.variants.len();
                 let fault = Expr::name(self.context.names.status.fault(Fault::Variant));
                 let then = self.scope(|lower| lower.fail(fault));
+                if item.is_numbered() {
+                    let labels = &self.context.names.enums[id.index()].variants;
+                    let labels = labels.iter().map(Expr::name).collect();
+                    let known = SwitchArm { labels, default: false, body: Vec::new() };
+                    let other = SwitchArm { labels: Vec::new(), default: true, body: then };
+                    self.emit(StmtKind::Switch { scrutinee: value, arms: vec![known, other] });
+                    return;
+                }
                 let end = Expr::name(format!("{count}U"));
                 let condition = Expr::binary(">=", Expr::cast("uint32_t", value), end);
                 self.emit(StmtKind::If { condition, then, otherwise: Vec::new() });

@@ -187,6 +187,20 @@ impl Parser {
         self.fail("expected a whole number below 2^32")
     }
 
+    /// The number of a variant.
+    fn value(&mut self) -> Parsed<i32> {
+        let negative = self.eat("-");
+        if let Token::Number { digits, suffix } = self.peek()
+            && suffix.is_empty()
+            && let Ok(magnitude) = digits.parse::<i64>()
+            && let Ok(value) = i32::try_from(if negative { -magnitude } else { magnitude })
+        {
+            self.bump();
+            return Ok(value);
+        }
+        self.fail("expected a whole number of 32 bits")
+    }
+
     /// Reads what stands one level deeper.
     pub fn nested<T>(&mut self, read: impl FnOnce(&mut Parser) -> Parsed<T>) -> Parsed<T> {
         if self.nesting >= MAX_NESTING {
@@ -316,7 +330,12 @@ impl Parser {
         self.expect("{")?;
         while !self.eat("}") {
             let docs = self.docs();
-            variants.push(Variant { name: self.name()?, docs });
+            let name = self.name()?;
+            let value = match self.eat("=") {
+                true => self.value()?,
+                false => i32::try_from(variants.len()).unwrap_or(i32::MAX),
+            };
+            variants.push(Variant { name, docs, value });
             if !self.eat(",") && !self.sees("}") {
                 return self.fail("expected `,` or `}`");
             }

@@ -172,10 +172,14 @@ impl<'m> Printer<'m> {
 
     fn variants(&mut self, variants: &[Variant]) {
         self.indent = 1;
-        for variant in variants {
+        for (index, variant) in variants.iter().enumerate() {
             self.remarks("///", &variant.docs);
             self.line();
-            self.put(format_args!("{},\n", shown(&variant.name)));
+            self.put(format_args!("{}", shown(&variant.name)));
+            if variant.value != index as i32 {
+                self.put(format_args!(" = {}", variant.value));
+            }
+            self.put(format_args!(",\n"));
         }
         self.indent = 0;
     }

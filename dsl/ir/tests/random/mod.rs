@@ -155,6 +155,7 @@ impl Source<'_> {
             variants: self.some(3, |source| Variant {
                 name: source.name(),
                 docs: source.some(1, Source::text),
+                value: source.word() as i32,
             }),
             span: self.span(),
         }

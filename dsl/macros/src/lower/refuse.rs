@@ -122,7 +122,7 @@ reasons! {
     DESTRUCTURING: "this pattern is not in the DSL here", "take the value apart with `let`: `let [x, y] = pair;`, `let Gains { p, i } = gains;`";
     BINDING_PATTERN: "this pattern binds a reference", "leave `ref` out: the name stands for the value";
     PATTERN: "this pattern is not in the DSL", "match on values, ranges, variants, structs, tuples, arrays, names and `_`";
-    DISCRIMINANT: "explicit discriminants are not in the DSL yet", "leave the values to the DSL; convert with a `match` where a protocol fixes them";
+    DISCRIMINANT: "variants with payload have no numbers of their own in the DSL", "leave them out; where a protocol fixes them, `match` on the value";
     UNION: "a union's bytes have no type that the C could check", "use a struct, and `to_bits`/`from_bits` for the bits of a float";
     CHAR: "`char` is not in the DSL", "use `u8` for bytes: `b'A'` as a number";
     STRING: "text is not in the DSL yet", "use an enum for a choice; bytes are `*b\"abc\"`, or `Text::of(b\"abc\")` of any length up to that of a `Text<8>`";
@@ -170,7 +170,6 @@ reasons! {
     STD: "std is not there on the target", "use `core`, and pass what the platform provides as an input";
     SHARED_CELL: "shared mutable state is not in the DSL", "keep it in a field of the component, behind `&mut self`";
     FORMAT: "text is not formatted on the target", "return the numbers, and format them where they are shown";
-    PANIC: "a panic has no counterpart in the C", "write `assert!(condition)`: it becomes a fault of the entry point";
     ASSERT: "a debug assertion would not be in every build", "write `assert!`, `assert_eq!` or `assert_ne!`: it becomes a fault of the entry point";
     ENTRY_ARGUMENT: "`#[entry]` takes nothing, `infallible` or `atomic`", "write `#[entry]`, `#[entry(infallible)]` or `#[entry(atomic)]`";
     ENTRY_BOTH: "an infallible entry has nothing to roll back", "leave out `atomic`, or `infallible`";
@@ -198,7 +197,6 @@ pub fn macro_call(name: &str) -> Reason {
         "format" | "print" | "println" | "eprint" | "eprintln" | "write" | "writeln" | "dbg" => {
             FORMAT
         }
-        "panic" | "todo" | "unimplemented" | "unreachable" => PANIC,
         "debug_assert" | "debug_assert_eq" | "debug_assert_ne" => ASSERT,
         "vec" => HEAP,
         _ => MACRO,

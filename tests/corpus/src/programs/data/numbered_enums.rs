@@ -1,0 +1,132 @@
+//! The variants of an enum may have numbers of their own, as a protocol fixes them: they are the values in the C, what `as`
+//! gives, and what `<` compares.
+
+use bessemer::prelude::*;
+
+/// What a frame carries.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[repr(u8)]
+pub enum Kind {
+    /// That the sender lives.
+    #[default]
+    Heartbeat = 1,
+    /// Where it is.
+    Position = 33,
+    /// What comes next.
+    Attitude,
+    /// A command.
+    Command = FIRST_COMMAND,
+    /// Nothing.
+    Nothing = 0,
+}
+
+/// The least number of a command.
+pub const FIRST_COMMAND: u8 = 0x80;
+
+/// A number below zero is one of C's too.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd)]
+pub enum Turn {
+    /// To the left.
+    Left = -1,
+    /// Straight on.
+    #[default]
+    Straight,
+    /// To the right.
+    Right,
+}
+
+/// A frame.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Frame {
+    /// What it carries.
+    pub kind: Kind,
+    /// Whether an answer is awaited, and of which kind.
+    pub answer: Option<Kind>,
+    /// The turns ahead.
+    pub turns: [Turn; 2],
+}
+
+/// The byte on the wire.
+#[function]
+pub fn byte_of(kind: Kind) -> u8 {
+    kind as u8
+}
+
+/// The kind of a byte.
+#[function]
+pub fn kind_of(byte: u8) -> Option<Kind> {
+    match byte {
+        1 => Some(Kind::Heartbeat),
+        33 => Some(Kind::Position),
+        34 => Some(Kind::Attitude),
+        FIRST_COMMAND => Some(Kind::Command),
+        _ => None,
+    }
+}
+
+/// How long its payload is.
+#[function]
+pub fn length(kind: Kind) -> u32 {
+    match kind {
+        Kind::Heartbeat | Kind::Nothing => 0,
+        Kind::Position | Kind::Attitude => 12,
+        Kind::Command => 1,
+    }
+}
+
+/// Whether the first goes out before the second.
+#[function]
+pub fn before(first: Kind, second: Kind) -> bool {
+    first < second
+}
+
+/// The kinds as numbers of other types.
+#[function]
+pub fn numbers(kind: Kind, turn: Turn) -> (i8, i64, u16, usize) {
+    (kind as i8, turn as i64, turn as u16, kind as usize)
+}
+
+/// The sum of the turns of a frame, plus one for each answer.
+#[function]
+pub fn sum(frame: Frame) -> i32 {
+    let mut sum = if frame.answer.is_some() { 1 } else { 0 };
+    for turn in frame.turns {
+        sum += turn as i32;
+    }
+    sum
+}
+
+/// A frame of a kind that awaits none.
+#[function]
+pub fn silent(kind: Kind, right: bool) -> Frame {
+    let turn = if right { Turn::Right } else { Turn::Left };
+    Frame { kind, answer: None, turns: [turn, Turn::default()] }
+}
+
+/// How often a kind came.
+#[component]
+#[derive(Clone, Debug, PartialEq)]
+pub struct Statistics {
+    last: Kind,
+    counts: [u32; 129],
+}
+
+impl Default for Statistics {
+    fn default() -> Statistics {
+        Statistics { last: Kind::Nothing, counts: [0; 129] }
+    }
+}
+
+#[component]
+impl Statistics {
+    /// Counts a kind; no number is above 128, so that no check is left.
+    #[entry]
+    pub fn count(&mut self, kind: Kind) -> u32 {
+        self.last = kind;
+        self.counts[kind as usize] = self.counts[kind as usize].wrapping_add(1);
+        self.counts[kind as usize]
+    }
+}

@@ -1,0 +1,35 @@
+//! `panic!`, `unreachable!` and `todo!` are faults, as a failed assertion is; the message stays in the Rust.
+
+use bessemer::prelude::*;
+
+/// The period of a timer's prescaler, in clocks.
+#[function]
+pub fn period(prescaler: u8) -> u32 {
+    match prescaler {
+        0 => 1,
+        1 => 8,
+        2 => 64,
+        3 => panic!("prescaler {prescaler} is reserved"),
+        _ => unreachable!(),
+    }
+}
+
+/// The larger of two; equal ones are not expected.
+#[function]
+pub fn larger(a: i32, b: i32) -> i32 {
+    if a == b {
+        panic!("equal: {}", a);
+    }
+    let larger = if a > b { a } else { b };
+    larger
+}
+
+/// What is there.
+#[function]
+pub fn required(value: Option<f64>) -> f64 {
+    let Some(value) = value else { unreachable!("checked before") };
+    match value > 0.0 {
+        true => value,
+        false => todo!(),
+    }
+}
