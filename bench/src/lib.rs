@@ -9,6 +9,7 @@
 //! | [`elementary`] | the elementary functions against glibc and newlib |
 //! | [`onboard`] | what a control period of the onboard software takes on the Cortex-A9 |
 //! | [`accuracy_points`] | the elementary functions on the points of their accuracy, on every leg |
+//! | [`threads`] | what a second thread brings to large kernels |
 //! | [`equality`] | the elementary functions on millions of points, on every leg |
 //!
 //! [`count`] counts instructions on the emulated Cortex-A9.
@@ -23,3 +24,4 @@ pub mod generation;
 pub mod kernels;
 pub mod onboard;
 pub mod rebuild;
+pub mod threads;

@@ -7,7 +7,7 @@ use std::process::{Command, ExitCode};
 use bench::check_cost::{self, Size};
 use bench::kernels::results::Results;
 use bench::kernels::{plot, report, run};
-use bench::{accuracy_points, elementary, equality, generation, onboard, rebuild};
+use bench::{accuracy_points, elementary, equality, generation, onboard, rebuild, threads};
 use clap::{Parser, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::Value;
@@ -45,6 +45,8 @@ enum Part {
     Generation,
     /// Instructions of a control period of the onboard software on the Cortex-A9
     Onboard,
+    /// Large kernels on one thread and on two
+    Threads,
     /// The elementary functions on ten million points each, on every leg: a quarter of an hour
     Equality,
     /// The same on the very points of their accuracy
@@ -54,13 +56,14 @@ enum Part {
 /// A measurement: prints its table, and writes its results unless it is a short run.
 type Measurement = fn(&Arguments) -> Result<(), String>;
 
-const PARTS: [(Part, Measurement); 8] = [
+const PARTS: [(Part, Measurement); 9] = [
     (Part::Kernels, kernels),
     (Part::Elementary, elementary),
     (Part::CheckCost, check_cost),
     (Part::Rebuild, rebuild),
     (Part::Generation, generation),
     (Part::Onboard, onboard),
+    (Part::Threads, on_threads),
     (Part::Equality, equality),
     (Part::AccuracyPoints, on_accuracy_points),
 ];
@@ -190,6 +193,15 @@ fn onboard(arguments: &Arguments) -> Result<(), String> {
     let rows = onboard::measure(if arguments.quick { 2.0 } else { f64::INFINITY })?;
     println!("{}", onboard::table(&rows));
     arguments.write("onboard", &onboard::json(&rows))
+}
+
+fn on_threads(arguments: &Arguments) -> Result<(), String> {
+    let turns = if arguments.quick { 2 } else { 31 };
+    let bar = ProgressBar::new(turns as u64).with_message("threads");
+    let rows = threads::measure(turns, || bar.inc(1))?;
+    bar.finish_and_clear();
+    println!("{}", threads::table(&rows));
+    arguments.write("threads", &threads::json(&rows))
 }
 
 fn equality(arguments: &Arguments) -> Result<(), String> {

@@ -88,16 +88,20 @@ fn threads_change_no_bit() {
     let kernels = [
         kernel(KernelRoutine::Inverse, Float::F64, &[100]),
         kernel(KernelRoutine::Inverse, Float::F32, &[50]),
+        kernel(KernelRoutine::Solve, Float::F64, &[90, 50]),
+        kernel(KernelRoutine::Product, Float::F64, &[65, 90, 70]),
     ];
-    let run = |flags: &[&str]| words(&kernels, "inverses.c", &Options::default(), flags);
+    let run = |flags: &[&str]| words(&kernels, "threads.c", &Options::default(), flags);
     let Some(alone) = run(&[]) else {
         println!("left out: there is no gcc");
         return;
     };
     for threads in ["-DBESSEMER_THREADS=2U", "-DBESSEMER_THREADS=3U", "-DBESSEMER_THREADS=8U"] {
         assert_eq!(run(&[threads, "-pthread"]).as_ref(), Some(&alone), "{threads}");
-        let plain = run(&[threads, "-pthread", "-DBESSEMER_PLAIN"]);
-        assert_eq!(plain.as_ref(), Some(&alone), "{threads}");
+        for more in ["-DBESSEMER_PLAIN", "-march=native"] {
+            let found = run(&[threads, "-pthread", more]);
+            assert_eq!(found.as_ref(), Some(&alone), "{threads} {more}");
+        }
     }
 }
 

@@ -142,7 +142,7 @@ pub struct Bench {
     /// Measure the short list only, and write nothing
     #[arg(long)]
     pub quick: bool,
-    /// Only this part: kernels, elementary, check-cost, rebuild, generation, onboard, equality,
+    /// Only this part: kernels, threads, elementary, check-cost, rebuild, generation, onboard, equality,
     /// accuracy-points
     #[arg(long)]
     pub only: Option<String>,

@@ -17,6 +17,7 @@ fn needs(only: Option<&str>) -> &'static [Need] {
         Some("onboard" | "equality" | "accuracy-points") => {
             &[Need::Everything, Need::Host, Need::Target]
         }
+        Some("threads") => &[Need::Host],
         Some(_) => &[],
     }
 }

@@ -27,6 +27,7 @@ pub mod plain;
 mod product;
 pub mod replace;
 pub mod text;
+mod threads;
 mod tiled;
 mod written_out;
 

@@ -10,7 +10,12 @@ mod vectors;
 
 use bessemer_ir::{Float, Kernel, KernelRoutine};
 
+use super::text::indented;
+use super::threads::Work;
 use super::{Mode, NOTE, Source, Tuning};
+
+/// From this size on, in each dimension, threads are worth their start.
+const THREADED: u32 = 64;
 
 /// Rows of the result, terms of an element, columns of the result; and how far apart what follows lies.
 #[derive(Clone, Copy)]
@@ -58,12 +63,38 @@ pub(super) fn source(
         Float::F64 => "double",
         Float::F32 => "float",
     };
-    let plain = numbers::source(real, sizes, tuning.code_bytes)?;
-    let Some((targets, block, loops)) = vectors::source(kernel.element, sizes, tuning.mode) else {
-        return Some(Source { before: plain.0, body: plain.1, ..Source::default() });
+    let shares = [rows, inner, columns].into_iter().all(|size| size >= THREADED);
+    let plain = numbers::source(real, sizes, tuning.code_bytes, shares)?;
+    let (before, body) = match vectors::source(kernel.element, sizes, tuning.mode, shares) {
+        None => plain,
+        Some((targets, block, loops)) => {
+            let note = if tuning.mode == Mode::Fast { NOTE } else { "" };
+            let (tiles, calls) = plain;
+            (
+                format!("{note}{targets}\n#if defined(LANES)\n{block}#else\n{tiles}\n#endif"),
+                format!("#if defined(LANES)\n{loops}#else\n{calls}#endif\n"),
+            )
+        }
     };
-    let note = if tuning.mode == Mode::Fast { NOTE } else { "" };
-    let before = format!("{note}{targets}\n#if defined(LANES)\n{block}#else\n{}\n#endif", plain.0);
-    let body = format!("#if defined(LANES)\n{loops}#else\n{}#endif\n", plain.1);
-    Some(Source { before, body, ..Source::default() })
+    Some(match shares {
+        true => shared(real, &before, &body),
+        false => Source { before, body, ..Source::default() },
+    })
+}
+
+/// The same for threads: a function does a share of the columns.
+fn shared(real: &str, before: &str, body: &str) -> Source {
+    let (lent, result) = (format!("const {real} *"), format!("{real} *"));
+    let work = Work {
+        name: "multiply",
+        shared: &[(&lent, "a"), (&lent, "b"), (&result, "result")],
+        own: None,
+    };
+    let text = format!(
+        "{before}\n\n/* The blocks of columns from one on, every so many. */\nstatic void multiply(const {real} *a, \
+         const {real} *b, {real} *result, uint32_t from,\n    uint32_t apart)\n{{\n{}}}\n\n{}",
+        indented(body),
+        work.text().trim_end(),
+    );
+    Source { before: text, body: work.call(), ..Source::default() }
 }

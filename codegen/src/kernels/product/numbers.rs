@@ -10,19 +10,30 @@ const SHAPES: [(u32, u32); 5] = [(4, 4), (3, 6), (6, 3), (4, 5), (5, 4)];
 /// Bytes of code up to which the loop over k is unrolled.
 const BUDGET: u32 = 2048;
 
-/// The functions of the tiles, and the calls of them.
-pub(super) fn source(real: &str, sizes: Sizes, code_bytes: u32) -> Option<(String, String)> {
+/// The functions of the tiles, and the calls of them; all, or a share of their columns.
+pub(super) fn source(
+    real: &str,
+    sizes: Sizes,
+    code_bytes: u32,
+    shares: bool,
+) -> Option<(String, String)> {
     let plan = plan(sizes, code_bytes)?;
     let mut body = String::new();
     // Whole tiles in loops, then what is left below and on the right.
     for (column, width, columns_many) in parts(sizes.columns, plan.shape.1) {
-        let inset = if columns_many { "    " } else { "" };
-        if columns_many {
-            let _ = writeln!(
+        let inset = if columns_many || shares { "    " } else { "" };
+        let _ = match (columns_many, shares) {
+            (true, false) => writeln!(
                 body,
                 "for (uint32_t column = 0U; column < {column}U; column += {width}U) {{"
-            );
-        }
+            ),
+            (true, true) => writeln!(
+                body,
+                "for (uint32_t column = {width}U * from; column < {column}U; column += {width}U * apart) {{"
+            ),
+            (false, true) => writeln!(body, "if (from == 0U) {{"),
+            (false, false) => Ok(()),
+        };
         for (row, height, rows_many) in parts(sizes.rows, plan.shape.0) {
             let a = place(&[(sizes.left.0, row, rows_many.then_some("row"))]);
             let b = place(&[(sizes.right.1, column, columns_many.then_some("column"))]);
@@ -40,7 +51,7 @@ pub(super) fn source(real: &str, sizes: Sizes, code_bytes: u32) -> Option<(Strin
                 let _ = writeln!(body, "{inset}{call}");
             }
         }
-        body += if columns_many { "}\n" } else { "" };
+        body += if columns_many || shares { "}\n" } else { "" };
     }
     let tile = |shape: &(u32, u32)| tile(real, *shape, sizes, plan.unrolled);
     let tiles: Vec<String> = shapes(sizes, plan.shape).iter().map(tile).collect();

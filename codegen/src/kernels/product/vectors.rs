@@ -97,7 +97,12 @@ const GATHER: &str = include_str!("gather.c");
 const LOOPS: &str = include_str!("blocks.c");
 
 /// What each target has, the function of a block, and the loops over blocks; none if there are too few rows.
-pub(super) fn source(element: Float, sizes: Sizes, mode: Mode) -> Option<(String, String, String)> {
+pub(super) fn source(
+    element: Float,
+    sizes: Sizes,
+    mode: Mode,
+    shares: bool,
+) -> Option<(String, String, String)> {
     let mut branches: Vec<String> = Vec::new();
     let mut last = None;
     for target in TARGETS.iter().rev() {
@@ -148,6 +153,8 @@ pub(super) fn source(element: Float, sizes: Sizes, mode: Mode) -> Option<(String
         ("rolled", if sizes.inner > ROLLED { KEEP_ROLLED } else { "" }.to_owned()),
         ("apart", format!("{}U", sizes.left.0)),
         ("bytes", bytes(element).to_string()),
+        ("begin", if shares { "from * ACROSS" } else { "0U" }.to_owned()),
+        ("apart_columns", if shares { "apart * ACROSS" } else { "ACROSS" }.to_owned()),
     ]);
     let block = BLOCK.replace("$gather", if sizes.left.0 == 1 { "" } else { GATHER });
     Some((targets, fill(&block, &values), fill(LOOPS, &values)))

@@ -1,6 +1,6 @@
 /* Solves for panels of the identity, in the order of the pivots, and writes their columns of the inverse:
    the panel `from`, and every one so far apart. */
-static void invert_panels(const $real *tiles, $real *panel, $real *a, const uint32_t *order, bool finite,
+static void invert_panels(const $real *tiles, $real *a, const uint32_t *order, bool finite, $real *panel,
     uint32_t from, uint32_t apart)
 {
     $real *const zeros = &panel[PANEL];

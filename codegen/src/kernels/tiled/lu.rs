@@ -3,7 +3,8 @@
 use bessemer_ir::{Float, Int, Kernel, KernelRoutine, Scalar};
 
 use super::lanes;
-use crate::kernels::text::{fill, values};
+use crate::kernels::text::{fill, indented, values};
+use crate::kernels::threads::{Own, Work};
 use crate::kernels::{Buffer, Mode, NOTE, Source, declarations};
 
 /// The smallest matrix that gains by tiles.
@@ -20,20 +21,39 @@ const ONE_SIDE: &str = include_str!("one_side.c");
 const MANY_SIDES: &str = include_str!("many_sides.c");
 const INVERSE: &str = include_str!("inverse.c");
 const INVERT_PANELS: &str = include_str!("invert_panels.c");
-const THREADS: &str = include_str!("threads.c");
+const SHARE_SIDES: &str = include_str!("share_sides.c");
 
 /// From this size on, threads are worth their start.
 const THREADED: u32 = 48;
+/// And from so many right-hand sides.
+const THREADED_SIDES: u32 = 8;
 
-const ONE_THREAD: &str = "invert_panels(tiles, panel, a, order, finite, 0U, 1U);\n";
+const ONE_THREAD: &str = "invert_panels(tiles, a, order, finite, panel, 0U, 1U);\n";
 
-const MANY_THREADS: &str = "\
-#if defined(BESSEMER_THREADS)
-invert_by_threads(tiles, panel, a, order, finite);
-#else
-invert_panels(tiles, panel, a, order, finite, 0U, 1U);
-#endif
-";
+/// A thread's own panel.
+const OWN_PANEL: Own<'static> = Own {
+    ty: "$real *",
+    name: "panel",
+    memory: "$real panel_memory[$panel];",
+    value: "aligned(panel_memory)",
+};
+
+const INVERT: Work<'static> = Work {
+    name: "invert_panels",
+    shared: &[
+        ("const $real *", "tiles"),
+        ("$real *", "a"),
+        ("const uint32_t *", "order"),
+        ("bool", "finite"),
+    ],
+    own: Some(OWN_PANEL),
+};
+
+const SIDES: Work<'static> = Work {
+    name: "solve_sides",
+    shared: &[("const $real *", "tiles"), ("$real *", "b"), ("const uint32_t *", "pivots")],
+    own: Some(OWN_PANEL),
+};
 
 /// Where the size is a multiple of four, and where the last tiles have to be filled up.
 const GIVE_BACK: [&str; 2] = [include_str!("give_back.c"), include_str!("give_back_edges.c")];
@@ -147,28 +167,44 @@ pub(super) fn solve(kernel: &Kernel, size: u32, sides: u32, mode: Mode) -> Sourc
         1 => (SOLVE, ONE_SIDE),
         _ => (PANELS, MANY_SIDES),
     };
+    let threads = SIDES.text();
+    let (share, whole);
     let (mut parts, mut spoil, mut give_back) = (vec![parts], "", "");
+    if size >= THREADED && sides >= THREADED_SIDES {
+        let apart = [("begin", "from * WIDTH"), ("apart", "apart * WIDTH")];
+        share = SHARE_SIDES.replace("$sides", &indented(&with(substitute, apart)));
+        whole = SIDES.call();
+        parts.extend([share.as_str(), threads.as_str()]);
+    } else {
+        whole = with(substitute, [("begin", "0U"), ("apart", "WIDTH")]);
+    }
     if kernel.routine == KernelRoutine::LuSolve {
         parts.push(GIVE_BACK[edges]);
         (spoil, give_back) = (SPOIL, "give_back(a, tiles);\n");
     }
     let body = LU_SOLVE
-        .replace("$substitute\n", substitute)
+        .replace("$substitute\n", &whole)
         .replace("$spoil", spoil)
         .replace("$give_back", give_back);
     assemble(kernel, (size, sides), &parts, &body, mode)
+}
+
+/// A template with some of its names replaced.
+fn with(template: &str, values: [(&str, &str); 2]) -> String {
+    let values = values.map(|(name, value)| (name, value.to_owned()));
+    fill(template, &values)
 }
 
 /// Inverts: right-hand sides in the order of the pivots.
 pub(super) fn inverse(kernel: &Kernel, size: u32, mode: Mode) -> Source {
     let edges = usize::from(!size.is_multiple_of(4));
     let mut parts = vec![PANELS, GIVE_COLUMNS[edges], INVERT_PANELS];
-    let mut panels = ONE_THREAD;
+    let (threads, mut panels) = (INVERT.text(), ONE_THREAD.to_owned());
     if size >= THREADED {
-        parts.push(THREADS);
-        panels = MANY_THREADS;
+        parts.push(&threads);
+        panels = INVERT.call();
     }
-    let body = INVERSE.replace("$panels\n", panels);
+    let body = INVERSE.replace("$panels\n", &panels);
     assemble(kernel, (size, size), &parts, &body, mode)
 }
 

@@ -1,4 +1,4 @@
-for (uint32_t begin = 0U; begin < $columns; begin += WIDTH) {
+for (uint32_t begin = $begin; begin < $columns; begin += $apart) {
     for (uint32_t row = 0U; row < ROWS; row++) {
         for (uint32_t lane = 0U; lane < WIDTH; lane++) {
             const bool there = row < SIZE && begin + lane < $columns;

@@ -1,0 +1,76 @@
+//! Threads of POSIX, where `BESSEMER_THREADS` says how many: each takes every so manieth part of the columns of
+//! a result.
+//!
+//! Invariant: a column is one thread's, and computed as it would be alone, so that their number changes no bit. Threads may
+//! allocate, so no kernel has them unless it is compiled for it.
+
+use super::text::fill;
+
+const THREADS: &str = include_str!("threads.c");
+
+/// A function of C that does a share of the work: its last two parameters are the first part, and how far apart the
+/// parts are.
+pub(super) struct Work<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// What the threads share: types and names of its first parameters.
+    pub shared: &'a [(&'a str, &'a str)],
+    /// What each has of its own, the parameter behind those: its type and name, the memory that a thread declares for it,
+    /// and the value that it passes.
+    pub own: Option<Own<'a>>,
+}
+
+/// What each thread has of its own.
+pub(super) struct Own<'a> {
+    pub ty: &'a str,
+    pub name: &'a str,
+    pub memory: &'a str,
+    pub value: &'a str,
+}
+
+impl Work<'_> {
+    /// The function `by_threads`, and what it needs.
+    pub fn text(&self) -> String {
+        let own = self.own.iter();
+        let parameters = self.shared.iter().copied().chain(own.clone().map(|it| (it.ty, it.name)));
+        let parameters: Vec<String> = parameters.map(|(ty, name)| declared(ty, name)).collect();
+        let members = self.shared.iter().map(|(ty, name)| format!("    {};\n", declared(ty, name)));
+        let of_share = self.shared.iter().map(|(_, name)| format!("share->{name}"));
+        let of_share: Vec<String> =
+            of_share.chain(own.clone().map(|it| it.value.to_owned())).collect();
+        let shared: Vec<&str> = self.shared.iter().map(|(_, name)| *name).collect();
+        let memory = own.clone().map(|it| format!("    {}\n", it.memory));
+        fill(
+            THREADS,
+            &[
+                ("members", members.collect()),
+                ("own", memory.collect()),
+                ("work", self.name.to_owned()),
+                ("of_share", of_share.join(", ")),
+                ("parameters", parameters.join(", ")),
+                ("shared", shared.join(", ")),
+                ("arguments", self.arguments()),
+            ],
+        )
+    }
+
+    /// The lines that do the whole: by threads, or alone.
+    pub fn call(&self) -> String {
+        let (name, arguments) = (self.name, self.arguments());
+        format!(
+            "#if defined(BESSEMER_THREADS)\nby_threads({arguments});\n#else\n{name}({arguments}, 0U, 1U);\n#endif\n"
+        )
+    }
+
+    fn arguments(&self) -> String {
+        let shared = self.shared.iter().map(|(_, name)| *name);
+        let all: Vec<&str> = shared.chain(self.own.iter().map(|it| it.name)).collect();
+        all.join(", ")
+    }
+}
+
+/// A declaration, as C writes it: `const double *a`.
+fn declared(ty: &str, name: &str) -> String {
+    let gap = if ty.ends_with('*') { "" } else { " " };
+    format!("{ty}{gap}{name}")
+}
