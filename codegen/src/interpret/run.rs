@@ -198,12 +198,15 @@ impl<'m, 'r> Run<'m, 'r> {
     }
 
     fn repeat(&mut self, frame: Frame<'m, 'r>, stmt: &'m Stmt) -> Result<Flow, Stop> {
-        let StmtKind::For { variable, from, to, inclusive, reversed, body, .. } = &stmt.kind else {
+        let StmtKind::For { variable, from, to, inclusive, reversed, ended, body, .. } = &stmt.kind
+        else {
             unreachable!("called for loops only")
         };
         let Some(int) = from.ty.as_int() else { unreachable!("validated: bounds are integers") };
         let first = int.from_word(self.word(frame, from)?);
         let last = int.from_word(self.word(frame, to)?) - i128::from(!inclusive);
+        // What ends itself begins, whatever its bounds are: its condition may do something.
+        let last = if *ended { last.max(first) } else { last };
         let slot = frame.base + frame.offsets[variable.index()];
         let mut passed = 0;
         while first + passed <= last {

@@ -3,17 +3,20 @@
 //! Its condition compares two integers, `low < high`, of which one goes up or the other down in every
 //! pass, on every path, and neither ever moves the other way. What moves is a place, what does not is
 //! written nowhere in the loop. Then no more passes begin than lie between the two before the first.
+//! A loop that does something before its condition is looked at from one condition to the next; what goes
+//! before the first is one pass more.
 //!
 //! Invariant: a proof errs on the side of none. Known are sums, differences, halves, remainders, middles
 //! and what was named for one of them in the same pass; integers are checked, so none of them wraps.
 
 use std::collections::HashMap;
 
-use bessemer_ir::visit::{Access, Visit, walk_place};
 use bessemer_ir::{
-    BinaryOp, Block, CompareOp, Expr, ExprKind, Intrinsic, LocalId, LogicOp, Module, Place, Stmt,
-    StmtKind, UnaryOp,
+    BinaryOp, Block, CompareOp, Expr, ExprKind, Intrinsic, LocalId, LogicOp, Module, Place, Step,
+    Stmt, StmtKind, UnaryOp,
 };
+
+use super::written::{Writes, alike, overlap, place};
 
 /// Between which two numbers there are as many as there are passes.
 pub(super) struct Proof {
@@ -23,27 +26,113 @@ pub(super) struct Proof {
     pub inclusive: bool,
 }
 
+/// A loop that is left where `condition` is not `truth`.
+pub(super) struct Loop<'a> {
+    /// What leads to the condition.
+    pub before: &'a [Stmt],
+    pub condition: &'a Expr,
+    pub truth: bool,
+    /// What follows if it goes on.
+    pub rest: &'a [Stmt],
+    /// The statements that lead to the loop.
+    pub lead: &'a [Stmt],
+}
+
 /// Why there is no proof, for the author.
 pub(super) type Reason = String;
 
-/// Shows that a loop ends which goes on while `condition` is `truth`; `before` are the statements that
-/// lead to the condition.
+/// Shows that a loop ends.
 pub(super) fn proof(
     module: &Module,
     name: impl Fn(&Place) -> String,
-    (condition, truth): (&Expr, bool),
-    before: &[Stmt],
-    body: &[Stmt],
+    of: &Loop,
 ) -> Result<Proof, Reason> {
+    if of.before.iter().any(continues) {
+        return Err("a `continue` comes before its condition".into());
+    }
     let mut reason = None;
-    for (low, high, inclusive) in comparisons(condition, truth) {
-        let mut looked = Looked { module, low, high, inclusive, name: &name, moving: Vec::new() };
-        match looked.shown(before, body) {
+    for (low, high, inclusive) in comparisons(of.condition, of.truth) {
+        let least = least_at(module, low, of.lead);
+        let mut looked =
+            Looked { module, low, high, inclusive, least, name: &name, moving: Vec::new() };
+        match looked.shown(of.before, of.condition, of.rest, Path::default()) {
             Ok(()) => return Ok(Proof { low: low.clone(), high: high.clone(), inclusive }),
             Err(why) => reason = reason.or(Some(why)),
         }
     }
-    Err(reason.unwrap_or_else(|| "its condition compares no integers with `<`".into()))
+    Err(reason.unwrap_or_else(no_integers))
+}
+
+/// Shows that a loop ends from one condition to the next; how often depends on its first pass, of which nothing
+/// is known.
+pub(super) fn turned(
+    module: &Module,
+    name: impl Fn(&Place) -> String,
+    of: &Loop,
+) -> Result<(), Reason> {
+    if of.before.iter().chain(of.rest).any(continues) {
+        return Err("a `continue` passes its condition by".into());
+    }
+    let turn: Vec<Stmt> = of.rest.iter().chain(of.before).cloned().collect();
+    let mut reason = None;
+    for (low, high, inclusive) in comparisons(of.condition, of.truth) {
+        let mut looked =
+            Looked { module, low, high, inclusive, least: None, name: &name, moving: Vec::new() };
+        match looked.shown(&[], of.condition, &turn, Path::default()) {
+            Ok(()) => return Ok(()),
+            Err(why) => reason = reason.or(Some(why)),
+        }
+    }
+    Err(reason.unwrap_or_else(no_integers))
+}
+
+/// Shows that a loop ends that takes an element off a list in every pass, and ends where there is none.
+pub(super) fn popped(
+    module: &Module,
+    name: impl Fn(&Place) -> String,
+    length: &Expr,
+    body: &[Stmt],
+) -> Result<Proof, Reason> {
+    let low = Expr { kind: ExprKind::Literal(0), ..length.clone() };
+    let (inclusive, least, moving) = (false, None, vec![1]);
+    let looked = Looked { module, low: &low, high: length, inclusive, least, name: &name, moving };
+    if place(length).is_none() {
+        return Err("the list is another in every pass".into());
+    }
+    let path = Path { moved: true, written: [false, true], ..Path::default() };
+    looked.block(body, path, false)?;
+    Ok(Proof { low: low.clone(), high: length.clone(), inclusive })
+}
+
+fn no_integers() -> Reason {
+    "its condition compares no integers with `<`".into()
+}
+
+/// Whether a statement goes on with the next pass of the loop that it stands in.
+fn continues(stmt: &Stmt) -> bool {
+    let any = |block: &Block| block.0.iter().any(continues);
+    match &stmt.kind {
+        StmtKind::Continue => true,
+        StmtKind::If { then, otherwise, .. } => any(then) || any(otherwise),
+        StmtKind::Match { arms, otherwise, .. } => {
+            arms.iter().any(|arm| any(&arm.body)) || otherwise.as_ref().is_some_and(any)
+        }
+        _ => false,
+    }
+}
+
+/// What a number is at least where a loop begins: the last that is written to it before, if that shows.
+fn least_at(module: &Module, number: &Expr, lead: &[Stmt]) -> Option<i128> {
+    let ours = place(number)?;
+    let writes = |stmt: &&Stmt| Writes::of([*stmt]).touch(number);
+    let value = match &lead.iter().rev().find(writes)?.kind {
+        StmtKind::Let { local, value } if ours.steps.is_empty() && ours.root == *local => {
+            value.as_ref()?
+        }
+        StmtKind::Assign { place, value } if alike(place, ours) => value,
+        _ => return None,
+    };
+    shown_least(module, value)
 }
 
 /// The comparisons `low < high` that have to hold for a condition to be `truth`.
@@ -88,6 +177,8 @@ struct Path {
     moved: bool,
     /// Whether low, or high, was written.
     written: [bool; 2],
+    /// Whether high was found to be more than 0.
+    above: bool,
     /// Locals, and how they stand to low (upward) and to high (downward) as these are now.
     locals: HashMap<LocalId, [Option<Far>; 2]>,
 }
@@ -111,6 +202,7 @@ impl Path {
         Path {
             moved: self.moved && other.moved,
             written: [either(0), either(1)],
+            above: self.above && other.above,
             locals: locals.collect(),
         }
     }
@@ -122,6 +214,8 @@ struct Looked<'a> {
     low: &'a Expr,
     high: &'a Expr,
     inclusive: bool,
+    /// What low is at least at first, and so ever.
+    least: Option<i128>,
     name: &'a dyn Fn(&Place) -> String,
     /// Those of the two that the loop changes.
     moving: Vec<Side>,
@@ -133,7 +227,15 @@ type Side = usize;
 const WAYS: [&str; 2] = ["go up", "go down"];
 
 impl Looked<'_> {
-    fn shown(&mut self, before: &[Stmt], body: &[Stmt]) -> Result<(), Reason> {
+    fn shown(
+        &mut self,
+        before: &[Stmt],
+        condition: &Expr,
+        body: &[Stmt],
+        path: Path,
+    ) -> Result<(), Reason> {
+        // What the condition itself writes, it writes before or behind the comparison.
+        self.lent(condition, &mut Path::default())?;
         let writes = Writes::of(before.iter().chain(body));
         self.moving = (0..2).filter(|side| writes.touch(self.side(*side))).collect();
         if self.moving.is_empty() {
@@ -148,7 +250,7 @@ impl Looked<'_> {
         if self.moving.iter().any(anew) {
             return Err("what its condition compares is computed anew in every pass".into());
         }
-        let end = self.block(body, Path::default(), false)?;
+        let end = self.block(body, path, false)?;
         if end.is_some_and(|end| !end.moved) {
             return Err(self.stuck(""));
         }
@@ -198,7 +300,12 @@ impl Looked<'_> {
             StmtKind::Expr(value) => self.lent(value, &mut path)?,
             StmtKind::If { condition, then, otherwise } => {
                 self.lent(condition, &mut path)?;
-                let then = self.block(&then.0, path.clone(), inner)?;
+                let above = self.says_above(condition);
+                let held = Path { above: path.above || above, ..path.clone() };
+                let then = self.block(&then.0, held, inner)?;
+                if above && self.is_above(&path) {
+                    return Ok(then);
+                }
                 let otherwise = self.block(&otherwise.0, path, inner)?;
                 return Ok(meet(then, otherwise));
             }
@@ -219,6 +326,7 @@ impl Looked<'_> {
                 for side in 0..2 {
                     if touched.touch(self.side(side)) {
                         path.written[side] = true;
+                        path.above = false;
                         path.locals.values_mut().for_each(|known| known[side] = None);
                     }
                 }
@@ -233,7 +341,30 @@ impl Looked<'_> {
         Ok(Some(path))
     }
 
+    /// Whether high is more than 0: it is more than low at first.
+    fn is_above(&self, path: &Path) -> bool {
+        let first = !self.inclusive || self.least(self.low) >= Some(1);
+        path.above || (first && is_unsigned(self.high) && !path.written[1])
+    }
+
+    /// Whether a condition says that.
+    fn says_above(&self, condition: &Expr) -> bool {
+        matches!(&condition.kind, ExprKind::Compare(CompareOp::Gt, a, b)
+            if self.is(1, a) && is_unsigned(a) && matches!(b.kind, ExprKind::Literal(0)))
+    }
+
     fn assign(&self, to: &Place, value: &Expr, path: &mut Path, inner: bool) -> Result<(), Reason> {
+        // An index may be computed by a function.
+        for step in &to.steps {
+            match step {
+                Step::Field(_) => {}
+                Step::Index(index) | Step::From(index) => self.lent(index, path)?,
+                Step::Element(row, column) => {
+                    self.lent(row, path)?;
+                    self.lent(column, path)?;
+                }
+            }
+        }
         for side in 0..2 {
             let Some(ours) = self.place(side).filter(|ours| overlap(ours, to)) else { continue };
             let far = if alike(ours, to) { self.against(side, value, path) } else { None };
@@ -244,6 +375,7 @@ impl Looked<'_> {
             // In a loop of the body's own a step may be none.
             path.moved |= far == Far::Further && !inner;
             path.written[side] = true;
+            path.above &= side == 0;
             path.locals.values_mut().for_each(|known| known[side] = None);
         }
         path.locals.remove(&to.root);
@@ -285,6 +417,21 @@ impl Looked<'_> {
             ExprKind::Intrinsic(Intrinsic::Min, parts) if side == 1 => {
                 parts.iter().filter_map(|part| self.against(side, part, path)).max()
             }
+            ExprKind::Intrinsic(Intrinsic::SaturatingAdd, parts) if side == 0 => {
+                let on = self.least(&parts[1]) >= Some(0);
+                self.against(side, &parts[0], path).filter(|_| on).map(|_| Far::AsFar)
+            }
+            ExprKind::Intrinsic(Intrinsic::SaturatingSub, parts) if side == 1 => {
+                let least = self.least(&parts[1]).filter(|least| *least >= 0)?;
+                let above = least >= 1 && self.is(1, &parts[0]) && self.is_above(path);
+                let far = self.against(side, &parts[0], path)?;
+                Some(if above { Far::Further } else { far.min(Far::AsFar) })
+            }
+            // One less than what is above 0.
+            ExprKind::Intrinsic(Intrinsic::WrappingSub, parts) if side == 1 => {
+                let one = matches!(parts[1].kind, ExprKind::Literal(1));
+                (one && self.is(1, &parts[0]) && self.is_above(path)).then_some(Far::Further)
+            }
             _ => None,
         }
     }
@@ -305,18 +452,21 @@ impl Looked<'_> {
         // Less than what it is a part of, unless that may be 0: high is more than low at first.
         let part = |x: &Expr, less: bool| {
             let far = self.against(side, x, path).filter(|_| is_unsigned(x))?;
-            let above = !self.inclusive || self.least(self.low) >= Some(1);
-            let positive = above && !path.written[1] && self.is(1, x);
+            let positive = self.is_above(path) && self.is(1, x);
             Some(if less && positive { Far::Further } else { far })
         };
         match (op, side) {
             (BinaryOp::Add, 0) => on(a, b).max(on(b, a)),
             (BinaryOp::Sub, 1) => on(a, b),
-            (BinaryOp::Mul, 0) if is_unsigned(a) => {
+            (BinaryOp::Mul, 0) => {
+                let positive = self.least >= Some(1);
+                // Of nothing, twice is no more.
                 let by = |x: &Expr, by| {
-                    (self.least(by) >= Some(1)).then(|| self.against(side, x, path)).flatten()
+                    let least = self.least(by).filter(|least| *least >= 1)?;
+                    let far = self.against(side, x, path)?;
+                    Some(if positive && least >= 2 { Far::Further } else { far })
                 };
-                by(a, b).max(by(b, a))
+                (positive || is_unsigned(a)).then(|| by(a, b).max(by(b, a))).flatten()
             }
             (BinaryOp::Div, 1) if self.least(b) >= Some(1) => part(a, self.least(b) >= Some(2)),
             (BinaryOp::Shr, 1) => part(a, self.least(b) >= Some(1)),
@@ -382,108 +532,36 @@ impl Looked<'_> {
 
     /// The least value of an integer, if it shows.
     fn least(&self, expr: &Expr) -> Option<i128> {
-        let int = expr.ty.as_int()?;
-        let shown = match &expr.kind {
-            ExprKind::Literal(word) => Some(int.from_word(*word)),
-            ExprKind::Const(id) => {
-                self.module.consts[id.index()].words.first().map(|word| int.from_word(*word))
-            }
-            ExprKind::Cast(inner) if is_unsigned(inner) && is_unsigned(expr) => {
-                let from = inner.ty.as_int()?;
-                self.least(inner).filter(|_| from.bits() <= int.bits())
-            }
-            ExprKind::Binary(BinaryOp::Add, a, b) => {
-                self.least(a).zip(self.least(b)).map(|(a, b)| a + b)
-            }
-            ExprKind::Intrinsic(Intrinsic::Max, parts) => {
-                parts.iter().filter_map(|part| self.least(part)).max()
-            }
-            _ => None,
-        };
-        shown.or(is_unsigned(expr).then_some(0))
+        shown_least(self.module, expr)
     }
 }
 
-fn meet(a: Option<Path>, b: Option<Path>) -> Option<Path> {
-    match a {
-        Some(a) => Some(a.join(b)),
-        None => b,
-    }
+fn shown_least(module: &Module, expr: &Expr) -> Option<i128> {
+    let int = expr.ty.as_int()?;
+    let least = |part| shown_least(module, part);
+    let shown = match &expr.kind {
+        ExprKind::Literal(word) => Some(int.from_word(*word)),
+        ExprKind::Const(id) => {
+            module.consts[id.index()].words.first().map(|word| int.from_word(*word))
+        }
+        ExprKind::Cast(inner) if is_unsigned(inner) && is_unsigned(expr) => {
+            let from = inner.ty.as_int()?;
+            least(inner).filter(|_| from.bits() <= int.bits())
+        }
+        ExprKind::Binary(BinaryOp::Add, a, b) => least(a).zip(least(b)).map(|(a, b)| a + b),
+        ExprKind::Intrinsic(Intrinsic::Max, parts) => parts.iter().filter_map(least).max(),
+        _ => None,
+    };
+    shown.or(is_unsigned(expr).then_some(0))
 }
 
 fn is_unsigned(expr: &Expr) -> bool {
     expr.ty.as_int().is_some_and(|int| !int.signed())
 }
 
-/// A place of fields alone.
-fn place(expr: &Expr) -> Option<&Place> {
-    match &expr.kind {
-        ExprKind::Load(place) => {
-            let fields = place.steps.iter().all(|step| matches!(step, bessemer_ir::Step::Field(_)));
-            fields.then_some(place)
-        }
-        _ => None,
-    }
-}
-
-/// Whether two places are the same one; of fields alone.
-fn alike(a: &Place, b: &Place) -> bool {
-    a.root == b.root && a.steps == b.steps
-}
-
-/// Whether two places may share memory.
-fn overlap(a: &Place, b: &Place) -> bool {
-    use bessemer_ir::Step::Field;
-    let apart = |(a, b)| matches!((a, b), (&Field(a), &Field(b)) if a != b);
-    a.root == b.root && !a.steps.iter().zip(&b.steps).any(apart)
-}
-
-/// What is written.
-#[derive(Default)]
-struct Writes(Vec<Place>);
-
-impl Writes {
-    fn of<'s>(stmts: impl IntoIterator<Item = &'s Stmt>) -> Writes {
-        let mut writes = Writes::default();
-        stmts.into_iter().for_each(|stmt| writes.stmt(stmt));
-        writes
-    }
-
-    fn of_expr(expr: &Expr) -> Writes {
-        let mut writes = Writes::default();
-        writes.expr(expr);
-        writes
-    }
-
-    /// Whether an expression reads what is written.
-    fn touch(&self, expr: &Expr) -> bool {
-        struct Touched<'w>(&'w [Place], bool);
-        impl Visit for Touched<'_> {
-            fn place(&mut self, place: &Place, _: Access) {
-                self.1 |= self.0.iter().any(|written| overlap(written, place));
-                walk_place(self, place);
-            }
-        }
-        let mut touched = Touched(&self.0, false);
-        touched.expr(expr);
-        touched.1
-    }
-}
-
-impl Visit for Writes {
-    fn place(&mut self, place: &Place, access: Access) {
-        if access != Access::Read {
-            self.0.push(place.clone());
-        }
-        walk_place(self, place);
-    }
-    fn declaration(&mut self, local: &LocalId) {
-        // One that is declared in the loop is another in each pass.
-        self.0.push(Place {
-            root: *local,
-            steps: Vec::new(),
-            ty: bessemer_ir::Type::Unit,
-            span: bessemer_ir::Span::default(),
-        });
+fn meet(a: Option<Path>, b: Option<Path>) -> Option<Path> {
+    match a {
+        Some(a) => Some(a.join(b)),
+        None => b,
     }
 }

@@ -6,12 +6,12 @@
 
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{
-    Block, CompareOp, Expr, ExprKind, Fault, Local, LocalId, Mode, Place, Span, Step, Stmt,
-    StmtKind, Type, UnaryOp,
+    Block, CompareOp, Expr, ExprKind, Fault, Int, Local, LocalId, Mode, Place, Scalar, Span, Step,
+    Stmt, StmtKind, Type, UnaryOp,
 };
 
 use super::OUR_FAULT;
-use super::ended::{self, Proof};
+use super::ended::{self, Loop, Proof};
 use super::expr::{Operand, two};
 use super::function::{Lowering, Target};
 use super::{Result, problem};
@@ -91,6 +91,7 @@ impl Lowering<'_, '_> {
     ) -> Result<()> {
         let span = self.span(site);
         let bound = bound.map(|bound| self.passes(bound)).transpose()?;
+        let length = self.popped_length(condition)?;
         self.repeated(label, None, span, |inner| {
             let declared = bound.map(|bound| (inner.pass(&bound, span), bound));
             let mut head = 0;
@@ -106,9 +107,18 @@ impl Lowering<'_, '_> {
                 inner.bind_names(&names)?;
                 inner.statements(body)
             })?;
-            match declared {
-                Some((pass, bound)) => Ok(passes(pass, bound, true, body)),
-                None => inner.ended(site, head, body),
+            match (declared, length) {
+                (Some((pass, bound)), _) => Ok(passes(pass, bound, true, body)),
+                (None, Some(length)) => {
+                    let name = |place: &Place| inner.place_name(place);
+                    let rest = &body.0[head + 1..];
+                    let shown = ended::popped(&inner.cx.module, name, &length, rest);
+                    inner.ended(site, shown, body)
+                }
+                (None, None) => {
+                    let shown = inner.shown(&body, head);
+                    inner.ended(site, shown, body)
+                }
             }
         })
     }
@@ -130,8 +140,7 @@ impl Lowering<'_, '_> {
             let mut body = inner.scoped(|inner| inner.statements(body))?;
             let Some((pass, bound)) = declared else {
                 behind = last_breath(&mut body);
-                let head = body.0.iter().position(|stmt| matches!(stmt.kind, StmtKind::If { .. }));
-                return inner.ended(site, head.unwrap_or(body.0.len()), body);
+                return inner.ended_loop(site, body);
             };
             endless = !breaks(&body);
             if !endless {
@@ -149,20 +158,64 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// A loop that the `if` at `head` of its body ends, within a bound that shows.
-    fn ended(&mut self, site: Site, head: usize, body: Block) -> Result<StmtKind> {
-        let span = self.span(site);
-        let shown = match body.0.get(head).map(|stmt| &stmt.kind) {
-            Some(StmtKind::If { condition, then, otherwise })
-                if otherwise.0.is_empty()
-                    && matches!(then.0.last(), Some(Stmt { kind: StmtKind::Break, .. })) =>
-            {
-                let name = |place: &Place| self.place_name(place);
-                let (before, rest) = (&body.0[..head], &body.0[head + 1..]);
-                ended::proof(&self.cx.module, name, (condition, false), before, rest)
-            }
-            _ => Err("it does not begin with `if … { break; }`".into()),
+    /// The length of the list that `while let Some(…) = list.pop()` takes from.
+    fn popped_length(&mut self, condition: &tree::Expr) -> Result<Option<Expr>> {
+        let tree::ExprKind::Let(pattern, value) = &condition.kind else { return Ok(None) };
+        let tree::Pattern::Constructor(variant, _) = &**pattern else { return Ok(None) };
+        let tree::ExprKind::Call(callee, arguments) = &value.kind else { return Ok(None) };
+        let is_pop = match self.source.callees.get(*callee as usize) {
+            Some(tree::Callee::Builtin(name)) => name == "list_pop",
+            _ => false,
         };
+        if !is_pop || variant != "Some" || !is_named(&arguments[0]) {
+            return Ok(None);
+        }
+        let list = self.base(&arguments[0])?;
+        Ok(self.list_items(&list).map(|(length, _)| super::pattern::load(&length)))
+    }
+
+    /// What shows of a loop that the `if` at `head` of its body ends.
+    fn shown(&self, body: &Block, head: usize) -> Result<Proof, ended::Reason> {
+        let name = |place: &Place| self.place_name(place);
+        let of = left_at(&body.0, head, &self.out).ok_or_else(no_end)?;
+        ended::proof(&self.cx.module, name, &of)
+    }
+
+    /// A `loop` without a declared bound: one of its `if … { break; }` has to show that it ends.
+    fn ended_loop(&mut self, site: Site, body: Block) -> Result<StmtKind> {
+        let (mut shown, span) = (Err(no_end()), self.span(site));
+        for head in 0..body.0.len() {
+            let Some(of) = left_at(&body.0, head, &self.out) else { continue };
+            let name = |place: &Place| self.place_name(place);
+            match ended::proof(&self.cx.module, name, &of) {
+                Ok(proof) => return self.ended(site, Ok(proof), body),
+                Err(reason) => match ended::turned(&self.cx.module, name, &of) {
+                    Ok(()) => return Ok(self.turned(body, span)),
+                    Err(turned) => shown = Err(if head == 0 { reason } else { turned }),
+                },
+            }
+        }
+        self.ended(site, shown, body)
+    }
+
+    /// A loop that ends, though nothing is known of its first pass: any number of passes is enough.
+    fn turned(&mut self, body: Block, span: Span) -> StmtKind {
+        let ty = Type::Scalar(Scalar::Int(Int::U64));
+        let bound = |word| Expr { kind: ExprKind::Literal(word), ty: ty.clone(), span };
+        let (from, to) = (bound(0), bound(u64::MAX));
+        let variable = self.pass(&from, span);
+        let (inclusive, reversed, unroll) = (true, false, None);
+        StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended: true, body }
+    }
+
+    /// A loop that its body ends, within a bound that shows.
+    fn ended(
+        &mut self,
+        site: Site,
+        shown: Result<Proof, ended::Reason>,
+        body: Block,
+    ) -> Result<StmtKind> {
+        let span = self.span(site);
         let Proof { low, high, inclusive } = match shown {
             Ok(proof) => proof,
             Err(reason) => {
@@ -386,6 +439,32 @@ fn last_breath(body: &mut Block) -> Vec<Stmt> {
             _ => Vec::new(),
         },
         _ => Vec::new(),
+    }
+}
+
+/// A loop that the `if … { break; }` at `head` of its body leaves.
+fn left_at<'a>(body: &'a [Stmt], head: usize, lead: &'a [Stmt]) -> Option<Loop<'a>> {
+    let StmtKind::If { condition, then, otherwise } = &body.get(head)?.kind else { return None };
+    let leaves = matches!(then.0.last()?.kind, StmtKind::Break | StmtKind::Return(_));
+    (leaves && otherwise.0.is_empty()).then(|| Loop {
+        before: &body[..head],
+        condition,
+        truth: false,
+        rest: &body[head + 1..],
+        lead,
+    })
+}
+
+fn no_end() -> ended::Reason {
+    "no `if … { break; }` stands in it by itself".into()
+}
+
+/// Whether an expression is a variable or a part of one, so that to name it does nothing.
+fn is_named(expr: &tree::Expr) -> bool {
+    match &expr.kind {
+        tree::ExprKind::Local(_) => true,
+        tree::ExprKind::Field(base, _) | tree::ExprKind::Deref(base) => is_named(base),
+        _ => false,
     }
 }
 

@@ -40,6 +40,7 @@ mod spatial;
 mod stepped;
 mod types;
 mod views;
+mod written;
 
 use std::collections::{HashMap, HashSet};
 

@@ -334,7 +334,8 @@ pub enum StmtKind {
         /// How many passes its author asks compilers to write out at once; 1: to keep the loop.
         unroll: Option<u32>,
         /// Its body ends it within the range by itself, so that nothing has to count: a `while` of its
-        /// author's whose passes are bounded by what it counts.
+        /// author's whose passes are bounded by what it counts. Its first pass begins even if the range is
+        /// empty, and comes to the condition.
         ended: bool,
         /// What is repeated.
         body: Block,

@@ -55,8 +55,10 @@ pub const OWNED: &[&str] = &[
     "sqrt",
     "tan",
     "tanh",
+    "to_be_bytes",
     "to_bits",
     "to_degrees",
+    "to_le_bytes",
     "to_radians",
     "trunc",
 ];
@@ -75,7 +77,7 @@ pub fn block(block: &mut syn::Block) {
         let import = syn::parse_quote_spanned! { Span::call_site() =>
             #[allow(unused_imports)]
             use ::bessemer::math::{
-                DivisionMethods as _, ElementaryMethods as _, FloatMethods as _, MatrixMethods as _,
+                ByteMethods as _, DivisionMethods as _, ElementaryMethods as _, FloatMethods as _, MatrixMethods as _,
                 OrderMethods as _, RotationMethods as _, RoundMethods as _, SignMethods as _,
                 SquareMethods as _,
             };

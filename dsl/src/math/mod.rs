@@ -162,3 +162,40 @@ integers! {
     i8: i8::abs, i16: i16::abs, i32: i32::abs, i64: i64::abs, isize: isize::abs,
     u8: |x| x, u16: |x| x, u32: |x| x, u64: |x| x, usize: |x| x
 }
+
+/// Bytes of numbers, which the attributes redirect to the DSL: a NaN has one payload.
+pub trait ByteMethods: Copy {
+    /// As many bytes as the number has.
+    type Bytes;
+    /// The lowest first.
+    fn dsl_to_le_bytes(self) -> Self::Bytes;
+    /// The highest first.
+    fn dsl_to_be_bytes(self) -> Self::Bytes;
+}
+
+macro_rules! bytes {
+    ($($number:ty, $size:literal, $bits:ident;)*) => {$(
+        impl ByteMethods for $number {
+            type Bytes = [u8; $size];
+            fn dsl_to_le_bytes(self) -> [u8; $size] {
+                $bits(self).to_le_bytes()
+            }
+            fn dsl_to_be_bytes(self) -> [u8; $size] {
+                $bits(self).to_be_bytes()
+            }
+        }
+    )*};
+}
+
+fn same<T>(number: T) -> T {
+    number
+}
+
+fn bits<T: FloatMethods>(number: T) -> T::Bits {
+    number.dsl_to_bits()
+}
+
+bytes! {
+    u8, 1, same; i8, 1, same; u16, 2, same; i16, 2, same; u32, 4, same; i32, 4, same;
+    u64, 8, same; i64, 8, same; usize, 8, same; isize, 8, same; f32, 4, bits; f64, 8, bits;
+}
