@@ -116,7 +116,9 @@ impl Call {
         }
         let mut arguments = Vec::new();
         for (index, param) in signature.params.iter().enumerate() {
-            if param.name == "self" {
+            // Its author may call it otherwise in the C.
+            let receiver = function.parameters().get(index).is_some_and(|it| it.name == "self");
+            if receiver {
                 arguments.push("&self".to_owned());
                 continue;
             }

@@ -58,11 +58,8 @@ impl Macro {
 
 /// The macros that a function's author asks for, each as it stands before the function.
 pub fn of(attributes: &Attributes, options: &Options) -> Vec<(Macro, String)> {
-    let mut asked = Vec::new();
-    if let Some(section) = &attributes.section {
-        let name = Macro::Section.name(options);
-        asked.push((Macro::Section, format!("{name}(\"{section}\")")));
-    }
+    let mut asked: Vec<_> =
+        attributes.section.iter().map(|name| (Macro::Section, section(name, options))).collect();
     match attributes.inlining {
         Inlining::Free => {}
         Inlining::Never => {
@@ -73,6 +70,11 @@ pub fn of(attributes: &Attributes, options: &Options) -> Vec<(Macro, String)> {
         }
     }
     asked
+}
+
+/// The section of a function or a constant, as it stands before it.
+pub fn section(section: &str, options: &Options) -> String {
+    format!("{}(\"{section}\")", Macro::Section.name(options))
 }
 
 /// The macro before a loop, which is a pragma, and another for each compiler.

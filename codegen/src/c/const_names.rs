@@ -49,6 +49,11 @@ impl ConstNames {
         self.files.get(file).and_then(|names| names.get(&id)).map_or("", String::as_str)
     }
 
+    /// Whether a constant has another name than this in some file.
+    pub fn renamed(&self, id: ConstId, name: &str) -> bool {
+        self.files.values().filter_map(|names| names.get(&id)).any(|own| own != name)
+    }
+
     /// Whether any constant has this name.
     pub fn contains(&self, name: &str) -> bool {
         self.all.contains(name)
@@ -59,6 +64,9 @@ fn of_file(module: &Module, ids: &BTreeSet<ConstId>) -> BTreeMap<ConstId, String
     let item = |id: &ConstId| &module.consts[id.index()];
     let same = |a: &Const, b: &Const| a.ty == b.ty && a.words == b.words;
     let wanted = |id: &ConstId| {
+        if let Some(name) = &item(id).given.name {
+            return name.clone();
+        }
         let own = identifier(&item(id).name);
         let rival =
             |other: &ConstId| identifier(&item(other).name) == own && !same(item(id), item(other));

@@ -19,7 +19,7 @@ use super::names::{OVERLAY, Returned, Signature, Storage};
 use super::print::Printer;
 use super::shell::{Shell, frame};
 use super::tree::{Declarator, Head, Init, Item, Lines, Origin, Stmt, StmtKind, plain};
-use super::{CFile, Options, asked, init, literal, status};
+use super::{CFile, Options, asked, init, literal, status, units};
 use crate::kernels;
 use crate::kernels::replace::Replacement;
 
@@ -255,7 +255,7 @@ impl Writer<'_> {
                 body = by_instruction(fast, name, &head, body);
             }
             definitions.push(Item::Function {
-                docs: if declared { Vec::new() } else { function.docs.clone() },
+                docs: if declared { Vec::new() } else { units::of_function(function) },
                 head,
                 body,
                 origin: origin(function.span),
@@ -264,8 +264,11 @@ impl Writer<'_> {
         }
         let mut items: Vec<Item> = Vec::new();
         asked.extend(uses.unroll.then_some(asked::Macro::Unroll));
+        let constants = self.constants(&uses, &mut includes);
+        let placed = |it: &Item| matches!(it, Item::Constant { asked: Some(_), .. });
+        asked.extend(constants.iter().any(placed).then_some(asked::Macro::Section));
         items.extend(asked.iter().map(|asked| Item::Verbatim(asked.text(self.options))));
-        items.extend(self.constants(&uses, &mut includes));
+        items.extend(constants);
         for helper in closure(&uses.helpers) {
             uses.math |= helper.needs_math();
             uses.string |= helper.needs_string();
@@ -333,7 +336,13 @@ impl Writer<'_> {
             if leaves.iter().zip(&item.words).any(|(ty, word)| literal::needs_math(ty, *word)) {
                 includes.system.insert("math.h");
             }
-            list.push(Item::Constant(declarator, init));
+            let section = item.given.section.as_ref();
+            list.push(Item::Constant {
+                docs: units::docs(&item.docs, item.given.unit.as_deref()),
+                asked: section.map(|section| asked::section(section, self.options)),
+                declarator,
+                init,
+            });
         }
         list
     }
@@ -341,7 +350,7 @@ impl Writer<'_> {
     fn prototype(&self, id: FunctionId, documented: bool) -> Item {
         let function = &self.context.module.functions[id.index()];
         Item::Prototype {
-            docs: if documented { function.docs.clone() } else { Vec::new() },
+            docs: if documented { units::of_function(function) } else { Vec::new() },
             head: self.context.names.head(self.context.names.signature(id)),
             origin: origin(function.span),
             function: rust_path(self.context, function),
@@ -396,7 +405,8 @@ impl Writer<'_> {
             item.fields.iter().zip(&names.fields).filter(|(field, _)| field.ty != Type::Unit);
         let mut fields: Vec<(Vec<String>, Declarator)> = held
             .map(|(field, name)| {
-                (field.docs.clone(), self.context.names.declarator(&field.ty, name))
+                let docs = units::docs(&field.docs, field.given.unit.as_deref());
+                (docs, self.context.names.declarator(&field.ty, name))
             })
             .collect();
         if let Some(fault) = &names.fault {
@@ -465,7 +475,8 @@ pub(super) fn assemble(
     for item in items {
         // Constants stand together, and so do prototypes without a comment.
         let together = match (before_it, item) {
-            (None, _) | (Some(Item::Constant(..)), Item::Constant(..)) => true,
+            (None, _) => true,
+            (Some(Item::Constant { .. }), Item::Constant { docs, .. }) => docs.is_empty(),
             (Some(Item::Prototype { .. }), Item::Prototype { docs, .. }) => docs.is_empty(),
             _ => false,
         };

@@ -29,12 +29,14 @@ mod shell;
 mod spelling;
 mod status;
 mod tree;
+mod units;
 
 use bessemer_ir::Module;
 
 pub use library::Math;
 pub use matrices::Layout;
 pub use report::{EntryReport, report};
+pub use units::Measured;
 
 use analysis::Faults;
 use names::Names;

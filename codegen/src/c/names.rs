@@ -13,7 +13,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use bessemer_ir::{
-    ConstId, EnumId, Function, FunctionId, Int, Mode, Module, Owner, Scalar, StructId, Type,
+    ConstId, EnumId, Function, FunctionId, Given, Int, Mode, Module, Owner, Scalar, StructId, Type,
 };
 
 use super::analysis::Faults;
@@ -251,13 +251,18 @@ impl Names {
     }
 
     fn name_types(&mut self, module: &Module, options: &Options, faults: &Faults) {
-        let wanted: Vec<(&str, &str)> =
-            (module.structs.iter().map(|item| (&*item.name, &*item.module)))
-                .chain(module.enums.iter().map(|item| (&*item.name, &*item.module)))
-                .collect();
-        let base = |name: &str, rust_module: &str| {
+        let structs = module.structs.iter().map(|item| (&*item.name, &*item.module, &item.given));
+        let enums = module.enums.iter().map(|item| (&*item.name, &*item.module, &item.given));
+        let wanted: Vec<(&str, &str, &Given)> = structs.chain(enums).collect();
+        let base = |(name, rust_module, given): &(&str, &str, &Given)| {
+            if let Some(name) = &given.name {
+                return name.strip_suffix("_t").unwrap_or(name).to_owned();
+            }
             let own = snake(name);
-            let rivals = wanted.iter().filter(|(other, _)| snake(other) == own).count();
+            let rival = |(other, _, given): &&(&str, &str, &Given)| {
+                given.name.is_none() && snake(other) == own
+            };
+            let rivals = wanted.iter().filter(rival).count();
             let base = if rivals > 1 || is_reserved_globally(&format!("{}{own}_t", options.prefix))
             {
                 format!("{}_{own}", self.module_file(rust_module))
@@ -266,11 +271,14 @@ impl Names {
             };
             format!("{}{base}", options.prefix)
         };
-        let bases: Vec<String> = wanted.iter().map(|(name, path)| base(name, path)).collect();
+        let bases: Vec<String> = wanted.iter().map(base).collect();
         for (index, item) in module.structs.iter().enumerate() {
             let id = StructId(index as u32);
-            let mut fields: Vec<String> =
-                item.fields.iter().map(|field| field_name(&field.name)).collect();
+            let mut fields: Vec<String> = item
+                .fields
+                .iter()
+                .map(|field| given_or(&field.given, field_name(&field.name)))
+                .collect();
             if item.overlaid() {
                 fields[1..].iter_mut().for_each(|name| name.insert_str(0, OVERLAY));
             }
@@ -280,7 +288,7 @@ impl Names {
             let fault = hidden.filter(|_| faults.latched(id)).map(str::to_owned);
             let base = bases[index].clone();
             self.structs.push(StructNames {
-                ty: format!("{base}_t"),
+                ty: given_or(&item.given, format!("{base}_t")),
                 init: item.initial.as_ref().map(|_| format!("{base}_init")),
                 header: format!("{}.h", self.struct_file(module, id)),
                 base,
@@ -289,12 +297,16 @@ impl Names {
             });
         }
         for (item, base) in module.enums.iter().zip(&bases[module.structs.len()..]) {
-            let prefix = base.to_uppercase();
+            let prefix = match item.given.name {
+                Some(_) => screaming(base),
+                None => base.to_uppercase(),
+            };
             self.enums.push(EnumNames {
                 base: base.clone(),
-                ty: format!("{base}_t"),
+                ty: given_or(&item.given, format!("{base}_t")),
                 variants: (item.variants.iter())
-                    .map(|variant| format!("{prefix}_{}", screaming(&variant.name)))
+                    .map(|variant| (variant, format!("{prefix}_{}", screaming(&variant.name))))
+                    .map(|(variant, name)| given_or(&variant.given, name))
                     .collect(),
                 header: format!("{}.h", self.module_file(&item.module)),
             });
@@ -405,6 +417,11 @@ pub fn scalar_type(scalar: Scalar) -> &'static str {
     }
 }
 
+/// The name that an author gave, or another.
+fn given_or(given: &Given, name: String) -> String {
+    given.name.clone().unwrap_or(name)
+}
+
 /// The name of a field.
 pub fn field_name(name: &str) -> String {
     let name = identifier(name);
@@ -448,7 +465,9 @@ fn passing(
 ) -> (Vec<Param>, Returned) {
     let mut params: Vec<Param> = Vec::new();
     for local in function.parameters() {
-        let wanted = local_name(&local.name);
+        let given = function.attributes.parameter(&local.name);
+        let given = given.and_then(|given| given.name.clone());
+        let wanted = given.unwrap_or_else(|| local_name(&local.name));
         let name =
             unique(&wanted, |name| taken(name) || params.iter().any(|param| param.name == name));
         let passing = match (local.mode, local.ty.is_word()) {
@@ -545,6 +564,11 @@ impl Names {
     /// The name of a constant in the file of this header.
     pub fn constant(&self, header: &str, id: ConstId) -> &str {
         self.consts.get(header, id)
+    }
+
+    /// Whether a constant could not have its name in some file that uses it.
+    pub(super) fn renamed(&self, id: ConstId, name: &str) -> bool {
+        self.consts.renamed(id, name)
     }
 
     /// The name of an enum's variant.

@@ -121,7 +121,11 @@ impl<'a> Printer<'a> {
                 self.level -= 1;
                 self.put(&format!("}} {name};"));
             }
-            Item::Constant(declarator, init) => self.declare("static ", declarator, Some(init)),
+            Item::Constant { docs, asked, declarator, init } => {
+                self.docs(docs);
+                asked.iter().for_each(|asked| self.put(asked));
+                self.declare("static ", declarator, Some(init));
+            }
             Item::Prototype { docs, head, origin, function } => {
                 self.docs(docs);
                 self.function.clone_from(function);

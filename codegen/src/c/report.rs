@@ -6,6 +6,7 @@ use super::analysis::{Faults, walk_exprs};
 use super::layout::size_of_struct;
 use super::lower::{self, Context, Uses};
 use super::names::Names;
+use super::units::{self, Measured};
 use super::{CFile, Options};
 use crate::kernels;
 
@@ -17,6 +18,8 @@ const FRAME: u64 = 64;
 pub struct EntryReport {
     /// The author's name of the component.
     pub component: String,
+    /// The C type of its state.
+    pub state: String,
     /// The C name of the entry point.
     pub entry: String,
     /// The header that declares it.
@@ -31,6 +34,8 @@ pub struct EntryReport {
     pub checks: u32,
     /// Bytes of the largest set of variables of one function in the call tree.
     pub largest_frame: u64,
+    /// What its author gave a unit.
+    pub units: Vec<Measured>,
 }
 
 /// Reports on every entry point, in the order of the module.
@@ -65,6 +70,7 @@ pub fn report(module: &Module, options: &Options, files: &[CFile]) -> Vec<EntryR
             .filter(|other| other.name.rsplit_once('.').is_some_and(|(stem, _)| stem == file));
         list.push(EntryReport {
             component: module.structs[owner.index()].name.clone(),
+            state: names.structs[owner.index()].ty.clone(),
             entry: names.signature(id).name.clone(),
             header: names.signature(id).header.clone(),
             lines: own_files.map(|file| file.text.lines().count()).sum(),
@@ -72,6 +78,7 @@ pub fn report(module: &Module, options: &Options, files: &[CFile]) -> Vec<EntryR
             stack_bytes: deepest[index].0,
             checks: faults.checks[index],
             largest_frame: largest,
+            units: units::of_entry(module, &names, function, names.signature(id)),
         });
     }
     list

@@ -314,7 +314,16 @@ pub enum Item {
         origin: Origin,
     },
     /// `static const …;` at the top of a source.
-    Constant(Declarator, Init),
+    Constant {
+        /// The author's doc comment.
+        docs: Vec<String>,
+        /// What is asked of the compiler: a line before it.
+        asked: Option<String>,
+        /// Its name and type.
+        declarator: Declarator,
+        /// Its value.
+        init: Init,
+    },
     /// A function's declaration.
     Prototype {
         /// The author's doc comment.

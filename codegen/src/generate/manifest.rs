@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 use serde_json::{Value, json};
 
 use super::output::Files;
-use crate::c::CFile;
+use crate::c::{CFile, Measured};
 use crate::compile::Compiled;
 
 /// The name of the manifest.
@@ -25,14 +25,19 @@ impl Manifest {
             .entries
             .iter()
             .map(|entry| {
-                json!({
+                let mut said = json!({
                     "component": entry.component,
+                    "state": entry.state,
                     "entry": entry.entry,
                     "header": entry.header,
                     "state_bytes": entry.state_bytes,
                     "stack_bytes": entry.stack_bytes,
                     "checks": entry.checks,
-                })
+                });
+                if !entry.units.is_empty() {
+                    said["units"] = entry.units.iter().map(measured).collect();
+                }
+                said
             })
             .collect();
         let names: Vec<&str> = files.names().collect();
@@ -71,6 +76,10 @@ impl Manifest {
         let date = earlier.get("date")?.as_str()?.to_owned();
         (self.text(&date) == serde_json::to_string_pretty(&earlier).ok()? + "\n").then_some(date)
     }
+}
+
+fn measured(it: &Measured) -> Value {
+    json!({ "port": it.port.word(), "place": it.place, "unit": it.unit })
 }
 
 /// The files that a manifest names.

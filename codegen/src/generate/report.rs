@@ -39,6 +39,7 @@ pub fn table(compiled: &Compiled) -> String {
             .collect();
         let _ = writeln!(text, "{}", cells.join("  ").trim_end());
     }
+    text.push_str(&units(compiled));
     for (kernel, library) in &compiled.replaced {
         let _ = writeln!(
             text,
@@ -59,6 +60,19 @@ pub fn table(compiled: &Compiled) -> String {
             "\nThe C calls the target's math.h ({}): there its results need not be the Rust's to the bit.",
             compiled.library.join(", ")
         );
+    }
+    text
+}
+
+/// What has a unit at each entry point, by its names in the C.
+fn units(compiled: &Compiled) -> String {
+    let mut text = String::new();
+    for entry in compiled.entries.iter().filter(|entry| !entry.units.is_empty()) {
+        let _ = writeln!(text, "\nUnits of {}", entry.entry);
+        let width = entry.units.iter().map(|it| it.place.chars().count()).max().unwrap_or_default();
+        for it in &entry.units {
+            let _ = writeln!(text, "  {:<9}  {:<width$}  {}", it.port.word(), it.place, it.unit);
+        }
     }
     text
 }

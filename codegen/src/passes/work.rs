@@ -10,8 +10,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use bessemer_ir::visit::{self, Access, Visit, VisitMut};
 use bessemer_ir::{
-    Argument, Expr, ExprKind, Field, Float, Function, FunctionId, Kernel, Local, LocalId, Mode,
-    Module, Owner, Place, Scalar, Step, Stmt, StmtKind, Struct, StructId, Type,
+    Argument, Expr, ExprKind, Field, Float, Function, FunctionId, Given, Kernel, Local, LocalId,
+    Mode, Module, Owner, Place, Scalar, Step, Stmt, StmtKind, Struct, StructId, Type,
 };
 
 use crate::kernels::{self, Buffer, Tuning};
@@ -166,13 +166,19 @@ fn fields(
     for id in large {
         let local = function.local(*id);
         // Its name says what it holds, as it does in the function.
-        fields.push(Field { name: fresh(&local.name), docs: Vec::new(), ty: local.ty.clone() });
+        fields.push(Field {
+            name: fresh(&local.name),
+            docs: Vec::new(),
+            ty: local.ty.clone(),
+            given: Given::default(),
+        });
     }
     for callee in called {
         let name = &module.functions[callee.index()].name;
         let docs = vec![format!("What `{name}` works with.")];
         let ty = Type::Struct(works[callee]);
-        fields.push(Field { name: fresh(&format!("{name}_work")), docs, ty });
+        let name = fresh(&format!("{name}_work"));
+        fields.push(Field { name, docs, ty, given: Given::default() });
     }
     fields
 }
@@ -193,6 +199,7 @@ fn definition(module: &Module, function: &Function, fields: Vec<Field>) -> Struc
         fields,
         form: bessemer_ir::Form::Record,
         initial: None,
+        given: Given::default(),
         span: function.span,
     }
 }
@@ -247,6 +254,7 @@ fn scratch(kernel: &Kernel, tuning: &Tuning) -> Option<Struct> {
         name: buffer.name.into(),
         docs: vec![buffer.holds.to_owned()],
         ty: Type::Array { element: Box::new(Type::Scalar(buffer.element)), len: buffer.len },
+        given: Given::default(),
     };
     let fields: Vec<Field> = lent.iter().map(field).collect();
     (!fields.is_empty()).then(|| Struct {
@@ -256,6 +264,7 @@ fn scratch(kernel: &Kernel, tuning: &Tuning) -> Option<Struct> {
         fields,
         form: bessemer_ir::Form::Record,
         initial: None,
+        given: Given::default(),
         span: Default::default(),
     })
 }

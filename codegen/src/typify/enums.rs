@@ -37,7 +37,8 @@ pub(super) fn numbered(variants: &[tree::Variant], site: Site) -> Result<Vec<Var
                 "choose numbers between -2147483648 and 2147483647",
             );
         };
-        Ok(Variant { name: it.name.clone(), docs: it.docs.clone(), value })
+        let (name, docs, given) = (it.name.clone(), it.docs.clone(), it.given.clone());
+        Ok(Variant { name, docs, value, given })
     };
     (0..).zip(variants).map(number).collect()
 }

@@ -114,6 +114,9 @@ pub(super) fn without_marks(local: Local) -> Local {
 
 /// The author's name for the result if the body ends in one, else the name of its type.
 pub(super) fn result_name(cx: &Context<'_>, tree: &tree::FunctionTree, result: &Type) -> String {
+    if let Some(name) = &tree.attributes.result.name {
+        return name.clone();
+    }
     if let Some(tree::ExprKind::Local(name)) = tree.body.tail.as_ref().map(|tail| &tail.kind)
         && name != "self"
         && tree.params.iter().all(|param| param.name != *name)

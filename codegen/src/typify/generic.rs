@@ -5,7 +5,7 @@
 //! nothing about it.
 
 use bessemer_ir::tree::{self, Site, Ty};
-use bessemer_ir::{Enum, EnumId, Field, Form, Scalar, Span, Struct, StructId, Type};
+use bessemer_ir::{Enum, EnumId, Field, Form, Given, Scalar, Span, Struct, StructId, Type};
 
 use super::names::snake;
 use super::{Context, OUR_FAULT, Result, problem};
@@ -201,7 +201,9 @@ impl Context<'_> {
             }
         };
         let docs = vec![format!("`{shown}`{meaning}.")];
-        self.module.structs.push(Struct { name, module, docs, fields, form, initial: None, span });
+        let (initial, given) = (None, Given::default());
+        let item = Struct { name, module, docs, fields, form, initial, given, span };
+        self.module.structs.push(item);
         let id = StructId(self.module.structs.len() as u32 - 1);
         self.shown.insert(id, shown);
         self.homes.extend(home.map(|home| (Type::Struct(id), home)));
@@ -260,7 +262,7 @@ impl Context<'_> {
             self.module.enums.push(named);
             return Ok(Type::Enum(EnumId(self.module.enums.len() as u32 - 1)));
         }
-        let Enum { name, module, docs, span, .. } = named.clone();
+        let Enum { name, module, docs, given, span, .. } = named.clone();
         let tag = EnumId(self.module.enums.len() as u32);
         let mut fields = vec![field("tag", "Which variant it is.", Type::Enum(tag))];
         let mut cases = Vec::new();
@@ -269,7 +271,10 @@ impl Context<'_> {
             let held = payload.map(|(ty, single)| {
                 let name = snake(&variant.name);
                 let name = if name == "tag" { "tag_".to_owned() } else { name };
-                fields.push(Field { name, docs: variant.docs.clone(), ty });
+                // Of one part, what is said of the part.
+                let part = variant.fields.first().filter(|_| single);
+                let given = part.map(|part| part.given.clone()).unwrap_or_default();
+                fields.push(Field { name, docs: variant.docs.clone(), ty, given });
                 (fields.len() as u32 - 1, single)
             });
             cases.push(Case {
@@ -281,10 +286,12 @@ impl Context<'_> {
         self.module.enums.push(Enum {
             name: self.free_name(format!("{name}Tag")),
             docs: vec![format!("Which variant of `{name}`.")],
+            given: beside(&named.given, "tag"),
             ..named
         });
         let form = Form::Choice(cases.iter().map(|case| case.field).collect());
-        let definition = Struct { name, module, docs, fields, form, initial: None, span };
+        let initial = None;
+        let definition = Struct { name, module, docs, fields, form, initial, given, span };
         self.module.structs.push(definition);
         let id = StructId(self.module.structs.len() as u32 - 1);
         self.cases.insert(id, cases);
@@ -311,6 +318,7 @@ impl Context<'_> {
                     fields,
                     form: Form::Record,
                     initial: None,
+                    given: beside(&named.given, &snake(&variant.name)),
                     span: named.span,
                 });
                 Ok(Some((Type::Struct(StructId(self.module.structs.len() as u32 - 1)), false)))
@@ -331,7 +339,7 @@ impl Context<'_> {
                 Ok(_) => part(index, count),
                 Err(_) => field.name.clone(),
             };
-            typed.push(Field { name, docs: field.docs.clone(), ty });
+            typed.push(Field { name, docs: field.docs.clone(), ty, given: field.given.clone() });
         }
         Ok(typed)
     }
@@ -347,7 +355,16 @@ impl Context<'_> {
 
 fn field(name: &str, docs: &str, ty: Type) -> Field {
     let docs = if docs.is_empty() { Vec::new() } else { vec![docs.to_owned()] };
-    Field { name: name.to_owned(), docs, ty }
+    Field { name: name.to_owned(), docs, ty, given: Given::default() }
+}
+
+/// The C name of a type that comes with one whose name its author gave: `valve_t`, `valve_tag_t`.
+fn beside(given: &Given, part: &str) -> Given {
+    let name = given.name.as_ref().map(|name| match name.strip_suffix("_t") {
+        Some(stem) => format!("{stem}_{part}_t"),
+        None => format!("{name}_{part}"),
+    });
+    Given { name, site: given.site, ..Given::default() }
 }
 
 /// Adds a field for what there is something to hold of.

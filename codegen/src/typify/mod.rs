@@ -90,6 +90,11 @@ pub fn typify(
             errors.push(diagnostic(&definition.file, problem));
         }
     }
+    for (index, table) in package.tables.iter().enumerate() {
+        if let Err(problem) = said_twice(table, &package.tables[..index]) {
+            errors.push(diagnostic(&table.file, problem));
+        }
+    }
     let (templates, functions): (Vec<_>, Vec<_>) = package
         .functions
         .iter()
@@ -115,6 +120,20 @@ pub fn typify(
         (&one.file, one.line, one.column).cmp(&(&other.file, other.line, other.column))
     });
     if errors.is_empty() { Ok((cx.module, cx.typed)) } else { Err(errors) }
+}
+
+/// A constant is told by its name, its type and its value: of two that agree in these the same must be said.
+fn said_twice(table: &tree::Table, before: &[tree::Table]) -> Result<()> {
+    let same = |other: &&tree::Table| other.name == table.name && other.value == table.value;
+    let unplaced = |given: &bessemer_ir::Given| (given.name.clone(), given.section.clone());
+    match before.iter().find(same) {
+        Some(other) if unplaced(&other.given) != unplaced(&table.given) => problem(
+            table.site,
+            format!("there are two `{}` with one value, and other C is asked for each", table.name),
+            "use one for both, or give one another name",
+        ),
+        _ => Ok(()),
+    }
 }
 
 /// Whether a function is the package's own: it stands there, or its instance is named there.
@@ -168,6 +187,8 @@ struct Context<'a> {
     sources: &'a Sources,
     files: HashMap<String, u32>,
     types: HashMap<String, bessemer_ir::Type>,
+    /// The constants of which their author says more than their value.
+    tables: &'a [tree::Table],
     /// The names of instances, by their paths.
     aliases: HashMap<&'a str, &'a tree::Alias>,
     /// The names that authors gave, in snake case behind their module or type.
@@ -212,6 +233,7 @@ impl<'a> Context<'a> {
             sources,
             files: HashMap::new(),
             types: HashMap::new(),
+            tables: &package.tables,
             aliases: package.aliases.iter().map(|alias| (alias.of.as_str(), alias)).collect(),
             authored: authored(package),
             claims,

@@ -1,7 +1,7 @@
 //! Definitions and types: from paths to handles.
 
-use bessemer_ir::tree::{Argument, Definition, DefinitionKind, Site, Ty};
-use bessemer_ir::{Const, ConstId, Enum, Form, Scalar, Struct, StructId, Type};
+use bessemer_ir::tree::{Argument, Definition, DefinitionKind, Site, Table, Ty};
+use bessemer_ir::{Const, ConstId, Enum, Form, Scalar, Span, Struct, StructId, Type};
 
 use super::generic::Home;
 use super::names::snake;
@@ -12,7 +12,7 @@ pub(super) fn split(path: &str) -> (&str, &str) {
     path.rsplit_once("::").unwrap_or(("", path))
 }
 
-impl Context<'_> {
+impl<'a> Context<'a> {
     /// A type in the words of its author.
     pub(super) fn show(&self, ty: &Type) -> String {
         match ty {
@@ -34,10 +34,15 @@ impl Context<'_> {
     pub(super) fn define(&mut self, definition: &Definition) -> Result<()> {
         let span = self.span(&definition.file, definition.site);
         let alias = self.aliases.get(definition.path.as_str()).copied();
+        let mut given = definition.given.clone();
         let (module, name, docs) = match alias {
             // The author named this instance.
             Some(alias) => {
                 let docs = if alias.docs.is_empty() { &definition.docs } else { &alias.docs };
+                given = alias.given.clone();
+                if alias.file != definition.file {
+                    given.site = Site::default();
+                }
                 (alias.module.clone(), alias.name.clone(), docs.clone())
             }
             None => {
@@ -58,13 +63,14 @@ impl Context<'_> {
                     fields,
                     form,
                     initial,
+                    given,
                     span,
                 });
                 Type::Struct(StructId(self.module.structs.len() as u32 - 1))
             }
             DefinitionKind::Enum(variants) => {
                 let named = super::enums::numbered(variants, definition.site)?;
-                let named = Enum { name, module, docs, variants: named, span };
+                let named = Enum { name, module, docs, variants: named, given, span };
                 self.define_enum(variants, named, definition.site)?
             }
         };
@@ -201,6 +207,7 @@ impl Context<'_> {
         ty: &Type,
         words: &[u64],
     ) -> ConstId {
+        let said = self.table(name, ty, words);
         let consts = &mut self.module.consts;
         let same = |constant: &Const| {
             constant.module == module
@@ -214,9 +221,21 @@ impl Context<'_> {
                 module: module.to_owned(),
                 ty: ty.clone(),
                 words: words.to_vec(),
+                docs: said.map(|table| table.docs.clone()).unwrap_or_default(),
+                given: said.map(|table| table.given.clone()).unwrap_or_default(),
+                span: Span::default(),
             });
             consts.len() - 1
         });
+        if let Some(table) = said {
+            self.module.consts[index].span = self.span(&table.file, table.site);
+        }
         ConstId(index as u32)
+    }
+
+    /// What an author says of the constant with this name and value.
+    fn table(&mut self, name: &str, ty: &Type, words: &[u64]) -> Option<&'a Table> {
+        let mut tables = self.tables.iter().filter(|it| it.name == name && it.value.words == words);
+        tables.find(|it| self.value_type(&it.value.ty, it.site).is_ok_and(|its| its == *ty))
     }
 }

@@ -3,8 +3,9 @@
 
 use bessemer_ir::{
     Argument, Arm, BinaryOp, Block, CompareOp, Const, Enum, EnumId, Expr, ExprKind, Fault, Field,
-    Float, Function, FunctionId, Int, Intrinsic, Local, LocalId, LogicOp, Mode, Module, Place,
-    Role, Routine, Scalar, Span, Step, Stmt, StmtKind, Struct, StructId, Type, UnaryOp, Variant,
+    Float, Function, FunctionId, Given, Int, Intrinsic, Local, LocalId, LogicOp, Mode, Module,
+    Place, Role, Routine, Scalar, Span, Step, Stmt, StmtKind, Struct, StructId, Type, UnaryOp,
+    Variant,
 };
 
 /// xorshift64*.
@@ -98,24 +99,44 @@ pub fn module(seed: u64) -> Module {
         docs: Vec::new(),
         fields: fields()
             .into_iter()
-            .map(|(name, ty)| Field { name: name.into(), docs: Vec::new(), ty })
+            .map(|(name, ty)| Field {
+                name: name.into(),
+                docs: Vec::new(),
+                ty,
+                given: Given::default(),
+            })
             .collect(),
         form: bessemer_ir::Form::Record,
         initial: None,
+        given: Given::default(),
         span: Span::default(),
     });
-    let variant = |name: &str, value| Variant { name: name.into(), docs: Vec::new(), value };
+    let variant = |name: &str, value| Variant {
+        name: name.into(),
+        docs: Vec::new(),
+        value,
+        given: Given::default(),
+    };
     module.enums.push(Enum {
         name: "Mode".into(),
         module: "random".into(),
         docs: Vec::new(),
         variants: vec![variant("Idle", 40), variant("Climb", -7), variant("Land", 200)],
+        given: Given::default(),
         span: Span::default(),
     });
     let mut random = Random::new(seed);
     for (name, ty) in [("LIMIT", int(Int::I32)), ("SIZE", Type::USIZE), ("GAIN", Type::F64)] {
         let words = vec![random.word(&ty)];
-        module.consts.push(Const { name: name.into(), module: "random".into(), ty, words });
+        module.consts.push(Const {
+            name: name.into(),
+            module: "random".into(),
+            ty,
+            words,
+            docs: Vec::new(),
+            given: Given::default(),
+            span: Span::default(),
+        });
     }
     for index in 0..4 {
         let function = Generator::function(&module, &mut random, index);

@@ -1,10 +1,27 @@
-//! What an author asks of the C of a function, beside what it does.
+//! What an author asks of the C of an item, beside what it is.
 //!
-//! Invariant: none of it changes what a function computes.
+//! Invariant: none of it changes what is computed.
 
 use alloc::string::String;
+use alloc::vec::Vec;
 
 use serde::{Deserialize, Serialize};
+
+use crate::tree::Site;
+
+/// What an author says of a type, a variant, a field, a parameter or a table: `#[c(…)]`, `#[unit("…")]`.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Given {
+    /// Its name in the C, in place of the one that the tool would choose.
+    pub name: Option<String>,
+    /// What its numbers are measured in.
+    pub unit: Option<String>,
+    /// The section of the object file in which it stands.
+    pub section: Option<String>,
+    /// Where the name stands, in the file of the item.
+    pub site: Site,
+}
 
 /// What an author asks of the C of a function.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -19,6 +36,19 @@ pub struct Attributes {
     pub atomic: bool,
     /// The header of a function that the firmware brings; what stands in the Rust stands in for it.
     pub external: Option<String>,
+    /// What is said of its parameters, each by its name in the Rust.
+    #[serde(default)]
+    pub parameters: Vec<(String, Given)>,
+    /// What is said of its result.
+    #[serde(default)]
+    pub result: Given,
+}
+
+impl Attributes {
+    /// What is said of a parameter, if anything.
+    pub fn parameter(&self, name: &str) -> Option<&Given> {
+        self.parameters.iter().find(|(known, _)| known == name).map(|(_, given)| given)
+    }
 }
 
 /// Whether compilers may put a function where it is called.

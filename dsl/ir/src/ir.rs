@@ -13,7 +13,7 @@ use alloc::boxed::Box;
 use alloc::string::String;
 use alloc::vec::Vec;
 
-use crate::attributes::Attributes;
+use crate::attributes::{Attributes, Given};
 use crate::kernel::Kernel;
 use crate::number::{Float, Int, Scalar};
 pub use crate::operation::{BinaryOp, CompareOp, Intrinsic, LogicOp, Routine, UnaryOp};
@@ -89,6 +89,8 @@ pub struct Struct {
     pub form: Form,
     /// For a component: its initial state as words, in the order of [`Module::leaves`].
     pub initial: Option<Vec<u64>>,
+    /// What its author asks of the C.
+    pub given: Given,
     /// Where its name stands.
     pub span: Span,
 }
@@ -115,6 +117,8 @@ pub struct Field {
     pub docs: Vec<String>,
     /// Its type.
     pub ty: Type,
+    /// What its author asks of the C.
+    pub given: Given,
 }
 
 /// An enum without payload.
@@ -128,6 +132,8 @@ pub struct Enum {
     pub docs: Vec<String>,
     /// Variants, in the author's order.
     pub variants: Vec<Variant>,
+    /// What its author asks of the C.
+    pub given: Given,
     /// Where its name stands.
     pub span: Span,
 }
@@ -141,6 +147,8 @@ pub struct Variant {
     pub docs: Vec<String>,
     /// What it is as a number (`mode as u8`), and its value in the C: its index, unless the author says otherwise.
     pub value: i32,
+    /// What its author asks of the C.
+    pub given: Given,
 }
 
 /// A constant that rustc evaluated.
@@ -154,6 +162,12 @@ pub struct Const {
     pub ty: Type,
     /// Its value as words, in the order of [`Module::leaves`].
     pub words: Vec<u64>,
+    /// The author's doc comment, a line each, of one that the DSL sees.
+    pub docs: Vec<String>,
+    /// What its author asks of the C.
+    pub given: Given,
+    /// Where its name stands, if the DSL sees it.
+    pub span: Span,
 }
 
 /// The type of a value.

@@ -22,7 +22,7 @@ pub mod text;
 pub mod tree;
 pub mod visit;
 
-pub use attributes::{Attributes, Inlining};
+pub use attributes::{Attributes, Given, Inlining};
 pub use ir::*;
 pub use kernel::{Kernel, KernelRoutine};
 pub use number::{Float, Int, Scalar};

@@ -6,6 +6,7 @@
 //!
 //! Must not know: what an operation means. That is the typifier's.
 
+mod data;
 mod way;
 
 use alloc::boxed::Box;
@@ -17,6 +18,7 @@ use serde::{Deserialize, Serialize};
 use crate::attributes::Attributes;
 use crate::number::Scalar;
 
+pub use data::*;
 pub use way::*;
 
 /// What a package of models hands to the compiler.
@@ -33,6 +35,9 @@ pub struct Package {
     /// The names that their author gave to instances of generic types.
     #[serde(default)]
     pub aliases: Vec<Alias>,
+    /// The constants and tables of which their author says more than their value.
+    #[serde(default)]
+    pub tables: Vec<Table>,
     /// What the builder itself had to refuse.
     pub errors: Vec<Refusal>,
 }
@@ -90,88 +95,6 @@ pub enum Argument {
     Type(Ty),
     /// A number, as a word of its type.
     Number(Scalar, u64),
-}
-
-/// `pub type PidF32 = Pid<f32>;`: the name of an instance.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Alias {
-    /// The path of the instance.
-    pub of: String,
-    /// Its name.
-    pub name: String,
-    /// The module in which it is declared.
-    pub module: String,
-    /// The author's doc comment, a line each.
-    pub docs: Vec<String>,
-    /// The source file, as rustc names it.
-    pub file: String,
-    /// Where the name stands.
-    pub site: Site,
-}
-
-/// A struct or an enum.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Definition {
-    /// Its Rust path, `models::attitude::Pid`, with its arguments: unique.
-    pub path: String,
-    /// The module that it stands in, `models::attitude`.
-    pub module: String,
-    /// The author's name.
-    pub name: String,
-    /// What stands for its parameters.
-    pub arguments: Vec<Argument>,
-    /// The author's doc comment, a line each.
-    pub docs: Vec<String>,
-    /// The source file, as rustc names it.
-    pub file: String,
-    /// Where its name stands.
-    pub site: Site,
-    /// Whether it derives `PartialEq`, so that `==` compares part by part.
-    pub equal: bool,
-    /// Whether it derives `PartialOrd`, so that `<` compares the variants of an enum.
-    #[serde(default)]
-    pub ordered: bool,
-    /// Which of the two.
-    pub kind: DefinitionKind,
-}
-
-/// The two kinds of [`Definition`].
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub enum DefinitionKind {
-    /// A struct; a component has an initial state.
-    Struct {
-        /// Fields, in the author's order.
-        fields: Vec<Field>,
-        /// The initial state of a component, as words.
-        initial: Option<Vec<u64>>,
-    },
-    /// An enum.
-    Enum(Vec<Variant>),
-}
-
-/// A variant of an enum.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Variant {
-    /// The author's name.
-    pub name: String,
-    /// The author's doc comment, a line each.
-    pub docs: Vec<String>,
-    /// Its payload; the names of a tuple's parts are `0`, `1`, ….
-    pub fields: Vec<Field>,
-    /// Its number, where the author numbers the variants: `Armed = 5`.
-    #[serde(default)]
-    pub value: Option<i64>,
-}
-
-/// A field of a struct.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Field {
-    /// The author's name; of a tuple struct `0`, `1`, ….
-    pub name: String,
-    /// The author's doc comment, a line each.
-    pub docs: Vec<String>,
-    /// Its type.
-    pub ty: Ty,
 }
 
 /// A function with all that rustc decided about it.

@@ -1,4 +1,4 @@
-//! What an author asks of the C beside what the code does: `#[c(name = "…", section = "…")]`,
+//! What an author asks of the C of a function beside what the code does: `#[c(name = "…", section = "…")]`,
 //! `#[inline(never)]`, `#[entry(atomic)]`, `#[external(header = "…")]`.
 //!
 //! The attributes are the DSL's alone: the native item goes without them. What they ask for reaches the
@@ -10,6 +10,7 @@ use proc_macro2::TokenStream;
 use syn::spanned::Spanned;
 
 use crate::data::Kind;
+use crate::given;
 use crate::lower::refuse::{self, Reason};
 use crate::lower::{self, Refusals};
 
@@ -22,20 +23,19 @@ pub struct Asked {
 }
 
 /// Of a free function.
-pub fn of_function(attributes: &mut Vec<syn::Attribute>, refusals: &mut Refusals) -> Asked {
+pub fn of_function(function: &mut syn::ItemFn, refusals: &mut Refusals) -> Asked {
+    let attributes = &mut function.attrs;
     let inlining = inlining(attributes);
     let role = if is_inline(attributes) { Role::Inline } else { Role::Public };
     let mut asked = Asked { role, attributes: Attributes { inlining, ..Attributes::default() } };
     asked.take(attributes, refusals);
+    given::parameters(&mut function.sig, &mut asked.attributes, refusals);
     asked
 }
 
 /// Of a method.
-pub fn of_method(
-    kind: Kind,
-    attributes: &mut Vec<syn::Attribute>,
-    refusals: &mut Refusals,
-) -> Asked {
+pub fn of_method(kind: Kind, method: &mut syn::ImplItemFn, refusals: &mut Refusals) -> Asked {
+    let attributes = &mut method.attrs;
     let inlining = inlining(attributes);
     let role = match kind {
         Kind::Data if is_inline(attributes) => Role::Inline,
@@ -52,6 +52,15 @@ pub fn of_method(
         !is_entry
     });
     asked.take(attributes, refusals);
+    given::parameters(&mut method.sig, &mut asked.attributes, refusals);
+    asked
+}
+
+/// Of a method of an interface; what one of its implementations asks for is its own.
+pub fn of_interface(method: &mut syn::TraitItemFn, refusals: &mut Refusals) -> Asked {
+    let mut asked = Asked { role: Role::Public, attributes: Attributes::default() };
+    asked.take(&mut method.attrs, refusals);
+    given::parameters(&mut method.sig, &mut asked.attributes, refusals);
     asked
 }
 
@@ -79,10 +88,14 @@ impl Asked {
         self.role = Role::Entry { infallible };
     }
 
-    /// `#[c(name = "…", section = "…")]`.
+    /// `#[c(name = "…", section = "…", result = "…")]`, `#[unit("…")]` of the result.
     fn take(&mut self, attributes: &mut Vec<syn::Attribute>, refusals: &mut Refusals) {
         let role = self.role;
         attributes.retain(|attribute| {
+            if attribute.path().is_ident("unit") {
+                self.attributes.result.unit = given::unit(attribute, refusals);
+                return false;
+            }
             if !attribute.path().is_ident("c") {
                 return true;
             }
@@ -92,8 +105,15 @@ impl Asked {
                     check_name(&text, refusals);
                     self.attributes.name = Some(text.value());
                 } else if meta.path.is_ident("section") {
-                    check_section(&text, role, refusals);
+                    check_section(&text, refusals);
+                    if role == Role::Inline {
+                        refusals.add(text.span(), refuse::INLINE_SECTION);
+                    }
                     self.attributes.section = Some(text.value());
+                } else if meta.path.is_ident("result") {
+                    check_name(&text, refusals);
+                    self.attributes.result.name = Some(text.value());
+                    self.attributes.result.site = lower::site(&text);
                 } else {
                     refusals.add(meta.path.span(), refuse::C_ARGUMENT);
                 }
@@ -140,7 +160,7 @@ fn is_header(text: &str) -> bool {
     text.len() > 2 && text.ends_with(".h") && text.chars().all(allowed)
 }
 
-fn check_name(text: &syn::LitStr, refusals: &mut Refusals) {
+pub fn check_name(text: &syn::LitStr, refusals: &mut Refusals) {
     let name = text.value();
     let mut letters = name.chars();
     let starts = letters.next().is_some_and(|first| first.is_ascii_alphabetic());
@@ -149,13 +169,10 @@ fn check_name(text: &syn::LitStr, refusals: &mut Refusals) {
     }
 }
 
-fn check_section(text: &syn::LitStr, role: Role, refusals: &mut Refusals) {
+pub fn check_section(text: &syn::LitStr, refusals: &mut Refusals) {
     let allowed = |c: char| c.is_ascii_alphanumeric() || "_.$-,".contains(c);
     if text.value().is_empty() || !text.value().chars().all(allowed) {
         refusals.add(text.span(), refuse::C_SECTION);
-    }
-    if role == Role::Inline {
-        refusals.add(text.span(), refuse::INLINE_SECTION);
     }
 }
 

@@ -14,10 +14,12 @@ use crate::closures;
 use crate::docs;
 use crate::function::refuse_body;
 use crate::generics::Scope;
+use crate::given::{self, On};
 use crate::instance;
 use crate::interface;
 use crate::lower::{self, Refusals, refuse};
 use crate::redirect;
+use crate::table;
 
 /// Which attribute stands on the item.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -39,15 +41,32 @@ pub fn expand(kind: Kind, arguments: TokenStream, item: TokenStream) -> TokenStr
     let (native, beside) = match syn::parse2::<syn::Item>(item.clone()) {
         Ok(syn::Item::Struct(mut it)) => {
             let beside = data_struct(kind, &it, &mut refusals);
-            strip_units(&mut it.fields);
+            given::strip(&mut it.attrs);
+            strip_fields(&mut it.fields);
             (it.to_token_stream(), beside)
         }
         Ok(syn::Item::Enum(mut it)) => {
             let beside = data_enum(kind, &it, &mut refusals);
-            it.variants.iter_mut().for_each(|variant| strip_units(&mut variant.fields));
+            given::strip(&mut it.attrs);
+            for variant in &mut it.variants {
+                given::strip(&mut variant.attrs);
+                strip_fields(&mut variant.fields);
+            }
             (it.to_token_stream(), beside)
         }
-        Ok(syn::Item::Type(it)) => (it.to_token_stream(), instance::named(&it, &mut refusals)),
+        Ok(syn::Item::Type(mut it)) => {
+            let beside = instance::named(&it, &mut refusals);
+            given::strip(&mut it.attrs);
+            (it.to_token_stream(), beside)
+        }
+        Ok(syn::Item::Const(mut it)) if kind == Kind::Data => {
+            let beside = table::constant(&mut it, &mut refusals);
+            (it.to_token_stream(), beside)
+        }
+        Ok(syn::Item::Static(mut it)) if kind == Kind::Data => {
+            let beside = table::fixed(&mut it, &mut refusals);
+            (it.to_token_stream(), beside)
+        }
         Ok(syn::Item::Impl(it)) => methods(kind, more, it, &mut refusals),
         Ok(syn::Item::Union(it)) => {
             refusals.add(it.union_token.span, refuse::UNION);
@@ -74,7 +93,7 @@ fn refuse_lifetimes(generics: &syn::Generics, refusals: &mut Refusals) {
 
 fn data_struct(kind: Kind, it: &syn::ItemStruct, refusals: &mut Refusals) -> TokenStream {
     refuse_lifetimes(&it.generics, refusals);
-    lower::check_attributes(&it.attrs, refusals);
+    check_type(&it.attrs, &it.generics, refusals);
     if it.fields.is_empty() {
         refusals.add(it.ident.span(), refuse::EMPTY_STRUCT);
     }
@@ -126,21 +145,23 @@ fn field_bounds(scope: Scope<'_>, fields: &syn::Fields, of: &TokenStream) -> Tok
     scope.bounds(types.map(|ty| quote! { #ty: #of }))
 }
 
-/// The units are the DSL's alone.
-fn strip_units(fields: &mut syn::Fields) {
-    for field in fields.iter_mut() {
-        field.attrs.retain(|attribute| !attribute.path().is_ident("unit"));
+fn strip_fields(fields: &mut syn::Fields) {
+    fields.iter_mut().for_each(|field| given::strip(&mut field.attrs));
+}
+
+/// What is said of a type itself: of something generic each instance would have the name.
+fn check_type(attributes: &[syn::Attribute], generics: &syn::Generics, refusals: &mut Refusals) {
+    lower::check_attributes(attributes, refusals);
+    let given = given::read(attributes, On::Type, refusals);
+    let named = attributes.iter().find(|it| it.path().is_ident("c"));
+    if let (true, Some(_), Some(at)) = (Scope::of_type(generics).is_generic(), given.name, named) {
+        refusals.add(at.path().span(), refuse::GENERIC_NAME);
     }
 }
 
 fn check_fields(fields: &syn::Fields, refusals: &mut Refusals) {
     for field in fields {
-        for attribute in field.attrs.iter().filter(|it| it.path().is_ident("unit")) {
-            let unit = docs::unit(attribute).map(|unit| unit.value()).unwrap_or_default();
-            if unit.trim().is_empty() || unit.contains("*/") {
-                refusals.add(attribute.path().span(), refuse::UNIT);
-            }
-        }
+        given::read(&field.attrs, On::Value, refusals);
         lower::check_attributes(&field.attrs, refusals);
         lower::check_field(&field.ty, refusals);
     }
@@ -185,10 +206,16 @@ fn definition_bounds<'a>(
 /// The list of the definitions of fields.
 fn field_definitions(fields: &syn::Fields) -> TokenStream {
     let fields = fields.iter().zip(fields.members()).map(|(field, member)| {
-        let (name, docs, ty) = (lower::member(&member), docs::field(field), &field.ty);
-        quote! { ::bessemer::generate::field::<#ty>(cx, #name, &[#(#docs),*]) }
+        let (name, docs, ty) = (lower::member(&member), docs::lines(&field.attrs), &field.ty);
+        let given = said(&field.attrs, On::Value);
+        quote! { ::bessemer::generate::field::<#ty>(cx, #name, &[#(#docs),*], #given) }
     });
     quote! { ::bessemer::generate::list([#(#fields),*]) }
+}
+
+/// What is said of an item, which was checked before.
+fn said(attributes: &[syn::Attribute], on: On) -> TokenStream {
+    given::tokens(&given::read(attributes, on, &mut Refusals::default()))
 }
 
 /// Whether a trait is derived, as far as the attributes below the DSL's show it.
@@ -212,6 +239,7 @@ fn definition(
 ) -> TokenStream {
     let docs = docs::lines(attributes);
     let (equal, ordered) = (derives("PartialEq", attributes), derives("PartialOrd", attributes));
+    let given = said(attributes, On::Type);
     let lower::Site(line, column) = lower::site(name);
     let text = lower::text(name);
     let (declared, arguments, told) = (scope.declared(), scope.arguments(), scope.told());
@@ -234,7 +262,7 @@ fn definition(
                     let arguments = #told;
                     cx.definition(
                         ::bessemer::generate::Named { module: ::core::module_path!(), file: ::core::file!(), name: #text },
-                        &[#(#docs),*], (#line, #column), arguments, (#equal, #ordered),
+                        &[#(#docs),*], (#line, #column), arguments, (#equal, #ordered, #given),
                         |cx| #kind,
                     )
                 }
@@ -246,7 +274,7 @@ fn definition(
 
 fn data_enum(kind: Kind, it: &syn::ItemEnum, refusals: &mut Refusals) -> TokenStream {
     refuse_lifetimes(&it.generics, refusals);
-    lower::check_attributes(&it.attrs, refusals);
+    check_type(&it.attrs, &it.generics, refusals);
     if kind == Kind::Component {
         refusals.add(it.enum_token.span, refuse::COMPONENT_ENUM);
     }
@@ -256,6 +284,7 @@ fn data_enum(kind: Kind, it: &syn::ItemEnum, refusals: &mut Refusals) -> TokenSt
     let payload = it.variants.iter().any(|variant| !variant.fields.is_empty());
     for variant in &it.variants {
         lower::check_attributes(&variant.attrs, refusals);
+        given::read(&variant.attrs, On::Variant, refusals);
         check_fields(&variant.fields, refusals);
         if let (Some((_, value)), true) = (&variant.discriminant, payload) {
             refusals.add(value.span(), refuse::DISCRIMINANT);
@@ -275,7 +304,8 @@ fn data_enum(kind: Kind, it: &syn::ItemEnum, refusals: &mut Refusals) -> TokenSt
                 true => quote! { ::core::option::Option::Some(#whole::#ident as i64) },
                 false => quote! { ::core::option::Option::None },
             };
-            quote! { ::bessemer::generate::variant(#name, &[#(#docs),*], #fields, #value) }
+            let given = said(&variant.attrs, On::Variant);
+            quote! { ::bessemer::generate::variant(#name, &[#(#docs),*], #fields, #value, #given) }
         });
         let kind = quote! {
             ::bessemer::generate::tree::DefinitionKind::Enum(::bessemer::generate::list([#(#variants),*]))
@@ -380,7 +410,7 @@ fn methods(
             }
         };
         let mut refusals = Refusals::default();
-        let asked = attributes::of_method(kind, &mut method.attrs, &mut refusals);
+        let asked = attributes::of_method(kind, method, &mut refusals);
         let role = asked.role;
         let subject = Subject {
             attributes: &method.attrs,

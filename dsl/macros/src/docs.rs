@@ -1,4 +1,4 @@
-//! The author's doc comments, a line each, as they travel to the C, with the units of fields.
+//! The author's doc comments, a line each, as they travel to the C.
 
 /// The text of the `///` lines among `attributes`, without the leading space.
 pub fn lines(attributes: &[syn::Attribute]) -> Vec<String> {
@@ -20,22 +20,4 @@ pub fn lines(attributes: &[syn::Attribute]) -> Vec<String> {
         }
     }
     lines
-}
-
-/// The doc comment of a field, with its unit: `#[unit("m/s")]`.
-pub fn field(field: &syn::Field) -> Vec<String> {
-    let mut lines = lines(&field.attrs);
-    if let Some(unit) = field.attrs.iter().find_map(unit) {
-        let unit = format!("Unit: {}.", unit.value());
-        match lines.last_mut().filter(|last| !last.is_empty()) {
-            Some(last) => *last = format!("{last} {unit}"),
-            None => lines.push(unit),
-        }
-    }
-    lines
-}
-
-/// The unit that an attribute gives.
-pub fn unit(attribute: &syn::Attribute) -> Option<syn::LitStr> {
-    attribute.path().is_ident("unit").then(|| attribute.parse_args().ok()).flatten()
 }

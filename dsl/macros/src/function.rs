@@ -45,9 +45,10 @@ fn marked(
         return with_errors(refusals, item);
     }
     let more = more(&function, &mut refusals);
-    let mut asked = attributes::of_function(&mut function.attrs, &mut refusals);
+    let mut asked = attributes::of_function(&mut function, &mut refusals);
     if more.external.is_some() {
-        asked = Asked { role: Role::Public, attributes: more };
+        let Attributes { parameters, result, .. } = asked.attributes;
+        asked = Asked { role: Role::Public, attributes: Attributes { parameters, result, ..more } };
     }
     let subject = Subject {
         attributes: &function.attrs,

@@ -7,6 +7,7 @@ use syn::spanned::Spanned;
 use crate::builder;
 use crate::docs;
 use crate::generics::Scope;
+use crate::given::{self, On};
 use crate::lower::{self, Refusals, refuse};
 
 /// What an instance with a name of its own shows to C: the methods of a generic block, by the names of
@@ -45,6 +46,7 @@ pub fn named(it: &syn::ItemType, refusals: &mut Refusals) -> TokenStream {
     }
     lower::check_attributes(&it.attrs, refusals);
     lower::check_field(&it.ty, refusals);
+    let given = given::tokens(&given::read(&it.attrs, On::Type, refusals));
     if !refusals.is_empty() || !lower::GENERATING {
         return TokenStream::new();
     }
@@ -59,7 +61,7 @@ pub fn named(it: &syn::ItemType, refusals: &mut Refusals) -> TokenStream {
                     use ::bessemer::generate::WithoutEntries as _;
                     cx.alias::<#name>(
                         ::bessemer::generate::Named { module: ::core::module_path!(), file: ::core::file!(), name: #text },
-                        &[#(#docs),*], (#line, #column),
+                        &[#(#docs),*], (#line, #column), #given,
                     );
                     ::bessemer::generate::Instance::<#name>::new().build_entries(cx);
                 })

@@ -15,7 +15,6 @@ use crate::generics::Scope;
 use crate::instance;
 use crate::lower::{self, Refusals, refuse};
 use crate::redirect;
-use bessemer_ir::attributes::Attributes;
 use bessemer_ir::tree::Role;
 
 /// `#[interface]`.
@@ -49,7 +48,8 @@ fn interface(it: &mut syn::ItemTrait, refusals: &mut Refusals) -> TokenStream {
                 if redirect::owned(&method.sig.ident).is_some() {
                     refusals.add(method.sig.ident.span(), refuse::OWNED_NAME);
                 }
-                let parts = Method { interface: &name, generics: &generics, method };
+                let asked = attributes::of_interface(method, &mut refusals);
+                let parts = Method { interface: &name, generics: &generics, method, asked };
                 if let Some((inside, marker)) = parts.expand(&mut refusals) {
                     hidden.extend(inside);
                     beside.extend(marker);
@@ -97,19 +97,20 @@ struct Method<'a> {
     interface: &'a syn::Ident,
     generics: &'a syn::Generics,
     method: &'a syn::TraitItemFn,
+    asked: Asked,
 }
 
 impl Method<'_> {
     /// The hidden items of the trait, and the marker beside it.
-    fn expand(&self, refusals: &mut Refusals) -> Option<(Vec<syn::TraitItem>, TokenStream)> {
-        let Method { interface, generics, method } = self;
+    fn expand(self, refusals: &mut Refusals) -> Option<(Vec<syn::TraitItem>, TokenStream)> {
+        let Method { interface, generics, method, asked } = self;
         let (signature, empty) = (&method.sig, syn::parse_quote!({}));
         let subject = Subject {
             attributes: &method.attrs,
             visibility: &syn::Visibility::Inherited,
             signature,
             body: method.default.as_ref().unwrap_or(&empty),
-            asked: Asked { role: Role::Public, attributes: Attributes::default() },
+            asked,
             home: Home::Interface(interface),
         };
         let scope = Scope::of_type(generics).with_method(&signature.generics);
@@ -209,7 +210,7 @@ pub fn implementation(
             }
         };
         let mut refusals = Refusals::default();
-        let asked = attributes::of_method(kind, &mut method.attrs, &mut refusals);
+        let asked = attributes::of_method(kind, method, &mut refusals);
         let role = asked.role;
         let subject = Subject {
             attributes: &method.attrs,

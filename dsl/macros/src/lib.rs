@@ -13,14 +13,17 @@ mod data;
 mod docs;
 mod function;
 mod generics;
+mod given;
 mod instance;
 mod interface;
 mod lower;
 mod redirect;
+mod table;
 
 use proc_macro::TokenStream;
 
-/// Plain data: a struct with named fields, an enum without payload, or the `impl` block of one.
+/// Plain data: a struct, an enum, or the `impl` block of one; a `const` or a `static` of which more is to be
+/// said than its value.
 ///
 /// The struct or enum becomes a C `typedef`; its methods become C functions, `pid_torque(…)` for
 /// `Pid::torque`. Derives are the author's: `Clone`, `Copy`, `Debug`, `Default`, `PartialEq`.
@@ -54,9 +57,12 @@ pub fn external(arguments: TokenStream, item: TokenStream) -> TokenStream {
     function::expand_external(arguments.into(), item.into()).into()
 }
 
-/// What the C of a function is called, and where it is placed: `#[c(name = "pid_step", section = ".fast")]`.
+/// What an item is called in the C, and where it is placed: `#[c(name = "pid_step", section = ".fast")]`.
 ///
-/// It stands below `#[function]`, or on a method of a marked `impl` block: on its own it is an error.
+/// It stands below `#[function]`, `#[data]` or `#[component]`: on a function, a type, a named instance, a
+/// `const` or a `static`, and within these on methods, parameters, fields and variants. Functions and
+/// constants have storage, and so sections; `result = "thrust"` names what a function gives through a
+/// pointer. On its own it is an error.
 #[proc_macro_attribute]
 pub fn c(_arguments: TokenStream, item: TokenStream) -> TokenStream {
     alone(item.into(), lower::refuse::C_ALONE)

@@ -6,8 +6,8 @@ use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
 
-use bessemer_ir::Scalar;
 use bessemer_ir::tree::{self, Argument, DefinitionKind, Package, Refusal, Site, Ty};
+use bessemer_ir::{Given, Scalar};
 
 use super::{DslType, ScalarType, spatial};
 use crate::Plain;
@@ -59,6 +59,8 @@ pub struct Registered {
     module: &'static str,
     site: (u32, u32),
     build: fn(&mut Builder),
+    /// Whether it comes along with whatever package uses its crate.
+    everywhere: bool,
 }
 
 inventory::collect!(Registered);
@@ -70,7 +72,16 @@ impl Registered {
         site: (u32, u32),
         build: fn(&mut Builder),
     ) -> Registered {
-        Registered { module, site, build }
+        Registered { module, site, build, everywhere: false }
+    }
+
+    /// A table, which is told by its value wherever it is used.
+    pub const fn table(
+        module: &'static str,
+        site: (u32, u32),
+        build: fn(&mut Builder),
+    ) -> Registered {
+        Registered { module, site, build, everywhere: true }
     }
 }
 
@@ -85,8 +96,13 @@ pub fn data<T: DslType>(cx: &mut Builder) {
 }
 
 /// A field of type `T`.
-pub fn field<T: DslType>(cx: &mut Builder, name: &str, docs: &[&str]) -> tree::Field {
-    tree::Field { name: name.to_owned(), docs: owned(docs), ty: T::ty(cx) }
+pub fn field<T: DslType>(
+    cx: &mut Builder,
+    name: &str,
+    docs: &[&str],
+    given: Option<Said>,
+) -> tree::Field {
+    tree::Field { name: name.to_owned(), docs: owned(docs), ty: T::ty(cx), given: said(given) }
 }
 
 /// A variant of an enum.
@@ -95,8 +111,28 @@ pub fn variant(
     docs: &[&str],
     fields: Vec<tree::Field>,
     value: Option<i64>,
+    given: Option<Said>,
 ) -> tree::Variant {
-    tree::Variant { name: name.to_owned(), docs: owned(docs), fields, value }
+    tree::Variant { name: name.to_owned(), docs: owned(docs), fields, value, given: said(given) }
+}
+
+/// What the author of an item asks of its C: the name and its place, the unit, the section.
+pub struct Said {
+    /// The name in the C, and the line and column where it stands.
+    pub name: Option<&'static str>,
+    /// The unit.
+    pub unit: Option<&'static str>,
+    /// The section of the object file.
+    pub section: Option<&'static str>,
+    /// Where the name stands.
+    pub site: (u32, u32),
+}
+
+fn said(said: Option<Said>) -> Given {
+    let Some(Said { name, unit, section, site }) = said else { return Given::default() };
+    let owned = |text: Option<&'static str>| text.map(ToOwned::to_owned);
+    let site = Site(site.0, site.1);
+    Given { name: owned(name), unit: owned(unit), section: owned(section), site }
 }
 
 /// The words of a value.
@@ -180,7 +216,7 @@ pub fn package(name: &str, license: &str) -> String {
     items.sort_by_key(|item| (item.module, item.site));
     for item in items {
         let root = item.module.split("::").next().unwrap_or_default();
-        if root == name.replace('-', "_") {
+        if item.everywhere || root == name.replace('-', "_") {
             (item.build)(&mut builder);
         }
     }
@@ -195,7 +231,7 @@ impl Builder {
         docs: &[&str],
         site: (u32, u32),
         arguments: Arguments,
-        (equal, ordered): (bool, bool),
+        (equal, ordered, given): (bool, bool, Option<Said>),
         kind: impl FnOnce(&mut Builder) -> DefinitionKind,
     ) -> Ty {
         let path = path(named.module, named.name, &arguments);
@@ -211,6 +247,7 @@ impl Builder {
                 site: Site(site.0, site.1),
                 equal,
                 ordered,
+                given: said(given),
                 kind,
             });
         }
@@ -218,7 +255,13 @@ impl Builder {
     }
 
     /// The name that its author gives to an instance.
-    pub fn alias<T: DslType>(&mut self, named: Named, docs: &[&str], site: (u32, u32)) {
+    pub fn alias<T: DslType>(
+        &mut self,
+        named: Named,
+        docs: &[&str],
+        site: (u32, u32),
+        given: Option<Said>,
+    ) {
         let ty = T::ty(self);
         let site = Site(site.0, site.1);
         let known = |it: &&tree::Definition| matches!(&ty, Ty::Named(path) if *path == it.path);
@@ -244,6 +287,27 @@ impl Builder {
             docs: owned(docs),
             file: named.file.to_owned(),
             site,
+            given: said(given),
+        });
+    }
+
+    /// A constant or a table of which its author says more than its value.
+    pub fn table<T: DslType + Plain>(
+        &mut self,
+        named: Named,
+        docs: &[&str],
+        site: (u32, u32),
+        value: &T,
+        given: Option<Said>,
+    ) {
+        let value = tree::Constant { ty: T::ty(self), words: words(value) };
+        self.package.tables.push(tree::Table {
+            name: named.name.to_owned(),
+            docs: owned(docs),
+            file: named.file.to_owned(),
+            site: Site(site.0, site.1),
+            value,
+            given: said(given),
         });
     }
 

@@ -22,8 +22,8 @@ pub mod views;
 pub use alloc::string::String;
 pub use bessemer_ir::tree;
 pub use builder::{
-    Builder, Callee, Generics, Named, Registered, Witness, argument, data, field, function, number,
-    package, variant, words,
+    Builder, Callee, Generics, Named, Registered, Said, Witness, argument, data, field, function,
+    number, package, variant, words,
 };
 pub use inventory;
 pub use slot::{

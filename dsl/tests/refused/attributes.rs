@@ -93,4 +93,33 @@ pub struct Speed {
     pub value: f64,
 }
 
+#[data]
+#[c(name = "speed_t")]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Scaled<T> {
+    pub value: T,
+}
+
+#[data]
+#[unit("m")]
+#[c(section = ".data")]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Placed {
+    #[c(name = "2fast")]
+    #[c(section = ".data")]
+    pub value: f64,
+}
+
+#[data]
+#[c(section = "a b")]
+const TABLE: [f64; 2] = [1.0, 2.0];
+
+#[data]
+static mut CHANGED: u32 = 0;
+
+#[function]
+pub fn named(#[c(name = "a b")] x: f64, #[unit("")] y: f64) -> f64 {
+    x + y + TABLE[0]
+}
+
 fn main() {}

@@ -7,11 +7,13 @@ use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
-use crate::attributes::{Attributes, Inlining};
+use crate::attributes::{Attributes, Given, Inlining};
 use crate::ir::{
     Block, Const, ConstId, Enum, EnumId, Field, Form, Function, FunctionId, Local, LocalId, Module,
     Owner, Role, Span, Struct, StructId, Type, Variant,
 };
+
+use crate::tree::Site;
 
 use super::MAX_NESTING;
 use super::lex::{Lexeme, ParseError, Token, lex};
@@ -262,7 +264,7 @@ impl Parser {
             } else if self.eat_word("enum") {
                 self.enumeration(docs, span)?;
             } else if self.eat_word("const") {
-                self.constant()?;
+                self.constant(docs, span)?;
             } else {
                 self.function(docs, span)?;
             }
@@ -286,6 +288,7 @@ impl Parser {
         let name = self.name()?;
         let module = self.home()?;
         let form = self.form()?;
+        let given = self.given()?;
         let mut fields = Vec::new();
         self.expect("{")?;
         while !self.eat("}") {
@@ -293,7 +296,8 @@ impl Parser {
             let name = self.name()?;
             self.expect(":")?;
             let ty = self.ty()?;
-            fields.push(Field { name, docs, ty });
+            let given = self.given()?;
+            fields.push(Field { name, docs, ty, given });
             if !self.eat(",") && !self.sees("}") {
                 return self.fail("expected `,` or `}`");
             }
@@ -301,7 +305,8 @@ impl Parser {
         let initial = if self.eat("=") { Some(self.words()?) } else { None };
         let id = TypeId::Struct(StructId(self.module.structs.len() as u32));
         define(&mut self.types, name.clone(), id);
-        self.module.structs.push(Struct { name, module, docs, fields, form, initial, span });
+        let item = Struct { name, module, docs, fields, form, initial, given, span };
+        self.module.structs.push(item);
         Ok(())
     }
 
@@ -326,6 +331,7 @@ impl Parser {
     fn enumeration(&mut self, docs: Vec<String>, span: Span) -> Parsed<()> {
         let name = self.name()?;
         let module = self.home()?;
+        let given = self.given()?;
         let mut variants = Vec::new();
         self.expect("{")?;
         while !self.eat("}") {
@@ -335,27 +341,29 @@ impl Parser {
                 true => self.value()?,
                 false => i32::try_from(variants.len()).unwrap_or(i32::MAX),
             };
-            variants.push(Variant { name, docs, value });
+            let given = self.given()?;
+            variants.push(Variant { name, docs, value, given });
             if !self.eat(",") && !self.sees("}") {
                 return self.fail("expected `,` or `}`");
             }
         }
         let id = TypeId::Enum(EnumId(self.module.enums.len() as u32));
         define(&mut self.types, name.clone(), id);
-        self.module.enums.push(Enum { name, module, docs, variants, span });
+        self.module.enums.push(Enum { name, module, docs, variants, given, span });
         Ok(())
     }
 
-    fn constant(&mut self) -> Parsed<()> {
+    fn constant(&mut self, docs: Vec<String>, span: Span) -> Parsed<()> {
         let name = self.name()?;
         let module = self.home()?;
         self.expect(":")?;
         let ty = self.ty()?;
+        let given = self.given()?;
         self.expect("=")?;
         let words = if self.sees("[") { self.words()? } else { alloc::vec![self.word()?] };
         let id = ConstId(self.module.consts.len() as u32);
         define(&mut self.consts, name.clone(), id);
-        self.module.consts.push(Const { name, module, ty, words });
+        self.module.consts.push(Const { name, module, ty, words, docs, given, span });
         Ok(())
     }
 
@@ -441,10 +449,36 @@ impl Parser {
                 "never_inline" => attributes.inlining = Inlining::Never,
                 "always_inline" => attributes.inlining = Inlining::Always,
                 "atomic" => attributes.atomic = true,
+                "parameter" => attributes.parameters.push((self.name()?, self.given()?)),
+                "result" => attributes.result = self.given()?,
                 _ => return self.fail("expected the name of an attribute before this"),
             }
         }
         Ok(attributes)
+    }
+
+    /// `#(name "x" measured "m/s" @12:3)`, if it is next.
+    fn given(&mut self) -> Parsed<Given> {
+        let mut given = Given::default();
+        if !self.sees("#") || *self.ahead(1) != Token::Mark("(") {
+            return Ok(given);
+        }
+        self.bump();
+        self.expect("(")?;
+        while !self.eat("@") {
+            let said = match self.name()?.as_str() {
+                "name" => &mut given.name,
+                "measured" => &mut given.unit,
+                "section" => &mut given.section,
+                _ => return self.fail("expected `name`, `measured` or `section` before this"),
+            };
+            *said = Some(self.name()?);
+        }
+        let line = self.number()?;
+        self.expect(":")?;
+        given.site = Site(line, self.number()?);
+        self.expect(")")?;
+        Ok(given)
     }
 
     /// The struct or enum that a function belongs to.

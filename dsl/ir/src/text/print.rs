@@ -9,7 +9,7 @@ use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use core::fmt::Write;
 
-use crate::attributes::{Attributes, Inlining};
+use crate::attributes::{Attributes, Given, Inlining};
 use crate::ir::{
     ConstId, EnumId, Field, Form, Function, FunctionId, LocalId, Mode, Module, Owner, Role, Span,
     Struct, StructId, Type, Variant,
@@ -136,7 +136,7 @@ impl<'m> Printer<'m> {
         for definition in &module.enums {
             let head = ("enum", definition.name.as_str(), definition.module.as_str());
             self.head(&definition.docs, definition.span, head);
-            self.out.push_str(" {\n");
+            self.put(format_args!("{} {{\n", shown_given(&definition.given)));
             self.variants(&definition.variants);
             self.out.push_str("}\n");
         }
@@ -149,9 +149,12 @@ impl<'m> Printer<'m> {
             self.out.push('\n');
         }
         for definition in &module.consts {
-            let name = shown(&definition.name);
-            let home = home(&definition.module);
-            self.put(format_args!("const {name}{home}: {} = ", self.ty(&definition.ty)));
+            self.remarks("///", &definition.docs);
+            let place = relative(definition.span, Span::default(), Span::default());
+            let gap = if place.is_empty() { "" } else { " " };
+            let (name, home) = (shown(&definition.name), home(&definition.module));
+            let (ty, given) = (self.ty(&definition.ty), shown_given(&definition.given));
+            self.put(format_args!("{place}{gap}const {name}{home}: {ty}{given} = "));
             self.words(&definition.words, &definition.ty);
             self.out.push('\n');
         }
@@ -179,7 +182,7 @@ impl<'m> Printer<'m> {
             if variant.value != index as i32 {
                 self.put(format_args!(" = {}", variant.value));
             }
-            self.put(format_args!(",\n"));
+            self.put(format_args!("{},\n", shown_given(&variant.given)));
         }
         self.indent = 0;
     }
@@ -198,12 +201,12 @@ impl<'m> Printer<'m> {
             }
             Form::Sequence => self.out.push_str(" sequence"),
         }
-        self.out.push_str(" {\n");
+        self.put(format_args!("{} {{\n", shown_given(&definition.given)));
         self.indent = 1;
-        for Field { name, docs, ty } in &definition.fields {
+        for Field { name, docs, ty, given } in &definition.fields {
             self.remarks("///", docs);
             self.line();
-            self.put(format_args!("{}: {},\n", shown(name), self.ty(ty)));
+            self.put(format_args!("{}: {}{},\n", shown(name), self.ty(ty), shown_given(given)));
         }
         self.indent = 0;
         self.out.push('}');
@@ -475,7 +478,25 @@ fn shown_attributes(attributes: &Attributes) -> String {
         Inlining::Always => "#always_inline ",
     });
     text.push_str(if attributes.atomic { "#atomic " } else { "" });
+    for (name, given) in &attributes.parameters {
+        text.push_str(&format!("#parameter {name:?}{} ", shown_given(given)));
+    }
+    if attributes.result != Given::default() {
+        text.push_str(&format!("#result{} ", shown_given(&attributes.result)));
+    }
     text
+}
+
+/// ` (name "x", unit "m/s")`, or nothing.
+fn shown_given(given: &Given) -> String {
+    if *given == Given::default() {
+        return String::new();
+    }
+    let said = [("name", &given.name), ("measured", &given.unit), ("section", &given.section)];
+    let said =
+        said.iter().filter_map(|(word, text)| Some(format!("{word} {:?} ", (*text).as_ref()?)));
+    let said: String = said.collect();
+    format!(" #({said}@{}:{})", given.site.0, given.site.1)
 }
 
 /// A word of a constant: readable where that reads back to the same bits.

@@ -1,6 +1,7 @@
 //! Random modules out of random bytes: every kind of node, well-typed or not, with hostile names,
 //! spans and words.
 
+use bessemer_ir::tree::Site;
 use bessemer_ir::*;
 
 /// A module that these bytes stand for; when they run out, the simplest of everything.
@@ -156,8 +157,22 @@ impl Source<'_> {
                 name: source.name(),
                 docs: source.some(1, Source::text),
                 value: source.word() as i32,
+                given: source.given(),
             }),
+            given: self.given(),
             span: self.span(),
+        }
+    }
+
+    fn given(&mut self) -> Given {
+        if !self.chance(6) {
+            return Given::default();
+        }
+        Given {
+            name: self.chance(2).then(|| self.text()),
+            unit: self.chance(2).then(|| self.text()),
+            section: self.chance(2).then(|| self.text()),
+            site: Site(self.below(99), self.below(99)),
         }
     }
 
@@ -170,6 +185,7 @@ impl Source<'_> {
                 name: source.name(),
                 docs: source.some(1, Source::text),
                 ty: source.ty(),
+                given: source.given(),
             }),
             form: match self.below(3) {
                 0 => Form::Record,
@@ -181,6 +197,7 @@ impl Source<'_> {
                 }
             },
             initial: if self.chance(2) { Some(self.some(6, Source::word)) } else { None },
+            given: self.given(),
             span: self.span(),
         }
     }
@@ -190,7 +207,15 @@ impl Source<'_> {
         if self.chance(4) {
             words.extend([7; 9]);
         }
-        Const { name: self.name(), module: self.text(), ty: self.ty(), words }
+        Const {
+            name: self.name(),
+            module: self.text(),
+            ty: self.ty(),
+            words,
+            docs: self.some(2, Source::text),
+            given: self.given(),
+            span: self.span(),
+        }
     }
 
     fn function(&mut self) -> Function {
@@ -222,6 +247,8 @@ impl Source<'_> {
                 inlining: self.pick(&[Inlining::Free, Inlining::Never, Inlining::Always]),
                 atomic: self.chance(20),
                 external: self.chance(20).then(|| self.text()),
+                parameters: self.some(1, |source| (source.text(), source.given())),
+                result: self.given(),
             },
             docs: self.some(2, Source::text),
             params: self.below(self.locals + 1),

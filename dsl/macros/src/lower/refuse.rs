@@ -103,7 +103,7 @@ reasons! {
     ARGUMENTS: "this attribute takes no arguments", "leave them out";
     NOT_A_FUNCTION: "`#[function]` stands on a free function", "a struct, an enum and an `impl` block take `#[data]`, or `#[component]`";
     METHOD_ALONE: "a method is part of its `impl` block", "mark the `impl` block `#[data]` or `#[component]`, and leave `#[function]` out";
-    NOT_DATA: "this attribute stands on a struct, an enum or an `impl` block", "a free function takes `#[function]`";
+    NOT_DATA: "this attribute stands on a struct, an enum, an `impl` block or a constant", "a free function takes `#[function]`";
     EMPTY_STRUCT: "C has no struct without fields", "give it a field, or write its methods as functions marked `#[function]`";
     EMPTY_ENUM: "C has no enum without variants", "give it a variant";
     COMPONENT_ENUM: "a component is a struct", "keep the enum in a field of one, and mark it `#[data]`";
@@ -178,8 +178,11 @@ reasons! {
     UNIT: "this is no unit", "write `#[unit(\"m/s\")]`";
     FOREIGN_IMPLEMENTATION: "an interface is implemented by types of the author's own in the DSL", "wrap the value: `#[data] struct Gain(f64);`, and implement the interface for that";
     INTERFACE_CLOSURE: "a method of an interface takes no closure in the DSL", "write a function or a method of a type that takes it";
-    C_ALONE: "`#[c(…)]` means something below the DSL's attribute alone", "write it below `#[function]`, or on a method of a marked `impl` block";
-    C_ARGUMENT: "`#[c(…)]` takes `name` and `section`", "write `#[c(name = \"pid_step\", section = \".fast\")]`";
+    UNIT_PLACE: "a unit is that of a number", "write it on a field, a parameter, a constant, or on the function that gives the number";
+    C_ALONE: "`#[c(…)]` means something below the DSL's attribute alone", "write it below `#[function]`, `#[data]` or `#[component]`, or on a method of a marked `impl` block";
+    SECTION_PLACE: "only a function or a constant has a place in the object file", "leave the section out";
+    TABLE_UNNAMED: "a constant without a name is not part of the C", "leave the attribute out";
+    C_ARGUMENT: "`#[c(…)]` takes `name`, `section`, and of functions `result`", "write `#[c(name = \"pid_step\", section = \".fast\")]`";
     C_NAME: "this is no name that C takes", "begin with a letter; go on with letters, digits and `_`";
     C_SECTION: "this is no name of a section", "write letters, digits, `.`, `_`: `.fast`";
     INLINE_SECTION: "a function that stands where it is called is in no section of its own", "leave `#[inline]` out, or the section";

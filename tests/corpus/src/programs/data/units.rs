@@ -1,4 +1,5 @@
-//! The unit of a field stands in its comment.
+//! The unit of a field, a parameter, a constant or a result stands in the comment of the C, and in what `gen`
+//! reports of each entry point.
 
 use bessemer::prelude::*;
 
@@ -13,8 +14,34 @@ pub struct Barometer {
     pub temperature: f32,
 }
 
-/// The density of dry air, kg/m³.
+/// Of dry air.
+#[data]
+#[unit("J/(kg·K)")]
+const GAS: f32 = 287.05;
+
+/// The density of dry air.
 #[function]
+#[unit("kg/m³")]
 pub fn density(reading: &Barometer) -> f32 {
-    reading.pressure / (287.05 * (reading.temperature + 273.15))
+    reading.pressure / (GAS * (reading.temperature + 273.15))
+}
+
+/// Smooths the density of the air.
+#[component]
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct AirDensity {
+    /// What it is by now.
+    #[unit("kg/m³")]
+    pub density: f32,
+}
+
+#[component]
+impl AirDensity {
+    /// Takes a reading.
+    #[entry(infallible)]
+    #[unit("kg/m³")]
+    pub fn step(&mut self, reading: &Barometer, #[unit("1/s")] rate: f32, #[unit("s")] period: f32) -> f32 {
+        self.density += (density(reading) - self.density) * rate * period;
+        self.density
+    }
 }

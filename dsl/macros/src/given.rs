@@ -1,0 +1,123 @@
+//! What an author says of a type, a variant, a field, a parameter or a table beside what it is:
+//! `#[c(name = "…", section = "…")]`, `#[unit("…")]`.
+//!
+//! The attributes are the DSL's alone: the native item goes without them. What they say travels as
+//! [`Given`]; whether a name is free shows only when the C is written.
+
+use bessemer_ir::attributes::{Attributes, Given};
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::spanned::Spanned;
+
+use crate::attributes::{check_name, check_section};
+use crate::lower::{self, Refusals, refuse};
+
+/// What the attributes stand on, which decides what they may say.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum On {
+    /// A struct or an enum: a name.
+    Type,
+    /// A variant of an enum: a name.
+    Variant,
+    /// A field or a parameter: a name and a unit.
+    Value,
+    /// A `const` or a `static`: a name, a unit and a section.
+    Table,
+}
+
+/// Whether an attribute is one of these.
+fn is_ours(attribute: &syn::Attribute) -> bool {
+    attribute.path().is_ident("c") || attribute.path().is_ident("unit")
+}
+
+/// Takes the attributes off the native item.
+pub fn strip(attributes: &mut Vec<syn::Attribute>) {
+    attributes.retain(|attribute| !is_ours(attribute));
+}
+
+/// What the attributes say.
+pub fn read(attributes: &[syn::Attribute], on: On, refusals: &mut Refusals) -> Given {
+    let mut given = Given::default();
+    for attribute in attributes.iter().filter(|attribute| is_ours(attribute)) {
+        if attribute.path().is_ident("unit") {
+            match on {
+                On::Value | On::Table => given.unit = unit(attribute, refusals),
+                On::Type | On::Variant => {
+                    refusals.add(attribute.path().span(), refuse::UNIT_PLACE);
+                }
+            }
+            continue;
+        }
+        let parsed = attribute.parse_nested_meta(|meta| {
+            let text: syn::LitStr = meta.value()?.parse()?;
+            if meta.path.is_ident("name") {
+                check_name(&text, refusals);
+                given.name = Some(text.value());
+                given.site = lower::site(&text);
+            } else if meta.path.is_ident("section") && on == On::Table {
+                check_section(&text, refusals);
+                given.section = Some(text.value());
+            } else if meta.path.is_ident("section") {
+                refusals.add(meta.path.span(), refuse::SECTION_PLACE);
+            } else {
+                refusals.add(meta.path.span(), refuse::C_ARGUMENT);
+            }
+            Ok(())
+        });
+        if parsed.is_err() {
+            refusals.add(attribute.path().span(), refuse::C_ARGUMENT);
+        }
+    }
+    given
+}
+
+/// The unit that an attribute gives.
+pub fn unit(attribute: &syn::Attribute, refusals: &mut Refusals) -> Option<String> {
+    let unit = attribute.parse_args::<syn::LitStr>().map(|unit| unit.value()).unwrap_or_default();
+    if unit.trim().is_empty() || unit.contains("*/") || unit.contains(char::is_control) {
+        refusals.add(attribute.path().span(), refuse::UNIT);
+        return None;
+    }
+    Some(unit)
+}
+
+/// Takes what is said of its parameters off a signature.
+pub fn parameters(
+    signature: &mut syn::Signature,
+    attributes: &mut Attributes,
+    refusals: &mut Refusals,
+) {
+    for input in &mut signature.inputs {
+        let (name, own) = match input {
+            syn::FnArg::Receiver(it) => ("self".to_owned(), &mut it.attrs),
+            syn::FnArg::Typed(it) => match &*it.pat {
+                syn::Pat::Ident(pat) => (lower::text(&pat.ident), &mut it.attrs),
+                _ => continue,
+            },
+        };
+        let given = read(own, On::Value, refusals);
+        strip(own);
+        if given != Given::default() {
+            attributes.parameters.push((name, given));
+        }
+    }
+}
+
+/// What is said, as the builder takes it.
+pub fn tokens(given: &Given) -> TokenStream {
+    let none = quote! { ::core::option::Option::None };
+    if *given == Given::default() {
+        return none;
+    }
+    let text = |text: &Option<String>| match text {
+        Some(text) => quote! { ::core::option::Option::Some(#text) },
+        None => none.clone(),
+    };
+    let (name, unit, section) = (text(&given.name), text(&given.unit), text(&given.section));
+    let lower::Site(line, column) = given.site;
+    quote! {
+        ::core::option::Option::Some(::bessemer::generate::Said {
+            name: #name, unit: #unit, section: #section, site: (#line, #column),
+        })
+    }
+}

@@ -1,0 +1,55 @@
+//! `#[data]` on a `const` or a `static`: a constant of which its author says more than its value.
+//!
+//! What reads it needs no mark: a constant is told by its name, its type and its value. So the mark only
+//! announces what is said of these.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::spanned::Spanned;
+
+use crate::docs;
+use crate::given::{self, On};
+use crate::lower::{self, Refusals, refuse};
+
+/// What stands beside a `const`.
+pub fn constant(it: &mut syn::ItemConst, refusals: &mut Refusals) -> TokenStream {
+    if it.ident == "_" {
+        refusals.add(it.ident.span(), refuse::TABLE_UNNAMED);
+    }
+    announced(&it.ident, &mut it.attrs, refusals)
+}
+
+/// What stands beside a `static`.
+pub fn fixed(it: &mut syn::ItemStatic, refusals: &mut Refusals) -> TokenStream {
+    if let syn::StaticMutability::Mut(token) = &it.mutability {
+        refusals.add(token.span(), refuse::STATIC);
+    }
+    announced(&it.ident, &mut it.attrs, refusals)
+}
+
+fn announced(
+    name: &syn::Ident,
+    attributes: &mut Vec<syn::Attribute>,
+    refusals: &mut Refusals,
+) -> TokenStream {
+    lower::check_attributes(attributes, refusals);
+    let given = given::read(attributes, On::Table, refusals);
+    given::strip(attributes);
+    if !refusals.is_empty() || !lower::GENERATING {
+        return TokenStream::new();
+    }
+    let (docs, text, given) = (docs::lines(attributes), lower::text(name), given::tokens(&given));
+    let lower::Site(line, column) = lower::site(name);
+    quote! {
+        const _: () = {
+            ::bessemer::generate::register! {
+                ::bessemer::generate::Registered::table(::core::module_path!(), (#line, #column), |cx| {
+                    cx.table(
+                        ::bessemer::generate::Named { module: ::core::module_path!(), file: ::core::file!(), name: #text },
+                        &[#(#docs),*], (#line, #column), &#name, #given,
+                    );
+                })
+            }
+        };
+    }
+}

@@ -1,0 +1,69 @@
+//! Types, variants, fields, parameters and constants take the name in the C that a firmware's convention asks
+//! for; a table takes a section as a function does. A type's methods, its initialiser and its variants are
+//! named for it, unless they have a name of their own.
+
+use bessemer::prelude::*;
+
+/// What the valve is asked to do.
+#[data]
+#[c(name = "ValveOrder_t")]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Order {
+    #[default]
+    #[c(name = "VALVE_HOLD")]
+    Hold,
+    /// To a share of its way.
+    Move(#[c(name = "wanted")] f32),
+    /// As fast as it can.
+    #[c(name = "VALVE_SLAM")]
+    Slam { open: bool },
+}
+
+/// The flow at each eighth of the way, l/min.
+#[data]
+#[c(name = "kValveFlow", section = ".rodata.curves")]
+static FLOW: [f32; 9] = [0.0, 0.5, 1.75, 3.5, 5.5, 7.25, 8.5, 9.25, 9.5];
+
+/// The share of the way that it moves in a period.
+#[data]
+#[c(name = "kValveStep")]
+const STEP: f32 = 0.125;
+
+/// A valve that moves in steps.
+#[component]
+#[c(name = "Valve_t")]
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct MotorValve {
+    /// How far it is open, 0 to 1.
+    #[c(name = "fPosition")]
+    pub position: f32,
+    /// How often it was moved.
+    #[c(name = "u32Moves")]
+    pub moves: u32,
+}
+
+#[component]
+impl MotorValve {
+    /// One period: the flow that the curve shows, l/min.
+    #[entry]
+    #[c(result = "pFlow")]
+    pub fn step(#[c(name = "pThis")] &mut self, #[c(name = "pOrder")] order: Order) -> f32 {
+        let target = match order {
+            Order::Hold => self.position,
+            Order::Move(share) => share.clamp(0.0, 1.0),
+            Order::Slam { open } => f32::from(u8::from(open)),
+        };
+        let change = (target - self.position).clamp(-STEP, STEP);
+        if change != 0.0 {
+            self.moves += 1;
+        }
+        self.position = (self.position + change).clamp(0.0, 1.0);
+        FLOW[(self.position * 8.0) as usize]
+    }
+
+    /// Whether it is closed.
+    #[entry(infallible)]
+    pub fn closed(&self) -> bool {
+        self.position <= 0.0
+    }
+}
