@@ -392,9 +392,14 @@ impl Lowering<'_, '_> {
                 let operands = [place.clone(), value.clone()];
                 let ty = self.place_type(place)?;
                 let value = self.call_of(&callee, &operands, place)?;
-                self.agree(&value.ty, &ty, site)?;
-                let place = self.writable(place)?;
-                self.emit(StmtKind::Assign { place, value }, span);
+                if value.ty == Type::Unit {
+                    // `impl AddAssign` of a type of the author's: it writes the place itself.
+                    self.emit(StmtKind::Expr(value), span);
+                } else {
+                    self.agree(&value.ty, &ty, site)?;
+                    let place = self.writable(place)?;
+                    self.emit(StmtKind::Assign { place, value }, span);
+                }
             }
             Some(op) => {
                 let ty = self.place_type(place)?;

@@ -17,6 +17,9 @@ pub(super) struct Operand<'e> {
     pub role: &'static str,
 }
 
+/// What to write where an operator is a function that the DSL does not find.
+const OPERATOR: &str = "of a type of your own: mark the `impl` block of the operator `#[data]`; a literal beside it says its type, `2.0_f64`";
+
 impl Lowering<'_, '_> {
     /// The value of `expr`; what it needs done before is emitted.
     pub(super) fn value(&mut self, expr: &tree::Expr, expected: Option<&Type>) -> Result<Expr> {
@@ -214,7 +217,7 @@ impl Lowering<'_, '_> {
             (tree::UnaryOp::Not, Type::Scalar(_)) => {
                 ExprKind::Unary(UnaryOp::Not, Box::new(operand))
             }
-            _ => return problem(site, "this operator does not take that type", "use a method"),
+            _ => return problem(site, "this operator does not take that type", OPERATOR),
         };
         self.node(kind, ty, site)
     }
@@ -328,7 +331,7 @@ impl Lowering<'_, '_> {
             (Type::Matrix { .. }, _) | (_, Type::Matrix { .. }) => {
                 return self.matrix_binary(op, left, right, site);
             }
-            _ => return problem(site, "this operator does not take these types", "use a method"),
+            _ => return problem(site, "this operator does not take these types", OPERATOR),
         };
         self.node(kind, ty, site)
     }

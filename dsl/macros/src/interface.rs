@@ -14,6 +14,7 @@ use crate::function::refuse_body;
 use crate::generics::Scope;
 use crate::instance;
 use crate::lower::{self, Refusals, refuse};
+use crate::operators;
 use crate::redirect;
 use bessemer_ir::tree::Role;
 
@@ -172,7 +173,7 @@ impl Method<'_> {
 }
 
 /// Whether a type is a scalar, an array or the like, as far as its syntax shows: nobody can mark it.
-fn is_rusts_own(ty: &syn::Type) -> bool {
+pub fn is_rusts_own(ty: &syn::Type) -> bool {
     match ty {
         syn::Type::Path(it) => {
             let name = it.path.get_ident().map(ToString::to_string);
@@ -190,6 +191,9 @@ pub fn implementation(
     refusals: &mut Refusals,
 ) -> (TokenStream, TokenStream) {
     let Some((path, _)) = it.trait_.clone() else { return Default::default() };
+    if let Some(known) = operators::known(&path) {
+        return operators::implementation(kind, known, it, refusals);
+    }
     if let Some(reason) = refuse::known_trait(&path) {
         refusals.add(path.span(), reason);
         return (it.into_token_stream(), TokenStream::new());

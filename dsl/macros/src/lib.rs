@@ -17,6 +17,7 @@ mod given;
 mod instance;
 mod interface;
 mod lower;
+mod operators;
 mod redirect;
 mod table;
 

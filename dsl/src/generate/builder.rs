@@ -9,7 +9,7 @@ use alloc::vec::Vec;
 use bessemer_ir::tree::{self, Argument, DefinitionKind, Package, Refusal, Site, Ty};
 use bessemer_ir::{Given, Scalar};
 
-use super::{DslType, ScalarType, spatial};
+use super::{DslType, ScalarType, operators};
 use crate::Plain;
 
 /// What a package is made of, so far.
@@ -337,7 +337,7 @@ impl Builder {
             let witness = witness(self);
             self.stack.pop();
             if let Ok(tree) = serde_json::from_str::<tree::FunctionTree>(text) {
-                let operators = spatial::operators(self, &tree.operators, &witness.slots);
+                let operators = operators::called(self, &tree.operators, &witness.slots);
                 self.package.functions.push(tree::Function {
                     path: path.clone(),
                     module: named.module.to_owned(),

@@ -12,6 +12,7 @@ pub mod linear;
 pub mod list;
 pub mod matrices;
 pub mod numbers;
+mod operators;
 pub mod option;
 pub mod resized;
 pub mod slice;
@@ -26,6 +27,8 @@ pub use builder::{
     number, package, variant, words,
 };
 pub use inventory;
+pub use numbers::{FromBuiltin, TryFromBuiltin};
+pub use operators::OwnOperator;
 pub use slot::{
     Called, DslType, Instance, ScalarType, Seen, Slot, Value, WithoutEntries, constant, list,
 };
@@ -53,7 +56,8 @@ pub mod prelude {
     };
     pub use super::numbers::{
         BytesBuiltins as _, DivisionBuiltins as _, FloatKindBuiltins as _, FromBuiltin as _,
-        IntegerBuiltins as _, SignBuiltins as _, SignedBuiltins as _, UnsignedBuiltins as _,
+        IntegerBuiltins as _, IntoBuiltin as _, SignBuiltins as _, SignedBuiltins as _,
+        TryFromBuiltin as _, TryIntoBuiltin as _, UnsignedBuiltins as _,
     };
     pub use super::option::{
         ArrayBuiltins as _, CopiedBuiltin as _, FlattenBuiltin as _, MatrixMapBuiltin as _,

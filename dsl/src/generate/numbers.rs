@@ -237,13 +237,47 @@ pub trait BytesBuiltins: Sized {
     }
 }
 
-/// Conversions that keep the value.
+/// Conversions that keep the value, and those of authors' own types.
 #[allow(missing_docs)]
 pub trait FromBuiltin<T>: Sized {
-    fn __b_from(_value: T) -> Called<From, Self> {
+    /// Which function it is.
+    type Marker;
+    fn __b_from(_value: T) -> Called<Self::Marker, Self> {
         unreachable!()
     }
 }
+
+/// `x.into()`: the same, from the other end.
+#[allow(missing_docs)]
+pub trait IntoBuiltin<U: FromBuiltin<Self>>: Sized {
+    fn __b_into(self) -> Called<U::Marker, U> {
+        unreachable!()
+    }
+}
+
+impl<T, U: FromBuiltin<T>> IntoBuiltin<U> for T {}
+
+/// Conversions of authors' own types that may fail.
+#[allow(missing_docs)]
+pub trait TryFromBuiltin<T>: Sized {
+    /// Which function it is.
+    type Marker;
+    /// Why there is no value.
+    type Error;
+    fn __b_try_from(_value: T) -> Called<Self::Marker, Result<Self, Self::Error>> {
+        unreachable!()
+    }
+}
+
+/// `x.try_into()`: the same, from the other end.
+#[allow(missing_docs)]
+pub trait TryIntoBuiltin<U: TryFromBuiltin<Self>>: Sized {
+    fn __b_try_into(self) -> Called<U::Marker, Result<U, U::Error>> {
+        unreachable!()
+    }
+}
+
+impl<T, U: TryFromBuiltin<T>> TryIntoBuiltin<U> for T {}
 
 macro_rules! integers {
     ($($int:ident, $unsigned:ident, $pow:ident, $wrapping_pow:ident;)*) => {$(
@@ -297,7 +331,9 @@ bytes! {
 }
 
 macro_rules! conversions {
-    ($($to:ident: $($from:ident)*;)*) => { $($(impl FromBuiltin<$from> for $to {})*)* };
+    ($($to:ident: $($from:ident)*;)*) => { $($(impl FromBuiltin<$from> for $to {
+        type Marker = From;
+    })*)* };
 }
 
 conversions! {

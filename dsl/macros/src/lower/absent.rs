@@ -17,7 +17,6 @@ const ABSENT: &[(&str, usize, &str)] = &[
     ("log", 1, "write `x.ln() / base.ln()`"),
     ("cmp partial_cmp total_cmp eq ne lt le gt ge", 1, "compare with `<`, `==` and the like"),
     ("overflowing_add overflowing_sub overflowing_mul", 1, WIDER),
-    ("into", 0, "write the type: `f64::from(x)`"),
     ("to_be to_le to_ne_bytes", 0, BYTES),
     ("from_be from_le from_ne_bytes", 0, BYTES),
     ("clone", 0, "derive `Copy` too: then the value copies itself"),

@@ -64,7 +64,7 @@ fn has_functions(op: BinaryOp) -> bool {
 
 fn is_literal(expr: &tree::Expr) -> bool {
     match &expr.kind {
-        ExprKind::Int(..) | ExprKind::Float(..) => true,
+        ExprKind::Int(_, suffix) | ExprKind::Float(_, suffix) => suffix.is_none(),
         ExprKind::Unary(_, operand) => is_literal(operand),
         _ => false,
     }

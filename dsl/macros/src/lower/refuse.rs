@@ -159,7 +159,10 @@ reasons! {
     NESTED_ITEM: "items inside a function are not in the DSL", "move it out, next to the function";
     YIELD: "generators are not in the DSL", "keep the state in a component, and step it";
     RANGE_VALUE: "a range is not a value in the DSL", "write it in a `for`";
-    OPERATOR_TRAIT: "operators of one's own types are not in the DSL", "put a method with a name into an `impl` block of the type";
+    OPERATOR_TRAIT: "of the operators of one's own types `+ - * /`, these with `=`, and the sign are in the DSL", "put a method with a name into an `impl` block of the type";
+    GENERIC_OPERATOR: "an operator or a conversion of a generic type is not in the DSL", "implement it for each instance, or write a method with a name";
+    BORROWED_OPERAND: "an operand is a value in the DSL", "derive `Copy`, and implement the trait for the values";
+    FOREIGN_OPERAND: "the left operand is of a type of the author's own in the DSL", "implement the trait for that: `turn * 2.0`";
     STD_TRAIT: "this trait is Rust's own: no model calls it", "leave the attribute out";
     NOT_A_TRAIT: "`#[interface]` stands on a trait", "a struct, an enum and an `impl` block take `#[data]` or `#[component]`, a function `#[function]`";
     INTERFACE_ITEM: "this is not part of an interface of the DSL", "write methods, constants and types";
@@ -227,13 +230,10 @@ pub fn expression(expr: &syn::Expr) -> (Span, Reason) {
 pub fn known_trait(path: &syn::Path) -> Option<Reason> {
     let name = path.segments.last()?.ident.to_string();
     Some(match name.as_str() {
-        "Add" | "Sub" | "Mul" | "Div" | "Rem" | "Neg" | "Not" | "AddAssign" | "SubAssign"
-        | "MulAssign" | "DivAssign" | "RemAssign" | "Index" | "IndexMut" | "BitAnd" | "BitOr"
-        | "BitXor" | "Shl" | "Shr" | "Deref" | "DerefMut" => OPERATOR_TRAIT,
+        "Rem" | "Not" | "RemAssign" | "Index" | "IndexMut" | "BitAnd" | "BitOr" | "BitXor"
+        | "Shl" | "Shr" | "Deref" | "DerefMut" => OPERATOR_TRAIT,
         "Default" | "Clone" | "Copy" | "Debug" | "Display" | "PartialEq" | "Eq" | "PartialOrd"
-        | "Ord" | "Hash" | "From" | "Into" | "TryFrom" | "Iterator" | "IntoIterator" | "Drop" => {
-            STD_TRAIT
-        }
+        | "Ord" | "Hash" | "Into" | "Iterator" | "IntoIterator" | "Drop" => STD_TRAIT,
         _ => return None,
     })
 }

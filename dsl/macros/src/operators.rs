@@ -1,0 +1,209 @@
+//! Operators and conversions of authors' own types: `#[data] impl Add for Phasor`, `impl From<f64> for Phasor`.
+//!
+//! The trait is Rust's own and has no room for a builder, so that stands beside the type's methods. Which
+//! function an operator is, the builder of the caller finds by the types of the operands, in a registry; a conversion
+//! has a companion, since rustc resolves it by its argument.
+
+use proc_macro2::{Span, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+use syn::spanned::Spanned;
+use syn::visit_mut::{self, VisitMut};
+
+use crate::attributes;
+use crate::builder::{self, Home, Subject};
+use crate::data::Kind;
+use crate::function::refuse_body;
+use crate::generics::Scope;
+use crate::lower::{self, Refusals, refuse};
+use crate::redirect;
+
+/// A trait whose implementations are called by something else than their name.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Known {
+    /// `a + b`, `a += b`, `-a`.
+    Operator,
+    /// `From`, `TryFrom`.
+    Conversion,
+}
+
+/// Whether a trait of Rust's own is one that the DSL calls.
+pub fn known(path: &syn::Path) -> Option<Known> {
+    match last(path).as_str() {
+        "Add" | "Sub" | "Mul" | "Div" | "Neg" | "AddAssign" | "SubAssign" | "MulAssign"
+        | "DivAssign" => Some(Known::Operator),
+        "From" | "TryFrom" => Some(Known::Conversion),
+        _ => None,
+    }
+}
+
+fn last(path: &syn::Path) -> String {
+    path.segments.last().map(|last| lower::text(&last.ident)).unwrap_or_default()
+}
+
+/// The `impl` block as Rust runs it, and what stands beside it.
+pub fn implementation(
+    kind: Kind,
+    known: Known,
+    mut it: syn::ItemImpl,
+    refusals: &mut Refusals,
+) -> (TokenStream, TokenStream) {
+    let Some((path, _)) = it.trait_.clone() else { return Default::default() };
+    if !it.generics.params.is_empty() {
+        refusals.add(it.generics.span(), refuse::GENERIC_OPERATOR);
+    }
+    let other = argument(&path).unwrap_or_else(|| (*it.self_ty).clone());
+    for ty in [&*it.self_ty, &other] {
+        if matches!(ty, syn::Type::Reference(_)) {
+            refusals.add(ty.span(), refuse::BORROWED_OPERAND);
+        }
+    }
+    if crate::interface::is_rusts_own(&it.self_ty) {
+        refusals.add(it.self_ty.span(), refuse::FOREIGN_OPERAND);
+    }
+    let named = associated(&it);
+    let mut beside = TokenStream::new();
+    for item in &mut it.items {
+        let syn::ImplItem::Fn(method) = item else { continue };
+        let mut own = Refusals::default();
+        let asked = attributes::of_method(kind, method, &mut own);
+        let (mut signature, mut body) = (method.sig.clone(), method.block.clone());
+        let mut named = Named(&named);
+        named.visit_signature_mut(&mut signature);
+        named.visit_block_mut(&mut body);
+        let subject = Subject {
+            attributes: &method.attrs,
+            visibility: &method.vis,
+            signature: &signature,
+            body: &body,
+            asked,
+            home: Home::Implementation(&path),
+        };
+        let parts = builder::lower(&subject, Scope::of_type(&it.generics), &mut own);
+        if let Some(parts) = parts.filter(|_| refusals.is_empty()) {
+            let beside_it = Beside { owner: &it.self_ty, path: &path, other: &other, method };
+            beside.extend(beside_it.items(known, parts.builder, &named));
+        }
+        if own.is_empty() {
+            redirect::block(&mut method.block);
+        } else {
+            refuse_body(&mut method.attrs, &mut method.block, own);
+        }
+    }
+    (it.into_token_stream(), beside)
+}
+
+/// The other operand, or what is converted: the argument of the trait.
+fn argument(path: &syn::Path) -> Option<syn::Type> {
+    let syn::PathArguments::AngleBracketed(list) = &path.segments.last()?.arguments else {
+        return None;
+    };
+    list.args.iter().find_map(|argument| match argument {
+        syn::GenericArgument::Type(ty) => Some(ty.clone()),
+        _ => None,
+    })
+}
+
+/// The types that the block names: `Output`, `Error`.
+fn associated(it: &syn::ItemImpl) -> Vec<(syn::Ident, syn::Type)> {
+    let types = it.items.iter().filter_map(|item| match item {
+        syn::ImplItem::Type(it) => Some((it.ident.clone(), it.ty.clone())),
+        _ => None,
+    });
+    types.collect()
+}
+
+/// Writes out `Self::Output`: beside the block the name means nothing.
+struct Named<'a>(&'a [(syn::Ident, syn::Type)]);
+
+impl VisitMut for Named<'_> {
+    fn visit_type_mut(&mut self, ty: &mut syn::Type) {
+        visit_mut::visit_type_mut(self, ty);
+        let syn::Type::Path(it) = &*ty else { return };
+        let names: Vec<String> =
+            it.path.segments.iter().map(|segment| lower::text(&segment.ident)).collect();
+        if let [own, name] = names.as_slice()
+            && own == "Self"
+            && let Some((_, found)) = self.0.iter().find(|(known, _)| known == name)
+        {
+            *ty = found.clone();
+        }
+    }
+}
+
+/// A method and what it belongs to.
+struct Beside<'a> {
+    owner: &'a syn::Type,
+    path: &'a syn::Path,
+    other: &'a syn::Type,
+    method: &'a syn::ImplItemFn,
+}
+
+impl Beside<'_> {
+    /// The builder, and how callers find it.
+    fn items(&self, known: Known, builder: TokenStream, named: &Named<'_>) -> Option<TokenStream> {
+        let Beside { owner, path, other, method } = self;
+        let mut builder: syn::ImplItemFn = syn::parse2(builder).ok()?;
+        let (of, ty) = (last(path), other.to_token_stream().to_string());
+        let letters: String = ty.chars().filter(|letter| letter.is_ascii_alphanumeric()).collect();
+        let build = format_ident!("__{of}_{letters}", span = Span::call_site());
+        builder.sig.ident = build.clone();
+        let lower::Site(line, column) = lower::site(&method.sig.ident);
+        let found = match known {
+            Known::Operator => quote! {
+                ::bessemer::generate::register! {
+                    ::bessemer::generate::OwnOperator::new(
+                        #of,
+                        <#owner as ::bessemer::generate::DslType>::ty,
+                        <#other as ::bessemer::generate::DslType>::ty,
+                        <#owner>::#build,
+                    )
+                }
+            },
+            Known::Conversion => self.companion(&of, &build, named),
+        };
+        Some(quote! {
+            const _: () = {
+                impl #owner {
+                    #builder
+                }
+                ::bessemer::generate::register! {
+                    ::bessemer::generate::Registered::new(::core::module_path!(), (#line, #column), |cx| {
+                        <#owner>::#build(cx);
+                    })
+                }
+                #found
+            };
+        })
+    }
+
+    /// What callers' witness copies call in place of `from` and `try_from`.
+    fn companion(&self, of: &str, build: &syn::Ident, named: &Named<'_>) -> TokenStream {
+        let Beside { owner, other, .. } = self;
+        let marker = format_ident!("__marker{build}");
+        let error = named.0.iter().find(|(name, _)| name == "Error").map(|(_, ty)| ty);
+        let implemented = match error.filter(|_| of == "TryFrom") {
+            Some(error) => quote! {
+                impl ::bessemer::generate::TryFromBuiltin<#other> for #owner {
+                    type Marker = #marker;
+                    type Error = #error;
+                }
+            },
+            None => quote! {
+                impl ::bessemer::generate::FromBuiltin<#other> for #owner {
+                    type Marker = #marker;
+                }
+            },
+        };
+        quote! {
+            #[doc(hidden)]
+            #[allow(non_camel_case_types)]
+            pub struct #marker;
+            impl ::bessemer::generate::Callee for #marker {
+                fn callee(cx: &mut ::bessemer::generate::Builder) -> ::bessemer::generate::tree::Callee {
+                    <#owner>::#build(cx)
+                }
+            }
+            #implemented
+        }
+    }
+}
