@@ -26,6 +26,7 @@ mod cholesky;
 pub mod plain;
 mod product;
 pub mod replace;
+mod rows;
 pub mod text;
 mod threads;
 mod tiled;
@@ -131,21 +132,40 @@ pub fn source(kernel: &Kernel, tuning: &Tuning) -> Source {
         {
             cholesky::solve(kernel, size, columns)
         }
-        _ => match way(kernel, tuning) {
-            Way::WrittenOut => written_out::source(kernel, tuning.code_bytes),
-            Way::Tiles => tiled::source(kernel, tuning.mode),
-            Way::Loops => plain::source(kernel),
-        },
+        _ => {
+            let by_rows = by_rows(kernel, tuning);
+            // Rows are exact, and so is what stands beside them.
+            let mode = if by_rows { Mode::Exact } else { tuning.mode };
+            let source = match way(kernel, tuning) {
+                Way::WrittenOut => written_out::source(kernel, tuning.code_bytes),
+                Way::Tiles => tiled::source(kernel, mode),
+                Way::Loops => plain::source(kernel),
+            };
+            match by_rows {
+                true => rows::source(kernel, source, &buffers(kernel, tuning)),
+                false => source,
+            }
+        }
     }
+}
+
+/// Whether a kernel goes by rows where there are vectors.
+fn by_rows(kernel: &Kernel, tuning: &Tuning) -> bool {
+    rows::fits(kernel) && way(kernel, tuning) != Way::Loops && rows::BYTES <= tuning.code_bytes
 }
 
 /// The memory that a kernel works with.
 pub fn buffers(kernel: &Kernel, tuning: &Tuning) -> Vec<Buffer> {
-    match way(kernel, tuning) {
+    let mut buffers = match way(kernel, tuning) {
         Way::WrittenOut => written_out::buffers(kernel),
         Way::Tiles => tiled::buffers(kernel),
         Way::Loops => plain::buffers(kernel),
+    };
+    // The rows are where the factors are.
+    if by_rows(kernel, tuning) && are_lent(&buffers) {
+        buffers[0].len = buffers[0].len.max(rows::numbers(kernel));
     }
+    buffers
 }
 
 /// The memory that a kernel's caller lends it: all its buffers, or none if they are small.
@@ -178,8 +198,13 @@ pub fn is_fast(kernel: &Kernel, tuning: &Tuning) -> bool {
 
 /// Bytes of the buffers that are locals of the kernel.
 pub fn stack_bytes(kernel: &Kernel, tuning: &Tuning) -> u64 {
-    let all: u64 = buffers(kernel, tuning).iter().map(Buffer::bytes).sum();
-    if all > LARGEST { 0 } else { all }
+    let buffers = buffers(kernel, tuning);
+    let all: u64 = buffers.iter().map(Buffer::bytes).sum();
+    match (are_lent(&buffers), by_rows(kernel, tuning)) {
+        (true, _) => 0,
+        (false, true) => all + rows::local_bytes(kernel),
+        (false, false) => all,
+    }
 }
 
 impl Buffer {

@@ -3,6 +3,7 @@
 use bessemer_ir::{Float, Int, Kernel, KernelRoutine, Scalar};
 
 use super::lanes;
+use crate::kernels::rows as by_rows;
 use crate::kernels::text::{fill, indented, values};
 use crate::kernels::threads::{Own, Work};
 use crate::kernels::{Buffer, Mode, NOTE, Source, declarations};
@@ -117,31 +118,38 @@ fn rows(size: u32) -> u32 {
     size.next_multiple_of(4)
 }
 
+/// Columns that a panel of vectors may have: none, if the matrix goes by rows where there are vectors.
+fn room(kernel: &Kernel) -> u32 {
+    if by_rows::fits(kernel) { 0 } else { rows(kernel.dims[0]) }
+}
+
+/// Numbers to begin on a cache line, where there are vectors.
+fn spare(kernel: &Kernel) -> u32 {
+    if by_rows::fits(kernel) { 0 } else { lanes::line(kernel.element) }
+}
+
 /// Columns in whole panels, on the target that needs the most.
-fn columns(element: Float, size: u32) -> u32 {
-    rows(size).next_multiple_of(lanes::widest(element, rows(size)))
+fn columns(kernel: &Kernel) -> u32 {
+    rows(kernel.dims[0]).next_multiple_of(lanes::widest(kernel.element, room(kernel)))
+}
+
+/// Numbers of a panel.
+fn panel(kernel: &Kernel) -> u32 {
+    (rows(kernel.dims[0]) + 4) * lanes::widest(kernel.element, room(kernel)) + spare(kernel)
 }
 
 /// What a kernel works with; `sides` if right-hand sides go through a panel too.
 pub(super) fn buffers(kernel: &Kernel, size: u32, sides: bool) -> Vec<Buffer> {
     let element = Scalar::Float(kernel.element);
     let number = Scalar::Int(Int::U32);
-    let widest = lanes::widest(kernel.element, rows(size));
-    // To begin on a cache line, where there are vectors.
-    let spare = lanes::line(kernel.element);
     let mut buffers = vec![
         Buffer {
             name: "tile_memory",
             element,
-            len: rows(size) * columns(kernel.element, size) + spare,
+            len: rows(size) * columns(kernel) + spare(kernel),
             holds: "The factors, in tiles.",
         },
-        Buffer {
-            name: "panel_memory",
-            element,
-            len: (rows(size) + 4) * widest + spare,
-            holds: "The panel at work.",
-        },
+        Buffer { name: "panel_memory", element, len: panel(kernel), holds: "The panel at work." },
         Buffer {
             name: "pivots",
             element: number,
@@ -216,14 +224,14 @@ fn assemble(
     body: &str,
     mode: Mode,
 ) -> Source {
-    let values = all_values(kernel.element, size, sides);
+    let values = all_values(kernel, size, sides);
     let twice = |text: &str| fill(&fill(text, &values), &values);
     let head = format!(
         "#define SIZE {size}U\n/* Rows in whole tiles. */\n#define ROWS {}U\n\n",
         rows(size)
     );
     let note = if mode == Mode::Fast { NOTE } else { "" };
-    let mut before = note.to_owned() + &head + &lanes::text(kernel.element, rows(size), mode);
+    let mut before = note.to_owned() + &head + &lanes::text(kernel.element, room(kernel), mode);
     let subtract = match mode {
         Mode::Exact => SUBTRACT.to_owned(),
         Mode::Fast => {
@@ -240,13 +248,11 @@ fn assemble(
     Source { before, body, math: true, string: true, ..Source::default() }
 }
 
-fn all_values(element: Float, size: u32, sides: u32) -> Vec<(&'static str, String)> {
+fn all_values(kernel: &Kernel, size: u32, sides: u32) -> Vec<(&'static str, String)> {
+    let element = kernel.element;
     let edge = size % 4;
     let mut all = values(element, &[("columns", sides), ("edge", edge)]);
-    // As the panel's memory in `buffers`.
-    let widest = lanes::widest(element, rows(size));
-    let panel = (rows(size) + 4) * widest + lanes::line(element);
-    all.push(("panel", format!("{panel}U")));
+    all.push(("panel", format!("{}U", panel(kernel))));
     let (bits, rank, infinite) = match element {
         Float::F64 => ("uint64_t", "(uint32_t)(bits >> 32)", "0xFFE00000U"),
         Float::F32 => ("uint32_t", "bits", "0xFF000000U"),
