@@ -6,6 +6,8 @@
 //!
 //! Absent: vectors. At these sizes they cost more in preparation than they save.
 
+mod carried;
+
 use std::fmt::Write as _;
 
 use bessemer_ir::{Int, Kernel, KernelRoutine, Scalar};
@@ -29,6 +31,9 @@ pub(super) fn fits(kernel: &Kernel) -> bool {
 /// Whether a kernel has room: with its substitutions written out, or one right-hand side with loops for them.
 pub(super) fn has_room(kernel: &Kernel, code_bytes: u32) -> bool {
     let size = kernel.dims[0];
+    if carried::fits(kernel) {
+        return carried::has_room(kernel, code_bytes);
+    }
     let loops = kernel.routine != KernelRoutine::Inverse && !size.is_multiple_of(4);
     bytes(size) <= code_bytes || loops && bytes(size) - substitution_bytes(size) <= code_bytes
 }
@@ -73,7 +78,9 @@ APART static uint32_t find_pivot(const $real *column, uint32_t k)
     }
     return pivot;
 }
+";
 
+const EXCHANGE: &str = "
 /* Exchanges two rows. */
 APART static void exchange_rows($real *row, $real *other)
 {
@@ -108,11 +115,7 @@ static void substitute(const $real *a, $real *x)
 }
 ";
 
-const COPY: &str = "\
-for (uint32_t index = 0U; index < $all; index++) {
-    factors[index] = a[index];
-}
-";
+const COPY: &str = "memcpy(factors, a, $all * sizeof(*factors));\n";
 
 /// Where the matrix is lent to become the factors, it holds NaN if there are none.
 const SPOIL: &str = "    for (uint32_t index = 0U; index < $all; index++) {
@@ -186,6 +189,7 @@ pub(super) fn buffers(kernel: &Kernel) -> Vec<Buffer> {
     };
     match kernel.routine {
         KernelRoutine::Inverse => vec![factors, pivots, order],
+        KernelRoutine::Solve if carried::fits(kernel) => vec![carried::buffer(factors)],
         KernelRoutine::Solve => vec![factors, pivots],
         _ => vec![pivots],
     }
@@ -193,6 +197,9 @@ pub(super) fn buffers(kernel: &Kernel) -> Vec<Buffer> {
 
 /// The C of a kernel.
 pub(super) fn source(kernel: &Kernel, code_bytes: u32) -> Source {
+    if carried::fits(kernel) {
+        return carried::source(kernel, code_bytes);
+    }
     let size = kernel.dims[0];
     let substitute = if bytes(size) <= code_bytes { substitute(size) } else { LOOPS.to_owned() };
     let solve =
@@ -206,12 +213,16 @@ pub(super) fn source(kernel: &Kernel, code_bytes: u32) -> Source {
     let sizes =
         [("n", size), ("columns", columns), ("all", size * size), ("known", size * columns)];
     let values = values(kernel.element, &sizes);
-    let shared = if size > PIVOTS_WRITTEN_OUT { FIND_PIVOT } else { "" };
-    let before = [shared, &factor(size), &substitute].join("\n");
+    let shared = match size > PIVOTS_WRITTEN_OUT {
+        true => [FIND_PIVOT, EXCHANGE].concat(),
+        false => String::new(),
+    };
+    let before = [shared, factor(size), substitute].join("\n");
     Source {
         before: fill(&before, &values).trim().to_owned(),
         body: fill(&(declarations(&buffers(kernel)) + &body), &values),
         math: true,
+        string: kernel.routine != KernelRoutine::LuSolve,
         ..Source::default()
     }
 }
@@ -268,7 +279,7 @@ fn step(text: &mut String, n: u32, k: u32) {
 
 /// The pivot of a step, and the exchange of its row.
 fn find_pivot(put: &mut impl FnMut(String), n: u32, k: u32) {
-    let (diagonal, column) = (n * k + k, n * k);
+    let column = n * k;
     if n > PIVOTS_WRITTEN_OUT {
         put(format!("        const uint32_t pivot = find_pivot(&a[{column}], {k}U);"));
         put(format!("        pivots[{k}] = pivot;"));
@@ -280,15 +291,7 @@ fn find_pivot(put: &mut impl FnMut(String), n: u32, k: u32) {
         ));
         return;
     }
-    put(format!("        uint32_t pivot = {k}U;"));
-    put(format!("        $real largest = $abs(a[{diagonal}]);"));
-    for row in k + 1..n {
-        let place = column + row;
-        put(format!("        if ($abs(a[{place}]) > largest) {{"));
-        put(format!(
-            "            largest = $abs(a[{place}]);\n            pivot = {row}U;\n        }}"
-        ));
-    }
+    compare(put, n, k);
     put(format!("        pivots[{k}] = pivot;"));
     put("        if (largest == $zero) {\n            return false;\n        }".into());
     put(format!("        if (pivot != {k}U) {{\n            $real *const row = &a[pivot];"));
@@ -300,6 +303,20 @@ fn find_pivot(put: &mut impl FnMut(String), n: u32, k: u32) {
         ));
     }
     put("        }".into());
+}
+
+/// The search of a pivot, number by number.
+fn compare(put: &mut impl FnMut(String), n: u32, k: u32) {
+    let (diagonal, column) = (n * k + k, n * k);
+    put(format!("        uint32_t pivot = {k}U;"));
+    put(format!("        $real largest = $abs(a[{diagonal}]);"));
+    for row in k + 1..n {
+        let place = column + row;
+        put(format!("        if ($abs(a[{place}]) > largest) {{"));
+        put(format!(
+            "            largest = $abs(a[{place}]);\n            pivot = {row}U;\n        }}"
+        ));
+    }
 }
 
 /// Both substitutions of one right-hand side, in registers.
