@@ -25,6 +25,9 @@ struct Arguments {
     /// The small sizes for `kernels`, such as 2,3,4,6,8: Eigen's alone take a compiler many minutes
     #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u8).range(2..=20))]
     sizes: Vec<u8>,
+    /// Only the instructions of `kernels`, which a busy machine does not disturb; nothing is written
+    #[arg(long)]
+    counts: bool,
     /// Points of each function for `equality` and `accuracy-points`
     #[arg(long, default_value_t = 10_000_000)]
     points: u32,
@@ -110,6 +113,7 @@ fn kernels(arguments: &Arguments) -> Result<(), String> {
         }
     };
     let mut plan = if arguments.quick { run::QUICK } else { run::FULL };
+    plan.counts = arguments.counts;
     let sizes: Vec<usize> = arguments.sizes.iter().copied().map(usize::from).collect();
     if !sizes.is_empty() {
         plan.sizes = &sizes;
@@ -117,7 +121,8 @@ fn kernels(arguments: &Arguments) -> Result<(), String> {
     let results = run::run(&plan, &say)?;
     bar.finish_and_clear();
     print!("{}", report::terminal(&results));
-    if arguments.quick { Ok(()) } else { report_kernels(&results, &sizes) }
+    let whole = !arguments.quick && !arguments.counts;
+    if whole { report_kernels(&results, &sizes) } else { Ok(()) }
 }
 
 fn report_kernels(results: &Results, sizes: &[usize]) -> Result<(), String> {

@@ -149,6 +149,9 @@ pub struct Bench {
     /// The small sizes for `kernels`, such as 2,3,4,6,8; all of 2 to 20 take a compiler most of an hour
     #[arg(long)]
     pub sizes: Option<String>,
+    /// Only the instructions of `kernels`, which a busy machine does not disturb; write nothing
+    #[arg(long)]
+    pub counts: bool,
     /// Points of each function for `equality` and `accuracy-points`
     #[arg(long)]
     pub points: Option<u32>,

@@ -33,6 +33,9 @@ pub fn run(root: &Path, wanted: &Bench, machine: &dyn Machine) -> Result<Outcome
     if wanted.quick {
         command.arg("--quick");
     }
+    if wanted.counts {
+        command.arg("--counts");
+    }
     if let Some(only) = &wanted.only {
         command.args(["--only", only]);
     }

@@ -18,6 +18,8 @@ pub struct Plan<'a> {
     pub rounds: usize,
     /// The short run leaves out the machines that only complete the picture.
     pub quick: bool,
+    /// Instructions alone, no times.
+    pub counts: bool,
 }
 
 /// The full plan.
@@ -25,10 +27,12 @@ pub const FULL: Plan<'static> = Plan {
     sizes: &[2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20],
     rounds: 101,
     quick: false,
+    counts: false,
 };
 
 /// The short one.
-pub const QUICK: Plan<'static> = Plan { sizes: &[3, 6, 12], rounds: 31, quick: true };
+pub const QUICK: Plan<'static> =
+    Plan { sizes: &[3, 6, 12], rounds: 31, quick: true, counts: false };
 
 /// Runs it; `say` is told what is going on.
 ///
@@ -39,7 +43,11 @@ pub fn run(plan: &Plan<'_>, say: &dyn Fn(&str)) -> Result<Results, String> {
     std::fs::create_dir_all(&folder).map_err(|error| error.to_string())?;
     let mut results = Results::default();
     let small = Case::small(plan.sizes);
-    let timed: &[Machine] = if plan.quick { &[HOST] } else { &[HOST, HOST_SCALAR] };
+    let timed: &[Machine] = match (plan.counts, plan.quick) {
+        (true, _) => &[],
+        (false, true) => &[HOST],
+        (false, false) => &[HOST, HOST_SCALAR],
+    };
     let counted: &[Machine] =
         if plan.quick { &[A9] } else { &[HOST_SSE2, HOST_AVX2, A9, A9_PLAIN] };
     let mut bench = Bench { folder: &folder, say, results: &mut results };

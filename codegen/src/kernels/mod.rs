@@ -151,7 +151,7 @@ pub fn source(kernel: &Kernel, tuning: &Tuning) -> Source {
 
 /// Whether a kernel goes by rows where there are vectors.
 fn by_rows(kernel: &Kernel, tuning: &Tuning) -> bool {
-    rows::fits(kernel) && way(kernel, tuning) != Way::Loops && rows::BYTES <= tuning.code_bytes
+    rows::fits(kernel) && way(kernel, tuning) != Way::Loops && rows::BUDGET <= tuning.code_bytes
 }
 
 /// The memory that a kernel works with.
