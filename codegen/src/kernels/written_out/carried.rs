@@ -9,9 +9,9 @@ use super::super::text::{fill, values};
 use super::super::{Buffer, Source, declarations};
 use super::{COPY, FIND_PIVOT, PIVOTS_WRITTEN_OUT, buffers, compare};
 
-/// Whether a kernel is such a solve.
+/// Whether a kernel is such a solve, and gains: exchanges that are known to be needed take fewer steps below this.
 pub(super) fn fits(kernel: &Kernel) -> bool {
-    kernel.routine == KernelRoutine::Solve && kernel.dims[1] == 1
+    kernel.routine == KernelRoutine::Solve && kernel.dims[0] >= 7 && kernel.dims[1] == 1
 }
 
 /// Whether it has room, if with loops on the way back.
