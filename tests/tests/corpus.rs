@@ -256,7 +256,7 @@ fn fault(text: &str) -> Fault {
         _ if text.contains("overflow") => Fault::Overflow,
         _ if text.contains("out of bounds") || text.contains("out of range") => Fault::Index,
         _ if text.contains("slice index") || text.contains("slice length") => Fault::Index,
-        _ if text.contains("copy_from_slice") => Fault::Index,
+        _ if text.contains("copy_from_slice") || text.contains("mid > len") => Fault::Index,
         _ if text.contains("the container is full") => Fault::Capacity,
         _ if text.contains("within its bound") => Fault::Bound,
         _ if text.contains("`None` value") || text.contains("on an `Err` value") => Fault::Absent,

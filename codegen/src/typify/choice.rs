@@ -39,6 +39,9 @@ impl Lowering<'_, '_> {
             let subject = self.subject(scrutinee)?;
             return self.subject_arms(&subject, arms, target, site);
         }
+        if let Some(subject) = self.lent(scrutinee)? {
+            return self.subject_arms(&subject, arms, target, site);
+        }
         let mut value = self.value(scrutinee, None)?;
         if !value.ty.is_word() {
             let subject = self.value_subject(value, site)?;

@@ -5,9 +5,9 @@ use bessemer_ir::{
     Block, CompareOp, Expr, ExprKind, Fault, LogicOp, Place, StmtKind, Type, UnaryOp,
 };
 
+use super::conditions::has_let;
 use super::function::{Lowering, Target, control_with_value, is_literal};
 use super::loops::{Leaving, negated};
-use super::pattern::has_let;
 use super::{OUR_FAULT, Result, order, problem};
 
 impl Lowering<'_, '_> {

@@ -1,11 +1,14 @@
 //! `==` of values of many words: part by part, an array of more than a few in a loop.
 //!
+//! A struct of words alone is compared where `==` stands; any other has a function for it, one for each
+//! type, so that what nests is written once: `motor_equal(&one, &other)`.
+//!
 //! Floats compare as IEEE 754 has it, so that a NaN in a part makes the whole unequal.
 
 use bessemer_ir::tree::Site;
 use bessemer_ir::{
-    Block, CompareOp, Expr, ExprKind, Form, Local, LocalId, LogicOp, Mode, Place, Span, Step, Stmt,
-    StmtKind, StructId, Type,
+    Argument, Attributes, Block, CompareOp, Expr, ExprKind, Form, Function, FunctionId, Local,
+    LocalId, LogicOp, Mode, Owner, Place, Role, Span, Step, Stmt, StmtKind, StructId, Type,
 };
 
 use super::function::{Lowering, is_literal};
@@ -25,7 +28,17 @@ impl Lowering<'_, '_> {
         for place in [&mut left, &mut right] {
             self.keep_indices(place, |index| !is_literal(index));
         }
-        self.equal(&left, &right, site, span)
+        match left.ty {
+            Type::Struct(id) if self.is_flat(id) => self.equal_parts(id, &left, &right, site, span),
+            _ => self.equal(&left, &right, site, span),
+        }
+    }
+
+    /// Whether a struct is made of words alone, and compared as such.
+    fn is_flat(&self, id: StructId) -> bool {
+        let rotation = self.cx.quaternions.get(&id) == Some(&true);
+        let fields = &self.cx.module.structs[id.index()].fields;
+        !rotation && fields.iter().all(|field| field.ty.is_word())
     }
 
     pub(super) fn equal(
@@ -42,7 +55,12 @@ impl Lowering<'_, '_> {
                     ExprKind::Compare(CompareOp::Eq, Box::new(load(left)), Box::new(load(right)));
                 Ok(Expr { kind, ty: Type::BOOL, span })
             }
-            Type::Struct(id) => self.equal_structs(*id, left, right, site, span),
+            Type::Struct(id) => {
+                let function = self.equality_of(*id, site)?;
+                let lent = [left, right].map(|place| Argument::Ref(load(place)));
+                let kind = ExprKind::Call(function, lent.into());
+                Ok(Expr { kind, ty: Type::BOOL, span })
+            }
             Type::Array { element, len } => {
                 let step = |index: Expr, _: &mut Self| Step::Index(index);
                 self.equal_elements((left, right), element, *len, site, &step)
@@ -72,7 +90,57 @@ impl Lowering<'_, '_> {
         }
     }
 
-    fn equal_structs(
+    /// The function that compares two values of a type.
+    fn equality_of(&mut self, id: StructId, site: Site) -> Result<FunctionId> {
+        if let Some(known) = self.cx.equalities.get(&id) {
+            return Ok(*known);
+        }
+        let (name, item) = (self.equality_name(id), &self.cx.module.structs[id.index()]);
+        let (module, span, ty) = (item.module.clone(), item.span, Type::Struct(id));
+        let place = |root| Place { root: LocalId(root), steps: Vec::new(), ty: ty.clone(), span };
+        let (one, other) = (place(0), place(1));
+        let mut inner = Lowering::new(&mut *self.cx, self.source)?;
+        inner.naming = "all".into();
+        for name in ["one", "other"] {
+            let (name, ty) = (name.to_owned(), ty.clone());
+            inner.locals.push(Local { name, ty, mode: Mode::Ref, span });
+        }
+        let same = inner.equal_parts(id, &one, &other, site, span)?;
+        inner.emit(StmtKind::Return(Some(same)), span);
+        let (locals, out) = (std::mem::take(&mut inner.locals), std::mem::take(&mut inner.out));
+        self.cx.module.functions.push(Function {
+            name,
+            module,
+            owner: Some(Owner::Struct(id)),
+            role: Role::Inline,
+            attributes: Attributes::default(),
+            docs: vec!["Whether the two are equal, part by part.".to_owned()],
+            locals: locals.into_iter().map(super::function::without_marks).collect(),
+            params: 2,
+            result: Type::BOOL,
+            result_name: String::new(),
+            body: Block(out),
+            kernel: None,
+            span,
+        });
+        let function = FunctionId(self.cx.module.functions.len() as u32 - 1);
+        self.cx.equalities.insert(id, function);
+        Ok(function)
+    }
+
+    /// `equal`, unless the author has a function that would be called so in the C.
+    fn equality_name(&self, id: StructId) -> String {
+        let ty = Type::Struct(id);
+        let paths = self.cx.types.iter().filter(|(_, it)| **it == ty);
+        let mut homes: Vec<String> = paths.map(|(path, _)| format!("{path}::equal")).collect();
+        let own = super::names::snake(&self.cx.module.structs[id.index()].name);
+        homes.push(format!("::{own}::equal"));
+        let taken = |known: &String| homes.iter().any(|home| known.ends_with(home));
+        let name = if self.cx.authored.iter().any(taken) { "same_parts" } else { "equal" };
+        name.to_owned()
+    }
+
+    fn equal_parts(
         &mut self,
         id: StructId,
         left: &Place,

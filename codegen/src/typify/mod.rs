@@ -13,6 +13,7 @@ mod builtin;
 mod call;
 mod choice;
 mod closure;
+mod conditions;
 mod control;
 mod each;
 mod ended;
@@ -25,6 +26,7 @@ mod gather;
 mod generic;
 mod handed;
 mod kernels;
+mod lent;
 mod list;
 mod literal;
 mod loops;
@@ -204,6 +206,8 @@ struct Context<'a> {
     cases: HashMap<StructId, Vec<generic::Case>>,
     /// Where the authors' types stand, and those that are made of them.
     homes: HashMap<bessemer_ir::Type, generic::Home>,
+    /// The functions that compare values of structs.
+    equalities: HashMap<StructId, FunctionId>,
     /// The structs that do not derive `PartialEq`.
     unequal: HashSet<StructId>,
     /// The enums that derive `PartialOrd`.
@@ -242,6 +246,7 @@ impl<'a> Context<'a> {
             shown: HashMap::new(),
             cases: HashMap::new(),
             homes: HashMap::new(),
+            equalities: HashMap::new(),
             unequal: HashSet::new(),
             ordered: HashSet::new(),
             bounded: HashSet::new(),

@@ -15,8 +15,10 @@ use bessemer_ir::{
 use super::OUR_FAULT;
 use super::function::{Binding, Lowering, is_literal};
 use super::generic::{Case, position};
+use super::lent::is_rest;
 use super::loops::negated;
 use super::order::is_settled;
+use super::slice::Slice;
 use super::{Result, problem};
 
 /// What is matched: a place, or several side by side that are written as a tuple.
@@ -26,6 +28,10 @@ pub(super) enum Subject {
     Place(Place),
     /// The parts of a tuple that is never made.
     Parts(Vec<Subject>),
+    /// Elements in a row.
+    Slice(Box<Slice>),
+    /// What is lent if the condition holds.
+    Maybe(Expr, Box<Subject>),
 }
 
 /// A name of a pattern, and the place that it stands for.
@@ -35,7 +41,17 @@ pub(super) struct Named {
     slot: u32,
     mutable: bool,
     place: Place,
+    /// What it stands for if that is several elements.
+    part: Option<Box<Slice>>,
     site: Site,
+}
+
+impl Named {
+    /// A name of several elements.
+    pub(super) fn part(name: &str, slot: u32, part: Slice, site: Site) -> Named {
+        let (name, place) = (name.to_owned(), part.base.clone());
+        Named { name, slot, mutable: false, place, part: Some(Box::new(part)), site }
+    }
 }
 
 impl Lowering<'_, '_> {
@@ -56,6 +72,9 @@ impl Lowering<'_, '_> {
                 subjects.push(next);
             }
             return Ok(Subject::Parts(subjects));
+        }
+        if let Some(lent) = self.lent(expr)? {
+            return Ok(lent);
         }
         let value = self.value(expr, None)?;
         self.value_subject(value, expr.site)
@@ -83,6 +102,8 @@ impl Lowering<'_, '_> {
                     *place = held;
                 }
             }
+            // Another name for what is there, whatever becomes of it.
+            Subject::Slice(_) | Subject::Maybe(..) => {}
         }
     }
 
@@ -98,6 +119,10 @@ impl Lowering<'_, '_> {
             (tree::Pattern::Any | tree::Pattern::Rest, _) => Ok(None),
             (_, Subject::Place(place)) => self.test_place(pattern, place, site, names),
             (tree::Pattern::Or(cases), _) => self.test_any(cases, subject, site, names),
+            (_, Subject::Slice(slice)) => self.test_slice(pattern, slice, site, names),
+            (_, Subject::Maybe(there, lent)) => {
+                self.test_maybe(pattern, (there, lent), site, names)
+            }
             (tree::Pattern::Tuple(patterns), Subject::Parts(parts)) => {
                 let pairs = aligned(patterns, parts.len());
                 let mut all = None;
@@ -161,7 +186,7 @@ impl Lowering<'_, '_> {
             (tree::Pattern::Any | tree::Pattern::Rest, _) => Ok(None),
             (tree::Pattern::Name { name, slot, mutable, inner }, _) => {
                 let (name, slot, mutable) = (name.clone(), *slot, *mutable);
-                names.push(Named { name, slot, mutable, place: place.clone(), site });
+                names.push(Named { name, slot, mutable, place: place.clone(), part: None, site });
                 match inner {
                     Some(inner) => self.test_place(inner, place, site, names),
                     None => Ok(None),
@@ -177,6 +202,14 @@ impl Lowering<'_, '_> {
                     .map(|(pattern, index)| (pattern, self.part(place, *id, index)))
                     .collect();
                 all(self, parts, names)
+            }
+            (tree::Pattern::Array(patterns), Type::Array { .. })
+                if patterns.iter().any(|it| is_rest(it) && *it != tree::Pattern::Rest) =>
+            {
+                match self.all_of(place.clone()) {
+                    Some(slice) => self.test_slice(pattern, &slice, site, names),
+                    None => Ok(None),
+                }
             }
             (tree::Pattern::Array(patterns), Type::Array { element, len }) => {
                 let mut parts = Vec::new();
@@ -307,13 +340,20 @@ impl Lowering<'_, '_> {
     /// Makes names stand for their places, those of values too: only while nothing is written.
     pub(super) fn alias_names(&mut self, names: &[Named]) {
         for named in names {
-            self.alias_to(&named.name, named.place.clone());
+            match &named.part {
+                Some(part) => self.bind(&named.name, Binding::Slice(part.clone())),
+                None => self.alias_to(&named.name, named.place.clone()),
+            }
         }
     }
 
     /// Gives names their meaning: another name for a place, or a copy.
     pub(super) fn bind_names(&mut self, names: &[Named]) -> Result<()> {
         for named in names {
+            if let Some(part) = &named.part {
+                self.bind_part((&named.name, named.slot), part, named.site)?;
+                continue;
+            }
             let unnamed = named.slot == NO_SLOT;
             let reference = !unnamed && self.slot_is_reference(named.slot, named.site)?;
             if reference {
@@ -441,81 +481,6 @@ impl Lowering<'_, '_> {
                 })
             }
         }
-    }
-
-    /// A condition with patterns in it; its names stand for their places from here on.
-    pub(super) fn pattern_condition(
-        &mut self,
-        expr: &tree::Expr,
-        names: &mut Vec<Named>,
-    ) -> Result<Expr> {
-        match &expr.kind {
-            tree::ExprKind::Let(pattern, value) => {
-                let before = names.len();
-                let subject = self.subject(value)?;
-                let test = self.test(pattern, &subject, expr.site, names)?;
-                self.alias_names(&names[before..]);
-                match test {
-                    Some(test) => Ok(test),
-                    None => self.node(ExprKind::Literal(1), Type::BOOL, expr.site),
-                }
-            }
-            tree::ExprKind::Binary(tree::BinaryOp::LogicAnd, left, right) if has_let(expr) => {
-                let left = self.pattern_condition(left, names)?;
-                self.and_then(left, |inner| inner.pattern_condition(right, names))
-            }
-            _ => self.value(expr, Some(&Type::BOOL)),
-        }
-    }
-
-    /// `left && right`, where `right` may need statements, which then run only if `left` holds. What
-    /// they declare can be read behind them.
-    pub(super) fn and_then(
-        &mut self,
-        left: Expr,
-        right: impl FnOnce(&mut Self) -> Result<Expr>,
-    ) -> Result<Expr> {
-        let outer = std::mem::take(&mut self.out);
-        let right = right(self);
-        let inner = std::mem::replace(&mut self.out, outer);
-        let right = right?;
-        if inner.is_empty() {
-            return Ok(logic(LogicOp::And, left, right));
-        }
-        let span = right.span;
-        let mut kept = Vec::new();
-        for stmt in inner {
-            let Stmt { kind: StmtKind::Let { local, value }, span, comments } = stmt else {
-                kept.push(stmt);
-                continue;
-            };
-            let ty = self.locals[local.index()].ty.clone();
-            let first = Some(self.zero(&ty, span));
-            self.emit(StmtKind::Let { local, value: first }, span);
-            let place = Place { root: local, steps: Vec::new(), ty, span };
-            let assign = value.map(|value| StmtKind::Assign { place, value });
-            kept.extend(assign.map(|kind| Stmt { kind, span, comments }));
-        }
-        let mut inner = kept;
-        let held = self.temporary("holds", left);
-        if let ExprKind::Load(place) = &held.kind {
-            let kind = StmtKind::Assign { place: place.clone(), value: right };
-            inner.push(Stmt { kind, span, comments: Vec::new() });
-        }
-        let (condition, then) = (held.clone(), Block(inner));
-        self.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
-        Ok(held)
-    }
-}
-
-/// Whether a condition has a pattern in it.
-pub(super) fn has_let(expr: &tree::Expr) -> bool {
-    match &expr.kind {
-        tree::ExprKind::Let(..) => true,
-        tree::ExprKind::Binary(tree::BinaryOp::LogicAnd, left, right) => {
-            has_let(left) || has_let(right)
-        }
-        _ => false,
     }
 }
 

@@ -66,6 +66,12 @@ impl Slice {
         Slice { from, to, length, whole: false, ..self.clone() }
     }
 
+    /// The elements from `begin` on, which is no more than there are.
+    pub fn behind(&self, begin: Expr) -> Slice {
+        let length = minus(self.length.clone(), begin.clone());
+        Slice { from: plus(self.from.clone(), begin), length, whole: false, ..self.clone() }
+    }
+
     /// What a call passes for it.
     pub fn passed(self, mode: Mode) -> [Argument; 2] {
         let place = self.place();
@@ -324,7 +330,10 @@ impl Lowering<'_, '_> {
                 self.maybe(&slice, index, expr).map(Some)
             }
             ("contains", [_, element]) => self.contains(&slice, element, expr.site).map(Some),
-            _ => problem(expr.site, "this has no value", "write it as a statement"),
+            ("swap" | "fill" | "copy_from" | "reverse", _) => {
+                problem(expr.site, "this has no value", "write it as a statement")
+            }
+            _ => problem(expr.site, super::lent::LENT, super::lent::TAKE_APART),
         }
     }
 
@@ -551,7 +560,7 @@ fn binary(op: BinaryOp, one: Expr, other: Expr) -> Expr {
     Expr { kind: ExprKind::Binary(op, Box::new(one), Box::new(other)), ty: Type::USIZE, span }
 }
 
-fn compare(op: CompareOp, left: Expr, right: Expr, span: Span) -> Expr {
+pub(super) fn compare(op: CompareOp, left: Expr, right: Expr, span: Span) -> Expr {
     let kind = ExprKind::Compare(op, Box::new(left), Box::new(right));
     Expr { kind, ty: Type::BOOL, span }
 }

@@ -20,6 +20,12 @@ markers! {
     CopyFrom: "slice_copy_from";
     Reverse: "slice_reverse";
     Contains: "slice_contains";
+    GetMut: "slice_get_mut";
+    FirstMut: "slice_first_mut";
+    LastMut: "slice_last_mut";
+    SplitAt: "slice_split_at";
+    SplitFirst: "slice_split_first";
+    SplitLast: "slice_split_last";
 }
 
 /// Methods of slices.
@@ -59,6 +65,33 @@ pub trait SliceBuiltins<T> {
         unreachable!()
     }
     fn __b_contains(&self, _element: &T) -> Called<Contains, bool> {
+        unreachable!()
+    }
+    fn __b_get_mut(&mut self, _index: usize) -> Called<GetMut, Option<&mut T>> {
+        unreachable!()
+    }
+    fn __b_first_mut(&mut self) -> Called<FirstMut, Option<&mut T>> {
+        unreachable!()
+    }
+    fn __b_last_mut(&mut self) -> Called<LastMut, Option<&mut T>> {
+        unreachable!()
+    }
+    fn __b_split_at(&self, _at: usize) -> Called<SplitAt, (&[T], &[T])> {
+        unreachable!()
+    }
+    fn __b_split_at_mut(&mut self, _at: usize) -> Called<SplitAt, (&mut [T], &mut [T])> {
+        unreachable!()
+    }
+    fn __b_split_first(&self) -> Called<SplitFirst, Option<(&T, &[T])>> {
+        unreachable!()
+    }
+    fn __b_split_first_mut(&mut self) -> Called<SplitFirst, Option<(&mut T, &mut [T])>> {
+        unreachable!()
+    }
+    fn __b_split_last(&self) -> Called<SplitLast, Option<(&T, &[T])>> {
+        unreachable!()
+    }
+    fn __b_split_last_mut(&mut self) -> Called<SplitLast, Option<(&mut T, &mut [T])>> {
         unreachable!()
     }
 }

@@ -3,13 +3,6 @@ extern crate std;
 
 use bessemer::prelude::*;
 
-/// A part of a pattern.
-#[function]
-pub fn part(samples: &[f64; 4]) -> f64 {
-    let [low, rest @ ..] = samples;
-    low + rest[0]
-}
-
 /// A column to be written, by a name of its own.
 #[function]
 pub fn column(m: &mut Matrix3<f64>, j: usize) {

@@ -51,12 +51,6 @@ impl Lowering<'_> {
             syn::Pat::Paren(it) => self.pattern(&it.pat, looks),
             syn::Pat::Type(it) => self.pattern(&it.pat, looks),
             syn::Pat::Reference(it) => self.pattern(&it.pat, looks),
-            syn::Pat::Ident(it) if matches!(&it.subpat, Some((_, rest)) if matches!(**rest, syn::Pat::Rest(_))) =>
-            {
-                self.refusals.add(it.span(), refuse::PART);
-                self.bind(&text(&it.ident));
-                tree::Pattern::Rest
-            }
             syn::Pat::Ident(it) if it.by_ref.is_none() => self.name_pattern(it, looks),
             syn::Pat::Or(it) => {
                 tree::Pattern::Or(it.cases.iter().map(|case| self.pattern(case, looks)).collect())

@@ -114,7 +114,6 @@ reasons! {
     NESTED_CONST: "a block inside a function has no names of its own in the DSL", "move it to the top of the function";
     CONST_BLOCK: "`const` blocks are not in the DSL", "declare a `const`, and use its name";
     IGNORED: "`_` is not a place in the DSL", "write `let _ = …;`";
-    PART: "a pattern does not give a name to a part of an array in the DSL", "take the part behind it: `let rest = &values[1..];`";
     CORE: "functions of the standard library are not in the DSL", "write it out, or use the method of the same name";
     ROTATION: "of nalgebra's transformations this one is not in the DSL", "use `UnitQuaternion`, `Rotation2`, `Rotation3`, `Translation3` or `Isometry3`";
     LATER: "several variables that are assigned later stand in one `let`", "write a `let` for each";

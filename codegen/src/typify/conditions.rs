@@ -1,0 +1,85 @@
+//! Conditions with patterns in them (`if let Some(x) = … && x > 0`), and `&&` whose right side needs statements.
+
+use bessemer_ir::tree;
+use bessemer_ir::{Block, Expr, ExprKind, LogicOp, Place, Stmt, StmtKind, Type};
+
+use super::Result;
+use super::function::Lowering;
+use super::pattern::{Named, logic};
+
+impl Lowering<'_, '_> {
+    /// A condition with patterns in it; its names stand for their places from here on.
+    pub(super) fn pattern_condition(
+        &mut self,
+        expr: &tree::Expr,
+        names: &mut Vec<Named>,
+    ) -> Result<Expr> {
+        match &expr.kind {
+            tree::ExprKind::Let(pattern, value) => {
+                let before = names.len();
+                let subject = self.subject(value)?;
+                let test = self.test(pattern, &subject, expr.site, names)?;
+                self.alias_names(&names[before..]);
+                match test {
+                    Some(test) => Ok(test),
+                    None => self.node(ExprKind::Literal(1), Type::BOOL, expr.site),
+                }
+            }
+            tree::ExprKind::Binary(tree::BinaryOp::LogicAnd, left, right) if has_let(expr) => {
+                let left = self.pattern_condition(left, names)?;
+                self.and_then(left, |inner| inner.pattern_condition(right, names))
+            }
+            _ => self.value(expr, Some(&Type::BOOL)),
+        }
+    }
+
+    /// `left && right`, where `right` may need statements, which then run only if `left` holds. What
+    /// they declare can be read behind them.
+    pub(super) fn and_then(
+        &mut self,
+        left: Expr,
+        right: impl FnOnce(&mut Self) -> Result<Expr>,
+    ) -> Result<Expr> {
+        let outer = std::mem::take(&mut self.out);
+        let right = right(self);
+        let inner = std::mem::replace(&mut self.out, outer);
+        let right = right?;
+        if inner.is_empty() {
+            return Ok(logic(LogicOp::And, left, right));
+        }
+        let span = right.span;
+        let mut kept = Vec::new();
+        for stmt in inner {
+            let Stmt { kind: StmtKind::Let { local, value }, span, comments } = stmt else {
+                kept.push(stmt);
+                continue;
+            };
+            let ty = self.locals[local.index()].ty.clone();
+            let first = Some(self.zero(&ty, span));
+            self.emit(StmtKind::Let { local, value: first }, span);
+            let place = Place { root: local, steps: Vec::new(), ty, span };
+            let assign = value.map(|value| StmtKind::Assign { place, value });
+            kept.extend(assign.map(|kind| Stmt { kind, span, comments }));
+        }
+        let mut inner = kept;
+        let held = self.temporary("holds", left);
+        if let ExprKind::Load(place) = &held.kind {
+            let kind = StmtKind::Assign { place: place.clone(), value: right };
+            inner.push(Stmt { kind, span, comments: Vec::new() });
+        }
+        let (condition, then) = (held.clone(), Block(inner));
+        self.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
+        Ok(held)
+    }
+}
+
+/// Whether a condition has a pattern in it.
+pub(super) fn has_let(expr: &tree::Expr) -> bool {
+    match &expr.kind {
+        tree::ExprKind::Let(..) => true,
+        tree::ExprKind::Binary(tree::BinaryOp::LogicAnd, left, right) => {
+            has_let(left) || has_let(right)
+        }
+        _ => false,
+    }
+}

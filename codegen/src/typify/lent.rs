@@ -1,0 +1,198 @@
+//! What methods of slices lend (`get_mut`, `split_at` and the like), and patterns of slices.
+//!
+//! Nothing is copied: what is lent is another name for its place, behind the test that it is there. So it is
+//! taken apart where it is called, by `let`, `if let`, `let … else` or `match`.
+
+use bessemer_ir::tree::{self, NO_SLOT, Site};
+use bessemer_ir::{CompareOp, Expr, ExprKind, Fault, LogicOp, Mode, Span, StmtKind, Type};
+
+use super::equal::{number, truth};
+use super::function::{Binding, Lowering, is_literal};
+use super::loops::negated;
+use super::pattern::{Named, Subject, load, logic};
+use super::slice::{Slice, compare, minus, plus};
+use super::{Result, problem};
+
+impl Lowering<'_, '_> {
+    /// What a method of slices lends, or the slice that an expression is; none if it is neither.
+    pub(super) fn lent(&mut self, expr: &tree::Expr) -> Result<Option<Subject>> {
+        let name = match &expr.kind {
+            tree::ExprKind::Call(callee, _) => match self.source.callees.get(*callee as usize) {
+                Some(tree::Callee::Builtin(name)) => name.clone(),
+                _ => return Ok(None),
+            },
+            _ => return Ok(self.slice(expr)?.map(|slice| Subject::Slice(Box::new(slice)))),
+        };
+        let (Some(name), tree::ExprKind::Call(_, arguments)) =
+            (name.strip_prefix("slice_"), &expr.kind)
+        else {
+            return Ok(None);
+        };
+        let span = self.span(expr.site);
+        let (zero, one) = (number(0, span), number(1, span));
+        let slice = |slice: Slice| Subject::Slice(Box::new(slice));
+        Ok(Some(match (name, arguments.as_slice()) {
+            ("get_mut", [array, index]) => {
+                let array = self.sliced(array)?;
+                let index = self.value(index, Some(&Type::USIZE))?;
+                let index = self.steady("index", index);
+                let there = compare(CompareOp::Lt, index.clone(), array.length.clone(), span);
+                let place = array.at(plus(array.from.clone(), index));
+                Subject::Maybe(there, Box::new(Subject::Place(place)))
+            }
+            ("first_mut" | "last_mut" | "split_first" | "split_last", [array]) => {
+                let array = self.sliced(array)?;
+                let there = match array.length.kind {
+                    ExprKind::Literal(length) => truth(u64::from(length > 0), span),
+                    _ => compare(CompareOp::Gt, array.length.clone(), zero.clone(), span),
+                };
+                let less = minus(array.length.clone(), one.clone());
+                let last = minus(array.to.clone(), one.clone());
+                let lent = match name {
+                    "first_mut" => Subject::Place(array.at(array.from.clone())),
+                    "last_mut" => Subject::Place(array.at(last)),
+                    "split_first" => {
+                        let first = array.at(array.from.clone());
+                        Subject::Parts(vec![Subject::Place(first), slice(array.behind(one))])
+                    }
+                    _ => {
+                        let rest = array.part(zero, less);
+                        Subject::Parts(vec![Subject::Place(array.at(last)), slice(rest)])
+                    }
+                };
+                Subject::Maybe(there, Box::new(lent))
+            }
+            ("split_at", [array, at]) => {
+                let array = self.sliced(array)?;
+                let at = self.value(at, Some(&Type::USIZE))?;
+                let at = self.steady("middle", at);
+                let there = compare(CompareOp::Le, at.clone(), array.length.clone(), span);
+                self.emit(StmtKind::Check { condition: there, fault: Fault::Index }, span);
+                let behind = slice(array.behind(at.clone()));
+                Subject::Parts(vec![slice(array.part(zero, at)), behind])
+            }
+            _ => return Ok(None),
+        }))
+    }
+
+    /// What must hold for `pattern` to take what may not be there.
+    pub(super) fn test_maybe(
+        &mut self,
+        pattern: &tree::Pattern,
+        (there, lent): (&Expr, &Subject),
+        site: Site,
+        names: &mut Vec<Named>,
+    ) -> Result<Option<Expr>> {
+        match pattern {
+            tree::Pattern::Constructor(name, parts) if name == "Some" && parts.len() == 1 => {
+                let inner = self.test(&parts[0], lent, site, names)?;
+                // Of an array it is known.
+                let there = (there.kind != ExprKind::Literal(1)).then(|| there.clone());
+                Ok(match (there, inner) {
+                    (Some(there), Some(inner)) => Some(logic(LogicOp::And, there, inner)),
+                    (there, inner) => there.or(inner),
+                })
+            }
+            tree::Pattern::Constructor(name, _) if name == "None" => {
+                Ok(Some(negated(there.clone())))
+            }
+            _ => problem(site, LENT, TAKE_APART),
+        }
+    }
+
+    /// What must hold for `pattern` to take a slice.
+    pub(super) fn test_slice(
+        &mut self,
+        pattern: &tree::Pattern,
+        slice: &Slice,
+        site: Site,
+        names: &mut Vec<Named>,
+    ) -> Result<Option<Expr>> {
+        let patterns = match pattern {
+            tree::Pattern::Name { name, slot, inner: None, .. } => {
+                names.push(Named::part(name, *slot, slice.clone(), site));
+                return Ok(None);
+            }
+            tree::Pattern::Array(patterns) => patterns,
+            _ => {
+                return problem(
+                    site,
+                    "this pattern does not fit a slice",
+                    "write `[first, .., last]`, `[first, rest @ ..]` and the like",
+                );
+            }
+        };
+        let span = slice.base.span;
+        let rest = patterns.iter().position(is_rest);
+        let behind = rest.map_or(0, |rest| patterns.len() - rest - 1);
+        let before = patterns.len() - behind - usize::from(rest.is_some());
+        let fixed = (before + behind) as u64;
+        let wanted = number(fixed, span);
+        let mut all = match (rest, &slice.length.kind) {
+            // rustc has counted the elements of an array.
+            (_, ExprKind::Literal(_)) => None,
+            (Some(_), _) if fixed == 0 => None,
+            (Some(_), _) => Some(compare(CompareOp::Ge, slice.length.clone(), wanted, span)),
+            (None, _) => Some(compare(CompareOp::Eq, slice.length.clone(), wanted, span)),
+        };
+        for (index, pattern) in patterns.iter().enumerate() {
+            let at = if index < before {
+                plus(slice.from.clone(), number(index as u64, span))
+            } else if Some(index) == rest {
+                if let tree::Pattern::Name { name, slot, .. } = pattern {
+                    let begun = slice.behind(number(before as u64, span));
+                    let length = minus(begun.length.clone(), number(behind as u64, span));
+                    let part = begun.part(number(0, span), length);
+                    names.push(Named::part(name, *slot, part, site));
+                }
+                continue;
+            } else {
+                minus(slice.to.clone(), number((patterns.len() - index) as u64, span))
+            };
+            let next = self.test(pattern, &Subject::Place(slice.at(at)), site, names)?;
+            all = match (all, next) {
+                (Some(all), Some(next)) => Some(logic(LogicOp::And, all, next)),
+                (all, next) => all.or(next),
+            };
+        }
+        Ok(all)
+    }
+
+    /// The name of a part: the part itself, or a copy where the author takes its value.
+    pub(super) fn bind_part(
+        &mut self,
+        (name, slot): (&str, u32),
+        part: &Slice,
+        site: Site,
+    ) -> Result<()> {
+        if slot == NO_SLOT || self.slot_is_reference(slot, site)? {
+            self.bind(name, Binding::Slice(Box::new(part.clone())));
+            return Ok(());
+        }
+        let ty = self.slot(slot, site)?;
+        let (Type::Array { len, .. }, true) = (&ty, is_literal(&part.length)) else {
+            return problem(site, "a slice is no value", "match what `&` refers to");
+        };
+        let span: Span = self.span(site);
+        let element =
+            |index: u32| load(&part.at(plus(part.from.clone(), number(u64::from(index), span))));
+        let kind = ExprKind::Array((0..*len).map(element).collect());
+        let value = Some(Expr { kind, ty: ty.clone(), span });
+        let local = self.declare(name, ty, Mode::Value, span);
+        self.emit(StmtKind::Let { local, value }, span);
+        Ok(())
+    }
+}
+
+/// What is said of a lent value that is held.
+pub(super) const LENT: &str = "what this lends is no value in the DSL";
+pub(super) const TAKE_APART: &str = "take it apart where it is called: `if let Some(x) = values.get_mut(i) { … }`, `let (a, b) = values.split_at(n);`";
+
+/// `..`, or `name @ ..`.
+pub(super) fn is_rest(pattern: &tree::Pattern) -> bool {
+    match pattern {
+        tree::Pattern::Rest => true,
+        tree::Pattern::Name { inner: Some(inner), .. } => matches!(**inner, tree::Pattern::Rest),
+        _ => false,
+    }
+}

@@ -1,0 +1,55 @@
+//! `==` of what nests is a function in the C, one for each type. Floats compare as IEEE 754 has it: a NaN anywhere
+//! makes the whole unequal.
+
+use bessemer::prelude::*;
+
+/// What an axis is asked to do.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Wish {
+    #[default]
+    Rest,
+    Hold([f32; 2]),
+    Turn { to: f32, within: Option<u16> },
+}
+
+/// A point on the way.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Waypoint {
+    pub place: Vector2<f32>,
+    pub wish: Wish,
+}
+
+/// A way of three points.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Route {
+    pub points: [Waypoint; 3],
+    pub home: Option<Waypoint>,
+    pub turned: UnitQuaternion<f64>,
+}
+
+/// Whether a new route is another one.
+#[function]
+pub fn is_changed(old: &Route, new: &Route) -> bool {
+    old != new
+}
+
+/// How many points of a route are the one.
+#[function]
+pub fn count(route: &Route, point: &Waypoint) -> u32 {
+    let mut count = 0;
+    for other in &route.points {
+        if other == point {
+            count += 1;
+        }
+    }
+    if route.home == Some(*point) { count + 1 } else { count }
+}
+
+/// Whether two lists of wishes are the same.
+#[function]
+pub fn same_wishes(one: &List<Wish, 3>, other: &List<Wish, 3>) -> bool {
+    one == other
+}
