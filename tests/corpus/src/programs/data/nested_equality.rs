@@ -6,7 +6,7 @@ use bessemer::prelude::*;
 /// What an axis is asked to do.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Wish {
+pub enum AxisWish {
     #[default]
     Rest,
     Hold([f32; 2]),
@@ -16,17 +16,17 @@ pub enum Wish {
 /// A point on the way.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Waypoint {
+pub struct RoutePoint {
     pub place: Vector2<f32>,
-    pub wish: Wish,
+    pub wish: AxisWish,
 }
 
 /// A way of three points.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Route {
-    pub points: [Waypoint; 3],
-    pub home: Option<Waypoint>,
+    pub points: [RoutePoint; 3],
+    pub home: Option<RoutePoint>,
     pub turned: UnitQuaternion<f64>,
 }
 
@@ -38,7 +38,7 @@ pub fn is_changed(old: &Route, new: &Route) -> bool {
 
 /// How many points of a route are the one.
 #[function]
-pub fn count(route: &Route, point: &Waypoint) -> u32 {
+pub fn count(route: &Route, point: &RoutePoint) -> u32 {
     let mut count = 0;
     for other in &route.points {
         if other == point {
@@ -50,6 +50,6 @@ pub fn count(route: &Route, point: &Waypoint) -> u32 {
 
 /// Whether two lists of wishes are the same.
 #[function]
-pub fn same_wishes(one: &List<Wish, 3>, other: &List<Wish, 3>) -> bool {
+pub fn same_lists(one: &List<AxisWish, 3>, other: &List<AxisWish, 3>) -> bool {
     one == other
 }
