@@ -7,6 +7,8 @@
 #ifndef PRODUCT_F64_3X3_3X3_H
 #define PRODUCT_F64_3X3_3X3_H
 
+#include <stdint.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -15,7 +17,88 @@ extern "C" {
  * The product of a and b, matrices by columns. Each element of the result starts as its
  * first product and adds the others in the order of the columns of a.
  */
-void product_f64_3x3_3x3(const double a[9], const double b[9], double result[9]);
+static inline void product_f64_3x3_3x3(const double a[9], const double b[9], double result[9])
+{
+#if defined(__clang__)
+#pragma STDC FP_CONTRACT OFF
+#endif
+#if defined(__GNUC__) && defined(__SSE2__) && !defined(BESSEMER_PLAIN)
+    typedef double rows_t __attribute__((vector_size(16), aligned(8), may_alias));
+    const rows_t a00 = *(const rows_t *)&a[0];
+    const rows_t a10 = *(const rows_t *)&a[1];
+    const rows_t a01 = *(const rows_t *)&a[3];
+    const rows_t a11 = *(const rows_t *)&a[4];
+    const rows_t a02 = *(const rows_t *)&a[6];
+    const rows_t a12 = *(const rows_t *)&a[7];
+    const rows_t y00 = a00 * b[0] + a01 * b[1] + a02 * b[2];
+    const rows_t y10 = a10 * b[0] + a11 * b[1] + a12 * b[2];
+    *(rows_t *)&result[0] = y00;
+    *(rows_t *)&result[1] = y10;
+    const rows_t y01 = a00 * b[3] + a01 * b[4] + a02 * b[5];
+    const rows_t y11 = a10 * b[3] + a11 * b[4] + a12 * b[5];
+    *(rows_t *)&result[3] = y01;
+    *(rows_t *)&result[4] = y11;
+    const rows_t y02 = a00 * b[6] + a01 * b[7] + a02 * b[8];
+    const rows_t y12 = a10 * b[6] + a11 * b[7] + a12 * b[8];
+    *(rows_t *)&result[6] = y02;
+    *(rows_t *)&result[7] = y12;
+#else
+    const double a00 = a[0];
+    const double a10 = a[1];
+    const double a20 = a[2];
+    const double b00 = b[0];
+    double y00 = a00 * b00;
+    double y10 = a10 * b00;
+    double y20 = a20 * b00;
+    const double b01 = b[3];
+    double y01 = a00 * b01;
+    double y11 = a10 * b01;
+    double y21 = a20 * b01;
+    const double b02 = b[6];
+    double y02 = a00 * b02;
+    double y12 = a10 * b02;
+    double y22 = a20 * b02;
+    const double a01 = a[3];
+    const double a11 = a[4];
+    const double a21 = a[5];
+    const double b10 = b[1];
+    y00 += a01 * b10;
+    y10 += a11 * b10;
+    y20 += a21 * b10;
+    const double b11 = b[4];
+    y01 += a01 * b11;
+    y11 += a11 * b11;
+    y21 += a21 * b11;
+    const double b12 = b[7];
+    y02 += a01 * b12;
+    y12 += a11 * b12;
+    y22 += a21 * b12;
+    const double a02 = a[6];
+    const double a12 = a[7];
+    const double a22 = a[8];
+    const double b20 = b[2];
+    y00 += a02 * b20;
+    y10 += a12 * b20;
+    y20 += a22 * b20;
+    const double b21 = b[5];
+    y01 += a02 * b21;
+    y11 += a12 * b21;
+    y21 += a22 * b21;
+    const double b22 = b[8];
+    y02 += a02 * b22;
+    y12 += a12 * b22;
+    y22 += a22 * b22;
+    result[0] = y00;
+    result[1] = y10;
+    result[2] = y20;
+    result[3] = y01;
+    result[4] = y11;
+    result[5] = y21;
+    result[6] = y02;
+    result[7] = y12;
+    result[8] = y22;
+#endif
+}
 
 #ifdef __cplusplus
 }

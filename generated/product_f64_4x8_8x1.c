@@ -46,10 +46,12 @@
 
 typedef double lanes_t __attribute__((vector_size(8 * LANES), aligned(8), may_alias));
 
+#if defined(ACROSS)
 /* A block of the result, vectors of rows by columns: the first products, then the others in order. */
 static inline void block(const double *a, const double *b, double *result)
 {
     lanes_t sums[ACROSS][DOWN];
+    /* What is used again stays in registers: the rows, or the numbers where they are fewer. */
 #pragma GCC unroll 8
     for (uint32_t down = 0U; down < DOWN; down++) {
         const lanes_t rows = *(const lanes_t *)&a[OFFSET(down)];
@@ -58,8 +60,9 @@ static inline void block(const double *a, const double *b, double *result)
             sums[across][down] = TIMES(rows, b[8U * across]);
         }
     }
-#pragma GCC unroll 1
+#pragma GCC unroll 2
     for (uint32_t k = 1U; k < 8U; k++) {
+#if DOWN > ACROSS
 #pragma GCC unroll 8
         for (uint32_t down = 0U; down < DOWN; down++) {
             const lanes_t rows = *(const lanes_t *)&a[4U * k + OFFSET(down)];
@@ -68,6 +71,21 @@ static inline void block(const double *a, const double *b, double *result)
                 sums[across][down] = PLUS(sums[across][down], rows, b[k + 8U * across]);
             }
         }
+#else
+        lanes_t rows[DOWN];
+#pragma GCC unroll 8
+        for (uint32_t down = 0U; down < DOWN; down++) {
+            rows[down] = *(const lanes_t *)&a[4U * k + OFFSET(down)];
+        }
+#pragma GCC unroll 8
+        for (uint32_t across = 0U; across < ACROSS; across++) {
+            const double number = b[k + 8U * across];
+#pragma GCC unroll 8
+            for (uint32_t down = 0U; down < DOWN; down++) {
+                sums[across][down] = PLUS(sums[across][down], rows[down], number);
+            }
+        }
+#endif
     }
 #pragma GCC unroll 8
     for (uint32_t across = 0U; across < ACROSS; across++) {
@@ -77,6 +95,7 @@ static inline void block(const double *a, const double *b, double *result)
         }
     }
 }
+#endif
 #else
 /* A tile of 4 by 1 elements: the first products, then the others in order. */
 static void tile_4x1(const double *a, const double *b, double *result)
@@ -109,7 +128,7 @@ static void tile_4x1(const double *a, const double *b, double *result)
 
 void product_f64_4x8_8x1(const double a[32], const double b[8], double result[4])
 {
-#if defined(LANES)
+#if defined(ACROSS)
     /* The last blocks overlap the ones before, where the result is no multiple of them. */
     for (uint32_t column = 0U; column < 1U; column += ACROSS) {
         const uint32_t left = (column + ACROSS <= 1U) ? column : 1U - ACROSS;

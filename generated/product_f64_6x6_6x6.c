@@ -24,18 +24,14 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
-#if defined(__GNUC__) && defined(__AVX512F__) && !defined(BESSEMER_PLAIN)
+#if defined(__GNUC__) && defined(__AVX__) && !defined(BESSEMER_PLAIN)
 #define LANES 4U
 #define DOWN 2U
-#define ACROSS 6U
-#elif defined(__GNUC__) && defined(__AVX__) && !defined(BESSEMER_PLAIN)
-#define LANES 4U
-#define DOWN 2U
-#define ACROSS 3U
+#define HELD
 #elif defined(__GNUC__) && defined(__SSE2__) && !defined(BESSEMER_PLAIN)
 #define LANES 2U
 #define DOWN 3U
-#define ACROSS 3U
+#define TOGETHER 2U
 #endif
 
 #if defined(LANES)
@@ -50,37 +46,45 @@
 
 typedef double lanes_t __attribute__((vector_size(8 * LANES), aligned(8), may_alias));
 
-/* A block of the result, vectors of rows by columns: the first products, then the others in order. */
-static inline void block(const double *a, const double *b, double *result)
+#if defined(TOGETHER)
+typedef int32_t words_t __attribute__((vector_size(16), aligned(4), may_alias));
+
+/* A part of a column of the result, in vectors of rows: the first products, then the others in order. Numbers
+   that follow one another are loaded at once and spread from there: as integers, whose shuffle copies nothing. */
+static inline void column_part(const double *a, const double *b, double *result)
 {
-    lanes_t sums[ACROSS][DOWN];
-#pragma GCC unroll 8
+    lanes_t sums[DOWN];
+    words_t numbers = *(const words_t *)b;
+    lanes_t number = (lanes_t)__builtin_shufflevector(numbers, numbers, 0, 1, 0, 1);
+#pragma GCC unroll 16
     for (uint32_t down = 0U; down < DOWN; down++) {
-        const lanes_t rows = *(const lanes_t *)&a[OFFSET(down)];
-#pragma GCC unroll 8
-        for (uint32_t across = 0U; across < ACROSS; across++) {
-            sums[across][down] = TIMES(rows, b[6U * across]);
+        sums[down] = *(const lanes_t *)&a[OFFSET(down)] * number;
+    }
+    number = (lanes_t)__builtin_shufflevector(numbers, numbers, 2, 3, 2, 3);
+#pragma GCC unroll 16
+    for (uint32_t down = 0U; down < DOWN; down++) {
+        sums[down] += *(const lanes_t *)&a[6U * 1U + OFFSET(down)] * number;
+    }
+#pragma GCC unroll 6
+    for (uint32_t k = TOGETHER; k + TOGETHER <= 6U; k += TOGETHER) {
+        numbers = *(const words_t *)&b[k];
+        number = (lanes_t)__builtin_shufflevector(numbers, numbers, 0, 1, 0, 1);
+#pragma GCC unroll 16
+        for (uint32_t down = 0U; down < DOWN; down++) {
+            sums[down] += *(const lanes_t *)&a[6U * k + OFFSET(down)] * number;
+        }
+        number = (lanes_t)__builtin_shufflevector(numbers, numbers, 2, 3, 2, 3);
+#pragma GCC unroll 16
+        for (uint32_t down = 0U; down < DOWN; down++) {
+            sums[down] += *(const lanes_t *)&a[6U * (k + 1U) + OFFSET(down)] * number;
         }
     }
-#pragma GCC unroll 1
-    for (uint32_t k = 1U; k < 6U; k++) {
-#pragma GCC unroll 8
-        for (uint32_t down = 0U; down < DOWN; down++) {
-            const lanes_t rows = *(const lanes_t *)&a[6U * k + OFFSET(down)];
-#pragma GCC unroll 8
-            for (uint32_t across = 0U; across < ACROSS; across++) {
-                sums[across][down] = PLUS(sums[across][down], rows, b[k + 6U * across]);
-            }
-        }
-    }
-#pragma GCC unroll 8
-    for (uint32_t across = 0U; across < ACROSS; across++) {
-#pragma GCC unroll 8
-        for (uint32_t down = 0U; down < DOWN; down++) {
-            *(lanes_t *)&result[6U * across + OFFSET(down)] = sums[across][down];
-        }
+#pragma GCC unroll 16
+    for (uint32_t down = 0U; down < DOWN; down++) {
+        *(lanes_t *)&result[OFFSET(down)] = sums[down];
     }
 }
+#endif
 #else
 /* A tile of 3 by 6 elements: the first products, then the others in order. */
 static void tile_3x6(const double *a, const double *b, double *result)
@@ -159,13 +163,39 @@ static void tile_3x6(const double *a, const double *b, double *result)
 
 void product_f64_6x6_6x6(const double a[36], const double b[36], double result[36])
 {
-#if defined(LANES)
-    /* The last blocks overlap the ones before, where the result is no multiple of them. */
-    for (uint32_t column = 0U; column < 6U; column += ACROSS) {
-        const uint32_t left = (column + ACROSS <= 6U) ? column : 6U - ACROSS;
+#if defined(HELD)
+    lanes_t held[6U][DOWN];
+#pragma GCC unroll 32
+    for (uint32_t k = 0U; k < 6U; k++) {
+#pragma GCC unroll 8
+        for (uint32_t down = 0U; down < DOWN; down++) {
+            held[k][down] = *(const lanes_t *)&a[6U * k + OFFSET(down)];
+        }
+    }
+#pragma GCC unroll 6
+    for (uint32_t column = 0U; column < 6U; column++) {
+        lanes_t sums[DOWN];
+#pragma GCC unroll 8
+        for (uint32_t down = 0U; down < DOWN; down++) {
+            sums[down] = TIMES(held[0][down], b[6U * column]);
+        }
+#pragma GCC unroll 32
+        for (uint32_t k = 1U; k < 6U; k++) {
+#pragma GCC unroll 8
+            for (uint32_t down = 0U; down < DOWN; down++) {
+                sums[down] = PLUS(sums[down], held[k][down], b[k + 6U * column]);
+            }
+        }
+#pragma GCC unroll 8
+        for (uint32_t down = 0U; down < DOWN; down++) {
+            *(lanes_t *)&result[6U * column + OFFSET(down)] = sums[down];
+        }
+    }
+#elif defined(TOGETHER)
+    for (uint32_t column = 0U; column < 6U; column++) {
         for (uint32_t row = 0U; row < 6U; row += HEIGHT) {
             const uint32_t top = (row + HEIGHT <= 6U) ? row : 6U - HEIGHT;
-            block(&a[top], &b[6U * left], &result[top + 6U * left]);
+            column_part(&a[top], &b[6U * column], &result[top + 6U * column]);
         }
     }
 #else

@@ -24,14 +24,10 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
-#if defined(__GNUC__) && defined(__AVX512F__) && !defined(BESSEMER_PLAIN)
+#if defined(__GNUC__) && defined(__AVX__) && !defined(BESSEMER_PLAIN)
 #define LANES 4U
 #define DOWN 2U
-#define ACROSS 6U
-#elif defined(__GNUC__) && defined(__AVX__) && !defined(BESSEMER_PLAIN)
-#define LANES 4U
-#define DOWN 2U
-#define ACROSS 3U
+#define HELD
 #elif defined(__GNUC__) && defined(__SSE2__) && !defined(BESSEMER_PLAIN)
 #define LANES 2U
 #define DOWN 3U
@@ -50,10 +46,12 @@
 
 typedef double lanes_t __attribute__((vector_size(8 * LANES), aligned(8), may_alias));
 
+#if defined(ACROSS)
 /* A block of the result, vectors of rows by columns: the first products, then the others in order. */
 static inline void block(const double *a, const double *b, double *result)
 {
     lanes_t sums[ACROSS][DOWN];
+    /* What is used again stays in registers: the rows, or the numbers where they are fewer. */
 #pragma GCC unroll 8
     for (uint32_t down = 0U; down < DOWN; down++) {
         const lanes_t rows = *(const lanes_t *)&a[OFFSET(down)];
@@ -62,8 +60,9 @@ static inline void block(const double *a, const double *b, double *result)
             sums[across][down] = TIMES(rows, b[across]);
         }
     }
-#pragma GCC unroll 1
+#pragma GCC unroll 2
     for (uint32_t k = 1U; k < 6U; k++) {
+#if DOWN > ACROSS
 #pragma GCC unroll 8
         for (uint32_t down = 0U; down < DOWN; down++) {
             const lanes_t rows = *(const lanes_t *)&a[6U * k + OFFSET(down)];
@@ -72,6 +71,21 @@ static inline void block(const double *a, const double *b, double *result)
                 sums[across][down] = PLUS(sums[across][down], rows, b[6U * k + across]);
             }
         }
+#else
+        lanes_t rows[DOWN];
+#pragma GCC unroll 8
+        for (uint32_t down = 0U; down < DOWN; down++) {
+            rows[down] = *(const lanes_t *)&a[6U * k + OFFSET(down)];
+        }
+#pragma GCC unroll 8
+        for (uint32_t across = 0U; across < ACROSS; across++) {
+            const double number = b[6U * k + across];
+#pragma GCC unroll 8
+            for (uint32_t down = 0U; down < DOWN; down++) {
+                sums[across][down] = PLUS(sums[across][down], rows[down], number);
+            }
+        }
+#endif
     }
 #pragma GCC unroll 8
     for (uint32_t across = 0U; across < ACROSS; across++) {
@@ -81,6 +95,7 @@ static inline void block(const double *a, const double *b, double *result)
         }
     }
 }
+#endif
 #else
 /* A tile of 3 by 6 elements: the first products, then the others in order. */
 static void tile_3x6(const double *a, const double *b, double *result)
@@ -160,7 +175,35 @@ static void tile_3x6(const double *a, const double *b, double *result)
 
 void product_tr_f64_6x6_6x6(const double a[36], const double b[36], double result[36])
 {
-#if defined(LANES)
+#if defined(HELD)
+    lanes_t held[6U][DOWN];
+#pragma GCC unroll 32
+    for (uint32_t k = 0U; k < 6U; k++) {
+#pragma GCC unroll 8
+        for (uint32_t down = 0U; down < DOWN; down++) {
+            held[k][down] = *(const lanes_t *)&a[6U * k + OFFSET(down)];
+        }
+    }
+#pragma GCC unroll 6
+    for (uint32_t column = 0U; column < 6U; column++) {
+        lanes_t sums[DOWN];
+#pragma GCC unroll 8
+        for (uint32_t down = 0U; down < DOWN; down++) {
+            sums[down] = TIMES(held[0][down], b[column]);
+        }
+#pragma GCC unroll 32
+        for (uint32_t k = 1U; k < 6U; k++) {
+#pragma GCC unroll 8
+            for (uint32_t down = 0U; down < DOWN; down++) {
+                sums[down] = PLUS(sums[down], held[k][down], b[6U * k + column]);
+            }
+        }
+#pragma GCC unroll 8
+        for (uint32_t down = 0U; down < DOWN; down++) {
+            *(lanes_t *)&result[6U * column + OFFSET(down)] = sums[down];
+        }
+    }
+#elif defined(ACROSS)
     /* The last blocks overlap the ones before, where the result is no multiple of them. */
     for (uint32_t column = 0U; column < 6U; column += ACROSS) {
         const uint32_t left = (column + ACROSS <= 6U) ? column : 6U - ACROSS;

@@ -1,6 +1,6 @@
 //! Options of kernels, as programs: functions of the user's own in place of kernels are called, give the
 //! kernel's result and can be taken back; threads change no bit; a budget of code makes objects smaller and changes
-//! no bit; the fast mode stays within the bound that its order allows.
+//! no bit; the fast mode stays within the bounds that its order allows.
 
 use std::process::Command;
 
@@ -235,4 +235,51 @@ fn residual(a: &[f64], b: &[f64], x: &[f64]) -> f64 {
         (high + low).abs()
     };
     (0..n).map(element).fold(0.0, f64::max)
+}
+
+#[test]
+fn products_of_the_fast_mode_stay_within_their_bound() {
+    let kernels = [
+        kernel(KernelRoutine::Product, Float::F64, &[20; 3]),
+        kernel(KernelRoutine::Product, Float::F32, &[9; 3]),
+    ];
+    let tuning = Tuning { mode: Mode::Fast, ..Tuning::default() };
+    let options = Options { kernels: tuning, ..Options::default() };
+    let Some(words) = words(&kernels, "products.c", &options, &["-march=native"]) else {
+        println!("left out: there is no gcc");
+        return;
+    };
+    let mut next = numbers();
+    let (a, b): (Vec<f64>, Vec<f64>) = (0..400).map(|_| (next(), next())).unzip();
+    let (c, d): (Vec<f64>, Vec<f64>) =
+        (0..81).map(|_| (f64::from(next() as f32), f64::from(next() as f32))).unzip();
+    let double: Vec<f64> = words[..400].iter().map(|word| f64::from_bits(*word)).collect();
+    let single: Vec<f64> =
+        words[400..].iter().map(|word| f64::from(f32::from_bits(*word as u32))).collect();
+    within_bound(20, (&a, &b), &double, f64::EPSILON);
+    within_bound(9, (&c, &d), &single, f64::from(f32::EPSILON));
+}
+
+/// The numbers of `tests/kernels/products.c`, in the order of its calls.
+fn numbers() -> impl FnMut() -> f64 {
+    let mut state: u64 = 88_172_645_463_325_252;
+    move || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state >> 11) as f64 * 2f64.powi(-53) - 0.5
+    }
+}
+
+/// |C − A B| <= n u |A| |B| element by element, in whatever order the sums go and fused or not (Higham, section 3.5).
+fn within_bound(n: usize, (a, b): (&[f64], &[f64]), result: &[f64], epsilon: f64) {
+    for column in 0..n {
+        for row in 0..n {
+            let line: Vec<f64> = (0..n).map(|k| a[row + n * k]).collect();
+            let x = &b[n * column..n * (column + 1)];
+            let off = residual(&line, &[result[row + n * column]], x);
+            let size: f64 = line.iter().zip(x).map(|(a, x)| (a * x).abs()).sum();
+            assert!(off <= n as f64 * epsilon / 2.0 * size, "{row}, {column}: {off} of {size}");
+        }
+    }
 }

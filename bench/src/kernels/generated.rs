@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 use bessemer_codegen::kernels::{self, Tuning};
 use bessemer_codegen::{c, passes};
 use bessemer_ir::{
-    Block, Expr, ExprKind, Float, Function, Kernel, KernelRoutine, LocalId, Module, Place,
-    Routine as Node, Stmt, StmtKind,
+    Block, Expr, ExprKind, Float, Function, Inlining, Kernel, KernelRoutine, LocalId, Module,
+    Place, Routine as Node, Stmt, StmtKind,
 };
 
 use super::case::{Case, Element, Routine};
@@ -52,10 +52,35 @@ pub fn write(cases: &[Case], folder: &Path, tuning: Tuning) -> Result<Vec<PathBu
             sources.push(path);
         }
     }
+    // What stands in a header or at its place is compiled where it is called; by itself, too, so that its size is known.
+    sources.retain(|source| !source.ends_with("product.c"));
+    for kernel in known.iter().flat_map(|(_, kernels)| kernels) {
+        if kernel.is_function() && kernels::stands_in_header(kernel) {
+            sources.push(put(folder, &format!("{}.c", kernel.name()), &alone(kernel))?);
+        }
+    }
     let large = known.iter().any(|(case, _)| case.size > 20);
     let text = if large { loaded(&known) } else { copied(&known) };
     sources.push(put(folder, "generated_cases.c", &text)?);
     Ok(sources)
+}
+
+/// A function of its own for what stands in a header.
+fn alone(kernel: &Kernel) -> String {
+    let name = kernel.name();
+    let real = if kernel.element == Float::F64 { "double" } else { "float" };
+    let (result, parameters, arguments) = match kernel.routine {
+        KernelRoutine::Product => {
+            ("void", format!("const {real} *a, const {real} *b, {real} *result"), "a, b, result")
+        }
+        KernelRoutine::CholeskySolve => ("void", format!("const {real} *a, {real} *b"), "a, b"),
+        _ => ("bool", format!("{real} *a"), "a"),
+    };
+    let keyword = if result == "void" { "" } else { "return " };
+    format!(
+        "#include \"{name}.h\"\n{result} {name}_alone({parameters});\n{result} {name}_alone({parameters})\n{{\n    \
+         {keyword}{name}({arguments});\n}}\n"
+    )
 }
 
 /// A kernel; or where the product has none, a function that holds what a model's would.
@@ -76,6 +101,7 @@ fn function(kernel: &Kernel) -> Function {
     let stmt = Stmt { kind: StmtKind::Return(value), span, comments: Vec::new() };
     function.body = Block(vec![stmt]);
     function.kernel = None;
+    function.attributes.inlining = Inlining::Always;
     // The C name is the module's and its own: the kernel's.
     function.module = "bench::product".into();
     function.name = kernel.name().trim_start_matches("product_").into();
@@ -87,8 +113,14 @@ fn copied(known: &[(Case, Vec<Kernel>)]) -> String {
     let mut before = String::from("#include <string.h>\n");
     for (case, kernels) in known {
         for kernel in kernels {
-            let header = if kernel.is_function() { kernel.name() } else { "product".into() };
-            let _ = writeln!(before, "#include \"{header}.h\"");
+            let file = match kernel.is_function() {
+                true => format!("{}.h", kernel.name()),
+                // It stands at its place in a model, so here too.
+                false => "product.c".into(),
+            };
+            if !before.contains(&file) {
+                let _ = writeln!(before, "#include \"{file}\"");
+            }
         }
         let kernel = &kernels[0];
         let (real, name, n) = (real(case).0, kernel.name(), case.size);
@@ -99,6 +131,15 @@ fn copied(known: &[(Case, Vec<Kernel>)]) -> String {
                 "static void copy_{case}(const {real} *a, const {real} *b, {real} *x)\n{{\n    \
                  {name}(a, b, x);\n}}",
                 case = case.name()
+            ),
+            // What compilers put at its place needs no copy: as a model, it gives the result if there is one.
+            Routine::Inverse if kernels::stands_in_header(kernel) => writeln!(
+                before,
+                "static void copy_{case}(const {real} *a, {real} *x)\n{{\n    {real} inverse[{count}];\n    \
+                 memcpy(inverse, a, sizeof inverse);\n    if ({name}(inverse)) {{\n        \
+                 memcpy(x, inverse, sizeof inverse);\n    }}\n}}",
+                case = case.name(),
+                count = n * n,
             ),
             Routine::Inverse => writeln!(
                 before,

@@ -8,11 +8,13 @@
 //! | [`count`] | executed instructions: callgrind on the host, QEMU's plugin on the Cortex-A9 |
 //! | [`clock`] | times: programs that run by turns, round by round |
 //! | [`check`] | whether a result may be measured at all |
+//! | [`above`] | where the generated C takes more than it should, and why |
 //! | [`report`], [`plot`] | the terminal, JSON, Markdown and SVG |
 //!
 //! Invariants: every contender gets the same numbers and the same flags; what is compared was measured in
 //! one run, in turns; no figure of a contender whose result is wrong.
 
+pub mod above;
 pub mod case;
 pub mod check;
 pub mod clock;

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
+use super::above;
 use super::case::{Element, Routine};
 use super::results::{Cell, Results, Row, Table};
 
@@ -72,6 +73,7 @@ pub fn markdown(results: &Results, about: &BTreeMap<&'static str, String>) -> St
         text += &small(table, "");
         text += "```\n";
     }
+    text += &above::markdown(results);
     text += &sizes(results);
     for line in &results.left_out {
         let _ = writeln!(text, "\nLeft out: {line}");

@@ -5,14 +5,14 @@
 //! * Inside a file everything stands in the order of the Rust source, save that C wants types before
 //!   their uses; static functions are declared at the top instead of being moved.
 
+mod kernel;
+
 use std::collections::{BTreeMap, BTreeSet};
 
-use bessemer_ir::{
-    ConstId, EnumId, Function, FunctionId, Kernel, Owner, Scalar, Span, StructId, Type,
-};
+use bessemer_ir::{ConstId, EnumId, Function, FunctionId, Owner, Scalar, Span, StructId, Type};
 
 use super::analysis::{inline_callees, reachable};
-use super::helpers::{Helper, closure};
+use super::helpers::closure;
 use super::library::{self, is_mathematics};
 use super::lower::{self, Context, Uses};
 use super::names::{OVERLAY, Returned, Signature, Storage};
@@ -20,8 +20,6 @@ use super::print::Printer;
 use super::shell::{Shell, frame};
 use super::tree::{Declarator, Head, Init, Item, Lines, Origin, Stmt, StmtKind, plain};
 use super::{CFile, Options, asked, init, literal, status, units};
-use crate::kernels;
-use crate::kernels::replace::Replacement;
 
 /// What one pair of files holds.
 #[derive(Default)]
@@ -54,7 +52,7 @@ pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {
     for (name, unit) in units(context) {
         let writer = Writer { context, options, name, unit };
         list.push(writer.header());
-        if !writer.unit.functions.is_empty() {
+        if writer.unit.functions.iter().any(|callable| writer.in_header(callable).is_none()) {
             list.push(writer.source());
         }
     }
@@ -202,7 +200,10 @@ impl Writer<'_> {
                 }),
                 Callable::Function(id) => {
                     let signature = self.context.names.signature(*id);
-                    if signature.storage == Storage::Extern {
+                    if let Some(kernel) = self.in_header(callable) {
+                        includes.signature(self.context, signature);
+                        items.extend(self.inline_kernel(kernel, *id, &mut includes));
+                    } else if signature.storage == Storage::Extern {
                         includes.signature(self.context, signature);
                         items.push(self.prototype(*id, true));
                     }
@@ -281,30 +282,6 @@ impl Writer<'_> {
         includes.system.extend(uses.string.then_some("string.h"));
         includes.own.append(&mut uses.headers);
         self.file("c", &items, includes)
-    }
-
-    /// A kernel, and what stands before it.
-    fn kernel(&self, kernel: &Kernel, id: FunctionId, uses: &mut Uses) -> Vec<Item> {
-        let tuning = &self.options.kernels;
-        let own = kernels::source(kernel, tuning);
-        let lends = !kernels::lent(kernel, tuning).is_empty();
-        let source = match Replacement::of(&self.options.replacements, kernel) {
-            Some(replacement) => replacement.replace(kernel, own, lends),
-            None => own,
-        };
-        uses.math |= source.math;
-        uses.string |= source.string;
-        uses.helpers.extend(source.dot.then_some(Helper::Dot(kernel.element)));
-        let before = (!source.before.is_empty()).then_some(Item::Verbatim(source.before));
-        let body = vec![plain(StmtKind::Verbatim(source.body))];
-        let function = Item::Function {
-            docs: Vec::new(),
-            head: self.context.names.head(self.context.names.signature(id)),
-            body,
-            origin: origin(Span::default()),
-            function: String::new(),
-        };
-        before.into_iter().chain([function]).collect()
     }
 
     /// The inline functions that this file calls, callees first.

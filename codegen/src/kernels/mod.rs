@@ -154,6 +154,18 @@ fn by_rows(kernel: &Kernel, tuning: &Tuning) -> bool {
     rows::fits(kernel) && way(kernel, tuning) != Way::Loops && rows::BUDGET <= tuning.code_bytes
 }
 
+/// Whether a kernel stands in its header, as a function that its callers' compilers may put where it is called: at these
+/// sizes a call, and what it copies, would be a good part of it.
+pub fn stands_in_header(kernel: &Kernel) -> bool {
+    match (kernel.routine, kernel.dims.as_slice()) {
+        (KernelRoutine::Inverse, &[size]) => size <= 4,
+        (KernelRoutine::Cholesky, &[size]) | (KernelRoutine::CholeskySolve, &[size, 1]) => {
+            size <= 3
+        }
+        _ => product::is_small(kernel),
+    }
+}
+
 /// The memory that a kernel works with.
 pub fn buffers(kernel: &Kernel, tuning: &Tuning) -> Vec<Buffer> {
     let mut buffers = match way(kernel, tuning) {

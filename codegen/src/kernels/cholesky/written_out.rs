@@ -4,8 +4,8 @@ use std::fmt::Write as _;
 
 use bessemer_ir::Kernel;
 
-use super::super::Source;
 use super::super::text::{fill, values};
+use super::super::{Source, stands_in_header};
 
 /// What is left where there is no factor.
 pub(super) const SPOIL: &str = "\
@@ -51,9 +51,16 @@ pub(super) fn factor(kernel: &Kernel, n: u32) -> Source {
     }
     put("return true;".into());
     let values = values(kernel.element, &[("n", n)]);
+    let (mut spoil, mut body) = (SPOIL.to_owned(), text);
+    if stands_in_header(kernel) {
+        // A name of its own: several kernels may stand in one source.
+        let name = format!("spoil_{}(", kernel.name());
+        spoil = spoil.replace("static bool spoil(", &format!("static inline bool {name}"));
+        body = body.replace("spoil(", &name);
+    }
     Source {
-        before: fill(SPOIL, &values).trim_end().to_owned(),
-        body: fill(&text, &values),
+        before: fill(&spoil, &values).trim_end().to_owned(),
+        body: fill(&body, &values),
         math: true,
         ..Source::default()
     }
@@ -61,10 +68,7 @@ pub(super) fn factor(kernel: &Kernel, n: u32) -> Source {
 
 /// Both substitutions, for each right-hand side in registers.
 pub(super) fn solve(kernel: &Kernel, n: u32, columns: u32) -> Source {
-    let mut text = String::from(
-        "/* Solves for one right-hand side: down by L, then up by its transpose. */\n\
-         static void substitute(const $real *a, $real *x)\n{\n",
-    );
+    let mut text = String::new();
     for row in 0..n {
         let _ = writeln!(text, "    $real x{row} = x[{row}];");
         for k in 0..row {
@@ -77,8 +81,15 @@ pub(super) fn solve(kernel: &Kernel, n: u32, columns: u32) -> Source {
         let _ = writeln!(text, "    x{row} = (x{row} - known{row}) / a[{}];", n * row + row);
         let _ = writeln!(text, "    x[{row}] = x{row};");
     }
-    text += "}\n";
     let values = values(kernel.element, &[("n", n), ("columns", columns)]);
+    if stands_in_header(kernel) {
+        let body = text.replace("    ", "").replace("= x[", "= b[").replace("x[", "b[");
+        return Source { body: fill(&body, &values), ..Source::default() };
+    }
+    let text = format!(
+        "/* Solves for one right-hand side: down by L, then up by its transpose. */\n\
+         static void substitute(const $real *a, $real *x)\n{{\n{text}}}\n"
+    );
     let body = match columns {
         1 => "substitute(a, b);\n",
         _ => {

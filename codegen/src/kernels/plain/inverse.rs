@@ -1,10 +1,10 @@
 //! Inverse and determinant of the smallest matrices: written out, by minors.
 
-use bessemer_ir::Kernel;
 use bessemer_ir::kernel::{COFACTORS, Products};
+use bessemer_ir::{Float, Kernel};
 
 use crate::kernels::Source;
-use crate::kernels::text::{fill, values};
+use crate::kernels::text::{bytes, fill, values};
 
 const ONE: &str = "\
 if (a[0] == $zero) {
@@ -14,7 +14,20 @@ a[0] = $one / a[0];
 return true;
 ";
 
+/// All four elements in one vector, where there is one so wide.
 const TWO: &str = "\
+#if defined(__GNUC__) && defined($vectors) && !defined(BESSEMER_PLAIN)
+typedef $real matrix_t __attribute__((vector_size(4 * $bytes), aligned($bytes), may_alias));
+const matrix_t m = *(const matrix_t *)a;
+const matrix_t products = m * __builtin_shufflevector(m, m, 3, 2, 1, 0);
+const $real determinant = products[0] - products[1];
+if (determinant == $zero) {
+    return false;
+}
+const matrix_t signs = {$one, -$one, -$one, $one};
+*(matrix_t *)a = __builtin_shufflevector(m, m, 3, 1, 2, 0) * signs / determinant;
+return true;
+#else
 const $real m11 = a[0];
 const $real m21 = a[1];
 const $real m12 = a[2];
@@ -28,7 +41,10 @@ a[1] = -m21 / determinant;
 a[2] = -m12 / determinant;
 a[3] = m11 / determinant;
 return true;
+#endif
 ";
+
+const FOUR_IN_VECTORS: &str = include_str!("inverse_of_four.c");
 
 /// The elements of a 3×3 matrix, three minors and the determinant.
 const MINORS: &str = "\
@@ -79,7 +95,14 @@ pub(super) fn by_cofactors(kernel: &Kernel, size: u32) -> Source {
         3 => format!("{MINORS}{THREE}"),
         _ => four(),
     };
-    Source { body: fill(&template, &values(kernel.element, &[])), ..Source::default() }
+    let mut values = values(kernel.element, &[]);
+    let vectors = match kernel.element {
+        Float::F64 => "__AVX__",
+        Float::F32 => "__SSE2__",
+    };
+    values.push(("vectors", vectors.to_owned()));
+    values.push(("bytes", bytes(kernel.element).to_string()));
+    Source { body: fill(&template, &values), ..Source::default() }
 }
 
 fn four() -> String {
@@ -96,7 +119,7 @@ fn four() -> String {
     for (element, products) in rest {
         text.push_str(&format!("a[{element}] = ({}) * reciprocal;\n", sum(products)));
     }
-    text + "return true;\n"
+    FOUR_IN_VECTORS.to_owned() + &text + "return true;\n#endif\n"
 }
 
 /// Six products, two on each line.

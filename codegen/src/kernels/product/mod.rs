@@ -3,9 +3,11 @@
 //! Each element of the result starts as its first product and takes the others in the order of k, as
 //! nalgebra's does; a block only decides which elements go side by side.
 //!
-//! [`vectors`] has the blocks of targets with vectors, [`numbers`] those of all others.
+//! [`vectors`] has the blocks of targets with vectors, [`numbers`] those of all others; [`small`] the products that stand in
+//! their header.
 
 mod numbers;
+mod small;
 mod vectors;
 
 use bessemer_ir::{Float, Kernel, KernelRoutine};
@@ -44,6 +46,13 @@ impl Sizes {
     }
 }
 
+/// Whether a product is written out, and stands in its header.
+pub(super) fn is_small(kernel: &Kernel) -> bool {
+    use KernelRoutine::{Product, ProductTr, TrProduct};
+    matches!(kernel.routine, Product | ProductTr | TrProduct)
+        && kernel.dims.iter().all(|dim| (2..=small::LARGEST).contains(dim))
+}
+
 /// An index: what lies so far apart times its counter.
 fn times(stride: u32, counter: &str) -> String {
     match stride {
@@ -63,16 +72,19 @@ pub(super) fn source(
         Float::F64 => "double",
         Float::F32 => "float",
     };
+    if is_small(kernel) {
+        return Some(Source { body: small::source(kernel.element, sizes), ..Source::default() });
+    }
     let shares = [rows, inner, columns].into_iter().all(|size| size >= THREADED);
     let plain = numbers::source(real, sizes, tuning.code_bytes, shares)?;
     let (before, body) = match vectors::source(kernel.element, sizes, tuning.mode, shares) {
         None => plain,
-        Some((targets, block, loops)) => {
+        Some((before, body)) => {
             let note = if tuning.mode == Mode::Fast { NOTE } else { "" };
             let (tiles, calls) = plain;
             (
-                format!("{note}{targets}\n#if defined(LANES)\n{block}#else\n{tiles}\n#endif"),
-                format!("#if defined(LANES)\n{loops}#else\n{calls}#endif\n"),
+                format!("{note}{before}#else\n{tiles}\n#endif"),
+                format!("{body}#else\n{calls}#endif\n"),
             )
         }
     };

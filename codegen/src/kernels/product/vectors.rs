@@ -76,66 +76,168 @@ const NEON: &str = "\
 #define PLUS(sum, rows, number) vmlaq_n_f32((float32x4_t)(sum), (float32x4_t)(rows), (number))
 ";
 
-/// A block of the result.
+/// How a target goes about it.
 #[derive(Clone, Copy, PartialEq)]
-struct Block {
+enum Form {
+    /// The left factor stays in registers.
+    Held,
+    /// A part of a column at a time, with numbers spread from vectors of them.
+    Columns,
+    /// Blocks of so many columns.
+    Blocks(u32),
+}
+
+/// What a target makes of a product.
+#[derive(Clone, Copy, PartialEq)]
+struct Plan {
     /// Numbers of a vector.
     lanes: u32,
     /// Vectors below one another.
     down: u32,
-    /// Columns.
-    across: u32,
+    form: Form,
 }
 
-const BLOCK: &str = include_str!("block.c");
-/// From more terms than these on the loop over them stays one: gcc, having unrolled it, would load all numbers at
-/// once and spill them.
-const ROLLED: u32 = 4;
-const KEEP_ROLLED: &str = "#pragma GCC unroll 1\n";
-
+const COMMON: &str = include_str!("common.c");
 const GATHER: &str = include_str!("gather.c");
-const LOOPS: &str = include_str!("blocks.c");
+const BLOCK: &str = include_str!("block.c");
+const BLOCKS: &str = include_str!("blocks.c");
+const COLUMN: &str = include_str!("column.c");
+const STEP: &str = include_str!("step.c");
+const COLUMNS: &str = include_str!("columns.c");
+const HELD: &str = include_str!("held.c");
 
-/// What each target has, the function of a block, and the loops over blocks; none if there are too few rows.
+/// From more terms than these on the loop over them is unrolled no more than twice: gcc, having unrolled it, would load
+/// all numbers at once and spill them.
+const ROLLED: u32 = 4;
+
+/// Up to so many terms a column's loop over them is unrolled.
+const COLUMN_UNROLLED: u32 = 20;
+
+/// Up to so many numbers of the right factor the loop over the columns of a held left one is unrolled.
+const HELD_UNROLLED: u32 = 64;
+
+/// Vectors below one another in a part of a column, at most.
+const COLUMN_DOWN: u32 = 9;
+
+/// What stands before the function, and its body; none if there are too few rows.
 pub(super) fn source(
     element: Float,
     sizes: Sizes,
     mode: Mode,
     shares: bool,
-) -> Option<(String, String, String)> {
+) -> Option<(String, String)> {
     let mut branches: Vec<String> = Vec::new();
+    let mut plans: Vec<Plan> = Vec::new();
     let mut last = None;
     for target in TARGETS.iter().rev() {
         if target.single && element != Float::F32 {
             continue;
         }
-        let Some(block) = best(target, element, sizes) else { continue };
+        let Some(plan) = plan(target, element, sizes, mode) else { continue };
         // The same as with narrower vectors: no case of its own.
-        if last == Some(block) {
+        if last == Some(plan) {
             continue;
         }
-        last = (!target.single).then_some(block);
-        let Block { lanes, down, across } = block;
-        let mut condition = target.condition.to_owned();
-        let mut text = target.text.to_owned();
-        if mode == Mode::Fast && target.single {
-            condition = condition.replace(" && defined(BESSEMER_NEON_F32)", "");
-        } else if mode == Mode::Fast {
-            let plus = fused(element, lanes * bytes(element), "fmadd", ["number", "rows", "sum"]);
-            text += &format!(
-                "{FUSED}{TIMES}#define PLUS(sum, rows, number) ((lanes_t){plus})\n#endif\n"
-            );
-        }
-        branches.push(format!(
-            "if defined(__GNUC__) && {condition} && !defined(BESSEMER_PLAIN)\n{text}\
-             #define LANES {lanes}U\n#define DOWN {down}U\n#define ACROSS {across}U\n",
-        ));
+        last = (!target.single).then_some(plan);
+        plans.push(plan);
+        branches.push(branch(target, element, plan, mode));
     }
     if branches.is_empty() {
         return None;
     }
     branches.reverse();
     let targets = format!("#{}#endif\n", branches.join("#el"));
+    let gather = if sizes.left.0 == 1 { "" } else { GATHER };
+    let mut before = format!("{targets}\n#if defined(LANES)\n{COMMON}{gather}");
+    let mut body = String::new();
+    let mut word = "if";
+    let uses = |wanted: fn(Form) -> bool| plans.iter().any(|plan| wanted(plan.form));
+    if uses(|form| form == Form::Held) {
+        body += &format!("#{word} defined(HELD)\n{HELD}");
+        word = "elif";
+    }
+    if uses(|form| form == Form::Columns) {
+        before += &format!("\n#if defined(TOGETHER)\n{}#endif\n", column(element, sizes.inner));
+        body += &format!("#{word} defined(TOGETHER)\n{COLUMNS}");
+        word = "elif";
+    }
+    if uses(|form| matches!(form, Form::Blocks(_))) {
+        before += &format!("\n#if defined(ACROSS)\n{BLOCK}#endif\n");
+        body += &format!("#{word} defined(ACROSS)\n{BLOCKS}");
+    }
+    let values = values(element, sizes, shares);
+    Some((fill(&before, &values), fill(&body, &values)))
+}
+
+/// What a target defines.
+fn branch(target: &Target, element: Float, plan: Plan, mode: Mode) -> String {
+    let Plan { lanes, down, form } = plan;
+    let mut condition = target.condition.to_owned();
+    let mut text = target.text.to_owned();
+    if mode == Mode::Fast && target.single {
+        condition = condition.replace(" && defined(BESSEMER_NEON_F32)", "");
+    } else if mode == Mode::Fast && form != Form::Columns {
+        let plus = fused(element, lanes * bytes(element), "fmadd", ["number", "rows", "sum"]);
+        text +=
+            &format!("{FUSED}{TIMES}#define PLUS(sum, rows, number) ((lanes_t){plus})\n#endif\n");
+    }
+    let form = match form {
+        Form::Held => "#define HELD\n".to_owned(),
+        Form::Columns => format!("#define TOGETHER {lanes}U\n"),
+        Form::Blocks(across) => format!("#define ACROSS {across}U\n"),
+    };
+    format!(
+        "if defined(__GNUC__) && {condition} && !defined(BESSEMER_PLAIN)\n{text}\
+         #define LANES {lanes}U\n#define DOWN {down}U\n{form}",
+    )
+}
+
+/// A number of the right factor in each lane.
+fn alike(k: u32, lanes: u32) -> String {
+    format!("(lanes_t){{{}}}", vec![format!("b[{k}]"); lanes as usize].join(", "))
+}
+
+/// The part of a column, with the steps of its groups of terms.
+fn column(element: Float, inner: u32) -> String {
+    let spread = |k: u32| {
+        let places = match element {
+            Float::F64 => [2 * k, 2 * k + 1, 2 * k, 2 * k + 1],
+            Float::F32 => [k; 4],
+        };
+        let [w, x, y, z] = places;
+        format!("(lanes_t)__builtin_shufflevector(numbers, numbers, {w}, {x}, {y}, {z})")
+    };
+    let step = |number: &str, at: &str| STEP.replace("$spread", number).replace("(k + $next)", at);
+    let together = 16 / bytes(element);
+    let outdented = |text: String| -> String {
+        text.lines()
+            .map(|line| format!("{}\n", line.strip_prefix("    ").unwrap_or(line)))
+            .collect()
+    };
+    let first = (1..together).map(|k| step(&spread(k), &format!("{k}U"))).collect();
+    let group: String = (0..together)
+        .map(|k| step(&spread(k), &if k == 0 { "k".to_owned() } else { format!("(k + {k}U)") }))
+        .collect();
+    let last = (inner - inner % together..inner)
+        .map(|k| step(&alike(k, together), &format!("{k}U")))
+        .collect();
+    COLUMN
+        .replace("$spread_0", &spread(0))
+        .replace("$first_group", &outdented(first))
+        .replace("$last", &outdented(last))
+        .replace("$group", &group)
+}
+
+fn values(element: Float, sizes: Sizes, shares: bool) -> Vec<(&'static str, String)> {
+    let right = |k: &str, column: &str| {
+        let parts = [times(sizes.right.0, k), times(sizes.right.1, column)];
+        parts.join(" + ")
+    };
+    let unrolled = match sizes.inner * sizes.columns <= HELD_UNROLLED {
+        true => sizes.columns,
+        false => 1,
+    };
+    let terms = if sizes.inner <= COLUMN_UNROLLED { sizes.inner } else { 1 };
     let mut values = numbers(element);
     values.extend([
         ("rows", format!("{}U", sizes.rows)),
@@ -144,20 +246,22 @@ pub(super) fn source(
         ("first_rows", rows_of(sizes, None)),
         ("next_rows", rows_of(sizes, Some("k"))),
         ("first_number", times(sizes.right.1, "across")),
-        (
-            "next_number",
-            format!("{} + {}", times(sizes.right.0, "k"), times(sizes.right.1, "across")),
-        ),
+        ("next_number", right("k", "across")),
+        ("held_first", times(sizes.right.1, "column")),
+        ("held_next", right("k", "column")),
         ("top", times(sizes.left.0, "top")),
         ("left", times(sizes.right.1, "left")),
-        ("rolled", if sizes.inner > ROLLED { KEEP_ROLLED } else { "" }.to_owned()),
+        ("rolled", if sizes.inner > ROLLED { "#pragma GCC unroll 2\n" } else { "" }.to_owned()),
+        ("unrolled", unrolled.to_string()),
+        ("terms", terms.to_string()),
         ("apart", format!("{}U", sizes.left.0)),
         ("bytes", bytes(element).to_string()),
         ("begin", if shares { "from * ACROSS" } else { "0U" }.to_owned()),
+        ("first_column", if shares { "from" } else { "0U" }.to_owned()),
+        ("next_column", if shares { "column += apart" } else { "column++" }.to_owned()),
         ("apart_columns", if shares { "apart * ACROSS" } else { "ACROSS" }.to_owned()),
     ]);
-    let block = BLOCK.replace("$gather", if sizes.left.0 == 1 { "" } else { GATHER });
-    Some((targets, fill(&block, &values), fill(LOOPS, &values)))
+    values
 }
 
 /// A vector of rows of the left factor, of a term.
@@ -173,8 +277,39 @@ fn rows_of(sizes: Sizes, term: Option<&str>) -> String {
     }
 }
 
+/// What takes the least time: with registers for all of the left factor, to load it once; where numbers are dear to
+/// spread, columns; else blocks. Columns of wider vectors take fewer instructions than blocks, but up to 1.7 times
+/// their time, for they load the left factor again for each.
+fn plan(target: &Target, element: Float, sizes: Sizes, mode: Mode) -> Option<Plan> {
+    let lies_in_columns = sizes.left.0 == 1;
+    // The widest vectors that a column fills.
+    let mut lanes = target.widest / bytes(element);
+    while lanes > sizes.rows && lanes * bytes(element) > 16 {
+        lanes /= 2;
+    }
+    let vectors = sizes.rows.div_ceil(lanes);
+    let fits = lanes <= sizes.rows && lies_in_columns && sizes.columns > 1 && !target.single;
+    if fits && target.spread < 8 && vectors * (sizes.inner + 1) + 2 <= target.registers {
+        return Some(Plan { lanes, down: vectors, form: Form::Held });
+    }
+    let spreads = target.spread == 8 && sizes.right.0 == 1 && sizes.inner >= lanes;
+    if fits && spreads && mode == Mode::Exact {
+        let down = vectors.div_ceil(vectors.div_ceil(COLUMN_DOWN));
+        return Some(Plan { lanes, down, form: Form::Columns });
+    }
+    best(target, element, sizes)
+}
+
+/// A block of the result.
+#[derive(Clone, Copy)]
+struct Block {
+    lanes: u32,
+    down: u32,
+    across: u32,
+}
+
 /// The block that takes the fewest instructions.
-fn best(target: &Target, element: Float, sizes: Sizes) -> Option<Block> {
+fn best(target: &Target, element: Float, sizes: Sizes) -> Option<Plan> {
     let mut found: Option<(u32, Block)> = None;
     let mut bytes_of_vector = target.widest;
     while bytes_of_vector >= 16 {
@@ -192,15 +327,14 @@ fn best(target: &Target, element: Float, sizes: Sizes) -> Option<Block> {
         }
         bytes_of_vector /= 2;
     }
-    found.map(|(_, block)| block)
+    found.map(|(_, Block { lanes, down, across })| Plan { lanes, down, form: Form::Blocks(across) })
 }
 
 impl Block {
     /// Whether it stays in registers, and within the result.
     fn fits(&self, target: &Target, sizes: Sizes) -> bool {
-        // Beside the sums: a vector of `a`, a product, and the numbers of `b`.
-        let spread = if self.down > 1 { self.across } else { 1 };
-        let registers = self.down * self.across + spread + 2;
+        // Beside the sums: vectors of `a` or numbers of `b`, one of the other, a product.
+        let registers = self.down * self.across + self.down.min(self.across) + 2;
         self.lanes <= sizes.rows
             && (self.down - 1) * self.lanes < sizes.rows
             && registers <= target.registers

@@ -1,0 +1,73 @@
+//! Kernels in files: their text as it comes, in a source, or in the header if they are small.
+
+use bessemer_ir::{FunctionId, Kernel, Span};
+
+use super::{Callable, Includes, Writer, origin};
+use crate::c::helpers::Helper;
+use crate::c::lower::Uses;
+use crate::c::names::Storage;
+use crate::c::tree::{Item, StmtKind, plain};
+use crate::kernels;
+use crate::kernels::replace::Replacement;
+
+/// What a source says of all that stands in it, a function of a header says of itself.
+const NO_CONTRACTION: &str = "\
+#if defined(__clang__)
+#pragma STDC FP_CONTRACT OFF
+#endif
+";
+
+impl Writer<'_> {
+    /// The kernel that a function is, if it is one that stands in its header.
+    pub(super) fn in_header(&self, callable: &Callable) -> Option<&Kernel> {
+        let Callable::Function(id) = callable else { return None };
+        let kernel = self.context.module.functions[id.index()].kernel.as_ref()?;
+        let own = Replacement::of(&self.options.replacements, kernel).is_none();
+        (own && kernels::stands_in_header(kernel)).then_some(kernel)
+    }
+
+    /// A kernel that is a function of its header.
+    pub(super) fn inline_kernel(
+        &self,
+        kernel: &Kernel,
+        id: FunctionId,
+        includes: &mut Includes,
+    ) -> Vec<Item> {
+        let mut uses = Uses::default();
+        let mut items = self.kernel(kernel, id, &mut uses);
+        for item in &mut items {
+            if let Item::Function { docs, head, body, .. } = item {
+                head.storage = Storage::Inline;
+                body.insert(0, plain(StmtKind::Verbatim(NO_CONTRACTION.to_owned())));
+                docs.clone_from(&self.context.module.functions[id.index()].docs);
+            }
+        }
+        includes.system.insert("stdint.h");
+        includes.system.extend(uses.math.then_some("math.h"));
+        items
+    }
+
+    /// A kernel, and what stands before it.
+    pub(super) fn kernel(&self, kernel: &Kernel, id: FunctionId, uses: &mut Uses) -> Vec<Item> {
+        let tuning = &self.options.kernels;
+        let own = kernels::source(kernel, tuning);
+        let lends = !kernels::lent(kernel, tuning).is_empty();
+        let source = match Replacement::of(&self.options.replacements, kernel) {
+            Some(replacement) => replacement.replace(kernel, own, lends),
+            None => own,
+        };
+        uses.math |= source.math;
+        uses.string |= source.string;
+        uses.helpers.extend(source.dot.then_some(Helper::Dot(kernel.element)));
+        let before = (!source.before.is_empty()).then_some(Item::Verbatim(source.before));
+        let body = vec![plain(StmtKind::Verbatim(source.body))];
+        let function = Item::Function {
+            docs: Vec::new(),
+            head: self.context.names.head(self.context.names.signature(id)),
+            body,
+            origin: origin(Span::default()),
+            function: String::new(),
+        };
+        before.into_iter().chain([function]).collect()
+    }
+}

@@ -1,0 +1,22 @@
+typedef int32_t words_t __attribute__((vector_size(16), aligned(4), may_alias));
+
+/* A part of a column of the result, in vectors of rows: the first products, then the others in order. Numbers
+   that follow one another are loaded at once and spread from there: as integers, whose shuffle copies nothing. */
+static inline void column_part(const $real *a, const $real *b, $real *result)
+{
+    lanes_t sums[DOWN];
+    words_t numbers = *(const words_t *)b;
+    lanes_t number = $spread_0;
+#pragma GCC unroll 16
+    for (uint32_t down = 0U; down < DOWN; down++) {
+        sums[down] = *(const lanes_t *)&a[OFFSET(down)] * number;
+    }
+$first_group#pragma GCC unroll $terms
+    for (uint32_t k = TOGETHER; k + TOGETHER <= $inner; k += TOGETHER) {
+        numbers = *(const words_t *)&b[k];
+$group    }
+$last#pragma GCC unroll 16
+    for (uint32_t down = 0U; down < DOWN; down++) {
+        *(lanes_t *)&result[OFFSET(down)] = sums[down];
+    }
+}

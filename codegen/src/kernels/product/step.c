@@ -1,0 +1,5 @@
+        number = $spread;
+#pragma GCC unroll 16
+        for (uint32_t down = 0U; down < DOWN; down++) {
+            sums[down] += *(const lanes_t *)&a[$rows * (k + $next) + OFFSET(down)] * number;
+        }
