@@ -56,6 +56,8 @@ pub mod generate;
 mod instance;
 pub mod linear;
 mod list;
+#[doc(hidden)]
+pub mod list_edit;
 pub mod math;
 mod plain;
 pub mod rotation;

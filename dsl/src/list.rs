@@ -2,6 +2,7 @@
 //!
 //! What has no room is a panic, as it is a fault in the C: nothing is ever written beyond the end.
 
+use core::borrow::Borrow;
 use core::ops::{Deref, DerefMut, Index, IndexMut};
 use core::slice::SliceIndex;
 
@@ -59,6 +60,58 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
         }
     }
 
+    /// Puts an element before the one at `index`, or at the end.
+    ///
+    /// # Panics
+    /// If there is no such place, or no room.
+    pub fn insert(&mut self, index: usize, element: T) {
+        crate::list_edit::insert(self, index, element);
+    }
+
+    /// Takes an element out; those behind it move up.
+    ///
+    /// # Panics
+    /// If there is no such element.
+    pub fn remove(&mut self, index: usize) -> T {
+        crate::list_edit::remove(self, index)
+    }
+
+    /// Takes an element out; the last comes in its place.
+    ///
+    /// # Panics
+    /// If there is no such element.
+    pub fn swap_remove(&mut self, index: usize) -> T {
+        crate::list_edit::swap_remove(self, index)
+    }
+
+    /// Adds elements at the end, in their order.
+    ///
+    /// # Panics
+    /// If there is no room for one: those before it are added.
+    pub fn extend_from_slice(&mut self, elements: &[T]) {
+        crate::list_edit::extend_from_slice(self, elements);
+    }
+
+    /// The same of whatever gives elements, or references to them.
+    ///
+    /// # Panics
+    /// If there is no room for one: those before it are added.
+    pub fn extend<E: Borrow<T>>(&mut self, elements: impl IntoIterator<Item = E>) {
+        elements.into_iter().for_each(|element| self.push(*element.borrow()));
+    }
+
+    /// Keeps the elements for which `keep` holds, in their order.
+    pub fn retain(&mut self, mut keep: impl FnMut(&T) -> bool) {
+        let mut kept = 0;
+        for index in 0..self.length {
+            if keep(&self.items[index]) {
+                self.items[kept] = self.items[index];
+                kept += 1;
+            }
+        }
+        self.length = kept;
+    }
+
     /// Makes the length `length`: new elements are `element`.
     ///
     /// # Panics
@@ -86,6 +139,16 @@ impl<T, const N: usize> List<T, N> {
     /// How many there may be.
     pub fn capacity(&self) -> usize {
         N
+    }
+
+    /// The elements as a slice.
+    pub fn as_slice(&self) -> &[T] {
+        self
+    }
+
+    /// The elements as a slice, to be changed.
+    pub fn as_mut_slice(&mut self) -> &mut [T] {
+        self
     }
 
     /// The elements, by reference.

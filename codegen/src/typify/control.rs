@@ -255,7 +255,11 @@ impl Lowering<'_, '_> {
                 self.assert_stmt(condition, *claim, expr.site)
             }
             tree::ExprKind::Tuple(parts) if parts.is_empty() => Ok(()),
-            tree::ExprKind::Call(..) if self.list_effect(expr)? || self.slice_effect(expr)? => {
+            tree::ExprKind::Call(..)
+                if self.list_effect(expr)?
+                    || self.slice_effect(expr)?
+                    || self.part_effect(expr)? =>
+            {
                 Ok(())
             }
             tree::ExprKind::Call(callee, arguments) if self.is_unwrap(*callee) => {

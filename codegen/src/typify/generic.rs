@@ -40,15 +40,16 @@ impl Case {
     }
 }
 
-/// `Option<&T>` as `Option<T>`: nothing writes to what is lent while it is.
+/// `Option<&T>` as `Option<T>`, `(usize, &T)` as `(usize, T)`: nothing writes to what is lent while it is.
 fn without_loans(ty: &Ty) -> Ty {
     let inside = |ty: &Ty| match ty {
-        Ty::Ref(inner, false) => inner.clone(),
-        other => Box::new(other.clone()),
+        Ty::Ref(inner, false) => without_loans(inner),
+        other => without_loans(other),
     };
     match ty {
-        Ty::Option(value) => Ty::Option(inside(value)),
-        Ty::Result(value, error) => Ty::Result(inside(value), inside(error)),
+        Ty::Tuple(parts) => Ty::Tuple(parts.iter().map(inside).collect()),
+        Ty::Option(value) => Ty::Option(Box::new(inside(value))),
+        Ty::Result(value, error) => Ty::Result(Box::new(inside(value)), Box::new(inside(error))),
         other => other.clone(),
     }
 }

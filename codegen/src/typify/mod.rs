@@ -43,6 +43,7 @@ mod stepped;
 mod types;
 mod views;
 mod written;
+mod written_views;
 
 use std::collections::{HashMap, HashSet};
 

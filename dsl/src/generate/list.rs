@@ -5,8 +5,9 @@ use alloc::borrow::ToOwned;
 use bessemer_ir::tree;
 
 use super::builtin::markers;
-use super::{Builder, Called, Callee};
-use crate::List;
+use super::matrices::told;
+use super::{Builder, Called, Callee, Value};
+use crate::{List, list_edit};
 
 markers! {
     New: "list_new";
@@ -53,3 +54,27 @@ pub trait ListBuiltins<T>: Sized {
 }
 
 impl<T, const N: usize> ListBuiltins<T> for List<T, N> {}
+
+/// Methods of lists that are functions of the DSL in the C.
+#[allow(missing_docs)]
+pub trait ListEdits<T, const N: usize>: Sized {
+    fn __b_insert(&mut self, index: usize, element: T) -> told!([Self, T, N] => ());
+    fn __b_remove(&mut self, index: usize) -> told!([Self, T, N] => T);
+    fn __b_swap_remove(&mut self, index: usize) -> told!([Self, T, N] => T);
+    fn __b_extend_from_slice(&mut self, elements: &[T]) -> told!([Self, T, N] => ());
+}
+
+impl<T: Value + Copy + Default, const N: usize> ListEdits<T, N> for List<T, N> {
+    fn __b_insert(&mut self, index: usize, element: T) -> told!([T, N] => ()) {
+        list_edit::insert::__call(self, index, element)
+    }
+    fn __b_remove(&mut self, index: usize) -> told!([T, N] => T) {
+        list_edit::remove::__call(self, index)
+    }
+    fn __b_swap_remove(&mut self, index: usize) -> told!([T, N] => T) {
+        list_edit::swap_remove::__call(self, index)
+    }
+    fn __b_extend_from_slice(&mut self, elements: &[T]) -> told!([T, N] => ()) {
+        list_edit::extend_from_slice::__call(self, elements)
+    }
+}

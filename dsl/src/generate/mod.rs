@@ -3,6 +3,7 @@
 //! A builder's slots tell what rustc decided ([`slot`]); companions tell which function a call means,
 //! the DSL's own operations among them ([`builtin`]); [`Builder`] collects the package.
 
+pub mod ascii;
 mod builder;
 pub mod builtin;
 pub mod checked;
@@ -35,6 +36,7 @@ pub use slot::{
 
 /// What a builder imports; the names begin with `__` so that they never meet an author's.
 pub mod prelude {
+    pub use super::ascii::ByteBuiltins as _;
     pub use super::builtin::{AxisBuiltins as _, CrossBuiltin as _, IdentityBuiltin as _};
     pub use super::builtin::{
         FloatBuiltins as _, MatrixBuiltins as _, OrderBuiltins as _, RealBuiltins as _,
@@ -49,7 +51,7 @@ pub mod prelude {
         SquareQrMethods as _, SymmetricBuiltins as _, TriangularBuiltins as _, UduMethods as _,
     };
     pub use super::linear::SquareBuiltins as _;
-    pub use super::list::ListBuiltins as _;
+    pub use super::list::{ListBuiltins as _, ListEdits as _};
     pub use super::matrices::{
         CrossMatrixBuiltin as _, PartBuiltins as _, SquarePartBuiltins as _,
         VectorPartBuiltins as _,

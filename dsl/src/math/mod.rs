@@ -11,6 +11,7 @@
 //! Accuracy: `docs/mathematics.md` has the worst point found of each function.
 
 pub mod arctangent;
+pub mod ascii;
 pub mod checked;
 pub mod exponential;
 pub mod extremes;

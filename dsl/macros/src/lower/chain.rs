@@ -61,6 +61,8 @@ pub(super) enum Item {
     Named(String),
     /// A value.
     Value(tree::Expr),
+    /// What is in this, if anything is.
+    Optional(tree::Expr),
     /// Nothing that could be named again.
     Taken,
 }
@@ -202,6 +204,19 @@ impl Lowering<'_> {
                     }
                     return Some(flow);
                 }
+                ("filter_map", 1) => {
+                    let mut flow = self.flow(&mut it.receiver)?;
+                    in_full(&mut it.args[0], false);
+                    let value = self.through(&mut flow, closure_of(&mut it.args[0])?, 0)?;
+                    flow.item = Item::Optional(value);
+                    return Some(flow);
+                }
+                ("flatten", 0) => {
+                    let mut flow = self.flow(&mut it.receiver)?;
+                    let value = self.item_value(&mut flow, &mut it.receiver)?;
+                    flow.item = Item::Optional(value);
+                    return Some(flow);
+                }
                 ("copied" | "cloned", 0) if is_linked(&it.receiver) => {
                     return self.flow(&mut it.receiver);
                 }
@@ -286,9 +301,36 @@ impl Lowering<'_> {
                 flow.steps.push(Step::Do(stmt));
                 Item::Named(in_tree)
             }
+            (Item::Optional(value), _) => {
+                self.apart = true;
+                let inner = self.pattern(pattern, looks);
+                self.apart = false;
+                let named = match &inner {
+                    tree::Pattern::Name { name, inner: None, .. } => Item::Named(name.clone()),
+                    _ => Item::Taken,
+                };
+                flow.steps.push(Step::If(there(inner, value)));
+                named
+            }
             _ => return None,
         };
         Some(())
+    }
+
+    /// A name for what is in an `Option` that flows out of a chain, and the slot of its type.
+    pub(super) fn optional_name(
+        &mut self,
+        flow: &mut Flow,
+        value: tree::Expr,
+        receiver: &mut syn::Expr,
+    ) -> (String, u32) {
+        let (name, slot) = (self.hidden("value"), self.slot());
+        let inner = tree::Pattern::Name { name: name.clone(), slot, mutable: false, inner: None };
+        flow.steps.push(Step::If(there(inner, value)));
+        let (slot_name, chain) = (slot_name(slot), &*receiver);
+        *receiver =
+            syn::Expr::Verbatim(quote! { #chain.inspect(|__item| __look(&#slot_name, __item)) });
+        (name, slot)
     }
 
     /// What flows out of a chain, as a value.
@@ -300,6 +342,10 @@ impl Lowering<'_> {
         let named = |name: String, node: &syn::Expr| plain(ExprKind::Local(name), node);
         match std::mem::replace(&mut flow.item, Item::Taken) {
             Item::Value(value) => Some(value),
+            Item::Optional(value) => {
+                let (name, _) = self.optional_name(flow, value, receiver);
+                Some(named(name, receiver))
+            }
             Item::Named(name) => Some(named(name, receiver)),
             item @ (Item::Source(Source::One { .. }) | Item::Number) => {
                 if matches!(flow.over, Over::Each { indexed: true, .. }) {
@@ -389,6 +435,13 @@ impl Flow {
     }
 }
 
+/// `let Some(pattern) = value`, as a condition.
+fn there(pattern: tree::Pattern, value: tree::Expr) -> tree::Expr {
+    let (site, pattern) = (value.site, tree::Pattern::Constructor("Some".into(), vec![pattern]));
+    let kind = ExprKind::Let(Box::new(pattern), Box::new(value));
+    tree::Expr { kind, site, slot: None }
+}
+
 /// `f64::abs` as the closure that it stands for.
 fn in_full(argument: &mut syn::Expr, of_two: bool) {
     let syn::Expr::Path(path) = argument else { return };
@@ -417,14 +470,15 @@ fn simple(pattern: &syn::Pat) -> Option<syn::Ident> {
 }
 
 /// Whether an expression is an iterator, as far as its syntax shows.
-fn is_iterator(expr: &syn::Expr) -> bool {
+pub(super) fn is_iterator(expr: &syn::Expr) -> bool {
     match expr {
         syn::Expr::Paren(it) => is_iterator(&it.expr),
         syn::Expr::Range(_) => true,
         syn::Expr::MethodCall(it) => match (text(&it.method).as_str(), it.args.len()) {
             ("iter" | "into_iter" | "iter_mut", 0) => true,
             ("enumerate" | "rev" | "copied" | "cloned", 0) => is_iterator(&it.receiver),
-            ("map" | "filter" | "zip" | "step_by" | "take" | "skip", 1) => {
+            ("flatten", 0) => is_iterator(&it.receiver),
+            ("map" | "filter" | "filter_map" | "zip" | "step_by" | "take" | "skip", 1) => {
                 is_iterator(&it.receiver)
             }
             ("windows" | "chunks_exact", 1) => true,
@@ -439,7 +493,8 @@ pub(super) fn is_linked(expr: &syn::Expr) -> bool {
     match expr {
         syn::Expr::Paren(it) => is_linked(&it.expr),
         syn::Expr::MethodCall(it) => {
-            it.method == "map" || it.method == "filter" || is_linked(&it.receiver)
+            let link = ["map", "filter", "filter_map", "flatten"];
+            link.iter().any(|link| it.method == link) || is_linked(&it.receiver)
         }
         _ => false,
     }

@@ -204,7 +204,7 @@ impl Lowering<'_> {
         body
     }
 
-    fn check_closure(&mut self, closure: &syn::ExprClosure) {
+    pub(super) fn check_closure(&mut self, closure: &syn::ExprClosure) {
         if let Some(token) = &closure.capture {
             self.refusals.add(token.span, refuse::CLOSURE_MOVE);
         }
@@ -234,7 +234,7 @@ pub(super) fn closure_of(argument: &mut syn::Expr) -> Option<&mut syn::ExprClosu
 }
 
 /// Whether a name stands somewhere in an expression. Answers yes too often rather than too rarely.
-fn names(expr: &syn::Expr, name: &str) -> bool {
+pub(super) fn names(expr: &syn::Expr, name: &str) -> bool {
     fn any(tokens: proc_macro2::TokenStream, name: &str) -> bool {
         tokens.into_iter().any(|token| match token {
             proc_macro2::TokenTree::Ident(ident) => ident == name,

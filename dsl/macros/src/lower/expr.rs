@@ -40,7 +40,10 @@ impl Lowering<'_> {
     /// The kind of `expr`, and whether a slot has to see its value.
     fn kind(&mut self, expr: &mut syn::Expr, value: bool) -> (ExprKind, bool) {
         if let Some(call) = view::write(expr) {
-            *expr = syn::Expr::MethodCall(call);
+            *expr = call;
+        }
+        if let Some(other) = self.rewritten(expr) {
+            *expr = other;
         }
         match expr {
             syn::Expr::Lit(it) => (self.literal(&it.lit), false),

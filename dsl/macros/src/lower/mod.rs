@@ -20,6 +20,7 @@ mod matrix;
 mod operator;
 mod pattern;
 pub mod refuse;
+mod rewrite;
 mod search;
 mod signature;
 mod strip;

@@ -75,6 +75,10 @@ fn is_named(place: &tree::Expr) -> bool {
     match &place.kind {
         ExprKind::Local(_) => true,
         ExprKind::Field(base, _) | ExprKind::Deref(base) => is_named(base),
+        // What computes an index is computed once.
+        ExprKind::Index(base, index) => {
+            is_named(base) && (is_named(index) || matches!(index.kind, ExprKind::Int(..)))
+        }
         _ => false,
     }
 }

@@ -104,6 +104,11 @@ impl Lowering<'_> {
             flow.steps.push(Step::Do(tree::Stmt::Let { name: name.clone(), slot, value, site }));
             return Some((name, slot));
         }
+        if let Item::Optional(value) = &flow.item {
+            let value = value.clone();
+            flow.item = Item::Taken;
+            return Some(self.optional_name(flow, value, &mut it.receiver));
+        }
         let value = self.item_value(flow, &mut it.receiver)?;
         let ExprKind::Local(name) = value.kind else { return None };
         let slot = match &flow.over {

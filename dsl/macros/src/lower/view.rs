@@ -21,25 +21,45 @@ fn written(expr: &mut syn::Expr) -> Option<(&mut syn::ExprMethodCall, String)> {
     }
 }
 
-/// The call that an expression which writes a view stands for.
-pub(super) fn write(expr: &mut syn::Expr) -> Option<syn::ExprMethodCall> {
+/// Methods of matrices that change each element, and take no value from the view.
+const CHANGES: [&str; 8] = [
+    "fill",
+    "fill_diagonal",
+    "fill_with_identity",
+    "add_scalar_mut",
+    "neg_mut",
+    "component_mul_assign",
+    "component_div_assign",
+    "axpy",
+];
+
+/// What an expression that writes a view stands for.
+pub(super) fn write(expr: &mut syn::Expr) -> Option<syn::Expr> {
     match expr {
-        syn::Expr::MethodCall(it) if it.args.len() == 1 => {
-            let (method, argument) = (super::text(&it.method), it.args.first()?.clone());
+        syn::Expr::MethodCall(it) => {
+            let (method, arguments) = (super::text(&it.method), it.args.clone());
             let (view, name) = written(&mut it.receiver)?;
-            match method.as_str() {
-                "copy_from" => Some(set(view, &name, argument)),
-                "scale_mut" | "unscale_mut" => {
-                    let mut read = view.clone();
-                    read.method = format_ident!("{name}", span = view.method.span());
+            let first = arguments.first().cloned();
+            match (method.as_str(), first) {
+                ("copy_from", Some(part)) if arguments.len() == 1 => Some(set(view, &name, part)),
+                ("scale_mut" | "unscale_mut", Some(factor)) if arguments.len() == 1 => {
+                    let read = read(view, &name);
                     let change = format_ident!("{}", method.strip_suffix("_mut")?);
-                    Some(set(view, &name, syn::parse_quote! { &#read.#change(#argument) }))
+                    Some(set(view, &name, syn::parse_quote! { &#read.#change(#factor) }))
                 }
-                "fill" if name == "row" || name == "column" => {
+                ("fill", Some(value)) if name == "row" || name == "column" => {
                     let mut call = view.clone();
                     call.method = format_ident!("fill_{name}", span = view.method.span());
-                    call.args.push(argument);
-                    Some(call)
+                    call.args.push(value);
+                    Some(syn::Expr::MethodCall(call))
+                }
+                (method, _) if CHANGES.contains(&method) => {
+                    let read = read(view, &name);
+                    let change = format_ident!("{method}");
+                    let set = set(view, &name, syn::parse_quote! { &part });
+                    Some(syn::parse_quote! {
+                        { let mut part = #read.into_owned(); part.#change(#arguments); #set; }
+                    })
                 }
                 _ => None,
             }
@@ -48,9 +68,16 @@ pub(super) fn write(expr: &mut syn::Expr) -> Option<syn::ExprMethodCall> {
     }
 }
 
-fn set(view: &syn::ExprMethodCall, name: &str, part: syn::Expr) -> syn::ExprMethodCall {
+/// The view, as it is read.
+fn read(view: &syn::ExprMethodCall, name: &str) -> syn::ExprMethodCall {
+    let mut read = view.clone();
+    read.method = format_ident!("{name}", span = view.method.span());
+    read
+}
+
+fn set(view: &syn::ExprMethodCall, name: &str, part: syn::Expr) -> syn::Expr {
     let mut call = view.clone();
     call.method = format_ident!("set_{name}", span = view.method.span());
     call.args.push(part);
-    call
+    syn::Expr::MethodCall(call)
 }

@@ -1,0 +1,314 @@
+//! Methods that stand for other code: `range.contains(&x)`, `condition.then(…)`, `items.min_by_key(…)`,
+//! `list.extend(…)`, `list.retain(…)`. In the tree and in the copy that code stands in their place.
+//!
+//! What it names is named as nothing in scope is, so that no name of the author's changes its meaning.
+
+use proc_macro2::Span;
+use quote::ToTokens;
+use syn::parse_quote;
+
+use super::closure::names;
+use super::{Lowering, chain, refuse, text};
+
+impl Lowering<'_> {
+    /// What an expression stands for; none if for itself.
+    pub(super) fn rewritten(&mut self, expr: &syn::Expr) -> Option<syn::Expr> {
+        let syn::Expr::MethodCall(it) = expr else { return None };
+        match (text(&it.method).as_str(), it.args.len()) {
+            ("contains", 1) => self.contained(it),
+            ("then" | "then_some", 1) => self.only_if(it),
+            ("min_by_key" | "max_by_key" | "min_by" | "max_by", 1)
+                if chain::is_iterator(&it.receiver) =>
+            {
+                self.extreme(it)
+            }
+            ("extend", 1) => self.extended(it),
+            ("retain", 1) => self.retained(it),
+            _ => None,
+        }
+    }
+
+    /// A name that nothing has here, nor in `beside`.
+    fn fresh_beside(&self, name: &str, beside: &syn::ExprMethodCall) -> syn::Ident {
+        let beside = syn::Expr::MethodCall(beside.clone());
+        let mut fresh = name.to_owned();
+        while self.is_local(&fresh) || names(&beside, &fresh) {
+            fresh.push('_');
+        }
+        syn::Ident::new(&fresh, Span::call_site())
+    }
+
+    /// `(a..b).contains(&x)`: the comparisons.
+    fn contained(&mut self, it: &syn::ExprMethodCall) -> Option<syn::Expr> {
+        let fresh = |name: &str| self.fresh_beside(name, it);
+        let syn::Expr::Range(range) = bare(&it.receiver) else { return None };
+        let value = match &it.args[0] {
+            syn::Expr::Reference(it) if it.mutability.is_none() => (*it.expr).clone(),
+            other => parse_quote! { *#other },
+        };
+        let mut names: Vec<syn::Stmt> = Vec::new();
+        let ends = [&range.start, &range.end].map(|end| end.as_deref().cloned());
+        let all_plain = ends.iter().flatten().all(is_plain);
+        let mut named = |name: syn::Ident, expr: syn::Expr| -> syn::Expr {
+            names.push(parse_quote! { let #name = #expr; });
+            parse_quote! { #name }
+        };
+        let [low, high] = match ends {
+            ends if all_plain => ends,
+            [low, high] => [
+                low.map(|low| named(fresh("low"), low)),
+                high.map(|high| named(fresh("high"), high)),
+            ],
+        };
+        let value = match low.is_none() || high.is_none() || is_plain(&value) {
+            true => value,
+            false => named(fresh("value"), value),
+        };
+        let above = low.map(|low| -> syn::Expr {
+            parse_quote! { #low <= #value }
+        });
+        let below = high.map(|high| -> syn::Expr {
+            match range.limits {
+                syn::RangeLimits::HalfOpen(_) => parse_quote! { #value < #high },
+                syn::RangeLimits::Closed(_) => parse_quote! { #value <= #high },
+            }
+        });
+        let inside: syn::Expr = match (above, below) {
+            (Some(above), Some(below)) => parse_quote! { (#above && #below) },
+            (one, other) => one.or(other).map(|it| parse_quote! { (#it) })?,
+        };
+        Some(match names.is_empty() {
+            true => inside,
+            false => parse_quote! { { #(#names)* #inside } },
+        })
+    }
+
+    /// `condition.then(|| value)`: an `if`.
+    fn only_if(&mut self, it: &syn::ExprMethodCall) -> Option<syn::Expr> {
+        let condition = &it.receiver;
+        if it.method == "then_some" {
+            let fresh = |name: &str| self.fresh_beside(name, it);
+            let value = &it.args[0];
+            if is_plain(value) {
+                return Some(parse_quote! { if #condition { Some(#value) } else { None } });
+            }
+            let (held, name) = (fresh("condition"), fresh("value"));
+            return Some(parse_quote! {
+                { let #held = #condition; let #name = #value; if #held { Some(#name) } else { None } }
+            });
+        }
+        let syn::Expr::Closure(closure) = &it.args[0] else { return None };
+        if !closure.inputs.is_empty() {
+            return None;
+        }
+        self.check_closure(closure);
+        let value = &closure.body;
+        Some(parse_quote! { if #condition { Some(#value) } else { None } })
+    }
+
+    /// `chain.min_by_key(|x| …)` and the like: a loop that keeps the best.
+    fn extreme(&mut self, it: &syn::ExprMethodCall) -> Option<syn::Expr> {
+        let syn::Expr::Closure(closure) = &it.args[0] else { return None };
+        self.check_closure(closure);
+        let compared = compared(&closure.body);
+        if compared.is_none() && !it.method.to_string().ends_with("_by_key") {
+            self.refusals.add(it.method.span(), refuse::COMPARISON);
+        }
+        let fresh = |name: &str| self.fresh_beside(name, it);
+        let (method, items) = (text(&it.method), &it.receiver);
+        let (found, best) = (fresh("found"), fresh("best"));
+        let item = fresh("item");
+        let mut named: Option<syn::Stmt> = None;
+        let (pattern, item): (syn::Pat, syn::Expr) = match gives_pairs(items) {
+            true => {
+                let (at, pair) = (fresh("at"), fresh("pair"));
+                let apart = matches!(closure.inputs.first(), Some(syn::Pat::Tuple(_)))
+                    && method.ends_with("_by_key");
+                let whole: syn::Expr = parse_quote! { (#at, #item) };
+                if !apart {
+                    named = Some(parse_quote! { let #pair = #whole; });
+                }
+                let value = if apart {
+                    whole
+                } else {
+                    parse_quote! { #pair }
+                };
+                (parse_quote! { (#at, #item) }, value)
+            }
+            false => (parse_quote! { #item }, parse_quote! { #item }),
+        };
+        let best_value: syn::Expr = parse_quote! { #best };
+        let least = method.starts_with("min");
+        let better: syn::Expr = if method.ends_with("_by_key") {
+            let key = closure.inputs.first()?;
+            let body = &closure.body;
+            let new = let_in(key, &item, body);
+            let old = let_in(key, &best_value, body);
+            if least {
+                parse_quote! { (#new < #old) }
+            } else {
+                parse_quote! { (#new >= #old) }
+            }
+        } else {
+            let (left, right) = compared?;
+            let (one, other) = (closure.inputs.first()?, closure.inputs.get(1)?);
+            let above =
+                let_in(one, &best_value, &let_in(other, &item, &parse_quote! { #left > #right }));
+            match least {
+                true => above,
+                false => parse_quote! { !#above },
+            }
+        };
+        let before = fresh("before");
+        Some(parse_quote! {
+            {
+                let mut #found = None;
+                for #pattern in #items {
+                    #named
+                    let #before = #found;
+                    #found = Some(#item);
+                    if let Some(#best) = #before && !#better {
+                        #found = #before;
+                    }
+                }
+                #found
+            }
+        })
+    }
+
+    /// `list.extend(items)`: a loop that pushes them.
+    fn extended(&mut self, it: &syn::ExprMethodCall) -> Option<syn::Expr> {
+        let fresh = |name: &str| self.fresh_beside(name, it);
+        let (list, items) = (&it.receiver, &it.args[0]);
+        if !is_plain(list) {
+            return None;
+        }
+        let element = fresh("element");
+        let pattern: syn::Pat = match gives_references(items) {
+            true => parse_quote! { &#element },
+            false => parse_quote! { #element },
+        };
+        Some(parse_quote! { for #pattern in #items { #list.push(#element); } })
+    }
+
+    /// `list.retain(|x| …)`: those that are kept move up, in their order.
+    fn retained(&mut self, it: &syn::ExprMethodCall) -> Option<syn::Expr> {
+        let syn::Expr::Closure(closure) = &it.args[0] else { return None };
+        let list = &it.receiver;
+        if !is_plain(list) || closure.inputs.len() != 1 {
+            return None;
+        }
+        self.check_closure(closure);
+        let fresh = |name: &str| self.fresh_beside(name, it);
+        let (kept, at, keeps) = (fresh("kept"), fresh("at"), fresh("keeps"));
+        let element: syn::Expr = parse_quote! { #list[#at] };
+        let keep = let_in(closure.inputs.first()?, &element, &closure.body);
+        Some(parse_quote! {
+            {
+                let mut #kept = 0;
+                for #at in 0..#list.len() {
+                    let #keeps = #keep;
+                    if #keeps {
+                        #list[#kept] = #list[#at];
+                        #kept += 1;
+                    }
+                }
+                #list.truncate(#kept);
+            }
+        })
+    }
+}
+
+/// `{ let pattern = &value; body }`, or the body itself where the pattern is not used.
+fn let_in(pattern: &syn::Pat, value: &syn::Expr, body: &syn::Expr) -> syn::Expr {
+    match (pattern, value) {
+        (syn::Pat::Reference(it), _) => {
+            let pattern = &it.pat;
+            parse_quote! { { let #pattern = #value; #body } }
+        }
+        // The parts of a pair that is written out need no pair.
+        (syn::Pat::Tuple(parts), syn::Expr::Tuple(values)) if parts.elems.len() == 2 => {
+            let inner = let_in(&parts.elems[1], &values.elems[1], body);
+            match &parts.elems[0] {
+                syn::Pat::Wild(_) => inner,
+                first => let_in(first, &values.elems[0], &inner),
+            }
+        }
+        (syn::Pat::Wild(_), _) => body.clone(),
+        _ => parse_quote! { { let #pattern = &#value; #body } },
+    }
+}
+
+/// The two sides of `a.cmp(&b)`, or of `a.partial_cmp(&b).unwrap_or(Ordering::Equal)`.
+fn compared(body: &syn::Expr) -> Option<(syn::Expr, syn::Expr)> {
+    let syn::Expr::MethodCall(it) = bare(body) else { return None };
+    let (call, known) = match (text(&it.method).as_str(), bare(&it.receiver)) {
+        ("cmp", _) => (it, "cmp"),
+        ("unwrap_or", syn::Expr::MethodCall(call))
+            if it.args.to_token_stream().to_string().ends_with("Equal") =>
+        {
+            (call, "partial_cmp")
+        }
+        _ => return None,
+    };
+    if call.method != known || call.args.len() != 1 {
+        return None;
+    }
+    let right = match &call.args[0] {
+        syn::Expr::Reference(it) => (*it.expr).clone(),
+        other => other.clone(),
+    };
+    Some(((*call.receiver).clone(), right))
+}
+
+/// Whether an iterator gives pairs, as far as its syntax shows.
+fn gives_pairs(expr: &syn::Expr) -> bool {
+    match bare(expr) {
+        syn::Expr::MethodCall(it) => match text(&it.method).as_str() {
+            "enumerate" | "zip" => true,
+            "rev" | "skip" | "take" | "filter" => gives_pairs(&it.receiver),
+            _ => false,
+        },
+        _ => false,
+    }
+}
+
+/// Whether an iterator gives references, as far as its syntax shows.
+fn gives_references(expr: &syn::Expr) -> bool {
+    match bare(expr) {
+        syn::Expr::Reference(_) => true,
+        syn::Expr::MethodCall(it) => match text(&it.method).as_str() {
+            "iter" => true,
+            "rev" | "skip" | "take" | "filter" => gives_references(&it.receiver),
+            _ => false,
+        },
+        _ => false,
+    }
+}
+
+fn bare(expr: &syn::Expr) -> &syn::Expr {
+    match expr {
+        syn::Expr::Paren(it) => bare(&it.expr),
+        syn::Expr::Group(it) => bare(&it.expr),
+        syn::Expr::Block(it) if it.label.is_none() => match it.block.stmts.as_slice() {
+            [syn::Stmt::Expr(only, None)] => bare(only),
+            _ => expr,
+        },
+        other => other,
+    }
+}
+
+/// Whether an expression may be written twice, or left out: a number, a name, a part of one.
+fn is_plain(expr: &syn::Expr) -> bool {
+    match bare(expr) {
+        syn::Expr::Lit(_) | syn::Expr::Path(_) => true,
+        syn::Expr::Field(it) => is_plain(&it.base),
+        syn::Expr::Reference(it) => is_plain(&it.expr),
+        syn::Expr::Unary(it) => match it.op {
+            syn::UnOp::Neg(_) => matches!(bare(&it.expr), syn::Expr::Lit(_)),
+            syn::UnOp::Deref(_) => is_plain(&it.expr),
+            _ => false,
+        },
+        _ => false,
+    }
+}

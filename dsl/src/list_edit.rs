@@ -1,0 +1,45 @@
+//! What puts elements into lists and takes them out at any place, written in the DSL itself.
+
+// The checks of indices are proved of loops over them.
+#![allow(clippy::needless_range_loop)]
+
+use crate::{List, function};
+
+/// Puts an element before the one at `index`, or at the end.
+#[function]
+pub fn insert<T: Copy + Default, const N: usize>(list: &mut List<T, N>, index: usize, element: T) {
+    crate::__inside!(index <= list.len());
+    list.push(element);
+    for i in (index + 1..list.len()).rev() {
+        list[i] = list[i - 1];
+    }
+    list[index] = element;
+}
+
+/// Takes an element out; those behind it move up.
+#[function]
+pub fn remove<T: Copy + Default, const N: usize>(list: &mut List<T, N>, index: usize) -> T {
+    let element = list[index];
+    for i in index + 1..list.len() {
+        list[i - 1] = list[i];
+    }
+    list.pop();
+    element
+}
+
+/// Takes an element out; the last comes in its place.
+#[function]
+pub fn swap_remove<T: Copy + Default, const N: usize>(list: &mut List<T, N>, index: usize) -> T {
+    let element = list[index];
+    list[index] = list[list.len() - 1];
+    list.pop();
+    element
+}
+
+/// Adds elements at the end.
+#[function]
+pub fn extend_from_slice<T: Copy + Default, const N: usize>(list: &mut List<T, N>, elements: &[T]) {
+    for element in elements {
+        list.push(*element);
+    }
+}

@@ -1,0 +1,34 @@
+//! The best of several by what is asked of each: the first of the least, the last of the largest.
+
+use core::cmp::Ordering;
+
+use bessemer::prelude::*;
+
+/// A way to go, and what it costs.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Way {
+    pub to: u8,
+    pub cost: u16,
+}
+
+/// The cheapest way.
+#[function]
+pub fn cheapest(ways: &[Way; 4]) -> Way {
+    ways.iter().min_by_key(|way| way.cost).copied().unwrap_or(ways[0])
+}
+
+/// Which element comes nearest to a value.
+#[function]
+pub fn nearest(values: &[f32; 5], to: f32) -> Option<usize> {
+    let best = values.iter().enumerate().min_by(|a, b| {
+        (a.1 - to).abs().partial_cmp(&(b.1 - to).abs()).unwrap_or(Ordering::Equal)
+    })?;
+    Some(best.0)
+}
+
+/// Where the largest element is.
+#[function]
+pub fn peak(values: &[u8; 5]) -> Option<usize> {
+    values.iter().enumerate().max_by_key(|(_, value)| **value).map(|(index, _)| index)
+}

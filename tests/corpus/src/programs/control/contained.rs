@@ -1,0 +1,16 @@
+//! Whether a range contains a value: two comparisons. `then` gives something where a condition holds.
+
+use bessemer::prelude::*;
+
+/// A share, if it is one.
+#[function]
+pub fn share(x: f32) -> Option<f32> {
+    (0.0..=1.0).contains(&x).then_some(x)
+}
+
+/// How far a value is from the middle of a band, if it lies in it.
+#[function]
+pub fn inside(low: i32, width: i32, x: i32) -> Option<i32> {
+    let high = low.saturating_add(width);
+    (low..high).contains(&x).then(|| x.wrapping_sub(low / 2 + high / 2))
+}
