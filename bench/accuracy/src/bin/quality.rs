@@ -18,6 +18,9 @@ const PRECISION: u32 = 266;
 /// Systems of each kind and size.
 const SYSTEMS: u64 = 40;
 
+/// An inverse as the solution of `A X = I`: the way of four rows that is as good as LAPACK's.
+const BY_SOLVING: &str = "solve with I";
+
 /// What the matrices are like.
 #[derive(Clone, Copy, PartialEq)]
 enum Kind {
@@ -180,7 +183,8 @@ fn systems<const N: usize>(routine: &str, kind: Kind, lapack: &mut Lapack) -> Fi
             Random(0x9E37_79B9_7F4A_7C15 ^ (system + 1).wrapping_mul(0xD1B5_4A32_D192_ED03));
         let a = matrix::<N>(kind, &mut random);
         let b = SVector::<f64, N>::from_fn(|_, _| random.unit());
-        let theirs = lapack.ask(routine, N, a.as_slice(), b.as_slice());
+        let asked = if routine == BY_SOLVING { "inverse" } else { routine };
+        let theirs = lapack.ask(asked, N, a.as_slice(), b.as_slice());
         let mut check = |ours: &[f64], theirs: &[f64], b: &[f64]| {
             let truth = truth(N, a.as_slice(), b);
             findings.ours.push(errors(N, a.as_slice(), b, ours, &truth));
@@ -200,8 +204,12 @@ fn systems<const N: usize>(routine: &str, kind: Kind, lapack: &mut Lapack) -> Fi
                 }
             }
             _ => {
-                let mut inverse = a;
-                assert!(bessemer::inverse_mut(&mut inverse), "not singular");
+                let mut inverse = if routine == BY_SOLVING { SMatrix::identity() } else { a };
+                let found = match routine {
+                    BY_SOLVING => bessemer::solve_into(&a, &mut inverse),
+                    _ => bessemer::inverse_mut(&mut inverse),
+                };
+                assert!(found, "not singular");
                 for column in 0..N {
                     let mut unit = [0.0; N];
                     unit[column] = 1.0;
@@ -259,8 +267,12 @@ fn main() {
             worst(theirs, 1),
         ));
     };
-    for routine in ["solve", "inverse", "definite"] {
+    for routine in ["solve", "inverse", BY_SOLVING, "definite"] {
         for (kind, name) in KINDS {
+            if routine == BY_SOLVING {
+                take(routine, 4, name, &systems::<4>(routine, kind, &mut lapack));
+                continue;
+            }
             let definite = matches!(kind, Kind::Definite | Kind::Hilbert);
             if routine == "definite" && !definite {
                 continue;
@@ -277,7 +289,8 @@ fn main() {
          [quality.json](quality.json) has the same figures. {SYSTEMS} matrices of each kind and size, f64. A residual is\n\
          `‖b − A x‖ / (ε (‖A‖ ‖x‖ + ‖b‖))`, norms of rows, an error `‖x − x*‖ / ‖x*‖`, both in 80 digits, with the\n\
          true solution `x*` in 80 digits. Ours are those of the emitted C, bit for bit; beside them LAPACK's (dgesv,\n\
-         dgetrf and dgetri, dposv) on the same numbers. Inverses of up to four rows go by cofactors, as nalgebra's do.\n\
+         dgetrf and dgetri, dposv) on the same numbers. Inverses of up to four rows go by cofactors, as nalgebra's do;\n\
+         `solve with I` is `bessemer::solve(&a, &SMatrix::identity())`, the inverse by elimination.\n\
          `solutions`: how many there are, a column of an inverse being one; a matrix that rounding makes indefinite has none.\n\
          Residuals of inverses are those of `A X = I`; dgetri is made for `X A = I`, so compare errors there.\n\n\
          | routine | size | matrices | solutions | residual, worst: ours | LAPACK's | median: ours | LAPACK's | error, worst: ours | LAPACK's |\n\
