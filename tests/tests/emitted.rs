@@ -40,7 +40,7 @@ fn check_cpp(toolchain: &Toolchain, header: &PathBuf) {
     command.args(["-x", "c++", "-std=c++11", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]);
     command
         .arg("-fsyntax-only")
-        .arg("-Wno-pragma-once-outside-header", "-Wno-unused-function")
+        .args(["-Wno-pragma-once-outside-header", "-Wno-unused-function"])
         .arg(header);
     run(&mut command).unwrap_or_else(|said| panic!("{said}"));
 }

@@ -5,25 +5,25 @@ use crate::prelude::*;
 /// `0` to `9`.
 #[function]
 pub fn is_digit(byte: u8) -> bool {
-    48 <= byte && byte <= 57
+    matches!(byte, b'0'..=b'9')
 }
 
 /// `0` to `9`, `A` to `F`, `a` to `f`.
 #[function]
 pub fn is_hexdigit(byte: u8) -> bool {
-    is_digit(byte) || 65 <= byte && byte <= 70 || 97 <= byte && byte <= 102
+    is_digit(byte) || matches!(byte, b'A'..=b'F' | b'a'..=b'f')
 }
 
 /// `A` to `Z`.
 #[function]
 pub fn is_uppercase(byte: u8) -> bool {
-    65 <= byte && byte <= 90
+    matches!(byte, b'A'..=b'Z')
 }
 
 /// `a` to `z`.
 #[function]
 pub fn is_lowercase(byte: u8) -> bool {
-    97 <= byte && byte <= 122
+    matches!(byte, b'a'..=b'z')
 }
 
 /// A letter.
