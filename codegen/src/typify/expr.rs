@@ -235,6 +235,9 @@ impl Lowering<'_, '_> {
         if let Some(callee) = self.operator(expr.slot).cloned() {
             return self.call_of(&callee, &[left.clone(), right.clone()], expr);
         }
+        if let Some(equal) = self.slices_compared(op, (left, right), expr.site)? {
+            return Ok(equal);
+        }
         let (for_left, for_right) = match (compare(op), expr.slot) {
             (None, Some(slot)) => {
                 let result = self.slot(slot, expr.site)?;

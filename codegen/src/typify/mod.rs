@@ -19,6 +19,7 @@ mod each;
 mod ended;
 mod enums;
 mod equal;
+mod equal_slices;
 mod expr;
 mod fields;
 mod function;

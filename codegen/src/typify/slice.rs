@@ -503,7 +503,7 @@ fn is_further(from: &Expr, to: &Expr) -> bool {
 }
 
 /// Whether both are the same but for where they stand.
-fn same(one: &Expr, other: &Expr) -> bool {
+pub(super) fn same(one: &Expr, other: &Expr) -> bool {
     match (&one.kind, &other.kind) {
         (ExprKind::Load(one), ExprKind::Load(other)) => {
             one.root == other.root && one.steps.is_empty() && other.steps.is_empty()

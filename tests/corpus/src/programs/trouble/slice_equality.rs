@@ -1,0 +1,28 @@
+//! Slices are compared by their elements, if they are equally long; an array stands for all of its own.
+
+use bessemer::prelude::*;
+
+/// Whether the halves of eight bytes are equal, and what is before a place and behind it.
+#[function]
+pub fn halves(bytes: [u8; 8], n: usize) -> bool {
+    let left = &bytes[..4];
+    let right = &bytes[4..];
+    left == right || bytes[..n] == bytes[n..]
+}
+
+/// Whether a part is another; no NaN equals anything.
+#[function]
+pub fn parts(x: [f64; 4], i: usize) -> bool {
+    x[i..] == x[..2] || x[1..3] != x[2..4]
+}
+
+#[function]
+fn begins_with(text: &[u8], start: &[u8]) -> bool {
+    text.len() >= start.len() && &text[..start.len()] == start
+}
+
+/// Whether a line is one of position.
+#[function]
+pub fn is_position(line: [u8; 5]) -> bool {
+    begins_with(&line, b"GP") && line[2..] == *b"GGA"
+}
