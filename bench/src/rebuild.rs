@@ -177,5 +177,16 @@ fn bare(text: &str) -> String {
         own.iter()
             .any(|it| name.starts_with(&format!("{it}]")) || name.starts_with(&format!("{it}(")))
     };
-    text.lines().filter(|line| !is_own(line)).map(|line| format!("{line}\n")).collect()
+    let kept = text.lines().filter(|line| !is_own(line));
+    kept.map(|line| without(&without(line, "#[unit("), "#[c(") + "\n").collect()
+}
+
+/// A line without the attributes that begin so: those of parameters and of the parts of tuple structs.
+fn without(line: &str, begin: &str) -> String {
+    let mut parts = line.split(begin);
+    let first = parts.next().unwrap_or_default().to_owned();
+    parts.fold(first, |kept, part| {
+        let rest = part.split_once(")]").map_or(part, |(_, rest)| rest);
+        kept + rest.trim_start()
+    })
 }
