@@ -18,7 +18,8 @@ use bessemer_ir::{Kernel, KernelRoutine};
 use super::text::{bytes, fill, indented, values};
 use super::{Buffer, Source, are_lent};
 
-/// The smallest budget of code with which it is used. The budget is the Cortex-A9's; on x86-64 rows take up to 20 KiB.
+/// The smallest budget of code with which it is used. The budget is the Cortex-A9's; on x86-64 rows take up to five
+/// times as much (bench/results/kernels.md).
 pub(super) const BUDGET: u32 = 4 * 1024;
 
 /// From here on tiles take fewer steps from memory to memory.
