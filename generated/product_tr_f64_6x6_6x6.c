@@ -24,11 +24,11 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
-#if defined(__GNUC__) && defined(__AVX__) && !defined(BESSEMER_PLAIN)
+#if defined(__GNUC__) && (defined(__clang__) || (__GNUC__ >= 12)) && defined(__AVX__) && !defined(BESSEMER_PLAIN)
 #define LANES 4U
 #define DOWN 2U
 #define HELD
-#elif defined(__GNUC__) && defined(__SSE2__) && !defined(BESSEMER_PLAIN)
+#elif defined(__GNUC__) && (defined(__clang__) || (__GNUC__ >= 12)) && defined(__SSE2__) && !defined(BESSEMER_PLAIN)
 #define LANES 2U
 #define DOWN 3U
 #define ACROSS 3U

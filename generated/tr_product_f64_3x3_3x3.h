@@ -22,7 +22,7 @@ static inline void tr_product_f64_3x3_3x3(const double a[9], const double b[9], 
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
 #endif
-#if defined(__GNUC__) && defined(__SSE2__) && !defined(BESSEMER_PLAIN)
+#if defined(__GNUC__) && (defined(__clang__) || (__GNUC__ >= 12)) && defined(__SSE2__) && !defined(BESSEMER_PLAIN)
     typedef double rows_t __attribute__((vector_size(16), aligned(8), may_alias));
     const rows_t a00 = {a[0], a[3]};
     const rows_t a10 = {a[3], a[6]};

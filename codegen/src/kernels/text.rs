@@ -61,6 +61,16 @@ pub fn values(float: Float, sizes: &[(&'static str, u32)]) -> Vec<(&'static str,
     values
 }
 
+/// The condition of the preprocessor under which vectors of a target are used. x86-64's are shuffled, which gcc can from
+/// version 12 on; ARM's are not.
+pub fn vectors_if(target: &str) -> String {
+    let compiler = match target.contains("ARM") {
+        true => "defined(__GNUC__)",
+        false => "defined(__GNUC__) && (defined(__clang__) || (__GNUC__ >= 12))",
+    };
+    format!("{compiler} && {target} && !defined(BESSEMER_PLAIN)")
+}
+
 /// What stands before what [`fused`] gives, up to an `#endif`.
 pub const FUSED: &str = "#if defined(__FMA__)\n#include <immintrin.h>\n";
 

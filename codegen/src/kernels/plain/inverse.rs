@@ -16,7 +16,7 @@ return true;
 
 /// All four elements in one vector, where there is one so wide.
 const TWO: &str = "\
-#if defined(__GNUC__) && defined($vectors) && !defined(BESSEMER_PLAIN)
+#if defined(__GNUC__) && (defined(__clang__) || (__GNUC__ >= 12)) && defined($vectors) && !defined(BESSEMER_PLAIN)
 typedef $real matrix_t __attribute__((vector_size(4 * $bytes), aligned($bytes), may_alias));
 const matrix_t m = *(const matrix_t *)a;
 const matrix_t products = m * __builtin_shufflevector(m, m, 3, 2, 1, 0);

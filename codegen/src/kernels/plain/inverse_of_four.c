@@ -1,4 +1,4 @@
-#if defined(__GNUC__) && defined(__SSE2__) && !defined(BESSEMER_PLAIN)
+#if defined(__GNUC__) && (defined(__clang__) || (__GNUC__ >= 12)) && defined(__SSE2__) && !defined(BESSEMER_PLAIN)
 /* The cofactors of a column at once: each is a sum of products of three rows without an own column, and each
    lane takes its three elements of a row. */
 typedef $real four_t __attribute__((vector_size(4 * $bytes), aligned($bytes), may_alias));

@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 use bessemer_ir::Float;
 
 use super::Sizes;
-use crate::kernels::text::bytes;
+use crate::kernels::text::{bytes, vectors_if};
 
 /// The largest size.
 pub(super) const LARGEST: u32 = 4;
@@ -40,8 +40,7 @@ pub(super) fn source(element: Float, sizes: Sizes) -> String {
     }
     for (index, (condition, plan)) in kept.iter().rev().enumerate() {
         let word = if index == 0 { "if" } else { "elif" };
-        let _ =
-            writeln!(text, "#{word} defined(__GNUC__) && {condition} && !defined(BESSEMER_PLAIN)");
+        let _ = writeln!(text, "#{word} {}", vectors_if(condition));
         text += &match plan {
             Plan::Rows(lanes) => rows(element, sizes, *lanes),
             Plan::TwoColumns => two_columns(element, sizes),

@@ -7,7 +7,7 @@ use bessemer_ir::Float;
 
 use super::{Sizes, times};
 use crate::kernels::Mode;
-use crate::kernels::text::{FUSED, bytes, fill, fused, numbers};
+use crate::kernels::text::{FUSED, bytes, fill, fused, numbers, vectors_if};
 
 /// A kind of vectors.
 struct Target {
@@ -187,8 +187,8 @@ fn branch(target: &Target, element: Float, plan: Plan, mode: Mode) -> String {
         Form::Blocks(across) => format!("#define ACROSS {across}U\n"),
     };
     format!(
-        "if defined(__GNUC__) && {condition} && !defined(BESSEMER_PLAIN)\n{text}\
-         #define LANES {lanes}U\n#define DOWN {down}U\n{form}",
+        "if {}\n{text}#define LANES {lanes}U\n#define DOWN {down}U\n{form}",
+        vectors_if(&condition),
     )
 }
 

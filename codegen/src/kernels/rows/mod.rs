@@ -15,7 +15,7 @@ use std::fmt::Write as _;
 
 use bessemer_ir::{Kernel, KernelRoutine};
 
-use super::text::{bytes, fill, indented, values};
+use super::text::{bytes, fill, indented, values, vectors_if};
 use super::{Buffer, Source, are_lent};
 
 /// The smallest budget of code with which it is used. The budget is the Cortex-A9's; on x86-64 rows take up to five
@@ -156,8 +156,8 @@ fn choice(kernel: &Kernel) -> String {
         // Writing to a string cannot fail.
         let _ = writeln!(
             text,
-            "#{word} defined(__GNUC__) && defined({name}) && !defined(BESSEMER_PLAIN)\n#define LANES {lanes}U\n\
-             #define SIDE {}U",
+            "#{word} {}\n#define LANES {lanes}U\n#define SIDE {}U",
+            vectors_if(&format!("defined({name})")),
             lanes.min(4)
         );
     }

@@ -3,7 +3,7 @@
 use bessemer_ir::Float;
 
 use crate::kernels::Mode;
-use crate::kernels::text::{FUSED, bytes, fill, fused, numbers};
+use crate::kernels::text::{FUSED, bytes, fill, fused, numbers, vectors_if};
 
 /// The vectors of x86-64, the widest first: the macro that says that they are there, and their bytes.
 const VECTORS: [(&str, u32); 3] = [("__AVX512F__", 64), ("__AVX__", 32), ("__SSE2__", 16)];
@@ -89,8 +89,7 @@ fn targets(element: Float, columns: u32, mode: Mode) -> String {
     let mut all = String::new();
     for (index, (condition, text)) in branches.iter().enumerate() {
         let word = if index == 0 { "#if" } else { "#elif" };
-        all +=
-            &format!("{word} defined(__GNUC__) && {condition} && !defined(BESSEMER_PLAIN)\n{text}");
+        all += &format!("{word} {}\n{text}", vectors_if(condition));
     }
     match branches.is_empty() {
         true => "#define WIDTH 4U\n".to_owned(),
