@@ -62,7 +62,7 @@ fn a_type_that_is_not_rustcs_is_told() {
         let tree = serde_json::to_value(&function.tree).expect("a tree as JSON");
         let mut slots = Vec::new();
         arithmetic(&tree, &mut slots);
-        for slot in slots.into_iter().take(2) {
+        for slot in slots.into_iter().take(6) {
             let Some(other) = doctored(&package, index, slot) else { continue };
             tried += 1;
             let errors = match compile::compile(&other, &sources, &Options::default()) {
@@ -78,6 +78,5 @@ fn a_type_that_is_not_rustcs_is_told() {
         }
     }
     println!("{tried} types changed behind rustc's back, {told} told as a fault of the tool");
-    // Where a literal no longer fits, it is the literal that is told.
-    assert!(tried >= 20 && told * 10 >= tried * 9, "{told} of {tried}");
+    assert!(tried >= 20 && otherwise.is_empty(), "{told} of {tried}: {otherwise:#?}");
 }

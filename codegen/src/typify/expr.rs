@@ -303,11 +303,10 @@ impl Lowering<'_, '_> {
         let (left_ty, right_ty) = (left.ty.clone(), right.ty.clone());
         if let Some(op) = compare(op) {
             if left_ty != right_ty {
-                return problem(
-                    site,
-                    "values of two types are not compared",
-                    "convert one of them",
-                );
+                // rustc compares numbers of one type only.
+                let numbers = left_ty.is_word() && right_ty.is_word();
+                let remedy = if numbers { OUR_FAULT } else { "convert one of them" };
+                return problem(site, "values of two types are not compared", remedy);
             }
             if !left_ty.is_word() {
                 let equal = match op {

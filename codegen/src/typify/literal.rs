@@ -4,12 +4,12 @@ use bessemer_ir::tree::{self, BinaryOp, Site};
 use bessemer_ir::{Expr, ExprKind, Float, Int, Scalar, Type};
 
 use super::function::Lowering;
-use super::{Result, problem};
+use super::{OUR_FAULT, Result, problem};
 
 /// The word of an integer literal as a value of `scalar`.
 pub(super) fn integer(digits: &str, negative: bool, scalar: Scalar, site: Site) -> Result<u64> {
     let Ok(value) = digits.parse::<i128>() else {
-        return problem(site, "this literal is out of range", "use a type that holds it");
+        return problem(site, "this literal is out of range", OUR_FAULT);
     };
     let value = if negative { -value } else { value };
     match scalar {
@@ -21,7 +21,7 @@ pub(super) fn integer(digits: &str, negative: bool, scalar: Scalar, site: Site) 
         _ => problem(
             site,
             format!("this literal is out of range for `{}`", scalar.name()),
-            "use a type that holds it",
+            OUR_FAULT,
         ),
     }
 }
@@ -55,7 +55,7 @@ pub(super) fn float(digits: &str, scalar: Scalar, site: Site) -> Result<u64> {
     };
     match word {
         Some(word) => Ok(word),
-        None => problem(site, "this literal is not a float here", "write an integer"),
+        None => problem(site, "this literal is not a float here", OUR_FAULT),
     }
 }
 
