@@ -1,5 +1,5 @@
-//! Threads of POSIX, where `BESSEMER_THREADS` says how many: each takes every so manieth part of the columns of
-//! a result.
+//! Threads of POSIX, where `BESSEMER_THREADS` says how many: of n, each takes every n-th part of the columns
+//! of a result.
 //!
 //! Invariant: a column is one thread's, and computed as it would be alone, so that their number changes no bit. Threads may
 //! allocate, so no kernel has them unless it is compiled for it.
