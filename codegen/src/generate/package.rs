@@ -167,6 +167,13 @@ fn reworded(title: &str) -> (String, Option<&'static str>) {
     let quoted: Vec<&str> = title.split('`').skip(1).step_by(2).collect();
     let method = quoted.iter().find_map(|name| name.strip_prefix("__b_"));
     let owner = quoted.last().copied().unwrap_or_default();
+    if let Some(method) = method.and_then(|name| name.strip_prefix("list_")) {
+        let owner = owner.trim_start_matches("&mut ").trim_start_matches('&');
+        return (
+            format!("`{method}` of `{owner}` would be taken for the method of lists"),
+            Some("call it by its path, `Type::method(&mut value, …)`, or give it another name"),
+        );
+    }
     if let Some(method) = method {
         let owner = static_matrix(owner.trim_start_matches("&mut ").trim_start_matches('&'));
         let help = if owner.starts_with("SMatrix") {

@@ -39,6 +39,14 @@ pub trait ListBuiltins<T>: Sized {
     fn __b_truncate(&mut self, _length: usize) -> Called<Truncate, ()> {
         unreachable!()
     }
+    /// What `extend` calls for each element; no type of an author's has it.
+    fn __b_list_extend(&mut self, _element: T) -> Called<Push, ()> {
+        unreachable!()
+    }
+    /// What `retain` calls in the end; no type of an author's has it.
+    fn __b_list_retain(&mut self, _length: usize) -> Called<Truncate, ()> {
+        unreachable!()
+    }
     fn __b_resize(&mut self, _length: usize, _element: T) -> Called<Resize, ()> {
         unreachable!()
     }

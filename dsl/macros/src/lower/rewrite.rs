@@ -2,6 +2,8 @@
 //! `list.extend(…)`, `list.retain(…)`. In the tree and in the copy that code stands in their place.
 //!
 //! What it names is named as nothing in scope is, so that no name of the author's changes its meaning.
+//! Types are not known here: what stands for a method of lists calls methods that lists alone have
+//! (`list_extend`), so that rustc refuses another type's method of the same name.
 
 use proc_macro2::Span;
 use quote::ToTokens;
@@ -188,7 +190,8 @@ impl Lowering<'_> {
             true => parse_quote! { &#element },
             false => parse_quote! { #element },
         };
-        Some(parse_quote! { for #pattern in #items { #list.push(#element); } })
+        let extend = syn::Ident::new("list_extend", it.method.span());
+        Some(parse_quote! { for #pattern in #items { #list.#extend(#element); } })
     }
 
     /// `list.retain(|x| …)`: those that are kept move up, in their order.
@@ -203,6 +206,7 @@ impl Lowering<'_> {
         let (kept, at, keeps) = (fresh("kept"), fresh("at"), fresh("keeps"));
         let element: syn::Expr = parse_quote! { #list[#at] };
         let keep = let_in(closure.inputs.first()?, &element, &closure.body);
+        let retain = syn::Ident::new("list_retain", it.method.span());
         Some(parse_quote! {
             {
                 let mut #kept = 0;
@@ -213,7 +217,7 @@ impl Lowering<'_> {
                         #kept += 1;
                     }
                 }
-                #list.truncate(#kept);
+                #list.#retain(#kept);
             }
         })
     }
