@@ -42,6 +42,8 @@ pub enum Probe {
     Version(&'static str),
     /// The compiler finds the C library's headers.
     Headers(&'static str),
+    /// The compiler comes with the libraries that its sanitizers link.
+    Sanitizers(&'static str),
     /// The file exists.
     File(&'static str),
 }
@@ -115,6 +117,13 @@ pub const TOOLS: &[Tool] = &[
         need: Need::Host,
         probe: Probe::Version("clang"),
         source: Source::Package("clang"),
+    },
+    Tool {
+        name: "clang's run time",
+        purpose: "the libraries of its sanitizers",
+        need: Need::Host,
+        probe: Probe::Sanitizers("clang"),
+        source: Source::Package("libclang-rt-dev"),
     },
     Tool {
         name: "C library",
@@ -194,6 +203,8 @@ pub trait Machine {
     fn version(&self, program: &str) -> Option<String>;
     /// Whether the compiler can preprocess a file that includes headers of the C library.
     fn finds_headers(&self, compiler: &str) -> bool;
+    /// Whether the compiler, one like clang, has the libraries that its sanitizers link.
+    fn has_sanitizers(&self, compiler: &str) -> bool;
     /// Whether we may do anything here.
     fn is_root(&self) -> bool;
     /// Whether the file exists.
@@ -214,6 +225,16 @@ impl Machine for ThisMachine {
     fn finds_headers(&self, compiler: &str) -> bool {
         answer(Command::new(compiler).args(["-x", "c", "-E", "-include", "math.h", "/dev/null"]))
             .is_some()
+    }
+
+    fn has_sanitizers(&self, compiler: &str) -> bool {
+        let folder = answer(Command::new(compiler).arg("-print-runtime-dir"));
+        let files = folder.and_then(|folder| std::fs::read_dir(folder.trim()).ok());
+        files
+            .into_iter()
+            .flatten()
+            .flatten()
+            .any(|file| file.file_name().to_string_lossy().starts_with("libclang_rt.asan"))
     }
 
     fn is_root(&self) -> bool {
@@ -250,6 +271,7 @@ pub fn survey(machine: &dyn Machine) -> Vec<Finding> {
     let look = |tool: &'static Tool| match tool.probe {
         Probe::Version(program) => machine.version(program).map(|answer| number(&answer)),
         Probe::Headers(compiler) => machine.finds_headers(compiler).then(|| "found".to_owned()),
+        Probe::Sanitizers(compiler) => machine.has_sanitizers(compiler).then(|| "found".to_owned()),
         Probe::File(path) => machine.has_file(path).then(|| "found".to_owned()),
     };
     TOOLS.iter().map(|tool| Finding { tool, found: look(tool) }).collect()
@@ -302,6 +324,7 @@ mod tests {
     fn what_does_not_exist_is_not_there() {
         assert_eq!(ThisMachine.version("no-such-program-anywhere"), None);
         assert!(!ThisMachine.finds_headers("no-such-compiler-anywhere"));
+        assert!(!ThisMachine.has_sanitizers("no-such-compiler-anywhere"));
     }
 
     #[test]

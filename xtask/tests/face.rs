@@ -15,6 +15,8 @@ struct Fake {
     programs: BTreeMap<&'static str, &'static str>,
     headers: BTreeSet<&'static str>,
     root: bool,
+    /// Whether clang came without the libraries of its sanitizers, as apt leaves it unless asked.
+    bare: bool,
 }
 
 impl Machine for Fake {
@@ -24,6 +26,10 @@ impl Machine for Fake {
 
     fn finds_headers(&self, compiler: &str) -> bool {
         self.headers.contains(compiler)
+    }
+
+    fn has_sanitizers(&self, compiler: &str) -> bool {
+        self.programs.contains_key(compiler) && !self.bare
     }
 
     fn is_root(&self) -> bool {
@@ -45,7 +51,7 @@ impl Fake {
             ("gcc", "gcc (Debian 12.2.0-14+deb12u1) 12.2.0"),
             ("apt-get", "apt 2.6.1 (amd64)"),
         ];
-        Self { programs: programs.into(), headers: ["gcc"].into(), root: false }
+        Self { programs: programs.into(), headers: ["gcc"].into(), root: false, bare: false }
     }
 
     /// The same with the host compilers.
@@ -116,6 +122,12 @@ fn root_installs_with_apt_alone() {
 }
 
 #[test]
+fn clang_without_its_run_time_is_not_enough() {
+    let machine = Fake { bare: true, ..Fake::full().rooted() };
+    assert!(line(&machine).is_some_and(|line| line.ends_with("=900 libclang-rt-dev")));
+}
+
+#[test]
 fn others_install_through_sudo() {
     let machine = Fake::full().without("clang").with("sudo", "Sudo version 1.9.13p3");
     assert_eq!(
@@ -123,7 +135,7 @@ fn others_install_through_sudo() {
         Some(
             "sudo apt-get update -o DPkg::Lock::Timeout=900 && \
              sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends \
-             -o DPkg::Lock::Timeout=900 clang"
+             -o DPkg::Lock::Timeout=900 clang libclang-rt-dev"
         )
     );
 }
@@ -137,7 +149,7 @@ fn without_sudo_the_line_becomes_root_by_itself() {
             "rustup component add rustfmt && \
              su -c 'apt-get update -o DPkg::Lock::Timeout=900 && \
              env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends \
-             -o DPkg::Lock::Timeout=900 clang'"
+             -o DPkg::Lock::Timeout=900 clang libclang-rt-dev'"
         )
     );
 }
@@ -175,6 +187,7 @@ clippy                   0.1.95        test               lints the Rust
 gcc                      12.2.0        test               compiles the emitted C
 g++                      12.2.0        test               compiles the emitted headers as C++
 clang                    14.0.6        test               compiles the emitted C a second time
+clang's run time         found         test               the libraries of its sanitizers
 C library                found         test               headers and libraries for the above
 arm-linux-gnueabihf-gcc  12.2.0        test (not --host)  compiles the emitted C for a Cortex-A9
 ARM C library            found         test (not --host)  headers and libraries for the above
@@ -208,7 +221,7 @@ fn the_conclusion_says_what_can_run_and_what_to_do() {
     assert_eq!(
         conclusion(&Fake::full().without("clang").without("apt-get")).as_deref(),
         Some(
-            "Missing: clang.\n\
+            "Missing: clang, clang's run time.\n\
              There is no apt-get here: install them with this system's own package manager.\n"
         )
     );
@@ -224,9 +237,9 @@ fn the_json_says_the_same() {
     assert_eq!(value["ready"]["test"], false);
     assert_eq!(value["install"].as_str(), line(&machine).as_deref());
     assert_eq!(value["tools"][3]["version"], "12.2.0");
-    assert_eq!(value["tools"][9]["name"], "qemu-arm");
-    assert_eq!(value["tools"][9]["found"], false);
-    assert_eq!(value["tools"][9]["package"], "qemu-user");
+    assert_eq!(value["tools"][10]["name"], "qemu-arm");
+    assert_eq!(value["tools"][10]["found"], false);
+    assert_eq!(value["tools"][10]["package"], "qemu-user");
 }
 
 #[test]
@@ -237,7 +250,7 @@ fn test_refuses_to_start_and_prints_one_line() {
     let error = outcome.expect_err("tools are missing");
     assert_eq!(
         error.to_string(),
-        "missing: g++, clang, arm-linux-gnueabihf-gcc, ARM C library, qemu-arm"
+        "missing: g++, clang, clang's run time, arm-linux-gnueabihf-gcc, ARM C library, qemu-arm"
     );
     let remedy = error.remedy().expect("there is apt-get");
     assert_eq!(remedy.lines().count(), 1);
@@ -250,7 +263,9 @@ fn test_of_the_host_does_without_the_arm_tools() {
     let wanted = Test { install: false, host: true };
     assert!(prepare(&wanted, &Fake::host(), &mut Progress::default()).is_ok());
     let outcome = prepare(&wanted, &Fake::fresh(), &mut Progress::default());
-    assert!(matches!(outcome, Err(Error::Missing { tools, .. }) if tools == ["g++", "clang"]));
+    assert!(
+        matches!(outcome, Err(Error::Missing { tools, .. }) if tools == ["g++", "clang", "clang's run time"])
+    );
 }
 
 #[test]
