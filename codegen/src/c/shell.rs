@@ -1,5 +1,5 @@
 //! What stands around the body of a file: banner, guards, includes. The text is in
-//! `codegen/templates/`.
+//! `codegen/templates/`. A header that includes `float.h` computes: it states and checks what a source does.
 
 use tera::{Context, Tera};
 
@@ -42,7 +42,12 @@ pub fn frame(shell: &Shell<'_>, is_header: bool) -> (String, String) {
         ("source.c", include_str!("../../templates/source.c.tera"))
     };
     let mut tera = Tera::default();
-    tera.add_raw_template(name, template).expect("the templates parse: a test renders them");
+    let parts = [
+        ("conditions", include_str!("../../templates/conditions.tera")),
+        ("checks", include_str!("../../templates/checks.tera")),
+        (name, template),
+    ];
+    tera.add_raw_templates(parts).expect("the templates parse: a test renders them");
     let text = tera.render(name, &context).expect("the templates render: a test renders them");
     let (before, after) = text.split_once(BODY).expect("the templates have a body");
     (before.to_owned(), after.to_owned())

@@ -42,7 +42,7 @@ impl Writer<'_> {
                 docs.clone_from(&self.context.module.functions[id.index()].docs);
             }
         }
-        includes.system.insert("stdint.h");
+        includes.system.extend(["float.h", "stdint.h"]);
         includes.system.extend(uses.math.then_some("math.h"));
         items
     }
