@@ -1,7 +1,8 @@
 //! Finds the programs: every file below `src/programs` is a module, and every function and entry point in
 //! it that can be called with words is listed, so that dropping in a file adds a test.
 //!
-//! A folder is a module of its files; a folder with a `mod.rs` is one program.
+//! A folder is a module of its files; a folder with a `mod.rs` is one program. What several programs have in
+//! common stands in a file that they `include!`.
 
 use std::fs;
 use std::io;
@@ -64,6 +65,12 @@ impl Found {
         // A file that does not parse is rustc's to tell of.
         if let Ok(file) = syn::parse_file(&fs::read_to_string(path)?) {
             self.items(&file.items, &at.join("::"));
+            for shared in file.items.iter().filter_map(included) {
+                let text = fs::read_to_string(path.with_file_name(shared))?;
+                if let Ok(file) = syn::parse_file(&text) {
+                    self.items(&file.items, &at.join("::"));
+                }
+            }
         }
         at.pop();
         Ok(())
@@ -90,6 +97,16 @@ impl Found {
                 _ => {}
             }
         }
+    }
+}
+
+/// The file that `include!("…")` brings.
+fn included(item: &Item) -> Option<String> {
+    match item {
+        Item::Macro(it) if it.mac.path.is_ident("include") => {
+            it.mac.parse_body::<syn::LitStr>().ok().map(|name| name.value())
+        }
+        _ => None,
     }
 }
 

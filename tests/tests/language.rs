@@ -16,7 +16,7 @@ const PROGRAMS: &str = "tests/corpus/src/programs";
 /// Before the name of an example.
 const EXAMPLE: &str = "<!-- example: ";
 /// Folders whose programs are no part of the page.
-const APART: [&str; 2] = ["trouble", "algorithms"];
+const APART: [&str; 3] = ["trouble", "algorithms", "kinds"];
 
 fn read(path: &Path) -> String {
     fs::read_to_string(path).unwrap_or_else(|error| panic!("`{}`: {error}", path.display()))

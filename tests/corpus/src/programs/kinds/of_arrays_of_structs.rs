@@ -1,0 +1,49 @@
+//! Arrays of structs.
+
+use bessemer::prelude::*;
+
+/// A value with its time.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Sample {
+    pub at: u32,
+    pub value: f64,
+    pub good: bool,
+}
+
+/// The kind.
+pub type It = [Sample; 3];
+/// Its numbers.
+pub type Number = f64;
+
+/// One with a number of its own.
+#[function]
+pub fn with(x: Number) -> It {
+    let mut all = [Sample::default(); 3];
+    all[1].value = x;
+    all
+}
+
+/// One of them.
+#[function]
+pub fn one() -> It {
+    [Sample { at: 1, value: -0.5, good: true }; 3]
+}
+
+/// Another.
+#[function]
+pub fn other() -> It {
+    let mut all = one();
+    all[2].good = false;
+    all
+}
+
+/// Makes it a third.
+#[function]
+pub fn change(it: &mut It) {
+    it[0].value = 8.0;
+    it[1] = it[0];
+}
+
+include!("six.in");
+include!("floats.in");

@@ -1,0 +1,36 @@
+//! Lists of lists.
+
+use bessemer::prelude::*;
+
+/// The kind.
+pub type It = List<List<u8, 2>, 3>;
+
+/// One of them.
+#[function]
+pub fn one() -> It {
+    let mut row = List::new();
+    row.push(5);
+    let mut list = List::new();
+    list.push(row);
+    list.push(List::new());
+    list
+}
+
+/// Another.
+#[function]
+pub fn other() -> It {
+    List::new()
+}
+
+/// Makes it a third.
+#[function]
+pub fn change(it: &mut It) {
+    if it.is_empty() {
+        it.push(List::new());
+    } else {
+        it[0].clear();
+        it[0].push(7);
+    }
+}
+
+include!("six.in");

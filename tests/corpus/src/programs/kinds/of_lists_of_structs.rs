@@ -1,0 +1,51 @@
+//! Lists of structs with arrays.
+
+use bessemer::prelude::*;
+
+/// An object that is followed.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Track {
+    pub id: u16,
+    pub place: [f32; 2],
+}
+
+/// The kind.
+pub type It = List<Track, 3>;
+/// Its numbers.
+pub type Number = f32;
+
+/// One with a number of its own.
+#[function]
+pub fn with(x: Number) -> It {
+    let mut list = List::new();
+    list.push(Track { id: 1, place: [0.0, x] });
+    list
+}
+
+/// One of them.
+#[function]
+pub fn one() -> It {
+    let mut list = List::new();
+    list.push(Track { id: 1, place: [0.5, 1.5] });
+    list
+}
+
+/// Another.
+#[function]
+pub fn other() -> It {
+    List::new()
+}
+
+/// Makes it a third.
+#[function]
+pub fn change(it: &mut It) {
+    if it.is_empty() {
+        it.push(Track { id: 2, place: [4.0; 2] });
+    } else {
+        it[0].place[1] = -3.0;
+    }
+}
+
+include!("six.in");
+include!("floats.in");

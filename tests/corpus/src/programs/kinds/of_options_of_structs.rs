@@ -1,0 +1,47 @@
+//! Options of a struct with an array.
+
+use bessemer::prelude::*;
+
+/// A way along points.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Passage {
+    pub length: u8,
+    pub points: [f32; 3],
+}
+
+/// The kind.
+pub type It = Option<Passage>;
+/// Its numbers.
+pub type Number = f32;
+
+/// One with a number of its own.
+#[function]
+pub fn with(x: Number) -> It {
+    Some(Passage { length: 1, points: [0.0, x, 1.0] })
+}
+
+/// One of them.
+#[function]
+pub fn one() -> It {
+    Some(Passage { length: 2, points: [0.5, -0.5, 1.0] })
+}
+
+/// Another.
+#[function]
+pub fn other() -> It {
+    None
+}
+
+/// Makes it a third.
+#[function]
+pub fn change(it: &mut It) {
+    if let Some(route) = it {
+        route.points[route.length as usize % 3] = 9.0;
+    } else {
+        *it = one();
+    }
+}
+
+include!("six.in");
+include!("floats.in");

@@ -1,0 +1,26 @@
+//! Integers of 64 bits, with a sign.
+
+use bessemer::prelude::*;
+
+/// The kind.
+pub type It = i64;
+
+/// One of them.
+#[function]
+pub fn one() -> It {
+    i64::MIN
+}
+
+/// Another.
+#[function]
+pub fn other() -> It {
+    i64::MAX
+}
+
+/// Makes it a third.
+#[function]
+pub fn change(it: &mut It) {
+    *it = it.wrapping_sub(3);
+}
+
+include!("six.in");
