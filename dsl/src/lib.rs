@@ -109,6 +109,8 @@ macro_rules! print_tree {
 
         fn main() {
             let (name, license) = (env!("CARGO_PKG_NAME"), env!("CARGO_PKG_LICENSE"));
+            // Whose tree it is: where workspaces share a target folder, cargo may mix packages of one name.
+            println!("{}", $crate::generate::folders());
             // Initial values of large components pass through the stack.
             let tree = ::std::thread::Builder::new()
                 .stack_size(1 << 28)

@@ -1,6 +1,7 @@
 //! The folder of the C as its users meet it: written whole, compared, never trampled on.
 
 use std::fs;
+use std::thread;
 
 use bessemer_codegen::generate::{self, Error, Job};
 use bessemer_tests::workspace::Workspace;
@@ -56,4 +57,21 @@ fn the_folder_is_whole_or_as_it_was() {
     let left = fs::read_dir(workspace.path("")).expect("the workspace").flatten();
     let stages = left.filter(|entry| entry.file_name().to_string_lossy().starts_with(".bessemer"));
     assert_eq!(stages.count(), 0, "no half-written folder is left");
+}
+
+#[test]
+fn workspaces_that_share_a_target_folder_do_not_mix() {
+    // Both are packages of one name: what one has built stands where the other looks for its own.
+    thread::scope(|scope| {
+        for constant in ["2.0", "3.0"] {
+            scope.spawn(move || {
+                let text = MODEL.replace("x + x", &format!("x * {constant}"));
+                let workspace = Workspace::with_source(&text).expect("a workspace");
+                for version in ["1", "2", "3", "4", "5"] {
+                    let files = workspace.generate(version).expect("generated");
+                    assert!(files["models.c"].contains(&format!("x * {constant}")));
+                }
+            });
+        }
+    });
 }

@@ -8,6 +8,7 @@
 mod manifest;
 mod output;
 mod package;
+mod program;
 mod report;
 
 use std::path::{Path, PathBuf};

@@ -4,36 +4,40 @@
 //! says about the builders is told in the author's terms.
 
 use std::collections::BTreeSet;
-use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
 use bessemer_ir::tree::Package;
 use serde_json::Value;
 
+use super::program::{self, Program};
 use super::{Error, Job};
 use crate::diagnostic::{self, Diagnostic};
 use crate::source::Sources;
 
+/// How often what was built may turn out to be another workspace's.
+const TRIES: usize = 10;
+
 /// The tree of the job's package.
 pub(super) fn tree(job: &Job, sources: &Sources) -> Result<Package, Error> {
-    let program = build(job, sources)?;
-    let output = Command::new(&program)
-        .output()
-        .map_err(|source| Error::Run { program: program.display().to_string(), source })?;
-    let text = String::from_utf8_lossy(&output.stdout);
-    serde_json::from_str(&text).map_err(|error| Error::Tree {
-        package: job.package.clone(),
-        reason: if output.status.success() {
-            error.to_string()
-        } else {
-            String::from_utf8_lossy(&output.stderr).trim().to_owned()
-        },
-    })
+    let failed = |reason: String| Error::Tree { package: job.package.clone(), reason };
+    for _ in 0..TRIES {
+        let Some(printed) = build(job, sources)?.run()? else { continue };
+        if !printed.success {
+            return Err(failed(printed.error));
+        }
+        if printed.strangers.is_empty() {
+            return serde_json::from_str(&printed.tree).map_err(|error| failed(error.to_string()));
+        }
+        for package in &printed.strangers {
+            program::forget(&job.root, package)?;
+        }
+    }
+    Err(failed("another workspace keeps building into the same target folder".to_owned()))
 }
 
 /// Builds the program that prints the tree.
-fn build(job: &Job, sources: &Sources) -> Result<PathBuf, Error> {
-    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+fn build(job: &Job, sources: &Sources) -> Result<Program, Error> {
+    let cargo = program::cargo();
     let binary = format!("{}-tree", job.package);
     let mut command = Command::new(&cargo);
     command
@@ -56,7 +60,7 @@ fn build(job: &Job, sources: &Sources) -> Result<PathBuf, Error> {
     let messages: Vec<Value> =
         text.lines().filter_map(|line| serde_json::from_str(line).ok()).collect();
     if output.status.success()
-        && let Some(program) = messages.iter().find_map(|message| executable(message, &binary))
+        && let Some(program) = Program::of(&messages, &binary)
     {
         return Ok(program);
     }
@@ -65,12 +69,6 @@ fn build(job: &Job, sources: &Sources) -> Result<PathBuf, Error> {
         said = String::from_utf8_lossy(&output.stderr).trim().to_owned();
     }
     Err(Error::Models(said))
-}
-
-fn executable(message: &Value, binary: &str) -> Option<PathBuf> {
-    let target = message.get("target")?.get("name")?.as_str()?;
-    let program = message.get("executable")?.as_str()?;
-    (target == binary).then(|| PathBuf::from(program))
 }
 
 /// What rustc said: each thing once, ours in the author's terms.

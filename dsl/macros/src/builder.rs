@@ -166,7 +166,7 @@ fn register(name: &syn::Ident, marker: &syn::Ident, scope: Scope<'_>) -> TokenSt
     let lower::Site(line, column) = lower::site(name);
     quote! {
         ::bessemer::generate::register! {
-            ::bessemer::generate::Registered::new(::core::module_path!(), (#line, #column), ::bessemer::generate::function::<#marker>)
+            ::bessemer::generate::Registered::new(::bessemer::generate::place!(), (#line, #column), ::bessemer::generate::function::<#marker>)
         }
     }
 }

@@ -247,7 +247,7 @@ fn definition(
     let registered = (!scope.is_generic()).then(|| {
         quote! {
             ::bessemer::generate::register! {
-                ::bessemer::generate::Registered::new(::core::module_path!(), (#line, #column), ::bessemer::generate::data::<#name>)
+                ::bessemer::generate::Registered::new(::bessemer::generate::place!(), (#line, #column), ::bessemer::generate::data::<#name>)
             }
         }
     });

@@ -56,7 +56,7 @@ pub fn named(it: &syn::ItemType, refusals: &mut Refusals) -> TokenStream {
     quote! {
         const _: () = {
             ::bessemer::generate::register! {
-                ::bessemer::generate::Registered::new(::core::module_path!(), (#line, #column), |cx| {
+                ::bessemer::generate::Registered::new(::bessemer::generate::place!(), (#line, #column), |cx| {
                     #[allow(unused_imports)]
                     use ::bessemer::generate::WithoutEntries as _;
                     cx.alias::<#name>(

@@ -280,7 +280,7 @@ fn register(
     quote! {
         const _: () = {
             ::bessemer::generate::register! {
-                ::bessemer::generate::Registered::new(::core::module_path!(), (#line, #column), |cx| {
+                ::bessemer::generate::Registered::new(::bessemer::generate::place!(), (#line, #column), |cx| {
                     <#owner as #path>::#build(cx);
                 })
             }

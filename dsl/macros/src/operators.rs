@@ -167,7 +167,7 @@ impl Beside<'_> {
                     #builder
                 }
                 ::bessemer::generate::register! {
-                    ::bessemer::generate::Registered::new(::core::module_path!(), (#line, #column), |cx| {
+                    ::bessemer::generate::Registered::new(::bessemer::generate::place!(), (#line, #column), |cx| {
                         <#owner>::#build(cx);
                     })
                 }

@@ -43,7 +43,7 @@ fn announced(
     quote! {
         const _: () = {
             ::bessemer::generate::register! {
-                ::bessemer::generate::Registered::table(::core::module_path!(), (#line, #column), |cx| {
+                ::bessemer::generate::Registered::table(::bessemer::generate::place!(), (#line, #column), |cx| {
                     cx.table(
                         ::bessemer::generate::Named { module: ::core::module_path!(), file: ::core::file!(), name: #text },
                         &[#(#docs),*], (#line, #column), &#name, #given,

@@ -1,7 +1,8 @@
 //! Collects the definitions and functions of a package, each after what it is made of.
 
 use alloc::borrow::ToOwned;
-use alloc::collections::BTreeSet;
+use alloc::collections::{BTreeMap, BTreeSet};
+
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -54,9 +55,22 @@ pub struct Named {
 /// Parameters by name, and what stands for each.
 pub type Arguments = Vec<(String, Argument)>;
 
+/// Where an item stands: its module, and the folder of its package.
+pub type Place = (&'static str, &'static str);
+
+/// The [`Place`] of what stands here.
+#[macro_export]
+#[doc(hidden)]
+macro_rules! __place {
+    () => {
+        (::core::module_path!(), ::core::env!("CARGO_MANIFEST_DIR"))
+    };
+}
+pub use __place as place;
+
 /// An item that announced itself to its package.
 pub struct Registered {
-    module: &'static str,
+    place: Place,
     site: (u32, u32),
     build: fn(&mut Builder),
     /// Whether it comes along with whatever package uses its crate.
@@ -66,23 +80,31 @@ pub struct Registered {
 inventory::collect!(Registered);
 
 impl Registered {
-    /// An item of `module`, at a line and column of its file.
-    pub const fn new(
-        module: &'static str,
-        site: (u32, u32),
-        build: fn(&mut Builder),
-    ) -> Registered {
-        Registered { module, site, build, everywhere: false }
+    /// An item at a line and column of its file.
+    pub const fn new(place: Place, site: (u32, u32), build: fn(&mut Builder)) -> Registered {
+        Registered { place, site, build, everywhere: false }
     }
 
     /// A table, which is told by its value wherever it is used.
-    pub const fn table(
-        module: &'static str,
-        site: (u32, u32),
-        build: fn(&mut Builder),
-    ) -> Registered {
-        Registered { module, site, build, everywhere: true }
+    pub const fn table(place: Place, site: (u32, u32), build: fn(&mut Builder)) -> Registered {
+        Registered { place, site, build, everywhere: true }
     }
+
+    fn module(&self) -> &'static str {
+        self.place.0
+    }
+
+    /// Its crate.
+    fn root(&self) -> &'static str {
+        self.module().split("::").next().unwrap_or_default()
+    }
+}
+
+/// The crates whose items are here, each with the folder in which it was compiled, as JSON.
+pub fn folders() -> String {
+    let items = inventory::iter::<Registered>.into_iter();
+    let crates: BTreeMap<&str, &str> = items.map(|item| (item.root(), item.place.1)).collect();
+    serde_json::to_string(&crates).unwrap_or_default()
 }
 
 /// Builds the function of a marker.
@@ -213,10 +235,9 @@ pub fn package(name: &str, license: &str) -> String {
     builder.package.license = license.to_owned();
     let mut items: Vec<&Registered> = inventory::iter::<Registered>.into_iter().collect();
     // The linker's order differs from build to build; the author's does not.
-    items.sort_by_key(|item| (item.module, item.site));
+    items.sort_by_key(|item| (item.module(), item.site));
     for item in items {
-        let root = item.module.split("::").next().unwrap_or_default();
-        if item.everywhere || root == name.replace('-', "_") {
+        if item.everywhere || item.root() == name.replace('-', "_") {
             (item.build)(&mut builder);
         }
     }

@@ -24,8 +24,8 @@ pub mod views;
 pub use alloc::string::String;
 pub use bessemer_ir::tree;
 pub use builder::{
-    Builder, Callee, Generics, Named, Registered, Said, Witness, argument, data, field, function,
-    number, package, variant, words,
+    Builder, Callee, Generics, Named, Registered, Said, Witness, argument, data, field, folders,
+    function, number, package, place, variant, words,
 };
 pub use inventory;
 pub use numbers::{FromBuiltin, TryFromBuiltin};
