@@ -5,7 +5,7 @@ use bessemer_ir::tree::{self, BinaryOp, ExprKind, UnaryOp};
 use quote::ToTokens;
 use syn::spanned::Spanned;
 
-use super::{Lowering, bound, call, pattern, refuse, signature, site, text, unroll, view};
+use super::{Lowering, bound, call, pattern, refuse, signature, site, text, unroll};
 
 impl Lowering<'_> {
     /// An expression whose value is wanted.
@@ -39,7 +39,7 @@ impl Lowering<'_> {
 
     /// The kind of `expr`, and whether a slot has to see its value.
     fn kind(&mut self, expr: &mut syn::Expr, value: bool) -> (ExprKind, bool) {
-        if let Some(call) = view::write(expr) {
+        if let Some(call) = self.written_view(expr) {
             *expr = call;
         }
         if let Some(other) = self.rewritten(expr) {

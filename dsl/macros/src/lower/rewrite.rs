@@ -31,7 +31,7 @@ impl Lowering<'_> {
     }
 
     /// A name that nothing has here, nor in `beside`.
-    fn fresh_beside(&self, name: &str, beside: &syn::ExprMethodCall) -> syn::Ident {
+    pub(super) fn fresh_beside(&self, name: &str, beside: &syn::ExprMethodCall) -> syn::Ident {
         let beside = syn::Expr::MethodCall(beside.clone());
         let mut fresh = name.to_owned();
         while self.is_local(&fresh) || names(&beside, &fresh) {
@@ -50,7 +50,9 @@ impl Lowering<'_> {
         };
         let mut names: Vec<syn::Stmt> = Vec::new();
         let ends = [&range.start, &range.end].map(|end| end.as_deref().cloned());
-        let all_plain = ends.iter().flatten().all(is_plain);
+        // An end is read before the value is computed, which may change it.
+        let stays = |end: &syn::Expr| is_plain(end) && !may_change(&value, end);
+        let all_plain = ends.iter().flatten().all(stays);
         let mut named = |name: syn::Ident, expr: syn::Expr| -> syn::Expr {
             names.push(parse_quote! { let #name = #expr; });
             parse_quote! { #name }
@@ -139,9 +141,36 @@ impl Lowering<'_> {
             }
             false => (parse_quote! { #item }, parse_quote! { #item }),
         };
-        let best_value: syn::Expr = parse_quote! { #best };
         let least = method.starts_with("min");
-        let better: syn::Expr = if method.ends_with("_by_key") {
+        let by_key = method.ends_with("_by_key");
+        if by_key && !is_plain(&closure.body) {
+            let (key, kept) = (fresh("key"), fresh(if least { "least" } else { "largest" }));
+            let value = let_in(closure.inputs.first()?, &item, &closure.body);
+            let better: syn::Expr = match least {
+                true => parse_quote! { #key < #best },
+                false => parse_quote! { #key >= #best },
+            };
+            let replaces = fresh("replaces");
+            // What computes a key may fault, or do something: once for each item, the first one, too.
+            return Some(parse_quote! {
+                {
+                    let mut #found = None;
+                    let mut #kept = None;
+                    for #pattern in #items {
+                        #named
+                        let #key = #value;
+                        let #replaces = match #kept { Some(#best) => #better, None => true };
+                        if #replaces {
+                            #kept = Some(#key);
+                            #found = Some(#item);
+                        }
+                    }
+                    #found
+                }
+            });
+        }
+        let best_value: syn::Expr = parse_quote! { #best };
+        let better: syn::Expr = if by_key {
             let key = closure.inputs.first()?;
             let body = &closure.body;
             let new = let_in(key, &item, body);
@@ -299,6 +328,22 @@ fn bare(expr: &syn::Expr) -> &syn::Expr {
             _ => expr,
         },
         other => other,
+    }
+}
+
+/// Whether computing `value` may change what `end` reads: whoever writes a variable names it.
+fn may_change(value: &syn::Expr, end: &syn::Expr) -> bool {
+    !is_plain(value) && root(end).is_some_and(|root| names(value, &root.to_string()))
+}
+
+/// The variable that a plain expression is, or is a part of.
+fn root(expr: &syn::Expr) -> Option<&syn::Ident> {
+    match bare(expr) {
+        syn::Expr::Path(it) => it.path.get_ident(),
+        syn::Expr::Field(it) => root(&it.base),
+        syn::Expr::Reference(it) => root(&it.expr),
+        syn::Expr::Unary(it) => root(&it.expr),
+        _ => None,
     }
 }
 

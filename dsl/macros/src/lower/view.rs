@@ -5,6 +5,8 @@
 
 use quote::format_ident;
 
+use super::Lowering;
+
 /// The views that may be written, without their `_mut`.
 const VIEWS: [&str; 5] = ["row", "column", "fixed_view", "fixed_rows", "fixed_columns"];
 
@@ -33,38 +35,81 @@ const CHANGES: [&str; 8] = [
     "axpy",
 ];
 
-/// What an expression that writes a view stands for.
-pub(super) fn write(expr: &mut syn::Expr) -> Option<syn::Expr> {
-    match expr {
-        syn::Expr::MethodCall(it) => {
-            let (method, arguments) = (super::text(&it.method), it.args.clone());
-            let (view, name) = written(&mut it.receiver)?;
-            let first = arguments.first().cloned();
-            match (method.as_str(), first) {
-                ("copy_from", Some(part)) if arguments.len() == 1 => Some(set(view, &name, part)),
-                ("scale_mut" | "unscale_mut", Some(factor)) if arguments.len() == 1 => {
-                    let read = read(view, &name);
-                    let change = format_ident!("{}", method.strip_suffix("_mut")?);
-                    Some(set(view, &name, syn::parse_quote! { &#read.#change(#factor) }))
-                }
-                ("fill", Some(value)) if name == "row" || name == "column" => {
-                    let mut call = view.clone();
-                    call.method = format_ident!("fill_{name}", span = view.method.span());
-                    call.args.push(value);
-                    Some(syn::Expr::MethodCall(call))
-                }
-                (method, _) if CHANGES.contains(&method) => {
-                    let read = read(view, &name);
-                    let change = format_ident!("{method}");
-                    let set = set(view, &name, syn::parse_quote! { &part });
-                    Some(syn::parse_quote! {
-                        { let mut part = #read.into_owned(); part.#change(#arguments); #set; }
-                    })
-                }
-                _ => None,
+impl Lowering<'_> {
+    /// What an expression that writes a view stands for.
+    pub(super) fn written_view(&self, expr: &syn::Expr) -> Option<syn::Expr> {
+        let syn::Expr::MethodCall(it) = expr else { return None };
+        let (method, arguments) = (super::text(&it.method), it.args.clone());
+        let mut receiver = (*it.receiver).clone();
+        let (view, name) = written(&mut receiver)?;
+        let first = arguments.first().cloned();
+        let mut names: Vec<syn::Stmt> = Vec::new();
+        // Where the view lies is computed once.
+        let mut once = || {
+            let moves = !arguments.iter().all(may_repeat);
+            if !may_repeat(&view.receiver) {
+                let (matrix, place) = (self.fresh_beside("matrix", it), &view.receiver);
+                names.push(syn::parse_quote! { let #matrix = &mut #place; });
+                *view.receiver = syn::parse_quote! { #matrix };
             }
+            for (at, name) in view.args.iter_mut().zip(["at", "beside"]) {
+                if !may_repeat(at) || moves && !matches!(at, syn::Expr::Lit(_)) {
+                    let name = self.fresh_beside(name, it);
+                    names.push(syn::parse_quote! { let #name = #at; });
+                    *at = syn::parse_quote! { #name };
+                }
+            }
+        };
+        let write: syn::Expr = match (method.as_str(), first) {
+            ("copy_from", Some(part)) if arguments.len() == 1 => set(view, &name, part),
+            ("scale_mut" | "unscale_mut", Some(factor)) if arguments.len() == 1 => {
+                once();
+                let read = read(view, &name);
+                let change = format_ident!("{}", method.strip_suffix("_mut")?);
+                set(view, &name, syn::parse_quote! { &#read.#change(#factor) })
+            }
+            ("fill", Some(value)) if name == "row" || name == "column" => {
+                let mut call = view.clone();
+                call.method = format_ident!("fill_{name}", span = view.method.span());
+                call.args.push(value);
+                syn::Expr::MethodCall(call)
+            }
+            (method, _) if CHANGES.contains(&method) => {
+                once();
+                let read = read(view, &name);
+                let (change, part) = (format_ident!("{method}"), self.fresh_beside("part", it));
+                let set = set(view, &name, syn::parse_quote! { &#part });
+                names.push(syn::parse_quote! { let mut #part = #read.into_owned(); });
+                names.push(syn::parse_quote! { #part.#change(#arguments); });
+                syn::parse_quote! { { #set; } }
+            }
+            _ => return None,
+        };
+        Some(match (names.is_empty(), write) {
+            (true, write) => write,
+            (false, syn::Expr::Block(mut it)) => {
+                it.block.stmts.splice(0..0, names);
+                syn::Expr::Block(it)
+            }
+            (false, write) => syn::parse_quote! { { #(#names)* #write; } },
+        })
+    }
+}
+
+/// Whether an expression comes to the same twice, and does nothing: arithmetic of names and numbers.
+fn may_repeat(expr: &syn::Expr) -> bool {
+    match expr {
+        syn::Expr::Lit(_) | syn::Expr::Path(_) => true,
+        syn::Expr::Paren(it) => may_repeat(&it.expr),
+        syn::Expr::Field(it) => may_repeat(&it.base),
+        syn::Expr::Index(it) => may_repeat(&it.expr) && may_repeat(&it.index),
+        syn::Expr::Cast(it) => may_repeat(&it.expr),
+        syn::Expr::Unary(it) => may_repeat(&it.expr),
+        syn::Expr::Reference(it) => it.mutability.is_none() && may_repeat(&it.expr),
+        syn::Expr::Binary(it) => {
+            super::expr::compound(&it.op).is_none() && may_repeat(&it.left) && may_repeat(&it.right)
         }
-        _ => None,
+        _ => false,
     }
 }
 
