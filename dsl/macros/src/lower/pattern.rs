@@ -1,10 +1,10 @@
 //! Patterns: the simple names that parameters and `for` bind, and what `let` and `match` take apart.
 
 use bessemer_ir::tree;
-use quote::ToTokens;
+use quote::{ToTokens, quote_spanned};
 use syn::spanned::Spanned;
 
-use super::{Lowering, Refusals, refuse, site, text};
+use super::{Lowering, Refusals, refuse, site, slot_name, text};
 
 /// The name that a pattern binds, if that is all it does.
 pub fn simple_name(pattern: &syn::Pat, refusals: &mut Refusals) -> Option<syn::Ident> {
@@ -120,8 +120,18 @@ impl Lowering<'_> {
             self.bind(&text(&it.ident));
             text(&it.ident)
         };
-        looks.push(self.look(slot, &it.ident));
+        looks.push(self.look_at_bound(slot, &it.ident));
         tree::Pattern::Name { name, slot, mutable: it.mutability.is_some(), inner }
+    }
+
+    /// A look at what a pattern binds. With `@` the name is no constant: rustc says so where one of small letters
+    /// stands in the author's pattern, which would be taken for a name.
+    fn look_at_bound(&self, slot: u32, name: &syn::Ident) -> syn::Stmt {
+        let slot = slot_name(slot);
+        let look = quote_spanned! { name.span() =>
+            match &#name { #name @ _ => __look(&#slot, #name) }
+        };
+        syn::Stmt::Expr(syn::Expr::Verbatim(look), Some(Default::default()))
     }
 
     /// A path that rustc evaluates: a constant or a variant.
