@@ -58,7 +58,13 @@ pub fn compile(
     let taken: Vec<_> = c::given::taken(&explicit, options)
         .iter()
         .map(|(span, taken)| Diagnostic {
-            help: "give it another name, or leave the name to Bessemer".to_owned(),
+            help: match taken {
+                c::given::Taken::Made(_) => {
+                    "name one of them otherwise in the C: `#[c(name = \"…\")]`"
+                }
+                _ => "give it another name, or leave the name to Bessemer",
+            }
+            .to_owned(),
             ..place(&module, *span, taken)
         })
         .collect();

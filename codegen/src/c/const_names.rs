@@ -1,7 +1,8 @@
 //! The names of constants, file by file.
 //!
 //! A constant is `static` in each file that uses it, under the author's own name; it is qualified where
-//! two in one file differ in value. So what another file uses changes nothing.
+//! two in one file differ in value, or where a type, a variant or a function has the name. So what another
+//! file uses changes nothing.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -20,8 +21,8 @@ pub struct ConstNames {
 }
 
 impl ConstNames {
-    /// Names the constants that the functions use.
-    pub fn new(module: &Module, functions: &[Signature]) -> ConstNames {
+    /// Names the constants that the functions use; `globals` are the names of everything else.
+    pub fn new(module: &Module, functions: &[Signature], globals: &BTreeSet<String>) -> ConstNames {
         let mut used: BTreeMap<&str, BTreeSet<ConstId>> = BTreeMap::new();
         let inline = |id: FunctionId| functions[id.index()].storage == Storage::Inline;
         for (index, signature) in functions.iter().enumerate() {
@@ -38,7 +39,8 @@ impl ConstNames {
                 });
             }
         }
-        let files = used.into_iter().map(|(file, ids)| (file.to_owned(), of_file(module, &ids)));
+        let files = used.into_iter();
+        let files = files.map(|(file, ids)| (file.to_owned(), of_file(module, &ids, globals)));
         let files: BTreeMap<_, BTreeMap<_, String>> = files.collect();
         let all = files.values().flat_map(BTreeMap::values).cloned().collect();
         ConstNames { files, all }
@@ -60,7 +62,11 @@ impl ConstNames {
     }
 }
 
-fn of_file(module: &Module, ids: &BTreeSet<ConstId>) -> BTreeMap<ConstId, String> {
+fn of_file(
+    module: &Module,
+    ids: &BTreeSet<ConstId>,
+    globals: &BTreeSet<String>,
+) -> BTreeMap<ConstId, String> {
     let item = |id: &ConstId| &module.consts[id.index()];
     let same = |a: &Const, b: &Const| a.ty == b.ty && a.words == b.words;
     let wanted = |id: &ConstId| {
@@ -70,7 +76,7 @@ fn of_file(module: &Module, ids: &BTreeSet<ConstId>) -> BTreeMap<ConstId, String
         let own = identifier(&item(id).name);
         let rival =
             |other: &ConstId| identifier(&item(other).name) == own && !same(item(id), item(other));
-        if ids.iter().any(rival) || is_reserved_globally(&own) {
+        if ids.iter().any(rival) || is_reserved_globally(&own) || globals.contains(&own) {
             screaming(&format!("{}_{own}", relative(&item(id).module).join("_")))
         } else {
             own
@@ -79,8 +85,11 @@ fn of_file(module: &Module, ids: &BTreeSet<ConstId>) -> BTreeMap<ConstId, String
     // Two modules may end alike, too; the one must not be taken for the other.
     let mut names: BTreeMap<ConstId, String> = BTreeMap::new();
     for id in ids {
-        let taken =
-            |name: &str| names.iter().any(|(before, n)| n == name && !same(item(before), item(id)));
+        let given = item(id).given.name.is_some();
+        let taken = |name: &str| {
+            !given && globals.contains(name)
+                || names.iter().any(|(before, n)| n == name && !same(item(before), item(id)))
+        };
         names.insert(*id, unique(&wanted(id), taken));
     }
     names

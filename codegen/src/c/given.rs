@@ -1,11 +1,12 @@
-//! The names that authors give in the C: one that is taken is refused, not changed.
+//! The names that authors give in the C: one that is taken is refused, not changed. So is one of the tool's own
+//! making that two things of the package would have.
 
 use std::collections::BTreeMap;
 
 use bessemer_ir::{ConstId, FunctionId, Given, Module, Span};
 
 use super::Options;
-use super::names::{Names, OVERLAY};
+use super::names::{Names, OVERLAY, Storage};
 use super::reserved::{is_keyword, is_reserved_for_locals, is_reserved_globally};
 
 /// What is wrong with a name that an author gave.
@@ -17,6 +18,9 @@ pub enum Taken {
     /// Something else of the package has it.
     #[error("two items would be `{0}` in the C")]
     Twice(String),
+    /// Two things of the package would have it, and no author gave it.
+    #[error("two items would be `{0}` in the C")]
+    Made(String),
 }
 
 /// The names that cannot be given, each with its place.
@@ -29,6 +33,8 @@ pub fn taken(module: &Module, options: &Options) -> Vec<(Span, Taken)> {
         let signature = names.signature(FunctionId(index as u32));
         if let Some(name) = &function.attributes.name {
             found.global(name, function.span);
+        } else if signature.storage != Storage::Static {
+            found.made(&signature.name, function.span);
         }
         for (local, param) in function.parameters().iter().zip(&signature.params) {
             if let Some(given) = function.attributes.parameter(&local.name) {
@@ -40,7 +46,17 @@ pub fn taken(module: &Module, options: &Options) -> Vec<(Span, Taken)> {
             found.local(&function.attributes.result, &output.name, function.span);
         }
     }
-    found.list
+    // Where an author gave the name, it is that which is told.
+    let (made, mut list): (Vec<_>, Vec<_>) =
+        found.list.into_iter().partition(|(_, it)| matches!(it, Taken::Made(_)));
+    let known = |name: &str| {
+        list.iter().any(|(_, taken)| matches!(taken, Taken::Twice(given) if given == name))
+    };
+    let alone = |(_, it): &(Span, Taken)| !matches!(it, Taken::Made(name) if known(name));
+    let alone: Vec<_> = made.into_iter().filter(alone).collect();
+    list.extend(alone);
+    list.dedup();
+    list
 }
 
 /// How many items want each name that is seen everywhere.
@@ -63,27 +79,35 @@ struct Found {
 impl Found {
     fn types(&mut self, module: &Module, names: &Names) {
         for (item, own) in module.structs.iter().zip(&names.structs) {
-            if let Some(name) = &item.given.name {
-                self.global(name, at(&item.given, item.span));
+            if item.given.name.is_none() {
+                self.made(&own.ty, item.span);
+            } else {
+                self.global(&own.ty, at(&item.given, item.span));
                 if let Some(init) = &own.init {
                     self.global(init, at(&item.given, item.span));
                 }
             }
             for (field, name) in item.fields.iter().zip(&own.fields) {
+                if field.given.name.is_none() {
+                    if own.fields.iter().filter(|it| *it == name).count() > 1 {
+                        self.list.push((item.span, Taken::Made(name.replace(OVERLAY, ""))));
+                    }
+                    continue;
+                }
                 let name = name.strip_prefix(OVERLAY).unwrap_or(name);
                 let twice = own.fields.iter().filter(|it| it.trim_start_matches(OVERLAY) == name);
-                if field.given.name.is_some() {
-                    self.inner(name, at(&field.given, item.span), twice.count() > 1);
-                }
+                self.inner(name, at(&field.given, item.span), twice.count() > 1);
             }
         }
-        for item in &module.enums {
-            if let Some(name) = &item.given.name {
-                self.global(name, at(&item.given, item.span));
+        for (item, own) in module.enums.iter().zip(&names.enums) {
+            match item.given.name.is_some() {
+                true => self.global(&own.ty, at(&item.given, item.span)),
+                false => self.made(&own.ty, item.span),
             }
-            for variant in &item.variants {
-                if let Some(name) = &variant.given.name {
-                    self.global(name, at(&variant.given, item.span));
+            for (variant, name) in item.variants.iter().zip(&own.variants) {
+                match variant.given.name.is_some() {
+                    true => self.global(name, at(&variant.given, item.span)),
+                    false => self.made(name, item.span),
                 }
             }
         }
@@ -101,11 +125,23 @@ impl Found {
         }
     }
 
+    /// Whether two things would have this name.
+    fn is_twice(&self, name: &str) -> bool {
+        self.wanted.get(name).is_some_and(|count| *count > 1)
+    }
+
+    /// A name that is seen everywhere, and that the tool made.
+    fn made(&mut self, name: &str, span: Span) {
+        if self.is_twice(name) {
+            self.list.push((span, Taken::Made(name.to_owned())));
+        }
+    }
+
     /// A name that is seen everywhere.
     fn global(&mut self, name: &str, span: Span) {
         if is_keyword(name) || is_reserved_globally(name) {
             self.list.push((span, Taken::Reserved(name.to_owned())));
-        } else if self.wanted.get(name).is_some_and(|count| *count > 1) {
+        } else if self.is_twice(name) {
             self.list.push((span, Taken::Twice(name.to_owned())));
         }
     }

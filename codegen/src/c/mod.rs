@@ -22,6 +22,7 @@ mod literal;
 mod lower;
 mod matrices;
 pub mod names;
+mod passing;
 mod print;
 mod report;
 mod reserved;

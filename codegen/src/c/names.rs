@@ -13,7 +13,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use bessemer_ir::{
-    ConstId, EnumId, Function, FunctionId, Given, Int, Mode, Module, Owner, Scalar, StructId, Type,
+    ConstId, EnumId, Function, FunctionId, Given, Int, Module, Owner, Scalar, StructId, Type,
 };
 
 use super::analysis::Faults;
@@ -144,8 +144,9 @@ impl Names {
             files: file_names(module),
         };
         names.name_types(module, options, faults);
-        names.name_functions(module, options, faults);
-        names.consts = ConstNames::new(module, &names.functions);
+        names.name_functions(module, options);
+        names.consts = ConstNames::new(module, &names.functions, &names.globals);
+        names.name_parameters(module, faults);
         names
     }
 
@@ -313,7 +314,7 @@ impl Names {
         }
     }
 
-    fn name_functions(&mut self, module: &Module, options: &Options, faults: &Faults) {
+    fn name_functions(&mut self, module: &Module, options: &Options) {
         let short: Vec<String> =
             module.functions.iter().map(|function| self.short_name(function, options)).collect();
         let mut wanted: BTreeMap<&str, u32> = BTreeMap::new();
@@ -356,10 +357,6 @@ impl Names {
         self.gather_globals(&chosen);
         for (index, function) in module.functions.iter().enumerate() {
             let id = FunctionId(index as u32);
-            // A kernel's text is written for its parameters' own names.
-            let kernel = function.kernel.is_some();
-            let taken = |name: &str| !kernel && self.is_global(name);
-            let (params, returned) = passing(function, faults.fallible(id), &taken);
             self.functions.push(Signature {
                 name: chosen[index].clone(),
                 storage: match function.role {
@@ -369,8 +366,8 @@ impl Names {
                     bessemer_ir::Role::Inline => Storage::Inline,
                     _ => Storage::Extern,
                 },
-                params,
-                returned,
+                params: Vec::new(),
+                returned: Returned::Nothing,
                 header: match &function.attributes.external {
                     Some(header) => header.clone(),
                     None => format!("{}.h", self.function_file(module, id)),
@@ -455,42 +452,6 @@ fn long_name(names: &Names, module: &Module, function: &Function, options: &Opti
     let name = format!("{}{path}_{owner}{}", options.prefix, identifier(&function.name));
     let taken = |name: &str| names.structs.iter().any(|item| item.init.as_deref() == Some(name));
     if taken(&name) { format!("{name}_fn") } else { name }
-}
-
-/// The parameters and what is returned.
-fn passing(
-    function: &Function,
-    fallible: bool,
-    taken: &dyn Fn(&str) -> bool,
-) -> (Vec<Param>, Returned) {
-    let mut params: Vec<Param> = Vec::new();
-    for local in function.parameters() {
-        let given = function.attributes.parameter(&local.name);
-        let given = given.and_then(|given| given.name.clone());
-        let wanted = given.unwrap_or_else(|| local_name(&local.name));
-        let name =
-            unique(&wanted, |name| taken(name) || params.iter().any(|param| param.name == name));
-        let passing = match (local.mode, local.ty.is_word()) {
-            (Mode::RefMut, _) => Passing::InOut,
-            (_, true) => Passing::Value,
-            (_, false) => Passing::Input,
-        };
-        params.push(Param { name, ty: local.ty.clone(), passing });
-    }
-    let result = &function.result;
-    if *result != Type::Unit && (fallible || result.is_aggregate()) {
-        let used = |name: &str| taken(name) || params.iter().any(|param| param.name == name);
-        let wanted = local_name(&function.result_name);
-        let unnamed = matches!(function.result_name.as_str(), "" | "_") || used(&wanted);
-        let name = unique(if unnamed { "result" } else { &wanted }, used);
-        params.push(Param { name, ty: result.clone(), passing: Passing::Output });
-    }
-    let returned = match (fallible, result.is_word()) {
-        (true, _) => Returned::Status,
-        (false, true) => Returned::Value(result.clone()),
-        (false, false) => Returned::Nothing,
-    };
-    (params, returned)
 }
 
 /// The last component that a function takes or gives.

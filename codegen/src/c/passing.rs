@@ -1,0 +1,60 @@
+//! What a function takes and gives in C: its parameters, their names, and what it returns.
+//!
+//! A parameter yields its name to whatever has a meaning of its own in a file: functions, types, variants
+//! and constants. So these are named first.
+
+use bessemer_ir::{Function, FunctionId, Mode, Module, Type};
+
+use super::analysis::Faults;
+use super::names::{Names, Param, Passing, Returned, local_name, unique};
+
+impl Names {
+    /// Names the parameters of every function.
+    pub(super) fn name_parameters(&mut self, module: &Module, faults: &Faults) {
+        for (index, function) in module.functions.iter().enumerate() {
+            // A kernel's text is written for its parameters' own names.
+            let kernel = function.kernel.is_some();
+            let taken = |name: &str| !kernel && self.is_global(name);
+            let fallible = faults.fallible(FunctionId(index as u32));
+            let (params, returned) = passing(function, fallible, &taken);
+            let signature = &mut self.functions[index];
+            (signature.params, signature.returned) = (params, returned);
+        }
+    }
+}
+
+/// The parameters and what is returned.
+fn passing(
+    function: &Function,
+    fallible: bool,
+    taken: &dyn Fn(&str) -> bool,
+) -> (Vec<Param>, Returned) {
+    let mut params: Vec<Param> = Vec::new();
+    for local in function.parameters() {
+        let given = function.attributes.parameter(&local.name);
+        let given = given.and_then(|given| given.name.clone());
+        let wanted = given.unwrap_or_else(|| local_name(&local.name));
+        let name =
+            unique(&wanted, |name| taken(name) || params.iter().any(|param| param.name == name));
+        let passing = match (local.mode, local.ty.is_word()) {
+            (Mode::RefMut, _) => Passing::InOut,
+            (_, true) => Passing::Value,
+            (_, false) => Passing::Input,
+        };
+        params.push(Param { name, ty: local.ty.clone(), passing });
+    }
+    let result = &function.result;
+    if *result != Type::Unit && (fallible || result.is_aggregate()) {
+        let used = |name: &str| taken(name) || params.iter().any(|param| param.name == name);
+        let wanted = local_name(&function.result_name);
+        let unnamed = matches!(function.result_name.as_str(), "" | "_") || used(&wanted);
+        let name = unique(if unnamed { "result" } else { &wanted }, used);
+        params.push(Param { name, ty: result.clone(), passing: Passing::Output });
+    }
+    let returned = match (fallible, result.is_word()) {
+        (true, _) => Returned::Status,
+        (false, true) => Returned::Value(result.clone()),
+        (false, false) => Returned::Nothing,
+    };
+    (params, returned)
+}
