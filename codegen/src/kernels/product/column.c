@@ -14,7 +14,7 @@ static inline void column_part(const $real *a, const $real *b, $real *result)
 $first_group#pragma GCC unroll $terms
     for (uint32_t k = TOGETHER; k + TOGETHER <= $inner; k += TOGETHER) {
         numbers = *(const words_t *)&b[k];
-$group    }
+$in_turn$group    }
 $last#pragma GCC unroll 16
     for (uint32_t down = 0U; down < DOWN; down++) {
         *(lanes_t *)&result[OFFSET(down)] = sums[down];

@@ -113,11 +113,20 @@ const ROLLED: u32 = 4;
 /// Up to so many terms a column's loop over them is unrolled.
 const COLUMN_UNROLLED: u32 = 20;
 
+/// From so many terms on, an unrolled column has so many sums, and compilers load so many rows ahead, that registers run out.
+const IN_TURN_FROM: u32 = 12;
+
+/// Hides that the address is the one of the terms before, so that no row is loaded before its term.
+const IN_TURN: &str = "\
+        /* Rows wait for their terms: loaded ahead, they would take registers from the sums. */
+        __asm__(\"\" : \"+r\"(a));
+";
+
 /// Up to so many numbers of the right factor the loop over the columns of a held left one is unrolled.
 const HELD_UNROLLED: u32 = 64;
 
 /// Vectors below one another in a part of a column, at most.
-const COLUMN_DOWN: u32 = 9;
+const COLUMN_DOWN: u32 = 10;
 
 /// What stands before the function, and its body; none if there are too few rows.
 pub(super) fn source(
@@ -238,6 +247,10 @@ fn values(element: Float, sizes: Sizes, shares: bool) -> Vec<(&'static str, Stri
         false => 1,
     };
     let terms = if sizes.inner <= COLUMN_UNROLLED { sizes.inner } else { 1 };
+    let in_turn = match (IN_TURN_FROM..=COLUMN_UNROLLED).contains(&sizes.inner) {
+        true => IN_TURN,
+        false => "",
+    };
     let mut values = numbers(element);
     values.extend([
         ("rows", format!("{}U", sizes.rows)),
@@ -254,6 +267,7 @@ fn values(element: Float, sizes: Sizes, shares: bool) -> Vec<(&'static str, Stri
         ("rolled", if sizes.inner > ROLLED { "#pragma GCC unroll 2\n" } else { "" }.to_owned()),
         ("unrolled", unrolled.to_string()),
         ("terms", terms.to_string()),
+        ("in_turn", in_turn.to_owned()),
         ("apart", format!("{}U", sizes.left.0)),
         ("bytes", bytes(element).to_string()),
         ("begin", if shares { "from * ACROSS" } else { "0U" }.to_owned()),
