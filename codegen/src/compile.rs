@@ -32,8 +32,8 @@ pub struct Compiled {
     pub checks: passes::Report,
     /// The kernels that the user's own functions stand for, and whose these are.
     pub replaced: Vec<(String, String)>,
-    /// The kernels that are made in the fast mode: their bits need not be the Rust's.
-    pub fast: Vec<String>,
+    /// The kernels that are made in the fast mode, whose bits need not be the Rust's, and the bounds of their errors.
+    pub fast: Vec<(String, String)>,
     /// Functions of the target's `math.h` that the C calls: there the bits need not be the Rust's.
     pub library: Vec<String>,
 }
@@ -88,10 +88,10 @@ fn replaced(module: &Module, options: &Options) -> Vec<(String, String)> {
     kernels.filter_map(replaced).collect()
 }
 
-fn fast(module: &Module, options: &Options) -> Vec<String> {
+fn fast(module: &Module, options: &Options) -> Vec<(String, String)> {
     let kernels = module.functions.iter().filter_map(|function| function.kernel.as_ref());
     let fast = |kernel: &&bessemer_ir::Kernel| kernels::is_fast(kernel, &options.kernels);
-    kernels.filter(fast).map(bessemer_ir::Kernel::name).collect()
+    kernels.filter(fast).map(|kernel| (kernel.name(), kernels::fast::bound(kernel))).collect()
 }
 
 /// Validation; what it finds is a fault of the tool, since the author's were found before.

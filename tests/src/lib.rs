@@ -7,6 +7,7 @@
 
 pub mod batch;
 pub mod edge_values;
+pub mod kernels;
 pub mod pilot;
 pub mod workspace;
 

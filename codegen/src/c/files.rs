@@ -20,6 +20,7 @@ use super::print::Printer;
 use super::shell::{Shell, frame};
 use super::tree::{Declarator, Head, Init, Item, Lines, Origin, Stmt, StmtKind, plain};
 use super::{CFile, Options, asked, init, literal, status, units};
+use crate::kernels;
 
 /// What one pair of files holds.
 #[derive(Default)]
@@ -326,8 +327,20 @@ impl Writer<'_> {
 
     fn prototype(&self, id: FunctionId, documented: bool) -> Item {
         let function = &self.context.module.functions[id.index()];
+        let docs = || {
+            let mut docs = units::of_function(function);
+            if let Some(kernel) = &function.kernel
+                && kernels::is_fast(kernel, &self.options.kernels)
+            {
+                docs.push(
+                    "In the fast mode the order is free; the error, element by element:".into(),
+                );
+                docs.push(format!("{}.", kernels::fast::bound(kernel)));
+            }
+            docs
+        };
         Item::Prototype {
-            docs: if documented { units::of_function(function) } else { Vec::new() },
+            docs: if documented { docs() } else { Vec::new() },
             head: self.context.names.head(self.context.names.signature(id)),
             origin: origin(function.span),
             function: rust_path(self.context, function),

@@ -54,7 +54,9 @@ impl Manifest {
             content["replaced"] = Value::Object(replaced.collect());
         }
         if !compiled.fast.is_empty() {
-            content["fast"] = json!(compiled.fast);
+            let fast = compiled.fast.iter();
+            let fast = fast.map(|(name, bound)| (name.clone(), json!(bound)));
+            content["fast"] = Value::Object(fast.collect());
         }
         if !compiled.library.is_empty() {
             content["target_math"] = json!(compiled.library);

@@ -47,11 +47,13 @@ pub fn table(compiled: &Compiled) -> String {
         );
     }
     if !compiled.fast.is_empty() {
-        let _ = writeln!(
-            text,
-            "\nIn the fast mode, so that their last bits need not be the Rust's: {}.",
-            compiled.fast.join(", ")
+        text.push_str(
+            "\nIn the fast mode, so that their last bits need not be the Rust's; their errors, element by element:\n",
         );
+        let width = compiled.fast.iter().map(|(kernel, _)| kernel.len()).max().unwrap_or_default();
+        for (kernel, bound) in &compiled.fast {
+            let _ = writeln!(text, "  {kernel:<width$}  {bound}");
+        }
     }
     text.push_str(&externals(compiled));
     if !compiled.library.is_empty() {

@@ -23,6 +23,7 @@
 //! Absent: IR, names, files; any knowledge of who calls.
 
 mod cholesky;
+pub mod fast;
 pub mod plain;
 mod product;
 pub mod replace;
@@ -74,12 +75,6 @@ pub enum Mode {
     /// Multiplications fuse with additions, and sums go in any order, where that is faster.
     Fast,
 }
-
-/// What stands in a kernel of the fast mode.
-const NOTE: &str = "\
-/* The fast mode: steps are fused and sums are split, where the target gains by it. The last bits may
-   differ from the Rust's. */
-";
 
 /// What a project can choose about all of its kernels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -205,7 +200,8 @@ fn declarations(buffers: &[Buffer]) -> String {
 
 /// Whether the bits of a kernel may differ from the Rust's, as it is made.
 pub fn is_fast(kernel: &Kernel, tuning: &Tuning) -> bool {
-    source(kernel, tuning) != source(kernel, &Tuning { mode: Mode::Exact, ..*tuning })
+    tuning.mode == Mode::Fast
+        && source(kernel, tuning) != source(kernel, &Tuning { mode: Mode::Exact, ..*tuning })
 }
 
 /// Bytes of the buffers that are locals of the kernel.

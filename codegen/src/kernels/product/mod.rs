@@ -14,7 +14,7 @@ use bessemer_ir::{Float, Kernel, KernelRoutine};
 
 use super::text::indented;
 use super::threads::Work;
-use super::{Mode, NOTE, Source, Tuning};
+use super::{Mode, Source, Tuning, fast};
 
 /// From this size on, in each dimension, threads are worth their start.
 const THREADED: u32 = 64;
@@ -80,7 +80,10 @@ pub(super) fn source(
     let (before, body) = match vectors::source(kernel.element, sizes, tuning.mode, shares) {
         None => plain,
         Some((before, body)) => {
-            let note = if tuning.mode == Mode::Fast { NOTE } else { "" };
+            let note = match tuning.mode {
+                Mode::Exact => String::new(),
+                Mode::Fast => fast::note(kernel),
+            };
             let (tiles, calls) = plain;
             (
                 format!("{note}{before}#else\n{tiles}\n#endif"),

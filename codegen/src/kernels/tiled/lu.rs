@@ -6,7 +6,7 @@ use super::lanes;
 use crate::kernels::rows as by_rows;
 use crate::kernels::text::{fill, indented, values};
 use crate::kernels::threads::{Own, Work};
-use crate::kernels::{Buffer, Mode, NOTE, Source, declarations};
+use crate::kernels::{Buffer, Mode, Source, declarations, fast};
 
 /// The smallest matrix that gains by tiles.
 pub const SMALLEST: u32 = 5;
@@ -230,8 +230,8 @@ fn assemble(
         "#define SIZE {size}U\n/* Rows in whole tiles. */\n#define ROWS {}U\n\n",
         rows(size)
     );
-    let note = if mode == Mode::Fast { NOTE } else { "" };
-    let mut before = note.to_owned() + &head + &lanes::text(kernel.element, room(kernel), mode);
+    let note = if mode == Mode::Fast { fast::note(kernel) } else { String::new() };
+    let mut before = note + &head + &lanes::text(kernel.element, room(kernel), mode);
     let subtract = match mode {
         Mode::Exact => SUBTRACT.to_owned(),
         Mode::Fast => {
