@@ -1,5 +1,5 @@
 //! The table of linear algebra: every routine, type and size gives the bits of nalgebra in the
-//! interpreter and in C (gcc and clang, -O0 and -O3, under sanitizers, and on the Cortex-A9; sizes
+//! interpreter and in C (gcc and clang, -O0 and -O3, under sanitizers, and on the Cortex-A9 with NEON and without; sizes
 //! between those at which kernels change in one of these, optimised), on random, graded, singular and tied matrices, and on ones with NaN, infinities and zeros in them.
 
 use std::collections::BTreeSet;
@@ -285,6 +285,11 @@ fn the_c_agrees() {
         {
             let cases = &cases;
             scope.spawn(move || run_c(compiled, cases, &toolchain, &sanitized));
+        }
+        // Loads of NEON, which tiles have forms of their own for.
+        for toolchain in toolchain::target().into_iter().filter(|it| it.level == 2) {
+            let cases = &cases;
+            scope.spawn(move || run_c(compiled, cases, &toolchain, &["-mfpu=neon-vfpv3"]));
         }
     });
 }

@@ -96,6 +96,42 @@ pub fn fused(
     )
 }
 
+/// The text without what stands under a macro that the kernel never defines.
+pub fn without(text: &str, name: &str) -> String {
+    let condition = format!("#if defined({name})");
+    let mut kept = String::new();
+    // Where a block of the macro is open: how deep, and whether its other branch has begun.
+    let (mut depth, mut other) = (0u32, false);
+    for line in text.lines() {
+        if depth == 0 {
+            if line == condition {
+                (depth, other) = (1, false);
+                continue;
+            }
+        } else if line.starts_with("#if") {
+            depth += 1;
+        } else if line == "#endif" {
+            depth -= 1;
+            if depth == 0 {
+                continue;
+            }
+        } else if depth == 1 && line == "#else" {
+            other = true;
+            continue;
+        } else if let (1, false, Some(rest)) = (depth, other, line.strip_prefix("#elif")) {
+            // What follows is a block of its own.
+            kept += &format!("#if{rest}\n");
+            depth = 0;
+            continue;
+        }
+        if depth == 0 || other {
+            kept += line;
+            kept.push('\n');
+        }
+    }
+    kept
+}
+
 /// Every line one level further in.
 pub fn indented(text: &str) -> String {
     text.lines()
@@ -105,11 +141,20 @@ pub fn indented(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::fill;
+    use super::{fill, without};
 
     #[test]
     fn names_are_replaced_whole() {
         let values = [("n", "6U".to_owned()), ("name", "x".to_owned())];
         assert_eq!(fill("a[$n + 1] = $name; $other", &values), "a[6U + 1] = x; $other");
+    }
+
+    #[test]
+    fn what_a_kernel_never_has_is_left_out() {
+        let text = "a\n#if defined(X)\nb\n#if defined(Y)\nc\n#else\nd\n#endif\n#else\n#if defined(Y)\ne\n#endif\n#endif\nf\n";
+        assert_eq!(without(text, "X"), "a\n#if defined(Y)\ne\n#endif\nf\n");
+        let text = "#if defined(X)\na\n#elif B == 4U\nb\n#else\nc\n#endif\n";
+        assert_eq!(without(text, "X"), "#if B == 4U\nb\n#else\nc\n#endif\n");
+        assert_eq!(without("#if defined(X)\na\n#endif\nb\n", "X"), "b\n");
     }
 }

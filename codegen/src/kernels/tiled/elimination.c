@@ -103,50 +103,82 @@ static inline void exchange_rows($real *a, $real *b)
 #endif
 }
 
+/* The first step of elimination in four columns of a tile: the first becomes multipliers, the others lose them times
+   the numbers of the row of the pivot. */
+static inline void eliminate_first($real *four, $real second, $real third, $real fourth, $real reciprocal)
+{
+#if defined(LOAD_MULTIPLE)
+    tile_t columns = load_tile(four);
+    columns.r0 = times_quad(columns.r0, reciprocal);
+    columns.r1 = minus(columns.r1, second, columns.r0);
+    columns.r2 = minus(columns.r2, third, columns.r0);
+    columns.r3 = minus(columns.r3, fourth, columns.r0);
+    store_tile(four, &columns);
+#else
+    const quad_lanes_t factor = times_quad(load_quad(four), reciprocal);
+    const quad_lanes_t second_rest = minus_quad(load_quad(&four[4]), second, factor);
+    const quad_lanes_t third_rest = minus_quad(load_quad(&four[8]), third, factor);
+    const quad_lanes_t fourth_rest = minus_quad(load_quad(&four[12]), fourth, factor);
+    store_quad(four, factor);
+    store_quad(&four[4], second_rest);
+    store_quad(&four[8], third_rest);
+    store_quad(&four[12], fourth_rest);
+#endif
+}
+
+/* The second step. */
+static inline void eliminate_second($real *four, $real third, $real fourth, $real reciprocal)
+{
+#if defined(LOAD_MULTIPLE)
+    tile_t columns = load_tile(four);
+    columns.r1 = times_quad(columns.r1, reciprocal);
+    columns.r2 = minus(columns.r2, third, columns.r1);
+    columns.r3 = minus(columns.r3, fourth, columns.r1);
+    store_tile(four, &columns);
+#else
+    const quad_lanes_t factor = times_quad(load_quad(&four[4]), reciprocal);
+    const quad_lanes_t third_rest = minus_quad(load_quad(&four[8]), third, factor);
+    const quad_lanes_t fourth_rest = minus_quad(load_quad(&four[12]), fourth, factor);
+    store_quad(&four[4], factor);
+    store_quad(&four[8], third_rest);
+    store_quad(&four[12], fourth_rest);
+#endif
+}
+
 /* A step of elimination in four columns, in the tiles below the one with the pivot: the pivot's column
    becomes multipliers, and the columns on its right lose them times the row of the pivot. */
 NOT_INLINE static void eliminate($real *tile, uint32_t tiles, uint32_t step_of_four, const $real *pivot_row,
     $real reciprocal)
 {
-    $real *four = &tile[4U * step_of_four];
+    const $real second = pivot_row[4];
+    const $real third = pivot_row[8];
+    const $real fourth = pivot_row[12];
     switch (step_of_four) {
     case 0:
         for (; tiles > 0U; tiles--) {
-            const quad_lanes_t factor = times_quad(load_quad(four), reciprocal);
-            const quad_lanes_t second = minus_quad(load_quad(&four[4]), pivot_row[4], factor);
-            const quad_lanes_t third = minus_quad(load_quad(&four[8]), pivot_row[8], factor);
-            const quad_lanes_t fourth = minus_quad(load_quad(&four[12]), pivot_row[12], factor);
-            store_quad(four, factor);
-            store_quad(&four[4], second);
-            store_quad(&four[8], third);
-            store_quad(&four[12], fourth);
-            four += TILE;
+            eliminate_first(tile, second, third, fourth, reciprocal);
+            tile += TILE;
         }
         break;
     case 1:
         for (; tiles > 0U; tiles--) {
-            const quad_lanes_t factor = times_quad(load_quad(four), reciprocal);
-            const quad_lanes_t third = minus_quad(load_quad(&four[4]), pivot_row[8], factor);
-            const quad_lanes_t fourth = minus_quad(load_quad(&four[8]), pivot_row[12], factor);
-            store_quad(four, factor);
-            store_quad(&four[4], third);
-            store_quad(&four[8], fourth);
-            four += TILE;
+            eliminate_second(tile, third, fourth, reciprocal);
+            tile += TILE;
         }
         break;
     case 2:
         for (; tiles > 0U; tiles--) {
-            const quad_lanes_t factor = times_quad(load_quad(four), reciprocal);
-            const quad_lanes_t fourth = minus_quad(load_quad(&four[4]), pivot_row[12], factor);
-            store_quad(four, factor);
-            store_quad(&four[4], fourth);
-            four += TILE;
+            const quad_lanes_t factor = times_quad(load_quad(&tile[8]), reciprocal);
+            const quad_lanes_t rest = minus_quad(load_quad(&tile[12]), fourth, factor);
+            store_quad(&tile[8], factor);
+            store_quad(&tile[12], rest);
+            tile += TILE;
         }
         break;
     default:
         for (; tiles > 0U; tiles--) {
-            store_quad(four, times_quad(load_quad(four), reciprocal));
-            four += TILE;
+            store_quad(&tile[12], times_quad(load_quad(&tile[12]), reciprocal));
+            tile += TILE;
         }
         break;
     }
@@ -173,7 +205,7 @@ NOT_INLINE static bool factor_four($real *tiles, $real *panel, uint32_t first, u
     const uint32_t lane = (first + BEFORE) % WIDTH;
     $real *const columns = &tiles[place(0U, first)];
     for (uint32_t row = 0U; row < ROWS; row += 4U) {
-        transpose(&panel[WIDTH * row + lane], WIDTH, &columns[WIDTH * row], 4U);
+        to_columns(&panel[WIDTH * row + lane], &columns[WIDTH * row]);
     }
     $real *const top = &columns[WIDTH * first];
     for (uint32_t k = 0U; k < 4U && first + k < SIZE; k++) {

@@ -4,7 +4,7 @@ use bessemer_ir::{Float, Int, Kernel, KernelRoutine, Scalar};
 
 use super::lanes;
 use crate::kernels::rows as by_rows;
-use crate::kernels::text::{fill, indented, values};
+use crate::kernels::text::{fill, indented, values, without};
 use crate::kernels::threads::{Own, Work};
 use crate::kernels::{Buffer, Mode, Source, declarations, fast};
 
@@ -63,14 +63,14 @@ const GIVE_COLUMNS: [&str; 2] =
 
 const FILL: &str = "\
     for (uint32_t row = 0U; row < ROWS; row += 4U) {
-        transpose(&columns[row], SIZE, &four[WIDTH * row], WIDTH);
+        to_rows(&columns[row], &four[WIDTH * row]);
     }
 ";
 
 const FILL_EDGES: &str = "\
     uint32_t row = 0U;
     for (; row + 4U <= SIZE && first + 4U <= SIZE; row += 4U) {
-        transpose(&columns[row], SIZE, &four[WIDTH * row], WIDTH);
+        to_rows(&columns[row], &four[WIDTH * row]);
     }
     for (; row < ROWS; row++) {
         for (uint32_t lane = 0U; lane < 4U; lane++) {
@@ -238,14 +238,32 @@ fn assemble(
             format!("#if defined(SPLIT)\n{SUBTRACT_FAST}#else\n{SUBTRACT}#endif\n")
         }
     };
-    for part in [TILE, &subtract, ELIMINATION].iter().chain(rest) {
+    let tile = registers(TILE, kernel.element);
+    for part in [&tile, &subtract, ELIMINATION].iter().chain(rest) {
         before += "\n";
         before += &twice(part);
     }
     let buffers = buffers(kernel, size, kernel.routine == KernelRoutine::Inverse);
     let body = twice(&(declarations(&buffers) + body)).replace("\n\n", "\n");
+    // What ARM loads many numbers with differs between the types.
+    let before = match kernel.element {
+        Float::F64 => without(&before, "SINGLES"),
+        Float::F32 => without(&before, "WORDS"),
+    };
     let before = before.trim_end().to_owned();
     Source { before, body, math: true, string: true, ..Source::default() }
+}
+
+/// The template with the registers of a tile, `$r0_` to `$r15_`: such as a function need not keep for its caller.
+fn registers(template: &str, element: Float) -> String {
+    let (bank, first, constraint) = match element {
+        Float::F64 => ("d", 16, "w"),
+        Float::F32 => ("s", 0, "t"),
+    };
+    let text = template.replace("$w", constraint);
+    (0..16).fold(text, |text, number| {
+        text.replace(&format!("$r{number}_"), &format!("{bank}{}", first + number))
+    })
 }
 
 fn all_values(kernel: &Kernel, size: u32, sides: u32) -> Vec<(&'static str, String)> {

@@ -8,6 +8,42 @@ static inline void take(four_t *four, const $real *column, $real number)
     four->d -= factor.d * number;
 }
 
+/* Takes four columns times four numbers, the first first. */
+static inline void take_four(four_t *four, const $real *columns, const $real *numbers)
+{
+#if defined(LOAD_MULTIPLE)
+    const tile_t tile = load_tile(columns);
+    const four_t number = load_four(numbers);
+    *four = minus(*four, number.a, tile.r0);
+    *four = minus(*four, number.b, tile.r1);
+    *four = minus(*four, number.c, tile.r2);
+    *four = minus(*four, number.d, tile.r3);
+#else
+    take(four, columns, numbers[0]);
+    take(four, &columns[4], numbers[1]);
+    take(four, &columns[8], numbers[2]);
+    take(four, &columns[12], numbers[3]);
+#endif
+}
+
+/* The same, the last first. */
+static inline void take_four_backwards(four_t *four, const $real *columns, const $real *numbers)
+{
+#if defined(LOAD_MULTIPLE)
+    const tile_t tile = load_tile(columns);
+    const four_t number = load_four(numbers);
+    *four = minus(*four, number.d, tile.r3);
+    *four = minus(*four, number.c, tile.r2);
+    *four = minus(*four, number.b, tile.r1);
+    *four = minus(*four, number.a, tile.r0);
+#else
+    take(four, &columns[12], numbers[3]);
+    take(four, &columns[8], numbers[2]);
+    take(four, &columns[4], numbers[1]);
+    take(four, columns, numbers[0]);
+#endif
+}
+
 static inline void store_four($real *to, four_t four)
 {
     to[0] = four.a;
@@ -24,10 +60,7 @@ NOT_INLINE static void forward(const $real *tiles, $real *x)
         four_t four = {x[row], x[row + 1U], x[row + 2U], x[row + 3U]};
         uint32_t until_next = (WIDTH - BEFORE) / 4U;
         for (uint32_t known = 0U; known < row; known += 4U) {
-            take(&four, column, x[known]);
-            take(&four, &column[4], x[known + 1U]);
-            take(&four, &column[8], x[known + 2U]);
-            take(&four, &column[12], x[known + 3U]);
+            take_four(&four, column, &x[known]);
             column += 16;
             until_next--;
             if (WIDTH == 4U || until_next == 0U) {
@@ -54,10 +87,7 @@ NOT_INLINE static void backward(const $real *tiles, $real *x)
         four_t four = {x[row], x[row + 1U], x[row + 2U], x[row + 3U]};
         uint32_t until_next = WIDTH / 4U;
         for (uint32_t known = ROWS - 4U; known > row; known -= 4U) {
-            take(&four, &column[12], x[known + 3U]);
-            take(&four, &column[8], x[known + 2U]);
-            take(&four, &column[4], x[known + 1U]);
-            take(&four, &column[0], x[known]);
+            take_four_backwards(&four, column, &x[known]);
             column -= 16;
             until_next--;
             if (WIDTH == 4U || until_next == 0U) {

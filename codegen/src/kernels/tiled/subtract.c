@@ -1,4 +1,14 @@
 /* Four columns, one after another; then the way on to the next four. */
+#if defined(SINGLES)
+static inline void four_steps(tile_t *tile, const $real **columns, const $real **rows, size_t on)
+{
+    step_on(tile, columns, rows);
+    step_on(tile, columns, rows);
+    step_on(tile, columns, rows);
+    step_on(tile, columns, rows);
+    *columns += on - 4U;
+}
+#else
 static inline void four_steps(tile_t *tile, const $real **columns, const $real **rows, size_t on)
 {
     const $real *column = *columns;
@@ -26,6 +36,7 @@ static inline void four_steps(tile_t *tile, const $real **columns, const $real *
     *columns = column;
     *rows = row;
 }
+#endif
 
 /* Takes columns of the tiles on the left, times rows of the panel, from a tile: four columns at a time,
    and so many fours until the next panel. Then, if there is a triangle, solves by it within the tile. */
@@ -33,7 +44,7 @@ NOT_INLINE static void subtract($real *to, const $real *from, const $real *colum
     uint32_t fours, uint32_t until_next, const $real *triangle)
 {
     tile_t tile = load_tile(from);
-#if defined(WORDS)
+#if defined(LOAD_MULTIPLE)
     /* A distance in a register: loads step by it. */
     (void)until_next;
     size_t on = PANEL - TILE + 4U;
