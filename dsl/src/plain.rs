@@ -118,6 +118,19 @@ impl Plain for () {
     fn load(_: &mut dyn FnMut() -> u64) -> Self {}
 }
 
+/// Nothing but that a number does not fit.
+#[diagnostic::do_not_recommend]
+impl Plain for core::num::TryFromIntError {
+    const WORDS: usize = 0;
+    fn store(&self, _: &mut dyn FnMut(u64)) {}
+    fn load(_: &mut dyn FnMut() -> u64) -> Self {
+        match u8::try_from(-1_i8) {
+            Err(error) => error,
+            Ok(_) => unreachable!("-1 is no `u8`"),
+        }
+    }
+}
+
 macro_rules! tuples {
     ($($($ty:ident $index:tt),*;)*) => {$(
         #[diagnostic::do_not_recommend]

@@ -101,6 +101,7 @@ impl Lowering<'_, '_> {
         }
         match (name, arguments) {
             ("real", [argument]) => return self.real(argument, Some(Type::F64), expr),
+            ("try_from", [argument]) => return self.if_it_fits(argument, expr),
             ("owned", [argument]) => return self.value(argument, None),
             ("as_f64", [argument]) => return self.real(argument, None, expr),
             ("matrix_rows" | "matrix_cols" | "matrix_elements", [matrix]) => {

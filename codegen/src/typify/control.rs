@@ -112,16 +112,18 @@ impl Lowering<'_, '_> {
         let from = self.case(id, left).and_then(|(_, case)| case.field);
         let payload =
             from.map(|field| super::pattern::load(&self.part(&place, id, field as usize)));
-        let wanted = case
-            .field
-            .map(|field| &self.cx.module.structs[result.index()].fields[field as usize].ty);
-        if payload.as_ref().map(|payload| &payload.ty) != wanted {
-            return problem(
-                site,
-                "`?` does not convert errors in the DSL",
-                "return the same error type, or `match` and convert",
-            );
-        }
+        let field = |field| &self.cx.module.structs[result.index()].fields[field as usize];
+        let payload = match (payload, case.field.map(field).map(|field| field.ty.clone())) {
+            (Some(payload), Some(wanted)) => Some(self.converted(payload, &wanted, site)?),
+            (None, None) => None,
+            _ => {
+                return problem(
+                    site,
+                    "`?` makes no error of nothing in the DSL",
+                    "write `.map_err(|_| …)?`",
+                );
+            }
+        };
         let condition = negated(self.tag_is(&place, id, taken.0));
         let leave = self.choice(result, word, payload, site)?;
         let kind = StmtKind::Return(Some(leave));

@@ -23,13 +23,22 @@ impl Lowering<'_, '_> {
     /// `left == right` of two values of one type.
     pub(super) fn equality(&mut self, left: Expr, right: Expr, site: Site) -> Result<Expr> {
         let span = self.span(site);
+        if left.ty.is_word()
+            && let Some(equal) = self.own_equality(&left, &right, site)?
+        {
+            return Ok(equal);
+        }
         let mut left = self.hold(left, site)?;
         let mut right = self.hold(right, site)?;
         for place in [&mut left, &mut right] {
             self.keep_indices(place, |index| !is_literal(index));
         }
         match left.ty {
-            Type::Struct(id) if self.is_flat(id) => self.equal_parts(id, &left, &right, site, span),
+            Type::Struct(id)
+                if self.is_flat(id) && !self.cx.own_equalities.contains_key(&left.ty) =>
+            {
+                self.equal_parts(id, &left, &right, site, span)
+            }
             _ => self.equal(&left, &right, site, span),
         }
     }
@@ -48,6 +57,10 @@ impl Lowering<'_, '_> {
         site: Site,
         span: Span,
     ) -> Result<Expr> {
+        if let Some(equal) = self.own_equality(&load(left), &load(right), site)? {
+            return Ok(equal);
+        }
+        self.check_equality(&left.ty, site)?;
         match &left.ty {
             Type::Unit | Type::Slice(_) => Ok(truth(1, span)),
             Type::Scalar(_) | Type::Enum(_) => {
@@ -140,6 +153,23 @@ impl Lowering<'_, '_> {
         name.to_owned()
     }
 
+    /// Refuses `==` of a type whose author did not say, where the DSL sees it, what it is.
+    fn check_equality(&self, ty: &Type, site: Site) -> Result<()> {
+        if !self.cx.unequal.contains(ty) {
+            return Ok(());
+        }
+        let name = match ty {
+            Type::Struct(id) => &self.cx.module.structs[id.index()].name,
+            Type::Enum(id) => &self.cx.module.enums[id.index()].name,
+            _ => return Ok(()),
+        };
+        problem(
+            site,
+            format!("`{name}` does not derive `PartialEq` where the DSL sees it"),
+            "write `#[derive(PartialEq)]` below `#[data]`, mark the `impl` block of your own `#[data]`, or compare the parts",
+        )
+    }
+
     fn equal_parts(
         &mut self,
         id: StructId,
@@ -148,14 +178,8 @@ impl Lowering<'_, '_> {
         site: Site,
         span: Span,
     ) -> Result<Expr> {
+        self.check_equality(&left.ty, site)?;
         let definition = &self.cx.module.structs[id.index()];
-        if self.cx.unequal.contains(&id) {
-            return problem(
-                site,
-                format!("`{}` does not derive `PartialEq` where the DSL sees it", definition.name),
-                "write `#[derive(PartialEq)]` below `#[data]`, or compare the fields",
-            );
-        }
         if self.cx.quaternions.get(&id) == Some(&true) {
             return Ok(self.same_rotation(id, left, right, span));
         }

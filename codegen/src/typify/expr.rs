@@ -2,8 +2,8 @@
 
 use bessemer_ir::tree::{self, BinaryOp as Op, Site};
 use bessemer_ir::{
-    BinaryOp, CompareOp, Expr, ExprKind, FunctionId, Int, LogicOp, Place, Routine, Scalar, Stmt,
-    StmtKind, Type, UnaryOp,
+    BinaryOp, CompareOp, Expr, ExprKind, Int, LogicOp, Place, Routine, Scalar, Stmt, StmtKind,
+    Type, UnaryOp,
 };
 
 use super::function::{Lowering, Target, control_with_value};
@@ -308,7 +308,11 @@ impl Lowering<'_, '_> {
                 let remedy = if numbers { OUR_FAULT } else { "convert one of them" };
                 return problem(site, "values of two types are not compared", remedy);
             }
-            if !left_ty.is_word() {
+            // A word too, where its author says what `==` is.
+            let own = matches!(op, CompareOp::Eq | CompareOp::Ne)
+                && (self.cx.own_equalities.contains_key(&left_ty)
+                    || self.cx.unequal.contains(&left_ty));
+            if !left_ty.is_word() || own {
                 let equal = match op {
                     CompareOp::Eq | CompareOp::Ne => self.equality(left, right, site)?,
                     _ => return problem(site, "this has no order in the DSL", "compare parts"),
@@ -504,17 +508,8 @@ impl Lowering<'_, '_> {
                 if let Some(value) = self.shorter(path, arguments, expr)? {
                     return Ok(value);
                 }
-                if let Some(function) = self.cx.uncalled.remove(path.as_str()) {
-                    let lowered = super::function::lower(self.cx, function)?;
-                    let id = FunctionId(self.cx.module.functions.len() as u32);
-                    self.cx.module.functions.push(lowered);
-                    self.cx.functions.insert(path.clone(), id);
-                }
-                match self.cx.functions.get(path) {
-                    Some(id) => self.call_function(*id, arguments, expr),
-                    // It was refused, and that was told.
-                    None => problem(expr.site, "", ""),
-                }
+                let id = self.function_at(path, expr.site)?;
+                self.call_function(id, arguments, expr)
             }
         }
     }

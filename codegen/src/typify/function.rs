@@ -210,6 +210,13 @@ impl Lowering<'_, '_> {
                 _ => Mode::Value,
             };
             let ty = self.cx.pointee(ty, param.site)?;
+            if ty == Type::Unit {
+                return problem(
+                    param.site,
+                    "this parameter holds nothing, and C passes nothing of the kind",
+                    "leave it out; an error that says no more becomes one by `.map_err(|_| …)`",
+                );
+            }
             let span = self.span(param.site);
             self.declare(&param.name, ty, mode, span);
         }

@@ -26,12 +26,14 @@ mod function;
 mod gather;
 mod generic;
 mod handed;
+mod implied;
 mod kernels;
 mod lent;
 mod list;
 mod literal;
 mod loops;
 mod names;
+mod narrow;
 mod numbers;
 mod option;
 mod order;
@@ -87,16 +89,15 @@ pub fn typify(
     sources: &Sources,
     by_columns: bool,
 ) -> Result<(Module, Typed), Vec<Diagnostic>> {
-    let mut errors: Vec<Diagnostic> = package.errors.iter().map(refusal).collect();
     let mut cx = Context { by_columns, ..Context::new(package, sources) };
     for definition in &package.types {
         if let Err(problem) = cx.define(definition) {
-            errors.push(diagnostic(&definition.file, problem));
+            cx.told.push(diagnostic(&definition.file, problem));
         }
     }
     for (index, table) in package.tables.iter().enumerate() {
         if let Err(problem) = said_twice(table, &package.tables[..index]) {
-            errors.push(diagnostic(&table.file, problem));
+            cx.told.push(diagnostic(&table.file, problem));
         }
     }
     let (templates, functions): (Vec<_>, Vec<_>) = package
@@ -104,22 +105,13 @@ pub fn typify(
         .iter()
         .partition(|function| function.tree.params.iter().any(|param| param.closure));
     cx.templates = templates.into_iter().map(|it| (it.path.as_str(), it)).collect();
+    cx.note_implied(&package.implied);
+    cx.waiting = functions.iter().map(|it| (it.path.as_str(), *it)).collect();
     // Of other crates comes what is called, when it is called.
-    let (own, other): (Vec<_>, Vec<_>) =
-        functions.into_iter().partition(|function| is_own(package, function));
-    cx.uncalled = other.into_iter().map(|function| (function.path.as_str(), function)).collect();
-    for function in own {
-        match function::lower(&mut cx, function) {
-            Ok(lowered) => {
-                let id = FunctionId(cx.module.functions.len() as u32);
-                cx.module.functions.push(lowered);
-                cx.functions.insert(function.path.clone(), id);
-            }
-            // What calls a function that was refused is refused silently.
-            Err(problem) if problem.message.is_empty() => {}
-            Err(problem) => errors.push(diagnostic(&function.file, problem)),
-        }
+    for function in functions.into_iter().filter(|function| is_own(package, function)) {
+        cx.function(&function.path);
     }
+    let mut errors = std::mem::take(&mut cx.told);
     errors.sort_by(|one, other| {
         (&one.file, one.line, one.column).cmp(&(&other.file, other.line, other.column))
     });
@@ -210,8 +202,12 @@ struct Context<'a> {
     homes: HashMap<bessemer_ir::Type, generic::Home>,
     /// The functions that compare values of structs.
     equalities: HashMap<StructId, FunctionId>,
-    /// The structs that do not derive `PartialEq`.
-    unequal: HashSet<StructId>,
+    /// The types that do not derive `PartialEq`.
+    unequal: HashSet<bessemer_ir::Type>,
+    /// The functions that authors wrote for `==` of their types.
+    own_equalities: HashMap<bessemer_ir::Type, &'a str>,
+    /// The conversions between authors' types.
+    conversions: Vec<&'a tree::Implied>,
     /// The enums that derive `PartialOrd`.
     ordered: HashSet<EnumId>,
     /// The instances of `BoundedMatrix`.
@@ -221,8 +217,14 @@ struct Context<'a> {
     functions: HashMap<String, FunctionId>,
     /// The functions that take closures: each call has a copy of its own.
     templates: HashMap<&'a str, &'a tree::Function>,
-    /// Functions of other crates that nothing has called so far.
-    uncalled: HashMap<&'a str, &'a tree::Function>,
+    /// Functions that are still to be made.
+    waiting: HashMap<&'a str, &'a tree::Function>,
+    /// Functions that are being made, each for the one before.
+    underway: Vec<&'a str>,
+    /// What is wrong so far.
+    told: Vec<Diagnostic>,
+    /// Whether the builder found something wrong.
+    refused: bool,
 }
 
 impl<'a> Context<'a> {
@@ -250,12 +252,17 @@ impl<'a> Context<'a> {
             homes: HashMap::new(),
             equalities: HashMap::new(),
             unequal: HashSet::new(),
+            own_equalities: HashMap::new(),
+            conversions: Vec::new(),
             ordered: HashSet::new(),
             bounded: HashSet::new(),
             quaternions: HashMap::new(),
             functions: HashMap::new(),
             templates: HashMap::new(),
-            uncalled: HashMap::new(),
+            waiting: HashMap::new(),
+            underway: Vec::new(),
+            told: package.errors.iter().map(refusal).collect(),
+            refused: !package.errors.is_empty(),
         }
     }
 

@@ -84,8 +84,8 @@ impl<'a> Context<'a> {
         {
             self.quaternions.insert(*id, unit);
         }
-        if let (Type::Struct(id), false) = (&ty, definition.equal) {
-            self.unequal.insert(*id);
+        if !definition.equal {
+            self.unequal.insert(ty.clone());
         }
         if let (Type::Enum(id), true) = (&ty, definition.ordered) {
             self.ordered.insert(*id);

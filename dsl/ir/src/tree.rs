@@ -38,8 +38,25 @@ pub struct Package {
     /// The constants and tables of which their author says more than their value.
     #[serde(default)]
     pub tables: Vec<Table>,
+    /// Functions that no call names: the types that they take say where they are called.
+    #[serde(default)]
+    pub implied: Vec<Implied>,
     /// What the builder itself had to refuse.
     pub errors: Vec<Refusal>,
+}
+
+/// An implementation of a trait that something else than its name calls: `PartialEq` by `==`, also of what the type
+/// is part of; `From` by `?`.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Implied {
+    /// The name of the trait.
+    pub of: String,
+    /// The type that it is implemented for.
+    pub owner: Ty,
+    /// What it is compared with, or made from.
+    pub other: Ty,
+    /// The path of the function.
+    pub function: String,
 }
 
 /// Line and column in a file, both from 1.

@@ -2,7 +2,8 @@
 //!
 //! The trait is Rust's own and has no room for a builder, so that stands beside the type's methods. Which
 //! function an operator is, the builder of the caller finds by the types of the operands, in a registry; a conversion
-//! has a companion, since rustc resolves it by its argument.
+//! has a companion, since rustc resolves it by its argument. `==`, and the conversion that `?` makes, are looked up by
+//! type when all is built.
 
 use proc_macro2::{Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
@@ -20,7 +21,7 @@ use crate::redirect;
 /// A trait whose implementations are called by something else than their name.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Known {
-    /// `a + b`, `a += b`, `-a`.
+    /// `a + b`, `a += b`, `-a`, `a == b`.
     Operator,
     /// `From`, `TryFrom`.
     Conversion,
@@ -30,7 +31,7 @@ pub enum Known {
 pub fn known(path: &syn::Path) -> Option<Known> {
     match last(path).as_str() {
         "Add" | "Sub" | "Mul" | "Div" | "Neg" | "AddAssign" | "SubAssign" | "MulAssign"
-        | "DivAssign" => Some(Known::Operator),
+        | "DivAssign" | "PartialEq" => Some(Known::Operator),
         "From" | "TryFrom" => Some(Known::Conversion),
         _ => None,
     }
@@ -52,6 +53,9 @@ pub fn implementation(
         refusals.add(it.generics.span(), refuse::GENERIC_OPERATOR);
     }
     let other = argument(&path).unwrap_or_else(|| (*it.self_ty).clone());
+    if last(&path) == "PartialEq" {
+        check_equality(&it, &other, refusals);
+    }
     for ty in [&*it.self_ty, &other] {
         if matches!(ty, syn::Type::Reference(_)) {
             refusals.add(ty.span(), refuse::BORROWED_OPERAND);
@@ -92,12 +96,28 @@ pub fn implementation(
     (it.into_token_stream(), beside)
 }
 
-/// The other operand, or what is converted: the argument of the trait.
+/// `==` compares values of one type, and `!=` is its opposite.
+fn check_equality(it: &syn::ItemImpl, other: &syn::Type, refusals: &mut Refusals) {
+    let text = |ty: &syn::Type| ty.to_token_stream().to_string();
+    if text(other) != text(&it.self_ty) {
+        refusals.add(other.span(), refuse::TWO_TYPES_EQUAL);
+    }
+    for item in &it.items {
+        if let syn::ImplItem::Fn(method) = item
+            && method.sig.ident == "ne"
+        {
+            refusals.add(method.sig.ident.span(), refuse::OWN_UNEQUAL);
+        }
+    }
+}
+
+/// The other operand, or what is converted: the argument of the trait, if that is not the type itself.
 fn argument(path: &syn::Path) -> Option<syn::Type> {
     let syn::PathArguments::AngleBracketed(list) = &path.segments.last()?.arguments else {
         return None;
     };
     list.args.iter().find_map(|argument| match argument {
+        syn::GenericArgument::Type(syn::Type::Path(ty)) if ty.path.is_ident("Self") => None,
         syn::GenericArgument::Type(ty) => Some(ty.clone()),
         _ => None,
     })
@@ -148,19 +168,7 @@ impl Beside<'_> {
         let build = format_ident!("__{of}_{letters}", span = Span::call_site());
         builder.sig.ident = build.clone();
         let lower::Site(line, column) = lower::site(&method.sig.ident);
-        let found = match known {
-            Known::Operator => quote! {
-                ::bessemer::generate::register! {
-                    ::bessemer::generate::OwnOperator::new(
-                        #of,
-                        <#owner as ::bessemer::generate::DslType>::ty,
-                        <#other as ::bessemer::generate::DslType>::ty,
-                        <#owner>::#build,
-                    )
-                }
-            },
-            Known::Conversion => self.companion(&of, &build, named),
-        };
+        let companion = (known == Known::Conversion).then(|| self.companion(&of, &build, named));
         Some(quote! {
             const _: () = {
                 impl #owner {
@@ -171,7 +179,15 @@ impl Beside<'_> {
                         <#owner>::#build(cx);
                     })
                 }
-                #found
+                ::bessemer::generate::register! {
+                    ::bessemer::generate::OwnOperator::new(
+                        #of,
+                        <#owner as ::bessemer::generate::DslType>::ty,
+                        <#other as ::bessemer::generate::DslType>::ty,
+                        <#owner>::#build,
+                    )
+                }
+                #companion
             };
         })
     }

@@ -241,10 +241,19 @@ pub fn package(name: &str, license: &str) -> String {
             (item.build)(&mut builder);
         }
     }
+    builder.package.implied = operators::implied(&mut builder);
     serde_json::to_string(&builder.package).unwrap_or_default()
 }
 
 impl Builder {
+    /// Whether the package has a type; those without a name are everywhere.
+    pub(super) fn knows(&self, ty: &Ty) -> bool {
+        match ty {
+            Ty::Named(path) => self.known.contains(path),
+            _ => true,
+        }
+    }
+
     /// A struct or an enum, and whether it derives `==` and `<`; `kind` is asked once.
     pub fn definition(
         &mut self,

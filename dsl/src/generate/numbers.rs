@@ -1,11 +1,12 @@
 //! The companions of the methods of numbers, beyond those of [`builtin`](super::builtin).
 
 use alloc::borrow::ToOwned;
+use core::num::TryFromIntError;
 
-use bessemer_ir::tree;
+use bessemer_ir::tree::{self, Ty};
 
 use super::builtin::markers;
-use super::{Builder, Called, Callee};
+use super::{Builder, Called, Callee, DslType, Seen};
 use crate::math::integer;
 
 markers! {
@@ -55,6 +56,7 @@ markers! {
     FromLeBytes: "from_le_bytes";
     FromBeBytes: "from_be_bytes";
     From: "from";
+    TryFrom: "try_from";
 }
 
 /// Methods of integers.
@@ -257,7 +259,7 @@ pub trait IntoBuiltin<U: FromBuiltin<Self>>: Sized {
 
 impl<T, U: FromBuiltin<T>> IntoBuiltin<U> for T {}
 
-/// Conversions of authors' own types that may fail.
+/// Conversions that may fail: of integers, and those of authors' own types.
 #[allow(missing_docs)]
 pub trait TryFromBuiltin<T>: Sized {
     /// Which function it is.
@@ -349,4 +351,35 @@ conversions! {
     usize: bool u8 u16 usize;
     f32: i8 i16 u8 u16 f32;
     f64: i8 i16 i32 u8 u16 u32 f32 f64;
+}
+
+macro_rules! narrowings {
+    ($($to:ident: $($from:ident)*;)*) => { $($(impl TryFromBuiltin<$from> for $to {
+        type Marker = TryFrom;
+        type Error = TryFromIntError;
+    })*)* };
+}
+
+narrowings! {
+    i8: i16 i32 i64 isize u8 u16 u32 u64 usize;
+    i16: i32 i64 isize u16 u32 u64 usize;
+    i32: i64 isize u32 u64 usize;
+    i64: isize u64 usize;
+    isize: i32 i64 u16 u32 u64 usize;
+    u8: i8 i16 i32 i64 isize u16 u32 u64 usize;
+    u16: i8 i16 i32 i64 isize u32 u64 usize;
+    u32: i8 i16 i32 i64 isize u64 usize;
+    u64: i8 i16 i32 i64 isize usize;
+    usize: i8 i16 i32 i64 isize u32 u64;
+}
+
+/// That a number does not fit says nothing more: in the C it takes no room.
+impl DslType for TryFromIntError {
+    fn ty(_: &mut Builder) -> Ty {
+        Ty::Unit
+    }
+}
+
+impl Seen for TryFromIntError {
+    type Slot = TryFromIntError;
 }

@@ -4,13 +4,18 @@
 //! The types of the operands decide, as rustc put them into slots. Own operators announce themselves through a link-time
 //! registry, by the trait and the types that they take.
 
+use alloc::format;
+use alloc::string::String;
 use alloc::vec::Vec;
 
-use bessemer_ir::tree::{self, BinaryOp, Ty};
+use bessemer_ir::tree::{self, BinaryOp, Callee, Implied, Ty};
 
 use super::{Builder, spatial};
 
-/// An implementation of an operator that its author marked.
+/// The traits that are called by no name and no operator of one's own.
+const IMPLIED: [&str; 2] = ["PartialEq", "From"];
+
+/// An implementation of an operator that its author marked, or of one of [`IMPLIED`].
 pub struct OwnOperator {
     name: &'static str,
     left: fn(&mut Builder) -> Ty,
@@ -49,6 +54,37 @@ pub(super) fn called(
         }
     }
     found
+}
+
+/// Builds what is called by no name, of each type that the package has, and says what it is.
+pub(super) fn implied(cx: &mut Builder) -> Vec<Implied> {
+    let mut list = Vec::new();
+    let own = inventory::iter::<OwnOperator>.into_iter();
+    let mut waiting: Vec<&OwnOperator> = own.filter(|own| IMPLIED.contains(&own.name)).collect();
+    // The linker's order differs from build to build.
+    waiting.sort_by_cached_key(|own| {
+        let scratch = &mut Builder::default();
+        (own.name, format!("{:?} {:?}", (own.left)(scratch), (own.right)(scratch)))
+    });
+    loop {
+        // One may bring the type that another is of.
+        let (found, rest): (Vec<_>, Vec<_>) = waiting.into_iter().partition(|own| {
+            let scratch = &mut Builder::default();
+            cx.knows(&(own.left)(scratch)) && cx.knows(&(own.right)(scratch))
+        });
+        if found.is_empty() {
+            break;
+        }
+        for own in found {
+            let (owner, other) = ((own.left)(cx), (own.right)(cx));
+            if let Callee::Function(function) = (own.build)(cx) {
+                let of = String::from(own.name);
+                list.push(Implied { of, owner, other, function });
+            }
+        }
+        waiting = rest;
+    }
+    list
 }
 
 /// The trait of an operator.

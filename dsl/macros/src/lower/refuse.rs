@@ -162,6 +162,9 @@ reasons! {
     OPERATOR_TRAIT: "of the operators of one's own types `+ - * /`, these with `=`, and the sign are in the DSL", "put a method with a name into an `impl` block of the type";
     GENERIC_OPERATOR: "an operator or a conversion of a generic type is not in the DSL", "implement it for each instance, or write a method with a name";
     BORROWED_OPERAND: "an operand is a value in the DSL", "derive `Copy`, and implement the trait for the values";
+    TWO_TYPES_EQUAL: "`==` compares values of one type in the DSL", "convert one of the two, or write a method with a name";
+    OWN_UNEQUAL: "`!=` is the opposite of `==` in the DSL", "leave `ne` out: Rust makes it of `eq`";
+    OWN_ORDER: "an order of one's own is not in the DSL", "write a method with a name, `fn is_before(&self, other: &Self) -> bool`; or derive `PartialOrd` (enums without payload), or compare parts";
     FOREIGN_OPERAND: "the left operand is of a type of the author's own in the DSL", "implement the trait for that: `turn * 2.0`";
     STD_TRAIT: "this trait is Rust's own: no model calls it", "leave the attribute out";
     NOT_A_TRAIT: "`#[interface]` stands on a trait", "a struct, an enum and an `impl` block take `#[data]` or `#[component]`, a function `#[function]`";
@@ -232,8 +235,9 @@ pub fn known_trait(path: &syn::Path) -> Option<Reason> {
     Some(match name.as_str() {
         "Rem" | "Not" | "RemAssign" | "Index" | "IndexMut" | "BitAnd" | "BitOr" | "BitXor"
         | "Shl" | "Shr" | "Deref" | "DerefMut" => OPERATOR_TRAIT,
-        "Default" | "Clone" | "Copy" | "Debug" | "Display" | "PartialEq" | "Eq" | "PartialOrd"
-        | "Ord" | "Hash" | "Into" | "Iterator" | "IntoIterator" | "Drop" => STD_TRAIT,
+        "PartialOrd" | "Ord" => OWN_ORDER,
+        "Default" | "Clone" | "Copy" | "Debug" | "Display" | "Eq" | "Hash" | "Into"
+        | "Iterator" | "IntoIterator" | "Drop" => STD_TRAIT,
         _ => return None,
     })
 }

@@ -1,0 +1,116 @@
+//! Functions that no call names: an author's own `==`, and the conversion that `?` makes of an error.
+//!
+//! Which one is meant follows from the types. It may stand behind what needs it, so a function is made when it
+//! is first asked for.
+
+use bessemer_ir::tree::{self, Site};
+use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Mode, Type};
+
+use super::function::{self, Lowering};
+use super::{Context, Result, diagnostic, problem};
+
+impl<'a> Context<'a> {
+    /// The function of a path, made now if it was not; none where it was refused, which is told.
+    pub(super) fn function(&mut self, path: &str) -> Option<FunctionId> {
+        if let Some(function) = self.waiting.remove(path) {
+            self.underway.push(&function.path);
+            let lowered = function::lower(self, function);
+            self.underway.pop();
+            match lowered {
+                Ok(lowered) => {
+                    let id = FunctionId(self.module.functions.len() as u32);
+                    self.module.functions.push(lowered);
+                    self.functions.insert(function.path.clone(), id);
+                }
+                // What calls a function that was refused is refused silently.
+                Err(problem) if problem.message.is_empty() => {}
+                Err(problem) => self.told.push(diagnostic(&function.file, problem)),
+            }
+        }
+        self.functions.get(path).copied()
+    }
+
+    /// Notes what authors wrote of their types; these are known.
+    pub(super) fn note_implied(&mut self, implied: &'a [tree::Implied]) {
+        for it in implied {
+            match (it.of.as_str(), &it.owner) {
+                ("PartialEq", tree::Ty::Named(path)) => {
+                    if let Some(ty) = self.types.get(path) {
+                        self.own_equalities.insert(ty.clone(), &it.function);
+                    }
+                }
+                ("From", _) => self.conversions.push(it),
+                _ => {}
+            }
+        }
+    }
+}
+
+impl Lowering<'_, '_> {
+    /// What is called at a path, or why there is nothing.
+    pub(super) fn function_at(&mut self, path: &str, site: Site) -> Result<FunctionId> {
+        match self.cx.function(path) {
+            Some(id) => Ok(id),
+            // Calls by name that come back were told by the builder.
+            None if !self.cx.refused && self.cx.underway.contains(&path) => problem(
+                site,
+                format!("`{path}` calls itself, by way of an operator"),
+                "write a loop with a bound, or compare the parts",
+            ),
+            // It was refused, and that was told.
+            None => problem(site, "", ""),
+        }
+    }
+
+    /// `left == right` as the author of their type wrote it; none where it is part by part.
+    pub(super) fn own_equality(
+        &mut self,
+        left: &Expr,
+        right: &Expr,
+        site: Site,
+    ) -> Result<Option<Expr>> {
+        let Some(path) = self.cx.own_equalities.get(&left.ty).copied() else { return Ok(None) };
+        let id = self.function_at(path, site)?;
+        let arguments = self.passed_to(id, [left.clone(), right.clone()]);
+        self.node(ExprKind::Call(id, arguments), Type::BOOL, site).map(Some)
+    }
+
+    /// The error of a `?` as one of the type that the function returns.
+    pub(super) fn converted(&mut self, error: Expr, wanted: &Type, site: Site) -> Result<Expr> {
+        if error.ty == *wanted {
+            return Ok(error);
+        }
+        if let (Type::Scalar(_), Type::Scalar(_)) = (&error.ty, wanted) {
+            return self.node(ExprKind::Cast(Box::new(error)), wanted.clone(), site);
+        }
+        let mut found = Vec::new();
+        for it in self.cx.conversions.clone() {
+            let (to, from) = (self.cx.pointee(&it.owner, site)?, self.cx.pointee(&it.other, site)?);
+            if to == *wanted && from == error.ty {
+                found.push(it.function.as_str());
+            }
+        }
+        match found.as_slice() {
+            [path] => {
+                let id = self.function_at(path, site)?;
+                let arguments = self.passed_to(id, [error]);
+                self.node(ExprKind::Call(id, arguments), wanted.clone(), site)
+            }
+            _ => problem(
+                site,
+                "the conversion of this error is not part of the DSL",
+                "mark its `impl From` block as the type is, `#[data]`, or `map_err` the error",
+            ),
+        }
+    }
+
+    /// Values as a function takes them.
+    fn passed_to<const N: usize>(&self, id: FunctionId, values: [Expr; N]) -> Vec<Argument> {
+        let parameters = self.cx.module.functions[id.index()].parameters();
+        let passed = parameters.iter().zip(values).map(|(parameter, value)| match parameter.mode {
+            Mode::Value => Argument::Value(value),
+            _ => Argument::Ref(value),
+        });
+        passed.collect()
+    }
+}
