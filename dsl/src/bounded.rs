@@ -39,7 +39,7 @@ impl<T: Element, const R: usize, const C: usize> BoundedMatrix<T, R, C> {
     ///
     /// # Panics
     /// If there is no room for so many rows or columns.
-    pub fn new(rows: usize, columns: usize) -> Self {
+    pub const fn new(rows: usize, columns: usize) -> Self {
         crate::__room!(rows <= R && columns <= C);
         BoundedMatrix { rows, columns, elements: [[T::ZERO; R]; C] }
     }

@@ -28,7 +28,7 @@ pub struct Text<const N: usize> {
 #[data]
 impl<const N: usize> Text<N> {
     /// Without bytes.
-    pub fn new() -> Self {
+    pub const fn new() -> Self {
         Text { length: 0, bytes: [0; N] }
     }
 

@@ -2,6 +2,9 @@
 
 use bessemer::prelude::*;
 
+/// Zeros.
+const RESTING: BoundedMatrix<f32, 4, 1> = BoundedMatrix::new(4, 1);
+
 /// The kind.
 pub type It = BoundedMatrix<f32, 4, 1>;
 /// Its numbers.
@@ -26,7 +29,7 @@ pub fn one() -> It {
 /// Another.
 #[function]
 pub fn other() -> It {
-    BoundedMatrix::new(4, 1)
+    RESTING
 }
 
 /// Makes it a third.

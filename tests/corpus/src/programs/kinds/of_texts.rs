@@ -11,6 +11,9 @@ pub struct NamedUnit {
     pub unit: Text<3>,
 }
 
+/// No name.
+const NAMELESS: Text<7> = Text::new();
+
 /// The kind.
 pub type It = NamedUnit;
 
@@ -23,7 +26,7 @@ pub fn one() -> It {
 /// Another.
 #[function]
 pub fn other() -> It {
-    NamedUnit { number: 2, name: Text::new(), unit: Text::of(b"rad") }
+    NamedUnit { number: 2, name: NAMELESS, unit: Text::of(b"rad") }
 }
 
 /// Makes it a third.
