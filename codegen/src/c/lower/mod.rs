@@ -33,7 +33,7 @@ use super::analysis::{Faults, Usage, walk_exprs, walk_stmts};
 use super::helpers::Helper;
 use super::layout::size_of;
 use super::names::{Names, Signature, local_name, unique};
-use super::tree::{Declarator, Expr, Init, Origin, Stmt, StmtKind, plain};
+use super::tree::{Declarator, Expr, Init, Lines, Origin, Stmt, StmtKind, Storage, plain};
 
 /// What a file must contain or include for the functions in it.
 #[derive(Clone, Debug, Default)]
@@ -375,7 +375,36 @@ impl<'a> Lower<'a> {
             declarator.ty.insert_str(0, "const ");
         }
         self.include_type(ty);
-        self.emit(StmtKind::Declare(declarator, init));
+        if init.is_some() || !self.has_union(ty) {
+            self.emit(StmtKind::Declare(declarator, init));
+            return;
+        }
+        // A variant writes no more of a union than it has, and where the whole is then copied, compilers
+        // warn of the rest.
+        if self.signature.storage == Storage::Inline {
+            // In a header, which is C++ too: there, zero is no value of an enum.
+            self.uses.string = true;
+            self.emit(StmtKind::Declare(declarator, None));
+            let (start, size) = (Expr::name(name).address(), Expr::name(name));
+            let arguments = vec![start, Expr::name("0"), Expr::call("sizeof", vec![size])];
+            self.emit(StmtKind::Expr(Expr::call("memset", arguments)));
+        } else {
+            let zero = vec![(None, Init::Value(Expr::name("0")))];
+            let zero = Init::List { items: zero, lines: Lines::Fill };
+            self.emit(StmtKind::Declare(declarator, Some(zero)));
+        }
+    }
+
+    /// Whether a value has parts that share their memory.
+    fn has_union(&self, ty: &Type) -> bool {
+        match ty {
+            Type::Struct(id) => {
+                let item = &self.context.module.structs[id.index()];
+                item.overlaid() || item.fields.iter().any(|field| self.has_union(&field.ty))
+            }
+            Type::Array { element, .. } => self.has_union(element),
+            _ => false,
+        }
     }
 
     /// Notes the header of a type.
