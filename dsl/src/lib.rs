@@ -61,6 +61,7 @@ pub mod list_edit;
 pub mod math;
 mod plain;
 pub mod rotation;
+pub mod sort;
 mod spatial;
 mod text;
 

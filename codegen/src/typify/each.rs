@@ -2,7 +2,7 @@
 //!
 //! A name for a reference is another name for the element; a name for a value is a local of its own.
 
-use bessemer_ir::tree::{self, Order, Site};
+use bessemer_ir::tree::{self, Grouping, Order, Site};
 use bessemer_ir::visit::{self, Visit};
 use bessemer_ir::{
     Argument, Block, Expr, ExprKind, Local, LocalId, Mode, Place, Span, Step, Stmt, StmtKind, Type,
@@ -205,18 +205,34 @@ impl Lowering<'_, '_> {
         site: Site,
     ) -> Result<()> {
         let slice = &passed.slice;
-        let Some((chunks, size)) = passed.group else {
+        let Some((way, size)) = passed.group else {
             let at = if bare { counter } else { plus(slice.from.clone(), counter) };
             let mut names = Vec::new();
             self.test(&part.pattern, &Subject::Place(slice.at(at)), site, &mut names)?;
             return self.bind_names(&names);
         };
         let size = number(size, slice.base.span);
-        let begin = if chunks { times(counter, size.clone()) } else { counter };
+        let begin = match way {
+            Grouping::Windows => counter,
+            _ => times(counter, size.clone()),
+        };
         match &part.pattern {
             tree::Pattern::Any => {}
             tree::Pattern::Name { name, inner: None, .. } => {
-                self.bind(name, Binding::Slice(Box::new(slice.part(begin, size))));
+                let part = match (way, &slice.length.kind) {
+                    (Grouping::All, ExprKind::Literal(_)) => {
+                        let end = least(plus(begin.clone(), size), slice.length.clone());
+                        let end = self.steady("end", end);
+                        slice.between(begin, end)
+                    }
+                    (Grouping::All, _) => {
+                        let left = least(size, minus(slice.length.clone(), begin.clone()));
+                        let length = self.steady("length", left);
+                        slice.part(begin, length)
+                    }
+                    _ => slice.part(begin, size),
+                };
+                self.bind(name, Binding::Slice(Box::new(part)));
             }
             _ => {
                 return problem(
@@ -229,7 +245,7 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    fn group_size(&mut self, group: Option<&tree::Group>) -> Result<Option<(bool, u64)>> {
+    fn group_size(&mut self, group: Option<&tree::Group>) -> Result<Option<(Grouping, u64)>> {
         let Some(group) = group else { return Ok(None) };
         let size = self.value(&group.size, Some(&Type::USIZE))?;
         let word = match size.kind {
@@ -243,7 +259,7 @@ impl Lowering<'_, '_> {
                 "the size of a window is a number, or a constant, and not 0",
                 "write `.windows(3)`",
             ),
-            size => Ok(Some((group.chunks, size))),
+            size => Ok(Some((group.way, size))),
         }
     }
 
@@ -310,28 +326,41 @@ impl Lowering<'_, '_> {
 /// What a loop goes through: elements, or so many of them at a time.
 struct Passed {
     slice: Slice,
-    /// Whether one begins behind the other, and of how many elements.
-    group: Option<(bool, u64)>,
+    /// How, and how many elements.
+    group: Option<(Grouping, u64)>,
     /// How many passes that makes.
     count: Expr,
 }
 
 impl Passed {
-    fn of(slice: Slice, group: Option<(bool, u64)>) -> Passed {
+    fn of(slice: Slice, group: Option<(Grouping, u64)>) -> Passed {
         let (length, span) = (slice.length.clone(), slice.base.span);
-        let count = match (group, &length.kind) {
-            (None, _) => length,
-            (Some((true, size)), ExprKind::Literal(length)) => number(length / size, span),
-            (Some((false, size)), ExprKind::Literal(length)) => {
-                number((length + 1).saturating_sub(size), span)
+        let Some((mut way, size)) = group else {
+            return Passed { slice, group: None, count: length };
+        };
+        let known = match length.kind {
+            ExprKind::Literal(length) => Some(length),
+            _ => None,
+        };
+        if way == Grouping::All && known.is_some_and(|length| length % size == 0) {
+            way = Grouping::Whole;
+        }
+        let count = match (way, known) {
+            (Grouping::Whole, Some(length)) => number(length / size, span),
+            (Grouping::All, Some(length)) => number(length.div_ceil(size), span),
+            (Grouping::Windows, Some(length)) => number((length + 1).saturating_sub(size), span),
+            (Grouping::Whole, None) => divided(length, number(size, span)),
+            (Grouping::All, None) => {
+                let more = plus(length, number(size - 1, span));
+                divided(more, number(size, span))
             }
-            (Some((true, size)), _) => divided(length, number(size, span)),
             // One begins at each element but the last `size - 1`.
-            (Some((false, size)), _) => {
+            (Grouping::Windows, None) => {
                 let last = number(size - 1, span);
                 minus(greatest(length, last.clone()), last)
             }
         };
+        let group = Some((way, size));
         Passed { slice, group, count }
     }
 }

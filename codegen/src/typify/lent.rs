@@ -18,6 +18,9 @@ impl Lowering<'_, '_> {
     pub(super) fn lent(&mut self, expr: &tree::Expr) -> Result<Option<Subject>> {
         let name = match &expr.kind {
             tree::ExprKind::Call(callee, _) => match self.source.callees.get(*callee as usize) {
+                Some(tree::Callee::Builtin(name)) if name == "as_slice" => {
+                    return Ok(self.slice(expr)?.map(|slice| Subject::Slice(Box::new(slice))));
+                }
                 Some(tree::Callee::Builtin(name)) => name.clone(),
                 _ => return Ok(None),
             },
@@ -39,6 +42,29 @@ impl Lowering<'_, '_> {
                 let there = compare(CompareOp::Lt, index.clone(), array.length.clone(), span);
                 let place = array.at(plus(array.from.clone(), index));
                 Subject::Maybe(there, Box::new(Subject::Place(place)))
+            }
+            ("get_part", [array, from, to]) => {
+                let array = self.sliced(array)?;
+                let from = self.value(from, Some(&Type::USIZE))?;
+                let from = self.steady("from", from);
+                let to = self.value(to, Some(&Type::USIZE))?;
+                let to = self.steady("to", to);
+                let inside = compare(CompareOp::Le, to.clone(), array.length.clone(), span);
+                let there = match from.kind {
+                    ExprKind::Literal(0) => inside,
+                    _ => {
+                        let ordered = compare(CompareOp::Le, from.clone(), to.clone(), span);
+                        logic(LogicOp::And, ordered, inside)
+                    }
+                };
+                Subject::Maybe(there, Box::new(slice(array.between(from, to))))
+            }
+            ("get_from", [array, from]) => {
+                let array = self.sliced(array)?;
+                let from = self.value(from, Some(&Type::USIZE))?;
+                let from = self.steady("from", from);
+                let there = compare(CompareOp::Le, from.clone(), array.length.clone(), span);
+                Subject::Maybe(there, Box::new(slice(array.behind(from))))
             }
             ("first_mut" | "last_mut" | "split_first" | "split_last", [array]) => {
                 let array = self.sliced(array)?;

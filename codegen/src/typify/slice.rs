@@ -66,6 +66,13 @@ impl Slice {
         Slice { from, to, length, whole: false, ..self.clone() }
     }
 
+    /// The elements from `from` to `to`, which is no less and no more than there are.
+    pub fn between(&self, from: Expr, to: Expr) -> Slice {
+        let length = minus(to.clone(), from.clone());
+        let (from, to) = (plus(self.from.clone(), from), plus(self.from.clone(), to));
+        Slice { from, to, length, whole: false, ..self.clone() }
+    }
+
     /// The elements from `begin` on, which is no more than there are.
     pub fn behind(&self, begin: Expr) -> Slice {
         let length = minus(self.length.clone(), begin.clone());

@@ -191,6 +191,7 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
     let mut copy = subject.body.clone();
     let mut signature = subject.signature.clone();
     lower::strip(&mut signature, &mut copy, refusals);
+    lower::name_parts(&mut signature, &mut copy);
     let signature = &signature;
     let parameters = lower::parameters(signature, refusals);
     let mut walk = Lowering::new(&signature.ident, subject.is_method(), refusals);

@@ -8,7 +8,7 @@
 use proc_macro2::Span;
 use syn::visit_mut::{self, VisitMut};
 
-use crate::lower::{bound, by_rows, matching, unroll};
+use crate::lower::{bound, by_rows, matching, sort, unroll};
 
 /// The methods that the DSL owns: their result in the last bits, at ±0 or for NaN depends on the
 /// platform, or they do not exist without std.
@@ -60,6 +60,7 @@ pub const OWNED: &[&str] = &[
     "to_degrees",
     "to_le_bytes",
     "to_radians",
+    "total_cmp",
     "trunc",
 ];
 
@@ -79,7 +80,7 @@ pub fn block(block: &mut syn::Block) {
             use ::bessemer::math::{
                 ByteMethods as _, DivisionMethods as _, ElementaryMethods as _, FloatMethods as _, MatrixMethods as _,
                 OrderMethods as _, RotationMethods as _, RoundMethods as _, SignMethods as _,
-                SquareMethods as _,
+                SquareMethods as _, TotalMethods as _,
             };
         };
         block.stmts.insert(0, import);
@@ -119,6 +120,11 @@ impl VisitMut for Redirect {
             && let Some(matrix) = by_rows(&it.mac)
         {
             *expr = matrix;
+        }
+        if let syn::Expr::MethodCall(it) = expr
+            && let Some(sorted) = sort::sorted(it, sort::Leg::Native)
+        {
+            *expr = sorted;
         }
         visit_mut::visit_expr_mut(self, expr);
         bound::count(expr);

@@ -66,7 +66,9 @@ pub mod prelude {
         OptionBuiltins as _, ResultBuiltins as _,
     };
     pub use super::resized::{PushBuiltin as _, ResizedBuiltins as _};
-    pub use super::slice::{SliceBuiltins as _, VectorSliceBuiltins as _};
+    pub use super::slice::{
+        SliceBuiltins as _, SliceSorts as _, TotalOrder as _, VectorSliceBuiltins as _,
+    };
     pub use super::slot::{__any, __glance, __look, __result, __see, __take};
     pub use super::spatial::{
         IsometryBuiltins as _, IsometryMethods as _, NewPoint2 as _, NewPoint3 as _,

@@ -6,7 +6,10 @@ use bessemer_ir::tree;
 use nalgebra::SVector;
 
 use super::builtin::markers;
-use super::{Builder, Called, Callee};
+use super::matrices::told;
+use super::{Builder, Called, Callee, Value};
+use crate::math::Real;
+use crate::{Number, sort};
 
 markers! {
     AsSlice: "as_slice";
@@ -21,6 +24,8 @@ markers! {
     Reverse: "slice_reverse";
     Contains: "slice_contains";
     GetMut: "slice_get_mut";
+    GetPart: "slice_get_part";
+    GetFrom: "slice_get_from";
     FirstMut: "slice_first_mut";
     LastMut: "slice_last_mut";
     SplitAt: "slice_split_at";
@@ -70,6 +75,18 @@ pub trait SliceBuiltins<T> {
     fn __b_get_mut(&mut self, _index: usize) -> Called<GetMut, Option<&mut T>> {
         unreachable!()
     }
+    fn __b_get_part(&self, _from: usize, _to: usize) -> Called<GetPart, Option<&[T]>> {
+        unreachable!()
+    }
+    fn __b_get_part_mut(&mut self, _from: usize, _to: usize) -> Called<GetPart, Option<&mut [T]>> {
+        unreachable!()
+    }
+    fn __b_get_from(&self, _from: usize) -> Called<GetFrom, Option<&[T]>> {
+        unreachable!()
+    }
+    fn __b_get_from_mut(&mut self, _from: usize) -> Called<GetFrom, Option<&mut [T]>> {
+        unreachable!()
+    }
     fn __b_first_mut(&mut self) -> Called<FirstMut, Option<&mut T>> {
         unreachable!()
     }
@@ -97,6 +114,34 @@ pub trait SliceBuiltins<T> {
 }
 
 impl<T> SliceBuiltins<T> for [T] {}
+
+/// Methods of slices of integers that are functions of the DSL in the C.
+#[allow(missing_docs)]
+pub trait SliceSorts<T> {
+    fn __b_sort(&mut self) -> told!([Self, T] => ());
+    fn __b_sort_unstable(&mut self) -> told!([Self, T] => ());
+}
+
+impl<T: Value + Number + Ord> SliceSorts<T> for [T] {
+    fn __b_sort(&mut self) -> told!([T] => ()) {
+        sort::ascending::__call(self)
+    }
+    fn __b_sort_unstable(&mut self) -> told!([T] => ()) {
+        sort::ascending::__call(self)
+    }
+}
+
+/// The order of floats in `total_cmp`, which the C has as a function.
+#[allow(missing_docs)]
+pub trait TotalOrder: Sized {
+    fn __b_total_below(&self, other: &Self) -> told!([Self] => bool);
+}
+
+impl<T: Value + Real> TotalOrder for T {
+    fn __b_total_below(&self, other: &T) -> told!([T] => bool) {
+        sort::below::__call(*self, *other)
+    }
+}
 
 /// Vectors as slices.
 #[allow(missing_docs)]

@@ -32,8 +32,11 @@ pub mod single;
 pub mod tables;
 pub mod tangent;
 
+use core::cmp::Ordering;
+
 #[doc(hidden)]
 pub use crate::rotation::RotationMethods;
+use crate::sort;
 pub use float::{Real, real};
 pub use matrix::{MatrixMethods, SquareMethods};
 pub use methods::ElementaryMethods;
@@ -89,6 +92,22 @@ pub trait OrderMethods: Copy {
     /// # Panics
     /// Unless `low <= high`: a fault of the entry point.
     fn dsl_clamp(self, low: Self, high: Self) -> Self;
+}
+
+/// The order of all floats.
+pub trait TotalMethods {
+    /// As core's, save that any NaN stands behind all others: the sign of a NaN differs between machines.
+    fn dsl_total_cmp(&self, other: &Self) -> Ordering;
+}
+
+impl<T: Real> TotalMethods for T {
+    fn dsl_total_cmp(&self, other: &T) -> Ordering {
+        match (sort::below(*self, *other), sort::below(*other, *self)) {
+            (true, _) => Ordering::Less,
+            (_, true) => Ordering::Greater,
+            _ => Ordering::Equal,
+        }
+    }
 }
 
 macro_rules! floats {

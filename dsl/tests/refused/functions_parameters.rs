@@ -5,8 +5,8 @@ use bessemer::prelude::*;
 
 /// Parameters without a name of their own.
 #[function]
-pub fn parameters((a, b): (f64, f64), _: f64, ref p: Vector2<f64>) -> f64 {
-    a + b + p.x
+pub fn parameters(a: f64, _: f64, ref p: Vector2<f64>) -> f64 {
+    a + p.x
 }
 
 fn main() {}

@@ -5,8 +5,8 @@ use bessemer::prelude::*;
 
 /// Calls core and std.
 #[function]
-pub fn standard_library(mut a: f64, mut b: f64) -> f64 {
-    core::mem::swap(&mut a, &mut b);
+pub fn standard_library(mut a: f64) -> f64 {
+    core::mem::take(&mut a);
     let low = core::cmp::min(1, 2);
     a + std::time::Duration::ZERO.as_secs_f64() + low as f64 + Vector2::default().x
 }

@@ -29,11 +29,22 @@ pub struct Cut {
     pub count: Expr,
 }
 
-/// `.windows(n)`, or `.chunks_exact(n)`.
+/// How elements are taken several at a time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Grouping {
+    /// `.windows(n)`: each begins one further.
+    Windows,
+    /// `.chunks_exact(n)`: one behind the other, as long as they are whole.
+    Whole,
+    /// `.chunks(n)`: one behind the other, the last perhaps shorter.
+    All,
+}
+
+/// What takes the place of single elements.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Group {
-    /// One behind the other; else each begins one further.
-    pub chunks: bool,
+    /// How.
+    pub way: Grouping,
     /// Of how many elements.
     pub size: Expr,
 }

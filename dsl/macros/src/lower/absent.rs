@@ -53,7 +53,7 @@ const WIDER: &str = "compute in a wider type, then `clamp`";
 const REASONS: &[(&str, usize, Reason)] = &[
     // What follows them in a chain needs no word of its own.
     ("iter iter_mut into_iter", 0, refuse::ITERATOR),
-    ("windows chunks chunks_exact step_by skip", 1, refuse::ITERATOR),
+    ("windows chunks chunks_exact rchunks step_by skip", 1, refuse::ITERATOR),
     ("to_vec to_string to_owned", 0, refuse::HEAP),
     ("euler_angles axis_angle scaled_axis", 0, refuse::NALGEBRA_ANGLES),
     ("angle", 1, refuse::NALGEBRA_ANGLES),

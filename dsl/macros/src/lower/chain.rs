@@ -50,6 +50,8 @@ pub(super) enum Over {
 pub(super) enum Step {
     Do(tree::Stmt),
     If(tree::Expr),
+    /// The loop ends where this does not hold.
+    While(tree::Expr),
 }
 
 pub(super) enum Item {
@@ -193,14 +195,14 @@ impl Lowering<'_> {
         match expr {
             syn::Expr::Paren(it) => return self.flow(&mut it.expr),
             syn::Expr::MethodCall(it) => match (text(&it.method).as_str(), it.args.len()) {
-                (link @ ("map" | "filter"), 1) => {
+                (link @ ("map" | "filter" | "take_while"), 1) => {
                     let mut flow = self.flow(&mut it.receiver)?;
                     in_full(&mut it.args[0], false);
                     let value = self.through(&mut flow, closure_of(&mut it.args[0])?, 0)?;
-                    if link == "map" {
-                        flow.item = Item::Value(value);
-                    } else {
-                        flow.steps.push(Step::If(value));
+                    match link {
+                        "map" => flow.item = Item::Value(value),
+                        "filter" => flow.steps.push(Step::If(value)),
+                        _ => flow.steps.push(Step::While(value)),
                     }
                     return Some(flow);
                 }
@@ -415,6 +417,15 @@ impl Flow {
         for step in self.steps.into_iter().rev() {
             match step {
                 Step::Do(stmt) => stmts.insert(0, stmt),
+                Step::While(condition) => {
+                    let site = condition.site;
+                    let of = |kind| tree::Expr { kind, site, slot: None };
+                    let stop = tree::Stmt::Expr(of(ExprKind::Break(None, None)));
+                    let then = tree::Block { stmts: vec![stop], tail: None };
+                    let ended = of(ExprKind::Unary(UnaryOp::Not, Box::new(condition)));
+                    let kind = ExprKind::If(Box::new(ended), then, None);
+                    stmts.insert(0, tree::Stmt::Expr(of(kind)));
+                }
                 Step::If(condition) => {
                     let (site, then) = (condition.site, tree::Block { stmts, tail: None });
                     let kind = ExprKind::If(Box::new(condition), then, None);
@@ -478,10 +489,12 @@ pub(super) fn is_iterator(expr: &syn::Expr) -> bool {
             ("iter" | "into_iter" | "iter_mut", 0) => true,
             ("enumerate" | "rev" | "copied" | "cloned", 0) => is_iterator(&it.receiver),
             ("flatten", 0) => is_iterator(&it.receiver),
-            ("map" | "filter" | "filter_map" | "zip" | "step_by" | "take" | "skip", 1) => {
-                is_iterator(&it.receiver)
-            }
-            ("windows" | "chunks_exact", 1) => true,
+            (
+                "map" | "filter" | "filter_map" | "take_while" | "zip" | "step_by" | "take"
+                | "skip",
+                1,
+            ) => is_iterator(&it.receiver),
+            ("windows" | "chunks" | "chunks_exact", 1) => true,
             _ => false,
         },
         _ => false,
@@ -493,7 +506,7 @@ pub(super) fn is_linked(expr: &syn::Expr) -> bool {
     match expr {
         syn::Expr::Paren(it) => is_linked(&it.expr),
         syn::Expr::MethodCall(it) => {
-            let link = ["map", "filter", "filter_map", "flatten"];
+            let link = ["map", "filter", "filter_map", "take_while", "flatten"];
             link.iter().any(|link| it.method == link) || is_linked(&it.receiver)
         }
         _ => false,

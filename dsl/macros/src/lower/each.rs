@@ -151,13 +151,11 @@ impl Lowering<'_> {
                     }
                 }
             }
-            syn::Expr::MethodCall(it)
-                if (it.method == "windows" || it.method == "chunks_exact")
-                    && it.args.len() == 1 =>
-            {
+            syn::Expr::MethodCall(it) if grouping(&it.method).is_some() && it.args.len() == 1 => {
                 let array = Box::new(self.value(&mut it.receiver));
-                let (chunks, size) = (it.method == "chunks_exact", self.value(&mut it.args[0]));
-                Source::One { array, owned: false, group: Some(tree::Group { chunks, size }) }
+                let (way, size) = (grouping(&it.method), self.value(&mut it.args[0]));
+                let group = way.map(|way| tree::Group { way, size });
+                Source::One { array, owned: false, group }
             }
             syn::Expr::MethodCall(it) if is_cut(it) => {
                 let Way { source, indexed, order, cuts } = self.way(expr);
@@ -192,6 +190,15 @@ impl Lowering<'_> {
             (other, _) => self.refusals.add(other.span(), refuse::DESTRUCTURING),
         }
     }
+}
+
+fn grouping(method: &syn::Ident) -> Option<tree::Grouping> {
+    Some(match text(method).as_str() {
+        "windows" => tree::Grouping::Windows,
+        "chunks_exact" => tree::Grouping::Whole,
+        "chunks" => tree::Grouping::All,
+        _ => return None,
+    })
 }
 
 fn is_cut(call: &syn::ExprMethodCall) -> bool {

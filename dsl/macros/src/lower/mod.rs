@@ -23,6 +23,7 @@ pub mod refuse;
 mod rewrite;
 mod search;
 mod signature;
+pub mod sort;
 mod strip;
 pub mod unroll;
 mod view;
@@ -37,7 +38,7 @@ pub use bessemer_ir::tree::Site;
 pub use call::companion_name;
 pub use pattern::member;
 pub use refuse::Refusals;
-pub use signature::{Parameter, check_field, parameters};
+pub use signature::{Parameter, check_field, name_parts, parameters};
 pub use strip::{check_attributes, strip};
 
 /// The walk over one function.
@@ -221,6 +222,7 @@ impl<'a> Lowering<'a> {
         for (index, mut stmt) in originals.into_iter().enumerate() {
             match &mut stmt {
                 syn::Stmt::Local(local) => {
+                    rewrite::or_return(local);
                     if self.closure_local(local) {
                         stmts.push(stmt);
                         continue;

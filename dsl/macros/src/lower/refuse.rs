@@ -130,7 +130,7 @@ reasons! {
     FUNCTION_POINTER: "function pointers hide what is called from the stack analysis", "choose with an `enum` and a `match`";
     RECURSION: "recursion has no bound that the C could promise", "write a loop over a range";
     OPEN_RANGE: "this range is open, so the loop has no bound", "write both ends: `for i in 0..n`";
-    ITERATOR: "this iterator is not in the DSL", "go through arrays with `for`: `in &array`, `.iter()`, `.enumerate()`, `.zip(…)`, `.rev()`, `.skip(n)`, `.take(n)`, `.windows(n)`, `.chunks_exact(n)`; or through a range";
+    ITERATOR: "this iterator is not in the DSL", "go through arrays with `for`: `in &array`, `.iter()`, `.enumerate()`, `.zip(…)`, `.rev()`, `.skip(n)`, `.take(n)`, `.windows(n)`, `.chunks(n)`, `.chunks_exact(n)`; or through a range";
     BOUND: "the bound of a loop is a number, or a constant", "write `#[bound(64)]`, or `#[bound(LIMIT)]`";
     BLOCK_LABEL: "a block has no label in the DSL", "move the block into a function, and `return` from it";
     CLOSURE: "a closure is not a value in the DSL", "give it a name with `let` and call it, pass it to a function, or write it in `.map(…)`, `.fold(…)` and the like";
@@ -140,8 +140,9 @@ reasons! {
     CLOSURE_PARAMETERS: "this parameter of a closure is not in the DSL", "write a name, or for elements `(i, x)`, `(x, y)`, `&x`";
     CLOSURE_SHADOWED: "a name that the closure uses means something else here", "give the later variable another name";
     STEP_ORDER: "`.step_by(…)` stands behind the range in the DSL", "write `(a..b).step_by(n)`, with `.rev()` after it if need be";
-    CHAIN: "this chain of iterators is not in the DSL", "begin with an array, a slice, a vector or a range; `.enumerate .zip .rev .skip .take`, then `.map .filter .filter_map .flatten .copied`; end with `.sum .product .fold .any .all .count .min .max .min_by_key .max_by_key .min_by .max_by .last .find .position`";
-    COMPARISON: "this comparison is not in the DSL here", "write `|a, b| a.cmp(b)` or `a.partial_cmp(b).unwrap_or(Ordering::Equal)`, of parts of both if need be";
+    CHAIN: "this chain of iterators is not in the DSL", "begin with an array, a slice, a vector or a range; `.enumerate .zip .rev .skip .take`, then `.map .filter .filter_map .take_while .flatten .copied`; end with `.sum .product .fold .any .all .count .min .max .min_by_key .max_by_key .min_by .max_by .last .find .position`";
+    SORTING: "this comparison is not in the DSL here", "write `|a, b| a.total_cmp(b)`, or `a.cmp(b)`, of parts of both if need be; or `sort_by_key`";
+    COMPARISON: "this comparison is not in the DSL here", "write `|a, b| a.total_cmp(b)`, `a.cmp(b)` or `a.partial_cmp(b).unwrap_or(Ordering::Equal)`, of parts of both if need be";
     ASYNC: "there is no executor in firmware that a model could await", "write a component whose `step` is called once per period";
     UNSAFE: "`unsafe` has no meaning that the C could keep", "use indices and `to_bits`/`from_bits`";
     RAW_BORROW: "raw pointers are not in the DSL", "pass `&` or `&mut`";

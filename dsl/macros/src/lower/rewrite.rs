@@ -10,12 +10,17 @@ use quote::ToTokens;
 use syn::parse_quote;
 
 use super::closure::names;
+use super::sort::{self, Leg};
 use super::{Lowering, chain, refuse, text};
 
 impl Lowering<'_> {
     /// What an expression stands for; none if for itself.
     pub(super) fn rewritten(&mut self, expr: &syn::Expr) -> Option<syn::Expr> {
-        let syn::Expr::MethodCall(it) = expr else { return None };
+        let it = match expr {
+            syn::Expr::MethodCall(it) => it,
+            syn::Expr::Call(it) => return self.exchanged(it),
+            _ => return None,
+        };
         match (text(&it.method).as_str(), it.args.len()) {
             ("contains", 1) => self.contained(it),
             ("then" | "then_some", 1) => self.only_if(it),
@@ -24,17 +29,57 @@ impl Lowering<'_> {
             {
                 self.extreme(it)
             }
+            ("get" | "get_mut", 1) => gotten(it),
             ("extend", 1) => self.extended(it),
+            _ if sort::sorts(it) => {
+                let sorted = sort::sorted(it, Leg::Tree);
+                if sorted.is_none() {
+                    self.refusals.add(it.method.span(), refuse::SORTING);
+                }
+                sorted
+            }
+            ("sort_by_key" | "sort_unstable_by_key", 1) => sort::sorted(it, Leg::Tree),
             ("retain", 1) => self.retained(it),
+            _ => None,
+        }
+    }
+
+    /// `core::mem::swap(&mut a, &mut b)`, `core::mem::replace(&mut a, value)`: the assignments.
+    fn exchanged(&mut self, it: &syn::ExprCall) -> Option<syn::Expr> {
+        let syn::Expr::Path(function) = &*it.func else { return None };
+        let names: Vec<_> = function.path.segments.iter().map(|part| text(&part.ident)).collect();
+        let names: Vec<_> = names.iter().map(String::as_str).collect();
+        let ["core" | "std", "mem", name] = names.as_slice() else { return None };
+        let arguments: Vec<_> = it.args.iter().collect();
+        let whole = syn::Expr::Call(it.clone());
+        let kept = self.fresh_in("kept", &whole);
+        match (*name, arguments.as_slice()) {
+            ("swap", [one, other]) => {
+                let (one, other) = (lent(one)?, lent(other)?);
+                Some(parse_quote! { { let #kept = #one; #one = #other; #other = #kept; } })
+            }
+            ("replace", [place, value]) => {
+                let place = lent(place)?;
+                if is_plain(value) {
+                    return Some(parse_quote! { { let #kept = #place; #place = #value; #kept } });
+                }
+                let next = self.fresh_in("next", &whole);
+                Some(parse_quote! {
+                    { let #next = #value; let #kept = #place; #place = #next; #kept }
+                })
+            }
             _ => None,
         }
     }
 
     /// A name that nothing has here, nor in `beside`.
     pub(super) fn fresh_beside(&self, name: &str, beside: &syn::ExprMethodCall) -> syn::Ident {
-        let beside = syn::Expr::MethodCall(beside.clone());
+        self.fresh_in(name, &syn::Expr::MethodCall(beside.clone()))
+    }
+
+    fn fresh_in(&self, name: &str, beside: &syn::Expr) -> syn::Ident {
         let mut fresh = name.to_owned();
-        while self.is_local(&fresh) || names(&beside, &fresh) {
+        while self.is_local(&fresh) || names(beside, &fresh) {
             fresh.push('_');
         }
         syn::Ident::new(&fresh, Span::call_site())
@@ -112,10 +157,13 @@ impl Lowering<'_> {
 
     /// `chain.min_by_key(|x| …)` and the like: a loop that keeps the best.
     fn extreme(&mut self, it: &syn::ExprMethodCall) -> Option<syn::Expr> {
-        let syn::Expr::Closure(closure) = &it.args[0] else { return None };
+        let closure = &sort::comparison(&it.args[0])?;
         self.check_closure(closure);
-        let compared = compared(&closure.body);
-        if compared.is_none() && !it.method.to_string().ends_with("_by_key") {
+        let above = match sort::total(&closure.body) {
+            Some((left, right)) => Some(sort::below(&right, &left)),
+            None => compared(&closure.body).map(|(left, right)| parse_quote! { #left > #right }),
+        };
+        if above.is_none() && !it.method.to_string().ends_with("_by_key") {
             self.refusals.add(it.method.span(), refuse::COMPARISON);
         }
         let fresh = |name: &str| self.fresh_beside(name, it);
@@ -181,10 +229,9 @@ impl Lowering<'_> {
                 parse_quote! { (#new >= #old) }
             }
         } else {
-            let (left, right) = compared?;
+            let above = above?;
             let (one, other) = (closure.inputs.first()?, closure.inputs.get(1)?);
-            let above =
-                let_in(one, &best_value, &let_in(other, &item, &parse_quote! { #left > #right }));
+            let above = let_in(one, &best_value, &let_in(other, &item, &above));
             match least {
                 true => above,
                 false => parse_quote! { !#above },
@@ -273,7 +320,7 @@ fn let_in(pattern: &syn::Pat, value: &syn::Expr, body: &syn::Expr) -> syn::Expr 
 }
 
 /// The two sides of `a.cmp(&b)`, or of `a.partial_cmp(&b).unwrap_or(Ordering::Equal)`.
-fn compared(body: &syn::Expr) -> Option<(syn::Expr, syn::Expr)> {
+pub(super) fn compared(body: &syn::Expr) -> Option<(syn::Expr, syn::Expr)> {
     let syn::Expr::MethodCall(it) = bare(body) else { return None };
     let (call, known) = match (text(&it.method).as_str(), bare(&it.receiver)) {
         ("cmp", _) => (it, "cmp"),
@@ -319,7 +366,7 @@ fn gives_references(expr: &syn::Expr) -> bool {
     }
 }
 
-fn bare(expr: &syn::Expr) -> &syn::Expr {
+pub(super) fn bare(expr: &syn::Expr) -> &syn::Expr {
     match expr {
         syn::Expr::Paren(it) => bare(&it.expr),
         syn::Expr::Group(it) => bare(&it.expr),
@@ -344,6 +391,74 @@ fn root(expr: &syn::Expr) -> Option<&syn::Ident> {
         syn::Expr::Reference(it) => root(&it.expr),
         syn::Expr::Unary(it) => root(&it.expr),
         _ => None,
+    }
+}
+
+/// `let part = values.get(a..b)?;` and the like: what is lent is taken apart where it is called.
+pub(super) fn or_return(local: &mut syn::Local) {
+    let Some(init) = local.init.as_mut().filter(|init| init.diverge.is_none()) else { return };
+    let syn::Expr::Try(tried) = &*init.expr else { return };
+    let syn::Expr::MethodCall(call) = bare(&tried.expr) else { return };
+    let lends = match text(&call.method).as_str() {
+        "get" => call.args.len() == 1 && matches!(bare(&call.args[0]), syn::Expr::Range(_)),
+        "get_mut" => call.args.len() == 1,
+        "first_mut" | "last_mut" | "split_first" | "split_first_mut" | "split_last"
+        | "split_last_mut" => call.args.is_empty(),
+        _ => false,
+    };
+    if !lends || matches!(local.pat, syn::Pat::Type(_)) {
+        return;
+    }
+    let (pattern, lent) = (&local.pat, &*tried.expr);
+    let (pattern, lent) = (pattern.clone(), lent.clone());
+    local.pat = parse_quote! { Some(#pattern) };
+    *init.expr = lent;
+    init.diverge = Some((Default::default(), parse_quote! { { return None; } }));
+}
+
+/// `values.get(a..b)`: by its ends, since a range is no value.
+fn gotten(it: &syn::ExprMethodCall) -> Option<syn::Expr> {
+    let syn::Expr::Range(range) = bare(&it.args[0]) else { return None };
+    let (array, mutable) = (&it.receiver, it.method == "get_mut");
+    let method = |name: &str| {
+        let name = if mutable { format!("{name}_mut") } else { name.to_owned() };
+        syn::Ident::new(&name, it.method.span())
+    };
+    let from = match &range.start {
+        Some(from) => (**from).clone(),
+        None => parse_quote! { 0 },
+    };
+    let Some(to) = &range.end else {
+        let method = method("get_from");
+        return Some(parse_quote! { #array.#method(#from) });
+    };
+    let method = method("get_part");
+    Some(match range.limits {
+        syn::RangeLimits::HalfOpen(_) => parse_quote! { #array.#method(#from, #to) },
+        // Nothing ends behind the last index that there could be.
+        syn::RangeLimits::Closed(_) => {
+            parse_quote! { #array.#method(#from, usize::saturating_add(#to, 1)) }
+        }
+    })
+}
+
+/// The place that `&mut place`, or a name for one, lends; none if it may not be written twice.
+fn lent(expr: &syn::Expr) -> Option<syn::Expr> {
+    match bare(expr) {
+        syn::Expr::Reference(it) => {
+            (it.mutability.is_some() && is_place(&it.expr)).then(|| (*it.expr).clone())
+        }
+        syn::Expr::Path(it) => Some(parse_quote! { *#it }),
+        _ => None,
+    }
+}
+
+/// Whether an expression is a place whose indices are plain.
+fn is_place(expr: &syn::Expr) -> bool {
+    match bare(expr) {
+        syn::Expr::Index(it) => is_place(&it.expr) && is_plain(&it.index),
+        syn::Expr::Field(it) => is_place(&it.base),
+        other => is_plain(other),
     }
 }
 

@@ -86,6 +86,47 @@ fn parameter(
     }
 }
 
+/// Gives a parameter that is taken apart a name, and takes it apart at the beginning of the body:
+/// `(x, y): (f64, f64)` is `x_y`, and `let (x, y) = x_y;`.
+pub fn name_parts(signature: &mut syn::Signature, body: &mut syn::Block) {
+    let mut taken: Vec<String> = Vec::new();
+    signature.inputs.iter().for_each(|input| names_in(input, &mut taken));
+    let mut apart = Vec::new();
+    for input in &mut signature.inputs {
+        let syn::FnArg::Typed(it) = input else { continue };
+        if matches!(&*it.pat, syn::Pat::Ident(_) | syn::Pat::Wild(_)) {
+            continue;
+        }
+        let mut parts = Vec::new();
+        Names(&mut parts).visit_pat(&it.pat);
+        let mut name = if parts.is_empty() { "unused".to_owned() } else { parts.join("_") };
+        while taken.contains(&name) {
+            name.push_str("_parts");
+        }
+        taken.push(name.clone());
+        let name = syn::Ident::new(&name, it.pat.span());
+        let pattern = std::mem::replace(&mut *it.pat, syn::parse_quote!(#name));
+        apart.push(syn::parse_quote! { let #pattern = #name; });
+    }
+    body.stmts.splice(0..0, apart);
+}
+
+fn names_in(input: &syn::FnArg, names: &mut Vec<String>) {
+    if let syn::FnArg::Typed(it) = input {
+        Names(names).visit_pat(&it.pat);
+    }
+}
+
+/// The names that a pattern binds.
+struct Names<'a>(&'a mut Vec<String>);
+
+impl<'ast> Visit<'ast> for Names<'_> {
+    fn visit_pat_ident(&mut self, it: &'ast syn::PatIdent) {
+        self.0.push(text(&it.ident));
+        visit::visit_pat_ident(self, it);
+    }
+}
+
 fn check_signature(signature: &syn::Signature, refusals: &mut Refusals) {
     if let Some(token) = &signature.asyncness {
         refusals.add(token.span, refuse::ASYNC);

@@ -1,0 +1,111 @@
+//! `values.sort_by_key(|x| …)` and the like: a call of the DSL's own routine, in the simulation as in the C, since
+//! another would put equal elements in another order.
+
+use syn::parse_quote;
+use syn::spanned::Spanned;
+
+use super::closure::names;
+use super::rewrite::{bare, compared};
+use super::text;
+
+/// Where a comparison stands: in the native item, or in the tree and the copy.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Leg {
+    /// The simulation.
+    Native,
+    /// The C.
+    Tree,
+}
+
+/// What a call stands for; none if it sorts nothing, or by no comparison that the DSL knows.
+pub fn sorted(it: &syn::ExprMethodCall, leg: Leg) -> Option<syn::Expr> {
+    let (method, arguments) = (text(&it.method), it.args.len());
+    let closure = &comparison(it.args.first()?)?;
+    let below: syn::Expr = match (method.as_str(), arguments, closure.inputs.len()) {
+        ("sort_by_key" | "sort_unstable_by_key", 1, 1) => by_key(closure, leg),
+        ("sort_by" | "sort_unstable_by", 1, 2) => by_comparison(closure, leg)?,
+        _ => return None,
+    };
+    let values = &it.receiver;
+    Some(parse_quote! { ::bessemer::sort::sort_by(&mut #values[..], #below) })
+}
+
+/// Whether a call sorts by a closure, known or not.
+pub fn sorts(it: &syn::ExprMethodCall) -> bool {
+    let names = ["sort_by", "sort_unstable_by"];
+    it.args.len() == 1
+        && names.iter().any(|name| it.method == name)
+        && comparison(&it.args[0]).is_some()
+}
+
+/// The closure that compares; `f64::total_cmp` is one, too.
+pub fn comparison(argument: &syn::Expr) -> Option<syn::ExprClosure> {
+    match argument {
+        syn::Expr::Closure(closure) => Some(closure.clone()),
+        syn::Expr::Path(it) => {
+            let is_total = it.path.segments.last().is_some_and(|last| last.ident == "total_cmp");
+            (is_total && it.path.segments.len() > 1)
+                .then(|| parse_quote! { |one, other| one.total_cmp(other) })
+        }
+        _ => None,
+    }
+}
+
+fn by_key(closure: &syn::ExprClosure, leg: Leg) -> syn::Expr {
+    let (pattern, key) = (&closure.inputs[0], &closure.body);
+    let whole = syn::Expr::Closure(closure.clone());
+    let fresh = |name: &str| {
+        let mut fresh = name.to_owned();
+        while names(&whole, &fresh) {
+            fresh.push('_');
+        }
+        syn::Ident::new(&fresh, proc_macro2::Span::call_site())
+    };
+    let (one, other) = (fresh("one"), fresh("other"));
+    match leg {
+        // What has no order is told where the key stands.
+        Leg::Native => syn::parse_quote_spanned! { key.span() => |#one, #other| {
+            let (#one, #other) = ({ let #pattern = #one; #key }, { let #pattern = #other; #key });
+            ::core::cmp::Ord::cmp(&#one, &#other).is_lt()
+        } },
+        Leg::Tree => parse_quote! {
+            |#one, #other| { let #pattern = #one; #key } < { let #pattern = #other; #key }
+        },
+    }
+}
+
+fn by_comparison(closure: &syn::ExprClosure, leg: Leg) -> Option<syn::Expr> {
+    let (inputs, body) = (&closure.inputs, &closure.body);
+    let below = match total(body) {
+        Some((left, right)) => below(&left, &right),
+        None => {
+            let (left, right) = compared(body)?;
+            parse_quote! { #left < #right }
+        }
+    };
+    Some(match leg {
+        Leg::Native => parse_quote! { |#inputs| { #body }.is_lt() },
+        Leg::Tree => parse_quote! { |#inputs| #below },
+    })
+}
+
+/// Whether a float comes before another in the order of `total_cmp`.
+pub fn below(left: &syn::Expr, right: &syn::Expr) -> syn::Expr {
+    let left = match left {
+        syn::Expr::Reference(it) => &it.expr,
+        other => other,
+    };
+    match right {
+        syn::Expr::Reference(_) | syn::Expr::Path(_) => parse_quote! { #left.total_below(#right) },
+        right => parse_quote! { #left.total_below(&#right) },
+    }
+}
+
+/// The two numbers of `a.total_cmp(&b)`.
+pub fn total(body: &syn::Expr) -> Option<(syn::Expr, syn::Expr)> {
+    let syn::Expr::MethodCall(it) = bare(body) else { return None };
+    if it.method != "total_cmp" || it.args.len() != 1 {
+        return None;
+    }
+    Some(((*it.receiver).clone(), it.args[0].clone()))
+}

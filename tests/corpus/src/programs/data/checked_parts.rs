@@ -1,0 +1,53 @@
+//! `get(a..b)` lends a part of an array if it is there; `?` returns if it is not.
+
+use bessemer::prelude::*;
+
+/// The exclusive or of a part of a line; none if there is no such part.
+#[function]
+pub fn parity(line: &[u8; 8], from: usize, to: usize) -> Option<u8> {
+    let part = line.get(from..to)?;
+    Some(part.iter().fold(0, |sum, byte| sum ^ byte))
+}
+
+/// The sum of the payload, of which the second byte tells the length; 0 if the frame ends before.
+#[function]
+pub fn payload_sum(frame: &[u8; 8]) -> u32 {
+    let Some(payload) = frame.get(2..2 + usize::from(frame[1])) else { return 0 };
+    payload.iter().map(|&byte| u32::from(byte)).sum()
+}
+
+/// How many bytes stand behind an index; none if there is no such place.
+#[function]
+pub fn behind(line: &[u8; 8], from: usize) -> Option<usize> {
+    let rest = line.get(from..)?;
+    Some(rest.len())
+}
+
+/// Clears up to an index and with it; whether there is one.
+#[function]
+pub fn clear_up_to(line: &mut [u8; 8], last: usize) -> bool {
+    if let Some(part) = line.get_mut(..=last) {
+        part.fill(0);
+        true
+    } else {
+        false
+    }
+}
+
+/// Counts a byte up; none if there is no such byte.
+#[function]
+pub fn count_up(line: &mut [u8; 8], index: usize) -> Option<u8> {
+    let byte = line.get_mut(index)?;
+    *byte = byte.wrapping_add(1);
+    Some(*byte)
+}
+
+/// What a list holds, if that is one or two.
+#[function]
+pub fn few(values: &List<u8, 4>) -> u16 {
+    match values.as_slice() {
+        &[only] => u16::from(only),
+        [first, second] => u16::from(*first) * 256 + u16::from(*second),
+        _ => 0,
+    }
+}

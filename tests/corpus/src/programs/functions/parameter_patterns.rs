@@ -1,0 +1,35 @@
+//! A parameter that is taken apart has the names of its parts in the C.
+
+use bessemer::prelude::*;
+
+/// A point, m.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Spot {
+    pub x: f64,
+    pub y: f64,
+}
+
+/// The length of a vector.
+#[function]
+pub fn length((x, y): (f64, f64)) -> f64 {
+    (x * x + y * y).sqrt()
+}
+
+/// The volume of a box.
+#[function]
+pub fn volume(&[width, depth, height]: &[f64; 3]) -> f64 {
+    width * depth * height
+}
+
+/// How steep the way is from the origin to a point.
+#[function]
+pub fn slope(&Spot { x, y }: &Spot) -> f64 {
+    y / x
+}
+
+/// The length of the way from the origin to a point, and around a box.
+#[function]
+pub fn all(point: &Spot, sides: &[f64; 3]) -> f64 {
+    length((point.x, point.y)) + volume(sides) + slope(point)
+}
