@@ -195,6 +195,7 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
     let signature = &signature;
     let parameters = lower::parameters(signature, refusals);
     let mut walk = Lowering::new(&signature.ident, subject.is_method(), refusals);
+    walk.optional = lower::gives_option(signature);
     let mut params = Vec::new();
     let open = matches!(subject.home, Home::Interface(_) | Home::Implementation(_));
     for parameter in &parameters {

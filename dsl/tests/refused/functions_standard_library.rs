@@ -5,8 +5,10 @@ use bessemer::prelude::*;
 
 /// Calls core and std.
 #[function]
-pub fn standard_library(mut a: f64) -> f64 {
+pub fn standard_library(mut a: f64, cells: &mut [u8; 4], mut i: usize) -> f64 {
     core::mem::take(&mut a);
+    // Which cell is written would change on the way.
+    core::mem::replace(&mut cells[i], { i += 1; 3 });
     let low = core::cmp::min(1, 2);
     a + std::time::Duration::ZERO.as_secs_f64() + low as f64 + Vector2::default().x
 }

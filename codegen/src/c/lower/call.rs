@@ -80,7 +80,7 @@ impl Lower<'_> {
         }
         let block = self.scope(|lower| {
             let name = lower.fresh("next");
-            lower.declare(&dest.ty, &name, None, false);
+            lower.begin(&dest.ty, &name);
             if plain {
                 let call = lower.call_value(callee, arguments);
                 lower.assign(Expr::name(&name), call);

@@ -375,23 +375,25 @@ impl<'a> Lower<'a> {
             declarator.ty.insert_str(0, "const ");
         }
         self.include_type(ty);
-        if init.is_some() || !self.has_union(ty) {
-            self.emit(StmtKind::Declare(declarator, init));
-            return;
-        }
-        // A variant writes no more of a union than it has, and where the whole is then copied, compilers
-        // warn of the rest.
-        if self.signature.storage == Storage::Inline {
+        self.emit(StmtKind::Declare(declarator, init));
+    }
+
+    /// Declares a variable whose parts are written after that, perhaps by a callee: a variant writes no more of a
+    /// union than it has, and where the whole is then copied, compilers warn of the rest.
+    fn begin(&mut self, ty: &Type, name: &str) {
+        if !self.has_union(ty) {
+            self.declare(ty, name, None, false);
+        } else if self.signature.storage == Storage::Inline {
             // In a header, which is C++ too: there, zero is no value of an enum.
             self.uses.string = true;
-            self.emit(StmtKind::Declare(declarator, None));
+            self.declare(ty, name, None, false);
             let (start, size) = (Expr::name(name).address(), Expr::name(name));
             let arguments = vec![start, Expr::name("0"), Expr::call("sizeof", vec![size])];
             self.emit(StmtKind::Expr(Expr::call("memset", arguments)));
         } else {
             let zero = vec![(None, Init::Value(Expr::name("0")))];
             let zero = Init::List { items: zero, lines: Lines::Fill };
-            self.emit(StmtKind::Declare(declarator, Some(zero)));
+            self.declare(ty, name, Some(zero), false);
         }
     }
 

@@ -77,7 +77,7 @@ impl Lower<'_> {
         match value {
             None => {
                 let name = self.bind(local);
-                self.declare(&ty, &name, None, false);
+                self.begin(&ty, &name);
             }
             Some(value) if ty.is_word() && !self.is_status_call(value) => {
                 let value = self.word(value);
@@ -125,7 +125,11 @@ impl Lower<'_> {
             let init = self.initialiser(value);
             self.declare(ty, name, Some(init), constant);
         } else {
-            self.declare(ty, name, None, false);
+            match value.kind {
+                // Copied whole.
+                ExprKind::Load(_) | ExprKind::Const(_) => self.declare(ty, name, None, false),
+                _ => self.begin(ty, name),
+            }
             self.store(Expr::name(name), None, value);
         }
     }

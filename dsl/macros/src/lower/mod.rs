@@ -38,7 +38,7 @@ pub use bessemer_ir::tree::Site;
 pub use call::companion_name;
 pub use pattern::member;
 pub use refuse::Refusals;
-pub use signature::{Parameter, check_field, name_parts, parameters};
+pub use signature::{Parameter, check_field, gives_option, name_parts, parameters};
 pub use strip::{check_attributes, strip};
 
 /// The walk over one function.
@@ -64,6 +64,8 @@ pub struct Lowering<'a> {
     /// The function's own name, and whether it is a method: to tell a direct recursion.
     name: String,
     method: bool,
+    /// Whether the function gives an `Option`.
+    pub optional: bool,
 }
 
 /// Whether this is a generation build. Elsewhere the walk only refuses: places cost a call into
@@ -110,6 +112,7 @@ impl<'a> Lowering<'a> {
             items: Vec::new(),
             name: text(name),
             method,
+            optional: false,
         }
     }
 
@@ -222,7 +225,9 @@ impl<'a> Lowering<'a> {
         for (index, mut stmt) in originals.into_iter().enumerate() {
             match &mut stmt {
                 syn::Stmt::Local(local) => {
-                    rewrite::or_return(local);
+                    if self.optional {
+                        rewrite::or_return(local);
+                    }
                     if self.closure_local(local) {
                         stmts.push(stmt);
                         continue;

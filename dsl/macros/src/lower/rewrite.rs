@@ -63,9 +63,13 @@ impl Lowering<'_> {
                 if is_plain(value) {
                     return Some(parse_quote! { { let #kept = #place; #place = #value; #kept } });
                 }
+                if moves(value, &place) {
+                    return None;
+                }
                 let next = self.fresh_in("next", &whole);
+                // The place is chosen before the value is computed, and either may fault.
                 Some(parse_quote! {
-                    { let #next = #value; let #kept = #place; #place = #next; #kept }
+                    { let #kept = #place; let #next = #value; #place = #next; #kept }
                 })
             }
             _ => None,
@@ -346,7 +350,7 @@ fn gives_pairs(expr: &syn::Expr) -> bool {
     match bare(expr) {
         syn::Expr::MethodCall(it) => match text(&it.method).as_str() {
             "enumerate" | "zip" => true,
-            "rev" | "skip" | "take" | "filter" => gives_pairs(&it.receiver),
+            "rev" | "skip" | "take" | "filter" | "take_while" => gives_pairs(&it.receiver),
             _ => false,
         },
         _ => false,
@@ -359,7 +363,7 @@ fn gives_references(expr: &syn::Expr) -> bool {
         syn::Expr::Reference(_) => true,
         syn::Expr::MethodCall(it) => match text(&it.method).as_str() {
             "iter" => true,
-            "rev" | "skip" | "take" | "filter" => gives_references(&it.receiver),
+            "rev" | "skip" | "take" | "filter" | "take_while" => gives_references(&it.receiver),
             _ => false,
         },
         _ => false,
@@ -394,7 +398,8 @@ fn root(expr: &syn::Expr) -> Option<&syn::Ident> {
     }
 }
 
-/// `let part = values.get(a..b)?;` and the like: what is lent is taken apart where it is called.
+/// `let part = values.get(a..b)?;` and the like: what is lent is taken apart where it is called. For functions that
+/// give an `Option`: elsewhere, what `?` looks at is a `Result` of an author's own method.
 pub(super) fn or_return(local: &mut syn::Local) {
     let Some(init) = local.init.as_mut().filter(|init| init.diverge.is_none()) else { return };
     let syn::Expr::Try(tried) = &*init.expr else { return };
@@ -459,6 +464,15 @@ fn is_place(expr: &syn::Expr) -> bool {
         syn::Expr::Index(it) => is_place(&it.expr) && is_plain(&it.index),
         syn::Expr::Field(it) => is_place(&it.base),
         other => is_plain(other),
+    }
+}
+
+/// Whether computing `value` may change which place `place` is.
+fn moves(value: &syn::Expr, place: &syn::Expr) -> bool {
+    match bare(place) {
+        syn::Expr::Index(it) => may_change(value, &it.index) || moves(value, &it.expr),
+        syn::Expr::Field(it) => moves(value, &it.base),
+        _ => false,
     }
 }
 

@@ -86,6 +86,13 @@ fn parameter(
     }
 }
 
+/// Whether a function gives an `Option`, as far as its syntax shows.
+pub fn gives_option(signature: &syn::Signature) -> bool {
+    let syn::ReturnType::Type(_, result) = &signature.output else { return false };
+    let syn::Type::Path(it) = &**result else { return false };
+    it.path.segments.last().is_some_and(|last| last.ident == "Option")
+}
+
 /// Gives a parameter that is taken apart a name, and takes it apart at the beginning of the body:
 /// `(x, y): (f64, f64)` is `x_y`, and `let (x, y) = x_y;`.
 pub fn name_parts(signature: &mut syn::Signature, body: &mut syn::Block) {

@@ -41,7 +41,10 @@ pub fn sorts(it: &syn::ExprMethodCall) -> bool {
 /// The closure that compares; `f64::total_cmp` is one, too.
 pub fn comparison(argument: &syn::Expr) -> Option<syn::ExprClosure> {
     match argument {
-        syn::Expr::Closure(closure) => Some(closure.clone()),
+        // A type that is written for the result would be lost.
+        syn::Expr::Closure(closure) if matches!(closure.output, syn::ReturnType::Default) => {
+            Some(closure.clone())
+        }
         syn::Expr::Path(it) => {
             let is_total = it.path.segments.last().is_some_and(|last| last.ident == "total_cmp");
             (is_total && it.path.segments.len() > 1)
