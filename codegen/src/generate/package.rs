@@ -140,10 +140,34 @@ impl<'a> Said<'a> {
                 let name = function.trim_start_matches("function ");
                 (format!("{name} is not part of the DSL"), Some("mark the function `#[function]`"))
             }
+            _ if ["E0223", "E0599"].iter().any(|code| message["code"]["code"] == *code)
+                && rendered.contains("__b_")
+                && !title.contains("__") =>
+            {
+                (
+                    "a function of an alias of small letters is not in the DSL".to_owned(),
+                    Some(
+                        "give the alias a name with a capital, `type Real32 = f32;`, or call the method",
+                    ),
+                )
+            }
+            _ if message["code"]["code"] == "E0223" && primary.is_some_and(is_pattern) => (
+                "this is not a variant of the type before it".to_owned(),
+                Some("give a constant in a pattern a name in capitals: `Preset::IDLE`"),
+            ),
             _ => reworded(title),
         };
         Some(Said { title, help, place, at_attribute, rendered })
     }
+}
+
+/// Whether an error is told at a pattern of a `match`, as far as its line shows.
+fn is_pattern(span: &Value) -> bool {
+    let text = &span["text"][0];
+    let end = text["highlight_end"].as_u64().unwrap_or_default() as usize;
+    let rest: String =
+        text["text"].as_str().unwrap_or_default().chars().skip(end.saturating_sub(1)).collect();
+    ["=>", "|", "if "].iter().any(|next| rest.trim_start().starts_with(next))
 }
 
 fn plain(rendered: &str, colour: bool) -> String {
@@ -159,6 +183,18 @@ fn plain(rendered: &str, colour: bool) -> String {
     }
     text + rest
 }
+
+/// The macros that a model may call: the builders ask rustc whether they are Rust's.
+const TAKEN_MACROS: [&str; 8] = [
+    "assert",
+    "assert_eq",
+    "assert_ne",
+    "matches",
+    "panic",
+    "todo",
+    "unimplemented",
+    "unreachable",
+];
 
 /// What rustc says of the builders' own names, in the author's terms, and a remedy.
 fn reworded(title: &str) -> (String, Option<&'static str>) {
@@ -185,6 +221,14 @@ fn reworded(title: &str) -> (String, Option<&'static str>) {
         return (
             format!("`{owner}` is not part of the DSL"),
             Some("mark the function `#[function]`"),
+        );
+    }
+    if let ([name], true) = (quoted.as_slice(), title.ends_with("` is ambiguous"))
+        && TAKEN_MACROS.contains(name)
+    {
+        return (
+            format!("a macro of the author's own is named as Rust's `{name}!`"),
+            Some("give it another name: by this one the DSL means Rust's"),
         );
     }
     if title.ends_with("is not a type of the DSL") {

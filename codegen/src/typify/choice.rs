@@ -330,18 +330,19 @@ impl Lowering<'_, '_> {
 
     fn variant_words(&self, pattern: &tree::Pattern, id: StructId, words: &mut Vec<i128>) -> bool {
         let free = |part: &tree::Pattern| matches!(part, tree::Pattern::Rest) || takes_all(part);
-        let name = match pattern {
+        let named = |name: &str| self.case(id, name).map(|(word, _)| word);
+        let word = match pattern {
             tree::Pattern::Or(cases) => {
                 return cases.iter().all(|case| self.variant_words(case, id, words));
             }
-            tree::Pattern::Value(tree::Expr { kind: tree::ExprKind::Path(_, path), .. }) => {
-                path.rsplit("::").next().unwrap_or_default()
+            tree::Pattern::Value(value) => self.unit_word(value, id),
+            tree::Pattern::Constructor(name, parts) if parts.iter().all(free) => named(name),
+            tree::Pattern::Fields(name, fields) if fields.iter().all(|(_, it)| free(it)) => {
+                named(name)
             }
-            tree::Pattern::Constructor(name, parts) if parts.iter().all(free) => name,
-            tree::Pattern::Fields(name, fields) if fields.iter().all(|(_, it)| free(it)) => name,
-            _ => return false,
+            _ => None,
         };
-        let Some((word, _)) = self.case(id, name) else { return false };
+        let Some(word) = word else { return false };
         if !words.contains(&i128::from(word)) {
             words.push(i128::from(word));
         }

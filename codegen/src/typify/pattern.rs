@@ -283,17 +283,14 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// A variant without payload, by its path.
+    /// A variant without payload, or a constant that is one.
     fn unit_case(
         &mut self,
         value: &tree::Expr,
         place: &Place,
         id: StructId,
     ) -> Result<Option<Expr>> {
-        if let tree::ExprKind::Path(_, path) = &value.kind
-            && let Some(name) = path.rsplit("::").next()
-            && let Some((word, _)) = self.case(id, name)
-        {
+        if let Some(word) = self.unit_word(value, id) {
             return Ok(Some(self.tag_is(place, id, word)));
         }
         problem(value.site, "a constant of this type is not a pattern", "compare with `==`")
@@ -304,6 +301,14 @@ impl Lowering<'_, '_> {
         let cases = self.cx.cases.get(&id)?;
         let index = cases.iter().position(|case| case.name == name)?;
         Some((index as u64, cases[index].clone()))
+    }
+
+    /// The word of the variant without payload that a path has for a value: its name may be another.
+    pub(super) fn unit_word(&self, value: &tree::Expr, id: StructId) -> Option<u64> {
+        let tree::ExprKind::Path(index, _) = &value.kind else { return None };
+        let word = *self.source.constants.get(*index as usize)?.words.first()?;
+        let case = self.cx.cases.get(&id)?.get(usize::try_from(word).ok()?)?;
+        case.field.is_none().then_some(word)
     }
 
     /// What `Name(…)` looks into, whether that is the one part itself, and what must hold for it.

@@ -266,6 +266,7 @@ fn builder(
         quote! { ::bessemer::generate::constant(cx, &#slot, #path) }
     });
     let items = &walk.items;
+    let macros = walk.macros.iter().map(lower::asked);
     let result = result_type(subject.signature);
     let result_slot = lower::slot_name(tree.result);
     // The tree is plain data: writing it cannot fail.
@@ -288,6 +289,7 @@ fn builder(
         {
             use ::bessemer::generate::prelude::*;
             #(#items)*
+            #(#macros)*
             #(let #slots = ::bessemer::generate::Slot::new();)*
             #(let #callees = ::bessemer::generate::Slot::new();)*
             let _ = |#(#patterns: #types),*| -> #result {

@@ -36,6 +36,14 @@ pub(super) struct Flow {
     pub item: Item,
 }
 
+/// How a closure takes the items of a chain.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Takes {
+    Items,
+    /// By reference: `filter`, `find`.
+    References,
+}
+
 pub(super) enum Over {
     Range(Box<tree::Range>, Option<(String, u32)>),
     Each {
@@ -121,7 +129,7 @@ impl Lowering<'_> {
         let kind = self.scoped(|walk| {
             let mut flow = walk.flow(&mut it.expr)?;
             let mut looks = Vec::new();
-            walk.name_item(&mut flow, &it.pat, &mut looks)?;
+            walk.name_item(&mut flow, (&it.pat, Takes::Items), &mut looks)?;
             let body = walk.branch(&mut it.body, false);
             it.body.stmts.splice(0..0, looks);
             let last = tree::Stmt::Expr(plain(ExprKind::Block(body), &it.for_token));
@@ -166,12 +174,12 @@ impl Lowering<'_> {
             "count" => assign(Some(BinaryOp::Add), plain(ExprKind::Int("1".into(), None), &node)),
             "fold" => {
                 let closure = closure_of(it.args.get_mut(1)?)?;
-                let value = self.through(flow, closure, 1)?;
+                let value = self.through(flow, closure, (1, Takes::Items))?;
                 assign(None, value)
             }
             end => {
                 let closure = closure_of(it.args.get_mut(0)?)?;
-                let mut condition = self.through(flow, closure, 0)?;
+                let mut condition = self.through(flow, closure, (0, Takes::Items))?;
                 if end == "all" {
                     condition = plain(ExprKind::Unary(UnaryOp::Not, Box::new(condition)), &node);
                 }
@@ -198,7 +206,9 @@ impl Lowering<'_> {
                 (link @ ("map" | "filter" | "take_while"), 1) => {
                     let mut flow = self.flow(&mut it.receiver)?;
                     in_full(&mut it.args[0], false);
-                    let value = self.through(&mut flow, closure_of(&mut it.args[0])?, 0)?;
+                    let takes = if link == "map" { Takes::Items } else { Takes::References };
+                    let closure = closure_of(&mut it.args[0])?;
+                    let value = self.through(&mut flow, closure, (0, takes))?;
                     match link {
                         "map" => flow.item = Item::Value(value),
                         "filter" => flow.steps.push(Step::If(value)),
@@ -209,7 +219,8 @@ impl Lowering<'_> {
                 ("filter_map", 1) => {
                     let mut flow = self.flow(&mut it.receiver)?;
                     in_full(&mut it.args[0], false);
-                    let value = self.through(&mut flow, closure_of(&mut it.args[0])?, 0)?;
+                    let closure = closure_of(&mut it.args[0])?;
+                    let value = self.through(&mut flow, closure, (0, Takes::Items))?;
                     flow.item = Item::Optional(value);
                     return Some(flow);
                 }
@@ -234,17 +245,17 @@ impl Lowering<'_> {
         Some(Flow { over, steps: Vec::new(), item: Item::Source(source) })
     }
 
-    /// What a closure makes of the items of a chain; `at`: which of its parameters takes them.
+    /// What a closure makes of the items of a chain; `at`: which of its parameters takes them, and how.
     pub(super) fn through(
         &mut self,
         flow: &mut Flow,
         closure: &mut syn::ExprClosure,
-        at: usize,
+        (at, takes): (usize, Takes),
     ) -> Option<tree::Expr> {
         let mut looks = Vec::new();
         let pattern = closure.inputs.iter().nth(at)?.clone();
         let before = self.scopes.last().map_or(0, Vec::len);
-        self.name_item(flow, &pattern, &mut looks)?;
+        self.name_item(flow, (&pattern, takes), &mut looks)?;
         let body = self.closure_body(closure, looks);
         // The next closure sees the names of the function, not those of this one.
         for (name, _) in self.scopes.last_mut()?.iter_mut().skip(before) {
@@ -256,7 +267,7 @@ impl Lowering<'_> {
     pub(super) fn name_item(
         &mut self,
         flow: &mut Flow,
-        pattern: &syn::Pat,
+        (pattern, takes): (&syn::Pat, Takes),
         looks: &mut Vec<syn::Stmt>,
     ) -> Option<()> {
         let name = simple(pattern);
@@ -286,7 +297,13 @@ impl Lowering<'_> {
             (Item::Number, Over::Range(_, variable)) => {
                 let name = name?;
                 let slot = self.slot();
-                looks.push(self.look(slot, &name));
+                // In the tree the name is the number, also where the closure is lent it.
+                let lent = takes == Takes::References && !is_reference(pattern);
+                looks.push(if lent {
+                    self.look_behind(slot, &name)
+                } else {
+                    self.look(slot, &name)
+                });
                 let in_tree = self.bind_apart(&text(&name));
                 *variable = Some((in_tree.clone(), slot));
                 Item::Named(in_tree)
@@ -356,7 +373,8 @@ impl Lowering<'_> {
                 flow.item = item;
                 // The author has no name for it; a look on the way tells its type.
                 let name = format_ident!("value");
-                self.name_item(flow, &syn::parse_quote!(#name), &mut Vec::new())?;
+                let pattern = syn::parse_quote!(#name);
+                self.name_item(flow, (&pattern, Takes::Items), &mut Vec::new())?;
                 let slot = match &flow.over {
                     Over::Range(_, variable) => variable.as_ref()?.1,
                     Over::Each { parts, .. } => named_by(parts.first()?)?.1,
@@ -477,6 +495,15 @@ fn simple(pattern: &syn::Pat) -> Option<syn::Ident> {
     match pattern {
         syn::Pat::Reference(it) => simple(&it.pat),
         other => closure_parameter(other),
+    }
+}
+
+/// Whether a pattern takes a reference apart, `&x`.
+fn is_reference(pattern: &syn::Pat) -> bool {
+    match pattern {
+        syn::Pat::Reference(_) => true,
+        syn::Pat::Paren(it) => is_reference(&it.pat),
+        _ => false,
     }
 }
 

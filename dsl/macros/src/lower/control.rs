@@ -32,6 +32,7 @@ impl Lowering<'_> {
         let kind = match expr {
             syn::Expr::Let(it) => {
                 let value = self.value(&mut it.expr);
+                pattern::brace_variants(&mut it.pat);
                 ExprKind::Let(Box::new(self.pattern(&it.pat, looks)), Box::new(value))
             }
             syn::Expr::Binary(it)
@@ -62,6 +63,7 @@ impl Lowering<'_> {
         for arm in &mut it.arms {
             arms.push(self.scoped(|walk| {
                 let mut looks = Vec::new();
+                pattern::brace_variants(&mut arm.pat);
                 let (pattern, guard) = match &mut arm.pat {
                     syn::Pat::Guard(it) => {
                         let pattern = walk.pattern(&it.pat, &mut looks);

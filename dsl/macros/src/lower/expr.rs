@@ -142,6 +142,7 @@ impl Lowering<'_> {
             }
             syn::Expr::Try(it) => (ExprKind::Try(Box::new(self.value(&mut it.expr))), value),
             syn::Expr::Macro(it) if it.mac.path.is_ident("matches") => {
+                self.is_rusts(&it.mac.path);
                 match super::matching(&it.mac) {
                     Some(matching) => {
                         *expr = syn::Expr::Match(matching);

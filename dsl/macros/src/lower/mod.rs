@@ -16,6 +16,7 @@ mod closure;
 mod control;
 mod each;
 mod expr;
+mod macros;
 mod matrix;
 mod operator;
 mod pattern;
@@ -36,6 +37,7 @@ use syn::spanned::Spanned;
 
 pub use bessemer_ir::tree::Site;
 pub use call::companion_name;
+pub use macros::asked;
 pub use pattern::member;
 pub use refuse::Refusals;
 pub use signature::{Parameter, check_field, gives_option, name_parts, parameters};
@@ -59,6 +61,8 @@ pub struct Lowering<'a> {
     pub operators: Vec<tree::Operator>,
     /// Paths that rustc has to evaluate: the slot, and the path.
     pub constants: Vec<(u32, TokenStream)>,
+    /// The macros of Rust's that are called, each once.
+    pub macros: Vec<syn::Ident>,
     /// `const` items of the body: the builder needs them too.
     pub items: Vec<syn::Item>,
     /// The function's own name, and whether it is a method: to tell a direct recursion.
@@ -109,6 +113,7 @@ impl<'a> Lowering<'a> {
             callees: 0,
             operators: Vec::new(),
             constants: Vec::new(),
+            macros: Vec::new(),
             items: Vec::new(),
             name: text(name),
             method,
@@ -209,6 +214,17 @@ impl<'a> Lowering<'a> {
         let name = slot_name(slot);
         syn::Stmt::Expr(
             syn::Expr::Verbatim(quote_spanned! { place.span() => __look(&#name, &#place) }),
+            Some(Default::default()),
+        )
+    }
+
+    /// The same for what a reference refers to.
+    fn look_behind(&self, slot: u32, reference: &syn::Ident) -> syn::Stmt {
+        let name = slot_name(slot);
+        syn::Stmt::Expr(
+            syn::Expr::Verbatim(
+                quote_spanned! { reference.span() => __look(&#name, &*#reference) },
+            ),
             Some(Default::default()),
         )
     }
@@ -338,6 +354,7 @@ impl<'a> Lowering<'a> {
             }
         }
         let mut looks = Vec::new();
+        pattern::brace_variants(&mut local.pat);
         let pattern = Box::new(self.pattern(&local.pat, &mut looks));
         (tree::Stmt::Apart { pattern, value, otherwise, site }, looks)
     }
@@ -365,6 +382,13 @@ impl<'a> Lowering<'a> {
         let name =
             mac.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default();
         let compared = match name.as_str() {
+            "assert" | "assert_eq" | "assert_ne" | "panic" | "unreachable" | "todo"
+            | "unimplemented"
+                if !self.is_rusts(&mac.path) =>
+            {
+                self.refusals.add(span, refuse::MACRO);
+                return None;
+            }
             "assert" | "__inside" | "__room" => None,
             "assert_eq" => Some(tree::BinaryOp::Eq),
             "assert_ne" => Some(tree::BinaryOp::Ne),

@@ -3,8 +3,10 @@
 use bessemer_ir::tree;
 use quote::{ToTokens, quote_spanned};
 use syn::spanned::Spanned;
+use syn::visit_mut::{self, VisitMut};
 
 use super::{Lowering, Refusals, refuse, site, slot_name, text};
+use crate::redirect;
 
 /// The name that a pattern binds, if that is all it does.
 pub fn simple_name(pattern: &syn::Pat, refusals: &mut Refusals) -> Option<syn::Ident> {
@@ -37,6 +39,34 @@ pub fn make_mutable(pattern: &mut syn::Pat) {
     }
 }
 
+/// Writes `Mode::Idle {}` for `Mode::Idle`, which is the same of a variant: rustc refuses it of a constant
+/// (`Presets::Idle`), whose name says nothing of its value. Below a module, `presets::Idle`, and alone, a name may be
+/// another than the variant's own: there rustc is asked for the value.
+pub(super) fn brace_variants(pattern: &mut syn::Pat) {
+    struct Braces;
+    impl VisitMut for Braces {
+        fn visit_pat_mut(&mut self, pattern: &mut syn::Pat) {
+            visit_mut::visit_pat_mut(self, pattern);
+            if let syn::Pat::Path(it) = pattern
+                && is_variant(&it.path)
+                && redirect::associated(it.qself.as_ref(), &it.path)
+                && !is_of_option(&it.path)
+            {
+                *pattern = syn::Pat::Struct(syn::PatStruct {
+                    attrs: std::mem::take(&mut it.attrs),
+                    qself: it.qself.take(),
+                    path: it.path.clone(),
+                    brace_token: syn::token::Brace(it.path.span()),
+                    fields: Default::default(),
+                    rest: None,
+                });
+            }
+        }
+        fn visit_expr_mut(&mut self, _: &mut syn::Expr) {}
+    }
+    Braces.visit_pat_mut(pattern);
+}
+
 impl Lowering<'_> {
     /// A pattern; the names it binds are locals from here on, and the statements that look at them go to
     /// `looks`.
@@ -59,9 +89,8 @@ impl Lowering<'_> {
                 let mut literal = syn::Expr::Lit(it.clone());
                 tree::Pattern::Value(self.value(&mut literal))
             }
-            // Of which type is the value's to say.
-            syn::Pat::Path(it) if is_variant(&it.path) => {
-                tree::Pattern::Constructor(last_segment(&it.path), Vec::new())
+            syn::Pat::Path(it) if is_of_option(&it.path) => {
+                tree::Pattern::Constructor("None".into(), Vec::new())
             }
             syn::Pat::Path(it) => {
                 tree::Pattern::Value(self.constant(it.to_token_stream(), &it.path))
@@ -80,6 +109,10 @@ impl Lowering<'_> {
             syn::Pat::TupleStruct(it) => {
                 let parts = self.patterns(&it.elems, looks);
                 tree::Pattern::Constructor(last_segment(&it.path), parts)
+            }
+            // Of which type is the value's to say.
+            syn::Pat::Struct(it) if it.fields.is_empty() && it.rest.is_none() => {
+                tree::Pattern::Constructor(last_segment(&it.path), Vec::new())
             }
             syn::Pat::Struct(it) => {
                 let fields = it.fields.iter();
@@ -169,6 +202,12 @@ pub(super) fn is_variant(path: &syn::Path) -> bool {
     path.segments.len() > 1
         && last.starts_with(|first: char| first.is_uppercase())
         && last.contains(|letter: char| letter.is_lowercase())
+}
+
+/// Whether a path is `Option::None`, of which rustc cannot tell the type by itself.
+fn is_of_option(path: &syn::Path) -> bool {
+    let before = path.segments.iter().rev().nth(1);
+    last_segment(path) == "None" && before.is_some_and(|before| before.ident == "Option")
 }
 
 fn is_constant_name(ident: &syn::Ident) -> bool {

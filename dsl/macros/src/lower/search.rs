@@ -4,7 +4,7 @@
 
 use bessemer_ir::tree::{self, BinaryOp, ExprKind, Order, Pattern, Start};
 
-use super::chain::{Flow, Item, Over, Step, named_by};
+use super::chain::{Flow, Item, Over, Step, Takes, named_by};
 use super::closure::{closure_of, plain};
 use super::{GENERATING, Lowering, slot_name};
 
@@ -38,11 +38,13 @@ impl Lowering<'_> {
         let last = match end {
             "position" => {
                 let index = self.count_from_zero(&mut flow)?;
-                let condition = self.through(&mut flow, closure_of(it.args.get_mut(0)?)?, 0)?;
+                let closure = closure_of(it.args.get_mut(0)?)?;
+                let condition = self.through(&mut flow, closure, (0, Takes::Items))?;
                 when(condition, block(vec![told(local(&index)), stop]), None)
             }
             "find" => {
-                let condition = self.through(&mut flow, closure_of(it.args.get_mut(0)?)?, 0)?;
+                let closure = closure_of(it.args.get_mut(0)?)?;
+                let condition = self.through(&mut flow, closure, (0, Takes::References))?;
                 let Item::Named(item) = &flow.item else { return None };
                 when(condition, block(vec![told(local(item)), stop]), None)
             }

@@ -3,7 +3,7 @@
 //! `m.column_mut(j).copy_from(&v)` becomes `m.set_column(j, &v)`, `m.fixed_view_mut::<2, 2>(i, j).scale_mut(s)` the
 //! write of the product. What is read by `m.column(j)` is a value, and needs nothing here.
 
-use quote::format_ident;
+use quote::{format_ident, quote_spanned};
 
 use super::Lowering;
 
@@ -61,7 +61,13 @@ impl Lowering<'_> {
             }
         };
         let write: syn::Expr = match (method.as_str(), first) {
-            ("copy_from", Some(part)) if arguments.len() == 1 => set(view, &name, part),
+            ("copy_from", Some(part)) if arguments.len() == 1 => {
+                if !cannot_fault(&part) {
+                    once();
+                    names.extend(inside(view, &name)?);
+                }
+                set(view, &name, part)
+            }
             ("scale_mut" | "unscale_mut", Some(factor)) if arguments.len() == 1 => {
                 once();
                 let read = read(view, &name);
@@ -69,6 +75,10 @@ impl Lowering<'_> {
                 set(view, &name, syn::parse_quote! { &#read.#change(#factor) })
             }
             ("fill", Some(value)) if name == "row" || name == "column" => {
+                if !cannot_fault(&value) {
+                    once();
+                    names.extend(inside(view, &name)?);
+                }
                 let mut call = view.clone();
                 call.method = format_ident!("fill_{name}", span = view.method.span());
                 call.args.push(value);
@@ -111,6 +121,48 @@ fn may_repeat(expr: &syn::Expr) -> bool {
         }
         _ => false,
     }
+}
+
+/// Whether computing an expression can have no fault.
+fn cannot_fault(expr: &syn::Expr) -> bool {
+    match expr {
+        syn::Expr::Lit(_) | syn::Expr::Path(_) => true,
+        syn::Expr::Paren(it) => cannot_fault(&it.expr),
+        syn::Expr::Field(it) => cannot_fault(&it.base),
+        syn::Expr::Reference(it) => it.mutability.is_none() && cannot_fault(&it.expr),
+        _ => false,
+    }
+}
+
+/// The checks of where a view lies, which Rust makes before it computes what is written there; none if the
+/// view does not say its size.
+fn inside(view: &syn::ExprMethodCall, name: &str) -> Option<Vec<syn::Stmt>> {
+    let one: syn::Expr = syn::parse_quote! { 1 };
+    let mut sizes = view.turbofish.iter().flat_map(|it| &it.args);
+    let mut size = || -> Option<syn::Expr> {
+        match sizes.next()? {
+            syn::GenericArgument::Const(it) => Some(it.clone()),
+            syn::GenericArgument::Type(it) => Some(syn::parse_quote! { #it }),
+            _ => None,
+        }
+    };
+    let (rows, columns) = ("nrows", "ncols");
+    let sides = match name {
+        "row" => vec![(rows, one)],
+        "column" => vec![(columns, one)],
+        "fixed_rows" => vec![(rows, size()?)],
+        "fixed_columns" => vec![(columns, size()?)],
+        _ => vec![(rows, size()?), (columns, size()?)],
+    };
+    let matrix = &view.receiver;
+    let checks = view.args.iter().zip(sides).map(|(at, (side, size))| {
+        let side = format_ident!("{side}", span = view.method.span());
+        let check = quote_spanned! { view.method.span() =>
+           ::bessemer::__inside!(#at + #size <= #matrix.#side());
+        };
+        syn::parse2(check).ok()
+    });
+    checks.collect()
 }
 
 /// The view, as it is read.
