@@ -2,11 +2,11 @@
 
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{
-    Block, CompareOp, Expr, ExprKind, Fault, LogicOp, Place, StmtKind, Type, UnaryOp,
+    Block, CompareOp, Expr, ExprKind, Fault, LogicOp, Mode, Place, StmtKind, Type, UnaryOp,
 };
 
 use super::conditions::has_let;
-use super::function::{Lowering, Target, control_with_value, is_literal};
+use super::function::{Binding, Lowering, Target, control_with_value, is_literal};
 use super::loops::{Leaving, negated};
 use super::{OUR_FAULT, Result, order, problem};
 
@@ -356,6 +356,40 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
+    /// Refuses to let a name refer to something else: in the C it is another name of its place.
+    pub(super) fn keeps_what_it_refers_to(
+        &mut self,
+        place: &tree::Expr,
+        value: &tree::Expr,
+    ) -> Result<()> {
+        let tree::ExprKind::Local(name) = &place.kind else { return Ok(()) };
+        let refers = match self.lookup(name, place.site)? {
+            Binding::Alias(_) | Binding::Slice(_) => true,
+            // One that may be written also stands for a variable that a closure writes.
+            Binding::Local(root) => match self.locals[root.index()].mode {
+                Mode::Value => false,
+                Mode::Ref => true,
+                Mode::RefMut => self.is_reference(value)?,
+            },
+        };
+        match refers {
+            true => problem(
+                place.site,
+                "a reference cannot be made to refer to something else in the DSL",
+                "write to what it refers to (`*name = …`), or choose between two places by an index or an `if`",
+            ),
+            false => Ok(()),
+        }
+    }
+
+    fn is_reference(&self, value: &tree::Expr) -> Result<bool> {
+        match (&value.kind, value.slot) {
+            (tree::ExprKind::Ref(..), _) => Ok(true),
+            (_, Some(slot)) => self.slot_is_reference(slot, value.site),
+            _ => Ok(false),
+        }
+    }
+
     /// `place = value`, `place op= value`.
     fn assign(
         &mut self,
@@ -364,6 +398,9 @@ impl Lowering<'_, '_> {
         value: &tree::Expr,
         site: Site,
     ) -> Result<()> {
+        if op.is_none() {
+            self.keeps_what_it_refers_to(place, value)?;
+        }
         let other = self.in_place(value);
         let value = other.as_ref().unwrap_or(value);
         let name = self.name_of(place);

@@ -350,6 +350,8 @@ impl Passed {
             (Grouping::All, Some(length)) => number(length.div_ceil(size), span),
             (Grouping::Windows, Some(length)) => number((length + 1).saturating_sub(size), span),
             (Grouping::Whole, None) => divided(length, number(size, span)),
+            // No slice is that long, and the sum below would overflow.
+            (Grouping::All, None) if size > 1 << 31 => lesser(length, number(1, span)),
             (Grouping::All, None) => {
                 let more = plus(length, number(size - 1, span));
                 divided(more, number(size, span))

@@ -39,6 +39,7 @@ impl Lowering<'_, '_> {
                 Ok(())
             }
             (Places::One(place), _) => {
+                self.keeps_what_it_refers_to(place, value)?;
                 let ty = self.place_type(place)?;
                 let name = self.name_of(place);
                 let naming = std::mem::replace(&mut self.naming, name);

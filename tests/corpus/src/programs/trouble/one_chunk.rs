@@ -1,0 +1,17 @@
+//! Chunks longer than any slice.
+
+use bessemer::prelude::*;
+
+/// How many there are, and what is in them.
+#[function]
+pub fn chunks_of_many(bytes: &[u8; 10], used: usize) -> (u8, u32) {
+    let used = used.min(bytes.len());
+    let (mut count, mut sum) = (0, 0);
+    for part in bytes[..used].chunks(4_294_967_295) {
+        count += 1;
+        for byte in part {
+            sum += u32::from(*byte);
+        }
+    }
+    (count, sum)
+}
