@@ -157,12 +157,26 @@ fn inside(view: &syn::ExprMethodCall, name: &str) -> Option<Vec<syn::Stmt>> {
     let matrix = &view.receiver;
     let checks = view.args.iter().zip(sides).map(|(at, (side, size))| {
         let side = format_ident!("{side}", span = view.method.span());
+        let end = sum(at, &size).unwrap_or_else(|| syn::parse_quote! { #at + #size });
         let check = quote_spanned! { view.method.span() =>
-           ::bessemer::__inside!(#at + #size <= #matrix.#side());
+           ::bessemer::__inside!(#end <= #matrix.#side());
         };
         syn::parse2(check).ok()
     });
     checks.collect()
+}
+
+/// The sum of two numbers that are written out.
+fn sum(one: &syn::Expr, other: &syn::Expr) -> Option<syn::Expr> {
+    let number = |expr: &syn::Expr| match expr {
+        syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Int(it), .. }) => {
+            it.base10_parse::<usize>().ok()
+        }
+        _ => None,
+    };
+    let sum = number(one)?.checked_add(number(other)?)?;
+    let sum = proc_macro2::Literal::usize_suffixed(sum);
+    Some(syn::parse_quote! { #sum })
 }
 
 /// The view, as it is read.
