@@ -28,8 +28,8 @@ pub(super) fn tree(job: &Job, sources: &Sources) -> Result<Package, Error> {
         if printed.strangers.is_empty() {
             return serde_json::from_str(&printed.tree).map_err(|error| failed(error.to_string()));
         }
-        for package in &printed.strangers {
-            program::forget(&job.root, package)?;
+        for source in &printed.strangers {
+            program::touch(source)?;
         }
     }
     Err(failed("another workspace keeps building into the same target folder".to_owned()))

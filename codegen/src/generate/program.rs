@@ -6,9 +6,11 @@
 
 use std::collections::BTreeMap;
 use std::ffi::OsString;
+use std::fs::File;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::time::SystemTime;
 
 use serde_json::Value;
 
@@ -26,8 +28,8 @@ struct Artifact {
     krate: String,
     /// The folder of its package.
     folder: PathBuf,
-    /// Its package, as cargo's commands take it.
-    package: String,
+    /// Its first source file.
+    source: PathBuf,
 }
 
 /// What the program printed.
@@ -38,8 +40,8 @@ pub(super) struct Printed {
     pub tree: String,
     /// What it said of an error.
     pub error: String,
-    /// The packages that were compiled in another workspace.
-    pub strangers: Vec<String>,
+    /// The first source files of the crates that were compiled in another workspace instead.
+    pub strangers: Vec<PathBuf>,
 }
 
 impl Program {
@@ -68,8 +70,8 @@ impl Program {
         }))
     }
 
-    /// The packages that were compiled in other folders than cargo says.
-    fn strangers(&self, folders: &str) -> Vec<String> {
+    /// The sources of the crates that were compiled in other folders than cargo says.
+    fn strangers(&self, folders: &str) -> Vec<PathBuf> {
         let folders: BTreeMap<String, PathBuf> = serde_json::from_str(folders).unwrap_or_default();
         let built = |krate: &str| -> Vec<&Artifact> {
             self.artifacts.iter().filter(|it| it.krate == krate).collect()
@@ -78,7 +80,7 @@ impl Program {
         for (krate, folder) in &folders {
             let built = built(krate);
             if built.iter().all(|it| it.folder != *folder) {
-                strangers.extend(built.iter().map(|it| it.package.clone()));
+                strangers.extend(built.iter().map(|it| it.source.clone()));
             }
         }
         strangers
@@ -89,8 +91,8 @@ impl Artifact {
     fn of(message: &Value) -> Option<Artifact> {
         let folder = Path::new(message.get("manifest_path")?.as_str()?).parent()?.to_owned();
         let krate = message.get("target")?.get("name")?.as_str()?.replace('-', "_");
-        let package = message.get("package_id")?.as_str()?.to_owned();
-        (message["reason"] == "compiler-artifact").then_some(Artifact { krate, folder, package })
+        let source = PathBuf::from(message.get("target")?.get("src_path")?.as_str()?);
+        (message["reason"] == "compiler-artifact").then_some(Artifact { krate, folder, source })
     }
 }
 
@@ -100,14 +102,12 @@ fn executable(message: &Value, binary: &str) -> Option<PathBuf> {
     (target == binary).then(|| PathBuf::from(program))
 }
 
-/// Makes cargo build a package of the workspace at `root` anew.
-pub(super) fn forget(root: &Path, package: &str) -> Result<(), Error> {
-    let cargo = cargo();
-    let mut clean = Command::new(&cargo);
-    clean.args(["clean", "--quiet", "--package", package]).current_dir(root);
-    let program = || cargo.to_string_lossy().into_owned();
-    clean.output().map_err(|source| Error::Run { program: program(), source })?;
-    Ok(())
+/// Makes cargo compile a crate anew, by the time of its first source file: cleaning would also take away
+/// what others have built.
+pub(super) fn touch(source: &Path) -> Result<(), Error> {
+    let now = SystemTime::now();
+    let touched = File::options().append(true).open(source).and_then(|file| file.set_modified(now));
+    touched.map_err(|error| Error::File { path: source.to_owned(), source: error })
 }
 
 /// The cargo that runs this, or the one on the path.
