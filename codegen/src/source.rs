@@ -43,6 +43,18 @@ impl Sources {
         comments.reverse();
         comments
     }
+
+    /// Whether a `use` of `file` gives something else the name `name`.
+    pub fn renames(&self, file: &str, name: &str) -> bool {
+        let code = |line: &String| line.split("//").next().unwrap_or_default().to_owned();
+        let lines: Vec<String> = self.lines(file).iter().map(code).collect();
+        lines.join(" ").split(';').any(|statement| {
+            let words = statement.split(|it: char| !it.is_alphanumeric() && it != '_');
+            let words: Vec<&str> =
+                words.filter(|word| !word.is_empty()).skip_while(|word| *word != "use").collect();
+            words.windows(2).any(|pair| pair == ["as", name])
+        })
+    }
 }
 
 /// The text of a line that is an ordinary comment and nothing else.
@@ -52,4 +64,22 @@ fn comment(line: &str) -> Option<&str> {
         return None;
     }
     Some(text.strip_prefix(' ').unwrap_or(text).trim_end())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Sources;
+
+    /// Only a `use` renames; a cast to a type of that name does not.
+    #[test]
+    fn a_use_renames() -> std::io::Result<()> {
+        let folder = tempfile::tempdir()?;
+        let text = "use a::{B as C, D as\n    E}; // as F\nfn f(x: u8) { g(x as H); use i as J; }";
+        std::fs::write(folder.path().join("lib.rs"), text)?;
+        let sources = Sources::new(folder.path());
+        let renamed = |name| sources.renames("lib.rs", name);
+        assert_eq!(["C", "E", "J"].map(renamed), [true; 3]);
+        assert_eq!(["B", "D", "F", "H", "i"].map(renamed), [false; 5]);
+        Ok(())
+    }
 }

@@ -29,9 +29,7 @@ impl Lowering<'_, '_> {
         if !self.cx.cases.contains_key(&id) {
             return self.parts(id, fields, rest, expr);
         }
-        let Some((word, case)) = self.case(id, name) else {
-            return problem(expr.site, format!("`{name}` is not a variant"), OUR_FAULT);
-        };
+        let (word, case) = self.named_case(id, name, expr.site)?;
         let held = case
             .field
             .map(|field| self.cx.module.structs[id.index()].fields[field as usize].ty.clone());

@@ -296,6 +296,19 @@ impl Lowering<'_, '_> {
         problem(value.site, "a constant of this type is not a pattern", "compare with `==`")
     }
 
+    /// The same, of a name that the author wrote, which must be the variant's own: that of another, given by a
+    /// `use`, would be taken for it.
+    pub(super) fn named_case(&self, id: StructId, name: &str, site: Site) -> Result<(u64, Case)> {
+        match self.case(id, name) {
+            Some(case) if !self.cx.sources.renames(&self.source.file, name) => Ok(case),
+            _ => problem(
+                site,
+                format!("`{name}` is not a variant's own name"),
+                "write the name that the variant has where its enum is declared",
+            ),
+        }
+    }
+
     /// The variant of a struct that stands for an enum: its word, and what it holds.
     pub(super) fn case(&self, id: StructId, name: &str) -> Option<(u64, Case)> {
         let cases = self.cx.cases.get(&id)?;
@@ -322,9 +335,7 @@ impl Lowering<'_, '_> {
         if !self.cx.cases.contains_key(&id) {
             return Ok((Some(place.clone()), false, None));
         }
-        let Some((word, case)) = self.case(id, name) else {
-            return problem(site, format!("`{name}` is not a variant"), OUR_FAULT);
-        };
+        let (word, case) = self.named_case(id, name, site)?;
         let payload = case.field.map(|field| self.part(place, id, field as usize));
         Ok((payload, case.single, Some(self.tag_is(place, id, word))))
     }

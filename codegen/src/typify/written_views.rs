@@ -42,9 +42,11 @@ impl Lowering<'_, '_> {
             ("views::set_fixed_view", [row, column, part]) => {
                 self.set_part(matrix, [Some(row), Some(column)], part)?
             }
-            ("matrix_edit::fill_row", [row, value]) => self.fill_line(matrix, row, value, true)?,
-            ("matrix_edit::fill_column", [column, value]) => {
-                self.fill_line(matrix, column, value, false)?
+            ("matrix_edit::fill_row" | "views::fill_row", [row, value]) => {
+                self.fill_line(matrix, row, value, (true, name))?
+            }
+            ("matrix_edit::fill_column" | "views::fill_column", [column, value]) => {
+                self.fill_line(matrix, column, value, (false, name))?
             }
             ("matrix_edit::swap_rows", [one, other]) => {
                 self.swap_lines(matrix, [one, other], true)?
@@ -111,13 +113,13 @@ impl Lowering<'_, '_> {
         Ok(true)
     }
 
-    /// Writes one value to a row, or to a column.
+    /// Writes one value to a row, or to a column; a view's end may overflow first.
     fn fill_line(
         &mut self,
         matrix: &tree::Expr,
         line: &tree::Expr,
         value: &tree::Expr,
-        is_row: bool,
+        (is_row, routine): (bool, &str),
     ) -> Result<bool> {
         let span = self.span(matrix.site);
         let Some(place) = self.written_matrix(matrix)? else { return Ok(false) };
@@ -130,7 +132,11 @@ impl Lowering<'_, '_> {
         let [line, value] = super::expr::two(values, matrix.site)?;
         let (line, value) = (self.steady("line", line), self.steady("value", value));
         let most = number(u64::from(if is_row { rows } else { cols }), span);
-        self.claim(compare(CompareOp::Lt, line.clone(), most), Fault::Index);
+        let is_there = match routine.starts_with("views::") {
+            true => compare(CompareOp::Le, plus(line.clone(), number(1, span)), most),
+            false => compare(CompareOp::Lt, line.clone(), most),
+        };
+        self.claim(is_there, Fault::Index);
         let zero = number(0, span);
         let part = match is_row {
             true => Part { row: line, column: zero, rows: 1, columns: cols },

@@ -75,16 +75,20 @@ pub trait SliceBuiltins<T> {
     fn __b_get_mut(&mut self, _index: usize) -> Called<GetMut, Option<&mut T>> {
         unreachable!()
     }
-    fn __b_get_part(&self, _from: usize, _to: usize) -> Called<GetPart, Option<&[T]>> {
+    fn __b_slice_get_part(&self, _from: usize, _to: usize) -> Called<GetPart, Option<&[T]>> {
         unreachable!()
     }
-    fn __b_get_part_mut(&mut self, _from: usize, _to: usize) -> Called<GetPart, Option<&mut [T]>> {
+    fn __b_slice_get_part_mut(
+        &mut self,
+        _from: usize,
+        _to: usize,
+    ) -> Called<GetPart, Option<&mut [T]>> {
         unreachable!()
     }
-    fn __b_get_from(&self, _from: usize) -> Called<GetFrom, Option<&[T]>> {
+    fn __b_slice_get_from(&self, _from: usize) -> Called<GetFrom, Option<&[T]>> {
         unreachable!()
     }
-    fn __b_get_from_mut(&mut self, _from: usize) -> Called<GetFrom, Option<&mut [T]>> {
+    fn __b_slice_get_from_mut(&mut self, _from: usize) -> Called<GetFrom, Option<&mut [T]>> {
         unreachable!()
     }
     fn __b_first_mut(&mut self) -> Called<FirstMut, Option<&mut T>> {

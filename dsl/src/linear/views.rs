@@ -120,6 +120,32 @@ pub fn set_column<T: Real, const R: usize, const C: usize>(
     }
 }
 
+/// Fills a row: `a.row_mut(row).fill(value)`.
+#[function]
+pub fn fill_row<T: Real, const R: usize, const C: usize>(
+    a: &mut SMatrix<T, R, C>,
+    row: usize,
+    value: T,
+) {
+    crate::__inside!(row + 1 <= R);
+    for column in 0..C {
+        a[(row, column)] = value;
+    }
+}
+
+/// Fills a column: `a.column_mut(column).fill(value)`.
+#[function]
+pub fn fill_column<T: Real, const R: usize, const C: usize>(
+    a: &mut SMatrix<T, R, C>,
+    column: usize,
+    value: T,
+) {
+    crate::__inside!(column + 1 <= C);
+    for row in 0..R {
+        a[(row, column)] = value;
+    }
+}
+
 /// Writes the block whose first element is at a row and a column.
 #[function]
 pub fn set_fixed_view<

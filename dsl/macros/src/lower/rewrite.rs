@@ -434,10 +434,10 @@ fn gotten(it: &syn::ExprMethodCall) -> Option<syn::Expr> {
         None => parse_quote! { 0 },
     };
     let Some(to) = &range.end else {
-        let method = method("get_from");
+        let method = method("slice_get_from");
         return Some(parse_quote! { #array.#method(#from) });
     };
-    let method = method("get_part");
+    let method = method("slice_get_part");
     Some(match range.limits {
         syn::RangeLimits::HalfOpen(_) => parse_quote! { #array.#method(#from, #to) },
         // Nothing ends behind the last index that there could be.

@@ -80,7 +80,7 @@ impl Lowering<'_> {
                     names.extend(inside(view, &name)?);
                 }
                 let mut call = view.clone();
-                call.method = format_ident!("fill_{name}", span = view.method.span());
+                call.method = format_ident!("view_fill_{name}", span = view.method.span());
                 call.args.push(value);
                 syn::Expr::MethodCall(call)
             }
