@@ -50,7 +50,7 @@ impl Lowering<'_, '_> {
         let mut taken: Vec<Taken<'_>> = Vec::new();
         for arm in arms {
             let (binding, patterns) = split(&arm.pattern);
-            let ranges = self.ranges(patterns, &value.ty, arm.body.site)?;
+            let ranges = self.ranges(patterns, &value.ty, arm.site)?;
             taken.push(Taken { arm, binding, ranges });
         }
         let name = taken.iter().find_map(|taken| taken.binding).map(|(name, _)| name);
@@ -189,7 +189,7 @@ impl Lowering<'_, '_> {
     fn arm(&mut self, taken: &Taken<'_>, target: Option<&Target>) -> Result<()> {
         if let Some((name, true)) = taken.binding {
             // Assigned, it is a copy of its own.
-            let value = self.named(name, taken.arm.body.site)?;
+            let value = self.named(name, taken.arm.site)?;
             let span = value.span;
             let local = self.declare(name, value.ty.clone(), Mode::Value, span);
             self.emit(StmtKind::Let { local, value: Some(value) }, span);
@@ -242,7 +242,7 @@ impl Lowering<'_, '_> {
         let Some((arm, rest)) = arms.split_first() else { return Ok(()) };
         let (condition, then) = self.naming_scope(|inner| {
             let mut names = Vec::new();
-            let test = inner.test(&arm.pattern, subject, arm.body.site, &mut names)?;
+            let test = inner.test(&arm.pattern, subject, arm.site, &mut names)?;
             let condition = match (rest, test, &arm.guard) {
                 ([], ..) => None,
                 (_, test, None) => test,
@@ -292,7 +292,7 @@ impl Lowering<'_, '_> {
         for (arm, words) in arms.iter().zip(words) {
             let body = self.scoped(|inner| {
                 let mut names = Vec::new();
-                inner.test(&arm.pattern, &subject, arm.body.site, &mut names)?;
+                inner.test(&arm.pattern, &subject, arm.site, &mut names)?;
                 inner.bind_names(&names)?;
                 inner.arm_body(&arm.body, target)
             })?;

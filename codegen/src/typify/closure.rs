@@ -121,21 +121,21 @@ impl Made {
                 Body::Value(value) => (Pattern::Any, (*value).clone()),
                 // A statement, for its effect alone.
                 _ if self.slot.is_none() && !matches!(body, Body::Of(_)) => {
-                    let arm = self.case(case, Pattern::Any);
-                    return Arm { pattern: arm, guard: None, body: self.expr(NOTHING) };
+                    let pattern = self.case(case, Pattern::Any);
+                    return arm(pattern, None, self.expr(NOTHING));
                 }
                 Body::Same if !none(into) => (named(), self.payload()),
                 Body::Same | Body::Nothing => {
                     let none = ExprKind::Constructor("None".into(), Vec::new());
-                    let arm = self.case(case, Pattern::Any);
-                    return Arm { pattern: arm, guard: None, body: self.expr(none) };
+                    let pattern = self.case(case, Pattern::Any);
+                    return arm(pattern, None, self.expr(none));
                 }
             };
             let body = match into.filter(|_| self.slot.is_some()) {
                 Some(into) => self.expr(ExprKind::Constructor(into.into(), vec![value])),
                 None => value,
             };
-            Arm { pattern: self.case(case, pattern), guard: None, body }
+            arm(self.case(case, pattern), None, body)
         });
         self.expr(ExprKind::Match(Box::new(receiver.clone()), arms.into()))
     }
@@ -161,18 +161,18 @@ impl Made {
         let pattern = self.case("Some", payload);
         let some = self.expr(ExprKind::Constructor("Some".into(), vec![self.payload()]));
         let none = self.expr(ExprKind::Constructor("None".into(), Vec::new()));
-        let rest = Arm { pattern: Pattern::Any, guard: None, body: none.clone() };
+        let rest = arm(Pattern::Any, None, none.clone());
         let choice = |receiver: &Expr, taken| {
             self.expr(ExprKind::Match(Box::new(receiver.clone()), vec![taken, rest]))
         };
         if is_pure(test) {
-            let taken = Arm { pattern, guard: Some(test.clone()), body: some };
+            let taken = arm(pattern, Some(test.clone()), some);
             return Some(choice(receiver, taken));
         }
         // The test may write to what is asked: it is asked of a copy.
         let then = Block { stmts: Vec::new(), tail: Some(Box::new(some)) };
         let kind = ExprKind::If(Box::new(test.clone()), then, Some(Box::new(none)));
-        let taken = Arm { pattern, guard: None, body: self.expr(kind) };
+        let taken = arm(pattern, None, self.expr(kind));
         let copy = self.bare(ExprKind::Local(KEPT.into()));
         let tail = Some(Box::new(choice(&copy, taken)));
         let stmts = vec![self.kept(KEPT, receiver)];
@@ -189,12 +189,12 @@ impl Made {
     fn question(&self, receiver: &Expr, f: &Expr, case: &str) -> Option<Expr> {
         let (parameter, test) = parts(f)?;
         let boolean = |value| self.bare(ExprKind::Bool(value));
-        let rest = Arm { pattern: Pattern::Any, guard: None, body: boolean(false) };
+        let rest = arm(Pattern::Any, None, boolean(false));
         let (guard, body) = match is_pure(test) {
             true => (Some(test.clone()), boolean(true)),
             false => (None, test.clone()),
         };
-        let taken = Arm { pattern: self.case(case, parameter), guard, body };
+        let taken = arm(self.case(case, parameter), guard, body);
         Some(self.expr(ExprKind::Match(Box::new(receiver.clone()), vec![taken, rest])))
     }
 
@@ -253,16 +253,29 @@ fn is_quiet(expr: &Expr) -> bool {
         ExprKind::Unary(tree::UnaryOp::Neg, inner) => {
             matches!(inner.kind, ExprKind::Int(..) | ExprKind::Float(..))
         }
-        ExprKind::Unary(tree::UnaryOp::Not, inner)
-        | ExprKind::Field(inner, _)
-        | ExprKind::Ref(_, inner)
-        | ExprKind::Deref(inner) => is_quiet(inner),
+        ExprKind::Field(inner, _) | ExprKind::Ref(_, inner) | ExprKind::Deref(inner) => {
+            is_quiet(inner)
+        }
         ExprKind::Binary(op, left, right) => {
             use tree::BinaryOp::{Eq, Ge, Gt, Le, LogicAnd, LogicOr, Lt, Ne};
-            matches!(op, Eq | Ne | Lt | Le | Gt | Ge | LogicAnd | LogicOr)
-                && is_quiet(left)
-                && is_quiet(right)
+            let quiet = match op {
+                LogicAnd | LogicOr => true,
+                // Beside a number it is no author's own operator, which may do anything.
+                Eq | Ne | Lt | Le | Gt | Ge => is_number(left) || is_number(right),
+                _ => false,
+            };
+            quiet && is_quiet(left) && is_quiet(right)
         }
         _ => false,
     }
+}
+
+fn is_number(expr: &Expr) -> bool {
+    matches!(expr.kind, ExprKind::Bool(_) | ExprKind::Int(..) | ExprKind::Float(..))
+}
+
+/// An arm that no author wrote; where its value stands is where its pattern would.
+fn arm(pattern: Pattern, guard: Option<Expr>, body: Expr) -> Arm {
+    let site = body.site;
+    Arm { pattern, guard, body, site }
 }

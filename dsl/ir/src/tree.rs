@@ -441,6 +441,8 @@ pub struct Arm {
     pub guard: Option<Expr>,
     /// Its value.
     pub body: Expr,
+    /// Where its pattern stands.
+    pub site: Site,
 }
 
 /// A closure as the argument of a call.

@@ -61,6 +61,7 @@ impl Lowering<'_> {
         let scrutinee = self.whole(&mut it.expr);
         let mut arms = Vec::new();
         for arm in &mut it.arms {
+            let site = site(&arm.pat);
             arms.push(self.scoped(|walk| {
                 let mut looks = Vec::new();
                 pattern::brace_variants(&mut arm.pat);
@@ -74,7 +75,7 @@ impl Lowering<'_> {
                 let body =
                     if value { walk.value(&mut arm.body) } else { walk.statement(&mut arm.body) };
                 behind(&mut arm.body, looks);
-                tree::Arm { pattern, guard, body }
+                tree::Arm { pattern, guard, body, site }
             }));
         }
         ExprKind::Match(Box::new(scrutinee), arms)
