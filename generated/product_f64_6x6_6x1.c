@@ -35,9 +35,9 @@
 #endif
 
 #if defined(LANES)
-/* The rows of a block; the last vector overlaps where they are no multiple of its lanes. */
+/* The rows of a band; the last vector overlaps where they are no multiple of its lanes. */
 #define HEIGHT ((LANES * DOWN < 6U) ? LANES * DOWN : 6U)
-#define OFFSET(vector) ((LANES * (vector) + LANES <= HEIGHT) ? LANES * (vector) : HEIGHT - LANES)
+#define OFFSET(vector) ((LANES * (vector) + LANES <= 6U) ? LANES * (vector) : 6U - LANES)
 
 #if !defined(PLUS)
 #define TIMES(rows, number) ((rows) * (number))
@@ -47,52 +47,64 @@
 typedef double lanes_t __attribute__((vector_size(8 * LANES), aligned(8), may_alias));
 
 #if defined(ACROSS)
-/* A block of the result, vectors of rows by columns: the first products, then the others in order. */
-static inline void block(const double *a, const double *b, double *result)
-{
-    lanes_t sums[ACROSS][DOWN];
-    /* What is used again stays in registers: the rows, or the numbers where they are fewer. */
-#pragma GCC unroll 8
-    for (uint32_t down = 0U; down < DOWN; down++) {
-        const lanes_t rows = *(const lanes_t *)&a[OFFSET(down)];
-#pragma GCC unroll 8
-        for (uint32_t across = 0U; across < ACROSS; across++) {
-            sums[across][down] = TIMES(rows, b[6U * across]);
-        }
-    }
-#pragma GCC unroll 2
-    for (uint32_t k = 1U; k < 6U; k++) {
-#if DOWN > ACROSS
-#pragma GCC unroll 8
-        for (uint32_t down = 0U; down < DOWN; down++) {
-            const lanes_t rows = *(const lanes_t *)&a[6U * k + OFFSET(down)];
-#pragma GCC unroll 8
-            for (uint32_t across = 0U; across < ACROSS; across++) {
-                sums[across][down] = PLUS(sums[across][down], rows, b[k + 6U * across]);
-            }
-        }
-#else
-        lanes_t rows[DOWN];
-#pragma GCC unroll 8
-        for (uint32_t down = 0U; down < DOWN; down++) {
-            rows[down] = *(const lanes_t *)&a[6U * k + OFFSET(down)];
-        }
-#pragma GCC unroll 8
-        for (uint32_t across = 0U; across < ACROSS; across++) {
-            const double number = b[k + 6U * across];
-#pragma GCC unroll 8
-            for (uint32_t down = 0U; down < DOWN; down++) {
-                sums[across][down] = PLUS(sums[across][down], rows[down], number);
-            }
-        }
+/* What is used again is loaded once, and terms wait for one another: loaded ahead, they would take registers from the sums. */
+#if !defined(IN_ITS_REGISTER)
+#define IN_ITS_REGISTER(value) __asm__("" : "+v"(value))
 #endif
+
+/* A term of each sum of a block. */
+static inline __attribute__((always_inline)) void add_term(const double *a, const double *b, const uint32_t k,
+    lanes_t sums[][DOWN], const uint32_t across, const uint32_t down)
+{
+    lanes_t rows[DOWN];
+#pragma GCC unroll 8
+    for (uint32_t vector = 0U; vector < down; vector++) {
+        rows[vector] = *(const lanes_t *)&a[6U * k + OFFSET(vector)];
+        IN_ITS_REGISTER(rows[vector]);
     }
 #pragma GCC unroll 8
-    for (uint32_t across = 0U; across < ACROSS; across++) {
+    for (uint32_t column = 0U; column < across; column++) {
+        const double number = b[k + 6U * column];
 #pragma GCC unroll 8
-        for (uint32_t down = 0U; down < DOWN; down++) {
-            *(lanes_t *)&result[6U * across + OFFSET(down)] = sums[across][down];
+        for (uint32_t vector = 0U; vector < down; vector++) {
+            sums[column][vector] = PLUS(sums[column][vector], rows[vector], number);
+            IN_ITS_REGISTER(sums[column][vector]);
         }
+    }
+}
+
+/* A block of the result, so many columns of so many vectors of rows: the first products, then the others in order. */
+static inline __attribute__((always_inline)) void block(const double *a, const double *b, double *result,
+    const uint32_t across, const uint32_t down)
+{
+    lanes_t sums[8U][DOWN];
+#pragma GCC unroll 8
+    for (uint32_t vector = 0U; vector < down; vector++) {
+        const lanes_t rows = *(const lanes_t *)&a[OFFSET(vector)];
+#pragma GCC unroll 8
+        for (uint32_t column = 0U; column < across; column++) {
+            sums[column][vector] = TIMES(rows, b[6U * column]);
+        }
+    }
+#pragma GCC unroll 32
+    for (uint32_t k = 1U; k < 6U; k++) {
+        add_term(a, b, k, sums, across, down);
+    }
+#pragma GCC unroll 8
+    for (uint32_t column = 0U; column < across; column++) {
+#pragma GCC unroll 8
+        for (uint32_t vector = 0U; vector < down; vector++) {
+            *(lanes_t *)&result[6U * column + OFFSET(vector)] = sums[column][vector];
+        }
+    }
+}
+
+/* So many vectors of rows: blocks of so many columns. */
+static inline __attribute__((always_inline)) void band(const double *a, const double *b, double *result,
+    const uint32_t across, const uint32_t down)
+{
+    for (uint32_t column = 0U; column < 1U; column += across) {
+        block(a, &b[6U * column], &result[6U * column], across, down);
     }
 }
 #endif
@@ -137,13 +149,10 @@ static void tile_6x1(const double *a, const double *b, double *result)
 void product_f64_6x6_6x1(const double a[36], const double b[6], double result[6])
 {
 #if defined(ACROSS)
-    /* The last blocks overlap the ones before, where the result is no multiple of them. */
-    for (uint32_t column = 0U; column < 1U; column += ACROSS) {
-        const uint32_t left = (column + ACROSS <= 1U) ? column : 1U - ACROSS;
-        for (uint32_t row = 0U; row < 6U; row += HEIGHT) {
-            const uint32_t top = (row + HEIGHT <= 6U) ? row : 6U - HEIGHT;
-            block(&a[top], &b[6U * left], &result[top + 6U * left]);
-        }
+    /* Where the rows are no multiple of a band, the last overlaps the one before. */
+    for (uint32_t row = 0U; row < 6U; row += HEIGHT) {
+        const uint32_t top = (row + HEIGHT <= 6U) ? row : 6U - HEIGHT;
+        band(&a[top], b, &result[top], ACROSS, DOWN);
     }
 #else
     tile_6x1(&a[0U], &b[0U], &result[0U]);

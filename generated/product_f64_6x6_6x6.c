@@ -35,9 +35,9 @@
 #endif
 
 #if defined(LANES)
-/* The rows of a block; the last vector overlaps where they are no multiple of its lanes. */
+/* The rows of a band; the last vector overlaps where they are no multiple of its lanes. */
 #define HEIGHT ((LANES * DOWN < 6U) ? LANES * DOWN : 6U)
-#define OFFSET(vector) ((LANES * (vector) + LANES <= HEIGHT) ? LANES * (vector) : HEIGHT - LANES)
+#define OFFSET(vector) ((LANES * (vector) + LANES <= 6U) ? LANES * (vector) : 6U - LANES)
 
 #if !defined(PLUS)
 #define TIMES(rows, number) ((rows) * (number))

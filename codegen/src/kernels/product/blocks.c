@@ -1,8 +1,14 @@
-/* The last blocks overlap the ones before, where the result is no multiple of them. */
-for (uint32_t column = $begin; column < $columns; column += $apart_columns) {
-    const uint32_t left = (column + ACROSS <= $columns) ? column : $columns - ACROSS;
-    for (uint32_t row = 0U; row < $rows; row += HEIGHT) {
-        const uint32_t top = (row + HEIGHT <= $rows) ? row : $rows - HEIGHT;
-        block(&a[$top], &b[$left], &result[top + $rows * left]);
-    }
+/* Where the rows are no multiple of a band, the last overlaps the one before. */
+for (uint32_t row = 0U; row < $end; row += HEIGHT) {
+    const uint32_t top = (row + HEIGHT <= $banded) ? row : $banded - HEIGHT;
+    band(&a[$top], b, &result[top], ACROSS, DOWN$share);
 }
+#if defined(LAST_DOWN)
+band(&a[$at_end], b, &result[END], LAST_ACROSS, LAST_DOWN$share);
+#endif
+#if defined(ALONE)
+for (uint32_t column = $begin_alone; column < $columns; column += $apart_alone) {
+    const uint32_t first = (column + ALONE <= $columns) ? column : $columns - ALONE;
+    last_row(&a[$bottom], &b[$at_first], &result[$rows - 1U + $rows * first]);
+}
+#endif

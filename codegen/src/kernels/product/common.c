@@ -1,6 +1,6 @@
-/* The rows of a block; the last vector overlaps where they are no multiple of its lanes. */
+/* The rows of a band; the last vector overlaps where they are no multiple of its lanes. */
 #define HEIGHT ((LANES * DOWN < $rows) ? LANES * DOWN : $rows)
-#define OFFSET(vector) ((LANES * (vector) + LANES <= HEIGHT) ? LANES * (vector) : HEIGHT - LANES)
+#define OFFSET(vector) ((LANES * (vector) + LANES <= $rows) ? LANES * (vector) : $rows - LANES)
 
 #if !defined(PLUS)
 #define TIMES(rows, number) ((rows) * (number))

@@ -3,9 +3,11 @@
 //! Each element of the result starts as its first product and takes the others in the order of k, as
 //! nalgebra's does; a block only decides which elements go side by side.
 //!
-//! [`vectors`] has the blocks of targets with vectors, [`numbers`] those of all others; [`small`] the products that stand in
-//! their header.
+//! [`vectors`] has the blocks of targets with vectors, as [`bands`] plans them, [`numbers`] those of all others; [`small`]
+//! the products that stand in their header.
 
+mod bands;
+mod blocks;
 mod numbers;
 mod small;
 mod vectors;
@@ -77,7 +79,7 @@ pub(super) fn source(
     }
     let shares = [rows, inner, columns].into_iter().all(|size| size >= THREADED);
     let plain = numbers::source(real, sizes, tuning.code_bytes, shares)?;
-    let (before, body) = match vectors::source(kernel.element, sizes, tuning.mode, shares) {
+    let (before, body) = match vectors::source(kernel.element, sizes, tuning, shares) {
         None => plain,
         Some((before, body)) => {
             let note = match tuning.mode {

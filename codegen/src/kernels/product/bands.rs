@@ -1,0 +1,175 @@
+//! Which blocks a product goes by: bands of rows, each cut into blocks of columns.
+//!
+//! What a block takes is counted: a vector of rows and a number in each lane is loaded once for each term, and a
+//! product and a sum follow for each pair. Three vectors by three columns, or two by five, are best with 16 registers; the
+//! last band may have fewer vectors, and the last block of a band fewer columns. A single row below whole vectors goes
+//! by numbers, which need not be spread.
+
+use super::Sizes;
+use super::vectors::Target;
+
+/// Vectors below one another, and columns side by side, in a block, at most.
+pub(super) const MOST: u32 = 8;
+
+/// Up to so many terms a block's loop over them is written out, if there is room.
+pub(super) const WRITTEN_OUT: u32 = 20;
+
+/// Terms of a turn of the loop, where all of them are too many.
+const TURNS: [u32; 4] = [8, 4, 2, 1];
+
+/// Instructions of a turn beside its terms, and of a block beside its turns.
+const TURN: u32 = 3;
+const BLOCK: u32 = 5;
+
+/// Bytes of an instruction on vectors of x86-64, about.
+const INSTRUCTION: u32 = 6;
+
+/// A band: vectors of rows below one another, and columns of its blocks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Band {
+    pub down: u32,
+    pub across: u32,
+}
+
+/// The bands of a product.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Bands {
+    pub first: Band,
+    /// The last, if it is another.
+    pub last: Option<Band>,
+    /// Columns at a time of a last row that fills no vector, where it goes by numbers.
+    pub alone: Option<u32>,
+    /// Terms of a turn of the loop over them.
+    pub terms: u32,
+}
+
+/// The bands that take the fewest instructions with so many lanes, and how many quarters of instructions those are.
+pub(super) fn best(
+    target: &Target,
+    lanes: u32,
+    sizes: Sizes,
+    code_bytes: u32,
+) -> Option<(u32, Bands)> {
+    let costs = Costs { target, lanes, sizes };
+    // Numbers multiply from memory where an operation has three operands.
+    let alone = (sizes.rows % lanes == 1 && target.step == 2).then(|| {
+        let at_once = target.registers - 2;
+        sizes.columns.div_ceil(sizes.columns.div_ceil(at_once))
+    });
+    let mut found: Option<(u32, Bands)> = None;
+    for alone in [None, alone] {
+        let rows = sizes.rows - u32::from(alone.is_some());
+        let vectors = rows.div_ceil(lanes);
+        for down in 1..=vectors.min(MOST) {
+            // Without another last band, the last of the same height overlaps.
+            let fits = |last: &u32| {
+                *last == 0 || (vectors > *last && (vectors - last).is_multiple_of(down))
+            };
+            for last in (0..down).filter(fits) {
+                let Some((one, first)) = costs.band(down) else { continue };
+                let many = (vectors - last).div_ceil(down);
+                let (other, last) = match costs.band(last) {
+                    Some((other, last)) => (other, Some(last)),
+                    None if last > 0 => continue,
+                    None => (0, None),
+                };
+                let cost = many * one + other + alone.map_or(0, |_| costs.alone());
+                if found.is_none_or(|(least, _)| cost < least) {
+                    let terms = costs.terms(first, last, code_bytes);
+                    found = Some((cost, Bands { first, last, alone, terms }));
+                }
+            }
+        }
+    }
+    found
+}
+
+/// What blocks of a product with so many lanes take.
+struct Costs<'a> {
+    target: &'a Target,
+    lanes: u32,
+    sizes: Sizes,
+}
+
+impl Costs<'_> {
+    /// The best band of so many vectors, and its quarters of instructions; none if it fits into no registers.
+    fn band(&self, down: u32) -> Option<(u32, Band)> {
+        let columns = self.sizes.columns;
+        // Beside the sums: the rows of a term, a number, a product.
+        let fits = |across: &u32| down * across + down + 2 <= self.target.registers;
+        let cost = |across: u32| {
+            let left = match columns % across {
+                0 => 0,
+                left => self.block(down, left),
+            };
+            columns / across * self.block(down, across) + left
+        };
+        let bands = (1..=columns.min(MOST)).filter(fits);
+        let bands = bands.map(|across| (cost(across), Band { down, across }));
+        if down == 0 { None } else { bands.min_by_key(|(cost, _)| *cost) }
+    }
+
+    /// Quarters of instructions of a block.
+    fn block(&self, down: u32, across: u32) -> u32 {
+        let inner = self.sizes.inner;
+        let turns = if inner <= WRITTEN_OUT { 0 } else { inner / TURNS[1] };
+        inner * self.term(down, across) + 4 * (turns * TURN + BLOCK)
+    }
+
+    /// Quarters of instructions of a term of a block.
+    fn term(&self, down: u32, across: u32) -> u32 {
+        // A vector of numbers that lie apart: a load for each.
+        let load = if self.sizes.left.0 == 1 { 4 } else { 4 * self.lanes };
+        load * down + self.target.spread * across + 4 * self.target.step * down * across
+    }
+
+    /// Quarters of instructions of the last row by numbers.
+    fn alone(&self) -> u32 {
+        let Sizes { inner, columns, .. } = self.sizes;
+        4 * (inner * (self.target.step * columns + columns.div_ceil(self.target.registers)) + BLOCK)
+    }
+
+    /// How many terms of the largest blocks have room.
+    fn terms(&self, first: Band, last: Option<Band>, code_bytes: u32) -> u32 {
+        let of = |band: Band| {
+            let left = self.sizes.columns % band.across;
+            let rest = if left > 0 { self.term(band.down, left) } else { 0 };
+            self.term(band.down, band.across) + rest
+        };
+        let bytes = INSTRUCTION * (of(first) + last.map_or(0, of)) / 4;
+        let all = self.sizes.inner.saturating_sub(1).max(1);
+        let turns = std::iter::once(all).filter(|_| self.sizes.inner <= WRITTEN_OUT).chain(TURNS);
+        let mut turns = turns.filter(|terms| *terms <= all && terms * bytes <= code_bytes);
+        turns.next().unwrap_or(1)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use bessemer_ir::KernelRoutine;
+
+    use super::super::Sizes;
+    use super::super::vectors::tests::avx;
+    use super::{Band, Bands, best};
+
+    /// The bands of a product of square matrices with vectors of AVX.
+    fn bands(size: u32, lanes: u32, code_bytes: u32) -> Option<Bands> {
+        let sizes = Sizes::new(KernelRoutine::Product, size, size, size);
+        best(&avx(), lanes, sizes, code_bytes).map(|(_, bands)| bands)
+    }
+
+    #[test]
+    fn what_is_left_goes_by_smaller_blocks() {
+        let first = Band { down: 3, across: 3 };
+        let alone = Bands { first, last: None, alone: Some(13), terms: 12 };
+        assert_eq!(bands(13, 4, 8192), Some(alone));
+        let last = Some(Band { down: 2, across: 5 });
+        assert_eq!(bands(20, 4, 8192), Some(Bands { first, last, alone: None, terms: 19 }));
+    }
+
+    #[test]
+    fn the_loop_has_as_many_terms_as_have_room() {
+        let terms = |code_bytes| bands(16, 4, code_bytes).map(|bands| bands.terms);
+        assert_eq!([8192, 2048, 512, 1].map(terms), [Some(15), Some(4), Some(1), Some(1)]);
+    }
+}
