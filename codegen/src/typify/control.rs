@@ -48,6 +48,7 @@ impl Lowering<'_, '_> {
                 self.out.extend(stmts);
                 Ok(())
             }
+            tree::ExprKind::Labelled(label, body) => self.labelled(label, body, Some(target), expr),
             tree::ExprKind::While { label, condition: None, bound, body } => {
                 let bound = bound.as_deref();
                 self.loop_stmt(expr.site, label.as_deref(), bound, body, Some(target))
@@ -157,7 +158,7 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    fn block_into(&mut self, block: &tree::Block, target: &Target) -> Result<Block> {
+    pub(super) fn block_into(&mut self, block: &tree::Block, target: &Target) -> Result<Block> {
         self.scoped(|inner| {
             inner.stmts(block)?;
             match &block.tail {
@@ -215,6 +216,7 @@ impl Lowering<'_, '_> {
                 self.out.extend(stmts);
                 Ok(())
             }
+            tree::ExprKind::Labelled(label, body) => self.labelled(label, body, None, expr),
             tree::ExprKind::For { label, name, slot, range, body } => {
                 self.for_stmt(expr.site, label.as_deref(), (name, *slot), range, body)
             }

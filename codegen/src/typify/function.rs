@@ -30,6 +30,8 @@ pub(super) struct Lowering<'a, 'c> {
     pub held: HashSet<LocalId>,
     /// The counters of loops over ranges: only their loop changes them.
     pub steady: HashSet<LocalId>,
+    /// Locals that have to have a value where they are declared.
+    pub valued: HashSet<LocalId>,
     /// The loops around what is being lowered, outermost first.
     pub frames: Vec<Frame>,
     /// The counters of the loops over elements around it, outermost first.
@@ -170,6 +172,7 @@ impl<'a, 'c> Lowering<'a, 'c> {
             result,
             held: HashSet::new(),
             steady: HashSet::new(),
+            valued: HashSet::new(),
             frames: Vec::new(),
             counters: Vec::new(),
             handed: HashMap::new(),
@@ -224,6 +227,14 @@ impl Lowering<'_, '_> {
     }
 
     pub(super) fn body(&mut self, block: &tree::Block) -> Result<()> {
+        self.whole_body(block)?;
+        let mut stmts = std::mem::take(&mut self.out);
+        self.give_values(&mut stmts);
+        self.out = stmts;
+        Ok(())
+    }
+
+    fn whole_body(&mut self, block: &tree::Block) -> Result<()> {
         self.stmts(block)?;
         let Some(tail) = &block.tail else { return Ok(()) };
         let mark = self.out.len();
@@ -535,9 +546,10 @@ impl Lowering<'_, '_> {
 
 /// Whether `expr` is control flow that has a value.
 pub(super) fn control_with_value(expr: &tree::Expr) -> bool {
-    use tree::ExprKind::{Block, If, Match, While};
+    use tree::ExprKind::{Block, If, Labelled, Match, While};
     match &expr.kind {
         Match(_, arms) => !super::expr::is_question(arms),
+        Labelled(..) => true,
         kind => matches!(kind, If(..) | Block(..) | While { condition: None, .. }),
     }
 }

@@ -14,15 +14,25 @@ use super::OUR_FAULT;
 use super::ended::{self, Loop, Proof};
 use super::expr::{Operand, two};
 use super::function::{Lowering, Target};
-use super::{Result, problem};
+use super::{Result, labelled, problem};
 
-/// A loop that is being lowered.
+/// A loop, or a block with a label, that is being lowered.
 pub(super) struct Frame {
     label: Option<String>,
     /// Where the value of a `break` goes.
     target: Option<Target>,
+    /// Of a block: the local whose declaration marks where it is left ([`super::labelled`]).
+    pub(super) mark: Option<LocalId>,
     /// What is looked at behind the loop.
     behind: Vec<Behind>,
+}
+
+impl Frame {
+    /// That of a block, left where `mark` is declared.
+    pub(super) fn block(label: &str, target: Option<&Target>, mark: LocalId) -> Frame {
+        let (label, target) = (Some(label.to_owned()), target.cloned());
+        Frame { label, target, mark: Some(mark), behind: Vec::new() }
+    }
 }
 
 /// A flag that is looked at behind a loop.
@@ -292,6 +302,7 @@ impl Lowering<'_, '_> {
         self.frames.push(Frame {
             label: label.map(str::to_owned),
             target: target.cloned(),
+            mark: None,
             behind: Vec::new(),
         });
         let kind = lower(self);
@@ -299,7 +310,8 @@ impl Lowering<'_, '_> {
         let kind = kind?;
         let behind = frame.map(|frame| frame.behind).unwrap_or_default();
         for Behind { flag, left, .. } in &behind {
-            if left + 1 == depth {
+            // That of a block is declared where the block begins.
+            if self.is_outermost(*left, depth) && self.frames[*left].mark.is_none() {
                 let value = Expr { kind: ExprKind::Literal(0), ty: Type::BOOL, span };
                 self.emit(StmtKind::Let { local: *flag, value: Some(value) }, span);
             }
@@ -307,8 +319,9 @@ impl Lowering<'_, '_> {
         self.emit(kind, span);
         for Behind { flag, left, leaving } in behind {
             // What this loop stands in ends as well, unless it is the one that goes on.
-            let kind = match leaving {
-                Leaving::Continue if left + 1 == depth => StmtKind::Continue,
+            let kind = match (leaving, self.frames[left].mark) {
+                (Leaving::Continue, None) if self.is_outermost(left, depth) => StmtKind::Continue,
+                (_, Some(mark)) if self.is_outermost(left, depth) => labelled::left(mark),
                 _ => StmtKind::Break,
             };
             let then = alone(kind, span);
@@ -350,11 +363,11 @@ impl Lowering<'_, '_> {
     ) -> Result<()> {
         let span = self.span(site);
         let depth = self.depth(label, site)?;
-        let innermost = depth + 1 == self.frames.len();
-        if innermost {
-            let kind = match leaving {
-                Leaving::Break => StmtKind::Break,
-                Leaving::Continue => StmtKind::Continue,
+        if self.is_outermost(depth, self.frames.len()) {
+            let kind = match (leaving, self.frames[depth].mark) {
+                (_, Some(mark)) => labelled::left(mark),
+                (Leaving::Break, None) => StmtKind::Break,
+                (Leaving::Continue, None) => StmtKind::Continue,
             };
             self.emit(kind, span);
             return Ok(());
@@ -367,9 +380,14 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
+    /// Whether no loop stands between the frame that is left and the one at `depth`.
+    fn is_outermost(&self, left: usize, depth: usize) -> bool {
+        self.frames[left + 1..depth].iter().all(|frame| frame.mark.is_some())
+    }
+
     fn depth(&self, label: Option<&str>, site: Site) -> Result<usize> {
         let found = match label {
-            None => self.frames.len().checked_sub(1),
+            None => self.frames.iter().rposition(|frame| frame.mark.is_none()),
             Some(_) => self.frames.iter().rposition(|frame| frame.label.as_deref() == label),
         };
         match found {
@@ -380,11 +398,12 @@ impl Lowering<'_, '_> {
 
     /// The flag that leaves the loop at `depth`; each loop in between looks at it.
     fn flag(&mut self, depth: usize, leaving: Leaving, span: Span) -> LocalId {
-        let known = self.frames[depth + 1]
-            .behind
-            .iter()
-            .find(|behind| behind.left == depth && behind.leaving == leaving)
-            .map(|behind| behind.flag);
+        let inner = self.frames[depth + 1..].iter().find(|frame| frame.mark.is_none());
+        let behind = inner.into_iter().flat_map(|frame| &frame.behind);
+        let known = self.frames[depth].mark.or_else(|| {
+            let mut same = behind.filter(|it| it.left == depth && it.leaving == leaving);
+            same.next().map(|behind| behind.flag)
+        });
         let flag = known.unwrap_or_else(|| {
             let label = self.frames[depth].label.clone().unwrap_or_else(|| "loop".into());
             let role = match leaving {
@@ -397,7 +416,7 @@ impl Lowering<'_, '_> {
             id
         });
         for frame in &mut self.frames[depth + 1..] {
-            if !frame.behind.iter().any(|behind| behind.flag == flag) {
+            if frame.mark.is_none() && !frame.behind.iter().any(|behind| behind.flag == flag) {
                 frame.behind.push(Behind { flag, left: depth, leaving });
             }
         }

@@ -28,6 +28,7 @@ mod generic;
 mod handed;
 mod implied;
 mod kernels;
+mod labelled;
 mod lent;
 mod list;
 mod literal;

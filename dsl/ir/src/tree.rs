@@ -334,6 +334,8 @@ pub enum ExprKind {
     Match(Box<Expr>, Vec<Arm>),
     /// `{ … }`.
     Block(Block),
+    /// `'label: { … }`: what leaves it early says its label, and its value.
+    Labelled(String, Block),
     /// `for name in from..to`.
     For {
         /// The author's label, without the apostrophe.

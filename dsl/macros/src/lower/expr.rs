@@ -114,10 +114,11 @@ impl Lowering<'_> {
             }
             syn::Expr::Match(it) => (self.match_expr(it, value), value),
             syn::Expr::Block(it) => {
-                if let Some(label) = &it.label {
-                    self.refusals.add(label.name.span(), refuse::BLOCK_LABEL);
+                let block = self.block(&mut it.block);
+                match &it.label {
+                    Some(label) => (ExprKind::Labelled(text(&label.name.ident), block), value),
+                    None => (ExprKind::Block(block), value),
                 }
-                (ExprKind::Block(self.block(&mut it.block)), value)
             }
             syn::Expr::ForLoop(it) => {
                 let (site, unroll) = (site(it), unroll::take(&mut it.attrs, self.refusals));

@@ -132,7 +132,6 @@ reasons! {
     OPEN_RANGE: "this range is open, so the loop has no bound", "write both ends: `for i in 0..n`";
     ITERATOR: "this iterator is not in the DSL", "go through arrays with `for`: `in &array`, `.iter()`, `.enumerate()`, `.zip(…)`, `.rev()`, `.skip(n)`, `.take(n)`, `.windows(n)`, `.chunks(n)`, `.chunks_exact(n)`; or through a range";
     BOUND: "the bound of a loop is a number, or a constant", "write `#[bound(64)]`, or `#[bound(LIMIT)]`";
-    BLOCK_LABEL: "a block has no label in the DSL", "move the block into a function, and `return` from it";
     CLOSURE: "a closure is not a value in the DSL", "give it a name with `let` and call it, pass it to a function, or write it in `.map(…)`, `.fold(…)` and the like";
     CLOSURE_VALUE: "a closure is called or passed to a function in the DSL, and not kept", "call it, or write a function marked `#[function]`";
     CLOSURE_MOVE: "a closure borrows what it uses in the DSL", "leave `move` out, and copy before: `let k = self.k;`";

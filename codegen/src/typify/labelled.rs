@@ -1,0 +1,240 @@
+//! Blocks with a label. C has no way out of a block, so what follows a `break` stands in the other branch:
+//!
+//! `'found: { if a { break 'found x; } rest }` is `if a { x } else { rest }`. Where both branches may come to
+//! what follows, or a loop is left, a flag says whether the block has been left.
+
+use bessemer_ir::tree;
+use bessemer_ir::{
+    Arm, Block, Expr, ExprKind, Local, LocalId, Mode, Place, Span, Stmt, StmtKind, Type,
+};
+
+use super::Result;
+use super::equal::stmt;
+use super::function::{Lowering, Target};
+use super::loops::{Frame, negated};
+
+/// What stands for the `break` of a block until all of the block is known.
+pub(super) fn left(mark: LocalId) -> StmtKind {
+    StmtKind::Let { local: mark, value: None }
+}
+
+impl Lowering<'_, '_> {
+    /// `'label: { … }`, the value of each `break` and of its end to `target` if it has one.
+    pub(super) fn labelled(
+        &mut self,
+        label: &str,
+        body: &tree::Block,
+        target: Option<&Target>,
+        expr: &tree::Expr,
+    ) -> Result<()> {
+        let span = self.span(expr.site);
+        let mark = LocalId(self.locals.len() as u32);
+        let name = format!("{label}_done");
+        self.locals.push(Local { name, ty: Type::BOOL, mode: Mode::Value, span });
+        self.frames.push(Frame::block(label, target, mark));
+        let lowered = match target {
+            Some(target) => self.block_into(body, target),
+            None => self.block_effect(body),
+        };
+        let marks = self.frames.iter().filter_map(|frame| frame.mark).collect();
+        self.frames.pop();
+        let lowered = lowered?;
+        let flagged = lowered.0.iter().any(|it| raises(it, mark));
+        let mut leaving = Leaving { mark, marks, flagged };
+        let Block(stmts) = leaving.without_marks(lowered, false);
+        if leaving.flagged {
+            let no = Expr { kind: ExprKind::Literal(0), ty: Type::BOOL, span };
+            self.emit(StmtKind::Let { local: mark, value: Some(no) }, span);
+            // Behind a flag no compiler sees that something has been assigned.
+            stmts.iter().for_each(|stmt| self.needs_values(stmt));
+            if let Some(Target::Place(place)) = target {
+                self.valued.insert(place.root);
+            }
+        }
+        self.out.extend(stmts);
+        Ok(())
+    }
+
+    /// Notes what is declared without a value.
+    fn needs_values(&mut self, stmt: &Stmt) {
+        if let StmtKind::Let { local, value: None } = &stmt.kind {
+            self.valued.insert(*local);
+        }
+        blocks(stmt).into_iter().flat_map(|block| &block.0).for_each(|it| self.needs_values(it));
+    }
+
+    /// Gives what was noted a value where it is declared.
+    pub(super) fn give_values(&self, stmts: &mut [Stmt]) {
+        if self.valued.is_empty() {
+            return;
+        }
+        for stmt in stmts {
+            if let StmtKind::Let { local, value: value @ None } = &mut stmt.kind
+                && self.valued.contains(local)
+            {
+                *value = Some(self.zero(&self.locals[local.index()].ty, stmt.span));
+            }
+            if let StmtKind::For { body, .. } = &mut stmt.kind {
+                self.give_values(&mut body.0);
+            }
+            branches(stmt).into_iter().for_each(|block| self.give_values(&mut block.0));
+        }
+    }
+}
+
+/// The block whose marks are taken out.
+struct Leaving {
+    mark: LocalId,
+    /// The marks of all blocks that may be left here, this one's among them.
+    marks: Vec<LocalId>,
+    /// Whether a flag is needed.
+    flagged: bool,
+}
+
+impl Leaving {
+    /// The block without marks; `followed`: something comes behind it, unless the flag is set.
+    fn without_marks(&mut self, block: Block, followed: bool) -> Block {
+        let mut done = Vec::new();
+        let mut rest = block.0.into_iter();
+        while let Some(next) = rest.next() {
+            if self.is_mark(&next) {
+                if followed {
+                    done.push(Stmt { kind: self.raise(next.span), ..next });
+                }
+                break;
+            }
+            if !self.is_left_in(&next) {
+                done.push(next);
+                continue;
+            }
+            let behind: Vec<Stmt> = rest.collect();
+            done.extend(self.branching(next, behind, followed));
+            break;
+        }
+        Block(done)
+    }
+
+    /// A statement in whose branches the block is left, and what follows it.
+    fn branching(&mut self, mut next: Stmt, behind: Vec<Stmt>, followed: bool) -> Vec<Stmt> {
+        let marks = &self.marks;
+        let passing: Vec<_> =
+            branches(&mut next).into_iter().filter(|block| falls_through(block, marks)).collect();
+        let shared = match (passing.len(), behind.is_empty()) {
+            (_, true) | (0, _) => None,
+            (1, _) => {
+                passing.into_iter().for_each(|block| block.0.extend(behind.iter().cloned()));
+                None
+            }
+            _ => Some(behind),
+        };
+        let span = next.span;
+        let told =
+            matches!(&next.kind, StmtKind::If { condition, .. } if *condition == self.flag(span));
+        for block in branches(&mut next) {
+            let followed = followed && !told;
+            *block = self.without_marks(std::mem::take(block), followed || shared.is_some());
+        }
+        let mut done = vec![turned(next)];
+        if let Some(behind) = shared {
+            self.flagged = true;
+            let then = self.without_marks(Block(behind), followed);
+            let condition = negated(self.flag(span));
+            let kind = StmtKind::If { condition, then, otherwise: Block::default() };
+            done.push(stmt(kind, span));
+        }
+        done
+    }
+
+    fn flag(&self, span: Span) -> Expr {
+        let place = Place { root: self.mark, steps: Vec::new(), ty: Type::BOOL, span };
+        Expr { kind: ExprKind::Load(place), ty: Type::BOOL, span }
+    }
+
+    fn raise(&mut self, span: Span) -> StmtKind {
+        self.flagged = true;
+        let place = Place { root: self.mark, steps: Vec::new(), ty: Type::BOOL, span };
+        let value = Expr { kind: ExprKind::Literal(1), ty: Type::BOOL, span };
+        StmtKind::Assign { place, value }
+    }
+
+    fn is_mark(&self, stmt: &Stmt) -> bool {
+        is_mark(stmt, self.mark)
+    }
+
+    fn is_left_in(&self, stmt: &Stmt) -> bool {
+        match &stmt.kind {
+            StmtKind::If { then, otherwise, .. } => {
+                [then, otherwise].iter().any(|block| self.is_left(block))
+            }
+            StmtKind::Match { arms, otherwise, .. } => {
+                arms.iter().any(|arm| self.is_left(&arm.body))
+                    || otherwise.as_ref().is_some_and(|block| self.is_left(block))
+            }
+            _ => false,
+        }
+    }
+
+    fn is_left(&self, block: &Block) -> bool {
+        block.0.iter().any(|stmt| self.is_mark(stmt) || self.is_left_in(stmt))
+    }
+}
+
+fn is_mark(stmt: &Stmt, mark: LocalId) -> bool {
+    matches!(&stmt.kind, StmtKind::Let { local, value: None } if *local == mark)
+}
+
+/// The branches of a statement, an `else` that is not there among them.
+fn branches(stmt: &mut Stmt) -> Vec<&mut Block> {
+    match &mut stmt.kind {
+        StmtKind::If { then, otherwise, .. } => vec![then, otherwise],
+        StmtKind::Match { arms, otherwise, .. } => {
+            arms.iter_mut().map(|Arm { body, .. }| body).chain(otherwise).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// Whether the end of a block may be reached.
+fn falls_through(block: &Block, marks: &[LocalId]) -> bool {
+    !block.0.iter().any(|stmt| match &stmt.kind {
+        StmtKind::Break | StmtKind::Continue | StmtKind::Return(_) => true,
+        StmtKind::If { then, otherwise, .. } => {
+            !falls_through(then, marks) && !falls_through(otherwise, marks)
+        }
+        StmtKind::Match { arms, otherwise, .. } => {
+            arms.iter().all(|arm| !falls_through(&arm.body, marks))
+                && otherwise.as_ref().is_none_or(|block| !falls_through(block, marks))
+        }
+        _ => marks.iter().any(|mark| is_mark(stmt, *mark)),
+    })
+}
+
+/// Without an empty first branch.
+fn turned(mut stmt: Stmt) -> Stmt {
+    if let StmtKind::If { condition, then, otherwise } = &mut stmt.kind
+        && then.0.is_empty()
+        && !otherwise.0.is_empty()
+    {
+        *condition = negated(condition.clone());
+        std::mem::swap(then, otherwise);
+    }
+    stmt
+}
+
+/// The blocks of a statement.
+fn blocks(stmt: &Stmt) -> Vec<&Block> {
+    match &stmt.kind {
+        StmtKind::If { then, otherwise, .. } => vec![then, otherwise],
+        StmtKind::Match { arms, otherwise, .. } => {
+            arms.iter().map(|arm| &arm.body).chain(otherwise).collect()
+        }
+        StmtKind::For { body, .. } => vec![body],
+        _ => Vec::new(),
+    }
+}
+
+/// Whether a loop in a statement raises the flag of a block.
+fn raises(stmt: &Stmt, flag: LocalId) -> bool {
+    matches!(&stmt.kind, StmtKind::Assign { place, .. } if place.root == flag)
+        || blocks(stmt).into_iter().flat_map(|block| &block.0).any(|it| raises(it, flag))
+}
