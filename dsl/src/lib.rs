@@ -49,6 +49,8 @@ pub use plain::Plain;
 pub use text::Text;
 
 mod bounded;
+#[doc(hidden)]
+pub mod comparison;
 mod element;
 #[cfg(feature = "generate")]
 #[doc(hidden)]
@@ -61,6 +63,8 @@ pub mod list_edit;
 pub mod math;
 mod plain;
 pub mod rotation;
+#[doc(hidden)]
+pub mod slice_edit;
 pub mod sort;
 mod spatial;
 mod text;

@@ -1,5 +1,7 @@
 //! Values as words: how data crosses every border of a model.
 
+use core::cmp::Ordering;
+
 use nalgebra::{SMatrix, Scalar};
 
 /// A value made of scalars only: what a model's state, inputs and outputs are.
@@ -50,6 +52,25 @@ macro_rules! integers {
 }
 
 integers!(i8, i16, i32, i64, isize, u8, u16, u32, u64, usize);
+
+#[diagnostic::do_not_recommend]
+impl Plain for Ordering {
+    const WORDS: usize = 1;
+    fn store(&self, out: &mut dyn FnMut(u64)) {
+        out(match self {
+            Ordering::Less => 0,
+            Ordering::Equal => 1,
+            Ordering::Greater => 2,
+        });
+    }
+    fn load(next: &mut dyn FnMut() -> u64) -> Self {
+        match next() {
+            1 => Ordering::Equal,
+            2 => Ordering::Greater,
+            _ => Ordering::Less,
+        }
+    }
+}
 
 #[diagnostic::do_not_recommend]
 impl Plain for bool {
@@ -119,6 +140,18 @@ impl Plain for () {
 }
 
 /// Nothing but that a number does not fit.
+#[diagnostic::do_not_recommend]
+impl Plain for core::array::TryFromSliceError {
+    const WORDS: usize = 0;
+    fn store(&self, _: &mut dyn FnMut(u64)) {}
+    fn load(_: &mut dyn FnMut() -> u64) -> Self {
+        match <[u8; 1]>::try_from(&[][..]) {
+            Err(error) => error,
+            Ok(_) => unreachable!("nothing is no array of one"),
+        }
+    }
+}
+
 #[diagnostic::do_not_recommend]
 impl Plain for core::num::TryFromIntError {
     const WORDS: usize = 0;

@@ -46,6 +46,8 @@ impl Lowering<'_, '_> {
             "array_map" => return mapped(&arguments[0], arguments.get(1)?, expr),
             // What is lent stands where it stands.
             "as_ref" => return arguments.first().cloned(),
+            "option_xor" => return Some(one_of(arguments, expr)),
+            "ordering_then_with" => return then(&arguments[0], arguments.get(1)?, expr),
             _ => {}
         }
         let (of, method) = name.split_once('_')?;
@@ -205,6 +207,39 @@ impl Made {
     }
 }
 
+/// `a.xor(b)`: the one that is there, if the other is not.
+fn one_of(both: &[Expr], expr: &Expr) -> Expr {
+    let of = |kind| Expr { kind, site: expr.site, slot: expr.slot };
+    let (some, none) = (
+        |part| Pattern::Constructor("Some".into(), vec![part]),
+        || Pattern::Constructor("None".into(), Vec::new()),
+    );
+    let payload = Expr { slot: None, ..of(ExprKind::Local(PAYLOAD.into())) };
+    let arm = |pattern, body| Arm { pattern, guard: None, body: of(body), site: expr.site };
+    let kept = ExprKind::Constructor("Some".into(), vec![payload]);
+    let arms = vec![
+        arm(Pattern::Tuple(vec![some(named()), none()]), kept.clone()),
+        arm(Pattern::Tuple(vec![none(), some(named())]), kept),
+        arm(Pattern::Any, ExprKind::Constructor("None".into(), Vec::new())),
+    ];
+    let pair = Expr { slot: None, ..of(ExprKind::Tuple(both.to_vec())) };
+    of(ExprKind::Match(Box::new(pair), arms))
+}
+
+/// `order.then_with(|| …)`: `match order { Equal => …, other => other }`.
+fn then(order: &Expr, closure: &Expr, expr: &Expr) -> Option<Expr> {
+    let (_, next) = parts(closure)?;
+    let payload = ExprKind::Local(PAYLOAD.into());
+    let same = Expr { kind: payload, site: expr.site, slot: None };
+    let equal = Pattern::Constructor("Equal".into(), Vec::new());
+    let arms = vec![
+        Arm { pattern: equal, guard: None, body: next.clone(), site: expr.site },
+        Arm { pattern: named(), guard: None, body: same, site: expr.site },
+    ];
+    let kind = ExprKind::Match(Box::new(order.clone()), arms);
+    Some(Expr { kind, site: expr.site, slot: expr.slot })
+}
+
 fn named() -> Pattern {
     Pattern::Name { name: PAYLOAD.into(), slot: NO_SLOT, mutable: false, inner: None }
 }
@@ -221,7 +256,13 @@ fn mapped(array: &Expr, closure: &Expr, expr: &Expr) -> Option<Expr> {
     let each = plain(ExprKind::Each {
         label: None,
         index: Some(index.into()),
-        parts: vec![tree::Part { pattern, array: array.clone(), owned: true, group: None }],
+        parts: vec![tree::Part {
+            pattern,
+            array: array.clone(),
+            owned: true,
+            group: None,
+            reversed: false,
+        }],
         order: tree::Order::Up,
         cuts: Vec::new(),
         body: Block { stmts: vec![Stmt::Expr(assign)], tail: None },

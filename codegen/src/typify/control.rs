@@ -260,7 +260,8 @@ impl Lowering<'_, '_> {
             }
             tree::ExprKind::Tuple(parts) if parts.is_empty() => Ok(()),
             tree::ExprKind::Call(..)
-                if self.list_effect(expr)?
+                if self.in_option(expr)?.is_some()
+                    || self.list_effect(expr)?
                     || self.slice_effect(expr)?
                     || self.part_effect(expr)? =>
             {

@@ -206,7 +206,11 @@ impl Lowering<'_, '_> {
     ) -> Result<()> {
         let slice = &passed.slice;
         let Some((way, size)) = passed.group else {
-            let at = if bare { counter } else { plus(slice.from.clone(), counter) };
+            let at = match (bare, part.reversed) {
+                (true, false) => counter,
+                (_, false) => plus(slice.from.clone(), counter),
+                (_, true) => minus(minus(slice.to.clone(), number(1, slice.base.span)), counter),
+            };
             let mut names = Vec::new();
             self.test(&part.pattern, &Subject::Place(slice.at(at)), site, &mut names)?;
             return self.bind_names(&names);

@@ -26,6 +26,9 @@ impl Lowering<'_, '_> {
         if let Some(other) = self.in_place(expr) {
             return self.value(&other, expected);
         }
+        if let Some(place) = self.in_option(expr)? {
+            return Ok(super::pattern::load(&place));
+        }
         let value = self.bare_value(expr, expected)?;
         self.cx.typed.expressions += 1;
         if let Some(slot) = expr.slot {

@@ -16,6 +16,9 @@ use super::{Result, problem};
 impl Lowering<'_, '_> {
     /// What a method of slices lends, or the slice that an expression is; none if it is neither.
     pub(super) fn lent(&mut self, expr: &tree::Expr) -> Result<Option<Subject>> {
+        if let Some(option) = self.option_lent(expr)? {
+            return Ok(Some(Subject::Place(option)));
+        }
         let name = match &expr.kind {
             tree::ExprKind::Call(callee, _) => match self.source.callees.get(*callee as usize) {
                 Some(tree::Callee::Builtin(name)) if name == "as_slice" => {

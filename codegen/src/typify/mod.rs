@@ -7,6 +7,7 @@
 //! Must not know: C, or how an operation is computed. It does not infer: a type that does not follow
 //! from the operands comes from a slot.
 
+mod arrays;
 mod atomic;
 mod bounded;
 mod builtin;
@@ -37,6 +38,7 @@ mod names;
 mod narrow;
 mod numbers;
 mod option;
+mod optional;
 mod order;
 mod pattern;
 mod place;

@@ -9,6 +9,10 @@ use super::function::Lowering;
 use super::pattern::load;
 use super::{OUR_FAULT, Result, problem};
 
+/// What to write where what an `Option` lends would be held.
+const LENT_BY_OPTION: &str =
+    "take it apart where it is called: `if let Some(x) = self.last.as_mut() { … }`";
+
 impl Lowering<'_, '_> {
     /// The value of a method of `Option` or `Result`; none if `name` is no such method.
     pub(super) fn option_method(
@@ -28,6 +32,9 @@ impl Lowering<'_, '_> {
             }
             "copied" => return self.value(&arguments[0], None).map(Some),
             "take" | "replace" => return self.exchanged(arguments, expr).map(Some),
+            "option_as_mut" => {
+                return problem(expr.site, super::lent::LENT, LENT_BY_OPTION);
+            }
             "unwrap_or" | "unwrap_or_default" | "or" | "and" | "ok_or" | "ok" | "err" => {
                 return self.chosen(name, arguments, expr).map(Some);
             }
@@ -67,6 +74,11 @@ impl Lowering<'_, '_> {
         arguments: &[tree::Expr],
         expr: &tree::Expr,
     ) -> Result<Option<Expr>> {
+        if name == "unwrap"
+            && let Some(array) = self.unwrapped_array(&arguments[0])?
+        {
+            return Ok(Some(array));
+        }
         let (place, id) = self.receiver(&arguments[0])?;
         let (word, value) = self.present(&place, id, name == "unwrap_err");
         let condition = self.tag_is(&place, id, word);

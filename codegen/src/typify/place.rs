@@ -44,6 +44,7 @@ impl Lowering<'_, '_> {
                 }
             })),
             tree::ExprKind::Deref(inner) | tree::ExprKind::Ref(_, inner) => self.place(inner),
+            tree::ExprKind::Call(..) => self.in_option(expr),
             tree::ExprKind::Field(_, name) if name == "coords" && self.in_coords(expr)? => Ok(None),
             tree::ExprKind::Field(base, name) => {
                 let base = self.base(base)?;
@@ -238,6 +239,9 @@ impl Lowering<'_, '_> {
                 }),
             },
             tree::ExprKind::Slice(base, ..) => self.place_type(base),
+            tree::ExprKind::Call(..) if expr.slot.is_some() => {
+                self.refers_to(expr.slot.unwrap_or_default(), expr.site)
+            }
             _ => {
                 problem(expr.site, "this is not a place to assign", "assign a variable or a field")
             }

@@ -336,6 +336,7 @@ impl Lowering<'_, '_> {
                 let index = self.steady("index", index);
                 self.maybe(&slice, index, expr).map(Some)
             }
+            ("to_array" | "first_chunk", _) => self.as_array(name, &slice, expr).map(Some),
             ("contains", [_, element]) => self.contains(&slice, element, expr.site).map(Some),
             ("swap" | "fill" | "copy_from" | "reverse", _) => {
                 problem(expr.site, "this has no value", "write it as a statement")

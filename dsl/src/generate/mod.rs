@@ -7,6 +7,7 @@ pub mod ascii;
 mod builder;
 pub mod builtin;
 pub mod checked;
+pub mod comparison;
 pub mod elementary;
 pub mod factored;
 pub mod linear;
@@ -45,6 +46,10 @@ pub mod prelude {
         New2 as _, New3 as _, New4 as _, New5 as _, New6 as _, New9 as _, New16 as _,
     };
     pub use super::checked::{CheckedAbsBuiltin as _, CheckedBuiltins as _};
+    pub use super::comparison::{
+        CompareBuiltins as _, OrderingBuiltins as _, PartialCompareBuiltins as _,
+        TotalCompareBuiltins as _,
+    };
     pub use super::elementary::ElementaryBuiltins as _;
     pub use super::factored::{
         CholeskyMethods as _, LuBuiltins as _, LuMethods as _, QrBuiltins as _, QrMethods as _,
@@ -67,7 +72,8 @@ pub mod prelude {
     };
     pub use super::resized::{PushBuiltin as _, ResizedBuiltins as _};
     pub use super::slice::{
-        SliceBuiltins as _, SliceSorts as _, TotalOrder as _, VectorSliceBuiltins as _,
+        SliceArrays as _, SliceBuiltins as _, SliceEdits as _, SliceEnds as _, SliceSorts as _,
+        TotalOrder as _, VectorSliceBuiltins as _,
     };
     pub use super::slot::{__any, __glance, __look, __result, __see, __take};
     pub use super::spatial::{

@@ -26,6 +26,11 @@ markers! {
     Ok: "ok";
     Err: "err";
     AsRef: "as_ref";
+    AsMut: "option_as_mut";
+    Xor: "option_xor";
+    Insert: "option_insert";
+    GetOrInsert: "option_get_or_insert";
+    GetOrInsertWith: "option_get_or_insert_with";
     Flatten: "option_flatten";
     Map: "option_map";
     AndThen: "option_and_then";
@@ -89,6 +94,24 @@ pub trait OptionBuiltins<T>: Sized {
         unreachable!()
     }
     fn __b_as_ref(&self) -> Called<AsRef, Option<&T>> {
+        unreachable!()
+    }
+    fn __b_as_mut(&mut self) -> Called<AsMut, Option<&mut T>> {
+        unreachable!()
+    }
+    fn __b_xor(self, _other: Option<T>) -> Called<Xor, Option<T>> {
+        unreachable!()
+    }
+    fn __b_insert(&mut self, _value: T) -> Called<Insert, &mut T> {
+        unreachable!()
+    }
+    fn __b_get_or_insert(&mut self, _value: T) -> Called<GetOrInsert, &mut T> {
+        unreachable!()
+    }
+    fn __b_get_or_insert_with(
+        &mut self,
+        _f: impl FnOnce() -> T,
+    ) -> Called<GetOrInsertWith, &mut T> {
         unreachable!()
     }
     fn __b_map<U>(self, _f: impl FnOnce(T) -> U) -> Called<Map, Option<U>> {

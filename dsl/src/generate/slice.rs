@@ -1,15 +1,16 @@
 //! The companions of the methods of slices, which arrays and lists have too.
 
 use alloc::borrow::ToOwned;
+use core::array::TryFromSliceError;
 
-use bessemer_ir::tree;
+use bessemer_ir::tree::{self, Ty};
 use nalgebra::SVector;
 
 use super::builtin::markers;
 use super::matrices::told;
-use super::{Builder, Called, Callee, Value};
+use super::{Builder, Called, Callee, DslType, Seen, TryFromBuiltin, Value};
 use crate::math::Real;
-use crate::{Number, sort};
+use crate::{Number, slice_edit, sort};
 
 markers! {
     AsSlice: "as_slice";
@@ -31,6 +32,8 @@ markers! {
     SplitAt: "slice_split_at";
     SplitFirst: "slice_split_first";
     SplitLast: "slice_split_last";
+    ToArray: "slice_to_array";
+    FirstChunk: "slice_first_chunk";
 }
 
 /// Methods of slices.
@@ -118,6 +121,81 @@ pub trait SliceBuiltins<T> {
 }
 
 impl<T> SliceBuiltins<T> for [T] {}
+
+impl<T, const N: usize> TryFromBuiltin<&[T]> for [T; N] {
+    type Marker = ToArray;
+    type Error = TryFromSliceError;
+}
+
+impl<T, const N: usize> TryFromBuiltin<&mut [T]> for [T; N] {
+    type Marker = ToArray;
+    type Error = TryFromSliceError;
+}
+
+impl DslType for TryFromSliceError {
+    fn ty(_: &mut Builder) -> Ty {
+        Ty::Unit
+    }
+}
+
+impl Seen for TryFromSliceError {
+    type Slot = TryFromSliceError;
+}
+
+/// The beginnings of slices as arrays.
+#[allow(missing_docs)]
+pub trait SliceArrays<T> {
+    fn __b_first_chunk<const N: usize>(&self) -> Called<FirstChunk, Option<&[T; N]>> {
+        unreachable!()
+    }
+}
+
+impl<T> SliceArrays<T> for [T] {}
+
+/// Methods of slices that move elements: functions of the DSL in the C.
+#[allow(missing_docs)]
+pub trait SliceEdits<T> {
+    fn __b_rotate_left(&mut self, by: usize) -> told!([Self, T] => ());
+    fn __b_rotate_right(&mut self, by: usize) -> told!([Self, T] => ());
+    fn __b_copy_part_within(
+        &mut self,
+        from: usize,
+        to: usize,
+        place: usize,
+    ) -> told!([Self, T] => ());
+    fn __b_copy_behind_within(&mut self, from: usize, place: usize) -> told!([Self, T] => ());
+}
+
+impl<T: Value + Copy> SliceEdits<T> for [T] {
+    fn __b_rotate_left(&mut self, by: usize) -> told!([T] => ()) {
+        slice_edit::rotate_left::__call(self, by)
+    }
+    fn __b_rotate_right(&mut self, by: usize) -> told!([T] => ()) {
+        slice_edit::rotate_right::__call(self, by)
+    }
+    fn __b_copy_part_within(&mut self, from: usize, to: usize, place: usize) -> told!([T] => ()) {
+        slice_edit::copy_within::__call(self, from, to, place)
+    }
+    fn __b_copy_behind_within(&mut self, from: usize, place: usize) -> told!([T] => ()) {
+        slice_edit::copy_behind_within::__call(self, from, place)
+    }
+}
+
+/// Methods of slices of numbers that compare their ends: functions of the DSL in the C.
+#[allow(missing_docs)]
+pub trait SliceEnds<T> {
+    fn __b_starts_with(&self, start: &[T]) -> told!([Self, T] => bool);
+    fn __b_ends_with(&self, end: &[T]) -> told!([Self, T] => bool);
+}
+
+impl<T: Value + Number + PartialEq> SliceEnds<T> for [T] {
+    fn __b_starts_with(&self, start: &[T]) -> told!([T] => bool) {
+        slice_edit::starts_with::__call(self, start)
+    }
+    fn __b_ends_with(&self, end: &[T]) -> told!([T] => bool) {
+        slice_edit::ends_with::__call(self, end)
+    }
+}
 
 /// Methods of slices of integers that are functions of the DSL in the C.
 #[allow(missing_docs)]

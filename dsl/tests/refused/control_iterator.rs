@@ -17,7 +17,7 @@ pub fn iterator(samples: &[f64; 4]) -> f64 {
         sum += samples[i];
     }
     sum += samples.iter().map(|x| x * x).take(2).sum::<f64>();
-    sum + samples.iter().scan(0.0, |sum, x| Some(*sum + x)).sum::<f64>()
+    sum + samples.iter().scan(sum.sqrt(), |sum, x| Some(*sum + x)).sum::<f64>()
 }
 
 fn main() {}

@@ -5,11 +5,7 @@ use bessemer::prelude::*;
 
 /// Does with options what has no place in the C.
 #[function]
-pub fn options(mut value: Option<f64>, other: Option<f64>) -> Option<f64> {
-    if let Some(x) = value.as_mut() {
-        *x += 1.0;
-    }
-    value.get_or_insert_with(|| 2.0);
+pub fn options(value: Option<f64>) -> Option<f64> {
     let scaled = value.map(move |x| x * 2.0);
     let early = scaled.and_then(|x| {
         if x > 0.0 {
@@ -17,7 +13,7 @@ pub fn options(mut value: Option<f64>, other: Option<f64>) -> Option<f64> {
         }
         Some(x)
     });
-    early.xor(other)
+    early.inspect(|x| assert!(*x > 1.0))
 }
 
 fn main() {}

@@ -5,8 +5,8 @@ use bessemer::prelude::*;
 
 /// Calls core and std.
 #[function]
-pub fn standard_library(mut a: f64, cells: &mut [u8; 4], mut i: usize) -> f64 {
-    core::mem::take(&mut a);
+pub fn standard_library(a: f64, cells: &mut [u8; 4], mut i: usize) -> f64 {
+    core::hint::black_box(a);
     // Which cell is written would change on the way.
     core::mem::replace(&mut cells[i], { i += 1; 3 });
     let low = core::cmp::min(1, 2);

@@ -60,6 +60,9 @@ pub struct Part {
     pub owned: bool,
     /// What takes the place of single elements.
     pub group: Option<Group>,
+    /// Whether it is gone through from its end, beside others that are not.
+    #[serde(default)]
+    pub reversed: bool,
 }
 
 /// What stands on the left of an assignment.

@@ -136,6 +136,7 @@ pub(super) fn gives_reference(expr: &syn::Expr) -> bool {
     }
     let names = [
         "first",
+        "first_chunk",
         "last",
         "get",
         "get_mut",
@@ -155,6 +156,10 @@ pub(super) fn gives_reference(expr: &syn::Expr) -> bool {
         "expect",
         "unwrap_or",
         "as_ref",
+        "as_mut",
+        "insert",
+        "get_or_insert",
+        "get_or_insert_with",
         "as_vector",
         "matrix",
         "quaternion",

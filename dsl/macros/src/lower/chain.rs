@@ -9,10 +9,11 @@ use syn::spanned::Spanned;
 
 use super::closure::{closure_of, closure_parameter, plain};
 use super::each::{self, Source, Way};
+use super::flow::{Flow, Item, Over, Step, Takes};
 use super::{Lowering, refuse, search, slot_name, text};
 
 /// What a chain may end with, and how many arguments that takes.
-const ENDS: [(&str, usize); 11] = [
+const ENDS: [(&str, usize); 14] = [
     ("sum", 0),
     ("product", 0),
     ("count", 0),
@@ -24,58 +25,10 @@ const ENDS: [(&str, usize); 11] = [
     ("last", 0),
     ("find", 1),
     ("position", 1),
+    ("rposition", 1),
+    ("next", 0),
+    ("nth", 1),
 ];
-
-/// A chain so far.
-pub(super) struct Flow {
-    /// What the loop goes through.
-    pub over: Over,
-    /// What each pass does before the end, in order.
-    pub steps: Vec<Step>,
-    /// What flows out of it.
-    pub item: Item,
-}
-
-/// How a closure takes the items of a chain.
-#[derive(Clone, Copy, PartialEq)]
-pub(super) enum Takes {
-    Items,
-    /// By reference: `filter`, `find`.
-    References,
-}
-
-pub(super) enum Over {
-    Range(Box<tree::Range>, Option<(String, u32)>),
-    Each {
-        index: Option<String>,
-        parts: Vec<tree::Part>,
-        indexed: bool,
-        order: Order,
-        cuts: Vec<tree::Cut>,
-    },
-}
-
-pub(super) enum Step {
-    Do(tree::Stmt),
-    If(tree::Expr),
-    /// The loop ends where this does not hold.
-    While(tree::Expr),
-}
-
-pub(super) enum Item {
-    /// Elements that have no name yet.
-    Source(Source),
-    /// The number of a range.
-    Number,
-    /// A local.
-    Named(String),
-    /// A value.
-    Value(tree::Expr),
-    /// What is in this, if anything is.
-    Optional(tree::Expr),
-    /// Nothing that could be named again.
-    Taken,
-}
 
 impl Lowering<'_> {
     /// The value of a chain; none if the call is something else.
@@ -86,7 +39,9 @@ impl Lowering<'_> {
         }
         let node = it.method.clone();
         let before = self.refusals.len();
-        it.args.last_mut().into_iter().for_each(|it| in_full(it, end == "fold"));
+        if end != "nth" {
+            it.args.last_mut().into_iter().for_each(|it| in_full(it, end == "fold"));
+        }
         if search::ENDS.contains(&end.as_str()) {
             let kind = self.scoped(|walk| walk.search(it, &end));
             if kind.is_none() && self.refusals.len() == before {
@@ -110,7 +65,7 @@ impl Lowering<'_> {
                 other => walk.hidden(other),
             };
             let last = walk.last(it, &mut flow, &end, &name)?;
-            let each = Box::new(plain(flow.into_loop(last), &node));
+            let each = Box::new(plain(flow.into_loop(last, None), &node));
             Some(ExprKind::Fold { name, start, each })
         });
         if kind.is_none() && self.refusals.len() == before {
@@ -133,11 +88,7 @@ impl Lowering<'_> {
             let body = walk.branch(&mut it.body, false);
             it.body.stmts.splice(0..0, looks);
             let last = tree::Stmt::Expr(plain(ExprKind::Block(body), &it.for_token));
-            let mut kind = flow.into_loop(last);
-            if let ExprKind::For { label: of, .. } | ExprKind::Each { label: of, .. } = &mut kind {
-                *of = label;
-            }
-            Some(kind)
+            Some(flow.into_loop(last, label))
         });
         if kind.is_none() && self.refusals.len() == before {
             self.refusals.add(it.expr.span(), refuse::CHAIN);
@@ -196,6 +147,7 @@ impl Lowering<'_> {
             let range = self.range(expr)?;
             return Some(Flow {
                 over: Over::Range(Box::new(range), None),
+                before: Vec::new(),
                 steps: Vec::new(),
                 item: Item::Number,
             });
@@ -203,14 +155,17 @@ impl Lowering<'_> {
         match expr {
             syn::Expr::Paren(it) => return self.flow(&mut it.expr),
             syn::Expr::MethodCall(it) => match (text(&it.method).as_str(), it.args.len()) {
-                (link @ ("map" | "filter" | "take_while"), 1) => {
+                (link @ ("map" | "map_while" | "filter" | "take_while" | "skip_while"), 1) => {
                     let mut flow = self.flow(&mut it.receiver)?;
                     in_full(&mut it.args[0], false);
-                    let takes = if link == "map" { Takes::Items } else { Takes::References };
+                    let of_items = ["map", "map_while"].contains(&link);
+                    let takes = if of_items { Takes::Items } else { Takes::References };
                     let closure = closure_of(&mut it.args[0])?;
                     let value = self.through(&mut flow, closure, (0, takes))?;
                     match link {
                         "map" => flow.item = Item::Value(value),
+                        "map_while" => flow.item = Item::Leading(value),
+                        "skip_while" => self.skip_while(&mut flow, value, &it.method),
                         "filter" => flow.steps.push(Step::If(value)),
                         _ => flow.steps.push(Step::While(value)),
                     }
@@ -224,6 +179,7 @@ impl Lowering<'_> {
                     flow.item = Item::Optional(value);
                     return Some(flow);
                 }
+                ("scan", 2) => return self.scan(it),
                 ("flatten", 0) => {
                     let mut flow = self.flow(&mut it.receiver)?;
                     let value = self.item_value(&mut flow, &mut it.receiver)?;
@@ -242,7 +198,47 @@ impl Lowering<'_> {
         }
         let Way { source, indexed, order, cuts } = self.way(expr);
         let over = Over::Each { index: None, parts: Vec::new(), indexed, order, cuts };
-        Some(Flow { over, steps: Vec::new(), item: Item::Source(source) })
+        let (before, steps) = (Vec::new(), Vec::new());
+        Some(Flow { over, before, steps, item: Item::Source(source) })
+    }
+
+    /// `.skip_while(|x| …)`: a flag says whether items are still skipped; behind the first that is not, the closure is
+    /// asked no more.
+    fn skip_while(&mut self, flow: &mut Flow, condition: tree::Expr, node: &syn::Ident) {
+        let name = self.hidden("skipping");
+        let flag = || plain(ExprKind::Local(name.clone()), node);
+        let value = Some(plain(ExprKind::Bool(true), node));
+        let (site, slot) = (condition.site, tree::NO_SLOT);
+        flow.before.push(tree::Stmt::Let { name: name.clone(), slot, value, site });
+        let asked = ExprKind::Assign(None, Box::new(flag()), Box::new(condition));
+        let then = tree::Block { stmts: vec![tree::Stmt::Expr(plain(asked, node))], tail: None };
+        let ask = ExprKind::If(Box::new(flag()), then, None);
+        flow.steps.push(Step::Do(tree::Stmt::Expr(plain(ask, node))));
+        flow.steps.push(Step::If(plain(ExprKind::Unary(UnaryOp::Not, Box::new(flag())), node)));
+    }
+
+    /// `.scan(start, |state, x| …)`: a variable that each pass changes.
+    fn scan(&mut self, it: &mut syn::ExprMethodCall) -> Option<Flow> {
+        let mut flow = self.flow(&mut it.receiver)?;
+        if !super::rewrite::is_made_of_plain(&it.args[0]) {
+            // It would be computed before what the chain begins with.
+            self.refusals.add(it.args[0].span(), refuse::SCAN);
+            return None;
+        }
+        let start = self.value(&mut it.args[0]);
+        let closure = closure_of(&mut it.args[1])?;
+        let state = closure_parameter(closure.inputs.first()?)?;
+        let before = self.scopes.last().map_or(0, Vec::len);
+        let (name, slot) = (self.bind_apart(&text(&state)), self.slot());
+        let look = self.look_behind(slot, &state);
+        let value = self.through_with(&mut flow, closure, (1, Takes::Items), vec![look])?;
+        for (name, _) in self.scopes.last_mut()?.iter_mut().skip(before) {
+            name.clear();
+        }
+        let site = start.site;
+        flow.before.push(tree::Stmt::Let { name, slot, value: Some(start), site });
+        flow.item = Item::Leading(value);
+        Some(flow)
     }
 
     /// What a closure makes of the items of a chain; `at`: which of its parameters takes them, and how.
@@ -250,9 +246,18 @@ impl Lowering<'_> {
         &mut self,
         flow: &mut Flow,
         closure: &mut syn::ExprClosure,
-        (at, takes): (usize, Takes),
+        how: (usize, Takes),
     ) -> Option<tree::Expr> {
-        let mut looks = Vec::new();
+        self.through_with(flow, closure, how, Vec::new())
+    }
+
+    fn through_with(
+        &mut self,
+        flow: &mut Flow,
+        closure: &mut syn::ExprClosure,
+        (at, takes): (usize, Takes),
+        mut looks: Vec<syn::Stmt>,
+    ) -> Option<tree::Expr> {
         let pattern = closure.inputs.iter().nth(at)?.clone();
         let before = self.scopes.last().map_or(0, Vec::len);
         self.name_item(flow, (&pattern, takes), &mut looks)?;
@@ -320,7 +325,9 @@ impl Lowering<'_> {
                 flow.steps.push(Step::Do(stmt));
                 Item::Named(in_tree)
             }
-            (Item::Optional(value), _) => {
+            (item @ (Item::Optional(_) | Item::Leading(_)), _) => {
+                let leading = matches!(item, Item::Leading(_));
+                let (Item::Optional(value) | Item::Leading(value)) = item else { return None };
                 self.apart = true;
                 let inner = self.pattern(pattern, looks);
                 self.apart = false;
@@ -328,7 +335,8 @@ impl Lowering<'_> {
                     tree::Pattern::Name { name, inner: None, .. } => Item::Named(name.clone()),
                     _ => Item::Taken,
                 };
-                flow.steps.push(Step::If(there(inner, value)));
+                let there = there(inner, value);
+                flow.steps.push(if leading { Step::WhileLet(there) } else { Step::If(there) });
                 named
             }
             _ => return None,
@@ -340,12 +348,13 @@ impl Lowering<'_> {
     pub(super) fn optional_name(
         &mut self,
         flow: &mut Flow,
-        value: tree::Expr,
+        (value, leading): (tree::Expr, bool),
         receiver: &mut syn::Expr,
     ) -> (String, u32) {
         let (name, slot) = (self.hidden("value"), self.slot());
         let inner = tree::Pattern::Name { name: name.clone(), slot, mutable: false, inner: None };
-        flow.steps.push(Step::If(there(inner, value)));
+        let there = there(inner, value);
+        flow.steps.push(if leading { Step::WhileLet(there) } else { Step::If(there) });
         let (slot_name, chain) = (slot_name(slot), &*receiver);
         *receiver =
             syn::Expr::Verbatim(quote! { #chain.inspect(|__item| __look(&#slot_name, __item)) });
@@ -362,7 +371,11 @@ impl Lowering<'_> {
         match std::mem::replace(&mut flow.item, Item::Taken) {
             Item::Value(value) => Some(value),
             Item::Optional(value) => {
-                let (name, _) = self.optional_name(flow, value, receiver);
+                let (name, _) = self.optional_name(flow, (value, false), receiver);
+                Some(named(name, receiver))
+            }
+            Item::Leading(value) => {
+                let (name, _) = self.optional_name(flow, (value, true), receiver);
                 Some(named(name, receiver))
             }
             Item::Named(name) => Some(named(name, receiver)),
@@ -413,7 +426,7 @@ impl Lowering<'_> {
             // The loop goes through what it fills.
             let array = *local(&name);
             let pattern = tree::Pattern::Any;
-            let part = tree::Part { pattern, array, owned: false, group: None };
+            let part = tree::Part { pattern, array, owned: false, group: None, reversed: false };
             let body = tree::Block { stmts: vec![tree::Stmt::Expr(assign)], tail: None };
             let each = ExprKind::Each {
                 label: None,
@@ -426,41 +439,6 @@ impl Lowering<'_> {
             let each = Box::new(plain(each, &last));
             Some(ExprKind::Fold { name, start: Start::Elements, each })
         })
-    }
-}
-
-impl Flow {
-    pub(super) fn into_loop(self, last: tree::Stmt) -> ExprKind {
-        let mut stmts = vec![last];
-        for step in self.steps.into_iter().rev() {
-            match step {
-                Step::Do(stmt) => stmts.insert(0, stmt),
-                Step::While(condition) => {
-                    let site = condition.site;
-                    let of = |kind| tree::Expr { kind, site, slot: None };
-                    let stop = tree::Stmt::Expr(of(ExprKind::Break(None, None)));
-                    let then = tree::Block { stmts: vec![stop], tail: None };
-                    let ended = of(ExprKind::Unary(UnaryOp::Not, Box::new(condition)));
-                    let kind = ExprKind::If(Box::new(ended), then, None);
-                    stmts.insert(0, tree::Stmt::Expr(of(kind)));
-                }
-                Step::If(condition) => {
-                    let (site, then) = (condition.site, tree::Block { stmts, tail: None });
-                    let kind = ExprKind::If(Box::new(condition), then, None);
-                    stmts = vec![tree::Stmt::Expr(tree::Expr { kind, site, slot: None })];
-                }
-            }
-        }
-        let body = tree::Block { stmts, tail: None };
-        match self.over {
-            Over::Range(range, variable) => {
-                let (name, slot) = variable.unwrap_or_default();
-                ExprKind::For { label: None, name, slot, range, body }
-            }
-            Over::Each { index, parts, order, cuts, .. } => {
-                ExprKind::Each { label: None, index, parts, order, cuts, body }
-            }
-        }
     }
 }
 
@@ -517,10 +495,11 @@ pub(super) fn is_iterator(expr: &syn::Expr) -> bool {
             ("enumerate" | "rev" | "copied" | "cloned", 0) => is_iterator(&it.receiver),
             ("flatten", 0) => is_iterator(&it.receiver),
             (
-                "map" | "filter" | "filter_map" | "take_while" | "zip" | "step_by" | "take"
-                | "skip",
+                "map" | "map_while" | "filter" | "filter_map" | "take_while" | "skip_while" | "zip"
+                | "step_by" | "take" | "skip",
                 1,
-            ) => is_iterator(&it.receiver),
+            )
+            | ("scan", 2) => is_iterator(&it.receiver),
             ("windows" | "chunks" | "chunks_exact", 1) => true,
             _ => false,
         },
@@ -533,7 +512,16 @@ pub(super) fn is_linked(expr: &syn::Expr) -> bool {
     match expr {
         syn::Expr::Paren(it) => is_linked(&it.expr),
         syn::Expr::MethodCall(it) => {
-            let link = ["map", "filter", "filter_map", "take_while", "flatten"];
+            let link = [
+                "map",
+                "map_while",
+                "filter",
+                "filter_map",
+                "take_while",
+                "skip_while",
+                "scan",
+                "flatten",
+            ];
             link.iter().any(|link| it.method == link) || is_linked(&it.receiver)
         }
         _ => false,

@@ -9,7 +9,7 @@ use super::{Lowering, refuse, site, text};
 
 /// What a loop goes through.
 pub(super) enum Source {
-    One { array: Box<tree::Expr>, owned: bool, group: Option<tree::Group> },
+    One { array: Box<tree::Expr>, owned: bool, group: Option<tree::Group>, reversed: bool },
     Zip(Box<Source>, Box<Source>),
 }
 
@@ -116,12 +116,13 @@ impl Lowering<'_> {
         let cut = tree::Cut { skip: it.method == "skip", back, count: self.value(&mut it.args[0]) };
         match way.source {
             // An index behind it begins anew.
-            Source::One { array, owned, group: None }
+            Source::One { array, owned, group: None, reversed: false }
                 if !way.indexed && way.order == Order::Up && way.cuts.is_empty() =>
             {
                 let kind = ExprKind::Cut(array, Box::new(cut));
                 let array = Box::new(tree::Expr { kind, site: place, slot: None });
-                Way { source: Source::One { array, owned, group: None }, ..way }
+                let source = Source::One { array, owned, group: None, reversed: false };
+                Way { source, ..way }
             }
             source => {
                 way.cuts.push(cut);
@@ -139,11 +140,23 @@ impl Lowering<'_> {
                 let left = self.source(&mut it.receiver);
                 Source::Zip(Box::new(left), Box::new(self.source(&mut it.args[0])))
             }
+            // Behind `zip`, or before it: one of the two is gone through from its end.
+            syn::Expr::MethodCall(it) if it.method == "rev" && it.args.is_empty() => {
+                match self.source(&mut it.receiver) {
+                    Source::One { array, owned, group: None, reversed } => {
+                        Source::One { array, owned, group: None, reversed: !reversed }
+                    }
+                    other => {
+                        self.refusals.add(it.method.span(), refuse::ITERATOR);
+                        other
+                    }
+                }
+            }
             syn::Expr::MethodCall(it) if it.args.is_empty() && is_adaptor(&it.method) => {
                 let into = it.method == "into_iter";
                 match self.source(&mut it.receiver) {
-                    Source::One { array, owned, group } => {
-                        Source::One { array, owned: owned && into, group }
+                    Source::One { array, owned, group, reversed } => {
+                        Source::One { array, owned: owned && into, group, reversed }
                     }
                     zip => {
                         self.refusals.add(it.method.span(), refuse::ITERATOR);
@@ -155,7 +168,7 @@ impl Lowering<'_> {
                 let array = Box::new(self.value(&mut it.receiver));
                 let (way, size) = (grouping(&it.method), self.value(&mut it.args[0]));
                 let group = way.map(|way| tree::Group { way, size });
-                Source::One { array, owned: false, group }
+                Source::One { array, owned: false, group, reversed: false }
             }
             syn::Expr::MethodCall(it) if is_cut(it) => {
                 let Way { source, indexed, order, cuts } = self.way(expr);
@@ -166,7 +179,8 @@ impl Lowering<'_> {
             }
             other => {
                 let owned = !matches!(other, syn::Expr::Reference(_));
-                Source::One { array: Box::new(self.value(other)), owned, group: None }
+                let array = Box::new(self.value(other));
+                Source::One { array, owned, group: None, reversed: false }
             }
         }
     }
@@ -183,9 +197,9 @@ impl Lowering<'_> {
                 self.elements(&pair.elems[0], *left, parts, looks);
                 self.elements(&pair.elems[1], *right, parts, looks);
             }
-            (pattern, Source::One { array, owned, group }) => {
+            (pattern, Source::One { array, owned, group, reversed }) => {
                 let pattern = self.pattern(pattern, looks);
-                parts.push(tree::Part { pattern, array: *array, owned, group });
+                parts.push(tree::Part { pattern, array: *array, owned, group, reversed });
             }
             (other, _) => self.refusals.add(other.span(), refuse::DESTRUCTURING),
         }

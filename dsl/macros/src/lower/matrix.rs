@@ -107,7 +107,8 @@ impl Lowering<'_> {
         }
         self.apart = true;
         for (pattern, array) in closure.inputs.iter().skip(from).zip(arrays) {
-            let source = Source::One { array: Box::new(array), owned: true, group: None };
+            let source =
+                Source::One { array: Box::new(array), owned: true, group: None, reversed: false };
             self.elements(pattern, source, &mut parts, looks);
         }
         self.apart = false;

@@ -16,6 +16,7 @@ mod closure;
 mod control;
 mod each;
 mod expr;
+mod flow;
 mod macros;
 mod matrix;
 mod operator;

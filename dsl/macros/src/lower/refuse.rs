@@ -139,9 +139,9 @@ reasons! {
     CLOSURE_PARAMETERS: "this parameter of a closure is not in the DSL", "write a name, or for elements `(i, x)`, `(x, y)`, `&x`";
     CLOSURE_SHADOWED: "a name that the closure uses means something else here", "give the later variable another name";
     STEP_ORDER: "`.step_by(…)` stands behind the range in the DSL", "write `(a..b).step_by(n)`, with `.rev()` after it if need be";
-    CHAIN: "this chain of iterators is not in the DSL", "begin with an array, a slice, a vector or a range; `.enumerate .zip .rev .skip .take`, then `.map .filter .filter_map .take_while .flatten .copied`; end with `.sum .product .fold .any .all .count .min .max .min_by_key .max_by_key .min_by .max_by .last .find .position`";
+    CHAIN: "this chain of iterators is not in the DSL", "begin with an array, a slice, a vector or a range; `.enumerate .zip .rev .skip .take`, then `.map .filter .filter_map .take_while .skip_while .map_while .scan .flatten .copied`; end with `.sum .product .fold .any .all .count .min .max .min_by_key .max_by_key .min_by .max_by .next .nth .last .find .position .rposition`";
+    SCAN: "this is computed before the chain begins in the DSL", "write a number or a name: `let start = …;` before it";
     SORTING: "this comparison is not in the DSL here", "write `|a, b| a.total_cmp(b)`, or `a.cmp(b)`, of parts of both if need be; or `sort_by_key`";
-    COMPARISON: "this comparison is not in the DSL here", "write `|a, b| a.total_cmp(b)`, `a.cmp(b)` or `a.partial_cmp(b).unwrap_or(Ordering::Equal)`, of parts of both if need be";
     ASYNC: "there is no executor in firmware that a model could await", "write a component whose `step` is called once per period";
     UNSAFE: "`unsafe` has no meaning that the C could keep", "use indices and `to_bits`/`from_bits`";
     RAW_BORROW: "raw pointers are not in the DSL", "pass `&` or `&mut`";

@@ -30,6 +30,7 @@ impl Lowering<'_> {
                 self.extreme(it)
             }
             ("get" | "get_mut", 1) => gotten(it),
+            ("copy_within", 2) => copied_within(it),
             ("extend", 1) => self.extended(it),
             _ if sort::sorts(it) => {
                 let sorted = sort::sorted(it, Leg::Tree);
@@ -44,7 +45,8 @@ impl Lowering<'_> {
         }
     }
 
-    /// `core::mem::swap(&mut a, &mut b)`, `core::mem::replace(&mut a, value)`: the assignments.
+    /// `core::mem::swap(&mut a, &mut b)`, `core::mem::replace(&mut a, value)`, `core::mem::take(&mut a)`: the
+    /// assignments.
     fn exchanged(&mut self, it: &syn::ExprCall) -> Option<syn::Expr> {
         let syn::Expr::Path(function) = &*it.func else { return None };
         let names: Vec<_> = function.path.segments.iter().map(|part| text(&part.ident)).collect();
@@ -57,6 +59,11 @@ impl Lowering<'_> {
             ("swap", [one, other]) => {
                 let (one, other) = (lent(one)?, lent(other)?);
                 Some(parse_quote! { { let #kept = #one; #one = #other; #other = #kept; } })
+            }
+            ("take", [place]) => {
+                let place = lent(place)?;
+                let default: syn::Expr = parse_quote! { Default::default() };
+                Some(parse_quote! { { let #kept = #place; #place = #default; #kept } })
             }
             ("replace", [place, value]) => {
                 let place = lent(place)?;
@@ -163,13 +170,12 @@ impl Lowering<'_> {
     fn extreme(&mut self, it: &syn::ExprMethodCall) -> Option<syn::Expr> {
         let closure = &sort::comparison(&it.args[0])?;
         self.check_closure(closure);
-        let above = match sort::total(&closure.body) {
-            Some((left, right)) => Some(sort::below(&right, &left)),
-            None => compared(&closure.body).map(|(left, right)| parse_quote! { #left > #right }),
+        let body = &closure.body;
+        let above: syn::Expr = match (sort::total(body), compared(body)) {
+            (Some((left, right)), _) => sort::below(&right, &left),
+            (None, Some((left, right))) => parse_quote! { #left > #right },
+            (None, None) => parse_quote! { { #body }.is_gt() },
         };
-        if above.is_none() && !it.method.to_string().ends_with("_by_key") {
-            self.refusals.add(it.method.span(), refuse::COMPARISON);
-        }
         let fresh = |name: &str| self.fresh_beside(name, it);
         let (method, items) = (text(&it.method), &it.receiver);
         let (found, best) = (fresh("found"), fresh("best"));
@@ -233,7 +239,6 @@ impl Lowering<'_> {
                 parse_quote! { (#new >= #old) }
             }
         } else {
-            let above = above?;
             let (one, other) = (closure.inputs.first()?, closure.inputs.get(1)?);
             let above = let_in(one, &best_value, &let_in(other, &item, &above));
             match least {
@@ -350,7 +355,9 @@ fn gives_pairs(expr: &syn::Expr) -> bool {
     match bare(expr) {
         syn::Expr::MethodCall(it) => match text(&it.method).as_str() {
             "enumerate" | "zip" => true,
-            "rev" | "skip" | "take" | "filter" | "take_while" => gives_pairs(&it.receiver),
+            "rev" | "skip" | "take" | "filter" | "take_while" | "skip_while" => {
+                gives_pairs(&it.receiver)
+            }
             _ => false,
         },
         _ => false,
@@ -363,7 +370,9 @@ fn gives_references(expr: &syn::Expr) -> bool {
         syn::Expr::Reference(_) => true,
         syn::Expr::MethodCall(it) => match text(&it.method).as_str() {
             "iter" => true,
-            "rev" | "skip" | "take" | "filter" | "take_while" => gives_references(&it.receiver),
+            "rev" | "skip" | "take" | "filter" | "take_while" | "skip_while" => {
+                gives_references(&it.receiver)
+            }
             _ => false,
         },
         _ => false,
@@ -408,7 +417,7 @@ pub(super) fn or_return(local: &mut syn::Local) {
         "get" => call.args.len() == 1 && matches!(bare(&call.args[0]), syn::Expr::Range(_)),
         "get_mut" => call.args.len() == 1,
         "first_mut" | "last_mut" | "split_first" | "split_first_mut" | "split_last"
-        | "split_last_mut" => call.args.is_empty(),
+        | "split_last_mut" | "as_mut" => call.args.is_empty(),
         _ => false,
     };
     if !lends || matches!(local.pat, syn::Pat::Type(_)) {
@@ -447,6 +456,28 @@ fn gotten(it: &syn::ExprMethodCall) -> Option<syn::Expr> {
     })
 }
 
+/// `values.copy_within(a..b, place)`: by its ends, the same.
+fn copied_within(it: &syn::ExprMethodCall) -> Option<syn::Expr> {
+    let syn::Expr::Range(range) = bare(&it.args[0]) else { return None };
+    let (array, place) = (&it.receiver, &it.args[1]);
+    let from = match &range.start {
+        Some(from) => (**from).clone(),
+        None => parse_quote! { 0 },
+    };
+    let method = |name: &str| syn::Ident::new(name, it.method.span());
+    let Some(to) = &range.end else {
+        let method = method("copy_behind_within");
+        return Some(parse_quote! { #array.#method(#from, #place) });
+    };
+    let method = method("copy_part_within");
+    Some(match range.limits {
+        syn::RangeLimits::HalfOpen(_) => parse_quote! { #array.#method(#from, #to, #place) },
+        syn::RangeLimits::Closed(_) => {
+            parse_quote! { #array.#method(#from, usize::saturating_add(#to, 1), #place) }
+        }
+    })
+}
+
 /// The place that `&mut place`, or a name for one, lends; none if it may not be written twice.
 fn lent(expr: &syn::Expr) -> Option<syn::Expr> {
     match bare(expr) {
@@ -473,6 +504,17 @@ fn moves(value: &syn::Expr, place: &syn::Expr) -> bool {
         syn::Expr::Index(it) => may_change(value, &it.index) || moves(value, &it.expr),
         syn::Expr::Field(it) => moves(value, &it.base),
         _ => false,
+    }
+}
+
+/// Whether an expression is plain, or a tuple, an array or a struct of what is.
+pub(super) fn is_made_of_plain(expr: &syn::Expr) -> bool {
+    match bare(expr) {
+        syn::Expr::Tuple(it) => it.elems.iter().all(is_made_of_plain),
+        syn::Expr::Array(it) => it.elems.iter().all(is_made_of_plain),
+        syn::Expr::Repeat(it) => is_made_of_plain(&it.expr),
+        syn::Expr::Struct(it) => it.fields.iter().all(|field| is_made_of_plain(&field.expr)),
+        other => is_plain(other),
     }
 }
 

@@ -3,13 +3,16 @@
 //! In the tree the loop assigns what it has found so far.
 
 use bessemer_ir::tree::{self, BinaryOp, ExprKind, Order, Pattern, Start};
+use bessemer_ir::{Int, Scalar};
 
-use super::chain::{Flow, Item, Over, Step, Takes, named_by};
+use super::chain::named_by;
 use super::closure::{closure_of, plain};
-use super::{GENERATING, Lowering, slot_name};
+use super::flow::{Flow, Item, Over, Step, Takes};
+use super::{GENERATING, Lowering, refuse, slot_name};
 
 /// What such a chain may end with.
-pub(super) const ENDS: [&str; 5] = ["min", "max", "last", "find", "position"];
+pub(super) const ENDS: [&str; 8] =
+    ["min", "max", "last", "find", "position", "rposition", "next", "nth"];
 
 impl Lowering<'_> {
     /// The value of such a chain; none if the DSL does not take it.
@@ -36,8 +39,8 @@ impl Lowering<'_> {
         };
         let stop = tree::Stmt::Expr(plain(ExprKind::Break(None, None), &node));
         let last = match end {
-            "position" => {
-                let index = self.count_from_zero(&mut flow)?;
+            "position" | "rposition" => {
+                let index = self.count_from_zero(&mut flow, end == "rposition")?;
                 let closure = closure_of(it.args.get_mut(0)?)?;
                 let condition = self.through(&mut flow, closure, (0, Takes::Items))?;
                 when(condition, block(vec![told(local(&index)), stop]), None)
@@ -52,6 +55,21 @@ impl Lowering<'_> {
                 let (item, slot) = self.item_name(&mut flow, it)?;
                 if end == "last" {
                     told(local(&item))
+                } else if end == "next" {
+                    tree::Stmt::Expr(plain(
+                        ExprKind::Block(block(vec![told(local(&item)), stop])),
+                        &node,
+                    ))
+                } else if end == "nth" {
+                    let left = self.passed_over(&mut flow, it)?;
+                    let number =
+                        |digits: &str| Box::new(plain(ExprKind::Int(digits.into(), None), &node));
+                    let none = ExprKind::Binary(BinaryOp::Eq, Box::new(local(&left)), number("0"));
+                    let less =
+                        ExprKind::Assign(Some(BinaryOp::Sub), Box::new(local(&left)), number("1"));
+                    let less = block(vec![tree::Stmt::Expr(plain(less, &node))]);
+                    let found = block(vec![told(local(&item)), stop]);
+                    when(plain(none, &node), found, Some(less))
                 } else {
                     let best = self.hidden("best");
                     let name_best =
@@ -68,7 +86,7 @@ impl Lowering<'_> {
             }
         };
         let start = Start::Value(Box::new(option("None", Vec::new())));
-        let each = Box::new(plain(flow.into_loop(last), &node));
+        let each = Box::new(plain(flow.into_loop(last, None), &node));
         if GENERATING {
             let (slot, call) = (slot_name(slot), it.clone());
             *it = syn::parse_quote! { #slot.__glance(#call) };
@@ -76,8 +94,24 @@ impl Lowering<'_> {
         Some(ExprKind::Fold { name, start, each })
     }
 
-    /// The index of the elements, counted as they come.
-    fn count_from_zero(&mut self, flow: &mut Flow) -> Option<String> {
+    /// How many items `.nth(n)` passes over still.
+    fn passed_over(&mut self, flow: &mut Flow, it: &mut syn::ExprMethodCall) -> Option<String> {
+        if !super::rewrite::is_made_of_plain(&it.args[0]) {
+            // It would be computed before what the chain begins with.
+            self.refusals.add(syn::spanned::Spanned::span(&it.args[0]), refuse::SCAN);
+            return None;
+        }
+        let mut count = self.value(&mut it.args[0]);
+        if let ExprKind::Int(_, suffix @ None) = &mut count.kind {
+            *suffix = Some(Scalar::Int(Int::Usize));
+        }
+        let (name, slot, site) = (self.hidden("left"), tree::NO_SLOT, count.site);
+        flow.before.push(tree::Stmt::Let { name: name.clone(), slot, value: Some(count), site });
+        Some(name)
+    }
+
+    /// The index of the elements, counted as they come; or, `back`, from the last one.
+    fn count_from_zero(&mut self, flow: &mut Flow, back: bool) -> Option<String> {
         let plain = flow.steps.is_empty() && matches!(flow.item, Item::Source(_));
         let Over::Each { index, indexed: false, order, cuts, .. } = &mut flow.over else {
             return None;
@@ -85,8 +119,11 @@ impl Lowering<'_> {
         if !plain || !cuts.is_empty() {
             return None;
         }
-        if *order == Order::Down {
-            *order = Order::Mirrored;
+        match (*order, back) {
+            (Order::Up, true) => *order = Order::Down,
+            (Order::Down, false) => *order = Order::Mirrored,
+            (Order::Up, false) => {}
+            _ => return None,
         }
         let name = self.hidden("i");
         *index = Some(name.clone());
@@ -106,10 +143,10 @@ impl Lowering<'_> {
             flow.steps.push(Step::Do(tree::Stmt::Let { name: name.clone(), slot, value, site }));
             return Some((name, slot));
         }
-        if let Item::Optional(value) = &flow.item {
-            let value = value.clone();
+        if let Item::Optional(value) | Item::Leading(value) = &flow.item {
+            let (value, leading) = (value.clone(), matches!(flow.item, Item::Leading(_)));
             flow.item = Item::Taken;
-            return Some(self.optional_name(flow, value, &mut it.receiver));
+            return Some(self.optional_name(flow, (value, leading), &mut it.receiver));
         }
         let value = self.item_value(flow, &mut it.receiver)?;
         let ExprKind::Local(name) = value.kind else { return None };

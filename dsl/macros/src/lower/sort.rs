@@ -23,7 +23,7 @@ pub fn sorted(it: &syn::ExprMethodCall, leg: Leg) -> Option<syn::Expr> {
     let closure = &comparison(it.args.first()?)?;
     let below: syn::Expr = match (method.as_str(), arguments, closure.inputs.len()) {
         ("sort_by_key" | "sort_unstable_by_key", 1, 1) => by_key(closure, leg),
-        ("sort_by" | "sort_unstable_by", 1, 2) => by_comparison(closure, leg)?,
+        ("sort_by" | "sort_unstable_by", 1, 2) => by_comparison(closure, leg),
         _ => return None,
     };
     let values = &it.receiver;
@@ -77,19 +77,14 @@ fn by_key(closure: &syn::ExprClosure, leg: Leg) -> syn::Expr {
     }
 }
 
-fn by_comparison(closure: &syn::ExprClosure, leg: Leg) -> Option<syn::Expr> {
+fn by_comparison(closure: &syn::ExprClosure, leg: Leg) -> syn::Expr {
     let (inputs, body) = (&closure.inputs, &closure.body);
-    let below = match total(body) {
-        Some((left, right)) => below(&left, &right),
-        None => {
-            let (left, right) = compared(body)?;
-            parse_quote! { #left < #right }
-        }
+    let below = match (leg, total(body), compared(body)) {
+        (Leg::Tree, Some((left, right)), _) => below(&left, &right),
+        (Leg::Tree, None, Some((left, right))) => parse_quote! { #left < #right },
+        _ => parse_quote! { { #body }.is_lt() },
     };
-    Some(match leg {
-        Leg::Native => parse_quote! { |#inputs| { #body }.is_lt() },
-        Leg::Tree => parse_quote! { |#inputs| #below },
-    })
+    parse_quote! { |#inputs| #below }
 }
 
 /// Whether a float comes before another in the order of `total_cmp`.

@@ -1,0 +1,106 @@
+//! Slices as arrays: `bytes[2..6].try_into()`, `bytes.first_chunk::<4>()`.
+
+use bessemer_ir::tree;
+use bessemer_ir::{Block, CompareOp, Expr, ExprKind, Fault, StmtKind, StructId, Type};
+
+use super::equal::{number, stmt};
+use super::function::Lowering;
+use super::pattern::load;
+use super::slice::{Slice, compare, plus};
+use super::{OUR_FAULT, Result, problem};
+
+impl Lowering<'_, '_> {
+    /// `Ok` or `Some` of the elements, if there are as many, or no fewer.
+    pub(super) fn as_array(
+        &mut self,
+        name: &str,
+        slice: &Slice,
+        expr: &tree::Expr,
+    ) -> Result<Expr> {
+        let (id, ty) = self.array_in(expr)?;
+        let (there, array) = self.elements_as(name, slice, ty, expr)?;
+        let span = self.span(expr.site);
+        let none = self.choice(id, 0, None, expr.site)?;
+        let held = self.temporary("part", none);
+        let ExprKind::Load(target) = held.kind.clone() else { return Ok(held) };
+        let value = self.choice(id, 1, Some(array), expr.site)?;
+        let then = Block(vec![stmt(StmtKind::Assign { place: target, value }, span)]);
+        let otherwise = Block::default();
+        self.emit(StmtKind::If { condition: there, then, otherwise }, span);
+        Ok(held)
+    }
+
+    /// The same behind `unwrap`: a check, and the elements; none if `expr` is something else.
+    pub(super) fn unwrapped_array(&mut self, expr: &tree::Expr) -> Result<Option<Expr>> {
+        let tree::ExprKind::Call(callee, arguments) = &expr.kind else { return Ok(None) };
+        let name = match self.source.callees.get(*callee as usize) {
+            Some(tree::Callee::Builtin(name)) => name.strip_prefix("slice_").unwrap_or_default(),
+            _ => return Ok(None),
+        };
+        if !["to_array", "first_chunk"].contains(&name) {
+            return Ok(None);
+        }
+        let slice = self.sliced(&arguments[0])?;
+        let (_, ty) = self.array_in(expr)?;
+        let (condition, array) = self.elements_as(name, &slice, ty, expr)?;
+        if condition.kind != ExprKind::Literal(1) {
+            let span = self.span(expr.site);
+            self.emit(StmtKind::Check { condition, fault: Fault::Absent }, span);
+        }
+        Ok(Some(array))
+    }
+
+    /// The `Option` or `Result` of a call, and the array in it.
+    fn array_in(&mut self, expr: &tree::Expr) -> Result<(StructId, Type)> {
+        let ty = match self.slot_of(expr)? {
+            Type::Struct(id) => ["Ok", "Some"].iter().find_map(|case| {
+                let field = self.case(id, case)?.1.field?;
+                let field = &self.cx.module.structs[id.index()].fields[field as usize];
+                Some((id, field.ty.clone()))
+            }),
+            _ => None,
+        };
+        match ty {
+            Some(found @ (_, Type::Array { .. })) => Ok(found),
+            _ => problem(expr.site, "a slice becomes an array in the DSL", OUR_FAULT),
+        }
+    }
+
+    /// Whether there are as many elements as the array has, and these.
+    fn elements_as(
+        &mut self,
+        name: &str,
+        slice: &Slice,
+        ty: Type,
+        expr: &tree::Expr,
+    ) -> Result<(Expr, Expr)> {
+        let span = self.span(expr.site);
+        let Type::Array { len, .. } = ty else {
+            return problem(expr.site, "a slice becomes an array in the DSL", OUR_FAULT);
+        };
+        if len > MOST {
+            return problem(
+                expr.site,
+                format!("a slice becomes an array of at most {MOST} elements in the DSL"),
+                "declare the array, and call `copy_from_slice`",
+            );
+        }
+        let (wanted, whole) = (u64::from(len), name == "to_array");
+        let there = match slice.length.kind {
+            ExprKind::Literal(length) => {
+                let enough = if whole { length == wanted } else { length >= wanted };
+                super::equal::truth(u64::from(enough), span)
+            }
+            _ => {
+                let op = if whole { CompareOp::Eq } else { CompareOp::Ge };
+                compare(op, slice.length.clone(), number(wanted, span), span)
+            }
+        };
+        let element = |index| load(&slice.at(plus(slice.from.clone(), number(index, span))));
+        let kind = ExprKind::Array((0..wanted).map(element).collect());
+        Ok((there, Expr { kind, ty, span }))
+    }
+}
+
+/// How many elements are written out at most.
+const MOST: u32 = 32;

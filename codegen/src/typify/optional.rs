@@ -1,0 +1,119 @@
+//! What methods of `Option` lend: `insert`, `get_or_insert`, `as_mut`. Nothing is copied: what is lent is
+//! another name for what is in it.
+
+use bessemer_ir::tree;
+use bessemer_ir::{Block, Fault, Place, StmtKind, StructId, Type};
+
+use super::equal::stmt;
+use super::function::Lowering;
+use super::loops::negated;
+use super::{OUR_FAULT, Result, order, problem};
+
+impl Lowering<'_, '_> {
+    /// The place in an `Option` that a call lends; none if the call is something else.
+    pub(super) fn in_option(&mut self, expr: &tree::Expr) -> Result<Option<Place>> {
+        let Some((name, arguments)) = self.builtin_call(expr) else { return Ok(None) };
+        match (name, arguments) {
+            ("option_insert", [option, value]) => {
+                let value = Some(value);
+                self.filled((option, value, None), false, expr).map(Some)
+            }
+            ("option_get_or_insert", [option, value]) => {
+                self.filled((option, Some(value), None), true, expr).map(Some)
+            }
+            ("option_get_or_insert_with", [option, value]) => {
+                self.filled((option, None, Some(value)), true, expr).map(Some)
+            }
+            ("unwrap", [lent]) => match self.option_lent(lent)? {
+                Some(place) => {
+                    let (id, word, field) = self.held_in(&place, expr)?;
+                    let (condition, span) = (self.tag_is(&place, id, word), self.span(expr.site));
+                    self.emit(StmtKind::Check { condition, fault: Fault::Absent }, span);
+                    Ok(Some(self.part(&place, id, field)))
+                }
+                None => Ok(None),
+            },
+            _ => Ok(None),
+        }
+    }
+
+    /// The `Option` that `as_mut` is called of; none if `expr` is something else.
+    pub(super) fn option_lent(&mut self, expr: &tree::Expr) -> Result<Option<Place>> {
+        match self.builtin_call(expr) {
+            Some(("option_as_mut", [option])) => self.settled(option).map(Some),
+            _ => Ok(None),
+        }
+    }
+
+    fn builtin_call<'t>(&self, expr: &'t tree::Expr) -> Option<(&str, &'t [tree::Expr])> {
+        let tree::ExprKind::Call(callee, arguments) = &expr.kind else { return None };
+        match self.source.callees.get(*callee as usize)? {
+            tree::Callee::Builtin(name) => Some((name, arguments)),
+            tree::Callee::Function(_) => None,
+        }
+    }
+
+    /// A place that stays the same whatever comes; its indices have been looked at.
+    fn settled(&mut self, expr: &tree::Expr) -> Result<Place> {
+        match self.place(expr)? {
+            Some(mut place) => {
+                self.fix(&mut place);
+                Ok(place)
+            }
+            None => problem(expr.site, "this is not a place", "keep it in a variable"),
+        }
+    }
+
+    /// The struct of an `Option`, the word of `Some`, and the field of what is in it.
+    fn held_in(&mut self, place: &Place, expr: &tree::Expr) -> Result<(StructId, u64, usize)> {
+        let Type::Struct(id) = place.ty else {
+            return problem(expr.site, "this is not an `Option`", OUR_FAULT);
+        };
+        match self.case(id, "Some").map(|(word, case)| (word, case.field)) {
+            Some((word, Some(field))) => Ok((id, word, field as usize)),
+            _ => problem(expr.site, "there is nothing to this value", "keep a `bool`"),
+        }
+    }
+
+    /// Puts a value into an `Option`, or what a closure computes; `unless` there is one.
+    fn filled(
+        &mut self,
+        (option, value, closure): (&tree::Expr, Option<&tree::Expr>, Option<&tree::Expr>),
+        unless: bool,
+        expr: &tree::Expr,
+    ) -> Result<Place> {
+        let place = self.settled(option)?;
+        let (id, word, field) = self.held_in(&place, expr)?;
+        let (there, span) = (self.part(&place, id, field), self.span(expr.site));
+        let value = match value {
+            Some(value) => {
+                let value = self.value(value, Some(&there.ty))?;
+                // It is computed whether it is wanted or not.
+                let free = !unless || order::is_free(&value);
+                Some(if free { value } else { self.temporary("value", value) })
+            }
+            None => None,
+        };
+        let Block(put) = self.scoped(|inner| {
+            let value = match (value, closure.map(|it| &it.kind)) {
+                (Some(value), _) => value,
+                (None, Some(tree::ExprKind::Closure(it))) => {
+                    inner.value(&it.body, Some(&there.ty))?
+                }
+                _ => return problem(expr.site, "this takes a closure", "write `|| …`"),
+            };
+            inner.agree(&value.ty, &there.ty, expr.site)?;
+            let value = inner.choice(id, word, Some(value), expr.site)?;
+            inner.emit(StmtKind::Assign { place: place.clone(), value }, span);
+            Ok(())
+        })?;
+        if unless {
+            let condition = negated(self.tag_is(&place, id, word));
+            let kind = StmtKind::If { condition, then: Block(put), otherwise: Block::default() };
+            self.out.push(stmt(kind, span));
+        } else {
+            self.out.extend(put);
+        }
+        Ok(there)
+    }
+}

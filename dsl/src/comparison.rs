@@ -1,0 +1,113 @@
+//! Which of two values comes first, as a value: `a.cmp(&b)` and what is made of it.
+
+use core::cmp::Ordering as Native;
+
+use crate::math::Real;
+use crate::{data, function, sort};
+
+/// What `core::cmp::Ordering` is in the C.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
+pub enum Ordering {
+    /// The first comes before the second.
+    #[default]
+    Less = -1,
+    /// Neither comes first.
+    Equal = 0,
+    /// The first comes behind the second.
+    Greater = 1,
+}
+
+/// How one value stands to another.
+#[function]
+pub fn compare<T: Copy + Ord>(one: T, other: T) -> Native {
+    if one < other {
+        Native::Less
+    } else if one == other {
+        Native::Equal
+    } else {
+        Native::Greater
+    }
+}
+
+/// The same of numbers that may have no order: a NaN is before, behind and at no number.
+#[function]
+pub fn partial<T: Copy + PartialOrd>(one: T, other: T) -> Option<Native> {
+    if one < other {
+        return Some(Native::Less);
+    }
+    if one == other {
+        return Some(Native::Equal);
+    }
+    if one > other { Some(Native::Greater) } else { None }
+}
+
+/// The same of all floats: −0 before +0, NaN behind all others.
+#[function]
+pub fn total<T: Real>(one: T, other: T) -> Native {
+    if sort::below(one, other) {
+        Native::Less
+    } else if sort::below(other, one) {
+        Native::Greater
+    } else {
+        Native::Equal
+    }
+}
+
+/// The other way round.
+#[function]
+pub fn reversed(order: Native) -> Native {
+    match order {
+        Native::Less => Native::Greater,
+        Native::Equal => Native::Equal,
+        Native::Greater => Native::Less,
+    }
+}
+
+/// This order, or, where it tells nothing, the next.
+#[function]
+pub fn then(order: Native, next: Native) -> Native {
+    if order == Native::Equal { next } else { order }
+}
+
+/// Whether the first comes before the second.
+#[function]
+#[inline]
+pub fn is_less(order: Native) -> bool {
+    order == Native::Less
+}
+
+/// Whether the first comes behind the second.
+#[function]
+#[inline]
+pub fn is_greater(order: Native) -> bool {
+    order == Native::Greater
+}
+
+/// Whether neither comes first.
+#[function]
+#[inline]
+pub fn is_equal(order: Native) -> bool {
+    order == Native::Equal
+}
+
+/// Whether the first does not come behind the second.
+#[function]
+#[inline]
+pub fn is_at_most(order: Native) -> bool {
+    order != Native::Greater
+}
+
+/// Whether the first does not come before the second.
+#[function]
+#[inline]
+pub fn is_at_least(order: Native) -> bool {
+    order != Native::Less
+}
+
+/// Whether one of the two comes first.
+#[function]
+#[inline]
+pub fn is_unequal(order: Native) -> bool {
+    order != Native::Equal
+}

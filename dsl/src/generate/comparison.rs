@@ -1,0 +1,114 @@
+//! The companions of comparisons that give an `Ordering`, and of its methods.
+
+#![allow(missing_docs)]
+
+use alloc::borrow::ToOwned;
+use core::cmp::Ordering;
+
+use bessemer_ir::tree::{self, Ty};
+
+use super::builtin::markers;
+use super::matrices::told;
+use super::{Builder, Called, Callee, DslType, Seen, Value};
+use crate::comparison;
+use crate::math::Real;
+
+markers! {
+    ThenWith: "ordering_then_with";
+}
+
+impl DslType for Ordering {
+    fn ty(cx: &mut Builder) -> Ty {
+        comparison::Ordering::ty(cx)
+    }
+}
+
+impl Seen for Ordering {
+    type Slot = Ordering;
+}
+
+/// What integers and `bool` have.
+pub trait CompareBuiltins: Sized {
+    fn __b_cmp(&self, other: &Self) -> told!([Self] => Ordering);
+}
+
+/// What all numbers have.
+pub trait PartialCompareBuiltins: Sized {
+    fn __b_partial_cmp(&self, other: &Self) -> told!([Self] => Option<Ordering>);
+}
+
+macro_rules! ordered {
+    ($($ty:ident)*) => {$(
+        impl CompareBuiltins for $ty {
+            fn __b_cmp(&self, other: &$ty) -> told!([] => Ordering) {
+                comparison::compare::__call(*self, *other)
+            }
+        }
+        impl PartialCompareBuiltins for $ty {
+            fn __b_partial_cmp(&self, other: &$ty) -> told!([] => Option<Ordering>) {
+                comparison::partial::__call(*self, *other)
+            }
+        }
+    )*};
+}
+
+ordered! { bool i8 i16 i32 i64 isize u8 u16 u32 u64 usize }
+
+impl<T: Value + Real> PartialCompareBuiltins for T {
+    fn __b_partial_cmp(&self, other: &T) -> told!([T] => Option<Ordering>) {
+        comparison::partial::__call(*self, *other)
+    }
+}
+
+/// What floats have.
+pub trait TotalCompareBuiltins: Sized {
+    fn __b_total_cmp(&self, other: &Self) -> told!([Self] => Ordering);
+}
+
+impl<T: Value + Real> TotalCompareBuiltins for T {
+    fn __b_total_cmp(&self, other: &T) -> told!([T] => Ordering) {
+        comparison::total::__call(*self, *other)
+    }
+}
+
+/// Methods of `Ordering`.
+pub trait OrderingBuiltins: Sized {
+    fn __b_reverse(self) -> told!([Self] => Ordering);
+    fn __b_then(self, next: Ordering) -> told!([Self] => Ordering);
+    fn __b_then_with(self, _next: impl FnOnce() -> Ordering) -> Called<ThenWith, Ordering> {
+        unreachable!()
+    }
+    fn __b_is_lt(self) -> told!([Self] => bool);
+    fn __b_is_le(self) -> told!([Self] => bool);
+    fn __b_is_gt(self) -> told!([Self] => bool);
+    fn __b_is_ge(self) -> told!([Self] => bool);
+    fn __b_is_eq(self) -> told!([Self] => bool);
+    fn __b_is_ne(self) -> told!([Self] => bool);
+}
+
+impl OrderingBuiltins for Ordering {
+    fn __b_reverse(self) -> told!([] => Ordering) {
+        comparison::reversed::__call(self)
+    }
+    fn __b_then(self, next: Ordering) -> told!([] => Ordering) {
+        comparison::then::__call(self, next)
+    }
+    fn __b_is_lt(self) -> told!([] => bool) {
+        comparison::is_less::__call(self)
+    }
+    fn __b_is_le(self) -> told!([] => bool) {
+        comparison::is_at_most::__call(self)
+    }
+    fn __b_is_gt(self) -> told!([] => bool) {
+        comparison::is_greater::__call(self)
+    }
+    fn __b_is_ge(self) -> told!([] => bool) {
+        comparison::is_at_least::__call(self)
+    }
+    fn __b_is_eq(self) -> told!([] => bool) {
+        comparison::is_equal::__call(self)
+    }
+    fn __b_is_ne(self) -> told!([] => bool) {
+        comparison::is_unequal::__call(self)
+    }
+}

@@ -1,0 +1,43 @@
+//! More links of chains: what is skipped at the beginning, what ends at the first `None`, what carries a state along; and two
+//! arrays side by side, one of them from its end.
+
+use bessemer::prelude::*;
+
+/// The energy behind the first sample beyond a threshold.
+#[function]
+pub fn energy(samples: &[f64; 8], threshold: f64) -> f64 {
+    samples.iter().skip_while(|x| x.abs() < threshold).map(|x| x * x).sum()
+}
+
+/// How many digits a text begins with, and their value.
+#[function]
+pub fn leading_number(text: &[u8; 6]) -> u32 {
+    text.iter()
+        .map_while(|byte| if byte.is_ascii_digit() { Some(byte - b'0') } else { None })
+        .fold(0, |value, digit| 10 * value + u32::from(digit))
+}
+
+/// The highest level of a tank that is filled and drained; it ends where it runs empty.
+#[function]
+pub fn highest(flows: &[i32; 6], start: i32) -> Option<i32> {
+    flows
+        .iter()
+        .scan(start, |level, flow| {
+            *level += flow;
+            if *level >= 0 { Some(*level) } else { None }
+        })
+        .max()
+}
+
+/// A filter with symmetric coefficients.
+#[function]
+pub fn folded(samples: &[f32; 4], coefficients: &[f32; 4]) -> f32 {
+    samples.iter().zip(coefficients.iter().rev()).map(|(x, c)| x * c).sum()
+}
+
+/// The second of the readings that are valid, and the last place of a zero.
+#[function]
+pub fn places(readings: &[u16; 6]) -> (Option<u16>, Option<usize>) {
+    let second = readings.iter().copied().filter(|x| *x < 4096).nth(1);
+    (second, readings.iter().rposition(|x| *x == 0))
+}

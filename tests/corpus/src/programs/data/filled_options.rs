@@ -1,0 +1,52 @@
+//! `insert`, `get_or_insert` and `as_mut` lend what is in an `Option`: in the C it is a name for its place. `mem::take` leaves
+//! the default.
+
+use bessemer::prelude::*;
+
+/// A filter that starts at its first input.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Smooth {
+    /// What it has come to.
+    pub state: Option<f64>,
+}
+
+#[data]
+impl Smooth {
+    /// Takes an input in.
+    pub fn update(&mut self, input: f64) -> f64 {
+        let state = self.state.get_or_insert(input);
+        *state += 0.25 * (input - *state);
+        *state
+    }
+
+    /// Forgets what it was, and begins at this.
+    pub fn restart(&mut self, input: f64) -> f64 {
+        *self.state.insert(input) + 1.0
+    }
+}
+
+/// Counts up, if there is something to count.
+#[function]
+pub fn count(counter: &mut Option<u8>) -> bool {
+    if let Some(count) = counter.as_mut() {
+        *count += 1;
+        return true;
+    }
+    false
+}
+
+/// The length of a pulse, which begins with the first sample that is high.
+#[function]
+pub fn pulse(start: &mut Option<u32>, now: u32, high: bool) -> u32 {
+    if !high {
+        return core::mem::take(start).map_or(0, |start| now.wrapping_sub(start));
+    }
+    now.wrapping_sub(*start.get_or_insert_with(|| now))
+}
+
+/// The one of two sensors that answers, if the other is silent.
+#[function]
+pub fn only(left: Option<f32>, right: Option<f32>) -> Option<f32> {
+    left.xor(right)
+}

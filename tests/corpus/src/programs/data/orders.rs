@@ -1,0 +1,56 @@
+//! How one value stands to another is a value, too: an `Ordering` is matched, kept, turned round, and given back.
+
+use core::cmp::Ordering;
+
+use bessemer::prelude::*;
+
+/// A task, and how urgent it is.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Task {
+    /// The least is first.
+    pub priority: u8,
+    /// When it is due, ms.
+    pub deadline: u32,
+    /// How long it takes, s.
+    pub effort: f32,
+}
+
+/// One step towards a position.
+#[function]
+pub fn towards(position: i16, target: i16) -> i16 {
+    match position.cmp(&target) {
+        Ordering::Less => position + 1,
+        Ordering::Equal => position,
+        Ordering::Greater => position - 1,
+    }
+}
+
+/// Which of two tasks is first: the more urgent, then that which is due, then the shorter.
+#[function]
+pub fn first(one: &Task, other: &Task) -> Ordering {
+    one.priority
+        .cmp(&other.priority)
+        .then(one.deadline.cmp(&other.deadline))
+        .then_with(|| one.effort.total_cmp(&other.effort))
+}
+
+/// The tasks in their order.
+#[function]
+pub fn scheduled(tasks: &[Task; 4]) -> [Task; 4] {
+    let mut sorted = *tasks;
+    sorted.sort_by(|one, other| first(one, other));
+    sorted
+}
+
+/// Whether a reading is beyond a limit; a NaN is not.
+#[function]
+pub fn is_beyond(reading: f64, limit: f64) -> bool {
+    reading.partial_cmp(&limit).is_some_and(|order| order.is_gt())
+}
+
+/// The last of the longest tasks.
+#[function]
+pub fn longest(tasks: &[Task; 4]) -> Option<Task> {
+    tasks.iter().copied().max_by(|a, b| a.effort.total_cmp(&b.effort).then(a.deadline.cmp(&b.deadline)))
+}

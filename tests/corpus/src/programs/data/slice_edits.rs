@@ -1,0 +1,36 @@
+//! Elements that move within an array, its first and last ones, and parts as arrays.
+
+use bessemer::prelude::*;
+
+/// The samples of a filter, the newest first.
+#[function]
+pub fn record(samples: &mut [f32; 5], sample: f32) {
+    samples.rotate_right(1);
+    samples[0] = sample;
+}
+
+/// Drops what has been read from a buffer.
+#[function]
+pub fn consume(buffer: &mut [u8; 8], read: usize) {
+    buffer.copy_within(read.., 0);
+}
+
+/// Whether a sentence is one of the receiver's, and whole.
+#[function]
+pub fn is_sentence(text: &[u8; 12]) -> bool {
+    text.starts_with(b"$GP") && text.ends_with(b"\r\n")
+}
+
+/// Big-endian numbers in a frame.
+#[function]
+pub fn fields(frame: &[u8; 10]) -> (u32, i16) {
+    let count = u32::from_be_bytes(frame[2..6].try_into().unwrap());
+    (count, i16::from_be_bytes([frame[6], frame[7]]))
+}
+
+/// The number at a place, if the frame is that long.
+#[function]
+pub fn field(frame: &List<u8, 16>, at: usize) -> Option<u32> {
+    let bytes = frame.get(at..)?;
+    bytes.first_chunk::<4>().map(|bytes| u32::from_le_bytes(*bytes))
+}
