@@ -5,10 +5,13 @@
 //! and the target is one more program. What carries a model out is in `bessemer-legs`, which the
 //! simulation uses too.
 
+pub mod arguments;
 pub mod batch;
 pub mod edge_values;
 pub mod kernels;
+pub mod outcome;
 pub mod pilot;
+pub mod random;
 pub mod workspace;
 
 pub use bessemer_legs::{

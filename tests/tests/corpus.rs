@@ -11,10 +11,11 @@ use std::thread;
 use bessemer_codegen::c::names::FAULTS;
 use bessemer_codegen::compile::{Compiled, Layout, Options};
 use bessemer_codegen::interpret::{Interpreter, Stop};
-use bessemer_ir::{
-    Fault, Float, Form, Function, FunctionId, Int, Local, Mode, Module, Owner, Scalar, Type,
-};
+use bessemer_ir::{Fault, Function, FunctionId, Mode, Module, Owner, Type};
+use bessemer_tests::arguments::{Size, words};
+use bessemer_tests::outcome::{self, Outcome, fault};
 use bessemer_tests::process::{Error, Process};
+use bessemer_tests::random::Random;
 use bessemer_tests::toolchain::{self, Toolchain};
 use bessemer_tests::{corpus, corpus_with, entry, harness};
 use corpus::Entry;
@@ -27,9 +28,6 @@ const RUN: usize = 100;
 /// Tells of what C leaves undefined; warnings are another run's.
 const SANITIZED: [&str; 3] = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-w"];
 
-/// The words that come out, or the fault.
-type Outcome = Result<Vec<u64>, Fault>;
-
 struct Case {
     name: String,
     id: FunctionId,
@@ -40,109 +38,6 @@ struct Case {
     leaves: Vec<Type>,
     native: Vec<Outcome>,
 }
-
-/// A generator of words; the same in every run.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        self.0.wrapping_mul(0x2545_f491_4f6c_dd1d)
-    }
-
-    fn below(&mut self, count: u64) -> u64 {
-        self.next() % count
-    }
-
-    /// Makes sense of random words: lengths for which there is room, nothing where nothing is.
-    fn meant(&mut self, module: &Module, ty: &Type, mut words: Vec<u64>) -> Vec<u64> {
-        self.lengths(module, ty, &mut words);
-        module.canonical(ty, &mut words);
-        words
-    }
-
-    fn lengths<'w>(&mut self, module: &Module, ty: &Type, words: &'w mut [u64]) -> &'w mut [u64] {
-        match ty {
-            Type::Array { element, len } => {
-                (0..*len).fold(words, |words, _| self.lengths(module, element, words))
-            }
-            Type::Struct(id) => {
-                let item = &module.structs[id.index()];
-                if item.form == Form::Sequence
-                    && let Type::Array { len, .. } = item.fields[1].ty
-                {
-                    words[0] = self.below(u64::from(len) + 1);
-                }
-                let fields = item.fields.iter();
-                fields.fold(words, |words, field| self.lengths(module, &field.ty, words))
-            }
-            other => &mut words[module.leaves(other).len()..],
-        }
-    }
-
-    /// A small number, as sensors and set points are.
-    fn tame(&mut self, module: &Module, ty: &Type) -> u64 {
-        match ty {
-            Type::Scalar(Scalar::Float(Float::F64)) => {
-                ((self.below(4001) as f64 - 2000.0) / 512.0).to_bits()
-            }
-            Type::Scalar(Scalar::Float(Float::F32)) => {
-                u64::from(((self.below(4001) as f32 - 2000.0) / 512.0).to_bits())
-            }
-            Type::Scalar(Scalar::Int(_)) => self.below(8),
-            _ => self.word(module, ty),
-        }
-    }
-
-    fn word(&mut self, module: &Module, ty: &Type) -> u64 {
-        match ty {
-            Type::Enum(id) => self.below(module.enums[id.index()].variants.len() as u64),
-            Type::Scalar(Scalar::Bool) => self.below(2),
-            Type::Scalar(Scalar::Float(float)) => {
-                let value = match self.below(4) {
-                    0 => FLOATS[self.below(FLOATS.len() as u64) as usize],
-                    1 => f64::from_bits(self.next()),
-                    _ => (self.below(41) as f64 - 20.0) / 4.0,
-                };
-                match float {
-                    Float::F64 => value.to_bits(),
-                    Float::F32 => u64::from((value as f32).to_bits()),
-                }
-            }
-            Type::Scalar(Scalar::Int(int)) => {
-                let (min, max) = (Int::min(*int), Int::max(*int));
-                let value = match self.below(8) {
-                    0 => [min, min + 1, max, max - 1][self.below(4) as usize],
-                    1 => i128::from(self.next()),
-                    2 => -i128::from(self.below(8)),
-                    _ => i128::from(self.below(8)),
-                };
-                let span = max - min + 1;
-                ((value - min).rem_euclid(span) + min) as u64
-            }
-            _ => 0,
-        }
-    }
-}
-
-const FLOATS: [f64; 14] = [
-    0.0,
-    -0.0,
-    1.0,
-    -1.0,
-    f64::INFINITY,
-    f64::NEG_INFINITY,
-    f64::NAN,
-    f64::MAX,
-    f64::MIN_POSITIVE,
-    5e-324,
-    1e-40,
-    9007199254740993.0,
-    4294967296.5,
-    -2147483649.0,
-];
 
 fn cases(compiled: &Compiled) -> Vec<Case> {
     let module = &compiled.module;
@@ -198,22 +93,17 @@ fn lives(
     random: &mut Random,
 ) -> (Vec<Vec<Vec<u64>>>, Vec<Outcome>) {
     let parameters = function.parameters();
-    let words = |random: &mut Random, local: &Local, of: fn(&mut Random, &Module, &Type) -> u64| {
-        let leaves = module.leaves(&local.ty);
-        let words = leaves.iter().map(|ty| of(random, module, ty)).collect();
-        random.meant(module, &local.ty, words)
+    let call = |random: &mut Random, size: Size| -> Vec<Vec<u64>> {
+        parameters.iter().map(|local| words(random, module, &local.ty, size)).collect()
     };
-    let mut calls: Vec<Vec<Vec<u64>>> = (0..CALLS)
-        .map(|_| parameters.iter().map(|local| words(random, local, Random::word)).collect())
-        .collect();
+    let mut calls: Vec<Vec<Vec<u64>>> = (0..CALLS).map(|_| call(random, Size::Edges)).collect();
     let mut outcomes: Vec<Outcome> = calls.iter().map(|call| run_native(native, call)).collect();
     let mut initial = Vec::new();
     (native.initial)(&mut |word| initial.push(word));
     let results = module.leaves(&function.result).len();
     let mut state = initial.clone();
     for _ in 0..RUN {
-        let mut call: Vec<Vec<u64>> =
-            parameters.iter().map(|local| words(random, local, Random::tame)).collect();
+        let mut call = call(random, Size::Tame);
         if !native.component.is_empty() {
             call[0].clone_from(&state);
         }
@@ -247,51 +137,9 @@ fn run_native(entry: &Entry, call: &[Vec<u64>]) -> Outcome {
     })
 }
 
-/// The fault that a panic of rustc's, core's or nalgebra's stands for.
-fn fault(text: &str) -> Fault {
-    match text {
-        _ if text.contains("divide by zero") => Fault::DivisionByZero,
-        _ if text.contains("divisor of zero") => Fault::DivisionByZero,
-        _ if text.contains("attempt to shift") => Fault::Shift,
-        _ if text.contains("overflow") => Fault::Overflow,
-        _ if text.contains("out of bounds") || text.contains("out of range") => Fault::Index,
-        _ if text.contains("slice index") || text.contains("slice length") => Fault::Index,
-        _ if text.contains("copy_from_slice") || text.contains("mid > len") => Fault::Index,
-        _ if text.contains("the container is full") => Fault::Capacity,
-        _ if text.contains("within its bound") => Fault::Bound,
-        _ if text.contains("`None` value") || text.contains("on an `Err` value") => Fault::Absent,
-        _ if text.contains("on an `Ok` value") || text.contains("must be there") => Fault::Absent,
-        _ if text.contains("low <= high") || text.contains("min > max") => Fault::Clamp,
-        // The author's own words.
-        _ => Fault::Assertion,
-    }
-}
-
 fn agree(leg: &str, module: &Module, case: &Case, index: usize, got: &Outcome) {
-    // What means nothing may hold anything.
-    let got = &got.clone().map(|mut words| {
-        case.types.iter().fold(words.as_mut_slice(), |rest, ty| module.canonical(ty, rest));
-        words
-    });
-    let same = match (&case.native[index], got) {
-        (Ok(one), Ok(other)) => {
-            one.len() == other.len()
-                && one.iter().zip(other).zip(&case.leaves).all(|((a, b), ty)| {
-                    a == b
-                        || match ty.as_float() {
-                            Some(Float::F64) => {
-                                f64::from_bits(*a).is_nan() && f64::from_bits(*b).is_nan()
-                            }
-                            Some(Float::F32) => {
-                                f32::from_bits(*a as u32).is_nan()
-                                    && f32::from_bits(*b as u32).is_nan()
-                            }
-                            None => false,
-                        }
-                })
-        }
-        (one, other) => one == other,
-    };
+    let got = outcome::meant(module, &case.types, got);
+    let same = outcome::same(&case.native[index], &got, &case.leaves);
     assert!(
         same,
         "{} in {leg}\nof    {:x?}\nRust  {:x?}\n{leg} {got:x?}",

@@ -1,6 +1,6 @@
 //! `match`: a list of cases where the arms name few values, else conditions one after the other.
 
-use bessemer_ir::tree::{self, Site};
+use bessemer_ir::tree::{self, NO_SLOT, Site};
 use bessemer_ir::{
     Arm, Block, CompareOp, Expr, ExprKind, Int, Local, LocalId, LogicOp, Mode, Place, Scalar, Span,
     StmtKind, StructId, Type, UnaryOp,
@@ -43,7 +43,7 @@ impl Lowering<'_, '_> {
             return self.subject_arms(&subject, arms, target, site);
         }
         let mut value = self.value(scrutinee, None)?;
-        if !value.ty.is_word() {
+        if !value.ty.is_word() || self.lends_the_whole(arms)? {
             let subject = self.value_subject(value, site)?;
             return self.subject_arms(&subject, arms, target, site);
         }
@@ -68,6 +68,19 @@ impl Lowering<'_, '_> {
             return Ok(());
         }
         self.cases(value, &taken, target, span)
+    }
+
+    /// Whether an arm has a name through which all that is matched can be written.
+    fn lends_the_whole(&self, arms: &[tree::Arm]) -> Result<bool> {
+        for arm in arms {
+            if let tree::Pattern::Name { slot, .. } = &arm.pattern
+                && *slot != NO_SLOT
+                && self.slot_is_exclusive(*slot, arm.body.site)?
+            {
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 
     /// A local that holds what is matched.

@@ -278,6 +278,10 @@ impl Lowering<'_, '_> {
         Ok(matches!(slot_type(self.source, slot, site)?, Ty::Ref(..)))
     }
 
+    pub(super) fn slot_is_exclusive(&self, slot: u32, site: Site) -> Result<bool> {
+        Ok(matches!(slot_type(self.source, slot, site)?, Ty::Ref(_, true)))
+    }
+
     /// A new local that `name` means from here on.
     pub(super) fn declare(&mut self, name: &str, ty: Type, mode: Mode, span: Span) -> LocalId {
         let id = LocalId(self.locals.len() as u32);
@@ -308,9 +312,7 @@ impl Lowering<'_, '_> {
 
     /// The value of a local that a loop assigns: C compilers do not see that the loop runs.
     pub(super) fn before_loop(&self, value: &tree::Expr, ty: &Type, span: Span) -> Option<Expr> {
-        let looping = matches!(value.kind, tree::ExprKind::While { .. });
-        let zero = Expr { kind: ExprKind::Literal(0), ty: ty.clone(), span };
-        (looping && ty.is_word()).then_some(zero)
+        (ends_in_loop(value) && *ty != Type::Unit).then(|| self.zero(ty, span))
     }
 
     pub(super) fn bind(&mut self, name: &str, binding: Binding) {
@@ -551,6 +553,20 @@ pub(super) fn control_with_value(expr: &tree::Expr) -> bool {
         Match(_, arms) => !super::expr::is_question(arms),
         Labelled(..) => true,
         kind => matches!(kind, If(..) | Block(..) | While { condition: None, .. }),
+    }
+}
+
+/// Whether a loop gives the value of `expr`, or of a branch of it.
+fn ends_in_loop(expr: &tree::Expr) -> bool {
+    let block = |block: &tree::Block| block.tail.as_deref().is_some_and(ends_in_loop);
+    match &expr.kind {
+        tree::ExprKind::While { condition: None, .. } => true,
+        tree::ExprKind::Block(it) => block(it),
+        tree::ExprKind::If(_, then, otherwise) => {
+            block(then) || otherwise.as_deref().is_some_and(ends_in_loop)
+        }
+        tree::ExprKind::Match(_, arms) => arms.iter().any(|arm| ends_in_loop(&arm.body)),
+        _ => false,
     }
 }
 

@@ -13,7 +13,7 @@ use bessemer_ir::{
 };
 
 use super::OUR_FAULT;
-use super::function::{Binding, Lowering, is_literal};
+use super::function::{Binding, Lowering};
 use super::generic::{Case, position};
 use super::lent::is_rest;
 use super::loops::negated;
@@ -83,7 +83,8 @@ impl Lowering<'_, '_> {
     /// The same, its value known.
     pub(super) fn value_subject(&mut self, value: Expr, site: Site) -> Result<Subject> {
         let mut place = self.hold(value, site)?;
-        self.keep_indices(&mut place, |index| !is_literal(index));
+        // Its indices are checked also where no pattern comes to read it.
+        self.fix(&mut place);
         Ok(Subject::Place(place))
     }
 

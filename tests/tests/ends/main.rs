@@ -14,9 +14,10 @@ use bessemer_codegen::source::Sources;
 use bessemer_codegen::{diagnostic, generate as generation};
 use bessemer_ir::visit::{VisitMut, walk_stmt_mut};
 use bessemer_ir::{Expr, ExprKind, FunctionId, Int, LocalId, Module, Scalar, Stmt, StmtKind, Type};
+use bessemer_tests::random::Random;
 use bessemer_tests::workspace::Workspace;
 
-use generate::{Batch, Random};
+use generate::Batch;
 
 /// Programs in a batch.
 const PROGRAMS: usize = 240;

@@ -58,7 +58,9 @@ impl Lowering<'_> {
             }
             walk.closure_body(closure, looks)
         });
-        let name = self.bind_apart(&text(&ident));
+        // Marked, so that a variable of its name that hides it is not taken for it.
+        let name = self.hidden(&format!("{}%", text(&ident)));
+        self.bind_as(&text(&ident), &name);
         let uses = uses.into_iter().filter(|(_, known)| names(&init.expr, known)).collect();
         self.closures.push(Closure { name, parameters, body, uses });
         true

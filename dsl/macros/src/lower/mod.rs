@@ -181,8 +181,10 @@ impl<'a> Lowering<'a> {
 
     fn scoped<T>(&mut self, walk: impl FnOnce(&mut Self) -> T) -> T {
         self.scopes.push(Vec::new());
+        let closures = self.closures.len();
         let result = walk(self);
         self.scopes.pop();
+        self.closures.truncate(closures);
         result
     }
 

@@ -1,0 +1,54 @@
+//! What a call comes to on a leg, and whether two legs agree.
+
+use bessemer_ir::{Fault, Float, Module, Type};
+
+/// The words that come out, or the fault.
+pub type Outcome = Result<Vec<u64>, Fault>;
+
+/// The fault that a panic of rustc's, core's or nalgebra's stands for.
+pub fn fault(text: &str) -> Fault {
+    match text {
+        _ if text.contains("divide by zero") => Fault::DivisionByZero,
+        _ if text.contains("divisor of zero") => Fault::DivisionByZero,
+        _ if text.contains("attempt to shift") => Fault::Shift,
+        _ if text.contains("overflow") => Fault::Overflow,
+        _ if text.contains("out of bounds") || text.contains("out of range") => Fault::Index,
+        _ if text.contains("slice index") || text.contains("slice length") => Fault::Index,
+        _ if text.contains("copy_from_slice") || text.contains("mid > len") => Fault::Index,
+        _ if text.contains("the container is full") => Fault::Capacity,
+        _ if text.contains("within its bound") => Fault::Bound,
+        _ if text.contains("`None` value") || text.contains("on an `Err` value") => Fault::Absent,
+        _ if text.contains("on an `Ok` value") || text.contains("must be there") => Fault::Absent,
+        _ if text.contains("low <= high") || text.contains("min > max") => Fault::Clamp,
+        // The author's own words.
+        _ => Fault::Assertion,
+    }
+}
+
+/// The words of values of these types with zeros where nothing is: what means nothing may hold anything.
+pub fn meant(module: &Module, types: &[Type], outcome: &Outcome) -> Outcome {
+    outcome.clone().map(|mut words| {
+        types.iter().fold(words.as_mut_slice(), |rest, ty| module.canonical(ty, rest));
+        words
+    })
+}
+
+/// Whether two outcomes are the same fault or the same bits; any NaN is any other. `leaves` are the types
+/// of the words.
+pub fn same(one: &Outcome, other: &Outcome, leaves: &[Type]) -> bool {
+    let (one, other) = match (one, other) {
+        (Ok(one), Ok(other)) => (one, other),
+        (one, other) => return one == other,
+    };
+    let nan = |ty: &Type, word: u64| match ty.as_float() {
+        Some(Float::F64) => f64::from_bits(word).is_nan(),
+        Some(Float::F32) => f32::from_bits(word as u32).is_nan(),
+        None => false,
+    };
+    one.len() == other.len()
+        && one
+            .iter()
+            .zip(other)
+            .zip(leaves)
+            .all(|((a, b), ty)| a == b || nan(ty, *a) && nan(ty, *b))
+}

@@ -1,0 +1,143 @@
+//! The native leg of random programs: a program of the same package, as rustc compiles it.
+
+use std::fmt::Write as _;
+use std::io::{Read, Write as _};
+use std::process::{Command, Stdio};
+
+use bessemer_tests::outcome::{Outcome, fault};
+use bessemer_tests::workspace::Workspace;
+
+use crate::writer::Program;
+
+/// The text of a program that reads which function is to be called, and words; it writes how many words
+/// come back and these, or `u64::MAX`, the length of the message of a panic, and its bytes.
+pub fn text(programs: &[&Program]) -> String {
+    let mut cases = String::new();
+    for (index, program) in programs.iter().enumerate() {
+        let (mut loads, mut arguments, mut stores) = (String::new(), String::new(), String::new());
+        for (at, (passing, ty)) in program.params.iter().enumerate() {
+            let _ = writeln!(loads, "            let mut a{at} = <{ty} as Plain>::load(next);");
+            let _ = write!(arguments, "{passing}a{at}, ");
+            if *passing == "&mut " {
+                let _ = writeln!(stores, "            a{at}.store(out);");
+            }
+        }
+        let _ = write!(
+            cases,
+            "        {index} => {{\n{loads}            let result = {}({arguments});\n            \
+             result.store(out);\n{stores}        }}\n",
+            program.name
+        );
+    }
+    MAIN.replace("CASES", &cases)
+}
+
+const MAIN: &str = r#"//! Calls the random programs.
+#![allow(warnings)]
+use bessemer::Plain;
+use bessemer::prelude::*;
+use models::*;
+use std::io::{Read, Write};
+
+fn call(which: u64, next: &mut dyn FnMut() -> u64, out: &mut dyn FnMut(u64)) {
+    match which {
+CASES        _ => {}
+    }
+}
+
+fn main() {
+    std::panic::set_hook(Box::new(|_| ()));
+    let mut bytes = Vec::new();
+    std::io::stdin().read_to_end(&mut bytes).expect("words");
+    let mut words = bytes.chunks_exact(8).map(|it| u64::from_le_bytes(it.try_into().unwrap()));
+    let mut all = Vec::new();
+    while let (Some(which), Some(count)) = (words.next(), words.next()) {
+        let call_words: Vec<u64> = words.by_ref().take(count as usize).collect();
+        let mut given = call_words.iter().copied();
+        let mut out: Vec<u64> = Vec::new();
+        let called = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
+            call(which, &mut || given.next().expect("a word"), &mut |word| out.push(word));
+        }));
+        match called {
+            Ok(()) => {
+                all.extend((out.len() as u64).to_le_bytes());
+                out.iter().for_each(|word| all.extend(word.to_le_bytes()));
+            }
+            Err(panic) => {
+                let text = (panic.downcast_ref::<String>().map(String::as_str))
+                    .or(panic.downcast_ref::<&str>().copied())
+                    .unwrap_or_default();
+                all.extend(u64::MAX.to_le_bytes());
+                all.extend((text.len() as u64).to_le_bytes());
+                all.extend(text.as_bytes());
+            }
+        }
+    }
+    std::io::stdout().write_all(&all).expect("a reader");
+}
+"#;
+
+/// The name of the program.
+const NAME: &str = "random-native";
+
+/// Builds the program; what rustc says if it does not like it.
+pub fn build(workspace: &Workspace, programs: &[&Program]) -> Result<String, String> {
+    let path = workspace.path(&format!("models/src/bin/{NAME}.rs"));
+    std::fs::write(path, text(programs)).expect("a source file");
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let output = Command::new(cargo)
+        .args(["build", "--quiet", "--package", "models", "--bin", NAME])
+        .args(["--message-format=json", "--config", "profile.dev.package.models.opt-level=0"])
+        .current_dir(workspace.path(""))
+        .output()
+        .expect("cargo runs");
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    let messages: Vec<serde_json::Value> =
+        text.lines().filter_map(|line| serde_json::from_str(line).ok()).collect();
+    if output.status.success() {
+        let program = messages.iter().rev().find_map(|it| it["executable"].as_str());
+        return program.map(str::to_owned).ok_or("no program".to_owned());
+    }
+    let said = messages.iter().filter(|it| it["message"]["level"] == "error");
+    let said: String = said.filter_map(|it| it["message"]["rendered"].as_str()).collect();
+    Err(said + &String::from_utf8_lossy(&output.stderr))
+}
+
+/// Makes calls, each of a program by its place and the words of its arguments.
+pub fn run(program: &str, calls: &[(usize, Vec<u64>)]) -> Vec<Outcome> {
+    let mut child = Command::new(program)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    let mut input = Vec::new();
+    for (which, words) in calls {
+        let all = [*which as u64, words.len() as u64];
+        all.iter().chain(words).for_each(|word| input.extend(word.to_le_bytes()));
+    }
+    let mut bytes = Vec::new();
+    // It reads everything before it writes anything.
+    child.stdin.take().expect("a pipe").write_all(&input).expect("it reads");
+    child.stdout.take().expect("a pipe").read_to_end(&mut bytes).expect("it writes");
+    assert!(child.wait().expect("it ends").success(), "the native program failed");
+    let mut rest = bytes.as_slice();
+    let mut outcomes = Vec::new();
+    while !rest.is_empty() {
+        let count = word(&mut rest);
+        outcomes.push(if count == u64::MAX {
+            let (text, after) = rest[8..].split_at(word(&mut &rest[..8]) as usize);
+            rest = after;
+            Err(fault(&String::from_utf8_lossy(text)))
+        } else {
+            Ok((0..count).map(|_| word(&mut rest)).collect())
+        });
+    }
+    assert_eq!(outcomes.len(), calls.len(), "an outcome of each call");
+    outcomes
+}
+
+fn word(bytes: &mut &[u8]) -> u64 {
+    let (first, rest) = bytes.split_at(8);
+    *bytes = rest;
+    first.iter().rev().fold(0, |word, byte| word << 8 | u64::from(*byte))
+}

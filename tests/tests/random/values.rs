@@ -1,0 +1,493 @@
+//! Random expressions of a type that is wanted.
+
+use crate::types::{Ty, width};
+use crate::writer::{Kind, Writer};
+
+impl Writer<'_> {
+    /// An expression of the type, at most `fuel` deep. It stands anywhere: what needs parentheses has them.
+    pub fn value(&mut self, ty: &Ty, fuel: usize) -> String {
+        if fuel == 0 {
+            return self.simple(ty);
+        }
+        match self.below(20) {
+            0..=3 => self.simple(ty),
+            4 => self.choice(ty, fuel),
+            5 => self.matched(ty, fuel),
+            6 => self.block(ty, fuel),
+            7 | 8 => self.called(ty, fuel).unwrap_or_else(|| self.simple(ty)),
+            9 if ty.is_scalar() => {
+                let value = self.value(ty, fuel - 1);
+                self.ticked(ty, value).unwrap_or_else(|| self.simple(ty))
+            }
+            10 => self.unwrapped(ty, fuel),
+            11 | 12 => self.chain(ty, fuel).unwrap_or_else(|| self.simple(ty)),
+            _ => self.own(ty, fuel),
+        }
+    }
+
+    /// A literal, or what a place holds.
+    pub fn simple(&mut self, ty: &Ty) -> String {
+        if !self.one_in(3)
+            && let Some(place) = self.place(false, &|it| it == ty)
+        {
+            return place.text;
+        }
+        if ty.is_number()
+            && self.one_in(2)
+            && let Some(place) = self.place(false, &|it| it.is_number())
+        {
+            return format!("({} as {})", place.text, self.items.name(ty));
+        }
+        self.literal(ty)
+    }
+
+    pub fn literal(&mut self, ty: &Ty) -> String {
+        match ty {
+            Ty::Int(name) => {
+                let (_, signed) = width(name);
+                match self.below(12) {
+                    0 => format!("{name}::MAX"),
+                    1 => format!("{name}::MIN"),
+                    2 if signed => format!("(-{}_{name})", 1 + self.below(20)),
+                    _ => format!("{}_{name}", self.below(10)),
+                }
+            }
+            Ty::Float(name) => match self.below(12) {
+                0 => format!("{name}::NAN"),
+                1 => format!("{name}::INFINITY"),
+                2 => format!("(-0.0_{name})"),
+                3 => format!("{name}::MAX"),
+                _ => {
+                    format!("{}.{}_{name}", self.below(20), self.random.of(&["0", "5", "25", "1"]))
+                }
+            },
+            Ty::Bool => self.random.of(&["true", "false"]).to_owned(),
+            Ty::Option(_) if self.one_in(3) => format!("None::<{}>", self.inner_name(ty)),
+            _ => self.made(ty, 0),
+        }
+    }
+
+    fn inner_name(&self, ty: &Ty) -> String {
+        match ty {
+            Ty::Option(inner) => self.items.name(inner),
+            other => self.items.name(other),
+        }
+    }
+
+    /// What is particular to the type.
+    fn own(&mut self, ty: &Ty, fuel: usize) -> String {
+        match ty {
+            Ty::Int(name) => self.integer(name, fuel),
+            Ty::Float(name) => self.float(name, fuel),
+            Ty::Bool => self.logical(fuel),
+            Ty::Option(inner) => self.optional(inner, fuel),
+            _ => self.made(ty, fuel),
+        }
+    }
+
+    /// An aggregate of its parts.
+    fn made(&mut self, ty: &Ty, fuel: usize) -> String {
+        let less = fuel.saturating_sub(1);
+        match ty {
+            Ty::Array(element, len) => match self.below(6) {
+                0 => {
+                    let value = self.value(element, less);
+                    format!("[{value}; {len}]")
+                }
+                1 if fuel > 0 => self.mapped(element, *len, less),
+                2 if fuel > 0 => self.filled_by_index(element, *len, less),
+                _ => {
+                    let all: Vec<_> = (0..*len).map(|_| self.value(element, less)).collect();
+                    format!("[{}]", all.join(", "))
+                }
+            },
+            Ty::Tuple(parts) => {
+                let all: Vec<_> = parts.iter().map(|part| self.value(part, less)).collect();
+                format!("({})", all.join(", "))
+            }
+            Ty::Struct(index) => self.structure(*index, fuel),
+            Ty::Enum(index) => {
+                let count = self.items.enums[*index].1.len();
+                let variant = self.below(count);
+                let types = self.items.enums[*index].1[variant].1.types.clone();
+                let texts: Vec<_> = types.iter().map(|ty| self.value(ty, less)).collect();
+                let (name, variants) = &self.items.enums[*index];
+                format!("({name}::{}{})", variants[variant].0, variants[variant].1.filled(&texts))
+            }
+            Ty::Option(inner) => {
+                let value = self.value(inner, less);
+                format!("Some({value})")
+            }
+            Ty::Result(ok, err) => {
+                let (which, inner) = if self.one_in(3) { ("Err", err) } else { ("Ok", ok) };
+                let value = self.value(inner, less);
+                format!("{which}::<{}, {}>({value})", self.items.name(ok), self.items.name(err))
+            }
+            Ty::List(element, len) => {
+                let mut text = format!("{{ let mut made: {} = List::new(); ", self.items.name(ty));
+                for _ in 0..self.below(len + 1) {
+                    text += &format!("made.push({}); ", self.value(element, less));
+                }
+                text + "made }"
+            }
+            scalar => self.literal(scalar),
+        }
+    }
+
+    fn structure(&mut self, index: usize, fuel: usize) -> String {
+        let less = fuel.saturating_sub(1);
+        let ty = Ty::Struct(index);
+        if self.one_in(8) {
+            return format!("{}::default()", self.items.name(&ty));
+        }
+        let types = self.items.structs[index].1.types.clone();
+        let named = !self.items.structs[index].1.names.is_empty();
+        if named && self.one_in(4) {
+            let at = self.below(types.len());
+            let value = self.value(&types[at], less);
+            let base = self.value(&ty, less);
+            let (name, parts) = &self.items.structs[index];
+            return format!("({name} {{ {}: {value}, ..{base} }})", parts.names[at]);
+        }
+        // Fields may be written in another order than they were declared in.
+        let texts: Vec<_> = types.iter().map(|ty| self.value(ty, less)).collect();
+        let (name, parts) = &self.items.structs[index];
+        format!("({name}{})", parts.filled(&texts))
+    }
+
+    fn integer(&mut self, name: &'static str, fuel: usize) -> String {
+        let ty = Ty::Int(name);
+        let (bits, signed) = width(name);
+        let one = self.value(&ty, fuel - 1);
+        match self.below(16) {
+            0..=3 => {
+                let operator = self.random.of(&["add", "sub", "mul"]);
+                let other = self.value(&ty, fuel - 1);
+                format!("{one}.wrapping_{operator}({other})")
+            }
+            4 => {
+                let operator = self.random.of(&["add", "sub", "mul"]);
+                let other = self.value(&ty, fuel - 1);
+                format!("{one}.saturating_{operator}({other})")
+            }
+            5 if self.risky() || self.one_in(3) => {
+                let operator = self.random.of(&["+", "-", "*", "/", "%"]);
+                let other = self.value(&ty, fuel - 1);
+                format!("({one} {operator} {other})")
+            }
+            6 => {
+                let operator = self.random.of(&["/", "%"]);
+                format!("({one} {operator} {})", 1 + self.below(9))
+            }
+            7 => {
+                let operator = self.random.of(&["&", "|", "^"]);
+                let other = self.value(&ty, fuel - 1);
+                format!("({one} {operator} {other})")
+            }
+            8 => {
+                let operator = self.random.of(&["<<", ">>"]);
+                if self.risky() {
+                    let other = self.value(&Ty::Int("u32"), fuel - 1);
+                    return format!("({one} {operator} {other})");
+                }
+                format!("({one} {operator} {})", self.below(bits as usize))
+            }
+            9 => {
+                let method = self.random.of(&["min", "max"]);
+                let other = self.value(&ty, fuel - 1);
+                format!("{one}.{method}({other})")
+            }
+            10 if signed => format!("{one}.wrapping_abs()"),
+            11 if signed => format!("{one}.wrapping_neg()"),
+            10 | 11 => {
+                let other = self.value(&ty, fuel - 1);
+                format!("{one}.abs_diff({other})")
+            }
+            12 => format!("(!{one})"),
+            13 => {
+                let method = self.random.of(&["count_ones", "leading_zeros", "trailing_zeros"]);
+                format!("({one}.{method}() as {name})")
+            }
+            14 => {
+                let by = self.value(&Ty::Int("u32"), fuel - 1);
+                let method = self.random.of(&["rotate_left", "rotate_right", "wrapping_shl"]);
+                format!("{one}.{method}({by})")
+            }
+            _ => {
+                let from = self.items.any(self.random, 0, true);
+                let from = if from.is_number() { from } else { Ty::Int("i16") };
+                let value = self.value(&from, fuel - 1);
+                format!("({value} as {name})")
+            }
+        }
+    }
+
+    fn float(&mut self, name: &'static str, fuel: usize) -> String {
+        let ty = Ty::Float(name);
+        let one = self.value(&ty, fuel - 1);
+        match self.below(9) {
+            0..=4 => {
+                let operator = self.random.of(&["+", "-", "*", "/", "%"]);
+                let other = self.value(&ty, fuel - 1);
+                format!("({one} {operator} {other})")
+            }
+            5 => format!("(-{one})"),
+            6 => {
+                let method = self.random.of(&["abs", "sqrt", "floor", "round", "signum"]);
+                format!("{one}.{method}()")
+            }
+            7 => {
+                let method = self.random.of(&["min", "max", "copysign"]);
+                let other = self.value(&ty, fuel - 1);
+                format!("{one}.{method}({other})")
+            }
+            _ => {
+                let from = Ty::Int(self.random.of(&crate::types::INTS));
+                let value = self.value(&from, fuel - 1);
+                format!("({value} as {name})")
+            }
+        }
+    }
+
+    /// A condition.
+    pub fn logical(&mut self, fuel: usize) -> String {
+        let less = fuel.saturating_sub(1);
+        match self.below(11) {
+            0..=3 => {
+                let ty = self.items.any(self.random, 0, true);
+                let ty = if ty.is_number() { ty } else { Ty::Int("i32") };
+                let operator = self.random.of(&["<", "<=", ">", ">=", "==", "!="]);
+                let (one, other) = (self.value(&ty, less), self.value(&ty, less));
+                format!("({one} {operator} {other})")
+            }
+            4 | 5 => {
+                let operator = self.random.of(&["&&", "||", "&", "|", "^"]);
+                let (one, other) = (self.value(&Ty::Bool, less), self.value(&Ty::Bool, less));
+                format!("({one} {operator} {other})")
+            }
+            6 => {
+                let value = self.value(&Ty::Bool, less);
+                format!("(!{value})")
+            }
+            7 | 8 => {
+                let Some(place) = self.place(false, &|ty| !ty.is_scalar()) else {
+                    return self.literal(&Ty::Bool);
+                };
+                self.lend(place.root, false);
+                let operator = self.random.of(&["==", "!="]);
+                let other = self.value(&place.ty, less);
+                self.end(place.root, false);
+                format!("({} {operator} {other})", place.text)
+            }
+            9 => {
+                let Some(place) = self.place(false, &|_| true) else {
+                    return self.literal(&Ty::Bool);
+                };
+                let before = self.env.len();
+                let pattern = self.pattern(&place.ty.clone(), &Kind::Owned, true, 2);
+                let guard = if self.one_in(2) {
+                    self.lend(place.root, false);
+                    let guard = self.logical(less);
+                    self.end(place.root, false);
+                    format!(" if {guard}")
+                } else {
+                    String::new()
+                };
+                self.env.truncate(before);
+                format!("matches!({}, {pattern}{guard})", place.text)
+            }
+            _ => {
+                let Some(place) = self.place(false, &|ty| matches!(ty, Ty::Option(_))) else {
+                    return self.literal(&Ty::Bool);
+                };
+                let method = self.random.of(&["is_some", "is_none"]);
+                format!("{}.{method}()", place.text)
+            }
+        }
+    }
+
+    fn optional(&mut self, inner: &Ty, fuel: usize) -> String {
+        let less = fuel - 1;
+        let ty = Ty::Option(Box::new(inner.clone()));
+        match (self.below(8), inner) {
+            (0 | 1, Ty::Int(_)) => {
+                let operator = self.random.of(&["add", "sub", "mul", "div"]);
+                let (one, other) = (self.value(inner, less), self.value(inner, less));
+                format!("{one}.checked_{operator}({other})")
+            }
+            (2, _) => {
+                let found = self.place(true, &|it| match it {
+                    Ty::List(element, _) => **element == *inner,
+                    other => *other == ty,
+                });
+                match found {
+                    Some(place) if place.ty == ty && self.one_in(2) => {
+                        self.lend(place.root, false);
+                        let value = self.value(inner, less);
+                        self.end(place.root, false);
+                        format!("{}.replace({value})", place.text)
+                    }
+                    Some(place) if place.ty == ty => format!("{}.take()", place.text),
+                    Some(place) => format!("{}.pop()", place.text),
+                    None => self.simple(&ty),
+                }
+            }
+            (3, _) => {
+                let found = self.place(false, &|it| match it {
+                    Ty::List(element, _) | Ty::Array(element, _) => **element == *inner,
+                    _ => false,
+                });
+                let Some(place) = found else { return self.simple(&ty) };
+                self.lend(place.root, false);
+                let index = self.value(&Ty::Int("usize"), less);
+                self.end(place.root, false);
+                let get = self.random.of(&["get", "first", "last"]);
+                let index = if get == "get" { index } else { String::new() };
+                format!("{}.{get}({index}).copied()", place.text)
+            }
+            (4, _) => {
+                let other = self.items.any(self.random, 0, true);
+                let from = self.value(&Ty::Option(Box::new(other.clone())), less);
+                let (closure, _) = self.lambda(&other, inner, less);
+                format!("{from}.map({closure})")
+            }
+            (5, _) => {
+                let value = self.value(&ty, less);
+                let test = self.predicate(inner, less);
+                format!("{value}.filter({test})")
+            }
+            (6, _) => {
+                let condition = self.logical(less);
+                let (value, _) = self.tracked(|it| it.unreturned(|it| it.value(inner, less)));
+                format!("{condition}.then(|| {value})")
+            }
+            _ => {
+                let value = self.value(inner, less);
+                format!("Some({value})")
+            }
+        }
+    }
+
+    /// `if … { … } else { … }`, with parentheses.
+    fn choice(&mut self, ty: &Ty, fuel: usize) -> String {
+        let before = self.env.len();
+        let (condition, loans) = self.condition(fuel - 1);
+        let then = self.inner_block(ty, fuel - 1);
+        self.env.truncate(before);
+        loans.into_iter().for_each(|(var, write)| self.end(var, write));
+        let otherwise = self.inner_block(ty, fuel - 1);
+        format!("(if {condition} {{ {then} }} else {{ {otherwise} }})")
+    }
+
+    /// A condition, also a chain of `let`: the names are in scope, and what is lent is until it is ended.
+    pub fn condition(&mut self, fuel: usize) -> (String, Vec<(usize, bool)>) {
+        let mut parts = Vec::new();
+        let mut loans = Vec::new();
+        for _ in 0..1 + self.below(2) {
+            if self.one_in(3) {
+                let (scrutinee, ty, mode, loan) = self.scrutinee(fuel);
+                let pattern = self.pattern(&ty, &mode, true, 2);
+                loans.extend(loan);
+                parts.push(format!("let {pattern} = {scrutinee}"));
+            } else {
+                parts.push(self.logical(fuel));
+            }
+        }
+        (parts.join(" && "), loans)
+    }
+
+    /// What is matched: its text, its type, how names hold its parts, and what is lent to them.
+    pub fn scrutinee(&mut self, fuel: usize) -> (String, Ty, Kind, Option<(usize, bool)>) {
+        let compound = |ty: &Ty| !matches!(ty, Ty::Float(_) | Ty::List(..));
+        match self.below(8) {
+            0 => {
+                let ty = self.items.any(self.random, 2, true);
+                let ty = if matches!(ty, Ty::Tuple(_)) { Ty::Int("i32") } else { ty };
+                (format!("({})", self.value(&ty, fuel)), ty, Kind::Owned, None)
+            }
+            1 if self.one_in(3) => {
+                let types: Vec<_> = (0..2).map(|_| self.items.any(self.random, 1, true)).collect();
+                let values: Vec<_> = types.iter().map(|ty| self.value(ty, fuel)).collect();
+                (format!("({})", values.join(", ")), Ty::Tuple(types), Kind::Owned, None)
+            }
+            2 | 3 => match self.place(true, &compound) {
+                Some(place) => {
+                    self.lend(place.root, true);
+                    (
+                        format!("&mut {}", place.text),
+                        place.ty,
+                        Kind::Exclusive,
+                        Some((place.root, true)),
+                    )
+                }
+                None => ("3_u8".to_owned(), Ty::Int("u8"), Kind::Owned, None),
+            },
+            4 => match self.place(false, &compound) {
+                Some(place) => {
+                    self.lend(place.root, false);
+                    (format!("&{}", place.text), place.ty, Kind::Shared, Some((place.root, false)))
+                }
+                None => ("4_i8".to_owned(), Ty::Int("i8"), Kind::Owned, None),
+            },
+            _ => match self.place(false, &compound) {
+                Some(place) => (place.text, place.ty, Kind::Owned, None),
+                None => ("5_u16".to_owned(), Ty::Int("u16"), Kind::Owned, None),
+            },
+        }
+    }
+
+    /// `match … { … }`, with parentheses.
+    fn matched(&mut self, ty: &Ty, fuel: usize) -> String {
+        let arms = self.arms(fuel - 1, &mut |it| it.inner_block(ty, fuel - 1));
+        format!("({arms})")
+    }
+
+    /// A `match` whose arms are written by `body`.
+    pub fn arms(&mut self, fuel: usize, body: &mut dyn FnMut(&mut Self) -> String) -> String {
+        let (scrutinee, ty, mode, loan) = self.scrutinee(fuel);
+        let mut text = format!("match {scrutinee} {{\n");
+        let before = self.env.len();
+        let count = 1 + self.below(3);
+        for arm in 0..=count {
+            let pattern = self.pattern(&ty, &mode, arm < count, 2);
+            let guard = if arm < count && self.one_in(3) {
+                // A guard reads what is matched, and changes nothing of it.
+                let frozen: Vec<usize> = (0..self.env.len()).collect();
+                frozen.iter().for_each(|var| self.lend(*var, false));
+                let guard = self.logical(fuel);
+                frozen.iter().for_each(|var| self.end(*var, false));
+                format!(" if {guard}")
+            } else {
+                String::new()
+            };
+            text += &format!("{pattern}{guard} => {{ {} }}\n", body(self));
+            self.env.truncate(before);
+        }
+        if let Some((var, write)) = loan {
+            self.end(var, write);
+        }
+        text + "}"
+    }
+
+    /// Statements and a value, without braces.
+    pub fn inner_block(&mut self, ty: &Ty, fuel: usize) -> String {
+        let before = self.env.len();
+        let statement = if self.one_in(3) { self.statement(fuel.min(1)) } else { String::new() };
+        let value = self.value(ty, fuel);
+        self.close(before);
+        statement + &value
+    }
+
+    fn block(&mut self, ty: &Ty, fuel: usize) -> String {
+        let before = self.env.len();
+        let statement = self.statement(fuel - 1);
+        let value = self.value(ty, fuel - 1);
+        self.close(before);
+        format!("({{ {statement}{value} }})")
+    }
+
+    /// The scope ends: what was bound behind `before` is gone.
+    pub fn close(&mut self, before: usize) {
+        self.env.truncate(before);
+    }
+}
