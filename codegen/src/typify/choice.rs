@@ -123,10 +123,6 @@ impl Lowering<'_, '_> {
                 lowered.push(Arm { values, body });
             }
         }
-        if scrutinee.ty == Type::BOOL {
-            self.match_bool(scrutinee, lowered, otherwise, span);
-            return Ok(());
-        }
         if otherwise.is_none() && scrutinee.ty.as_int().is_some() {
             // The arms name every value: the last takes what is left.
             otherwise = lowered.pop().map(|arm| arm.body);
@@ -136,6 +132,10 @@ impl Lowering<'_, '_> {
                 self.emit(StmtKind::Expr(scrutinee), span);
             }
             self.out.extend(otherwise.unwrap_or_default().0);
+            return Ok(());
+        }
+        if scrutinee.ty == Type::BOOL {
+            self.match_bool(scrutinee, lowered, otherwise, span);
             return Ok(());
         }
         self.emit(StmtKind::Match { scrutinee, arms: lowered, otherwise }, span);

@@ -1,9 +1,10 @@
 //! What a loop gathers: sums, products and folds, and arrays that are filled element by element.
 
 use bessemer_ir::tree::{self, Start};
-use bessemer_ir::{Expr, ExprKind, Float, Local, LocalId, Mode, Scalar, StmtKind, Type};
+use bessemer_ir::{Expr, ExprKind, Float, Local, LocalId, Mode, Scalar, Stmt, StmtKind, Type};
 
 use super::function::{Binding, Lowering};
+use super::order::{is_free, is_settled};
 use super::{OUR_FAULT, Result, problem};
 
 impl Lowering<'_, '_> {
@@ -13,6 +14,7 @@ impl Lowering<'_, '_> {
             return problem(expr.site, "this gathers nothing", OUR_FAULT);
         };
         let (ty, span) = (self.slot_of(expr)?, self.span(expr.site));
+        let mark = self.out.len();
         let value = match start {
             Start::Value(value) => {
                 let value = self.value(value, Some(&ty))?;
@@ -28,11 +30,36 @@ impl Lowering<'_, '_> {
         let shown = called.unwrap_or(name).to_owned();
         self.locals.push(Local { name: shown, ty, mode: Mode::Value, span });
         self.emit(StmtKind::Let { local, value }, span);
+        let begun = self.later(mark);
         self.naming_scope(|inner| {
             inner.bind(name, Binding::Local(local));
             inner.effect(each)
         })?;
+        let mut source = self.later(mark);
+        let passes = source.iter().position(|stmt| matches!(stmt.kind, StmtKind::For { .. }));
+        let mut passes = source.split_off(passes.unwrap_or(0));
+        self.out.extend(source);
+        if !is_free_to_begin(&begun) {
+            self.settle_bounds(passes.first_mut());
+        }
+        // Rust looks for what is gathered before it computes what to begin with.
+        let source = self.later(mark);
+        match is_first(&begun, &source) {
+            true => self.out.extend(begun.into_iter().chain(source)),
+            false => self.out.extend(source.into_iter().chain(begun)),
+        }
+        self.out.extend(passes);
         Ok(local)
+    }
+
+    /// Computes the bounds of a loop that may fault.
+    fn settle_bounds(&mut self, passes: Option<&mut Stmt>) {
+        let Some(Stmt { kind: StmtKind::For { from, to, .. }, .. }) = passes else { return };
+        for (bound, role) in [(from, "first"), (to, "end")] {
+            if !is_free(bound) {
+                *bound = self.temporary(role, bound.clone());
+            }
+        }
     }
 
     /// The number that a sum or a product begins with.
@@ -47,4 +74,22 @@ impl Lowering<'_, '_> {
         };
         self.node(ExprKind::Literal(word), ty.clone(), expr.site)
     }
+}
+
+/// What a fold begins with, if that is one value.
+fn beginning(begun: &[Stmt]) -> Option<&Expr> {
+    match begun {
+        [Stmt { kind: StmtKind::Let { value: Some(value), .. }, .. }] => Some(value),
+        _ => None,
+    }
+}
+
+/// Whether what a fold begins with may be computed at any time.
+fn is_free_to_begin(begun: &[Stmt]) -> bool {
+    beginning(begun).is_some_and(is_free)
+}
+
+/// Whether what a fold begins with may be computed before its source.
+fn is_first(begun: &[Stmt], source: &[Stmt]) -> bool {
+    source.is_empty() || beginning(begun).is_some_and(|value| is_settled(value, source))
 }

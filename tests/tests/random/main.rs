@@ -79,6 +79,13 @@ impl Batch {
         self.programs.iter().filter(|it| !out(&it.name)).collect()
     }
 
+    /// What the validation of the IR refused, which is a mistake of the tool.
+    fn internal(&self) -> impl Iterator<Item = Difference> {
+        let internal = self.refused.iter().filter(|it| it.1.contains("error: Function("));
+        internal
+            .map(|(name, why)| Difference { program: name.clone(), text: format!("{name}: {why}") })
+    }
+
     fn write(&mut self, workspace: &Workspace) {
         let mut text = String::from(HEAD);
         for ty in types::INTS {
@@ -198,7 +205,9 @@ fn cases<'b>(
     for program in batch.left() {
         let found =
             module.functions.iter().position(|it| it.name == program.name && it.owner.is_none());
-        let id = FunctionId(found.expect("it was compiled") as u32);
+        // A smaller variant may have lost its attribute.
+        let Some(found) = found else { continue };
+        let id = FunctionId(found as u32);
         let function: &Function = &module.functions[id.index()];
         let mut types = vec![function.result.clone()];
         let changed = function.parameters().iter().filter(|local| local.mode == Mode::RefMut);
@@ -332,7 +341,9 @@ fn attack(workspace: &Workspace, seed: u64) -> Vec<Difference> {
     let mut batch = Batch::new(seed);
     let (native, places, compiled) = compiled(workspace, &mut batch);
     let cases = cases(&batch, &native, &places, &compiled);
+    assert_eq!(cases.len(), batch.left().len(), "each program was compiled");
     let mut all = interpreted("interpreter", &compiled.module, &cases);
+    all.extend(batch.internal());
     all.extend(interpreted("explicit", &compiled.explicit, &cases));
     let gcc = |level| Toolchain { compiler: "gcc", level, emulator: None, more: &[] };
     all.extend(in_c(&compiled, &cases, &gcc(0), &SANITIZED));
@@ -358,8 +369,7 @@ fn differing(workspace: &Workspace, batch: &mut Batch) -> BTreeSet<String> {
     let cases = cases(batch, &native, &places, &compiled);
     let all = interpreted("interpreter", &compiled.module, &cases).into_iter();
     let mut names: BTreeSet<String> = all.map(|it| it.program).collect();
-    let internal = batch.refused.iter().filter(|it| it.1.contains("error: Function("));
-    names.extend(internal.map(|it| it.0.clone()));
+    names.extend(batch.internal().map(|it| it.program));
     names
 }
 
