@@ -112,8 +112,10 @@ impl Lowering<'_> {
                 });
                 plain(kind, &place)
             }
-            syn::Expr::Path(path) if path.qself.is_none() => {
-                let name = path.path.get_ident().map(text).unwrap_or_default();
+            syn::Expr::Path(path)
+                if path.qself.is_none()
+                    && let Some(name) = path.path.get_ident().map(text) =>
+            {
                 if self.is_called(&name) {
                     // Handed on as it came.
                     return plain(ExprKind::Local(name), path);

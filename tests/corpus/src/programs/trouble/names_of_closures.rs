@@ -27,3 +27,16 @@ pub fn hidden(x: u8) -> u8 {
         double => double ^ x,
     }
 }
+
+/// What a path names is handed on as it is, where closures have names, too.
+#[function]
+pub fn beside_constants(x: u8, low: u8) -> Option<u8> {
+    let far = |n: u8| n > low;
+    if far(x) { Some(u8::MAX) } else { x.checked_add(i8::MAX as u8).or(None::<u8>) }
+}
+
+#[function]
+pub fn behind_constants(x: i16, low: i16) -> i16 {
+    let up = |n: i16| n.wrapping_sub(low);
+    up(x).wrapping_add(i16::MIN).max(i16::MIN).min(i16::MAX)
+}
