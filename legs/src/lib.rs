@@ -8,6 +8,7 @@
 
 pub mod harness;
 pub mod interpreter;
+pub mod panics;
 pub mod process;
 pub mod toolchain;
 
@@ -41,12 +42,7 @@ use bessemer_ir::{FunctionId, Role};
 /// Whether this build panics on overflow, as the C faults; a build that wraps is another program.
 pub fn overflow_is_checked() -> bool {
     let largest = std::hint::black_box(u8::MAX);
-    // The panic that is asked for is nobody's news.
-    let hook = std::panic::take_hook();
-    std::panic::set_hook(Box::new(|_| ()));
-    let checked = std::panic::catch_unwind(|| largest + std::hint::black_box(1)).is_err();
-    std::panic::set_hook(hook);
-    checked
+    panics::caught(|| largest + std::hint::black_box(1)).is_err()
 }
 
 /// A package of this workspace, compiled.

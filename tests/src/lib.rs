@@ -15,8 +15,8 @@ pub mod random;
 pub mod workspace;
 
 pub use bessemer_legs::{
-    compiled, compiled_with, entry, harness, interpreter, overflow_is_checked, process, root,
-    toolchain, value, words,
+    compiled, compiled_with, entry, harness, interpreter, overflow_is_checked, panics, process,
+    root, toolchain, value, words,
 };
 
 use bessemer_codegen::c::CFile;

@@ -1,7 +1,6 @@
 //! Control and structure: each program of `tests/control` natively, in the interpreter and as C, over
 //! the same inputs: the same words, the same state, and a fault where the Rust panics.
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::OnceLock;
 
 use bessemer::Plain;
@@ -12,6 +11,7 @@ use bessemer_codegen::source::Sources;
 use bessemer_codegen::{diagnostic, generate};
 use bessemer_ir::Fault;
 use bessemer_tests::interpreter::Interpreted;
+use bessemer_tests::panics::caught;
 use bessemer_tests::pilot::entry;
 use bessemer_tests::process::Process;
 use bessemer_tests::toolchain::{self, Toolchain};
@@ -52,17 +52,14 @@ fn compare<T: Plain + Default>(program: &Program<T>, calls: &[Vec<u64>]) -> Vec<
     let mut native = T::default();
     let outcomes: Vec<Outcome> = calls
         .iter()
-        .map(|arguments| {
-            let called = catch_unwind(AssertUnwindSafe(|| (program.run)(&mut native, arguments)));
-            match called {
-                Ok(mut result) => {
-                    result.extend(words(&native));
-                    Some(result)
-                }
-                Err(_) => {
-                    native = T::default();
-                    None
-                }
+        .map(|arguments| match caught(|| (program.run)(&mut native, arguments)) {
+            Ok(mut result) => {
+                result.extend(words(&native));
+                Some(result)
+            }
+            Err(_) => {
+                native = T::default();
+                None
             }
         })
         .collect();

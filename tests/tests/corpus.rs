@@ -5,7 +5,7 @@
 //! the changed arguments out. Half of the calls have words drawn from the edges of each type; the other
 //! half are a run, as a component lives: small numbers, and the state that the call before left.
 
-use std::panic::{AssertUnwindSafe, catch_unwind, set_hook};
+use std::sync::OnceLock;
 use std::thread;
 
 use bessemer_codegen::c::names::FAULTS;
@@ -14,6 +14,7 @@ use bessemer_codegen::interpret::{Interpreter, Stop};
 use bessemer_ir::{Fault, Function, FunctionId, Mode, Module, Owner, Type};
 use bessemer_tests::arguments::{Size, words};
 use bessemer_tests::outcome::{self, Outcome, fault};
+use bessemer_tests::panics::caught;
 use bessemer_tests::process::{Error, Process};
 use bessemer_tests::random::Random;
 use bessemer_tests::toolchain::{self, Toolchain};
@@ -28,6 +29,7 @@ const RUN: usize = 100;
 /// Tells of what C leaves undefined; warnings are another run's.
 const SANITIZED: [&str; 3] = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-w"];
 
+#[derive(Clone)]
 struct Case {
     name: String,
     id: FunctionId,
@@ -39,16 +41,16 @@ struct Case {
     native: Vec<Outcome>,
 }
 
-fn cases(compiled: &Compiled) -> Vec<Case> {
+/// What Rust does, found once for every leg.
+fn cases() -> &'static [Case] {
+    static CASES: OnceLock<Vec<Case>> = OnceLock::new();
+    CASES.get_or_init(|| lived(corpus()))
+}
+
+fn lived(compiled: &Compiled) -> Vec<Case> {
     let module = &compiled.module;
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
-    // The panics of models are expected.
-    set_hook(Box::new(|info| {
-        if thread::current().name() != Some("native") {
-            eprintln!("{info}");
-        }
-    }));
-    let cases = corpus::programs::ENTRIES.iter().map(|native| {
+    let case = |native: &'static Entry| {
         let name = format!("{}::{}::{}", native.module, native.component, native.name);
         let id = callable(compiled, native).unwrap_or_else(|| panic!("`{name}` was not compiled"));
         let function = &module.functions[id.index()];
@@ -62,12 +64,8 @@ fn cases(compiled: &Compiled) -> Vec<Case> {
         let leaves = types.iter().flat_map(|ty| module.leaves(ty)).collect();
         let (calls, native) = lives(native, module, function, &mut random);
         Case { name, id, calls, types, leaves, native }
-    });
-    thread::scope(|scope| {
-        let native = thread::Builder::new().name("native".into());
-        let native = native.spawn_scoped(scope, || cases.collect());
-        native.expect("threads start").join().expect("panics of models are caught")
-    })
+    };
+    corpus::programs::ENTRIES.iter().map(case).collect()
 }
 
 /// The function or entry point in the module.
@@ -123,18 +121,13 @@ fn lives(
 fn run_native(entry: &Entry, call: &[Vec<u64>]) -> Outcome {
     let mut words = call.iter().flatten().copied();
     let mut out = Vec::new();
-    catch_unwind(AssertUnwindSafe(|| {
+    caught(|| {
         (entry.run)(&mut || words.next().expect("a word for each scalar"), &mut |word| {
             out.push(word);
         });
-    }))
-    .map(|()| out)
-    .map_err(|panic| {
-        let text = (panic.downcast_ref::<String>().map(String::as_str))
-            .or(panic.downcast_ref::<&str>().copied())
-            .unwrap_or_default();
-        fault(text)
     })
+    .map(|()| out)
+    .map_err(|message| fault(&message))
 }
 
 fn agree(leg: &str, module: &Module, case: &Case, index: usize, got: &Outcome) {
@@ -152,7 +145,7 @@ fn the_interpreter_agrees() {
     let compiled = corpus();
     for module in [&compiled.module, &compiled.explicit] {
         let mut interpreter = Interpreter::new(module);
-        for case in cases(compiled) {
+        for case in cases() {
             let parameters = module.functions[case.id.index()].parameters();
             let stateful = module.functions[case.id.index()].owner.is_some();
             for (index, call) in case.calls.iter().enumerate() {
@@ -173,7 +166,7 @@ fn the_interpreter_agrees() {
                     Err(Stop::Fault { fault, .. }) => Err(fault),
                     Err(stop) => panic!("{}: {stop}", case.name),
                 };
-                agree("interpreter", module, &case, index, &got);
+                agree("interpreter", module, case, index, &got);
             }
         }
     }
@@ -219,17 +212,15 @@ fn called(process: &mut Process, words: &[u64], results: usize) -> Result<Outcom
 #[test]
 fn the_c_agrees() {
     let compiled = corpus();
-    let cases = cases(compiled);
+    let cases = cases();
     thread::scope(|scope| {
         // Least and most optimised; the flight goes through every level.
         let levels =
             |it: &Toolchain| if it.emulator.is_some() { it.level == 2 } else { it.level != 2 };
         for toolchain in toolchain::all().into_iter().filter(levels) {
-            let cases = &cases;
             scope.spawn(move || run_c(compiled, cases, &toolchain, &[]));
         }
         for toolchain in toolchain::host().into_iter().filter(|it| it.level == 0) {
-            let cases = &cases;
             scope.spawn(move || run_c(compiled, cases, &toolchain, &SANITIZED));
         }
     });
@@ -238,7 +229,7 @@ fn the_c_agrees() {
 /// What has matrices, with these by rows and as arrays of rows: the same bits again.
 #[test]
 fn the_c_agrees_in_every_layout() {
-    let mut cases = cases(corpus());
+    let mut cases = cases().to_vec();
     let chapters = ["matrices", "algorithms", "kinds", "data"];
     let has_matrices =
         |name: &str| chapters.iter().any(|chapter| name.contains(&format!("programs::{chapter}")));

@@ -1,7 +1,7 @@
 //! What the programs that run on every leg consist of: each node of the IR on each type that it takes.
 //!
 //! The rows are the IR's own: an operation that is added without a program that uses it on each of its
-//! types is a hole, and fails. `UPDATE_DOCS=1 cargo test -p bessemer-tests --test coverage` writes
+//! types is a hole, and fails. `UPDATE_DOCS=1 cargo test -p bessemer-tests coverage::` writes
 //! docs/coverage.md.
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -272,7 +272,7 @@ fn every_node_runs_on_every_type_that_it_takes() {
         let page = std::fs::read_to_string(path).unwrap_or_default();
         assert!(
             page == current,
-            "{PAGE} is stale: UPDATE_DOCS=1 cargo test -p bessemer-tests --test coverage"
+            "{PAGE} is stale: UPDATE_DOCS=1 cargo test -p bessemer-tests coverage::"
         );
     }
 }

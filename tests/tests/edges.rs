@@ -4,7 +4,6 @@
 //! each bit and in each fault.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::thread;
 
 use bessemer_codegen::c::names::FAULTS;
@@ -13,6 +12,7 @@ use bessemer_codegen::interpret::{Interpreter, Stop};
 use bessemer_ir::{Fault, FunctionId, Scalar};
 use bessemer_tests::batch::{self, Outcome};
 use bessemer_tests::edge_values::{self, Breadth};
+use bessemer_tests::panics::caught;
 use bessemer_tests::{compiled, toolchain};
 use edges::Case;
 
@@ -66,19 +66,15 @@ fn settled(ty: Scalar, (status, word): Outcome) -> Outcome {
 /// What Rust says; a panic is the fault that its message names.
 fn native(case: &Case, operands: &[u64]) -> Outcome {
     let mut words = operands.iter().copied();
-    let result =
-        catch_unwind(AssertUnwindSafe(|| (case.call)(&mut || words.next().unwrap_or_default())));
-    match result {
+    match caught(|| (case.call)(&mut || words.next().unwrap_or_default())) {
         Ok(word) => (0, word),
         Err(message) => {
-            let text = message.downcast_ref::<String>().map(String::as_str);
-            let text = text.or_else(|| message.downcast_ref::<&str>().copied()).unwrap_or_default();
-            let fault = match text {
+            let fault = match message.as_str() {
                 text if text.contains("zero") => Fault::DivisionByZero,
                 text if text.contains("shift") => Fault::Shift,
                 text if text.contains("overflow") => Fault::Overflow,
                 text if text.contains("min <= max") || text.contains("min > max") => Fault::Clamp,
-                _ => panic!("{} {operands:x?}: {text}", case.name),
+                _ => panic!("{} {operands:x?}: {message}", case.name),
             };
             (status(fault), 0)
         }
@@ -130,8 +126,6 @@ fn every_operation_at_every_edge() {
     let calls = calls(&cases);
     println!("{} functions, {} calls", cases.len(), calls.len());
 
-    // A fault is a panic here, and there are many.
-    std::panic::set_hook(Box::new(|_| ()));
     let expected: Vec<Outcome> = calls
         .iter()
         .map(|(index, operands)| {
@@ -139,7 +133,6 @@ fn every_operation_at_every_edge() {
             settled(result_type(case), native(case, operands))
         })
         .collect();
-    let _ = std::panic::take_hook();
 
     for (name, module) in [("as written", &compiled.module), ("explicit", &compiled.explicit)] {
         let mut interpreter = Interpreter::new(module);

@@ -3,7 +3,7 @@
 //!
 //! A kind is a file of `tests/corpus/src/programs/kinds`; its properties are read off the functions that the
 //! generator made of it and that `corpus.rs` runs on every leg, so that a kind which lacks one fails here.
-//! `UPDATE_DOCS=1 cargo test -p bessemer-tests --test kinds` writes docs/kinds.md.
+//! `UPDATE_DOCS=1 cargo test -p bessemer-tests kinds::` writes docs/kinds.md.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -107,7 +107,7 @@ fn every_kind_has_every_property() {
         fs::write(path, current).expect("the page can be written");
     } else {
         let page = fs::read_to_string(path).unwrap_or_default();
-        let asked = "UPDATE_DOCS=1 cargo test -p bessemer-tests --test kinds";
+        let asked = "UPDATE_DOCS=1 cargo test -p bessemer-tests kinds::";
         assert!(page == current, "{PAGE} is stale: {asked}");
     }
 }

@@ -1,7 +1,7 @@
 //! docs/language.md shows programs of the corpus as they are, with the C that comes of them.
 //!
 //! Between `<!-- example: chapter/name -->` and `<!-- end -->` stand the program's own words, its Rust and
-//! its C; after `<!-- contents -->` the list of them. `UPDATE_DOCS=1 cargo test -p bessemer-tests --test language` writes them anew. Every program of
+//! its C; after `<!-- contents -->` the list of them. `UPDATE_DOCS=1 cargo test -p bessemer-tests language::` writes them anew. Every program of
 //! a chapter of the language is on the page, so that nothing is taken that the page does not show.
 
 use std::fmt::Write as _;
@@ -115,7 +115,7 @@ fn the_page_shows_the_programs_as_they_are() {
         let differs = page.lines().zip(current.lines()).position(|(old, new)| old != new);
         assert!(
             page == current,
-            "{PAGE} is stale from line {}: UPDATE_DOCS=1 cargo test -p bessemer-tests --test language",
+            "{PAGE} is stale from line {}: UPDATE_DOCS=1 cargo test -p bessemer-tests language::",
             differs.unwrap_or_default() + 1
         );
     }

@@ -1,7 +1,7 @@
 //! Random calls: of functions, methods and closures, and of the methods that take closures.
 
-use crate::types::Ty;
-use crate::writer::{Callee, Kind, Writer};
+use super::types::Ty;
+use super::writer::{Callee, Kind, Writer};
 
 impl Writer<'_> {
     /// A call of a function, a method or a closure with such a result.

@@ -1,7 +1,7 @@
 //! Random chains of iterators, and closures that fill arrays.
 
-use crate::types::Ty;
-use crate::writer::{Kind, Place, Var, Writer};
+use super::types::Ty;
+use super::writer::{Kind, Place, Var, Writer};
 
 impl Writer<'_> {
     /// An array or a list to go through.

@@ -7,7 +7,7 @@ use std::process::{Command, Stdio};
 use bessemer_tests::outcome::{Outcome, fault};
 use bessemer_tests::workspace::Workspace;
 
-use crate::writer::Program;
+use super::writer::Program;
 
 /// The text of a program that reads which function is to be called, and words; it writes how many words
 /// come back and these, or `u64::MAX`, the length of the message of a panic, and its bytes.

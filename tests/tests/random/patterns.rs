@@ -1,7 +1,7 @@
 //! Random patterns, and the names that they bind.
 
-use crate::types::{Parts, Ty, width};
-use crate::writer::{Kind, Var, Writer};
+use super::types::{Parts, Ty, width};
+use super::writer::{Kind, Var, Writer};
 
 impl Writer<'_> {
     /// A pattern of the type, whose names hold what `mode` says; they are in scope from here on.

@@ -6,8 +6,8 @@ use std::collections::BTreeSet;
 
 use bessemer_tests::workspace::Workspace;
 
-use crate::writer::Program;
-use crate::{Batch, differing};
+use super::writer::Program;
+use super::{Batch, differing};
 
 /// Variants in a build.
 const VARIANTS: usize = 160;

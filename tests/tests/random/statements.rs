@@ -1,7 +1,7 @@
 //! Random statements. Each ends with a line of its own.
 
-use crate::types::Ty;
-use crate::writer::{Kind, Var, Writer};
+use super::types::Ty;
+use super::writer::{Kind, Var, Writer};
 
 /// Loops within one another.
 const NESTED: usize = 2;

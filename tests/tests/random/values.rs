@@ -1,7 +1,7 @@
 //! Random expressions of a type that is wanted.
 
-use crate::types::{Ty, width};
-use crate::writer::{Kind, Writer};
+use super::types::{Ty, width};
+use super::writer::{Kind, Writer};
 
 impl Writer<'_> {
     /// An expression of the type, at most `fuel` deep. It stands anywhere: what needs parentheses has them.
@@ -242,7 +242,7 @@ impl Writer<'_> {
                 format!("{one}.{method}({other})")
             }
             _ => {
-                let from = Ty::Int(self.random.of(&crate::types::INTS));
+                let from = Ty::Int(self.random.of(&super::types::INTS));
                 let value = self.value(&from, fuel - 1);
                 format!("({value} as {name})")
             }

@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 
 use bessemer_tests::random::Random;
 
-use crate::types::{Items, Ty};
+use super::types::{Items, Ty};
 
 /// How a variable holds its value.
 #[derive(Clone, Debug, PartialEq)]

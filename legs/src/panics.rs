@@ -1,0 +1,43 @@
+//! A panic of a model is a fault that is looked for: it is caught, and is nobody's news.
+//!
+//! Invariant: only the thread that looks for a panic is silent; what fails in another one beside it is told as ever.
+//!
+//! What it must not know: what the messages mean.
+
+use std::cell::Cell;
+use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
+use std::sync::Once;
+
+thread_local! {
+    static LOOKED_FOR: Cell<bool> = const { Cell::new(false) };
+}
+
+/// What `call` gives, or the message of its panic.
+///
+/// # Errors
+/// The message; empty if it is no text.
+///
+/// ```
+/// use bessemer_legs::panics::caught;
+///
+/// assert_eq!(caught(|| 1 + 1), Ok(2));
+/// assert_eq!(caught(|| -> u8 { panic!("of a model") }), Err("of a model".to_owned()));
+/// ```
+pub fn caught<T>(call: impl FnOnce() -> T) -> Result<T, String> {
+    static INSTALLED: Once = Once::new();
+    INSTALLED.call_once(|| {
+        let before = take_hook();
+        set_hook(Box::new(move |info| {
+            if !LOOKED_FOR.get() {
+                before(info);
+            }
+        }));
+    });
+    let outer = LOOKED_FOR.replace(true);
+    let outcome = catch_unwind(AssertUnwindSafe(call));
+    LOOKED_FOR.set(outer);
+    outcome.map_err(|panic| {
+        let text = panic.downcast_ref::<String>().map(String::as_str);
+        text.or(panic.downcast_ref::<&str>().copied()).unwrap_or_default().to_owned()
+    })
+}
