@@ -7,7 +7,7 @@ use bessemer_ir::Module;
 use bessemer_ir::tree::Package;
 
 use crate::c::{self, CFile, EntryReport};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, OUR_FAULT};
 use crate::kernels::replace::Replacement;
 use crate::source::Sources;
 use crate::{kernels, passes, typify, validate};
@@ -96,8 +96,13 @@ fn fast(module: &Module, options: &Options) -> Vec<(String, String)> {
 
 /// Validation; what it finds is a fault of the tool, since the author's were found before.
 fn gate(module: &Module) -> Result<(), Vec<Diagnostic>> {
-    validate::validate(module)
-        .map_err(|errors| errors.iter().map(|error| place(module, error.span, error)).collect())
+    validate::validate(module).map_err(|errors| {
+        let told = |error: &validate::Error| Diagnostic {
+            help: OUR_FAULT.to_owned(),
+            ..place(module, error.span, &error.problem)
+        };
+        errors.iter().map(told).collect()
+    })
 }
 
 /// A claim of the author's that could not be proved; anything else is a fault of the tool.
@@ -111,7 +116,7 @@ fn unproved(module: &Module, error: &passes::Error) -> Diagnostic {
             check.span,
             "rule the fault out (a constant index, a smaller type, a comparison before), or write `#[entry]`",
         ),
-        passes::Error::Tool(_) => Default::default(),
+        passes::Error::Tool(_) => (Default::default(), OUR_FAULT),
     };
     Diagnostic { help: help.to_owned(), ..place(module, span, error) }
 }

@@ -6,6 +6,9 @@ use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 
 use crate::source::Sources;
 
+/// The remedy where the tool contradicts itself.
+pub const OUR_FAULT: &str = "this is a fault of Bessemer; please report it with this line";
+
 /// One thing that is wrong, and where.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {

@@ -4,7 +4,6 @@
 //! `cargo test -p bessemer-tests corpus::` runs one module.
 
 mod asked;
-mod control;
 mod corpus;
 mod coverage;
 mod delivery;

@@ -56,7 +56,7 @@ use std::collections::{HashMap, HashSet};
 use bessemer_ir::tree::{self, Package, Site};
 use bessemer_ir::{EnumId, FunctionId, Module, Span, StructId};
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, OUR_FAULT};
 use crate::source::Sources;
 
 /// What was wrong, where, and what to write instead.
@@ -66,9 +66,6 @@ struct Problem {
     message: String,
     help: String,
 }
-
-/// The remedy where the tool contradicts itself.
-const OUR_FAULT: &str = "this is a fault of Bessemer; please report it with this line";
 
 type Result<T, E = Problem> = std::result::Result<T, E>;
 

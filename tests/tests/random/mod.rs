@@ -81,7 +81,7 @@ impl Batch {
 
     /// What the validation of the IR refused, which is a mistake of the tool.
     fn internal(&self) -> impl Iterator<Item = Difference> {
-        let internal = self.refused.iter().filter(|it| it.1.contains("error: Function("));
+        let internal = self.refused.iter().filter(|it| is_internal(it.1));
         internal
             .map(|(name, why)| Difference { program: name.clone(), text: format!("{name}: {why}") })
     }
@@ -384,7 +384,7 @@ fn report(batch: &Batch, all: &[Difference], seed: u64, workspace: &Workspace) {
     for (name, why) in &batch.refused {
         let _ = writeln!(text, "REFUSED {name}: {why}");
         // What the validation finds is a mistake of the tool.
-        if why.contains("error: Function(")
+        if is_internal(why)
             && let Some(program) = batch.programs.iter().find(|it| it.name == *name)
         {
             let _ = writeln!(text, "{}", program.text);
@@ -401,8 +401,7 @@ fn report(batch: &Batch, all: &[Difference], seed: u64, workspace: &Workspace) {
     }
     std::fs::write(folder.join(format!("seed{seed}.txt")), &text).expect("a folder to show in");
     let wrong = |it: &&Program| {
-        seen.contains(&it.name)
-            || batch.refused.get(&it.name).is_some_and(|why| why.contains("error: Function("))
+        seen.contains(&it.name) || batch.refused.get(&it.name).is_some_and(|why| is_internal(why))
     };
     let wrong: Vec<&Program> = batch.programs.iter().filter(wrong).take(10).collect();
     if !wrong.is_empty() {
@@ -412,6 +411,11 @@ fn report(batch: &Batch, all: &[Difference], seed: u64, workspace: &Workspace) {
         }
         std::fs::write(folder.join(format!("seed{seed}.txt")), text).expect("a folder to show in");
     }
+}
+
+/// Whether the tool contradicted itself, which is no answer to any program.
+fn is_internal(why: &str) -> bool {
+    why.contains(diagnostic::OUR_FAULT)
 }
 
 #[test]

@@ -1,3 +1,0 @@
-//! Prints the tree of the programs.
-
-bessemer::print_tree!(control);
