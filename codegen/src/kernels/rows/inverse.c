@@ -33,9 +33,9 @@ static inline __attribute__((always_inline)) candidate_t eliminate_by($real *row
         order[k] = order[pivot.row];
         order[pivot.row] = column;
     }
-    const $real reciprocal = -$one / pivot.number;
+    const $real reciprocal = -$one / top[k];
     const $real beside = top[k + 1U];
-    candidate_t next = {k + 1U, reduce(&top[PITCH], k, reciprocal, parts, beside)};
+    candidate_t next = {k + 1U, $abs(reduce(&top[PITCH], k, reciprocal, parts, beside))};
 $unroll    for (uint32_t row = k + 2U; row < $n; row++) {
         prefer(&next, row, reduce(&rows[PITCH * row], k, reciprocal, parts, beside));
     }
@@ -95,7 +95,7 @@ static bool invert_by_rows($real *a, $real *rows, bool *finite)
     }
     bring_rows(rows, a);
     candidate_t pivot = find_first(a);
-$steps    if (pivot.number == $zero) {
+$steps    if (pivot.magnitude == $zero) {
         return false;
     }
     lanes_t sums[PARTS];

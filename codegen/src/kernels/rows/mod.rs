@@ -195,7 +195,7 @@ fn steps(kernel: &Kernel) -> String {
     let with = if kernel.routine == KernelRoutine::Inverse { "order" } else { "b" };
     let step = |k: &str| {
         format!(
-            "if (pivot.number == $zero) {{\n    return false;\n}}\npivot = eliminate_by(rows, {with}, {k}, pivot);\n"
+            "if (pivot.magnitude == $zero) {{\n    return false;\n}}\npivot = eliminate_by(rows, {with}, {k}, pivot);\n"
         )
     };
     let text: String = match kernel.routine == KernelRoutine::Inverse && !is_written_out(kernel) {

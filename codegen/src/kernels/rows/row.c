@@ -31,19 +31,18 @@ static inline __attribute__((always_inline)) void exchange_parts($real *top, $re
     }
 }
 
-/* A row that a pivot may be in, and the number. */
+/* A row that a pivot may be in, and the magnitude of its number. */
 typedef struct {
     uint32_t row;
-    $real number;
+    $real magnitude;
 } candidate_t;
 
-/* Takes a row for the pivot's if its number is larger, which it rarely is. */
+/* Takes a row for the pivot's if its number is larger: without a branch, which would be guessed wrongly. */
 static inline void prefer(candidate_t *best, uint32_t row, $real number)
 {
-    if (__builtin_expect($abs(number) > $abs(best->number), 0)) {
-        best->row = row;
-        best->number = number;
-    }
+    const $real magnitude = $abs(number);
+    best->row = (magnitude > best->magnitude) ? row : best->row;
+    best->magnitude = (magnitude > best->magnitude) ? magnitude : best->magnitude;
 }
 
 /* The first place in a buffer where a vector may lie. */
@@ -105,7 +104,7 @@ static inline void bring_rows($real *rows, const $real *a)
 /* The first of the largest magnitudes in the first column. */
 static inline candidate_t find_first(const $real *a)
 {
-    candidate_t best = {0U, a[0]};
+    candidate_t best = {0U, $abs(a[0])};
 #pragma GCC unroll 32
     for (uint32_t row = 1U; row < $n; row++) {
         prefer(&best, row, a[row]);

@@ -30,9 +30,10 @@ static inline __attribute__((always_inline)) candidate_t eliminate_by($real *row
         b[pivot.row] = b[k];
         b[k] = known;
     }
-    const $real reciprocal = -$one / pivot.number;
+    const $real reciprocal = -$one / top[FIRST + k];
     const $real beside = top[FIRST + k + 1U];
-    candidate_t next = {k + 1U, reduce(&top[PITCH], &b[k + 1U], k, reciprocal, parts, beside, known, first)};
+    const $real below = reduce(&top[PITCH], &b[k + 1U], k, reciprocal, parts, beside, known, first);
+    candidate_t next = {k + 1U, $abs(below)};
 $unroll    for (uint32_t row = k + 2U; row < $n; row++) {
         const $real number = reduce(&rows[PITCH * row], &b[row], k, reciprocal, parts, beside, known, first);
         prefer(&next, row, number);
@@ -46,7 +47,7 @@ static bool solve_by_rows(const $real *a, $real *b, $real *rows)
 {
     bring_rows(rows, a);
     candidate_t pivot = find_first(a);
-$steps    if (pivot.number == $zero) {
+$steps    if (pivot.magnitude == $zero) {
         return false;
     }
 $upwards    return true;
