@@ -3,8 +3,8 @@
 //! Each element sees nalgebra's operations in nalgebra's order: the columns on its left ascending, each as
 //! `a_ij - l_jk * l_ik`, then the division by the root of its column's diagonal.
 //!
-//! Small matrices are written out ([`written_out`]), larger ones go in tiles of four by four ([`tiles`]), in loops
-//! where there is no room for either.
+//! Small matrices are written out ([`written_out`]), larger ones go in tiles of four by four ([`tiles`]), which take less from
+//! eight rows on where there are vectors and from ten on where there are none; in loops where there is no room for either.
 
 mod tiles;
 mod written_out;
@@ -13,8 +13,9 @@ use bessemer_ir::Kernel;
 
 use super::Source;
 
-/// From this size on, a factorisation goes in tiles.
+/// From this size on, a factorisation goes in tiles; and where there are vectors, from the other one.
 const TILES: u32 = 10;
+const TILES_OF_VECTORS: u32 = 8;
 
 /// Bytes of code of a factorisation in tiles.
 const TILED_BYTES: u32 = 1536;
@@ -25,6 +26,9 @@ pub(super) const SUBSTITUTIONS: u32 = 20;
 /// The C of a factorisation in so many bytes of code.
 pub(super) fn factor(kernel: &Kernel, size: u32, code_bytes: u32) -> Source {
     match size {
+        TILES_OF_VECTORS..TILES if factor_bytes(size) <= code_bytes => {
+            tiles::factor_with_vectors(kernel, size, &written_out::factor(kernel, size).body)
+        }
         ..TILES if factor_bytes(size) <= code_bytes => written_out::factor(kernel, size),
         4.. if TILED_BYTES <= code_bytes => tiles::factor(kernel, size),
         _ => tiles::loops(kernel, size),

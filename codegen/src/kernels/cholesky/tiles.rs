@@ -45,22 +45,33 @@ fn targets(element: Float) -> String {
     }
 }
 
+/// The C of a factorisation.
 pub(super) fn factor(kernel: &Kernel, n: u32) -> Source {
+    let before = format!("#if defined(LANES)\n{VECTORS}#else\n{}#endif\n\n{}", numbers(n), top(n));
+    source(kernel, n, &before, &body(n))
+}
+
+/// The same where there are vectors, else what is given.
+pub(super) fn factor_with_vectors(kernel: &Kernel, n: u32, other: &str) -> Source {
+    let before = format!("#if defined(LANES)\n{VECTORS}\n{}#endif\n", top(n));
+    source(kernel, n, &before, &format!("#if defined(LANES)\n{}#else\n{other}#endif\n", body(n)))
+}
+
+fn source(kernel: &Kernel, n: u32, before: &str, body: &str) -> Source {
     let mut values = values(kernel.element, &[("n", n), ("first", n % 4)]);
     values.push(("bytes", bytes(kernel.element).to_string()));
-    let first = if n.is_multiple_of(4) { "" } else { FIRST };
-    let targets = targets(kernel.element);
-    let before = format!(
-        "{targets}\n{SPOIL}\n#if defined(LANES)\n{VECTORS}#else\n{}#endif\n\n{}",
-        numbers(n),
-        top(n)
-    );
+    let before = format!("{}\n{SPOIL}\n{before}", targets(kernel.element));
     Source {
         before: fill(&before, &values).trim_end().to_owned(),
-        body: fill(&[first, BODY].concat(), &values),
+        body: fill(body, &values),
         math: true,
         ..Source::default()
     }
+}
+
+fn body(n: u32) -> String {
+    let first = if n.is_multiple_of(4) { "" } else { FIRST };
+    [first, BODY].concat()
 }
 
 /// Every column as the first ones are.

@@ -21,9 +21,14 @@ static bool spoil($real *a)
 }
 ";
 
+const POSITIVE: &str = "\
+/* Roots of magnitudes, of what is positive anyway: compilers for ARM then keep no call for what is negative. */
+";
+
 /// Every column: the ones on its left, the root, the division.
 pub(super) fn factor(kernel: &Kernel, n: u32) -> Source {
-    let mut text = String::new();
+    let in_header = stands_in_header(kernel);
+    let mut text = if in_header { POSITIVE.to_owned() } else { String::new() };
     // Writing to a string cannot fail.
     let mut put = |line: String| {
         let _ = writeln!(text, "{line}");
@@ -39,7 +44,10 @@ pub(super) fn factor(kernel: &Kernel, n: u32) -> Source {
         }
         let diagonal = format!("l{column}_{column}");
         put(format!("if (!({diagonal} > $zero)) {{\n    return spoil(a);\n}}"));
-        put(format!("{diagonal} = $sqrt({diagonal});"));
+        put(match in_header {
+            true => format!("{diagonal} = $sqrt($abs({diagonal}));"),
+            false => format!("{diagonal} = $sqrt({diagonal});"),
+        });
         for row in column + 1..n {
             put(format!("l{row}_{column} /= {diagonal};"));
         }
@@ -52,7 +60,7 @@ pub(super) fn factor(kernel: &Kernel, n: u32) -> Source {
     put("return true;".into());
     let values = values(kernel.element, &[("n", n)]);
     let (mut spoil, mut body) = (SPOIL.to_owned(), text);
-    if stands_in_header(kernel) {
+    if in_header {
         // A name of its own: several kernels may stand in one source.
         let name = format!("spoil_{}(", kernel.name());
         spoil = spoil.replace("static bool spoil(", &format!("static inline bool {name}"));
