@@ -46,12 +46,14 @@
 
 typedef double lanes_t __attribute__((vector_size(8 * LANES), aligned(8), may_alias));
 
-#if defined(ACROSS)
-/* What is used again is loaded once, and terms wait for one another: loaded ahead, they would take registers from the sums. */
+/* Empty code that claims to change a value: compilers must have it in a register at this point, and use that from here on. It
+   makes no instruction, and no bit depends on it. Without it they load rows and numbers again, or load what many terms need
+   ahead of the first, until the sums no longer fit into registers: the same results, in up to a third more instructions. */
 #if !defined(IN_ITS_REGISTER)
 #define IN_ITS_REGISTER(value) __asm__("" : "+v"(value))
 #endif
 
+#if defined(ACROSS)
 /* A term of each sum of a block. */
 static inline __attribute__((always_inline)) void add_term(const double *a, const double *b, const uint32_t k,
     lanes_t sums[][DOWN], const uint32_t across, const uint32_t down)
@@ -77,7 +79,7 @@ static inline __attribute__((always_inline)) void add_term(const double *a, cons
 static inline __attribute__((always_inline)) void block(const double *a, const double *b, double *result,
     const uint32_t across, const uint32_t down)
 {
-    lanes_t sums[8U][DOWN];
+    lanes_t sums[3U][DOWN];
 #pragma GCC unroll 8
     for (uint32_t vector = 0U; vector < down; vector++) {
         const lanes_t rows = *(const lanes_t *)&a[OFFSET(vector)];
@@ -208,6 +210,7 @@ void product_tr_f64_6x6_6x6(const double a[36], const double b[36], double resul
 #pragma GCC unroll 8
             for (uint32_t down = 0U; down < DOWN; down++) {
                 sums[down] = PLUS(sums[down], held[k][down], b[6U * k + column]);
+                IN_ITS_REGISTER(sums[down]);
             }
         }
 #pragma GCC unroll 8
@@ -216,11 +219,7 @@ void product_tr_f64_6x6_6x6(const double a[36], const double b[36], double resul
         }
     }
 #elif defined(ACROSS)
-    /* Where the rows are no multiple of a band, the last overlaps the one before. */
-    for (uint32_t row = 0U; row < 6U; row += HEIGHT) {
-        const uint32_t top = (row + HEIGHT <= 6U) ? row : 6U - HEIGHT;
-        band(&a[top], b, &result[top], ACROSS, DOWN);
-    }
+    band(a, b, result, ACROSS, DOWN);
 #else
     for (uint32_t row = 0U; row < 6U; row += 3U) {
         tile_3x6(&a[row], &b[0U], &result[row]);

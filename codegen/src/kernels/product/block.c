@@ -1,9 +1,4 @@
-$ends/* What is used again is loaded once, and terms wait for one another: loaded ahead, they would take registers from the sums. */
-#if !defined(IN_ITS_REGISTER)
-#define IN_ITS_REGISTER(value) __asm__("" : "+v"(value))
-#endif
-
-/* A term of each sum of a block. */
+$ends/* A term of each sum of a block. */
 static inline __attribute__((always_inline)) void add_term(const $real *a, const $real *b, const uint32_t k,
     lanes_t sums[][DOWN], const uint32_t across, const uint32_t down)
 {

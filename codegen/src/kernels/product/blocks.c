@@ -7,8 +7,4 @@ for (uint32_t row = 0U; row < $end; row += HEIGHT) {
 band(&a[$at_end], b, &result[END], LAST_ACROSS, LAST_DOWN$share);
 #endif
 #if defined(ALONE)
-for (uint32_t column = $begin_alone; column < $columns; column += $apart_alone) {
-    const uint32_t first = (column + ALONE <= $columns) ? column : $columns - ALONE;
-    last_row(&a[$bottom], &b[$at_first], &result[$rows - 1U + $rows * first]);
-}
-#endif
+$last_alone#endif

@@ -8,6 +8,10 @@ const BLOCK: &str = include_str!("block.c");
 const BLOCKS: &str = include_str!("blocks.c");
 const LAST_ROW: &str = include_str!("last_row.c");
 
+/// The same where the result is one column.
+const ROWS: &str = include_str!("rows.c");
+const LAST_NUMBER: &str = include_str!("last_number.c");
+
 /// The terms of a block, all written out.
 const TERMS: &str = "\
 #pragma GCC unroll 32
@@ -31,6 +35,18 @@ const FIRST_TERMS: &str = "\
         add_term(a, b, k, sums, across, down);
     }
 ";
+
+/// The blocks where a band has all rows.
+const ONE_BAND: &str = "band(a, b, result, ACROSS, DOWN$share);\n";
+
+/// The last row, where it goes by numbers.
+const GIVE_LAST_ROW: &str = "\
+for (uint32_t column = $begin_alone; column < $columns; column += $apart_alone) {
+    const uint32_t first = (column + ALONE <= $columns) ? column : $columns - ALONE;
+    last_row(&a[$bottom], &b[$at_first], &result[$rows - 1U + $rows * first]);
+}
+";
+const GIVE_LAST_NUMBER: &str = "result[$rows - 1U] = last_number(&a[$bottom], b);\n";
 
 /// The columns that are left beside the blocks of a band.
 const LEFT: &str = "    \
@@ -56,12 +72,20 @@ pub(super) struct Blocks {
     first_terms: bool,
     /// Whether columns are left beside the blocks.
     left: bool,
+    /// Columns of the widest block.
+    widest: u32,
+    /// Whether a band has all rows.
+    one_band: bool,
+    /// Terms that a loop over them may have written out.
+    terms: u32,
 }
 
 impl Blocks {
-    /// What these bands need.
-    pub fn new(sizes: Sizes, bands: &[Bands]) -> Blocks {
+    /// What these bands need, of vectors of so many lanes.
+    pub fn new(sizes: Sizes, plans: &[(u32, Bands)]) -> Blocks {
+        let bands: Vec<Bands> = plans.iter().map(|(_, bands)| *bands).collect();
         let any = |wanted: fn(Sizes, &Bands) -> bool| bands.iter().any(|it| wanted(sizes, it));
+        let all = || bands.iter().flat_map(|it| std::iter::once(it.first).chain(it.last));
         Blocks {
             sizes,
             last: any(|_, bands| bands.last.is_some()),
@@ -72,18 +96,45 @@ impl Blocks {
                 let mut all = std::iter::once(bands.first).chain(bands.last);
                 all.any(|band| !sizes.columns.is_multiple_of(band.across))
             }),
+            widest: all().map(|band| band.across).max().unwrap_or(1),
+            one_band: plans.iter().all(|(lanes, bands)| {
+                bands.last.is_none()
+                    && bands.alone.is_none()
+                    && lanes * bands.first.down >= sizes.rows
+            }),
+            terms: bands.iter().map(|bands| bands.terms).min().unwrap_or(1),
         }
+    }
+
+    /// Whether the result is one column.
+    fn is_column(&self) -> bool {
+        self.sizes.columns == 1
+    }
+
+    /// What says that a target goes by blocks.
+    pub fn condition(&self) -> &'static str {
+        // A column goes by nothing else.
+        if self.is_column() { "LANES" } else { "ACROSS" }
     }
 
     /// What a target defines.
     pub fn defines(&self, bands: &Bands) -> String {
         let Bands { first, last, alone, terms } = bands;
-        let mut text = format!("#define ACROSS {}U\n", first.across);
+        let column = self.is_column();
+        let mut text = String::new();
+        if !column {
+            text += &format!("#define ACROSS {}U\n", first.across);
+        }
         if let Some(Band { down, across }) = last {
-            text += &format!("#define LAST_DOWN {down}U\n#define LAST_ACROSS {across}U\n");
+            text += &format!("#define LAST_DOWN {down}U\n");
+            text +=
+                &if column { String::new() } else { format!("#define LAST_ACROSS {across}U\n") };
         }
         if let Some(alone) = alone {
             text += &format!("#define ALONE {alone}U\n");
+        }
+        if column {
+            return text;
         }
         if self.turns {
             text += &format!("#define TERMS {terms}U\n");
@@ -96,6 +147,20 @@ impl Blocks {
 
     /// What stands before the function.
     pub fn before(&self) -> String {
+        let unrolled = match self.sizes.inner <= bands::WRITTEN_OUT {
+            true => "#pragma GCC unroll 32\n",
+            false => "",
+        };
+        let alone = |text: &str| match self.alone {
+            true => format!(
+                "\n#if defined(ALONE)\n{}#endif\n",
+                text.replace("$alone_unrolled", unrolled)
+            ),
+            false => String::new(),
+        };
+        if self.is_column() {
+            return format!("\n{ROWS}{}", alone(LAST_NUMBER));
+        }
         let terms = match (self.turns, self.first_terms) {
             (false, _) => TERMS.to_owned(),
             (true, false) => TURNS.replace("FIRST_TERMS", "1U"),
@@ -110,20 +175,20 @@ impl Blocks {
                     .replace(", and one of those that are left", "")
             }
         };
-        if self.alone {
-            let unrolled = match self.sizes.inner <= bands::WRITTEN_OUT {
-                true => "#pragma GCC unroll 32\n",
-                false => "",
-            };
-            let row = LAST_ROW.replace("$alone_unrolled", unrolled);
-            text += &format!("\n#if defined(ALONE)\n{row}#endif\n");
-        }
+        text += &alone(LAST_ROW);
         format!("\n#if defined(ACROSS)\n{text}#endif\n")
     }
 
     /// What stands in the function.
     pub fn body(&self) -> String {
-        let mut body = BLOCKS.to_owned();
+        let alone = if self.is_column() { GIVE_LAST_NUMBER } else { GIVE_LAST_ROW };
+        let mut body = match self.one_band {
+            true => ONE_BAND.to_owned(),
+            false => BLOCKS.replace("$last_alone", alone),
+        };
+        if self.is_column() {
+            body = body.replace("LAST_ACROSS, ", "").replace("ACROSS, ", "");
+        }
         for (name, used) in [("LAST_DOWN", self.last), ("ALONE", self.alone)] {
             if !used {
                 body = without(&body, name);
@@ -133,7 +198,7 @@ impl Blocks {
     }
 
     /// The values of the text: where bands end, as numbers, or as macros where targets differ.
-    pub fn values(&self) -> [(&'static str, String); 4] {
+    pub fn values(&self) -> [(&'static str, String); 5] {
         let rows = format!("{}U", self.sizes.rows);
         let banded = if self.alone { "BANDED".to_owned() } else { rows.clone() };
         let end = if self.last { "END".to_owned() } else { banded.clone() };
@@ -151,8 +216,18 @@ impl Blocks {
                  #define END ({banded} - LANES * LAST_DOWN)\n#else\n#define END {banded}\n#endif\n\n"
             );
         }
-        let widest = format!("{}U", bands::MOST);
-        [("banded", banded), ("end", end), ("ends", text), ("widest", widest)]
+        let widest = format!("{}U", self.widest);
+        let terms = match self.terms {
+            1 => String::new(),
+            terms => format!("#pragma GCC unroll {terms}\n"),
+        };
+        [
+            ("banded", banded),
+            ("end", end),
+            ("ends", text),
+            ("widest", widest),
+            ("unrolled_terms", terms),
+        ]
     }
 }
 

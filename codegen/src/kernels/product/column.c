@@ -6,6 +6,7 @@ static inline void column_part(const $real *a, const $real *b, $real *result)
 {
     lanes_t sums[DOWN];
     words_t numbers = *(const words_t *)b;
+    IN_ITS_REGISTER(numbers);
     lanes_t number = $spread_0;
 #pragma GCC unroll 16
     for (uint32_t down = 0U; down < DOWN; down++) {
@@ -14,6 +15,7 @@ static inline void column_part(const $real *a, const $real *b, $real *result)
 $first_group#pragma GCC unroll $terms
     for (uint32_t k = TOGETHER; k + TOGETHER <= $inner; k += TOGETHER) {
         numbers = *(const words_t *)&b[k];
+        IN_ITS_REGISTER(numbers);
 $in_turn$group    }
 $last#pragma GCC unroll 16
     for (uint32_t down = 0U; down < DOWN; down++) {

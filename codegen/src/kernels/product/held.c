@@ -18,6 +18,7 @@ for (uint32_t column = 0U; column < $columns; column++) {
 #pragma GCC unroll 8
         for (uint32_t down = 0U; down < DOWN; down++) {
             sums[down] = PLUS(sums[down], held[k][down], b[$held_next]);
+            IN_ITS_REGISTER(sums[down]);
         }
     }
 #pragma GCC unroll 8

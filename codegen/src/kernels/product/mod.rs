@@ -7,6 +7,7 @@
 //! the products that stand in their header.
 
 mod bands;
+mod beside;
 mod blocks;
 mod numbers;
 mod small;

@@ -7,7 +7,7 @@ use bessemer_ir::Float;
 
 use super::bands::{self, Bands};
 use super::blocks::Blocks;
-use super::{Sizes, times};
+use super::{Sizes, beside, times};
 use crate::kernels::text::{FUSED, bytes, fill, fused, numbers, vectors_if};
 use crate::kernels::{Mode, Tuning};
 
@@ -75,8 +75,8 @@ const NEON: &str = r#"#include <arm_neon.h>
 enum Form {
     /// The left factor stays in registers.
     Held,
-    /// A part of a column at a time, with numbers spread from vectors of them.
-    Columns,
+    /// A part of a column at a time, or so many columns side by side, with numbers spread from vectors of them.
+    Columns(u32),
     /// Blocks.
     Blocks(Bands),
 }
@@ -105,6 +105,7 @@ const GATHER: &str = include_str!("gather.c");
 const COLUMN: &str = include_str!("column.c");
 const STEP: &str = include_str!("step.c");
 const COLUMNS: &str = include_str!("columns.c");
+const IN_ITS_REGISTER: &str = include_str!("in_its_register.c");
 const HELD: &str = include_str!("held.c");
 
 /// Up to so many terms a column's loop over them is unrolled.
@@ -149,14 +150,15 @@ pub(super) fn source(
     if plans.is_empty() {
         return None;
     }
-    let bands: Vec<Bands> = plans.iter().filter_map(|(_, plan)| plan.form.bands()).collect();
+    let bands = plans.iter().filter_map(|(_, plan)| Some((plan.lanes, plan.form.bands()?)));
+    let bands: Vec<(u32, Bands)> = bands.collect();
     let blocks = Blocks::new(sizes, &bands);
     let branches = plans.iter().rev();
     let branches: Vec<String> =
         branches.map(|(target, plan)| branch(target, element, *plan, mode, &blocks)).collect();
     let targets = format!("#{}#endif\n", branches.join("#el"));
     let gather = if sizes.left.0 == 1 { "" } else { GATHER };
-    let mut before = format!("{targets}\n#if defined(LANES)\n{COMMON}{gather}");
+    let mut before = format!("{targets}\n#if defined(LANES)\n{COMMON}{gather}\n{IN_ITS_REGISTER}");
     let mut body = String::new();
     let mut word = "if";
     let uses = |wanted: fn(Form) -> bool| plans.iter().any(|(_, plan)| wanted(plan.form));
@@ -164,14 +166,22 @@ pub(super) fn source(
         body += &format!("#{word} defined(HELD)\n{HELD}");
         word = "elif";
     }
-    if uses(|form| form == Form::Columns) {
-        before += &format!("\n#if defined(TOGETHER)\n{}#endif\n", column(element, sizes.inner));
-        body += &format!("#{word} defined(TOGETHER)\n{COLUMNS}");
+    let beside = plans.iter().find_map(|(_, plan)| match plan.form {
+        Form::Columns(beside) => Some(beside),
+        _ => None,
+    });
+    if let Some(beside) = beside {
+        let (functions, calls) = match beside {
+            1 => (column(element, sizes.inner), COLUMNS.to_owned()),
+            _ => beside::source(element, sizes, beside),
+        };
+        before += &format!("\n#if defined(TOGETHER)\n{functions}#endif\n");
+        body += &format!("#{word} defined(TOGETHER)\n{calls}");
         word = "elif";
     }
     if uses(|form| matches!(form, Form::Blocks(_))) {
         before += &blocks.before();
-        body += &format!("#{word} defined(ACROSS)\n{}", blocks.body());
+        body += &format!("#{word} defined({})\n{}", blocks.condition(), blocks.body());
     }
     let mut values = values(element, sizes, shares);
     values.extend(blocks.values());
@@ -185,14 +195,14 @@ fn branch(target: &Target, element: Float, plan: Plan, mode: Mode, blocks: &Bloc
     let mut text = target.text.to_owned();
     if mode == Mode::Fast && target.single {
         condition = condition.replace(" && defined(BESSEMER_NEON_F32)", "");
-    } else if mode == Mode::Fast && form != Form::Columns {
+    } else if mode == Mode::Fast && !matches!(form, Form::Columns(_)) {
         let plus = fused(element, lanes * bytes(element), "fmadd", ["number", "rows", "sum"]);
         text +=
             &format!("{FUSED}{TIMES}#define PLUS(sum, rows, number) ((lanes_t){plus})\n#endif\n");
     }
     let form = match form {
         Form::Held => "#define HELD\n".to_owned(),
-        Form::Columns => format!("#define TOGETHER {lanes}U\n"),
+        Form::Columns(_) => format!("#define TOGETHER {lanes}U\n"),
         Form::Blocks(bands) => blocks.defines(&bands),
     };
     format!(
@@ -261,6 +271,7 @@ fn values(element: Float, sizes: Sizes, shares: bool) -> Vec<(&'static str, Stri
         ("first_number", times(sizes.right.1, "column")),
         ("next_number", right("k", "column")),
         ("next_a", times(sizes.left.1, "k")),
+        ("next_b", times(sizes.right.0, "k")),
         ("held_first", times(sizes.right.1, "column")),
         ("held_next", right("k", "column")),
         ("top", times(sizes.left.0, "top")),
@@ -321,7 +332,8 @@ fn plan(target: &Target, element: Float, sizes: Sizes, tuning: &Tuning) -> Optio
     let spreads = target.spread == 8 && sizes.right.0 == 1 && sizes.inner >= lanes;
     if fits && spreads && tuning.mode == Mode::Exact {
         let down = vectors.div_ceil(vectors.div_ceil(COLUMN_DOWN));
-        return Some(Plan { lanes, down, form: Form::Columns });
+        let beside = beside::most(element, down, sizes.columns, target.registers);
+        return Some(Plan { lanes, down, form: Form::Columns(beside) });
     }
     best(target, element, sizes, tuning.code_bytes)
 }

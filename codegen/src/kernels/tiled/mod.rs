@@ -59,6 +59,7 @@ mod tests {
                     (KernelRoutine::Cholesky, vec![size]),
                     (KernelRoutine::CholeskySolve, vec![size, 2]),
                     (KernelRoutine::Product, vec![size, size, 3]),
+                    (KernelRoutine::Product, vec![size, 7, 1]),
                     (KernelRoutine::Inverse, vec![size]),
                 ] {
                     let kernel = Kernel::new(routine, element, &dims).expect("sound");
