@@ -24,36 +24,82 @@ fn limit(case: &Case, counted: bool) -> f64 {
 
 /// Why a case is above its limit.
 fn reason(table: &Table, case: &Case, best: Contender) -> Option<&'static str> {
-    let (machine, counted) = (table.machine.name, is_counted(table));
+    let machine = table.machine.name;
+    match (is_counted(table), machine) {
+        (true, "host-sse2" | "host-avx2") => counted_on_host(machine, case, best),
+        (true, _) => counted_on_target(machine, case, best),
+        (false, "host-scalar") => timed_without_vectors(case, best),
+        (false, _) => timed(case, best),
+    }
+}
+
+const LOOK: &str = "the look for a determinant of zero, nalgebra's `None`: four instructions on x86-64, three on ARM; Eigen has none, \
+                    and divides once";
+const MINORS: &str = "240 operations for nalgebra's sums of six products; Eigen's cofactors share 2×2 minors and take half";
+const NEON: &str = "NEON: Eigen's flushes subnormals; exact `f32` stays on the VFP";
+
+fn counted_on_host(machine: &str, case: &Case, best: Contender) -> Option<&'static str> {
     let eigen = best == Contender::Eigen;
-    match (case.routine, case.element, case.size) {
-        (_, Element::F32, _) if machine == "a9" && eigen => {
-            Some("NEON: Eigen's flushes subnormals; exact `f32` stays on the VFP")
-        }
-        (Routine::LuSolve, Element::F32, 19) if machine == "a9" => {
-            Some("the way back is loops: written out it takes more than 8 KiB")
-        }
-        (Routine::Product, ..) if machine == "host-avx2" && eigen => Some(
+    match (case.routine, case.size) {
+        (Routine::Inverse, 2 | 3) => Some(LOOK),
+        (Routine::Inverse, 4) if eigen => Some(MINORS),
+        (Routine::Product, 2) => Some(
+            "stands where it is used, as numbers: gcc makes vectors of it, and loads each column of the right factor twice",
+        ),
+        (Routine::Product, ..6) if machine == "host-avx2" && eigen => Some(
             "FMA: Eigen fuses by intrinsics whatever the flags say; the bits need each product rounded",
         ),
-        (Routine::CholeskySolve, Element::F32, 8) if machine == "host-avx2" => Some(
-            "up to nine rows the factor is written out number by number; from ten on it has vectors",
-        ),
-        (Routine::Inverse, _, 2 | 3) => Some(
-            "the look for a determinant of zero, nalgebra's `None`; Eigen has none, and divides once",
-        ),
-        (Routine::CholeskySolve, _, 2) => {
-            Some("the look at each root for nalgebra's `None`; the best takes roots of anything")
-        }
-        (Routine::Inverse, _, 4) if eigen => Some(
-            "Eigen's cofactors are products of 2×2 minors, with half the multiplications; the bits need nalgebra's",
-        ),
-        (Routine::Product, _, AIMS..) if counted && machine == "host-avx2" => Some(
+        (Routine::Product, AIMS..) if machine == "host-avx2" => Some(
             "16 registers: 2.67 instructions for each vector and term; a column at a time takes fewer, and 1.2 to 1.7 times as long",
         ),
-        (Routine::Product, _, AIMS..) if counted && machine == "host-sse2" => {
-            Some("16 registers of two-operand instructions: copies and loads are a third of all")
+        (Routine::Product, AIMS..) => Some(
+            "two operands: load, multiply, add for each vector and term, and the odd row has a vector of its own",
+        ),
+        _ => None,
+    }
+}
+
+fn counted_on_target(machine: &str, case: &Case, best: Contender) -> Option<&'static str> {
+    let eigen = best == Contender::Eigen;
+    match (case.routine, case.element, case.size) {
+        (Routine::Inverse, Element::F64, 2) => Some(LOOK),
+        (Routine::Inverse, Element::F32, 2) if machine == "a9" => Some(
+            "the look for `None` takes three; four go to a vector that gcc gathers on the stack (-fno-tree-slp-vectorize)",
+        ),
+        (Routine::Inverse, Element::F32, 2) => Some(LOOK),
+        (_, Element::F32, _) if machine == "a9" && eigen => Some(NEON),
+        (Routine::CholeskySolve, _, 2) => Some(
+            "the looks at two roots for nalgebra's `None` take six; the best takes roots of anything",
+        ),
+        _ => None,
+    }
+}
+
+fn timed(case: &Case, best: Contender) -> Option<&'static str> {
+    match (case.routine, case.size) {
+        (Routine::Inverse, 2 | 3) => Some(LOOK),
+        (Routine::Inverse, 4) if best == Contender::Eigen => Some(MINORS),
+        (Routine::CholeskySolve, ..=8) => Some(
+            "the caller's copy in vectors of 64 bytes: where they cross a line of the cache, what is read waits for them (docs/kernels.md)",
+        ),
+        (Routine::Product, 2 | 3 | 8 | 16) => {
+            Some("as many instructions as the best or fewer: within what runs differ by")
         }
+        _ => None,
+    }
+}
+
+fn timed_without_vectors(case: &Case, best: Contender) -> Option<&'static str> {
+    match (case.routine, case.size) {
+        (Routine::Inverse, 2 | 3) if best == Contender::Eigen => {
+            Some("a division for each element, as nalgebra's; Eigen divides once and multiplies")
+        }
+        (Routine::Product, _) => Some(
+            "the plain C is tiles for ARM's 32 registers; x86-64 has 16, and has vectors, which this machine leaves out",
+        ),
+        (Routine::CholeskySolve, 11..) => Some(
+            "its roots and divisions wait for one another in either form, and the plain tiles are for ARM's 32 registers",
+        ),
         _ => None,
     }
 }
