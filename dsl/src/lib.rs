@@ -63,6 +63,7 @@ pub mod list_edit;
 pub mod math;
 mod plain;
 pub mod rotation;
+pub mod search;
 #[doc(hidden)]
 pub mod slice_edit;
 pub mod sort;

@@ -139,7 +139,7 @@ impl Plain for () {
     fn load(_: &mut dyn FnMut() -> u64) -> Self {}
 }
 
-/// Nothing but that a number does not fit.
+/// Nothing but that a slice has another length.
 #[diagnostic::do_not_recommend]
 impl Plain for core::array::TryFromSliceError {
     const WORDS: usize = 0;
@@ -152,6 +152,7 @@ impl Plain for core::array::TryFromSliceError {
     }
 }
 
+/// Nothing but that a number does not fit.
 #[diagnostic::do_not_recommend]
 impl Plain for core::num::TryFromIntError {
     const WORDS: usize = 0;

@@ -75,7 +75,7 @@ impl Lowering<'_, '_> {
         for arm in arms {
             if let tree::Pattern::Name { slot, .. } = &arm.pattern
                 && *slot != NO_SLOT
-                && self.slot_is_exclusive(*slot, arm.body.site)?
+                && self.slot_is_exclusive(*slot, arm.site)?
             {
                 return Ok(true);
             }

@@ -47,6 +47,7 @@ impl Lowering<'_, '_> {
             // What is lent stands where it stands.
             "as_ref" => return arguments.first().cloned(),
             "option_xor" => return Some(one_of(arguments, expr)),
+            "option_zip" => return Some(both_of(arguments, expr)),
             "ordering_then_with" => return then(&arguments[0], arguments.get(1)?, expr),
             _ => {}
         }
@@ -224,6 +225,26 @@ fn one_of(both: &[Expr], expr: &Expr) -> Expr {
     ];
     let pair = Expr { slot: None, ..of(ExprKind::Tuple(both.to_vec())) };
     of(ExprKind::Match(Box::new(pair), arms))
+}
+
+/// `a.zip(b)`: both as a pair, if both are there.
+fn both_of(both: &[Expr], expr: &Expr) -> Expr {
+    let of = |kind| Expr { kind, site: expr.site, slot: expr.slot };
+    let bare = |kind| Expr { slot: None, ..of(kind) };
+    let names = [PAYLOAD, "%other"];
+    let some = |name: &str| {
+        let (name, slot) = (name.into(), NO_SLOT);
+        let name = Pattern::Name { name, slot, mutable: false, inner: None };
+        Pattern::Constructor("Some".into(), vec![name])
+    };
+    let pair = ExprKind::Tuple(names.map(|name| bare(ExprKind::Local(name.into()))).into());
+    let there = ExprKind::Constructor("Some".into(), vec![bare(pair)]);
+    let none = ExprKind::Constructor("None".into(), Vec::new());
+    let arms = vec![
+        arm(Pattern::Tuple(names.map(some).into()), None, of(there)),
+        arm(Pattern::Any, None, of(none)),
+    ];
+    of(ExprKind::Match(Box::new(bare(ExprKind::Tuple(both.to_vec()))), arms))
 }
 
 /// `order.then_with(|| …)`: `match order { Equal => …, other => other }`.

@@ -5,7 +5,8 @@
 use bessemer_ir::tree::{self, Grouping, Order, Site};
 use bessemer_ir::visit::{self, Visit};
 use bessemer_ir::{
-    Argument, Block, Expr, ExprKind, Local, LocalId, Mode, Place, Span, Step, Stmt, StmtKind, Type,
+    Argument, Block, CompareOp, Expr, ExprKind, Local, LocalId, Mode, Place, Span, Step, Stmt,
+    StmtKind, Type,
 };
 
 use super::equal::number;
@@ -27,16 +28,17 @@ impl Lowering<'_, '_> {
         let span = self.span(site);
         let mut slices = Vec::new();
         for part in parts {
-            let slice = match self.slice(&part.array)? {
-                Some(slice) => slice,
-                None => self.elements_of(&part.array)?,
-            };
-            slices.push(Passed::of(slice, self.group_size(part.group.as_ref())?));
+            let mut chained = self.chained(&part.array)?.into_iter();
+            let Some(slice) = chained.next() else { continue };
+            let passed = Passed::of(slice, self.group_size(part.group.as_ref())?);
+            slices.push(passed.and(chained.collect()));
         }
         // The counter is the index of the array itself, where nothing else is asked of it.
         let bare = index.is_none() && order != Order::Mirrored && cuts.is_empty();
         let (from, end) = match slices.as_slice() {
-            [Passed { slice, group: None, .. }] if bare => (slice.from.clone(), slice.to.clone()),
+            [Passed { slice, group: None, behind, .. }] if bare && behind.is_empty() => {
+                (slice.from.clone(), slice.to.clone())
+            }
             slices => {
                 let all = (number(0, span), shortest(slices, span));
                 self.cut_off(all, cuts)?
@@ -154,6 +156,59 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
+    /// What a loop goes through, one after the other.
+    fn chained(&mut self, array: &tree::Expr) -> Result<Vec<Slice>> {
+        if let tree::ExprKind::Chain(one, other) = &array.kind {
+            let mut slices = self.chained(one)?;
+            slices.extend(self.chained(other)?);
+            return Ok(slices);
+        }
+        Ok(vec![match self.slice(array)? {
+            Some(slice) => slice,
+            None => self.elements_of(array)?,
+        }])
+    }
+
+    /// The element of a pass through several arrays, in a local of its own.
+    fn one_of_several(
+        &mut self,
+        part: &tree::Part,
+        passed: &Passed,
+        counter: Expr,
+    ) -> Result<Place> {
+        let (first, span) = (&passed.slice, counter.span);
+        let name = match &part.pattern {
+            tree::Pattern::Name { name, .. } => name.as_str(),
+            _ => "element",
+        };
+        let (local, ty) = (LocalId(self.locals.len() as u32), first.element.clone());
+        self.locals.push(Local { name: name.to_owned(), ty: ty.clone(), mode: Mode::Value, span });
+        self.held.insert(local);
+        let place = Place { root: local, steps: Vec::new(), ty, span };
+        self.emit(StmtKind::Let { local, value: None }, span);
+        let mut cases = Vec::new();
+        let mut counter = counter;
+        for slice in std::iter::once(first).chain(&passed.behind) {
+            let element = load(&slice.at(plus(slice.from.clone(), counter.clone())));
+            let assign = StmtKind::Assign { place: place.clone(), value: element };
+            cases.push((is_below(&counter, &slice.length), assign));
+            counter = minus(counter, slice.length.clone());
+        }
+        let mut last = None;
+        for (condition, kind) in cases.into_iter().rev() {
+            let then = Block(vec![Stmt { kind, span, comments: Vec::new() }]);
+            last = Some(match last {
+                None => then,
+                Some(otherwise) => {
+                    let kind = StmtKind::If { condition, then, otherwise };
+                    Block(vec![Stmt { kind, span, comments: Vec::new() }])
+                }
+            });
+        }
+        self.out.extend(last.unwrap_or_default().0);
+        Ok(place)
+    }
+
     /// All elements of what a loop goes through.
     fn elements_of(&mut self, expr: &tree::Expr) -> Result<Slice> {
         let place = self.base(expr)?;
@@ -205,6 +260,12 @@ impl Lowering<'_, '_> {
         site: Site,
     ) -> Result<()> {
         let slice = &passed.slice;
+        if !passed.behind.is_empty() {
+            let element = self.one_of_several(part, passed, counter)?;
+            let mut names = Vec::new();
+            self.test(&part.pattern, &Subject::Place(element), site, &mut names)?;
+            return self.bind_names(&names);
+        }
         let Some((way, size)) = passed.group else {
             let at = match (bare, part.reversed) {
                 (true, false) => counter,
@@ -220,6 +281,15 @@ impl Lowering<'_, '_> {
             Grouping::Windows => counter,
             _ => times(counter, size.clone()),
         };
+        if way == Grouping::First {
+            let at = match part.reversed {
+                false => plus(slice.from.clone(), begin),
+                true => minus(minus(slice.to.clone(), number(1, slice.base.span)), begin),
+            };
+            let mut names = Vec::new();
+            self.test(&part.pattern, &Subject::Place(slice.at(at)), site, &mut names)?;
+            return self.bind_names(&names);
+        }
         match &part.pattern {
             tree::Pattern::Any => {}
             tree::Pattern::Name { name, inner: None, .. } => {
@@ -334,13 +404,15 @@ struct Passed {
     group: Option<(Grouping, u64)>,
     /// How many passes that makes.
     count: Expr,
+    /// What it goes through then.
+    behind: Vec<Slice>,
 }
 
 impl Passed {
     fn of(slice: Slice, group: Option<(Grouping, u64)>) -> Passed {
         let (length, span) = (slice.length.clone(), slice.base.span);
         let Some((mut way, size)) = group else {
-            return Passed { slice, group: None, count: length };
+            return Passed { slice, group: None, count: length, behind: Vec::new() };
         };
         let known = match length.kind {
             ExprKind::Literal(length) => Some(length),
@@ -351,12 +423,14 @@ impl Passed {
         }
         let count = match (way, known) {
             (Grouping::Whole, Some(length)) => number(length / size, span),
-            (Grouping::All, Some(length)) => number(length.div_ceil(size), span),
+            (Grouping::All | Grouping::First, Some(length)) => number(length.div_ceil(size), span),
             (Grouping::Windows, Some(length)) => number((length + 1).saturating_sub(size), span),
             (Grouping::Whole, None) => divided(length, number(size, span)),
             // No slice is that long, and the sum below would overflow.
-            (Grouping::All, None) if size > 1 << 31 => lesser(length, number(1, span)),
-            (Grouping::All, None) => {
+            (Grouping::All | Grouping::First, None) if size > 1 << 31 => {
+                lesser(length, number(1, span))
+            }
+            (Grouping::All | Grouping::First, None) => {
                 let more = plus(length, number(size - 1, span));
                 divided(more, number(size, span))
             }
@@ -367,8 +441,21 @@ impl Passed {
             }
         };
         let group = Some((way, size));
-        Passed { slice, group, count }
+        Passed { slice, group, count, behind: Vec::new() }
     }
+
+    /// What follows it.
+    fn and(self, behind: Vec<Slice>) -> Passed {
+        let count = behind.iter().fold(self.count, |count, it| plus(count, it.length.clone()));
+        Passed { count, behind, ..self }
+    }
+}
+
+/// `index < length`.
+fn is_below(index: &Expr, length: &Expr) -> Expr {
+    let (index, length) = (Box::new(index.clone()), Box::new(length.clone()));
+    let span = index.span;
+    Expr { kind: ExprKind::Compare(CompareOp::Lt, index, length), ty: Type::BOOL, span }
 }
 
 /// How many passes all of these make.

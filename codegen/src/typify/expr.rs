@@ -76,14 +76,18 @@ impl Lowering<'_, '_> {
             tree::ExprKind::Apply(name, arguments) => self.apply(name, arguments, site),
             tree::ExprKind::Closure(_) => problem(
                 site,
-                "this does not take a closure in the DSL",
-                "give the closure a name with `let`, call it, and pass its value",
+                "a closure is no argument of this in the DSL",
+                "what takes closures is listed in docs/language.md; elsewhere call it, and pass its value",
             ),
             tree::ExprKind::Struct(name, fields, rest) => {
                 self.struct_value(name, fields, rest.as_deref(), expr)
             }
             tree::ExprKind::Constructor(name, parts) => self.constructed(name, parts, expr),
-            tree::ExprKind::Tuple(parts) if !parts.is_empty() => self.constructed("", parts, expr),
+            tree::ExprKind::Tuple(parts) if !parts.is_empty() => match (expr.slot, expected) {
+                // One that no author wrote is of the type that is wanted.
+                (None, Some(Type::Struct(id))) => self.tuple(*id, parts, expr),
+                _ => self.constructed("", parts, expr),
+            },
             tree::ExprKind::Try(operand) => match self.try_value(operand, site)? {
                 Some(value) => Ok(value),
                 None => problem(site, "this has no value", "write it as a statement"),
@@ -304,6 +308,7 @@ impl Lowering<'_, '_> {
         site: Site,
     ) -> Result<Expr> {
         let (left_ty, right_ty) = (left.ty.clone(), right.ty.clone());
+        let tree_op = op;
         if let Some(op) = compare(op) {
             if left_ty != right_ty {
                 // rustc compares numbers of one type only.
@@ -318,7 +323,7 @@ impl Lowering<'_, '_> {
             if !left_ty.is_word() || own {
                 let equal = match op {
                     CompareOp::Eq | CompareOp::Ne => self.equality(left, right, site)?,
-                    _ => return problem(site, "this has no order in the DSL", "compare parts"),
+                    _ => return self.lexical(tree_op, left, right, site),
                 };
                 return Ok(if op == CompareOp::Ne { negated(equal) } else { equal });
             }

@@ -57,10 +57,17 @@ impl Lowering<'_, '_> {
         parts: &[tree::Expr],
         expr: &tree::Expr,
     ) -> Result<Expr> {
-        let numbered = parts.iter().enumerate();
-        let fields: Vec<_> =
-            numbered.map(|(index, part)| (index.to_string(), part.clone())).collect();
-        self.struct_value(name, &fields, None, expr)
+        self.struct_value(name, &numbered(parts), None, expr)
+    }
+
+    /// `(a, b)` of a type that is known.
+    pub(super) fn tuple(
+        &mut self,
+        id: StructId,
+        parts: &[tree::Expr],
+        expr: &tree::Expr,
+    ) -> Result<Expr> {
+        self.parts(id, &numbered(parts), None, expr)
     }
 
     /// The variant `word` of a struct that stands for an enum.
@@ -198,4 +205,10 @@ impl Lowering<'_, '_> {
         }
         Ok(place)
     }
+}
+
+/// Parts with the names that the fields of a tuple have.
+fn numbered(parts: &[tree::Expr]) -> Vec<(String, tree::Expr)> {
+    let named = |(index, part): (usize, &tree::Expr)| (index.to_string(), part.clone());
+    parts.iter().enumerate().map(named).collect()
 }

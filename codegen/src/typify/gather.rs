@@ -21,6 +21,7 @@ impl Lowering<'_, '_> {
                 self.agree(&value.ty, &ty, expr.site)?;
                 Some(value)
             }
+            Start::Tried(value) => Some(self.goes_on(value, expr)?),
             Start::Sum => Some(self.neutral(0.0, &ty, expr)?),
             Start::Product => Some(self.neutral(1.0, &ty, expr)?),
             // Every element is assigned; that is shown to the validator by a value before.
@@ -37,6 +38,7 @@ impl Lowering<'_, '_> {
         })?;
         let mut source = self.later(mark);
         let passes = source.iter().position(|stmt| matches!(stmt.kind, StmtKind::For { .. }));
+        // Where a block stands around the loop, what begins it may not be parted from it.
         let mut passes = source.split_off(passes.unwrap_or(0));
         self.out.extend(source);
         if !is_free_to_begin(&begun) {
@@ -50,6 +52,23 @@ impl Lowering<'_, '_> {
         }
         self.out.extend(passes);
         Ok(local)
+    }
+
+    /// `Some(value)`, or `Ok(value)`.
+    fn goes_on(&mut self, value: &tree::Expr, expr: &tree::Expr) -> Result<Expr> {
+        let case = match self.slot_of(expr)? {
+            Type::Struct(id) => self.going_on(id),
+            _ => None,
+        };
+        let Some(case) = case else {
+            return problem(
+                expr.site,
+                "a `try_fold` gives an `Option` or a `Result` in the DSL",
+                "let its closure give one",
+            );
+        };
+        let kind = tree::ExprKind::Constructor(case.to_owned(), vec![value.clone()]);
+        self.value(&tree::Expr { kind, site: value.site, slot: expr.slot }, None)
     }
 
     /// Computes the bounds of a loop that may fault.

@@ -31,6 +31,7 @@ mod implied;
 mod kernels;
 mod labelled;
 mod lent;
+mod lexical;
 mod list;
 mod literal;
 mod loops;

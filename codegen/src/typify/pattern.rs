@@ -57,7 +57,8 @@ impl Named {
 impl Lowering<'_, '_> {
     /// What a `match` or a `let` looks at, computed once.
     pub(super) fn subject(&mut self, expr: &tree::Expr) -> Result<Subject> {
-        if let tree::ExprKind::Tuple(parts) = &expr.kind
+        // One that rustc saw as a whole is matched by a name.
+        if let (tree::ExprKind::Tuple(parts), None) = (&expr.kind, expr.slot)
             && !parts.is_empty()
         {
             let mut subjects: Vec<Subject> = Vec::new();
@@ -297,8 +298,8 @@ impl Lowering<'_, '_> {
         problem(value.site, "a constant of this type is not a pattern", "compare with `==`")
     }
 
-    /// The same, of a name that the author wrote, which must be the variant's own: that of another, given by a
-    /// `use`, would be taken for it.
+    /// The variant that an author wrote by name, which must be its own: another's, given by a `use`, would be taken for
+    /// that one.
     pub(super) fn named_case(&self, id: StructId, name: &str, site: Site) -> Result<(u64, Case)> {
         match self.case(id, name) {
             Some(case) if !self.cx.sources.renames(&self.source.file, name) => Ok(case),
@@ -308,6 +309,11 @@ impl Lowering<'_, '_> {
                 "write the name that the variant has where its enum is declared",
             ),
         }
+    }
+
+    /// The variant of an `Option` or a `Result` that `?` goes on with.
+    pub(super) fn going_on(&self, id: StructId) -> Option<&'static str> {
+        ["Some", "Ok"].into_iter().find(|name| self.case(id, name).is_some())
     }
 
     /// The variant of a struct that stands for an enum: its word, and what it holds.
@@ -336,6 +342,10 @@ impl Lowering<'_, '_> {
         if !self.cx.cases.contains_key(&id) {
             return Ok((Some(place.clone()), false, None));
         }
+        let name = match name {
+            tree::GOES_ON => self.going_on(id).unwrap_or(name),
+            name => name,
+        };
         let (word, case) = self.named_case(id, name, site)?;
         let payload = case.field.map(|field| self.part(place, id, field as usize));
         Ok((payload, case.single, Some(self.tag_is(place, id, word))))

@@ -20,7 +20,8 @@ use super::{OUR_FAULT, Result, problem};
 pub(super) struct Slice {
     /// The array, or the parameter that is a slice.
     pub base: Place,
-    element: Type,
+    /// Of one element.
+    pub element: Type,
     /// The first element, and the one behind the last: numbers, or locals that nothing writes.
     pub from: Expr,
     pub to: Expr,

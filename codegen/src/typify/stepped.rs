@@ -102,14 +102,17 @@ impl Lowering<'_, '_> {
                 return Ok(Steps { from, step, passes, constant: true });
             }
         }
-        if int.min() < 0 || range.inclusive {
+        if int.min() < 0 || range.inclusive && by == 1 {
             return problem(
                 site,
-                "a stepped range has constant ends, or unsigned ones without `=`",
+                "a stepped range has constant ends, or unsigned ones",
                 "write `for k in 0..passes`, and compute the number from `k`",
             );
         }
-        let held = self.temporary("start", from);
+        let held = match from.kind {
+            ExprKind::Literal(_) => from,
+            _ => self.temporary("start", from),
+        };
         let intrinsic = |op, a: Expr, b: Expr| Expr {
             kind: ExprKind::Intrinsic(op, vec![a, b]),
             ty: ty.clone(),
@@ -120,9 +123,25 @@ impl Lowering<'_, '_> {
             ty: ty.clone(),
             span,
         };
+        // The last number that there may be is one more than those behind the steps.
+        let last = range.inclusive.then(|| self.temporary("last", to.clone()));
+        let to = last.clone().unwrap_or(to);
         let length = intrinsic(Intrinsic::SaturatingSub, to, held.clone());
         let length = self.temporary("length", length);
         let whole = binary(BinaryOp::Div, length.clone(), step.clone());
+        if let Some(last) = last {
+            let begins = ExprKind::Compare(CompareOp::Le, Box::new(held.clone()), Box::new(last));
+            let begins = Expr { kind: begins, ty: Type::BOOL, span };
+            let begins = Expr { kind: ExprKind::Cast(Box::new(begins)), ty: ty.clone(), span };
+            let begins = match held.kind {
+                ExprKind::Literal(0) => literal(1, &ty),
+                _ => begins,
+            };
+            // A step of at least 2 leaves room for it.
+            let passes = intrinsic(Intrinsic::WrappingAdd, whole, begins);
+            let passes = self.temporary("passes", passes);
+            return Ok(Steps { from: held, step, passes, constant: false });
+        }
         let rest = binary(BinaryOp::Rem, length, step.clone());
         let more = ExprKind::Compare(CompareOp::Ne, Box::new(rest), Box::new(literal(0, &ty)));
         let more = Expr { kind: more, ty: Type::BOOL, span };

@@ -308,6 +308,8 @@ pub enum ExprKind {
     Slice(Box<Expr>, Option<Box<Expr>>, Option<Box<Expr>>, bool),
     /// `array.iter().skip(n)`, `array.iter().take(n)`: as an array.
     Cut(Box<Expr>, Box<Cut>),
+    /// `a.iter().chain(b)`: the elements of one array, then those of the other.
+    Chain(Box<Expr>, Box<Expr>),
     /// `(a, b)`.
     Tuple(Vec<Expr>),
     /// `Name(a, b)`: a tuple struct or a variant; `None` has no parts.
@@ -418,6 +420,8 @@ pub enum Start {
     Product,
     /// A value.
     Value(Box<Expr>),
+    /// A value that the passes go on with, as long as what they give has one.
+    Tried(Box<Expr>),
     /// Nothing yet: each pass assigns an element.
     Elements,
 }
@@ -460,6 +464,9 @@ pub struct Closure {
 
 /// The slot of a name that no author wrote: its type is that of what it stands for.
 pub const NO_SLOT: u32 = u32::MAX;
+
+/// The variant that `?` goes on with, in a pattern: `Some`, or `Ok`.
+pub const GOES_ON: &str = "?";
 
 /// A pattern.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -313,7 +313,11 @@ fn data_enum(kind: Kind, it: &syn::ItemEnum, refusals: &mut Refusals) -> TokenSt
         let scope = Scope::of_type(&it.generics);
         let fields = it.variants.iter().map(|variant| &variant.fields);
         let bounds = scope.bounds(definition_bounds(scope, fields));
-        definition(&it.ident, scope, &bounds, &it.attrs, kind)
+        let ranks = !payload && !scope.is_generic() && derives("PartialOrd", &it.attrs);
+        let name = &it.ident;
+        let ranked = ranks.then(|| quote! { impl ::bessemer::generate::Ranked for #name {} });
+        let definition = definition(&it.ident, scope, &bounds, &it.attrs, kind);
+        quote! { #definition #ranked }
     });
     quote! { #plain #definition }
 }

@@ -8,7 +8,7 @@
 use proc_macro2::Span;
 use syn::visit_mut::{self, VisitMut};
 
-use crate::lower::{bound, by_rows, matching, sort, unroll};
+use crate::lower::{bound, by_rows, halving, matching, sort, unroll};
 
 /// The methods that the DSL owns: their result in the last bits, at ±0 or for NaN depends on the
 /// platform, or they do not exist without std.
@@ -122,9 +122,10 @@ impl VisitMut for Redirect {
             *expr = matrix;
         }
         if let syn::Expr::MethodCall(it) = expr
-            && let Some(sorted) = sort::sorted(it, sort::Leg::Native)
+            && let Some(call) =
+                sort::sorted(it, sort::Leg::Native).or_else(|| halving::searched(it))
         {
-            *expr = sorted;
+            *expr = call;
         }
         visit_mut::visit_expr_mut(self, expr);
         bound::count(expr);

@@ -60,6 +60,39 @@ impl<T: Value + Real> PartialCompareBuiltins for T {
     }
 }
 
+/// What has an order of its own: plain enums that derive that of their numbers, tuples and arrays.
+pub trait Ranked: Value {}
+
+impl<A: Value, B: Value> Ranked for (A, B) {}
+impl<A: Value, B: Value, C: Value> Ranked for (A, B, C) {}
+impl<A: Value, B: Value, C: Value, D: Value> Ranked for (A, B, C, D) {}
+impl<T: Value, const N: usize> Ranked for [T; N] {}
+
+/// What these have.
+pub trait RankedBuiltins: Sized {
+    fn __b_cmp(&self, other: &Self) -> told!([Self] => Ordering)
+    where
+        Self: Ord;
+    fn __b_partial_cmp(&self, other: &Self) -> told!([Self] => Option<Ordering>)
+    where
+        Self: PartialOrd;
+}
+
+impl<T: Ranked + Copy> RankedBuiltins for T {
+    fn __b_cmp(&self, other: &T) -> told!([T] => Ordering)
+    where
+        T: Ord,
+    {
+        comparison::compare::__call(*self, *other)
+    }
+    fn __b_partial_cmp(&self, other: &T) -> told!([T] => Option<Ordering>)
+    where
+        T: PartialOrd,
+    {
+        comparison::partial::__call(*self, *other)
+    }
+}
+
 /// What floats have.
 pub trait TotalCompareBuiltins: Sized {
     fn __b_total_cmp(&self, other: &Self) -> told!([Self] => Ordering);

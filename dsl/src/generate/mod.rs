@@ -28,6 +28,7 @@ pub use builder::{
     Builder, Callee, Generics, Named, Registered, Said, Witness, argument, data, field, folders,
     function, number, package, place, variant, words,
 };
+pub use comparison::Ranked;
 pub use inventory;
 pub use numbers::{FromBuiltin, TryFromBuiltin};
 pub use operators::OwnOperator;
@@ -48,7 +49,7 @@ pub mod prelude {
     pub use super::checked::{CheckedAbsBuiltin as _, CheckedBuiltins as _};
     pub use super::comparison::{
         CompareBuiltins as _, OrderingBuiltins as _, PartialCompareBuiltins as _,
-        TotalCompareBuiltins as _,
+        RankedBuiltins as _, TotalCompareBuiltins as _,
     };
     pub use super::elementary::ElementaryBuiltins as _;
     pub use super::factored::{

@@ -28,6 +28,7 @@ markers! {
     AsRef: "as_ref";
     AsMut: "option_as_mut";
     Xor: "option_xor";
+    Zip: "option_zip";
     Insert: "option_insert";
     GetOrInsert: "option_get_or_insert";
     GetOrInsertWith: "option_get_or_insert_with";
@@ -100,6 +101,9 @@ pub trait OptionBuiltins<T>: Sized {
         unreachable!()
     }
     fn __b_xor(self, _other: Option<T>) -> Called<Xor, Option<T>> {
+        unreachable!()
+    }
+    fn __b_zip<U>(self, _other: Option<U>) -> Called<Zip, Option<(T, U)>> {
         unreachable!()
     }
     fn __b_insert(&mut self, _value: T) -> Called<Insert, &mut T> {

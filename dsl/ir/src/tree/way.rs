@@ -38,6 +38,8 @@ pub enum Grouping {
     Whole,
     /// `.chunks(n)`: one behind the other, the last perhaps shorter.
     All,
+    /// `.step_by(n)`: the first of each, by itself.
+    First,
 }
 
 /// What takes the place of single elements.

@@ -4,20 +4,21 @@
 //! stays a chain, and the closures look at what they are given.
 
 use bessemer_ir::tree::{self, BinaryOp, ExprKind, Order, Start, UnaryOp};
-use quote::{format_ident, quote};
 use syn::spanned::Spanned;
 
 use super::closure::{closure_of, closure_parameter, plain};
-use super::each::{self, Source, Way};
+use super::each::{self, Way};
 use super::flow::{Flow, Item, Over, Step, Takes};
-use super::{Lowering, refuse, search, slot_name, text};
+use super::item::{is_wild, simple};
+use super::{Lowering, refuse, search, text};
 
 /// What a chain may end with, and how many arguments that takes.
-const ENDS: [(&str, usize); 14] = [
+const ENDS: [(&str, usize); 15] = [
     ("sum", 0),
     ("product", 0),
     ("count", 0),
     ("fold", 2),
+    ("try_fold", 2),
     ("any", 1),
     ("all", 1),
     ("min", 0),
@@ -40,7 +41,7 @@ impl Lowering<'_> {
         let node = it.method.clone();
         let before = self.refusals.len();
         if end != "nth" {
-            it.args.last_mut().into_iter().for_each(|it| in_full(it, end == "fold"));
+            it.args.last_mut().into_iter().for_each(|it| in_full(it, end.ends_with("fold")));
         }
         if search::ENDS.contains(&end.as_str()) {
             let kind = self.scoped(|walk| walk.search(it, &end));
@@ -54,12 +55,14 @@ impl Lowering<'_> {
                 "sum" => Start::Sum,
                 "product" => Start::Product,
                 "fold" => Start::Value(Box::new(walk.value(&mut it.args[0]))),
+                "try_fold" => Start::Tried(Box::new(walk.value(&mut it.args[0]))),
                 "count" => Start::Value(Box::new(plain(ExprKind::Int("0".into(), None), &node))),
                 end => Start::Value(Box::new(plain(ExprKind::Bool(end == "all"), &node))),
             };
             let mut flow = walk.flow(&mut it.receiver)?;
             let name = match end.as_str() {
                 "fold" => walk.accumulator(&it.args[1])?,
+                "try_fold" => walk.hidden("tried"),
                 "any" => walk.hidden("found"),
                 "all" => walk.hidden("every"),
                 other => walk.hidden(other),
@@ -84,7 +87,7 @@ impl Lowering<'_> {
         let kind = self.scoped(|walk| {
             let mut flow = walk.flow(&mut it.expr)?;
             let mut looks = Vec::new();
-            walk.name_item(&mut flow, (&it.pat, Takes::Items), &mut looks)?;
+            walk.name_item(&mut flow, (&mut it.pat, Takes::Items), &mut looks)?;
             let body = walk.branch(&mut it.body, false);
             it.body.stmts.splice(0..0, looks);
             let last = tree::Stmt::Expr(plain(ExprKind::Block(body), &it.for_token));
@@ -96,11 +99,34 @@ impl Lowering<'_> {
         kind
     }
 
-    /// The name of what `fold` gathers.
+    /// The name of what `fold` gathers; one of its own where the author takes it apart.
     fn accumulator(&mut self, argument: &syn::Expr) -> Option<String> {
         let syn::Expr::Closure(closure) = argument else { return None };
-        let name = closure_parameter(closure.inputs.first()?)?;
-        Some(self.bind_apart(&text(&name)))
+        Some(match closure_parameter(closure.inputs.first()?) {
+            Some(name) => self.bind_apart(&text(&name)),
+            None => self.hidden("gathered"),
+        })
+    }
+
+    /// A pass of `fold` or `try_fold`: what comes of what was gathered so far and of the item.
+    fn taken_further(
+        &mut self,
+        flow: &mut Flow,
+        closure: &mut syn::ExprClosure,
+        name: &str,
+        tries: bool,
+    ) -> Option<tree::Expr> {
+        let (pattern, mut looks) = (closure.inputs.first()?.clone(), Vec::new());
+        if tries || closure_parameter(&pattern).is_none() {
+            let value = plain(ExprKind::Local(name.to_owned()), &pattern);
+            let mut taken = self.pattern_apart(&pattern, &mut looks);
+            if tries {
+                taken = tree::Pattern::Constructor(tree::GOES_ON.into(), vec![taken]);
+            }
+            let (site, pattern, otherwise) = (value.site, Box::new(taken), None);
+            flow.steps.push(Step::Do(tree::Stmt::Apart { pattern, value, otherwise, site }));
+        }
+        self.through_with(flow, closure, (1, Takes::Items), looks)
     }
 
     /// What the last link does in each pass.
@@ -125,8 +151,19 @@ impl Lowering<'_> {
             "count" => assign(Some(BinaryOp::Add), plain(ExprKind::Int("1".into(), None), &node)),
             "fold" => {
                 let closure = closure_of(it.args.get_mut(1)?)?;
-                let value = self.through(flow, closure, (1, Takes::Items))?;
+                let value = self.taken_further(flow, closure, name, false)?;
                 assign(None, value)
+            }
+            "try_fold" => {
+                let closure = closure_of(it.args.get_mut(1)?)?;
+                let value = self.taken_further(flow, closure, name, true)?;
+                flow.steps.push(Step::Do(assign(None, value)));
+                let pattern =
+                    tree::Pattern::Constructor(tree::GOES_ON.into(), vec![tree::Pattern::Any]);
+                let stop = tree::Stmt::Expr(plain(ExprKind::Break(None, None), &node));
+                let otherwise = Some(tree::Block { stmts: vec![stop], tail: None });
+                let (pattern, value) = (Box::new(pattern), *gathered());
+                tree::Stmt::Apart { pattern, site: value.site, value, otherwise }
             }
             end => {
                 let closure = closure_of(it.args.get_mut(0)?)?;
@@ -258,150 +295,15 @@ impl Lowering<'_> {
         (at, takes): (usize, Takes),
         mut looks: Vec<syn::Stmt>,
     ) -> Option<tree::Expr> {
-        let pattern = closure.inputs.iter().nth(at)?.clone();
+        let pattern = closure.inputs.iter_mut().nth(at)?;
         let before = self.scopes.last().map_or(0, Vec::len);
-        self.name_item(flow, (&pattern, takes), &mut looks)?;
+        self.name_item(flow, (pattern, takes), &mut looks)?;
         let body = self.closure_body(closure, looks);
         // The next closure sees the names of the function, not those of this one.
         for (name, _) in self.scopes.last_mut()?.iter_mut().skip(before) {
             name.clear();
         }
         Some(body)
-    }
-
-    pub(super) fn name_item(
-        &mut self,
-        flow: &mut Flow,
-        (pattern, takes): (&syn::Pat, Takes),
-        looks: &mut Vec<syn::Stmt>,
-    ) -> Option<()> {
-        let name = simple(pattern);
-        let item = std::mem::replace(&mut flow.item, Item::Taken);
-        flow.item = match (item, &mut flow.over) {
-            (Item::Source(source), Over::Each { index, parts, indexed, .. }) => {
-                let elements = match (*indexed, pattern) {
-                    (false, pattern) => pattern,
-                    (true, syn::Pat::Tuple(pair)) if pair.elems.len() == 2 => {
-                        if !matches!(pair.elems[0], syn::Pat::Wild(_)) {
-                            *index = Some(self.bind_apart(&text(&simple(&pair.elems[0])?)));
-                        }
-                        &pair.elems[1]
-                    }
-                    _ => return None,
-                };
-                self.apart = true;
-                self.elements(elements, source, parts, looks);
-                self.apart = false;
-                match parts.as_slice() {
-                    [part] if !*indexed => {
-                        named_by(part).map_or(Item::Taken, |(name, _)| Item::Named(name.clone()))
-                    }
-                    _ => Item::Taken,
-                }
-            }
-            (Item::Number, Over::Range(_, variable)) => {
-                let name = name?;
-                let slot = self.slot();
-                // In the tree the name is the number, also where the closure is lent it.
-                let lent = takes == Takes::References && !is_reference(pattern);
-                looks.push(if lent {
-                    self.look_behind(slot, &name)
-                } else {
-                    self.look(slot, &name)
-                });
-                let in_tree = self.bind_apart(&text(&name));
-                *variable = Some((in_tree.clone(), slot));
-                Item::Named(in_tree)
-            }
-            (Item::Named(known), _) => {
-                self.bind_as(&text(&name?), &known);
-                Item::Named(known)
-            }
-            (Item::Value(value), _) => {
-                let (name, slot, site) = (text(&name?), value.slot?, value.site);
-                let in_tree = self.bind_apart(&name);
-                let value = Some(value);
-                let stmt = tree::Stmt::Let { name: in_tree.clone(), slot, value, site };
-                flow.steps.push(Step::Do(stmt));
-                Item::Named(in_tree)
-            }
-            (item @ (Item::Optional(_) | Item::Leading(_)), _) => {
-                let leading = matches!(item, Item::Leading(_));
-                let (Item::Optional(value) | Item::Leading(value)) = item else { return None };
-                self.apart = true;
-                let inner = self.pattern(pattern, looks);
-                self.apart = false;
-                let named = match &inner {
-                    tree::Pattern::Name { name, inner: None, .. } => Item::Named(name.clone()),
-                    _ => Item::Taken,
-                };
-                let there = there(inner, value);
-                flow.steps.push(if leading { Step::WhileLet(there) } else { Step::If(there) });
-                named
-            }
-            _ => return None,
-        };
-        Some(())
-    }
-
-    /// A name for what is in an `Option` that flows out of a chain, and the slot of its type.
-    pub(super) fn optional_name(
-        &mut self,
-        flow: &mut Flow,
-        (value, leading): (tree::Expr, bool),
-        receiver: &mut syn::Expr,
-    ) -> (String, u32) {
-        let (name, slot) = (self.hidden("value"), self.slot());
-        let inner = tree::Pattern::Name { name: name.clone(), slot, mutable: false, inner: None };
-        let there = there(inner, value);
-        flow.steps.push(if leading { Step::WhileLet(there) } else { Step::If(there) });
-        let (slot_name, chain) = (slot_name(slot), &*receiver);
-        *receiver =
-            syn::Expr::Verbatim(quote! { #chain.inspect(|__item| __look(&#slot_name, __item)) });
-        (name, slot)
-    }
-
-    /// What flows out of a chain, as a value.
-    pub(super) fn item_value(
-        &mut self,
-        flow: &mut Flow,
-        receiver: &mut syn::Expr,
-    ) -> Option<tree::Expr> {
-        let named = |name: String, node: &syn::Expr| plain(ExprKind::Local(name), node);
-        match std::mem::replace(&mut flow.item, Item::Taken) {
-            Item::Value(value) => Some(value),
-            Item::Optional(value) => {
-                let (name, _) = self.optional_name(flow, (value, false), receiver);
-                Some(named(name, receiver))
-            }
-            Item::Leading(value) => {
-                let (name, _) = self.optional_name(flow, (value, true), receiver);
-                Some(named(name, receiver))
-            }
-            Item::Named(name) => Some(named(name, receiver)),
-            item @ (Item::Source(Source::One { .. }) | Item::Number) => {
-                if matches!(flow.over, Over::Each { indexed: true, .. }) {
-                    return None;
-                }
-                flow.item = item;
-                // The author has no name for it; a look on the way tells its type.
-                let name = format_ident!("value");
-                let pattern = syn::parse_quote!(#name);
-                self.name_item(flow, (&pattern, Takes::Items), &mut Vec::new())?;
-                let slot = match &flow.over {
-                    Over::Range(_, variable) => variable.as_ref()?.1,
-                    Over::Each { parts, .. } => named_by(parts.first()?)?.1,
-                };
-                let (slot, chain) = (slot_name(slot), &*receiver);
-                *receiver =
-                    syn::Expr::Verbatim(quote! { #chain.inspect(|__item| __look(&#slot, __item)) });
-                match &flow.item {
-                    Item::Named(name) => Some(named(name.clone(), receiver)),
-                    _ => None,
-                }
-            }
-            _ => None,
-        }
     }
 
     /// `core::array::from_fn(|i| …)`.
@@ -414,10 +316,15 @@ impl Lowering<'_> {
         }
         let closure = closure_of(&mut it.args[0])?;
         self.scoped(|walk| {
-            let pattern = simple(closure.inputs.first()?)?;
-            let slot = walk.slot();
-            let looks = vec![walk.look(slot, &pattern)];
-            let index = walk.bind_apart(&text(&pattern));
+            let pattern = closure.inputs.first()?;
+            let (index, looks) = match simple(pattern) {
+                Some(name) => {
+                    let slot = walk.slot();
+                    (walk.bind_apart(&text(&name)), vec![walk.look(slot, &name)])
+                }
+                None if is_wild(pattern) => (walk.hidden("i"), Vec::new()),
+                None => return None,
+            };
             let value = walk.closure_body(closure, looks);
             let name = walk.hidden("elements");
             let local = |name: &str| Box::new(plain(ExprKind::Local(name.to_owned()), &last));
@@ -443,7 +350,7 @@ impl Lowering<'_> {
 }
 
 /// `let Some(pattern) = value`, as a condition.
-fn there(pattern: tree::Pattern, value: tree::Expr) -> tree::Expr {
+pub(super) fn there(pattern: tree::Pattern, value: tree::Expr) -> tree::Expr {
     let (site, pattern) = (value.site, tree::Pattern::Constructor("Some".into(), vec![pattern]));
     let kind = ExprKind::Let(Box::new(pattern), Box::new(value));
     tree::Expr { kind, site, slot: None }
@@ -468,23 +375,6 @@ pub(super) fn named_by(part: &tree::Part) -> Option<(&String, u32)> {
     }
 }
 
-/// The name in a pattern, behind any number of `&`.
-fn simple(pattern: &syn::Pat) -> Option<syn::Ident> {
-    match pattern {
-        syn::Pat::Reference(it) => simple(&it.pat),
-        other => closure_parameter(other),
-    }
-}
-
-/// Whether a pattern takes a reference apart, `&x`.
-fn is_reference(pattern: &syn::Pat) -> bool {
-    match pattern {
-        syn::Pat::Reference(_) => true,
-        syn::Pat::Paren(it) => is_reference(&it.pat),
-        _ => false,
-    }
-}
-
 /// Whether an expression is an iterator, as far as its syntax shows.
 pub(super) fn is_iterator(expr: &syn::Expr) -> bool {
     match expr {
@@ -496,7 +386,7 @@ pub(super) fn is_iterator(expr: &syn::Expr) -> bool {
             ("flatten", 0) => is_iterator(&it.receiver),
             (
                 "map" | "map_while" | "filter" | "filter_map" | "take_while" | "skip_while" | "zip"
-                | "step_by" | "take" | "skip",
+                | "chain" | "step_by" | "take" | "skip",
                 1,
             )
             | ("scan", 2) => is_iterator(&it.receiver),

@@ -24,8 +24,8 @@ const TAKES_VALUE: [(&str, usize); 6] = [
 pub struct Closure {
     /// Its name in the tree.
     name: String,
-    /// Names in the tree of its parameters, each with its type.
-    parameters: Vec<(String, u32)>,
+    /// Its parameters; their names are those in the tree.
+    parameters: Vec<tree::Pattern>,
     body: tree::Expr,
     /// The names that its body uses, and how often each was bound before.
     uses: Vec<(usize, String)>,
@@ -45,7 +45,9 @@ impl Lowering<'_> {
             let mut looks = Vec::new();
             for input in &closure.inputs {
                 let Some(name) = closure_parameter(input) else {
-                    walk.refusals.add(input.span(), refuse::CLOSURE_PARAMETERS);
+                    let outer = walk.apart.replace("%");
+                    parameters.push(walk.pattern(input, &mut looks));
+                    walk.apart = outer;
                     continue;
                 };
                 let slot = walk.slot();
@@ -54,7 +56,8 @@ impl Lowering<'_> {
                 // Marked, so that an argument never means the parameter of another.
                 let in_tree = walk.bind_apart(&name);
                 walk.bind_as(&name, &format!("{in_tree}%"));
-                parameters.push((format!("{in_tree}%"), slot));
+                let name = format!("{in_tree}%");
+                parameters.push(tree::Pattern::Name { name, slot, mutable: false, inner: None });
             }
             walk.closure_body(closure, looks)
         });
@@ -80,11 +83,18 @@ impl Lowering<'_> {
         let closure = self.closure_named(name)?;
         let shadowed = self.is_shadowed(closure);
         let parameters = closure.parameters.iter().zip(arguments);
-        let stmts = parameters.map(|((name, slot), argument)| tree::Stmt::Let {
-            name: name.clone(),
-            slot: *slot,
-            value: Some(argument.clone()),
-            site: argument.site,
+        let stmts = parameters.map(|(parameter, argument)| {
+            let (value, site) = (argument.clone(), argument.site);
+            match parameter {
+                tree::Pattern::Name { name, slot, inner: None, .. } => {
+                    let (name, slot, value) = (name.clone(), *slot, Some(value));
+                    tree::Stmt::Let { name, slot, value, site }
+                }
+                pattern => {
+                    let (pattern, otherwise) = (Box::new(pattern.clone()), None);
+                    tree::Stmt::Apart { pattern, value, otherwise, site }
+                }
+            }
         });
         let stmts = stmts.collect();
         let block = tree::Block { stmts, tail: Some(Box::new(closure.body.clone())) };
@@ -143,13 +153,7 @@ impl Lowering<'_> {
         if self.is_shadowed(closure) {
             self.refusals.add(span, refuse::CLOSURE_SHADOWED);
         }
-        let parameters = parameters.into_iter().map(|(name, slot)| tree::Pattern::Name {
-            name,
-            slot,
-            mutable: false,
-            inner: None,
-        });
-        let (parameters, body) = (parameters.collect(), Box::new(body));
+        let body = Box::new(body);
         Some(ExprKind::Closure(tree::Closure { name: Some(name.to_owned()), parameters, body }))
     }
 

@@ -58,7 +58,11 @@ impl Lowering<'_> {
     }
 
     pub(super) fn match_expr(&mut self, it: &mut syn::ExprMatch, value: bool) -> ExprKind {
-        let scrutinee = self.whole(&mut it.expr);
+        let named = it.arms.iter().any(|arm| names_the_whole(&arm.pat));
+        let scrutinee = match named {
+            true => self.value(&mut it.expr),
+            false => self.whole(&mut it.expr),
+        };
         let mut arms = Vec::new();
         for arm in &mut it.arms {
             let site = site(&arm.pat);
@@ -191,6 +195,19 @@ fn has_let(expr: &syn::Expr) -> bool {
     match expr {
         syn::Expr::Let(_) => true,
         syn::Expr::Binary(it) => has_let(&it.left) || has_let(&it.right),
+        _ => false,
+    }
+}
+
+/// Whether a pattern has a name for all that is matched.
+fn names_the_whole(pattern: &syn::Pat) -> bool {
+    match pattern {
+        syn::Pat::Ident(it) => {
+            it.subpat.is_some() || it.ident.to_string().starts_with(|it: char| it.is_lowercase())
+        }
+        syn::Pat::Paren(it) => names_the_whole(&it.pat),
+        syn::Pat::Guard(it) => names_the_whole(&it.pat),
+        syn::Pat::Or(it) => it.cases.iter().any(names_the_whole),
         _ => false,
     }
 }

@@ -5,6 +5,7 @@
 use bessemer_ir::tree::{self, ExprKind, Order};
 use syn::spanned::Spanned;
 
+use super::rewrite::gives_references;
 use super::{Lowering, refuse, site, text};
 
 /// What a loop goes through.
@@ -117,7 +118,10 @@ impl Lowering<'_> {
         match way.source {
             // An index behind it begins anew.
             Source::One { array, owned, group: None, reversed: false }
-                if !way.indexed && way.order == Order::Up && way.cuts.is_empty() =>
+                if !matches!(array.kind, ExprKind::Chain(..))
+                    && !way.indexed
+                    && way.order == Order::Up
+                    && way.cuts.is_empty() =>
             {
                 let kind = ExprKind::Cut(array, Box::new(cut));
                 let array = Box::new(tree::Expr { kind, site: place, slot: None });
@@ -164,6 +168,24 @@ impl Lowering<'_> {
                     }
                 }
             }
+            syn::Expr::MethodCall(it) if it.method == "chain" && it.args.len() == 1 => {
+                self.chained(it)
+            }
+            syn::Expr::MethodCall(it) if it.method == "step_by" && it.args.len() == 1 => {
+                match self.source(&mut it.receiver) {
+                    Source::One { array, owned, group: None, reversed }
+                        if !matches!(array.kind, ExprKind::Chain(..)) =>
+                    {
+                        let way = tree::Grouping::First;
+                        let group = Some(tree::Group { way, size: self.value(&mut it.args[0]) });
+                        Source::One { array, owned, group, reversed }
+                    }
+                    other => {
+                        self.refusals.add(it.method.span(), refuse::ITERATOR);
+                        other
+                    }
+                }
+            }
             syn::Expr::MethodCall(it) if grouping(&it.method).is_some() && it.args.len() == 1 => {
                 let array = Box::new(self.value(&mut it.receiver));
                 let (way, size) = (grouping(&it.method), self.value(&mut it.args[0]));
@@ -181,6 +203,27 @@ impl Lowering<'_> {
                 let owned = !matches!(other, syn::Expr::Reference(_));
                 let array = Box::new(self.value(other));
                 Source::One { array, owned, group: None, reversed: false }
+            }
+        }
+    }
+
+    /// `a.iter().chain(b)`, of elements that are read.
+    fn chained(&mut self, it: &mut syn::ExprMethodCall) -> Source {
+        let reads = !writes(&it.receiver) && !writes(&it.args[0]) && !is_range(&it.args[0]);
+        // What stands beside references is one, whatever it is called.
+        let lent = gives_references(&it.receiver);
+        match (self.source(&mut it.receiver), self.source(&mut it.args[0])) {
+            (
+                Source::One { array: one, owned: false, group: None, reversed: false },
+                Source::One { array: other, owned, group: None, reversed: false },
+            ) if reads && (lent || !owned) => {
+                let (kind, site) = (ExprKind::Chain(one, other), site(&it.method));
+                let array = Box::new(tree::Expr { kind, site, slot: None });
+                Source::One { array, owned: false, group: None, reversed: false }
+            }
+            (other, _) => {
+                self.refusals.add(it.method.span(), refuse::CHAINED);
+                other
             }
         }
     }
@@ -221,6 +264,16 @@ fn is_cut(call: &syn::ExprMethodCall) -> bool {
 
 fn is_adaptor(method: &syn::Ident) -> bool {
     ["iter", "iter_mut", "into_iter", "copied", "cloned"].iter().any(|name| method == name)
+}
+
+/// Whether the elements that an iterator gives are written, as far as its syntax shows.
+fn writes(expr: &syn::Expr) -> bool {
+    match expr {
+        syn::Expr::Paren(it) => writes(&it.expr),
+        syn::Expr::Reference(it) => it.mutability.is_some(),
+        syn::Expr::MethodCall(it) => it.method == "iter_mut" || writes(&it.receiver),
+        _ => false,
+    }
 }
 
 /// Whether a loop counts through a range.

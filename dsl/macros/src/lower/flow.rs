@@ -51,6 +51,8 @@ pub(super) enum Item {
     Number,
     /// A local.
     Named(String),
+    /// Two that have names.
+    Pair(Box<Item>, Box<Item>),
     /// A value.
     Value(tree::Expr),
     /// What is in this, if anything is.

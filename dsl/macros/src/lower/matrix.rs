@@ -105,13 +105,13 @@ impl Lowering<'_> {
         if closure.inputs.len() != from + arrays.len() {
             return None;
         }
-        self.apart = true;
+        self.apart = Some("");
         for (pattern, array) in closure.inputs.iter().skip(from).zip(arrays) {
             let source =
                 Source::One { array: Box::new(array), owned: true, group: None, reversed: false };
             self.elements(pattern, source, &mut parts, looks);
         }
-        self.apart = false;
+        self.apart = None;
         Some(parts)
     }
 

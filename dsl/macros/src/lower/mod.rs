@@ -17,6 +17,8 @@ mod control;
 mod each;
 mod expr;
 mod flow;
+pub mod halving;
+mod item;
 mod macros;
 mod matrix;
 mod operator;
@@ -54,8 +56,8 @@ pub struct Lowering<'a> {
     closures: Vec<closure::Closure>,
     /// The parameters that take closures.
     pub called: Vec<String>,
-    /// Whether patterns are those of a closure, whose names are kept apart from those around it.
-    apart: bool,
+    /// Whether patterns are those of a closure, whose names are kept apart from those around it, with this mark.
+    apart: Option<&'static str>,
     slots: u32,
     callees: u32,
     /// The operators, which may be functions of a type that the library knows.
@@ -109,7 +111,7 @@ impl<'a> Lowering<'a> {
             scopes: vec![Vec::new()],
             closures: Vec::new(),
             called: Vec::new(),
-            apart: false,
+            apart: None,
             slots: 0,
             callees: 0,
             operators: Vec::new(),

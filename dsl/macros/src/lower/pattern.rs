@@ -147,11 +147,16 @@ impl Lowering<'_> {
         }
         let inner = it.subpat.as_ref().map(|(_, inner)| Box::new(self.pattern(inner, looks)));
         let slot = self.slot();
-        let name = if self.apart {
-            self.bind_apart(&text(&it.ident))
-        } else {
-            self.bind(&text(&it.ident));
-            text(&it.ident)
+        let name = match self.apart {
+            Some(mark) => {
+                let name = self.bind_apart(&text(&it.ident)) + mark;
+                self.bind_as(&text(&it.ident), &name);
+                name
+            }
+            None => {
+                self.bind(&text(&it.ident));
+                text(&it.ident)
+            }
         };
         looks.push(self.look_at_bound(slot, &it.ident));
         tree::Pattern::Name { name, slot, mutable: it.mutability.is_some(), inner }

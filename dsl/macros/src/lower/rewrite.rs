@@ -11,7 +11,7 @@ use syn::parse_quote;
 
 use super::closure::names;
 use super::sort::{self, Leg};
-use super::{Lowering, chain, refuse, text};
+use super::{Lowering, chain, halving, refuse, text};
 
 impl Lowering<'_> {
     /// What an expression stands for; none if for itself.
@@ -40,6 +40,8 @@ impl Lowering<'_> {
                 sorted
             }
             ("sort_by_key" | "sort_unstable_by_key", 1) => sort::sorted(it, Leg::Tree),
+            ("partition_point" | "binary_search" | "binary_search_by", 1)
+            | ("binary_search_by_key", 2) => halving::searched(it),
             ("retain", 1) => self.retained(it),
             _ => None,
         }
@@ -51,24 +53,30 @@ impl Lowering<'_> {
         let syn::Expr::Path(function) = &*it.func else { return None };
         let names: Vec<_> = function.path.segments.iter().map(|part| text(&part.ident)).collect();
         let names: Vec<_> = names.iter().map(String::as_str).collect();
-        let ["core" | "std", "mem", name] = names.as_slice() else { return None };
+        let (["core" | "std", "mem", name] | ["mem", name]) = names.as_slice() else { return None };
         let arguments: Vec<_> = it.args.iter().collect();
         let whole = syn::Expr::Call(it.clone());
         let kept = self.fresh_in("kept", &whole);
         match (*name, arguments.as_slice()) {
             ("swap", [one, other]) => {
-                let (one, other) = (lent(one)?, lent(other)?);
-                Some(parse_quote! { { let #kept = #one; #one = #other; #other = #kept; } })
+                let [one_name, other_name] = ["one", "other"].map(|it| self.fresh_in(it, &whole));
+                let ((first, one), (second, other)) =
+                    (lent(one, &one_name)?, lent(other, &other_name)?);
+                Some(parse_quote! {
+                    { #first #second let #kept = #one; #one = #other; #other = #kept; }
+                })
             }
             ("take", [place]) => {
-                let place = lent(place)?;
+                let (named, place) = lent(place, &self.fresh_in("place", &whole))?;
                 let default: syn::Expr = parse_quote! { Default::default() };
-                Some(parse_quote! { { let #kept = #place; #place = #default; #kept } })
+                Some(parse_quote! { { #named let #kept = #place; #place = #default; #kept } })
             }
             ("replace", [place, value]) => {
-                let place = lent(place)?;
+                let (named, place) = lent(place, &self.fresh_in("place", &whole))?;
                 if is_plain(value) {
-                    return Some(parse_quote! { { let #kept = #place; #place = #value; #kept } });
+                    return Some(parse_quote! {
+                        { #named let #kept = #place; #place = #value; #kept }
+                    });
                 }
                 if moves(value, &place) {
                     return None;
@@ -76,7 +84,7 @@ impl Lowering<'_> {
                 let next = self.fresh_in("next", &whole);
                 // The place is chosen before the value is computed, and either may fault.
                 Some(parse_quote! {
-                    { let #kept = #place; let #next = #value; #place = #next; #kept }
+                    { #named let #kept = #place; let #next = #value; #place = #next; #kept }
                 })
             }
             _ => None,
@@ -365,12 +373,12 @@ fn gives_pairs(expr: &syn::Expr) -> bool {
 }
 
 /// Whether an iterator gives references, as far as its syntax shows.
-fn gives_references(expr: &syn::Expr) -> bool {
+pub(super) fn gives_references(expr: &syn::Expr) -> bool {
     match bare(expr) {
         syn::Expr::Reference(_) => true,
         syn::Expr::MethodCall(it) => match text(&it.method).as_str() {
             "iter" => true,
-            "rev" | "skip" | "take" | "filter" | "take_while" | "skip_while" => {
+            "chain" | "rev" | "skip" | "take" | "filter" | "take_while" | "skip_while" => {
                 gives_references(&it.receiver)
             }
             _ => false,
@@ -478,13 +486,15 @@ fn copied_within(it: &syn::ExprMethodCall) -> Option<syn::Expr> {
     })
 }
 
-/// The place that `&mut place`, or a name for one, lends; none if it may not be written twice.
-fn lent(expr: &syn::Expr) -> Option<syn::Expr> {
+/// The place that `&mut place`, or a name for one, lends; behind a `let` of `name` where it may not be written twice.
+fn lent(expr: &syn::Expr, name: &syn::Ident) -> Option<(Option<syn::Stmt>, syn::Expr)> {
     match bare(expr) {
-        syn::Expr::Reference(it) => {
-            (it.mutability.is_some() && is_place(&it.expr)).then(|| (*it.expr).clone())
+        syn::Expr::Reference(it) if it.mutability.is_none() => None,
+        syn::Expr::Reference(it) if is_place(&it.expr) => Some((None, (*it.expr).clone())),
+        reference @ syn::Expr::Reference(_) => {
+            Some((Some(parse_quote! { let #name = #reference; }), parse_quote! { *#name }))
         }
-        syn::Expr::Path(it) => Some(parse_quote! { *#it }),
+        syn::Expr::Path(it) => Some((None, parse_quote! { *#it })),
         _ => None,
     }
 }

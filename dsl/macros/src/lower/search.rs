@@ -48,8 +48,8 @@ impl Lowering<'_> {
             "find" => {
                 let closure = closure_of(it.args.get_mut(0)?)?;
                 let condition = self.through(&mut flow, closure, (0, Takes::References))?;
-                let Item::Named(item) = &flow.item else { return None };
-                when(condition, block(vec![told(local(item)), stop]), None)
+                let item = Self::named_value(&flow.item, &node)?;
+                when(condition, block(vec![told(item), stop]), None)
             }
             end => {
                 let (item, slot) = self.item_name(&mut flow, it)?;

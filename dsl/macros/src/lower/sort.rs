@@ -27,7 +27,9 @@ pub fn sorted(it: &syn::ExprMethodCall, leg: Leg) -> Option<syn::Expr> {
         _ => return None,
     };
     let values = &it.receiver;
-    Some(parse_quote! { ::bessemer::sort::sort_by(&mut #values[..], #below) })
+    let span = it.method.span();
+    let values: syn::Expr = syn::parse_quote_spanned! { span => &mut #values[..] };
+    Some(parse_quote! { ::bessemer::sort::sort_by(#values, #below) })
 }
 
 /// Whether a call sorts by a closure, known or not.
@@ -71,7 +73,7 @@ fn by_key(closure: &syn::ExprClosure, leg: Leg) -> syn::Expr {
             let (#one, #other) = ({ let #pattern = #one; #key }, { let #pattern = #other; #key });
             ::core::cmp::Ord::cmp(&#one, &#other).is_lt()
         } },
-        Leg::Tree => parse_quote! {
+        Leg::Tree => syn::parse_quote_spanned! { key.span() =>
             |#one, #other| { let #pattern = #one; #key } < { let #pattern = #other; #key }
         },
     }

@@ -1,6 +1,7 @@
 //! `core::mem::swap` and `core::mem::replace` are assignments in the C.
 
 use bessemer::prelude::*;
+use core::mem;
 
 /// Limits of a range.
 #[data]
@@ -21,7 +22,7 @@ pub fn put_in_order(limits: &mut Limits) {
 /// Exchanges two buffers.
 #[function]
 pub fn flip(front: &mut [u8; 6], back: &mut [u8; 6]) {
-    core::mem::swap(front, back);
+    mem::swap(front, back);
 }
 
 /// How far a signal has moved since the last call.
@@ -34,4 +35,10 @@ pub fn moved(last: &mut f64, now: f64) -> f64 {
 #[function]
 pub fn noted(note: &mut Option<Limits>) -> Option<Limits> {
     core::mem::replace(note, None)
+}
+
+/// Puts a sample where the oldest one stands, and gives that.
+#[function]
+pub fn oldest(ring: &mut [f32; 4], count: usize, sample: f32) -> f32 {
+    mem::replace(&mut ring[count % 4], sample)
 }

@@ -31,3 +31,9 @@ pub fn chosen(one: Option<f32>, other: Option<f32>, low: f32, high: f32) -> f32 
 pub fn duty(command: Option<u8>) -> f32 {
     command.map_or(0.0, |percent| f32::from(percent.min(100)) / 100.0)
 }
+
+/// Both readings, if both are there.
+#[function]
+pub fn both(position: Option<f64>, speed: Option<f64>) -> Option<(f64, f64)> {
+    position.zip(speed)
+}

@@ -1,0 +1,74 @@
+//! `<` of tuples and arrays: the first parts that differ decide.
+//!
+//! A NaN among these parts makes each comparison false, as in Rust: it neither comes first nor is it equal.
+
+use bessemer_ir::tree::{BinaryOp as Op, Site};
+use bessemer_ir::{Expr, LogicOp, Place, Step, StructId, Type};
+
+use super::equal::number;
+use super::function::{Lowering, is_literal};
+use super::pattern::{inside, load, logic};
+
+use super::{Result, problem};
+
+/// An array of more elements is not written out.
+const MOST: u32 = 8;
+
+impl Lowering<'_, '_> {
+    /// `left < right` and the like of two values of several words.
+    pub(super) fn lexical(&mut self, op: Op, left: Expr, right: Expr, site: Site) -> Result<Expr> {
+        let mut left = self.hold(left, site)?;
+        let mut right = self.hold(right, site)?;
+        for place in [&mut left, &mut right] {
+            self.keep_indices(place, |index| !is_literal(index));
+        }
+        let Some(steps) = self.steps_to_parts(&left.ty, &left) else {
+            return problem(
+                site,
+                "this has no order in the DSL",
+                "compare parts; tuples have an order, arrays of up to 8 elements, and plain enums that derive it",
+            );
+        };
+        let strict = match op {
+            Op::Le => Op::Lt,
+            Op::Ge => Op::Gt,
+            op => op,
+        };
+        let mut decided: Option<Expr> = None;
+        for (step, ty) in steps.into_iter().rev() {
+            let [one, other] =
+                [&left, &right].map(|whole| load(&inside(whole, step.clone(), ty.clone())));
+            decided = Some(match decided {
+                None => self.binary_node(op, one, other, site)?,
+                Some(rest) => {
+                    let first = self.binary_node(strict, one.clone(), other.clone(), site)?;
+                    let same = self.binary_node(Op::Eq, one, other, site)?;
+                    logic(LogicOp::Or, first, logic(LogicOp::And, same, rest))
+                }
+            });
+        }
+        match decided {
+            Some(decided) => Ok(decided),
+            None => problem(site, "what is empty has no order in the DSL", "leave it out"),
+        }
+    }
+
+    /// The way to each part, and its type; none if the whole has no order part by part.
+    fn steps_to_parts(&self, ty: &Type, place: &Place) -> Option<Vec<(Step, Type)>> {
+        match ty {
+            Type::Struct(id) if self.is_tuple(*id) => {
+                let fields = self.cx.module.structs[id.index()].fields.iter();
+                Some((0..).zip(fields).map(|(at, it)| (Step::Field(at), it.ty.clone())).collect())
+            }
+            Type::Array { element, len } if *len <= MOST => {
+                let step = |at: u32| Step::Index(number(u64::from(at), place.span));
+                Some((0..*len).map(|at| (step(at), (**element).clone())).collect())
+            }
+            _ => None,
+        }
+    }
+
+    fn is_tuple(&self, id: StructId) -> bool {
+        self.cx.shown.contains_key(&id) && !self.cx.cases.contains_key(&id)
+    }
+}

@@ -1,0 +1,91 @@
+//! Searching in what is sorted, written in the DSL itself: of equal elements core does not say which one it finds.
+//!
+//! By halving: of n elements at most log₂ n + 1 are looked at.
+
+use core::cmp::Ordering;
+
+use crate::function;
+
+/// The index of an element that is `Equal`, or where one would have to be put in.
+///
+/// # Errors
+/// That index, if no element is `Equal`.
+#[function]
+pub fn binary_search_by<T: Copy, F: Fn(&T) -> Ordering>(
+    values: &[T],
+    order: F,
+) -> Result<usize, usize> {
+    let mut from = 0_usize;
+    let mut left = values.len();
+    // No more can be halved than there are bits.
+    for _ in 0..64 {
+        let middle = from.wrapping_add(left / 2);
+        if left == 0 || middle >= values.len() {
+            break;
+        }
+        match order(&values[middle]) {
+            Ordering::Equal => return Ok(middle),
+            Ordering::Less => {
+                from = middle.wrapping_add(1);
+                left = left.wrapping_sub(left / 2).wrapping_sub(1);
+            }
+            Ordering::Greater => left /= 2,
+        }
+    }
+    Err(from)
+}
+
+/// The index of an element that is `wanted`, or where it would have to be put in.
+///
+/// # Errors
+/// That index, if no element is `wanted`.
+#[function]
+pub fn binary_search<T: Copy + Ord>(values: &[T], wanted: T) -> Result<usize, usize> {
+    let from = partition_point(values, |value| *value < wanted);
+    if from < values.len() && values[from] == wanted { Ok(from) } else { Err(from) }
+}
+
+/// The index of the first element that is not among the first ones.
+#[function]
+pub fn partition_point<T: Copy, F: Fn(&T) -> bool>(values: &[T], is_first: F) -> usize {
+    let mut from = 0_usize;
+    let mut left = values.len();
+    for _ in 0..64 {
+        let middle = from.wrapping_add(left / 2);
+        if left == 0 || middle >= values.len() {
+            break;
+        }
+        if is_first(&values[middle]) {
+            from = middle.wrapping_add(1);
+            left = left.wrapping_sub(left / 2).wrapping_sub(1);
+        } else {
+            left /= 2;
+        }
+    }
+    from
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_core_finds_is_found() {
+        let values = [1, 4, 5, 9, 12, 20, 31];
+        for length in 0..=values.len() {
+            for wanted in 0..40 {
+                let part = &values[..length];
+                let found = part.binary_search(&wanted);
+                assert_eq!(binary_search(part, wanted), found, "{length} {wanted}");
+                assert_eq!(binary_search_by(part, |value| value.cmp(&wanted)), found);
+                let point = part.partition_point(|value| *value < wanted);
+                assert_eq!(partition_point(part, |value| *value < wanted), point);
+            }
+        }
+    }
+
+    #[test]
+    fn of_equal_elements_the_first_is_found() {
+        assert_eq!(binary_search(&[1, 2, 2, 2, 3], 2), Ok(1));
+    }
+}
