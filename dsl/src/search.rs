@@ -23,7 +23,8 @@ pub fn binary_search_by<T: Copy, F: Fn(&T) -> Ordering>(
         if left == 0 || middle >= values.len() {
             break;
         }
-        match order(&values[middle]) {
+        let value = values[middle];
+        match order(&value) {
             Ordering::Equal => return Ok(middle),
             Ordering::Less => {
                 from = middle.wrapping_add(1);
@@ -55,7 +56,8 @@ pub fn partition_point<T: Copy, F: Fn(&T) -> bool>(values: &[T], is_first: F) ->
         if left == 0 || middle >= values.len() {
             break;
         }
-        if is_first(&values[middle]) {
+        let value = values[middle];
+        if is_first(&value) {
             from = middle.wrapping_add(1);
             left = left.wrapping_sub(left / 2).wrapping_sub(1);
         } else {

@@ -123,20 +123,24 @@ impl Lowering<'_, '_> {
             ty: ty.clone(),
             span,
         };
+        let from_zero = held.kind == ExprKind::Literal(0);
         // The last number that there may be is one more than those behind the steps.
         let last = range.inclusive.then(|| self.temporary("last", to.clone()));
         let to = last.clone().unwrap_or(to);
-        let length = intrinsic(Intrinsic::SaturatingSub, to, held.clone());
-        let length = self.temporary("length", length);
+        let length = match from_zero {
+            true => to,
+            false => intrinsic(Intrinsic::SaturatingSub, to, held.clone()),
+        };
+        let length = match (&last, from_zero) {
+            (Some(_), true) => length,
+            _ => self.temporary("length", length),
+        };
         let whole = binary(BinaryOp::Div, length.clone(), step.clone());
         if let Some(last) = last {
             let begins = ExprKind::Compare(CompareOp::Le, Box::new(held.clone()), Box::new(last));
             let begins = Expr { kind: begins, ty: Type::BOOL, span };
             let begins = Expr { kind: ExprKind::Cast(Box::new(begins)), ty: ty.clone(), span };
-            let begins = match held.kind {
-                ExprKind::Literal(0) => literal(1, &ty),
-                _ => begins,
-            };
+            let begins = if from_zero { literal(1, &ty) } else { begins };
             // A step of at least 2 leaves room for it.
             let passes = intrinsic(Intrinsic::WrappingAdd, whole, begins);
             let passes = self.temporary("passes", passes);
@@ -160,7 +164,10 @@ fn number(steps: &Steps, pass: Expr, ty: &Type) -> Expr {
     let (from, step) = (steps.from.clone(), steps.step.clone());
     if !steps.constant {
         let way = node(ExprKind::Intrinsic(Intrinsic::WrappingMul, vec![pass, step]));
-        return node(ExprKind::Intrinsic(Intrinsic::WrappingAdd, vec![from, way]));
+        return match from.kind {
+            ExprKind::Literal(0) => way,
+            _ => node(ExprKind::Intrinsic(Intrinsic::WrappingAdd, vec![from, way])),
+        };
     }
     let way = match step.kind {
         ExprKind::Literal(1) => pass,

@@ -233,6 +233,8 @@ constructors! {
     New4(a, b, c, d) for (4, 1), (1, 4), (2, 2);
     New5(a, b, c, d, e) for (5, 1);
     New6(a, b, c, d, e, f) for (6, 1), (2, 3), (3, 2);
+    New8(a, b, c, d, e, f, g, h) for (2, 4), (4, 2);
     New9(a, b, c, d, e, f, g, h, i) for (3, 3);
+    New12(a, b, c, d, e, f, g, h, i, j, k, l) for (3, 4), (4, 3), (2, 6), (6, 2);
     New16(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p) for (4, 4);
 }

@@ -44,7 +44,8 @@ pub mod prelude {
         FloatBuiltins as _, MatrixBuiltins as _, OrderBuiltins as _, RealBuiltins as _,
     };
     pub use super::builtin::{
-        New2 as _, New3 as _, New4 as _, New5 as _, New6 as _, New9 as _, New16 as _,
+        New2 as _, New3 as _, New4 as _, New5 as _, New6 as _, New8 as _, New9 as _, New12 as _,
+        New16 as _,
     };
     pub use super::checked::{CheckedAbsBuiltin as _, CheckedBuiltins as _};
     pub use super::comparison::{

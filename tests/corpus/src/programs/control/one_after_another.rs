@@ -26,10 +26,10 @@ pub fn checksum(header: &[u8; 3], payload: &List<u8, 6>) -> u8 {
     sum
 }
 
-/// The last place of a zero in what came before and what comes now, from the end.
+/// The first place of a zero in what came before and what comes now.
 #[function]
-pub fn last_zero(before: &[i16; 3], now: &[i16; 2]) -> Option<usize> {
-    before.iter().chain(now).rposition(|x| *x == 0)
+pub fn first_zero(before: &[i16; 3], now: &[i16; 2]) -> Option<usize> {
+    before.iter().chain(now).position(|x| *x == 0)
 }
 
 /// The samples of the left channel, which come in turns.

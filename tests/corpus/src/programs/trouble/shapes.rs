@@ -129,3 +129,10 @@ impl Shapes {
         1.0f64.clamp(a, b)
     }
 }
+
+/// The Jacobian of a range and a bearing.
+#[function]
+pub fn jacobian(x: f64, y: f64) -> bessemer::nalgebra::Matrix2x4<f64> {
+    let range = (x * x + y * y).sqrt();
+    bessemer::nalgebra::Matrix2x4::new(x / range, y / range, 0.0, 0.0, -y, x, 0.0, 1.0)
+}

@@ -40,8 +40,8 @@ pub fn pairs(values: &[(i16, u8); 3]) -> (usize, i32, Option<i32>) {
 #[function]
 pub fn swapped(a: i32, b: i32) -> (i32, i32) {
     let turned = |(a, b): (i32, i32), _: i32| (b, a);
-    let (b, a) = turned((b, a), a);
-    turned((a, b), b)
+    let (c, d) = turned((b, a), a);
+    turned((d, c), b)
 }
 
 /// What is made on the way is taken apart; what nothing looks at is computed all the same.
