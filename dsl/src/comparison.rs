@@ -18,8 +18,9 @@ pub enum Ordering {
     Greater = 1,
 }
 
-/// How one value stands to another.
+/// How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
 #[function]
+#[inline]
 pub fn compare<T: Copy + Ord>(one: T, other: T) -> Native {
     if one < other {
         Native::Less
@@ -32,6 +33,7 @@ pub fn compare<T: Copy + Ord>(one: T, other: T) -> Native {
 
 /// The same of numbers that may have no order: a NaN is before, behind and at no number.
 #[function]
+#[inline]
 pub fn partial<T: Copy + PartialOrd>(one: T, other: T) -> Option<Native> {
     if one < other {
         return Some(Native::Less);

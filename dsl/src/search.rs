@@ -36,11 +36,13 @@ pub fn binary_search_by<T: Copy, F: Fn(&T) -> Ordering>(
     Err(from)
 }
 
-/// The index of an element that is `wanted`, or where it would have to be put in.
+/// The index of an element that is `wanted`, or where it would have to be put in. Inline, so that it stands beside the
+/// type, which may be an author's.
 ///
 /// # Errors
 /// That index, if no element is `wanted`.
 #[function]
+#[inline]
 pub fn binary_search<T: Copy + Ord>(values: &[T], wanted: T) -> Result<usize, usize> {
     let from = partition_point(values, |value| *value < wanted);
     if from < values.len() && values[from] == wanted { Ok(from) } else { Err(from) }

@@ -246,9 +246,7 @@ impl<'a> Lowering<'a> {
         for (index, mut stmt) in originals.into_iter().enumerate() {
             match &mut stmt {
                 syn::Stmt::Local(local) => {
-                    if self.optional {
-                        rewrite::or_return(local);
-                    }
+                    rewrite::or_return(local, self.optional);
                     if self.closure_local(local) {
                         stmts.push(stmt);
                         continue;

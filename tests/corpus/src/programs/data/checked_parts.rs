@@ -51,3 +51,19 @@ pub fn few(values: &List<u8, 4>) -> u16 {
         _ => 0,
     }
 }
+
+/// Why a field is not there.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Missing {
+    /// The frame ends before it.
+    #[default]
+    Short,
+}
+
+/// The number at a place of a frame.
+#[function]
+pub fn number(frame: &[u8; 6], at: usize) -> Result<u16, Missing> {
+    let bytes = frame.get(at..at + 2).ok_or(Missing::Short)?;
+    Ok(u16::from_le_bytes([bytes[0], bytes[1]]))
+}
