@@ -4,6 +4,7 @@
 //! entry), the words of the result, and the words of the component's state. It ends with its input.
 //! Words are 64 bits, least significant byte first, in the order of `Module::leaves`.
 
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use bessemer_codegen::c::Options;
@@ -39,11 +40,11 @@ fn around(
     after: &str,
 ) -> String {
     let names = Names::new(module, &Options::default());
-    let Some(call) = Call::of(module, &names, entry, params) else { return String::new() };
-    let Call { header, declarations, init, reads, call, writes, state, .. } = call;
+    let Some(call) = Call::of(module, &names, entry, params, "self") else { return String::new() };
+    let Call { header, own, declarations, init, reads, call, writes, state, .. } = call;
     format!(
         "#include \"{header}\"\n{SUPPORT}{marks}\nint main(void)\n{{\n    uint64_t status;\n\
-         {declarations}{init}    for (;;) {{\n{reads}{before}{call}{after}        put(status);\n\
+         {own}{declarations}{init}    for (;;) {{\n{reads}{before}{call}{after}        put(status);\n\
          {writes}{state}        (void)fflush(stdout);\n    }}\n}}\n"
     )
 }
@@ -57,24 +58,55 @@ pub fn programs(module: &Module, entries: &[(FunctionId, u32)]) -> String {
 
 /// The same for C that was emitted with these options.
 pub fn programs_with(module: &Module, entries: &[(FunctionId, u32)], options: &Options) -> String {
-    let names = Names::new(module, options);
-    let mut headers = std::collections::BTreeSet::new();
-    let (mut functions, mut cases) = (String::new(), String::new());
-    for (index, (entry, params)) in entries.iter().enumerate() {
-        let Some(call) = Call::of(module, &names, *entry, *params) else { continue };
-        let Call { header, declarations, init, sets, reads, call, writes, state, changed } = call;
-        headers.insert(header);
-        let _ = write!(
-            functions,
-            "static void call_{index}(void)\n{{\n    uint64_t status;\n{declarations}{init}\
+    several(module, entries, options, |call, index| {
+        let Call { own, declarations, init, sets, reads, call, writes, state, changed, .. } = call;
+        let text = format!(
+            "static void call_{index}(void)\n{{\n    uint64_t status;\n{own}{declarations}{init}\
              {sets}{reads}{call}        put(status);\n    if (status == 0) {{\n{writes}{state}{changed}    }}\n}}\n\n"
         );
+        (String::new(), text)
+    })
+}
+
+/// The same where the calls are of components that live: it reads which entry point or function, whether its component
+/// begins anew, and the words of the arguments; it writes the status and, whatever that is, the words of the result, of the
+/// state, and of each argument that the call may change.
+pub fn lives(module: &Module, entries: &[(FunctionId, u32)]) -> String {
+    several(module, entries, &Options::default(), |call, index| {
+        let Call { own, declarations, init, reads, call, writes, state, changed, .. } = call;
+        let text = format!(
+            "static void call_{index}(void)\n{{\n    uint64_t status;\n{declarations}    if (get() != 0) {{\n{init}    }}\n\
+             {reads}{call}        put(status);\n{writes}{state}{changed}}}\n\n"
+        );
+        (own, text)
+    })
+}
+
+/// A program around a function for each entry, written by `text`: what stands once before all of them, and itself.
+fn several(
+    module: &Module,
+    entries: &[(FunctionId, u32)],
+    options: &Options,
+    text: impl Fn(Call, usize) -> (String, String),
+) -> String {
+    let names = Names::new(module, options);
+    let (mut headers, mut shared) = (BTreeSet::new(), BTreeSet::new());
+    let (mut functions, mut cases) = (String::new(), String::new());
+    for (index, (entry, params)) in entries.iter().enumerate() {
+        let this = match module.functions[entry.index()].owner {
+            Some(Owner::Struct(id)) => format!("self_{}", id.index()),
+            _ => String::new(),
+        };
+        let Some(call) = Call::of(module, &names, *entry, *params, &this) else { continue };
+        headers.insert(format!("#include \"{}\"\n", call.header));
+        let (once, function) = text(call, index);
+        shared.insert(once);
+        functions.push_str(&function);
         let _ = writeln!(cases, "        case {index}: call_{index}(); break;");
     }
-    let includes: String =
-        headers.iter().map(|header| format!("#include \"{header}\"\n")).collect();
+    let (headers, shared) = (String::from_iter(headers), String::from_iter(shared));
     format!(
-        "{includes}{SUPPORT}\n{functions}int main(void)\n{{\n    for (;;) {{\n        switch (get()) {{\n{cases}        \
+        "{headers}{SUPPORT}\n{shared}{functions}int main(void)\n{{\n    for (;;) {{\n        switch (get()) {{\n{cases}        \
          default: break;\n        }}\n        (void)fflush(stdout);\n    }}\n}}\n"
     )
 }
@@ -83,6 +115,9 @@ pub fn programs_with(module: &Module, entries: &[(FunctionId, u32)], options: &O
 #[derive(Default)]
 struct Call {
     header: String,
+    /// Declares the state.
+    own: String,
+    /// Declares what is passed and returned.
     declarations: String,
     /// Initialises the state.
     init: String,
@@ -101,25 +136,32 @@ struct Call {
 }
 
 impl Call {
-    fn of(module: &Module, names: &Names, entry: FunctionId, params: u32) -> Option<Call> {
+    /// `this`: what the state is called.
+    fn of(
+        module: &Module,
+        names: &Names,
+        entry: FunctionId,
+        params: u32,
+        this: &str,
+    ) -> Option<Call> {
         let function = &module.functions[entry.index()];
         let signature = &names.functions[entry.index()];
         let walk = Walk { module, names };
         let mut pieces = Call { header: signature.header.clone(), ..Call::default() };
         if let Some(Owner::Struct(component)) = function.owner {
             let own = &names.structs[component.index()];
-            pieces.declarations = format!("    static {} self;\n", own.ty);
-            pieces.init = format!("    {}(&self);\n", own.init.as_ref()?);
-            let this = Type::Struct(component);
-            walk.reads(&this, "self", &mut pieces.sets);
-            walk.writes(&this, "self", &mut pieces.state);
+            pieces.own = format!("    static {} {this};\n", own.ty);
+            pieces.init = format!("    {}(&{this});\n", own.init.as_ref()?);
+            let ty = Type::Struct(component);
+            walk.reads(&ty, this, &mut pieces.sets);
+            walk.writes(&ty, this, &mut pieces.state);
         }
         let mut arguments = Vec::new();
         for (index, param) in signature.params.iter().enumerate() {
             // Its author may call it otherwise in the C.
             let receiver = function.parameters().get(index).is_some_and(|it| it.name == "self");
             if receiver {
-                arguments.push("&self".to_owned());
+                arguments.push(format!("&{this}"));
                 continue;
             }
             let local = format!("{}_", param.name);
@@ -154,10 +196,11 @@ impl Call {
             Returned::Nothing => format!("        {call};\n        status = 0;\n"),
             Returned::Status => format!("        status = (uint64_t){call};\n"),
             Returned::Value(ty) => {
-                let declarator = names.declarator(ty, "result_").text();
+                // No parameter is called so: theirs end with a `_`.
+                let declarator = names.declarator(ty, "returned").text();
                 let _ = writeln!(pieces.declarations, "    static {declarator};");
-                walk.writes(ty, "result_", &mut pieces.writes);
-                format!("        result_ = {call};\n        status = 0;\n")
+                walk.writes(ty, "returned", &mut pieces.writes);
+                format!("        returned = {call};\n        status = 0;\n")
             }
         };
         Some(pieces)

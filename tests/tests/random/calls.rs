@@ -1,7 +1,7 @@
 //! Random calls: of functions, methods and closures, and of the methods that take closures.
 
 use super::types::Ty;
-use super::writer::{Callee, Kind, Writer};
+use super::writer::{Callee, Kind, Place, Writer};
 
 impl Writer<'_> {
     /// A call of a function, a method or a closure with such a result.
@@ -43,7 +43,7 @@ impl Writer<'_> {
                         texts.push("t".to_owned());
                         continue;
                     }
-                    let Some(place) = self.place(true, &|it| it == ty) else {
+                    let Some(place) = self.lent(ty, true) else {
                         whole = false;
                         break;
                     };
@@ -52,7 +52,7 @@ impl Writer<'_> {
                     texts.push(if receiver { place.text } else { format!("&mut {}", place.text) });
                 }
                 _ => {
-                    let Some(place) = self.place(false, &|it| it == ty) else {
+                    let Some(place) = self.lent(ty, false) else {
                         whole = false;
                         break;
                     };
@@ -73,6 +73,33 @@ impl Writer<'_> {
         })
     }
 
+    /// A place to lend for a parameter: of its type, or some elements for a slice.
+    pub fn lent(&mut self, ty: &Ty, write: bool) -> Option<Place> {
+        let Ty::Slice(element) = ty else { return self.any_place(write, &|it| it == ty) };
+        let fits = |it: &Ty| it.sequence().is_some_and(|(of, _)| *of == **element);
+        let mut place = self.any_place(write, &fits)?;
+        let (_, len) = place.ty.sequence()?;
+        let slice = matches!(place.ty, Ty::Slice(_));
+        let of = if matches!(place.ty, Ty::List(..)) {
+            format!("{}.as_{}slice()", place.text, if write { "mut_" } else { "" })
+        } else {
+            place.text.clone()
+        };
+        self.lend(place.root, write);
+        place.text = match self.below(4) {
+            0 => format!("{of}[{}..]", self.position(len, 1)),
+            1 => format!("{of}[..{}]", self.position(len, 1)),
+            2 => {
+                let low = self.below(len + 1);
+                format!("{of}[{low}..{}]", low + self.below(len + 1 - low))
+            }
+            _ if slice => of,
+            _ => format!("{of}[..]"),
+        };
+        self.end(place.root, write);
+        Some(place)
+    }
+
     /// `t`, for a parameter that may be it.
     fn trace(&mut self, ty: &Ty) -> Option<usize> {
         let t = self.env.iter().position(|var| var.name == "t")?;
@@ -84,7 +111,12 @@ impl Writer<'_> {
         let option = Ty::Option(Box::new(ty.clone()));
         let value = self.value(&option, fuel - 1);
         match (self.below(4), self.result.clone()) {
-            (0, Some(Ty::Option(_))) => format!("{value}?"),
+            (0 | 1, Some(Ty::Option(_))) => format!("{value}?"),
+            (0 | 1, Some(Ty::Result(_, error))) => {
+                let error = self.items.error_for(self.random, &error);
+                let result = Ty::Result(Box::new(ty.clone()), Box::new(error));
+                format!("{}?", self.value(&result, fuel - 1))
+            }
             (0, _) if self.risky() => format!("{value}.unwrap()"),
             (1, _) => {
                 let (default, _) = self.tracked(|it| it.unreturned(|it| it.value(ty, fuel - 1)));

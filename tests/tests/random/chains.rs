@@ -6,12 +6,10 @@ use super::writer::{Kind, Place, Var, Writer};
 impl Writer<'_> {
     /// An array or a list to go through.
     fn sequence(&mut self, wanted: &dyn Fn(&Ty) -> bool) -> Option<(Place, Ty)> {
-        let place = self.place(false, &|ty| match ty {
-            Ty::Array(element, _) | Ty::List(element, _) => wanted(element),
-            _ => false,
+        let place = self.any_place(false, &|ty| {
+            ty.sequence().is_some_and(|(element, _)| element.is_data() && wanted(element))
         })?;
-        let (Ty::Array(element, _) | Ty::List(element, _)) = &place.ty else { return None };
-        let element = (**element).clone();
+        let element = place.ty.sequence()?.0.clone();
         Some((place, element))
     }
 

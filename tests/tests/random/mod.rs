@@ -5,6 +5,8 @@
 
 mod calls;
 mod chains;
+mod legs;
+mod matrices;
 mod native;
 mod patterns;
 mod shrink;
@@ -16,29 +18,26 @@ mod writer;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
-use bessemer_codegen::c::names::FAULTS;
 use bessemer_codegen::compile::{self, Compiled, Options};
 use bessemer_codegen::diagnostic;
 use bessemer_codegen::generate::{self as generation, Error};
-use bessemer_codegen::interpret::{Interpreter, Stop};
 use bessemer_codegen::source::Sources;
-use bessemer_ir::{Function, FunctionId, Mode, Module, Type};
-use bessemer_tests::arguments::{Size, words};
-use bessemer_tests::harness;
-use bessemer_tests::outcome::{Outcome, meant, same};
-use bessemer_tests::process::Process;
 use bessemer_tests::random::Random;
 use bessemer_tests::toolchain::Toolchain;
 use bessemer_tests::workspace::Workspace;
 
+use legs::{Difference, in_c, interpreted};
 use writer::Program;
 
 /// Programs in a batch.
 const PROGRAMS: usize = 80;
-/// Calls of each.
-const CALLS: usize = 48;
 
 const SANITIZED: [&str; 3] = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-w"];
+
+/// Whether what was told is what the validation of the IR finds: a mistake of the tool.
+fn is_internal(why: &str) -> bool {
+    why.contains("error: Function(")
+}
 
 /// Some programs in one file.
 struct Batch {
@@ -110,29 +109,42 @@ impl Batch {
         found.map(|(_, name)| name.clone())
     }
 
-    /// The programs that a compiler complains of, each with its first complaint.
-    fn told(&self, said: &str) -> BTreeMap<String, String> {
+    /// The programs that a compiler complains of, each with its first complaint; all that are left, if none can be told.
+    fn told(&self, said: &str, workspace: &Workspace) -> BTreeMap<String, String> {
         let mut told = BTreeMap::new();
         let mut title = "";
         for line in said.lines() {
             if line.starts_with("error") {
                 title = line;
             }
-            let place = line.split_once("src/lib.rs:");
-            let Some((number, column)) = place.and_then(|(_, at)| {
-                let mut numbers = at.split(':').map(|it| it.parse::<usize>().unwrap_or(1));
-                Some((numbers.next()?, numbers.next()?))
-            }) else {
-                continue;
-            };
+            if let Some((number, _)) = place(line, native::SOURCE)
+                && let Some(name) = native::at(workspace, number)
+            {
+                told.entry(name).or_insert_with(|| format!("{title}\n    where it is called"));
+            }
+            let Some((number, column)) = place(line, "src/lib.rs") else { continue };
             if let Some(name) = self.at(number) {
                 let at = self.text.lines().nth(number - 1).unwrap_or_default();
-                let at = at.get(column - 1..).unwrap_or(at);
-                told.entry(name).or_insert_with(|| format!("{title}\n    {at}"));
+                let (before, at) = at.split_at_checked(column - 1).unwrap_or(("", at));
+                told.entry(name).or_insert_with(|| {
+                    let before = &before[before.len().saturating_sub(80)..];
+                    format!("{title}\n    {before} >>> {:.200}", at)
+                });
             }
+        }
+        if told.is_empty() {
+            let all = self.left();
+            told.extend(all.into_iter().map(|it| (it.name.clone(), said.to_owned())));
         }
         told
     }
+}
+
+/// The line and the column in a file that a line of a compiler's tells.
+fn place(line: &str, file: &str) -> Option<(usize, usize)> {
+    let (_, at) = line.split_once(&format!("{file}:"))?;
+    let mut numbers = at.split(':').map(|it| it.parse::<usize>().unwrap_or(1));
+    Some((numbers.next()?, numbers.next()?))
 }
 
 const HEAD: &str = "//! Random programs.\n#![allow(warnings, arithmetic_overflow, unconditional_panic, overflowing_literals)]\n\
@@ -155,8 +167,7 @@ fn compiled(workspace: &Workspace, batch: &mut Batch) -> (String, Vec<String>, C
         match result {
             Ok(native) => break native,
             Err(said) => {
-                let told = batch.told(&said);
-                assert!(!told.is_empty(), "{said}");
+                let told = batch.told(&said, workspace);
                 // What has no number of rustc's is said by the DSL's attributes.
                 let (mistaken, refused) = told.into_iter().partition(|it| it.1.contains("error[E"));
                 batch.mistaken.extend::<BTreeMap<_, _>>(mistaken);
@@ -165,7 +176,8 @@ fn compiled(workspace: &Workspace, batch: &mut Batch) -> (String, Vec<String>, C
         }
     };
     // Their places in the native program, which has more than what is left in the end.
-    let places = batch.left().iter().map(|it| it.name.clone()).collect();
+    let entries = batch.left().into_iter().flat_map(|it| &it.entries);
+    let places = entries.map(|it| it.name.clone()).collect();
     let sources = Sources::new(workspace.path(""));
     loop {
         batch.write(workspace);
@@ -177,170 +189,18 @@ fn compiled(workspace: &Workspace, batch: &mut Batch) -> (String, Vec<String>, C
             Err(Error::Models(said) | Error::Refused(said)) => said,
             Err(error) => panic!("{error}"),
         };
-        let told = batch.told(&said);
-        assert!(!told.is_empty(), "{said}");
+        let told = batch.told(&said, workspace);
         batch.refused.extend(told);
     }
-}
-
-/// A program with its calls, and what Rust makes of them.
-struct Case<'b> {
-    program: &'b Program,
-    id: FunctionId,
-    calls: Vec<Vec<Vec<u64>>>,
-    types: Vec<Type>,
-    leaves: Vec<Type>,
-    native: Vec<Outcome>,
-}
-
-fn cases<'b>(
-    batch: &'b Batch,
-    native: &str,
-    places: &[String],
-    compiled: &Compiled,
-) -> Vec<Case<'b>> {
-    let module = &compiled.module;
-    let mut random = Random(7);
-    let mut cases = Vec::new();
-    for program in batch.left() {
-        let found =
-            module.functions.iter().position(|it| it.name == program.name && it.owner.is_none());
-        // A smaller variant may have lost its attribute.
-        let Some(found) = found else { continue };
-        let id = FunctionId(found as u32);
-        let function: &Function = &module.functions[id.index()];
-        let mut types = vec![function.result.clone()];
-        let changed = function.parameters().iter().filter(|local| local.mode == Mode::RefMut);
-        types.extend(changed.map(|local| local.ty.clone()));
-        let leaves: Vec<Type> = types.iter().flat_map(|ty| module.leaves(ty)).collect();
-        let calls: Vec<Vec<Vec<u64>>> = (0..CALLS)
-            .map(|at| {
-                let size = if at % 2 == 0 { Size::Edges } else { Size::Tame };
-                let parameters = function.parameters().iter();
-                parameters.map(|local| words(&mut random, module, &local.ty, size)).collect()
-            })
-            .collect();
-        let place = places.iter().position(|it| *it == program.name).expect("it was built");
-        let flat: Vec<_> = calls.iter().map(|call| (place, call.concat())).collect();
-        let native = native::run(native, &flat);
-        cases.push(Case { program, id, calls, types, leaves, native });
-    }
-    cases
-}
-
-/// Something that is not the same on two legs.
-struct Difference {
-    program: String,
-    text: String,
-}
-
-fn compare(
-    leg: &str,
-    module: &Module,
-    case: &Case,
-    at: usize,
-    got: &Outcome,
-) -> Option<Difference> {
-    let got = meant(module, &case.types, got);
-    if same(&case.native[at], &got, &case.leaves) {
-        return None;
-    }
-    let text = format!(
-        "{} in {leg}, call {at} of {:x?}\nRust  {:x?}\n{leg} {got:x?}",
-        case.program.name, case.calls[at], case.native[at]
-    );
-    Some(Difference { program: case.program.name.clone(), text })
-}
-
-fn interpreted(leg: &str, module: &Module, cases: &[Case]) -> Vec<Difference> {
-    let mut all = Vec::new();
-    for case in cases {
-        let parameters = module.functions[case.id.index()].parameters();
-        for (at, call) in case.calls.iter().enumerate() {
-            let mut arguments = call.clone();
-            for added in &parameters[call.len()..] {
-                arguments.push(vec![0; module.leaves(&added.ty).len()]);
-            }
-            let got = match Interpreter::new(module).call(case.id, &mut arguments) {
-                Ok(mut words) => {
-                    for (index, argument) in arguments[..call.len()].iter().enumerate() {
-                        if parameters[index].mode == Mode::RefMut {
-                            words.extend(argument);
-                        }
-                    }
-                    Ok(words)
-                }
-                Err(Stop::Fault { fault, .. }) => Err(fault),
-                Err(stop) => {
-                    let text = format!("{} in {leg}: {stop}", case.program.name);
-                    all.push(Difference { program: case.program.name.clone(), text });
-                    break;
-                }
-            };
-            if let Some(difference) = compare(leg, module, case, at, &got) {
-                all.push(difference);
-                break;
-            }
-        }
-    }
-    all
-}
-
-fn in_c(
-    compiled: &Compiled,
-    cases: &[Case],
-    toolchain: &Toolchain,
-    flags: &[&str],
-) -> Vec<Difference> {
-    let leg = format!("{} {}", toolchain.name(), flags.join(" "));
-    let module = &compiled.module;
-    let ids: Vec<_> =
-        cases.iter().map(|case| (case.id, module.functions[case.id.index()].params)).collect();
-    let main = harness::programs(&compiled.explicit, &ids);
-    let mut process = match Process::run(compiled, &main, toolchain, flags) {
-        Ok(process) => process,
-        Err(error) => {
-            let text = format!("{leg}: {error}");
-            return vec![Difference { program: "all".into(), text }];
-        }
-    };
-    let mut all = Vec::new();
-    for (index, case) in cases.iter().enumerate() {
-        for (at, call) in case.calls.iter().enumerate() {
-            let mut words = vec![index as u64];
-            words.extend(call.iter().flatten());
-            let mut ask = || {
-                process.send(&words)?;
-                Ok(match process.receive(1)?[0] {
-                    0 => Ok(process.receive(case.leaves.len())?),
-                    status => Err(FAULTS[status as usize - 1]),
-                })
-            };
-            let difference = match ask() {
-                Ok(got) => compare(&leg, module, case, at, &got),
-                Err::<_, bessemer_tests::process::Error>(error) => {
-                    let text = format!("{} in {leg}, call {at}: {error}", case.program.name);
-                    all.push(Difference { program: case.program.name.clone(), text });
-                    if process.restart(toolchain).is_err() {
-                        return all;
-                    }
-                    None
-                }
-            };
-            if let Some(difference) = difference {
-                all.push(difference);
-                break;
-            }
-        }
-    }
-    all
 }
 
 /// What was different in the programs of a seed.
 fn attack(workspace: &Workspace, seed: u64) -> Vec<Difference> {
     let mut batch = Batch::new(seed);
     let (native, places, compiled) = compiled(workspace, &mut batch);
-    let cases = cases(&batch, &native, &places, &compiled);
+    let cases = legs::cases(&batch.left(), &native, &places, &compiled);
+    let refused: Vec<_> = batch.refused.values().chain(batch.mistaken.values()).collect();
+    assert!(!cases.is_empty(), "nothing was compiled: {refused:?}");
     assert_eq!(cases.len(), batch.left().len(), "each program was compiled");
     let mut all = interpreted("interpreter", &compiled.module, &cases);
     all.extend(batch.internal());
@@ -348,9 +208,7 @@ fn attack(workspace: &Workspace, seed: u64) -> Vec<Difference> {
     let gcc = |level| Toolchain { compiler: "gcc", level, emulator: None, more: &[] };
     all.extend(in_c(&compiled, &cases, &gcc(0), &SANITIZED));
     all.extend(in_c(&compiled, &cases, &gcc(3), &["-w"]));
-    let calls: usize = cases.iter().map(|case| case.calls.len()).sum();
-    let faults: usize =
-        cases.iter().map(|case| case.native.iter().filter(|it| it.is_err()).count()).sum();
+    let (calls, faults) = legs::counted(&cases);
     println!(
         "seed {seed}: {} programs, {calls} calls, {faults} of them faults; {} refused, {} not Rust; {} differ",
         cases.len(),
@@ -366,7 +224,7 @@ fn attack(workspace: &Workspace, seed: u64) -> Vec<Difference> {
 /// no program is meant to be.
 fn differing(workspace: &Workspace, batch: &mut Batch) -> BTreeSet<String> {
     let (native, places, compiled) = compiled(workspace, batch);
-    let cases = cases(batch, &native, &places, &compiled);
+    let cases = legs::cases(&batch.left(), &native, &places, &compiled);
     let all = interpreted("interpreter", &compiled.module, &cases).into_iter();
     let mut names: BTreeSet<String> = all.map(|it| it.program).collect();
     names.extend(batch.internal().map(|it| it.program));
@@ -383,7 +241,6 @@ fn report(batch: &Batch, all: &[Difference], seed: u64, workspace: &Workspace) {
     }
     for (name, why) in &batch.refused {
         let _ = writeln!(text, "REFUSED {name}: {why}");
-        // What the validation finds is a mistake of the tool.
         if is_internal(why)
             && let Some(program) = batch.programs.iter().find(|it| it.name == *name)
         {

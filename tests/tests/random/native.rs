@@ -9,27 +9,44 @@ use bessemer_tests::workspace::Workspace;
 
 use super::writer::Program;
 
-/// The text of a program that reads which function is to be called, and words; it writes how many words
+/// The text of a program that reads which entry is to be called, and words; it writes how many words
 /// come back and these, or `u64::MAX`, the length of the message of a panic, and its bytes.
 pub fn text(programs: &[&Program]) -> String {
-    let mut cases = String::new();
-    for (index, program) in programs.iter().enumerate() {
+    let (mut cases, mut units) = (String::new(), String::new());
+    let entries = programs.iter().flat_map(|it| it.entries.iter().map(|entry| (*it, entry)));
+    for (index, (program, entry)) in entries.enumerate() {
         let (mut loads, mut arguments, mut stores) = (String::new(), String::new(), String::new());
-        for (at, (passing, ty)) in program.params.iter().enumerate() {
+        for (at, (passing, ty)) in entry.params.iter().enumerate() {
             let _ = writeln!(loads, "            let mut a{at} = <{ty} as Plain>::load(next);");
             let _ = write!(arguments, "{passing}a{at}, ");
             if *passing == "&mut " {
                 let _ = writeln!(stores, "            a{at}.store(out);");
             }
         }
+        let call = match &program.unit {
+            Some(unit) => {
+                let field = format!("units.{}", program.name);
+                if entry.name == program.entries[0].name {
+                    let _ = writeln!(units, "    {}: {unit},", program.name);
+                }
+                let kept = if !entry.stops {
+                    format!("{field}.clone()")
+                } else {
+                    format!("{unit}::default()")
+                };
+                stores.insert_str(0, &format!("            {field}.store(out);\n"));
+                format!("kept({kept}, &mut {field}, |it| it.{}({arguments}))", entry.name)
+            }
+            None => format!("{}({arguments})", entry.name),
+        };
         let _ = write!(
             cases,
-            "        {index} => {{\n{loads}            let result = {}({arguments});\n            \
+            "        {index} => {{ // {}\n{loads}            let result = {call};\n            \
              result.store(out);\n{stores}        }}\n",
             program.name
         );
     }
-    MAIN.replace("CASES", &cases)
+    MAIN.replace("CASES", &cases).replace("UNITS", &units)
 }
 
 const MAIN: &str = r#"//! Calls the random programs.
@@ -39,7 +56,23 @@ use bessemer::prelude::*;
 use models::*;
 use std::io::{Read, Write};
 
-fn call(which: u64, next: &mut dyn FnMut() -> u64, out: &mut dyn FnMut(u64)) {
+/// The components, each in its life.
+#[derive(Default)]
+struct Units {
+UNITS}
+
+/// What a call gives; if it panics, the component becomes `after`.
+fn kept<U, R>(after: U, unit: &mut U, call: impl FnOnce(&mut U) -> R) -> R {
+    match std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| call(unit))) {
+        Ok(result) => result,
+        Err(panic) => {
+            *unit = after;
+            std::panic::resume_unwind(panic)
+        }
+    }
+}
+
+fn call(units: &mut Units, which: u64, next: &mut dyn FnMut() -> u64, out: &mut dyn FnMut(u64)) {
     match which {
 CASES        _ => {}
     }
@@ -51,12 +84,13 @@ fn main() {
     std::io::stdin().read_to_end(&mut bytes).expect("words");
     let mut words = bytes.chunks_exact(8).map(|it| u64::from_le_bytes(it.try_into().unwrap()));
     let mut all = Vec::new();
+    let mut units = Units::default();
     while let (Some(which), Some(count)) = (words.next(), words.next()) {
         let call_words: Vec<u64> = words.by_ref().take(count as usize).collect();
         let mut given = call_words.iter().copied();
         let mut out: Vec<u64> = Vec::new();
         let called = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
-            call(which, &mut || given.next().expect("a word"), &mut |word| out.push(word));
+            call(&mut units, which, &mut || given.next().expect("a word"), &mut |word| out.push(word));
         }));
         match called {
             Ok(()) => {
@@ -79,10 +113,12 @@ fn main() {
 
 /// The name of the program.
 const NAME: &str = "random-native";
+/// Its file in the package.
+pub const SOURCE: &str = "src/bin/random-native.rs";
 
 /// Builds the program; what rustc says if it does not like it.
 pub fn build(workspace: &Workspace, programs: &[&Program]) -> Result<String, String> {
-    let path = workspace.path(&format!("models/src/bin/{NAME}.rs"));
+    let path = workspace.path(&format!("models/{SOURCE}"));
     std::fs::write(path, text(programs)).expect("a source file");
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let output = Command::new(cargo)
@@ -101,6 +137,13 @@ pub fn build(workspace: &Workspace, programs: &[&Program]) -> Result<String, Str
     let said = messages.iter().filter(|it| it["message"]["level"] == "error");
     let said: String = said.filter_map(|it| it["message"]["rendered"].as_str()).collect();
     Err(said + &String::from_utf8_lossy(&output.stderr))
+}
+
+/// The name of the program that is called where the native program has this line.
+pub fn at(workspace: &Workspace, line: usize) -> Option<String> {
+    let text = std::fs::read_to_string(workspace.path(&format!("models/{SOURCE}"))).ok()?;
+    let above: Vec<_> = text.lines().take(line).collect();
+    above.iter().rev().find_map(|it| Some(it.split_once("=> { // ")?.1.to_owned()))
 }
 
 /// Makes calls, each of a program by its place and the words of its arguments.

@@ -49,13 +49,17 @@ pub fn shrunk(workspace: &Workspace, programs: &[&Program]) -> Vec<Program> {
 
 /// The program with another text and name.
 fn named(program: &Program, text: &str, name: &str) -> Program {
-    let text = text
-        .replace(&program.name, name)
-        .replace(&program.name.to_uppercase(), &name.to_uppercase());
-    let params = program.params.iter().map(|(passing, ty)| {
-        (*passing, ty.replace(&program.name.to_uppercase(), &name.to_uppercase()))
-    });
-    Program { name: name.to_owned(), text, params: params.collect() }
+    let renamed = |text: &str| {
+        let text = text.replace(&program.name, name);
+        text.replace(&program.name.to_uppercase(), &name.to_uppercase())
+    };
+    let text = renamed(text);
+    Program {
+        name: name.to_owned(),
+        text,
+        unit: program.unit.as_deref().map(renamed),
+        entries: program.entries.iter().map(|entry| entry.renamed(&renamed)).collect(),
+    }
 }
 
 /// Texts without some lines, or with a group in parentheses replaced: the largest first, others in each round.

@@ -1,7 +1,7 @@
 //! Random statements. Each ends with a line of its own.
 
 use super::types::Ty;
-use super::writer::{Kind, Var, Writer};
+use super::writer::{Kind, Left, Place, Var, Writer};
 
 /// Loops within one another.
 const NESTED: usize = 2;
@@ -14,19 +14,23 @@ impl Writer<'_> {
             4..=6 => self.assigned(fuel),
             7 | 8 => self.changed(fuel),
             9 => self.called_alone(fuel),
+            10 if self.one_in(2) => match self.matrix_edit(fuel) {
+                Some(text) => text,
+                None => self.list_edit(fuel),
+            },
             10 => self.list_edit(fuel),
             11 => self.exchanged(),
             12 | 13 => self.branch(fuel),
             14 | 15 => self.match_statement(fuel),
-            16..=18 if self.loops.len() < NESTED => self.each(fuel),
-            19 | 20 if self.loops.len() < NESTED => self.range(fuel),
-            21 if self.loops.len() < NESTED => self.counted(fuel),
+            16..=18 if self.nested() < NESTED => self.each(fuel),
+            19 | 20 if self.nested() < NESTED => self.range(fuel),
+            21 if self.nested() < NESTED => self.counted(fuel),
             22 => self.left(fuel),
             23 => self.let_else(fuel),
             24 => self.closure(fuel),
             25 => self.reference(fuel),
             26 => self.scope(fuel),
-            27 if self.loops.len() < NESTED => self.valued_loop(fuel),
+            27 if self.nested() < NESTED => self.valued_loop(fuel),
             28 => self.returned(fuel),
             _ => self.declared(fuel),
         };
@@ -82,6 +86,11 @@ impl Writer<'_> {
             _ => self.random.of(&["^=", "|=", "&="]),
         };
         format!("{} {operator} {value};", place.text)
+    }
+
+    /// How many loops are around.
+    fn nested(&self) -> usize {
+        self.loops.iter().filter(|it| !it.block).count()
     }
 
     fn called_alone(&mut self, fuel: usize) -> String {
@@ -159,7 +168,7 @@ impl Writer<'_> {
         self.arms(fuel - 1, &mut |it| it.statements(fuel - 1))
     }
 
-    fn label(&mut self) -> String {
+    pub fn label(&mut self) -> String {
         self.labels += 1;
         format!("'l{}", self.labels)
     }
@@ -167,7 +176,7 @@ impl Writer<'_> {
     /// The body of a loop: its label is in scope.
     fn body(&mut self, fuel: usize, value: Option<Ty>) -> (String, String) {
         let label = self.label();
-        self.loops.push((label.clone(), value));
+        self.loops.push(Left { label: label.clone(), value, block: false });
         let text = self.statements(fuel - 1);
         self.loops.pop();
         let used = text.contains(&format!("{label};")) || text.contains(&format!("{label} "));
@@ -177,14 +186,14 @@ impl Writer<'_> {
     /// A `for` through an array or a list.
     fn each(&mut self, fuel: usize) -> String {
         let write = self.one_in(2);
-        let sequence = |ty: &Ty| matches!(ty, Ty::Array(..) | Ty::List(..));
-        let Some(place) = self.place(write, &sequence) else { return self.range(fuel) };
-        let (Ty::Array(element, len) | Ty::List(element, len)) = place.ty.clone() else {
-            return String::new();
+        let Some(place) = self.any_place(write, &|ty| ty.sequence().is_some()) else {
+            return self.range(fuel);
         };
+        let Some((element, len)) = place.ty.sequence() else { return String::new() };
+        let element = element.clone();
         let before = self.env.len();
         let mut mode = if write { Kind::Exclusive } else { Kind::Shared };
-        let list = matches!(place.ty, Ty::List(..));
+        let list = !matches!(place.ty, Ty::Array(..)) || !element.is_data();
         let text = &place.text;
         let iter = match (self.below(8), write) {
             (0, false) if !list => {
@@ -339,11 +348,11 @@ impl Writer<'_> {
             return format!("return {};", self.value(&result, fuel));
         }
         let at = self.below(self.loops.len());
-        let (label, value) = self.loops[at].clone();
-        let label =
-            if at + 1 == self.loops.len() && self.one_in(2) { String::new() } else { label };
+        let Left { label, value, block } = self.loops[at].clone();
+        let innermost = at + 1 == self.loops.len() && !block;
+        let label = if innermost && self.one_in(2) { String::new() } else { label };
         match value {
-            _ if self.one_in(2) => format!("continue {label};"),
+            _ if !block && self.one_in(2) => format!("continue {label};"),
             Some(ty) => format!("break {label} {};", self.value(&ty, fuel)),
             None => format!("break {label};"),
         }
@@ -395,7 +404,11 @@ impl Writer<'_> {
     /// A name for a place, in a scope of its own.
     fn reference(&mut self, fuel: usize) -> String {
         let write = self.one_in(2);
-        let Some(place) = self.place(write, &|_| true) else { return self.declared(fuel) };
+        let place = match self.slice(write) {
+            Some(place) => Some(place),
+            None => self.place(write, &|_| true),
+        };
+        let Some(place) = place else { return self.declared(fuel) };
         let before = self.env.len();
         let name = self.new_name();
         self.lend(place.root, write);
@@ -406,6 +419,17 @@ impl Writer<'_> {
         self.end(place.root, write);
         let lent = if write { "&mut " } else { "&" };
         format!("{{\nlet {name} = {lent}{};\n{body}}}", place.text)
+    }
+
+    /// Some elements of what is at hand, now and then.
+    fn slice(&mut self, write: bool) -> Option<Place> {
+        if !self.one_in(3) {
+            return None;
+        }
+        let place = self.place(false, &|ty| ty.sequence().is_some())?;
+        let ty = Ty::Slice(Box::new(place.ty.sequence()?.0.clone()));
+        let place = self.lent(&ty, write)?;
+        Some(Place { ty, ..place })
     }
 
     fn scope(&mut self, fuel: usize) -> String {

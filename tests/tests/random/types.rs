@@ -17,6 +17,12 @@ pub enum Ty {
     Option(Box<Ty>),
     Result(Box<Ty>, Box<Ty>),
     List(Box<Ty>, usize),
+    /// Of scalars: rows and columns.
+    Matrix(&'static str, usize, usize),
+    /// Behind a reference only.
+    Slice(Box<Ty>),
+    /// A component: a place to call, never a value.
+    Unit(usize),
 }
 
 pub const INTS: [&str; 10] =
@@ -25,6 +31,33 @@ pub const INTS: [&str; 10] =
 impl Ty {
     pub fn is_scalar(&self) -> bool {
         matches!(self, Ty::Int(_) | Ty::Float(_) | Ty::Bool)
+    }
+
+    /// Whether values of it may be copied.
+    pub fn is_data(&self) -> bool {
+        match self {
+            Ty::Unit(_) | Ty::Slice(_) => false,
+            Ty::Array(element, _) => element.is_data(),
+            _ => true,
+        }
+    }
+
+    /// What a matrix is made of.
+    pub fn element(&self) -> Ty {
+        match self {
+            Ty::Matrix(name, ..) if name.starts_with('f') => Ty::Float(name),
+            Ty::Matrix(name, ..) => Ty::Int(name),
+            other => other.clone(),
+        }
+    }
+
+    /// What an array, a list or a slice holds, and how much at most.
+    pub fn sequence(&self) -> Option<(&Ty, usize)> {
+        match self {
+            Ty::Array(element, len) | Ty::List(element, len) => Some((element, *len)),
+            Ty::Slice(element) => Some((element, 3)),
+            _ => None,
+        }
     }
 
     pub fn is_number(&self) -> bool {
@@ -69,6 +102,10 @@ pub struct Items {
     pub structs: Vec<(String, Parts)>,
     /// Each with its variants, of which the first has no payload.
     pub enums: Vec<(String, Vec<(String, Parts)>)>,
+    /// Which enums are made from which integer.
+    pub from: Vec<(usize, &'static str)>,
+    /// Components, each with its fields.
+    pub units: Vec<(String, Parts)>,
 }
 
 impl Items {
@@ -95,12 +132,30 @@ impl Items {
         items
     }
 
+    /// What a function may return: often a `Result` with an error of its own.
+    pub fn returned(&self, random: &mut Random) -> Ty {
+        let any = self.any(random, 2, false);
+        if self.enums.is_empty() || !random.one_in(4) {
+            return any;
+        }
+        Ty::Result(Box::new(any), Box::new(Ty::Enum(random.below(self.enums.len()))))
+    }
+
+    /// An error that `?` makes this error of.
+    pub fn error_for(&self, random: &mut Random, error: &Ty) -> Ty {
+        let from = self.from.iter().find(|it| *error == Ty::Enum(it.0));
+        match from {
+            Some((_, int)) if random.one_in(2) => Ty::Int(int),
+            _ => error.clone(),
+        }
+    }
+
     fn parts(&self, random: &mut Random, count: usize, plain: bool) -> Parts {
         let types = (0..count).map(|_| self.any(random, 2, plain)).collect();
         let names = if random.one_in(3) {
             Vec::new()
         } else {
-            ["low", "rate", "mode", "index"][..count].iter().map(|it| (*it).to_owned()).collect()
+            FIELDS[..count].iter().map(|it| (*it).to_owned()).collect()
         };
         Parts { names, types }
     }
@@ -108,7 +163,7 @@ impl Items {
     /// Any type, in fields (`plain`) one that has a default.
     pub fn any(&self, random: &mut Random, depth: usize, plain: bool) -> Ty {
         let inner = |random: &mut Random| Box::new(self.any(random, depth - 1, plain));
-        match random.below(if depth == 0 { 12 } else { 24 }) {
+        match random.below(if depth == 0 { 12 } else { 26 }) {
             0..=7 => Ty::Int(random.of(&INTS)),
             8 | 9 => Ty::Float(random.of(&["f64", "f64", "f32"])),
             10 => Ty::Bool,
@@ -120,6 +175,11 @@ impl Items {
             20 | 21 => Ty::Option(inner(random)),
             22 => Ty::List(Box::new(self.any(random, depth - 1, true)), 2 + random.below(3)),
             23 if !plain => Ty::Result(inner(random), inner(random)),
+            24 | 25 => {
+                let element = random.of(&["f64", "f64", "f64", "f32", "i32", "u8"]);
+                let cols = if random.one_in(2) { 1 } else { 1 + random.below(4) };
+                Ty::Matrix(element, 1 + random.below(4), cols)
+            }
             _ => Ty::Int(random.of(&["u8", "i16", "u32", "i64"])),
         }
     }
@@ -139,25 +199,63 @@ impl Items {
             Ty::Option(inner) => format!("Option<{}>", self.name(inner)),
             Ty::Result(ok, err) => format!("Result<{}, {}>", self.name(ok), self.name(err)),
             Ty::List(element, len) => format!("List<{}, {len}>", self.name(element)),
+            Ty::Matrix(element, rows, cols) => format!("SMatrix<{element}, {rows}, {cols}>"),
+            Ty::Slice(element) => format!("[{}]", self.name(element)),
+            Ty::Unit(index) => self.units[*index].0.clone(),
         }
+    }
+
+    /// One more component, which may hold those before it.
+    pub fn unit(&mut self, random: &mut Random, name: String) -> usize {
+        let count = 1 + random.below(3);
+        let mut parts = self.parts(random, count, true);
+        parts.names = FIELDS[..count].iter().map(|it| (*it).to_owned()).collect();
+        if let Some(inner) = self.units.len().checked_sub(1) {
+            parts.names.push("inner".to_owned());
+            let inner = Ty::Unit(inner);
+            let pair = random.one_in(3);
+            parts.types.push(if pair { Ty::Array(Box::new(inner), 2) } else { inner });
+        }
+        self.units.push((name, parts));
+        self.units.len() - 1
+    }
+
+    /// The fields of a struct or a component.
+    pub fn fields_of(&self, ty: &Ty) -> Option<&Parts> {
+        match ty {
+            Ty::Struct(index) => Some(&self.structs[*index].1),
+            Ty::Unit(index) => Some(&self.units[*index].1),
+            _ => None,
+        }
+    }
+
+    /// The declaration of a component.
+    pub fn unit_text(&self, index: usize) -> String {
+        let (name, parts) = &self.units[index];
+        format!(
+            "#[component]\n#[derive(Clone, Debug, Default, PartialEq)]\npub struct {name}{}\n",
+            self.fields(parts)
+        )
+    }
+
+    /// The fields of a struct as they are declared.
+    fn fields(&self, parts: &Parts) -> String {
+        if parts.names.is_empty() {
+            let types = parts.types.iter().map(|ty| format!("pub {}", self.name(ty)));
+            return format!("({});", types.collect::<Vec<_>>().join(", "));
+        }
+        let fields = parts.names.iter().zip(&parts.types);
+        let fields: Vec<_> =
+            fields.map(|(name, ty)| format!("pub {name}: {}", self.name(ty))).collect();
+        format!(" {{ {} }}", fields.join(", "))
     }
 
     /// The declarations.
     pub fn text(&self) -> String {
         let mut text = String::new();
         for (name, parts) in &self.structs {
-            let types: Vec<_> = parts.types.iter().map(|ty| self.name(ty)).collect();
-            let body = if parts.names.is_empty() {
-                format!(
-                    "({});",
-                    types.iter().map(|ty| format!("pub {ty}")).collect::<Vec<_>>().join(", ")
-                )
-            } else {
-                let fields = parts.names.iter().zip(&types);
-                let fields: Vec<_> = fields.map(|(name, ty)| format!("pub {name}: {ty}")).collect();
-                format!(" {{ {} }}", fields.join(", "))
-            };
-            let _ = writeln!(text, "#[data]\n{DERIVES}\npub struct {name}{body}");
+            let fields = self.fields(parts);
+            let _ = writeln!(text, "#[data]\n{DERIVES}\npub struct {name}{fields}");
         }
         for (name, variants) in &self.enums {
             let _ = writeln!(text, "#[data]\n{DERIVES}\npub enum {name} {{\n    #[default]");
@@ -170,5 +268,7 @@ impl Items {
         text
     }
 }
+
+const FIELDS: [&str; 4] = ["low", "rate", "mode", "index"];
 
 const DERIVES: &str = "#[derive(Clone, Copy, Debug, Default, PartialEq)]";

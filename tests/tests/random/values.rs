@@ -1,7 +1,7 @@
 //! Random expressions of a type that is wanted.
 
 use super::types::{Ty, width};
-use super::writer::{Kind, Writer};
+use super::writer::{Kind, Left, Writer};
 
 impl Writer<'_> {
     /// An expression of the type, at most `fuel` deep. It stands anywhere: what needs parentheses has them.
@@ -13,6 +13,7 @@ impl Writer<'_> {
             0..=3 => self.simple(ty),
             4 => self.choice(ty, fuel),
             5 => self.matched(ty, fuel),
+            6 if self.one_in(3) => self.labelled(ty, fuel),
             6 => self.block(ty, fuel),
             7 | 8 => self.called(ty, fuel).unwrap_or_else(|| self.simple(ty)),
             9 if ty.is_scalar() => {
@@ -76,11 +77,19 @@ impl Writer<'_> {
 
     /// What is particular to the type.
     fn own(&mut self, ty: &Ty, fuel: usize) -> String {
+        let from = self.items.from.iter().find(|it| *ty == Ty::Enum(it.0)).copied();
+        if let Some((_, int)) = from
+            && self.one_in(3)
+        {
+            let code = self.value(&Ty::Int(int), fuel - 1);
+            return format!("{}::from({code})", self.items.name(ty));
+        }
         match ty {
             Ty::Int(name) => self.integer(name, fuel),
             Ty::Float(name) => self.float(name, fuel),
             Ty::Bool => self.logical(fuel),
             Ty::Option(inner) => self.optional(inner, fuel),
+            Ty::Matrix(element, rows, cols) => self.matrix((element, *rows, *cols), fuel),
             _ => self.made(ty, fuel),
         }
     }
@@ -130,6 +139,7 @@ impl Writer<'_> {
                 }
                 text + "made }"
             }
+            Ty::Matrix(element, rows, cols) => self.matrix((element, *rows, *cols), 0),
             scalar => self.literal(scalar),
         }
     }
@@ -225,7 +235,8 @@ impl Writer<'_> {
     fn float(&mut self, name: &'static str, fuel: usize) -> String {
         let ty = Ty::Float(name);
         let one = self.value(&ty, fuel - 1);
-        match self.below(9) {
+        match self.below(11) {
+            9 | 10 => self.of_matrix(&ty, fuel - 1).unwrap_or(one),
             0..=4 => {
                 let operator = self.random.of(&["+", "-", "*", "/", "%"]);
                 let other = self.value(&ty, fuel - 1);
@@ -484,6 +495,22 @@ impl Writer<'_> {
         let value = self.value(ty, fuel - 1);
         self.close(before);
         format!("({{ {statement}{value} }})")
+    }
+
+    /// A block with a label, which may be left before its end.
+    fn labelled(&mut self, ty: &Ty, fuel: usize) -> String {
+        let before = self.env.len();
+        let label = self.label();
+        self.loops.push(Left { label: label.clone(), value: Some(ty.clone()), block: true });
+        let mut body = self.statement(fuel - 1);
+        if self.one_in(2) {
+            let (condition, value) = (self.logical(fuel - 1), self.value(ty, fuel - 1));
+            body += &format!("if {condition} {{ break {label} {value}; }}\n");
+        }
+        self.loops.pop();
+        let value = self.value(ty, fuel - 1);
+        self.close(before);
+        format!("({label}: {{\n{body}{value} }})")
     }
 
     /// The scope ends: what was bound behind `before` is gone.

@@ -53,12 +53,44 @@ pub struct Callee {
     pub method: bool,
 }
 
-/// A program: its declarations and functions, the last of which is called with words.
+/// A program: its declarations, and what is called with words: a function, or the entry points of a component.
 pub struct Program {
     pub name: String,
     pub text: String,
-    /// The types of the parameters as Rust writes them, and `&` or `&mut` or nothing.
+    /// The component.
+    pub unit: Option<String>,
+    pub entries: Vec<Entry>,
+}
+
+pub struct Entry {
+    pub name: String,
+    /// The types of the parameters as Rust writes them, and `&` or `&mut` or nothing; without `self`.
     pub params: Vec<(&'static str, String)>,
+    /// Whether it rolls back where it faults.
+    pub atomic: bool,
+    /// Whether a fault of it stops its component.
+    pub stops: bool,
+}
+
+impl Entry {
+    /// The same, each name as the function gives it.
+    pub fn renamed(&self, renamed: &impl Fn(&str) -> String) -> Entry {
+        let params = self.params.iter().map(|(passing, ty)| (*passing, renamed(ty))).collect();
+        Entry { name: renamed(&self.name), params, ..*self }
+    }
+}
+
+/// What a function is in its program.
+#[derive(Clone, Copy, PartialEq)]
+enum Role {
+    /// Called by others.
+    Helper,
+    /// The one that is called with words.
+    Whole,
+    /// A component's own method.
+    Own(usize),
+    /// An entry point of a component, and whether it rolls back.
+    Entry(usize, bool),
 }
 
 pub struct Writer<'r> {
@@ -70,8 +102,8 @@ pub struct Writer<'r> {
     pub trackers: Vec<Vec<(usize, bool)>>,
     /// The result of the function that is being written; none in a closure.
     pub result: Option<Ty>,
-    /// Labels of the loops around.
-    pub loops: Vec<(String, Option<Ty>)>,
+    /// The loops and the blocks with labels around.
+    pub loops: Vec<Left>,
     /// How often one in so many operations may fault.
     pub risk: usize,
     pub labels: usize,
@@ -79,9 +111,19 @@ pub struct Writer<'r> {
     indexing: bool,
 }
 
-pub const NAMES: [&str; 16] = [
+/// What can be left.
+#[derive(Clone)]
+pub struct Left {
+    pub label: String,
+    /// The type of its value.
+    pub value: Option<Ty>,
+    /// A block rather than a loop.
+    pub block: bool,
+}
+
+pub const NAMES: [&str; 18] = [
     "a", "b", "c", "x", "y", "n", "sum", "index", "limit", "at", "value", "part", "next", "state",
-    "length", "item",
+    "length", "item", "result", "next_a",
 ];
 
 /// A program, `pub fn name(…, t: &mut u64) -> …`.
@@ -102,16 +144,18 @@ pub fn program(random: &mut Random, name: &str) -> Program {
         indexing: false,
     };
     let mut text = writer.items.text();
+    text += &writer.conversions();
     for index in 0..writer.below(3) {
-        let function = writer.function(&format!("{name}_{index}"), false, 3);
+        let function = writer.function(&format!("{name}_{index}"), Role::Helper, 3);
         text += &function;
     }
+    if writer.one_in(3) {
+        return writer.component(name, text);
+    }
     let count = 4 + writer.below(5);
-    text += &writer.function(name, true, count);
-    let callee = writer.callees.pop();
-    let params = callee.map(|it| it.params).unwrap_or_default();
-    let params = params.iter().map(|(ty, kind)| (passing(kind), writer.items.name(ty))).collect();
-    Program { name: name.to_owned(), text, params }
+    text += &writer.function(name, Role::Whole, count);
+    let entries = vec![writer.entry(false)];
+    Program { name: name.to_owned(), text, unit: None, entries }
 }
 
 fn passing(kind: &Kind) -> &'static str {
@@ -141,36 +185,77 @@ impl Writer<'_> {
         self.random.of(&NAMES)
     }
 
-    fn function(&mut self, name: &str, public: bool, statements: usize) -> String {
-        let method = !public && !self.items.structs.is_empty() && self.one_in(3);
+    /// A program whose entry points are those of a component, behind what is there of it; it may hold another.
+    fn component(&mut self, name: &str, mut text: String) -> Program {
+        let mut entries = Vec::new();
+        for index in 0..1 + self.below(2) {
+            let of = self.items.unit(self.random, format!("{}Unit{index}", name.to_uppercase()));
+            text += &self.items.unit_text(of);
+            let mut methods = String::new();
+            if self.one_in(2) {
+                methods += &self.function(&format!("{name}_own{index}"), Role::Own(of), 2);
+            }
+            entries.clear();
+            for entry in 0..1 + self.below(3) {
+                let atomic = self.one_in(3);
+                let name = format!("{name}_entry{index}{entry}");
+                methods += &self.function(&name, Role::Entry(of, atomic), 3);
+                entries.push(self.entry(atomic));
+            }
+            let unit = self.items.name(&Ty::Unit(of));
+            let _ = writeln!(text, "#[component]\nimpl {unit} {{\n{methods}}}");
+        }
+        let unit = self.items.units.last().map(|unit| unit.0.clone());
+        Program { name: name.to_owned(), text, unit, entries }
+    }
+
+    /// What makes some of the enums from integers.
+    fn conversions(&mut self) -> String {
+        let mut text = String::new();
+        for index in 0..self.items.enums.len() {
+            if !self.one_in(2) {
+                continue;
+            }
+            let int = self.random.of(&["u8", "i16", "u64"]);
+            self.env = vec![Var::new("code", &Ty::Int(int), Kind::Owned, false)];
+            let value = self.value(&Ty::Enum(index), 2);
+            self.items.from.push((index, int));
+            let name = self.items.name(&Ty::Enum(index));
+            let body = format!("fn from(code: {int}) -> {name} {{ {value} }}");
+            let _ = writeln!(text, "#[data]\nimpl From<{int}> for {name} {{ {body} }}");
+        }
+        text
+    }
+
+    /// The function that was written last, as what is called with words.
+    fn entry(&self, atomic: bool) -> Entry {
+        let Some(callee) = self.callees.last() else {
+            return Entry { name: String::new(), params: Vec::new(), atomic, stops: false };
+        };
+        let changes = callee.method && callee.params[0].1 == Kind::Exclusive;
+        let params = callee.params[usize::from(callee.method)..].iter();
+        let params = params.map(|(ty, kind)| (passing(kind), self.items.name(ty))).collect();
+        Entry { name: callee.name.clone(), params, atomic, stops: changes && !atomic }
+    }
+
+    fn function(&mut self, name: &str, role: Role, statements: usize) -> String {
+        let public = matches!(role, Role::Whole | Role::Entry(..));
         let mut params = Vec::new();
         self.env.clear();
-        if method {
-            let ty = Ty::Struct(self.below(self.items.structs.len()));
-            let kind = self.random.of(&[&Kind::Shared, &Kind::Exclusive]).clone();
-            self.env.push(Var::new("self", &ty, kind.clone(), false));
-            params.push((ty, kind));
+        let receiver = match role {
+            Role::Own(unit) | Role::Entry(unit, _) => Some(Ty::Unit(unit)),
+            Role::Helper if !self.items.structs.is_empty() && self.one_in(3) => {
+                Some(Ty::Struct(self.below(self.items.structs.len())))
+            }
+            Role::Helper | Role::Whole => None,
+        };
+        if let Some(ty) = &receiver {
+            let kind = self.random.of(&[&Kind::Shared, &Kind::Exclusive, &Kind::Exclusive]).clone();
+            self.env.push(Var::new("self", ty, kind.clone(), false));
+            params.push((ty.clone(), kind));
         }
-        let mut names: Vec<&str> = NAMES.to_vec();
-        for _ in 0..1 + self.below(if public { 4 } else { 3 }) {
-            let ty = self.items.any(self.random, 2, true);
-            let kind = match self.below(5) {
-                0..=2 => Kind::Owned,
-                3 => Kind::Exclusive,
-                _ => Kind::Shared,
-            };
-            let at = self.below(names.len());
-            let name = names.remove(at);
-            let mutable = kind == Kind::Owned && self.one_in(2);
-            self.env.push(Var::new(name, &ty, kind.clone(), mutable));
-            params.push((ty, kind));
-        }
-        if public || self.one_in(2) {
-            let ty = Ty::Int("u64");
-            self.env.push(Var::new("t", &ty, Kind::Exclusive, false));
-            params.push((ty, Kind::Exclusive));
-        }
-        let result = self.items.any(self.random, 2, public);
+        self.parameters(&mut params, public);
+        let result = self.items.returned(self.random);
         self.result = Some(result.clone());
         let mut list = Vec::new();
         for (var, (ty, kind)) in self.env.iter().zip(&params) {
@@ -183,22 +268,50 @@ impl Writer<'_> {
             });
         }
         let body = self.whole(statements, &result);
-        let callee = Callee { name: name.to_owned(), params: params.clone(), result, method };
-        let mut text = String::new();
-        let signature = format!(
-            "fn {name}({}) -> {} {{\n{body}}}",
-            list.join(", "),
-            self.items.name(&callee.result)
-        );
-        if method {
-            let of = self.items.name(&params[0].0);
-            let _ = writeln!(text, "#[data]\nimpl {of} {{\npub {signature}\n}}");
-        } else {
-            let visible = if public { "pub " } else { "" };
-            let _ = writeln!(text, "#[function]\n{visible}{signature}");
+        let (list, result_name) = (list.join(", "), self.items.name(&result));
+        let signature = format!("fn {name}({list}) -> {result_name} {{\n{body}}}\n");
+        let method = receiver.is_some();
+        self.callees.push(Callee { name: name.to_owned(), params, result, method });
+        match (role, receiver) {
+            (Role::Entry(_, true), _) => format!("#[entry(atomic)]\npub {signature}"),
+            (Role::Entry(_, false), _) => format!("#[entry]\npub {signature}"),
+            (Role::Own(_), _) => signature,
+            (Role::Helper, Some(of)) => {
+                format!("#[data]\nimpl {} {{\npub {signature}}}\n", self.items.name(&of))
+            }
+            (Role::Helper, None) => format!("#[function]\n{signature}"),
+            (Role::Whole, _) => format!("#[function]\npub {signature}"),
         }
-        self.callees.push(callee);
-        text
+    }
+
+    /// Parameters of random types and names, and `t`.
+    fn parameters(&mut self, params: &mut Vec<(Ty, Kind)>, public: bool) {
+        let mut names: Vec<&str> = NAMES.to_vec();
+        for _ in 0..1 + self.below(if public { 4 } else { 3 }) {
+            let mut ty = self.items.any(self.random, 2, true);
+            let kind = match self.below(5) {
+                0..=2 => Kind::Owned,
+                3 => Kind::Exclusive,
+                _ => Kind::Shared,
+            };
+            // No entry point takes a slice.
+            if let Some((element, _)) = ty.sequence()
+                && !public
+                && kind != Kind::Owned
+            {
+                ty = Ty::Slice(Box::new(element.clone()));
+            }
+            let at = self.below(names.len());
+            let name = names.remove(at);
+            let mutable = kind == Kind::Owned && self.one_in(2);
+            self.env.push(Var::new(name, &ty, kind.clone(), mutable));
+            params.push((ty, kind));
+        }
+        if public || self.one_in(2) {
+            let ty = Ty::Int("u64");
+            self.env.push(Var::new("t", &ty, Kind::Exclusive, false));
+            params.push((ty, Kind::Exclusive));
+        }
     }
 
     /// Statements and the value, with what the variables came to told to `t`.
@@ -299,6 +412,11 @@ impl Writer<'_> {
 
     /// A place of a type that is wanted, to read or to write; its indices are written too.
     pub fn place(&mut self, write: bool, wanted: &dyn Fn(&Ty) -> bool) -> Option<Place> {
+        self.any_place(write, &|ty| ty.is_data() && wanted(ty))
+    }
+
+    /// The same, also of components.
+    pub fn any_place(&mut self, write: bool, wanted: &dyn Fn(&Ty) -> bool) -> Option<Place> {
         let mut all = Vec::new();
         for index in 0..self.env.len() {
             let var = &self.env[index];
@@ -348,17 +466,22 @@ impl Writer<'_> {
             // A list is lent as a whole where one of its elements is written, so its length is not at hand.
             Ty::List(element, _) if write => part(format!("{path}[0]"), element),
             Ty::List(element, _) => part(format!("{path}[#0#]"), element),
+            Ty::Slice(element) => part(format!("{path}[#0#]"), element),
+            // What is lent as a whole where an element is written says so by a `!`.
+            Ty::Matrix(_, rows, 1) => part(format!("{path}[#!{rows}#]"), &ty.element()),
+            Ty::Matrix(_, rows, cols) => {
+                part(format!("{path}[(#!{rows}#, #{cols}#)]"), &ty.element());
+            }
             Ty::Tuple(types) => {
                 types.iter().enumerate().for_each(|(at, ty)| part(format!("{path}.{at}"), ty));
             }
-            Ty::Struct(index) => {
-                let parts = &self.items.structs[*index].1;
+            other => {
+                let Some(parts) = self.items.fields_of(other) else { return };
                 for (at, ty) in parts.types.iter().enumerate() {
                     let name = parts.names.get(at).cloned().unwrap_or_else(|| at.to_string());
                     part(format!("{path}.{name}"), ty);
                 }
             }
-            _ => {}
         }
     }
 
@@ -368,7 +491,7 @@ impl Writer<'_> {
             return path.to_owned();
         }
         // A list that is written, told by its index, is lent as a whole.
-        let whole = write && path.contains("[0]");
+        let whole = write && (path.contains("[0]") || path.contains("#!"));
         self.lend(root, whole);
         let mut text = String::new();
         for (at, piece) in path.split('#').enumerate() {
@@ -376,7 +499,7 @@ impl Writer<'_> {
                 text += piece;
                 continue;
             }
-            let len: usize = piece.parse().unwrap_or_default();
+            let len: usize = piece.trim_start_matches('!').parse().unwrap_or_default();
             let before = text.trim_end_matches('[').to_owned();
             text += &self.index(len, &before);
         }
