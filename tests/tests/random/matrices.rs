@@ -25,10 +25,10 @@ impl Writer<'_> {
             return self.matrix_of_elements((element, rows, cols), 0);
         }
         let less = fuel - 1;
+        // Arithmetic and views of matrices are of floats.
         let float = is_float(element);
-        let calm = float || self.risky();
         match self.below(22) {
-            0..=2 if calm => {
+            0..=2 if float => {
                 let (one, other) = (self.value(&ty, less), self.value(&ty, less));
                 let operator = self.random.of(&["+", "-"]);
                 match self.below(3) {
@@ -36,12 +36,12 @@ impl Writer<'_> {
                     _ => format!("({one} {operator} {other})"),
                 }
             }
-            3 | 4 if calm => {
+            3 | 4 if float => {
                 let (one, by) = (self.value(&ty, less), self.value(&ty.element(), less));
                 let operator = if float { self.random.of(&["*", "/"]) } else { "*" };
                 format!("({one} {operator} {by})")
             }
-            5..=7 if calm => {
+            5..=7 if float => {
                 let inner = 1 + self.below(4);
                 let one = self.value(&Ty::Matrix(element, rows, inner), less);
                 let other = self.value(&Ty::Matrix(element, inner, cols), less);
@@ -51,13 +51,13 @@ impl Writer<'_> {
                 let one = self.value(&Ty::Matrix(element, cols, rows), less);
                 format!("{one}.transpose()")
             }
-            9 if calm => {
+            9 if float => {
                 let inner = 1 + self.below(3);
                 let one = self.value(&Ty::Matrix(element, inner, rows), less);
                 let other = self.value(&Ty::Matrix(element, inner, cols), less);
                 format!("{one}.tr_mul(&{other})")
             }
-            10 if calm => {
+            10 if float => {
                 let (one, other) = (self.value(&ty, less), self.value(&ty, less));
                 format!("{one}.component_mul(&{other})")
             }
@@ -75,7 +75,9 @@ impl Writer<'_> {
                 let (closure, _) = self.lambda(&ty.element(), &ty.element(), less);
                 format!("{one}.map({closure})")
             }
-            14 | 15 => self.part((element, rows, cols)).unwrap_or_else(|| self.simple(&ty)),
+            14 | 15 if float => {
+                self.part((element, rows, cols)).unwrap_or_else(|| self.simple(&ty))
+            }
             16 if float && (rows, cols) == (3, 1) => {
                 let (one, other) = (self.value(&ty, less), self.value(&ty, less));
                 format!("{one}.cross(&{other})")

@@ -5,6 +5,7 @@
 
 mod calls;
 mod chains;
+mod generics;
 mod legs;
 mod matrices;
 mod native;

@@ -416,7 +416,7 @@ impl Writer<'_> {
                 let ty = if matches!(ty, Ty::Tuple(_)) { Ty::Int("i32") } else { ty };
                 (format!("({})", self.value(&ty, fuel)), ty, Kind::Owned, None)
             }
-            1 if self.one_in(3) => {
+            1 if self.one_in(6) => {
                 let types: Vec<_> = (0..2).map(|_| self.items.any(self.random, 1, true)).collect();
                 let values: Vec<_> = types.iter().map(|ty| self.value(ty, fuel)).collect();
                 (format!("({})", values.join(", ")), Ty::Tuple(types), Kind::Owned, None)

@@ -145,6 +145,9 @@ pub fn program(random: &mut Random, name: &str) -> Program {
     };
     let mut text = writer.items.text();
     text += &writer.conversions();
+    if writer.one_in(3) {
+        text += &writer.generic(&format!("{name}_generic"));
+    }
     for index in 0..writer.below(3) {
         let function = writer.function(&format!("{name}_{index}"), Role::Helper, 3);
         text += &function;
