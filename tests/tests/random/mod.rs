@@ -35,9 +35,9 @@ const PROGRAMS: usize = 80;
 
 const SANITIZED: [&str; 3] = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-w"];
 
-/// Whether what was told is what the validation of the IR finds: a mistake of the tool.
+/// Whether the tool contradicted itself, which is no answer to any program.
 fn is_internal(why: &str) -> bool {
-    why.contains("error: Function(")
+    why.contains(diagnostic::OUR_FAULT)
 }
 
 /// Some programs in one file.
@@ -269,11 +269,6 @@ fn report(batch: &Batch, all: &[Difference], seed: u64, workspace: &Workspace) {
         }
         std::fs::write(folder.join(format!("seed{seed}.txt")), text).expect("a folder to show in");
     }
-}
-
-/// Whether the tool contradicted itself, which is no answer to any program.
-fn is_internal(why: &str) -> bool {
-    why.contains(diagnostic::OUR_FAULT)
 }
 
 #[test]
