@@ -66,7 +66,7 @@ fn units(context: Context<'_>) -> BTreeMap<String, Unit> {
     let mut units: BTreeMap<String, Unit> = BTreeMap::new();
     for (index, item) in module.structs.iter().enumerate() {
         let id = StructId(index as u32);
-        let unit = units.entry(names.struct_file(module, id)).or_default();
+        let unit = units.entry(names.placing.struct_file(id).to_owned()).or_default();
         unit.types.push(TypeId::Struct(id));
         // Types of Rust's own come from nowhere.
         let own = item.span.line > 0 || item.initial.is_some();
@@ -77,8 +77,9 @@ fn units(context: Context<'_>) -> BTreeMap<String, Unit> {
         }
     }
     for (index, item) in module.enums.iter().enumerate() {
-        let unit = units.entry(names.module_file(&item.module)).or_default();
-        unit.types.push(TypeId::Enum(EnumId(index as u32)));
+        let id = EnumId(index as u32);
+        let unit = units.entry(names.placing.enum_file(id).to_owned()).or_default();
+        unit.types.push(TypeId::Enum(id));
         unit.modules.insert(item.module.clone());
     }
     let reached = reached(context);
@@ -101,7 +102,7 @@ fn units(context: Context<'_>) -> BTreeMap<String, Unit> {
         ) {
             continue;
         }
-        let unit = units.entry(names.function_file(module, id)).or_default();
+        let unit = units.entry(names.placing.function_file(id).to_owned()).or_default();
         unit.functions.push(Callable::Function(id));
         unit.kernel |= item.kernel.is_some();
         unit.modules.insert(item.module.clone());

@@ -23,6 +23,7 @@ mod lower;
 mod matrices;
 pub mod names;
 mod passing;
+mod placing;
 mod print;
 mod report;
 mod reserved;

@@ -20,8 +20,9 @@ use super::analysis::Faults;
 use super::const_names::ConstNames;
 use super::helpers::is_helper_name;
 use super::library::{self, Math};
-use super::reserved::{is_keyword, is_reserved_file, is_reserved_for_locals, is_reserved_globally};
-use super::spelling::{identifier, last_segment, relative, screaming, snake};
+use super::placing::Placing;
+use super::reserved::{is_keyword, is_reserved_for_locals, is_reserved_globally};
+use super::spelling::{identifier, screaming, snake};
 pub use super::status::{FAULTS, StatusNames};
 pub use super::tree::Storage;
 use super::tree::{Declarator, Head};
@@ -123,7 +124,8 @@ pub struct Names {
     pub status: StatusNames,
     /// How matrices lie in memory.
     pub layout: Layout,
-    files: BTreeMap<String, String>,
+    /// Where everything stands.
+    pub placing: Placing,
 }
 
 impl Names {
@@ -141,49 +143,13 @@ impl Names {
             functions: Vec::new(),
             status: StatusNames::new(options),
             layout: options.layout,
-            files: file_names(module),
+            placing: Placing::new(module, options),
         };
         names.name_types(module, options, faults);
         names.name_functions(module, options);
         names.consts = ConstNames::new(module, &names.functions, &names.globals);
         names.name_parameters(module, faults);
         names
-    }
-
-    /// The file, without extension, of a Rust module's types and functions.
-    pub fn module_file(&self, rust_module: &str) -> String {
-        self.files.get(rust_module).cloned().unwrap_or_else(|| last_segment(rust_module))
-    }
-
-    /// The file, without extension, of a struct: a component's own, or its module's.
-    pub fn struct_file(&self, module: &Module, id: StructId) -> String {
-        let item = &module.structs[id.index()];
-        let own_module = self.module_file(&item.module);
-        if item.initial.is_none() {
-            return own_module;
-        }
-        let own = snake(&item.name);
-        let taken = is_reserved_file(&own)
-            || own != own_module && self.files.values().any(|file| *file == own)
-            || module.structs.iter().enumerate().any(|(index, other)| {
-                index != id.index() && other.initial.is_some() && snake(&other.name) == own
-            });
-        if taken { format!("{own_module}_{own}") } else { own }
-    }
-
-    /// The file, without extension, of a function. One that takes a component stands beside it: the
-    /// component's header may need that of the module, which must then not need the component's.
-    pub fn function_file(&self, module: &Module, id: FunctionId) -> String {
-        let function = &module.functions[id.index()];
-        match function.owner {
-            Some(Owner::Struct(owner)) if module.structs[owner.index()].initial.is_some() => {
-                self.struct_file(module, owner)
-            }
-            _ => match component_in_signature(module, function) {
-                Some(component) => self.struct_file(module, component),
-                None => self.module_file(&function.module),
-            },
-        }
     }
 
     /// The C type of a word.
@@ -266,7 +232,7 @@ impl Names {
             let rivals = wanted.iter().filter(rival).count();
             let base = if rivals > 1 || is_reserved_globally(&format!("{}{own}_t", options.prefix))
             {
-                format!("{}_{own}", self.module_file(rust_module))
+                format!("{}_{own}", self.placing.module(rust_module))
             } else {
                 own
             };
@@ -291,13 +257,14 @@ impl Names {
             self.structs.push(StructNames {
                 ty: given_or(&item.given, format!("{base}_t")),
                 init: item.initial.as_ref().map(|_| format!("{base}_init")),
-                header: format!("{}.h", self.struct_file(module, id)),
+                header: format!("{}.h", self.placing.struct_file(id)),
                 base,
                 fields,
                 fault,
             });
         }
-        for (item, base) in module.enums.iter().zip(&bases[module.structs.len()..]) {
+        for (index, item) in module.enums.iter().enumerate() {
+            let base = &bases[module.structs.len() + index];
             let prefix = match item.given.name {
                 Some(_) => screaming(base),
                 None => base.to_uppercase(),
@@ -309,7 +276,7 @@ impl Names {
                     .map(|variant| (variant, format!("{prefix}_{}", screaming(&variant.name))))
                     .map(|(variant, name)| given_or(&variant.given, name))
                     .collect(),
-                header: format!("{}.h", self.module_file(&item.module)),
+                header: format!("{}.h", self.placing.enum_file(EnumId(index as u32))),
             });
         }
     }
@@ -353,7 +320,7 @@ impl Names {
                 *name = theirs;
             }
         }
-        let locally = called_in_own_file_only(self, module);
+        let locally = self.placing.called_in_own_file_only(module);
         self.gather_globals(&chosen);
         for (index, function) in module.functions.iter().enumerate() {
             let id = FunctionId(index as u32);
@@ -370,7 +337,7 @@ impl Names {
                 returned: Returned::Nothing,
                 header: match &function.attributes.external {
                     Some(header) => header.clone(),
-                    None => format!("{}.h", self.function_file(module, id)),
+                    None => format!("{}.h", self.placing.function_file(id)),
                 },
             });
         }
@@ -387,7 +354,7 @@ impl Names {
         match function.owner {
             Some(Owner::Struct(id)) => format!("{}_{name}", self.structs[id.index()].base),
             Some(Owner::Enum(id)) => format!("{}_{name}", self.enums[id.index()].base),
-            None => format!("{}{}_{name}", options.prefix, self.module_file(&function.module)),
+            None => format!("{}{}_{name}", options.prefix, self.placing.module(&function.module)),
         }
     }
 }
@@ -452,56 +419,6 @@ fn long_name(names: &Names, module: &Module, function: &Function, options: &Opti
     let name = format!("{}{path}_{owner}{}", options.prefix, identifier(&function.name));
     let taken = |name: &str| names.structs.iter().any(|item| item.init.as_deref() == Some(name));
     if taken(&name) { format!("{name}_fn") } else { name }
-}
-
-/// The last component that a function takes or gives.
-fn component_in_signature(module: &Module, function: &Function) -> Option<StructId> {
-    let types = function.parameters().iter().map(|local| &local.ty).chain([&function.result]);
-    types.filter_map(|ty| component_in(module, ty)).max()
-}
-
-fn component_in(module: &Module, ty: &Type) -> Option<StructId> {
-    match ty {
-        Type::Struct(id) => module.structs[id.index()].initial.is_some().then_some(*id),
-        Type::Array { element, .. } | Type::Slice(element) => component_in(module, element),
-        _ => None,
-    }
-}
-
-/// Which functions are called from their own file only.
-fn called_in_own_file_only(names: &Names, module: &Module) -> Vec<bool> {
-    let files: Vec<String> = (0..module.functions.len())
-        .map(|index| names.function_file(module, FunctionId(index as u32)))
-        .collect();
-    let mut locally = vec![true; module.functions.len()];
-    for (caller, function) in module.functions.iter().enumerate() {
-        super::analysis::walk_exprs(&function.body, &mut |expr| {
-            if let bessemer_ir::ExprKind::Call(callee, _) = &expr.kind {
-                let moves = function.role == bessemer_ir::Role::Inline;
-                locally[callee.index()] &= !moves && files[callee.index()] == files[caller];
-            }
-        });
-    }
-    locally
-}
-
-/// The file of each Rust module: its last segment, or the whole path where two end alike.
-fn file_names(module: &Module) -> BTreeMap<String, String> {
-    let paths: std::collections::BTreeSet<&str> = (module.structs.iter().map(|item| &*item.module))
-        .chain(module.enums.iter().map(|item| &*item.module))
-        .chain(module.functions.iter().map(|item| &*item.module))
-        .collect();
-    let file = |path: &str| {
-        let own = last_segment(path);
-        let rivals = paths.iter().filter(|other| last_segment(other) == own).count();
-        let whole = || identifier(&path.replace("::", "_"));
-        match relative(path).join("_") {
-            _ if rivals == 1 && !is_reserved_file(&own) => own,
-            short if rivals > 1 && !is_reserved_file(&short) => short,
-            _ => whole(),
-        }
-    };
-    paths.iter().map(|path| ((*path).to_owned(), file(path))).collect()
 }
 
 impl Names {

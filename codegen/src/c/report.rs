@@ -64,7 +64,7 @@ pub fn report(module: &Module, options: &Options, files: &[CFile]) -> Vec<EntryR
         else {
             continue;
         };
-        let file = names.struct_file(module, owner);
+        let file = names.placing.struct_file(owner);
         let own_files = files
             .iter()
             .filter(|other| other.name.rsplit_once('.').is_some_and(|(stem, _)| stem == file));

@@ -1,0 +1,216 @@
+//! Which file each definition stands in, so that no header needs one that needs it.
+//!
+//! * A component has files of its own; whatever else names a component stands beside the last that it names, since
+//!   that component's header may need the module's, which must then not need the component's.
+//! * The rest of a Rust module shares another pair.
+//! * Rust's modules may need each other; headers of C may not: files that do are one, which has the first one's name.
+//!
+//! What it must not know: what the C of a definition looks like.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use bessemer_ir::{EnumId, ExprKind, Function, FunctionId, Module, Owner, Role, StructId, Type};
+
+use super::Options;
+use super::analysis::walk_exprs;
+use super::library::{self, Math};
+use super::reserved::is_reserved_file;
+use super::spelling::{identifier, last_segment, relative, snake};
+
+/// The file, without extension, of each definition.
+#[derive(Clone, Debug, Default)]
+pub struct Placing {
+    /// Of each Rust module, before files become one: what the names in C begin with.
+    modules: BTreeMap<String, String>,
+    structs: Vec<String>,
+    enums: Vec<String>,
+    functions: Vec<String>,
+}
+
+impl Placing {
+    /// Places everything.
+    pub fn new(module: &Module, options: &Options) -> Placing {
+        let mut placing = Placing { modules: module_files(module), ..Placing::default() };
+        let enums = module.enums.iter().map(|item| placing.module(&item.module)).collect();
+        placing.enums = enums;
+        // What a struct holds stands before it.
+        for id in (0..module.structs.len() as u32).map(StructId) {
+            let file = placing.of_struct(module, id);
+            placing.structs.push(file);
+        }
+        let functions = module.functions.iter();
+        placing.functions = functions.map(|item| placing.of_function(module, item)).collect();
+        placing.join(&placing.needs(module, options));
+        placing
+    }
+
+    /// What a Rust module's names begin with; its file, unless that became one with another.
+    pub fn module(&self, path: &str) -> String {
+        self.modules.get(path).cloned().unwrap_or_else(|| last_segment(path))
+    }
+
+    /// Where a struct stands.
+    pub fn struct_file(&self, id: StructId) -> &str {
+        &self.structs[id.index()]
+    }
+
+    /// Where an enum stands.
+    pub fn enum_file(&self, id: EnumId) -> &str {
+        &self.enums[id.index()]
+    }
+
+    /// Where a function stands.
+    pub fn function_file(&self, id: FunctionId) -> &str {
+        &self.functions[id.index()]
+    }
+
+    /// Which functions are called from their own file only.
+    pub fn called_in_own_file_only(&self, module: &Module) -> Vec<bool> {
+        let mut locally = vec![true; module.functions.len()];
+        for (caller, function) in module.functions.iter().enumerate() {
+            walk_exprs(&function.body, &mut |expr| {
+                if let ExprKind::Call(callee, _) = &expr.kind {
+                    let moves = function.role == Role::Inline;
+                    let together = self.functions[callee.index()] == self.functions[caller];
+                    locally[callee.index()] &= !moves && together;
+                }
+            });
+        }
+        locally
+    }
+
+    fn of_struct(&self, module: &Module, id: StructId) -> String {
+        let item = &module.structs[id.index()];
+        match component_in(module, &Type::Struct(id)) {
+            Some(component) if component == id => self.own_file(module, id),
+            Some(component) => self.structs[component.index()].clone(),
+            None => self.module(&item.module),
+        }
+    }
+
+    /// A component's: its name, with its module's before it if that is taken.
+    fn own_file(&self, module: &Module, id: StructId) -> String {
+        let item = &module.structs[id.index()];
+        let (own, own_module) = (snake(&item.name), self.module(&item.module));
+        let taken = is_reserved_file(&own)
+            || own != own_module && self.modules.values().any(|file| *file == own)
+            || module.structs.iter().enumerate().any(|(index, other)| {
+                index != id.index() && other.initial.is_some() && snake(&other.name) == own
+            });
+        if taken { format!("{own_module}_{own}") } else { own }
+    }
+
+    fn of_function(&self, module: &Module, function: &Function) -> String {
+        let owner = match function.owner {
+            Some(Owner::Struct(owner)) => component_in(module, &Type::Struct(owner)),
+            _ => None,
+        };
+        let named = signature(function).filter_map(|ty| component_in(module, ty)).max();
+        match owner.max(named) {
+            Some(component) => self.structs[component.index()].clone(),
+            None => self.module(&function.module),
+        }
+    }
+
+    /// For each file, those that its header needs.
+    fn needs(&self, module: &Module, options: &Options) -> BTreeMap<String, BTreeSet<String>> {
+        let mut needs: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+        let mut need = |file: &str, ty: &Type| {
+            if let Some(other) = self.of_type(ty)
+                && other != file
+            {
+                needs.entry(file.to_owned()).or_default().insert(other.to_owned());
+            }
+        };
+        for (item, file) in module.structs.iter().zip(&self.structs) {
+            item.fields.iter().for_each(|field| need(file, &field.ty));
+        }
+        let locally = self.called_in_own_file_only(module);
+        for (index, function) in module.functions.iter().enumerate() {
+            let elsewhere = function.attributes.external.is_some()
+                || options.math == Math::Target && library::name(function).is_some();
+            let private = function.role == Role::Private && locally[index];
+            if !elsewhere && !private && function.role != Role::Inline {
+                signature(function).for_each(|ty| need(&self.functions[index], ty));
+            }
+        }
+        needs
+    }
+
+    fn of_type(&self, ty: &Type) -> Option<&str> {
+        match ty {
+            Type::Struct(id) => Some(self.struct_file(*id)),
+            Type::Enum(id) => Some(self.enum_file(*id)),
+            Type::Array { element, .. } | Type::Slice(element) => self.of_type(element),
+            _ => None,
+        }
+    }
+
+    /// Makes one of files whose headers need each other.
+    fn join(&mut self, needs: &BTreeMap<String, BTreeSet<String>>) {
+        let reached: BTreeMap<&str, BTreeSet<&str>> =
+            needs.keys().map(|file| (file.as_str(), reached(needs, file))).collect();
+        let needed = |from: &str, to: &str| reached.get(from).is_some_and(|all| all.contains(to));
+        let first: BTreeMap<String, String> = (reached.keys())
+            .filter_map(|file| {
+                let mutual = |other: &&&str| needed(file, other) && needed(other, file);
+                let first = reached.keys().find(mutual)?;
+                Some(((*file).to_owned(), (*first).to_owned()))
+            })
+            .collect();
+        let all = self.structs.iter_mut().chain(&mut self.enums).chain(&mut self.functions);
+        for file in all {
+            if let Some(first) = first.get(file) {
+                file.clone_from(first);
+            }
+        }
+    }
+}
+
+/// What a header needs, what those need, and so on.
+fn reached<'n>(needs: &'n BTreeMap<String, BTreeSet<String>>, file: &str) -> BTreeSet<&'n str> {
+    let mut all: BTreeSet<&str> = BTreeSet::new();
+    let mut open: Vec<&str> = needs.get(file).into_iter().flatten().map(String::as_str).collect();
+    while let Some(next) = open.pop() {
+        if all.insert(next) {
+            open.extend(needs.get(next).into_iter().flatten().map(String::as_str));
+        }
+    }
+    all
+}
+
+fn signature(function: &Function) -> impl Iterator<Item = &Type> {
+    function.parameters().iter().map(|local| &local.ty).chain([&function.result])
+}
+
+/// The last component that a value of a type is or holds.
+fn component_in(module: &Module, ty: &Type) -> Option<StructId> {
+    match ty {
+        Type::Struct(id) => {
+            let item = &module.structs[id.index()];
+            let own = item.initial.is_some().then_some(*id);
+            own.or_else(|| item.fields.iter().filter_map(|it| component_in(module, &it.ty)).max())
+        }
+        Type::Array { element, .. } | Type::Slice(element) => component_in(module, element),
+        _ => None,
+    }
+}
+
+/// The file of each Rust module: its last segment, or the whole path where two end alike.
+fn module_files(module: &Module) -> BTreeMap<String, String> {
+    let paths: BTreeSet<&str> = (module.structs.iter().map(|item| &*item.module))
+        .chain(module.enums.iter().map(|item| &*item.module))
+        .chain(module.functions.iter().map(|item| &*item.module))
+        .collect();
+    let file = |path: &str| {
+        let own = last_segment(path);
+        let rivals = paths.iter().filter(|other| last_segment(other) == own).count();
+        let whole = || identifier(&path.replace("::", "_"));
+        match relative(path).join("_") {
+            _ if rivals == 1 && !is_reserved_file(&own) => own,
+            short if rivals > 1 && !is_reserved_file(&short) => short,
+            _ => whole(),
+        }
+    };
+    paths.iter().map(|path| ((*path).to_owned(), file(path))).collect()
+}

@@ -1,0 +1,29 @@
+//! Needs the other's `Near`, which needs nothing.
+
+use bessemer::prelude::*;
+
+use super::left::Near;
+
+/// A share.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Middle {
+    /// Of 256.
+    pub share: u8,
+}
+
+/// Of the other module.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Far {
+    /// The number.
+    pub near: Near,
+    /// Of 256.
+    pub share: u8,
+}
+
+/// With the share of a number.
+#[function]
+pub fn far_of(near: Near, share: i16) -> Far {
+    Far { near, share: share as u8 }
+}
