@@ -79,7 +79,7 @@ fn timed(case: &Case, best: Contender) -> Option<&'static str> {
     match (case.routine, case.size) {
         (Routine::Inverse, 2 | 3) => Some(LOOK),
         (Routine::Inverse, 4) if best == Contender::Eigen => Some(MINORS),
-        (Routine::CholeskySolve, ..=8) => Some(
+        (Routine::CholeskySolve, 5) => Some(
             "the caller's copy in vectors of 64 bytes: where they cross a line of the cache, what is read waits for them (docs/kernels.md)",
         ),
         (Routine::Product, 2 | 3 | 8 | 16) => {
@@ -95,10 +95,10 @@ fn timed_without_vectors(case: &Case, best: Contender) -> Option<&'static str> {
             Some("a division for each element, as nalgebra's; Eigen divides once and multiplies")
         }
         (Routine::Product, _) => Some(
-            "the plain C is tiles for ARM's 32 registers; x86-64 has 16, and has vectors, which this machine leaves out",
+            "inferred, not measured: the plain C is tiles for ARM's 32 registers; x86-64 has 16, and vectors, which are left out here",
         ),
         (Routine::CholeskySolve, 11..) => Some(
-            "its roots and divisions wait for one another in either form, and the plain tiles are for ARM's 32 registers",
+            "inferred, not measured: its roots and divisions wait for one another in either form, and the plain tiles are for ARM's 32 registers",
         ),
         _ => None,
     }

@@ -223,13 +223,14 @@ fn reworded(title: &str) -> (String, Option<&'static str>) {
             Some("mark the function `#[function]`"),
         );
     }
-    if let ([name], true) = (quoted.as_slice(), title.ends_with("` is ambiguous"))
-        && TAKEN_MACROS.contains(name)
-    {
-        return (
-            format!("a macro of the author's own is named as Rust's `{name}!`"),
-            Some("give it another name: by this one the DSL means Rust's"),
-        );
+    if let ([name], true) = (quoted.as_slice(), title.ends_with("` is ambiguous")) {
+        let help = Some("give it another name: by this one the DSL means Rust's");
+        if TAKEN_MACROS.contains(name) {
+            return (format!("a macro of the author's own is named as Rust's `{name}!`"), help);
+        }
+        if *name == "mem" {
+            return ("a module of the author's own is named as Rust's `mem`".to_owned(), help);
+        }
     }
     if title.ends_with("is not a type of the DSL") {
         return (

@@ -1,4 +1,4 @@
-//! Macros that are taken for Rust's by their names: rustc is asked whether they are.
+//! Macros, and the module `mem`, that are taken for Rust's by their names: rustc is asked whether they are.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -12,10 +12,15 @@ impl Lowering<'_> {
             let first = path.segments.first().map(|first| text(&first.ident));
             return path.segments.len() == 2 && matches!(first.as_deref(), Some("core" | "std"));
         };
-        if !self.macros.contains(ident) {
-            self.macros.push(ident.clone());
-        }
+        self.ask(ident);
         true
+    }
+
+    /// Lets rustc be asked whether a name is Rust's own.
+    pub(super) fn ask(&mut self, name: &syn::Ident) {
+        if !self.macros.contains(name) {
+            self.macros.push(name.clone());
+        }
     }
 }
 
@@ -29,6 +34,9 @@ pub fn asked(name: &syn::Ident) -> TokenStream {
         _ => quote! {},
     };
     let module = format_ident!("__own_{}", text(name));
+    if text(name) == "mem" {
+        return own_mem(name, &module);
+    }
     quote! {
         {
             use ::core::#name;
@@ -37,6 +45,21 @@ pub fn asked(name: &syn::Ident) -> TokenStream {
         mod #module {
             use super::*;
             fn call() { let _ = || { #name!(#arguments); loop {} }; }
+        }
+    }
+}
+
+/// The same for `mem`, a module: a name that two globs bring is ambiguous unless both mean one thing.
+fn own_mem(name: &syn::Ident, module: &syn::Ident) -> TokenStream {
+    quote! {
+        mod #module {
+            mod rusts {
+                pub use ::core::mem;
+            }
+            #[allow(unused_imports)]
+            use super::*;
+            use rusts::*;
+            use self::#name as asked;
         }
     }
 }

@@ -54,6 +54,9 @@ impl Lowering<'_> {
         let names: Vec<_> = function.path.segments.iter().map(|part| text(&part.ident)).collect();
         let names: Vec<_> = names.iter().map(String::as_str).collect();
         let (["core" | "std", "mem", name] | ["mem", name]) = names.as_slice() else { return None };
+        if names.len() == 2 {
+            self.ask(&function.path.segments[0].ident);
+        }
         let arguments: Vec<_> = it.args.iter().collect();
         let whole = syn::Expr::Call(it.clone());
         let kept = self.fresh_in("kept", &whole);
