@@ -146,8 +146,15 @@ fn about(sizes: &[usize]) -> BTreeMap<&'static str, String> {
     }
     let mut about = BTreeMap::from([("command", command)]);
     let processor = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    if let Some(line) = processor.lines().find(|line| line.starts_with("model name")) {
-        about.insert("processor", line.split(':').nth(1).unwrap_or_default().trim().to_owned());
+    // The name alone does not tell generations apart whose vectors differ.
+    let said = |wanted: &str| {
+        let mut lines = processor.lines().filter_map(|line| line.split_once(':'));
+        lines.find(|(key, _)| key.trim() == wanted).map(|(_, value)| value.trim())
+    };
+    if let (Some(name), Some(family), Some(model)) =
+        (said("model name"), said("cpu family"), said("model"))
+    {
+        about.insert("processor", format!("{name}, family {family}, model {model}"));
     }
     let tools = [
         ("gcc", "gcc"),

@@ -150,7 +150,9 @@ fn copied(from: &Path, to: &Path, annotated: bool, lines: &mut usize) -> std::io
             *lines += text.lines().count();
             fs::write(target, if annotated { text } else { bare(&text) })?;
         }
-        if name != "mod" {
+        // What files include is no module.
+        let is_module = path.is_dir() || path.extension().is_some_and(|it| it == "rs");
+        if is_module && name != "mod" {
             let _ = writeln!(modules, "pub mod {name};");
         }
     }

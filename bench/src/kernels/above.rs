@@ -82,7 +82,7 @@ fn timed(case: &Case, best: Contender) -> Option<&'static str> {
         (Routine::CholeskySolve, 5) => Some(
             "the caller's copy in vectors of 64 bytes: where they cross a line of the cache, what is read waits for them (docs/kernels.md)",
         ),
-        (Routine::Product, 2 | 3 | 8 | 16) => {
+        (Routine::Product, 2 | 3) => {
             Some("as many instructions as the best or fewer: within what runs differ by")
         }
         _ => None,
