@@ -51,8 +51,7 @@ pub(super) fn best(
     code_bytes: u32,
 ) -> Option<(u32, Bands)> {
     let costs = Costs { target, lanes, sizes };
-    // Numbers multiply from memory where an operation has three operands.
-    let alone = (sizes.rows % lanes == 1 && target.step == 2).then(|| {
+    let alone = (sizes.rows % lanes == 1 && target.alone).then(|| {
         let at_once = target.registers - 2;
         sizes.columns.div_ceil(sizes.columns.div_ceil(at_once))
     });
@@ -137,10 +136,13 @@ impl Costs<'_> {
             self.term(band.down, band.across) + rest
         };
         let bytes = INSTRUCTION * (of(first) + last.map_or(0, of)) / 4;
+        let room = code_bytes.min(self.target.room);
         let all = self.sizes.inner.saturating_sub(1).max(1);
-        let turns = std::iter::once(all).filter(|_| self.sizes.inner <= WRITTEN_OUT).chain(TURNS);
-        let mut turns = turns.filter(|terms| *terms <= all && terms * bytes <= code_bytes);
-        turns.next().unwrap_or(1)
+        // Those before the turns are written out, too.
+        let fits = |terms: &u32| *terms <= all && (terms + all % terms) * bytes <= room;
+        let mut turns =
+            std::iter::once(all).filter(|_| self.sizes.inner <= WRITTEN_OUT).chain(TURNS);
+        turns.find(fits).unwrap_or(1)
     }
 }
 
@@ -154,8 +156,9 @@ mod tests {
 
     /// The bands of a product of square matrices with vectors of AVX.
     fn bands(size: u32, lanes: u32, code_bytes: u32) -> Option<Bands> {
+        let [_, avx] = avx();
         let sizes = Sizes::new(KernelRoutine::Product, size, size, size);
-        best(&avx(), lanes, sizes, code_bytes).map(|(_, bands)| bands)
+        best(&avx, lanes, sizes, code_bytes).map(|(_, bands)| bands)
     }
 
     #[test]
@@ -168,8 +171,17 @@ mod tests {
     }
 
     #[test]
+    fn with_registers_to_spare_a_last_row_is_one_more_vector() {
+        let [wide, _] = avx();
+        let sizes = Sizes::new(KernelRoutine::Product, 17, 17, 17);
+        let first = Band { down: 3, across: 6 };
+        let bands = best(&wide, 8, sizes, 8192).map(|(_, bands)| bands);
+        assert_eq!(bands, Some(Bands { first, last: None, alone: None, terms: 8 }));
+    }
+
+    #[test]
     fn the_loop_has_as_many_terms_as_have_room() {
         let terms = |code_bytes| bands(16, 4, code_bytes).map(|bands| bands.terms);
-        assert_eq!([8192, 2048, 512, 1].map(terms), [Some(15), Some(4), Some(1), Some(1)]);
+        assert_eq!([8192, 2048, 512, 1].map(terms), [Some(15), Some(2), Some(1), Some(1)]);
     }
 }

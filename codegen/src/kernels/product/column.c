@@ -1,6 +1,6 @@
 typedef int32_t words_t __attribute__((vector_size(16), aligned(4), may_alias));
 
-/* A part of a column of the result, in vectors of rows: the first products, then the others in order. Numbers
+$last_row/* A part of a column of the result, in vectors of rows: the first products, then the others in order. Numbers
    that follow one another are loaded at once and spread from there: as integers, whose shuffle copies nothing. */
 static inline void column_part(const $real *a, const $real *b, $real *result)
 {
@@ -12,7 +12,7 @@ static inline void column_part(const $real *a, const $real *b, $real *result)
     for (uint32_t down = 0U; down < DOWN; down++) {
         sums[down] = *(const lanes_t *)&a[OFFSET(down)] * number;
     }
-$first_group#pragma GCC unroll $terms
+$last_first$first_group#pragma GCC unroll $terms
     for (uint32_t k = TOGETHER; k + TOGETHER <= $inner; k += TOGETHER) {
         numbers = *(const words_t *)&b[k];
         IN_ITS_REGISTER(numbers);
@@ -21,4 +21,4 @@ $last#pragma GCC unroll 16
     for (uint32_t down = 0U; down < DOWN; down++) {
         *(lanes_t *)&result[OFFSET(down)] = sums[down];
     }
-}
+$last_stored}

@@ -27,11 +27,17 @@ pub(super) struct Target {
     pub step: u32,
     /// Quarters of an instruction to have a number in each lane.
     pub spread: u32,
+    /// Bytes of code that a loop over terms may take; more of them written out take no less time.
+    pub room: u32,
+    /// Whether a row that fills no vector goes by numbers: they have to multiply from memory, for without registers to
+    /// spare a vector more is dearer.
+    pub alone: bool,
 }
 
-/// The widest first. Those of 64 bytes cross a line of the cache wherever a column does not begin at one, and 32 registers
-/// hold the left factor up to eight rows in `f64`: on a processor whose units are as wide (Zen 5) they take 0.4 to 0.7 of
-/// the time of those of 32 from 8 rows on. NEON flushes subnormals to zero, so it is there for those only who say that
+/// The widest first. Those of 64 bytes cross a line of the cache wherever a column does not begin at one; on a processor
+/// whose units are as wide (Zen 5) they take 0.4 to 0.8 of the time of those of 32 from 8 rows on all the same. A last row by
+/// numbers takes 1.15 times as long there as one more vector, and a loop over four terms no longer than all written
+/// out. NEON flushes subnormals to zero, so it is there for those only who say that
 /// they do not mind; its multiplication with addition rounds twice, as C's.
 const TARGETS: [Target; 4] = [
     Target {
@@ -42,6 +48,8 @@ const TARGETS: [Target; 4] = [
         registers: 32,
         step: 2,
         spread: 2,
+        room: 4 * 1024,
+        alone: false,
     },
     Target {
         condition: "defined(__AVX__)",
@@ -51,6 +59,8 @@ const TARGETS: [Target; 4] = [
         registers: 16,
         step: 2,
         spread: 4,
+        room: u32::MAX,
+        alone: true,
     },
     Target {
         condition: "defined(__SSE2__)",
@@ -60,6 +70,8 @@ const TARGETS: [Target; 4] = [
         registers: 16,
         step: 3,
         spread: 8,
+        room: u32::MAX,
+        alone: false,
     },
     Target {
         condition: "defined(__ARM_NEON) && defined(BESSEMER_NEON_F32)",
@@ -69,6 +81,8 @@ const TARGETS: [Target; 4] = [
         registers: 16,
         step: 1,
         spread: 4,
+        room: u32::MAX,
+        alone: false,
     },
 ];
 
@@ -135,6 +149,33 @@ const HELD_UNROLLED: u32 = 64;
 /// Vectors below one another in a part of a column, at most.
 const COLUMN_DOWN: u32 = 10;
 
+/// A term of a last row of a column that fills no vector.
+const ADD_LAST: &str = "\
+/* A term of the last row, which fills no vector. The number is needed no more: its register takes the sum. */
+static inline $real add_last(const $real sum, const $real *row, const lanes_t number)
+{
+    $real value = number[0];
+    IN_ITS_REGISTER(value);
+    value *= *row;
+    IN_ITS_REGISTER(value);
+    value += sum;
+    IN_ITS_REGISTER(value);
+    return value;
+}
+
+";
+const LAST_TERM: &str =
+    "        last = add_last(last, &a[$rows * (k + $next) + $bottom], number);\n";
+const LAST_FIRST: &str = "    $real last = a[$bottom] * number[0];\n";
+const LAST_STORED: &str = "    result[$bottom] = last;\n";
+
+/// A column that is no part.
+const WHOLE_COLUMNS: &str = "\
+for (uint32_t column = $first_column; column < $columns; $next_column) {
+    column_part(a, &b[$inner * column], &result[$rows * column]);
+}
+";
+
 /// What stands before the function, and its body; none if there are too few rows.
 pub(super) fn source(
     element: Float,
@@ -177,12 +218,13 @@ pub(super) fn source(
         word = "elif";
     }
     let beside = plans.iter().find_map(|(_, plan)| match plan.form {
-        Form::Columns(beside) => Some(beside),
+        Form::Columns(beside) => Some((beside, plan.lanes * plan.down + 1 == sizes.rows)),
         _ => None,
     });
-    if let Some(beside) = beside {
-        let (functions, calls) = match beside {
-            1 => (column(element, sizes.inner), COLUMNS.to_owned()),
+    if let Some((beside, last)) = beside {
+        let (functions, calls) = match (beside, last) {
+            (1, false) => (column(element, sizes.inner, last), COLUMNS.to_owned()),
+            (1, true) => (column(element, sizes.inner, last), WHOLE_COLUMNS.to_owned()),
             _ => beside::source(element, sizes, beside),
         };
         before += &format!("\n#if defined(TOGETHER)\n{functions}#endif\n");
@@ -226,8 +268,8 @@ fn alike(k: u32, lanes: u32) -> String {
     format!("(lanes_t){{{}}}", vec![format!("b[{k}]"); lanes as usize].join(", "))
 }
 
-/// The part of a column, with the steps of its groups of terms.
-fn column(element: Float, inner: u32) -> String {
+/// The part of a column, with the steps of its groups of terms; and whether a last row goes by numbers.
+fn column(element: Float, inner: u32, last_row: bool) -> String {
     let spread = |k: u32| {
         let places = match element {
             Float::F64 => [2 * k, 2 * k + 1, 2 * k, 2 * k + 1],
@@ -236,7 +278,9 @@ fn column(element: Float, inner: u32) -> String {
         let [w, x, y, z] = places;
         format!("(lanes_t)__builtin_shufflevector(numbers, numbers, {w}, {x}, {y}, {z})")
     };
-    let step = |number: &str, at: &str| STEP.replace("$spread", number).replace("(k + $next)", at);
+    let last_row = |text: &str| if last_row { text.to_owned() } else { String::new() };
+    let step = STEP.replace("$last_term", &last_row(LAST_TERM));
+    let step = |number: &str, at: &str| step.replace("$spread", number).replace("(k + $next)", at);
     let together = 16 / bytes(element);
     let outdented = |text: String| -> String {
         text.lines()
@@ -253,6 +297,9 @@ fn column(element: Float, inner: u32) -> String {
     COLUMN
         .replace("$spread_0", &spread(0))
         .replace("$first_group", &outdented(first))
+        .replace("$last_row", &last_row(ADD_LAST))
+        .replace("$last_first", &last_row(LAST_FIRST))
+        .replace("$last_stored", &last_row(LAST_STORED))
         .replace("$last", &outdented(last))
         .replace("$group", &group)
 }
@@ -343,6 +390,9 @@ fn plan(target: &Target, element: Float, sizes: Sizes, tuning: &Tuning) -> Optio
     if fits && spreads && tuning.mode == Mode::Exact {
         let down = vectors.div_ceil(vectors.div_ceil(COLUMN_DOWN));
         let beside = beside::most(element, down, sizes.columns, target.registers);
+        // Of `f32` the last row by numbers took more.
+        let last_row = sizes.rows % lanes == 1 && element == Float::F64 && beside == 1;
+        let down = if last_row && vectors <= COLUMN_DOWN + 1 { sizes.rows / lanes } else { down };
         return Some(Plan { lanes, down, form: Form::Columns(beside) });
     }
     best(target, element, sizes, tuning.code_bytes)
@@ -350,7 +400,7 @@ fn plan(target: &Target, element: Float, sizes: Sizes, tuning: &Tuning) -> Optio
 
 /// The bands that take the fewest instructions.
 fn best(target: &Target, element: Float, sizes: Sizes, code_bytes: u32) -> Option<Plan> {
-    let widths = [32, 16].into_iter().filter(|width| *width <= target.widest);
+    let widths = [64, 32, 16].into_iter().filter(|width| *width <= target.widest);
     let lanes = widths.map(|width| width / bytes(element)).filter(|lanes| *lanes <= sizes.rows);
     let plans = lanes.filter_map(|lanes| {
         let (cost, bands) = bands::best(target, lanes, sizes, code_bytes)?;
@@ -363,9 +413,9 @@ fn best(target: &Target, element: Float, sizes: Sizes, code_bytes: u32) -> Optio
 pub(super) mod tests {
     use super::{TARGETS, Target};
 
-    /// AVX.
-    pub fn avx() -> Target {
-        let [_, avx, _, _] = TARGETS;
-        avx
+    /// AVX-512, and AVX.
+    pub fn avx() -> [Target; 2] {
+        let [wide, avx, _, _] = TARGETS;
+        [wide, avx]
     }
 }
