@@ -66,6 +66,17 @@ const NO_VECTORS: &str = "\
 #endif
 ";
 
+/// From so many bytes on, up to the largest size that has no rows of vectors, the copy of the matrix begins a line of the cache.
+const LINE: u64 = 64;
+const IN_ONE_LINE: &str = "\
+/* A copy in vectors of 64 bytes: where these crossed a line of the cache, what is read of them would wait for it. */
+#if defined(__GNUC__) && defined(__AVX512F__)
+#define IN_ONE_LINE __attribute__((aligned(64)))
+#else
+#define IN_ONE_LINE
+#endif
+";
+
 const FIND_PIVOT: &str = "\
 /* On ARM, functions for themselves take fewer instructions; on x86-64 less time where they stand. */
 #if defined(__GNUC__) && defined(__arm__)
@@ -223,7 +234,14 @@ pub(super) fn source(kernel: &Kernel, code_bytes: u32) -> Source {
     let sizes =
         [("n", size), ("columns", columns), ("all", size * size), ("known", size * columns)];
     let values = values(kernel.element, &sizes);
+    let mut declared = declarations(&buffers(kernel));
+    let copied = kernel.routine == KernelRoutine::Solve && size <= SCALAR;
+    let in_one_line = copied && buffers(kernel).iter().any(|buffer| buffer.bytes() >= LINE);
+    if in_one_line {
+        declared.insert_str(0, "IN_ONE_LINE ");
+    }
     let shared = match size {
+        0..=SCALAR if in_one_line => [NO_VECTORS, IN_ONE_LINE].join("\n"),
         0..=SCALAR => NO_VECTORS.to_owned(),
         _ if size <= PIVOTS_WRITTEN_OUT => String::new(),
         _ => [FIND_PIVOT, EXCHANGE].concat(),
@@ -234,7 +252,7 @@ pub(super) fn source(kernel: &Kernel, code_bytes: u32) -> Source {
     );
     Source {
         before: fill(&before, &values).trim().to_owned(),
-        body: fill(&(declarations(&buffers(kernel)) + &body), &values),
+        body: fill(&(declared + &body), &values),
         math: true,
         string: kernel.routine != KernelRoutine::LuSolve,
         ..Source::default()
