@@ -203,3 +203,26 @@ fn lends(argument: &Argument, destination: &Place) -> bool {
         Argument::RefMut(place) => overlap(place, destination) || moves(place, written),
     }
 }
+
+/// Whether two places are one as they are written, wherever that is.
+pub(super) fn same_place(one: &Place, other: &Place) -> bool {
+    let steps = || one.steps.iter().zip(&other.steps);
+    one.root == other.root
+        && one.steps.len() == other.steps.len()
+        && steps().all(|steps| match steps {
+            (Step::Field(one), Step::Field(other)) => one == other,
+            (Step::Index(one), Step::Index(other)) => same_index(one, other),
+            (Step::Element(row, column), Step::Element(other_row, other_column)) => {
+                same_index(row, other_row) && same_index(column, other_column)
+            }
+            _ => false,
+        })
+}
+
+fn same_index(one: &Expr, other: &Expr) -> bool {
+    match (&one.kind, &other.kind) {
+        (ExprKind::Literal(one), ExprKind::Literal(other)) => one == other,
+        (ExprKind::Load(one), ExprKind::Load(other)) => same_place(one, other),
+        _ => false,
+    }
+}

@@ -12,7 +12,9 @@ use super::Remaining;
 use super::facts::Facts;
 use super::flatten::when;
 use super::names::{self, Names, Purpose};
-use super::places::{disturbs, lent, lent_by_indices, load, moves, reads, weight, whole, writes};
+use super::places::{
+    disturbs, lent, lent_by_indices, load, moves, reads, same_place, weight, whole, writes,
+};
 use super::positions::{Callee, Position};
 use super::ranges::Interval;
 
@@ -111,6 +113,10 @@ impl Lowering<'_> {
         }
         if disturbs(&place, &value, self.through_pointer(&value)) {
             value = self.keep(value, Purpose::Part("next"));
+        }
+        // It does nothing, and compilers warn of it.
+        if matches!(&value.kind, ExprKind::Load(from) if same_place(from, &place)) {
+            return;
         }
         self.facts.assign(&place, known);
         self.emit(StmtKind::Assign { place, value }, span);

@@ -21,8 +21,17 @@ pub(super) struct Handed<'a> {
     closure: tree::Closure,
     /// The function that its body stands in.
     source: &'a tree::Function,
-    /// What it uses, and where that is here.
-    captures: Vec<(String, Place)>,
+    captures: Vec<Capture>,
+}
+
+/// What a closure uses.
+#[derive(Clone)]
+struct Capture {
+    name: String,
+    /// Where that is here.
+    place: Place,
+    /// A local, which the closure may assign, rather than another name of a place.
+    local: bool,
 }
 
 impl<'a> Lowering<'a, '_> {
@@ -63,24 +72,26 @@ impl<'a> Lowering<'a, '_> {
         };
         let mut captures = Vec::new();
         for name in names_in(&closure) {
-            if let Ok(binding) = self.lookup(&name, argument.site) {
-                let span = self.span(argument.site);
-                let place = match binding {
-                    Binding::Alias(place) => place,
-                    Binding::Slice(_) => {
-                        return problem(
-                            argument.site,
-                            "a closure that is handed to a function uses no slice in the DSL",
-                            "take what it needs of the slice before: `let first = values[0];`",
-                        );
-                    }
-                    Binding::Local(root) => {
-                        let ty = self.locals[root.index()].ty.clone();
-                        Place { root, steps: Vec::new(), ty, span }
-                    }
-                };
-                captures.push((name, place));
-            }
+            let Ok(binding) = self.lookup(&name, argument.site) else { continue };
+            let span = self.span(argument.site);
+            let local = matches!(binding, Binding::Local(_));
+            let place = match binding {
+                Binding::Alias(place) => Some(place),
+                Binding::Slice(_) => None,
+                Binding::Local(root) => {
+                    let ty = self.locals[root.index()].ty.clone();
+                    Some(Place { root, steps: Vec::new(), ty, span })
+                }
+            };
+            // Neither the parts of an array nor a parameter that is a slice.
+            let Some(place) = place.filter(|place| !matches!(place.ty, Type::Slice(_))) else {
+                return problem(
+                    argument.site,
+                    "a closure that is handed to a function uses no slice in the DSL",
+                    "take what it needs of the slice before: `let first = values[0];`",
+                );
+            };
+            captures.push(Capture { name, place, local });
         }
         Ok(Handed { closure, source: self.source, captures })
     }
@@ -92,7 +103,7 @@ impl<'a> Lowering<'a, '_> {
         mut handed: HashMap<String, Handed<'a>>,
         site: Site,
     ) -> Result<(FunctionId, Vec<Argument>)> {
-        let called = self.copy_name(template, &handed);
+        let given = handed.clone();
         let home = self.source;
         let owner = self.owner();
         let is_inline = home.tree.role == tree::Role::Inline;
@@ -104,7 +115,7 @@ impl<'a> Lowering<'a, '_> {
         order.sort();
         for param in order {
             let Some(handed) = handed.get_mut(&param) else { continue };
-            for (name, place) in &mut handed.captures {
+            for Capture { name, place, .. } in &mut handed.captures {
                 let root = LocalId(inner.locals.len() as u32);
                 let local = Local {
                     name: name.clone(),
@@ -140,6 +151,8 @@ impl<'a> Lowering<'a, '_> {
             };
             captured.push(argument);
         }
+        // Behind the body, in which another closure may be handed to the same function.
+        let called = self.copy_name(template, &given);
         let function = bessemer_ir::Function {
             name: called,
             module: home.module.clone(),
@@ -215,8 +228,11 @@ impl<'a> Lowering<'a, '_> {
         let outer = std::mem::take(&mut self.handed);
         let source = std::mem::replace(&mut self.source, handed.source);
         self.scopes = vec![Vec::new()];
-        for (name, place) in &handed.captures {
-            self.alias_to(name, place.clone());
+        for Capture { name, place, local } in &handed.captures {
+            match local {
+                true => self.bind(name, Binding::Local(place.root)),
+                false => self.alias_to(name, place.clone()),
+            }
         }
         let value = self.applied(&handed.closure, &subjects);
         self.source = source;

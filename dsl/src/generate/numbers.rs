@@ -261,6 +261,11 @@ impl<T, U: FromBuiltin<T>> IntoBuiltin<U> for T {}
 
 /// Conversions that may fail: of integers, and those of authors' own types.
 #[allow(missing_docs)]
+#[diagnostic::on_unimplemented(
+    message = "no `try_from` of the DSL makes a `{Self}` of a `{T}`",
+    label = "not a conversion of the DSL",
+    note = "what always fits is `{Self}::from(x)`, and what is of that type is itself"
+)]
 pub trait TryFromBuiltin<T>: Sized {
     /// Which function it is.
     type Marker;

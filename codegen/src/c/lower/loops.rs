@@ -67,7 +67,9 @@ impl Lower<'_> {
             None if reversed => self.head_down(&counter, (from, to), int, inclusive),
             // No value is below the smallest: the loop does not run, and C must not be asked.
             None if !inclusive && literal_value(&to.1, int) == Some(int.min()) => {
-                Head { first: from.0, condition: Expr::name("false"), step: None, begin: None }
+                let begin = StmtKind::Expr(Expr::cast("void", Expr::name(&counter)));
+                let condition = Expr::name("false");
+                Head { first: from.0, condition, step: None, begin: Some(begin) }
             }
             None => Head {
                 first: from.0,

@@ -87,6 +87,9 @@ impl Lower<'_> {
             // A constant that is not written to needs no copy.
             Some(Ir { kind: ExprKind::Const(_), .. }) if constant => {
                 let Expr::Name(name) = self.operand(value.expect("just seen")) else { return };
+                if !self.usage.read[local.index()] {
+                    self.emit(StmtKind::Expr(Expr::cast("void", Expr::name(&name))));
+                }
                 self.bindings[local.index()] = Some(super::Binding { name, pointer: false });
                 return;
             }
@@ -147,7 +150,13 @@ impl Lower<'_> {
             self.call_into_place(*callee, arguments, place);
             return;
         }
+        let root = place.root.index();
+        let mentioned = self.mentioned[root];
         let dest = self.place(place);
+        if place.steps.is_empty() && matches!(dest, Expr::Name(_)) {
+            // What is only set is not used.
+            self.mentioned[root] = mentioned;
+        }
         self.store(dest, Some(place), value);
     }
 

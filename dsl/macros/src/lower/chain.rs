@@ -148,7 +148,10 @@ impl Lowering<'_> {
                 let value = self.item_value(flow, &mut it.receiver)?;
                 assign(Some(op), value)
             }
-            "count" => assign(Some(BinaryOp::Add), plain(ExprKind::Int("1".into(), None), &node)),
+            "count" => {
+                self.passed_by(flow, &mut it.receiver)?;
+                assign(Some(BinaryOp::Add), plain(ExprKind::Int("1".into(), None), &node))
+            }
             "fold" => {
                 let closure = closure_of(it.args.get_mut(1)?)?;
                 let value = self.taken_further(flow, closure, name, false)?;

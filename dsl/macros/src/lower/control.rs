@@ -4,7 +4,7 @@ use bessemer_ir::tree::{self, ExprKind};
 use quote::quote_spanned;
 use syn::spanned::Spanned;
 
-use super::{GENERATING, Lowering, bound, each, pattern, refuse, site, text};
+use super::{GENERATING, Lowering, bound, each, item, pattern, refuse, site, text};
 
 impl Lowering<'_> {
     pub(super) fn if_expr(&mut self, it: &mut syn::ExprIf, value: bool) -> ExprKind {
@@ -99,7 +99,10 @@ impl Lowering<'_> {
             let slot = walk.slot();
             let name = text(&ident);
             walk.bind(&name);
-            let body = walk.branch(&mut it.body, false);
+            let mut body = walk.branch(&mut it.body, false);
+            if item::is_mutable(&it.pat) {
+                body.stmts.insert(0, item::copied(name.clone(), &name, slot, &ident));
+            }
             pattern::name_wild(&mut it.pat);
             it.body.stmts.insert(0, walk.look(slot, &ident));
             Some(ExprKind::For { label, name, slot, range: Box::new(range?), body })

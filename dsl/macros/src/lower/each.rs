@@ -6,7 +6,7 @@ use bessemer_ir::tree::{self, ExprKind, Order};
 use syn::spanned::Spanned;
 
 use super::rewrite::gives_references;
-use super::{Lowering, refuse, site, text};
+use super::{Lowering, item, refuse, site, text};
 
 /// What a loop goes through.
 pub(super) enum Source {
@@ -40,14 +40,13 @@ impl Lowering<'_> {
                 }
                 (true, _) => (None, None),
             };
+            let mut own = None;
             let index = match index {
-                Some(syn::Pat::Ident(name))
-                    if name.by_ref.is_none()
-                        && name.mutability.is_none()
-                        && name.subpat.is_none() =>
-                {
-                    let name = text(&name.ident);
+                Some(syn::Pat::Ident(it)) if it.by_ref.is_none() && it.subpat.is_none() => {
+                    let name = text(&it.ident);
                     walk.bind(&name);
+                    let copy = || item::copied(name.clone(), &name, tree::NO_SLOT, &it.ident);
+                    own = it.mutability.map(|_| copy());
                     Some(name)
                 }
                 None | Some(syn::Pat::Wild(_)) => None,
@@ -64,7 +63,8 @@ impl Lowering<'_> {
                 // What does not go through anything has no elements to tell about.
                 walk.refusals.forget_since(refused);
             }
-            let body = walk.branch(&mut it.body, false);
+            let mut body = walk.branch(&mut it.body, false);
+            body.stmts.splice(0..0, own);
             it.body.stmts.splice(0..0, looks);
             Some(ExprKind::Each { label, index, parts, order, cuts, body })
         })
@@ -201,7 +201,12 @@ impl Lowering<'_> {
             }
             other => {
                 let owned = !matches!(other, syn::Expr::Reference(_));
+                let before = self.refusals.len();
                 let array = Box::new(self.value(other));
+                if is_range(other) {
+                    self.refusals.forget_since(before);
+                    self.refusals.add(other.span(), refuse::LINKED_RANGE);
+                }
                 Source::One { array, owned, group: None, reversed: false }
             }
         }

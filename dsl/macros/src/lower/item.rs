@@ -99,7 +99,15 @@ impl Lowering<'_> {
         let name = match behind(first) {
             syn::Pat::Wild(_) if takes == Takes::Items => None,
             syn::Pat::Wild(_) => Some(self.hidden("i")),
-            other => Some(self.bind_apart(&text(&simple(other)?))),
+            other => {
+                let own = simple(other)?;
+                let counter = self.bind_apart(&text(&own));
+                if is_mutable(other) {
+                    let copy = copied(counter.clone(), &counter, tree::NO_SLOT, &own);
+                    flow.steps.push(Step::Do(copy));
+                }
+                Some(counter)
+            }
         };
         if let Over::Each { index, .. } = &mut flow.over {
             index.clone_from(&name);
@@ -175,7 +183,11 @@ impl Lowering<'_> {
                 } else {
                     self.look(slot, &name)
                 });
-                self.bind_apart(&text(&name))
+                let counter = self.bind_apart(&text(&name));
+                if is_mutable(pattern) {
+                    flow.steps.push(Step::Do(copied(counter.clone(), &counter, slot, &name)));
+                }
+                counter
             }
             None if is_wild(pattern) => {
                 let (name, slot) = (format_ident!("__number"), slot_name(slot));
@@ -210,6 +222,11 @@ impl Lowering<'_> {
             }
             (Item::Named(known), other) => {
                 match simple(other) {
+                    // What the closure changes is its own.
+                    Some(name) if is_mutable(other) => {
+                        let copy = self.bind_apart(&text(&name));
+                        flow.steps.push(Step::Do(copied(copy, &known, tree::NO_SLOT, &name)));
+                    }
                     Some(name) => self.bind_as(&text(&name), &known),
                     None => {
                         let value = plain(ExprKind::Local(known.clone()), other);
@@ -252,6 +269,19 @@ impl Lowering<'_> {
         *receiver =
             syn::Expr::Verbatim(quote! { #chain.inspect(|__item| __look(&#slot_name, __item)) });
         (name, slot)
+    }
+
+    /// What flows out of a chain, where nothing is asked of it but to be there.
+    pub(super) fn passed_by(&mut self, flow: &mut Flow, receiver: &mut syn::Expr) -> Option<()> {
+        match &flow.item {
+            Item::Number => self.item_value(flow, receiver).map(drop),
+            Item::Named(_) | Item::Pair(..) | Item::Taken => Some(()),
+            // Also what a closure computes is computed, and may be nothing.
+            _ => {
+                let mut any = syn::parse_quote!(_);
+                self.name_item(flow, (&mut any, Takes::Items), &mut Vec::new())
+            }
+        }
     }
 
     /// What flows out of a chain, as a value.
@@ -318,6 +348,23 @@ pub(super) fn simple(pattern: &syn::Pat) -> Option<syn::Ident> {
         syn::Pat::Reference(it) => simple(&it.pat),
         other => closure_parameter(other),
     }
+}
+
+/// Whether what a pattern names may be changed.
+pub(super) fn is_mutable(pattern: &syn::Pat) -> bool {
+    match pattern {
+        syn::Pat::Ident(it) => it.mutability.is_some(),
+        syn::Pat::Reference(it) => is_mutable(&it.pat),
+        syn::Pat::Paren(it) => is_mutable(&it.pat),
+        syn::Pat::Type(it) => is_mutable(&it.pat),
+        _ => false,
+    }
+}
+
+/// `let name = known;`, where one may be changed and the other is a place or a counter.
+pub(super) fn copied(name: String, known: &str, slot: u32, node: &syn::Ident) -> tree::Stmt {
+    let value = plain(ExprKind::Local(known.to_owned()), node);
+    tree::Stmt::Let { name, slot, site: value.site, value: Some(value) }
 }
 
 /// Whether a pattern takes a reference apart, `&x`.

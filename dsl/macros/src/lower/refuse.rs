@@ -159,6 +159,7 @@ reasons! {
     STATIC: "a `static mut` is a global that anybody changes", "use a field of the component; a table that nobody changes is a `const` or a `static`";
     NESTED_ITEM: "items inside a function are not in the DSL", "move it out, next to the function";
     YIELD: "generators are not in the DSL", "keep the state in a component, and step it";
+    LINKED_RANGE: "of a range the DSL takes `.rev()` and `.step_by(n)`, then closures: `.map(…)`, `.filter(…)` and the like", "change its ends, `1..n` for `(0..n).skip(1)`; beside elements, number them with `.enumerate()`";
     RANGE_VALUE: "a range is not a value in the DSL", "write it in a `for`";
     OPERATOR_TRAIT: "of the operators of one's own types `+ - * /`, these with `=`, and the sign are in the DSL", "put a method with a name into an `impl` block of the type";
     GENERIC_OPERATOR: "an operator or a conversion of a generic type is not in the DSL", "implement it for each instance, or write a method with a name";

@@ -1,0 +1,31 @@
+//! How many elements or numbers there are, where nothing else is asked of them.
+
+use bessemer::prelude::*;
+
+/// Of elements, pairs, indices, windows and ranges.
+#[function]
+pub fn all(values: &[i32; 3], list: &List<u8, 4>, last: u8) -> usize {
+    values.iter().count()
+        + 10 * list.iter().count()
+        + 100 * values.iter().zip(list).enumerate().count()
+        + 1000 * values.windows(2).count()
+        + 10000 * values.iter().copied().skip(1).count()
+        + (0..last).count()
+        + (1..=last % 100).rev().count()
+}
+
+/// What a closure computes is computed, and what is nothing is not counted.
+#[function]
+pub fn computed(values: &[i8; 4], last: u8) -> usize {
+    let odd = values.iter().filter_map(|x| (x % 2 != 0).then_some(*x)).count();
+    let leading = (0..last).map_while(|x| (x < 3).then_some(x)).count();
+    let there = [Some(last), None, Some(1)].iter().flatten().count();
+    let raised = values.iter().map(|x| x + 1).count();
+    odd + 10 * leading + 1000 * there + 10000 * raised
+}
+
+/// A loop over nothing.
+#[function]
+pub fn none(values: &[i32; 3]) -> usize {
+    values.iter().take(0).count() + (0..0_u8).map(|x| x + 1).count()
+}

@@ -1,0 +1,9 @@
+//! A case.
+#![no_std]
+use bessemer::prelude::*;
+
+/// What always fits.
+#[function]
+pub fn index(letter: u16) -> usize {
+    usize::try_from(letter).unwrap_or(0)
+}
