@@ -35,6 +35,7 @@ pub struct Process {
     input: BufWriter<ChildStdin>,
     output: BufReader<ChildStdout>,
     results: usize,
+    said: String,
     // Holds the program while it runs.
     folder: TempDir,
 }
@@ -124,9 +125,14 @@ impl Process {
         let path = folder.path().join("harness_main.c");
         std::fs::write(&path, main)?;
         let program = folder.path().join("harness");
-        toolchain.around(&path, &sources, &program, flags).map_err(Error::Compile)?;
+        let said = toolchain.around(&path, &sources, &program, flags).map_err(Error::Compile)?;
         let (child, input, output) = spawn(toolchain, &program)?;
-        Ok(Process { child, input, output, results: 0, folder })
+        Ok(Process { child, input, output, results: 0, said, folder })
+    }
+
+    /// What the compiler warned of, where flags kept its warnings from being errors.
+    pub fn said(&self) -> &str {
+        &self.said
     }
 
     /// Starts the program anew: the component is in its initial state again.

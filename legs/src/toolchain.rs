@@ -58,10 +58,17 @@ impl Toolchain {
     /// # Errors
     /// What the compiler said.
     pub fn link(&self, sources: &[PathBuf], program: &Path, flags: &[&str]) -> Result<(), String> {
-        run(self.command().args(flags).args(sources).arg("-o").arg(program).arg("-lm"))
+        run(&mut self.linking(sources, program, flags))
     }
 
-    /// Compiles and links emitted `sources` around the program `main`, with more flags if there are any.
+    fn linking(&self, sources: &[PathBuf], program: &Path, flags: &[&str]) -> Command {
+        let mut command = self.command();
+        command.args(flags).args(sources).arg("-o").arg(program).arg("-lm");
+        command
+    }
+
+    /// Compiles and links emitted `sources` around the program `main`, with more flags if there are any. What
+    /// the compiler said of the sources all the same: warnings, where flags make them no errors.
     ///
     /// The program only moves words: it is compiled without optimisation, at which compilers spend minutes
     /// where there are thousands of calls.
@@ -74,12 +81,12 @@ impl Toolchain {
         sources: &[PathBuf],
         program: &Path,
         flags: &[&str],
-    ) -> Result<(), String> {
+    ) -> Result<String, String> {
         let object = main.with_extension("o");
         let plain = Toolchain { level: 0, ..self.clone() };
         run(plain.command().args(flags).arg("-c").arg(main).arg("-o").arg(&object))?;
         let all: Vec<PathBuf> = sources.iter().cloned().chain([object]).collect();
-        self.link(&all, program, flags)
+        said(&mut self.linking(&all, program, flags))
     }
 
     /// A command that runs `program`.
@@ -102,8 +109,15 @@ const HOST: &str = "x86_64-unknown-linux-gnu";
 /// # Errors
 /// Its output.
 pub fn run(command: &mut Command) -> Result<(), String> {
+    said(command).map(drop)
+}
+
+/// The same, and what it complained of although it succeeded.
+fn said(command: &mut Command) -> Result<String, String> {
     match command.output() {
-        Ok(output) if output.status.success() => Ok(()),
+        Ok(output) if output.status.success() => {
+            Ok(String::from_utf8_lossy(&output.stderr).into_owned())
+        }
         Ok(output) => Err(format!(
             "{command:?}\n{}{}",
             String::from_utf8_lossy(&output.stdout),

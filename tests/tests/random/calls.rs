@@ -35,6 +35,12 @@ impl Writer<'_> {
             let receiver = at == 0 && callee.method;
             match kind {
                 Kind::Owned => texts.push(self.value(ty, fuel)),
+                Kind::Closure(from, changes) => {
+                    let kept = self.freeze_all(!changes);
+                    let (closure, _) = self.lambda(from, ty, fuel);
+                    self.thaw(kept);
+                    texts.push(closure);
+                }
                 Kind::Exclusive => {
                     if let Some(t) = self.trace(ty) {
                         self.lend(t, true);
@@ -121,6 +127,16 @@ impl Writer<'_> {
             (1, _) => {
                 let (default, _) = self.tracked(|it| it.unreturned(|it| it.value(ty, fuel - 1)));
                 format!("{value}.unwrap_or_else(|| {default})")
+            }
+            (2, _) if self.one_in(3) => {
+                let error = self.items.any(self.random, 0, true);
+                let result = Ty::Result(Box::new(ty.clone()), Box::new(error.clone()));
+                let result = self.value(&result, fuel - 1);
+                if self.one_in(2) {
+                    return format!("{result}.unwrap_or({})", self.value(ty, fuel - 1));
+                }
+                let (closure, _) = self.lambda(&error, ty, fuel - 1);
+                format!("{result}.unwrap_or_else({closure})")
             }
             (2, _) => {
                 let default = self.value(ty, fuel - 1);

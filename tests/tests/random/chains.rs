@@ -1,115 +1,124 @@
-//! Random chains of iterators, and closures that fill arrays.
+//! Random chains of iterators that end in a value, and closures that fill arrays.
 
+use super::links::{Item, Links};
 use super::types::Ty;
-use super::writer::{Kind, Place, Var, Writer};
+use super::writer::{Kind, Var, Writer};
 
 impl Writer<'_> {
-    /// An array or a list to go through.
-    fn sequence(&mut self, wanted: &dyn Fn(&Ty) -> bool) -> Option<(Place, Ty)> {
-        let place = self.any_place(false, &|ty| {
-            ty.sequence().is_some_and(|(element, _)| element.is_data() && wanted(element))
-        })?;
-        let element = place.ty.sequence()?.0.clone();
-        Some((place, element))
-    }
-
     /// A chain that ends in a value of the type.
     pub fn chain(&mut self, ty: &Ty, fuel: usize) -> Option<String> {
-        let wanted = |element: &Ty| match ty {
-            Ty::Option(inner) => **inner == *element || **inner == Ty::Int("usize"),
-            _ => true,
-        };
         if !ty.is_scalar() && !matches!(ty, Ty::Option(_)) && !self.one_in(3) {
             return None;
         }
-        let (place, element) = self.sequence(&wanted)?;
-        self.lend(place.root, false);
-        let text = self.ended(ty, &place, &element, fuel - 1);
-        self.end(place.root, false);
-        text
+        let mut links = self.links(fuel - 1)?;
+        // Two closures could change the same; only one of them may, the last.
+        let computed = self.below(3);
+        let kept = self.freeze_all(computed > 0);
+        for _ in 0..computed {
+            self.computed(&mut links, fuel - 1);
+        }
+        let text = self.ended(ty, &mut links, fuel - 1);
+        self.thaw(kept);
+        self.unlinked(&links);
+        Some(text)
     }
 
-    fn ended(&mut self, ty: &Ty, place: &Place, element: &Ty, fuel: usize) -> Option<String> {
-        let iter = format!("{}.iter()", place.text);
-        let iter = match self.below(6) {
-            0 => format!("{iter}.rev()"),
-            1 => format!("{iter}.skip({})", self.below(3)),
-            2 => format!("{iter}.take({})", self.below(4)),
-            _ => iter,
-        };
-        Some(match ty {
-            Ty::Bool if !self.one_in(4) => {
-                let test = self.element_test(element, fuel);
-                format!("{iter}.{}({test})", self.random.of(&["any", "all"]))
+    fn ended(&mut self, ty: &Ty, links: &mut Links, fuel: usize) -> String {
+        let text = links.text.clone();
+        let item = links.item.clone();
+        match (ty, self.below(6)) {
+            (Ty::Bool, 0..=3) => {
+                let test = self.of_item(&item, false, |it| it.logical(fuel));
+                format!("{text}.{}({test})", self.random.of(&["any", "all"]))
             }
-            Ty::Int("usize") if self.one_in(2) => {
-                let test = self.predicate_of_reference(element, fuel);
-                format!("{iter}.filter({test}).count()")
-            }
-            Ty::Option(inner) if **inner == *element => {
-                let test = self.predicate_of_reference(element, fuel);
-                match self.below(4) {
-                    0 if matches!(element, Ty::Int(_)) => {
-                        let end = self.random.of(&["min", "max"]);
-                        format!("{iter}.copied().{end}()")
-                    }
-                    1 => {
-                        let key = Ty::Int(self.random.of(&["u8", "i16", "u64"]));
-                        let before = self.env.len();
-                        let name = self.new_name();
-                        self.env.push(Var::new(name, element, Kind::Shared, false));
-                        let key = self.unreturned(|it| it.value(&key, fuel));
-                        self.env.truncate(before);
-                        let end = self.random.of(&["min_by_key", "max_by_key"]);
-                        format!("{iter}.{end}(|{name}| {key}).copied()")
-                    }
-                    _ => format!("{iter}.find({test}).copied()"),
+            (Ty::Int("usize"), 0 | 1) => format!("{text}.count()"),
+            (Ty::Option(inner), 0..=4) => self.optional_end(inner, links, fuel),
+            (Ty::Int(_) | Ty::Float(_), 0 | 1) => {
+                let kept = self.freeze_all(true);
+                let small = matches!(ty, Ty::Float(_)) || self.risky();
+                if !small {
+                    self.mapped_to(links, &Ty::Int("u8"), fuel);
+                    links.text += &format!(".map(|x| (x % 3) as {})", self.items.name(ty));
+                } else if !matches!(&item, Item::Lent(of) | Item::Value(of) if of == ty) {
+                    self.mapped_to(links, ty, fuel);
                 }
+                self.thaw(kept);
+                let end = self.random.of(&["sum", "product"]);
+                format!("{}.{end}::<{}>()", links.text, self.items.name(ty))
             }
-            Ty::Option(_) => {
-                let test = self.element_test(element, fuel);
-                format!("{}.iter().position({test})", place.text)
+            _ => self.folded(ty, links, fuel),
+        }
+    }
+
+    fn folded(&mut self, ty: &Ty, links: &Links, fuel: usize) -> String {
+        let start = self.value(ty, fuel);
+        let before = self.env.len();
+        let sum = self.random.of(&["sum", "state"]);
+        let step = self.unreturned(|it| {
+            it.env.push(Var::new(sum, ty, Kind::Owned, false));
+            let pattern = it.item(&links.item, false, before);
+            let step = it.inner_block(ty, fuel);
+            format!("|{sum}, {pattern}| {{ {step} }}")
+        });
+        self.env.truncate(before);
+        format!("{}.fold({start}, {step})", links.text)
+    }
+
+    /// An end that may come to nothing.
+    fn optional_end(&mut self, inner: &Ty, links: &mut Links, fuel: usize) -> String {
+        if *inner == Ty::Int("usize") && self.one_in(3) {
+            let test = self.of_item(&links.item, false, |it| it.logical(fuel));
+            return format!("{}.position({test})", links.text);
+        }
+        if self.one_in(6) {
+            return self.tried(inner, links, fuel);
+        }
+        let kept = self.freeze_all(true);
+        match &links.item {
+            Item::Lent(of) if of == inner => {
+                links.text += ".copied()";
+                links.item = Item::Value(inner.clone());
+            }
+            Item::Value(of) if of == inner => {}
+            _ => self.mapped_to(links, inner, fuel),
+        }
+        let text = &links.text;
+        let end = match self.below(7) {
+            0 => "next()".to_owned(),
+            1 => format!("nth({})", self.below(4)),
+            2 => "last()".to_owned(),
+            3 if matches!(inner, Ty::Int(_)) => self.random.of(&["min()", "max()"]).to_owned(),
+            3 | 4 => {
+                let key = Ty::Int(self.random.of(&["u8", "i16", "u64"]));
+                let key = self.of_item(&links.item, true, |it| it.value(&key, fuel));
+                format!("{}({key})", self.random.of(&["min_by_key", "max_by_key"]))
+            }
+            5 if matches!(inner, Ty::Float(_)) => {
+                let end = self.random.of(&["min_by", "max_by"]);
+                format!("{end}(|one, other| one.total_cmp(other))")
             }
             _ => {
-                let before = self.env.len();
-                let names = ["sum", "x", "item", "b"];
-                let (sum, name) = (names[self.below(2)], names[2 + self.below(2)]);
-                let filter = if self.one_in(3) {
-                    // Two closures could change the same; only one of them may.
-                    format!(".filter({})", self.predicate_of_reference(element, fuel))
-                } else {
-                    String::new()
-                };
-                let kept = self.freeze_all(!filter.is_empty());
-                let start = self.value(ty, fuel);
-                self.env.push(Var::new(sum, ty, Kind::Owned, false));
-                self.env.push(Var::new(name, element, Kind::Shared, false));
-                let step = self.unreturned(|it| it.inner_block(ty, fuel));
-                self.env.truncate(before);
-                self.thaw(kept);
-                format!("{iter}{filter}.fold({start}, |{sum}, {name}| {{ {step} }})")
+                let test = self.of_item(&links.item, true, |it| it.logical(fuel));
+                format!("find({test})")
             }
-        })
-    }
-
-    /// `|x| …` that is handed an element.
-    fn element_test(&mut self, element: &Ty, fuel: usize) -> String {
-        self.predicate(element, fuel)
-    }
-
-    /// `|x| …` that is handed a reference to one, and changes nothing.
-    fn predicate_of_reference(&mut self, element: &Ty, fuel: usize) -> String {
-        let kept = self.freeze_all(true);
-        let text = self.unreturned(|it| {
-            let before = it.env.len();
-            let name = it.new_name();
-            it.env.push(Var::new(name, element, Kind::Shared, false));
-            let value = it.logical(fuel);
-            it.env.truncate(before);
-            format!("|&{name}| {value}")
-        });
+        };
+        let text = format!("{text}.{end}");
         self.thaw(kept);
         text
+    }
+
+    fn tried(&mut self, inner: &Ty, links: &Links, fuel: usize) -> String {
+        let start = self.value(inner, fuel);
+        let before = self.env.len();
+        let option = Ty::Option(Box::new(inner.clone()));
+        let step = self.unreturned(|it| {
+            it.env.push(Var::new("state", inner, Kind::Owned, false));
+            let pattern = it.item(&links.item, false, before);
+            let step = it.inner_block(&option, fuel);
+            format!("|state, {pattern}| {{ {step} }}")
+        });
+        self.env.truncate(before);
+        format!("{}.try_fold({start}, {step})", links.text)
     }
 
     /// Nothing in scope may be changed, until it thaws.

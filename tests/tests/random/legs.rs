@@ -17,6 +17,7 @@ use bessemer_tests::random::Random;
 use bessemer_tests::toolchain::Toolchain;
 
 use super::native;
+use super::warnings;
 use super::writer::{Entry, Program};
 
 /// Calls of each program.
@@ -209,7 +210,8 @@ pub fn in_c(
             return vec![Difference { program: "all".into(), text }];
         }
     };
-    let mut all = Vec::new();
+    let names = cases.iter().map(|case| case.program.name.as_str());
+    let mut all = warnings::told(&leg, process.said(), &compiled.files, &names.collect());
     let mut first = 0;
     for case in cases {
         match Life::new(case, &leg, module, &mut process, first).lived() {

@@ -1,6 +1,6 @@
 //! Random matrices and vectors: values of them, numbers that are taken from them, and what changes them.
 
-use super::types::Ty;
+use super::types::{Ty, path};
 use super::writer::{Kind, Place, Var, Writer};
 
 /// What a matrix is made of, and how many rows and columns it has.
@@ -96,7 +96,7 @@ impl Writer<'_> {
     }
 
     fn path(&self, ty: &Ty) -> String {
-        self.items.name(ty).replacen('<', "::<", 1)
+        path(&self.items.name(ty))
     }
 
     fn matrix_of_elements(&mut self, (element, rows, cols): Shape, fuel: usize) -> String {

@@ -1,6 +1,6 @@
 //! Random patterns, and the names that they bind.
 
-use super::types::{Parts, Ty, width};
+use super::types::{Parts, Ty, path, width};
 use super::writer::{Kind, Var, Writer};
 
 impl Writer<'_> {
@@ -10,7 +10,7 @@ impl Writer<'_> {
         self.part_of_pattern(ty, mode, refutable, depth, from)
     }
 
-    fn part_of_pattern(
+    pub fn part_of_pattern(
         &mut self,
         ty: &Ty,
         mode: &Kind,
@@ -48,6 +48,7 @@ impl Writer<'_> {
                 let types = self.items.structs[*index].1.types.clone();
                 let texts = self.several(&types, mode, refutable, depth, from);
                 let (name, parts) = &self.items.structs[*index];
+                let name = path(name);
                 format!("{name}{}", parts.filled(&texts))
             }
             Ty::Enum(index) if refutable => self.variant(*index, mode, depth, from),
@@ -82,10 +83,10 @@ impl Writer<'_> {
         let types = self.items.enums[index].1[at].1.types.clone();
         let texts = self.several(&types, mode, true, depth, from);
         let (name, variants) = &self.items.enums[index];
+        let name = path(name);
         let one = format!("{name}::{}{}", variants[at].0, variants[at].1.filled(&texts));
         let plain: Vec<_> =
             variants.iter().filter(|it| it.1.types.is_empty()).map(|it| it.0.clone()).collect();
-        let name = name.clone();
         if types.is_empty() && self.one_in(3) {
             let other = &plain[self.below(plain.len())];
             return format!("({one} | {name}::{other})");
@@ -118,7 +119,7 @@ impl Writer<'_> {
     }
 
     /// A name that the pattern has not yet, or `_`.
-    fn bound(&mut self, ty: &Ty, mode: &Kind, from: usize) -> String {
+    pub fn bound(&mut self, ty: &Ty, mode: &Kind, from: usize) -> String {
         let name = self.new_name();
         if self.one_in(6) || self.env[from..].iter().any(|var| var.name == name) {
             return "_".to_owned();

@@ -9,16 +9,12 @@ const NESTED: usize = 2;
 impl Writer<'_> {
     pub fn statement(&mut self, fuel: usize) -> String {
         let compound = fuel > 0;
-        let text = match self.below(if compound { 30 } else { 12 }) {
+        let text = match self.below(if compound { 32 } else { 12 }) {
             0..=3 => self.declared(fuel),
             4..=6 => self.assigned(fuel),
             7 | 8 => self.changed(fuel),
             9 => self.called_alone(fuel),
-            10 if self.one_in(2) => match self.matrix_edit(fuel) {
-                Some(text) => text,
-                None => self.list_edit(fuel),
-            },
-            10 => self.list_edit(fuel),
+            10 => self.edited_in_place(fuel).unwrap_or_else(|| self.list_edit(fuel)),
             11 => self.exchanged(),
             12 | 13 => self.branch(fuel),
             14 | 15 => self.match_statement(fuel),
@@ -32,6 +28,7 @@ impl Writer<'_> {
             26 => self.scope(fuel),
             27 if self.nested() < NESTED => self.valued_loop(fuel),
             28 => self.returned(fuel),
+            29 | 30 => self.edited_in_place(fuel).unwrap_or_else(|| self.list_edit(fuel)),
             _ => self.declared(fuel),
         };
         text + "\n"
@@ -105,6 +102,17 @@ impl Writer<'_> {
         }
     }
 
+    /// A change of what is made of elements.
+    fn edited_in_place(&mut self, fuel: usize) -> Option<String> {
+        match self.below(8) {
+            0 | 1 => self.matrix_edit(fuel),
+            2..=4 => self.slice_edit(fuel),
+            5 => self.filled(fuel),
+            6 => self.text_edit(fuel),
+            _ => self.bounded_edit(fuel),
+        }
+    }
+
     fn list_edit(&mut self, fuel: usize) -> String {
         let Some(place) = self.place(true, &|ty| matches!(ty, Ty::List(..))) else {
             return self.assigned(fuel);
@@ -114,7 +122,11 @@ impl Writer<'_> {
         self.lend(place.root, false);
         let value = self.value(element, fuel);
         let at = self.below(*len);
-        let text = match self.below(7) {
+        let text = match self.below(11) {
+            7 => format!("{list}.retain({});", self.kept(element, fuel)),
+            8 => format!("if {list}.len() > {at} {{ {list}.swap_remove({at}); }}"),
+            9 if self.risky() => format!("{list}.extend_from_slice(&[{value}; {}]);", at + 1),
+            9 => format!("if {list}.len() < {len} {{ {list}.extend([{value}]); }}"),
             0..=2 if self.risky() => format!("{list}.push({value});"),
             0 | 1 => format!("if {list}.len() < {len} {{ {list}.push({value}); }}"),
             2 => format!("if {list}.len() > {at} {{ {list}.remove({at}); }}"),
@@ -125,6 +137,14 @@ impl Writer<'_> {
         };
         self.end(place.root, false);
         text
+    }
+
+    /// Which elements stay: a closure that changes nothing.
+    fn kept(&mut self, element: &Ty, fuel: usize) -> String {
+        let frozen = self.freeze_all(true);
+        let test = self.predicate(element, fuel);
+        self.thaw(frozen);
+        test
     }
 
     fn exchanged(&mut self) -> String {
@@ -183,8 +203,24 @@ impl Writer<'_> {
         (if used { format!("{label}: ") } else { String::new() }, text)
     }
 
+    /// A `for` through what links of an iterator give.
+    fn through(&mut self, fuel: usize) -> Option<String> {
+        let links = self.links(fuel - 1)?;
+        let before = self.env.len();
+        let pattern = self.item(&links.item, false, before);
+        let (label, body) = self.body(fuel, None);
+        self.env.truncate(before);
+        self.unlinked(&links);
+        Some(format!("{label}for {pattern} in {} {{\n{body}}}", links.text))
+    }
+
     /// A `for` through an array or a list.
     fn each(&mut self, fuel: usize) -> String {
+        if self.one_in(3)
+            && let Some(text) = self.through(fuel)
+        {
+            return text;
+        }
         let write = self.one_in(2);
         let Some(place) = self.any_place(write, &|ty| ty.sequence().is_some()) else {
             return self.range(fuel);

@@ -19,6 +19,10 @@ pub enum Ty {
     List(Box<Ty>, usize),
     /// Of scalars: rows and columns.
     Matrix(&'static str, usize, usize),
+    /// A text of at most so many bytes.
+    Text(usize),
+    /// Of scalars: at most so many rows and columns.
+    Bounded(&'static str, usize, usize),
     /// Behind a reference only.
     Slice(Box<Ty>),
     /// A component: a place to call, never a value.
@@ -45,8 +49,10 @@ impl Ty {
     /// What a matrix is made of.
     pub fn element(&self) -> Ty {
         match self {
-            Ty::Matrix(name, ..) if name.starts_with('f') => Ty::Float(name),
-            Ty::Matrix(name, ..) => Ty::Int(name),
+            Ty::Matrix(name, ..) | Ty::Bounded(name, ..) if name.starts_with('f') => {
+                Ty::Float(name)
+            }
+            Ty::Matrix(name, ..) | Ty::Bounded(name, ..) => Ty::Int(name),
             other => other.clone(),
         }
     }
@@ -93,6 +99,16 @@ impl Parts {
             self.names.iter().zip(texts).map(|(name, text)| format!("{name}: {text}")).collect();
         format!(" {{ {} }}", named.join(", "))
     }
+}
+
+/// A type's name as it stands in expressions and patterns.
+pub fn path(name: &str) -> String {
+    name.replacen('<', "::<", 1)
+}
+
+/// Whether the name is that of an instance of what is generic, whose declaration stands elsewhere.
+pub fn is_instance(name: &str) -> bool {
+    name.contains('<')
 }
 
 /// What a program declares.
@@ -163,7 +179,7 @@ impl Items {
     /// Any type, in fields (`plain`) one that has a default.
     pub fn any(&self, random: &mut Random, depth: usize, plain: bool) -> Ty {
         let inner = |random: &mut Random| Box::new(self.any(random, depth - 1, plain));
-        match random.below(if depth == 0 { 12 } else { 26 }) {
+        match random.below(if depth == 0 { 12 } else { 30 }) {
             0..=7 => Ty::Int(random.of(&INTS)),
             8 | 9 => Ty::Float(random.of(&["f64", "f64", "f32"])),
             10 => Ty::Bool,
@@ -180,6 +196,12 @@ impl Items {
                 let cols = if random.one_in(2) { 1 } else { 1 + random.below(4) };
                 Ty::Matrix(element, 1 + random.below(4), cols)
             }
+            26 => Ty::Text(2 + random.below(4)),
+            27 => {
+                let element = random.of(&["f64", "f32", "i32", "u8"]);
+                Ty::Bounded(element, 1 + random.below(3), 1 + random.below(3))
+            }
+            28 => Ty::Option(Box::new(Ty::Option(inner(random)))),
             _ => Ty::Int(random.of(&["u8", "i16", "u32", "i64"])),
         }
     }
@@ -200,6 +222,8 @@ impl Items {
             Ty::Result(ok, err) => format!("Result<{}, {}>", self.name(ok), self.name(err)),
             Ty::List(element, len) => format!("List<{}, {len}>", self.name(element)),
             Ty::Matrix(element, rows, cols) => format!("SMatrix<{element}, {rows}, {cols}>"),
+            Ty::Text(len) => format!("Text<{len}>"),
+            Ty::Bounded(element, rows, cols) => format!("BoundedMatrix<{element}, {rows}, {cols}>"),
             Ty::Slice(element) => format!("[{}]", self.name(element)),
             Ty::Unit(index) => self.units[*index].0.clone(),
         }
@@ -253,11 +277,11 @@ impl Items {
     /// The declarations.
     pub fn text(&self) -> String {
         let mut text = String::new();
-        for (name, parts) in &self.structs {
+        for (name, parts) in self.structs.iter().filter(|it| !is_instance(&it.0)) {
             let fields = self.fields(parts);
             let _ = writeln!(text, "#[data]\n{DERIVES}\npub struct {name}{fields}");
         }
-        for (name, variants) in &self.enums {
+        for (name, variants) in self.enums.iter().filter(|it| !is_instance(&it.0)) {
             let _ = writeln!(text, "#[data]\n{DERIVES}\npub enum {name} {{\n    #[default]");
             for (variant, parts) in variants {
                 let types: Vec<_> = parts.types.iter().map(|ty| self.name(ty)).collect();

@@ -1,6 +1,6 @@
 //! Random expressions of a type that is wanted.
 
-use super::types::{Ty, width};
+use super::types::{Ty, path, width};
 use super::writer::{Kind, Left, Writer};
 
 impl Writer<'_> {
@@ -89,6 +89,12 @@ impl Writer<'_> {
             Ty::Float(name) => self.float(name, fuel),
             Ty::Bool => self.logical(fuel),
             Ty::Option(inner) => self.optional(inner, fuel),
+            Ty::Result(ok, err) => self.fallible(ok, err, fuel),
+            Ty::Text(len) => self.text(*len, fuel),
+            Ty::Bounded(element, rows, cols) => self.bounded((element, *rows, *cols), fuel),
+            Ty::Array(element, len) if **element == Ty::Int("u8") && self.one_in(3) => {
+                self.bytes(*len, fuel).unwrap_or_else(|| self.made(ty, fuel))
+            }
             Ty::Matrix(element, rows, cols) => self.matrix((element, *rows, *cols), fuel),
             _ => self.made(ty, fuel),
         }
@@ -121,6 +127,7 @@ impl Writer<'_> {
                 let types = self.items.enums[*index].1[variant].1.types.clone();
                 let texts: Vec<_> = types.iter().map(|ty| self.value(ty, less)).collect();
                 let (name, variants) = &self.items.enums[*index];
+                let name = path(name);
                 format!("({name}::{}{})", variants[variant].0, variants[variant].1.filled(&texts))
             }
             Ty::Option(inner) => {
@@ -140,6 +147,8 @@ impl Writer<'_> {
                 text + "made }"
             }
             Ty::Matrix(element, rows, cols) => self.matrix((element, *rows, *cols), 0),
+            Ty::Text(len) => self.text(*len, 0),
+            Ty::Bounded(element, rows, cols) => self.bounded((element, *rows, *cols), 0),
             scalar => self.literal(scalar),
         }
     }
@@ -148,7 +157,7 @@ impl Writer<'_> {
         let less = fuel.saturating_sub(1);
         let ty = Ty::Struct(index);
         if self.one_in(8) {
-            return format!("{}::default()", self.items.name(&ty));
+            return format!("{}::default()", path(&self.items.name(&ty)));
         }
         let types = self.items.structs[index].1.types.clone();
         let named = !self.items.structs[index].1.names.is_empty();
@@ -157,113 +166,23 @@ impl Writer<'_> {
             let value = self.value(&types[at], less);
             let base = self.value(&ty, less);
             let (name, parts) = &self.items.structs[index];
+            let name = path(name);
             return format!("({name} {{ {}: {value}, ..{base} }})", parts.names[at]);
         }
         // Fields may be written in another order than they were declared in.
         let texts: Vec<_> = types.iter().map(|ty| self.value(ty, less)).collect();
         let (name, parts) = &self.items.structs[index];
+        let name = path(name);
         format!("({name}{})", parts.filled(&texts))
-    }
-
-    fn integer(&mut self, name: &'static str, fuel: usize) -> String {
-        let ty = Ty::Int(name);
-        let (bits, signed) = width(name);
-        let one = self.value(&ty, fuel - 1);
-        match self.below(16) {
-            0..=3 => {
-                let operator = self.random.of(&["add", "sub", "mul"]);
-                let other = self.value(&ty, fuel - 1);
-                format!("{one}.wrapping_{operator}({other})")
-            }
-            4 => {
-                let operator = self.random.of(&["add", "sub", "mul"]);
-                let other = self.value(&ty, fuel - 1);
-                format!("{one}.saturating_{operator}({other})")
-            }
-            5 if self.risky() || self.one_in(3) => {
-                let operator = self.random.of(&["+", "-", "*", "/", "%"]);
-                let other = self.value(&ty, fuel - 1);
-                format!("({one} {operator} {other})")
-            }
-            6 => {
-                let operator = self.random.of(&["/", "%"]);
-                format!("({one} {operator} {})", 1 + self.below(9))
-            }
-            7 => {
-                let operator = self.random.of(&["&", "|", "^"]);
-                let other = self.value(&ty, fuel - 1);
-                format!("({one} {operator} {other})")
-            }
-            8 => {
-                let operator = self.random.of(&["<<", ">>"]);
-                if self.risky() {
-                    let other = self.value(&Ty::Int("u32"), fuel - 1);
-                    return format!("({one} {operator} {other})");
-                }
-                format!("({one} {operator} {})", self.below(bits as usize))
-            }
-            9 => {
-                let method = self.random.of(&["min", "max"]);
-                let other = self.value(&ty, fuel - 1);
-                format!("{one}.{method}({other})")
-            }
-            10 if signed => format!("{one}.wrapping_abs()"),
-            11 if signed => format!("{one}.wrapping_neg()"),
-            10 | 11 => {
-                let other = self.value(&ty, fuel - 1);
-                format!("{one}.abs_diff({other})")
-            }
-            12 => format!("(!{one})"),
-            13 => {
-                let method = self.random.of(&["count_ones", "leading_zeros", "trailing_zeros"]);
-                format!("({one}.{method}() as {name})")
-            }
-            14 => {
-                let by = self.value(&Ty::Int("u32"), fuel - 1);
-                let method = self.random.of(&["rotate_left", "rotate_right", "wrapping_shl"]);
-                format!("{one}.{method}({by})")
-            }
-            _ => {
-                let from = self.items.any(self.random, 0, true);
-                let from = if from.is_number() { from } else { Ty::Int("i16") };
-                let value = self.value(&from, fuel - 1);
-                format!("({value} as {name})")
-            }
-        }
-    }
-
-    fn float(&mut self, name: &'static str, fuel: usize) -> String {
-        let ty = Ty::Float(name);
-        let one = self.value(&ty, fuel - 1);
-        match self.below(11) {
-            9 | 10 => self.of_matrix(&ty, fuel - 1).unwrap_or(one),
-            0..=4 => {
-                let operator = self.random.of(&["+", "-", "*", "/", "%"]);
-                let other = self.value(&ty, fuel - 1);
-                format!("({one} {operator} {other})")
-            }
-            5 => format!("(-{one})"),
-            6 => {
-                let method = self.random.of(&["abs", "sqrt", "floor", "round", "signum"]);
-                format!("{one}.{method}()")
-            }
-            7 => {
-                let method = self.random.of(&["min", "max", "copysign"]);
-                let other = self.value(&ty, fuel - 1);
-                format!("{one}.{method}({other})")
-            }
-            _ => {
-                let from = Ty::Int(self.random.of(&super::types::INTS));
-                let value = self.value(&from, fuel - 1);
-                format!("({value} as {name})")
-            }
-        }
     }
 
     /// A condition.
     pub fn logical(&mut self, fuel: usize) -> String {
         let less = fuel.saturating_sub(1);
-        match self.below(11) {
+        match self.below(15) {
+            11 => self.tested_option(less),
+            12 | 13 => self.of_sequence(&Ty::Bool, less).unwrap_or_else(|| self.literal(&Ty::Bool)),
+            14 => self.of_text(&Ty::Bool, less).unwrap_or_else(|| self.literal(&Ty::Bool)),
             0..=3 => {
                 let ty = self.items.any(self.random, 0, true);
                 let ty = if ty.is_number() { ty } else { Ty::Int("i32") };
@@ -313,68 +232,6 @@ impl Writer<'_> {
                 };
                 let method = self.random.of(&["is_some", "is_none"]);
                 format!("{}.{method}()", place.text)
-            }
-        }
-    }
-
-    fn optional(&mut self, inner: &Ty, fuel: usize) -> String {
-        let less = fuel - 1;
-        let ty = Ty::Option(Box::new(inner.clone()));
-        match (self.below(8), inner) {
-            (0 | 1, Ty::Int(_)) => {
-                let operator = self.random.of(&["add", "sub", "mul", "div"]);
-                let (one, other) = (self.value(inner, less), self.value(inner, less));
-                format!("{one}.checked_{operator}({other})")
-            }
-            (2, _) => {
-                let found = self.place(true, &|it| match it {
-                    Ty::List(element, _) => **element == *inner,
-                    other => *other == ty,
-                });
-                match found {
-                    Some(place) if place.ty == ty && self.one_in(2) => {
-                        self.lend(place.root, false);
-                        let value = self.value(inner, less);
-                        self.end(place.root, false);
-                        format!("{}.replace({value})", place.text)
-                    }
-                    Some(place) if place.ty == ty => format!("{}.take()", place.text),
-                    Some(place) => format!("{}.pop()", place.text),
-                    None => self.simple(&ty),
-                }
-            }
-            (3, _) => {
-                let found = self.place(false, &|it| match it {
-                    Ty::List(element, _) | Ty::Array(element, _) => **element == *inner,
-                    _ => false,
-                });
-                let Some(place) = found else { return self.simple(&ty) };
-                self.lend(place.root, false);
-                let index = self.value(&Ty::Int("usize"), less);
-                self.end(place.root, false);
-                let get = self.random.of(&["get", "first", "last"]);
-                let index = if get == "get" { index } else { String::new() };
-                format!("{}.{get}({index}).copied()", place.text)
-            }
-            (4, _) => {
-                let other = self.items.any(self.random, 0, true);
-                let from = self.value(&Ty::Option(Box::new(other.clone())), less);
-                let (closure, _) = self.lambda(&other, inner, less);
-                format!("{from}.map({closure})")
-            }
-            (5, _) => {
-                let value = self.value(&ty, less);
-                let test = self.predicate(inner, less);
-                format!("{value}.filter({test})")
-            }
-            (6, _) => {
-                let condition = self.logical(less);
-                let (value, _) = self.tracked(|it| it.unreturned(|it| it.value(inner, less)));
-                format!("{condition}.then(|| {value})")
-            }
-            _ => {
-                let value = self.value(inner, less);
-                format!("Some({value})")
             }
         }
     }

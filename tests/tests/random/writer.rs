@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 
 use bessemer_tests::random::Random;
 
-use super::types::{Items, Ty};
+use super::types::{Items, Ty, is_instance};
 
 /// How a variable holds its value.
 #[derive(Clone, Debug, PartialEq)]
@@ -144,9 +144,18 @@ pub fn program(random: &mut Random, name: &str) -> Program {
         indexing: false,
     };
     let mut text = writer.items.text();
+    if writer.one_in(2) {
+        text += &writer.generic_types(name);
+    }
     text += &writer.conversions();
     if writer.one_in(3) {
         text += &writer.generic(&format!("{name}_generic"));
+    }
+    if writer.one_in(2) {
+        text += &writer.generic_functions(name);
+    }
+    if writer.one_in(2) {
+        text += &writer.interface(name);
     }
     for index in 0..writer.below(3) {
         let function = writer.function(&format!("{name}_{index}"), Role::Helper, 3);
@@ -216,7 +225,7 @@ impl Writer<'_> {
     fn conversions(&mut self) -> String {
         let mut text = String::new();
         for index in 0..self.items.enums.len() {
-            if !self.one_in(2) {
+            if is_instance(&self.items.enums[index].0) || !self.one_in(2) {
                 continue;
             }
             let int = self.random.of(&["u8", "i16", "u64"]);
@@ -247,9 +256,7 @@ impl Writer<'_> {
         self.env.clear();
         let receiver = match role {
             Role::Own(unit) | Role::Entry(unit, _) => Some(Ty::Unit(unit)),
-            Role::Helper if !self.items.structs.is_empty() && self.one_in(3) => {
-                Some(Ty::Struct(self.below(self.items.structs.len())))
-            }
+            Role::Helper if self.one_in(3) => self.implemented(),
             Role::Helper | Role::Whole => None,
         };
         if let Some(ty) = &receiver {
@@ -287,6 +294,13 @@ impl Writer<'_> {
         }
     }
 
+    /// A struct that may have methods here.
+    pub fn implemented(&mut self) -> Option<Ty> {
+        let all = self.items.structs.iter().enumerate();
+        let own: Vec<_> = all.filter(|it| !is_instance(&it.1.0)).map(|it| it.0).collect();
+        (!own.is_empty()).then(|| Ty::Struct(self.random.of(&own)))
+    }
+
     /// Parameters of random types and names, and `t`.
     fn parameters(&mut self, params: &mut Vec<(Ty, Kind)>, public: bool) {
         let mut names: Vec<&str> = NAMES.to_vec();
@@ -318,7 +332,7 @@ impl Writer<'_> {
     }
 
     /// Statements and the value, with what the variables came to told to `t`.
-    fn whole(&mut self, statements: usize, result: &Ty) -> String {
+    pub fn whole(&mut self, statements: usize, result: &Ty) -> String {
         let mut text = String::new();
         for _ in 0..statements {
             text += &self.statement(2);
