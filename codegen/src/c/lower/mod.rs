@@ -187,6 +187,9 @@ impl<'a> Lower<'a> {
                     self.declare(&local.ty, &copy, None, false);
                     self.copy(Expr::name(&copy), from, &local.ty, false);
                 }
+                if !self.usage.read[index] {
+                    self.emit(StmtKind::Expr(Expr::cast("void", Expr::name(&copy))));
+                }
                 self.bindings[index] = Some(Binding { name: copy, pointer: false });
             } else if !self.is_used(index) {
                 self.emit(StmtKind::Expr(Expr::cast("void", Expr::name(name))));
@@ -281,7 +284,8 @@ impl<'a> Lower<'a> {
                 continue;
             }
             if let Some(binding) = binding {
-                if index < params {
+                // The author's own copy of a parameter is declared like others.
+                if index < params && binding.name == self.signature.params[index].name {
                     let name = Expr::name(&binding.name);
                     self.out.insert(0, plain(StmtKind::Expr(Expr::cast("void", name))));
                 } else {
