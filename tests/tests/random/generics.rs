@@ -101,7 +101,7 @@ impl Writer<'_> {
             };
             let variants = vec![
                 ("Nothing".to_owned(), parts(&[], &[])),
-                ("Just".to_owned(), parts(&[], &[of.clone()])),
+                ("Just".to_owned(), parts(&[], std::slice::from_ref(&of))),
                 ("Both".to_owned(), parts(&["low", "rate"], &[of.clone(), Ty::Int("u8")])),
             ];
             self.items.enums.push((name, variants));

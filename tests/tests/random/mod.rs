@@ -211,7 +211,8 @@ fn by_turns(seed: u64) -> Vec<Toolchain> {
     let (compiler, level) = if seed % 2 == 1 { ("gcc", 3) } else { ("clang", 2) };
     let there = |it: &&Toolchain| (it.compiler, it.level) == (compiler, level);
     let one = host.iter().find(there).or(host.iter().find(|it| it.level == 3));
-    let target = toolchain::target().into_iter().filter(|it| it.level == 2 && seed % 3 == 0);
+    let target =
+        toolchain::target().into_iter().filter(|it| it.level == 2 && seed.is_multiple_of(3));
     one.cloned().into_iter().chain(target).collect()
 }
 

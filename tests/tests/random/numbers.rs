@@ -122,7 +122,7 @@ impl Writer<'_> {
                     let sized = it.ends_with("size");
                     !sized && from < bits && (signed || !of_signed) && !name.ends_with("size")
                 };
-                let from: Vec<_> = INTS.into_iter().filter(|it| fits(&it)).collect();
+                let from: Vec<_> = INTS.into_iter().filter(fits).collect();
                 if from.is_empty() {
                     return format!("{name}::from({})", self.value(&Ty::Bool, fuel));
                 }
@@ -139,7 +139,7 @@ impl Writer<'_> {
                         || from == bits && signed == of_signed;
                     !always || sized != it.ends_with("size") && from >= 32
                 };
-                let from: Vec<_> = INTS.into_iter().filter(|it| fits(&it)).collect();
+                let from: Vec<_> = INTS.into_iter().filter(fits).collect();
                 let from = self.random.of(&from);
                 let value = self.value(&Ty::Int(from), fuel);
                 let otherwise = self.value(&Ty::Int(name), fuel);
