@@ -29,6 +29,7 @@ pub trait Number:
     + AddAssign
     + SubAssign
     + MulAssign
+    + PartialOrd
 {
 }
 

@@ -79,8 +79,14 @@ fn errors(messages: &[Value], job: &Job, sources: &Sources) -> String {
     for said in &all {
         // What a builder trips over at the attribute, the witness copy tells at the author's line.
         let elsewhere = all.iter().any(|other| !other.at_attribute && other.title == said.title);
+        // What rustc says of the original at this place says more than what a builder misses there.
+        let rustcs = |other: &Said<'_>| other.help.is_none() && other.place == said.place;
+        let said_better = said.help.is_some() && all.iter().any(rustcs);
         // The witness copy also repeats what is wrong in the original.
-        if (said.at_attribute && elsewhere) || !seen.insert((said.place.clone(), &said.title)) {
+        if said_better
+            || (said.at_attribute && elsewhere)
+            || !seen.insert((said.place.clone(), &said.title))
+        {
             continue;
         }
         match (&said.place, said.help) {
@@ -138,7 +144,11 @@ impl<'a> Said<'a> {
         let (title, help) = match label.strip_suffix(" is not a crate or module") {
             Some(function) if function.starts_with("function `") => {
                 let name = function.trim_start_matches("function ");
-                (format!("{name} is not part of the DSL"), Some("mark the function `#[function]`"))
+                let help = match name {
+                    "`swap`" | "`replace`" | "`take`" => MEM,
+                    _ => "mark the function `#[function]`",
+                };
+                (format!("{name} is not part of the DSL"), Some(help))
             }
             _ if ["E0223", "E0599"].iter().any(|code| message["code"]["code"] == *code)
                 && rendered.contains("__b_")
@@ -160,6 +170,10 @@ impl<'a> Said<'a> {
         Some(Said { title, help, place, at_attribute, rendered })
     }
 }
+
+/// For functions that may be `core::mem`'s.
+const MEM: &str =
+    "write `core::mem::swap(&mut a, &mut b)` whole, or mark a function of your own `#[function]`";
 
 /// Whether an error is told at a pattern of a `match`, as far as its line shows.
 fn is_pattern(span: &Value) -> bool {
@@ -210,7 +224,7 @@ fn reworded(title: &str) -> (String, Option<&'static str>) {
     }
     if let Some(method) = method {
         let owner = static_matrix(owner.trim_start_matches("&mut ").trim_start_matches('&'));
-        let help = if owner.starts_with("SMatrix") {
+        let help = if is_known(&owner) {
             "write it out with the operations that the DSL has: see docs/language.md"
         } else {
             "mark the `impl` block that has it `#[data]` or `#[component]`"
@@ -241,6 +255,27 @@ fn reworded(title: &str) -> (String, Option<&'static str>) {
         );
     }
     (title.to_owned(), None)
+}
+
+/// Whether a type is the DSL's, nalgebra's or Rust's, whose methods no author marks.
+fn is_known(ty: &str) -> bool {
+    const KNOWN: [&str; 12] = [
+        "SMatrix",
+        "List",
+        "BoundedMatrix",
+        "Text",
+        "Option",
+        "Result",
+        "Unit",
+        "Quaternion",
+        "Rotation",
+        "Isometry",
+        "Translation",
+        "OPoint",
+    ];
+    let ty = ty.split(['<', '[']).next().unwrap_or_default();
+    let name = ty.rsplit("::").next().unwrap_or_default();
+    !name.contains(char::is_uppercase) || KNOWN.contains(&name)
 }
 
 /// nalgebra's own name of a static matrix, as its users write it.

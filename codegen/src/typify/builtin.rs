@@ -108,6 +108,7 @@ impl Lowering<'_, '_> {
                 return self.size(name, matrix, expr);
             }
             ("matrix_by_rows", [rows]) => return self.by_rows(rows, expr),
+            ("matrix_from_array", [from]) => return self.exchanged_with_array(from, expr),
             _ => {}
         }
         if let Some(value) = self.spatial(name, arguments, expr)? {
@@ -230,7 +231,11 @@ impl Lowering<'_, '_> {
         self.node(ExprKind::Intrinsic(op, values), ty, expr.site)
     }
 
-    fn uniform(&mut self, arguments: &[tree::Expr], expected: Option<Type>) -> Result<Vec<Expr>> {
+    pub(super) fn uniform(
+        &mut self,
+        arguments: &[tree::Expr],
+        expected: Option<Type>,
+    ) -> Result<Vec<Expr>> {
         let roles = ["left", "middle", "right"];
         let operands: Vec<_> = arguments
             .iter()

@@ -216,7 +216,7 @@ impl Lowering<'_, '_> {
         let ty = operand.ty.clone();
         let kind = match (op, &ty) {
             (tree::UnaryOp::Neg, Type::Matrix { .. }) => {
-                ExprKind::Routine(Routine::Neg, vec![operand])
+                return self.routine_node(Routine::Neg, vec![operand], ty, site);
             }
             (tree::UnaryOp::Neg, Type::Scalar(_)) => {
                 ExprKind::Unary(UnaryOp::Neg, Box::new(operand))

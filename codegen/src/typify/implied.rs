@@ -7,7 +7,7 @@ use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Mode, Type};
 
 use super::function::{self, Lowering};
-use super::{Context, Result, diagnostic, problem};
+use super::{Context, Problem, Result, diagnostic, problem};
 
 impl<'a> Context<'a> {
     /// The function of a path, made now if it was not; none where it was refused, which is told.
@@ -22,12 +22,17 @@ impl<'a> Context<'a> {
                     self.module.functions.push(lowered);
                     self.functions.insert(function.path.clone(), id);
                 }
-                // What calls a function that was refused is refused silently.
-                Err(problem) if problem.message.is_empty() => {}
-                Err(problem) => self.told.push(diagnostic(&function.file, problem)),
+                Err(problem) => self.tell(&function.file, problem),
             }
         }
         self.functions.get(path).copied()
+    }
+
+    /// Tells what is wrong; what uses something of which it has been told is refused silently.
+    pub(super) fn tell(&mut self, file: &str, problem: Problem) {
+        if !problem.message.is_empty() {
+            self.told.push(diagnostic(file, problem));
+        }
     }
 
     /// Notes what authors wrote of their types; these are known.

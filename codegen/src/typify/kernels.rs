@@ -3,12 +3,13 @@
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{
     Argument, BinaryOp, Block, Expr, ExprKind, FunctionId, Kernel, KernelRoutine, Mode, Place,
-    Routine, Scalar, Step, Stmt, StmtKind, Type,
+    Routine, Scalar, Step, StmtKind, Type,
 };
 
 use super::equal::{number, stmt};
 use super::function::{Lowering, is_literal};
 use super::pattern::{inside, load};
+use super::written_views::counted;
 use super::{Context, OUR_FAULT, Result, problem};
 
 /// What the DSL calls its kernels.
@@ -166,18 +167,8 @@ impl Lowering<'_, '_> {
         let part = inside(columns, Step::Index(index), element);
         let (place, value) = if to_columns { (part, load(&cell)) } else { (cell, load(&part)) };
         let assign = stmt(StmtKind::Assign { place, value }, span);
-        let counted = |variable, to: u32, body: Stmt| StmtKind::For {
-            variable,
-            from: number(0, span),
-            to: number(u64::from(to), span),
-            inclusive: false,
-            reversed: false,
-            unroll: None,
-            ended: false,
-            body: Block(vec![body]),
-        };
-        let inner = stmt(counted(row, rows, assign), span);
-        self.emit(counted(column, cols, inner), span);
+        let inner = stmt(counted(row, rows, Block(vec![assign]), span), span);
+        self.emit(counted(column, cols, Block(vec![inner]), span), span);
         Ok(())
     }
 
@@ -189,6 +180,10 @@ impl Lowering<'_, '_> {
         ty: Type,
         site: Site,
     ) -> Result<Expr> {
+        let integers = |value: &Expr| matches!(&value.ty, Type::Matrix { element, .. } if !matches!(element, Scalar::Float(_)));
+        if routine != Routine::Transpose && values.iter().any(integers) {
+            return self.integer_routine(routine, values, ty, site);
+        }
         let kernel = if self.cx.by_columns { product(routine, &values) } else { None };
         let Some((kernel, operands)) = kernel else {
             return self.node(ExprKind::Routine(routine, values), ty, site);

@@ -23,11 +23,13 @@ mod equal;
 mod equal_slices;
 mod expr;
 mod fields;
+mod from_array;
 mod function;
 mod gather;
 mod generic;
 mod handed;
 mod implied;
+mod integer_matrices;
 mod kernels;
 mod labelled;
 mod lent;
@@ -93,7 +95,8 @@ pub fn typify(
     let mut cx = Context { by_columns, ..Context::new(package, sources) };
     for definition in &package.types {
         if let Err(problem) = cx.define(definition) {
-            cx.told.push(diagnostic(&definition.file, problem));
+            cx.tell(&definition.file, problem);
+            cx.undefined.insert(&definition.path);
         }
     }
     for (index, table) in package.tables.iter().enumerate() {
@@ -184,6 +187,8 @@ struct Context<'a> {
     sources: &'a Sources,
     files: HashMap<String, u32>,
     types: HashMap<String, bessemer_ir::Type>,
+    /// The authors' types with which something is wrong, which has been told.
+    undefined: HashSet<&'a str>,
     /// The constants of which their author says more than their value.
     tables: &'a [tree::Table],
     /// The names of instances, by their paths.
@@ -242,6 +247,7 @@ impl<'a> Context<'a> {
             sources,
             files: HashMap::new(),
             types: HashMap::new(),
+            undefined: HashSet::new(),
             tables: &package.tables,
             aliases: package.aliases.iter().map(|alias| (alias.of.as_str(), alias)).collect(),
             authored: authored(package),

@@ -173,14 +173,29 @@ impl<'a> Context<'a> {
         Ok(match ty {
             Ty::Unit => Type::Unit,
             Ty::Scalar(scalar) => Type::Scalar(*scalar),
-            Ty::Array(element, len) => {
-                Type::Array { element: Box::new(self.value_type(element, site)?), len: *len }
+            Ty::Array(_, 0) | Ty::Matrix(_, 0, _) | Ty::Matrix(_, _, 0) => {
+                return problem(
+                    site,
+                    "an array or matrix without elements is not in the DSL",
+                    "C has none: give it an element, or pass no part of another array, `&other[..0]`",
+                );
             }
+            Ty::Array(element, len) => match self.value_type(element, site)? {
+                Type::Unit => {
+                    return problem(
+                        site,
+                        "an array of `()` is not in the DSL",
+                        "it holds nothing: keep the count, or an array of `bool`",
+                    );
+                }
+                element => Type::Array { element: Box::new(element), len: *len },
+            },
             Ty::Matrix(element, rows, cols) => {
                 Type::Matrix { element: *element, rows: *rows, cols: *cols }
             }
             Ty::Named(path) => match self.types.get(path) {
                 Some(ty) => ty.clone(),
+                None if self.undefined.contains(path.as_str()) => return problem(site, "", ""),
                 None => {
                     return problem(site, format!("`{path}` was not built"), "mark it `#[data]`");
                 }

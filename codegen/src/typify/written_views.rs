@@ -226,11 +226,13 @@ fn compare(op: CompareOp, left: Expr, right: Expr) -> Expr {
     Expr { kind: ExprKind::Compare(op, Box::new(left), Box::new(right)), ty: Type::BOOL, span }
 }
 
-fn local(root: LocalId, span: Span) -> Expr {
+/// The value of a counter.
+pub(super) fn local(root: LocalId, span: Span) -> Expr {
     load(&Place { root, steps: Vec::new(), ty: Type::USIZE, span })
 }
 
-fn counted(variable: LocalId, count: u32, body: Block, span: Span) -> StmtKind {
+/// A loop that counts from 0.
+pub(super) fn counted(variable: LocalId, count: u32, body: Block, span: Span) -> StmtKind {
     StmtKind::For {
         variable,
         from: number(0, span),

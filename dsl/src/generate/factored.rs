@@ -102,7 +102,7 @@ impl<T: Real, const N: usize> SymmetricBuiltins<T, N> for SMatrix<T, N, N> {
 
 companions! {
     /// Systems of equations with a triangular matrix.
-    TriangularBuiltins<N> [Self, T, N] for SMatrix<T, N, N>, [T, N] {
+    TriangularBuiltins<N>: Real [Self, T, N] for SMatrix<T, N, N>, [T, N] {
         fn __b_solve_lower_triangular<K>(&self, b: &SMatrix<T, N, K>) -> Option<SMatrix<T, N, K>> {
             triangular::solve_lower_triangular(self, b)
         }

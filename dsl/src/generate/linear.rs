@@ -5,9 +5,10 @@
 use alloc::borrow::ToOwned;
 
 use bessemer_ir::tree;
-use nalgebra::{SMatrix, Scalar};
+use nalgebra::{SMatrix, SVector, Scalar};
 
 use super::builtin::markers;
+use super::numbers::FromBuiltin;
 use super::slot::ScalarType;
 use super::{Builder, Called, Callee};
 use crate::linear::{by_rows, inverse_mut, kernels, solve_into, solve_mut};
@@ -16,7 +17,7 @@ markers! {
     CholeskyMut: "cholesky_mut"; CholeskySolveMut: "cholesky_solve_mut";
     SolveLowerMut: "solve_lower_mut"; SolveUpperMut: "solve_upper_mut";
     TrSolveLowerMut: "tr_solve_lower_mut"; TrSolveUpperMut: "tr_solve_upper_mut";
-    ByRows: "matrix_by_rows";
+    ByRows: "matrix_by_rows"; FromArray: "matrix_from_array";
     SolveMut: "solve_mut"; SolveInto: "solve_into"; InverseMut: "inverse_mut"; Determinant: "determinant";
 }
 
@@ -97,3 +98,25 @@ pub trait SquareBuiltins<T>: Sized {
 }
 
 impl<T: ScalarType + Scalar, const N: usize> SquareBuiltins<T> for SMatrix<T, N, N> {}
+
+/// `Vector3::from([x, y, z])`, `Matrix2::from([[a, c], [b, d]])` by columns, and arrays of what they hold.
+macro_rules! from_arrays {
+    ($([$($n:ident),*] $matrix:ty: $array:ty;)*) => {$(
+        impl<T: ScalarType + Scalar, $(const $n: usize),*> FromBuiltin<$array> for $matrix {
+            type Marker = FromArray;
+        }
+        impl<T: ScalarType + Scalar, $(const $n: usize),*> FromBuiltin<$matrix> for $array {
+            type Marker = FromArray;
+        }
+    )*};
+}
+
+from_arrays! {
+    [N] SVector<T, N>: [T; N];
+    [] SMatrix<T, 1, 2>: [T; 2];
+    [] SMatrix<T, 1, 3>: [T; 3];
+    [] SMatrix<T, 1, 4>: [T; 4];
+    [] SMatrix<T, 1, 5>: [T; 5];
+    [] SMatrix<T, 1, 6>: [T; 6];
+    [R, C] SMatrix<T, R, C>: [[T; R]; C];
+}

@@ -5,6 +5,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::{Called, Callee};
+use crate::element::{Element, Number};
 use crate::linear::{
     blas, elementwise, inverse, matrix_edit, matrix_extremes, matrix_powers, matrix_statistics,
     norms, parts, views,
@@ -24,7 +25,7 @@ macro_rules! told {
 macro_rules! companions {
     (
         $(#[$doc:meta])*
-        $trait:ident<$($n:ident),*> $in_trait:tt for $matrix:ty, $in_type:tt {$(
+        $trait:ident<$($n:ident),*>: $bound:ident $in_trait:tt for $matrix:ty, $in_type:tt {$(
             fn $name:ident $(<$($k:ident),*>)? ($($parameters:tt)*) -> $result:ty {
                 $($function:ident)::+($($argument:expr),*)
             }
@@ -36,7 +37,7 @@ macro_rules! companions {
                 -> told!($in_trait $($(+ $k)*)? => $result);
         )*}
 
-        impl<T: Real, $(const $n: usize),*> $trait<T, $($n),*> for $matrix {$(
+        impl<T: $bound, $(const $n: usize),*> $trait<T, $($n),*> for $matrix {$(
             fn $name $(<$(const $k: usize),*>)? ($($parameters)*)
                 -> told!($in_type $($(+ $k)*)? => $result)
             {
@@ -49,9 +50,7 @@ pub(super) use {companions, told};
 
 companions! {
     /// Methods of matrices.
-    PartBuiltins<R, C> [Self, T, R, C] for SMatrix<T, R, C>, [T, R, C] {
-        fn __b_max(&self) -> T { matrix_extremes::max(self) }
-        fn __b_min(&self) -> T { matrix_extremes::min(self) }
+    PartBuiltins<R, C>: Real [Self, T, R, C] for SMatrix<T, R, C>, [T, R, C] {
         fn __b_amax(&self) -> T { matrix_extremes::amax(self) }
         fn __b_amin(&self) -> T { matrix_extremes::amin(self) }
         fn __b_camax(&self) -> T { matrix_extremes::amax(self) }
@@ -62,13 +61,9 @@ companions! {
         fn __b_sup(&self, other: &Self) -> Self { matrix_extremes::sup(self, other) }
         fn __b_inf_sup(&self, other: &Self) -> (Self, Self) { matrix_extremes::inf_sup(self, other) }
 
-        fn __b_sum(&self) -> T { matrix_statistics::sum(self) }
         fn __b_product(&self) -> T { matrix_statistics::product(self) }
         fn __b_mean(&self) -> T { matrix_statistics::mean(self) }
         fn __b_variance(&self) -> T { matrix_statistics::variance(self) }
-        fn __b_row_sum(&self) -> SMatrix<T, 1, C> { matrix_statistics::row_sum(self) }
-        fn __b_row_sum_tr(&self) -> SVector<T, C> { matrix_statistics::row_sum_tr(self) }
-        fn __b_column_sum(&self) -> SVector<T, R> { matrix_statistics::column_sum(self) }
         fn __b_row_product(&self) -> SMatrix<T, 1, C> { matrix_statistics::row_product(self) }
         fn __b_row_product_tr(&self) -> SVector<T, C> { matrix_statistics::row_product_tr(self) }
         fn __b_column_product(&self) -> SVector<T, R> { matrix_statistics::column_product(self) }
@@ -114,9 +109,36 @@ companions! {
             elementwise::cdpy(self, alpha, a, b, beta)
         }
 
+        fn __b_fill_with_identity(&mut self) -> () { matrix_edit::fill_with_identity(self) }
+
+        fn __b_gemm<K>(&mut self, alpha: T, a: &SMatrix<T, R, K>, b: &SMatrix<T, K, C>, beta: T) -> () {
+            blas::gemm(self, alpha, a, b, beta)
+        }
+        fn __b_gemm_tr<K>(
+            &mut self, alpha: T, a: &SMatrix<T, K, R>, b: &SMatrix<T, K, C>, beta: T
+        ) -> () {
+            blas::gemm_tr(self, alpha, a, b, beta)
+        }
+        fn __b_gemm_ad<K>(
+            &mut self, alpha: T, a: &SMatrix<T, K, R>, b: &SMatrix<T, K, C>, beta: T
+        ) -> () {
+            blas::gemm_tr(self, alpha, a, b, beta)
+        }
+        fn __b_ger(&mut self, alpha: T, x: &SVector<T, R>, y: &SVector<T, C>, beta: T) -> () {
+            blas::ger(self, alpha, x, y, beta)
+        }
+        fn __b_gerc(&mut self, alpha: T, x: &SVector<T, R>, y: &SVector<T, C>, beta: T) -> () {
+            blas::ger(self, alpha, x, y, beta)
+        }
+        fn __b_tr_dot(&self, b: &SMatrix<T, C, R>) -> T { blas::tr_dot(self, b) }
+    }
+}
+
+companions! {
+    /// Methods of matrices that need no arithmetic.
+    ElementBuiltins<R, C>: Element [Self, T, R, C] for SMatrix<T, R, C>, [T, R, C] {
         fn __b_fill(&mut self, value: T) -> () { matrix_edit::fill(self, value) }
         fn __b_fill_diagonal(&mut self, value: T) -> () { matrix_edit::fill_diagonal(self, value) }
-        fn __b_fill_with_identity(&mut self) -> () { matrix_edit::fill_with_identity(self) }
         fn __b_fill_row(&mut self, row: usize, value: T) -> () { matrix_edit::fill_row(self, row, value) }
         fn __b_fill_column(&mut self, column: usize, value: T) -> () {
             matrix_edit::fill_column(self, column, value)
@@ -144,7 +166,6 @@ companions! {
         fn __b_tr_copy_from(&mut self, b: &SMatrix<T, C, R>) -> () { matrix_edit::tr_copy_from(self, b) }
         fn __b_transpose_to(&self, b: &mut SMatrix<T, C, R>) -> () { matrix_edit::transpose_to(self, b) }
         fn __b_adjoint_to(&self, b: &mut SMatrix<T, C, R>) -> () { matrix_edit::transpose_to(self, b) }
-
         fn __b_lower_triangle(&self) -> Self { parts::lower_triangle(self) }
         fn __b_upper_triangle(&self) -> Self { parts::upper_triangle(self) }
         fn __b_from_diagonal_element(value: T) -> Self { parts::from_diagonal_element(value) }
@@ -154,33 +175,50 @@ companions! {
         fn __b_from_column_slice<N>(elements: &[T; N]) -> Self {
             parts::from_column_slice(elements)
         }
+    }
+}
 
-        fn __b_gemm<K>(&mut self, alpha: T, a: &SMatrix<T, R, K>, b: &SMatrix<T, K, C>, beta: T) -> () {
-            blas::gemm(self, alpha, a, b, beta)
+companions! {
+    /// Methods of square matrices that need no arithmetic.
+    SquareElementBuiltins<N>: Element [Self, T, N] for SMatrix<T, N, N>, [T, N] {
+        fn __b_diagonal(&self) -> SVector<T, N> { parts::diagonal(self) }
+        fn __b_from_diagonal(diagonal: &SVector<T, N>) -> Self { parts::from_diagonal(diagonal) }
+        fn __b_set_diagonal(&mut self, diagonal: &SVector<T, N>) -> () {
+            matrix_edit::set_diagonal(self, diagonal)
         }
-        fn __b_gemm_tr<K>(
-            &mut self, alpha: T, a: &SMatrix<T, K, R>, b: &SMatrix<T, K, C>, beta: T
-        ) -> () {
-            blas::gemm_tr(self, alpha, a, b, beta)
+        fn __b_fill_lower_triangle_with_upper_triangle(&mut self) -> () {
+            matrix_edit::fill_lower_triangle_with_upper_triangle(self)
         }
-        fn __b_gemm_ad<K>(
-            &mut self, alpha: T, a: &SMatrix<T, K, R>, b: &SMatrix<T, K, C>, beta: T
-        ) -> () {
-            blas::gemm_tr(self, alpha, a, b, beta)
+        fn __b_fill_upper_triangle_with_lower_triangle(&mut self) -> () {
+            matrix_edit::fill_upper_triangle_with_lower_triangle(self)
         }
-        fn __b_ger(&mut self, alpha: T, x: &SVector<T, R>, y: &SVector<T, C>, beta: T) -> () {
-            blas::ger(self, alpha, x, y, beta)
-        }
-        fn __b_gerc(&mut self, alpha: T, x: &SVector<T, R>, y: &SVector<T, C>, beta: T) -> () {
-            blas::ger(self, alpha, x, y, beta)
-        }
-        fn __b_tr_dot(&self, b: &SMatrix<T, C, R>) -> T { blas::tr_dot(self, b) }
+        fn __b_transpose_mut(&mut self) -> () { matrix_edit::transpose_mut(self) }
+        fn __b_adjoint_mut(&mut self) -> () { matrix_edit::transpose_mut(self) }
+    }
+}
+
+companions! {
+    /// Methods of matrices of integers, too.
+    NumberBuiltins<R, C>: Number [Self, T, R, C] for SMatrix<T, R, C>, [T, R, C] {
+        fn __b_max(&self) -> T { matrix_extremes::max(self) }
+        fn __b_min(&self) -> T { matrix_extremes::min(self) }
+        fn __b_sum(&self) -> T { matrix_statistics::sum(self) }
+        fn __b_row_sum(&self) -> SMatrix<T, 1, C> { matrix_statistics::row_sum(self) }
+        fn __b_row_sum_tr(&self) -> SVector<T, C> { matrix_statistics::row_sum_tr(self) }
+        fn __b_column_sum(&self) -> SVector<T, R> { matrix_statistics::column_sum(self) }
+    }
+}
+
+companions! {
+    /// Methods of square matrices of integers, too.
+    SquareNumberBuiltins<N>: Number [Self, T, N] for SMatrix<T, N, N>, [T, N] {
+        fn __b_trace(&self) -> T { parts::trace(self) }
     }
 }
 
 companions! {
     /// Methods of vectors.
-    VectorPartBuiltins<N> [Self, T, N] for SVector<T, N>, [T, N] {
+    VectorPartBuiltins<N>: Real [Self, T, N] for SVector<T, N>, [T, N] {
         fn __b_argmax(&self) -> (usize, T) { matrix_extremes::argmax(self) }
         fn __b_argmin(&self) -> (usize, T) { matrix_extremes::argmin(self) }
         fn __b_imax(&self) -> usize { matrix_extremes::imax(self) }
@@ -212,7 +250,7 @@ companions! {
 
 companions! {
     /// Methods of square matrices.
-    SquarePartBuiltins<N> [Self, T, N] for SMatrix<T, N, N>, [T, N] {
+    SquarePartBuiltins<N>: Real [Self, T, N] for SMatrix<T, N, N>, [T, N] {
         fn __b_try_inverse(self) -> Option<Self> { inverse(&self) }
         fn __b_is_invertible(&self) -> bool { norms::is_invertible(self) }
         fn __b_is_special_orthogonal(&self, tolerance: T) -> bool {
@@ -221,22 +259,8 @@ companions! {
         fn __b_pow(&self, exponent: u32) -> Self { matrix_powers::pow(self, exponent) }
         fn __b_pow_mut(&mut self, exponent: u32) -> () { matrix_powers::pow_mut(self, exponent) }
         fn __b_exp(&self) -> Self { matrix_powers::exp(self) }
-        fn __b_trace(&self) -> T { parts::trace(self) }
-        fn __b_diagonal(&self) -> SVector<T, N> { parts::diagonal(self) }
-        fn __b_from_diagonal(diagonal: &SVector<T, N>) -> Self { parts::from_diagonal(diagonal) }
-        fn __b_set_diagonal(&mut self, diagonal: &SVector<T, N>) -> () {
-            matrix_edit::set_diagonal(self, diagonal)
-        }
         fn __b_symmetric_part(&self) -> Self { parts::symmetric_part(self) }
         fn __b_hermitian_part(&self) -> Self { parts::symmetric_part(self) }
-        fn __b_fill_lower_triangle_with_upper_triangle(&mut self) -> () {
-            matrix_edit::fill_lower_triangle_with_upper_triangle(self)
-        }
-        fn __b_fill_upper_triangle_with_lower_triangle(&mut self) -> () {
-            matrix_edit::fill_upper_triangle_with_lower_triangle(self)
-        }
-        fn __b_transpose_mut(&mut self) -> () { matrix_edit::transpose_mut(self) }
-        fn __b_adjoint_mut(&mut self) -> () { matrix_edit::transpose_mut(self) }
         fn __b_syger(&mut self, alpha: T, x: &SVector<T, N>, y: &SVector<T, N>, beta: T) -> () {
             blas::syger(self, alpha, x, y, beta)
         }

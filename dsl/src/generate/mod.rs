@@ -60,7 +60,8 @@ pub mod prelude {
     pub use super::linear::SquareBuiltins as _;
     pub use super::list::{ListBuiltins as _, ListEdits as _};
     pub use super::matrices::{
-        CrossMatrixBuiltin as _, PartBuiltins as _, SquarePartBuiltins as _,
+        CrossMatrixBuiltin as _, ElementBuiltins as _, NumberBuiltins as _, PartBuiltins as _,
+        SquareElementBuiltins as _, SquareNumberBuiltins as _, SquarePartBuiltins as _,
         VectorPartBuiltins as _,
     };
     pub use super::numbers::{

@@ -3,18 +3,22 @@
 
 use nalgebra::{SMatrix, SVector};
 
+use crate::element::Element;
 use crate::function;
 use crate::math::Real;
 
 /// Sets each element.
 #[function]
-pub fn fill<T: Real, const R: usize, const C: usize>(a: &mut SMatrix<T, R, C>, value: T) {
+pub fn fill<T: Element, const R: usize, const C: usize>(a: &mut SMatrix<T, R, C>, value: T) {
     *a = SMatrix::<T, R, C>::from_element(value);
 }
 
 /// Sets the diagonal.
 #[function]
-pub fn fill_diagonal<T: Real, const R: usize, const C: usize>(a: &mut SMatrix<T, R, C>, value: T) {
+pub fn fill_diagonal<T: Element, const R: usize, const C: usize>(
+    a: &mut SMatrix<T, R, C>,
+    value: T,
+) {
     for column in 0..C {
         for row in 0..R {
             if row == column {
@@ -36,7 +40,7 @@ pub fn fill_with_identity<T: Real, const R: usize, const C: usize>(a: &mut SMatr
 
 /// Sets the elements of a row.
 #[function]
-pub fn fill_row<T: Real, const R: usize, const C: usize>(
+pub fn fill_row<T: Element, const R: usize, const C: usize>(
     a: &mut SMatrix<T, R, C>,
     row: usize,
     value: T,
@@ -48,7 +52,7 @@ pub fn fill_row<T: Real, const R: usize, const C: usize>(
 
 /// Sets the elements of a column.
 #[function]
-pub fn fill_column<T: Real, const R: usize, const C: usize>(
+pub fn fill_column<T: Element, const R: usize, const C: usize>(
     a: &mut SMatrix<T, R, C>,
     column: usize,
     value: T,
@@ -60,7 +64,7 @@ pub fn fill_column<T: Real, const R: usize, const C: usize>(
 
 /// Sets what is `shift` rows below the diagonal, and further down.
 #[function]
-pub fn fill_lower_triangle<T: Real, const R: usize, const C: usize>(
+pub fn fill_lower_triangle<T: Element, const R: usize, const C: usize>(
     a: &mut SMatrix<T, R, C>,
     value: T,
     shift: usize,
@@ -76,7 +80,7 @@ pub fn fill_lower_triangle<T: Real, const R: usize, const C: usize>(
 
 /// Sets what is `shift` columns beside the diagonal, and further to the right.
 #[function]
-pub fn fill_upper_triangle<T: Real, const R: usize, const C: usize>(
+pub fn fill_upper_triangle<T: Element, const R: usize, const C: usize>(
     a: &mut SMatrix<T, R, C>,
     value: T,
     shift: usize,
@@ -92,7 +96,10 @@ pub fn fill_upper_triangle<T: Real, const R: usize, const C: usize>(
 
 /// Sets the diagonal of a square matrix.
 #[function]
-pub fn set_diagonal<T: Real, const N: usize>(a: &mut SMatrix<T, N, N>, diagonal: &SVector<T, N>) {
+pub fn set_diagonal<T: Element, const N: usize>(
+    a: &mut SMatrix<T, N, N>,
+    diagonal: &SVector<T, N>,
+) {
     for k in 0..N {
         a[(k, k)] = diagonal[k];
     }
@@ -100,7 +107,9 @@ pub fn set_diagonal<T: Real, const N: usize>(a: &mut SMatrix<T, N, N>, diagonal:
 
 /// Copies what is above the diagonal to what is below.
 #[function]
-pub fn fill_lower_triangle_with_upper_triangle<T: Real, const N: usize>(a: &mut SMatrix<T, N, N>) {
+pub fn fill_lower_triangle_with_upper_triangle<T: Element, const N: usize>(
+    a: &mut SMatrix<T, N, N>,
+) {
     for column in 0..N {
         for row in column + 1..N {
             a[(row, column)] = a[(column, row)];
@@ -110,7 +119,9 @@ pub fn fill_lower_triangle_with_upper_triangle<T: Real, const N: usize>(a: &mut 
 
 /// Copies what is below the diagonal to what is above.
 #[function]
-pub fn fill_upper_triangle_with_lower_triangle<T: Real, const N: usize>(a: &mut SMatrix<T, N, N>) {
+pub fn fill_upper_triangle_with_lower_triangle<T: Element, const N: usize>(
+    a: &mut SMatrix<T, N, N>,
+) {
     for column in 0..N {
         for row in 0..column {
             a[(row, column)] = a[(column, row)];
@@ -120,7 +131,7 @@ pub fn fill_upper_triangle_with_lower_triangle<T: Real, const N: usize>(a: &mut 
 
 /// Exchanges two rows.
 #[function]
-pub fn swap_rows<T: Real, const R: usize, const C: usize>(
+pub fn swap_rows<T: Element, const R: usize, const C: usize>(
     a: &mut SMatrix<T, R, C>,
     one: usize,
     other: usize,
@@ -135,7 +146,7 @@ pub fn swap_rows<T: Real, const R: usize, const C: usize>(
 
 /// Exchanges two columns.
 #[function]
-pub fn swap_columns<T: Real, const R: usize, const C: usize>(
+pub fn swap_columns<T: Element, const R: usize, const C: usize>(
     a: &mut SMatrix<T, R, C>,
     one: usize,
     other: usize,
@@ -150,7 +161,7 @@ pub fn swap_columns<T: Real, const R: usize, const C: usize>(
 
 /// Exchanges two elements, each by row and column.
 #[function]
-pub fn swap<T: Real, const R: usize, const C: usize>(
+pub fn swap<T: Element, const R: usize, const C: usize>(
     a: &mut SMatrix<T, R, C>,
     one: (usize, usize),
     other: (usize, usize),
@@ -162,7 +173,7 @@ pub fn swap<T: Real, const R: usize, const C: usize>(
 
 /// Copies every element.
 #[function]
-pub fn copy_from<T: Real, const R: usize, const C: usize>(
+pub fn copy_from<T: Element, const R: usize, const C: usize>(
     a: &mut SMatrix<T, R, C>,
     b: &SMatrix<T, R, C>,
 ) {
@@ -171,7 +182,7 @@ pub fn copy_from<T: Real, const R: usize, const C: usize>(
 
 /// Copies every element of the transpose.
 #[function]
-pub fn tr_copy_from<T: Real, const R: usize, const C: usize>(
+pub fn tr_copy_from<T: Element, const R: usize, const C: usize>(
     a: &mut SMatrix<T, R, C>,
     b: &SMatrix<T, C, R>,
 ) {
@@ -184,7 +195,7 @@ pub fn tr_copy_from<T: Real, const R: usize, const C: usize>(
 
 /// Copies every element to the transpose.
 #[function]
-pub fn transpose_to<T: Real, const R: usize, const C: usize>(
+pub fn transpose_to<T: Element, const R: usize, const C: usize>(
     a: &SMatrix<T, R, C>,
     b: &mut SMatrix<T, C, R>,
 ) {
@@ -193,7 +204,7 @@ pub fn transpose_to<T: Real, const R: usize, const C: usize>(
 
 /// Turns a square matrix into its transpose.
 #[function]
-pub fn transpose_mut<T: Real, const N: usize>(a: &mut SMatrix<T, N, N>) {
+pub fn transpose_mut<T: Element, const N: usize>(a: &mut SMatrix<T, N, N>) {
     for column in 1..N {
         for row in 0..column {
             let held = a[(row, column)];

@@ -6,26 +6,27 @@
 
 use nalgebra::{SMatrix, SVector};
 
+use crate::element::Number;
 use crate::function;
 use crate::math::Real;
 
 /// The larger of two; the second where they do not compare.
 #[function]
 #[inline]
-pub fn upper<T: Real>(a: T, b: T) -> T {
+pub fn upper<T: Number>(a: T, b: T) -> T {
     if a >= b { a } else { b }
 }
 
 /// The smaller of two; the second where they do not compare.
 #[function]
 #[inline]
-pub fn lower<T: Real>(a: T, b: T) -> T {
+pub fn lower<T: Number>(a: T, b: T) -> T {
     if a <= b { a } else { b }
 }
 
 /// The largest element.
 #[function]
-pub fn max<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -> T {
+pub fn max<T: Number, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -> T {
     let mut largest = a[(0, 0)];
     for column in 0..C {
         for row in 0..R {
@@ -37,7 +38,7 @@ pub fn max<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -> T {
 
 /// The smallest element.
 #[function]
-pub fn min<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -> T {
+pub fn min<T: Number, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -> T {
     let mut smallest = a[(0, 0)];
     for column in 0..C {
         for row in 0..R {

@@ -3,12 +3,13 @@
 
 use nalgebra::{SMatrix, SVector};
 
+use crate::element::Number;
 use crate::function;
 use crate::math::{Real, real};
 
 /// The sum of all elements, by columns.
 #[function]
-pub fn sum<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -> T {
+pub fn sum<T: Number, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -> T {
     let mut sum = T::ZERO;
     for column in 0..C {
         for row in 0..R {
@@ -54,8 +55,10 @@ pub fn variance<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -
 
 /// The sum of each column, as a column.
 #[function]
-pub fn row_sum_tr<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -> SVector<T, C> {
-    let mut sums = SVector::<T, C>::zeros();
+pub fn row_sum_tr<T: Number, const R: usize, const C: usize>(
+    a: &SMatrix<T, R, C>,
+) -> SVector<T, C> {
+    let mut sums = SVector::<T, C>::from_element(T::ZERO);
     for column in 0..C {
         for row in 0..R {
             sums[column] += a[(row, column)];
@@ -66,14 +69,18 @@ pub fn row_sum_tr<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>)
 
 /// The sum of each column, as a row.
 #[function]
-pub fn row_sum<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -> SMatrix<T, 1, C> {
+pub fn row_sum<T: Number, const R: usize, const C: usize>(
+    a: &SMatrix<T, R, C>,
+) -> SMatrix<T, 1, C> {
     row_sum_tr(a).transpose()
 }
 
 /// The sum of each row.
 #[function]
-pub fn column_sum<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -> SVector<T, R> {
-    let mut sums = SVector::<T, R>::zeros();
+pub fn column_sum<T: Number, const R: usize, const C: usize>(
+    a: &SMatrix<T, R, C>,
+) -> SVector<T, R> {
+    let mut sums = SVector::<T, R>::from_element(T::ZERO);
     for column in 0..C {
         for row in 0..R {
             sums[row] += a[(row, column)];

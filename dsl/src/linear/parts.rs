@@ -4,12 +4,13 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::matrix_edit::fill_diagonal;
+use crate::element::{Element, Number};
 use crate::function;
 use crate::math::{Real, real};
 
 /// What is on and below the diagonal; zero above.
 #[function]
-pub fn lower_triangle<T: Real, const R: usize, const C: usize>(
+pub fn lower_triangle<T: Element, const R: usize, const C: usize>(
     a: &SMatrix<T, R, C>,
 ) -> SMatrix<T, R, C> {
     let mut triangle = *a;
@@ -25,7 +26,7 @@ pub fn lower_triangle<T: Real, const R: usize, const C: usize>(
 
 /// What is on and above the diagonal; zero below.
 #[function]
-pub fn upper_triangle<T: Real, const R: usize, const C: usize>(
+pub fn upper_triangle<T: Element, const R: usize, const C: usize>(
     a: &SMatrix<T, R, C>,
 ) -> SMatrix<T, R, C> {
     let mut triangle = *a;
@@ -41,7 +42,7 @@ pub fn upper_triangle<T: Real, const R: usize, const C: usize>(
 
 /// The sum of the diagonal.
 #[function]
-pub fn trace<T: Real, const N: usize>(a: &SMatrix<T, N, N>) -> T {
+pub fn trace<T: Number, const N: usize>(a: &SMatrix<T, N, N>) -> T {
     let mut sum = T::ZERO;
     for k in 0..N {
         sum += a[(k, k)];
@@ -51,8 +52,8 @@ pub fn trace<T: Real, const N: usize>(a: &SMatrix<T, N, N>) -> T {
 
 /// The diagonal.
 #[function]
-pub fn diagonal<T: Real, const N: usize>(a: &SMatrix<T, N, N>) -> SVector<T, N> {
-    let mut diagonal = SVector::<T, N>::zeros();
+pub fn diagonal<T: Element, const N: usize>(a: &SMatrix<T, N, N>) -> SVector<T, N> {
+    let mut diagonal = SVector::<T, N>::from_element(T::ZERO);
     for k in 0..N {
         diagonal[k] = a[(k, k)];
     }
@@ -61,8 +62,8 @@ pub fn diagonal<T: Real, const N: usize>(a: &SMatrix<T, N, N>) -> SVector<T, N> 
 
 /// The matrix with this diagonal, and zero elsewhere.
 #[function]
-pub fn from_diagonal<T: Real, const N: usize>(diagonal: &SVector<T, N>) -> SMatrix<T, N, N> {
-    let mut matrix = SMatrix::<T, N, N>::zeros();
+pub fn from_diagonal<T: Element, const N: usize>(diagonal: &SVector<T, N>) -> SMatrix<T, N, N> {
+    let mut matrix = SMatrix::<T, N, N>::from_element(T::ZERO);
     for k in 0..N {
         matrix[(k, k)] = diagonal[k];
     }
@@ -71,10 +72,10 @@ pub fn from_diagonal<T: Real, const N: usize>(diagonal: &SVector<T, N>) -> SMatr
 
 /// The matrix with `value` on the diagonal, and zero elsewhere.
 #[function]
-pub fn from_diagonal_element<T: Real, const R: usize, const C: usize>(
+pub fn from_diagonal_element<T: Element, const R: usize, const C: usize>(
     value: T,
 ) -> SMatrix<T, R, C> {
-    let mut matrix = SMatrix::<T, R, C>::zeros();
+    let mut matrix = SMatrix::<T, R, C>::from_element(T::ZERO);
     fill_diagonal(&mut matrix, value);
     matrix
 }
@@ -89,10 +90,10 @@ pub fn ith<T: Real, const N: usize>(place: usize, value: T) -> SVector<T, N> {
 
 /// The matrix of these columns.
 #[function]
-pub fn from_columns<T: Real, const R: usize, const C: usize>(
+pub fn from_columns<T: Element, const R: usize, const C: usize>(
     columns: &[SVector<T, R>; C],
 ) -> SMatrix<T, R, C> {
-    let mut matrix = SMatrix::<T, R, C>::zeros();
+    let mut matrix = SMatrix::<T, R, C>::from_element(T::ZERO);
     for column in 0..C {
         for row in 0..R {
             matrix[(row, column)] = columns[column][row];
@@ -103,10 +104,10 @@ pub fn from_columns<T: Real, const R: usize, const C: usize>(
 
 /// The matrix of these rows.
 #[function]
-pub fn from_rows<T: Real, const R: usize, const C: usize>(
+pub fn from_rows<T: Element, const R: usize, const C: usize>(
     rows: &[SMatrix<T, 1, C>; R],
 ) -> SMatrix<T, R, C> {
-    let mut matrix = SMatrix::<T, R, C>::zeros();
+    let mut matrix = SMatrix::<T, R, C>::from_element(T::ZERO);
     for column in 0..C {
         for row in 0..R {
             matrix[(row, column)] = rows[row][column];
@@ -117,11 +118,11 @@ pub fn from_rows<T: Real, const R: usize, const C: usize>(
 
 /// The matrix of these elements, by rows; there must be as many as it has.
 #[function]
-pub fn from_row_slice<T: Real, const R: usize, const C: usize, const N: usize>(
+pub fn from_row_slice<T: Element, const R: usize, const C: usize, const N: usize>(
     elements: &[T; N],
 ) -> SMatrix<T, R, C> {
     assert!(N == R * C);
-    let mut matrix = SMatrix::<T, R, C>::zeros();
+    let mut matrix = SMatrix::<T, R, C>::from_element(T::ZERO);
     for column in 0..C {
         for row in 0..R {
             matrix[(row, column)] = elements[row * C + column];
@@ -132,11 +133,11 @@ pub fn from_row_slice<T: Real, const R: usize, const C: usize, const N: usize>(
 
 /// The matrix of these elements, by columns; there must be as many as it has.
 #[function]
-pub fn from_column_slice<T: Real, const R: usize, const C: usize, const N: usize>(
+pub fn from_column_slice<T: Element, const R: usize, const C: usize, const N: usize>(
     elements: &[T; N],
 ) -> SMatrix<T, R, C> {
     assert!(N == R * C);
-    let mut matrix = SMatrix::<T, R, C>::zeros();
+    let mut matrix = SMatrix::<T, R, C>::from_element(T::ZERO);
     for column in 0..C {
         for row in 0..R {
             matrix[(row, column)] = elements[column * R + row];
@@ -155,7 +156,7 @@ pub fn symmetric_part<T: Real, const N: usize>(a: &SMatrix<T, N, N>) -> SMatrix<
 /// The matrix whose product with a vector is the cross product of `v` and it.
 #[function]
 pub fn cross_matrix<T: Real>(v: &SVector<T, 3>) -> SMatrix<T, 3, 3> {
-    let mut matrix = SMatrix::<T, 3, 3>::zeros();
+    let mut matrix = SMatrix::<T, 3, 3>::from_element(T::ZERO);
     matrix[(1, 0)] = v[2];
     matrix[(2, 0)] = -v[1];
     matrix[(0, 1)] = -v[2];

@@ -7,6 +7,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
+use crate::element::Element;
 use crate::function;
 use crate::math::Real;
 
@@ -122,7 +123,7 @@ pub fn set_column<T: Real, const R: usize, const C: usize>(
 
 /// Fills a row: `a.row_mut(row).fill(value)`.
 #[function]
-pub fn fill_row<T: Real, const R: usize, const C: usize>(
+pub fn fill_row<T: Element, const R: usize, const C: usize>(
     a: &mut SMatrix<T, R, C>,
     row: usize,
     value: T,
@@ -135,7 +136,7 @@ pub fn fill_row<T: Real, const R: usize, const C: usize>(
 
 /// Fills a column: `a.column_mut(column).fill(value)`.
 #[function]
-pub fn fill_column<T: Real, const R: usize, const C: usize>(
+pub fn fill_column<T: Element, const R: usize, const C: usize>(
     a: &mut SMatrix<T, R, C>,
     column: usize,
     value: T,

@@ -5,7 +5,7 @@ use nalgebra::RealField;
 use super::{
     DivisionMethods, ElementaryMethods, FloatMethods, OrderMethods, RoundMethods, SignMethods,
 };
-use crate::Plain;
+use crate::element::Number;
 
 /// `f32` or `f64`.
 ///
@@ -30,9 +30,7 @@ use crate::Plain;
 )]
 pub trait Real:
     RealField
-    + Copy
-    + Default
-    + Plain
+    + Number
     + FloatMethods
     + OrderMethods
     + RoundMethods
@@ -41,8 +39,6 @@ pub trait Real:
     + ElementaryMethods
     + generated::Generated
 {
-    /// 0.
-    const ZERO: Self;
     /// 1.
     const ONE: Self;
     /// π.
@@ -100,7 +96,6 @@ impl real {
 macro_rules! floats {
     ($($float:ident)*) => {$(
         impl Real for $float {
-            const ZERO: $float = 0.0;
             const ONE: $float = 1.0;
             const PI: $float = core::$float::consts::PI;
             const TAU: $float = core::$float::consts::TAU;

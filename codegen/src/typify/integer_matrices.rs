@@ -1,0 +1,157 @@
+//! Arithmetic of matrices of integers: loops over their elements, where each operation is checked as it is
+//! of two integers.
+//!
+//! The order is nalgebra's: a product adds its terms in the order of the columns of its left factor.
+//!
+//! Absent: matrices of floats, which have routines and kernels.
+
+use bessemer_ir::tree::Site;
+use bessemer_ir::{
+    BinaryOp, Block, Expr, ExprKind, LocalId, Place, Routine, Span, Step, StmtKind, Type, UnaryOp,
+};
+
+use super::equal::{number, stmt};
+use super::function::{Lowering, is_literal};
+use super::pattern::{inside, load};
+use super::written_views::{counted, local};
+use super::{OUR_FAULT, Result, problem};
+
+/// What a routine does with two elements, with an element and a number, or with one.
+enum Each {
+    Negated,
+    Joined(BinaryOp),
+    Terms,
+}
+
+impl Each {
+    fn operands(&self) -> usize {
+        if matches!(self, Each::Negated) { 1 } else { 2 }
+    }
+}
+
+impl Lowering<'_, '_> {
+    /// A routine of matrices of integers.
+    pub(super) fn integer_routine(
+        &mut self,
+        routine: Routine,
+        values: Vec<Expr>,
+        ty: Type,
+        site: Site,
+    ) -> Result<Expr> {
+        let (name, each) = match routine {
+            Routine::Neg => ("negative", Each::Negated),
+            Routine::Add => ("sum", Each::Joined(BinaryOp::Add)),
+            Routine::Sub => ("difference", Each::Joined(BinaryOp::Sub)),
+            Routine::ComponentMul => ("product", Each::Joined(BinaryOp::Mul)),
+            Routine::ComponentDiv => ("quotient", Each::Joined(BinaryOp::Div)),
+            Routine::Scale => ("scaled", Each::Joined(BinaryOp::Mul)),
+            Routine::Unscale => ("quotient", Each::Joined(BinaryOp::Div)),
+            Routine::Product => ("product", Each::Terms),
+            _ => {
+                let remedy = "write a loop over their elements";
+                return problem(site, "this takes matrices of `f64` or `f32`", remedy);
+            }
+        };
+        let (Type::Matrix { element, rows, cols }, true) = (&ty, values.len() == each.operands())
+        else {
+            return problem(site, "this is no matrix", OUR_FAULT);
+        };
+        let mut operands = Vec::new();
+        for value in values {
+            operands.push(match is_literal(&value) {
+                true => value,
+                false => {
+                    let mut place = self.hold(value, site)?;
+                    self.keep_indices(&mut place, |index| !is_literal(index));
+                    load(&place)
+                }
+            });
+        }
+        let span = self.span(site);
+        let elements = Elements { operands, scalar: Type::Scalar(*element), span };
+        let zero = Expr { kind: ExprKind::Literal(0), ty: elements.scalar.clone(), span };
+        let zeros = Expr { kind: ExprKind::Splat(Box::new(zero)), ty: ty.clone(), span };
+        let ExprKind::Load(result) = self.temporary(name, zeros).kind else {
+            return problem(site, "a temporary is not a place", OUR_FAULT);
+        };
+        let row = self.counter_of(*rows, "row", span);
+        let col = self.counter_of(*cols, "col", span);
+        let mut counters = vec![(row, *rows), (col, *cols)];
+        let at = (elements.index(row), elements.index(col));
+        let place = elements.cell(&result, at.clone());
+        let value = match each {
+            Each::Negated => elements.negative(elements.at(0, at)),
+            Each::Joined(op) => elements.joined(op, elements.at(0, at.clone()), elements.at(1, at)),
+            Each::Terms => {
+                let terms = elements.terms();
+                let k = self.counter_of(terms, "k", span);
+                counters.insert(0, (k, terms));
+                let ((row, col), k) = (at, elements.index(k));
+                let factors = (elements.at(0, (row, k.clone())), elements.at(1, (k, col)));
+                let term = elements.joined(BinaryOp::Mul, factors.0, factors.1);
+                elements.joined(BinaryOp::Add, load(&place), term)
+            }
+        };
+        let mut body = Block(vec![stmt(StmtKind::Assign { place, value }, span)]);
+        for (counter, count) in counters {
+            if let Some(counter) = counter {
+                body = Block(vec![stmt(counted(counter, count, body, span), span)]);
+            }
+        }
+        self.out.extend(body.0);
+        Ok(load(&result))
+    }
+
+    /// A counter, unless there is one row or column.
+    fn counter_of(&mut self, count: u32, name: &str, span: Span) -> Option<LocalId> {
+        (count > 1).then(|| self.counter(name, span))
+    }
+}
+
+/// The operands, element by element.
+struct Elements {
+    operands: Vec<Expr>,
+    scalar: Type,
+    span: Span,
+}
+
+impl Elements {
+    fn index(&self, counter: Option<LocalId>) -> Expr {
+        counter.map_or_else(|| number(0, self.span), |counter| local(counter, self.span))
+    }
+
+    fn cell(&self, matrix: &Place, (row, col): (Expr, Expr)) -> Place {
+        inside(matrix, Step::Element(row, col), self.scalar.clone())
+    }
+
+    /// An operand at a row and a column; a number is the same at each.
+    fn at(&self, operand: usize, at: (Expr, Expr)) -> Expr {
+        let operand = &self.operands[operand];
+        match &operand.kind {
+            ExprKind::Load(place) if matches!(place.ty, Type::Matrix { .. }) => {
+                load(&self.cell(place, at))
+            }
+            _ => operand.clone(),
+        }
+    }
+
+    /// How many terms an element of the product has.
+    fn terms(&self) -> u32 {
+        match self.operands[0].ty {
+            Type::Matrix { cols, .. } => cols,
+            _ => 0,
+        }
+    }
+
+    fn negative(&self, value: Expr) -> Expr {
+        self.node(ExprKind::Unary(UnaryOp::Neg, Box::new(value)))
+    }
+
+    fn joined(&self, op: BinaryOp, one: Expr, other: Expr) -> Expr {
+        self.node(ExprKind::Binary(op, Box::new(one), Box::new(other)))
+    }
+
+    fn node(&self, kind: ExprKind) -> Expr {
+        Expr { kind, ty: self.scalar.clone(), span: self.span }
+    }
+}

@@ -1,0 +1,46 @@
+//! `from` and `into` between matrices and arrays of their elements, by columns.
+
+use bessemer::prelude::*;
+
+/// What a driver gives as an array is a vector to the filter.
+#[function]
+pub fn acceleration(raw: &[f32; 3], scale: f32) -> Vector3<f32> {
+    Vector3::from(*raw) * scale
+}
+
+/// Elements that are computed where they stand.
+#[function]
+pub fn corner(x: f64, y: f64) -> Vector2<f64> {
+    Vector2::from([x + y, x - y])
+}
+
+/// Many elements.
+#[function]
+pub fn window(samples: &[f64; 20]) -> SVector<f64, 20> {
+    SVector::from(*samples)
+}
+
+/// An array of columns.
+#[function]
+pub fn columns(columns: &[[f64; 2]; 3]) -> Matrix2x3<f64> {
+    Matrix2x3::from(*columns)
+}
+
+/// Columns that are written out, and a row.
+#[function]
+pub fn shear(factor: f32) -> (Matrix2<f32>, RowVector2<f32>) {
+    (Matrix2::from([[1.0, 0.0], [factor, 1.0]]), RowVector2::from([factor, 2.0]))
+}
+
+/// What a telegram takes.
+#[function]
+pub fn packed(covariance: &Matrix3<f64>, rates: &Vector3<f32>) -> ([[f64; 3]; 3], [f32; 3]) {
+    ((*covariance).into(), (*rates).into())
+}
+
+/// The larger ones are copied by a loop.
+#[function]
+pub fn far(covariance: &Matrix5<f32>) -> [[f32; 5]; 5] {
+    let columns: [[f32; 5]; 5] = (*covariance).into();
+    columns
+}
