@@ -1,7 +1,8 @@
 //! Sorting, written in the DSL itself, so that simulation and C put equal elements in the same order.
 //!
 //! By insertion: stable, in place, without recursion, and fast for the few elements that controllers sort. Of n
-//! elements it compares at most n (n − 1) / 2 pairs.
+//! elements it compares at most n (n − 1) / 2 pairs. No index is checked: that of an inner loop is below that of the
+//! outer one, which is below the length.
 
 use crate::function;
 use crate::math::Real;
@@ -10,13 +11,13 @@ use crate::math::Real;
 #[function]
 pub fn sort_by<T: Copy, F: Fn(&T, &T) -> bool>(values: &mut [T], below: F) {
     for i in 1..values.len() {
-        let mut at = i;
-        while at > 0 {
-            if !below(&values[at], &values[at - 1]) {
+        for at in (0..i).rev() {
+            let (one, next) = (values[at], values[at + 1]);
+            if !below(&next, &one) {
                 break;
             }
-            values.swap(at - 1, at);
-            at -= 1;
+            values[at] = next;
+            values[at + 1] = one;
         }
     }
 }
@@ -25,13 +26,13 @@ pub fn sort_by<T: Copy, F: Fn(&T, &T) -> bool>(values: &mut [T], below: F) {
 #[function]
 pub fn ascending<T: Copy + Ord>(values: &mut [T]) {
     for i in 1..values.len() {
-        let mut at = i;
-        while at > 0 {
-            if values[at] >= values[at - 1] {
+        for at in (0..i).rev() {
+            let (one, next) = (values[at], values[at + 1]);
+            if next >= one {
                 break;
             }
-            values.swap(at - 1, at);
-            at -= 1;
+            values[at] = next;
+            values[at + 1] = one;
         }
     }
 }

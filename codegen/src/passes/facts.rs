@@ -199,8 +199,8 @@ impl<'m> Facts<'m> {
         }
     }
 
-    /// Whether an index is below the length of a slice by way of another value: `i < to <= length`, or
-    /// `i + 1` of a loop up to `max(length, 1) - 1`.
+    /// Whether an index is below the length of a slice by way of another value: `i < to <= length`, `i + 1` of
+    /// `i < to < length`, or of a loop up to `max(length, 1) - 1`.
     fn below_length(&self, condition: &Expr) -> bool {
         let condition = erased(condition);
         let ExprKind::Compare(CompareOp::Lt, index, length) = &condition.kind else { return false };
@@ -216,10 +216,15 @@ impl<'m> Facts<'m> {
         };
         self.hold.iter().any(|fact| match &fact.condition.kind {
             ExprKind::Compare(CompareOp::Lt, a, end) if a == base => {
-                let up_to = further == 0 && {
-                    let kind = ExprKind::Compare(CompareOp::Le, end.clone(), length.clone());
-                    self.holds(&Expr { kind, ..condition.clone() })
+                let by = match further {
+                    0 => Some(CompareOp::Le),
+                    1 => Some(CompareOp::Lt),
+                    _ => None,
                 };
+                let up_to = by.is_some_and(|op| {
+                    let kind = ExprKind::Compare(op, end.clone(), length.clone());
+                    self.holds(&Expr { kind, ..condition.clone() })
+                });
                 up_to || short_of(end, length).is_some_and(|short| further <= short)
             }
             _ => false,

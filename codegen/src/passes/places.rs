@@ -4,7 +4,9 @@
 
 use bessemer_ir::visit::{Access, Visit, VisitMut, walk_expr, walk_expr_mut, walk_place};
 use bessemer_ir::visit::{walk_place_mut, walk_stmt};
-use bessemer_ir::{Argument, Expr, ExprKind, LocalId, Place, Routine, Span, Step, Stmt, Type};
+use bessemer_ir::{
+    Argument, Expr, ExprKind, LocalId, Place, Routine, Span, Step, Stmt, StmtKind, Type,
+};
 
 /// Whether two places may share memory.
 pub(crate) fn overlap(a: &Place, b: &Place) -> bool {
@@ -89,6 +91,12 @@ pub(crate) fn moves(place: &Place, written: &[Place]) -> bool {
 struct Writes(Vec<Place>);
 
 impl Visit for Writes {
+    fn stmt(&mut self, stmt: &Stmt) {
+        // `x = x;` changes nothing, and is dropped.
+        if !is_idle(stmt) {
+            walk_stmt(self, stmt);
+        }
+    }
     fn place(&mut self, place: &Place, access: Access) {
         if access != Access::Read {
             self.0.push(place.clone());
@@ -103,7 +111,7 @@ impl Visit for Writes {
 /// All that `stmts` may write, the locals they declare among it.
 pub(crate) fn writes<'a>(stmts: impl IntoIterator<Item = &'a Stmt>) -> Vec<Place> {
     let mut writes = Writes::default();
-    stmts.into_iter().for_each(|stmt| walk_stmt(&mut writes, stmt));
+    stmts.into_iter().for_each(|stmt| writes.stmt(stmt));
     writes.0
 }
 
@@ -202,6 +210,12 @@ fn lends(argument: &Argument, destination: &Place) -> bool {
         Argument::Ref(value) => reads(value, written),
         Argument::RefMut(place) => overlap(place, destination) || moves(place, written),
     }
+}
+
+/// Whether a statement gives a place its own value.
+fn is_idle(stmt: &Stmt) -> bool {
+    matches!(&stmt.kind, StmtKind::Assign { place, value: Expr { kind: ExprKind::Load(from), .. } }
+        if same_place(from, place))
 }
 
 /// Whether two places are one as they are written, wherever that is.

@@ -14,6 +14,9 @@ use super::slice::Slice;
 use super::types::split;
 use super::{Context, Result, names, problem};
 
+/// What temporaries are part of where nothing has a name.
+pub(super) const UNNAMED: &str = "value";
+
 /// A function being lowered.
 pub(super) struct Lowering<'a, 'c> {
     pub cx: &'a mut Context<'c>,
@@ -168,7 +171,7 @@ impl<'a, 'c> Lowering<'a, 'c> {
             locals: Vec::new(),
             scopes: vec![Vec::new()],
             out: Vec::new(),
-            naming: "value".into(),
+            naming: UNNAMED.into(),
             result,
             held: HashSet::new(),
             steady: HashSet::new(),

@@ -11,7 +11,7 @@ use bessemer_ir::{
     Argument, Block, Expr, ExprKind, FunctionId, Local, LocalId, Mode, Place, Role, Type,
 };
 
-use super::function::{Binding, Lowering};
+use super::function::{Binding, Lowering, UNNAMED};
 use super::pattern::{Subject, load};
 use super::{OUR_FAULT, Result, names, problem};
 
@@ -239,8 +239,17 @@ impl<'a> Lowering<'a, '_> {
         self.scopes = scopes;
         self.handed = outer;
         let value = value?;
-        // What it is made of may change before it is used.
-        Ok(if value.ty == Type::Unit { value } else { self.temporary("value", value) })
+        if value.ty == Type::Unit {
+            return Ok(value);
+        }
+        // What it is made of may change before it is used. Where nothing else names it, the closure does.
+        if self.naming != UNNAMED {
+            return Ok(self.temporary("value", value));
+        }
+        self.naming = String::new();
+        let held = self.temporary(name, value);
+        self.naming = UNNAMED.into();
+        Ok(held)
     }
 
     /// What a closure is given, called as the closure calls it.
