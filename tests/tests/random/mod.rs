@@ -39,7 +39,7 @@ use legs::{Difference, in_c, interpreted};
 use writer::Program;
 
 /// Programs in a batch.
-const PROGRAMS: usize = 60;
+const PROGRAMS: usize = 36;
 
 const SANITIZED: [&str; 3] = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-w"];
 /// Warnings are told of, each with its program, and the rest goes on.
