@@ -81,7 +81,7 @@ fn errors(messages: &[Value], job: &Job, sources: &Sources) -> String {
         let elsewhere = all.iter().any(|other| !other.at_attribute && other.title == said.title);
         // What rustc says of the original at this place says more than what a builder misses there.
         let rustcs = |other: &Said<'_>| other.help.is_none() && other.place == said.place;
-        let said_better = said.help.is_some() && all.iter().any(rustcs);
+        let said_better = said.help.is_some() && said.place.is_some() && all.iter().any(rustcs);
         // The witness copy also repeats what is wrong in the original.
         if said_better
             || (said.at_attribute && elsewhere)

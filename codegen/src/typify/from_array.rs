@@ -21,7 +21,9 @@ impl Lowering<'_, '_> {
         expr: &tree::Expr,
     ) -> Result<Expr> {
         let ty = self.slot_of(expr)?;
-        if let (Type::Matrix { element, .. }, Some(elements)) = (&ty, leaves(from)) {
+        if let (Type::Matrix { element, .. }, Some(elements)) = (&ty, leaves(from))
+            && self.are_numbers(&elements)?
+        {
             let elements = self.uniform(&elements, Some(Type::Scalar(*element)))?;
             return self.node(ExprKind::Matrix(elements), ty, expr.site);
         }
@@ -49,6 +51,14 @@ impl Lowering<'_, '_> {
         }
         self.emit(counted(i, outer, body, span), span);
         Ok(load(&result))
+    }
+
+    /// Whether what is written out are elements, and not columns that have names.
+    fn are_numbers(&mut self, elements: &[tree::Expr]) -> Result<bool> {
+        match elements.first() {
+            Some(first) => Ok(matches!(self.type_alone(first)?, Type::Scalar(_))),
+            None => Ok(false),
+        }
     }
 }
 

@@ -32,6 +32,12 @@ pub fn shear(factor: f32) -> (Matrix2<f32>, RowVector2<f32>) {
     (Matrix2::from([[1.0, 0.0], [factor, 1.0]]), RowVector2::from([factor, 2.0]))
 }
 
+/// Columns that have names, and one that is repeated.
+#[function]
+pub fn beside(first: &[f64; 2], gain: f64) -> (Matrix2<f64>, Matrix2<f64>) {
+    (Matrix2::from([*first, [gain; 2]]), Matrix2::from([[gain, 1.0], *first]))
+}
+
 /// What a telegram takes.
 #[function]
 pub fn packed(covariance: &Matrix3<f64>, rates: &Vector3<f32>) -> ([[f64; 3]; 3], [f32; 3]) {
