@@ -106,7 +106,8 @@ impl Lower<'_> {
 
     /// Whether a value stands where it belongs from the start.
     fn is_part(&self, item: &Ir) -> bool {
-        matches!(&item.kind, ExprKind::Load(place) if self.parts.contains_key(&place.root))
+        matches!(&item.kind, ExprKind::Load(place)
+            if place.steps.is_empty() && self.parts.contains_key(&place.root))
     }
 
     /// Whether a part of a struct is written: not what shares its memory with the part that is there.

@@ -105,8 +105,8 @@ pub(super) struct Lower<'a> {
     looks: bool,
     /// The local that is the result, and stands in the caller's storage from the start.
     in_place: Option<LocalId>,
-    /// The locals that are fields of the result from the start.
-    parts: BTreeMap<LocalId, usize>,
+    /// The locals that are parts of the result from the start.
+    parts: BTreeMap<LocalId, direct::Path>,
     bytes: u64,
     /// How far the author wants the next loop written out.
     unroll: Option<u32>,

@@ -9,9 +9,11 @@ impl Lower<'_> {
     /// A place as an lvalue.
     pub(super) fn place(&mut self, place: &Place) -> Expr {
         let function = self.function;
-        let binding = self.bindings[place.root.index()].clone();
         self.mentioned[place.root.index()] = true;
-        let mut value = bound(&binding.expect("a local is declared before its use"));
+        let mut value = self.part_of_result(place.root).unwrap_or_else(|| {
+            let binding = self.bindings[place.root.index()].as_ref();
+            bound(binding.expect("a local is declared before its use"))
+        });
         let mut ty = function.local(place.root).ty.clone();
         for step in &place.steps {
             (value, ty) = self.step(value, &ty, step);

@@ -65,12 +65,8 @@ impl Lower<'_> {
             self.let_in_place(local, value);
             return;
         }
-        if let (Some(field), Some(value), Some(result)) =
-            (self.parts.get(&local), value, self.result_storage())
-            && let Type::Struct(id) = self.function.result
-        {
-            let name = &self.context.names.structs[id.index()].fields[*field];
-            self.store(result.field(name), None, value);
+        if let (Some(part), Some(value)) = (self.part_of_result(local), value) {
+            self.store(part, None, value);
             return;
         }
         let constant = value.is_some() && !self.usage.assigned[local.index()];
