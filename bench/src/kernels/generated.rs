@@ -26,7 +26,7 @@ pub fn kernels_of(case: &Case) -> Vec<Kernel> {
         Routine::Inverse => vec![(KernelRoutine::Inverse, vec![size])],
         Routine::Product => vec![(KernelRoutine::Product, vec![size; 3])],
         Routine::CholeskySolve => vec![
-            (KernelRoutine::Cholesky, vec![size]),
+            (KernelRoutine::CholeskyLower, vec![size]),
             (KernelRoutine::CholeskySolve, vec![size, 1]),
         ],
     };
@@ -72,6 +72,9 @@ fn alone(kernel: &Kernel) -> String {
     let (result, parameters, arguments) = match kernel.routine {
         KernelRoutine::Product => {
             ("void", format!("const {real} *a, const {real} *b, {real} *result"), "a, b, result")
+        }
+        KernelRoutine::CholeskyLower => {
+            ("void", format!("const {real} *a, {real} *result"), "a, result")
         }
         KernelRoutine::CholeskySolve => ("void", format!("const {real} *a, {real} *b"), "a, b"),
         _ => ("bool", format!("{real} *a"), "a"),
@@ -153,8 +156,8 @@ fn copied(known: &[(Case, Vec<Kernel>)]) -> String {
             Routine::CholeskySolve => writeln!(
                 before,
                 "static void copy_{case}(const {real} *a, const {real} *b, {real} *x)\n{{\n    \
-                 {real} factor[{count}];\n    memcpy(factor, a, sizeof factor);\n    \
-                 memcpy(x, b, {n} * sizeof *x);\n    (void){name}(factor);\n    {solve}(factor, x);\n}}",
+                 {real} lower[{count}];\n    {name}(a, lower);\n    \
+                 memcpy(x, b, {n} * sizeof *x);\n    {solve}(lower, x);\n}}",
                 case = case.name(),
                 count = n * n,
                 solve = kernels[1].name(),

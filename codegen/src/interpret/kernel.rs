@@ -142,6 +142,11 @@ fn square<R: Real>(memory: &mut [u64], kernel: &Kernel, operands: &[Operand<'_>]
             memory[out] = u64::from(factored);
             a.write(memory, at);
         }
+        KernelRoutine::CholeskyLower => {
+            // NaN says that there is none.
+            let _ = cholesky(&mut a);
+            a.write(memory, out);
+        }
         KernelRoutine::CholeskySolve
         | KernelRoutine::SolveLower
         | KernelRoutine::SolveUpper

@@ -142,7 +142,9 @@ fn of_routine(kernel: &Kernel, tuning: &Tuning) -> Source {
             &[rows, inner, columns],
         ) => product::source(kernel, (rows, inner, columns), tuning)
             .unwrap_or_else(|| plain::source(kernel)),
-        (KernelRoutine::Cholesky, &[size]) => cholesky::factor(kernel, size, tuning.code_bytes),
+        (KernelRoutine::Cholesky | KernelRoutine::CholeskyLower, &[size]) => {
+            cholesky::factor(kernel, size, tuning.code_bytes)
+        }
         (KernelRoutine::CholeskySolve, &[size @ ..=cholesky::SUBSTITUTIONS, columns])
             if cholesky::solve_bytes(size) <= tuning.code_bytes =>
         {
@@ -175,9 +177,8 @@ fn by_rows(kernel: &Kernel, tuning: &Tuning) -> bool {
 pub fn stands_in_header(kernel: &Kernel) -> bool {
     match (kernel.routine, kernel.dims.as_slice()) {
         (KernelRoutine::Inverse, &[size]) => size <= 4,
-        (KernelRoutine::Cholesky, &[size]) | (KernelRoutine::CholeskySolve, &[size, 1]) => {
-            size <= 3
-        }
+        (KernelRoutine::Cholesky | KernelRoutine::CholeskyLower, &[size])
+        | (KernelRoutine::CholeskySolve, &[size, 1]) => size <= 3,
         _ => product::is_small(kernel),
     }
 }

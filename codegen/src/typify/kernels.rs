@@ -3,7 +3,7 @@
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{
     Argument, BinaryOp, Block, Expr, ExprKind, FunctionId, Kernel, KernelRoutine, Mode, Place,
-    Routine, Scalar, Step, StmtKind, Type,
+    Routine, Scalar, Span, Step, StmtKind, Type,
 };
 
 use super::equal::{number, stmt};
@@ -20,6 +20,7 @@ fn routine(name: &str) -> Option<KernelRoutine> {
         "inverse_mut" => KernelRoutine::Inverse,
         "determinant" => KernelRoutine::Determinant,
         "cholesky_mut" => KernelRoutine::Cholesky,
+        "cholesky_lower" => KernelRoutine::CholeskyLower,
         "cholesky_solve_mut" => KernelRoutine::CholeskySolve,
         "solve_lower_mut" => KernelRoutine::SolveLower,
         "solve_upper_mut" => KernelRoutine::SolveUpper,
@@ -86,6 +87,7 @@ impl Lowering<'_, '_> {
     ) -> Result<Expr> {
         let function = &self.cx.module.functions[id.index()];
         let result = function.result.clone();
+        let by_columns = function.kernel.as_ref().map(|kernel| kernel.function().result);
         let parameters: Vec<_> =
             function.parameters().iter().map(|local| (local.mode, local.ty.clone())).collect();
         let (mut passed, mut back) = (Vec::new(), Vec::new());
@@ -109,10 +111,20 @@ impl Lowering<'_, '_> {
             });
         }
         let call = self.node(ExprKind::Call(id, passed), result, expr.site)?;
+        let span = self.span(expr.site);
+        if let Some(Type::Matrix { element, rows, cols }) = by_columns
+            && !matches!(call.ty, Type::Matrix { .. })
+        {
+            let columns = self.temporary_local("columns", call.ty.clone(), span);
+            let columns = Place { root: columns, steps: Vec::new(), ty: call.ty.clone(), span };
+            self.emit(StmtKind::Let { local: columns.root, value: Some(call) }, span);
+            let matrix = self.zeros("result", Type::Matrix { element, rows, cols }, element, span);
+            self.copy_columns(&matrix, &columns, (rows, cols), false)?;
+            return Ok(load(&matrix));
+        }
         if back.is_empty() {
             return Ok(call);
         }
-        let span = self.span(expr.site);
         let value = match call.ty {
             Type::Unit => {
                 self.emit(StmtKind::Expr(call), span);
@@ -128,17 +140,18 @@ impl Lowering<'_, '_> {
 
     /// An array for the elements of a matrix.
     fn columns(&mut self, matrix: &Place, ty: &Type) -> Place {
-        let span = matrix.span;
-        let local = self.temporary_local("columns", ty.clone(), span);
-        let zero = match &matrix.ty {
-            Type::Matrix { element, .. } => Type::Scalar(*element),
-            other => other.clone(),
-        };
-        let zero = Expr { kind: ExprKind::Literal(0), ty: zero, span };
+        let Type::Matrix { element, .. } = matrix.ty else { return matrix.clone() };
+        self.zeros("columns", ty.clone(), element, matrix.span)
+    }
+
+    /// A variable of zeros.
+    fn zeros(&mut self, name: &str, ty: Type, element: Scalar, span: Span) -> Place {
+        let local = self.temporary_local(name, ty.clone(), span);
+        let zero = Expr { kind: ExprKind::Literal(0), ty: Type::Scalar(element), span };
         let kind = ExprKind::Splat(Box::new(zero));
         let value = Some(Expr { kind, ty: ty.clone(), span });
         self.emit(StmtKind::Let { local, value }, span);
-        Place { root: local, steps: Vec::new(), ty: ty.clone(), span }
+        Place { root: local, steps: Vec::new(), ty, span }
     }
 
     /// Loops that copy a matrix to an array of its elements, by columns, or back.

@@ -45,6 +45,9 @@ pub enum KernelRoutine {
     /// Factors a symmetric `a` in place: its lower triangle becomes L, what is above stays. `false`, and
     /// NaN in the lower triangle, unless it is positive definite. The size.
     Cholesky,
+    /// The same beside `a`, which stays: L in the lower triangle, above it what `a` has there; NaN in the lower
+    /// triangle unless `a` is positive definite. The size.
+    CholeskyLower,
     /// Solves `l lᵀ x = b` in place of `b`, of `l` the lower triangle. The size, the columns of `b`.
     CholeskySolve,
     /// Solves `a x = b` in place of `b`, of `a` the lower triangle; `false`, and NaN in `b`, where an
@@ -71,7 +74,7 @@ pub struct Kernel {
 
 impl KernelRoutine {
     /// Every routine.
-    pub const ALL: [KernelRoutine; 14] = [
+    pub const ALL: [KernelRoutine; 15] = [
         KernelRoutine::Product,
         KernelRoutine::ProductTr,
         KernelRoutine::TrProduct,
@@ -81,6 +84,7 @@ impl KernelRoutine {
         KernelRoutine::Inverse,
         KernelRoutine::Determinant,
         KernelRoutine::Cholesky,
+        KernelRoutine::CholeskyLower,
         KernelRoutine::CholeskySolve,
         KernelRoutine::SolveLower,
         KernelRoutine::SolveUpper,
@@ -100,6 +104,7 @@ impl KernelRoutine {
             KernelRoutine::Inverse => "inverse",
             KernelRoutine::Determinant => "determinant",
             KernelRoutine::Cholesky => "cholesky",
+            KernelRoutine::CholeskyLower => "cholesky_lower",
             KernelRoutine::CholeskySolve => "cholesky_solve",
             KernelRoutine::SolveLower => "solve_lower",
             KernelRoutine::SolveUpper => "solve_upper",
@@ -126,6 +131,7 @@ impl KernelRoutine {
             KernelRoutine::SolveLower | KernelRoutine::SolveUpper => "solved",
             KernelRoutine::TrSolveLower | KernelRoutine::TrSolveUpper => "solved",
             KernelRoutine::Cholesky => "factored",
+            KernelRoutine::CholeskyLower => "lower",
             KernelRoutine::Inverse => "inverted",
             KernelRoutine::Determinant => "determinant",
         }
@@ -145,7 +151,10 @@ impl KernelRoutine {
             | KernelRoutine::SolveUpper
             | KernelRoutine::TrSolveLower
             | KernelRoutine::TrSolveUpper => 2,
-            KernelRoutine::Inverse | KernelRoutine::Determinant | KernelRoutine::Cholesky => 1,
+            KernelRoutine::Inverse
+            | KernelRoutine::Determinant
+            | KernelRoutine::Cholesky
+            | KernelRoutine::CholeskyLower => 1,
         }
     }
 }
@@ -261,6 +270,9 @@ impl Kernel {
             KernelRoutine::Inverse | KernelRoutine::Cholesky => {
                 (alloc::vec![("a", matrix(n, n), Mode::RefMut)], Type::BOOL)
             }
+            KernelRoutine::CholeskyLower => {
+                (alloc::vec![("a", matrix(n, n), Mode::Ref)], matrix(n, n))
+            }
             KernelRoutine::CholeskySolve => (
                 alloc::vec![("a", matrix(n, n), Mode::Ref), ("b", matrix(n, m), Mode::RefMut)],
                 Type::Unit,
@@ -331,6 +343,14 @@ impl Kernel {
                 "Factors a, symmetric, into L times its transpose, in place; matrices by columns. L takes the",
                 "lower triangle, which alone is read; what is above stays. False, and NaN in the lower",
                 "triangle, unless a is positive definite.",
+                "",
+                "Column by column: an element takes the columns before in their order, each as",
+                "(-l) * l + element; then the root of the diagonal divides.",
+            ],
+            (KernelRoutine::CholeskyLower, _) => &[
+                "The factor L of a, symmetric, which is L times its transpose; matrices by columns. The lower",
+                "triangle of a alone is read; what is above is above L, too. NaN in the lower triangle, unless",
+                "a is positive definite.",
                 "",
                 "Column by column: an element takes the columns before in their order, each as",
                 "(-l) * l + element; then the root of the diagonal divides.",

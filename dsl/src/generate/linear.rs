@@ -14,7 +14,7 @@ use super::{Builder, Called, Callee};
 use crate::linear::{by_rows, inverse_mut, kernels, solve_into, solve_mut};
 
 markers! {
-    CholeskyMut: "cholesky_mut"; CholeskySolveMut: "cholesky_solve_mut";
+    CholeskyMut: "cholesky_mut"; CholeskyLower: "cholesky_lower"; CholeskySolveMut: "cholesky_solve_mut";
     SolveLowerMut: "solve_lower_mut"; SolveUpperMut: "solve_upper_mut";
     TrSolveLowerMut: "tr_solve_lower_mut"; TrSolveUpperMut: "tr_solve_upper_mut";
     ByRows: "matrix_by_rows"; FromArray: "matrix_from_array";
@@ -59,6 +59,14 @@ impl kernels::cholesky_mut {
     pub fn __call<T: ScalarType, const N: usize>(
         _a: &mut SMatrix<T, N, N>,
     ) -> Called<CholeskyMut, bool> {
+        unreachable!()
+    }
+}
+
+impl kernels::cholesky_lower {
+    pub fn __call<T: ScalarType + Scalar, const N: usize>(
+        _a: &SMatrix<T, N, N>,
+    ) -> Called<CholeskyLower, SMatrix<T, N, N>> {
         unreachable!()
     }
 }

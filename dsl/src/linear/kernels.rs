@@ -21,6 +21,14 @@ pub fn cholesky_mut<T: Real, const N: usize>(a: &mut SMatrix<T, N, N>) -> bool {
     }
 }
 
+/// The factor of a symmetric matrix, which stays: L in the lower triangle, above it what `a` has there. NaN in the lower
+/// triangle unless `a` is positive definite.
+pub fn cholesky_lower<T: Real, const N: usize>(a: &SMatrix<T, N, N>) -> SMatrix<T, N, N> {
+    let mut lower = *a;
+    cholesky_mut(&mut lower);
+    lower
+}
+
 /// Solves `l lᵀ x = b` in place of `b`.
 pub fn cholesky_solve_mut<T: Real, const N: usize, const K: usize>(
     l: &SMatrix<T, N, N>,
@@ -72,6 +80,6 @@ macro_rules! carriers {
 }
 
 carriers! {
-    cholesky_mut cholesky_solve_mut determinant
+    cholesky_mut cholesky_lower cholesky_solve_mut determinant
     solve_lower_mut solve_upper_mut tr_solve_lower_mut tr_solve_upper_mut
 }

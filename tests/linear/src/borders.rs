@@ -17,6 +17,7 @@ macro_rules! sizes {
                     bessemer::inverse_mut(a)
                 }
                 cholesky(a: [&mut] [SMatrix<$real, $n, $n>]) -> [bool] { kernels::cholesky_mut(a) }
+                cholesky_lower(a: [&] [SMatrix<$real, $n, $n>]) -> [SMatrix<$real, $n, $n>] { kernels::cholesky_lower(a) }
                 cholesky_solve(
                     a: [&] [SMatrix<$real, $n, $n>], b: [&mut] [SMatrix<$real, $n, 1>]
                 ) -> [bool] {

@@ -71,6 +71,7 @@ macro_rules! sizes {
                 }
                 determinant(a: [&] [SMatrix<$real, $n, $n>]) -> [$real] { a.determinant() }
                 cholesky(a: [&mut] [SMatrix<$real, $n, $n>]) -> [bool] { kernels::cholesky_mut(a) }
+                cholesky_lower(a: [&] [SMatrix<$real, $n, $n>]) -> [SMatrix<$real, $n, $n>] { kernels::cholesky_lower(a) }
                 cholesky_solve(
                     a: [&] [SMatrix<$real, $n, $n>], b: [&mut] [SMatrix<$real, $n, 2>]
                 ) -> [bool] {

@@ -1,9 +1,9 @@
 for (uint32_t column = $first; column < $n; column += 4U) {
-    $real *const top = &a[column + $n * column];
+    $real *const top = &$l[column + $n * column];
     /* What is above the diagonal stays as it is. */
     const $real above[6] = {
         top[$n], top[2U * $n], top[2U * $n + 1U], top[3U * $n], top[3U * $n + 1U], top[3U * $n + 2U]};
-    take(top, &a[column], &a[column], column, top);
+    take(top, &$l[column], &$l[column], column, top);
     top[$n] = above[0];
     top[2U * $n] = above[1];
     top[2U * $n + 1U] = above[2];
@@ -11,10 +11,10 @@ for (uint32_t column = $first; column < $n; column += 4U) {
     top[3U * $n + 1U] = above[4];
     top[3U * $n + 2U] = above[5];
     if (!factor_top(top)) {
-        return spoil(a);
+        $none
     }
     for (uint32_t row = column + 4U; row < $n; row += 4U) {
-        take(&a[row + $n * column], &a[row], &a[column], column, top);
+        take(&$l[row + $n * column], &$l[row], &$l[column], column, top);
     }
 }
-return true;
+$done

@@ -3,13 +3,16 @@
 //! Each element sees nalgebra's operations in nalgebra's order: the columns on its left ascending, each as
 //! `a_ij - l_jk * l_ik`, then the division by the root of its column's diagonal.
 //!
+//! A factor in place of the matrix, or beside it: a small one is then read from where the matrix lies and written once, since a
+//! copy in wide vectors that is read by narrow ones is waited for.
+//!
 //! Small matrices are written out ([`written_out`]), larger ones go in tiles of four by four ([`tiles`]), which take less from
 //! eight rows on where there are vectors and from ten on where there are none; in loops where there is no room for either.
 
 mod tiles;
 mod written_out;
 
-use bessemer_ir::Kernel;
+use bessemer_ir::{Kernel, KernelRoutine};
 
 use super::Source;
 
@@ -32,6 +35,33 @@ pub(super) fn factor(kernel: &Kernel, size: u32, code_bytes: u32) -> Source {
         ..TILES if factor_bytes(size) <= code_bytes => written_out::factor(kernel, size),
         4.. if TILED_BYTES <= code_bytes => tiles::factor(kernel, size),
         _ => tiles::loops(kernel, size),
+    }
+}
+
+/// Whether the matrix stays, and the factor is the result.
+fn is_beside(kernel: &Kernel) -> bool {
+    kernel.routine == KernelRoutine::CholeskyLower
+}
+
+/// What is left where there is no factor.
+const SPOIL: &str = "\
+/* There is no factor: NaN in the lower triangle. */
+static bool spoil($real *a)
+{
+    for (uint32_t column = 0U; column < $n; column++) {
+        for (uint32_t row = column; row < $n; row++) {
+            a[row + $n * column] = $nan;
+        }
+    }
+    return false;
+}
+";
+
+/// The function that leaves it; of a factor beside the matrix nothing more is said.
+fn spoil(kernel: &Kernel) -> String {
+    match is_beside(kernel) {
+        true => SPOIL.replace("bool", "void").replace("    return false;\n", ""),
+        false => SPOIL.to_owned(),
     }
 }
 

@@ -1,4 +1,4 @@
-//! Factors in tiles of four by four, in place: the columns that are left over by fours come first.
+//! Factors in tiles of four by four, in place or on a copy: the columns that are left over by fours come first.
 
 use std::fmt::Write as _;
 
@@ -6,23 +6,25 @@ use bessemer_ir::{Float, Kernel};
 
 use super::super::Source;
 use super::super::text::{bytes, fill, values};
-use super::written_out::SPOIL;
+use super::{is_beside, spoil};
 
 const VECTORS: &str = include_str!("vectors.c");
 const BODY: &str = include_str!("factor.c");
 
+const COPY: &str = "memcpy(result, a, $all * sizeof(*result));\n";
+
 /// The columns that are left over by fours, one by one.
 const FIRST: &str = "\
 for (uint32_t column = 0U; column < $first; column++) {
-    $real *const below = &a[$n * column];
+    $real *const below = &$l[$n * column];
     for (uint32_t k = 0U; k < column; k++) {
-        const $real factor = a[column + $n * k];
+        const $real factor = $l[column + $n * k];
         for (uint32_t row = column; row < $n; row++) {
-            below[row] -= factor * a[row + $n * k];
+            below[row] -= factor * $l[row + $n * k];
         }
     }
     if (!(below[column] > $zero)) {
-        return spoil(a);
+        $none
     }
     const $real root = $sqrt(below[column]);
     below[column] = root;
@@ -48,39 +50,60 @@ fn targets(element: Float) -> String {
 /// The C of a factorisation.
 pub(super) fn factor(kernel: &Kernel, n: u32) -> Source {
     let before = format!("#if defined(LANES)\n{VECTORS}#else\n{}#endif\n\n{}", numbers(n), top(n));
-    source(kernel, n, &before, &body(n))
+    source(kernel, n, &before, &body(kernel, n))
 }
 
 /// The same where there are vectors, else what is given.
 pub(super) fn factor_with_vectors(kernel: &Kernel, n: u32, other: &str) -> Source {
     let before = format!("#if defined(LANES)\n{VECTORS}\n{}#endif\n", top(n));
-    source(kernel, n, &before, &format!("#if defined(LANES)\n{}#else\n{other}#endif\n", body(n)))
+    source(
+        kernel,
+        n,
+        &before,
+        &format!("#if defined(LANES)\n{}#else\n{other}#endif\n", body(kernel, n)),
+    )
 }
 
 fn source(kernel: &Kernel, n: u32, before: &str, body: &str) -> Source {
-    let mut values = values(kernel.element, &[("n", n), ("first", n % 4)]);
-    values.push(("bytes", bytes(kernel.element).to_string()));
-    let before = format!("{}\n{SPOIL}\n{before}", targets(kernel.element));
+    let values = all_values(kernel, n, n % 4);
+    let before = format!("{}\n{}\n{before}", targets(kernel.element), spoil(kernel));
     Source {
         before: fill(&before, &values).trim_end().to_owned(),
         body: fill(body, &values),
         math: true,
+        string: is_beside(kernel),
         ..Source::default()
     }
 }
 
-fn body(n: u32) -> String {
+/// Where the factor goes, and what is said where there is none and at the end, of so many first columns.
+fn all_values(kernel: &Kernel, n: u32, first: u32) -> Vec<(&'static str, String)> {
+    let mut values = values(kernel.element, &[("n", n), ("first", first), ("all", n * n)]);
+    let (l, none, done) = match is_beside(kernel) {
+        true => ("result", "spoil(result);\n        return;", ""),
+        false => ("a", "return spoil(a);", "return true;\n"),
+    };
+    values
+        .extend([("l", l), ("none", none), ("done", done)].map(|(name, it)| (name, it.to_owned())));
+    values.push(("bytes", bytes(kernel.element).to_string()));
+    values
+}
+
+fn body(kernel: &Kernel, n: u32) -> String {
+    let copy = if is_beside(kernel) { COPY } else { "" };
     let first = if n.is_multiple_of(4) { "" } else { FIRST };
-    [first, BODY].concat()
+    [copy, first, BODY].concat()
 }
 
 /// Every column as the first ones are.
 pub(super) fn loops(kernel: &Kernel, n: u32) -> Source {
-    let values = values(kernel.element, &[("n", n), ("first", n)]);
+    let values = all_values(kernel, n, n);
+    let copy = if is_beside(kernel) { COPY } else { "" };
     Source {
-        before: fill(SPOIL, &values).trim_end().to_owned(),
-        body: fill(&[FIRST, "return true;\n"].concat(), &values),
+        before: fill(&spoil(kernel), &values).trim_end().to_owned(),
+        body: fill(&[copy, FIRST, "$done"].concat(), &values),
         math: true,
+        string: is_beside(kernel),
         ..Source::default()
     }
 }

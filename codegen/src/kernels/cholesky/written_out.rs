@@ -6,20 +6,7 @@ use bessemer_ir::Kernel;
 
 use super::super::text::{fill, values};
 use super::super::{Source, stands_in_header};
-
-/// What is left where there is no factor.
-pub(super) const SPOIL: &str = "\
-/* There is no factor: NaN in the lower triangle. */
-static bool spoil($real *a)
-{
-    for (uint32_t column = 0U; column < $n; column++) {
-        for (uint32_t row = column; row < $n; row++) {
-            a[row + $n * column] = $nan;
-        }
-    }
-    return false;
-}
-";
+use super::{is_beside, spoil};
 
 const POSITIVE: &str = "\
 /* Roots of magnitudes, of what is positive anyway: compilers for ARM then keep no call for what is negative. */
@@ -27,11 +14,19 @@ const POSITIVE: &str = "\
 
 /// Every column: the ones on its left, the root, the division.
 pub(super) fn factor(kernel: &Kernel, n: u32) -> Source {
-    let in_header = stands_in_header(kernel);
+    let (in_header, beside) = (stands_in_header(kernel), is_beside(kernel));
     let mut text = if in_header { POSITIVE.to_owned() } else { String::new() };
     // Writing to a string cannot fail.
     let mut put = |line: String| {
         let _ = writeln!(text, "{line}");
+    };
+    if beside {
+        let above = (0..n).flat_map(|column| (0..column).map(move |row| row + n * column));
+        above.for_each(|index| put(format!("result[{index}] = a[{index}];")));
+    }
+    let (l, none) = match beside {
+        true => ("result", "spoil(result);\n    return;"),
+        false => ("a", "return spoil(a);"),
     };
     for column in 0..n {
         for row in column..n {
@@ -43,7 +38,7 @@ pub(super) fn factor(kernel: &Kernel, n: u32) -> Source {
             }
         }
         let diagonal = format!("l{column}_{column}");
-        put(format!("if (!({diagonal} > $zero)) {{\n    return spoil(a);\n}}"));
+        put(format!("if (!({diagonal} > $zero)) {{\n    {none}\n}}"));
         put(match in_header {
             true => format!("{diagonal} = $sqrt($abs({diagonal}));"),
             false => format!("{diagonal} = $sqrt({diagonal});"),
@@ -54,16 +49,18 @@ pub(super) fn factor(kernel: &Kernel, n: u32) -> Source {
     }
     for column in 0..n {
         for row in column..n {
-            put(format!("a[{}] = l{row}_{column};", row + n * column));
+            put(format!("{l}[{}] = l{row}_{column};", row + n * column));
         }
     }
-    put("return true;".into());
+    if !beside {
+        put("return true;".into());
+    }
     let values = values(kernel.element, &[("n", n)]);
-    let (mut spoil, mut body) = (SPOIL.to_owned(), text);
+    let (mut spoil, mut body) = (spoil(kernel), text);
     if in_header {
         // A name of its own: several kernels may stand in one source.
         let name = format!("spoil_{}(", kernel.name());
-        spoil = spoil.replace("static bool spoil(", &format!("static inline bool {name}"));
+        spoil = spoil.replace("static ", "static inline ").replace("spoil(", &name);
         body = body.replace("spoil(", &name);
     }
     Source {

@@ -2,7 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::linear::kernels::{cholesky_mut, cholesky_solve_mut};
+use crate::linear::kernels::{cholesky_lower, cholesky_solve_mut};
 use crate::math::Real;
 use crate::{data, function};
 
@@ -17,8 +17,9 @@ pub struct CholeskyFactor<T: Real, const N: usize> {
 /// Factors a symmetric matrix, of which the lower triangle is read; none unless it is positive definite.
 #[function]
 pub fn factored<T: Real, const N: usize>(a: &SMatrix<T, N, N>) -> Option<CholeskyFactor<T, N>> {
-    let mut factor = *a;
-    if cholesky_mut(&mut factor) { Some(CholeskyFactor { factor }) } else { None }
+    let factor = cholesky_lower(a);
+    // A root of what is positive; NaN where there is no factor.
+    if factor[(0, 0)] > T::ZERO { Some(CholeskyFactor { factor }) } else { None }
 }
 
 #[data]
