@@ -239,10 +239,7 @@ fn needed(compiled: &Compiled, main: &str) -> Vec<CFile> {
     compiled.files.iter().filter(wanted).cloned().collect()
 }
 
-fn run_c(compiled: &Compiled, all: &[Case], toolchain: &Toolchain, flags: &[&str]) {
-    // The other sizes where it costs least: one optimised build, without the sanitizers.
-    let once = toolchain.compiler == "gcc" && flags.is_empty();
-    let cases: Vec<&Case> = all.iter().filter(|case| case.everywhere || once).collect();
+fn run_c(compiled: &Compiled, cases: &[&Case], toolchain: &Toolchain, flags: &[&str]) {
     let leg = format!("{} {}", toolchain.name(), flags.join(" "));
     let params = |id: FunctionId| compiled.module.functions[id.index()].params;
     let ids: Vec<_> = cases.iter().map(|case| (case.id, params(case.id))).collect();
@@ -268,6 +265,11 @@ fn run_c(compiled: &Compiled, all: &[Case], toolchain: &Toolchain, flags: &[&str
 fn the_c_agrees() {
     let compiled = linear_routines();
     let cases = cases(compiled);
+    let chosen = |wanted: &dyn Fn(&Case) -> bool| -> Vec<&Case> {
+        cases.iter().filter(|case| wanted(case)).collect()
+    };
+    let (all, most) = (chosen(&|_| true), chosen(&|case| case.everywhere));
+    let inverses = chosen(&|case| case.name.ends_with("::inverse"));
     let sanitized = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-w"];
     thread::scope(|scope| {
         // gcc's least optimised code is the sanitized one.
@@ -277,18 +279,27 @@ fn the_c_agrees() {
             _ => it.level == 2,
         };
         for toolchain in toolchain::all().into_iter().filter(levels) {
-            let cases = &cases;
+            // The other sizes where it costs least: one optimised build, without the sanitizers.
+            let cases = if toolchain.compiler == "gcc" { &all } else { &most };
             scope.spawn(move || run_c(compiled, cases, &toolchain, &[]));
+        }
+        // Inverses have forms for each width of vectors.
+        let x86 = cfg!(target_arch = "x86_64");
+        for toolchain in toolchain::host().into_iter().filter(|it| x86 && it.level == 2) {
+            for flags in [["-march=native"], ["-mavx2"]] {
+                let (cases, toolchain) = (&inverses, toolchain.clone());
+                scope.spawn(move || run_c(compiled, cases, &toolchain, &flags));
+            }
         }
         for toolchain in
             toolchain::host().into_iter().filter(|it| it.level == 0 && it.compiler == "gcc")
         {
-            let cases = &cases;
+            let cases = &most;
             scope.spawn(move || run_c(compiled, cases, &toolchain, &sanitized));
         }
         // Loads of NEON, which tiles have forms of their own for.
         for toolchain in toolchain::target().into_iter().filter(|it| it.level == 2) {
-            let cases = &cases;
+            let cases = &most;
             scope.spawn(move || run_c(compiled, cases, &toolchain, &["-mfpu=neon-vfpv3"]));
         }
     });

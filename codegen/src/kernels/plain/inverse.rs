@@ -1,8 +1,8 @@
 //! Inverse and determinant of the smallest matrices: written out, by minors.
 
-use bessemer_ir::kernel::{COFACTORS, Products};
 use bessemer_ir::{Float, Kernel};
 
+use super::inverse_of_four::four;
 use crate::kernels::Source;
 use crate::kernels::text::{bytes, fill, values};
 
@@ -16,7 +16,6 @@ return true;
 
 /// All four elements in one vector, where there is one so wide.
 const TWO: &str = "\
-#if defined(__GNUC__) && (defined(__clang__) || (__GNUC__ >= 12)) && defined($vectors) && !defined(BESSEMER_PLAIN)
 typedef $real matrix_t __attribute__((vector_size(4 * $bytes), aligned($bytes), may_alias));
 const matrix_t m = *(const matrix_t *)a;
 const matrix_t products = m * __builtin_shufflevector(m, m, 3, 2, 1, 0);
@@ -27,7 +26,9 @@ if (determinant == $zero) {
 const matrix_t signs = {$one, -$one, -$one, $one};
 *(matrix_t *)a = __builtin_shufflevector(m, m, 3, 1, 2, 0) * signs / determinant;
 return true;
-#else
+";
+
+const TWO_NUMBERS: &str = "\
 const $real m11 = a[0];
 const $real m21 = a[1];
 const $real m12 = a[2];
@@ -41,10 +42,7 @@ a[1] = -m21 / determinant;
 a[2] = -m12 / determinant;
 a[3] = m11 / determinant;
 return true;
-#endif
 ";
-
-const FOUR_IN_VECTORS: &str = include_str!("inverse_of_four.c");
 
 /// The elements of a 3×3 matrix, three minors and the determinant.
 const MINORS: &str = "\
@@ -63,6 +61,27 @@ const $real minor_13 = m21 * m32 - m31 * m22;
 const $real determinant = m11 * minor_11 - m12 * minor_12 + m13 * minor_13;
 ";
 
+/// All but the last element at once, each of two products of the nine elements. In `f64` that takes 0.7 of the time where the matrix
+/// has lain in memory, and 1.2 of it where a product has just been stored there: eight numbers wait for what was stored by twos.
+const EIGHT_OF_THREE: &str = "\
+/* All elements but the last at once, each of two products. */
+typedef $real eight_t __attribute__((vector_size(8 * $bytes), aligned($bytes), may_alias));
+const eight_t m = *(const eight_t *)a;
+const eight_t last = {a[8]};
+const eight_t minors =
+    __builtin_shufflevector(m, last, 4, 1, 1, 6, 0, 3, 3, 6) * __builtin_shufflevector(m, last, 8, 8, 5, 5, 8, 2, 7, 1)
+    - __builtin_shufflevector(m, last, 5, 2, 2, 8, 2, 5, 4, 7) * __builtin_shufflevector(m, last, 7, 7, 4, 3, 6, 0, 6, 0);
+const $real corner = m[0] * m[4] - m[1] * m[3];
+const $real determinant = m[0] * minors[0] - m[3] * minors[1] + m[6] * minors[2];
+if (determinant == $zero) {
+    return false;
+}
+const eight_t signs = {$one, -$one, $one, $one, $one, $one, $one, $one};
+*(eight_t *)a = minors * signs / determinant;
+a[8] = corner / determinant;
+return true;
+";
+
 const THREE: &str = "\
 if (determinant == $zero) {
     return false;
@@ -79,64 +98,31 @@ a[8] = (m11 * m22 - m21 * m12) / determinant;
 return true;
 ";
 
-const REST_OF_FOUR: &str = "\
-const $real determinant =
-    m0 * cofactor_0 + m1 * cofactor_4 + m2 * cofactor_8 + m3 * cofactor_12;
-if (determinant == $zero) {
-    return false;
+/// The condition under which there are vectors and what shuffles them.
+pub(super) fn vectors(needed: &str) -> String {
+    format!(
+        "defined(__GNUC__) && (defined(__clang__) || (__GNUC__ >= 12)) && defined({needed}) && !defined(BESSEMER_PLAIN)"
+    )
 }
-const $real reciprocal = $one / determinant;
-";
 
 pub(super) fn by_cofactors(kernel: &Kernel, size: u32) -> Source {
-    let template = match size {
-        1 => ONE.to_owned(),
-        2 => TWO.to_owned(),
-        3 => format!("{MINORS}{THREE}"),
-        _ => four(),
-    };
-    let mut values = values(kernel.element, &[]);
-    let vectors = match kernel.element {
+    let of_two = match kernel.element {
         Float::F64 => "__AVX__",
         Float::F32 => "__SSE2__",
     };
-    values.push(("vectors", vectors.to_owned()));
+    let template = match size {
+        1 => ONE.to_owned(),
+        2 => format!("#if {}\n{TWO}#else\n{TWO_NUMBERS}#endif\n", vectors(of_two)),
+        3 if kernel.element == Float::F32 => format!(
+            "#if {}\n{EIGHT_OF_THREE}#else\n{MINORS}{THREE}#endif\n",
+            vectors("__AVX512VL__")
+        ),
+        3 => format!("{MINORS}{THREE}"),
+        _ => four(kernel.element),
+    };
+    let mut values = values(kernel.element, &[]);
     values.push(("bytes", bytes(kernel.element).to_string()));
     Source { body: fill(&template, &values), ..Source::default() }
-}
-
-fn four() -> String {
-    let mut text: String =
-        (0..16).map(|index| format!("const $real m{index} = a[{index}];\n")).collect();
-    let (first, rest) = COFACTORS.split_at(4);
-    for (element, products) in first {
-        text.push_str(&format!("const $real cofactor_{element} = {};\n", sum(products)));
-    }
-    text.push_str(REST_OF_FOUR);
-    for (element, _) in first {
-        text.push_str(&format!("a[{element}] = cofactor_{element} * reciprocal;\n"));
-    }
-    for (element, products) in rest {
-        text.push_str(&format!("a[{element}] = ({}) * reciprocal;\n", sum(products)));
-    }
-    FOUR_IN_VECTORS.to_owned() + &text + "return true;\n#endif\n"
-}
-
-/// Six products, two on each line.
-fn sum(products: &Products) -> String {
-    let mut text = String::new();
-    for (index, (sign, [x, y, z])) in products.iter().enumerate() {
-        text.push_str(match (index, sign) {
-            (0, 1) => "",
-            (0, _) => "-",
-            (2 | 4, 1) => "\n    + ",
-            (2 | 4, _) => "\n    - ",
-            (_, 1) => " + ",
-            _ => " - ",
-        });
-        text.push_str(&format!("m{x} * m{y} * m{z}"));
-    }
-    text
 }
 
 pub(super) fn determinant(kernel: &Kernel, size: u32) -> Source {

@@ -1,19 +1,3 @@
-#if defined(__GNUC__) && (defined(__clang__) || (__GNUC__ >= 12)) && defined(__SSE2__) && !defined(BESSEMER_PLAIN)
-/* The cofactors of a column at once: each is a sum of products of three rows without an own column, and each
-   lane takes its three elements of a row. */
-typedef $real four_t __attribute__((vector_size(4 * $bytes), aligned($bytes), may_alias));
-const four_t column0 = *(const four_t *)&a[0];
-const four_t column1 = *(const four_t *)&a[4];
-const four_t column2 = *(const four_t *)&a[8];
-const four_t column3 = *(const four_t *)&a[12];
-const four_t top_left = __builtin_shufflevector(column0, column1, 0, 4, 1, 5);
-const four_t top_right = __builtin_shufflevector(column2, column3, 0, 4, 1, 5);
-const four_t low_left = __builtin_shufflevector(column0, column1, 2, 6, 3, 7);
-const four_t low_right = __builtin_shufflevector(column2, column3, 2, 6, 3, 7);
-const four_t row0 = __builtin_shufflevector(top_left, top_right, 0, 1, 4, 5);
-const four_t row1 = __builtin_shufflevector(top_left, top_right, 2, 3, 6, 7);
-const four_t row2 = __builtin_shufflevector(low_left, low_right, 0, 1, 4, 5);
-const four_t row3 = __builtin_shufflevector(low_left, low_right, 2, 3, 6, 7);
 const four_t a1 = __builtin_shufflevector(row1, row1, 1, 0, 0, 0);
 const four_t b1 = __builtin_shufflevector(row1, row1, 2, 2, 1, 1);
 const four_t c1 = __builtin_shufflevector(row1, row1, 3, 3, 3, 2);
@@ -47,4 +31,3 @@ const $real reciprocal = $one / determinant;
 *(four_t *)&a[8] = cofactors2 * reciprocal;
 *(four_t *)&a[12] = cofactors3 * reciprocal;
 return true;
-#else

@@ -1,6 +1,7 @@
 //! Kernels as plain loops in nalgebra's order: short, portable, the reference for faster ones.
 
 mod inverse;
+mod inverse_of_four;
 mod lu;
 mod product;
 mod tr_mul;

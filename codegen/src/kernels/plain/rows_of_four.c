@@ -1,0 +1,13 @@
+typedef $real four_t __attribute__((vector_size(4 * $bytes), aligned($bytes), may_alias));
+const four_t column0 = *(const four_t *)&a[0];
+const four_t column1 = *(const four_t *)&a[4];
+const four_t column2 = *(const four_t *)&a[8];
+const four_t column3 = *(const four_t *)&a[12];
+const four_t top_left = __builtin_shufflevector(column0, column1, 0, 4, 1, 5);
+const four_t top_right = __builtin_shufflevector(column2, column3, 0, 4, 1, 5);
+const four_t low_left = __builtin_shufflevector(column0, column1, 2, 6, 3, 7);
+const four_t low_right = __builtin_shufflevector(column2, column3, 2, 6, 3, 7);
+const four_t row0 = __builtin_shufflevector(top_left, top_right, 0, 1, 4, 5);
+const four_t row1 = __builtin_shufflevector(top_left, top_right, 2, 3, 6, 7);
+const four_t row2 = __builtin_shufflevector(low_left, low_right, 0, 1, 4, 5);
+const four_t row3 = __builtin_shufflevector(low_left, low_right, 2, 3, 6, 7);
