@@ -2,15 +2,16 @@
 //!
 //! Written in the DSL itself, so that the C is made of the Rust that the simulation runs. What has no room,
 //! and an index beyond the size, is a panic, as it is a fault in the C. Elements beyond the size are zero.
+//! What is computed with them stands in `bounded_arithmetic`.
 
 // The checks of indices are proved of loops over them.
 #![allow(clippy::manual_memcpy, clippy::needless_range_loop)]
 
 use core::ops::{Index, IndexMut};
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SMatrix;
 
-use crate::element::{Element, Number};
+use crate::element::Element;
 use crate::{List, data};
 
 /// A matrix of at most `R` rows and `C` columns; a dimension that never changes is one that is never resized.
@@ -26,11 +27,11 @@ use crate::{List, data};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BoundedMatrix<T, const R: usize, const C: usize> {
     /// How many rows there are.
-    rows: usize,
+    pub(crate) rows: usize,
     /// How many columns there are.
-    columns: usize,
+    pub(crate) columns: usize,
     /// The elements, column by column; zero beyond the size.
-    elements: [[T; R]; C],
+    pub(crate) elements: [[T; R]; C],
 }
 
 #[data]
@@ -242,88 +243,17 @@ impl<T: Element, const R: usize, const C: usize> BoundedMatrix<T, R, C> {
     }
 }
 
-#[data(more)]
-impl<T: Number, const R: usize, const C: usize> BoundedMatrix<T, R, C> {
-    /// The sum, element by element.
-    ///
-    /// # Panics
-    /// If the sizes differ.
-    pub fn plus(&self, other: &BoundedMatrix<T, R, C>) -> BoundedMatrix<T, R, C> {
-        assert!(self.rows == other.rows && self.columns == other.columns, "the sizes differ");
-        let mut sum = *self;
-        for column in 0..self.columns.min(C) {
-            for row in 0..self.rows.min(R) {
-                sum.elements[column][row] += other.elements[column][row];
-            }
-        }
-        sum
+impl<T, const R: usize, const C: usize> BoundedMatrix<T, R, C> {
+    /// All elements, column by column. In the C these are loops.
+    pub fn iter(&self) -> impl DoubleEndedIterator<Item = &T> {
+        let (rows, columns) = (self.rows.min(R), self.columns.min(C));
+        self.elements[..columns].iter().flat_map(move |column| &column[..rows])
     }
 
-    /// The difference, element by element.
-    ///
-    /// # Panics
-    /// If the sizes differ.
-    pub fn minus(&self, other: &BoundedMatrix<T, R, C>) -> BoundedMatrix<T, R, C> {
-        assert!(self.rows == other.rows && self.columns == other.columns, "the sizes differ");
-        let mut difference = *self;
-        for column in 0..self.columns.min(C) {
-            for row in 0..self.rows.min(R) {
-                difference.elements[column][row] -= other.elements[column][row];
-            }
-        }
-        difference
-    }
-
-    /// Each element times `factor`.
-    pub fn scale(&self, factor: T) -> BoundedMatrix<T, R, C> {
-        let mut scaled = *self;
-        for column in 0..self.columns.min(C) {
-            for row in 0..self.rows.min(R) {
-                scaled.elements[column][row] *= factor;
-            }
-        }
-        scaled
-    }
-
-    /// The sum of all elements, column by column.
-    pub fn sum(&self) -> T {
-        let mut sum = T::ZERO;
-        for column in 0..self.columns.min(C) {
-            for row in 0..self.rows.min(R) {
-                sum += self.elements[column][row];
-            }
-        }
-        sum
-    }
-
-    /// The product with another matrix: each element the sum of its terms, from the first on.
-    ///
-    /// # Panics
-    /// If the other has not as many rows as this has columns.
-    pub fn times<const K: usize>(&self, other: &BoundedMatrix<T, C, K>) -> BoundedMatrix<T, R, K> {
-        assert!(self.columns == other.rows, "the sizes do not fit");
-        let mut product =
-            BoundedMatrix { rows: self.rows, columns: other.columns, elements: [[T::ZERO; R]; K] };
-        for column in 0..other.columns.min(K) {
-            for inner in 0..self.columns.min(C) {
-                let factor = other.elements[column][inner];
-                for row in 0..self.rows.min(R) {
-                    product.elements[column][row] += self.elements[inner][row] * factor;
-                }
-            }
-        }
-        product
-    }
-
-    /// The product with a vector of the largest size, of which as many elements count as there are columns.
-    pub fn times_vector(&self, vector: &SVector<T, C>) -> SVector<T, R> {
-        let mut product = SVector::<T, R>::repeat(T::ZERO);
-        for column in 0..self.columns.min(C) {
-            for row in 0..self.rows.min(R) {
-                product[row] += self.elements[column][row] * vector[column];
-            }
-        }
-        product
+    /// All elements, to be changed, column by column. In the C these are loops.
+    pub fn iter_mut(&mut self) -> impl DoubleEndedIterator<Item = &mut T> {
+        let (rows, columns) = (self.rows.min(R), self.columns.min(C));
+        self.elements[..columns].iter_mut().flat_map(move |column| &mut column[..rows])
     }
 }
 

@@ -31,6 +31,34 @@ pub fn compare<T: Copy + Ord>(one: T, other: T) -> Native {
     }
 }
 
+/// The lesser of two; of equal ones the first.
+#[function]
+#[inline]
+pub fn lesser<T: Copy + Ord>(one: T, other: T) -> T {
+    if other < one { other } else { one }
+}
+
+/// The greater of two; of equal ones the second.
+#[function]
+#[inline]
+pub fn greater<T: Copy + Ord>(one: T, other: T) -> T {
+    if other < one { one } else { other }
+}
+
+/// The nearest value from `low` to `high`.
+///
+/// # Panics
+/// Unless `low <= high`.
+#[function]
+#[inline]
+pub fn limited<T: Copy + Ord>(value: T, low: T, high: T) -> T {
+    assert!(low <= high, "the bounds are the wrong way round");
+    if value < low {
+        return low;
+    }
+    if value > high { high } else { value }
+}
+
 /// The same of numbers that may have no order: a NaN is before, behind and at no number.
 #[function]
 #[inline]

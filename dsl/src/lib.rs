@@ -49,6 +49,7 @@ pub use plain::Plain;
 pub use text::Text;
 
 mod bounded;
+mod bounded_arithmetic;
 #[doc(hidden)]
 pub mod comparison;
 mod element;

@@ -55,8 +55,36 @@ pub fn opposite(a: Phasor) -> Phasor {
     -a
 }
 
-/// A literal of two possible types.
+/// A literal of two possible types: rustc's choice.
 #[function]
 pub fn twice(a: Phasor) -> Phasor {
     a * 2.0
+}
+
+/// A number with a weight.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Weighted<T> {
+    /// The number.
+    pub value: T,
+}
+
+#[data]
+impl<T: Real> Add for Weighted<T> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Weighted { value: self.value + other.value }
+    }
+}
+
+/// Of any type with an operator.
+#[function]
+pub fn added<V: Add<Output = V> + Copy>(a: V, b: V) -> V {
+    a + b
+}
+
+/// Of a type whose operator is generic.
+#[function]
+pub fn of_weighted(a: Weighted<f32>) -> Weighted<f32> {
+    added(a, a)
 }

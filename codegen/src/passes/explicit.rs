@@ -7,6 +7,7 @@ use bessemer_ir::{Argument, Block, Expr, ExprKind, Function, Module, Place, Span
 use bessemer_ir::{LogicOp, StmtKind};
 use thiserror::Error;
 
+use super::counts::Loop;
 use super::facts::Facts;
 use super::faults::{of_expr, of_step, step_type};
 use super::places::{disturbs, lent, load, moves, reads, whole, writes};
@@ -166,12 +167,19 @@ impl Checker<'_> {
             self.wrong(Rule::Bounds, span);
         }
         let ranges = (self.facts.range(from), self.facts.range(to));
-        self.facts.enter_loop(*variable, &written);
-        let head = self.facts.clone();
+        let entered = Loop {
+            variable: *variable,
+            bounds: ranges,
+            inclusive: *inclusive,
+            ended: *ended,
+            written: &written,
+            body,
+        };
+        let behind = entered.enter(&mut self.facts);
         let counter = load(*variable, &self.function.local(*variable).ty, span);
         self.facts.enter_body(&counter, (from, to), ranges, *inclusive);
         self.block(body);
-        self.facts = head;
+        self.facts = behind;
     }
 
     fn expr(&mut self, expr: &Expr, position: Position) {

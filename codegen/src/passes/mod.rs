@@ -15,6 +15,7 @@
 //! folded, nothing is reordered, no local of the author's is renamed, and code that is explicit already
 //! comes out as it went in.
 
+mod counts;
 mod declare;
 mod explicit;
 mod facts;

@@ -9,6 +9,7 @@ use bessemer_ir::{
 };
 
 use super::Remaining;
+use super::counts::Loop;
 use super::facts::Facts;
 use super::flatten::when;
 use super::names::{self, Names, Purpose};
@@ -217,12 +218,13 @@ impl Lowering<'_> {
             to = self.keep(to, Purpose::Named(&format!("{name}_end")));
         }
         let ranges: (Interval, Interval) = (self.facts.range(&from), self.facts.range(&to));
-        self.facts.enter_loop(variable, &written);
-        let head = self.facts.clone();
+        let entered =
+            Loop { variable, bounds: ranges, inclusive, ended, written: &written, body: &body };
+        let behind = entered.enter(&mut self.facts);
         let counter = load(variable, &ty, span);
         self.facts.enter_body(&counter, (&from, &to), ranges, inclusive);
         let body = self.block(body);
-        self.facts = head;
+        self.facts = behind;
         self.emit(
             StmtKind::For { variable, from, to, inclusive, reversed, unroll, ended, body },
             span,

@@ -1,12 +1,16 @@
-//! An element of a `BoundedMatrix`: its row and column are checked against the size that it has.
+//! The elements of a `BoundedMatrix`: one, whose row and column are checked against the size that it has, and all of
+//! them, column by column, in two loops that its author wrote as one.
 
-use bessemer_ir::tree;
-use bessemer_ir::{CompareOp, Expr, ExprKind, Fault, LogicOp, Place, Span, Step, StmtKind, Type};
+use bessemer_ir::tree::{self, Site};
+use bessemer_ir::{
+    Block, CompareOp, Expr, ExprKind, Fault, LocalId, LogicOp, Place, Span, Step, StmtKind, Type,
+};
 
 use super::equal::number;
 use super::expr::{Operand, two};
 use super::function::Lowering;
-use super::pattern::{inside, load, logic};
+use super::pattern::{Subject, inside, load, logic};
+use super::slice::least;
 use super::{Result, problem};
 
 impl Lowering<'_, '_> {
@@ -77,6 +81,82 @@ impl Lowering<'_, '_> {
         let elements = inside(&place, Step::Field(2), all);
         let column = inside(&elements, Step::Index(column), of_column);
         Ok(Place { span, ..inside(&column, Step::Index(row), element) })
+    }
+
+    /// A `BoundedMatrix` that a loop goes through, if it has a name.
+    pub(super) fn bounded_place(&mut self, expr: &tree::Expr) -> Option<Place> {
+        // Whatever else is wrong with it is told where it is lowered.
+        let place = is_named(expr).then(|| self.base(expr).ok())??;
+        self.bounded_type(&place.ty).is_some().then_some(place)
+    }
+
+    /// `for` over all its elements.
+    pub(super) fn each_of_bounded(
+        &mut self,
+        site: Site,
+        label: Option<&str>,
+        (part, matrix): (&tree::Part, Place),
+        body: &tree::Block,
+    ) -> Result<()> {
+        let span = self.span(site);
+        let Some((element, rows, columns)) = self.bounded_type(&matrix.ty) else { return Ok(()) };
+        let matrix = self.held_still(matrix);
+        let of_column = Type::Array { element: Box::new(element.clone()), len: rows };
+        let all = Type::Array { element: Box::new(of_column.clone()), len: columns };
+        let mut size = |name, field, most: u32| {
+            let size = load(&inside(&matrix, Step::Field(field), Type::USIZE));
+            self.steady(name, least(size, number(u64::from(most), span)))
+        };
+        let (end_rows, end_columns) = (size("rows", 0, rows), size("columns", 1, columns));
+        let at = |root| load(&Place { root, steps: Vec::new(), ty: Type::USIZE, span });
+        self.repeated(None, None, span, |walk| {
+            let column = walk.counter("column", span);
+            walk.counters.push(column);
+            let through = |walk: &mut Self| {
+                let row = walk.counter("row", span);
+                walk.counters.push(row);
+                let place = inside(&matrix, Step::Field(2), all);
+                let place = inside(&place, Step::Index(at(column)), of_column);
+                let place = Place { span, ..inside(&place, Step::Index(at(row)), element) };
+                let block = walk.scoped(|walk| {
+                    let mut names = Vec::new();
+                    walk.test(&part.pattern, &Subject::Place(place), site, &mut names)?;
+                    walk.bind_names(&names)?;
+                    walk.statements(body)
+                })?;
+                walk.counters.pop();
+                Ok(up_to(row, end_rows, block))
+            };
+            let block = walk.scoped(|walk| walk.joined(label, span, through))?;
+            walk.counters.pop();
+            Ok(up_to(column, end_columns, block))
+        })
+    }
+}
+
+/// `for variable in 0..to`.
+fn up_to(variable: LocalId, to: Expr, body: Block) -> StmtKind {
+    let from = number(0, to.span);
+    StmtKind::For {
+        variable,
+        from,
+        to,
+        inclusive: false,
+        reversed: false,
+        unroll: None,
+        ended: false,
+        body,
+    }
+}
+
+/// Whether lowering an expression as a place computes nothing.
+fn is_named(expr: &tree::Expr) -> bool {
+    match &expr.kind {
+        tree::ExprKind::Local(_) => true,
+        tree::ExprKind::Field(base, _)
+        | tree::ExprKind::Deref(base)
+        | tree::ExprKind::Ref(_, base) => is_named(base),
+        _ => false,
     }
 }
 

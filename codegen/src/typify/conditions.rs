@@ -27,7 +27,10 @@ impl Lowering<'_, '_> {
             }
             tree::ExprKind::Binary(tree::BinaryOp::LogicAnd, left, right) if has_let(expr) => {
                 let left = self.pattern_condition(left, names)?;
-                self.and_then(left, |inner| inner.pattern_condition(right, names))
+                self.and_then(left, |inner| {
+                    inner.keep_changeable(names)?;
+                    inner.pattern_condition(right, names)
+                })
             }
             _ => self.value(expr, Some(&Type::BOOL)),
         }
@@ -47,6 +50,10 @@ impl Lowering<'_, '_> {
         if inner.is_empty() {
             return Ok(logic(LogicOp::And, left, right));
         }
+        if left.kind == ExprKind::Literal(1) {
+            self.out.extend(inner);
+            return Ok(right);
+        }
         let span = right.span;
         let mut kept = Vec::new();
         for stmt in inner {
@@ -63,7 +70,7 @@ impl Lowering<'_, '_> {
         }
         let mut inner = kept;
         let held = self.temporary("holds", left);
-        if let ExprKind::Load(place) = &held.kind {
+        if let (ExprKind::Load(place), true) = (&held.kind, right.kind != ExprKind::Literal(1)) {
             let kind = StmtKind::Assign { place: place.clone(), value: right };
             inner.push(Stmt { kind, span, comments: Vec::new() });
         }

@@ -26,6 +26,11 @@ impl Lowering<'_, '_> {
         body: &tree::Block,
     ) -> Result<()> {
         let span = self.span(site);
+        if let ([part], None, Order::Up, []) = (parts, index, order, cuts)
+            && let Some(matrix) = self.bounded_place(&part.array)
+        {
+            return self.each_of_bounded(site, label, (part, matrix), body);
+        }
         let mut slices = Vec::new();
         for part in parts {
             let mut chained = self.chained(&part.array)?.into_iter();
@@ -213,8 +218,14 @@ impl Lowering<'_, '_> {
     fn elements_of(&mut self, expr: &tree::Expr) -> Result<Slice> {
         let place = self.base(expr)?;
         let place = self.held_still(place);
+        let bounded = self.bounded_type(&place.ty).is_some();
         match self.all_of(place) {
             Some(slice) => Ok(slice),
+            None if bounded => problem(
+                expr.site,
+                "all elements of a `BoundedMatrix` are gone through by themselves, and from the first on",
+                "give the matrix a name; or write `for column in 0..m.ncols()`, and index",
+            ),
             None => problem(
                 expr.site,
                 "a loop goes through arrays and vectors in the DSL",

@@ -18,7 +18,7 @@ pub(super) struct Operand<'e> {
 }
 
 /// What to write where an operator is a function that the DSL does not find.
-const OPERATOR: &str = "of a type of your own: mark the `impl` block of the operator `#[data]`; a literal beside it says its type, `2.0_f64`";
+const OPERATOR: &str = "of a type of your own: mark the `impl` block of the operator `#[data]`; of a type parameter: call the operator where the type is known";
 
 impl Lowering<'_, '_> {
     /// The value of `expr`; what it needs done before is emitted.

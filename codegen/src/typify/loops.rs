@@ -23,6 +23,8 @@ pub(super) struct Frame {
     target: Option<Target>,
     /// Of a block: the local whose declaration marks where it is left ([`super::labelled`]).
     pub(super) mark: Option<LocalId>,
+    /// Whether it is one loop with the one around it: what leaves it leaves both.
+    joined: bool,
     /// What is looked at behind the loop.
     behind: Vec<Behind>,
 }
@@ -31,7 +33,7 @@ impl Frame {
     /// That of a block, left where `mark` is declared.
     pub(super) fn block(label: &str, target: Option<&Target>, mark: LocalId) -> Frame {
         let (label, target) = (Some(label.to_owned()), target.cloned());
-        Frame { label, target, mark: Some(mark), behind: Vec::new() }
+        Frame { label, target, mark: Some(mark), joined: false, behind: Vec::new() }
     }
 }
 
@@ -298,11 +300,33 @@ impl Lowering<'_, '_> {
         span: Span,
         lower: impl FnOnce(&mut Self) -> Result<StmtKind>,
     ) -> Result<()> {
+        self.looped(label, target, false, span, lower)
+    }
+
+    /// The same of a loop that the author wrote as one with the loop around it.
+    pub(super) fn joined(
+        &mut self,
+        label: Option<&str>,
+        span: Span,
+        lower: impl FnOnce(&mut Self) -> Result<StmtKind>,
+    ) -> Result<()> {
+        self.looped(label, None, true, span, lower)
+    }
+
+    fn looped(
+        &mut self,
+        label: Option<&str>,
+        target: Option<&Target>,
+        joined: bool,
+        span: Span,
+        lower: impl FnOnce(&mut Self) -> Result<StmtKind>,
+    ) -> Result<()> {
         let depth = self.frames.len();
         self.frames.push(Frame {
             label: label.map(str::to_owned),
             target: target.cloned(),
             mark: None,
+            joined,
             behind: Vec::new(),
         });
         let kind = lower(self);
@@ -362,7 +386,9 @@ impl Lowering<'_, '_> {
         site: Site,
     ) -> Result<()> {
         let span = self.span(site);
-        let depth = self.depth(label, site)?;
+        let found = self.depth(label, site)?;
+        let both = leaving == Leaving::Break && self.frames[found].joined;
+        let depth = found - usize::from(both);
         if self.is_outermost(depth, self.frames.len()) {
             let kind = match (leaving, self.frames[depth].mark) {
                 (_, Some(mark)) => labelled::left(mark),

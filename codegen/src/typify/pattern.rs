@@ -374,6 +374,19 @@ impl Lowering<'_, '_> {
         }
     }
 
+    /// Gives those names of a condition a copy at once that what follows in it may lend to be changed.
+    pub(super) fn keep_changeable(&mut self, names: &mut Vec<Named>) -> Result<()> {
+        let mut kept = Vec::new();
+        for named in std::mem::take(names) {
+            match named.mutable && named.part.is_none() {
+                true => self.bind_names(&[named])?,
+                false => kept.push(named),
+            }
+        }
+        *names = kept;
+        Ok(())
+    }
+
     /// Gives names their meaning: another name for a place, or a copy.
     pub(super) fn bind_names(&mut self, names: &[Named]) -> Result<()> {
         for named in names {

@@ -252,6 +252,7 @@ fn builder(
     let (slots, callees) = walk.counts();
     let slots: Vec<_> = (0..slots).map(lower::slot_name).collect();
     let callees: Vec<_> = (0..callees).map(lower::callee_name).collect();
+    let owned: Vec<_> = (0..tree.operators.len()).map(lower::own_name).collect();
     let patterns = parameters.iter().map(|parameter| &parameter.pattern);
     let types = parameters.iter().map(|parameter| &parameter.ty);
     let looks = tree.params.iter().zip(parameters).map(|(param, parameter)| {
@@ -292,6 +293,7 @@ fn builder(
             #(#macros)*
             #(let #slots = ::bessemer::generate::Slot::new();)*
             #(let #callees = ::bessemer::generate::Slot::new();)*
+            #(let #owned = ::bessemer::generate::Slot::new();)*
             let _ = |#(#patterns: #types),*| -> #result {
                 #(#looks)*
                 #copy
@@ -305,6 +307,7 @@ fn builder(
                 |cx| ::bessemer::generate::Witness {
                     slots: ::bessemer::generate::list([#(#slots.ty(cx)),*]),
                     callees: ::bessemer::generate::list([#(#callees.callee(cx)),*]),
+                    operators: ::bessemer::generate::list([#(#owned.own(cx)),*]),
                     constants: ::bessemer::generate::list([#(#constants),*]),
                 },
             )

@@ -1,9 +1,8 @@
 //! Operators and conversions of authors' own types: `#[data] impl Add for Phasor`, `impl From<f64> for Phasor`.
 //!
-//! The trait is Rust's own and has no room for a builder, so that stands beside the type's methods. Which
-//! function an operator is, the builder of the caller finds by the types of the operands, in a registry; a conversion
-//! has a companion, since rustc resolves it by its argument. `==`, and the conversion that `?` makes, are looked up by
-//! type when all is built.
+//! The trait is Rust's own and has no room for a builder, so that stands in a trait of the DSL beside it, which the
+//! witness copies of callers ask for. A conversion has a companion besides, since it is called by a name. `==`, and the
+//! conversion that `?` makes, are looked up by type when all is built, in a registry.
 
 use proc_macro2::{Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
@@ -49,7 +48,7 @@ pub fn implementation(
     refusals: &mut Refusals,
 ) -> (TokenStream, TokenStream) {
     let Some((path, _)) = it.trait_.clone() else { return Default::default() };
-    if !it.generics.params.is_empty() {
+    if last(&path) == "PartialEq" && Scope::of_type(&it.generics).is_generic() {
         refusals.add(it.generics.span(), refuse::GENERIC_OPERATOR);
     }
     let other = argument(&path).unwrap_or_else(|| (*it.self_ty).clone());
@@ -84,7 +83,9 @@ pub fn implementation(
         };
         let parts = builder::lower(&subject, Scope::of_type(&it.generics), &mut own);
         if let Some(parts) = parts.filter(|_| refusals.is_empty()) {
-            let beside_it = Beside { owner: &it.self_ty, path: &path, other: &other, method };
+            let generics = &it.generics;
+            let beside_it =
+                Beside { owner: &it.self_ty, path: &path, other: &other, method, generics };
             beside.extend(beside_it.items(known, parts.builder, &named));
         }
         if own.is_empty() {
@@ -156,70 +157,84 @@ struct Beside<'a> {
     path: &'a syn::Path,
     other: &'a syn::Type,
     method: &'a syn::ImplItemFn,
+    generics: &'a syn::Generics,
 }
 
 impl Beside<'_> {
     /// The builder, and how callers find it.
     fn items(&self, known: Known, builder: TokenStream, named: &Named<'_>) -> Option<TokenStream> {
-        let Beside { owner, path, other, method } = self;
+        let Beside { owner, path, other, generics, .. } = self;
         let mut builder: syn::ImplItemFn = syn::parse2(builder).ok()?;
-        let (of, ty) = (last(path), other.to_token_stream().to_string());
-        let letters: String = ty.chars().filter(|letter| letter.is_ascii_alphanumeric()).collect();
-        let build = format_ident!("__{of}_{letters}", span = Span::call_site());
-        builder.sig.ident = build.clone();
-        let lower::Site(line, column) = lower::site(&method.sig.ident);
-        let companion = (known == Known::Conversion).then(|| self.companion(&of, &build, named));
+        builder.sig.ident = format_ident!("build", span = Span::call_site());
+        let name = last(path);
+        let of = format_ident!("{name}", span = Span::call_site());
+        let sign = quote! { ::bessemer::generate::sign::#of };
+        let implements = quote! { ::bessemer::generate::Implements<#sign, #other> };
+        let scope = Scope::of_type(generics);
+        let (declared, bounds) = (scope.declared(), scope.value_bounds([]));
+        let registered = (!scope.is_generic()).then(|| self.registered(&name, &implements));
+        let marker =
+            quote! { type Marker = ::bessemer::generate::Operation<#sign, #owner, #other>; };
+        let called = match known {
+            Known::Conversion => self.companion(&name, &marker, named),
+            Known::Operator => quote! {
+                impl #declared ::bessemer::generate::Operates<#sign, #other> for #owner #bounds {
+                    #marker
+                }
+            },
+        };
         Some(quote! {
             const _: () = {
-                impl #owner {
+                #[allow(private_bounds)]
+                impl #declared #implements for #owner #bounds {
                     #builder
                 }
-                ::bessemer::generate::register! {
-                    ::bessemer::generate::Registered::new(::bessemer::generate::place!(), (#line, #column), |cx| {
-                        <#owner>::#build(cx);
-                    })
-                }
-                ::bessemer::generate::register! {
-                    ::bessemer::generate::OwnOperator::new(
-                        #of,
-                        <#owner as ::bessemer::generate::DslType>::ty,
-                        <#other as ::bessemer::generate::DslType>::ty,
-                        <#owner>::#build,
-                    )
-                }
-                #companion
+                #called
+                #registered
             };
         })
     }
 
+    /// What announces it to its package, and to those who know the types only in the end; of something generic, its
+    /// instances are built where they are called.
+    fn registered(&self, name: &str, implements: &TokenStream) -> TokenStream {
+        let Beside { owner, other, method, .. } = self;
+        let lower::Site(line, column) = lower::site(&method.sig.ident);
+        quote! {
+            ::bessemer::generate::register! {
+                ::bessemer::generate::Registered::new(::bessemer::generate::place!(), (#line, #column), |cx| {
+                    <#owner as #implements>::build(cx);
+                })
+            }
+            ::bessemer::generate::register! {
+                ::bessemer::generate::OwnOperator::new(
+                    #name,
+                    <#owner as ::bessemer::generate::DslType>::ty,
+                    <#other as ::bessemer::generate::DslType>::ty,
+                    <#owner as #implements>::build,
+                )
+            }
+        }
+    }
+
     /// What callers' witness copies call in place of `from` and `try_from`.
-    fn companion(&self, of: &str, build: &syn::Ident, named: &Named<'_>) -> TokenStream {
-        let Beside { owner, other, .. } = self;
-        let marker = format_ident!("__marker{build}");
+    fn companion(&self, of: &str, marker: &TokenStream, named: &Named<'_>) -> TokenStream {
+        let Beside { owner, other, generics, .. } = self;
+        let scope = Scope::of_type(generics);
+        let (declared, bounds) = (scope.declared(), scope.value_bounds([]));
         let error = named.0.iter().find(|(name, _)| name == "Error").map(|(_, ty)| ty);
-        let implemented = match error.filter(|_| of == "TryFrom") {
+        match error.filter(|_| of == "TryFrom") {
             Some(error) => quote! {
-                impl ::bessemer::generate::TryFromBuiltin<#other> for #owner {
-                    type Marker = #marker;
+                impl #declared ::bessemer::generate::TryFromBuiltin<#other> for #owner #bounds {
+                    #marker
                     type Error = #error;
                 }
             },
             None => quote! {
-                impl ::bessemer::generate::FromBuiltin<#other> for #owner {
-                    type Marker = #marker;
+                impl #declared ::bessemer::generate::FromBuiltin<#other> for #owner #bounds {
+                    #marker
                 }
             },
-        };
-        quote! {
-            #[doc(hidden)]
-            #[allow(non_camel_case_types)]
-            pub struct #marker;
-            impl ::bessemer::generate::Callee for #marker {
-                fn callee(cx: &mut ::bessemer::generate::Builder) -> ::bessemer::generate::tree::Callee {
-                    <#owner>::#build(cx)
-                }
-            }
-            #implemented
         }
     }
 }

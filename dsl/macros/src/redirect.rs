@@ -79,7 +79,7 @@ pub fn block(block: &mut syn::Block) {
             #[allow(unused_imports)]
             use ::bessemer::math::{
                 ByteMethods as _, DivisionMethods as _, ElementaryMethods as _, FloatMethods as _, MatrixMethods as _,
-                OrderMethods as _, RotationMethods as _, RoundMethods as _, SignMethods as _,
+                OrderMethods as _, RankMethods as _, RotationMethods as _, RoundMethods as _, SignMethods as _,
                 SquareMethods as _, TotalMethods as _,
             };
         };

@@ -28,6 +28,8 @@ pub struct Witness {
     pub slots: Vec<Ty>,
     /// What its calls call.
     pub callees: Vec<tree::Callee>,
+    /// What its operators call, where their author wrote that.
+    pub operators: Vec<Option<tree::Callee>>,
     /// The values of its constants.
     pub constants: Vec<tree::Constant>,
 }
@@ -367,7 +369,8 @@ impl Builder {
             let witness = witness(self);
             self.stack.pop();
             if let Ok(tree) = serde_json::from_str::<tree::FunctionTree>(text) {
-                let operators = operators::called(self, &tree.operators, &witness.slots);
+                let operators =
+                    operators::called(self, &tree.operators, witness.operators, &witness.slots);
                 self.package.functions.push(tree::Function {
                     path: path.clone(),
                     module: named.module.to_owned(),
@@ -392,8 +395,11 @@ impl Builder {
     fn suffix(&self, owner: Option<&str>, generics: &Generics) -> Vec<Argument> {
         let known = self.package.types.iter().find(|it| Some(it.path.as_str()) == owner);
         let known = known.map(|owner| owner.arguments.as_slice()).unwrap_or_default();
-        let interface = generics.interface.iter().flat_map(|(_, arguments)| arguments);
-        let interface = interface.filter(|(_, argument)| !known.contains(argument));
+        // An operator may take what its type is made of, and the type itself besides.
+        let told = |name, argument| !operators::is_sign(name) && known.contains(argument);
+        let interface = generics.interface.iter().flat_map(|(name, arguments)| {
+            arguments.iter().filter(|(_, argument)| !told(name, argument))
+        });
         interface.chain(&generics.own).map(|(_, argument)| argument.clone()).collect()
     }
 

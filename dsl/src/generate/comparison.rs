@@ -93,6 +93,25 @@ impl<T: Ranked + Copy> RankedBuiltins for T {
     }
 }
 
+/// What a reference to them has: a number's own methods are found before.
+pub trait RankedOrderBuiltins<T>: Sized {
+    fn __b_min(self, other: T) -> told!([Self, T] => T);
+    fn __b_max(self, other: T) -> told!([Self, T] => T);
+    fn __b_clamp(self, low: T, high: T) -> told!([Self, T] => T);
+}
+
+impl<T: Ranked + Copy + Ord> RankedOrderBuiltins<T> for &T {
+    fn __b_min(self, other: T) -> told!([T] => T) {
+        comparison::lesser::__call(*self, other)
+    }
+    fn __b_max(self, other: T) -> told!([T] => T) {
+        comparison::greater::__call(*self, other)
+    }
+    fn __b_clamp(self, low: T, high: T) -> told!([T] => T) {
+        comparison::limited::__call(*self, low, high)
+    }
+}
+
 /// What floats have.
 pub trait TotalCompareBuiltins: Sized {
     fn __b_total_cmp(&self, other: &Self) -> told!([Self] => Ordering);

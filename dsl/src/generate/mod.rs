@@ -31,7 +31,7 @@ pub use builder::{
 pub use comparison::Ranked;
 pub use inventory;
 pub use numbers::{FromBuiltin, TryFromBuiltin};
-pub use operators::OwnOperator;
+pub use operators::{Implements, Operates, Operation, OwnOperator, sign};
 pub use slot::{
     Called, DslType, Instance, ScalarType, Seen, Slot, Value, WithoutEntries, constant, list,
 };
@@ -50,7 +50,7 @@ pub mod prelude {
     pub use super::checked::{CheckedAbsBuiltin as _, CheckedBuiltins as _};
     pub use super::comparison::{
         CompareBuiltins as _, OrderingBuiltins as _, PartialCompareBuiltins as _,
-        RankedBuiltins as _, TotalCompareBuiltins as _,
+        RankedBuiltins as _, RankedOrderBuiltins as _, TotalCompareBuiltins as _,
     };
     pub use super::elementary::ElementaryBuiltins as _;
     pub use super::factored::{
@@ -68,6 +68,10 @@ pub mod prelude {
         BytesBuiltins as _, DivisionBuiltins as _, FloatKindBuiltins as _, FromBuiltin as _,
         IntegerBuiltins as _, IntoBuiltin as _, SignBuiltins as _, SignedBuiltins as _,
         TryFromBuiltin as _, TryIntoBuiltin as _, UnsignedBuiltins as _,
+    };
+    pub use super::operators::{
+        __operand, __operands, __operated, __placed, __settled, OtherOperands as _,
+        OwnOperands as _,
     };
     pub use super::option::{
         ArrayBuiltins as _, CopiedBuiltin as _, FlattenBuiltin as _, MatrixMapBuiltin as _,

@@ -1,19 +1,161 @@
 //! What the operators of a function mean, as far as they are functions: of nalgebra's rotations and poses, and of
 //! authors' own types.
 //!
-//! The types of the operands decide, as rustc put them into slots. Own operators announce themselves through a link-time
-//! registry, by the trait and the types that they take.
+//! The types of the operands decide, as rustc put them into slots. An author's own it finds itself, as the function of
+//! [`Implements`], wherever the witness copy knows the types. Where those are parameters of a function, and for `==` and
+//! the conversion that `?` makes, which no expression names, they are looked up in a link-time registry, by the trait
+//! and the types that they take; what is generic is not in it.
 
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
+use core::marker::PhantomData;
 
 use bessemer_ir::tree::{self, BinaryOp, Callee, Implied, Ty};
 
-use super::{Builder, spatial};
+use nalgebra::SMatrix;
+
+use super::{Builder, ScalarType, Slot, spatial};
 
 /// The traits that are called by no name and no operator of one's own.
 const IMPLIED: [&str; 2] = ["PartialEq", "From"];
+
+macro_rules! signs {
+    ($($name:ident)*) => {
+        /// The operators and conversions, each a type.
+        #[allow(missing_docs)]
+        pub mod sign {
+            $(pub struct $name;)*
+        }
+
+        /// Whether an interface is one of them.
+        pub(super) fn is_sign(interface: &str) -> bool {
+            [$(stringify!($name)),*].contains(&interface)
+        }
+    };
+}
+
+signs! { Add Sub Mul Div Neg AddAssign SubAssign MulAssign DivAssign PartialEq From TryFrom }
+
+/// A type of an author's with an operator or a conversion `O`, for an operand of type `B`.
+pub trait Implements<O, B> {
+    /// Builds its function.
+    fn build(cx: &mut Builder) -> tree::Callee;
+}
+
+/// The marker of that function.
+pub struct Operation<O, A, B>(PhantomData<fn() -> (O, A, B)>);
+
+impl<O, A: Implements<O, B>, B> super::Callee for Operation<O, A, B> {
+    fn callee(cx: &mut Builder) -> tree::Callee {
+        A::build(cx)
+    }
+}
+
+/// What is known to have the operator `O`, for an operand of type `B`: types of authors, and for those whose type rustc
+/// decides later, numbers and matrices.
+pub trait Operates<O, B> {
+    /// Which function it is.
+    type Marker: PerhapsOwn;
+}
+
+/// The marker of an operator that is no function of an author's.
+pub struct NotOwn;
+
+impl<O, T: ScalarType> Operates<O, T> for T {
+    type Marker = NotOwn;
+}
+
+impl<O, T: ScalarType, const R: usize, const C: usize> Operates<O, T> for SMatrix<T, R, C> {
+    type Marker = NotOwn;
+}
+
+impl<O, T: ScalarType, const R: usize, const C: usize> Operates<O, SMatrix<T, R, C>> for T {
+    type Marker = NotOwn;
+}
+
+impl<O, T: ScalarType, const R: usize, const C: usize, const R2: usize, const C2: usize>
+    Operates<O, SMatrix<T, R2, C2>> for SMatrix<T, R, C>
+{
+    type Marker = NotOwn;
+}
+
+/// The marker of a function of an author's, or of none.
+pub trait PerhapsOwn {
+    /// Builds the function, if there is one.
+    fn own(cx: &mut Builder) -> Option<tree::Callee>;
+}
+
+impl PerhapsOwn for NotOwn {
+    fn own(_: &mut Builder) -> Option<tree::Callee> {
+        None
+    }
+}
+
+impl<O, A: Implements<O, B>, B> PerhapsOwn for Operation<O, A, B> {
+    fn own(cx: &mut Builder) -> Option<tree::Callee> {
+        Some(A::build(cx))
+    }
+}
+
+/// The operands of an operator; of the sign, twice the same.
+pub struct Operands<O, A, B>(PhantomData<fn() -> (O, A, B)>);
+
+/// The operands that are in two slots.
+pub fn __operands<O, A, B>(_: &Slot<A>, _: &Slot<B>) -> Operands<O, A, B> {
+    Operands(PhantomData)
+}
+
+/// Every type. Of its [`Type`](Itself::Type) rustc expects nothing before it knows the type itself.
+pub trait Itself {
+    /// The same.
+    type Type;
+}
+
+impl<T> Itself for T {
+    type Type = T;
+}
+
+/// Gives the operands on; rustc decides what it left open of their types before it looks for a method of the result.
+pub fn __settled<T: Itself>(_: T) -> T::Type {
+    unreachable!("a witness copy is never run")
+}
+
+/// Operands of which the first has the operator. Of this trait and the next rustc takes the first that fits.
+#[allow(missing_docs)]
+pub trait OwnOperands {
+    type Marker;
+    fn __own(&self) -> Slot<Self::Marker> {
+        Slot::new()
+    }
+}
+
+impl<O, A: Operates<O, B>, B> OwnOperands for Operands<O, A, B> {
+    type Marker = A::Marker;
+}
+
+/// Other operands.
+#[allow(missing_docs)]
+pub trait OtherOperands {
+    fn __own(&self) -> Slot<NotOwn> {
+        Slot::new()
+    }
+}
+
+impl<O, A, B> OtherOperands for &Operands<O, A, B> {}
+
+/// Passes a value through, and its type into the slot, whatever is expected of the result.
+pub fn __operand<T: Itself>(_: &Slot<T>, _: T) -> T::Type {
+    unreachable!("a witness copy is never run")
+}
+
+/// Tells a slot the type of a place.
+pub fn __placed<T>(_: &Slot<T>, _: &T) {}
+
+/// Passes the value of an operator through, and which function it is into the slot.
+pub fn __operated<M, R>(_: &Slot<M>, value: R, _: Slot<M>) -> R {
+    value
+}
 
 /// An implementation of an operator that its author marked, or of one of [`IMPLIED`].
 pub struct OwnOperator {
@@ -41,17 +183,20 @@ impl OwnOperator {
 pub(super) fn called(
     cx: &mut Builder,
     operators: &[tree::Operator],
+    authors: Vec<Option<tree::Callee>>,
     slots: &[Ty],
 ) -> Vec<(u32, tree::Callee)> {
     let mut found = spatial::operators(cx, operators, slots);
-    for operator in operators {
-        let of_slot = |slot: &Option<u32>| slots.get(slot.unwrap_or(u32::MAX) as usize);
-        let operands: Vec<Option<&Ty>> = operator.operands.iter().map(of_slot).collect();
-        if found.iter().all(|(at, _)| *at != operator.at)
-            && let Some(own) = own(trait_of(operator), &operands)
-        {
-            found.push((operator.at, (own.build)(cx)));
+    for (operator, authors) in operators.iter().zip(authors) {
+        if found.iter().any(|(at, _)| *at == operator.at) {
+            continue;
         }
+        let callee = authors.or_else(|| {
+            let of_slot = |slot: &Option<u32>| slots.get(slot.unwrap_or(u32::MAX) as usize);
+            let operands: Vec<Option<&Ty>> = operator.operands.iter().map(of_slot).collect();
+            Some((own(trait_of(operator), &operands)?.build)(cx))
+        });
+        found.extend(callee.map(|callee| (operator.at, callee)));
     }
     found
 }

@@ -8,6 +8,7 @@ use bessemer_ir::tree::{self, Ty};
 use bessemer_ir::{Float, Int, Scalar};
 use nalgebra::SMatrix;
 
+use super::operators::PerhapsOwn;
 use super::{Builder, Callee};
 use crate::{EntriesInOneBlock, List, Plain};
 
@@ -97,6 +98,14 @@ impl<T> Slot<T> {
         T: Callee,
     {
         T::callee(cx)
+    }
+
+    /// The function of an author's that rustc put here, if there is one.
+    pub fn own(&self, cx: &mut Builder) -> Option<tree::Callee>
+    where
+        T: PerhapsOwn,
+    {
+        T::own(cx)
     }
 
     /// As [`__glance`], in the form of a method.

@@ -9,8 +9,8 @@ use nalgebra::{SMatrix, SVector};
 
 use super::builtin::markers;
 use super::{Builder, Called, Callee};
+use crate::element::Element;
 use crate::linear::views;
-use crate::math::Real;
 
 markers! {
     Owned: "owned";
@@ -22,7 +22,7 @@ macro_rules! told {
 }
 
 /// Parts of matrices, read and written.
-pub trait ViewBuiltins<T: Real, const R: usize, const C: usize>: Sized {
+pub trait ViewBuiltins<T: Element, const R: usize, const C: usize>: Sized {
     fn __b_into_owned(self) -> Called<Owned, Self> {
         unreachable!()
     }
@@ -68,7 +68,7 @@ pub trait ViewBuiltins<T: Real, const R: usize, const C: usize>: Sized {
     ) -> told!(use<Self, T, R, C, COLUMNS> ());
 }
 
-impl<T: Real, const R: usize, const C: usize> ViewBuiltins<T, R, C> for SMatrix<T, R, C> {
+impl<T: Element, const R: usize, const C: usize> ViewBuiltins<T, R, C> for SMatrix<T, R, C> {
     fn __b_row(&self, row: usize) -> told!(use<T, R, C> SMatrix<T, 1, C>) {
         views::row::__call(self, row)
     }

@@ -9,16 +9,15 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::element::Element;
 use crate::function;
-use crate::math::Real;
 
 /// A row.
 #[function]
-pub fn row<T: Real, const R: usize, const C: usize>(
+pub fn row<T: Element, const R: usize, const C: usize>(
     a: &SMatrix<T, R, C>,
     row: usize,
 ) -> SMatrix<T, 1, C> {
     crate::__inside!(row + 1 <= R);
-    let mut part = SMatrix::<T, 1, C>::zeros();
+    let mut part = SMatrix::<T, 1, C>::repeat(T::ZERO);
     for column in 0..C {
         part[(0, column)] = a[(row, column)];
     }
@@ -27,12 +26,12 @@ pub fn row<T: Real, const R: usize, const C: usize>(
 
 /// A column.
 #[function]
-pub fn column<T: Real, const R: usize, const C: usize>(
+pub fn column<T: Element, const R: usize, const C: usize>(
     a: &SMatrix<T, R, C>,
     column: usize,
 ) -> SVector<T, R> {
     crate::__inside!(column + 1 <= C);
-    let mut part = SVector::<T, R>::zeros();
+    let mut part = SVector::<T, R>::repeat(T::ZERO);
     for row in 0..R {
         part[row] = a[(row, column)];
     }
@@ -42,7 +41,7 @@ pub fn column<T: Real, const R: usize, const C: usize>(
 /// The block whose first element is at a row and a column.
 #[function]
 pub fn fixed_view<
-    T: Real,
+    T: Element,
     const R: usize,
     const C: usize,
     const ROWS: usize,
@@ -54,7 +53,7 @@ pub fn fixed_view<
 ) -> SMatrix<T, ROWS, COLUMNS> {
     crate::__inside!(row + ROWS <= R);
     crate::__inside!(column + COLUMNS <= C);
-    let mut part = SMatrix::<T, ROWS, COLUMNS>::zeros();
+    let mut part = SMatrix::<T, ROWS, COLUMNS>::repeat(T::ZERO);
     for j in 0..COLUMNS {
         for i in 0..ROWS {
             part[(i, j)] = a[(row + i, column + j)];
@@ -65,12 +64,12 @@ pub fn fixed_view<
 
 /// Rows one below the other.
 #[function]
-pub fn fixed_rows<T: Real, const R: usize, const C: usize, const ROWS: usize>(
+pub fn fixed_rows<T: Element, const R: usize, const C: usize, const ROWS: usize>(
     a: &SMatrix<T, R, C>,
     row: usize,
 ) -> SMatrix<T, ROWS, C> {
     crate::__inside!(row + ROWS <= R);
-    let mut part = SMatrix::<T, ROWS, C>::zeros();
+    let mut part = SMatrix::<T, ROWS, C>::repeat(T::ZERO);
     for j in 0..C {
         for i in 0..ROWS {
             part[(i, j)] = a[(row + i, j)];
@@ -81,12 +80,12 @@ pub fn fixed_rows<T: Real, const R: usize, const C: usize, const ROWS: usize>(
 
 /// Columns side by side.
 #[function]
-pub fn fixed_columns<T: Real, const R: usize, const C: usize, const COLUMNS: usize>(
+pub fn fixed_columns<T: Element, const R: usize, const C: usize, const COLUMNS: usize>(
     a: &SMatrix<T, R, C>,
     column: usize,
 ) -> SMatrix<T, R, COLUMNS> {
     crate::__inside!(column + COLUMNS <= C);
-    let mut part = SMatrix::<T, R, COLUMNS>::zeros();
+    let mut part = SMatrix::<T, R, COLUMNS>::repeat(T::ZERO);
     for j in 0..COLUMNS {
         for i in 0..R {
             part[(i, j)] = a[(i, column + j)];
@@ -97,7 +96,7 @@ pub fn fixed_columns<T: Real, const R: usize, const C: usize, const COLUMNS: usi
 
 /// Writes a row.
 #[function]
-pub fn set_row<T: Real, const R: usize, const C: usize>(
+pub fn set_row<T: Element, const R: usize, const C: usize>(
     a: &mut SMatrix<T, R, C>,
     row: usize,
     part: &SMatrix<T, 1, C>,
@@ -110,7 +109,7 @@ pub fn set_row<T: Real, const R: usize, const C: usize>(
 
 /// Writes a column.
 #[function]
-pub fn set_column<T: Real, const R: usize, const C: usize>(
+pub fn set_column<T: Element, const R: usize, const C: usize>(
     a: &mut SMatrix<T, R, C>,
     column: usize,
     part: &SVector<T, R>,
@@ -150,7 +149,7 @@ pub fn fill_column<T: Element, const R: usize, const C: usize>(
 /// Writes the block whose first element is at a row and a column.
 #[function]
 pub fn set_fixed_view<
-    T: Real,
+    T: Element,
     const R: usize,
     const C: usize,
     const ROWS: usize,
@@ -172,7 +171,7 @@ pub fn set_fixed_view<
 
 /// Writes rows one below the other.
 #[function]
-pub fn set_fixed_rows<T: Real, const R: usize, const C: usize, const ROWS: usize>(
+pub fn set_fixed_rows<T: Element, const R: usize, const C: usize, const ROWS: usize>(
     a: &mut SMatrix<T, R, C>,
     row: usize,
     part: &SMatrix<T, ROWS, C>,
@@ -187,7 +186,7 @@ pub fn set_fixed_rows<T: Real, const R: usize, const C: usize, const ROWS: usize
 
 /// Writes columns side by side.
 #[function]
-pub fn set_fixed_columns<T: Real, const R: usize, const C: usize, const COLUMNS: usize>(
+pub fn set_fixed_columns<T: Element, const R: usize, const C: usize, const COLUMNS: usize>(
     a: &mut SMatrix<T, R, C>,
     column: usize,
     part: &SMatrix<T, R, COLUMNS>,

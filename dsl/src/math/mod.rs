@@ -36,7 +36,7 @@ use core::cmp::Ordering;
 
 #[doc(hidden)]
 pub use crate::rotation::RotationMethods;
-use crate::sort;
+use crate::{comparison, sort};
 pub use float::{Real, real};
 pub use matrix::{MatrixMethods, SquareMethods};
 pub use methods::ElementaryMethods;
@@ -92,6 +92,35 @@ pub trait OrderMethods: Copy {
     /// # Panics
     /// Unless `low <= high`: a fault of the entry point.
     fn dsl_clamp(self, low: Self, high: Self) -> Self;
+}
+
+/// The same of a reference to what else has an order, such as a plain enum: a number's own methods are found before.
+pub trait RankMethods {
+    /// What it refers to.
+    type Value;
+    /// The lesser of two; of equal ones the first.
+    fn dsl_min(self, other: Self::Value) -> Self::Value;
+    /// The greater of two; of equal ones the second.
+    fn dsl_max(self, other: Self::Value) -> Self::Value;
+    /// The nearest value from `low` to `high`.
+    ///
+    /// # Panics
+    /// Unless `low <= high`: a fault of the entry point.
+    fn dsl_clamp(self, low: Self::Value, high: Self::Value) -> Self::Value;
+}
+
+impl<T: Copy + Ord> RankMethods for &T {
+    type Value = T;
+
+    fn dsl_min(self, other: T) -> T {
+        comparison::lesser(*self, other)
+    }
+    fn dsl_max(self, other: T) -> T {
+        comparison::greater(*self, other)
+    }
+    fn dsl_clamp(self, low: T, high: T) -> T {
+        comparison::limited(*self, low, high)
+    }
 }
 
 /// The order of all floats.

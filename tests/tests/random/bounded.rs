@@ -24,17 +24,17 @@ impl Writer<'_> {
             }
             3 if element.starts_with('f') && self.risky() => {
                 let (one, other) = (self.value(&ty, less), self.value(&ty, less));
-                format!("{one}.{}(&{other})", self.random.of(&["plus", "minus"]))
+                format!("({one} {} {other})", self.random.of(&["+", "-"]))
             }
             4 if element.starts_with('f') => {
                 let (one, by) = (self.value(&ty, less), self.value(&ty.element(), less));
-                format!("{one}.scale({by})")
+                format!("({one} * {by})")
             }
             5 if element.starts_with('f') && self.risky() => {
                 let inner = 1 + self.below(3);
                 let one = self.value(&Ty::Bounded(element, rows, inner), less);
                 let other = self.value(&Ty::Bounded(element, inner, cols), less);
-                format!("{one}.times(&{other})")
+                format!("({one} * {other})")
             }
             _ => {
                 let value = self.value(&ty.element(), less);
@@ -81,7 +81,14 @@ impl Writer<'_> {
         let Ty::Bounded(_, rows, cols) = place.ty else { return None };
         let (text, of) = (&place.text, place.ty.element());
         let (row, col) = (self.below(rows), self.below(cols));
-        Some(match self.below(7) {
+        Some(match self.below(8) {
+            7 => {
+                let value = self.value(&of, fuel);
+                let leaving = self.random.of(&["break", "continue"]);
+                format!(
+                    "for each in {text}.iter_mut() {{ if *each == {value} {{ {leaving}; }} *each = {value}; }}",
+                )
+            }
             0 => format!("{text}.fill({});", self.value(&of, fuel)),
             1 => format!("{text}.clear();"),
             2 => format!("{text}.resize({}, {}, {});", row + 1, col + 1, self.value(&of, fuel)),

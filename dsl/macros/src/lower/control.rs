@@ -39,7 +39,14 @@ impl Lowering<'_> {
                 if matches!(it.op, syn::BinOp::And(_))
                     && (has_let(&it.left) || has_let(&it.right)) =>
             {
-                let left = self.condition(&mut it.left, looks);
+                let mut named = Vec::new();
+                let left = self.condition(&mut it.left, &mut named);
+                if GENERATING && !named.is_empty() {
+                    // What follows may borrow what has a name here.
+                    let before = &it.left;
+                    let seen = quote_spanned! { it.left.span() => #before && { #(#named)* true } };
+                    *it.left = syn::Expr::Verbatim(seen);
+                }
                 let right = self.condition(&mut it.right, looks);
                 ExprKind::Binary(tree::BinaryOp::LogicAnd, Box::new(left), Box::new(right))
             }
@@ -86,6 +93,9 @@ impl Lowering<'_> {
     }
 
     pub(super) fn for_loop(&mut self, it: &mut syn::ExprForLoop) -> Option<ExprKind> {
+        if let Some(by_index) = self.through_lines(it) {
+            *it = by_index;
+        }
         if !each::is_range(&it.expr) {
             return self.each_loop(it);
         }

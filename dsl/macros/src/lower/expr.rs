@@ -5,6 +5,7 @@ use bessemer_ir::tree::{self, BinaryOp, ExprKind, UnaryOp};
 use quote::ToTokens;
 use syn::spanned::Spanned;
 
+use super::operator::{Side, see_signed};
 use super::{Lowering, bound, call, pattern, refuse, signature, site, text, unroll};
 
 impl Lowering<'_> {
@@ -276,6 +277,9 @@ impl Lowering<'_> {
             syn::UnOp::Neg(_) => {
                 // A negative literal is a literal.
                 let literal = matches!(operand.kind, ExprKind::Int(..) | ExprKind::Float(..));
+                if !literal {
+                    see_signed(&mut it.expr);
+                }
                 (ExprKind::Unary(UnaryOp::Neg, operand), !literal)
             }
             syn::UnOp::Not(_) => (ExprKind::Unary(UnaryOp::Not, operand), true),
@@ -286,14 +290,15 @@ impl Lowering<'_> {
     fn binary(&mut self, it: &mut syn::ExprBinary) -> (ExprKind, bool) {
         if let Some(op) = compound(&it.op) {
             let place = self.value(&mut it.left);
-            let value = self.operand(op, &mut it.right);
+            let value = self.assigned(op, &place, &mut it.right);
             return (ExprKind::Assign(Some(op), Box::new(place), Box::new(value)), false);
         }
         let Some(op) = operator(&it.op) else {
             self.refusals.add(it.op.span(), refuse::SYNTAX);
             return (UNIT, false);
         };
-        let (left, right) = (self.operand(op, &mut it.left), self.operand(op, &mut it.right));
+        let left = self.operand(op, &mut it.left, Side::Left);
+        let right = self.operand(op, &mut it.right, Side::Right);
         (ExprKind::Binary(op, Box::new(left), Box::new(right)), is_arithmetic(op))
     }
 

@@ -19,6 +19,7 @@ mod expr;
 mod flow;
 pub mod halving;
 mod item;
+mod lines;
 mod macros;
 mod matrix;
 mod operator;
@@ -101,6 +102,11 @@ pub fn slot_name(slot: u32) -> syn::Ident {
 /// The name of a callee's slot in the builder.
 pub fn callee_name(callee: u32) -> syn::Ident {
     format_ident!("__c{callee}")
+}
+
+/// The name of the slot of the author's own function behind an operator.
+pub fn own_name(operator: usize) -> syn::Ident {
+    format_ident!("__o{operator}")
 }
 
 impl<'a> Lowering<'a> {

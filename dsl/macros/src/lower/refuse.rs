@@ -162,7 +162,7 @@ reasons! {
     LINKED_RANGE: "of a range the DSL takes `.rev()` and `.step_by(n)`, then closures: `.map(…)`, `.filter(…)` and the like", "change its ends, `1..n` for `(0..n).skip(1)`; beside elements, number them with `.enumerate()`";
     RANGE_VALUE: "a range is not a value in the DSL", "write it in a `for`";
     OPERATOR_TRAIT: "of the operators of one's own types `+ - * /`, these with `=`, and the sign are in the DSL", "put a method with a name into an `impl` block of the type";
-    GENERIC_OPERATOR: "an operator or a conversion of a generic type is not in the DSL", "implement it for each instance, or write a method with a name";
+    GENERIC_OPERATOR: "a `==` of one's own of a generic type is not in the DSL", "derive `PartialEq`, implement it for each instance, or write a method with a name";
     BORROWED_OPERAND: "an operand is a value in the DSL", "derive `Copy`, and implement the trait for the values";
     TWO_TYPES_EQUAL: "`==` compares values of one type in the DSL", "convert one of the two, or write a method with a name";
     OWN_UNEQUAL: "`!=` is the opposite of `==` in the DSL", "leave `ne` out: Rust makes it of `eq`";

@@ -99,7 +99,7 @@ impl Lowering<'_> {
         self.fresh_in(name, &syn::Expr::MethodCall(beside.clone()))
     }
 
-    fn fresh_in(&self, name: &str, beside: &syn::Expr) -> syn::Ident {
+    pub(super) fn fresh_in(&self, name: &str, beside: &syn::Expr) -> syn::Ident {
         let mut fresh = name.to_owned();
         while self.is_local(&fresh) || names(beside, &fresh) {
             fresh.push('_');

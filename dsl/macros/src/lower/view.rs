@@ -107,7 +107,7 @@ impl Lowering<'_> {
 }
 
 /// Whether an expression comes to the same twice, and does nothing: arithmetic of names and numbers.
-fn may_repeat(expr: &syn::Expr) -> bool {
+pub(super) fn may_repeat(expr: &syn::Expr) -> bool {
     match expr {
         syn::Expr::Lit(_) | syn::Expr::Path(_) => true,
         syn::Expr::Paren(it) => may_repeat(&it.expr),

@@ -26,6 +26,18 @@ impl Measured {
     /// The products of the sensors with each other, summed over time.
     #[entry]
     pub fn products(&mut self) -> BoundedMatrix<f64, 4, 4> {
-        self.values.times(&self.values.transpose())
+        self.values * self.values.transpose()
+    }
+
+    /// The largest of all, each limited first; a negative one ends the limiting.
+    #[entry]
+    pub fn limited(&mut self, most: f64) -> f64 {
+        for value in self.values.iter_mut() {
+            if *value < 0.0 {
+                break;
+            }
+            *value = value.min(most);
+        }
+        self.values.iter().fold(0.0, |largest, value| largest.max(*value))
     }
 }

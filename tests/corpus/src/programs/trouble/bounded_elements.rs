@@ -63,7 +63,7 @@ impl Mapper {
     #[entry]
     pub fn doubled(&mut self) -> i16 {
         let cost = self.map.cost;
-        self.map.cost = cost.plus(&cost).minus(&cost.scale(3));
+        self.map.cost = cost + cost - cost * 3;
         let mut most = 0;
         for column in 0..self.map.cost.ncols() {
             for x in &self.map.cost.column(column) {
@@ -90,7 +90,7 @@ impl Mapper {
 
     #[entry]
     pub fn whole(&mut self, other: &SMatrix<i16, 2, 2>) -> Option<SMatrix<i16, 2, 2>> {
-        let sum = self.map.cost.plus(&Costs::from_matrix(other));
+        let sum = self.map.cost + Costs::from_matrix(other);
         sum.to_matrix::<2, 2>()
     }
 }

@@ -40,7 +40,7 @@ impl Planner {
 
     #[entry]
     pub fn added(&mut self) -> f32 {
-        let sum = self.plan.weights.plus(&self.before).minus(&self.plan.weights.scale(0.5));
+        let sum = self.plan.weights + self.before - self.plan.weights * 0.5;
         let mut total = 0.0;
         for column in 0..sum.ncols() {
             for row in 0..sum.nrows() {
@@ -62,7 +62,7 @@ impl Planner {
 
     #[entry]
     pub fn through(&mut self, x: &Vector3<f32>) -> Vector2<f32> {
-        self.plan.weights.times_vector(x)
+        self.plan.weights * *x
     }
 }
 
