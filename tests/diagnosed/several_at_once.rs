@@ -4,8 +4,8 @@ use bessemer::prelude::*;
 
 /// A sum of what is no number.
 #[function]
-pub fn first(list: &[Vector2<f64>; 3]) -> Vector2<f64> {
-    list.iter().sum()
+pub fn first(list: &[Option<f64>; 3]) -> Option<f64> {
+    list.iter().copied().sum()
 }
 
 /// A reference to a value that is computed.

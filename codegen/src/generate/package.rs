@@ -224,7 +224,9 @@ fn reworded(title: &str) -> (String, Option<&'static str>) {
     }
     if let Some(method) = method {
         let owner = static_matrix(owner.trim_start_matches("&mut ").trim_start_matches('&'));
-        let help = if is_known(&owner) {
+        let help = if method == "clone" {
+            "derive `Copy` too: then the value copies itself"
+        } else if is_known(&owner) {
             "write it out with the operations that the DSL has: see docs/language.md"
         } else {
             "mark the `impl` block that has it `#[data]` or `#[component]`"

@@ -111,6 +111,9 @@ impl Lowering<'_, '_> {
             ("matrix_from_array", [from]) => return self.exchanged_with_array(from, expr),
             _ => {}
         }
+        if let (Some(axes), [vector]) = (name.strip_prefix("swizzle_"), arguments) {
+            return self.swizzle(axes, vector, expr);
+        }
         if let Some(value) = self.spatial(name, arguments, expr)? {
             return Ok(value);
         }

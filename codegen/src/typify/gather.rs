@@ -81,15 +81,25 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The number that a sum or a product begins with.
+    /// The number that a sum or a product begins with; nalgebra's sum of matrices with zeros.
     fn neutral(&mut self, number: f64, ty: &Type, expr: &tree::Expr) -> Result<Expr> {
+        if matches!(ty, Type::Matrix { .. }) && number == 0.0 {
+            let span = self.span(expr.site);
+            return Ok(self.zero(ty, span));
+        }
         // Rust's empty sum of floats is -0, which adds nothing to anything.
         let float = if number == 0.0 { -0.0 } else { number };
         let word = match ty {
             Type::Scalar(Scalar::Float(Float::F64)) => float.to_bits(),
             Type::Scalar(Scalar::Float(Float::F32)) => u64::from((float as f32).to_bits()),
             Type::Scalar(Scalar::Int(_)) => number as u64,
-            _ => return problem(expr.site, "only numbers are summed up in the DSL", "use `fold`"),
+            _ => {
+                return problem(
+                    expr.site,
+                    "only numbers and matrices are summed up in the DSL",
+                    "use `fold`",
+                );
+            }
         };
         self.node(ExprKind::Literal(word), ty.clone(), expr.site)
     }

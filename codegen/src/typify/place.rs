@@ -123,11 +123,12 @@ impl Lowering<'_, '_> {
                     let (row, col) = (self.index_literal(row, expr), self.index_literal(col, expr));
                     return Ok((Step::Element(row, col), Type::Scalar(*element)));
                 }
-                let row = ["x", "y", "z", "w", "a", "b"].iter().position(|axis| *axis == name);
-                if let Some(row) = row.filter(|row| *cols == 1 && (*row as u32) < *rows) {
-                    let (row, col) =
-                        (self.index_literal(row as u64, expr), self.index_literal(0, expr));
-                    return Ok((Step::Element(row, col), Type::Scalar(*element)));
+                let place = ["x", "y", "z", "w", "a", "b"].iter().position(|axis| *axis == name);
+                let place = place.filter(|place| (*place as u32) < rows * cols);
+                if let (Some(place), true) = (place, *rows == 1 || *cols == 1) {
+                    let (row, col) = if *cols == 1 { (place, 0) } else { (0, place) };
+                    let mut index = |at: usize| self.index_literal(at as u64, expr);
+                    return Ok((Step::Element(index(row), index(col)), Type::Scalar(*element)));
                 }
             }
             _ => {}

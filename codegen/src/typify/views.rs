@@ -3,11 +3,11 @@
 use bessemer_ir::tree;
 use bessemer_ir::{CompareOp, Expr, ExprKind, Fault, Step, StmtKind, Type};
 
-use super::Result;
 use super::equal::number;
 use super::function::{Lowering, is_literal};
 use super::pattern::{inside, load};
 use super::slice::plus;
+use super::{OUR_FAULT, Result, problem};
 
 /// Views of up to so many elements are written out.
 const SMALL: u32 = 16;
@@ -25,6 +25,26 @@ impl Lowering<'_, '_> {
             Some(name) => self.view(name, arguments, expr),
             None => self.small_power(path, arguments, expr),
         }
+    }
+
+    /// `v.zyx()`: the components of a vector, by their names.
+    pub(super) fn swizzle(
+        &mut self,
+        axes: &str,
+        vector: &tree::Expr,
+        expr: &tree::Expr,
+    ) -> Result<Expr> {
+        let ty = self.slot_of(expr)?;
+        let span = self.span(expr.site);
+        let place = self.base(vector)?;
+        let Type::Matrix { element, .. } = place.ty else {
+            return problem(expr.site, "this takes a vector", OUR_FAULT);
+        };
+        let component = |axis: u8| {
+            let step = Step::Element(number(u64::from(axis - b'x'), span), number(0, span));
+            load(&inside(&place, step, Type::Scalar(element)))
+        };
+        self.node(ExprKind::Matrix(axes.bytes().map(component).collect()), ty, expr.site)
     }
 
     fn view(

@@ -131,12 +131,20 @@ companions! {
             blas::ger(self, alpha, x, y, beta)
         }
         fn __b_tr_dot(&self, b: &SMatrix<T, C, R>) -> T { blas::tr_dot(self, b) }
+        fn __b_mul_to<K>(&self, b: &SMatrix<T, C, K>, out: &mut SMatrix<T, R, K>) -> () {
+            blas::mul_to(self, b, out)
+        }
+        fn __b_tr_mul_to<K>(&self, b: &SMatrix<T, R, K>, out: &mut SMatrix<T, C, K>) -> () {
+            blas::tr_mul_to(self, b, out)
+        }
     }
 }
 
 companions! {
     /// Methods of matrices that need no arithmetic.
     ElementBuiltins<R, C>: Element [Self, T, R, C] for SMatrix<T, R, C>, [T, R, C] {
+        fn __b_shape(&self) -> (usize, usize) { parts::shape(self) }
+        fn __b_is_square(&self) -> bool { parts::is_square(self) }
         fn __b_fill(&mut self, value: T) -> () { matrix_edit::fill(self, value) }
         fn __b_fill_diagonal(&mut self, value: T) -> () { matrix_edit::fill_diagonal(self, value) }
         fn __b_fill_row(&mut self, row: usize, value: T) -> () { matrix_edit::fill_row(self, row, value) }
@@ -277,6 +285,43 @@ companions! {
         ) -> () {
             blas::quadform_tr(self, alpha, left, mid, beta)
         }
+    }
+}
+
+/// Methods of vectors of two.
+pub trait PerpBuiltin<T>: Sized {
+    fn __b_perp(&self, other: &Self) -> told!([Self, T] => T);
+}
+
+impl<T: Real> PerpBuiltin<T> for SVector<T, 2> {
+    fn __b_perp(&self, other: &Self) -> told!([T] => T) {
+        blas::perp::__call(self, other)
+    }
+}
+
+/// Matrices of one element.
+pub trait ScalarBuiltins<T>: Sized {
+    fn __b_to_scalar(&self) -> told!([Self, T] => T);
+    fn __b_into_scalar(self) -> told!([Self, T] => T);
+}
+
+impl<T: Element> ScalarBuiltins<T> for SMatrix<T, 1, 1> {
+    fn __b_to_scalar(&self) -> told!([T] => T) {
+        parts::to_scalar::__call(self)
+    }
+    fn __b_into_scalar(self) -> told!([T] => T) {
+        parts::to_scalar::__call(&self)
+    }
+}
+
+/// The same numbers in another type.
+pub trait CastBuiltin<T: Real, const R: usize, const C: usize>: Sized {
+    fn __b_cast<U: Real>(self) -> told!([Self, T, R, C] + U => SMatrix<U, R, C>);
+}
+
+impl<T: Real, const R: usize, const C: usize> CastBuiltin<T, R, C> for SMatrix<T, R, C> {
+    fn __b_cast<U: Real>(self) -> told!([T, R, C] + U => SMatrix<U, R, C>) {
+        elementwise::cast::__call(&self)
     }
 }
 

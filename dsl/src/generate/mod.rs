@@ -20,6 +20,7 @@ pub mod resized;
 pub mod slice;
 mod slot;
 pub mod spatial;
+pub mod swizzles;
 pub mod views;
 
 pub use alloc::string::String;
@@ -60,9 +61,9 @@ pub mod prelude {
     pub use super::linear::SquareBuiltins as _;
     pub use super::list::{ListBuiltins as _, ListEdits as _};
     pub use super::matrices::{
-        CrossMatrixBuiltin as _, ElementBuiltins as _, NumberBuiltins as _, PartBuiltins as _,
-        SquareElementBuiltins as _, SquareNumberBuiltins as _, SquarePartBuiltins as _,
-        VectorPartBuiltins as _,
+        CastBuiltin as _, CrossMatrixBuiltin as _, ElementBuiltins as _, NumberBuiltins as _,
+        PartBuiltins as _, PerpBuiltin as _, ScalarBuiltins as _, SquareElementBuiltins as _,
+        SquareNumberBuiltins as _, SquarePartBuiltins as _, VectorPartBuiltins as _,
     };
     pub use super::numbers::{
         BytesBuiltins as _, DivisionBuiltins as _, FloatKindBuiltins as _, FromBuiltin as _,
@@ -90,7 +91,8 @@ pub mod prelude {
         TranslationBuiltins as _, TranslationMethods as _, UnitAxisBuiltins as _,
         UnitBuiltins as _, UnitQuaternionBuiltins as _, UnitQuaternionMethods as _,
     };
-    pub use super::views::ViewBuiltins as _;
+    pub use super::swizzles::SwizzleBuiltins as _;
+    pub use super::views::{CopyBuiltin as _, ViewBuiltins as _};
 }
 
 /// Registers an item with the package; expanded by the attributes.

@@ -8,7 +8,8 @@ use bessemer_ir::tree;
 use nalgebra::{SMatrix, SVector};
 
 use super::builtin::markers;
-use super::{Builder, Called, Callee};
+use super::numbers::FromBuiltin;
+use super::{Builder, Called, Callee, Value};
 use crate::element::Element;
 use crate::linear::views;
 
@@ -19,6 +20,22 @@ markers! {
 /// What a companion that is a function of the DSL returns: it names no reference.
 macro_rules! told {
     (use<$($kept:ident),*> $result:ty) => { Called<impl Callee + use<$($kept),*>, $result> };
+}
+
+/// `x.clone()` of what copies itself; of a reference it would be one.
+pub trait CopyBuiltin: Copy + Value {
+    fn __b_clone(&self) -> Called<Owned, Self> {
+        unreachable!()
+    }
+}
+
+impl<T: Copy + Value> CopyBuiltin for T {}
+
+/// `view.into()`: what is read is a copy already.
+impl<T: Element, const R: usize, const C: usize> FromBuiltin<SMatrix<T, R, C>>
+    for SMatrix<T, R, C>
+{
+    type Marker = Owned;
 }
 
 /// Parts of matrices, read and written.

@@ -216,3 +216,29 @@ pub fn quadform_tr<T: Real, const N: usize, const K: usize>(
         }
     }
 }
+
+/// The perpendicular product: the third component of the cross product of two vectors in a plane.
+#[function]
+pub fn perp<T: Real>(a: &SVector<T, 2>, b: &SVector<T, 2>) -> T {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+/// The product, written where it is wanted.
+#[function]
+pub fn mul_to<T: Real, const R: usize, const C: usize, const K: usize>(
+    a: &SMatrix<T, R, C>,
+    b: &SMatrix<T, C, K>,
+    out: &mut SMatrix<T, R, K>,
+) {
+    *out = a * b;
+}
+
+/// The product of the transpose, column by column as [`SMatrix::tr_mul`], written where it is wanted.
+#[function]
+pub fn tr_mul_to<T: Real, const R: usize, const C: usize, const K: usize>(
+    a: &SMatrix<T, R, C>,
+    b: &SMatrix<T, R, K>,
+    out: &mut SMatrix<T, C, K>,
+) {
+    *out = a.tr_mul(b);
+}

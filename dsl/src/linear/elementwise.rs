@@ -5,7 +5,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::blas::axpy;
 use crate::function;
-use crate::math::Real;
+use crate::math::{Real, real};
 
 /// The magnitude of each element.
 #[function]
@@ -116,4 +116,18 @@ pub fn lerp<T: Real, const N: usize>(a: &SVector<T, N>, b: &SVector<T, N>, t: T)
     let mut between = *a;
     axpy(&mut between, t, b, T::ONE - t);
     between
+}
+
+/// The same numbers in another type, rounded if it is the shorter.
+#[function]
+pub fn cast<T: Real, U: Real, const R: usize, const C: usize>(
+    a: &SMatrix<T, R, C>,
+) -> SMatrix<U, R, C> {
+    let mut other = SMatrix::<U, R, C>::zeros();
+    for column in 0..C {
+        for row in 0..R {
+            other[(row, column)] = real(a[(row, column)].as_f64());
+        }
+    }
+    other
 }

@@ -165,3 +165,21 @@ pub fn cross_matrix<T: Real>(v: &SVector<T, 3>) -> SMatrix<T, 3, 3> {
     matrix[(1, 2)] = -v[0];
     matrix
 }
+
+/// How many rows, and how many columns.
+#[function]
+pub fn shape<T: Element, const R: usize, const C: usize>(_a: &SMatrix<T, R, C>) -> (usize, usize) {
+    (R, C)
+}
+
+/// Whether there are as many rows as columns.
+#[function]
+pub fn is_square<T: Element, const R: usize, const C: usize>(_a: &SMatrix<T, R, C>) -> bool {
+    R == C
+}
+
+/// The element of a matrix that has one.
+#[function]
+pub fn to_scalar<T: Element>(a: &SMatrix<T, 1, 1>) -> T {
+    a[(0, 0)]
+}

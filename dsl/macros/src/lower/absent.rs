@@ -19,7 +19,6 @@ const ABSENT: &[(&str, usize, &str)] = &[
     ("overflowing_add overflowing_sub overflowing_mul", 1, WIDER),
     ("to_be to_le to_ne_bytes", 0, BYTES),
     ("from_be from_le from_ne_bytes", 0, BYTES),
-    ("clone", 0, "derive `Copy` too: then the value copies itself"),
     ("inspect inspect_err", 1, "look at the value with `if let`"),
     ("unzip", 0, "`match` on it"),
     ("try_inverse_mut", 0, "call `bessemer::inverse_mut`"),

@@ -21,6 +21,8 @@ impl Lowering<'_> {
         let (count, line) = match text(&lines.method).as_str() {
             "column_iter" => ("ncols", "column"),
             "row_iter" => ("nrows", "row"),
+            "column_iter_mut" => ("ncols", "column_mut"),
+            "row_iter_mut" => ("nrows", "row_mut"),
             _ => return None,
         };
         let matrix = &lines.receiver;
@@ -28,7 +30,7 @@ impl Lowering<'_> {
             return None;
         }
         let whole = syn::Expr::ForLoop(it.clone());
-        let index = self.fresh_in(line, &whole);
+        let index = self.fresh_in(line.trim_end_matches("_mut"), &whole);
         let (counter, name): (syn::Pat, &syn::Pat) = match (&*it.pat, counted) {
             (syn::Pat::Tuple(pair), true) if pair.elems.len() == 2 => {
                 (pair.elems[0].clone(), &pair.elems[1])
@@ -51,5 +53,26 @@ impl Lowering<'_> {
             body,
             ..it.clone()
         })
+    }
+
+    /// `m.column_iter().map(…)`: the columns, by their indices; none if a chain begins with something else.
+    pub(super) fn chained_lines(&self, expr: &syn::Expr) -> Option<syn::Expr> {
+        let syn::Expr::MethodCall(it) = expr else { return None };
+        let (count, line) = match text(&it.method).as_str() {
+            "column_iter" => ("ncols", "column"),
+            "row_iter" => ("nrows", "row"),
+            _ => {
+                let mut chain = it.clone();
+                *chain.receiver = self.chained_lines(&it.receiver)?;
+                return Some(syn::Expr::MethodCall(chain));
+            }
+        };
+        let matrix = &it.receiver;
+        if !it.args.is_empty() || !may_repeat(matrix) {
+            return None;
+        }
+        let index = self.fresh_in(line, expr);
+        let [count, line] = [count, line].map(|name| syn::Ident::new(name, it.method.span()));
+        Some(parse_quote! { (0..#matrix.#count()).map(|#index| #matrix.#line(#index)) })
     }
 }

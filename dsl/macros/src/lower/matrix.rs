@@ -148,14 +148,17 @@ impl Lowering<'_> {
         arrays: Vec<tree::Expr>,
     ) -> Option<ExprKind> {
         let mut looks = Vec::new();
-        let mut indices = closure.inputs.iter().take(2).map(closure_parameter);
-        let (row, column) = (indices.next()??, indices.next()??);
-        let mut name_index = |walk: &mut Self, index: &syn::Ident| {
+        let mut name_index = |walk: &mut Self, pattern: Option<&syn::Pat>, unnamed: &str| {
+            if let Some(syn::Pat::Wild(_)) = pattern {
+                return Some(walk.hidden(unnamed));
+            }
+            let index = closure_parameter(pattern?)?;
             let slot = walk.slot();
-            looks.push(walk.look(slot, index));
-            walk.bind_apart(&text(index))
+            looks.push(walk.look(slot, &index));
+            Some(walk.bind_apart(&text(&index)))
         };
-        let (row, column) = (name_index(self, &row), name_index(self, &column));
+        let row = name_index(self, closure.inputs.get(0), "row")?;
+        let column = name_index(self, closure.inputs.get(1), "column")?;
         let parts = self.element_names(closure, 2, arrays, &mut looks)?;
         let value = self.closure_body(closure, looks);
         let name = self.hidden("mapped");

@@ -22,6 +22,7 @@ mod item;
 mod lines;
 mod macros;
 mod matrix;
+mod named_view;
 mod operator;
 mod pattern;
 pub mod refuse;
@@ -247,6 +248,7 @@ impl<'a> Lowering<'a> {
 
     fn statements(&mut self, stmts: &mut Vec<syn::Stmt>) -> tree::Block {
         let mut lowered = tree::Block::default();
+        self.views_with_names(stmts);
         let originals = std::mem::take(stmts);
         let last = originals.len().saturating_sub(1);
         for (index, mut stmt) in originals.into_iter().enumerate() {

@@ -11,7 +11,7 @@ use super::Lowering;
 const VIEWS: [&str; 5] = ["row", "column", "fixed_view", "fixed_rows", "fixed_columns"];
 
 /// A view that is written: `m.column_mut(j)`; the name without `_mut`.
-fn written(expr: &mut syn::Expr) -> Option<(&mut syn::ExprMethodCall, String)> {
+pub(super) fn written(expr: &mut syn::Expr) -> Option<(&mut syn::ExprMethodCall, String)> {
     match expr {
         syn::Expr::Paren(it) => written(&mut it.expr),
         syn::Expr::MethodCall(it) => {
@@ -186,7 +186,7 @@ fn read(view: &syn::ExprMethodCall, name: &str) -> syn::ExprMethodCall {
     read
 }
 
-fn set(view: &syn::ExprMethodCall, name: &str, part: syn::Expr) -> syn::Expr {
+pub(super) fn set(view: &syn::ExprMethodCall, name: &str, part: syn::Expr) -> syn::Expr {
     let mut call = view.clone();
     call.method = format_ident!("set_{name}", span = view.method.span());
     call.args.push(part);

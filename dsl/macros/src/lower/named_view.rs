@@ -1,0 +1,358 @@
+//! Views of matrices that have a name: `let mut part = m.column_mut(j); part += &v;`.
+//!
+//! In the tree and in the copy the name is a value of its own, read where it is named, and written to the matrix behind the
+//! last statement that names it. Nobody can tell: while the view lives, Rust lets nothing else touch the matrix. Where the function
+//! may leave in between, every statement that names the view writes it. A view that is handed on, or named beside its matrix in
+//! one branch of a statement, keeps its refusal.
+//!
+//! What is written to a view without a name is said by one: `m.column_mut(j)[i] = x`, `for x in m.row_mut(i).iter_mut()`.
+
+use proc_macro2::{TokenStream, TokenTree};
+use quote::{ToTokens, format_ident};
+use syn::parse_quote;
+use syn::visit::{self, Visit};
+
+use super::view::{may_repeat, set, written};
+use super::{Lowering, is_unit_control, text};
+
+impl Lowering<'_> {
+    /// Gives each view that has a name in a block a value of its own.
+    pub(super) fn views_with_names(&self, stmts: &mut Vec<syn::Stmt>) {
+        let mut at = 0;
+        while at < stmts.len() {
+            match self.view_with_name(&stmts[at..]) {
+                Some((passed, replaced)) => {
+                    stmts.splice(at..at + passed, replaced);
+                }
+                None => at += 1,
+            }
+        }
+    }
+
+    /// What stands for the statements up to the last that names the view which the first declares; and how many these are.
+    fn view_with_name(&self, stmts: &[syn::Stmt]) -> Option<(usize, Vec<syn::Stmt>)> {
+        let (syn::Stmt::Local(local), rest) = stmts.split_first()? else { return None };
+        let syn::Pat::Ident(name) = &local.pat else { return None };
+        let init = local.init.as_ref().filter(|init| init.diverge.is_none())?;
+        let mut value = (*init.expr).clone();
+        let (view, kind) = written(&mut value)?;
+        if !may_repeat(&view.receiver) || !view.receiver.to_token_stream().into_iter().all(is_plain)
+        {
+            return None;
+        }
+        let names_it = |stmt: &syn::Stmt| any(stmt.to_token_stream(), &name.ident);
+        let last = rest.iter().rposition(names_it)?;
+        let live = &rest[..=last];
+        let leaves = live.iter().any(may_leave);
+        for stmt in live.iter().filter(|stmt| names_it(stmt)) {
+            let branches = is_compound(stmt);
+            let apart = !branches || !touches(stmt, &view.receiver) && !may_leave(stmt);
+            if !apart || !only_used(stmt, &name.ident) {
+                return None;
+            }
+        }
+        let mut view = view.clone();
+        let mut replaced: Vec<syn::Stmt> = Vec::new();
+        for (at, role) in view.args.iter_mut().zip(["at", "beside"]) {
+            if !matches!(at, syn::Expr::Lit(_)) {
+                let fresh = self.fresh_beside_all(&format!("{}_{role}", name.ident), stmts);
+                replaced.push(parse_quote! { let #fresh = #at; });
+                *at = parse_quote! { #fresh };
+            }
+        }
+        let mut read = view.clone();
+        read.method = format_ident!("{kind}", span = view.method.span());
+        let ident = &name.ident;
+        let mut declared = local.clone();
+        declared.pat = parse_quote! { mut #ident };
+        if let Some(init) = &mut declared.init {
+            *init.expr = parse_quote! { #read.into_owned() };
+        }
+        replaced.push(syn::Stmt::Local(declared));
+        let write: syn::Stmt = {
+            let set = set(&view, &kind, parse_quote! { &#ident });
+            parse_quote! { #set; }
+        };
+        for (index, stmt) in live.iter().enumerate() {
+            let writes = index == last || leaves && names_it(stmt);
+            match stmt {
+                // Whether it has a value cannot be told.
+                syn::Stmt::Expr(value, None)
+                    if index + 1 == rest.len() && is_compound(stmt) && !is_unit_control(value) =>
+                {
+                    return None;
+                }
+                // The value of the block is known before the view is written.
+                syn::Stmt::Expr(value, None) if index + 1 == rest.len() && !is_compound(stmt) => {
+                    let given = self.fresh_beside_all("given", stmts);
+                    replaced.push(parse_quote! { let #given = #value; });
+                    replaced.push(write.clone());
+                    replaced.push(syn::Stmt::Expr(parse_quote! { #given }, None));
+                }
+                syn::Stmt::Expr(value, None) => {
+                    replaced.push(syn::Stmt::Expr(value.clone(), Some(Default::default())));
+                    replaced.extend(writes.then(|| write.clone()));
+                }
+                stmt => {
+                    replaced.push(stmt.clone());
+                    replaced.extend(writes.then(|| write.clone()));
+                }
+            }
+        }
+        Some((last + 2, replaced))
+    }
+
+    /// What is written to a view that has no name, said by one; none if it is something else.
+    pub(super) fn view_without_name(&self, expr: &syn::Expr) -> Option<syn::Expr> {
+        match expr {
+            syn::Expr::ForLoop(it) => {
+                let syn::Expr::MethodCall(elements) = &*it.expr else { return None };
+                let mut view = (*elements.receiver).clone();
+                written(&mut view).filter(|_| elements.method == "iter_mut")?;
+                let name = self.fresh_in("part", expr);
+                let mut through = it.clone();
+                through.expr = parse_quote! { #name.iter_mut() };
+                Some(parse_quote! { { let mut #name = #view; #through } })
+            }
+            syn::Expr::Assign(it) => {
+                let (place, name) = (&it.left, self.fresh_in("part", expr));
+                let (view, place) = element(place, &name)?;
+                if matches!(*it.right, syn::Expr::Lit(_)) {
+                    let value = &it.right;
+                    return Some(parse_quote! { { let mut #name = #view; #place = #value; } });
+                }
+                let (value, new) = (&it.right, self.fresh_in("value", expr));
+                Some(parse_quote! { { let #new = #value; let mut #name = #view; #place = #new; } })
+            }
+            syn::Expr::Binary(it) if super::expr::compound(&it.op).is_some() => {
+                let (place, name) = (&it.left, self.fresh_in("part", expr));
+                let (view, place) = element(place, &name)?;
+                let (op, value, new) = (&it.op, &it.right, self.fresh_in("value", expr));
+                if matches!(**value, syn::Expr::Lit(_)) {
+                    return Some(parse_quote! { { let mut #name = #view; #place #op #value; } });
+                }
+                Some(
+                    parse_quote! { { let #new = #value; let mut #name = #view; #place #op #new; } },
+                )
+            }
+            syn::Expr::MethodCall(it) => {
+                let mut view = (*it.receiver).clone();
+                written(&mut view)?;
+                let name = self.fresh_beside("part", it);
+                let (method, arguments) = (&it.method, &it.args);
+                if let ("add_assign" | "sub_assign" | "mul_assign" | "div_assign", 1) =
+                    (text(method).as_str(), arguments.len())
+                {
+                    let op: syn::BinOp = match text(method).as_str() {
+                        "add_assign" => parse_quote! { += },
+                        "sub_assign" => parse_quote! { -= },
+                        "mul_assign" => parse_quote! { *= },
+                        _ => parse_quote! { /= },
+                    };
+                    return Some(parse_quote! { { let mut #name = #view; #name #op #arguments; } });
+                }
+                let (_, gives) = METHODS.iter().find(|(known, _)| method == known)?;
+                let turbofish = &it.turbofish;
+                let call: syn::Expr = parse_quote! { #name.#method #turbofish(#arguments) };
+                Some(match gives {
+                    true => parse_quote! { { let mut #name = #view; #call } },
+                    false => parse_quote! { { let mut #name = #view; #call; } },
+                })
+            }
+            _ => None,
+        }
+    }
+
+    /// A name that nothing in scope has, nor in the statements.
+    fn fresh_beside_all(&self, name: &str, stmts: &[syn::Stmt]) -> syn::Ident {
+        let stmts = stmts.to_vec();
+        self.fresh_in(name, &parse_quote! { { #(#stmts)* } })
+    }
+}
+
+/// Methods that change their matrix, and whether they give a value.
+const METHODS: [(&str, bool); 27] = [
+    ("apply", false),
+    ("zip_apply", false),
+    ("axcpy", false),
+    ("cmpy", false),
+    ("cdpy", false),
+    ("gemv", false),
+    ("gemv_tr", false),
+    ("gemm", false),
+    ("gemm_tr", false),
+    ("ger", false),
+    ("syger", false),
+    ("quadform", false),
+    ("quadform_tr", false),
+    ("set_row", false),
+    ("set_column", false),
+    ("set_diagonal", false),
+    ("set_magnitude", false),
+    ("fill_row", false),
+    ("fill_column", false),
+    ("fill_lower_triangle", false),
+    ("fill_upper_triangle", false),
+    ("swap", false),
+    ("swap_rows", false),
+    ("swap_columns", false),
+    ("tr_copy_from", false),
+    ("transpose_mut", false),
+    ("normalize_mut", true),
+];
+
+/// The view whose element a place is, and the place by the view's name.
+fn element(place: &syn::Expr, name: &syn::Ident) -> Option<(syn::Expr, syn::Expr)> {
+    let syn::Expr::Index(it) = place else { return None };
+    let mut view = (*it.expr).clone();
+    written(&mut view)?;
+    let index = &it.index;
+    Some((view, parse_quote! { #name[#index] }))
+}
+
+/// Whether a name stands somewhere.
+fn any(tokens: TokenStream, name: &syn::Ident) -> bool {
+    tokens.into_iter().any(|token| match token {
+        TokenTree::Ident(ident) => ident == *name,
+        TokenTree::Group(group) => any(group.stream(), name),
+        _ => false,
+    })
+}
+
+/// Whether a receiver is made of names and fields alone: an index may mean another element later.
+fn is_plain(token: TokenTree) -> bool {
+    !matches!(token, TokenTree::Group(_))
+}
+
+fn is_compound(stmt: &syn::Stmt) -> bool {
+    let expr = match stmt {
+        syn::Stmt::Expr(expr, _) => expr,
+        syn::Stmt::Local(it) => match &it.init {
+            Some(init) => &*init.expr,
+            None => return false,
+        },
+        syn::Stmt::Item(_) => return false,
+        syn::Stmt::Macro(_) => return true,
+    };
+    matches!(
+        expr,
+        syn::Expr::If(_)
+            | syn::Expr::Match(_)
+            | syn::Expr::Block(_)
+            | syn::Expr::ForLoop(_)
+            | syn::Expr::While(_)
+            | syn::Expr::Loop(_)
+            | syn::Expr::Closure(_)
+    )
+}
+
+/// Whether a statement may use the matrix of a view: it has its root, and not just another field of it.
+fn touches(stmt: &syn::Stmt, matrix: &syn::Expr) -> bool {
+    let path: Vec<String> = matrix
+        .to_token_stream()
+        .into_iter()
+        .filter_map(|token| match token {
+            TokenTree::Ident(ident) => Some(ident.to_string()),
+            _ => None,
+        })
+        .collect();
+    mentions(stmt.to_token_stream(), &path)
+}
+
+fn mentions(tokens: TokenStream, path: &[String]) -> bool {
+    let tokens: Vec<TokenTree> = tokens.into_iter().collect();
+    tokens.iter().enumerate().any(|(at, token)| match token {
+        TokenTree::Group(group) => mentions(group.stream(), path),
+        TokenTree::Ident(ident) if path.first().is_some_and(|root| ident == root) => {
+            let dot = matches!(tokens.get(at + 1), Some(TokenTree::Punct(it)) if it.as_char() == '.');
+            let calls = matches!(tokens.get(at + 3), Some(TokenTree::Group(it)) if it.delimiter() == proc_macro2::Delimiter::Parenthesis);
+            match (dot, tokens.get(at + 2), path.get(1)) {
+                (true, Some(TokenTree::Ident(field)), Some(own)) => calls || field == own,
+                _ => true,
+            }
+        }
+        _ => false,
+    })
+}
+
+/// Whether the function, or a loop, may be left in a statement.
+fn may_leave(stmt: &syn::Stmt) -> bool {
+    struct Leaves(bool, u32);
+    impl<'ast> Visit<'ast> for Leaves {
+        fn visit_expr(&mut self, expr: &'ast syn::Expr) {
+            match expr {
+                syn::Expr::Return(_) | syn::Expr::Try(_) => self.0 = true,
+                syn::Expr::Break(it) => self.0 |= self.1 == 0 || it.label.is_some(),
+                syn::Expr::Continue(it) => self.0 |= self.1 == 0 || it.label.is_some(),
+                syn::Expr::ForLoop(_) | syn::Expr::While(_) | syn::Expr::Loop(_) => {
+                    self.1 += 1;
+                    visit::visit_expr(self, expr);
+                    self.1 -= 1;
+                    return;
+                }
+                _ => {}
+            }
+            visit::visit_expr(self, expr);
+        }
+        fn visit_local(&mut self, it: &'ast syn::Local) {
+            self.0 |= it.init.as_ref().is_some_and(|init| init.diverge.is_some());
+            visit::visit_local(self, it);
+        }
+    }
+    let mut leaves = Leaves(false, 0);
+    leaves.visit_stmt(stmt);
+    leaves.0
+}
+
+/// Whether a view is named as an operand, a receiver or what is indexed, and is nowhere handed on.
+fn only_used(stmt: &syn::Stmt, name: &syn::Ident) -> bool {
+    struct Uses<'a>(&'a syn::Ident, usize);
+    impl Uses<'_> {
+        fn count(&mut self, expr: &syn::Expr) {
+            match expr {
+                syn::Expr::Paren(it) => self.count(&it.expr),
+                syn::Expr::Reference(it) if it.mutability.is_none() => self.count(&it.expr),
+                syn::Expr::Path(it) if it.path.is_ident(self.0) => self.1 += 1,
+                _ => {}
+            }
+        }
+    }
+    impl<'ast> Visit<'ast> for Uses<'_> {
+        fn visit_expr(&mut self, expr: &'ast syn::Expr) {
+            match expr {
+                syn::Expr::MethodCall(it) => {
+                    self.count(&it.receiver);
+                    // By reference it is read: `a.copy_from(&part)`.
+                    it.args
+                        .iter()
+                        .filter(|it| matches!(it, syn::Expr::Reference(_)))
+                        .for_each(|it| self.count(it));
+                }
+                syn::Expr::Index(it) => self.count(&it.expr),
+                syn::Expr::Field(it) => self.count(&it.base),
+                syn::Expr::Unary(it) if !matches!(it.op, syn::UnOp::Deref(_)) => {
+                    self.count(&it.expr)
+                }
+                syn::Expr::Binary(it) => {
+                    self.count(&it.left);
+                    self.count(&it.right);
+                }
+                _ => {}
+            }
+            visit::visit_expr(self, expr);
+        }
+    }
+    fn total(tokens: TokenStream, name: &syn::Ident) -> usize {
+        tokens
+            .into_iter()
+            .map(|token| match token {
+                TokenTree::Ident(ident) => usize::from(ident == *name),
+                TokenTree::Group(group) => total(group.stream(), name),
+                _ => 0,
+            })
+            .sum()
+    }
+    let mut uses = Uses(name, 0);
+    uses.visit_stmt(stmt);
+    uses.1 == total(stmt.to_token_stream(), name)
+}
