@@ -9,6 +9,8 @@
 //! | [`clock`] | times: programs that run by turns, round by round |
 //! | [`check`] | whether a result may be measured at all |
 //! | [`above`] | where the generated C takes more than it should, and why |
+//! | [`goals`] | what it is to reach, and whether it did |
+//! | [`stored`] | the results of a run, from their JSON |
 //! | [`report`], [`plot`] | the terminal, JSON, Markdown and SVG |
 //!
 //! Invariants: every contender gets the same numbers and the same flags; what is compared was measured in
@@ -21,8 +23,10 @@ pub mod clock;
 pub mod contender;
 pub mod count;
 pub mod generated;
+pub mod goals;
 pub mod machine;
 pub mod plot;
 pub mod report;
 pub mod results;
 pub mod run;
+pub mod stored;

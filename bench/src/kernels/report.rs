@@ -1,11 +1,12 @@
 //! Tables for the terminal, and the report in Markdown.
 
-use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-use super::above;
+use serde_json::Value;
+
 use super::case::{Element, Routine};
 use super::results::{Cell, Results, Row, Table};
+use super::{above, goals};
 
 /// Short tables for the terminal.
 pub fn terminal(results: &Results) -> String {
@@ -25,23 +26,25 @@ pub fn terminal(results: &Results) -> String {
         );
         text += &small(table, "  ");
     }
+    text += &goals::missed(results);
     for line in &results.left_out {
         let _ = writeln!(text, "\nleft out: {line}");
     }
     text
 }
 
-/// The report.
-pub fn markdown(results: &Results, about: &BTreeMap<&'static str, String>) -> String {
+/// The report of a run, by what its JSON has: `about` is the part of that name.
+pub fn markdown(results: &Results, about: &Value) -> String {
     let mut text = String::from(
         "# Generated C against its peers\n\n\
          Written by `cargo xtask bench`; [kernels.json](kernels.json) has every figure. All contenders of a table had\n\
          the same flags, without contraction, and ran in turns in one run; each result was checked before (the\n\
          generated C by its bits against the model as rustc compiles it, the others by their residual).\n\n",
     );
-    for (key, value) in about {
-        let _ = writeln!(text, "* {key}: {value}");
+    for (key, value) in about.as_object().into_iter().flatten() {
+        let _ = writeln!(text, "* {key}: {}", value.as_str().unwrap_or_default());
     }
+    text += &goals::markdown(results);
     text += "\n## The Chapter 6 job\n\n\
              Solve 200×200 with one right-hand side, and invert 100×100; doubles in [0, 1]. The data are loaded\n\
              outside the measured part. `ratio` is the generated C's figure over the contender's, for both parts.\n\n\

@@ -1,0 +1,147 @@
+//! What the generated C is to reach, and what a run reached.
+
+use std::fmt::Write as _;
+
+use super::above;
+use super::contender::Contender;
+use super::machine::{A9, A9_PLAIN, HOST, Machine};
+use super::results::{Cell, Results, Size, Table};
+
+/// A figure, and its bound.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Goal {
+    /// Of what, in words.
+    pub what: String,
+    /// At most so much.
+    pub most: f64,
+    /// What the run has; none if it did not measure it.
+    pub reached: Option<f64>,
+}
+
+impl Goal {
+    fn new(what: impl Into<String>, most: f64, reached: Option<f64>) -> Goal {
+        Goal { what: what.into(), most, reached }
+    }
+
+    /// Whether it was measured, and is no more than it may be.
+    pub fn holds(&self) -> bool {
+        self.reached.is_some_and(|reached| reached <= self.most)
+    }
+}
+
+/// The one that is about the list of what is above the best.
+pub const WITHOUT_REASON: &str = "small sizes: cases above the best, and nobody knows why";
+
+/// All of them.
+pub fn of(results: &Results) -> Vec<Goal> {
+    let mut goals = vec![
+        Goal::new(
+            "Cortex-A9, Chapter 6, NEON loads: million instructions of both parts",
+            5.6,
+            millions(results, &A9),
+        ),
+        Goal::new(
+            "Cortex-A9, Chapter 6, plain C99: million instructions of both parts",
+            7.0,
+            millions(results, &A9_PLAIN),
+        ),
+    ];
+    for (part, name) in ["solve 200", "invert 100"].into_iter().enumerate() {
+        for contender in [Contender::Eigen, Contender::OpenBlas] {
+            let what = format!("host, {name}: time over that of {}", contender.title());
+            goals.push(Goal::new(what, 0.55, part_over(results, contender, part)));
+        }
+    }
+    goals.push(Goal::new(
+        "host, Chapter 6: time over that of the handwritten C, as in the thesis",
+        0.20,
+        times(results, Contender::Generated, Contender::Thesis),
+    ));
+    goals.push(Goal::new(
+        "host, Chapter 6: the fast mode's time over the exact mode's",
+        0.96,
+        times(results, Contender::Fast, Contender::Generated),
+    ));
+    let unknown = (!results.small.is_empty()).then(|| above::without_reason(results) as f64);
+    goals.push(Goal::new(WITHOUT_REASON, 0.0, unknown));
+    sizes(results, &mut goals);
+    goals
+}
+
+/// Bytes of code on the Cortex-A9, and of the stack everywhere.
+fn sizes(results: &Results, goals: &mut Vec<Goal>) {
+    let is_large = |size: &&Size| ["solve_f64_200", "inverse_f64_100"].contains(&&*size.kernel);
+    for machine in [A9, A9_PLAIN] {
+        let own = || results.sizes.iter().filter(|size| size.machine == machine.name);
+        let large: Vec<u64> = own().filter(is_large).map(|size| size.text).collect();
+        let both = (large.len() == 2).then(|| large.iter().sum::<u64>() as f64);
+        let what = format!("{}, Chapter 6: bytes of code of both parts", machine.title);
+        goals.push(Goal::new(what, 14.0 * 1024.0, both));
+        let largest = own().filter(|size| !is_large(size)).map(|size| size.text).max();
+        let what = format!("{}: bytes of code of the largest other kernel", machine.title);
+        goals.push(Goal::new(what, 8.0 * 1024.0, largest.map(|bytes| bytes as f64)));
+    }
+    let stack = results.sizes.iter().map(|size| size.stack).max().map(|bytes| bytes as f64);
+    goals.push(Goal::new("bytes of the stack that a kernel takes, on any machine", 4096.0, stack));
+}
+
+fn chapter_6<'a>(results: &'a Results, machine: &Machine) -> Option<&'a Table> {
+    results.chapter_6.iter().find(|table| table.machine.name == machine.name)
+}
+
+fn cells(table: &Table, contender: Contender) -> Option<Vec<Cell>> {
+    let at = table.contenders.iter().position(|it| *it == contender)?;
+    table.rows.iter().map(|row| *row.cells.get(at)?).collect()
+}
+
+/// Million instructions of the generated C, for both parts.
+fn millions(results: &Results, machine: &Machine) -> Option<f64> {
+    let cells = cells(chapter_6(results, machine)?, Contender::Generated)?;
+    let counts: Option<Vec<u64>> = cells.iter().map(|cell| cell.instructions).collect();
+    Some(counts?.iter().sum::<u64>() as f64 / 1e6)
+}
+
+/// The generated C's time on one part over a contender's: the median of the rounds' ratios.
+fn part_over(results: &Results, contender: Contender, part: usize) -> Option<f64> {
+    let cells = cells(chapter_6(results, &HOST)?, contender)?;
+    Some(cells.get(part)?.times?.ratio)
+}
+
+/// The medians of one over those of another, both parts together.
+fn times(results: &Results, one: Contender, other: Contender) -> Option<f64> {
+    let table = chapter_6(results, &HOST)?;
+    let both = |contender| -> Option<f64> {
+        cells(table, contender)?.iter().map(|cell| Some(cell.times?.median)).sum()
+    };
+    Some(both(one)? / both(other)?)
+}
+
+/// A line for each.
+pub fn markdown(results: &Results) -> String {
+    let mut text = String::from(
+        "\n## What was to be reached\n\n| | at most | reached | |\n|---|---:|---:|---|\n",
+    );
+    for goal in of(results) {
+        let digits = if goal.most.fract() == 0.0 && goal.most != 7.0 { 0 } else { 3 };
+        let figure = |figure: f64| format!("{figure:.digits$}");
+        let reached = goal.reached.map_or_else(|| "–".to_owned(), figure);
+        let word = match (goal.reached, goal.holds()) {
+            (None, _) => "not measured",
+            (_, true) => "yes",
+            (_, false) => "**no**",
+        };
+        let most = figure(goal.most);
+        let _ = writeln!(text, "| {} | {most} | {reached} | {word} |", goal.what);
+    }
+    text
+}
+
+/// For the terminal: what was measured and is not reached.
+pub fn missed(results: &Results) -> String {
+    let missed = of(results).into_iter().filter(|goal| goal.reached.is_some() && !goal.holds());
+    let line = |goal: Goal| {
+        let reached = goal.reached.unwrap_or_default();
+        format!("\nnot reached: {}: {reached:.3}, at most {:.3}\n", goal.what, goal.most)
+    };
+    missed.map(line).collect()
+}

@@ -1,0 +1,60 @@
+//! The results that are committed: the report says what their JSON has, and every bound is kept.
+//!
+//! `UPDATE_DOCS=1 cargo test -p bench --test stored` writes the report anew, where what is said of the figures has changed.
+
+use std::fs;
+use std::path::PathBuf;
+
+use bench::kernels::results::Results;
+use bench::kernels::{goals, plot, report};
+use serde_json::Value;
+
+fn file(name: &str) -> PathBuf {
+    bessemer_tests::root().join("bench/results").join(name)
+}
+
+fn stored() -> (Results, Value) {
+    let text = fs::read_to_string(file("kernels.json")).expect("results are committed");
+    let json: Value = serde_json::from_str(&text).expect("JSON");
+    let results = Results::from_json(&json).expect("the results of a run");
+    (results, json)
+}
+
+#[test]
+fn the_report_says_what_the_json_has() {
+    let (results, json) = stored();
+    let files = [
+        ("kernels.md", report::markdown(&results, &json["about"])),
+        ("chapter6.svg", plot::chapter_6(&results)),
+        ("small.svg", plot::small(&results)),
+    ];
+    for (name, text) in files {
+        if std::env::var_os("UPDATE_DOCS").is_some() {
+            fs::write(file(name), &text).expect("bench/results is there");
+        }
+        let found = fs::read_to_string(file(name)).expect("it is committed");
+        assert!(found == text, "{name} is stale: UPDATE_DOCS=1 cargo test -p bench --test stored");
+    }
+}
+
+#[test]
+fn every_bound_is_kept() {
+    let (results, _) = stored();
+    let missed: Vec<_> = goals::of(&results).into_iter().filter(|goal| !goal.holds()).collect();
+    assert!(missed.is_empty(), "{missed:#?}");
+}
+
+#[test]
+fn a_bound_that_is_not_kept_is_seen() {
+    let (mut results, _) = stored();
+    let known = goals::of(&results).len();
+    // Twice the code, and twice the stack.
+    for size in &mut results.sizes {
+        (size.text, size.stack) = (4 * size.text, 8 * size.stack);
+    }
+    let missed = goals::of(&results).into_iter().filter(|goal| !goal.holds()).count();
+    assert_eq!(missed, 5, "four of code, and the stack");
+    results.chapter_6.clear();
+    let missed = goals::of(&results).into_iter().filter(|goal| !goal.holds()).count();
+    assert_eq!(missed, 5 + 8, "of {known}: what was not measured is not reached");
+}
