@@ -12,7 +12,7 @@ impl Lowering<'_, '_> {
     /// What `<` compares of an enum.
     pub(super) fn rank(&self, id: EnumId, value: Expr, site: Site) -> Result<Expr> {
         let definition = &self.cx.module.enums[id.index()];
-        if !self.cx.ordered.contains(&id) {
+        if !self.cx.ordered.contains(&Type::Enum(id)) {
             return problem(
                 site,
                 format!("`{}` does not derive `PartialOrd` where the DSL sees it", definition.name),

@@ -316,8 +316,16 @@ impl Lowering<'_, '_> {
                 let remedy = if numbers { OUR_FAULT } else { "convert one of them" };
                 return problem(site, "values of two types are not compared", remedy);
             }
+            let equality = matches!(op, CompareOp::Eq | CompareOp::Ne);
+            if !equality && self.cx.own_equalities.contains_key(&left_ty) {
+                return problem(
+                    site,
+                    "an order that was derived and a `==` of its author's own may contradict each other",
+                    "derive `PartialEq` too, or compare parts",
+                );
+            }
             // A word too, where its author says what `==` is.
-            let own = matches!(op, CompareOp::Eq | CompareOp::Ne)
+            let own = equality
                 && (self.cx.own_equalities.contains_key(&left_ty)
                     || self.cx.unequal.contains(&left_ty));
             if !left_ty.is_word() || own {

@@ -86,6 +86,10 @@ pub(super) fn lower(cx: &mut Context<'_>, source: &tree::Function) -> Result<Fun
         }
         _ => tree.name.clone(),
     };
+    let name = match number_of(source) {
+        Some(number) => format!("{number}_{name}"),
+        None => name,
+    };
     let name = lowering.cx.instance_name(home, &name, &suffix);
     // The methods of an instance stand where its author named it.
     let alias = source.owner.as_deref().and_then(|owner| lowering.cx.aliases.get(owner));
@@ -148,6 +152,11 @@ fn slice_of(ty: &Ty) -> Option<&Ty> {
     }
 }
 
+/// The type of numbers that the function was implemented for: Rust's own, so it is nobody's owner.
+fn number_of(source: &tree::Function) -> Option<&str> {
+    source.owner.as_deref().filter(|path| bessemer_ir::Scalar::from_name(path).is_some())
+}
+
 fn slot_type(source: &tree::Function, slot: u32, site: Site) -> Result<&Ty> {
     match source.slots.get(slot as usize) {
         Some(ty) => Ok(ty),
@@ -160,6 +169,7 @@ impl<'a, 'c> Lowering<'a, 'c> {
     pub(super) fn new(cx: &'a mut Context<'c>, source: &'a tree::Function) -> Result<Self> {
         let site = source.tree.site;
         if let Some(path) = &source.owner
+            && number_of(source).is_none()
             && !matches!(cx.types.get(path), Some(Type::Struct(_) | Type::Enum(_)))
         {
             return problem(site, format!("`{path}` was not built"), "mark it `#[data]`");
@@ -186,7 +196,7 @@ impl<'a, 'c> Lowering<'a, 'c> {
 /// Whether what `expr` refers to comes from a call.
 fn lends(expr: &tree::Expr) -> bool {
     match &expr.kind {
-        tree::ExprKind::Ref(false, inner) => lends(inner),
+        tree::ExprKind::Ref(false, inner) | tree::ExprKind::Try(inner) => lends(inner),
         tree::ExprKind::Call(..) => true,
         _ => false,
     }

@@ -1,7 +1,8 @@
-//! What methods of slices lend (`get_mut`, `split_at` and the like), and patterns of slices.
+//! What methods of slices lend (`get`, `split_at` and the like), and patterns of slices.
 //!
-//! Nothing is copied: what is lent is another name for its place, behind the test that it is there. So it is
-//! taken apart where it is called, by `let`, `if let`, `let … else` or `match`.
+//! Nothing is copied: what is lent is another name for its place, behind the test that it is there, where it is
+//! taken apart where it is called, by `let`, `if let`, `let … else` or `match`. Elsewhere `get`, `first` and `last` give
+//! a copy, and the others are refused.
 
 use bessemer_ir::tree::{self, NO_SLOT, Site};
 use bessemer_ir::{CompareOp, Expr, ExprKind, Fault, LogicOp, Mode, Span, StmtKind, Type};
@@ -38,7 +39,7 @@ impl Lowering<'_, '_> {
         let (zero, one) = (number(0, span), number(1, span));
         let slice = |slice: Slice| Subject::Slice(Box::new(slice));
         Ok(Some(match (name, arguments.as_slice()) {
-            ("get_mut", [array, index]) => {
+            ("get" | "get_mut", [array, index]) => {
                 let array = self.sliced(array)?;
                 let index = self.value(index, Some(&Type::USIZE))?;
                 let index = self.steady("index", index);
@@ -69,7 +70,10 @@ impl Lowering<'_, '_> {
                 let there = compare(CompareOp::Le, from.clone(), array.length.clone(), span);
                 Subject::Maybe(there, Box::new(slice(array.behind(from))))
             }
-            ("first_mut" | "last_mut" | "split_first" | "split_last", [array]) => {
+            (
+                "first" | "first_mut" | "last" | "last_mut" | "split_first" | "split_last",
+                [array],
+            ) => {
                 let array = self.sliced(array)?;
                 let there = match array.length.kind {
                     ExprKind::Literal(length) => truth(u64::from(length > 0), span),
@@ -78,8 +82,8 @@ impl Lowering<'_, '_> {
                 let less = minus(array.length.clone(), one.clone());
                 let last = minus(array.to.clone(), one.clone());
                 let lent = match name {
-                    "first_mut" => Subject::Place(array.at(array.from.clone())),
-                    "last_mut" => Subject::Place(array.at(last)),
+                    "first" | "first_mut" => Subject::Place(array.at(array.from.clone())),
+                    "last" | "last_mut" => Subject::Place(array.at(last)),
                     "split_first" => {
                         let first = array.at(array.from.clone());
                         Subject::Parts(vec![Subject::Place(first), slice(array.behind(one))])

@@ -1,4 +1,4 @@
-//! `<` of tuples and arrays: the first parts that differ decide.
+//! `<` of tuples, arrays and structs that derive it: the first parts that differ decide.
 //!
 //! A NaN among these parts makes each comparison false, as in Rust: it neither comes first nor is it equal.
 
@@ -26,7 +26,7 @@ impl Lowering<'_, '_> {
             return problem(
                 site,
                 "this has no order in the DSL",
-                "compare parts; tuples have an order, arrays of up to 8 elements, and plain enums that derive it",
+                "compare parts; tuples have an order, arrays of up to 8 elements, and plain enums and structs that derive `PartialOrd` below `#[data]`",
             );
         };
         let strict = match op {
@@ -56,7 +56,7 @@ impl Lowering<'_, '_> {
     /// The way to each part, and its type; none if the whole has no order part by part.
     fn steps_to_parts(&self, ty: &Type, place: &Place) -> Option<Vec<(Step, Type)>> {
         match ty {
-            Type::Struct(id) if self.is_tuple(*id) => {
+            Type::Struct(id) if self.is_tuple(*id) || self.cx.ordered.contains(ty) => {
                 let fields = self.cx.module.structs[id.index()].fields.iter();
                 Some((0..).zip(fields).map(|(at, it)| (Step::Field(at), it.ty.clone())).collect())
             }

@@ -57,7 +57,7 @@ mod written_views;
 use std::collections::{HashMap, HashSet};
 
 use bessemer_ir::tree::{self, Package, Site};
-use bessemer_ir::{EnumId, FunctionId, Module, Span, StructId};
+use bessemer_ir::{FunctionId, Module, Span, StructId};
 
 use crate::diagnostic::{Diagnostic, OUR_FAULT};
 use crate::source::Sources;
@@ -214,8 +214,8 @@ struct Context<'a> {
     own_equalities: HashMap<bessemer_ir::Type, &'a str>,
     /// The conversions between authors' types.
     conversions: Vec<&'a tree::Implied>,
-    /// The enums that derive `PartialOrd`.
-    ordered: HashSet<EnumId>,
+    /// The types of authors that derive `PartialOrd`.
+    ordered: HashSet<bessemer_ir::Type>,
     /// The instances of `BoundedMatrix`.
     bounded: HashSet<StructId>,
     /// The structs that stand for quaternions, and whether these are unit ones.

@@ -87,8 +87,8 @@ impl<'a> Context<'a> {
         if !definition.equal {
             self.unequal.insert(ty.clone());
         }
-        if let (Type::Enum(id), true) = (&ty, definition.ordered) {
-            self.ordered.insert(*id);
+        if definition.ordered {
+            self.ordered.insert(ty.clone());
         }
         self.types.insert(definition.path.clone(), ty);
         Ok(())

@@ -192,8 +192,8 @@ pub struct FunctionTree {
 pub struct Operator {
     /// The slot of its value; of an assignment, of its place.
     pub at: u32,
-    /// Which one; none for the sign.
-    pub op: Option<BinaryOp>,
+    /// Rust's trait for it: `Add`, `AddAssign`, `Neg`.
+    pub of: String,
     /// The slots of its operands; none of a literal.
     pub operands: Vec<Option<u32>>,
 }

@@ -188,7 +188,18 @@ fn struct_definition(kind: Kind, it: &syn::ItemStruct) -> TokenStream {
         let arguments = scope.arguments();
         bounds.push(quote! { #name #arguments: ::core::default::Default + ::bessemer::Plain });
     }
-    definition(name, scope, &scope.bounds(bounds), &it.attrs, body)
+    let ranked = derives("PartialOrd", &it.attrs).then(|| ranked(name, scope));
+    let definition = definition(name, scope, &scope.bounds(bounds), &it.attrs, body);
+    quote! { #definition #ranked }
+}
+
+/// What has an order by its parts, or by its number.
+fn ranked(name: &syn::Ident, scope: Scope<'_>) -> TokenStream {
+    let (declared, arguments) = (scope.declared(), scope.arguments());
+    let bounds = scope.bounds([quote! { #name #arguments: ::bessemer::generate::Value }]);
+    quote! {
+        impl #declared ::bessemer::generate::Ranked for #name #arguments #bounds {}
+    }
 }
 
 /// What the definition of a generic type asks of its parameters, and of the fields that depend on them.
@@ -313,9 +324,8 @@ fn data_enum(kind: Kind, it: &syn::ItemEnum, refusals: &mut Refusals) -> TokenSt
         let scope = Scope::of_type(&it.generics);
         let fields = it.variants.iter().map(|variant| &variant.fields);
         let bounds = scope.bounds(definition_bounds(scope, fields));
-        let ranks = !payload && !scope.is_generic() && derives("PartialOrd", &it.attrs);
-        let name = &it.ident;
-        let ranked = ranks.then(|| quote! { impl ::bessemer::generate::Ranked for #name {} });
+        let ranks = !payload && derives("PartialOrd", &it.attrs);
+        let ranked = ranks.then(|| ranked(&it.ident, scope));
         let definition = definition(&it.ident, scope, &bounds, &it.attrs, kind);
         quote! { #definition #ranked }
     });

@@ -172,16 +172,9 @@ impl Method<'_> {
     }
 }
 
-/// Whether a type is a scalar, an array or the like, as far as its syntax shows: nobody can mark it.
-pub fn is_rusts_own(ty: &syn::Type) -> bool {
-    match ty {
-        syn::Type::Path(it) => {
-            let name = it.path.get_ident().map(ToString::to_string);
-            name.is_some_and(|name| bessemer_ir::Scalar::from_name(&name).is_some())
-        }
-        syn::Type::Array(_) | syn::Type::Tuple(_) | syn::Type::Reference(_) => true,
-        _ => false,
-    }
+/// Whether a type is one that Rust makes of others, as far as its syntax shows: nobody can mark it.
+pub fn is_composed(ty: &syn::Type) -> bool {
+    matches!(ty, syn::Type::Array(_) | syn::Type::Tuple(_) | syn::Type::Reference(_))
 }
 
 /// The `impl` block of an interface as Rust runs it, and what stands beside it.
@@ -198,7 +191,7 @@ pub fn implementation(
         refusals.add(path.span(), reason);
         return (it.into_token_stream(), TokenStream::new());
     }
-    if is_rusts_own(&it.self_ty) {
+    if is_composed(&it.self_ty) {
         refusals.add(it.self_ty.span(), refuse::FOREIGN_IMPLEMENTATION);
         return (it.into_token_stream(), TokenStream::new());
     }

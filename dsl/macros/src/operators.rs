@@ -20,7 +20,7 @@ use crate::redirect;
 /// A trait whose implementations are called by something else than their name.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Known {
-    /// `a + b`, `a += b`, `-a`, `a == b`.
+    /// `a + b`, `a |= b`, `-a`, `a == b`.
     Operator,
     /// `From`, `TryFrom`.
     Conversion,
@@ -28,12 +28,14 @@ pub enum Known {
 
 /// Whether a trait of Rust's own is one that the DSL calls.
 pub fn known(path: &syn::Path) -> Option<Known> {
-    match last(path).as_str() {
-        "Add" | "Sub" | "Mul" | "Div" | "Neg" | "AddAssign" | "SubAssign" | "MulAssign"
-        | "DivAssign" | "PartialEq" => Some(Known::Operator),
-        "From" | "TryFrom" => Some(Known::Conversion),
-        _ => None,
+    let name = last(path);
+    match name.as_str() {
+        "Neg" | "Not" | "PartialEq" => return Some(Known::Operator),
+        "From" | "TryFrom" => return Some(Known::Conversion),
+        _ => {}
     }
+    let infix = ["Add", "Sub", "Mul", "Div", "Rem", "BitAnd", "BitOr", "BitXor", "Shl", "Shr"];
+    infix.contains(&name.strip_suffix("Assign").unwrap_or(&name)).then_some(Known::Operator)
 }
 
 fn last(path: &syn::Path) -> String {
@@ -60,7 +62,7 @@ pub fn implementation(
             refusals.add(ty.span(), refuse::BORROWED_OPERAND);
         }
     }
-    if crate::interface::is_rusts_own(&it.self_ty) {
+    if crate::interface::is_composed(&it.self_ty) {
         refusals.add(it.self_ty.span(), refuse::FOREIGN_OPERAND);
     }
     let named = associated(&it);

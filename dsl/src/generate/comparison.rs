@@ -7,7 +7,7 @@ use core::cmp::Ordering;
 
 use bessemer_ir::tree::{self, Ty};
 
-use super::builtin::markers;
+use super::builtin::{OrderBuiltins, markers};
 use super::matrices::told;
 use super::{Builder, Called, Callee, DslType, Seen, Value};
 use crate::comparison;
@@ -60,7 +60,8 @@ impl<T: Value + Real> PartialCompareBuiltins for T {
     }
 }
 
-/// What has an order of its own: plain enums that derive that of their numbers, tuples and arrays.
+/// What has an order of its own: plain enums that derive that of their numbers, structs that derive that of their
+/// parts, tuples and arrays.
 pub trait Ranked: Value {}
 
 impl<A: Value, B: Value> Ranked for (A, B) {}
@@ -100,6 +101,8 @@ pub trait RankedOrderBuiltins<T>: Sized {
     fn __b_clamp(self, low: T, high: T) -> told!([Self, T] => T);
 }
 
+// The marker of what is called outlives the reference.
+#[allow(refining_impl_trait)]
 impl<T: Ranked + Copy + Ord> RankedOrderBuiltins<T> for &T {
     fn __b_min(self, other: T) -> told!([T] => T) {
         comparison::lesser::__call(*self, other)
@@ -109,6 +112,57 @@ impl<T: Ranked + Copy + Ord> RankedOrderBuiltins<T> for &T {
     }
     fn __b_clamp(self, low: T, high: T) -> told!([T] => T) {
         comparison::limited::__call(*self, low, high)
+    }
+}
+
+/// What `core::cmp::max` and `core::cmp::min` take.
+pub trait Extremes: Sized {
+    fn __max(self, other: Self) -> told!([Self] => Self);
+    fn __min(self, other: Self) -> told!([Self] => Self);
+}
+
+impl<T: Ranked + Copy + Ord> Extremes for T {
+    fn __max(self, other: T) -> told!([T] => T) {
+        comparison::greater::__call(self, other)
+    }
+    fn __min(self, other: T) -> told!([T] => T) {
+        comparison::lesser::__call(self, other)
+    }
+}
+
+macro_rules! extremes {
+    ($($ty:ident)*) => {$(
+        impl Extremes for $ty {
+            fn __max(self, other: $ty) -> told!([] => $ty) {
+                OrderBuiltins::__b_max(self, other)
+            }
+            fn __min(self, other: $ty) -> told!([] => $ty) {
+                OrderBuiltins::__b_min(self, other)
+            }
+        }
+    )*};
+}
+
+extremes! { i8 i16 i32 i64 isize u8 u16 u32 u64 usize }
+
+/// What stands for the functions of that module.
+#[allow(non_camel_case_types)]
+pub mod cmp {
+    use super::*;
+
+    pub struct max;
+    pub struct min;
+
+    impl max {
+        pub fn __call<T: Extremes>(one: T, other: T) -> told!([T] => T) {
+            one.__max(other)
+        }
+    }
+
+    impl min {
+        pub fn __call<T: Extremes>(one: T, other: T) -> told!([T] => T) {
+            one.__min(other)
+        }
     }
 }
 

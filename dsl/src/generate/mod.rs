@@ -29,7 +29,7 @@ pub use builder::{
     Builder, Callee, Generics, Named, Registered, Said, Witness, argument, data, field, folders,
     function, number, package, place, variant, words,
 };
-pub use comparison::Ranked;
+pub use comparison::{Ranked, cmp};
 pub use inventory;
 pub use numbers::{FromBuiltin, TryFromBuiltin};
 pub use operators::{Implements, Operates, Operation, OwnOperator, sign};

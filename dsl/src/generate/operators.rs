@@ -11,7 +11,7 @@ use alloc::string::String;
 use alloc::vec::Vec;
 use core::marker::PhantomData;
 
-use bessemer_ir::tree::{self, BinaryOp, Callee, Implied, Ty};
+use bessemer_ir::tree::{self, Callee, Implied, Ty};
 
 use nalgebra::SMatrix;
 
@@ -35,7 +35,25 @@ macro_rules! signs {
     };
 }
 
-signs! { Add Sub Mul Div Neg AddAssign SubAssign MulAssign DivAssign PartialEq From TryFrom }
+/// Operators whose operands are of one type, where both are numbers. A shift is by any number.
+pub trait OfOneType {}
+
+macro_rules! of_one_type {
+    ($($name:ident)*) => {
+        $(impl OfOneType for sign::$name {})*
+    };
+}
+
+of_one_type! {
+    Add Sub Mul Div Rem BitAnd BitOr BitXor Neg Not
+    AddAssign SubAssign MulAssign DivAssign RemAssign BitAndAssign BitOrAssign BitXorAssign
+}
+
+signs! {
+    Add Sub Mul Div Rem BitAnd BitOr BitXor Shl Shr Neg Not
+    AddAssign SubAssign MulAssign DivAssign RemAssign BitAndAssign BitOrAssign BitXorAssign ShlAssign ShrAssign
+    PartialEq From TryFrom
+}
 
 /// A type of an author's with an operator or a conversion `O`, for an operand of type `B`.
 pub trait Implements<O, B> {
@@ -62,7 +80,7 @@ pub trait Operates<O, B> {
 /// The marker of an operator that is no function of an author's.
 pub struct NotOwn;
 
-impl<O, T: ScalarType> Operates<O, T> for T {
+impl<O: OfOneType, T: ScalarType> Operates<O, T> for T {
     type Marker = NotOwn;
 }
 
@@ -194,7 +212,7 @@ pub(super) fn called(
         let callee = authors.or_else(|| {
             let of_slot = |slot: &Option<u32>| slots.get(slot.unwrap_or(u32::MAX) as usize);
             let operands: Vec<Option<&Ty>> = operator.operands.iter().map(of_slot).collect();
-            Some((own(trait_of(operator), &operands)?.build)(cx))
+            Some((own(&operator.of, &operands)?.build)(cx))
         });
         found.extend(callee.map(|callee| (operator.at, callee)));
     }
@@ -232,27 +250,11 @@ pub(super) fn implied(cx: &mut Builder) -> Vec<Implied> {
     list
 }
 
-/// The trait of an operator.
-fn trait_of(operator: &tree::Operator) -> &'static str {
-    let assigns = operator.operands.first() == Some(&Some(operator.at));
-    match (operator.op, assigns) {
-        (Some(BinaryOp::Add), false) => "Add",
-        (Some(BinaryOp::Sub), false) => "Sub",
-        (Some(BinaryOp::Mul), false) => "Mul",
-        (Some(BinaryOp::Div), false) => "Div",
-        (Some(BinaryOp::Add), true) => "AddAssign",
-        (Some(BinaryOp::Sub), true) => "SubAssign",
-        (Some(BinaryOp::Mul), true) => "MulAssign",
-        (Some(BinaryOp::Div), true) => "DivAssign",
-        _ => "Neg",
-    }
-}
-
 /// The one implementation that takes the operands; the type of a literal is any number's.
 fn own(name: &str, operands: &[Option<&Ty>]) -> Option<&'static OwnOperator> {
     let left = (*operands.first()?)?;
-    // Numbers and matrices have none, and most operators are theirs.
-    if !matches!(left, Ty::Named(_)) {
+    // Most operators are those of numbers and matrices.
+    if !operands.iter().flatten().any(|operand| matches!(operand, Ty::Named(_))) {
         return None;
     }
     // Only to name types: nothing that it is told becomes part of the package.

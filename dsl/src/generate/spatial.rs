@@ -10,7 +10,7 @@ use alloc::boxed::Box;
 use alloc::format;
 use alloc::vec::Vec;
 
-use bessemer_ir::tree::{self, BinaryOp, Ty};
+use bessemer_ir::tree::{self, Ty};
 use bessemer_ir::{Float, Scalar};
 use nalgebra::{
     Const, Isometry3, Matrix4, OPoint, Point3, Quaternion, Rotation, Rotation3, SMatrix, SVector,
@@ -370,9 +370,10 @@ pub(super) fn operators(
             [Some(left), Some(right)] => (*left, *right),
             _ => return None,
         };
+        let sign = operator.of.trim_end_matches("Assign");
         let callee = match left.1.or(right.1)? {
-            Float::F32 => meaning::<f32>(cx, operator.op, left.0, right.0),
-            Float::F64 => meaning::<f64>(cx, operator.op, left.0, right.0),
+            Float::F32 => meaning::<f32>(cx, sign, left.0, right.0),
+            Float::F64 => meaning::<f64>(cx, sign, left.0, right.0),
         };
         Some((operator.at, callee?))
     });
@@ -433,52 +434,41 @@ fn kind(ty: &Ty) -> Option<(Kind, Option<Float>)> {
 
 /// The function, or the operation of matrices, that an operator is; none where it is the operator of
 /// matrices or numbers itself.
-fn meaning<T: Real>(
-    cx: &mut Builder,
-    op: Option<BinaryOp>,
-    left: Kind,
-    right: Kind,
-) -> Option<tree::Callee> {
-    use BinaryOp::{Add, Div, Mul, Sub};
+fn meaning<T: Real>(cx: &mut Builder, sign: &str, left: Kind, right: Kind) -> Option<tree::Callee> {
     use Kind::*;
     let known = |name: &str| Some(tree::Callee::Builtin(name.to_owned()));
-    let Some(op) = op else {
-        return match left {
-            Quaternion => one(cx, quaternion::negative::__call::<T>),
-            _ => Option::None,
-        };
-    };
-    match (left, op, right) {
-        (Quaternion, Add, Quaternion) => two(cx, quaternion::sum::__call::<T>),
-        (Quaternion, Sub, Quaternion) => two(cx, quaternion::difference::__call::<T>),
-        (Quaternion, Mul, Quaternion) => two(cx, quaternion::product::__call::<T>),
-        (Quaternion, Mul, Number) => two(cx, quaternion::scaled::__call::<T>),
-        (Number, Mul, Quaternion) => two(cx, quaternion::scaled_by::__call::<T>),
-        (Quaternion, Div, Number) => two(cx, quaternion::unscaled::__call::<T>),
-        (Unit, Mul, Unit) => two(cx, unit_quaternion::product::__call::<T>),
-        (Unit, Div, Unit) => two(cx, unit_quaternion::quotient::__call::<T>),
-        (Unit, Mul, Rotation3) => two(cx, unit_quaternion::product_with_matrix::__call::<T>),
-        (Unit, Div, Rotation3) => two(cx, unit_quaternion::quotient_by_matrix::__call::<T>),
-        (Rotation3, Mul, Unit) => two(cx, unit_quaternion::product_of_matrix::__call::<T>),
-        (Rotation3, Div, Unit) => two(cx, unit_quaternion::quotient_of_matrix::__call::<T>),
-        (Unit, Mul, Matrix | Point | UnitVector) => {
+    match (left, sign, right) {
+        (Quaternion, "Neg", _) => one(cx, quaternion::negative::__call::<T>),
+        (Quaternion, "Add", Quaternion) => two(cx, quaternion::sum::__call::<T>),
+        (Quaternion, "Sub", Quaternion) => two(cx, quaternion::difference::__call::<T>),
+        (Quaternion, "Mul", Quaternion) => two(cx, quaternion::product::__call::<T>),
+        (Quaternion, "Mul", Number) => two(cx, quaternion::scaled::__call::<T>),
+        (Number, "Mul", Quaternion) => two(cx, quaternion::scaled_by::__call::<T>),
+        (Quaternion, "Div", Number) => two(cx, quaternion::unscaled::__call::<T>),
+        (Unit, "Mul", Unit) => two(cx, unit_quaternion::product::__call::<T>),
+        (Unit, "Div", Unit) => two(cx, unit_quaternion::quotient::__call::<T>),
+        (Unit, "Mul", Rotation3) => two(cx, unit_quaternion::product_with_matrix::__call::<T>),
+        (Unit, "Div", Rotation3) => two(cx, unit_quaternion::quotient_by_matrix::__call::<T>),
+        (Rotation3, "Mul", Unit) => two(cx, unit_quaternion::product_of_matrix::__call::<T>),
+        (Rotation3, "Div", Unit) => two(cx, unit_quaternion::quotient_of_matrix::__call::<T>),
+        (Unit, "Mul", Matrix | Point | UnitVector) => {
             two(cx, unit_quaternion::transform_vector::__call::<T>)
         }
-        (Unit, Mul, Translation) => two(cx, isometry::rotated_translation::__call::<T>),
-        (Translation, Mul, Unit) => two(cx, isometry::translated_rotation::__call::<T>),
-        (Unit, Mul, Isometry) => two(cx, isometry::product_of_rotation::__call::<T>),
-        (Unit, Div, Isometry) => two(cx, isometry::quotient_of_rotation::__call::<T>),
-        (Isometry, Mul, Unit) => two(cx, isometry::product_with_rotation::__call::<T>),
-        (Isometry, Div, Unit) => two(cx, isometry::quotient_by_rotation::__call::<T>),
-        (Isometry, Mul, Isometry) => two(cx, isometry::product::__call::<T>),
-        (Isometry, Div, Isometry) => two(cx, isometry::quotient::__call::<T>),
-        (Isometry, Mul, Translation) => two(cx, isometry::product_with_translation::__call::<T>),
-        (Translation, Mul, Isometry) => two(cx, isometry::product_of_translation::__call::<T>),
-        (Isometry, Mul, Point) => two(cx, isometry::transform_point::__call::<T>),
-        (Isometry, Mul, Matrix | UnitVector) => two(cx, isometry::transform_vector::__call::<T>),
-        (Translation, Mul, Translation | Point) => known("plus"),
-        (Translation, Div, Translation) => known("minus"),
-        (Rotation | Rotation3 | Matrix, Div, Rotation | Rotation3) => known("times_transposed"),
+        (Unit, "Mul", Translation) => two(cx, isometry::rotated_translation::__call::<T>),
+        (Translation, "Mul", Unit) => two(cx, isometry::translated_rotation::__call::<T>),
+        (Unit, "Mul", Isometry) => two(cx, isometry::product_of_rotation::__call::<T>),
+        (Unit, "Div", Isometry) => two(cx, isometry::quotient_of_rotation::__call::<T>),
+        (Isometry, "Mul", Unit) => two(cx, isometry::product_with_rotation::__call::<T>),
+        (Isometry, "Div", Unit) => two(cx, isometry::quotient_by_rotation::__call::<T>),
+        (Isometry, "Mul", Isometry) => two(cx, isometry::product::__call::<T>),
+        (Isometry, "Div", Isometry) => two(cx, isometry::quotient::__call::<T>),
+        (Isometry, "Mul", Translation) => two(cx, isometry::product_with_translation::__call::<T>),
+        (Translation, "Mul", Isometry) => two(cx, isometry::product_of_translation::__call::<T>),
+        (Isometry, "Mul", Point) => two(cx, isometry::transform_point::__call::<T>),
+        (Isometry, "Mul", Matrix | UnitVector) => two(cx, isometry::transform_vector::__call::<T>),
+        (Translation, "Mul", Translation | Point) => known("plus"),
+        (Translation, "Div", Translation) => known("minus"),
+        (Rotation | Rotation3 | Matrix, "Div", Rotation | Rotation3) => known("times_transposed"),
         _ => Option::None,
     }
 }

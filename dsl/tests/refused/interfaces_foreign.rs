@@ -10,15 +10,7 @@ pub trait Stage {
     fn step(&mut self, x: f64) -> f64;
 }
 
-/// A gain cannot be marked.
-#[data]
-impl Stage for f64 {
-    fn step(&mut self, x: f64) -> f64 {
-        *self * x
-    }
-}
-
-/// Nor can two.
+/// Two gains cannot be marked.
 #[data]
 impl Stage for [f64; 2] {
     fn step(&mut self, x: f64) -> f64 {

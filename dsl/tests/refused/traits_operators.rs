@@ -2,7 +2,7 @@
 extern crate std;
 
 use bessemer::prelude::*;
-use core::ops::{Add, Mul, Rem};
+use core::ops::{Add, Index};
 
 /// A pair.
 #[data]
@@ -13,10 +13,10 @@ pub struct Pair {
 }
 
 #[data]
-impl Rem for Pair {
-    type Output = Pair;
-    fn rem(self, _other: Pair) -> Pair {
-        self
+impl Index<usize> for Pair {
+    type Output = f64;
+    fn index(&self, _place: usize) -> &f64 {
+        &self.a
     }
 }
 
@@ -29,10 +29,9 @@ impl Add<&Pair> for Pair {
 }
 
 #[data]
-impl Mul<Pair> for f64 {
-    type Output = Pair;
-    fn mul(self, other: Pair) -> Pair {
-        other
+impl From<Pair> for [f64; 1] {
+    fn from(pair: Pair) -> [f64; 1] {
+        [pair.a]
     }
 }
 

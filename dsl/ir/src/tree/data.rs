@@ -64,7 +64,7 @@ pub struct Definition {
     pub site: Site,
     /// Whether it derives `PartialEq`, so that `==` compares part by part.
     pub equal: bool,
-    /// Whether it derives `PartialOrd`, so that `<` compares the variants of an enum.
+    /// Whether it derives `PartialOrd`, so that `<` compares the variants of an enum, the parts of a struct.
     #[serde(default)]
     pub ordered: bool,
     /// What its author asks of the C.

@@ -360,7 +360,7 @@ pub(super) fn there(pattern: tree::Pattern, value: tree::Expr) -> tree::Expr {
 }
 
 /// `f64::abs` as the closure that it stands for.
-fn in_full(argument: &mut syn::Expr, of_two: bool) {
+pub(super) fn in_full(argument: &mut syn::Expr, of_two: bool) {
     let syn::Expr::Path(path) = argument else { return };
     if path.path.segments.len() == 2 || path.qself.is_some() {
         *argument = match of_two {

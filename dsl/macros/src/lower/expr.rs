@@ -5,7 +5,7 @@ use bessemer_ir::tree::{self, BinaryOp, ExprKind, UnaryOp};
 use quote::ToTokens;
 use syn::spanned::Spanned;
 
-use super::operator::{Side, see_signed};
+use super::operator::{self, Side};
 use super::{Lowering, bound, call, pattern, refuse, signature, site, text, unroll};
 
 impl Lowering<'_> {
@@ -273,18 +273,17 @@ impl Lowering<'_> {
 
     fn unary(&mut self, it: &mut syn::ExprUnary) -> (ExprKind, bool) {
         let operand = Box::new(self.value(&mut it.expr));
-        match it.op {
-            syn::UnOp::Neg(_) => {
-                // A negative literal is a literal.
-                let literal = matches!(operand.kind, ExprKind::Int(..) | ExprKind::Float(..));
-                if !literal {
-                    see_signed(&mut it.expr);
-                }
-                (ExprKind::Unary(UnaryOp::Neg, operand), !literal)
-            }
-            syn::UnOp::Not(_) => (ExprKind::Unary(UnaryOp::Not, operand), true),
-            _ => (ExprKind::Deref(operand), false),
+        let op = match it.op {
+            syn::UnOp::Neg(_) => UnaryOp::Neg,
+            syn::UnOp::Not(_) => UnaryOp::Not,
+            _ => return (ExprKind::Deref(operand), false),
+        };
+        let builtin = operator::is_builtin(&operand);
+        if !builtin {
+            operator::see_signed(&mut it.expr);
         }
+        // A negative literal is a literal.
+        (ExprKind::Unary(op, operand), op == UnaryOp::Not || !builtin)
     }
 
     fn binary(&mut self, it: &mut syn::ExprBinary) -> (ExprKind, bool) {
@@ -293,13 +292,13 @@ impl Lowering<'_> {
             let value = self.assigned(op, &place, &mut it.right);
             return (ExprKind::Assign(Some(op), Box::new(place), Box::new(value)), false);
         }
-        let Some(op) = operator(&it.op) else {
+        let Some(op) = infix(&it.op) else {
             self.refusals.add(it.op.span(), refuse::SYNTAX);
             return (UNIT, false);
         };
         let left = self.operand(op, &mut it.left, Side::Left);
         let right = self.operand(op, &mut it.right, Side::Right);
-        (ExprKind::Binary(op, Box::new(left), Box::new(right)), is_arithmetic(op))
+        (ExprKind::Binary(op, Box::new(left), Box::new(right)), operator::sign(op).is_some())
     }
 
     fn field(&mut self, it: &mut syn::ExprField) -> ExprKind {
@@ -345,7 +344,8 @@ pub(super) fn compound(op: &syn::BinOp) -> Option<BinaryOp> {
     })
 }
 
-fn operator(op: &syn::BinOp) -> Option<BinaryOp> {
+/// What stands between two operands.
+fn infix(op: &syn::BinOp) -> Option<BinaryOp> {
     Some(match op {
         syn::BinOp::Add(_) => BinaryOp::Add,
         syn::BinOp::Sub(_) => BinaryOp::Sub,
@@ -367,10 +367,4 @@ fn operator(op: &syn::BinOp) -> Option<BinaryOp> {
         syn::BinOp::Or(_) => BinaryOp::LogicOr,
         _ => return None,
     })
-}
-
-/// Whether the type of the result depends on the operands; comparisons and logic give `bool`.
-fn is_arithmetic(op: BinaryOp) -> bool {
-    use BinaryOp::*;
-    matches!(op, Add | Sub | Mul | Div | Rem | And | Or | Xor | Shl | Shr)
 }

@@ -34,8 +34,8 @@ pub fn asked(name: &syn::Ident) -> TokenStream {
         _ => quote! {},
     };
     let module = format_ident!("__own_{}", text(name));
-    if text(name) == "mem" {
-        return own_mem(name, &module);
+    if ["mem", "cmp"].contains(&text(name).as_str()) {
+        return own_module(name, &module);
     }
     quote! {
         {
@@ -49,12 +49,12 @@ pub fn asked(name: &syn::Ident) -> TokenStream {
     }
 }
 
-/// The same for `mem`, a module: a name that two globs bring is ambiguous unless both mean one thing.
-fn own_mem(name: &syn::Ident, module: &syn::Ident) -> TokenStream {
+/// The same for a module of Rust's: a name that two globs bring is ambiguous unless both mean one thing.
+fn own_module(name: &syn::Ident, module: &syn::Ident) -> TokenStream {
     quote! {
         mod #module {
             mod rusts {
-                pub use ::core::mem;
+                pub use ::core::#name;
             }
             #[allow(unused_imports)]
             use super::*;

@@ -15,6 +15,7 @@ mod chain;
 mod closure;
 mod control;
 mod each;
+mod ends;
 mod expr;
 mod flow;
 pub mod halving;

@@ -1,4 +1,4 @@
-//! Operators that may be functions: `+ - * /` and the sign.
+//! Operators that may be functions: `+ - * / %`, those of bits, `!` and the sign.
 //!
 //! What `q * v` means depends on the types of both. So a slot sees each operand. Which function of the library is
 //! meant, if any, the builder says, which knows the types ([`tree::Operator`]); which of an author's, rustc: the witness
@@ -15,7 +15,7 @@ impl Lowering<'_> {
     /// An operand: a slot sees its type.
     pub(super) fn operand(&mut self, op: BinaryOp, expr: &mut syn::Expr, side: Side) -> tree::Expr {
         let operand = self.glanced(op, expr);
-        if has_functions(op) {
+        if sign(op).is_some() {
             side.sees(expr);
         }
         operand
@@ -29,7 +29,7 @@ impl Lowering<'_> {
         expr: &mut syn::Expr,
     ) -> tree::Expr {
         let value = self.glanced(op, expr);
-        if is_noted(op, place) {
+        if is_named(place) && sign(op).is_some() {
             Side::Right.sees(expr);
         }
         value
@@ -37,7 +37,7 @@ impl Lowering<'_> {
 
     fn glanced(&mut self, op: BinaryOp, expr: &mut syn::Expr) -> tree::Expr {
         let mut operand = self.value(expr);
-        if has_functions(op) && operand.slot.is_none() && !is_literal(&operand) {
+        if sign(op).is_some() && operand.slot.is_none() && !is_literal(&operand) {
             operand.slot = Some(self.glance(expr));
         }
         operand
@@ -50,27 +50,27 @@ impl Lowering<'_> {
         slot: Option<u32>,
         expr: &mut syn::Expr,
     ) {
-        let (at, op, operands, of) = match (kind, slot) {
-            (ExprKind::Binary(op, left, right), Some(slot)) if has_functions(*op) => {
-                (slot, Some(*op), vec![left.slot, right.slot], name(*op))
+        let (at, operands, of) = match (kind, slot) {
+            (ExprKind::Binary(op, left, right), Some(slot)) if let Some(sign) = sign(*op) => {
+                (slot, vec![left.slot, right.slot], String::from(sign))
             }
-            (ExprKind::Unary(tree::UnaryOp::Neg, _), Some(slot)) => {
-                (slot, None, vec![Some(slot)], "Neg")
+            (ExprKind::Unary(op, operand), Some(slot)) if !is_builtin(operand) => {
+                let sign = if *op == tree::UnaryOp::Neg { "Neg" } else { "Not" };
+                (slot, vec![Some(slot)], String::from(sign))
             }
-            (ExprKind::Assign(Some(op), place, value), _) if is_noted(*op, place) => {
-                place.slot = Some(self.look_at_place(expr));
-                (
-                    place.slot.unwrap_or_default(),
-                    Some(*op),
-                    vec![place.slot, value.slot],
-                    assigning(*op),
-                )
+            (ExprKind::Assign(Some(op), place, value), _)
+                if is_named(place)
+                    && let Some(sign) = sign(*op) =>
+            {
+                let slot = self.look_at_place(expr);
+                place.slot = Some(slot);
+                (slot, vec![Some(slot), value.slot], format!("{sign}Assign"))
             }
             _ => return,
         };
         if GENERATING {
             let own = own_name(self.operators.len());
-            let of = syn::Ident::new(of, Span::call_site());
+            let of = syn::Ident::new(&of, Span::call_site());
             let sides = [Side::Left.name(), Side::Right.name()];
             let sides = &sides[..operands.len()];
             let (first, second) = (sides.first(), sides.last());
@@ -80,7 +80,7 @@ impl Lowering<'_> {
                 __operated(&#own, #expr, __settled(&__operands::<::bessemer::generate::sign::#of, _, _>(&#first, &#second)).__own())
             }) });
         }
-        self.operators.push(tree::Operator { at, op, operands });
+        self.operators.push(tree::Operator { at, of, operands });
     }
 
     /// Lets a slot see the place of `place op= value`.
@@ -133,31 +133,29 @@ pub(super) fn see_signed(expr: &mut syn::Expr) {
     }
 }
 
-fn is_noted(op: BinaryOp, place: &tree::Expr) -> bool {
-    has_functions(op) && is_named(place)
-}
-
-fn has_functions(op: BinaryOp) -> bool {
-    matches!(op, BinaryOp::Add | BinaryOp::Sub | BinaryOp::Mul | BinaryOp::Div)
-}
-
-/// The trait of an operator.
-fn name(op: BinaryOp) -> &'static str {
-    match op {
+/// The trait of an operator whose result is not always `bool`.
+pub(super) fn sign(op: BinaryOp) -> Option<&'static str> {
+    Some(match op {
         BinaryOp::Add => "Add",
         BinaryOp::Sub => "Sub",
         BinaryOp::Mul => "Mul",
-        _ => "Div",
-    }
+        BinaryOp::Div => "Div",
+        BinaryOp::Rem => "Rem",
+        BinaryOp::And => "BitAnd",
+        BinaryOp::Or => "BitOr",
+        BinaryOp::Xor => "BitXor",
+        BinaryOp::Shl => "Shl",
+        BinaryOp::Shr => "Shr",
+        _ => return None,
+    })
 }
 
-/// That of the operator with `=`.
-fn assigning(op: BinaryOp) -> &'static str {
-    match op {
-        BinaryOp::Add => "AddAssign",
-        BinaryOp::Sub => "SubAssign",
-        BinaryOp::Mul => "MulAssign",
-        _ => "DivAssign",
+/// Whether what is behind a sign is a number or a condition by its form alone.
+pub(super) fn is_builtin(operand: &tree::Expr) -> bool {
+    match &operand.kind {
+        ExprKind::Int(..) | ExprKind::Float(..) | ExprKind::Bool(_) => true,
+        ExprKind::Binary(op, ..) => sign(*op).is_none(),
+        _ => false,
     }
 }
 

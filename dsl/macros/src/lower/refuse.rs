@@ -161,13 +161,13 @@ reasons! {
     YIELD: "generators are not in the DSL", "keep the state in a component, and step it";
     LINKED_RANGE: "of a range the DSL takes `.rev()` and `.step_by(n)`, then closures: `.map(…)`, `.filter(…)` and the like", "change its ends, `1..n` for `(0..n).skip(1)`; beside elements, number them with `.enumerate()`";
     RANGE_VALUE: "a range is not a value in the DSL", "write it in a `for`";
-    OPERATOR_TRAIT: "of the operators of one's own types `+ - * /`, these with `=`, and the sign are in the DSL", "put a method with a name into an `impl` block of the type";
+    OPERATOR_TRAIT: "what gives a reference is no operator of the DSL", "write a method with a name that gives the value, and one that sets it";
     GENERIC_OPERATOR: "a `==` of one's own of a generic type is not in the DSL", "derive `PartialEq`, implement it for each instance, or write a method with a name";
     BORROWED_OPERAND: "an operand is a value in the DSL", "derive `Copy`, and implement the trait for the values";
     TWO_TYPES_EQUAL: "`==` compares values of one type in the DSL", "convert one of the two, or write a method with a name";
     OWN_UNEQUAL: "`!=` is the opposite of `==` in the DSL", "leave `ne` out: Rust makes it of `eq`";
     OWN_ORDER: "an order of one's own is not in the DSL", "write a method with a name, `fn is_before(&self, other: &Self) -> bool`; or derive `PartialOrd` (enums without payload), or compare parts";
-    FOREIGN_OPERAND: "the left operand is of a type of the author's own in the DSL", "implement the trait for that: `turn * 2.0`";
+    FOREIGN_OPERAND: "operators and conversions are those of numbers and of types of the author's own in the DSL", "write a method with a name, `fn as_array(self) -> [f64; 2]`";
     STD_TRAIT: "this trait is Rust's own: no model calls it", "leave the attribute out";
     NOT_A_TRAIT: "`#[interface]` stands on a trait", "a struct, an enum and an `impl` block take `#[data]` or `#[component]`, a function `#[function]`";
     INTERFACE_ITEM: "this is not part of an interface of the DSL", "write methods, constants and types";
@@ -184,7 +184,7 @@ reasons! {
     ENTRY_INLINE: "an entry point is called by the firmware, and stands by itself", "leave `#[inline(always)]` out";
     UNROLL: "this does not say how far a loop is written out", "write `#[unroll(4)]`, at most 64, or `#[keep]`";
     UNIT: "this is no unit", "write `#[unit(\"m/s\")]`";
-    FOREIGN_IMPLEMENTATION: "an interface is implemented by types of the author's own in the DSL", "wrap the value: `#[data] struct Gain(f64);`, and implement the interface for that";
+    FOREIGN_IMPLEMENTATION: "an interface is implemented by numbers and by types of the author's own in the DSL", "wrap the value: `#[data] struct Gain(f64);`, and implement the interface for that";
     INTERFACE_CLOSURE: "a method of an interface takes no closure in the DSL", "write a function or a method of a type that takes it";
     UNIT_PLACE: "a unit is that of a number", "write it on a field, a parameter, a constant, or on the function that gives the number";
     C_ALONE: "`#[c(…)]` means something below the DSL's attribute alone", "write it below `#[function]`, `#[data]` or `#[component]`, or on a method of a marked `impl` block";
@@ -235,8 +235,7 @@ pub fn expression(expr: &syn::Expr) -> (Span, Reason) {
 pub fn known_trait(path: &syn::Path) -> Option<Reason> {
     let name = path.segments.last()?.ident.to_string();
     Some(match name.as_str() {
-        "Rem" | "Not" | "RemAssign" | "Index" | "IndexMut" | "BitAnd" | "BitOr" | "BitXor"
-        | "Shl" | "Shr" | "Deref" | "DerefMut" => OPERATOR_TRAIT,
+        "Index" | "IndexMut" | "Deref" | "DerefMut" => OPERATOR_TRAIT,
         "PartialOrd" | "Ord" => OWN_ORDER,
         "Default" | "Clone" | "Copy" | "Debug" | "Display" | "Eq" | "Hash" | "Into"
         | "Iterator" | "IntoIterator" | "Drop" => STD_TRAIT,

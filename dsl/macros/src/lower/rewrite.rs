@@ -18,7 +18,7 @@ impl Lowering<'_> {
     pub(super) fn rewritten(&mut self, expr: &syn::Expr) -> Option<syn::Expr> {
         let it = match expr {
             syn::Expr::MethodCall(it) => it,
-            syn::Expr::Call(it) => return self.exchanged(it),
+            syn::Expr::Call(it) => return self.exchanged(it).or_else(|| self.extreme_of_two(it)),
             _ => return None,
         };
         match (text(&it.method).as_str(), it.args.len()) {
@@ -29,6 +29,7 @@ impl Lowering<'_> {
             {
                 self.extreme(it)
             }
+            ("for_each" | "reduce", 1) => self.ended(it),
             ("get" | "get_mut", 1) => gotten(it),
             ("copy_within", 2) => copied_within(it),
             ("extend", 1) => self.extended(it),
@@ -50,17 +51,11 @@ impl Lowering<'_> {
     /// `core::mem::swap(&mut a, &mut b)`, `core::mem::replace(&mut a, value)`, `core::mem::take(&mut a)`: the
     /// assignments.
     fn exchanged(&mut self, it: &syn::ExprCall) -> Option<syn::Expr> {
-        let syn::Expr::Path(function) = &*it.func else { return None };
-        let names: Vec<_> = function.path.segments.iter().map(|part| text(&part.ident)).collect();
-        let names: Vec<_> = names.iter().map(String::as_str).collect();
-        let (["core" | "std", "mem", name] | ["mem", name]) = names.as_slice() else { return None };
-        if names.len() == 2 {
-            self.ask(&function.path.segments[0].ident);
-        }
+        let name = self.function_of("mem", it)?;
         let arguments: Vec<_> = it.args.iter().collect();
         let whole = syn::Expr::Call(it.clone());
         let kept = self.fresh_in("kept", &whole);
-        match (*name, arguments.as_slice()) {
+        match (name.as_str(), arguments.as_slice()) {
             ("swap", [one, other]) => {
                 let [one_name, other_name] = ["one", "other"].map(|it| self.fresh_in(it, &whole));
                 let ((first, one), (second, other)) =
@@ -92,6 +87,33 @@ impl Lowering<'_> {
             }
             _ => None,
         }
+    }
+
+    /// `core::cmp::max(a, b)`, `core::cmp::min(a, b)`: by the companions that these have.
+    fn extreme_of_two(&mut self, it: &syn::ExprCall) -> Option<syn::Expr> {
+        let name = self.function_of("cmp", it)?;
+        if !["max", "min"].contains(&name.as_str()) {
+            return None;
+        }
+        let (name, arguments) =
+            (syn::Ident::new(&name, syn::spanned::Spanned::span(&it.func)), &it.args);
+        Some(parse_quote! { ::bessemer::generate::cmp::#name(#arguments) })
+    }
+
+    /// The name of what is called, if that is a function of Rust's `module` by its path.
+    fn function_of(&mut self, module: &str, it: &syn::ExprCall) -> Option<String> {
+        let syn::Expr::Path(function) = &*it.func else { return None };
+        let segments = &function.path.segments;
+        let names: Vec<_> = segments.iter().map(|part| text(&part.ident)).collect();
+        let names: Vec<_> = names.iter().map(String::as_str).collect();
+        let (["core" | "std", home, name] | [home, name]) = names.as_slice() else { return None };
+        if *home != module {
+            return None;
+        }
+        if names.len() == 2 {
+            self.ask(&segments[0].ident);
+        }
+        Some((*name).to_owned())
     }
 
     /// A name that nothing has here, nor in `beside`.
@@ -431,10 +453,9 @@ pub(super) fn or_return(local: &mut syn::Local, optional: bool) {
         None => return,
     };
     let lends = match text(&call.method).as_str() {
-        "get" => call.args.len() == 1 && matches!(bare(&call.args[0]), syn::Expr::Range(_)),
-        "get_mut" => call.args.len() == 1,
-        "first_mut" | "last_mut" | "split_first" | "split_first_mut" | "split_last"
-        | "split_last_mut" | "as_mut" => call.args.is_empty(),
+        "get" | "get_mut" => call.args.len() == 1,
+        "first" | "first_mut" | "last" | "last_mut" | "split_first" | "split_first_mut"
+        | "split_last" | "split_last_mut" | "as_mut" => call.args.is_empty(),
         _ => false,
     };
     if !lends || matches!(local.pat, syn::Pat::Type(_)) {
@@ -545,8 +566,14 @@ pub(super) fn is_made_of_plain(expr: &syn::Expr) -> bool {
         syn::Expr::Array(it) => it.elems.iter().all(is_made_of_plain),
         syn::Expr::Repeat(it) => is_made_of_plain(&it.expr),
         syn::Expr::Struct(it) => it.fields.iter().all(|field| is_made_of_plain(&field.expr)),
+        syn::Expr::Call(it) => is_constructor(&it.func) && it.args.iter().all(is_made_of_plain),
         other => is_plain(other),
     }
+}
+
+/// Whether what is called is a variant, by its path.
+fn is_constructor(function: &syn::Expr) -> bool {
+    matches!(function, syn::Expr::Path(it) if super::pattern::is_variant(&it.path))
 }
 
 /// Whether an expression may be written twice, or left out: a number, a name, a part of one.

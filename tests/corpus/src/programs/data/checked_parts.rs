@@ -59,6 +59,8 @@ pub enum Missing {
     /// The frame ends before it.
     #[default]
     Short,
+    /// It has no such place.
+    Beyond(usize),
 }
 
 /// The number at a place of a frame.
@@ -66,4 +68,35 @@ pub enum Missing {
 pub fn number(frame: &[u8; 6], at: usize) -> Result<u16, Missing> {
     let bytes = frame.get(at..at + 2).ok_or(Missing::Short)?;
     Ok(u16::from_le_bytes([bytes[0], bytes[1]]))
+}
+
+/// The sum of a frame up to a place.
+#[function]
+pub fn sum_up_to(frame: &[u8; 6], end: usize) -> Result<u16, Missing> {
+    let bytes = frame.get(..end).ok_or(Missing::Beyond(end))?;
+    Ok(bytes.iter().map(|byte| u16::from(*byte)).sum())
+}
+
+/// A way, and the time that it takes.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Leg {
+    /// m.
+    pub way: f64,
+    /// s.
+    pub time: f64,
+}
+
+/// How fast it goes on a leg, m/s; none if there is no such leg.
+#[function]
+pub fn speed_on(route: &List<Leg, 4>, index: usize) -> Option<f64> {
+    let leg = route.get(index)?;
+    Some(leg.way / leg.time)
+}
+
+/// The time of the last leg.
+#[function]
+pub fn last_time(route: &[Leg; 2], count: usize) -> Result<f64, Missing> {
+    let leg = route[..count].last().ok_or(Missing::Short)?;
+    Ok(leg.time)
 }
