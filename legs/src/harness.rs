@@ -51,7 +51,8 @@ fn around(
 
 /// The text of a program for many entry points and functions, each call on its own: it reads which one by
 /// its place in `entries`, the words of the state if it has one, those of the arguments; it writes the status, and if that is no
-/// fault the words of the result, of the state, and of each argument that the call may change.
+/// fault the words of the result, of the state, and of each argument that the call may change. A place that is no entry's
+/// makes it hand over what it wrote: see [`Process::ask`](crate::process::Process::ask).
 pub fn programs(module: &Module, entries: &[(FunctionId, u32)]) -> String {
     programs_with(module, entries, &Options::default())
 }
@@ -107,7 +108,7 @@ fn several(
     let (headers, shared) = (String::from_iter(headers), String::from_iter(shared));
     format!(
         "{headers}{SUPPORT}\n{shared}{functions}int main(void)\n{{\n    for (;;) {{\n        switch (get()) {{\n{cases}        \
-         default: break;\n        }}\n        (void)fflush(stdout);\n    }}\n}}\n"
+         default: (void)fflush(stdout); break;\n        }}\n    }}\n}}\n"
     )
 }
 

@@ -156,15 +156,33 @@ impl Process {
         self.receive(self.results)
     }
 
+    /// Hands over calls of one entry of [`harness::programs`](crate::harness::programs), by its place; what each of
+    /// them gives is received in turn. No more than [`at_once`]: whoever writes may wait for whoever reads.
+    ///
+    /// # Errors
+    /// The process died.
+    pub fn ask(&mut self, place: usize, calls: &[impl AsRef<[Vec<u64>]>]) -> Result<(), Error> {
+        for call in calls {
+            self.write(&[place as u64])?;
+            call.as_ref().iter().try_for_each(|words| self.write(words))?;
+        }
+        self.send(&[HAND_OVER])
+    }
+
     /// Writes words to the process.
     ///
     /// # Errors
     /// The process died.
     pub fn send(&mut self, words: &[u64]) -> Result<(), Error> {
+        self.write(words)?;
+        Ok(self.input.flush()?)
+    }
+
+    fn write(&mut self, words: &[u64]) -> Result<(), Error> {
         for word in words {
             self.input.write_all(&word.to_le_bytes())?;
         }
-        Ok(self.input.flush()?)
+        Ok(())
     }
 
     /// Reads words from the process.
@@ -180,6 +198,17 @@ impl Process {
         }
         Ok(words)
     }
+}
+
+/// No entry's place: the program hands over what it wrote.
+const HAND_OVER: u64 = u64::MAX;
+
+/// Words that a pipe takes before anybody reads: 32 KiB of Linux's 64.
+const HELD: usize = 4096;
+
+/// How many calls may be under way, of so many words each way at most.
+pub fn at_once(words: usize) -> usize {
+    (HELD / words.max(1)).max(1)
 }
 
 type Running = (Child, BufWriter<ChildStdin>, BufReader<ChildStdout>);

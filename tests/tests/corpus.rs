@@ -15,7 +15,7 @@ use bessemer_ir::{Fault, Function, FunctionId, Mode, Module, Owner, Type};
 use bessemer_tests::arguments::{Size, words};
 use bessemer_tests::outcome::{self, Outcome, fault};
 use bessemer_tests::panics::caught;
-use bessemer_tests::process::{Error, Process};
+use bessemer_tests::process::{Error, Process, at_once};
 use bessemer_tests::random::Random;
 use bessemer_tests::toolchain::{self, Toolchain};
 use bessemer_tests::{corpus, corpus_with, harness};
@@ -172,7 +172,7 @@ fn the_interpreter_agrees() {
     }
 }
 
-/// Every call in one process: all words in from one thread, all words out in another.
+/// Every call in one process, as many at once as its pipes hold.
 fn run_c(compiled: &Compiled, cases: &[Case], toolchain: &Toolchain, flags: &[&str]) {
     run_c_with(compiled, cases, toolchain, flags, &Options::default());
 }
@@ -191,12 +191,16 @@ fn run_c_with(
     let mut process = Process::run(compiled, &main, toolchain, flags)
         .unwrap_or_else(|error| panic!("{leg}: {error}"));
     for (at, case) in cases.iter().enumerate() {
-        for (index, call) in case.calls.iter().enumerate() {
-            let mut words = vec![at as u64];
-            words.extend(call.iter().flatten());
-            let got = called(&mut process, &words, case.leaves.len())
-                .unwrap_or_else(|error| panic!("{leg}, {} of {call:x?}: {error}", case.name));
-            agree(&leg, &compiled.module, case, index, &got);
+        let taken = case.calls.iter().map(|call| 1 + call.iter().flatten().count());
+        let together = at_once(taken.max().unwrap_or_default().max(1 + case.leaves.len()));
+        for (batch, calls) in case.calls.chunks(together).enumerate() {
+            let died = |error| -> ! { panic!("{leg}, {} in {calls:x?}: {error}", case.name) };
+            process.ask(at, calls).unwrap_or_else(|error| died(error));
+            for index in (batch * together..).take(calls.len()) {
+                let got = answer(&mut process, case.leaves.len());
+                let got = got.unwrap_or_else(|error| died(error));
+                agree(&leg, &compiled.module, case, index, &got);
+            }
         }
     }
     a_wrong_variant_is_a_fault(&mut process, cases, &leg);
@@ -207,14 +211,13 @@ fn a_wrong_variant_is_a_fault(process: &mut Process, cases: &[Case], leg: &str) 
     let follower = |case: &Case| case.name.ends_with("::Follower::step");
     let Some(at) = cases.iter().position(follower) else { return };
     for (wish, expected) in [(2, None), (3, Some(Fault::Variant)), (255, Some(Fault::Variant))] {
-        let words = [at as u64, 0.5_f64.to_bits(), wish];
-        let got = called(process, &words, cases[at].leaves.len()).expect("it answers");
+        process.ask(at, &[[vec![0.5_f64.to_bits(), wish]]]).expect("it listens");
+        let got = answer(process, cases[at].leaves.len()).expect("it answers");
         assert_eq!(got.err(), expected, "{leg}: {wish}");
     }
 }
 
-fn called(process: &mut Process, words: &[u64], results: usize) -> Result<Outcome, Error> {
-    process.send(words)?;
+fn answer(process: &mut Process, results: usize) -> Result<Outcome, Error> {
     match process.receive(1)?[0] {
         0 => Ok(Ok(process.receive(results)?)),
         status => Ok(Err(FAULTS[status as usize - 1])),

@@ -10,7 +10,7 @@ use bessemer_codegen::c::CFile;
 use bessemer_codegen::compile::Compiled;
 use bessemer_codegen::interpret::Interpreter;
 use bessemer_ir::{Float, Function, FunctionId, Mode, Module, Scalar, Type};
-use bessemer_tests::process::Process;
+use bessemer_tests::process::{Process, at_once};
 use bessemer_tests::toolchain::{self, Toolchain};
 use bessemer_tests::{compiled, harness};
 use linear::{CASES, OTHER_SIZES};
@@ -248,15 +248,18 @@ fn run_c(compiled: &Compiled, cases: &[&Case], toolchain: &Toolchain, flags: &[&
     let mut process = Process::run_files(&files, &main, toolchain, flags)
         .unwrap_or_else(|error| panic!("{leg}: {error}"));
     for (at, case) in cases.iter().enumerate() {
-        for (index, (_, call)) in case.calls.iter().enumerate() {
-            let mut words = vec![at as u64];
-            words.extend(call.iter().flatten());
-            let found = process
-                .send(&words)
-                .and_then(|()| process.receive(1 + case.leaves.len()))
-                .unwrap_or_else(|error| panic!("{leg}, {}: {error}", case.name));
-            assert_eq!(found[0], 0, "{leg}, {}", case.name);
-            agree(&leg, case, index, &found[1..]);
+        let calls: Vec<_> = case.calls.iter().map(|(_, call)| call).collect();
+        let taken = calls.iter().map(|call| 1 + call.iter().flatten().count());
+        let together = at_once(taken.max().unwrap_or_default().max(1 + case.leaves.len()));
+        for (batch, calls) in calls.chunks(together).enumerate() {
+            let died = |error| -> ! { panic!("{leg}, {}: {error}", case.name) };
+            process.ask(at, calls).unwrap_or_else(|error| died(error));
+            for index in (batch * together..).take(calls.len()) {
+                let found = process.receive(1 + case.leaves.len());
+                let found = found.unwrap_or_else(|error| died(error));
+                assert_eq!(found[0], 0, "{leg}, {}", case.name);
+                agree(&leg, case, index, &found[1..]);
+            }
         }
     }
 }
