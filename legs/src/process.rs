@@ -201,7 +201,7 @@ impl Process {
 }
 
 /// No entry's place: the program hands over what it wrote.
-const HAND_OVER: u64 = u64::MAX;
+pub const HAND_OVER: u64 = u64::MAX;
 
 /// Words that a pipe takes before anybody reads: 32 KiB of Linux's 64.
 const HELD: usize = 4096;

@@ -12,7 +12,7 @@ use bessemer_ir::{FunctionId, Mode, Module, Owner, Type};
 use bessemer_tests::arguments::{Size, words};
 use bessemer_tests::harness;
 use bessemer_tests::outcome::{Outcome, meant, same};
-use bessemer_tests::process::{Error, Process};
+use bessemer_tests::process::{Error, HAND_OVER, Process};
 use bessemer_tests::random::Random;
 use bessemer_tests::toolchain::Toolchain;
 
@@ -317,6 +317,7 @@ impl<'l> Life<'l> {
     fn called(&mut self, call: &Call, anew: bool) -> Result<(u64, Vec<u64>), Error> {
         let mut words = vec![(self.first + call.entry) as u64, u64::from(anew)];
         words.extend(call.words.iter().flatten());
+        words.push(HAND_OVER);
         self.process.send(&words)?;
         let status = self.process.receive(1)?[0];
         let words = self.process.receive(self.case.entries[call.entry].leaves.len())?;
