@@ -110,13 +110,6 @@ fn timed_without_vectors(case: &Case, best: Contender) -> Option<&'static str> {
             "tiles of sixteen numbers for ARM's 32 registers; with 16 they go through the stack; up to 19 rows it is written out, and takes less than \
              any other",
         ),
-        (Routine::Inverse, 17) => Some(
-            "a disturbed part of this run, in which 17 rows took longer than 18: again in a program of its own, beside naive C by turns, 0.65 to \
-             0.72 of its time",
-        ),
-        (Routine::CholeskySolve, 11 | 18) => Some(
-            "again in a program of its own, by turns, 0.89 to 1.01 of naive C's time: within what programs differ by",
-        ),
         (Routine::Product, _) => Some(
             "tiles of 4×4 and 3×6 sums for ARM's 32 registers: with 16, 40 to 107 of their instructions are of the stack; tiles of 4×3 would take \
              0.80 to 0.92 of the time here, and 1.05 of the instructions on ARM",
