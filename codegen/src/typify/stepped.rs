@@ -2,8 +2,8 @@
 
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{
-    BinaryOp, CompareOp, Expr, ExprKind, Int, Intrinsic, Local, LocalId, Mode, Place, StmtKind,
-    Type,
+    BinaryOp, CompareOp, Expr, ExprKind, Fault, Int, Intrinsic, Local, LocalId, Mode, Place,
+    Scalar, StmtKind, Type,
 };
 
 use super::function::Lowering;
@@ -69,63 +69,61 @@ impl Lowering<'_, '_> {
         range: &tree::Range,
         [from, to]: [Expr; 2],
     ) -> Result<Steps> {
-        let step = match &range.step {
-            Some(step) => self.value(step, Some(&Type::USIZE))?,
-            None => return problem(site, "this range has no step", OUR_FAULT),
+        let Some(step) = &range.step else {
+            return problem(site, "this range has no step", OUR_FAULT);
         };
-        let span = from.span;
-        let number = |expr: &Expr| match &expr.kind {
-            ExprKind::Literal(word) => Some(*word),
-            ExprKind::Const(id) => self.cx.module.consts[id.index()].words.first().copied(),
-            _ => None,
+        // The ends are read before the step is computed, which may change what they are.
+        let [from, to] = match step.kind {
+            tree::ExprKind::Int(..) | tree::ExprKind::Path(..) | tree::ExprKind::Local(_) => {
+                [from, to]
+            }
+            _ => [self.named("start", from), self.named("end", to)],
         };
-        let Some(by) = number(&step).filter(|by| *by > 0 && *by <= u64::from(u16::MAX)) else {
-            return problem(
-                site,
-                "the step of a range is a number in the DSL, from 1 to 65535",
-                "write `.step_by(2)`, or the name of a constant",
-            );
+        let step = self.value(step, Some(&Type::USIZE))?;
+        let by = self.known(&step).filter(|by| (1..=u64::from(u16::MAX)).contains(by));
+        let by = by.filter(|by| i128::from(*by) <= int.max());
+        let Some(by) = by else {
+            return self.any_steps(site, int, range.inclusive, [from, to], step);
         };
-        let ty = from.ty.clone();
-        let literal =
-            |word: u64, ty: &Type| Expr { kind: ExprKind::Literal(word), ty: ty.clone(), span };
-        let step = literal(by, &ty);
-        if by as i128 > int.max() {
-            return problem(site, "this step is beyond the type of the range", "use a wider type");
-        }
-        if let (Some(first), Some(last)) = (number(&from), number(&to)) {
+        if let (Some(first), Some(last)) = (self.known(&from), self.known(&to)) {
             let (first, last) = (int.from_word(first), int.from_word(last));
             let end = last + i128::from(range.inclusive);
             let passes = ((end - first).max(0) + i128::from(by) - 1) / i128::from(by);
-            let passes = literal(passes as u64, &ty);
-            if int.min() == 0 || passes.kind == ExprKind::Literal(0) || first >= 0 {
+            if int.min() == 0 || passes == 0 || first >= 0 {
+                let [step, passes] = [by, passes as u64].map(|word| literal(word, &from));
                 return Ok(Steps { from, step, passes, constant: true });
             }
         }
         if int.min() < 0 || range.inclusive && by == 1 {
-            return problem(
-                site,
-                "a stepped range has constant ends, or unsigned ones",
-                "write `for k in 0..passes`, and compute the number from `k`",
-            );
+            return self.any_steps(site, int, range.inclusive, [from, to], step);
         }
-        let held = match from.kind {
-            ExprKind::Literal(_) => from,
-            _ => self.temporary("start", from),
-        };
-        let intrinsic = |op, a: Expr, b: Expr| Expr {
-            kind: ExprKind::Intrinsic(op, vec![a, b]),
-            ty: ty.clone(),
-            span,
-        };
-        let binary = |op, a: Expr, b: Expr| Expr {
-            kind: ExprKind::Binary(op, Box::new(a), Box::new(b)),
-            ty: ty.clone(),
-            span,
-        };
+        Ok(self.unsigned_steps(range.inclusive, [from, to], by))
+    }
+
+    /// The word of a number that generation knows.
+    fn known(&self, expr: &Expr) -> Option<u64> {
+        match &expr.kind {
+            ExprKind::Literal(word) => Some(*word),
+            ExprKind::Const(id) => self.cx.module.consts[id.index()].words.first().copied(),
+            _ => None,
+        }
+    }
+
+    /// An end that is computed once.
+    fn named(&mut self, role: &str, end: Expr) -> Expr {
+        match end.kind {
+            ExprKind::Literal(_) => end,
+            _ => self.temporary(role, end),
+        }
+    }
+
+    /// Steps of a constant through unsigned numbers, which count the passes, too.
+    fn unsigned_steps(&mut self, inclusive: bool, [from, to]: [Expr; 2], by: u64) -> Steps {
+        let step = literal(by, &from);
+        let held = self.named("start", from);
         let from_zero = held.kind == ExprKind::Literal(0);
         // The last number that there may be is one more than those behind the steps.
-        let last = range.inclusive.then(|| self.temporary("last", to.clone()));
+        let last = inclusive.then(|| self.temporary("last", to.clone()));
         let to = last.clone().unwrap_or(to);
         let length = match from_zero {
             true => to,
@@ -136,32 +134,106 @@ impl Lowering<'_, '_> {
             _ => self.temporary("length", length),
         };
         let whole = binary(BinaryOp::Div, length.clone(), step.clone());
-        if let Some(last) = last {
-            let begins = ExprKind::Compare(CompareOp::Le, Box::new(held.clone()), Box::new(last));
-            let begins = Expr { kind: begins, ty: Type::BOOL, span };
-            let begins = Expr { kind: ExprKind::Cast(Box::new(begins)), ty: ty.clone(), span };
-            let begins = if from_zero { literal(1, &ty) } else { begins };
+        let more = match last {
             // A step of at least 2 leaves room for it.
-            let passes = intrinsic(Intrinsic::WrappingAdd, whole, begins);
-            let passes = self.temporary("passes", passes);
-            return Ok(Steps { from: held, step, passes, constant: false });
-        }
-        let rest = binary(BinaryOp::Rem, length, step.clone());
-        let more = ExprKind::Compare(CompareOp::Ne, Box::new(rest), Box::new(literal(0, &ty)));
-        let more = Expr { kind: more, ty: Type::BOOL, span };
-        let more = Expr { kind: ExprKind::Cast(Box::new(more)), ty: ty.clone(), span };
-        // A step of 1 leaves no rest, so this cannot leave the type.
-        let passes = intrinsic(Intrinsic::WrappingAdd, whole, more);
-        let passes = self.temporary("passes", passes);
-        Ok(Steps { from: held, step, passes, constant: false })
+            Some(_) if from_zero => literal(1, &held),
+            Some(last) => as_number(compare(CompareOp::Le, held.clone(), last), &held.ty),
+            // A step of 1 leaves no rest, so this cannot leave the type.
+            None => {
+                let rest = binary(BinaryOp::Rem, length, step.clone());
+                let none = literal(0, &rest);
+                as_number(compare(CompareOp::Ne, rest, none), &held.ty)
+            }
+        };
+        let passes = self.temporary("passes", intrinsic(Intrinsic::WrappingAdd, whole, more));
+        Steps { from: held, step, passes, constant: false }
     }
+
+    /// Any steps through any numbers: `usize` counts the passes.
+    fn any_steps(
+        &mut self,
+        site: Site,
+        int: Int,
+        inclusive: bool,
+        [from, to]: [Expr; 2],
+        step: Expr,
+    ) -> Result<Steps> {
+        let [from, to] = [self.named("start", from), self.named("end", to)];
+        let span = step.span;
+        let step = self.named("step", step);
+        let there = compare(CompareOp::Ne, step.clone(), literal(0, &step));
+        self.emit(StmtKind::Check { condition: there, fault: Fault::Assertion }, span);
+        let length = match int {
+            Int::U64 | Int::Usize => {
+                let wide = |end: &Expr| as_number(end.clone(), &Type::USIZE);
+                intrinsic(Intrinsic::SaturatingSub, wide(&to), wide(&from))
+            }
+            Int::I64 | Int::Isize => {
+                return problem(
+                    site,
+                    "a stepped range of 64 bits with a sign has constant ends and a constant step",
+                    "step through `i32`, or write `for k in 0..passes`, and compute the number from `k`",
+                );
+            }
+            // Both ends and their difference fit.
+            _ => {
+                let wide = Type::Scalar(Scalar::Int(Int::I64));
+                let [first, last] = [&from, &to].map(|end| as_number(end.clone(), &wide));
+                let length = intrinsic(Intrinsic::WrappingSub, last, first);
+                let none = literal(0, &length);
+                as_number(intrinsic(Intrinsic::Max, length, none), &Type::USIZE)
+            }
+        };
+        let length = self.temporary("length", length);
+        let whole = binary(BinaryOp::Div, length.clone(), step.clone());
+        let more = match inclusive {
+            true => compare(CompareOp::Le, from.clone(), to),
+            false => {
+                let rest = binary(BinaryOp::Rem, length, step.clone());
+                let none = literal(0, &rest);
+                compare(CompareOp::Ne, rest, none)
+            }
+        };
+        let more = as_number(more, &Type::USIZE);
+        let passes = self.temporary("passes", intrinsic(Intrinsic::WrappingAdd, whole, more));
+        let step = as_number(step, &from.ty);
+        Ok(Steps { from, step, passes, constant: false })
+    }
+}
+
+fn literal(word: u64, like: &Expr) -> Expr {
+    Expr { kind: ExprKind::Literal(word), ty: like.ty.clone(), span: like.span }
+}
+
+fn intrinsic(op: Intrinsic, left: Expr, right: Expr) -> Expr {
+    let (ty, span) = (left.ty.clone(), left.span);
+    Expr { kind: ExprKind::Intrinsic(op, vec![left, right]), ty, span }
+}
+
+fn binary(op: BinaryOp, left: Expr, right: Expr) -> Expr {
+    let (ty, span) = (left.ty.clone(), left.span);
+    Expr { kind: ExprKind::Binary(op, Box::new(left), Box::new(right)), ty, span }
+}
+
+fn compare(op: CompareOp, left: Expr, right: Expr) -> Expr {
+    let span = left.span;
+    Expr { kind: ExprKind::Compare(op, Box::new(left), Box::new(right)), ty: Type::BOOL, span }
+}
+
+/// A number, or a condition, as a number of another type.
+fn as_number(expr: Expr, ty: &Type) -> Expr {
+    if expr.ty == *ty {
+        return expr;
+    }
+    let span = expr.span;
+    Expr { kind: ExprKind::Cast(Box::new(expr)), ty: ty.clone(), span }
 }
 
 /// The number of a pass.
 fn number(steps: &Steps, pass: Expr, ty: &Type) -> Expr {
     let span = pass.span;
     let node = |kind| Expr { kind, ty: ty.clone(), span };
-    let (from, step) = (steps.from.clone(), steps.step.clone());
+    let (from, step, pass) = (steps.from.clone(), steps.step.clone(), as_number(pass, ty));
     if !steps.constant {
         let way = node(ExprKind::Intrinsic(Intrinsic::WrappingMul, vec![pass, step]));
         return match from.kind {

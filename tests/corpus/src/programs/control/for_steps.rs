@@ -24,3 +24,64 @@ pub fn thirds(from: u8, to: u8) -> u32 {
     }
     sum
 }
+
+/// The sum of every `step`-th element. A step of 0 is a fault, as Rust's is a panic.
+#[function]
+pub fn every(values: &[f64; 10], count: usize, step: usize) -> f64 {
+    let mut sum = 0.0;
+    for i in (0..count.min(10)).step_by(step) {
+        sum += values[i];
+    }
+    sum
+}
+
+/// A range with a sign, whatever its ends and its step, upwards with the last and downwards without.
+#[function]
+pub fn signed(low: i8, high: i8, step: usize) -> i32 {
+    let mut sum = 0;
+    for x in (low..=high).step_by(step) {
+        sum = sum / 2 + i32::from(x);
+    }
+    for x in (low..high).step_by(3).rev() {
+        sum = sum / 2 - i32::from(x);
+    }
+    sum
+}
+
+/// At the end of what the type holds.
+#[function]
+pub fn late(from: u64, step: usize) -> u64 {
+    let mut last = 0;
+    for n in (from..=from.saturating_add(9)).step_by(step) {
+        last = n;
+    }
+    for n in (from..from.saturating_add(9)).step_by(step) {
+        last ^= n;
+    }
+    last
+}
+
+/// Negative ones, of a constant range and a variable one; in a chain.
+#[function]
+pub fn negative(from: i32, width: u8) -> i32 {
+    let from = from.clamp(-1000, 1000);
+    let mut sum = 0;
+    for x in (-9..10).step_by(4) {
+        sum += x;
+    }
+    sum + (from..from + i32::from(width)).step_by(5).map(|x| x % 7).sum::<i32>()
+}
+
+/// The ends are read before the step is computed, which changes one of them.
+#[function]
+pub fn moved(start: u8) -> u32 {
+    let mut end = 20_u8;
+    let mut sum = 0;
+    for n in (start..end).step_by({
+        end = 3;
+        usize::from(end)
+    }) {
+        sum += u32::from(n);
+    }
+    sum + u32::from(end)
+}
