@@ -77,7 +77,7 @@ impl Lowering<'_, '_> {
             tree::ExprKind::Int(..) | tree::ExprKind::Path(..) | tree::ExprKind::Local(_) => {
                 [from, to]
             }
-            _ => [self.named("start", from), self.named("end", to)],
+            _ => [self.once("start", from), self.once("end", to)],
         };
         let step = self.value(step, Some(&Type::USIZE))?;
         let by = self.known(&step).filter(|by| (1..=u64::from(u16::MAX)).contains(by));
@@ -93,6 +93,9 @@ impl Lowering<'_, '_> {
                 let [step, passes] = [by, passes as u64].map(|word| literal(word, &from));
                 return Ok(Steps { from, step, passes, constant: true });
             }
+            let from = as_number(from, &Type::USIZE);
+            let [step, passes] = [by, passes as u64].map(|word| literal(word, &from));
+            return Ok(Steps { from, step, passes, constant: false });
         }
         if int.min() < 0 || range.inclusive && by == 1 {
             return self.any_steps(site, int, range.inclusive, [from, to], step);
@@ -110,7 +113,7 @@ impl Lowering<'_, '_> {
     }
 
     /// An end that is computed once.
-    fn named(&mut self, role: &str, end: Expr) -> Expr {
+    fn once(&mut self, role: &str, end: Expr) -> Expr {
         match end.kind {
             ExprKind::Literal(_) => end,
             _ => self.temporary(role, end),
@@ -120,7 +123,7 @@ impl Lowering<'_, '_> {
     /// Steps of a constant through unsigned numbers, which count the passes, too.
     fn unsigned_steps(&mut self, inclusive: bool, [from, to]: [Expr; 2], by: u64) -> Steps {
         let step = literal(by, &from);
-        let held = self.named("start", from);
+        let held = self.once("start", from);
         let from_zero = held.kind == ExprKind::Literal(0);
         // The last number that there may be is one more than those behind the steps.
         let last = inclusive.then(|| self.temporary("last", to.clone()));
@@ -158,9 +161,9 @@ impl Lowering<'_, '_> {
         [from, to]: [Expr; 2],
         step: Expr,
     ) -> Result<Steps> {
-        let [from, to] = [self.named("start", from), self.named("end", to)];
+        let [from, to] = [self.once("start", from), self.once("end", to)];
         let span = step.span;
-        let step = self.named("step", step);
+        let step = self.once("step", step);
         let there = compare(CompareOp::Ne, step.clone(), literal(0, &step));
         self.emit(StmtKind::Check { condition: there, fault: Fault::Assertion }, span);
         let length = match int {
@@ -179,7 +182,7 @@ impl Lowering<'_, '_> {
             _ => {
                 let wide = Type::Scalar(Scalar::Int(Int::I64));
                 let [first, last] = [&from, &to].map(|end| as_number(end.clone(), &wide));
-                let length = intrinsic(Intrinsic::WrappingSub, last, first);
+                let length = binary(BinaryOp::Sub, last, first);
                 let none = literal(0, &length);
                 as_number(intrinsic(Intrinsic::Max, length, none), &Type::USIZE)
             }
@@ -196,8 +199,7 @@ impl Lowering<'_, '_> {
         };
         let more = as_number(more, &Type::USIZE);
         let passes = self.temporary("passes", intrinsic(Intrinsic::WrappingAdd, whole, more));
-        let step = as_number(step, &from.ty);
-        Ok(Steps { from, step, passes, constant: false })
+        Ok(Steps { from: as_number(from, &Type::USIZE), step, passes, constant: false })
     }
 }
 
@@ -231,22 +233,16 @@ fn as_number(expr: Expr, ty: &Type) -> Expr {
 
 /// The number of a pass.
 fn number(steps: &Steps, pass: Expr, ty: &Type) -> Expr {
-    let span = pass.span;
-    let node = |kind| Expr { kind, ty: ty.clone(), span };
-    let (from, step, pass) = (steps.from.clone(), steps.step.clone(), as_number(pass, ty));
+    let (from, step) = (steps.from.clone(), steps.step.clone());
+    let from_zero = from.kind == ExprKind::Literal(0);
     if !steps.constant {
-        let way = node(ExprKind::Intrinsic(Intrinsic::WrappingMul, vec![pass, step]));
-        return match from.kind {
-            ExprKind::Literal(0) => way,
-            _ => node(ExprKind::Intrinsic(Intrinsic::WrappingAdd, vec![from, way])),
-        };
+        let way = intrinsic(Intrinsic::WrappingMul, pass, step);
+        let number = if from_zero { way } else { intrinsic(Intrinsic::WrappingAdd, from, way) };
+        return as_number(number, ty);
     }
     let way = match step.kind {
         ExprKind::Literal(1) => pass,
-        _ => node(ExprKind::Binary(BinaryOp::Mul, Box::new(pass), Box::new(step))),
+        _ => binary(BinaryOp::Mul, pass, step),
     };
-    match from.kind {
-        ExprKind::Literal(0) => way,
-        _ => node(ExprKind::Binary(BinaryOp::Add, Box::new(from), Box::new(way))),
-    }
+    if from_zero { way } else { binary(BinaryOp::Add, from, way) }
 }
