@@ -32,7 +32,11 @@ impl Lowering<'_, '_> {
         let Some(int) = ty.as_int() else {
             return problem(site, "only integers are stepped through", OUR_FAULT);
         };
-        let steps = self.steps(site, int, range, bounds)?;
+        // What it takes to get on is named for the number.
+        let naming = std::mem::replace(&mut self.naming, name.into());
+        let steps = self.steps(site, int, range, bounds);
+        self.naming = naming;
+        let steps = steps?;
         self.repeated(label, None, span, |inner| {
             let pass = LocalId(inner.locals.len() as u32);
             let passes = steps.passes.clone();
@@ -83,7 +87,7 @@ impl Lowering<'_, '_> {
         let by = self.known(&step).filter(|by| (1..=u64::from(u16::MAX)).contains(by));
         let by = by.filter(|by| i128::from(*by) <= int.max());
         let Some(by) = by else {
-            return self.any_steps(site, int, range.inclusive, [from, to], step);
+            return Ok(self.any_steps(int, range.inclusive, [from, to], step));
         };
         if let (Some(first), Some(last)) = (self.known(&from), self.known(&to)) {
             let (first, last) = (int.from_word(first), int.from_word(last));
@@ -98,7 +102,7 @@ impl Lowering<'_, '_> {
             return Ok(Steps { from, step, passes, constant: false });
         }
         if int.min() < 0 || range.inclusive && by == 1 {
-            return self.any_steps(site, int, range.inclusive, [from, to], step);
+            return Ok(self.any_steps(int, range.inclusive, [from, to], step));
         }
         Ok(self.unsigned_steps(range.inclusive, [from, to], by))
     }
@@ -153,30 +157,26 @@ impl Lowering<'_, '_> {
     }
 
     /// Any steps through any numbers: `usize` counts the passes.
-    fn any_steps(
-        &mut self,
-        site: Site,
-        int: Int,
-        inclusive: bool,
-        [from, to]: [Expr; 2],
-        step: Expr,
-    ) -> Result<Steps> {
+    fn any_steps(&mut self, int: Int, inclusive: bool, [from, to]: [Expr; 2], step: Expr) -> Steps {
         let [from, to] = [self.once("start", from), self.once("end", to)];
         let span = step.span;
         let step = self.once("step", step);
         let there = compare(CompareOp::Ne, step.clone(), literal(0, &step));
         self.emit(StmtKind::Check { condition: there, fault: Fault::Assertion }, span);
+        let wide = int.bits() == 64;
         let length = match int {
             Int::U64 | Int::Usize => {
-                let wide = |end: &Expr| as_number(end.clone(), &Type::USIZE);
-                intrinsic(Intrinsic::SaturatingSub, wide(&to), wide(&from))
+                let [first, last] = [&from, &to].map(|end| as_number(end.clone(), &Type::USIZE));
+                match first.kind {
+                    ExprKind::Literal(0) => last,
+                    _ => intrinsic(Intrinsic::SaturatingSub, last, first),
+                }
             }
+            // What lies between two numbers of 64 bits with a sign fits without it.
             Int::I64 | Int::Isize => {
-                return problem(
-                    site,
-                    "a stepped range of 64 bits with a sign has constant ends and a constant step",
-                    "step through `i32`, or write `for k in 0..passes`, and compute the number from `k`",
-                );
+                let last = intrinsic(Intrinsic::Max, from.clone(), to.clone());
+                let [first, last] = [from.clone(), last].map(|end| as_number(end, &Type::USIZE));
+                intrinsic(Intrinsic::WrappingSub, last, first)
             }
             // Both ends and their difference fit.
             _ => {
@@ -187,7 +187,10 @@ impl Lowering<'_, '_> {
                 as_number(intrinsic(Intrinsic::Max, length, none), &Type::USIZE)
             }
         };
-        let length = self.temporary("length", length);
+        let length = match length.kind {
+            ExprKind::Load(_) => length,
+            _ => self.temporary("length", length),
+        };
         let whole = binary(BinaryOp::Div, length.clone(), step.clone());
         let more = match inclusive {
             true => compare(CompareOp::Le, from.clone(), to),
@@ -198,8 +201,10 @@ impl Lowering<'_, '_> {
             }
         };
         let more = as_number(more, &Type::USIZE);
-        let passes = self.temporary("passes", intrinsic(Intrinsic::WrappingAdd, whole, more));
-        Ok(Steps { from: as_number(from, &Type::USIZE), step, passes, constant: false })
+        // All numbers of 64 bits are one more than `usize` counts to, and nobody gets that far.
+        let add = if wide && inclusive { Intrinsic::SaturatingAdd } else { Intrinsic::WrappingAdd };
+        let passes = self.temporary("passes", intrinsic(add, whole, more));
+        Steps { from: as_number(from, &Type::USIZE), step, passes, constant: false }
     }
 }
 

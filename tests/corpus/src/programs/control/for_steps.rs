@@ -85,3 +85,38 @@ pub fn moved(start: u8) -> u32 {
     }
     sum + u32::from(end)
 }
+
+/// Numbers of 64 bits with a sign, which lie further apart than they reach; how many passes there were comes with the last.
+#[function]
+pub fn farthest(from: i64, to: i64, step: usize) -> (i64, u32) {
+    let mut passes = 0_u32;
+    let mut last = 0;
+    for n in (from..=to).step_by(step) {
+        last = n;
+        passes += 1;
+        if passes == 50 {
+            break;
+        }
+    }
+    for n in (from..to).step_by(step) {
+        last ^= n;
+        passes += 1;
+        if passes >= 100 {
+            break;
+        }
+    }
+    (last, passes)
+}
+
+/// All numbers there are, of which the loop takes a few.
+#[function]
+pub fn all(start: u64) -> u64 {
+    let mut sum = 0_u64;
+    for n in (start..=u64::MAX).step_by(1) {
+        sum = sum.wrapping_add(n);
+        if n % 16 == 7 {
+            break;
+        }
+    }
+    sum
+}
