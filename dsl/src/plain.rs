@@ -139,6 +139,16 @@ impl Plain for () {
     fn load(_: &mut dyn FnMut() -> u64) -> Self {}
 }
 
+/// Tells types apart, and holds nothing.
+#[diagnostic::do_not_recommend]
+impl<T: ?Sized> Plain for core::marker::PhantomData<T> {
+    const WORDS: usize = 0;
+    fn store(&self, _: &mut dyn FnMut(u64)) {}
+    fn load(_: &mut dyn FnMut() -> u64) -> Self {
+        core::marker::PhantomData
+    }
+}
+
 /// Nothing but that a slice has another length.
 #[diagnostic::do_not_recommend]
 impl Plain for core::array::TryFromSliceError {

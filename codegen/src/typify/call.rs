@@ -30,7 +30,15 @@ impl Lowering<'_, '_> {
         let result = callee.result.clone();
         let mut passed = Vec::new();
         let mut parameters = parameters.into_iter();
-        for argument in arguments {
+        for (index, argument) in arguments.iter().enumerate() {
+            if self.cx.is_absent(id, index) {
+                let mark = self.out.len();
+                self.effect(argument)?;
+                let later = self.later(mark);
+                self.settle_arguments(&mut passed, &later);
+                self.out.extend(later);
+                continue;
+            }
             let Some((mode, ty)) = parameters.next() else { break };
             let mark = self.out.len();
             if let Type::Slice(_) = ty {

@@ -114,21 +114,14 @@ impl Lowering<'_, '_> {
         let payload =
             from.map(|field| super::pattern::load(&self.part(&place, id, field as usize)));
         let field = |field| &self.cx.module.structs[result.index()].fields[field as usize];
-        let payload = match (payload, case.field.map(field).map(|field| field.ty.clone())) {
-            (Some(payload), Some(wanted)) => Some(self.converted(payload, &wanted, site)?),
-            (None, None) => None,
-            _ => {
-                return problem(
-                    site,
-                    "`?` makes no error of nothing in the DSL",
-                    "write `.map_err(|_| …)?`",
-                );
-            }
-        };
+        let wanted = case.field.map(field).map(|field| field.ty.clone());
         let condition = negated(self.tag_is(&place, id, taken.0));
-        let leave = self.choice(result, word, payload, site)?;
-        let kind = StmtKind::Return(Some(leave));
-        let then = Block(vec![super::equal::stmt(kind, span)]);
+        let then = self.scoped(|inner| {
+            let payload = inner.converted_error(payload, wanted.as_ref(), (id, result), site)?;
+            let leave = inner.choice(result, word, payload, site)?;
+            inner.emit(StmtKind::Return(Some(leave)), span);
+            Ok(())
+        })?;
         self.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
         let value = taken.1.field.map(|field| self.part(&place, id, field as usize));
         Ok(value.map(|value| super::pattern::load(&value)))
@@ -199,7 +192,11 @@ impl Lowering<'_, '_> {
                     }
                     let then = self.block_effect(then)?;
                     let otherwise = self.else_effect(otherwise.as_deref())?;
-                    self.emit(StmtKind::If { condition, then, otherwise }, span);
+                    // What holds nothing leaves nothing behind.
+                    let idle = then.0.is_empty() && otherwise.0.is_empty();
+                    if !(idle && order::is_free(&condition)) {
+                        self.emit(StmtKind::If { condition, then, otherwise }, span);
+                    }
                     return Ok(());
                 }
                 let (condition, then) =
@@ -279,6 +276,11 @@ impl Lowering<'_, '_> {
                 Ok(())
             }
             _ => {
+                if self.holds_nothing(expr) {
+                    let left = self.done(expr)?;
+                    self.discard(left);
+                    return Ok(());
+                }
                 let value = self.value(expr, None)?;
                 // What has no value may be done already.
                 if value.ty != Type::Unit || !matches!(value.kind, ExprKind::Literal(_)) {
@@ -367,6 +369,7 @@ impl Lowering<'_, '_> {
     ) -> Result<()> {
         let tree::ExprKind::Local(name) = &place.kind else { return Ok(()) };
         let refers = match self.lookup(name, place.site)? {
+            Binding::Nothing => false,
             Binding::Alias(_) | Binding::Slice(_) => true,
             // One that may be written also stands for a variable that a closure writes.
             Binding::Local(root) => match self.locals[root.index()].mode {
@@ -403,6 +406,9 @@ impl Lowering<'_, '_> {
     ) -> Result<()> {
         if op.is_none() {
             self.keeps_what_it_refers_to(place, value)?;
+        }
+        if op.is_none() && self.holds_nothing(place) {
+            return self.assign_nothing(place, value);
         }
         let other = self.in_place(value);
         let value = other.as_ref().unwrap_or(value);

@@ -8,7 +8,7 @@ use bessemer_ir::{
 
 use super::function::{Lowering, Target, control_with_value};
 use super::loops::negated;
-use super::{OUR_FAULT, Result, literal, names, problem};
+use super::{OUR_FAULT, Result, literal, problem};
 
 /// An operand still to be lowered: the expression, the type expected of it, and its role.
 pub(super) struct Operand<'e> {
@@ -26,6 +26,10 @@ impl Lowering<'_, '_> {
         if let Some(other) = self.in_place(expr) {
             return self.value(&other, expected);
         }
+        if self.holds_nothing(expr) {
+            self.effect(expr)?;
+            return Ok(self.nothing(expr.site));
+        }
         if let Some(place) = self.in_option(expr)? {
             return Ok(super::pattern::load(&place));
         }
@@ -39,7 +43,11 @@ impl Lowering<'_, '_> {
         Ok(value)
     }
 
-    fn bare_value(&mut self, expr: &tree::Expr, expected: Option<&Type>) -> Result<Expr> {
+    pub(super) fn bare_value(
+        &mut self,
+        expr: &tree::Expr,
+        expected: Option<&Type>,
+    ) -> Result<Expr> {
         let site = expr.site;
         match &expr.kind {
             tree::ExprKind::Bool(value) => {
@@ -152,56 +160,6 @@ impl Lowering<'_, '_> {
         self.node(ExprKind::Literal(word), Type::Scalar(scalar), site)
     }
 
-    fn path(&mut self, index: u32, name: &str, site: Site) -> Result<Expr> {
-        let source = self.source;
-        let Some(constant) = source.constants.get(index as usize) else {
-            return problem(site, "the tree names a constant that is not there", OUR_FAULT);
-        };
-        let ty = self.cx.value_type(&constant.ty, site)?;
-        if let (Type::Enum(_), [word]) = (&ty, constant.words.as_slice()) {
-            return self.node(ExprKind::Literal(*word), ty, site);
-        }
-        let words = constant.words.clone();
-        let last = name.rsplit("::").next().unwrap_or_default();
-        if let Type::Struct(id) = ty
-            && let Some((word, case)) = self.case(id, last)
-            && case.field.is_none()
-            && words.first() == Some(&word)
-        {
-            return self.choice(id, word, None, site);
-        }
-        let generic = |wanted: &str| {
-            source.generics.iter().find(|(known, _)| known == wanted).map(|(_, argument)| argument)
-        };
-        let number = matches!(generic(name), Some(tree::Argument::Number(..)));
-        let plain = ["::ZERO", "::ONE"].iter().any(|end| name.ends_with(end));
-        let literal =
-            number || plain && ty.as_float().is_some() || last == "DEFAULT" && ty.is_word();
-        if let ([word], true) = (words.as_slice(), literal) {
-            return self.node(ExprKind::Literal(*word), ty, site);
-        }
-        // `T::PI` is `f32::PI` where `T` is `f32`, and `Default::default()` is named for its type.
-        let name = match name.split_once("::").map(|(first, rest)| (first, generic(first), rest)) {
-            Some((_, Some(tree::Argument::Type(tree::Ty::Named(path))), rest)) => {
-                format!("{}::{rest}", self.cx.item_name(path))
-            }
-            Some((_, Some(argument), rest)) => {
-                format!("{}::{rest}", self.cx.argument_name(argument))
-            }
-            Some(("Default", None, rest)) => match &ty {
-                Type::Struct(id) => {
-                    format!("{}::{rest}", self.cx.module.structs[id.index()].name)
-                }
-                _ => name.to_owned(),
-            },
-            _ => name.to_owned(),
-        };
-        let owner = source.owner.as_ref().map(|path| self.cx.item_name(path).to_owned());
-        let (module, name) = names::constant(&self.module_path(), owner.as_deref(), &name);
-        let id = self.cx.constant(&module, &name, &ty, &words);
-        self.node(ExprKind::Const(id), ty, site)
-    }
-
     fn unary(
         &mut self,
         op: tree::UnaryOp,
@@ -310,6 +268,13 @@ impl Lowering<'_, '_> {
         let (left_ty, right_ty) = (left.ty.clone(), right.ty.clone());
         let tree_op = op;
         if let Some(op) = compare(op) {
+            if left_ty == Type::Unit {
+                return problem(
+                    site,
+                    "values that hold nothing are not compared in the DSL",
+                    "leave the comparison out: there is one value alone",
+                );
+            }
             if left_ty != right_ty {
                 // rustc compares numbers of one type only.
                 let numbers = left_ty.is_word() && right_ty.is_word();

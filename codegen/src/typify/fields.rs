@@ -6,7 +6,7 @@ use bessemer_ir::{Expr, ExprKind, Place, Span, StructId, Type};
 use super::OUR_FAULT;
 use super::expr::Operand;
 use super::function::Lowering;
-use super::generic::position;
+use super::nothing::At;
 use super::order::{has_effect, is_free, is_settled};
 use super::{Result, problem};
 
@@ -123,12 +123,17 @@ impl Lowering<'_, '_> {
     ) -> Result<Expr> {
         let ty = Type::Struct(id);
         let declared = self.cx.module.structs[id.index()].fields.clone();
-        let expected = |name: &str| position(&declared, name).map(|index| &declared[index]);
+        let at = |lowering: &Self, name: &str| match lowering.cx.field_at(id, name) {
+            Some(At::Field(index)) => Some(index),
+            _ => None,
+        };
+        let places: Vec<_> = fields.iter().map(|(name, _)| at(self, name)).collect();
         let operands: Vec<_> = fields
             .iter()
-            .map(|(name, value)| Operand {
+            .zip(&places)
+            .map(|((_, value), at)| Operand {
                 expr: value,
-                expected: expected(name).map(|field| field.ty.clone()),
+                expected: at.map(|at| declared[at].ty.clone()),
                 role: "part",
             })
             .collect();
@@ -138,11 +143,13 @@ impl Lowering<'_, '_> {
             Some(rest) => Some(self.rest(&mut values, fields, rest)?),
             None => None,
         };
-        let order: Vec<_> = fields.iter().map(|(name, _)| position(&declared, name)).collect();
-        self.keep_order(&mut values, order.is_sorted(), rest.is_some(), fields);
+        // What holds nothing has been done.
+        let kept: Vec<_> = places.iter().flatten().collect();
+        let sorted = kept.is_sorted();
+        self.keep_order(&mut values, sorted, rest.is_some(), fields);
         let mut ordered = Vec::new();
         for (at, field) in declared.iter().enumerate() {
-            let index = fields.iter().position(|(name, _)| position(&declared, name) == Some(at));
+            let index = places.iter().position(|place| *place == Some(at));
             let value = index.and_then(|index| values[index].take()).or_else(|| {
                 let mut place = rest.clone()?;
                 place.steps.push(bessemer_ir::Step::Field(at as u32));

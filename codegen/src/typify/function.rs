@@ -41,6 +41,8 @@ pub(super) struct Lowering<'a, 'c> {
     pub counters: Vec<LocalId>,
     /// The closures that were handed to it, by the names of its parameters.
     pub handed: HashMap<String, Handed<'a>>,
+    /// Which of its parameters hold nothing.
+    pub absent: Vec<bool>,
 }
 
 /// What a name means.
@@ -52,6 +54,8 @@ pub(super) enum Binding {
     Alias(Place),
     /// A slice.
     Slice(Box<Slice>),
+    /// What holds nothing.
+    Nothing,
 }
 
 /// Where a value goes.
@@ -64,7 +68,10 @@ pub(super) enum Target {
 }
 
 /// Lowers a function; its callees are in the module already.
-pub(super) fn lower(cx: &mut Context<'_>, source: &tree::Function) -> Result<Function> {
+pub(super) fn lower(
+    cx: &mut Context<'_>,
+    source: &tree::Function,
+) -> Result<(Function, Vec<bool>)> {
     let tree = &source.tree;
     let span = cx.span(&source.file, tree.site);
     let mut lowering = Lowering::new(cx, source)?;
@@ -73,8 +80,9 @@ pub(super) fn lower(cx: &mut Context<'_>, source: &tree::Function) -> Result<Fun
     let params = lowering.locals.len() as u32;
     lowering.body(&tree.body)?;
     if tree.attributes.atomic {
-        lowering.roll_back(tree.params.len(), span);
+        lowering.roll_back(params as usize, span);
     }
+    lowering.check_locals()?;
     let result = lowering.result.clone();
     let result_name = result_name(lowering.cx, tree, &result);
     let home = source.owner.as_deref().unwrap_or(&source.module);
@@ -86,15 +94,19 @@ pub(super) fn lower(cx: &mut Context<'_>, source: &tree::Function) -> Result<Fun
         }
         _ => tree.name.clone(),
     };
-    let name = match number_of(source) {
-        Some(number) => format!("{number}_{name}"),
+    // The methods of what is no type of the author's in the C say in their names whose they are.
+    let nameless = source.owner.as_deref().and_then(|path| lowering.cx.name_of_nothing(path));
+    let nameless = nameless.map(names::snake);
+    let name = match nameless.as_deref().or(number_of(source)) {
+        Some(owner) => format!("{owner}_{name}"),
         None => name,
     };
     let name = lowering.cx.instance_name(home, &name, &suffix);
     // The methods of an instance stand where its author named it.
     let alias = source.owner.as_deref().and_then(|owner| lowering.cx.aliases.get(owner));
     let module = alias.map_or(&source.module, |alias| &alias.module).clone();
-    Ok(Function {
+    let absent = std::mem::take(&mut lowering.absent);
+    let function = Function {
         name,
         module,
         owner,
@@ -113,7 +125,8 @@ pub(super) fn lower(cx: &mut Context<'_>, source: &tree::Function) -> Result<Fun
         result,
         kernel: None,
         span,
-    })
+    };
+    Ok((function, absent))
 }
 
 /// The local without the marks that kept its name apart from others.
@@ -170,7 +183,7 @@ impl<'a, 'c> Lowering<'a, 'c> {
         let site = source.tree.site;
         if let Some(path) = &source.owner
             && number_of(source).is_none()
-            && !matches!(cx.types.get(path), Some(Type::Struct(_) | Type::Enum(_)))
+            && !cx.types.contains_key(path)
         {
             return problem(site, format!("`{path}` was not built"), "mark it `#[data]`");
         }
@@ -189,16 +202,8 @@ impl<'a, 'c> Lowering<'a, 'c> {
             frames: Vec::new(),
             counters: Vec::new(),
             handed: HashMap::new(),
+            absent: Vec::new(),
         })
-    }
-}
-
-/// Whether what `expr` refers to comes from a call.
-fn lends(expr: &tree::Expr) -> bool {
-    match &expr.kind {
-        tree::ExprKind::Ref(false, inner) | tree::ExprKind::Try(inner) => lends(inner),
-        tree::ExprKind::Call(..) => true,
-        _ => false,
     }
 }
 
@@ -216,6 +221,12 @@ impl Lowering<'_, '_> {
         let source = self.source;
         for param in source.tree.params.iter().filter(|param| !param.closure) {
             let ty = slot_type(self.source, param.slot, param.site)?;
+            let absent = self.slot_is_nothing(param.slot);
+            self.absent.push(absent);
+            if absent {
+                self.bind(&param.name, Binding::Nothing);
+                continue;
+            }
             if let Some(element) = slice_of(ty) {
                 self.slice_parameter(param, element, matches!(ty, Ty::Ref(_, true)))?;
                 continue;
@@ -226,13 +237,6 @@ impl Lowering<'_, '_> {
                 _ => Mode::Value,
             };
             let ty = self.cx.pointee(ty, param.site)?;
-            if ty == Type::Unit {
-                return problem(
-                    param.site,
-                    "this parameter holds nothing, and C passes nothing of the kind",
-                    "leave it out; an error that says no more becomes one by `.map_err(|_| …)`",
-                );
-            }
             let span = self.span(param.site);
             self.declare(&param.name, ty, mode, span);
         }
@@ -309,6 +313,7 @@ impl Lowering<'_, '_> {
         let place = match self.lookup(name, site)? {
             Binding::Alias(place) => place,
             Binding::Slice(slice) => slice.place(),
+            Binding::Nothing => return Ok(self.nothing(site)),
             Binding::Local(root) => {
                 let ty = self.locals[root.index()].ty.clone();
                 Place { root, steps: Vec::new(), ty, span }
@@ -413,6 +418,11 @@ impl Lowering<'_, '_> {
         if let (Some(_), Some(value)) = (lent, value) {
             return self.let_slice(name, value);
         }
+        if self.slot_is_nothing(slot) {
+            value.iter().try_for_each(|value| self.effect(value))?;
+            self.bind(name, Binding::Nothing);
+            return Ok(());
+        }
         if slot != NO_SLOT && self.slot_is_reference(slot, site)? {
             return self.alias(name, value, site);
         }
@@ -423,10 +433,9 @@ impl Lowering<'_, '_> {
             _ => (self.slot(slot, site)?, self.span(site)),
         };
         if ty == Type::Unit {
-            return match value {
-                Some(value) => self.effect(value),
-                None => Ok(()),
-            };
+            value.iter().try_for_each(|value| self.effect(value))?;
+            self.bind(name, Binding::Nothing);
+            return Ok(());
         }
         let naming = std::mem::replace(&mut self.naming, name.to_owned());
         match value {
@@ -485,33 +494,6 @@ impl Lowering<'_, '_> {
             self.into(value, &Target::Place(place))?;
         }
         self.bind(name, Binding::Local(local));
-        Ok(())
-    }
-
-    /// `let name = &place`: another name for the place.
-    fn alias(&mut self, name: &str, value: Option<&tree::Expr>, site: Site) -> Result<()> {
-        let place = match value {
-            Some(value) => self.place(value)?,
-            None => None,
-        };
-        // What a call lends is not written while it is lent.
-        if let (None, Some(lent)) = (&place, value.filter(|value| lends(value))) {
-            let lent = self.value(lent, None)?;
-            let place = self.hold(lent, site)?;
-            self.bind(name, Binding::Alias(place));
-            return Ok(());
-        }
-        let Some(mut place) = place else {
-            return problem(
-                site,
-                "a reference in a variable names a place in the DSL",
-                "copy the value: `let x = *place;`, or pass the reference as an argument",
-            );
-        };
-        let naming = std::mem::replace(&mut self.naming, name.trim_matches('_').to_owned());
-        self.fix(&mut place);
-        self.naming = naming;
-        self.bind(name, Binding::Alias(place));
         Ok(())
     }
 

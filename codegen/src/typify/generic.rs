@@ -118,7 +118,7 @@ impl Context<'_> {
     fn tuple(&mut self, parts: &[Ty], site: Site) -> Result<StructId> {
         let types = parts.iter().map(|ty| self.value_type(ty, site)).collect::<Result<Vec<_>>>()?;
         if types.contains(&Type::Unit) {
-            return problem(site, "`()` in a tuple holds nothing", "leave it out");
+            return problem(site, "a part of this tuple holds nothing", "leave it out");
         }
         let words: String = types.iter().map(|ty| self.word(ty)).collect();
         let name = format!("{}{words}", capitalised(&arity(types.len())));
@@ -133,7 +133,11 @@ impl Context<'_> {
     fn list(&mut self, element: &Ty, n: u32, site: Site) -> Result<StructId> {
         let element = self.value_type(element, site)?;
         if element == Type::Unit || n == 0 {
-            return problem(site, "this list has no elements", "give it room for one");
+            return problem(
+                site,
+                "this list holds nothing",
+                "give it room for an element, or keep the count",
+            );
         }
         let name = format!("List{n}{}", self.word(&element));
         let shown = (format!("List<{}, {n}>", self.show(&element)), ": elements, and how many");
@@ -145,29 +149,33 @@ impl Context<'_> {
         self.own_struct(name, shown, fields, Form::Sequence, site)
     }
 
-    fn option(&mut self, value: &Ty, site: Site) -> Result<StructId> {
-        let value = self.value_type(value, site)?;
-        let name = format!("Option{}", self.word(&value));
-        let shown = (format!("Option<{}>", self.show(&value)), ": a value, or none");
+    fn option(&mut self, ty: &Ty, site: Site) -> Result<StructId> {
+        let value = self.value_type(ty, site)?;
+        let name = format!("Option{}", self.content(ty, &value));
+        let shown = (format!("Option<{}>", self.shown_content(ty, &value)), ": a value, or none");
         let mut fields = vec![field("is_some", "Whether there is a value.", Type::BOOL)];
         let some = held(&mut fields, "value", "The value, if there is one.", value);
         let form = Form::Choice(vec![None, some]);
         let id = self.own_struct(name, shown, fields, form, site)?;
+        self.note_equality(id, &[ty]);
         let some = Case { name: "Some".into(), field: some, single: true };
         self.cases.insert(id, vec![Case::bare("None"), some]);
         Ok(id)
     }
 
-    fn result(&mut self, value: &Ty, error: &Ty, site: Site) -> Result<StructId> {
-        let value = self.value_type(value, site)?;
-        let error = self.value_type(error, site)?;
-        let name = format!("Result{}{}", self.word(&value), self.word(&error));
-        let shown = format!("Result<{}, {}>", self.show(&value), self.show(&error));
+    fn result(&mut self, of: &Ty, or: &Ty, site: Site) -> Result<StructId> {
+        let value = self.value_type(of, site)?;
+        let error = self.value_type(or, site)?;
+        let name = format!("Result{}{}", self.content(of, &value), self.content(or, &error));
+        let shown = (self.shown_content(of, &value), self.shown_content(or, &error));
+        let shown = format!("Result<{}, {}>", shown.0, shown.1);
         let shown = (shown, ": a value, or why there is none");
         let mut fields = vec![field("is_ok", "Whether there is a value.", Type::BOOL)];
         let ok = held(&mut fields, "value", "The value, if there is one.", value);
         let err = held(&mut fields, "error", "Why there is none.", error);
         let id = self.own_struct(name, shown, fields, Form::Choice(vec![err, ok]), site)?;
+        self.note_equality(id, &[of, or]);
+        self.errors.insert(id, or.clone());
         let case = |name: &str, field| Case { name: name.into(), field, single: true };
         self.cases.insert(id, vec![case("Err", err), case("Ok", ok)]);
         Ok(id)
@@ -216,6 +224,23 @@ impl Context<'_> {
         match ty {
             Type::Array { element, .. } => self.home(element),
             other => self.homes.get(other).cloned(),
+        }
+    }
+
+    /// What an `Option` or a `Result` holds, as part of its name.
+    fn content(&self, ty: &Ty, lowered: &Type) -> String {
+        self.called(ty).map_or_else(|| self.word(lowered), str::to_owned)
+    }
+
+    /// The same in the words of its author.
+    fn shown_content(&self, ty: &Ty, lowered: &Type) -> String {
+        self.called(ty).map_or_else(|| self.show(lowered), str::to_owned)
+    }
+
+    /// Refuses `==` of what may hold values that are unequal though nothing tells them apart.
+    fn note_equality(&mut self, id: StructId, parts: &[&Ty]) {
+        if parts.iter().any(|ty| self.may_differ(ty)) {
+            self.unequal.insert(Type::Struct(id));
         }
     }
 
@@ -306,7 +331,14 @@ impl Context<'_> {
         variant: &tree::Variant,
         site: Site,
     ) -> Result<Option<(Type, bool)>> {
-        let fields = self.fields(&variant.fields, site)?;
+        let (fields, kept) = self.kept_fields(&variant.fields, site)?;
+        if kept.len() > 1 && kept.contains(&false) {
+            return problem(
+                site,
+                format!("a part of `{}` holds nothing", variant.name),
+                "leave it out of the variant",
+            );
+        }
         let is_tuple = variant.fields.iter().all(|field| field.name.parse::<u32>().is_ok());
         match fields.as_slice() {
             [] => Ok(None),
@@ -327,22 +359,27 @@ impl Context<'_> {
         }
     }
 
-    /// The fields of a struct or a variant.
-    pub(super) fn fields(&mut self, fields: &[tree::Field], site: Site) -> Result<Vec<Field>> {
-        let count = fields.len();
-        let mut typed = Vec::new();
-        for (index, field) in fields.iter().enumerate() {
-            let ty = self.value_type(&field.ty, site)?;
-            if ty == Type::Unit {
-                return problem(site, "a field of type `()` holds nothing", "leave it out");
-            }
+    /// The fields of a struct or a variant that hold something, and which these are.
+    pub(super) fn kept_fields(
+        &mut self,
+        fields: &[tree::Field],
+        site: Site,
+    ) -> Result<(Vec<Field>, Vec<bool>)> {
+        let mut types = Vec::new();
+        for field in fields {
+            types.push(self.value_type(&field.ty, site)?);
+        }
+        let kept: Vec<bool> = types.iter().map(|ty| *ty != Type::Unit).collect();
+        let count = kept.iter().filter(|kept| **kept).count();
+        let all = fields.iter().zip(types).filter(|(_, ty)| *ty != Type::Unit).enumerate();
+        let typed = all.map(|(index, (field, ty))| {
             let name = match field.name.parse::<usize>() {
                 Ok(_) => part(index, count),
                 Err(_) => field.name.clone(),
             };
-            typed.push(Field { name, docs: field.docs.clone(), ty, given: field.given.clone() });
-        }
-        Ok(typed)
+            Field { name, docs: field.docs.clone(), ty, given: field.given.clone() }
+        });
+        Ok((typed.collect(), kept))
     }
 
     /// A name that no author's type has.

@@ -22,6 +22,8 @@ pub(super) struct Handed<'a> {
     /// The function that its body stands in.
     source: &'a tree::Function,
     captures: Vec<Capture>,
+    /// The names of what it uses that holds nothing.
+    nothing: Vec<String>,
 }
 
 /// What a closure uses.
@@ -70,7 +72,7 @@ impl<'a> Lowering<'a, '_> {
                 );
             }
         };
-        let mut captures = Vec::new();
+        let (mut captures, mut nothing) = (Vec::new(), Vec::new());
         for name in names_in(&closure) {
             let Ok(binding) = self.lookup(&name, argument.site) else { continue };
             let span = self.span(argument.site);
@@ -78,6 +80,10 @@ impl<'a> Lowering<'a, '_> {
             let place = match binding {
                 Binding::Alias(place) => Some(place),
                 Binding::Slice(_) => None,
+                Binding::Nothing => {
+                    nothing.push(name);
+                    continue;
+                }
                 Binding::Local(root) => {
                     let ty = self.locals[root.index()].ty.clone();
                     Some(Place { root, steps: Vec::new(), ty, span })
@@ -93,7 +99,7 @@ impl<'a> Lowering<'a, '_> {
             };
             captures.push(Capture { name, place, local });
         }
-        Ok(Handed { closure, source: self.source, captures })
+        Ok(Handed { closure, source: self.source, captures, nothing })
     }
 
     /// The copy of a function for closures; and what they use, as the arguments for it.
@@ -132,9 +138,11 @@ impl<'a> Lowering<'a, '_> {
         inner.handed = handed;
         inner.body(&template.tree.body)?;
         let body = Block(std::mem::take(&mut inner.out));
+        inner.check_locals()?;
         let written = Written::of(&body);
         let mut locals = std::mem::take(&mut inner.locals);
         let result = inner.result.clone();
+        let absent = std::mem::take(&mut inner.absent);
         let mut captured = Vec::new();
         for (index, place) in outside.into_iter().enumerate() {
             let id = LocalId((first + index) as u32);
@@ -170,6 +178,7 @@ impl<'a> Lowering<'a, '_> {
         };
         let id = FunctionId(self.cx.module.functions.len() as u32);
         self.cx.module.functions.push(function);
+        self.cx.note_params(id, absent);
         Ok((id, captured))
     }
 
@@ -218,7 +227,7 @@ impl<'a> Lowering<'a, '_> {
                 None => (false, None),
             };
             let mut value = self.value(argument, expected.as_ref())?;
-            if !lent {
+            if !lent && value.ty != Type::Unit {
                 // In a place of its own: the body may write to what it was computed from.
                 value = self.named_argument(parameter, value);
             }
@@ -228,6 +237,7 @@ impl<'a> Lowering<'a, '_> {
         let outer = std::mem::take(&mut self.handed);
         let source = std::mem::replace(&mut self.source, handed.source);
         self.scopes = vec![Vec::new()];
+        handed.nothing.iter().for_each(|name| self.bind(name, Binding::Nothing));
         for Capture { name, place, local } in &handed.captures {
             match local {
                 true => self.bind(name, Binding::Local(place.root)),

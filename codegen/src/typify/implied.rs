@@ -4,10 +4,14 @@
 //! is first asked for.
 
 use bessemer_ir::tree::{self, Site};
-use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Mode, Type};
+use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Mode, StructId, Type};
 
 use super::function::{self, Lowering};
 use super::{Context, Problem, Result, diagnostic, problem};
+
+const UNCONVERTED: &str = "the conversion of this error is not part of the DSL";
+const MARK_CONVERSION: &str =
+    "mark its `impl From` block as the type is, `#[data]`, or `map_err` the error";
 
 impl<'a> Context<'a> {
     /// The function of a path, made now if it was not; none where it was refused, which is told.
@@ -17,8 +21,9 @@ impl<'a> Context<'a> {
             let lowered = function::lower(self, function);
             self.underway.pop();
             match lowered {
-                Ok(lowered) => {
+                Ok((lowered, absent)) => {
                     let id = FunctionId(self.module.functions.len() as u32);
+                    self.note_params(id, absent);
                     self.module.functions.push(lowered);
                     self.functions.insert(function.path.clone(), id);
                 }
@@ -40,7 +45,8 @@ impl<'a> Context<'a> {
         for it in implied {
             match (it.of.as_str(), &it.owner) {
                 ("PartialEq", tree::Ty::Named(path)) => {
-                    if let Some(ty) = self.types.get(path) {
+                    // Of what holds nothing no comparison is taken.
+                    if let Some(ty) = self.types.get(path).filter(|ty| **ty != Type::Unit) {
                         self.own_equalities.insert(ty.clone(), &it.function);
                     }
                 }
@@ -80,6 +86,47 @@ impl Lowering<'_, '_> {
         self.node(ExprKind::Call(id, arguments), Type::BOOL, site).map(Some)
     }
 
+    /// What a `?` leaves with, in a `Result` of the second type: the error, or nothing where it holds nothing.
+    pub(super) fn converted_error(
+        &mut self,
+        error: Option<Expr>,
+        wanted: Option<&Type>,
+        (of, result): (StructId, StructId),
+        site: Site,
+    ) -> Result<Option<Expr>> {
+        if let (Some(error), Some(wanted)) = (error.clone(), wanted) {
+            return self.converted(error, wanted, site).map(Some);
+        }
+        // Types that hold nothing are told apart by their names alone.
+        let (from, to) = (self.cx.errors.get(&of), self.cx.errors.get(&result));
+        if from == to {
+            return Ok(None);
+        }
+        if from == Some(&tree::Ty::Unit) {
+            return problem(
+                site,
+                "`?` makes no error of nothing in the DSL",
+                "write `.map_err(|_| …)?`",
+            );
+        }
+        let meant = |it: &&tree::Implied| Some(&it.owner) == to && Some(&it.other) == from;
+        let Some(path) = self.cx.conversions.iter().find(|it| meant(it)).map(|it| &it.function)
+        else {
+            return problem(site, UNCONVERTED, MARK_CONVERSION);
+        };
+        let id = self.function_at(path, site)?;
+        let arguments = self.passed_to(id, error);
+        let call = ExprKind::Call(id, arguments);
+        match wanted {
+            Some(wanted) => self.node(call, wanted.clone(), site).map(Some),
+            None => {
+                let call = self.node(call, Type::Unit, site)?;
+                self.discard(call);
+                Ok(None)
+            }
+        }
+    }
+
     /// The error of a `?` as one of the type that the function returns.
     pub(super) fn converted(&mut self, error: Expr, wanted: &Type, site: Site) -> Result<Expr> {
         if error.ty == *wanted {
@@ -101,16 +148,12 @@ impl Lowering<'_, '_> {
                 let arguments = self.passed_to(id, [error]);
                 self.node(ExprKind::Call(id, arguments), wanted.clone(), site)
             }
-            _ => problem(
-                site,
-                "the conversion of this error is not part of the DSL",
-                "mark its `impl From` block as the type is, `#[data]`, or `map_err` the error",
-            ),
+            _ => problem(site, UNCONVERTED, MARK_CONVERSION),
         }
     }
 
     /// Values as a function takes them.
-    fn passed_to<const N: usize>(&self, id: FunctionId, values: [Expr; N]) -> Vec<Argument> {
+    fn passed_to(&self, id: FunctionId, values: impl IntoIterator<Item = Expr>) -> Vec<Argument> {
         let parameters = self.cx.module.functions[id.index()].parameters();
         let passed = parameters.iter().zip(values).map(|(parameter, value)| match parameter.mode {
             Mode::Value => Argument::Value(value),

@@ -7,6 +7,7 @@
 //! Must not know: C, or how an operation is computed. It does not infer: a type that does not follow
 //! from the operands comes from a slot.
 
+mod apart;
 mod arrays;
 mod atomic;
 mod bounded;
@@ -37,12 +38,15 @@ mod lexical;
 mod list;
 mod literal;
 mod loops;
+mod named;
 mod names;
 mod narrow;
+mod nothing;
 mod numbers;
 mod option;
 mod optional;
 mod order;
+mod paths;
 mod pattern;
 mod place;
 mod several;
@@ -187,6 +191,8 @@ struct Context<'a> {
     sources: &'a Sources,
     files: HashMap<String, u32>,
     types: HashMap<String, bessemer_ir::Type>,
+    /// What holds nothing, and is not in the C.
+    nothings: nothing::Nothings,
     /// The authors' types with which something is wrong, which has been told.
     undefined: HashSet<&'a str>,
     /// The constants of which their author says more than their value.
@@ -206,6 +212,8 @@ struct Context<'a> {
     cases: HashMap<StructId, Vec<generic::Case>>,
     /// Where the authors' types stand, and those that are made of them.
     homes: HashMap<bessemer_ir::Type, generic::Home>,
+    /// The errors of the structs that stand for `Result`.
+    errors: HashMap<StructId, tree::Ty>,
     /// The functions that compare values of structs.
     equalities: HashMap<StructId, FunctionId>,
     /// The types that do not derive `PartialEq`.
@@ -247,6 +255,7 @@ impl<'a> Context<'a> {
             sources,
             files: HashMap::new(),
             types: HashMap::new(),
+            nothings: nothing::Nothings::default(),
             undefined: HashSet::new(),
             tables: &package.tables,
             aliases: package.aliases.iter().map(|alias| (alias.of.as_str(), alias)).collect(),
@@ -257,6 +266,7 @@ impl<'a> Context<'a> {
             shown: HashMap::new(),
             cases: HashMap::new(),
             homes: HashMap::new(),
+            errors: HashMap::new(),
             equalities: HashMap::new(),
             unequal: HashSet::new(),
             own_equalities: HashMap::new(),

@@ -8,15 +8,14 @@
 use bessemer_ir::tree::{self, NO_SLOT, Site};
 use bessemer_ir::visit::{self, Access, Visit};
 use bessemer_ir::{
-    Block, Expr, ExprKind, Local, LocalId, LogicOp, Mode, Place, Step, Stmt, StmtKind, StructId,
-    Type,
+    Block, Expr, ExprKind, LocalId, LogicOp, Mode, Place, Step, Stmt, StmtKind, StructId, Type,
 };
 
 use super::OUR_FAULT;
 use super::function::{Binding, Lowering};
-use super::generic::{Case, position};
+use super::generic::Case;
 use super::lent::is_rest;
-use super::loops::negated;
+use super::nothing::At;
 use super::order::is_settled;
 use super::slice::Slice;
 use super::{Result, problem};
@@ -32,25 +31,42 @@ pub(super) enum Subject {
     Slice(Box<Slice>),
     /// What is lent if the condition holds.
     Maybe(Expr, Box<Subject>),
+    /// What holds nothing.
+    Nothing,
 }
 
 /// A name of a pattern, and the place that it stands for.
 #[derive(Clone)]
 pub(super) struct Named {
-    name: String,
+    pub name: String,
     slot: u32,
     mutable: bool,
-    place: Place,
-    /// What it stands for if that is several elements.
-    part: Option<Box<Slice>>,
+    stands: Stands,
     site: Site,
+}
+
+/// What a name stands for.
+#[derive(Clone)]
+enum Stands {
+    /// A place.
+    Place(Place),
+    /// Several elements.
+    Part(Box<Slice>),
+    /// What holds nothing.
+    Nothing,
 }
 
 impl Named {
     /// A name of several elements.
     pub(super) fn part(name: &str, slot: u32, part: Slice, site: Site) -> Named {
-        let (name, place) = (name.to_owned(), part.base.clone());
-        Named { name, slot, mutable: false, place, part: Some(Box::new(part)), site }
+        let stands = Stands::Part(Box::new(part));
+        Named { name: name.to_owned(), slot, mutable: false, stands, site }
+    }
+
+    /// A name of what holds nothing.
+    pub(super) fn nothing(name: &str, site: Site) -> Named {
+        let (name, stands) = (name.to_owned(), Stands::Nothing);
+        Named { name, slot: NO_SLOT, mutable: false, stands, site }
     }
 }
 
@@ -83,6 +99,10 @@ impl Lowering<'_, '_> {
 
     /// The same, its value known.
     pub(super) fn value_subject(&mut self, value: Expr, site: Site) -> Result<Subject> {
+        if value.ty == Type::Unit {
+            self.discard(value);
+            return Ok(Subject::Nothing);
+        }
         let mut place = self.hold(value, site)?;
         // Its indices are checked also where no pattern comes to read it.
         self.fix(&mut place);
@@ -105,7 +125,7 @@ impl Lowering<'_, '_> {
                 }
             }
             // Another name for what is there, whatever becomes of it.
-            Subject::Slice(_) | Subject::Maybe(..) => {}
+            Subject::Slice(_) | Subject::Maybe(..) | Subject::Nothing => {}
         }
     }
 
@@ -119,6 +139,10 @@ impl Lowering<'_, '_> {
     ) -> Result<Option<Expr>> {
         match (pattern, subject) {
             (tree::Pattern::Any | tree::Pattern::Rest, _) => Ok(None),
+            (_, Subject::Nothing) => {
+                Self::take_nothing(pattern, site, names);
+                Ok(None)
+            }
             (_, Subject::Place(place)) => self.test_place(pattern, place, site, names),
             (tree::Pattern::Or(cases), _) => self.test_any(cases, subject, site, names),
             (_, Subject::Slice(slice)) => self.test_slice(pattern, slice, site, names),
@@ -188,7 +212,8 @@ impl Lowering<'_, '_> {
             (tree::Pattern::Any | tree::Pattern::Rest, _) => Ok(None),
             (tree::Pattern::Name { name, slot, mutable, inner }, _) => {
                 let (name, slot, mutable) = (name.clone(), *slot, *mutable);
-                names.push(Named { name, slot, mutable, place: place.clone(), part: None, site });
+                let stands = Stands::Place(place.clone());
+                names.push(Named { name, slot, mutable, stands, site });
                 match inner {
                     Some(inner) => self.test_place(inner, place, site, names),
                     None => Ok(None),
@@ -198,11 +223,7 @@ impl Lowering<'_, '_> {
                 self.test_any(cases, &Subject::Place(place.clone()), site, names)
             }
             (tree::Pattern::Tuple(patterns), Type::Struct(id)) => {
-                let count = self.cx.module.structs[id.index()].fields.len();
-                let parts = aligned(patterns, count)
-                    .into_iter()
-                    .map(|(pattern, index)| (pattern, self.part(place, *id, index)))
-                    .collect();
+                let parts = self.fields_of(patterns, place, *id, site, names);
                 all(self, parts, names)
             }
             (tree::Pattern::Array(patterns), Type::Array { .. })
@@ -225,19 +246,16 @@ impl Lowering<'_, '_> {
             }
             (tree::Pattern::Constructor(name, patterns), Type::Struct(id)) => {
                 let (payload, single, tag) = self.taken(place, *id, name, site)?;
-                let Some(payload) = payload else { return Ok(tag) };
+                let Some(payload) = payload else {
+                    Self::take_nothing(pattern, site, names);
+                    return Ok(tag);
+                };
                 let parts = match &payload.ty {
                     _ if single => match patterns.as_slice() {
                         [] => Vec::new(),
                         patterns => vec![(&patterns[0], payload)],
                     },
-                    Type::Struct(inner) => {
-                        let count = self.cx.module.structs[inner.index()].fields.len();
-                        aligned(patterns, count)
-                            .into_iter()
-                            .map(|(pattern, index)| (pattern, self.part(&payload, *inner, index)))
-                            .collect()
-                    }
+                    Type::Struct(inner) => self.fields_of(patterns, &payload, *inner, site, names),
                     _ => Vec::new(),
                 };
                 let inner = all(self, parts, names)?;
@@ -245,18 +263,24 @@ impl Lowering<'_, '_> {
             }
             (tree::Pattern::Fields(name, fields), Type::Struct(id)) => {
                 let (payload, single, tag) = self.taken(place, *id, name, site)?;
-                let Some(payload) = payload else { return Ok(tag) };
+                let Some(payload) = payload else {
+                    Self::take_nothing(pattern, site, names);
+                    return Ok(tag);
+                };
                 let mut parts = Vec::new();
                 for (name, pattern) in fields {
                     parts.push(match &payload.ty {
                         _ if single => (pattern, payload.clone()),
-                        Type::Struct(inner) => {
-                            let declared = &self.cx.module.structs[inner.index()].fields;
-                            let Some(index) = position(declared, name) else {
+                        Type::Struct(inner) => match self.cx.field_at(*inner, name) {
+                            Some(At::Field(index)) => (pattern, self.part(&payload, *inner, index)),
+                            Some(At::Nowhere) => {
+                                Self::take_nothing(pattern, site, names);
+                                continue;
+                            }
+                            None => {
                                 return problem(site, format!("`{name}` is missing"), OUR_FAULT);
-                            };
-                            (pattern, self.part(&payload, *inner, index))
-                        }
+                            }
+                        },
                         _ => continue,
                     });
                 }
@@ -283,6 +307,26 @@ impl Lowering<'_, '_> {
                 "take apart arrays, tuples, structs and variants",
             ),
         }
+    }
+
+    /// The patterns of the author's fields, each with its part; of what holds nothing the names are bound.
+    fn fields_of<'p>(
+        &self,
+        patterns: &'p [tree::Pattern],
+        place: &Place,
+        id: StructId,
+        site: Site,
+        names: &mut Vec<Named>,
+    ) -> Vec<(&'p tree::Pattern, Place)> {
+        let fields = self.cx.fields_at(id);
+        let mut parts = Vec::new();
+        for (pattern, index) in aligned(patterns, fields.len()) {
+            match fields[index] {
+                Some(at) => parts.push((pattern, self.part(place, id, at))),
+                None => Self::take_nothing(pattern, site, names),
+            }
+        }
+        parts
     }
 
     /// A variant without payload, or a constant that is one.
@@ -367,9 +411,10 @@ impl Lowering<'_, '_> {
     /// Makes names stand for their places, those of values too: only while nothing is written.
     pub(super) fn alias_names(&mut self, names: &[Named]) {
         for named in names {
-            match &named.part {
-                Some(part) => self.bind(&named.name, Binding::Slice(part.clone())),
-                None => self.alias_to(&named.name, named.place.clone()),
+            match &named.stands {
+                Stands::Part(part) => self.bind(&named.name, Binding::Slice(part.clone())),
+                Stands::Place(place) => self.alias_to(&named.name, place.clone()),
+                Stands::Nothing => self.bind(&named.name, Binding::Nothing),
             }
         }
     }
@@ -378,7 +423,7 @@ impl Lowering<'_, '_> {
     pub(super) fn keep_changeable(&mut self, names: &mut Vec<Named>) -> Result<()> {
         let mut kept = Vec::new();
         for named in std::mem::take(names) {
-            match named.mutable && named.part.is_none() {
+            match named.mutable && matches!(named.stands, Stands::Place(_)) {
                 true => self.bind_names(&[named])?,
                 false => kept.push(named),
             }
@@ -390,26 +435,33 @@ impl Lowering<'_, '_> {
     /// Gives names their meaning: another name for a place, or a copy.
     pub(super) fn bind_names(&mut self, names: &[Named]) -> Result<()> {
         for named in names {
-            if let Some(part) = &named.part {
-                self.bind_part((&named.name, named.slot), part, named.site)?;
-                continue;
-            }
+            let place = match &named.stands {
+                Stands::Part(part) => {
+                    self.bind_part((&named.name, named.slot), part, named.site)?;
+                    continue;
+                }
+                Stands::Nothing => {
+                    self.bind(&named.name, Binding::Nothing);
+                    continue;
+                }
+                Stands::Place(place) => place,
+            };
             let unnamed = named.slot == NO_SLOT;
             let reference = !unnamed && self.slot_is_reference(named.slot, named.site)?;
             if reference {
                 let refers = self.refers_to(named.slot, named.site)?;
-                self.agree(&named.place.ty, &refers, named.site)?;
+                self.agree(&place.ty, &refers, named.site)?;
             }
             // What no author named is read at once.
-            if reference || unnamed || !named.mutable && self.is_lasting(&named.place) {
-                self.alias_to(&named.name, named.place.clone());
+            if reference || unnamed || !named.mutable && self.is_lasting(place) {
+                self.alias_to(&named.name, place.clone());
                 continue;
             }
             let rustc = self.slot(named.slot, named.site)?;
-            self.agree(&named.place.ty, &rustc, named.site)?;
+            self.agree(&place.ty, &rustc, named.site)?;
             let span = self.span(named.site);
             let local = self.declare(&named.name, rustc, Mode::Value, span);
-            let value = Some(load(&named.place));
+            let value = Some(load(place));
             self.emit(StmtKind::Let { local, value }, span);
         }
         Ok(())
@@ -420,107 +472,6 @@ impl Lowering<'_, '_> {
     fn is_lasting(&self, place: &Place) -> bool {
         let local = &self.locals[place.root.index()];
         local.mode == Mode::Ref || self.held.contains(&place.root)
-    }
-
-    /// `let pattern = value;`
-    pub(super) fn take_apart(
-        &mut self,
-        pattern: &tree::Pattern,
-        value: &tree::Expr,
-        otherwise: Option<&tree::Block>,
-    ) -> Result<()> {
-        let mut names = Vec::new();
-        if let (None, tree::Pattern::Tuple(_), tree::ExprKind::Tuple(_)) =
-            (otherwise, pattern, &value.kind)
-        {
-            return self.take_each(pattern, value);
-        }
-        if let tree::Pattern::Any = pattern {
-            return self.effect(value);
-        }
-        let subject = self.subject(value)?;
-        let condition = self.test(pattern, &subject, value.site, &mut names)?;
-        if let (Some(condition), Some(otherwise)) = (condition, otherwise) {
-            let span = condition.span;
-            let then = self.block_effect(otherwise)?;
-            let condition = negated(condition);
-            self.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
-        }
-        self.bind_names(&names)
-    }
-
-    /// `let (a, b) = (x, y);`: each in a local of its own before the next is computed.
-    fn take_each(&mut self, pattern: &tree::Pattern, value: &tree::Expr) -> Result<()> {
-        let mut bound = Vec::new();
-        self.take_part(pattern, value, &mut bound)?;
-        // The names mean what they are given only behind the `let`.
-        for (name, binding) in bound {
-            self.bind(&name, binding);
-        }
-        Ok(())
-    }
-
-    fn take_part(
-        &mut self,
-        pattern: &tree::Pattern,
-        value: &tree::Expr,
-        bound: &mut Vec<(String, Binding)>,
-    ) -> Result<()> {
-        match (pattern, &value.kind) {
-            (tree::Pattern::Tuple(patterns), tree::ExprKind::Tuple(values)) => {
-                let mut pairs = aligned(patterns, values.len()).into_iter().peekable();
-                for (index, value) in values.iter().enumerate() {
-                    match pairs.next_if(|(_, at)| *at == index) {
-                        Some((pattern, _)) => self.take_part(pattern, value, bound)?,
-                        None => self.take_part(&tree::Pattern::Any, value, bound)?,
-                    }
-                }
-                Ok(())
-            }
-            (tree::Pattern::Any, _) => {
-                let value = self.value(value, None)?;
-                let span = value.span;
-                self.emit(StmtKind::Expr(value), span);
-                Ok(())
-            }
-            (tree::Pattern::Name { name, slot, inner: None, .. }, _)
-                if *slot != NO_SLOT && self.slot_is_slice(*slot, value.site)? =>
-            {
-                let naming = std::mem::replace(&mut self.naming, name.clone());
-                let slice = self.sliced(value)?;
-                self.naming = naming;
-                bound.push((name.clone(), Binding::Slice(Box::new(slice))));
-                Ok(())
-            }
-            (tree::Pattern::Name { name, slot, inner: None, .. }, _)
-                if !self.slot_is_reference(*slot, value.site)? =>
-            {
-                let ty = self.slot(*slot, value.site)?;
-                let naming = std::mem::replace(&mut self.naming, name.clone());
-                let lowered = self.value(value, Some(&ty))?;
-                self.naming = naming;
-                self.agree(&lowered.ty, &ty, value.site)?;
-                let local = LocalId(self.locals.len() as u32);
-                let span = lowered.span;
-                self.locals.push(Local { name: name.clone(), ty, mode: Mode::Value, span });
-                self.emit(StmtKind::Let { local, value: Some(lowered) }, span);
-                bound.push((name.clone(), Binding::Local(local)));
-                Ok(())
-            }
-            _ => {
-                let mut names = Vec::new();
-                let subject = self.subject(value)?;
-                self.test(pattern, &subject, value.site, &mut names)?;
-                let given: Vec<_> = names.iter().map(|named| named.name.clone()).collect();
-                self.naming_scope(|inner| {
-                    inner.bind_names(&names)?;
-                    for name in given {
-                        bound.push((name.clone(), inner.lookup(&name, value.site)?));
-                    }
-                    Ok(())
-                })
-            }
-        }
     }
 }
 
@@ -576,7 +527,7 @@ fn both(one: Option<Expr>, other: Option<Expr>) -> Option<Expr> {
 }
 
 /// Patterns and the index of the part that each takes; `..` stands for as many as are left.
-fn aligned(patterns: &[tree::Pattern], count: usize) -> Vec<(&tree::Pattern, usize)> {
+pub(super) fn aligned(patterns: &[tree::Pattern], count: usize) -> Vec<(&tree::Pattern, usize)> {
     let rest = patterns.iter().position(|it| matches!(it, tree::Pattern::Rest));
     let (before, after) = match rest {
         Some(rest) => (&patterns[..rest], &patterns[rest + 1..]),

@@ -5,6 +5,7 @@ use bessemer_ir::{Expr, ExprKind, Int, Place, Scalar, Step, Type};
 
 use super::expr::{Operand, two};
 use super::function::{Binding, Lowering, is_literal};
+use super::nothing::At;
 use super::{Result, problem};
 
 /// Whether a step never depends on a value that is computed.
@@ -34,10 +35,14 @@ impl Lowering<'_, '_> {
     /// The place that `expr` names; none if it is a value.
     pub(super) fn place(&mut self, expr: &tree::Expr) -> Result<Option<Place>> {
         let span = self.span(expr.site);
+        if self.holds_nothing(expr) {
+            return Ok(None);
+        }
         match &expr.kind {
             tree::ExprKind::Local(name) => Ok(Some(match self.lookup(name, expr.site)? {
                 Binding::Alias(place) => place,
                 Binding::Slice(slice) => slice.place(),
+                Binding::Nothing => return Ok(None),
                 Binding::Local(root) => {
                     let ty = self.locals[root.index()].ty.clone();
                     Place { root, steps: Vec::new(), ty, span }
@@ -111,8 +116,8 @@ impl Lowering<'_, '_> {
     fn field_step(&mut self, base: &Type, name: &str, expr: &tree::Expr) -> Result<(Step, Type)> {
         match base {
             Type::Struct(id) => {
-                let fields = &self.cx.module.structs[id.index()].fields;
-                if let Some(index) = super::generic::position(fields, name) {
+                if let Some(At::Field(index)) = self.cx.field_at(*id, name) {
+                    let fields = &self.cx.module.structs[id.index()].fields;
                     return Ok((Step::Field(index as u32), fields[index].ty.clone()));
                 }
             }
@@ -221,6 +226,7 @@ impl Lowering<'_, '_> {
             tree::ExprKind::Local(name) => Ok(match self.lookup(name, expr.site)? {
                 Binding::Alias(place) => place.ty,
                 Binding::Slice(slice) => slice.ty(),
+                Binding::Nothing => Type::Unit,
                 Binding::Local(root) => self.locals[root.index()].ty.clone(),
             }),
             tree::ExprKind::Deref(inner) | tree::ExprKind::Ref(_, inner) => self.place_type(inner),

@@ -38,6 +38,9 @@ impl Lowering<'_, '_> {
                 }
                 Ok(())
             }
+            (Places::One(place), _) if self.holds_nothing(place) => {
+                self.assign_nothing(place, value)
+            }
             (Places::One(place), _) => {
                 self.keeps_what_it_refers_to(place, value)?;
                 let ty = self.place_type(place)?;

@@ -107,6 +107,9 @@ impl Lowering<'_, '_> {
             );
         }
         let element = self.cx.value_type(element, param.site)?;
+        if element == Type::Unit {
+            return problem(param.site, super::nothing::EMPTY_SLICE, super::nothing::COUNT);
+        }
         let mode = if mutable { Mode::RefMut } else { Mode::Ref };
         let span = self.span(param.site);
         self.declare(&param.name, Type::Slice(Box::new(element)), mode, span);
@@ -180,7 +183,7 @@ impl Lowering<'_, '_> {
                     }
                     _ => None,
                 },
-                Binding::Alias(_) => None,
+                Binding::Alias(_) | Binding::Nothing => None,
             }),
             tree::ExprKind::Ref(_, inner) | tree::ExprKind::Deref(inner) => self.slice(inner),
             tree::ExprKind::Slice(base, from, to, inclusive) => {

@@ -1,6 +1,6 @@
 //! Definitions and types: from paths to handles.
 
-use bessemer_ir::tree::{Argument, Definition, DefinitionKind, Site, Table, Ty};
+use bessemer_ir::tree::{Argument, Definition, DefinitionKind, Field, Site, Table, Ty};
 use bessemer_ir::{Const, ConstId, Enum, Form, Scalar, Span, Struct, StructId, Type};
 
 use super::generic::Home;
@@ -54,7 +54,13 @@ impl<'a> Context<'a> {
         let home = module.clone();
         let ty = match &definition.kind {
             DefinitionKind::Struct { fields, initial } => {
-                let fields = self.fields(fields, definition.site)?;
+                let (all, site) = (fields, definition.site);
+                let (fields, kept) = self.kept_fields(all, site)?;
+                if fields.is_empty() {
+                    return self.define_nothing(definition, name);
+                }
+                let id = StructId(self.module.structs.len() as u32);
+                self.note_fields(id, all, &kept);
                 let (form, initial) = (Form::Record, initial.clone());
                 self.module.structs.push(Struct {
                     name,
@@ -66,7 +72,7 @@ impl<'a> Context<'a> {
                     given,
                     span,
                 });
-                Type::Struct(StructId(self.module.structs.len() as u32 - 1))
+                Type::Struct(id)
             }
             DefinitionKind::Enum(variants) => {
                 let named = super::enums::numbered(variants, definition.site)?;
@@ -84,7 +90,12 @@ impl<'a> Context<'a> {
         {
             self.quaternions.insert(*id, unit);
         }
-        if !definition.equal {
+        let parts = match &definition.kind {
+            DefinitionKind::Struct { fields, .. } => fields.iter().collect(),
+            DefinitionKind::Enum(variants) => variants.iter().flat_map(|it| &it.fields).collect(),
+        };
+        let parts: Vec<&Field> = parts;
+        if !definition.equal || parts.iter().any(|field| self.may_differ(&field.ty)) {
             self.unequal.insert(ty.clone());
         }
         if definition.ordered {
@@ -152,7 +163,7 @@ impl<'a> Context<'a> {
         match self.types.get(path) {
             Some(Type::Struct(id)) => &self.module.structs[id.index()].name,
             Some(Type::Enum(id)) => &self.module.enums[id.index()].name,
-            _ => split(path).1,
+            _ => self.name_of_nothing(path).unwrap_or(split(path).1),
         }
     }
 
@@ -184,8 +195,8 @@ impl<'a> Context<'a> {
                 Type::Unit => {
                     return problem(
                         site,
-                        "an array of `()` is not in the DSL",
-                        "it holds nothing: keep the count, or an array of `bool`",
+                        "an array of what holds nothing is not in the DSL",
+                        super::nothing::COUNT,
                     );
                 }
                 element => Type::Array { element: Box::new(element), len: *len },

@@ -95,7 +95,7 @@ fn data_struct(kind: Kind, it: &syn::ItemStruct, refusals: &mut Refusals) -> Tok
     refuse_lifetimes(&it.generics, refusals);
     check_type(&it.attrs, &it.generics, refusals);
     if it.fields.is_empty() {
-        refusals.add(it.ident.span(), refuse::EMPTY_STRUCT);
+        check_empty(kind, it, refusals);
     }
     check_fields(&it.fields, refusals);
     if !refusals.is_empty() {
@@ -123,8 +123,10 @@ fn data_struct(kind: Kind, it: &syn::ItemStruct, refusals: &mut Refusals) -> Tok
         impl #declared ::bessemer::Plain for #name #arguments #bounds {
             const WORDS: usize = 0 #(#words)*;
             #[inline]
+            #[allow(unused_variables)]
             fn store(&self, out: &mut dyn ::core::ops::FnMut(u64)) { #(#store)* }
             #[inline]
+            #[allow(unused_variables)]
             fn load(next: &mut dyn ::core::ops::FnMut() -> u64) -> Self {
                 Self { #(#load),* }
             }
@@ -156,6 +158,16 @@ fn check_type(attributes: &[syn::Attribute], generics: &syn::Generics, refusals:
     let named = attributes.iter().find(|it| it.path().is_ident("c"));
     if let (true, Some(_), Some(at)) = (Scope::of_type(generics).is_generic(), given.name, named) {
         refusals.add(at.path().span(), refuse::GENERIC_NAME);
+    }
+}
+
+/// What holds nothing has no type in the C: no state to keep, and no name.
+fn check_empty(kind: Kind, it: &syn::ItemStruct, refusals: &mut Refusals) {
+    if kind == Kind::Component {
+        refusals.add(it.ident.span(), refuse::EMPTY_COMPONENT);
+    }
+    if let Some(at) = it.attrs.iter().find(|it| it.path().is_ident("c")) {
+        refusals.add(at.path().span(), refuse::EMPTY_NAME);
     }
 }
 

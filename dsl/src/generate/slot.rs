@@ -203,6 +203,17 @@ impl Seen for () {
     type Slot = ();
 }
 
+/// Tells types apart, and holds nothing.
+impl<T: ?Sized> DslType for PhantomData<T> {
+    fn ty(_: &mut Builder) -> Ty {
+        Ty::Unit
+    }
+}
+
+impl<T: ?Sized> Seen for PhantomData<T> {
+    type Slot = PhantomData<T>;
+}
+
 impl<T: DslType, const N: usize> DslType for [T; N] {
     fn ty(cx: &mut Builder) -> Ty {
         Ty::Array(Box::new(T::ty(cx)), N as u32)

@@ -52,7 +52,9 @@ impl Lowering<'_> {
                 (ExprKind::Constructor("None".into(), Vec::new()), true)
             }
             syn::Expr::Path(it) => {
-                let seen = pattern::is_variant(&it.path);
+                // Of what type it is only its use says.
+                let open = it.path.segments.last().is_some_and(|it| it.ident == "PhantomData");
+                let seen = open || pattern::is_variant(&it.path);
                 (self.path(it), seen)
             }
             syn::Expr::Paren(it) => self.kind(&mut it.expr, value),

@@ -142,6 +142,9 @@ impl Lowering<'_> {
             if it.ident == "None" {
                 return tree::Pattern::Constructor("None".into(), Vec::new());
             }
+            if it.ident == "PhantomData" {
+                return tree::Pattern::Any;
+            }
             let path = syn::Path::from(it.ident.clone());
             return tree::Pattern::Value(self.constant(it.ident.to_token_stream(), &path));
         }

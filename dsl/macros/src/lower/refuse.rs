@@ -104,13 +104,13 @@ reasons! {
     NOT_A_FUNCTION: "`#[function]` stands on a free function", "a struct, an enum and an `impl` block take `#[data]`, or `#[component]`";
     METHOD_ALONE: "a method is part of its `impl` block", "mark the `impl` block `#[data]` or `#[component]`, and leave `#[function]` out";
     NOT_DATA: "this attribute stands on a struct, an enum, an `impl` block or a constant", "a free function takes `#[function]`";
-    EMPTY_STRUCT: "C has no struct without fields", "give it a field, or write its methods as functions marked `#[function]`";
-    EMPTY_ENUM: "C has no enum without variants", "give it a variant";
+    EMPTY_COMPONENT: "a component without fields has no state to keep", "mark it and its `impl` blocks `#[data]`, or give it a field";
+    EMPTY_NAME: "a struct without fields is no type in the C, and has no name there", "leave the name out, or give one to its methods";
+    EMPTY_ENUM: "C has no enum without variants", "give it a variant; a type that only tells others apart is a `struct Name;`";
     COMPONENT_ENUM: "a component is a struct", "keep the enum in a field of one, and mark it `#[data]`";
     IMPL_ITEM: "this is not part of an `impl` block of the DSL", "write methods and constants";
     CFG: "what `#[cfg]` leaves out of the Rust would still be in the C", "put `#[cfg]` on the whole item, above the attribute of the DSL";
     ATTRIBUTE: "this attribute has no meaning in the C", "leave it out; lint levels and doc comments may stay";
-    UNNAMED: "a parameter's name reaches the C", "give it one that starts with an underscore: `_period`";
     NESTED_CONST: "a block inside a function has no names of its own in the DSL", "move it to the top of the function";
     CONST_BLOCK: "`const` blocks are not in the DSL", "declare a `const`, and use its name";
     IGNORED: "`_` is not a place in the DSL", "write `let _ = …;`";

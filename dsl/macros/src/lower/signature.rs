@@ -69,10 +69,6 @@ fn parameter(
             if closure.is_none() {
                 check_type(&it.ty, refusals);
             }
-            if let syn::Pat::Wild(it) = &*it.pat {
-                refusals.add(it.underscore_token.span, refuse::UNNAMED);
-                return None;
-            }
             let ident = pattern::simple_name(&it.pat, refusals)?;
             Some(Parameter {
                 name: text(&ident),
@@ -101,7 +97,7 @@ pub fn name_parts(signature: &mut syn::Signature, body: &mut syn::Block) {
     let mut apart = Vec::new();
     for input in &mut signature.inputs {
         let syn::FnArg::Typed(it) = input else { continue };
-        if matches!(&*it.pat, syn::Pat::Ident(_) | syn::Pat::Wild(_)) {
+        if matches!(&*it.pat, syn::Pat::Ident(_)) {
             continue;
         }
         let mut parts = Vec::new();

@@ -1,0 +1,249 @@
+//! What holds nothing: structs without fields, `PhantomData`, `()`. C has no such types, so their values vanish
+//! from structs, variants, parameters and results; what computes one runs for its effect.
+
+use std::collections::HashMap;
+
+use bessemer_ir::tree::{self, Definition, NO_SLOT, Pattern, Site, Ty};
+use bessemer_ir::{Expr, ExprKind, FunctionId, StmtKind, StructId, Type};
+
+use super::function::{Binding, Lowering};
+use super::generic::position;
+use super::pattern::Named;
+use super::{Context, Result, problem};
+
+/// What is said of slices of what holds nothing.
+pub(super) const EMPTY_SLICE: &str = "a slice of what holds nothing is not in the DSL";
+pub(super) const COUNT: &str = "keep the count, or an array of `bool`";
+
+/// What holds nothing, and where it was left out.
+#[derive(Default)]
+pub(super) struct Nothings {
+    /// The names of authors' types, by their paths.
+    names: HashMap<String, String>,
+    /// Those of which the DSL does not see that all values are equal.
+    unequal: Vec<String>,
+    /// The author's fields of a struct in which some hold nothing, and where the others are.
+    fields: HashMap<StructId, Vec<(String, Option<usize>)>>,
+    /// Which parameters of a function hold nothing, where some do.
+    params: HashMap<FunctionId, Vec<bool>>,
+}
+
+/// Where a field is.
+pub(super) enum At {
+    /// In the C, too.
+    Field(usize),
+    /// Nowhere: it holds nothing.
+    Nowhere,
+}
+
+impl Context<'_> {
+    /// A struct of which nothing is left.
+    pub(super) fn define_nothing(&mut self, definition: &Definition, name: String) -> Result<()> {
+        let (site, kind) = (definition.site, &definition.kind);
+        if let tree::DefinitionKind::Struct { initial: Some(_), .. } = kind {
+            return problem(
+                site,
+                "a component of fields that hold nothing has no state to keep",
+                "mark it and its `impl` blocks `#[data]`, or give it a field",
+            );
+        }
+        if definition.given.name.is_some() {
+            return problem(
+                site,
+                "a struct that holds nothing is no type in the C, and has no name there",
+                "leave the name out, or give one to its methods",
+            );
+        }
+        if !definition.equal {
+            self.nothings.unequal.push(definition.path.clone());
+        }
+        self.nothings.names.insert(definition.path.clone(), name);
+        self.types.insert(definition.path.clone(), Type::Unit);
+        Ok(())
+    }
+
+    /// The name of an author's type that holds nothing.
+    pub(super) fn name_of_nothing(&self, path: &str) -> Option<&str> {
+        self.nothings.names.get(path).map(String::as_str)
+    }
+
+    /// The same of a type, if it is an author's.
+    pub(super) fn called(&self, ty: &Ty) -> Option<&str> {
+        match ty {
+            Ty::Named(path) => self.name_of_nothing(path),
+            _ => None,
+        }
+    }
+
+    /// Whether a type is one that holds nothing, and of which values may be unequal for all that the DSL sees.
+    pub(super) fn may_differ(&self, ty: &Ty) -> bool {
+        matches!(ty, Ty::Named(path) if self.nothings.unequal.contains(path))
+    }
+
+    /// Notes which of the author's fields are in the C, where not all are.
+    pub(super) fn note_fields(&mut self, id: StructId, fields: &[tree::Field], kept: &[bool]) {
+        if kept.iter().all(|kept| *kept) {
+            return;
+        }
+        let mut next = 0..;
+        let places = fields.iter().zip(kept).map(|(field, kept)| {
+            (field.name.clone(), kept.then(|| next.next().unwrap_or_default()))
+        });
+        self.nothings.fields.insert(id, places.collect());
+    }
+
+    /// Where the field is that an author means by a name, or by the number of a part.
+    pub(super) fn field_at(&self, id: StructId, name: &str) -> Option<At> {
+        match self.nothings.fields.get(&id) {
+            Some(all) => {
+                let (_, at) = all.iter().find(|(known, _)| known == name)?;
+                Some(at.map_or(At::Nowhere, At::Field))
+            }
+            None => position(&self.module.structs[id.index()].fields, name).map(At::Field),
+        }
+    }
+
+    /// Where the author's fields of a struct are, in order.
+    pub(super) fn fields_at(&self, id: StructId) -> Vec<Option<usize>> {
+        match self.nothings.fields.get(&id) {
+            Some(all) => all.iter().map(|(_, at)| *at).collect(),
+            None => (0..self.module.structs[id.index()].fields.len()).map(Some).collect(),
+        }
+    }
+
+    /// Notes which parameters of a function are not in the C.
+    pub(super) fn note_params(&mut self, id: FunctionId, absent: Vec<bool>) {
+        if absent.contains(&true) {
+            self.nothings.params.insert(id, absent);
+        }
+    }
+
+    /// Whether an argument holds nothing, by its place among those of the author.
+    pub(super) fn is_absent(&self, id: FunctionId, index: usize) -> bool {
+        let absent = self.nothings.params.get(&id).and_then(|absent| absent.get(index));
+        absent.copied().unwrap_or_default()
+    }
+
+    fn is_nothing(&self, ty: &Ty) -> bool {
+        match ty {
+            Ty::Unit => true,
+            Ty::Named(path) => self.nothings.names.contains_key(path),
+            Ty::Ref(inner, _) | Ty::Known(_, inner) => self.is_nothing(inner),
+            _ => false,
+        }
+    }
+}
+
+impl Lowering<'_, '_> {
+    /// Whether rustc put a type that holds nothing, or a reference to one, into a slot.
+    pub(super) fn slot_is_nothing(&self, slot: u32) -> bool {
+        slot != NO_SLOT
+            && self.source.slots.get(slot as usize).is_some_and(|ty| self.cx.is_nothing(ty))
+    }
+
+    /// Whether the value of an expression holds nothing.
+    pub(super) fn holds_nothing(&mut self, expr: &tree::Expr) -> bool {
+        match &expr.kind {
+            tree::ExprKind::Local(name) => {
+                matches!(self.lookup(name, expr.site), Ok(Binding::Nothing))
+            }
+            tree::ExprKind::Ref(_, inner) | tree::ExprKind::Deref(inner) => {
+                self.holds_nothing(inner)
+            }
+            tree::ExprKind::Field(base, name) => {
+                if self.cx.nothings.names.is_empty() && self.cx.nothings.fields.is_empty() {
+                    return false;
+                }
+                self.holds_nothing(base)
+                    || match self.place_type(base) {
+                        Ok(Type::Struct(id)) => {
+                            matches!(self.cx.field_at(id, name), Some(At::Nowhere))
+                        }
+                        _ => false,
+                    }
+            }
+            _ => expr.slot.is_some_and(|slot| self.slot_is_nothing(slot)),
+        }
+    }
+
+    /// The value of all that holds nothing.
+    pub(super) fn nothing(&mut self, site: Site) -> Expr {
+        Expr { kind: ExprKind::Literal(0), ty: Type::Unit, span: self.span(site) }
+    }
+
+    /// Does what an expression does, of which the value holds nothing; gives what is left to be done.
+    pub(super) fn done(&mut self, expr: &tree::Expr) -> Result<Expr> {
+        match &expr.kind {
+            tree::ExprKind::Local(_) | tree::ExprKind::Path(..) => {}
+            tree::ExprKind::Ref(_, inner) | tree::ExprKind::Deref(inner) => self.effect(inner)?,
+            tree::ExprKind::Field(base, _) if self.holds_nothing(base) => self.effect(base)?,
+            // Its indices are looked at.
+            tree::ExprKind::Field(base, _) => {
+                let mut base = self.base(base)?;
+                self.fix(&mut base);
+            }
+            tree::ExprKind::Struct(_, fields, rest) => {
+                for (_, value) in fields {
+                    self.effect(value)?;
+                }
+                rest.iter().try_for_each(|rest| self.effect(rest))?;
+            }
+            tree::ExprKind::Constructor(_, parts) | tree::ExprKind::Tuple(parts) => {
+                parts.iter().try_for_each(|part| self.effect(part))?;
+            }
+            _ => return self.bare_value(expr, None),
+        }
+        Ok(self.nothing(expr.site))
+    }
+
+    /// `place = value` of what holds nothing: the value is computed, then the place.
+    pub(super) fn assign_nothing(&mut self, place: &tree::Expr, value: &tree::Expr) -> Result<()> {
+        self.effect(value)?;
+        self.effect(place)
+    }
+
+    /// Gives the names of a pattern to what holds nothing, which every pattern takes.
+    pub(super) fn take_nothing(pattern: &Pattern, site: Site, names: &mut Vec<Named>) {
+        match pattern {
+            Pattern::Name { name, inner, .. } => {
+                names.push(Named::nothing(name, site));
+                inner.iter().for_each(|inner| Self::take_nothing(inner, site, names));
+            }
+            Pattern::Tuple(parts) | Pattern::Constructor(_, parts) | Pattern::Array(parts) => {
+                parts.iter().for_each(|part| Self::take_nothing(part, site, names));
+            }
+            Pattern::Fields(_, fields) => {
+                fields.iter().for_each(|(_, part)| Self::take_nothing(part, site, names));
+            }
+            _ => {}
+        }
+    }
+
+    /// Refuses to keep what holds nothing, wherever it was not left out.
+    pub(super) fn check_locals(&self) -> Result<()> {
+        match self.locals.iter().find(|local| local.ty == Type::Unit) {
+            Some(local) => problem(
+                Site(local.span.line, local.span.column),
+                "what holds nothing is not kept here in the DSL",
+                "leave it out: there is one value alone",
+            ),
+            None => Ok(()),
+        }
+    }
+
+    /// Emits what is left of a value that holds nothing.
+    pub(super) fn discard(&mut self, value: Expr) {
+        let idle = match &value.kind {
+            ExprKind::Literal(_) => true,
+            // `Trapezoid::new()`.
+            ExprKind::Call(id, arguments) => {
+                arguments.is_empty() && self.cx.module.functions[id.index()].body.0.is_empty()
+            }
+            _ => false,
+        };
+        if !idle {
+            let span = value.span;
+            self.emit(StmtKind::Expr(value), span);
+        }
+    }
+}

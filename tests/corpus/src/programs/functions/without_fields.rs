@@ -1,0 +1,105 @@
+//! A struct without fields is a choice that the types make: which of several ways, or which error. It vanishes from the
+//! C, where its methods take what is left.
+
+use bessemer::prelude::*;
+
+/// How an area under a curve is found.
+#[interface]
+pub trait Rule {
+    /// The area between two samples.
+    fn area(&self, left: f64, right: f64, step: f64) -> f64;
+}
+
+/// By the mean of both.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Trapezoid;
+
+#[data]
+impl Rule for Trapezoid {
+    fn area(&self, left: f64, right: f64, step: f64) -> f64 {
+        0.5 * (left + right) * step
+    }
+}
+
+/// By the earlier one.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Rectangle;
+
+#[data]
+impl Rule for Rectangle {
+    fn area(&self, left: f64, _right: f64, step: f64) -> f64 {
+        left * step
+    }
+}
+
+/// Adds up, by a rule.
+#[component]
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Integral<R> {
+    rule: R,
+    last: f64,
+    sum: f64,
+}
+
+#[component]
+impl<R: Rule> Integral<R> {
+    /// One more sample.
+    #[entry(infallible)]
+    pub fn step(&mut self, sample: f64) -> f64 {
+        self.sum += self.rule.area(self.last, sample, 0.01);
+        self.last = sample;
+        self.sum
+    }
+}
+
+/// The one that is flown.
+#[component]
+pub type TrapezoidIntegral = Integral<Trapezoid>;
+
+/// What is above the limit.
+#[data]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Saturated;
+
+/// What else may be wrong.
+#[data]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Trouble {
+    /// Above.
+    High,
+    /// Below.
+    Low,
+}
+
+#[data]
+impl From<Saturated> for Trouble {
+    fn from(_: Saturated) -> Trouble {
+        Trouble::High
+    }
+}
+
+/// A command that the drive takes.
+#[function]
+pub fn commanded(torque: f64) -> Result<f64, Saturated> {
+    if torque > 2.0 { Err(Saturated) } else { Ok(torque) }
+}
+
+/// The same, from below too.
+#[function]
+pub fn limited(torque: f64) -> Result<f64, Trouble> {
+    let torque = commanded(torque)?;
+    if torque < -2.0 { Err(Trouble::Low) } else { Ok(torque) }
+}
+
+#[function]
+fn areas<R: Rule>(rule: R, samples: &[f64; 4]) -> f64 {
+    samples.windows(2).map(|pair| rule.area(pair[0], pair[1], 0.5)).sum()
+}
+
+/// By both rules.
+#[function]
+pub fn compared(samples: &[f64; 4]) -> [f64; 2] {
+    [areas(Trapezoid, samples), areas(Rectangle, samples)]
+}
