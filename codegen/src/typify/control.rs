@@ -258,6 +258,7 @@ impl Lowering<'_, '_> {
             tree::ExprKind::Tuple(parts) if parts.is_empty() => Ok(()),
             tree::ExprKind::Call(..)
                 if self.in_option(expr)?.is_some()
+                    || self.lent_place(expr)?.is_some()
                     || self.list_effect(expr)?
                     || self.slice_effect(expr)?
                     || self.part_effect(expr)? =>
@@ -369,7 +370,7 @@ impl Lowering<'_, '_> {
     ) -> Result<()> {
         let tree::ExprKind::Local(name) = &place.kind else { return Ok(()) };
         let refers = match self.lookup(name, place.site)? {
-            Binding::Nothing => false,
+            Binding::Value(_) | Binding::Nothing => false,
             Binding::Alias(_) | Binding::Slice(_) => true,
             // One that may be written also stands for a variable that a closure writes.
             Binding::Local(root) => match self.locals[root.index()].mode {

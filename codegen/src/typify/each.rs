@@ -240,6 +240,7 @@ impl Lowering<'_, '_> {
             if let Step::Index(index) = step
                 && !super::function::is_literal(index)
                 && !self.is_counter(index)
+                && !self.is_steady(index)
             {
                 *index = self.temporary("index", index.clone());
             }
@@ -387,6 +388,7 @@ impl Lowering<'_, '_> {
                 mode: Mode::Value,
                 span,
             });
+            let mut copied = false;
             for stmt in &mut body.0 {
                 // The declarations of the names come first, each with its part of the element.
                 if let StmtKind::Let { value: Some(value), .. } = &mut stmt.kind
@@ -396,9 +398,14 @@ impl Lowering<'_, '_> {
                     && element.steps.starts_with(&place.steps)
                     && element.span == place.span
                 {
+                    copied = true;
                     element.root = copy;
                     element.steps.drain(..place.steps.len());
                 }
+            }
+            if !copied {
+                // Its names are references, `for x in table.row_mut(i)`.
+                continue;
             }
             let value = Some(Expr { kind: ExprKind::Load(place.clone()), ty, span });
             let kind = StmtKind::Let { local: copy, value };

@@ -33,6 +33,9 @@ impl Lowering<'_, '_> {
         if let Some(place) = self.in_option(expr)? {
             return Ok(super::pattern::load(&place));
         }
+        if let Some(place) = self.lent_place(expr)? {
+            return Ok(super::pattern::load(&place));
+        }
         let value = self.bare_value(expr, expected)?;
         self.cx.typed.expressions += 1;
         if let Some(slot) = expr.slot {
@@ -72,6 +75,7 @@ impl Lowering<'_, '_> {
                 self.node(ExprKind::Array(items), ty, site)
             }
             tree::ExprKind::Path(index, name) => self.path(*index, name, site),
+            tree::ExprKind::Local(name) => self.named(name, site),
             tree::ExprKind::Unary(op, operand) => match self.operator(expr.slot).cloned() {
                 Some(callee) => self.call_of(&callee, std::slice::from_ref(&**operand), expr),
                 None => self.unary(*op, operand, expected, site),

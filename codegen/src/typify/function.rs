@@ -31,7 +31,7 @@ pub(super) struct Lowering<'a, 'c> {
     pub result: Type,
     /// The locals that the author has no name for: nothing writes to them again.
     pub held: HashSet<LocalId>,
-    /// The counters of loops over ranges: only their loop changes them.
+    /// The counters of loops over ranges, which only their loop changes, and parameters that nobody does.
     pub steady: HashSet<LocalId>,
     /// Locals that have to have a value where they are declared.
     pub valued: HashSet<LocalId>,
@@ -43,6 +43,8 @@ pub(super) struct Lowering<'a, 'c> {
     pub handed: HashMap<String, Handed<'a>>,
     /// Which of its parameters hold nothing.
     pub absent: Vec<bool>,
+    /// The functions that lend whose bodies are being lowered, outermost first.
+    pub expanding: Vec<&'a str>,
 }
 
 /// What a name means.
@@ -54,6 +56,8 @@ pub(super) enum Binding {
     Alias(Place),
     /// A slice.
     Slice(Box<Slice>),
+    /// A literal or a constant.
+    Value(Box<Expr>),
     /// What holds nothing.
     Nothing,
 }
@@ -187,7 +191,13 @@ impl<'a, 'c> Lowering<'a, 'c> {
         {
             return problem(site, format!("`{path}` was not built"), "mark it `#[data]`");
         }
-        let result = cx.value_type(slot_type(source, source.tree.result, site)?, site)?;
+        // What is lent to be read may be a copy.
+        let result = match slot_type(source, source.tree.result, site)? {
+            Ty::Ref(inner, mutable) if !mutable || cx.is_nothing(inner) => {
+                cx.value_type(inner, site)?
+            }
+            ty => cx.value_type(ty, site)?,
+        };
         Ok(Lowering {
             cx,
             source,
@@ -203,6 +213,7 @@ impl<'a, 'c> Lowering<'a, 'c> {
             counters: Vec::new(),
             handed: HashMap::new(),
             absent: Vec::new(),
+            expanding: Vec::new(),
         })
     }
 }
@@ -238,7 +249,10 @@ impl Lowering<'_, '_> {
             };
             let ty = self.cx.pointee(ty, param.site)?;
             let span = self.span(param.site);
-            self.declare(&param.name, ty, mode, span);
+            let local = self.declare(&param.name, ty, mode, span);
+            if mode == Mode::Value && !param.mutable {
+                self.steady.insert(local);
+            }
         }
         Ok(())
     }
@@ -313,6 +327,7 @@ impl Lowering<'_, '_> {
         let place = match self.lookup(name, site)? {
             Binding::Alias(place) => place,
             Binding::Slice(slice) => slice.place(),
+            Binding::Value(value) => return Ok(*value),
             Binding::Nothing => return Ok(self.nothing(site)),
             Binding::Local(root) => {
                 let ty = self.locals[root.index()].ty.clone();

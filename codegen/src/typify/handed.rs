@@ -79,7 +79,7 @@ impl<'a> Lowering<'a, '_> {
             let local = matches!(binding, Binding::Local(_));
             let place = match binding {
                 Binding::Alias(place) => Some(place),
-                Binding::Slice(_) => None,
+                Binding::Slice(_) | Binding::Value(_) => None,
                 Binding::Nothing => {
                     nothing.push(name);
                     continue;

@@ -51,6 +51,7 @@ impl<'a> Context<'a> {
                     }
                 }
                 ("From", _) => self.conversions.push(it),
+                ("Index" | "IndexMut", _) => self.note_indexing(it),
                 _ => {}
             }
         }

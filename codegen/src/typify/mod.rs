@@ -33,6 +33,7 @@ mod implied;
 mod integer_matrices;
 mod kernels;
 mod labelled;
+mod lending;
 mod lent;
 mod lexical;
 mod list;
@@ -114,6 +115,8 @@ pub fn typify(
         .partition(|function| function.tree.params.iter().any(|param| param.closure));
     cx.templates = templates.into_iter().map(|it| (it.path.as_str(), it)).collect();
     cx.note_implied(&package.implied);
+    cx.note_lending(&functions);
+    let functions = functions.into_iter().filter(|it| !cx.lends_place(it)).collect::<Vec<_>>();
     cx.waiting = functions.iter().map(|it| (it.path.as_str(), *it)).collect();
     // Of other crates comes what is called, when it is called.
     for function in functions.into_iter().filter(|function| is_own(package, function)) {
@@ -231,6 +234,12 @@ struct Context<'a> {
     functions: HashMap<String, FunctionId>,
     /// The functions that take closures: each call has a copy of its own.
     templates: HashMap<&'a str, &'a tree::Function>,
+    /// All functions that take no closures.
+    all: HashMap<&'a str, &'a tree::Function>,
+    /// Those of which the place that they lend stands where they are called.
+    lending: HashMap<&'a str, &'a tree::Function>,
+    /// The authors' own `[…]`.
+    indexing: Vec<lending::Indexing<'a>>,
     /// Functions that are still to be made.
     waiting: HashMap<&'a str, &'a tree::Function>,
     /// Functions that are being made, each for the one before.
@@ -276,6 +285,9 @@ impl<'a> Context<'a> {
             quaternions: HashMap::new(),
             functions: HashMap::new(),
             templates: HashMap::new(),
+            all: HashMap::new(),
+            lending: HashMap::new(),
+            indexing: Vec::new(),
             waiting: HashMap::new(),
             underway: Vec::new(),
             told: package.errors.iter().map(refusal).collect(),

@@ -124,7 +124,8 @@ impl Context<'_> {
         absent.copied().unwrap_or_default()
     }
 
-    fn is_nothing(&self, ty: &Ty) -> bool {
+    /// Whether a type, or what a reference refers to, holds nothing.
+    pub(super) fn is_nothing(&self, ty: &Ty) -> bool {
         match ty {
             Ty::Unit => true,
             Ty::Named(path) => self.nothings.names.contains_key(path),

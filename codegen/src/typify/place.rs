@@ -42,14 +42,17 @@ impl Lowering<'_, '_> {
             tree::ExprKind::Local(name) => Ok(Some(match self.lookup(name, expr.site)? {
                 Binding::Alias(place) => place,
                 Binding::Slice(slice) => slice.place(),
-                Binding::Nothing => return Ok(None),
+                Binding::Value(_) | Binding::Nothing => return Ok(None),
                 Binding::Local(root) => {
                     let ty = self.locals[root.index()].ty.clone();
                     Place { root, steps: Vec::new(), ty, span }
                 }
             })),
             tree::ExprKind::Deref(inner) | tree::ExprKind::Ref(_, inner) => self.place(inner),
-            tree::ExprKind::Call(..) => self.in_option(expr),
+            tree::ExprKind::Call(..) => match self.in_option(expr)? {
+                Some(place) => Ok(Some(place)),
+                None => self.lent_place(expr),
+            },
             tree::ExprKind::Field(_, name) if name == "coords" && self.in_coords(expr)? => Ok(None),
             tree::ExprKind::Field(base, name) => {
                 let base = self.base(base)?;
@@ -58,6 +61,12 @@ impl Lowering<'_, '_> {
             tree::ExprKind::Index(base, index) => {
                 if let Some(slice) = self.slice(base)? {
                     return self.slice_element(&slice, index, span).map(Some);
+                }
+                if !self.cx.indexing.is_empty()
+                    && let Ok(owner) = self.place_type(base)
+                    && let Some(place) = self.own_element(&owner, [base, index], expr.site)?
+                {
+                    return Ok(Some(place));
                 }
                 let base = self.base(base)?;
                 self.element(base, index, expr).map(Some)
@@ -226,6 +235,7 @@ impl Lowering<'_, '_> {
             tree::ExprKind::Local(name) => Ok(match self.lookup(name, expr.site)? {
                 Binding::Alias(place) => place.ty,
                 Binding::Slice(slice) => slice.ty(),
+                Binding::Value(value) => value.ty,
                 Binding::Nothing => Type::Unit,
                 Binding::Local(root) => self.locals[root.index()].ty.clone(),
             }),
@@ -237,7 +247,10 @@ impl Lowering<'_, '_> {
                 }
                 Ok(self.field_step(&base, name, expr)?.1)
             }
-            tree::ExprKind::Index(base, _) => match self.place_type(base)? {
+            tree::ExprKind::Index(base, index) => match self.place_type(base)? {
+                other if let Some(own) = self.own_element_type(&other, index, expr.site)? => {
+                    Ok(own)
+                }
                 Type::Array { element, .. } | Type::Slice(element) => Ok(*element),
                 Type::Matrix { element, .. } => Ok(Type::Scalar(element)),
                 other => Ok(match (self.list_type(&other), self.bounded_type(&other)) {

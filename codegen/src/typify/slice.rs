@@ -183,7 +183,7 @@ impl Lowering<'_, '_> {
                     }
                     _ => None,
                 },
-                Binding::Alias(_) | Binding::Nothing => None,
+                Binding::Alias(_) | Binding::Value(_) | Binding::Nothing => None,
             }),
             tree::ExprKind::Ref(_, inner) | tree::ExprKind::Deref(inner) => self.slice(inner),
             tree::ExprKind::Slice(base, from, to, inclusive) => {
@@ -279,7 +279,8 @@ impl Lowering<'_, '_> {
         }
     }
 
-    fn is_steady(&self, value: &Expr) -> bool {
+    /// Whether nothing writes to what a value is read from.
+    pub(super) fn is_steady(&self, value: &Expr) -> bool {
         match &value.kind {
             ExprKind::Load(place) => {
                 let known = self.steady.contains(&place.root) || self.held.contains(&place.root);

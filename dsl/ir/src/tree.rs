@@ -220,6 +220,9 @@ pub struct Param {
     /// Whether it takes a closure: then the slot says nothing.
     #[serde(default)]
     pub closure: bool,
+    /// Whether its author may assign it.
+    #[serde(default)]
+    pub mutable: bool,
 }
 
 /// Statements, then perhaps a value.

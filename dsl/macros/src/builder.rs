@@ -4,9 +4,10 @@
 //! witness copy), and then hands on the tree with the types that the slots were given. It is emitted
 //! in generation builds only; the refusals come in every build.
 
-use bessemer_ir::tree::{FunctionTree, Param};
+use bessemer_ir::tree::{FunctionTree, Param, Role};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
+use syn::spanned::Spanned;
 
 use crate::attributes::{self, Asked};
 use crate::closures;
@@ -209,7 +210,11 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
             slot: walk.slot(),
             site: parameter.site,
             closure: parameter.closure,
+            mutable: parameter.mutable,
         });
+    }
+    if lower::lends(signature) {
+        check_lending(subject, &parameters, &copy, walk.refusals);
     }
     let result = walk.slot();
     let body = walk.block(&mut copy);
@@ -227,12 +232,28 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
         body,
         operators: std::mem::take(&mut walk.operators),
     };
-    let builder = builder(subject, scope, &tree, &parameters, &walk, &copy);
-    Some(Parts {
-        parameters: companion_parameters(signature),
-        result: result_type(signature),
-        builder,
-    })
+    let builder = builder(subject, scope, &tree, &parameters, &walk, (signature, &copy));
+    // What is lent has the lifetime that its author wrote.
+    let told = if lower::lends(signature) { subject.signature } else { signature };
+    Some(Parts { parameters: companion_parameters(told), result: result_type(told), builder })
+}
+
+/// What the firmware calls gives a value, and what takes a closure; what lends ends with the place.
+fn check_lending(
+    subject: &Subject<'_>,
+    parameters: &[Parameter],
+    body: &syn::Block,
+    refusals: &mut Refusals,
+) {
+    let syn::ReturnType::Type(_, ty) = &subject.signature.output else { return };
+    let outside = matches!(subject.asked.role, Role::Entry { .. });
+    if outside || subject.asked.attributes.external.is_some() {
+        refusals.add(ty.span(), refuse::RETURNED_REFERENCE);
+    }
+    if parameters.iter().any(|parameter| parameter.closure) {
+        refusals.add(ty.span(), refuse::LENT_CLOSURE);
+    }
+    lower::refuse_leaving(body, refusals);
 }
 
 /// The name of the function that builds `name`.
@@ -247,7 +268,7 @@ fn builder(
     tree: &FunctionTree,
     parameters: &[Parameter],
     walk: &Lowering<'_>,
-    copy: &syn::Block,
+    (signature, copy): (&syn::Signature, &syn::Block),
 ) -> TokenStream {
     let (slots, callees) = walk.counts();
     let slots: Vec<_> = (0..slots).map(lower::slot_name).collect();
@@ -268,7 +289,22 @@ fn builder(
     });
     let items = &walk.items;
     let macros = walk.macros.iter().map(lower::asked);
-    let result = result_type(subject.signature);
+    let result = result_type(signature);
+    // What a closure gives cannot refer to what it is given.
+    let witness = match lower::lends(signature) {
+        true => quote! {
+            let _ = |#(#patterns: #types),*| {
+                #(#looks)*
+                let __lent: #result = #copy;
+            };
+        },
+        false => quote! {
+            let _ = |#(#patterns: #types),*| -> #result {
+                #(#looks)*
+                #copy
+            };
+        },
+    };
     let result_slot = lower::slot_name(tree.result);
     // The tree is plain data: writing it cannot fail.
     let text = serde_json::to_string(tree).unwrap_or_default();
@@ -294,10 +330,7 @@ fn builder(
             #(let #slots = ::bessemer::generate::Slot::new();)*
             #(let #callees = ::bessemer::generate::Slot::new();)*
             #(let #owned = ::bessemer::generate::Slot::new();)*
-            let _ = |#(#patterns: #types),*| -> #result {
-                #(#looks)*
-                #copy
-            };
+            #witness
             __result::<#result>(&#result_slot);
             let owner = #owner;
             let generics = ::bessemer::generate::Generics { scope: #told, own: #own, interface: #interface };
@@ -367,7 +400,10 @@ pub fn companion_parameters(signature: &syn::Signature) -> Vec<TokenStream> {
         .iter()
         .enumerate()
         .map(|(index, input)| match input {
-            syn::FnArg::Receiver(it) => quote! { #it },
+            syn::FnArg::Receiver(it) => {
+                let bare = syn::Receiver { attrs: Vec::new(), ..it.clone() };
+                quote! { #bare }
+            }
             syn::FnArg::Typed(it) => {
                 let (name, ty) = (format_ident!("__{index}"), &it.ty);
                 quote! { #name: #ty }

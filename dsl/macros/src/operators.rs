@@ -30,7 +30,7 @@ pub enum Known {
 pub fn known(path: &syn::Path) -> Option<Known> {
     let name = last(path);
     match name.as_str() {
-        "Neg" | "Not" | "PartialEq" => return Some(Known::Operator),
+        "Neg" | "Not" | "PartialEq" | "Index" | "IndexMut" => return Some(Known::Operator),
         "From" | "TryFrom" => return Some(Known::Conversion),
         _ => {}
     }
@@ -50,7 +50,8 @@ pub fn implementation(
     refusals: &mut Refusals,
 ) -> (TokenStream, TokenStream) {
     let Some((path, _)) = it.trait_.clone() else { return Default::default() };
-    if last(&path) == "PartialEq" && Scope::of_type(&it.generics).is_generic() {
+    let by_type = ["PartialEq", "Index", "IndexMut"].contains(&last(&path).as_str());
+    if by_type && Scope::of_type(&it.generics).is_generic() {
         refusals.add(it.generics.span(), refuse::GENERIC_OPERATOR);
     }
     let other = argument(&path).unwrap_or_else(|| (*it.self_ty).clone());
@@ -65,7 +66,12 @@ pub fn implementation(
     if crate::interface::is_composed(&it.self_ty) {
         refusals.add(it.self_ty.span(), refuse::FOREIGN_OPERAND);
     }
-    let named = associated(&it);
+    let mut named = associated(&it);
+    if last(&path) == "IndexMut" {
+        // It stands in the other block.
+        let output = syn::parse_quote!(<Self as ::core::ops::Index<#other>>::Output);
+        named.push((format_ident!("Output"), output));
+    }
     let mut beside = TokenStream::new();
     for item in &mut it.items {
         let syn::ImplItem::Fn(method) = item else { continue };

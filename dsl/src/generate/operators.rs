@@ -18,7 +18,7 @@ use nalgebra::SMatrix;
 use super::{Builder, ScalarType, Slot, spatial};
 
 /// The traits that are called by no name and no operator of one's own.
-const IMPLIED: [&str; 2] = ["PartialEq", "From"];
+const IMPLIED: [&str; 4] = ["PartialEq", "From", "Index", "IndexMut"];
 
 macro_rules! signs {
     ($($name:ident)*) => {
@@ -52,7 +52,7 @@ of_one_type! {
 signs! {
     Add Sub Mul Div Rem BitAnd BitOr BitXor Shl Shr Neg Not
     AddAssign SubAssign MulAssign DivAssign RemAssign BitAndAssign BitOrAssign BitXorAssign ShlAssign ShrAssign
-    PartialEq From TryFrom
+    PartialEq From TryFrom Index IndexMut
 }
 
 /// A type of an author's with an operator or a conversion `O`, for an operand of type `B`.

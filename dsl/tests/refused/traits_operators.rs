@@ -2,7 +2,7 @@
 extern crate std;
 
 use bessemer::prelude::*;
-use core::ops::{Add, Index};
+use core::ops::{Add, Deref};
 
 /// A pair.
 #[data]
@@ -13,9 +13,9 @@ pub struct Pair {
 }
 
 #[data]
-impl Index<usize> for Pair {
-    type Output = f64;
-    fn index(&self, _place: usize) -> &f64 {
+impl Deref for Pair {
+    type Target = f64;
+    fn deref(&self) -> &f64 {
         &self.a
     }
 }

@@ -46,7 +46,9 @@ pub use call::companion_name;
 pub use macros::asked;
 pub use pattern::member;
 pub use refuse::Refusals;
-pub use signature::{Parameter, check_field, gives_option, name_parts, parameters};
+pub use signature::{
+    Parameter, check_field, gives_option, lends, name_parts, parameters, refuse_leaving,
+};
 pub use strip::{check_attributes, strip};
 
 /// The walk over one function.

@@ -152,7 +152,10 @@ reasons! {
     TRAIT_OBJECT: "trait objects need a table of function pointers", "name the type, or choose with an `enum` and a `match`";
     IMPL_TRAIT: "`impl Trait` hides the type that the C has to name", "name the type; a closure is taken by `impl Fn(f64) -> f64`, in functions and in methods of a type";
     GENERIC_ALIAS: "the name of an instance has no parameters of its own", "name each instance: `pub type PidF32 = Pid<f32>;`";
-    RETURNED_REFERENCE: "a result is a value in the DSL", "return a copy, or the index of the element";
+    RETURNED_REFERENCE: "what the firmware calls gives a value", "return a copy, or the index of the element";
+    RETURNED_SLICE: "a slice that a function gives has no length of its own in the C", "take the part where it is used, `&self.items[..self.count]`, or go through it in a function that takes a closure";
+    LENT_EARLY: "a function that lends a place ends with it in the DSL", "end in the place: `if … { &self.a } else { &self.b }` of what is read, an index of what is written";
+    LENT_CLOSURE: "a function that takes a closure gives a value in the DSL", "return a copy, or the index of the element";
     REFERENCE_FIELD: "a reference in a struct would let two owners share memory in the C", "hold the value, or pass the reference to the method";
     NEVER: "a function that never returns would hang the firmware", "return a value";
     RECEIVER: "this receiver is not in the DSL", "write `self`, `&self` or `&mut self`";
@@ -161,8 +164,8 @@ reasons! {
     YIELD: "generators are not in the DSL", "keep the state in a component, and step it";
     LINKED_RANGE: "of a range the DSL takes `.rev()` and `.step_by(n)`, then closures: `.map(…)`, `.filter(…)` and the like", "change its ends, `1..n` for `(0..n).skip(1)`; beside elements, number them with `.enumerate()`";
     RANGE_VALUE: "a range is not a value in the DSL", "write it in a `for`";
-    OPERATOR_TRAIT: "what gives a reference is no operator of the DSL", "write a method with a name that gives the value, and one that sets it";
-    GENERIC_OPERATOR: "a `==` of one's own of a generic type is not in the DSL", "derive `PartialEq`, implement it for each instance, or write a method with a name";
+    OPERATOR_TRAIT: "what lends by itself hides in the Rust what the C has to name", "write a method that gives the reference, `fn inner(&self) -> &Inner`";
+    GENERIC_OPERATOR: "a `==` or an index of one's own of a generic type is not in the DSL", "derive `PartialEq`, implement it for each instance, or write a method with a name: `fn at(&self, i: usize) -> &T`";
     BORROWED_OPERAND: "an operand is a value in the DSL", "derive `Copy`, and implement the trait for the values";
     TWO_TYPES_EQUAL: "`==` compares values of one type in the DSL", "convert one of the two, or write a method with a name";
     OWN_UNEQUAL: "`!=` is the opposite of `==` in the DSL", "leave `ne` out: Rust makes it of `eq`";
@@ -235,7 +238,7 @@ pub fn expression(expr: &syn::Expr) -> (Span, Reason) {
 pub fn known_trait(path: &syn::Path) -> Option<Reason> {
     let name = path.segments.last()?.ident.to_string();
     Some(match name.as_str() {
-        "Index" | "IndexMut" | "Deref" | "DerefMut" => OPERATOR_TRAIT,
+        "Deref" | "DerefMut" => OPERATOR_TRAIT,
         "PartialOrd" | "Ord" => OWN_ORDER,
         "Default" | "Clone" | "Copy" | "Debug" | "Display" | "Eq" | "Hash" | "Into"
         | "Iterator" | "IntoIterator" | "Drop" => STD_TRAIT,

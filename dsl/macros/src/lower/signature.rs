@@ -24,6 +24,8 @@ pub struct Parameter {
     pub ty: proc_macro2::TokenStream,
     /// Where it stands.
     pub site: Site,
+    /// Whether its author may assign it.
+    pub mutable: bool,
     /// Whether it takes a closure; then `ty` is the function pointer that stands for one.
     pub closure: bool,
 }
@@ -61,6 +63,7 @@ fn parameter(
                 ident: receiver,
                 ty,
                 site: site(&it.self_token),
+                mutable: mutability.is_some(),
                 closure: false,
             })
         }
@@ -73,6 +76,7 @@ fn parameter(
             Some(Parameter {
                 name: text(&ident),
                 pattern: it.pat.to_token_stream(),
+                mutable: matches!(&*it.pat, syn::Pat::Ident(it) if it.mutability.is_some()),
                 closure: closure.is_some(),
                 ty: closure.unwrap_or_else(|| it.ty.to_token_stream()),
                 site: site(&ident),
@@ -87,6 +91,26 @@ pub fn gives_option(signature: &syn::Signature) -> bool {
     let syn::ReturnType::Type(_, result) = &signature.output else { return false };
     let syn::Type::Path(it) = &**result else { return false };
     it.path.segments.last().is_some_and(|last| last.ident == "Option")
+}
+
+/// Whether a function gives a reference.
+pub fn lends(signature: &syn::Signature) -> bool {
+    matches!(&signature.output, syn::ReturnType::Type(_, ty) if matches!(**ty, syn::Type::Reference(_)))
+}
+
+/// Refuses to leave a function early that lends a place.
+pub fn refuse_leaving(body: &syn::Block, refusals: &mut Refusals) {
+    struct Leaves<'a>(&'a mut Refusals);
+    impl<'ast> Visit<'ast> for Leaves<'_> {
+        fn visit_expr_return(&mut self, it: &'ast syn::ExprReturn) {
+            self.0.add(it.return_token.span, refuse::LENT_EARLY);
+        }
+        fn visit_expr_try(&mut self, it: &'ast syn::ExprTry) {
+            self.0.add(it.question_token.span, refuse::LENT_EARLY);
+        }
+        fn visit_expr_closure(&mut self, _: &'ast syn::ExprClosure) {}
+    }
+    Leaves(refusals).visit_block(body);
 }
 
 /// Gives a parameter that is taken apart a name, and takes it apart at the beginning of the body:
@@ -142,7 +166,11 @@ fn check_signature(signature: &syn::Signature, refusals: &mut Refusals) {
     }
     if let syn::ReturnType::Type(_, ty) = &signature.output {
         match &**ty {
-            syn::Type::Reference(it) => refusals.add(it.and_token.span, refuse::RETURNED_REFERENCE),
+            // What is lent; which function may do so says the walk.
+            syn::Type::Reference(it) => match &*it.elem {
+                syn::Type::Slice(_) => refusals.add(it.and_token.span, refuse::RETURNED_SLICE),
+                inner => check_type(inner, refusals),
+            },
             syn::Type::Never(it) => refusals.add(it.bang_token.span, refuse::NEVER),
             ty => check_type(ty, refusals),
         }

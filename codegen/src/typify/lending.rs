@@ -1,0 +1,364 @@
+//! Functions that lend a place: `fn axis_mut(&mut self, i: usize) -> &mut Axis`, and an author's own `[…]`.
+//!
+//! Where one is called stands the place that its body ends in, behind what the body does before: so nothing is copied,
+//! and the place can be written. One that only lends to be read, and chooses between places, is a function that gives
+//! a copy; nothing writes to what is lent while it is.
+
+use bessemer_ir::tree::{self, ExprKind as Tree, Pattern, Site, Ty};
+use bessemer_ir::{ExprKind, Place, Type};
+use serde_json::Value;
+
+use super::function::{Binding, Lowering};
+use super::{Context, Problem, Result, diagnostic, problem};
+
+/// An author's own `[…]`.
+pub(super) struct Indexing<'a> {
+    owner: Type,
+    index: &'a Ty,
+    mutable: bool,
+    path: &'a str,
+}
+
+/// Whether a function lends a place, and whether to be written.
+pub(super) fn lends(function: &tree::Function) -> Option<bool> {
+    match function.slots.get(function.tree.result as usize) {
+        Some(Ty::Ref(_, mutable)) => Some(*mutable),
+        _ => None,
+    }
+}
+
+/// The same tree wherever it stands, and whether it lends to be read or to be written.
+fn bare(value: Value) -> Value {
+    match value {
+        Value::Object(map) => {
+            let inner = map.into_iter().filter(|(key, _)| key != "site" && key != "slot");
+            let inner = inner.map(|(key, value)| match (key.as_str(), value) {
+                ("Ref", Value::Array(mut parts)) => (key, bare(parts.pop().unwrap_or_default())),
+                (_, value) => (key, bare(value)),
+            });
+            Value::Object(inner.collect())
+        }
+        Value::Array(items) => Value::Array(items.into_iter().map(bare).collect()),
+        other => other,
+    }
+}
+
+/// What a function does, and to what.
+fn meaning(function: &tree::Function) -> Value {
+    let tree = &function.tree;
+    let names: Vec<_> = tree.params.iter().map(|param| &param.name).collect();
+    let called = (&function.callees, &function.constants);
+    bare(serde_json::to_value((names, &tree.body, called)).unwrap_or_default())
+}
+
+/// The names of the parts of a parameter that the body begins with taking apart, `(row, column): (usize, usize)`; then
+/// it does no longer.
+fn taken_apart(body: &mut tree::Block, name: &str, count: usize) -> Option<Vec<String>> {
+    let parts = |stmt: &tree::Stmt| match stmt {
+        tree::Stmt::Apart { pattern, value, otherwise: None, .. } => match &**pattern {
+            Pattern::Tuple(parts) if value.kind == Tree::Local(name.to_owned()) => {
+                parts.iter().map(plain_name).collect::<Option<Vec<String>>>()
+            }
+            _ => None,
+        },
+        _ => None,
+    };
+    let (at, names) =
+        body.stmts.iter().enumerate().find_map(|(at, stmt)| Some((at, parts(stmt)?)))?;
+    if names.len() != count {
+        return None;
+    }
+    let stmt = body.stmts.remove(at);
+    let text = serde_json::to_string(&body).unwrap_or_default();
+    if text.contains(&format!("{{\"Local\":\"{name}\"}}")) {
+        body.stmts.insert(at, stmt);
+        return None;
+    }
+    Some(names)
+}
+
+fn plain_name(pattern: &Pattern) -> Option<String> {
+    match pattern {
+        Pattern::Name { name, mutable: false, inner: None, .. } => Some(name.clone()),
+        _ => None,
+    }
+}
+
+impl<'a> Context<'a> {
+    /// Notes the authors' own `[…]`.
+    pub(super) fn note_indexing(&mut self, it: &'a tree::Implied) {
+        if let Ty::Named(path) = &it.owner
+            && let Some(owner) = self.types.get(path).cloned()
+        {
+            let (index, mutable, path) = (&it.other, it.of == "IndexMut", it.function.as_str());
+            self.indexing.push(Indexing { owner, index, mutable, path });
+        }
+    }
+
+    /// Notes the functions of which the place stands where they are called.
+    pub(super) fn note_lending(&mut self, functions: &[&'a tree::Function]) {
+        self.all = functions.iter().map(|it| (it.path.as_str(), *it)).collect();
+        let lends_more = |it: &&&tree::Function| {
+            it.slots.get(it.tree.result as usize).is_some_and(|ty| !self.is_nothing(ty))
+        };
+        let functions: Vec<_> = functions.iter().filter(lends_more).copied().collect();
+        for function in functions {
+            let stands = match lends(function) {
+                None => continue,
+                Some(true) => {
+                    function.tree.body.tail.as_deref().is_some_and(|it| self.is_place(function, it))
+                }
+                Some(false) => self.stands_for_itself(function),
+            };
+            if stands {
+                self.lending.insert(&function.path, function);
+            } else if lends(function) == Some(true) {
+                self.chosen_to_write(function);
+            }
+        }
+    }
+
+    /// Whether a function is none in the C.
+    pub(super) fn lends_place(&self, function: &tree::Function) -> bool {
+        let lent = function.slots.get(function.tree.result as usize);
+        let refused = lends(function) == Some(true) && !lent.is_some_and(|ty| self.is_nothing(ty));
+        refused || self.lending.contains_key(function.path.as_str())
+    }
+
+    fn chosen_to_write(&mut self, function: &tree::Function) {
+        let tail = function.tree.body.tail.as_ref();
+        let problem = Problem {
+            site: tail.map_or(function.tree.site, |tail| tail.site),
+            message: "what lends a place to be written ends in one place in the DSL".into(),
+            help: "keep the places in an array and end in `&mut self.items[i]`, or write what is to be written in each branch".into(),
+        };
+        self.tell(&function.file, problem);
+    }
+
+    /// Whether the place is the same whatever the values are, and nothing is done before that needs a function.
+    fn stands_for_itself(&self, function: &tree::Function) -> bool {
+        let body = &function.tree.body;
+        let plain = body.stmts.iter().all(|stmt| match stmt {
+            tree::Stmt::Let { .. } | tree::Stmt::Apart { otherwise: None, .. } => true,
+            tree::Stmt::Expr(expr) => matches!(expr.kind, Tree::Assert(..)),
+            tree::Stmt::Apart { .. } => false,
+        });
+        plain && body.tail.as_deref().is_some_and(|tail| self.is_place(function, tail))
+    }
+
+    fn is_place(&self, function: &tree::Function, expr: &tree::Expr) -> bool {
+        match &expr.kind {
+            Tree::Local(_) => true,
+            Tree::Ref(_, inner) | Tree::Deref(inner) | Tree::Field(inner, _) => {
+                self.is_place(function, inner)
+            }
+            Tree::Index(base, _) => self.is_place(function, base),
+            Tree::Call(callee, _) => match function.callees.get(*callee as usize) {
+                Some(tree::Callee::Function(path)) => {
+                    self.all.get(path.as_str()).copied().and_then(lends).is_some()
+                }
+                // `self.last.as_mut().unwrap()`.
+                _ => lends(function) == Some(true),
+            },
+            _ => false,
+        }
+    }
+
+    /// The function that is put where it is called; none if it gives a value.
+    fn lending(&self, path: &str) -> Option<&'a tree::Function> {
+        self.lending.get(path).copied()
+    }
+}
+
+impl<'a> Lowering<'a, '_> {
+    /// The place that a call lends; none if it gives a value.
+    pub(super) fn lent_place(&mut self, expr: &tree::Expr) -> Result<Option<Place>> {
+        let Tree::Call(callee, arguments) = &expr.kind else { return Ok(None) };
+        let source = self.source;
+        let Some(tree::Callee::Function(path)) = source.callees.get(*callee as usize) else {
+            return Ok(None);
+        };
+        match self.cx.lending(path) {
+            Some(function) => self.placed(function, arguments, expr.site).map(Some),
+            None => Ok(None),
+        }
+    }
+
+    /// The place at an author's own `[…]`; none if there is none for the type.
+    pub(super) fn own_element(
+        &mut self,
+        owner: &Type,
+        operands: [&tree::Expr; 2],
+        site: Site,
+    ) -> Result<Option<Place>> {
+        let Some(path) = self.indexed_by(owner, operands[1], site)? else { return Ok(None) };
+        let operands = operands.map(tree::Expr::clone);
+        match self.cx.lending(path) {
+            Some(function) => self.placed(function, &operands, site).map(Some),
+            None => {
+                let id = self.function_at(path, site)?;
+                let expr = tree::Expr { kind: Tree::Bool(false), site, slot: None };
+                let value = self.call_function(id, &operands, &expr)?;
+                self.hold(value, site).map(Some)
+            }
+        }
+    }
+
+    /// The type at an author's own `[…]`.
+    pub(super) fn own_element_type(
+        &mut self,
+        owner: &Type,
+        index: &tree::Expr,
+        site: Site,
+    ) -> Result<Option<Type>> {
+        let Some(path) = self.indexed_by(owner, index, site)? else { return Ok(None) };
+        let function = self.cx.all.get(path).copied();
+        let result = function.and_then(|it| it.slots.get(it.tree.result as usize));
+        result.map(|ty| self.cx.pointee(ty, site)).transpose()
+    }
+
+    /// The function behind an author's own `[…]`.
+    fn indexed_by(
+        &mut self,
+        owner: &Type,
+        index: &tree::Expr,
+        site: Site,
+    ) -> Result<Option<&'a str>> {
+        let all = self.cx.indexing.iter().filter(|it| it.owner == *owner);
+        let mut found: Vec<(&Ty, bool, &'a str)> =
+            all.map(|it| (it.index, it.mutable, it.path)).collect();
+        if found.iter().any(|(index, ..)| *index != found[0].0) {
+            let mut kept = Vec::new();
+            for it in found {
+                if self.is_of(index, it.0)? {
+                    kept.push(it);
+                }
+            }
+            found = kept;
+        }
+        let Some((_, _, path)) = found.iter().find(|it| !it.1).copied() else { return Ok(None) };
+        let Some((_, _, other)) = found.iter().find(|it| it.1) else { return Ok(Some(path)) };
+        let (read, written) = (self.cx.all.get(path), self.cx.all.get(other));
+        if read.map(|it| meaning(it)) != written.map(|it| meaning(it)) {
+            return problem(
+                site,
+                "`Index` and `IndexMut` of this type lend in two ways, and here either may be meant",
+                "write one and the same body in both, or methods with names",
+            );
+        }
+        Ok(Some(if self.cx.lending.contains_key(path) { path } else { other }))
+    }
+
+    /// Whether an index is of a type, of which rustc was not asked where it is written out.
+    fn is_of(&mut self, index: &tree::Expr, ty: &Ty) -> Result<bool> {
+        match (&index.kind, ty) {
+            (Tree::Tuple(parts), ty) if index.slot.is_none() => {
+                Ok(matches!(ty, Ty::Tuple(types) if types.len() == parts.len()))
+            }
+            (Tree::Int(_, None), ty) => Ok(matches!(ty, Ty::Scalar(bessemer_ir::Scalar::Int(_)))),
+            _ => Ok(self.cx.pointee(ty, index.site)? == self.type_alone(index)?),
+        }
+    }
+
+    /// What a function does before it lends, and the place.
+    fn placed(
+        &mut self,
+        function: &'a tree::Function,
+        arguments: &[tree::Expr],
+        site: Site,
+    ) -> Result<Place> {
+        let mut bound = Vec::new();
+        let mut body = function.tree.body.clone();
+        for (param, argument) in function.tree.params.iter().zip(arguments) {
+            let ty = function.slots.get(param.slot as usize).cloned().unwrap_or(Ty::Unit);
+            if let (Tree::Tuple(values), Ty::Tuple(types)) = (&argument.kind, &ty)
+                && let Some(names) = taken_apart(&mut body, &param.name, values.len())
+            {
+                for ((name, ty), value) in names.iter().zip(types).zip(values) {
+                    bound.push((name.clone(), self.given(name, ty, value)?));
+                }
+                continue;
+            }
+            bound.push((param.name.clone(), self.given(&param.name, &ty, argument)?));
+        }
+        if self.expanding.contains(&function.path.as_str()) {
+            return problem(site, "this lends by way of itself", "write a loop over a range");
+        }
+        self.expanding.push(&function.path);
+        let scopes = std::mem::replace(&mut self.scopes, vec![bound]);
+        let handed = std::mem::take(&mut self.handed);
+        let source = std::mem::replace(&mut self.source, function);
+        let told = self.cx.told.len();
+        let lent = self.ends_in(function, &body);
+        self.source = source;
+        self.scopes = scopes;
+        self.handed = handed;
+        self.expanding.pop();
+        match lent {
+            Ok(place) => Ok(place),
+            // Its place is in the file of the function that lends, and each call comes to it.
+            Err(Problem { site: at, message, help }) => {
+                let wrong = Problem { site: at, message, help };
+                let known = diagnostic(&function.file, wrong);
+                if told == self.cx.told.len()
+                    && !known.message.is_empty()
+                    && !self.cx.told.contains(&known)
+                {
+                    self.cx.told.push(known);
+                }
+                problem(site, "", "")
+            }
+        }
+    }
+
+    fn ends_in(&mut self, function: &'a tree::Function, body: &tree::Block) -> Result<Place> {
+        let site = function.tree.site;
+        self.stmts(body)?;
+        let Some(tail) = body.tail.as_deref() else {
+            return problem(site, "this lends no place", "end in `&self.field`");
+        };
+        match self.place(tail)? {
+            Some(mut place) => {
+                self.fix(&mut place);
+                Ok(place)
+            }
+            None => problem(
+                tail.site,
+                "this is no place that could be lent",
+                "end in a field or an element: `&self.axes[i]`",
+            ),
+        }
+    }
+
+    /// What a parameter stands for: the place that is lent to it, or a value that stays as it is.
+    fn given(&mut self, name: &str, ty: &Ty, argument: &tree::Expr) -> Result<Binding> {
+        if self.holds_nothing(argument) {
+            self.effect(argument)?;
+            return Ok(Binding::Nothing);
+        }
+        if let Ty::Ref(inner, mutable) = ty {
+            if let Ty::Slice(_) = **inner {
+                return Ok(Binding::Slice(Box::new(self.sliced(argument)?)));
+            }
+            if let Some(mut place) = self.place(argument)? {
+                self.fix(&mut place);
+                return Ok(Binding::Alias(place));
+            }
+            let value = self.value(argument, None)?;
+            let place = self.hold(value, argument.site)?;
+            if *mutable {
+                self.held.remove(&place.root);
+            }
+            return Ok(Binding::Alias(place));
+        }
+        let ty = self.cx.value_type(ty, argument.site)?;
+        let value = self.value(argument, Some(&ty))?;
+        let naming = std::mem::take(&mut self.naming);
+        let value = self.steady(name, value);
+        self.naming = naming;
+        Ok(match value.kind {
+            ExprKind::Load(place) => Binding::Alias(place),
+            _ => Binding::Value(Box::new(value)),
+        })
+    }
+}

@@ -1,0 +1,244 @@
+//! Places that functions lend: what is computed when, what is looked at where nobody reads, and what is written.
+
+use core::ops::{Index, IndexMut};
+
+use bessemer::prelude::*;
+
+/// A pair.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Cell {
+    x: f64,
+    n: u8,
+}
+
+#[data]
+impl Cell {
+    fn n_mut(&mut self) -> &mut u8 {
+        &mut self.n
+    }
+}
+
+/// What holds much.
+#[data]
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Store {
+    cells: [Cell; 3],
+    rows: [[f64; 2]; 2],
+    matrix: Matrix2<f64>,
+    list: List<u8, 4>,
+    last: Option<f64>,
+    at: u8,
+}
+
+#[data]
+impl Store {
+    fn cell(&self, i: usize) -> &Cell {
+        &self.cells[i]
+    }
+
+    fn cell_mut(&mut self, i: usize) -> &mut Cell {
+        &mut self.cells[i]
+    }
+
+    /// Counts, then lends.
+    fn next(&mut self) -> &mut Cell {
+        self.at += 1;
+        let i = usize::from(self.at % 4);
+        self.cell_mut(i)
+    }
+
+    fn line(&self, i: usize) -> &[f64; 2] {
+        &self.rows[i]
+    }
+
+    fn line_mut(&mut self, i: usize) -> &mut [f64; 2] {
+        &mut self.rows[i]
+    }
+
+    fn whole(&self) -> &Matrix2<f64> {
+        &self.matrix
+    }
+
+    fn whole_mut(&mut self) -> &mut Matrix2<f64> {
+        &mut self.matrix
+    }
+
+    fn items(&self) -> &List<u8, 4> {
+        &self.list
+    }
+
+    fn items_mut(&mut self) -> &mut List<u8, 4> {
+        &mut self.list
+    }
+
+    fn newest(&self) -> &u8 {
+        self.list.last().unwrap()
+    }
+
+    fn last_mut(&mut self) -> &mut Option<f64> {
+        &mut self.last
+    }
+
+    fn held_mut(&mut self) -> &mut f64 {
+        self.last.as_mut().unwrap()
+    }
+}
+
+#[data]
+impl Index<usize> for Store {
+    type Output = u8;
+
+    fn index(&self, i: usize) -> &u8 {
+        &self.list[i]
+    }
+}
+
+#[data]
+impl Index<(usize, usize)> for Store {
+    type Output = f64;
+
+    fn index(&self, pair: (usize, usize)) -> &f64 {
+        let (row, column) = pair;
+        assert!(pair.0 < 5);
+        &self.rows[row][column]
+    }
+}
+
+#[data]
+impl IndexMut<(usize, usize)> for Store {
+    fn index_mut(&mut self, pair: (usize, usize)) -> &mut f64 {
+        let (row, column) = pair;
+        assert!(pair.0 < 5);
+        &mut self.rows[row][column]
+    }
+}
+
+/// The index is that of the call, whatever becomes of the variable.
+#[function]
+pub fn fixed(store: &mut Store, start: usize) -> f64 {
+    let mut i = start % 4;
+    let cell = store.cell(i);
+    i += 1;
+    let sum = cell.x + store.cell(i % 4).x;
+    let before = store.cell(1).x + store.next().x;
+    *store.cell_mut({ i += 1; i % 3 }) = Cell { x: sum, ..*store.cell(i % 3) };
+    store.cell_mut(i % 3).x += before * f64::from(store.at);
+    *store.next().n_mut() ^= 3;
+    sum + f64::from(i as u32)
+}
+
+/// Looked at, though nobody reads it.
+#[function]
+pub fn unread(store: &mut Store, i: usize) -> u8 {
+    let _ = store.cell(i);
+    let _kept = store.cell(i % 4);
+    store.next();
+    store.at
+}
+
+/// Where what is lent is itself made of parts.
+#[function]
+pub fn parts(store: &mut Store, i: usize) -> f64 {
+    let mut sum = 0.0;
+    for x in store.line(i) {
+        sum += x;
+    }
+    for x in store.line_mut(1) {
+        *x += 1.0;
+    }
+    sum += store.line(i).iter().map(|x| x * 2.0).sum::<f64>() + store.line(0)[1];
+    store.line_mut(i)[0] = sum;
+    let v = store.whole() * Vector2::new(1.0, 2.0);
+    store.whole_mut()[(0, 1)] = v.x;
+    *store.whole_mut() *= 2.0;
+    sum + store.whole()[(1, 1)] + store.whole().trace()
+}
+
+/// Lists and options.
+#[function]
+pub fn held(store: &mut Store, n: u8) -> u32 {
+    store.items_mut().push(n);
+    let sum = store.items().iter().map(|x| u32::from(*x)).sum::<u32>();
+    match store.last_mut() {
+        Some(x) => *x += 1.0,
+        None => *store.last_mut() = Some(f64::from(*store.newest())),
+    }
+    *store.held_mut() *= 3.0;
+    if let Some(x) = store.last_mut() {
+        *x -= 1.0;
+    }
+    sum + u32::from(store[0]) + store.items().len() as u32
+}
+
+/// Two ways to index, by the type of what stands in the brackets.
+#[function]
+pub fn indexed(store: &mut Store, i: usize, j: usize) -> f64 {
+    let place = (i % 6, j % 3);
+    store[place] += 1.0;
+    store[(1, j)] = store[(i, 0)] * 2.0;
+    store[(0, 1)] + f64::from(store[j])
+}
+
+/// In conditions, loops and closures.
+#[function]
+pub fn asked(store: &Store, i: usize) -> f64 {
+    if store.cell(0).n > 3 && store.cell(i).x > 0.0 {
+        return store.cell(i).x;
+    }
+    let mut k = 0;
+    #[bound(5)]
+    while store.cell(k % 3).x > 2.0 {
+        k += 1;
+    }
+    let found = (0..3).map(|k| store.cell(k)).filter(|cell| cell.n > 1).map(|cell| cell.x).fold(0.0, |a, b| a - b);
+    match store.cell(k) {
+        Cell { n: 0, x } => *x,
+        cell => found + cell.x,
+    }
+}
+
+/// The last few of what came.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Ring {
+    values: [f32; 4],
+    next: u8,
+}
+
+/// What any ring has.
+#[interface]
+pub trait Recent {
+    fn back(&self, n: usize) -> &f32;
+    fn newest(&self) -> &f32 {
+        self.back(0)
+    }
+    fn put(&mut self) -> &mut f32;
+}
+
+#[data]
+impl Recent for Ring {
+    fn back(&self, n: usize) -> &f32 {
+        let at = (usize::from(self.next) + 3 - n) % 4;
+        &self.values[at]
+    }
+
+    fn put(&mut self) -> &mut f32 {
+        let at = usize::from(self.next % 4);
+        self.next = self.next.wrapping_add(1);
+        &mut self.values[at]
+    }
+}
+
+#[function]
+fn fed<R: Recent>(ring: &mut R, x: f32) -> f32 {
+    *ring.put() = x;
+    *ring.put() = ring.newest() + ring.back(1);
+    *ring.newest()
+}
+
+/// Through an interface.
+#[function]
+pub fn recent(ring: &mut Ring, x: f32, n: usize) -> f32 {
+    fed(ring, x) - ring.back(n % 5)
+}

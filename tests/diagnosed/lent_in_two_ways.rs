@@ -1,0 +1,83 @@
+//! What lends to be written ends in one place; `[…]` means one place, whichever trait is asked.
+#![no_std]
+use bessemer::prelude::*;
+use core::ops::{Index, IndexMut};
+
+/// Two sides.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Sides {
+    /// One.
+    pub left: f64,
+    /// The other.
+    pub right: f64,
+    /// Both again.
+    pub both: [f64; 2],
+}
+
+#[data]
+impl Sides {
+    /// Either.
+    pub fn side_mut(&mut self, left: bool) -> &mut f64 {
+        if left { &mut self.left } else { &mut self.right }
+    }
+}
+
+#[data]
+impl Index<usize> for Sides {
+    type Output = f64;
+
+    fn index(&self, i: usize) -> &f64 {
+        &self.both[i]
+    }
+}
+
+#[data]
+impl IndexMut<usize> for Sides {
+    fn index_mut(&mut self, i: usize) -> &mut f64 {
+        &mut self.both[1 - i]
+    }
+}
+
+/// Which of the two?
+#[function]
+pub fn read(sides: &Sides, i: usize) -> f64 {
+    sides[i]
+}
+
+/// Of types that hold nothing.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Mark;
+
+/// In an array.
+#[function]
+pub fn marked(x: f64) -> f64 {
+    let marks = [Mark; 3];
+    let _ = marks;
+    x
+}
+
+/// Compared.
+#[function]
+pub fn compared(x: f64) -> f64 {
+    if Mark == Mark { x } else { 0.0 }
+}
+
+/// In a variant beside something else.
+#[data]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// Beside.
+    Marked(Mark, f64),
+    /// Nothing.
+    Plain,
+}
+
+/// Folded.
+#[function]
+pub fn folded(values: &[f64; 3]) -> f64 {
+    let mark = values.iter().fold(Mark, |mark, _| mark);
+    let _ = mark;
+    values[0]
+}
