@@ -146,6 +146,7 @@ impl<'a> Said<'a> {
                 let name = function.trim_start_matches("function ");
                 let help = match name {
                     "`swap`" | "`replace`" | "`take`" => MEM,
+                    "`max`" | "`min`" => CMP,
                     _ => "mark the function `#[function]`",
                 };
                 (format!("{name} is not part of the DSL"), Some(help))
@@ -174,6 +175,9 @@ impl<'a> Said<'a> {
 /// For functions that may be `core::mem`'s.
 const MEM: &str =
     "write `core::mem::swap(&mut a, &mut b)` whole, or mark a function of your own `#[function]`";
+
+/// For functions that may be `core::cmp`'s.
+const CMP: &str = "write `core::cmp::max(a, b)` whole, or `a.max(b)`; or mark a function of your own `#[function]`";
 
 /// Whether an error is told at a pattern of a `match`, as far as its line shows.
 fn is_pattern(span: &Value) -> bool {

@@ -301,6 +301,11 @@ impl Lowering<'_, '_> {
                     .map(|range| super::choice::test(&value, range, place.span))
                     .reduce(|one, other| logic(LogicOp::Or, one, other)))
             }
+            (tree::Pattern::Constructor(..), Type::Array { .. } | Type::Matrix { .. }) => problem(
+                site,
+                "`flatten` goes through `Option`s in the DSL, and through nothing else",
+                "write a loop in a loop, or a chain for each: `rows.iter().map(|row| row.iter().sum::<f64>()).sum::<f64>()`",
+            ),
             _ => problem(
                 site,
                 "this pattern does not fit what the DSL takes apart",

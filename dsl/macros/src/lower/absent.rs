@@ -15,7 +15,12 @@ const ABSENT: &[(&str, usize, &str)] = &[
     ("acosh", 0, "write `(x + (x * x - 1.0).sqrt()).ln()`"),
     ("atanh", 0, "write `0.5 * (2.0 * x / (1.0 - x)).ln_1p()`"),
     ("log", 1, "write `x.ln() / base.ln()`"),
-    ("eq ne lt le gt ge", 1, "compare with `<`, `==` and the like"),
+    (
+        "eq ne lt le gt ge",
+        1,
+        "compare with `<`, `==` and the like; all elements with `a[..] == b[..]`",
+    ),
+    ("is_sorted", 0, "write `values.windows(2).all(|pair| pair[0] <= pair[1])`"),
     ("overflowing_add overflowing_sub overflowing_mul", 1, WIDER),
     ("to_be to_le to_ne_bytes", 0, BYTES),
     ("from_be from_le from_ne_bytes", 0, BYTES),
@@ -30,6 +35,7 @@ const ABSENT: &[(&str, usize, &str)] = &[
     ("lp_norm", 1, "write the sum out with `fold`, and `powf`"),
     ("full_piv_lu col_piv_qr", 0, "call `lu` or `qr`, or `bessemer::linear::svd(&a)`"),
     ("schur hessenberg eigenvalues", 0, "compute it ahead, or write the iteration out"),
+    ("unpack", 0, "call `l()`: what stands above the diagonal is zero"),
     ("rows_mut columns_mut rows columns", 2, "write `fixed_rows::<N>(i)`, `fixed_columns::<N>(j)`"),
     (
         "view view_mut",
@@ -43,7 +49,7 @@ const ABSENT: &[(&str, usize, &str)] = &[
 
 const BYTES: &str = "write `to_be_bytes`, `from_le_bytes` and the like: the same on every target";
 const VIEW: &str = "write what it is to become: `m.column_mut(j).copy_from(&part)`, or `.fill(x)`, `.scale_mut(x)`";
-const WIDER: &str = "compute in a wider type, then `clamp`";
+const WIDER: &str = "write `(a.wrapping_add(b), a.checked_add(b).is_none())`";
 
 /// Those that are absent for a reason of their own, with their arguments.
 const REASONS: &[(&str, usize, Reason)] = &[
@@ -69,6 +75,19 @@ const ANGLES: &[&str] = &[
     "look_at_rh",
     "look_at_lh",
     "rotation_between",
+];
+
+/// Constructors of nalgebra's matrices, and what to write instead.
+const MATRICES: &[(&str, &str)] = &[
+    (
+        "from_partial_diagonal",
+        "write `from_diagonal(&v)` of a whole diagonal, or `zeros()` and the elements",
+    ),
+    (
+        "from_iterator from_row_iterator",
+        "write `from_fn(|row, column| …)`, or `from_column_slice(&values)`",
+    ),
+    ("from_vec", "write `from_column_slice(&values)`"),
 ];
 
 /// Types whose `new` and `from_matrix` do.
@@ -104,6 +123,11 @@ pub fn function(function: &syn::ExprPath, arguments: usize) -> Option<Reason> {
     let of_type = owner.starts_with(|first: char| first.is_uppercase());
     if turned || of_type && ANGLES.contains(&last.as_str()) {
         return Some(refuse::NALGEBRA_ANGLES);
+    }
+    let matrix = ["Matrix", "SMatrix", "Vector", "SVector", "RowVector"];
+    let kept = MATRICES.iter().find(|(names, _)| names.split(' ').any(|it| it == last));
+    if let (true, Some((_, remedy))) = (matrix.iter().any(|it| owner.starts_with(it)), kept) {
+        return Some(Reason::new(format!("`{last}` is not in the DSL"), remedy));
     }
     if let Some(reason) = refuse::named_type(&syn::Ident::new(owner, function.span()).into()) {
         return Some(reason);

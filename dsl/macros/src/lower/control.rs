@@ -31,9 +31,10 @@ impl Lowering<'_> {
         let place = site(expr);
         let kind = match expr {
             syn::Expr::Let(it) => {
+                let lent = self.is_place(&it.expr);
                 let value = self.value(&mut it.expr);
                 pattern::brace_variants(&mut it.pat);
-                ExprKind::Let(Box::new(self.pattern(&it.pat, looks)), Box::new(value))
+                ExprKind::Let(Box::new(self.pattern_of(lent, &it.pat, looks)), Box::new(value))
             }
             syn::Expr::Binary(it)
                 if matches!(it.op, syn::BinOp::And(_))
@@ -66,6 +67,7 @@ impl Lowering<'_> {
 
     pub(super) fn match_expr(&mut self, it: &mut syn::ExprMatch, value: bool) -> ExprKind {
         let named = it.arms.iter().any(|arm| names_the_whole(&arm.pat));
+        let lent = self.is_place(&it.expr);
         let scrutinee = match named {
             true => self.value(&mut it.expr),
             false => self.whole(&mut it.expr),
@@ -78,10 +80,10 @@ impl Lowering<'_> {
                 pattern::brace_variants(&mut arm.pat);
                 let (pattern, guard) = match &mut arm.pat {
                     syn::Pat::Guard(it) => {
-                        let pattern = walk.pattern(&it.pat, &mut looks);
+                        let pattern = walk.pattern_of(lent, &it.pat, &mut looks);
                         (pattern, Some(walk.value(&mut it.guard)))
                     }
-                    pattern => (walk.pattern(pattern, &mut looks), None),
+                    pattern => (walk.pattern_of(lent, pattern, &mut looks), None),
                 };
                 let body =
                     if value { walk.value(&mut arm.body) } else { walk.statement(&mut arm.body) };

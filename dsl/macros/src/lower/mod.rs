@@ -76,6 +76,8 @@ pub struct Lowering<'a> {
     /// The function's own name, and whether it is a method: to tell a direct recursion.
     name: String,
     method: bool,
+    /// Whether what is matched is a place, so that `ref` in a pattern names a part of it.
+    lent: bool,
     /// Whether the function gives an `Option`.
     pub optional: bool,
 }
@@ -130,6 +132,7 @@ impl<'a> Lowering<'a> {
             items: Vec::new(),
             name: text(name),
             method,
+            lent: false,
             optional: false,
         }
     }
@@ -357,6 +360,7 @@ impl<'a> Lowering<'a> {
         if let syn::Pat::Type(typed) = &local.pat {
             signature::check_type(&typed.ty, self.refusals);
         }
+        let lent = local.init.as_ref().is_some_and(|init| self.is_place(&init.expr));
         let (mut value, mut otherwise) = (tree::Expr { kind: expr::UNIT, site, slot: None }, None);
         if let Some(init) = local.init.as_mut() {
             value = self.whole(&mut init.expr);
@@ -369,7 +373,7 @@ impl<'a> Lowering<'a> {
         }
         let mut looks = Vec::new();
         pattern::brace_variants(&mut local.pat);
-        let pattern = Box::new(self.pattern(&local.pat, &mut looks));
+        let pattern = Box::new(self.pattern_of(lent, &local.pat, &mut looks));
         (tree::Stmt::Apart { pattern, value, otherwise, site }, looks)
     }
 

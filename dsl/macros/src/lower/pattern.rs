@@ -68,6 +68,35 @@ pub(super) fn brace_variants(pattern: &mut syn::Pat) {
 }
 
 impl Lowering<'_> {
+    /// Whether an expression names a place, as far as its syntax shows: no copy is matched in its stead.
+    pub(super) fn is_place(&self, expr: &syn::Expr) -> bool {
+        match expr {
+            syn::Expr::Path(it) => {
+                it.path.get_ident().is_some_and(|name| self.is_local(&text(name)))
+            }
+            syn::Expr::Field(it) => self.is_place(&it.base),
+            syn::Expr::Index(it) => {
+                self.is_place(&it.expr) && !matches!(&*it.index, syn::Expr::Range(_))
+            }
+            syn::Expr::Paren(it) => self.is_place(&it.expr),
+            syn::Expr::Unary(it) => matches!(it.op, syn::UnOp::Deref(_)) && self.is_place(&it.expr),
+            _ => false,
+        }
+    }
+
+    /// The same, of what is a place if `lent`.
+    pub(super) fn pattern_of(
+        &mut self,
+        lent: bool,
+        pattern: &syn::Pat,
+        looks: &mut Vec<syn::Stmt>,
+    ) -> tree::Pattern {
+        let outer = std::mem::replace(&mut self.lent, lent);
+        let lowered = self.pattern(pattern, looks);
+        self.lent = outer;
+        lowered
+    }
+
     /// A pattern; the names it binds are locals from here on, and the statements that look at them go to
     /// `looks`.
     pub(super) fn pattern(
@@ -81,7 +110,7 @@ impl Lowering<'_> {
             syn::Pat::Paren(it) => self.pattern(&it.pat, looks),
             syn::Pat::Type(it) => self.pattern(&it.pat, looks),
             syn::Pat::Reference(it) => self.pattern(&it.pat, looks),
-            syn::Pat::Ident(it) if it.by_ref.is_none() => self.name_pattern(it, looks),
+            syn::Pat::Ident(it) if it.by_ref.is_none() || self.lent => self.name_pattern(it, looks),
             syn::Pat::Or(it) => {
                 tree::Pattern::Or(it.cases.iter().map(|case| self.pattern(case, looks)).collect())
             }

@@ -119,7 +119,7 @@ reasons! {
     LATER: "several variables that are assigned later stand in one `let`", "write a `let` for each";
     SEVERAL_PLACES: "an assignment takes tuples and arrays apart in the DSL, and nothing else", "take the value apart with `let`, then assign each";
     DESTRUCTURING: "this pattern is not in the DSL here", "take the value apart with `let`: `let [x, y] = pair;`, `let Gains { p, i } = gains;`";
-    BINDING_PATTERN: "this pattern binds a reference", "leave `ref` out: the name stands for the value";
+    BINDING_PATTERN: "this pattern binds a reference to what has no place", "leave `ref` out: the name stands for the value; or give the value a name first";
     PATTERN: "this pattern is not in the DSL", "match on values, ranges, variants, structs, tuples, arrays, names and `_`";
     DISCRIMINANT: "variants with payload have no numbers of their own in the DSL", "leave them out; where a protocol fixes them, `match` on the value";
     UNION: "a union's bytes have no type that the C could check", "use a struct, and `to_bits`/`from_bits` for the bits of a float";
