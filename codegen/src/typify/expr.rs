@@ -490,6 +490,9 @@ impl Lowering<'_, '_> {
                 if let Some(template) = self.cx.templates.get(path.as_str()).copied() {
                     return self.call_handing(template, arguments, expr);
                 }
+                if let Some(place) = self.lent_by(path, arguments, expr)? {
+                    return Ok(super::pattern::load(&place));
+                }
                 if let Some(value) = self.shorter(path, arguments, expr)? {
                     return Ok(value);
                 }

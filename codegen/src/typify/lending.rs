@@ -5,11 +5,11 @@
 //! a copy; nothing writes to what is lent while it is.
 
 use bessemer_ir::tree::{self, ExprKind as Tree, Pattern, Site, Ty};
-use bessemer_ir::{ExprKind, Place, Type};
+use bessemer_ir::{Expr, ExprKind, Place, Type};
 use serde_json::Value;
 
 use super::function::{Binding, Lowering};
-use super::{Context, Problem, Result, diagnostic, problem};
+use super::{Context, OUR_FAULT, Problem, Result, diagnostic, problem};
 
 /// An author's own `[…]`.
 pub(super) struct Indexing<'a> {
@@ -110,7 +110,15 @@ impl<'a> Context<'a> {
                 }
                 Some(false) => self.stands_for_itself(function),
             };
-            if stands {
+            let asked = &function.tree.attributes;
+            if stands && (asked.name.is_some() || asked.section.is_some()) {
+                let problem = Problem {
+                    site: function.tree.site,
+                    message: "what lends a place is no function in the C, and has no name or section there".into(),
+                    help: "leave them out".into(),
+                };
+                self.tell(&function.file, problem);
+            } else if stands {
                 self.lending.insert(&function.path, function);
             } else if lends(function) == Some(true) {
                 self.chosen_to_write(function);
@@ -175,13 +183,26 @@ impl<'a> Lowering<'a, '_> {
     pub(super) fn lent_place(&mut self, expr: &tree::Expr) -> Result<Option<Place>> {
         let Tree::Call(callee, arguments) = &expr.kind else { return Ok(None) };
         let source = self.source;
-        let Some(tree::Callee::Function(path)) = source.callees.get(*callee as usize) else {
-            return Ok(None);
-        };
-        match self.cx.lending(path) {
-            Some(function) => self.placed(function, arguments, expr.site).map(Some),
-            None => Ok(None),
+        match source.callees.get(*callee as usize) {
+            Some(tree::Callee::Function(path)) => self.lent_by(path, arguments, expr),
+            _ => Ok(None),
         }
+    }
+
+    /// The same, of a function by its path.
+    pub(super) fn lent_by(
+        &mut self,
+        path: &str,
+        arguments: &[tree::Expr],
+        expr: &tree::Expr,
+    ) -> Result<Option<Place>> {
+        let Some(function) = self.cx.lending(path) else { return Ok(None) };
+        let place = self.placed(function, arguments, expr.site)?;
+        if let Some(slot) = expr.slot {
+            let rustc = self.refers_to(slot, expr.site)?;
+            self.agree(&place.ty, &rustc, expr.site)?;
+        }
+        Ok(Some(place))
     }
 
     /// The place at an author's own `[…]`; none if there is none for the type.
@@ -275,11 +296,14 @@ impl<'a> Lowering<'a, '_> {
                 && let Some(names) = taken_apart(&mut body, &param.name, values.len())
             {
                 for ((name, ty), value) in names.iter().zip(types).zip(values) {
-                    bound.push((name.clone(), self.given(name, ty, value)?));
+                    bound.push((name.clone(), self.given((name, false), ty, value)?));
                 }
                 continue;
             }
-            bound.push((param.name.clone(), self.given(&param.name, &ty, argument)?));
+            bound.push((
+                param.name.clone(),
+                self.given((&param.name, param.mutable), &ty, argument)?,
+            ));
         }
         if self.expanding.contains(&function.path.as_str()) {
             return problem(site, "this lends by way of itself", "write a loop over a range");
@@ -331,12 +355,17 @@ impl<'a> Lowering<'a, '_> {
     }
 
     /// What a parameter stands for: the place that is lent to it, or a value that stays as it is.
-    fn given(&mut self, name: &str, ty: &Ty, argument: &tree::Expr) -> Result<Binding> {
+    fn given(
+        &mut self,
+        (name, mutable): (&str, bool),
+        ty: &Ty,
+        argument: &tree::Expr,
+    ) -> Result<Binding> {
         if self.holds_nothing(argument) {
             self.effect(argument)?;
             return Ok(Binding::Nothing);
         }
-        if let Ty::Ref(inner, mutable) = ty {
+        if let Ty::Ref(inner, written) = ty {
             if let Ty::Slice(_) = **inner {
                 return Ok(Binding::Slice(Box::new(self.sliced(argument)?)));
             }
@@ -344,21 +373,32 @@ impl<'a> Lowering<'a, '_> {
                 self.fix(&mut place);
                 return Ok(Binding::Alias(place));
             }
+            // A value of its own, `table.clone()` too.
             let value = self.value(argument, None)?;
-            let place = self.hold(value, argument.site)?;
-            if *mutable {
-                self.held.remove(&place.root);
-            }
-            return Ok(Binding::Alias(place));
+            return self.own(name, value, *written, argument.site);
         }
         let ty = self.cx.value_type(ty, argument.site)?;
         let value = self.value(argument, Some(&ty))?;
+        match value.kind {
+            _ if mutable || !self.is_steady(&value) => {
+                self.own(name, value, mutable, argument.site)
+            }
+            ExprKind::Load(place) => Ok(Binding::Alias(place)),
+            _ => Ok(Binding::Value(Box::new(value))),
+        }
+    }
+
+    /// A local with this value, which is written if `mutable`.
+    fn own(&mut self, name: &str, value: Expr, mutable: bool, site: Site) -> Result<Binding> {
         let naming = std::mem::take(&mut self.naming);
-        let value = self.steady(name, value);
+        let held = self.temporary(name, value);
         self.naming = naming;
-        Ok(match value.kind {
-            ExprKind::Load(place) => Binding::Alias(place),
-            _ => Binding::Value(Box::new(value)),
-        })
+        let ExprKind::Load(place) = held.kind else {
+            return problem(site, "a temporary is not a place", OUR_FAULT);
+        };
+        if mutable {
+            self.held.remove(&place.root);
+        }
+        Ok(Binding::Alias(place))
     }
 }

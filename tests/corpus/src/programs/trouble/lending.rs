@@ -242,3 +242,43 @@ fn fed<R: Recent>(ring: &mut R, x: f32) -> f32 {
 pub fn recent(ring: &mut Ring, x: f32, n: usize) -> f32 {
     fed(ring, x) - ring.back(n % 5)
 }
+
+/// Values by their keys.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Slots {
+    keys: [u8; 4],
+    values: [f64; 4],
+}
+
+#[data]
+impl Slots {
+    /// Searches, then lends.
+    fn of_mut(&mut self, key: u8) -> &mut f64 {
+        let mut at = 0;
+        for i in 0..4 {
+            if self.keys[i] == key {
+                at = i;
+                break;
+            }
+        }
+        &mut self.values[at]
+    }
+
+    /// Changes what it is given, which is its own.
+    fn later(&mut self, mut i: usize) -> &mut f64 {
+        i += 1;
+        &mut self.values[i]
+    }
+}
+
+/// Of the value itself, and of copies that nobody sees.
+#[function]
+pub fn copied(slots: &mut Slots, key: u8, i: usize) -> f64 {
+    *slots.of_mut(key) += 1.0;
+    *slots.later(i) = 2.0;
+    *slots.clone().of_mut(3) = 5.0;
+    let mut other = *slots;
+    *other.of_mut(1) = 7.0;
+    slots.values[0] + other.values[0] + *slots.clone().later(0) + i as f64
+}
