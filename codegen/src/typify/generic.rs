@@ -229,12 +229,15 @@ impl Context<'_> {
 
     /// What an `Option` or a `Result` holds, as part of its name.
     fn content(&self, ty: &Ty, lowered: &Type) -> String {
-        self.called(ty).map_or_else(|| self.word(lowered), str::to_owned)
+        match self.called(ty) {
+            Some((name, module)) => self.qualified(name, module),
+            None => self.word(lowered),
+        }
     }
 
     /// The same in the words of its author.
     fn shown_content(&self, ty: &Ty, lowered: &Type) -> String {
-        self.called(ty).map_or_else(|| self.show(lowered), str::to_owned)
+        self.called(ty).map_or_else(|| self.show(lowered), |(name, _)| name.to_owned())
     }
 
     /// Refuses `==` of what may hold values that are unequal though nothing tells them apart.

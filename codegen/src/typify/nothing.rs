@@ -18,8 +18,8 @@ pub(super) const COUNT: &str = "keep the count, or an array of `bool`";
 /// What holds nothing, and where it was left out.
 #[derive(Default)]
 pub(super) struct Nothings {
-    /// The names of authors' types, by their paths.
-    names: HashMap<String, String>,
+    /// The names of authors' types and their modules, by their paths.
+    names: HashMap<String, (String, String)>,
     /// Those of which the DSL does not see that all values are equal.
     unequal: Vec<String>,
     /// The author's fields of a struct in which some hold nothing, and where the others are.
@@ -57,20 +57,24 @@ impl Context<'_> {
         if !definition.equal {
             self.nothings.unequal.push(definition.path.clone());
         }
-        self.nothings.names.insert(definition.path.clone(), name);
+        let named = (name, definition.module.clone());
+        self.nothings.names.insert(definition.path.clone(), named);
         self.types.insert(definition.path.clone(), Type::Unit);
         Ok(())
     }
 
     /// The name of an author's type that holds nothing.
     pub(super) fn name_of_nothing(&self, path: &str) -> Option<&str> {
-        self.nothings.names.get(path).map(String::as_str)
+        self.nothings.names.get(path).map(|(name, _)| name.as_str())
     }
 
     /// The same of a type, if it is an author's.
-    pub(super) fn called(&self, ty: &Ty) -> Option<&str> {
+    pub(super) fn called(&self, ty: &Ty) -> Option<(&str, &str)> {
         match ty {
-            Ty::Named(path) => self.name_of_nothing(path),
+            Ty::Named(path) => {
+                let (name, module) = self.nothings.names.get(path)?;
+                Some((name, module))
+            }
             _ => None,
         }
     }
