@@ -304,7 +304,7 @@ impl Lowering<'_, '_> {
             (tree::Pattern::Constructor(..), Type::Array { .. } | Type::Matrix { .. }) => problem(
                 site,
                 "`flatten` goes through `Option`s in the DSL, and through nothing else",
-                "write a loop in a loop, or a chain for each: `rows.iter().map(|row| row.iter().sum::<f64>()).sum::<f64>()`",
+                "write a loop in a loop: `for row in &rows { for x in row { … } }`",
             ),
             _ => problem(
                 site,
