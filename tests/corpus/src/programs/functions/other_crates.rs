@@ -1,0 +1,67 @@
+//! Types, components, interfaces, tables and functions of another crate that depends on `bessemer`: what is used comes along.
+
+use bessemer::prelude::*;
+use filters::quantities::Metres;
+use filters::{Delay, Filter, Health, LowPass, interpolate};
+
+/// A sensor's reading on its way.
+#[component]
+#[derive(Clone, Debug, Default)]
+pub struct Reading {
+    low: LowPass,
+    delay: Delay<f64, 3>,
+    health: Health,
+    height: Metres,
+}
+
+#[component]
+impl Reading {
+    /// A step.
+    #[entry]
+    pub fn step(&mut self, input: f64, valid: bool) -> f64 {
+        self.health = match self.health {
+            _ if valid => Health::Good,
+            Health::Good => Health::Stale(1),
+            Health::Stale(steps) => Health::Stale(steps.saturating_add(1)),
+        };
+        let smooth = self.low.step(interpolate(input));
+        self.height = self.height + Metres(1.0);
+        filters::larger(self.delay.push(smooth), self.height.number() * filters::LIMIT)
+    }
+}
+
+/// The other crate's interface for a component of one's own.
+#[component]
+#[derive(Clone, Debug, Default)]
+pub struct Gain {
+    factor: f64,
+}
+
+#[component]
+impl Filter for Gain {
+    fn step(&mut self, input: f64) -> f64 {
+        self.factor * input + filters::CURVE[2]
+    }
+}
+
+/// One filter behind the other.
+#[component]
+#[derive(Clone, Debug, Default)]
+pub struct Both<A, B> {
+    first: A,
+    second: B,
+}
+
+#[component]
+impl<A: Filter, B: Filter> Both<A, B> {
+    /// A step of both.
+    #[entry]
+    pub fn step(&mut self, input: f64) -> f64 {
+        let between = self.first.step(input);
+        self.second.step(between)
+    }
+}
+
+/// The other crate's, then one's own.
+#[component]
+pub type SmoothGain = Both<LowPass, Gain>;
