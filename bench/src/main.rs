@@ -6,7 +6,7 @@ use std::process::{Command, ExitCode};
 
 use bench::check_cost::{self, Size};
 use bench::kernels::results::Results;
-use bench::kernels::{plot, report, run};
+use bench::kernels::{machine, plot, report, run};
 use bench::{accuracy_points, elementary, equality, generation, onboard, rebuild, threads};
 use clap::{Parser, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -25,6 +25,9 @@ struct Arguments {
     /// The small sizes for `kernels`, such as 2,3,4,6,8: Eigen's alone take a compiler many minutes
     #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u8).range(2..=20))]
     sizes: Vec<u8>,
+    /// Only these machines of `kernels`, such as a9,host-v3: the others keep what was measured before
+    #[arg(long, value_delimiter = ',', value_parser = MACHINES)]
+    machines: Vec<String>,
     /// Only the instructions of `kernels`, which a busy machine does not disturb; nothing is written
     #[arg(long)]
     counts: bool,
@@ -55,6 +58,17 @@ enum Part {
     /// The same on the very points of their accuracy
     AccuracyPoints,
 }
+
+/// The machines' names.
+const MACHINES: [&str; machine::ALL.len()] = {
+    let mut names = [""; machine::ALL.len()];
+    let mut at = 0;
+    while at < names.len() {
+        names[at] = machine::ALL[at].name;
+        at += 1;
+    }
+    names
+};
 
 /// A measurement: prints its table, and writes its results unless it is a short run.
 type Measurement = fn(&Arguments) -> Result<(), String>;
@@ -118,15 +132,47 @@ fn kernels(arguments: &Arguments) -> Result<(), String> {
     if !sizes.is_empty() {
         plan.sizes = &sizes;
     }
+    plan.machines = &arguments.machines;
     let results = run::run(&plan, &say)?;
     bar.finish_and_clear();
     print!("{}", report::terminal(&results));
-    let whole = !arguments.quick && !arguments.counts;
-    if whole { report_kernels(&results, &sizes) } else { Ok(()) }
+    let about = about(&sizes);
+    match (arguments.quick || arguments.counts, arguments.machines.is_empty()) {
+        (true, _) => Ok(()),
+        (false, true) => report_kernels(&results, &about),
+        (false, false) => renew_kernels(results, about, &arguments.machines),
+    }
 }
 
-fn report_kernels(results: &Results, sizes: &[usize]) -> Result<(), String> {
-    let json = results.json(&about(sizes));
+/// The results of some machines in place of what was measured there before, by the same tools.
+fn renew_kernels(
+    again: Results,
+    mut about: BTreeMap<&'static str, String>,
+    machines: &[String],
+) -> Result<(), String> {
+    let path = bessemer_tests::root().join("bench/results/kernels.json");
+    let text = std::fs::read_to_string(&path)
+        .map_err(|error| format!("`{}`: {error}", path.display()))?;
+    let json: Value = serde_json::from_str(&text).map_err(|error| error.to_string())?;
+    let mut results = Results::from_json(&json).ok_or("the results cannot be read again")?;
+    for (name, version) in about.iter().filter(|(name, _)| **name != "command") {
+        let before = json["about"][*name].as_str();
+        if before != Some(version) {
+            return Err(format!(
+                "`{}` was made with another {name}, {}: measure all machines again",
+                path.display(),
+                before.unwrap_or("none")
+            ));
+        }
+    }
+    results.renew(again);
+    let command = about.get("command").cloned().unwrap_or_default();
+    about.insert("measured again", format!("{command} --machines {}", machines.join(",")));
+    report_kernels(&results, &about)
+}
+
+fn report_kernels(results: &Results, about: &BTreeMap<&'static str, String>) -> Result<(), String> {
+    let json = results.json(about);
     put("kernels.json", &format!("{json:#}\n"))?;
     // By what the JSON says, so that a later report of it is the same.
     let stored = Results::from_json(&json).ok_or("the results cannot be read again")?;
@@ -135,7 +181,7 @@ fn report_kernels(results: &Results, sizes: &[usize]) -> Result<(), String> {
     put("small.svg", &plot::small(&stored))
 }
 
-/// The machine and the compilers.
+/// The compilers.
 fn about(sizes: &[usize]) -> BTreeMap<&'static str, String> {
     let first = |program: &str| {
         let output = Command::new(program).arg("--version").output().ok()?;
@@ -147,17 +193,6 @@ fn about(sizes: &[usize]) -> BTreeMap<&'static str, String> {
         command += &format!(" --sizes {}", sizes.join(","));
     }
     let mut about = BTreeMap::from([("command", command)]);
-    let processor = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    // The name alone does not tell generations apart whose vectors differ.
-    let said = |wanted: &str| {
-        let mut lines = processor.lines().filter_map(|line| line.split_once(':'));
-        lines.find(|(key, _)| key.trim() == wanted).map(|(_, value)| value.trim())
-    };
-    if let (Some(name), Some(family), Some(model)) =
-        (said("model name"), said("cpu family"), said("model"))
-    {
-        about.insert("processor", format!("{name}, family {family}, model {model}"));
-    }
     let tools = [
         ("gcc", "gcc"),
         ("ARM gcc", "arm-linux-gnueabihf-gcc"),

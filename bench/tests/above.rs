@@ -10,7 +10,7 @@ fn results(machine: Machine, case: Case, own: u64, other: u64) -> Results {
     let cell = |count| Some(Cell { instructions: Some(count), times: None });
     let row = Row { case, cells: vec![cell(own), cell(other)] };
     let contenders = vec![Contender::Generated, Contender::Naive];
-    let table = Table { machine, contenders, rows: vec![row] };
+    let table = Table { machine, contenders, rows: vec![row], processor: None };
     Results { small: vec![table], ..Results::default() }
 }
 

@@ -146,6 +146,9 @@ pub struct Bench {
     /// accuracy-points
     #[arg(long)]
     pub only: Option<String>,
+    /// Only these machines of `kernels`, such as a9,host-v3: the others keep what was measured before
+    #[arg(long)]
+    pub machines: Option<String>,
     /// The small sizes for `kernels`, such as 2,3,4,6,8; all of 2 to 20 take a compiler most of an hour
     #[arg(long)]
     pub sizes: Option<String>,

@@ -39,6 +39,9 @@ pub fn run(root: &Path, wanted: &Bench, machine: &dyn Machine) -> Result<Outcome
     if let Some(only) = &wanted.only {
         command.args(["--only", only]);
     }
+    if let Some(machines) = &wanted.machines {
+        command.args(["--machines", machines]);
+    }
     if let Some(sizes) = &wanted.sizes {
         command.args(["--sizes", sizes]);
     }

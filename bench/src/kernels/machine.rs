@@ -24,6 +24,15 @@ pub const HOST: Machine = Machine {
     rust_flags: "-C target-cpu=native",
 };
 
+/// The host without AVX-512; for times of Chapter 6.
+pub const HOST_V3: Machine = Machine {
+    name: "host-v3",
+    title: "host, -O3 -march=x86-64-v3",
+    target: false,
+    flags: &["-O3", "-march=x86-64-v3", "-ffp-contract=off"],
+    rust_flags: "-C target-cpu=x86-64-v3",
+};
+
 /// The host without vectors; for times.
 pub const HOST_SCALAR: Machine = Machine {
     name: "host-scalar",
@@ -92,6 +101,10 @@ pub const A9_PLAIN: Machine = Machine {
     rust_flags: "-C target-cpu=cortex-a9 -C target-feature=-neon,+crt-static",
 };
 
+/// All of them, in the order of the report.
+pub const ALL: [Machine; 7] =
+    [HOST, HOST_V3, HOST_SCALAR, HOST_SSE2, HOST_AVX2, A9, A9_PLAIN];
+
 /// The Rust target of the Cortex-A9.
 pub const RUST_TARGET: &str = "armv7-unknown-linux-gnueabihf";
 
@@ -105,6 +118,27 @@ impl Machine {
             (true, true) => "arm-linux-gnueabihf-g++",
         }
     }
+}
+
+/// What makes times comparable: the processor's name does not tell generations apart whose vectors differ.
+pub fn processor() -> Option<String> {
+    let text = std::fs::read_to_string("/proc/cpuinfo").ok()?;
+    let said = |wanted: &str| {
+        let mut lines = text.lines().filter_map(|line| line.split_once(':'));
+        lines.find(|(key, _)| key.trim() == wanted).map(|(_, value)| value.trim())
+    };
+    let vectors = said("flags").map(|flags| match flags {
+        _ if flags.contains("avx512f") => "AVX-512",
+        _ if flags.contains("avx2") => "AVX2",
+        _ => "SSE2",
+    });
+    Some(format!(
+        "{}, family {}, model {}, {}",
+        said("model name")?,
+        said("cpu family")?,
+        said("model")?,
+        vectors?
+    ))
 }
 
 /// A tool, how it is tried, and the Debian package it is in.

@@ -54,9 +54,9 @@ pub fn markdown(results: &Results, about: &Value) -> String {
             if has_times(table) { "median (quartiles), µs" } else { "million instructions" };
         let _ = write!(
             text,
-            "\n### {}: {unit}\n\n`{}`\n\n| | solve 200 | invert 100 | both | ratio |\n|---|---:|---:|---:|---:|\n",
+            "\n### {}: {unit}\n\n{}| | solve 200 | invert 100 | both | ratio |\n|---|---:|---:|---:|---:|\n",
             table.machine.title,
-            table.machine.flags.join(" ")
+            circumstances(table)
         );
         for line in chapter_6(table).iter().skip(1) {
             let _ = writeln!(text, "| {} |", line.join(" | "));
@@ -70,9 +70,9 @@ pub fn markdown(results: &Results, about: &Value) -> String {
         let what = if has_times(table) { "time" } else { "instructions" };
         let _ = write!(
             text,
-            "\n### {}: {what}\n\n`{}`\n\n```text\n",
+            "\n### {}: {what}\n\n{}```text\n",
             table.machine.title,
-            table.machine.flags.join(" ")
+            circumstances(table)
         );
         text += &small(table, "");
         text += "```\n";
@@ -83,6 +83,12 @@ pub fn markdown(results: &Results, about: &Value) -> String {
         let _ = writeln!(text, "\nLeft out: {line}");
     }
     text
+}
+
+/// The flags, and the processor whose times these are.
+fn circumstances(table: &Table) -> String {
+    let processor = table.processor.as_ref().map(|name| format!("; {name}")).unwrap_or_default();
+    format!("`{}`{processor}\n\n", table.machine.flags.join(" "))
 }
 
 /// A line for each kernel, a column for each machine.

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use super::case::Case;
 use super::clock::Times;
 use super::contender::Contender;
-use super::machine::Machine;
+use super::machine::{ALL, Machine};
 
 /// Instructions or times of the cases on one machine.
 pub struct Table {
@@ -17,6 +17,8 @@ pub struct Table {
     pub contenders: Vec<Contender>,
     /// Of each case, in order of the contenders; none where one has no such case.
     pub rows: Vec<Row>,
+    /// Whose times these are; counts are the same on any.
+    pub processor: Option<String>,
 }
 
 /// A case.
@@ -78,6 +80,31 @@ impl Row {
 }
 
 impl Results {
+    /// Takes what was measured again in place of what there was.
+    pub fn renew(&mut self, again: Results) {
+        let renewed = |name: &str| again.small.iter().any(|table| table.machine.name == name);
+        self.sizes.retain(|size| !renewed(size.machine));
+        self.sizes.extend(again.sizes);
+        for (tables, fresh) in
+            [(&mut self.chapter_6, again.chapter_6), (&mut self.small, again.small)]
+        {
+            for table in fresh {
+                let has_it = |old: &&mut Table| old.machine == table.machine;
+                match tables.iter_mut().find(has_it) {
+                    Some(old) => *old = table,
+                    None => tables.push(table),
+                }
+            }
+        }
+        let place = |table: &Table| ALL.iter().position(|machine| *machine == table.machine);
+        self.chapter_6.sort_by_key(place);
+        for line in again.left_out {
+            if !self.left_out.contains(&line) {
+                self.left_out.push(line);
+            }
+        }
+    }
+
     /// For machines.
     pub fn json(&self, about: &BTreeMap<&'static str, String>) -> Value {
         let tables = |tables: &[Table]| tables.iter().map(Table::json).collect::<Vec<_>>();
@@ -116,12 +143,16 @@ impl Table {
                 json!({ "case": row.case.name(), "contenders": cells })
             })
             .collect();
-        json!({
+        let mut table = json!({
             "machine": self.machine.name,
             "flags": self.machine.flags.join(" "),
             "rust_flags": self.machine.rust_flags,
             "cases": rows,
-        })
+        });
+        if let Some(processor) = &self.processor {
+            table["processor"] = json!(processor);
+        }
+        table
     }
 }
 

@@ -5,7 +5,9 @@ use std::path::{Path, PathBuf};
 use super::case::{CHAPTER_6, Case};
 use super::clock::{Server, race};
 use super::contender::Contender;
-use super::machine::{A9, A9_PLAIN, HOST, HOST_AVX2, HOST_SCALAR, HOST_SSE2, Machine};
+use super::machine::{
+    A9, A9_PLAIN, HOST, HOST_AVX2, HOST_SCALAR, HOST_SSE2, HOST_V3, Machine, processor,
+};
 use super::results::{Cell, Results, Row, Size, Table};
 use super::{check, count, generated};
 
@@ -20,6 +22,8 @@ pub struct Plan<'a> {
     pub quick: bool,
     /// Instructions alone, no times.
     pub counts: bool,
+    /// The names of the machines; all if there are none.
+    pub machines: &'a [String],
 }
 
 /// The full plan.
@@ -28,11 +32,12 @@ pub const FULL: Plan<'static> = Plan {
     rounds: 101,
     quick: false,
     counts: false,
+    machines: &[],
 };
 
 /// The short one.
 pub const QUICK: Plan<'static> =
-    Plan { sizes: &[3, 6, 12], rounds: 31, quick: true, counts: false };
+    Plan { sizes: &[3, 6, 12], rounds: 31, quick: true, counts: false, machines: &[] };
 
 /// Runs it; `say` is told what is going on.
 ///
@@ -46,25 +51,31 @@ pub fn run(plan: &Plan<'_>, say: &dyn Fn(&str)) -> Result<Results, String> {
     let timed: &[Machine] = match (plan.counts, plan.quick) {
         (true, _) => &[],
         (false, true) => &[HOST],
-        (false, false) => &[HOST, HOST_SCALAR],
+        (false, false) => &[HOST, HOST_V3, HOST_SCALAR],
     };
     let counted: &[Machine] =
         if plan.quick { &[A9] } else { &[HOST_SSE2, HOST_AVX2, A9, A9_PLAIN] };
+    let wanted = |machine: &&Machine| {
+        plan.machines.is_empty() || plan.machines.iter().any(|name| name == machine.name)
+    };
+    let timed: Vec<&Machine> = timed.iter().filter(wanted).collect();
+    let counted: Vec<&Machine> = counted.iter().filter(wanted).collect();
     let mut bench = Bench { folder: &folder, say, results: &mut results };
-    for machine in timed {
+    for machine in &timed {
         let table =
             bench.times(machine, &Contender::of_chapter_6(machine), &CHAPTER_6, plan.rounds)?;
         bench.results.chapter_6.push(table);
     }
-    for machine in counted {
+    for machine in &counted {
         let table = bench.counts(machine, &Contender::of_chapter_6(machine), &CHAPTER_6)?;
         bench.results.chapter_6.push(table);
     }
-    for machine in counted {
+    for machine in &counted {
         let table = bench.counts(machine, &Contender::SMALL, &small)?;
         bench.results.small.push(table);
     }
-    for machine in timed {
+    // Without AVX-512 the instructions of small sizes are counted.
+    for machine in timed.into_iter().filter(|machine| **machine != HOST_V3) {
         let table = bench.times(machine, &Contender::SMALL, &small, plan.rounds / 5)?;
         bench.results.small.push(table);
     }
@@ -165,7 +176,7 @@ impl Bench<'_> {
             rows.push(Row { case: *case, cells });
         }
         let contenders = programs.into_iter().map(|(contender, _)| contender).collect();
-        Ok(Table { machine: *machine, contenders, rows })
+        Ok(Table { machine: *machine, contenders, rows, processor: processor() })
     }
 
     fn counts(
@@ -194,7 +205,7 @@ impl Bench<'_> {
             })
             .collect();
         let contenders = programs.into_iter().map(|(contender, _)| contender).collect();
-        Ok(Table { machine: *machine, contenders, rows })
+        Ok(Table { machine: *machine, contenders, rows, processor: None })
     }
 
     /// Code and stack of the generated kernels.

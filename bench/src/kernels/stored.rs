@@ -5,11 +5,9 @@ use serde_json::Value;
 use super::case::{CHAPTER_6, Case};
 use super::clock::Times;
 use super::contender::Contender;
-use super::machine::{A9, A9_PLAIN, HOST, HOST_AVX2, HOST_SCALAR, HOST_SSE2, Machine};
+use super::machine::{ALL, Machine};
 use super::results::{Cell, Results, Row, Size, Table};
 use super::run::FULL;
-
-const MACHINES: [Machine; 6] = [HOST, HOST_SCALAR, HOST_SSE2, HOST_AVX2, A9, A9_PLAIN];
 
 impl Results {
     /// What [`Results::json`] gave; none if this is something else.
@@ -29,7 +27,7 @@ impl Results {
 
 fn machine(json: &Value) -> Option<Machine> {
     let name = json["machine"].as_str()?;
-    MACHINES.into_iter().find(|machine| machine.name == name)
+    ALL.into_iter().find(|machine| machine.name == name)
 }
 
 fn size(json: &Value) -> Option<Size> {
@@ -62,7 +60,8 @@ fn table(json: &Value) -> Option<Table> {
         Row { case, cells }
     };
     let rows = cases.into_iter().zip(rows).map(row).collect();
-    Some(Table { machine, contenders, rows })
+    let processor = json["processor"].as_str().map(str::to_owned);
+    Some(Table { machine, contenders, rows, processor })
 }
 
 fn cell(json: &Value) -> Option<Cell> {

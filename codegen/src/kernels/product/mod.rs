@@ -56,6 +56,14 @@ pub(super) fn is_small(kernel: &Kernel) -> bool {
         && kernel.dims.iter().all(|dim| (2..=small::LARGEST).contains(dim))
 }
 
+/// The C type of an element.
+fn real(element: Float) -> &'static str {
+    match element {
+        Float::F64 => "double",
+        Float::F32 => "float",
+    }
+}
+
 /// An index: what lies so far apart times its counter.
 fn times(stride: u32, counter: &str) -> String {
     match stride {
@@ -71,15 +79,11 @@ pub(super) fn source(
     tuning: &Tuning,
 ) -> Option<Source> {
     let sizes = Sizes::new(kernel.routine, rows, inner, columns);
-    let real = match kernel.element {
-        Float::F64 => "double",
-        Float::F32 => "float",
-    };
     if is_small(kernel) {
         return Some(Source { body: small::source(kernel.element, sizes), ..Source::default() });
     }
     let shares = [rows, inner, columns].into_iter().all(|size| size >= THREADED);
-    let plain = numbers::source(real, sizes, tuning.code_bytes, shares)?;
+    let plain = numbers::source(kernel.element, sizes, tuning.code_bytes, shares)?;
     let (before, body) = match vectors::source(kernel.element, sizes, tuning, shares) {
         None => plain,
         Some((before, body)) => {
@@ -95,7 +99,7 @@ pub(super) fn source(
         }
     };
     Some(match shares {
-        true => shared(real, &before, &body),
+        true => shared(real(kernel.element), &before, &body),
         false => Source { before, body, ..Source::default() },
     })
 }

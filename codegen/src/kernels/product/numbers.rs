@@ -1,23 +1,65 @@
-//! Tiles of single numbers, in plain C99: made for targets with 32 registers, as ARM's VFPv3.
+//! Tiles of single numbers, in plain C99: for targets with 32 registers, as ARM's VFPv3, and for those with 16.
 
 use std::fmt::Write as _;
 
+use bessemer_ir::Float;
+
 use super::Sizes;
 
-/// Rows and columns of the tiles that are tried: their sums, and what these are made of, stay in registers.
-const SHAPES: [(u32, u32); 5] = [(4, 4), (3, 6), (6, 3), (4, 5), (5, 4)];
+/// How many registers a target has for numbers.
+#[derive(Clone, Copy)]
+enum Registers {
+    ThirtyTwo,
+    Sixteen,
+}
+
+impl Registers {
+    /// Rows and columns of the tiles that are tried: their sums, and what these are made of, stay in registers.
+    fn shapes(self) -> &'static [(u32, u32)] {
+        match self {
+            Registers::ThirtyTwo => &[(4, 4), (3, 6), (6, 3), (4, 5), (5, 4)],
+            Registers::Sixteen => &[(4, 3), (3, 4), (3, 3)],
+        }
+    }
+}
+
+/// What says that a target has 16 registers: x86, and with `double` a Cortex-M.
+fn has_sixteen(element: Float) -> &'static str {
+    match element {
+        Float::F64 => {
+            "defined(__x86_64__) || (defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M')"
+        }
+        Float::F32 => "defined(__x86_64__)",
+    }
+}
 
 /// Bytes of code up to which the loop over k is unrolled.
 const BUDGET: u32 = 2048;
 
 /// The functions of the tiles, and the calls of them; all, or a share of their columns.
 pub(super) fn source(
-    real: &str,
+    element: Float,
     sizes: Sizes,
     code_bytes: u32,
     shares: bool,
 ) -> Option<(String, String)> {
-    let plan = plan(sizes, code_bytes)?;
+    let of = |registers| plan(sizes, code_bytes, registers);
+    let (many, few) = (of(Registers::ThirtyTwo)?, of(Registers::Sixteen));
+    let text = |plan: &Plan| tiles_of(element, sizes, plan, shares);
+    let (tiles, calls) = text(&many);
+    let Some(few) = few.filter(|few| *few != many) else { return Some((tiles, calls)) };
+    let (few_tiles, few_calls) = text(&few);
+    let condition = has_sixteen(element);
+    Some((
+        format!(
+            "#if {condition}\n/* Tiles for 16 registers. */\n#define SIXTEEN\n{few_tiles}\n#else\n{tiles}\n#endif"
+        ),
+        format!("#if defined(SIXTEEN)\n{few_calls}#else\n{calls}#endif\n"),
+    ))
+}
+
+fn tiles_of(element: Float, sizes: Sizes, plan: &Plan, shares: bool) -> (String, String) {
+    let real = super::real(element);
     let mut body = String::new();
     // Whole tiles in loops, then what is left below and on the right.
     for (column, width, columns_many) in parts(sizes.columns, plan.shape.1) {
@@ -55,10 +97,11 @@ pub(super) fn source(
     }
     let tile = |shape: &(u32, u32)| tile(real, *shape, sizes, plan.unrolled);
     let tiles: Vec<String> = shapes(sizes, plan.shape).iter().map(tile).collect();
-    Some((tiles.join("\n").trim_end().to_owned(), body))
+    (tiles.join("\n").trim_end().to_owned(), body)
 }
 
 /// How a product is cut up.
+#[derive(PartialEq)]
 struct Plan {
     shape: (u32, u32),
     /// Whether the loop over k is.
@@ -66,7 +109,7 @@ struct Plan {
 }
 
 /// The tile that takes the fewest instructions in so many bytes of code, if there is one.
-fn plan(sizes: Sizes, code_bytes: u32) -> Option<Plan> {
+fn plan(sizes: Sizes, code_bytes: u32, registers: Registers) -> Option<Plan> {
     let step = |(height, width): (u32, u32)| height * width + height + width;
     // Four bytes an instruction; the first products and the stores, and the call, stand beside the steps.
     let bytes = |shape, steps: u32| -> u32 {
@@ -90,7 +133,7 @@ fn plan(sizes: Sizes, code_bytes: u32) -> Option<Plan> {
         }
         sum
     };
-    SHAPES.into_iter().filter_map(plan).min_by_key(cost)
+    registers.shapes().iter().copied().filter_map(plan).min_by_key(cost)
 }
 
 /// The shapes that occur, each once.

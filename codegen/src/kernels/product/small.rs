@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 
 use bessemer_ir::Float;
 
-use super::Sizes;
+use super::{Sizes, real};
 use crate::kernels::text::{bytes, vectors_if};
 
 /// The largest size.
@@ -62,13 +62,6 @@ fn plan(element: Float, sizes: Sizes, width: u32) -> Option<Plan> {
     }
     let fits = |lanes: &u32| *lanes <= sizes.rows && lanes * bytes(element) >= 16;
     [4, 2].into_iter().filter(|it| *it <= lanes).find(fits).map(Plan::Rows)
-}
-
-fn real(element: Float) -> &'static str {
-    match element {
-        Float::F64 => "double",
-        Float::F32 => "float",
-    }
 }
 
 fn vector(element: Float, name: &str, lanes: u32) -> String {

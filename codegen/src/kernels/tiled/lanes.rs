@@ -9,11 +9,10 @@ use crate::kernels::text::{FUSED, bytes, fill, fused, numbers, vectors_if};
 const VECTORS: [(&str, u32); 3] = [("__AVX512F__", 64), ("__AVX__", 32), ("__SSE2__", 16)];
 
 const LANES: &str = include_str!("lanes.c");
-const HELD: &str = include_str!("held.c");
 
-/// A fused step, where the target has one.
-const MINUS: &str = "
-#if !defined(MINUS)
+/// Where the target has no fused step.
+const MINUS: &str = "\
+#if defined(HALF) && !defined(MINUS)
 #define MINUS(row, factor, other) ((row) - (factor) * (other))
 #endif
 ";
@@ -41,21 +40,27 @@ pub fn line(element: Float) -> u32 {
 /// Types and operations of rows, for every target.
 pub fn text(element: Float, columns: u32, mode: Mode) -> String {
     let mut values = numbers(element);
-    values.push(("targets", targets(element, columns, mode)));
-    let step = match mode {
-        Mode::Exact => [
-            ("names", "#define load_operand load_row\n"),
-            ("low", "row.low - factor * other.low"),
-            ("high", "row.high - factor * other.high"),
-            ("held", ""),
-        ],
-        Mode::Fast => [
-            ("names", MINUS),
-            ("low", "MINUS(row.low, factor, other.low)"),
-            ("high", "MINUS(row.high, factor, other.high)"),
-            ("held", &format!("{HELD}\n")),
-        ],
+    let targets = targets(element, columns, mode);
+    let (targets, step) = match mode {
+        Mode::Exact => (
+            targets,
+            [
+                ("low", "row.low - factor * other.low"),
+                ("high", "row.high - factor * other.high"),
+                ("hold", "IN_REGISTERS"),
+            ],
+        ),
+        Mode::Fast => (
+            targets + MINUS,
+            [
+                ("low", "MINUS(row.low, factor, other.low)"),
+                ("high", "MINUS(row.high, factor, other.high)"),
+                // Else compilers load it again for each fused step, whatever room there is.
+                ("hold", "HOLD"),
+            ],
+        ),
     };
+    values.push(("targets", targets));
     values.extend(step.map(|(name, text)| (name, text.to_owned())));
     fill(&fill(LANES, &values), &numbers(element))
 }
@@ -67,6 +72,8 @@ fn targets(element: Float, columns: u32, mode: Mode) -> String {
         let lanes = vector / bytes(element);
         let half = vector_type("half_t", vector, bytes(element));
         let mut text = format!("#define WIDTH {}U\n#define HALF {lanes}U\n{half}", 2 * lanes);
+        // Sixteen, which a tile fills; AVX-512 has thirty-two, and a fused step needs none for the product.
+        text += if vector < 64 && mode == Mode::Exact { "#define FEW_REGISTERS\n" } else { "" };
         let four = 4 * bytes(element);
         if four <= vector {
             text += &format!("#define QUAD\n{}", vector_type("quad_lanes_t", four, bytes(element)));

@@ -151,9 +151,19 @@ static inline void step(tile_t *tile, const $real *column, const $real *row)
 /* Takes a row, times the four multipliers of a column, from the rows of the tile. */
 static inline void step(tile_t *tile, const $real *column, const $real *row)
 {
-#if defined(WORDS) || defined(HALF)
-    const four_t factor = load_four(column);
+#if defined(HALF)
     const row_t other = load_operand(row);
+    tile->r0 = minus(tile->r0, column[0], other);
+    IN_REGISTERS(tile->r0);
+    tile->r1 = minus(tile->r1, column[1], other);
+    IN_REGISTERS(tile->r1);
+    tile->r2 = minus(tile->r2, column[2], other);
+    IN_REGISTERS(tile->r2);
+    tile->r3 = minus(tile->r3, column[3], other);
+    IN_REGISTERS(tile->r3);
+#elif defined(WORDS)
+    const four_t factor = load_four(column);
+    const row_t other = load_four(row);
     tile->r0 = minus(tile->r0, factor.a, other);
     tile->r1 = minus(tile->r1, factor.b, other);
     tile->r2 = minus(tile->r2, factor.c, other);
