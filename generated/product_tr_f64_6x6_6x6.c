@@ -111,6 +111,99 @@ static inline __attribute__((always_inline)) void band(const double *a, const do
 }
 #endif
 #else
+#if defined(__x86_64__) || (defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M')
+/* Tiles for 16 registers. */
+#define SIXTEEN
+/* A tile of 4 by 3 elements: the first products, then the others in order. */
+static void tile_4x3(const double *a, const double *b, double *result)
+{
+    double y00 = a[0] * b[0];
+    double y10 = a[1] * b[0];
+    double y20 = a[2] * b[0];
+    double y30 = a[3] * b[0];
+    double y01 = a[0] * b[1];
+    double y11 = a[1] * b[1];
+    double y21 = a[2] * b[1];
+    double y31 = a[3] * b[1];
+    double y02 = a[0] * b[2];
+    double y12 = a[1] * b[2];
+    double y22 = a[2] * b[2];
+    double y32 = a[3] * b[2];
+#if defined(__GNUC__)
+#pragma GCC unroll 6
+#endif
+    for (uint32_t k = 1U; k < 6U; k++) {
+        a += 6;
+        b += 6;
+        const double a0 = a[0];
+        const double a1 = a[1];
+        const double a2 = a[2];
+        const double a3 = a[3];
+        const double b0 = b[0];
+        y00 += a0 * b0;
+        y10 += a1 * b0;
+        y20 += a2 * b0;
+        y30 += a3 * b0;
+        const double b1 = b[1];
+        y01 += a0 * b1;
+        y11 += a1 * b1;
+        y21 += a2 * b1;
+        y31 += a3 * b1;
+        const double b2 = b[2];
+        y02 += a0 * b2;
+        y12 += a1 * b2;
+        y22 += a2 * b2;
+        y32 += a3 * b2;
+    }
+    result[0] = y00;
+    result[1] = y10;
+    result[2] = y20;
+    result[3] = y30;
+    result[6] = y01;
+    result[7] = y11;
+    result[8] = y21;
+    result[9] = y31;
+    result[12] = y02;
+    result[13] = y12;
+    result[14] = y22;
+    result[15] = y32;
+}
+
+/* A tile of 2 by 3 elements: the first products, then the others in order. */
+static void tile_2x3(const double *a, const double *b, double *result)
+{
+    double y00 = a[0] * b[0];
+    double y10 = a[1] * b[0];
+    double y01 = a[0] * b[1];
+    double y11 = a[1] * b[1];
+    double y02 = a[0] * b[2];
+    double y12 = a[1] * b[2];
+#if defined(__GNUC__)
+#pragma GCC unroll 6
+#endif
+    for (uint32_t k = 1U; k < 6U; k++) {
+        a += 6;
+        b += 6;
+        const double a0 = a[0];
+        const double a1 = a[1];
+        const double b0 = b[0];
+        y00 += a0 * b0;
+        y10 += a1 * b0;
+        const double b1 = b[1];
+        y01 += a0 * b1;
+        y11 += a1 * b1;
+        const double b2 = b[2];
+        y02 += a0 * b2;
+        y12 += a1 * b2;
+    }
+    result[0] = y00;
+    result[1] = y10;
+    result[6] = y01;
+    result[7] = y11;
+    result[12] = y02;
+    result[13] = y12;
+}
+#else
 /* A tile of 3 by 6 elements: the first products, then the others in order. */
 static void tile_3x6(const double *a, const double *b, double *result)
 {
@@ -186,6 +279,7 @@ static void tile_3x6(const double *a, const double *b, double *result)
     result[32] = y25;
 }
 #endif
+#endif
 
 void product_tr_f64_6x6_6x6(const double a[36], const double b[36], double result[36])
 {
@@ -221,8 +315,15 @@ void product_tr_f64_6x6_6x6(const double a[36], const double b[36], double resul
 #elif defined(ACROSS)
     band(a, b, result, ACROSS, DOWN);
 #else
+#if defined(SIXTEEN)
+    for (uint32_t column = 0U; column < 6U; column += 3U) {
+        tile_4x3(&a[0U], &b[column], &result[6U * column]);
+        tile_2x3(&a[4U], &b[column], &result[6U * column + 4U]);
+    }
+#else
     for (uint32_t row = 0U; row < 6U; row += 3U) {
         tile_3x6(&a[row], &b[0U], &result[row]);
     }
+#endif
 #endif
 }

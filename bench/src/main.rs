@@ -70,6 +70,9 @@ const MACHINES: [&str; machine::ALL.len()] = {
     names
 };
 
+/// What the results call the command of those that were measured later than the rest.
+const AGAIN: &str = "measured again";
+
 /// A measurement: prints its table, and writes its results unless it is a short run.
 type Measurement = fn(&Arguments) -> Result<(), String>;
 
@@ -151,8 +154,8 @@ fn renew_kernels(
     machines: &[String],
 ) -> Result<(), String> {
     let path = bessemer_tests::root().join("bench/results/kernels.json");
-    let text = std::fs::read_to_string(&path)
-        .map_err(|error| format!("`{}`: {error}", path.display()))?;
+    let text =
+        std::fs::read_to_string(&path).map_err(|error| format!("`{}`: {error}", path.display()))?;
     let json: Value = serde_json::from_str(&text).map_err(|error| error.to_string())?;
     let mut results = Results::from_json(&json).ok_or("the results cannot be read again")?;
     for (name, version) in about.iter().filter(|(name, _)| **name != "command") {
@@ -167,7 +170,11 @@ fn renew_kernels(
     }
     results.renew(again);
     let command = about.get("command").cloned().unwrap_or_default();
-    about.insert("measured again", format!("{command} --machines {}", machines.join(",")));
+    let before = json["about"][AGAIN].as_str().unwrap_or_default();
+    let before: Vec<&str> = before.rsplit(' ').next().unwrap_or_default().split(',').collect();
+    let again = |name: &&str| before.contains(name) || machines.iter().any(|it| it == name);
+    let names: Vec<&str> = MACHINES.into_iter().filter(again).collect();
+    about.insert(AGAIN, format!("{command} --machines {}", names.join(",")));
     report_kernels(&results, &about)
 }
 

@@ -98,11 +98,11 @@ pub struct Times {
     pub ratio: f64,
 }
 
-/// Runs a case on every program by turns.
+/// Runs a case on every program by turns: gives the times of each, round by round.
 ///
 /// # Errors
 /// A program does not know the case, or died.
-pub fn race(servers: &mut [Server], case: &str, rounds: usize) -> Result<Vec<Times>, String> {
+pub fn race(servers: &mut [Server], case: &str, rounds: usize) -> Result<Vec<Vec<f64>>, String> {
     /// Long enough for the clock, short enough to be undisturbed, nanoseconds.
     const SAMPLE: f64 = 200_000.0;
     let mut repetitions = Vec::new();
@@ -116,6 +116,11 @@ pub fn race(servers: &mut [Server], case: &str, rounds: usize) -> Result<Vec<Tim
             times[index].push(server.time(case, repetitions[index])?);
         }
     }
+    Ok(times)
+}
+
+/// What the rounds of each program gave, the first program's first.
+pub fn summary(times: &[Vec<f64>]) -> Vec<Times> {
     let ratio = |own: &[f64]| {
         let ratios = times[0].iter().zip(own).map(|(first, own)| first / own).collect();
         quartiles(ratios)[1]
@@ -124,7 +129,7 @@ pub fn race(servers: &mut [Server], case: &str, rounds: usize) -> Result<Vec<Tim
         let [low, median, high] = quartiles(own.clone());
         Times { low, median, high, ratio: ratio(own) }
     };
-    Ok(times.iter().map(summary).collect())
+    times.iter().map(summary).collect()
 }
 
 fn quartiles(mut values: Vec<f64>) -> [f64; 3] {

@@ -102,8 +102,7 @@ pub const A9_PLAIN: Machine = Machine {
 };
 
 /// All of them, in the order of the report.
-pub const ALL: [Machine; 7] =
-    [HOST, HOST_V3, HOST_SCALAR, HOST_SSE2, HOST_AVX2, A9, A9_PLAIN];
+pub const ALL: [Machine; 7] = [HOST, HOST_V3, HOST_SCALAR, HOST_SSE2, HOST_AVX2, A9, A9_PLAIN];
 
 /// The Rust target of the Cortex-A9.
 pub const RUST_TARGET: &str = "armv7-unknown-linux-gnueabihf";

@@ -2,7 +2,8 @@
 
 use bessemer::prelude::*;
 use filters::quantities::Metres;
-use filters::{Delay, Filter, Health, LowPass, interpolate};
+pub use filters::LowPass;
+use filters::{Delay, Filter, Health, interpolate};
 
 /// A sensor's reading on its way.
 #[component]
