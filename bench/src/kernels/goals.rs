@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::above;
 use super::contender::Contender;
-use super::machine::{A9, A9_PLAIN, HOST, Machine};
+use super::machine::{A9, A9_PLAIN, HOST, HOST_V3, Machine};
 use super::results::{Cell, Results, Size, Table};
 
 /// A figure, and its bound.
@@ -46,26 +46,33 @@ pub fn of(results: &Results) -> Vec<Goal> {
             millions(results, &A9_PLAIN),
         ),
     ];
-    for (part, name) in ["solve 200", "invert 100"].into_iter().enumerate() {
-        for contender in [Contender::Eigen, Contender::OpenBlas] {
-            let what = format!("host, {name}: time over that of {}", contender.title());
-            goals.push(Goal::new(what, 0.55, part_over(results, contender, part)));
-        }
+    for (name, machine) in [("host", &HOST), ("host without AVX-512", &HOST_V3)] {
+        on_host(results, name, machine, &mut goals);
     }
-    goals.push(Goal::new(
-        "host, Chapter 6: time over that of the handwritten C, as in the thesis",
-        0.20,
-        times(results, Contender::Generated, Contender::Thesis),
-    ));
-    goals.push(Goal::new(
-        "host, Chapter 6: the fast mode's time over the exact mode's",
-        0.96,
-        times(results, Contender::Fast, Contender::Generated),
-    ));
     let unknown = (!results.small.is_empty()).then(|| above::without_reason(results) as f64);
     goals.push(Goal::new(WITHOUT_REASON, 0.0, unknown));
     sizes(results, &mut goals);
     goals
+}
+
+/// Times of Chapter 6.
+fn on_host(results: &Results, name: &str, machine: &Machine, goals: &mut Vec<Goal>) {
+    for (part, job) in ["solve 200", "invert 100"].into_iter().enumerate() {
+        for contender in [Contender::Eigen, Contender::OpenBlas] {
+            let what = format!("{name}, {job}: time over that of {}", contender.title());
+            goals.push(Goal::new(what, 0.55, part_over(results, machine, contender, part)));
+        }
+    }
+    goals.push(Goal::new(
+        format!("{name}, Chapter 6: time over that of the handwritten C, as in the thesis"),
+        0.20,
+        times(results, machine, Contender::Generated, Contender::Thesis),
+    ));
+    goals.push(Goal::new(
+        format!("{name}, Chapter 6: the fast mode's time over the exact mode's"),
+        0.96,
+        times(results, machine, Contender::Fast, Contender::Generated),
+    ));
 }
 
 /// Bytes of code on the Cortex-A9, and of the stack everywhere.
@@ -102,14 +109,19 @@ fn millions(results: &Results, machine: &Machine) -> Option<f64> {
 }
 
 /// The generated C's time on one part over a contender's: the median of the rounds' ratios.
-fn part_over(results: &Results, contender: Contender, part: usize) -> Option<f64> {
-    let cells = cells(chapter_6(results, &HOST)?, contender)?;
+fn part_over(
+    results: &Results,
+    machine: &Machine,
+    contender: Contender,
+    part: usize,
+) -> Option<f64> {
+    let cells = cells(chapter_6(results, machine)?, contender)?;
     Some(cells.get(part)?.times?.ratio)
 }
 
 /// The medians of one over those of another, both parts together.
-fn times(results: &Results, one: Contender, other: Contender) -> Option<f64> {
-    let table = chapter_6(results, &HOST)?;
+fn times(results: &Results, machine: &Machine, one: Contender, other: Contender) -> Option<f64> {
+    let table = chapter_6(results, machine)?;
     let both = |contender| -> Option<f64> {
         cells(table, contender)?.iter().map(|cell| Some(cell.times?.median)).sum()
     };
