@@ -74,57 +74,6 @@ static inline __attribute__((always_inline)) void band(const double *a, const do
     }
 }
 #else
-#if defined(__x86_64__) || (defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M')
-/* Tiles for 16 registers. */
-#define SIXTEEN
-/* A tile of 4 by 1 elements: the first products, then the others in order. */
-static void tile_4x1(const double *a, const double *b, double *result)
-{
-    double y00 = a[0] * b[0];
-    double y10 = a[1] * b[0];
-    double y20 = a[2] * b[0];
-    double y30 = a[3] * b[0];
-#if defined(__GNUC__)
-#pragma GCC unroll 6
-#endif
-    for (uint32_t k = 1U; k < 6U; k++) {
-        a += 6;
-        const double a0 = a[0];
-        const double a1 = a[1];
-        const double a2 = a[2];
-        const double a3 = a[3];
-        const double b0 = b[k + 0U];
-        y00 += a0 * b0;
-        y10 += a1 * b0;
-        y20 += a2 * b0;
-        y30 += a3 * b0;
-    }
-    result[0] = y00;
-    result[1] = y10;
-    result[2] = y20;
-    result[3] = y30;
-}
-
-/* A tile of 2 by 1 elements: the first products, then the others in order. */
-static void tile_2x1(const double *a, const double *b, double *result)
-{
-    double y00 = a[0] * b[0];
-    double y10 = a[1] * b[0];
-#if defined(__GNUC__)
-#pragma GCC unroll 6
-#endif
-    for (uint32_t k = 1U; k < 6U; k++) {
-        a += 6;
-        const double a0 = a[0];
-        const double a1 = a[1];
-        const double b0 = b[k + 0U];
-        y00 += a0 * b0;
-        y10 += a1 * b0;
-    }
-    result[0] = y00;
-    result[1] = y10;
-}
-#else
 /* A tile of 6 by 1 elements: the first products, then the others in order. */
 static void tile_6x1(const double *a, const double *b, double *result)
 {
@@ -161,18 +110,12 @@ static void tile_6x1(const double *a, const double *b, double *result)
     result[5] = y50;
 }
 #endif
-#endif
 
 void product_f64_6x6_6x1(const double a[36], const double b[6], double result[6])
 {
 #if defined(LANES)
     band(a, b, result, DOWN);
 #else
-#if defined(SIXTEEN)
-    tile_4x1(&a[0U], &b[0U], &result[0U]);
-    tile_2x1(&a[4U], &b[0U], &result[4U]);
-#else
     tile_6x1(&a[0U], &b[0U], &result[0U]);
-#endif
 #endif
 }

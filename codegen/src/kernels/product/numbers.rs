@@ -47,7 +47,10 @@ pub(super) fn source(
     let (many, few) = (of(Registers::ThirtyTwo)?, of(Registers::Sixteen));
     let text = |plan: &Plan| tiles_of(element, sizes, plan, shares);
     let (tiles, calls) = text(&many);
-    let Some(few) = few.filter(|few| *few != many) else { return Some((tiles, calls)) };
+    // The sums of a tile, its rows, a number of the right factor, and a product.
+    let has_room = |&(height, width): &(u32, u32)| height * width + height + 2 <= 16;
+    let roomy = shapes(sizes, many.shape).iter().all(has_room);
+    let Some(few) = few.filter(|few| !roomy && *few != many) else { return Some((tiles, calls)) };
     let (few_tiles, few_calls) = text(&few);
     let condition = has_sixteen(element);
     Some((
