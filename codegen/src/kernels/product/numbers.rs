@@ -21,6 +21,14 @@ impl Registers {
             Registers::Sixteen => &[(4, 3), (3, 4), (3, 3)],
         }
     }
+
+    /// Bytes of an instruction of ARM, and what stands for one in x86-64, where a multiplication overwrites an operand.
+    fn bytes(self) -> u32 {
+        match self {
+            Registers::ThirtyTwo => 4,
+            Registers::Sixteen => 10,
+        }
+    }
 }
 
 /// What says that a target has 16 registers: x86, and with `double` a Cortex-M.
@@ -33,7 +41,7 @@ fn has_sixteen(element: Float) -> &'static str {
     }
 }
 
-/// Bytes of code up to which the loop over k is unrolled.
+/// Bytes of code up to which the loop over k is unrolled, of four for an instruction.
 const BUDGET: u32 = 2048;
 
 /// The functions of the tiles, and the calls of them; all, or a share of their columns.
@@ -114,13 +122,15 @@ struct Plan {
 /// The tile that takes the fewest instructions in so many bytes of code, if there is one.
 fn plan(sizes: Sizes, code_bytes: u32, registers: Registers) -> Option<Plan> {
     let step = |(height, width): (u32, u32)| height * width + height + width;
-    // Four bytes an instruction; the first products and the stores, and the call, stand beside the steps.
+    // The first products and the stores, and the call, stand beside the steps.
     let bytes = |shape, steps: u32| -> u32 {
-        let tile = |shape: (u32, u32)| 4 * (steps * step(shape) + shape.0 * shape.1 + 12);
+        let tile =
+            |shape: (u32, u32)| registers.bytes() * (steps * step(shape) + shape.0 * shape.1 + 12);
         shapes(sizes, shape).into_iter().map(tile).sum()
     };
     let plan = |shape| {
-        let unrolled = bytes(shape, sizes.inner) <= code_bytes.min(BUDGET) && sizes.inner > 1;
+        let budget = code_bytes.min(BUDGET * registers.bytes() / 4);
+        let unrolled = bytes(shape, sizes.inner) <= budget && sizes.inner > 1;
         (unrolled || bytes(shape, 2) <= code_bytes).then_some(Plan { shape, unrolled })
     };
     // A tile: its steps, their loop, its sums from and to memory, its call.

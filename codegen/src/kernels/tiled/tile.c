@@ -152,14 +152,15 @@ static inline void step(tile_t *tile, const $real *column, const $real *row)
 static inline void step(tile_t *tile, const $real *column, const $real *row)
 {
 #if defined(HALF)
+    const four_t factor = load_four(column);
     const row_t other = load_operand(row);
-    tile->r0 = minus(tile->r0, column[0], other);
+    tile->r0 = minus(tile->r0, factor.a, other);
     IN_REGISTERS(tile->r0);
-    tile->r1 = minus(tile->r1, column[1], other);
+    tile->r1 = minus(tile->r1, factor.b, other);
     IN_REGISTERS(tile->r1);
-    tile->r2 = minus(tile->r2, column[2], other);
+    tile->r2 = minus(tile->r2, factor.c, other);
     IN_REGISTERS(tile->r2);
-    tile->r3 = minus(tile->r3, column[3], other);
+    tile->r3 = minus(tile->r3, factor.d, other);
     IN_REGISTERS(tile->r3);
 #elif defined(WORDS)
     const four_t factor = load_four(column);
