@@ -123,8 +123,9 @@ pub fn measure(runs: usize, mut tick: impl FnMut()) -> Result<Rebuild, String> {
     Ok(Rebuild { runs, lines: lines / 2, plain, annotated, generating })
 }
 
-/// Programs that rustc takes only below the attributes, which give what they call: left out of all three.
-const NEEDY: [&str; 1] = ["powers_of_matrices"];
+/// Programs that rustc takes only below the attributes, which give what they call, or that need another crate: left out of all
+/// three.
+const NEEDY: [&str; 3] = ["other_crates", "powers_of_matrices", "ranked_extremes"];
 
 /// Copies a folder of programs, and gives the text of its modules; without attributes if so asked.
 fn copied(from: &Path, to: &Path, annotated: bool, lines: &mut usize) -> std::io::Result<String> {
