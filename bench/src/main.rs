@@ -26,7 +26,7 @@ struct Arguments {
     #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u8).range(2..=20))]
     sizes: Vec<u8>,
     /// Only these machines of `kernels`, such as a9,host-v3: the others keep what was measured before
-    #[arg(long, value_delimiter = ',', value_parser = MACHINES)]
+    #[arg(long, value_delimiter = ',', value_parser = MACHINES, conflicts_with = "sizes")]
     machines: Vec<String>,
     /// Only the instructions of `kernels`, which a busy machine does not disturb; nothing is written
     #[arg(long)]

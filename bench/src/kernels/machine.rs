@@ -126,17 +126,14 @@ pub fn processor() -> Option<String> {
         let mut lines = text.lines().filter_map(|line| line.split_once(':'));
         lines.find(|(key, _)| key.trim() == wanted).map(|(_, value)| value.trim())
     };
-    let vectors = said("flags").map(|flags| match flags {
-        _ if flags.contains("avx512f") => "AVX-512",
-        _ if flags.contains("avx2") => "AVX2",
-        _ => "SSE2",
-    });
+    let flags = said("flags")?;
+    let known = [("avx512f", "AVX-512"), ("avx2", "AVX2")];
+    let vectors = known.iter().find(|(flag, _)| flags.contains(flag)).map_or("SSE2", |it| it.1);
     Some(format!(
-        "{}, family {}, model {}, {}",
+        "{}, family {}, model {}, {vectors}",
         said("model name")?,
         said("cpu family")?,
         said("model")?,
-        vectors?
     ))
 }
 

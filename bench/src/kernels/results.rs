@@ -82,8 +82,9 @@ impl Row {
 impl Results {
     /// Takes what was measured again in place of what there was.
     pub fn renew(&mut self, again: Results) {
-        let renewed = |name: &str| again.small.iter().any(|table| table.machine.name == name);
-        self.sizes.retain(|size| !renewed(size.machine));
+        let tables = || again.chapter_6.iter().chain(&again.small);
+        self.sizes.retain(|size| !tables().any(|it| it.machine.name == size.machine));
+        self.left_out.retain(|line| !tables().any(|it| line.contains(it.machine.title)));
         self.sizes.extend(again.sizes);
         for (tables, fresh) in
             [(&mut self.chapter_6, again.chapter_6), (&mut self.small, again.small)]
@@ -98,11 +99,7 @@ impl Results {
         }
         let place = |table: &Table| ALL.iter().position(|machine| *machine == table.machine);
         self.chapter_6.sort_by_key(place);
-        for line in again.left_out {
-            if !self.left_out.contains(&line) {
-                self.left_out.push(line);
-            }
-        }
+        self.left_out.extend(again.left_out);
     }
 
     /// For machines.
