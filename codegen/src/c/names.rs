@@ -221,17 +221,17 @@ impl Names {
         let structs = module.structs.iter().map(|item| (&*item.name, &*item.module, &item.given));
         let enums = module.enums.iter().map(|item| (&*item.name, &*item.module, &item.given));
         let wanted: Vec<(&str, &str, &Given)> = structs.chain(enums).collect();
+        let mut rivals: BTreeMap<String, usize> = BTreeMap::new();
+        for (name, _, _) in wanted.iter().filter(|(_, _, given)| given.name.is_none()) {
+            *rivals.entry(snake(name)).or_default() += 1;
+        }
         let base = |(name, rust_module, given): &(&str, &str, &Given)| {
             if let Some(name) = &given.name {
                 return name.strip_suffix("_t").unwrap_or(name).to_owned();
             }
             let own = snake(name);
-            let rival = |(other, _, given): &&(&str, &str, &Given)| {
-                given.name.is_none() && snake(other) == own
-            };
-            let rivals = wanted.iter().filter(rival).count();
-            let base = if rivals > 1 || is_reserved_globally(&format!("{}{own}_t", options.prefix))
-            {
+            let taken = is_reserved_globally(&format!("{}{own}_t", options.prefix));
+            let base = if taken || rivals[&own] > 1 {
                 format!("{}_{own}", self.placing.module(rust_module))
             } else {
                 own

@@ -9,7 +9,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use bessemer_ir::{EnumId, ExprKind, Function, FunctionId, Module, Owner, Role, StructId, Type};
+use bessemer_ir::{
+    EnumId, ExprKind, Function, FunctionId, Module, Owner, Role, Struct, StructId, Type,
+};
 
 use super::Options;
 use super::analysis::walk_exprs;
@@ -33,9 +35,13 @@ impl Placing {
         let mut placing = Placing { modules: module_files(module), ..Placing::default() };
         let enums = module.enums.iter().map(|item| placing.module(&item.module)).collect();
         placing.enums = enums;
+        let mut components: BTreeMap<String, usize> = BTreeMap::new();
+        for item in module.structs.iter().filter(|item| item.initial.is_some()) {
+            *components.entry(snake(&item.name)).or_default() += 1;
+        }
         // What a struct holds stands before it.
         for id in (0..module.structs.len() as u32).map(StructId) {
-            let file = placing.of_struct(module, id);
+            let file = placing.of_struct(module, &components, id);
             placing.structs.push(file);
         }
         let functions = module.functions.iter();
@@ -79,24 +85,27 @@ impl Placing {
         locally
     }
 
-    fn of_struct(&self, module: &Module, id: StructId) -> String {
+    /// Where a struct stands; `components` says how many components ask for a name.
+    fn of_struct(
+        &self,
+        module: &Module,
+        components: &BTreeMap<String, usize>,
+        id: StructId,
+    ) -> String {
         let item = &module.structs[id.index()];
         match component_in(module, &Type::Struct(id)) {
-            Some(component) if component == id => self.own_file(module, id),
+            Some(component) if component == id => self.own_file(item, components),
             Some(component) => self.structs[component.index()].clone(),
             None => self.module(&item.module),
         }
     }
 
     /// A component's: its name, with its module's before it if that is taken.
-    fn own_file(&self, module: &Module, id: StructId) -> String {
-        let item = &module.structs[id.index()];
+    fn own_file(&self, item: &Struct, components: &BTreeMap<String, usize>) -> String {
         let (own, own_module) = (snake(&item.name), self.module(&item.module));
         let taken = is_reserved_file(&own)
             || own != own_module && self.modules.values().any(|file| *file == own)
-            || module.structs.iter().enumerate().any(|(index, other)| {
-                index != id.index() && other.initial.is_some() && snake(&other.name) == own
-            });
+            || components[&own] > 1;
         if taken { format!("{own_module}_{own}") } else { own }
     }
 
@@ -202,9 +211,13 @@ fn module_files(module: &Module) -> BTreeMap<String, String> {
         .chain(module.enums.iter().map(|item| &*item.module))
         .chain(module.functions.iter().map(|item| &*item.module))
         .collect();
+    let mut ends: BTreeMap<String, usize> = BTreeMap::new();
+    for path in &paths {
+        *ends.entry(last_segment(path)).or_default() += 1;
+    }
     let file = |path: &str| {
         let own = last_segment(path);
-        let rivals = paths.iter().filter(|other| last_segment(other) == own).count();
+        let rivals = ends[&own];
         let whole = || identifier(&path.replace("::", "_"));
         match relative(path).join("_") {
             _ if rivals == 1 && !is_reserved_file(&own) => own,
