@@ -125,7 +125,7 @@ pub fn measure(runs: usize, mut tick: impl FnMut()) -> Result<Rebuild, String> {
 
 /// Programs that rustc takes only below the attributes, which give what they call, or that need another crate: left out of all
 /// three.
-const NEEDY: [&str; 3] = ["other_crates", "powers_of_matrices", "ranked_extremes"];
+const NEEDY: [&str; 2] = ["other_crates", "powers_of_matrices"];
 
 /// Copies a folder of programs, and gives the text of its modules; without attributes if so asked.
 fn copied(from: &Path, to: &Path, annotated: bool, lines: &mut usize) -> std::io::Result<String> {

@@ -13,7 +13,7 @@ use bessemer::math::roots::{cbrt, hypot};
 use bessemer::math::sine::{cos, sin, sin_cos};
 use bessemer::math::single::*;
 use bessemer::math::tangent::tan;
-use bessemer::math::{FloatMethods, OrderMethods};
+use bessemer::math::{FloatMethods, OrderMethods, SignMethods};
 use proptest::prelude::*;
 
 const INF: f64 = f64::INFINITY;

@@ -79,10 +79,8 @@ impl RawBits for f32 {
     }
 }
 
-/// Methods of ordered numbers that the attributes redirect to the DSL.
+/// The least and the greatest of floats, which the attributes redirect to the DSL.
 pub trait OrderMethods: Copy {
-    /// The magnitude.
-    fn dsl_abs(self) -> Self;
     /// The smaller of two: −0 < +0, and a NaN gives the other.
     fn dsl_min(self, other: Self) -> Self;
     /// The larger of two: −0 < +0, and a NaN gives the other.
@@ -94,32 +92,31 @@ pub trait OrderMethods: Copy {
     fn dsl_clamp(self, low: Self, high: Self) -> Self;
 }
 
-/// The same of a reference to what else has an order, such as a plain enum: a number's own methods are found before.
-pub trait RankMethods {
-    /// What it refers to.
-    type Value;
+/// The same of all that has a whole order, as `Ord` gives it: integers, plain enums, references to such.
+///
+/// It is implemented for what `Ord` is implemented for, so that rustc looks for the methods where it looks for `Ord`'s:
+/// what is not compared there is not compared here.
+pub trait RankMethods: Copy + Ord {
     /// The lesser of two; of equal ones the first.
-    fn dsl_min(self, other: Self::Value) -> Self::Value;
+    fn dsl_min(self, other: Self) -> Self;
     /// The greater of two; of equal ones the second.
-    fn dsl_max(self, other: Self::Value) -> Self::Value;
+    fn dsl_max(self, other: Self) -> Self;
     /// The nearest value from `low` to `high`.
     ///
     /// # Panics
     /// Unless `low <= high`: a fault of the entry point.
-    fn dsl_clamp(self, low: Self::Value, high: Self::Value) -> Self::Value;
+    fn dsl_clamp(self, low: Self, high: Self) -> Self;
 }
 
-impl<T: Copy + Ord> RankMethods for &T {
-    type Value = T;
-
+impl<T: Copy + Ord> RankMethods for T {
     fn dsl_min(self, other: T) -> T {
-        comparison::lesser(*self, other)
+        comparison::lesser(self, other)
     }
     fn dsl_max(self, other: T) -> T {
-        comparison::greater(*self, other)
+        comparison::greater(self, other)
     }
     fn dsl_clamp(self, low: T, high: T) -> T {
-        comparison::limited(*self, low, high)
+        comparison::limited(self, low, high)
     }
 }
 
@@ -160,9 +157,6 @@ macro_rules! floats {
         }
 
         impl OrderMethods for $float {
-            fn dsl_abs(self) -> $float {
-                self.abs()
-            }
             fn dsl_min(self, other: $float) -> $float {
                 let first = self < other
                     || other.is_nan()
@@ -185,31 +179,6 @@ macro_rules! floats {
 floats! {
     f64, u64, sqrt, floor, 0x7ff8_0000_0000_0000;
     f32, u32, sqrtf, floorf, 0x7fc0_0000;
-}
-
-macro_rules! integers {
-    ($($int:ident: $abs:expr),*) => {$(
-        impl OrderMethods for $int {
-            fn dsl_abs(self) -> $int {
-                let abs: fn($int) -> $int = $abs;
-                abs(self)
-            }
-            fn dsl_min(self, other: $int) -> $int {
-                if other < self { other } else { self }
-            }
-            fn dsl_max(self, other: $int) -> $int {
-                if other > self { other } else { self }
-            }
-            fn dsl_clamp(self, low: $int, high: $int) -> $int {
-                Ord::clamp(self, low, high)
-            }
-        }
-    )*};
-}
-
-integers! {
-    i8: i8::abs, i16: i16::abs, i32: i32::abs, i64: i64::abs, isize: isize::abs,
-    u8: |x| x, u16: |x| x, u32: |x| x, u64: |x| x, usize: |x| x
 }
 
 /// Bytes of numbers, which the attributes redirect to the DSL: a NaN has one payload.

@@ -20,8 +20,10 @@ pub trait RoundMethods: Copy {
     fn dsl_is_sign_positive(self) -> bool;
 }
 
-/// The sign as a number, of floats and signed integers.
+/// The magnitude, and the sign as a number, of floats and signed integers.
 pub trait SignMethods: Copy {
+    /// The magnitude; of the least signed integer a panic, as Rust's.
+    fn dsl_abs(self) -> Self;
     /// −1 or 1, for the integer 0 itself; a zero float's sign counts; NaN for a NaN.
     fn dsl_signum(self) -> Self;
 }
@@ -71,6 +73,9 @@ macro_rules! floats {
         }
 
         impl SignMethods for $float {
+            fn dsl_abs(self) -> $float {
+                self.abs()
+            }
             fn dsl_signum(self) -> $float {
                 self.signum()
             }
@@ -116,6 +121,9 @@ integers! { i8 i16 i32 i64 isize u8 u16 u32 u64 usize }
 macro_rules! signed {
     ($($int:ident)*) => {$(
         impl SignMethods for $int {
+            fn dsl_abs(self) -> $int {
+                self.abs()
+            }
             fn dsl_signum(self) -> $int {
                 self.signum()
             }

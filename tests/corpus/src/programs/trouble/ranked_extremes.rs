@@ -27,7 +27,7 @@ impl Watch {
     pub fn take(&mut self, now: Severity) -> Severity {
         self.worst = self.worst.max(now);
         let seen = &self.best;
-        self.best = seen.min(now);
+        self.best = (*seen).min(now);
         self.worst
     }
 
@@ -50,8 +50,8 @@ pub fn later(one: &[u16; 3], other: [u16; 3]) -> [u16; 3] {
     (*one).max(other)
 }
 
-/// Numbers behind references keep their own.
+/// Floats are found behind references, as they have no `Ord`; integers are not.
 #[function]
 pub fn of_numbers(x: &i32, y: &f64) -> (i32, f64) {
-    (x.max(3).clamp(-5, 7), y.min(2.0))
+    ((*x).max(3).clamp(-5, 7), y.min(2.0))
 }
