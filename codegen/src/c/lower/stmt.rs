@@ -211,6 +211,12 @@ impl Lower<'_> {
     }
 
     fn match_(&mut self, scrutinee: &Ir, arms: &[Arm], otherwise: Option<&Block>, tail: bool) {
+        if let ([Arm { values, body }], Some(otherwise)) = (arms, otherwise)
+            && let [value] = values[..]
+        {
+            self.match_as_if(scrutinee, value, [body, otherwise], tail);
+            return;
+        }
         let blocks: Vec<&Block> = arms.iter().map(|arm| &arm.body).chain(otherwise).collect();
         if blocks.iter().any(|block| breaks(block)) {
             self.match_as_ifs(scrutinee, arms, otherwise, tail);
@@ -231,6 +237,22 @@ impl Lower<'_> {
         }
         self.origin = origin;
         self.emit(StmtKind::Switch { scrutinee: value, arms: list });
+    }
+
+    /// One value, and everything else.
+    fn match_as_if(&mut self, scrutinee: &Ir, value: i128, arms: [&Block; 2], tail: bool) {
+        let (origin, test) = (self.origin, self.word(scrutinee));
+        let [then, otherwise] = arms.map(|block| self.block(block, tail));
+        let value = self.label(&scrutinee.ty, value);
+        self.origin = origin;
+        self.emit(match then.is_empty() && !otherwise.is_empty() {
+            true => StmtKind::If {
+                condition: Expr::binary("!=", test, value),
+                then: otherwise,
+                otherwise: Vec::new(),
+            },
+            false => StmtKind::If { condition: Expr::binary("==", test, value), then, otherwise },
+        });
     }
 
     /// A `switch` takes `break` for itself; where an arm leaves a loop, the match becomes `if`s.
