@@ -8,6 +8,7 @@
 
 pub mod harness;
 pub mod interpreter;
+pub mod kernels;
 pub mod panics;
 pub mod process;
 pub mod toolchain;

@@ -8,15 +8,14 @@
 pub mod arguments;
 pub mod batch;
 pub mod edge_values;
-pub mod kernels;
 pub mod outcome;
 pub mod pilot;
 pub mod random;
 pub mod workspace;
 
 pub use bessemer_legs::{
-    compiled, compiled_with, entry, harness, interpreter, overflow_is_checked, panics, process,
-    root, toolchain, value, words,
+    compiled, compiled_with, entry, harness, interpreter, kernels, overflow_is_checked, panics,
+    process, root, toolchain, value, words,
 };
 
 use bessemer_codegen::c::CFile;

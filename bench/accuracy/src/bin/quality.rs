@@ -2,21 +2,34 @@
 //!
 //! `cargo run --release --manifest-path bench/accuracy/Cargo.toml --bin quality` writes
 //! `bench/results/quality.json` and `bench/results/quality.md`. What runs is the DSL's own Rust, whose bits
-//! the C has (tests/tests/linear.rs). LAPACK is a program beside it (`bench/c/quality.c`, gcc, -llapack).
+//! the C has (tests/tests/linear.rs); of the fast mode, whose bits are its own, the C. LAPACK is a program beside it
+//! (`bench/c/quality.c`, gcc, -llapack).
 
 use std::fmt::Write as _;
 use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 
-use bessemer::linear::kernels::{cholesky_mut, cholesky_solve_mut};
+use bessemer::linear::kernels::{cholesky_lower, cholesky_solve_mut};
 use bessemer::prelude::*;
+use bessemer_codegen::kernels::{Mode, Tuning};
+use bessemer_ir::KernelRoutine;
+use bessemer_legs::kernels::{Program, kernel};
+use bessemer_legs::toolchain::Toolchain;
 use rug::Float;
 
 /// Eighty decimal digits.
 const PRECISION: u32 = 266;
 /// Systems of each kind and size.
 const SYSTEMS: u64 = 40;
+
+/// The C of the fast mode: of more than twenty rows, where the processor fuses.
+const FAST: Tuning = Tuning { code_bytes: 8 * 1024, mode: Mode::Fast };
+const FUSING: Toolchain =
+    Toolchain { compiler: "gcc", level: 3, emulator: None, more: &["-march=native"] };
+const FAST_SIZE: usize = 33;
+const FAST_SOLVE: &str = "solve, fast mode";
+const FAST_INVERSE: &str = "inverse, fast mode";
 
 /// An inverse as the solution of `A X = I`: the way of four rows that is as good as LAPACK's.
 const BY_SOLVING: &str = "solve with I";
@@ -176,15 +189,48 @@ struct Findings {
     theirs: Vec<[f64; 2]>,
 }
 
-fn systems<const N: usize>(routine: &str, kind: Kind, lapack: &mut Lapack) -> Findings {
+/// What else computes: LAPACK, and the C of the fast mode, unless this processor has none.
+struct Others {
+    lapack: Lapack,
+    fast: Option<Program>,
+}
+
+impl Others {
+    fn start(root: &Path) -> Others {
+        let lapack = Lapack::start(root, &std::env::temp_dir());
+        let kernels = [fast_kernel(FAST_SOLVE), fast_kernel(FAST_INVERSE)];
+        let fast = std::arch::is_x86_feature_detected!("fma")
+            .then(|| Program::start(&kernels, FAST, &FUSING));
+        Others { lapack, fast }
+    }
+
+    fn fast(&mut self, routine: &str, arguments: &[&[f64]], count: usize) -> Vec<f64> {
+        let fast = self.fast.as_mut().expect("asked only where there is one");
+        fast.solve(&fast_kernel(routine), arguments, count)
+    }
+}
+
+fn fast_kernel(routine: &str) -> bessemer_ir::Kernel {
+    let (routine, dims): (_, &[usize]) = match routine {
+        FAST_SOLVE => (KernelRoutine::Solve, &[FAST_SIZE, 1]),
+        _ => (KernelRoutine::Inverse, &[FAST_SIZE]),
+    };
+    kernel(routine, bessemer_ir::Float::F64, dims)
+}
+
+fn systems<const N: usize>(routine: &str, kind: Kind, others: &mut Others) -> Findings {
     let mut findings = Findings::default();
     for system in 0..SYSTEMS {
         let mut random =
             Random(0x9E37_79B9_7F4A_7C15 ^ (system + 1).wrapping_mul(0xD1B5_4A32_D192_ED03));
         let a = matrix::<N>(kind, &mut random);
         let b = SVector::<f64, N>::from_fn(|_, _| random.unit());
-        let asked = if routine == BY_SOLVING { "inverse" } else { routine };
-        let theirs = lapack.ask(asked, N, a.as_slice(), b.as_slice());
+        let asked = match routine {
+            BY_SOLVING | FAST_INVERSE => "inverse",
+            FAST_SOLVE => "solve",
+            _ => routine,
+        };
+        let theirs = others.lapack.ask(asked, N, a.as_slice(), b.as_slice());
         let mut check = |ours: &[f64], theirs: &[f64], b: &[f64]| {
             let truth = truth(N, a.as_slice(), b);
             findings.ours.push(errors(N, a.as_slice(), b, ours, &truth));
@@ -196,30 +242,41 @@ fn systems<const N: usize>(routine: &str, kind: Kind, lapack: &mut Lapack) -> Fi
                 assert!(bessemer::solve_into(&a, &mut x), "not singular");
                 check(x.as_slice(), &theirs, b.as_slice());
             }
+            FAST_SOLVE => {
+                let x = others.fast(routine, &[a.as_slice(), b.as_slice()], N);
+                check(&x, &theirs, b.as_slice());
+            }
             "definite" => {
-                let (mut factor, mut x) = (a, b);
-                if cholesky_mut(&mut factor) {
+                let (factor, mut x) = (cholesky_lower(&a), b);
+                if factor[(0, 0)] > 0.0 {
                     cholesky_solve_mut(&factor, &mut x);
                     check(x.as_slice(), &theirs, b.as_slice());
                 }
             }
             _ => {
-                let mut inverse = if routine == BY_SOLVING { SMatrix::identity() } else { a };
-                let found = match routine {
-                    BY_SOLVING => bessemer::solve_into(&a, &mut inverse),
-                    _ => bessemer::inverse_mut(&mut inverse),
-                };
-                assert!(found, "not singular");
+                let inverse = inverse(routine, &a, others);
                 for column in 0..N {
                     let mut unit = [0.0; N];
                     unit[column] = 1.0;
-                    let ours = &inverse.as_slice()[N * column..N * (column + 1)];
+                    let ours = &inverse[N * column..N * (column + 1)];
                     check(ours, &theirs[N * column..N * (column + 1)], &unit);
                 }
             }
         }
     }
     findings
+}
+
+/// The inverse, by columns.
+fn inverse<const N: usize>(routine: &str, a: &SMatrix<f64, N, N>, others: &mut Others) -> Vec<f64> {
+    let mut inverse = if routine == BY_SOLVING { SMatrix::identity() } else { *a };
+    let found = match routine {
+        FAST_INVERSE => return others.fast(routine, &[a.as_slice()], N * N),
+        BY_SOLVING => bessemer::solve_into(a, &mut inverse),
+        _ => bessemer::inverse_mut(&mut inverse),
+    };
+    assert!(found, "not singular");
+    inverse.as_slice().to_vec()
 }
 
 fn worst(list: &[[f64; 2]], which: usize) -> f64 {
@@ -232,70 +289,58 @@ fn median(list: &[[f64; 2]], which: usize) -> f64 {
     values.get(values.len() / 2).copied().unwrap_or_default()
 }
 
+/// A line of the table, and an object of the JSON.
+fn report(routine: &str, n: usize, kind: &str, findings: &Findings) -> (String, Option<String>) {
+    let both = [&findings.ours, &findings.theirs];
+    let count = both[0].len();
+    if count == 0 {
+        return (format!("| {routine} | {n} | {kind} | 0 |{}\n", " – |".repeat(8)), None);
+    }
+    let of = |figure: fn(&[[f64; 2]], usize) -> f64, which| both.map(|list| figure(list, which));
+    let (mut line, mut object) = (
+        format!("| {routine} | {n} | {kind} | {count} |"),
+        format!("  {{\"routine\": \"{routine}\", \"size\": {n}, \"kind\": \"{kind}\", \"solutions\": {count}"),
+    );
+    for (name, [ours, theirs]) in [("worst", of(worst, 0)), ("median", of(median, 0))] {
+        let _ = write!(line, " {ours:.3} | {theirs:.3} |");
+        let _ = write!(object, ", \"{name}_residual\": [{ours:.4}, {theirs:.4}]");
+    }
+    for (name, [ours, theirs]) in [("worst", of(worst, 1)), ("median", of(median, 1))] {
+        let _ = write!(line, " {ours:.1e} | {theirs:.1e} |");
+        let _ = write!(object, ", \"{name}_error\": [{ours:.3e}, {theirs:.3e}]");
+    }
+    (line + "\n", Some(object + "}"))
+}
+
 fn main() {
     let root: PathBuf = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let mut lapack = Lapack::start(&root, &std::env::temp_dir());
-    let mut rows = String::new();
-    let mut json = Vec::new();
-    let mut take = |routine: &str, n: usize, kind: &str, findings: &Findings| {
-        let [ours, theirs] = [&findings.ours, &findings.theirs];
-        if ours.is_empty() {
-            let _ = writeln!(rows, "| {routine} | {n} | {kind} | 0 | – | – | – | – | – | – |");
-            return;
-        }
-        let _ = writeln!(
-            rows,
-            "| {routine} | {n} | {kind} | {} | {:.3} | {:.3} | {:.3} | {:.3} | {:.1e} | {:.1e} |",
-            ours.len(),
-            worst(ours, 0),
-            worst(theirs, 0),
-            median(ours, 0),
-            median(theirs, 0),
-            worst(ours, 1),
-            worst(theirs, 1),
-        );
-        json.push(format!(
-            "  {{\"routine\": \"{routine}\", \"size\": {n}, \"kind\": \"{kind}\", \"solutions\": {}, \
-             \"worst_residual\": [{:.4}, {:.4}], \"median_residual\": [{:.4}, {:.4}], \
-             \"worst_error\": [{:.3e}, {:.3e}]}}",
-            ours.len(),
-            worst(ours, 0),
-            worst(theirs, 0),
-            median(ours, 0),
-            median(theirs, 0),
-            worst(ours, 1),
-            worst(theirs, 1),
-        ));
-    };
-    for routine in ["solve", "inverse", BY_SOLVING, "definite"] {
+    let mut others = Others::start(&root);
+    let (mut rows, mut json) = (String::new(), Vec::new());
+    for routine in ["solve", FAST_SOLVE, "inverse", FAST_INVERSE, BY_SOLVING, "definite"] {
         for (kind, name) in KINDS {
-            if routine == BY_SOLVING {
-                take(routine, 4, name, &systems::<4>(routine, kind, &mut lapack));
-                continue;
-            }
+            let mut take = |n: usize, findings: &Findings| {
+                let (row, object) = report(routine, n, name, findings);
+                rows += &row;
+                json.extend(object);
+            };
             let definite = matches!(kind, Kind::Definite | Kind::Hilbert);
-            if routine == "definite" && !definite {
-                continue;
+            match routine {
+                FAST_SOLVE | FAST_INVERSE if others.fast.is_none() => {}
+                FAST_SOLVE | FAST_INVERSE => {
+                    take(FAST_SIZE, &systems::<FAST_SIZE>(routine, kind, &mut others));
+                }
+                BY_SOLVING => take(4, &systems::<4>(routine, kind, &mut others)),
+                "definite" if !definite => {}
+                _ => {
+                    take(4, &systems::<4>(routine, kind, &mut others));
+                    take(6, &systems::<6>(routine, kind, &mut others));
+                    take(12, &systems::<12>(routine, kind, &mut others));
+                    take(33, &systems::<33>(routine, kind, &mut others));
+                }
             }
-            take(routine, 4, name, &systems::<4>(routine, kind, &mut lapack));
-            take(routine, 6, name, &systems::<6>(routine, kind, &mut lapack));
-            take(routine, 12, name, &systems::<12>(routine, kind, &mut lapack));
-            take(routine, 33, name, &systems::<33>(routine, kind, &mut lapack));
         }
     }
-    let text = format!(
-        "# How good the solutions are\n\n\
-         Written by `cargo run --release --manifest-path bench/accuracy/Cargo.toml --bin quality`;\n\
-         [quality.json](quality.json) has the same figures. {SYSTEMS} matrices of each kind and size, f64. A residual is\n\
-         `‖b − A x‖ / (ε (‖A‖ ‖x‖ + ‖b‖))`, norms of rows, an error `‖x − x*‖ / ‖x*‖`, both in 80 digits, with the\n\
-         true solution `x*` in 80 digits. Ours are those of the emitted C, bit for bit; beside them LAPACK's (dgesv,\n\
-         dgetrf and dgetri, dposv) on the same numbers. Inverses of up to four rows go by cofactors, as nalgebra's do;\n\
-         `solve with I` is `bessemer::solve(&a, &SMatrix::identity())`, the inverse by elimination.\n\
-         `solutions`: how many there are, a column of an inverse being one; a matrix that rounding makes indefinite has none.\n\
-         Residuals of inverses are those of `A X = I`; dgetri is made for `X A = I`, so compare errors there.\n\n\
-         | routine | size | matrices | solutions | residual, worst: ours | LAPACK's | median: ours | LAPACK's | error, worst: ours | LAPACK's |\n\
-         |---|---|---|---|---|---|---|---|---|---|\n{rows}"
-    );
+    let text = format!("{}{rows}", HEAD.replace("SYSTEMS", &SYSTEMS.to_string()));
     println!("{text}");
     let write =
         |name: &str, text: &str| std::fs::write(root.join("bench/results").join(name), text);
@@ -303,3 +348,21 @@ fn main() {
         .and_then(|()| write("quality.json", &format!("[\n{}\n]\n", json.join(",\n"))))
         .expect("bench/results is there");
 }
+
+const HEAD: &str = "\
+# How good the solutions are
+
+Written by `cargo run --release --manifest-path bench/accuracy/Cargo.toml --bin quality`;
+[quality.json](quality.json) has the same figures. SYSTEMS matrices of each kind and size, f64. A residual is
+`‖b − A x‖ / (ε (‖A‖ ‖x‖ + ‖b‖))`, norms of rows, an error `‖x − x*‖ / ‖x*‖`, both in 80 digits, with the
+true solution `x*` in 80 digits. Ours are those of the emitted C, bit for bit; beside them LAPACK's (dgesv,
+dgetrf and dgetri, dposv) on the same numbers. In the fast mode they are those of its C as gcc makes it with
+`-O3 -march=native`, on a processor that fuses; up to 20 rows it is the exact mode.
+Inverses of up to four rows go by cofactors, as nalgebra's do;
+`solve with I` is `bessemer::solve(&a, &SMatrix::identity())`, the inverse by elimination.
+`solutions`: how many there are, a column of an inverse being one; a matrix that rounding makes indefinite has none.
+Residuals of inverses are those of `A X = I`; dgetri is made for `X A = I`, so compare errors there.
+
+| routine | size | matrices | solutions | residual, worst: ours | LAPACK's | median: ours | LAPACK's | error, worst: ours | LAPACK's | median: ours | LAPACK's |
+|---|---|---|---|---|---|---|---|---|---|---|---|
+";
