@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use bessemer::math::{ElementaryMethods, FloatMethods, OrderMethods, RoundMethods, SignMethods};
+use bessemer::math::{ElementaryMethods, FloatMethods, RoundMethods, SignMethods};
 
 /// A value as the table spells it.
 fn value(word: &str) -> f64 {
