@@ -44,7 +44,7 @@ pub fn run(root: &Path, wanted: &Test, machine: &dyn Machine) -> Result<Outcome,
     show(
         &mut progress,
         "witness tests",
-        cargo(&["test", "--package", "bessemer", "--features", "generate", "--tests"]),
+        cargo(&["test", "--package", "bessemer", "--features", "generate", "--test", "witness"]),
     )?;
     anstream::eprintln!("passed: {}; now the tests", progress.summary());
     attach("tests", cargo(&["test", "--workspace", "--lib", "--bins", "--examples", "--tests"]))?;
