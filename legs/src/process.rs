@@ -1,5 +1,6 @@
 //! Emitted C as a process: built in a folder of its own, stepped through pipes.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{BufReader, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdin, ChildStdout, Stdio};
@@ -111,7 +112,7 @@ impl Process {
         Process::run_files(&compiled.files, main, toolchain, flags)
     }
 
-    /// The same of some files.
+    /// The same of some files: of those that the program includes, and what these need.
     ///
     /// # Errors
     /// What the compiler or the system said.
@@ -121,7 +122,11 @@ impl Process {
         toolchain: &Toolchain,
         flags: &[&str],
     ) -> Result<Process, Error> {
-        let Folder { folder, sources } = lay_out_files(files)?;
+        let Folder { folder, mut sources } = lay_out_files(files)?;
+        let needed = needed(files, main);
+        sources.retain(|source| {
+            source.file_stem().is_some_and(|stem| needed.contains(&*stem.to_string_lossy()))
+        });
         let path = folder.path().join("harness_main.c");
         std::fs::write(&path, main)?;
         let program = folder.path().join("harness");
@@ -198,6 +203,29 @@ impl Process {
         }
         Ok(words)
     }
+}
+
+/// The names without extension of what a program includes, of what that includes, and so on.
+fn needed<'f>(files: &'f [CFile], main: &str) -> BTreeSet<&'f str> {
+    let mut texts: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+    for file in files {
+        if let Some((stem, "c" | "h")) = file.name.rsplit_once('.') {
+            texts.entry(stem).or_default().push(&file.text);
+        }
+    }
+    let mut needed = BTreeSet::new();
+    let mut open = vec![main];
+    while let Some(text) = open.pop() {
+        let headers = text.lines().filter_map(|line| line.strip_prefix("#include \""));
+        for header in headers.filter_map(|rest| rest.strip_suffix(".h\"")) {
+            if let Some((stem, texts)) = texts.get_key_value(header)
+                && needed.insert(*stem)
+            {
+                open.extend(texts);
+            }
+        }
+    }
+    needed
 }
 
 /// No entry's place: the program hands over what it wrote.
