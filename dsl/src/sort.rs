@@ -37,6 +37,18 @@ pub fn ascending<T: Copy + Ord>(values: &mut [T]) {
     }
 }
 
+/// Whether no element comes before the one in front of it; a NaN has no place in an order.
+#[function]
+pub fn is_sorted<T: PartialOrd>(values: &[T]) -> bool {
+    for at in 1..values.len() {
+        // As `PartialOrd` has it: not `>`, which a NaN is not either.
+        if !(values[at - 1] <= values[at]) {
+            return false;
+        }
+    }
+    true
+}
+
 /// Whether `one` comes before `other` in `total_cmp`: −0 before +0, NaN behind all others.
 #[function]
 #[inline]

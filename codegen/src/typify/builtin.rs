@@ -221,7 +221,8 @@ impl Lowering<'_, '_> {
             | Intrinsic::IsNan
             | Intrinsic::IsFinite
             | Intrinsic::IsInfinite => None,
-            _ => expr.slot.map(|slot| self.slot(slot, expr.site)).transpose()?,
+            // Of references it gives what is read.
+            _ => expr.slot.map(|slot| self.seen(slot, expr.site)).transpose()?,
         };
         let values = self.uniform(arguments, expected)?;
         let ty = match values.first().map(|first| &first.ty) {

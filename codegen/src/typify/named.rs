@@ -5,11 +5,11 @@ use bessemer_ir::tree::{self, Site};
 use super::function::{Binding, Lowering};
 use super::{Result, problem};
 
-/// Whether what `expr` refers to comes from a call.
+/// Whether what `expr` refers to comes from a call, or is gathered: what a fold of references gives is held by itself.
 fn lends(expr: &tree::Expr) -> bool {
     match &expr.kind {
         tree::ExprKind::Ref(false, inner) | tree::ExprKind::Try(inner) => lends(inner),
-        tree::ExprKind::Call(..) => true,
+        tree::ExprKind::Call(..) | tree::ExprKind::Fold { .. } => true,
         _ => false,
     }
 }

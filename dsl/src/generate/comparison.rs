@@ -94,28 +94,55 @@ impl<T: Ranked + Copy> RankedBuiltins for T {
     }
 }
 
-/// What a reference to them has: a number's own methods are found before.
-pub trait RankedOrderBuiltins<T>: Sized {
-    fn __b_min(self, other: T) -> told!([Self, T] => T);
-    fn __b_max(self, other: T) -> told!([Self, T] => T);
-    fn __b_clamp(self, low: T, high: T) -> told!([Self, T] => T);
+/// The least and the greatest of them.
+pub trait RankedOrderBuiltins: Sized {
+    fn __b_min(self, other: Self) -> told!([Self] => Self);
+    fn __b_max(self, other: Self) -> told!([Self] => Self);
+    fn __b_clamp(self, low: Self, high: Self) -> told!([Self] => Self);
+}
+
+impl<T: Ranked + Copy + Ord> RankedOrderBuiltins for T {
+    fn __b_min(self, other: T) -> told!([T] => T) {
+        comparison::lesser::__call(self, other)
+    }
+    fn __b_max(self, other: T) -> told!([T] => T) {
+        comparison::greater::__call(self, other)
+    }
+    fn __b_clamp(self, low: T, high: T) -> told!([T] => T) {
+        comparison::limited::__call(self, low, high)
+    }
+}
+
+/// The same of references to what has `Ord`: rustc finds it there before it looks behind the reference.
+pub trait ReferredOrderBuiltins: Sized {
+    fn __b_min(self, other: Self) -> told!([Self] => Self);
+    fn __b_max(self, other: Self) -> told!([Self] => Self);
+    fn __b_clamp(self, low: Self, high: Self) -> told!([Self] => Self);
+}
+
+/// The function is that of the values: what it gives can only be read.
+fn referred<'a, M, T>(_: Called<M, T>) -> Called<M, &'a T> {
+    unreachable!("a witness copy is never run")
 }
 
 // The marker of what is called outlives the reference.
 #[allow(refining_impl_trait)]
-impl<T: Ranked + Copy + Ord> RankedOrderBuiltins<T> for &T {
-    fn __b_min(self, other: T) -> told!([T] => T) {
-        comparison::lesser::__call(*self, other)
+impl<'a, T: Ranked + Copy + Ord> ReferredOrderBuiltins for &'a T {
+    fn __b_min(self, other: &'a T) -> told!([T] => &'a T) {
+        referred(comparison::lesser::__call(*self, *other))
     }
-    fn __b_max(self, other: T) -> told!([T] => T) {
-        comparison::greater::__call(*self, other)
+    fn __b_max(self, other: &'a T) -> told!([T] => &'a T) {
+        referred(comparison::greater::__call(*self, *other))
     }
-    fn __b_clamp(self, low: T, high: T) -> told!([T] => T) {
-        comparison::limited::__call(*self, low, high)
+    fn __b_clamp(self, low: &'a T, high: &'a T) -> told!([T] => &'a T) {
+        referred(comparison::limited::__call(*self, *low, *high))
     }
 }
 
 /// What `core::cmp::max` and `core::cmp::min` take.
+#[diagnostic::on_unimplemented(
+    message = "`core::cmp::max` and `core::cmp::min` do not take `{Self}` in the DSL"
+)]
 pub trait Extremes: Sized {
     fn __max(self, other: Self) -> told!([Self] => Self);
     fn __min(self, other: Self) -> told!([Self] => Self);
@@ -132,6 +159,18 @@ impl<T: Ranked + Copy + Ord> Extremes for T {
 
 macro_rules! extremes {
     ($($ty:ident)*) => {$(
+        #[allow(refining_impl_trait)]
+        impl<'a> ReferredOrderBuiltins for &'a $ty {
+            fn __b_min(self, other: &'a $ty) -> told!([] => &'a $ty) {
+                referred(OrderBuiltins::__b_min(*self, *other))
+            }
+            fn __b_max(self, other: &'a $ty) -> told!([] => &'a $ty) {
+                referred(OrderBuiltins::__b_max(*self, *other))
+            }
+            fn __b_clamp(self, low: &'a $ty, high: &'a $ty) -> told!([] => &'a $ty) {
+                referred(OrderBuiltins::__b_clamp(*self, *low, *high))
+            }
+        }
         impl Extremes for $ty {
             fn __max(self, other: $ty) -> told!([] => $ty) {
                 OrderBuiltins::__b_max(self, other)

@@ -51,7 +51,8 @@ pub mod prelude {
     pub use super::checked::{CheckedAbsBuiltin as _, CheckedBuiltins as _};
     pub use super::comparison::{
         CompareBuiltins as _, OrderingBuiltins as _, PartialCompareBuiltins as _,
-        RankedBuiltins as _, RankedOrderBuiltins as _, TotalCompareBuiltins as _,
+        RankedBuiltins as _, RankedOrderBuiltins as _, ReferredOrderBuiltins as _,
+        TotalCompareBuiltins as _,
     };
     pub use super::elementary::ElementaryBuiltins as _;
     pub use super::factored::{
@@ -80,8 +81,8 @@ pub mod prelude {
     };
     pub use super::resized::{PushBuiltin as _, ResizedBuiltins as _};
     pub use super::slice::{
-        SliceArrays as _, SliceBuiltins as _, SliceEdits as _, SliceEnds as _, SliceSorts as _,
-        TotalOrder as _, VectorSliceBuiltins as _,
+        SliceArrays as _, SliceBuiltins as _, SliceEdits as _, SliceEnds as _, SliceOrder as _,
+        SliceSorts as _, TotalOrder as _, VectorSliceBuiltins as _,
     };
     pub use super::slot::{__any, __glance, __look, __result, __see, __take};
     pub use super::spatial::{

@@ -213,6 +213,18 @@ impl<T: Value + Number + Ord> SliceSorts<T> for [T] {
     }
 }
 
+/// What slices have of what has `<`.
+#[allow(missing_docs)]
+pub trait SliceOrder<T> {
+    fn __b_is_sorted(&self) -> told!([Self, T] => bool);
+}
+
+impl<T: Value + PartialOrd> SliceOrder<T> for [T] {
+    fn __b_is_sorted(&self) -> told!([T] => bool) {
+        sort::is_sorted::__call(self)
+    }
+}
+
 /// The order of floats in `total_cmp`, which the C has as a function.
 #[allow(missing_docs)]
 pub trait TotalOrder: Sized {

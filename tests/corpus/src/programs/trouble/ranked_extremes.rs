@@ -55,3 +55,34 @@ pub fn later(one: &[u16; 3], other: [u16; 3]) -> [u16; 3] {
 pub fn of_numbers(x: &i32, y: &f64) -> (i32, f64) {
     ((*x).max(3).clamp(-5, 7), y.min(2.0))
 }
+
+/// Of references, as `Ord` is implemented for them: the least, the greatest, the nearest, and their sum.
+#[function]
+pub fn of_references(levels: &[i32; 5], low: i32, high: i32) -> (i32, i32, i32, i64) {
+    let most = *levels.iter().fold(&levels[0], |most, level| most.max(level));
+    let least = levels.iter().fold(&levels[0], |least, level| if level < least { level } else { least.min(level) });
+    let mut sum = 0_i64;
+    for level in levels {
+        sum += i64::from(*level.max(&3).min(&high));
+    }
+    (*least, most, levels[2].clamp(low, high).max(low).min(levels[4]), sum)
+}
+
+/// Of references to what is no number.
+#[function]
+pub fn worse(seen: &Severity, others: &[Severity; 3], pair: &(u8, i32)) -> (Severity, (u8, i32), Severity) {
+    let worst = *others.iter().fold(seen, |worst, other| worst.max(other));
+    let first = others.first().map(|first| *first.min(seen)).unwrap_or(Severity::Bad);
+    (worst, *pair.clamp(&(1, -3), &(200, 4)), first)
+}
+
+/// What is kept is what it was, whatever is written after.
+#[function]
+pub fn kept(values: &mut [u16; 3]) -> u16 {
+    let most = values[0].max(values[1]).max(values[2]);
+    values[0] = most / 2;
+    let two = values[1];
+    let lesser = (&two).min(&most);
+    values[1] = 7;
+    *lesser + values[1]
+}

@@ -1,0 +1,30 @@
+//! Whether the elements of a slice stand in order.
+
+use bessemer::prelude::*;
+
+/// The breakpoints of a table, and how many of them there are.
+#[data]
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Breakpoints {
+    /// The breakpoints.
+    pub at: [f64; 6],
+    /// How many there are.
+    pub count: u8,
+}
+
+/// Whether a table can be looked up: none of its breakpoints comes before the one in front of it, and none is a NaN.
+#[function]
+pub fn is_usable(table: &Breakpoints) -> bool {
+    let count = usize::from(table.count).clamp(2, 6);
+    table.at[..count].is_sorted()
+}
+
+/// Of lists, of pairs, of an array of one element.
+#[function]
+pub fn ordered(n: u8, pairs: &[(u8, f32); 3]) -> [bool; 3] {
+    let mut list: List<u8, 4> = List::new();
+    for k in 0..n % 4 {
+        list.push(k ^ 2);
+    }
+    [list.is_sorted(), pairs.is_sorted(), [n].is_sorted()]
+}
