@@ -228,7 +228,9 @@ fn reworded(title: &str) -> (String, Option<&'static str>) {
     }
     if let Some(method) = method {
         let owner = static_matrix(owner.trim_start_matches("&mut ").trim_start_matches('&'));
-        let help = if method == "clone" {
+        let help = if let Some(help) = instead(method, &owner) {
+            help
+        } else if method == "clone" {
             "derive `Copy` too: then the value copies itself"
         } else if is_known(&owner) {
             "write it out with the operations that the DSL has: see docs/language.md"
@@ -236,6 +238,9 @@ fn reworded(title: &str) -> (String, Option<&'static str>) {
             "mark the `impl` block that has it `#[data]` or `#[component]`"
         };
         return (format!("`{method}` of `{owner}` is not part of the DSL"), Some(help));
+    }
+    if title.starts_with("`core::cmp::max` and") {
+        return (title.to_owned(), Some("write `a.max(b)`, of references `*a.max(b)`"));
     }
     if title.contains("`__call`") {
         return (
@@ -261,6 +266,34 @@ fn reworded(title: &str) -> (String, Option<&'static str>) {
         );
     }
     (title.to_owned(), None)
+}
+
+/// What to write in place of a method that this kind of type has in Rust.
+fn instead(method: &str, owner: &str) -> Option<&'static str> {
+    // A generic type is named by its parameter.
+    let generic = !owner.contains(|it: char| !it.is_ascii_uppercase() && !it.is_ascii_digit());
+    Some(match method {
+        "min" | "max" | "clamp" if generic => {
+            "compare what is generic with `<`: `if b < a { b } else { a }`"
+        }
+        _ if generic || !is_known(owner) => return None,
+        "pseudo_inverse" => "write `bessemer::linear::svd(&a).pseudo_inverse(least)`",
+        "angle" => {
+            "write `a.cross(&b).norm().atan2(a.dot(&b))`, in the plane `a.perp(&b).atan2(a.dot(&b))`"
+        }
+        "zip_zip_map" => "write `zip_map` twice, or `from_fn(|row, column| …)`",
+        "column_iter" | "row_iter" | "column_iter_mut" | "row_iter_mut" => {
+            "number them and take the rest by the number: `for (i, column) in m.column_iter().enumerate() { … w[i] … }`"
+        }
+        "midpoint" => "write `a / 2 + b / 2 + (a & b & 1)`, of floats `0.5 * (a + b)`",
+        "isqrt" => "write `f64::from(x).sqrt() as u32`: up to 32 bits it is exact",
+        "saturating_pow" => "write `x.checked_pow(n).unwrap_or(u32::MAX)`",
+        "checked_next_power_of_two" => "write `1 << (u32::BITS - (x - 1).leading_zeros())`",
+        "saturating_add_signed" | "wrapping_add_signed" | "checked_add_signed" => {
+            "convert both to the wider signed type, `i64::from(x)`, and back with `try_from`"
+        }
+        _ => return None,
+    })
 }
 
 /// Whether a type is the DSL's, nalgebra's or Rust's, whose methods no author marks.

@@ -449,7 +449,9 @@ fn methods(
         beside.extend(builder::method(&it.self_ty, &it.generics, &subject, &mut refusals));
         let own = closures::without(&method.sig.generics);
         let generic = Scope::of_function(&own).is_generic();
-        if !generic
+        // What is refused is not built, and nothing more is told of it.
+        if refusals.is_empty()
+            && !generic
             && (matches!(role, Role::Entry { .. })
                 || instance::is_public(&method.vis) && kind == Kind::Data)
         {

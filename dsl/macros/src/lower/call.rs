@@ -68,8 +68,8 @@ impl Lowering<'_> {
     }
 
     pub(super) fn method_call(&mut self, it: &mut syn::ExprMethodCall) -> ExprKind {
-        if let Some(lines) = self.chained_lines(&it.receiver) {
-            *it.receiver = lines;
+        if let Some(lines) = self.chained_lines(it) {
+            *it = lines;
         }
         if let Some(kind) = self.chain(it).or_else(|| self.each_element(it)) {
             return kind;

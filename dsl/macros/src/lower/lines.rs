@@ -1,78 +1,154 @@
-//! `for` over the columns or the rows of a matrix: a `for` over their indices, in the tree and in the copy.
+//! The columns or the rows of a matrix, one after another: by their indices, in the tree and in the copy.
 //!
 //! `for c in m.column_iter() { … }` becomes `for column in 0..m.ncols() { let c = m.column(column); … }`; with
-//! `.enumerate()` the counter has the author's name.
+//! `.enumerate()` the counter has the author's name. A closure behind them is taken as a `for` is. What pairs them with
+//! something else is no chain of a range's, and is refused where it stands.
 
-use syn::parse_quote;
+use syn::{parse_quote, parse_quote_spanned};
 
 use super::view::may_repeat;
 use super::{Lowering, text};
 
-impl Lowering<'_> {
-    /// The loop over indices that such a loop stands for; none if it is another, or computes its matrix.
-    pub(super) fn through_lines(&self, it: &syn::ExprForLoop) -> Option<syn::ExprForLoop> {
-        let (lines, counted) = match &*it.expr {
-            syn::Expr::MethodCall(call) if call.method == "enumerate" && call.args.is_empty() => {
-                (&*call.receiver, true)
-            }
-            other => (other, false),
-        };
-        let syn::Expr::MethodCall(lines) = lines else { return None };
-        let (count, line) = match text(&lines.method).as_str() {
+/// What may stand between the lines and what takes them.
+const LINKS: [(&str, usize); 3] = [("enumerate", 0), ("rev", 0), ("step_by", 1)];
+
+/// What makes something else of them than closures can take.
+const OTHER_LINKS: [&str; 5] = ["zip", "chain", "skip", "take", "enumerate"];
+
+/// What hands a closure each line, and which argument the closure is; the line is its last parameter.
+const TAKING: [(&str, usize); 9] = [
+    ("map", 0),
+    ("for_each", 0),
+    ("filter_map", 0),
+    ("map_while", 0),
+    ("all", 0),
+    ("any", 0),
+    ("fold", 1),
+    ("try_fold", 1),
+    ("scan", 1),
+];
+
+/// `m.column_iter()` with the links behind it, the first of them first.
+struct Lines<'a> {
+    call: &'a syn::ExprMethodCall,
+    count: syn::Ident,
+    line: syn::Ident,
+    links: Vec<&'a syn::ExprMethodCall>,
+}
+
+impl<'a> Lines<'a> {
+    /// None if an expression is something else, or computes its matrix.
+    fn of(expr: &'a syn::Expr) -> Option<Lines<'a>> {
+        let syn::Expr::MethodCall(call) = expr else { return None };
+        let name = text(&call.method);
+        if LINKS.contains(&(name.as_str(), call.args.len())) {
+            let mut lines = Lines::of(&call.receiver)?;
+            lines.links.push(call);
+            let alone = lines.links.len() == 1;
+            return (alone || !lines.links.iter().any(|link| link.method == "enumerate"))
+                .then_some(lines);
+        }
+        let (count, line) = match name.as_str() {
             "column_iter" => ("ncols", "column"),
             "row_iter" => ("nrows", "row"),
             "column_iter_mut" => ("ncols", "column_mut"),
             "row_iter_mut" => ("nrows", "row_mut"),
             _ => return None,
         };
-        let matrix = &lines.receiver;
-        if !lines.args.is_empty() || !may_repeat(matrix) {
+        if !call.args.is_empty() || !may_repeat(&call.receiver) {
             return None;
         }
-        let whole = syn::Expr::ForLoop(it.clone());
-        let index = self.fresh_in(line.trim_end_matches("_mut"), &whole);
-        let (counter, name): (syn::Pat, &syn::Pat) = match (&*it.pat, counted) {
-            (syn::Pat::Tuple(pair), true) if pair.elems.len() == 2 => {
-                (pair.elems[0].clone(), &pair.elems[1])
-            }
-            (_, true) => return None,
-            (name, false) => (parse_quote! { #index }, name),
-        };
-        let [count, line] = [count, line].map(|name| syn::Ident::new(name, lines.method.span()));
-        let mut body = it.body.clone();
-        let index = match &counter {
-            syn::Pat::Ident(own) if own.mutability.is_none() => &own.ident,
-            syn::Pat::Wild(_) => &index,
-            _ => return None,
-        };
-        body.stmts.insert(0, parse_quote! { let #name = #matrix.#line(#index); });
-        let range = parse_quote! { 0..#matrix.#count() };
-        Some(syn::ExprForLoop {
-            pat: parse_quote! { #index },
-            expr: Box::new(range),
-            body,
-            ..it.clone()
-        })
+        let [count, line] = [count, line].map(|name| syn::Ident::new(name, call.method.span()));
+        Some(Lines { call, count, line, links: Vec::new() })
     }
 
-    /// `m.column_iter().map(…)`: the columns, by their indices; none if a chain begins with something else.
-    pub(super) fn chained_lines(&self, expr: &syn::Expr) -> Option<syn::Expr> {
-        let syn::Expr::MethodCall(it) = expr else { return None };
-        let (count, line) = match text(&it.method).as_str() {
-            "column_iter" => ("ncols", "column"),
-            "row_iter" => ("nrows", "row"),
-            _ => {
-                let mut chain = it.clone();
-                *chain.receiver = self.chained_lines(&it.receiver)?;
-                return Some(syn::Expr::MethodCall(chain));
+    fn are_written(&self) -> bool {
+        text(&self.line).ends_with("_mut")
+    }
+
+    /// Whether the only link counts the lines, as their indices do.
+    fn are_counted(&self) -> bool {
+        matches!(self.links.as_slice(), [link] if link.method == "enumerate")
+    }
+
+    /// The indices in their place, with the same links behind.
+    fn indices(&self) -> syn::Expr {
+        let (matrix, count, span) = (&self.call.receiver, &self.count, self.call.method.span());
+        let range: syn::Expr = parse_quote_spanned! { span => 0..#matrix.#count() };
+        if self.links.is_empty() || self.are_counted() {
+            return range;
+        }
+        let mut chain: syn::Expr = parse_quote_spanned! { span => (#range) };
+        for link in &self.links {
+            let mut link = (*link).clone();
+            *link.receiver = chain;
+            chain = syn::Expr::MethodCall(link);
+        }
+        chain
+    }
+
+    /// Puts the index into a pattern in place of the line: `let` gives the line the author's name then.
+    fn named(&self, pattern: &mut syn::Pat, fresh: &syn::Ident) -> Option<syn::Stmt> {
+        let (matrix, line) = (&self.call.receiver, &self.line);
+        let (index, name) = match pattern {
+            syn::Pat::Tuple(pair) if self.are_counted() && pair.elems.len() == 2 => {
+                let index = match &pair.elems[0] {
+                    syn::Pat::Ident(own) if own.mutability.is_none() => own.ident.clone(),
+                    syn::Pat::Wild(_) => fresh.clone(),
+                    _ => return None,
+                };
+                (index, pair.elems[1].clone())
             }
+            _ if self.are_counted() => return None,
+            ref name => (fresh.clone(), (**name).clone()),
         };
-        let matrix = &it.receiver;
-        if !it.args.is_empty() || !may_repeat(matrix) {
+        *pattern = parse_quote! { #index };
+        Some(parse_quote! { let #name = #matrix.#line(#index); })
+    }
+}
+
+impl Lowering<'_> {
+    /// The loop over indices that a loop over lines stands for; none if it is another.
+    pub(super) fn through_lines(&self, it: &syn::ExprForLoop) -> Option<syn::ExprForLoop> {
+        let lines = Lines::of(&it.expr)?;
+        let index = self.index_of(&lines, &syn::Expr::ForLoop(it.clone()));
+        let (mut pat, mut body) = (it.pat.clone(), it.body.clone());
+        body.stmts.insert(0, lines.named(&mut pat, &index)?);
+        Some(syn::ExprForLoop { pat, expr: Box::new(lines.indices()), body, ..it.clone() })
+    }
+
+    /// The chain over indices that `m.column_iter().map(…)` stands for; none if a chain begins with something else.
+    pub(super) fn chained_lines(&self, it: &syn::ExprMethodCall) -> Option<syn::ExprMethodCall> {
+        let Some(lines) = Lines::of(&it.receiver) else {
+            let syn::Expr::MethodCall(before) = &*it.receiver else { return None };
+            let receiver = Box::new(syn::Expr::MethodCall(self.chained_lines(before)?));
+            return Some(syn::ExprMethodCall { receiver, ..it.clone() });
+        };
+        let name = text(&it.method);
+        let links = LINKS.contains(&(name.as_str(), it.args.len()));
+        if links || OTHER_LINKS.contains(&name.as_str()) || lines.are_written() {
             return None;
         }
-        let index = self.fresh_in(line, expr);
-        let [count, line] = [count, line].map(|name| syn::Ident::new(name, it.method.span()));
-        Some(parse_quote! { (0..#matrix.#count()).map(|#index| #matrix.#line(#index)) })
+        let index = self.index_of(&lines, &syn::Expr::MethodCall(it.clone()));
+        let mut taken = it.clone();
+        let indices = lines.indices();
+        let span = it.method.span();
+        let (matrix, line) = (&lines.call.receiver, &lines.line);
+        if lines.are_counted() {
+            let (_, at) = TAKING.iter().find(|(taking, _)| *taking == name)?;
+            let syn::Expr::Closure(closure) = taken.args.iter_mut().nth(*at)? else { return None };
+            let named = lines.named(closure.inputs.last_mut()?, &index)?;
+            let body = &closure.body;
+            *closure.body = parse_quote_spanned! { span => { #named #body } };
+            *taken.receiver = parse_quote_spanned! { span => (#indices) };
+        } else {
+            *taken.receiver =
+                parse_quote_spanned! { span => (#indices).map(|#index| #matrix.#line(#index)) };
+        }
+        Some(taken)
+    }
+
+    fn index_of(&self, lines: &Lines, whole: &syn::Expr) -> syn::Ident {
+        self.fresh_in(text(&lines.line).trim_end_matches("_mut"), whole)
     }
 }

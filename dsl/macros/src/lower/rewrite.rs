@@ -95,9 +95,10 @@ impl Lowering<'_> {
         if !["max", "min"].contains(&name.as_str()) {
             return None;
         }
-        let (name, arguments) =
-            (syn::Ident::new(&name, syn::spanned::Spanned::span(&it.func)), &it.args);
-        Some(parse_quote! { ::bessemer::generate::cmp::#name(#arguments) })
+        let span = syn::spanned::Spanned::span(&it.func);
+        let (name, arguments) = (syn::Ident::new(&name, span), &it.args);
+        let path = quote::quote_spanned! { span => ::bessemer::generate::cmp::#name };
+        Some(parse_quote! { #path(#arguments) })
     }
 
     /// The name of what is called, if that is a function of Rust's `module` by its path.

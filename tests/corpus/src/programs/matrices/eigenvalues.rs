@@ -20,3 +20,10 @@ pub fn condition(h: &SMatrix<f64, 4, 2>) -> f64 {
 pub fn allocated(effect: &SMatrix<f32, 3, 2>, moment: &Vector3<f32>) -> Vector2<f32> {
     bessemer::linear::svd(effect).solve(moment, 1e-6)
 }
+
+/// The forces of five jets that push the least and give two moments; where they cannot give both, the nearest.
+#[function]
+pub fn shares(effect: &SMatrix<f64, 5, 2>) -> (SMatrix<f64, 2, 5>, u32) {
+    let parts = bessemer::linear::svd(effect);
+    (parts.pseudo_inverse(1e-6), parts.rank(1e-6) as u32)
+}

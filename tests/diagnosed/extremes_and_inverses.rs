@@ -1,0 +1,56 @@
+//! Functions of the greatest take no references; methods do, as rustc finds them there. Methods that a type of Rust's or
+//! nalgebra's has, with what to write in their place.
+#![no_std]
+use bessemer::prelude::*;
+
+/// By its path.
+#[function]
+pub fn greater(one: &i64, other: &i64) -> i64 {
+    *core::cmp::max(one, other)
+}
+
+/// A reference and a value.
+#[function]
+pub fn at_least(level: &i64) -> i64 {
+    *level.max(3)
+}
+
+/// What is generic.
+#[function]
+pub fn median<T: Ord + Copy>(a: T, b: T, c: T) -> T {
+    a.max(b).min(c)
+}
+
+/// What a matrix has in nalgebra, and the decomposition in the DSL.
+#[function]
+pub fn inverted(a: &Matrix3x2<f64>) -> Matrix2x3<f64> {
+    a.pseudo_inverse(1e-9).unwrap()
+}
+
+/// Of vectors.
+#[function]
+pub fn between(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
+    a.angle(b)
+}
+
+/// Of integers.
+#[function]
+pub fn roots(x: u32) -> u32 {
+    x.isqrt() + x.midpoint(7) + x.saturating_pow(2)
+}
+
+/// Beside what else is gone through.
+#[function]
+pub fn weighted(m: &Matrix3<f64>, w: &[f64; 3]) -> f64 {
+    let mut sum = 0.0;
+    for (column, w) in m.column_iter().zip(w) {
+        sum += column.norm() * w;
+    }
+    sum
+}
+
+/// The same in a chain, and with what nalgebra has not the other way round.
+#[function]
+pub fn chained(m: &Matrix3<f64>, w: &[f64; 3]) -> f64 {
+    m.row_iter().zip(w).map(|(row, w)| row.norm() * w).sum()
+}

@@ -1,0 +1,28 @@
+//! Of a generic type whose method is refused, nothing is told of the instance.
+#![no_std]
+use bessemer::prelude::*;
+
+/// A stage.
+#[component]
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Stage<T> {
+    /// What it holds.
+    pub value: T,
+}
+
+/// The instance.
+#[component]
+pub type SingleStage = Stage<f32>;
+
+#[component]
+impl<T: Real> Stage<T> {
+    /// A range that is held.
+    #[entry]
+    pub fn step(&mut self) -> T {
+        let passes = 0..3;
+        for _ in passes {
+            self.value = self.value + real(1.0);
+        }
+        self.value
+    }
+}
