@@ -52,7 +52,7 @@ pub fn greater<T: Copy + Ord>(one: T, other: T) -> T {
 #[function]
 #[inline]
 pub fn limited<T: Copy + Ord>(value: T, low: T, high: T) -> T {
-    assert!(low <= high, "the bounds are the wrong way round");
+    crate::__between!(low <= high);
     if value < low {
         return low;
     }

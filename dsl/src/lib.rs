@@ -108,6 +108,15 @@ macro_rules! __room {
     };
 }
 
+/// What they claim of the bounds of `clamp`.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __between {
+    ($condition:expr) => {
+        ::core::assert!($condition, "min > max: the bounds are the wrong way round")
+    };
+}
+
 /// The whole of a package's `src/bin/tree.rs`: prints the tree that the generator reads.
 ///
 /// ```ignore

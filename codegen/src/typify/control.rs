@@ -357,6 +357,7 @@ impl Lowering<'_, '_> {
             tree::Claim::Assertion => Fault::Assertion,
             tree::Claim::Index => Fault::Index,
             tree::Claim::Capacity => Fault::Capacity,
+            tree::Claim::Clamp => Fault::Clamp,
         };
         self.emit(StmtKind::Check { condition, fault }, span);
         Ok(())

@@ -87,4 +87,6 @@ pub enum Claim {
     Index,
     /// There is no room.
     Capacity,
+    /// The bounds of `clamp` are the wrong way round.
+    Clamp,
 }

@@ -407,7 +407,7 @@ impl<'a> Lowering<'a> {
                 self.refusals.add(span, refuse::MACRO);
                 return None;
             }
-            "assert" | "__inside" | "__room" => None,
+            "assert" | "__inside" | "__room" | "__between" => None,
             "assert_eq" => Some(tree::BinaryOp::Eq),
             "assert_ne" => Some(tree::BinaryOp::Ne),
             "panic" | "unreachable" | "todo" | "unimplemented" => {
@@ -448,6 +448,7 @@ impl<'a> Lowering<'a> {
         let claim = match name.as_str() {
             "__inside" => tree::Claim::Index,
             "__room" => tree::Claim::Capacity,
+            "__between" => tree::Claim::Clamp,
             _ => tree::Claim::Assertion,
         };
         let kind = tree::ExprKind::Assert(Box::new(condition), claim);

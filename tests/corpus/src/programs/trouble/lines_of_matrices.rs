@@ -88,3 +88,21 @@ pub fn lent(flag: bool, x: Option<i32>) -> i32 {
     }
     0
 }
+
+/// The other way round, and counted, also in a chain.
+#[function]
+pub fn counted(m: &mut Matrix3x4<f64>, w: &[f64; 4]) -> f64 {
+    for (i, mut column) in m.column_iter_mut().enumerate() {
+        column.scale_mut(w[i]);
+        column[0] += i as f64;
+    }
+    let mut most = 0.0_f64;
+    for column in m.column_iter().rev() {
+        most = most.max(column.norm()) * 0.5;
+    }
+    if m.column_iter().enumerate().all(|(i, column)| column.norm() < w[i]) {
+        return most;
+    }
+    let rows = m.row_iter().enumerate().fold(most, |sum, (i, row)| sum + row[0] * w[i]);
+    rows + m.column_iter().rev().map(|column| column.sum()).fold(0.0, |a, b| a * 0.5 + b)
+}
