@@ -39,6 +39,7 @@ pub fn ascending<T: Copy + Ord>(values: &mut [T]) {
 
 /// Whether no element comes before the one in front of it; a NaN has no place in an order.
 #[function]
+#[allow(clippy::neg_cmp_op_on_partial_ord)]
 pub fn is_sorted<T: PartialOrd>(values: &[T]) -> bool {
     for at in 1..values.len() {
         // As `PartialOrd` has it: not `>`, which a NaN is not either.

@@ -1,19 +1,6 @@
-//! Functions of the greatest take no references; methods do, as rustc finds them there. Methods that a type of Rust's or
-//! nalgebra's has, with what to write in their place.
+//! Methods that a type of Rust's or nalgebra's has, or that is generic, with what to write in their place.
 #![no_std]
 use bessemer::prelude::*;
-
-/// By its path.
-#[function]
-pub fn greater(one: &i64, other: &i64) -> i64 {
-    *core::cmp::max(one, other)
-}
-
-/// A reference and a value.
-#[function]
-pub fn at_least(level: &i64) -> i64 {
-    *level.max(3)
-}
 
 /// What is generic.
 #[function]
