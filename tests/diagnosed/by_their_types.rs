@@ -14,12 +14,6 @@ pub fn inverted(a: &Matrix3x2<f64>) -> Matrix2x3<f64> {
     a.pseudo_inverse(1e-9).unwrap()
 }
 
-/// Of vectors.
-#[function]
-pub fn between(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
-    a.angle(b)
-}
-
 /// Of integers.
 #[function]
 pub fn roots(x: u32) -> u32 {

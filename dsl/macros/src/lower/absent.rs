@@ -35,6 +35,11 @@ const ABSENT: &[(&str, usize, &str)] = &[
     ("svd svd_unordered", 2, "call `bessemer::linear::svd(&a)`"),
     ("singular_values", 0, "call `bessemer::linear::svd(&a)`"),
     ("ln_determinant", 0, "add up the logarithms of the diagonal of `l()`, twice"),
+    (
+        "angle",
+        1,
+        "write `a.cross(&b).norm().atan2(a.dot(&b))`, in the plane `a.perp(&b).atan2(a.dot(&b))`",
+    ),
     ("lp_norm", 1, "write the sum out with `fold`, and `powf`"),
     ("full_piv_lu col_piv_qr", 0, "call `lu` or `qr`, or `bessemer::linear::svd(&a)`"),
     ("schur hessenberg eigenvalues", 0, "compute it ahead, or write the iteration out"),
