@@ -200,7 +200,7 @@ impl<'m> Facts<'m> {
     }
 
     /// Whether an index is below the length of a slice by way of another value: `i < to <= length`, `i + 1` of
-    /// `i < to < length`, or of a loop up to `max(length, 1) - 1`.
+    /// `i < to < length`, or of a loop up to `max(length, 1) - 1`; `i - 1`, which is checked before, of `i < length`.
     fn below_length(&self, condition: &Expr) -> bool {
         let condition = erased(condition);
         let ExprKind::Compare(CompareOp::Lt, index, length) = &condition.kind else { return false };
@@ -212,6 +212,11 @@ impl<'m> Facts<'m> {
                 ExprKind::Literal(more) => (base, more),
                 _ => (index, 0),
             },
+            ExprKind::Binary(BinaryOp::Sub, base, less)
+                if matches!(less.kind, ExprKind::Literal(_)) =>
+            {
+                (base, 0)
+            }
             _ => (index, 0),
         };
         self.hold.iter().any(|fact| match &fact.condition.kind {
@@ -225,7 +230,9 @@ impl<'m> Facts<'m> {
                     let kind = ExprKind::Compare(op, end.clone(), length.clone());
                     self.holds(&Expr { kind, ..condition.clone() })
                 });
-                up_to || short_of(end, length).is_some_and(|short| further <= short)
+                up_to
+                    || further == 0 && end == length
+                    || short_of(end, length).is_some_and(|short| further <= short)
             }
             _ => false,
         })
