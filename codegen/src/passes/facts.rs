@@ -213,7 +213,8 @@ impl<'m> Facts<'m> {
                 _ => (index, 0),
             },
             ExprKind::Binary(BinaryOp::Sub, base, less)
-                if matches!(less.kind, ExprKind::Literal(_)) =>
+                if matches!(less.kind, ExprKind::Literal(_))
+                    && base.ty.as_int().is_some_and(|int| !int.signed()) =>
             {
                 (base, 0)
             }
