@@ -10,7 +10,7 @@
 //! * A field, parameter or variable with a reserved name gets a `_` at its end.
 //! * An item's name depends on nothing but the items that want the same name.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use bessemer_ir::{
     ConstId, EnumId, Function, FunctionId, Given, Int, Module, Owner, Scalar, StructId, Type,
@@ -22,7 +22,7 @@ use super::helpers::is_helper_name;
 use super::library::{self, Math};
 use super::placing::Placing;
 use super::reserved::{is_keyword, is_reserved_for_locals, is_reserved_globally};
-use super::spelling::{identifier, screaming, snake};
+use super::spelling::{self, identifier, screaming, snake};
 pub use super::status::{FAULTS, StatusNames};
 pub use super::tree::Storage;
 use super::tree::{Declarator, Head};
@@ -221,10 +221,8 @@ impl Names {
         let structs = module.structs.iter().map(|item| (&*item.name, &*item.module, &item.given));
         let enums = module.enums.iter().map(|item| (&*item.name, &*item.module, &item.given));
         let wanted: Vec<(&str, &str, &Given)> = structs.chain(enums).collect();
-        let mut rivals: BTreeMap<String, usize> = BTreeMap::new();
-        for (name, _, _) in wanted.iter().filter(|(_, _, given)| given.name.is_none()) {
-            *rivals.entry(snake(name)).or_default() += 1;
-        }
+        let own = wanted.iter().filter(|(_, _, given)| given.name.is_none());
+        let rivals = spelling::wanted(own.map(|(name, _, _)| snake(name)));
         let base = |(name, rust_module, given): &(&str, &str, &Given)| {
             if let Some(name) = &given.name {
                 return name.strip_suffix("_t").unwrap_or(name).to_owned();
@@ -284,11 +282,8 @@ impl Names {
     fn name_functions(&mut self, module: &Module, options: &Options) {
         let short: Vec<String> =
             module.functions.iter().map(|function| self.short_name(function, options)).collect();
-        let mut wanted: BTreeMap<&str, u32> = BTreeMap::new();
-        let inits = self.structs.iter().filter_map(|names| names.init.as_deref());
-        for name in short.iter().map(String::as_str).chain(inits) {
-            *wanted.entry(name).or_default() += 1;
-        }
+        let inits = self.structs.iter().filter_map(|names| names.init.as_ref());
+        let wanted = spelling::wanted(short.iter().chain(inits).cloned());
         let mut chosen: Vec<String> = (module.functions.iter().zip(&short))
             .map(|(function, name)| {
                 if let Some(name) = &function.attributes.name {

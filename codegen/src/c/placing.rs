@@ -17,7 +17,7 @@ use super::Options;
 use super::analysis::walk_exprs;
 use super::library::{self, Math};
 use super::reserved::is_reserved_file;
-use super::spelling::{identifier, last_segment, relative, snake};
+use super::spelling::{identifier, last_segment, relative, snake, wanted};
 
 /// The file, without extension, of each definition.
 #[derive(Clone, Debug, Default)]
@@ -35,10 +35,8 @@ impl Placing {
         let mut placing = Placing { modules: module_files(module), ..Placing::default() };
         let enums = module.enums.iter().map(|item| placing.module(&item.module)).collect();
         placing.enums = enums;
-        let mut components: BTreeMap<String, usize> = BTreeMap::new();
-        for item in module.structs.iter().filter(|item| item.initial.is_some()) {
-            *components.entry(snake(&item.name)).or_default() += 1;
-        }
+        let components = module.structs.iter().filter(|item| item.initial.is_some());
+        let components = wanted(components.map(|item| snake(&item.name)));
         // What a struct holds stands before it.
         for id in (0..module.structs.len() as u32).map(StructId) {
             let file = placing.of_struct(module, &components, id);
@@ -211,10 +209,7 @@ fn module_files(module: &Module) -> BTreeMap<String, String> {
         .chain(module.enums.iter().map(|item| &*item.module))
         .chain(module.functions.iter().map(|item| &*item.module))
         .collect();
-    let mut ends: BTreeMap<String, usize> = BTreeMap::new();
-    for path in &paths {
-        *ends.entry(last_segment(path)).or_default() += 1;
-    }
+    let ends = wanted(paths.iter().map(|path| last_segment(path)));
     let file = |path: &str| {
         let own = last_segment(path);
         let rivals = ends[&own];

@@ -1,5 +1,7 @@
 //! From Rust's spelling of names to C's.
 
+use std::collections::BTreeMap;
+
 /// A Rust identifier as a C identifier: ASCII letters, digits and `_`.
 pub fn identifier(name: &str) -> String {
     let name = name.strip_prefix("r#").unwrap_or(name);
@@ -55,6 +57,13 @@ pub fn screaming(name: &str) -> String {
 pub fn relative(path: &str) -> Vec<String> {
     let segments: Vec<String> = path.split("::").map(snake).collect();
     if segments.len() > 1 { segments[1..].to_vec() } else { segments }
+}
+
+/// How many ask for each name.
+pub fn wanted(names: impl Iterator<Item = String>) -> BTreeMap<String, usize> {
+    let mut wanted = BTreeMap::new();
+    names.for_each(|name| *wanted.entry(name).or_default() += 1);
+    wanted
 }
 
 /// The last segment of a module path.
