@@ -21,24 +21,6 @@ $targets
 #define NOT_INLINE
 #endif
 
-#if defined(WORDS)
-static inline four_t load_four(const $real *from)
-{
-    union {
-        int64x1x4_t words;
-        four_t four;
-    } loaded;
-    loaded.words = vld4_s64((const word_t *)from);
-    return loaded.four;
-}
-#else
-static inline four_t load_four(const $real *from)
-{
-    const four_t four = {from[0], from[1], from[2], from[3]};
-    return four;
-}
-#endif
-
 #if defined(HALF)
 typedef struct {
     half_t low;
@@ -135,66 +117,44 @@ static inline quad_lanes_t minus_quad(quad_lanes_t quad, $real factor, quad_lane
     return quad - factor * other;
 }
 
-static inline quad_lanes_t times_quad(quad_lanes_t quad, $real factor)
+/* Rows of a square, or its columns. */
+typedef struct {
+    quad_lanes_t a;
+    quad_lanes_t b;
+    quad_lanes_t c;
+    quad_lanes_t d;
+} square_t;
+
+static inline square_t load_square(const $real *a, const $real *b, const $real *c, const $real *d)
 {
-    return quad * factor;
+    const square_t square = {load_quad(a), load_quad(b), load_quad(c), load_quad(d)};
+    return square;
 }
 
-/* Four rows of four, so far apart, become columns. */
-static inline void transpose(const $real *from, uint32_t apart, $real *to, uint32_t beside)
+static inline void store_square($real *a, $real *b, $real *c, $real *d, square_t square)
 {
-    const quad_lanes_t a = load_quad(from);
-    const quad_lanes_t b = load_quad(&from[apart]);
-    const quad_lanes_t c = load_quad(&from[2U * apart]);
-    const quad_lanes_t d = load_quad(&from[3U * apart]);
-    const quad_lanes_t ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const quad_lanes_t ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const quad_lanes_t cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const quad_lanes_t cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    store_quad(to, __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5));
-    store_quad(&to[beside], __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5));
-    store_quad(&to[2U * beside], __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7));
-    store_quad(&to[3U * beside], __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7));
+    store_quad(a, square.a);
+    store_quad(b, square.b);
+    store_quad(c, square.c);
+    store_quad(d, square.d);
+}
+
+/* Rows become columns. */
+static inline square_t turned(square_t square)
+{
+    const quad_lanes_t ab_even = __builtin_shufflevector(square.a, square.b, 0, 4, 2, 6);
+    const quad_lanes_t ab_odd = __builtin_shufflevector(square.a, square.b, 1, 5, 3, 7);
+    const quad_lanes_t cd_even = __builtin_shufflevector(square.c, square.d, 0, 4, 2, 6);
+    const quad_lanes_t cd_odd = __builtin_shufflevector(square.c, square.d, 1, 5, 3, 7);
+    const square_t columns = {__builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5),
+        __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5),
+        __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7),
+        __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7)};
+    return columns;
 }
 #else
 typedef row_t quad_lanes_t;
 #define load_quad load_row
 #define store_quad store_row
 #define minus_quad minus
-
-static inline quad_lanes_t times_quad(quad_lanes_t quad, $real factor)
-{
-#if defined(HALF)
-    const quad_lanes_t product = {quad.low * factor, quad.high * factor};
-#else
-    const quad_lanes_t product = {
-        quad.a * factor, quad.b * factor, quad.c * factor, quad.d * factor};
-#endif
-    return product;
-}
-
-/* Four rows of four, so far apart, become columns. */
-static inline void transpose(const $real *from, uint32_t apart, $real *to, uint32_t beside)
-{
-    const four_t a = load_four(from);
-    const four_t b = load_four(&from[apart]);
-    const four_t c = load_four(&from[2U * apart]);
-    const four_t d = load_four(&from[3U * apart]);
-    to[0] = a.a;
-    to[1] = b.a;
-    to[2] = c.a;
-    to[3] = d.a;
-    to[beside] = a.b;
-    to[beside + 1U] = b.b;
-    to[beside + 2U] = c.b;
-    to[beside + 3U] = d.b;
-    to[2U * beside] = a.c;
-    to[2U * beside + 1U] = b.c;
-    to[2U * beside + 2U] = c.c;
-    to[2U * beside + 3U] = d.c;
-    to[3U * beside] = a.d;
-    to[3U * beside + 1U] = b.d;
-    to[3U * beside + 2U] = c.d;
-    to[3U * beside + 3U] = d.d;
-}
 #endif

@@ -37,10 +37,13 @@ pub fn line(element: Float) -> u32 {
     64 / bytes(element)
 }
 
-/// Types and operations of rows, for every target.
-pub fn text(element: Float, columns: u32, mode: Mode) -> String {
+/// Bytes of the vectors with which rows that stay where they are take less time: AVX's.
+pub const ORDERED: u32 = 32;
+
+/// Types and operations of rows, for every target; `ordered` if the kernel has a form whose rows stay where they are.
+pub fn text(element: Float, columns: u32, mode: Mode, ordered: bool) -> String {
     let mut values = numbers(element);
-    let targets = targets(element, columns, mode);
+    let targets = targets(element, columns, mode, ordered);
     let (targets, step) = match mode {
         Mode::Exact => (
             targets,
@@ -66,7 +69,7 @@ pub fn text(element: Float, columns: u32, mode: Mode) -> String {
 }
 
 /// `#if` for each target, and what it has.
-fn targets(element: Float, columns: u32, mode: Mode) -> String {
+fn targets(element: Float, columns: u32, mode: Mode, ordered: bool) -> String {
     let mut branches: Vec<(String, String)> = Vec::new();
     for (macro_name, vector) in vectors(element, columns) {
         let lanes = vector / bytes(element);
@@ -74,6 +77,12 @@ fn targets(element: Float, columns: u32, mode: Mode) -> String {
         let mut text = format!("#define WIDTH {}U\n#define HALF {lanes}U\n{half}", 2 * lanes);
         // Sixteen, which a tile fills; AVX-512 has thirty-two, and a fused step needs none for the product.
         text += if vector < 64 && mode == Mode::Exact { "#define FEW_REGISTERS\n" } else { "" };
+        if ordered && vector == ORDERED {
+            let word = 8 * bytes(element);
+            text += &format!(
+                "#define ORDERED\ntypedef int{word}_t half_bits_t __attribute__((vector_size({vector})));\n"
+            );
+        }
         let four = 4 * bytes(element);
         if four <= vector {
             text += &format!("#define QUAD\n{}", vector_type("quad_lanes_t", four, bytes(element)));

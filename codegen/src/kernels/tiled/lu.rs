@@ -2,7 +2,7 @@
 
 use bessemer_ir::{Float, Int, Kernel, KernelRoutine, Scalar};
 
-use super::lanes;
+use super::{lanes, ordered};
 use crate::kernels::rows as by_rows;
 use crate::kernels::text::{fill, indented, values, without};
 use crate::kernels::threads::{Own, Work};
@@ -11,6 +11,7 @@ use crate::kernels::{Buffer, Mode, Source, declarations, fast};
 /// The smallest matrix that gains by tiles.
 pub const SMALLEST: u32 = 5;
 
+const SQUARES: &str = include_str!("squares.c");
 const TILE: &str = include_str!("tile.c");
 const SUBTRACT: &str = include_str!("subtract.c");
 const SUBTRACT_FAST: &str = include_str!("subtract_fast.c");
@@ -114,7 +115,7 @@ const SPOIL: &str = "    for (uint32_t index = 0U; index < SIZE * SIZE; index++)
 ";
 
 /// Rows in whole tiles.
-fn rows(size: u32) -> u32 {
+pub(super) fn rows(size: u32) -> u32 {
     size.next_multiple_of(4)
 }
 
@@ -133,9 +134,13 @@ fn columns(kernel: &Kernel) -> u32 {
     rows(kernel.dims[0]).next_multiple_of(lanes::widest(kernel.element, room(kernel)))
 }
 
-/// Numbers of a panel.
+/// Numbers of a panel, and of what stands beside it.
 fn panel(kernel: &Kernel) -> u32 {
-    (rows(kernel.dims[0]) + 4) * lanes::widest(kernel.element, room(kernel)) + spare(kernel)
+    let numbers = (rows(kernel.dims[0]) + 4) * lanes::widest(kernel.element, room(kernel));
+    match ordered::fits(kernel) {
+        true => numbers.max(ordered::numbers(kernel)) + spare(kernel),
+        false => numbers + spare(kernel),
+    }
 }
 
 /// What a kernel works with; `sides` if right-hand sides go through a panel too.
@@ -150,11 +155,19 @@ pub(super) fn buffers(kernel: &Kernel, size: u32, sides: bool) -> Vec<Buffer> {
             holds: "The factors, in tiles.",
         },
         Buffer { name: "panel_memory", element, len: panel(kernel), holds: "The panel at work." },
-        Buffer {
-            name: "pivots",
-            element: number,
-            len: rows(size),
-            holds: "The row that each step exchanges with its own.",
+        match ordered::fits(kernel) {
+            true => Buffer {
+                name: "pivots",
+                element: number,
+                len: 2 * rows(size),
+                holds: "The order of the rows by their pivots.",
+            },
+            false => Buffer {
+                name: "pivots",
+                element: number,
+                len: rows(size),
+                holds: "The row that each step exchanges with its own.",
+            },
         },
     ];
     if sides {
@@ -231,20 +244,29 @@ fn assemble(
         rows(size)
     );
     let note = if mode == Mode::Fast { fast::note(kernel) } else { String::new() };
-    let mut before = note + &head + &lanes::text(kernel.element, room(kernel), mode);
+    let ordered = ordered::fits(kernel);
+    let mut before = note + &head + &lanes::text(kernel.element, room(kernel), mode, ordered);
     let subtract = match mode {
         Mode::Exact => SUBTRACT.to_owned(),
         Mode::Fast => {
             format!("#if defined(SPLIT)\n{SUBTRACT_FAST}#else\n{SUBTRACT}#endif\n")
         }
     };
+    if ordered {
+        before += &format!("\n#if defined(ORDERED)\n{}#else", twice(ordered::TEXT));
+    }
     let tile = registers(TILE, kernel.element);
-    for part in [&tile, &subtract, ELIMINATION].iter().chain(rest) {
+    for part in [SQUARES, &tile, &subtract, ELIMINATION].iter().chain(rest) {
         before += "\n";
         before += &twice(part);
     }
+    let mut body = body.to_owned();
+    if ordered {
+        before += "#endif\n";
+        body = format!("#if defined(ORDERED)\n{}#else\n{body}#endif\n", ordered::BODY);
+    }
     let buffers = buffers(kernel, size, kernel.routine == KernelRoutine::Inverse);
-    let body = twice(&(declarations(&buffers) + body)).replace("\n\n", "\n");
+    let body = twice(&(declarations(&buffers) + &body)).replace("\n\n", "\n");
     // What ARM loads many numbers with differs between the types.
     let before = match kernel.element {
         Float::F64 => without(&before, "SINGLES"),
@@ -271,9 +293,9 @@ fn all_values(kernel: &Kernel, size: u32, sides: u32) -> Vec<(&'static str, Stri
     let edge = size % 4;
     let mut all = values(element, &[("columns", sides), ("edge", edge)]);
     all.push(("panel", format!("{}U", panel(kernel))));
-    let (bits, rank, infinite) = match element {
-        Float::F64 => ("uint64_t", "(uint32_t)(bits >> 32)", "0xFFE00000U"),
-        Float::F32 => ("uint32_t", "bits", "0xFF000000U"),
+    let (bits, rank, infinite, magnitude_bits) = match element {
+        Float::F64 => ("uint64_t", "(uint32_t)(bits >> 32)", "0xFFE00000U", "INT64_MAX"),
+        Float::F32 => ("uint32_t", "bits", "0xFF000000U", "INT32_MAX"),
     };
     let edges = |text: &str| if edge == 0 { String::new() } else { text.to_owned() };
     all.extend([
@@ -283,6 +305,8 @@ fn all_values(kernel: &Kernel, size: u32, sides: u32) -> Vec<(&'static str, Stri
         ("fill", if edge == 0 { FILL } else { FILL_EDGES }.to_owned()),
         ("tail", edges(TAIL)),
         ("pad", edges(PAD)),
+        ("part", edges(ordered::PART)),
+        ("magnitude_bits", magnitude_bits.to_owned()),
         ("pad_x", edges(PAD_X)),
         ("pad_rows", edges(PAD_ROWS)),
         ("fewer", edges(", (SIZE - k < 4U) ? SIZE - k : 4U")),

@@ -12,6 +12,7 @@
 
 mod lanes;
 mod lu;
+mod ordered;
 
 use bessemer_ir::{Kernel, KernelRoutine};
 

@@ -1,0 +1,392 @@
+/*
+ * Rows of the matrix stay where they are, and `order` says which of them each pivot took, so that nothing on the left of a
+ * panel is ever exchanged. A panel, WIDTH columns, is brought in by rows in the order so far, goes through all columns
+ * on its left from the first to the last, a tile of four rows at a time, and is then factored by columns. So an element
+ * sees its steps in their order.
+ */
+#define PANELS ((ROWS + WIDTH - 1U) / WIDTH)
+/* Numbers from a row of the matrix to the next. */
+#define PITCH (WIDTH * PANELS)
+/* Rows that go through a column side by side, and numbers from a column of the block to the next. */
+#define GROUP (4U * HALF)
+#define BLOCK ((ROWS + GROUP - 1U) / GROUP * GROUP)
+
+typedef struct {
+    /* By rows: the multipliers, and from the diagonal on what is left of the matrix. */
+    $real *rows;
+    /* The panel at work, by rows in their order. */
+    $real *panel;
+    /* Its rows from the diagonal down, by columns. */
+    $real *block;
+    /* The right-hand side, in the order of the rows. */
+    $real *x;
+    /* Which row of the matrix stands where, and where a row stands. */
+    uint32_t *order;
+    uint32_t *place;
+} elimination_t;
+
+/* The number of a row, by its order, and a column. */
+static inline $real *at(const elimination_t *work, uint32_t row, uint32_t column)
+{
+    return &work->rows[PITCH * work->order[row] + column];
+}
+
+/* Four rows of a panel. */
+typedef struct {
+    row_t a;
+    row_t b;
+    row_t c;
+    row_t d;
+} tile_t;
+
+static inline tile_t load_tile(const $real *from)
+{
+    const tile_t tile = {load_row(from), load_row(&from[WIDTH]), load_row(&from[2U * WIDTH]),
+        load_row(&from[3U * WIDTH])};
+    return tile;
+}
+
+/* Takes a row, times a multiplier of each row of the tile, from the tile. */
+static inline void step(tile_t *tile, $real a, $real b, $real c, $real d, const $real *row)
+{
+    const row_t other = load_operand(row);
+    tile->a = minus(tile->a, a, other);
+    IN_REGISTERS(tile->a);
+    tile->b = minus(tile->b, b, other);
+    IN_REGISTERS(tile->b);
+    tile->c = minus(tile->c, c, other);
+    IN_REGISTERS(tile->c);
+    tile->d = minus(tile->d, d, other);
+    IN_REGISTERS(tile->d);
+}
+
+static inline void store_rows($real *a, $real *b, $real *c, $real *d, const tile_t *tile)
+{
+    store_row(a, tile->a);
+    store_row(b, tile->b);
+    store_row(c, tile->c);
+    store_row(d, tile->d);
+}
+
+/* Takes the columns on the left of a panel, times the panel's rows, from four rows of it: of those above the diagonal the
+   columns of rows above them, the last ones of each other. What is above the diagonal is then done with. */
+NOT_INLINE static void subtract(const elimination_t *work, uint32_t first, uint32_t row)
+{
+    $real *const a = at(work, row, 0U);
+    $real *const b = at(work, row + 1U, 0U);
+    $real *const c = at(work, row + 2U, 0U);
+    $real *const d = at(work, row + 3U, 0U);
+    $real *const to = &work->panel[WIDTH * row];
+    const $real *upper = work->panel;
+    const size_t columns = (row < first) ? row : first;
+    tile_t tile = load_tile(to);
+    for (size_t k = 0U; k < columns; k += 4U) {
+        step(&tile, a[k], b[k], c[k], d[k], upper);
+        step(&tile, a[k + 1U], b[k + 1U], c[k + 1U], d[k + 1U], &upper[WIDTH]);
+        step(&tile, a[k + 2U], b[k + 2U], c[k + 2U], d[k + 2U], &upper[2U * WIDTH]);
+        step(&tile, a[k + 3U], b[k + 3U], c[k + 3U], d[k + 3U], &upper[3U * WIDTH]);
+        upper += 4U * WIDTH;
+    }
+    if (row < first) {
+        tile.b = minus(tile.b, b[columns], tile.a);
+        tile.c = minus(tile.c, c[columns], tile.a);
+        tile.d = minus(tile.d, d[columns], tile.a);
+        tile.c = minus(tile.c, c[columns + 1U], tile.b);
+        tile.d = minus(tile.d, d[columns + 1U], tile.b);
+        tile.d = minus(tile.d, d[columns + 2U], tile.c);
+        store_rows(&a[first], &b[first], &c[first], &d[first], &tile);
+    }
+    store_rows(to, &to[WIDTH], &to[2U * WIDTH], &to[3U * WIDTH], &tile);
+}
+
+/* Brings columns of the matrix into the panel, by rows in their order; beyond the matrix are zeros. */
+NOT_INLINE static void fill_panel(const elimination_t *work, const $real *a, uint32_t first)
+{
+    const uint32_t *const place = work->place;
+    for (uint32_t column = first; column < first + WIDTH; column += 4U) {
+        $real *const panel = &work->panel[column - first];
+        uint32_t row = 0U;
+        for (; column + 4U <= SIZE && row + 4U <= SIZE; row += 4U) {
+            const $real *const from = &a[row + SIZE * column];
+            store_square(&panel[WIDTH * place[row]], &panel[WIDTH * place[row + 1U]],
+                &panel[WIDTH * place[row + 2U]], &panel[WIDTH * place[row + 3U]],
+                turned(load_square(from, &from[SIZE], &from[2U * SIZE], &from[3U * SIZE])));
+        }
+        for (; row < ROWS; row++) {
+            for (uint32_t lane = 0U; lane < 4U; lane++) {
+                const bool there = row < SIZE && column + lane < SIZE;
+                panel[WIDTH * place[row] + lane] = there ? a[row + SIZE * (column + lane)] : $zero;
+            }
+        }
+    }
+}
+
+/* Brings the panel's rows from the diagonal down into the block, and fills its last group up with zeros. */
+NOT_INLINE static void fill_block(const elimination_t *work, uint32_t first)
+{
+    const $real *const panel = &work->panel[WIDTH * first];
+    for (uint32_t lane = 0U; lane < WIDTH; lane += 4U) {
+        $real *const to = &work->block[BLOCK * lane];
+        for (uint32_t row = 0U; row < ROWS - first; row += 4U) {
+            const $real *const from = &panel[WIDTH * row + lane];
+            store_square(&to[row], &to[BLOCK + row], &to[2U * BLOCK + row], &to[3U * BLOCK + row],
+                turned(load_square(from, &from[WIDTH], &from[2U * WIDTH], &from[3U * WIDTH])));
+        }
+    }
+    for (uint32_t row = ROWS - first; row % GROUP != 0U; row++) {
+        for (uint32_t lane = 0U; lane < WIDTH; lane++) {
+            work->block[BLOCK * lane + row] = $zero;
+        }
+    }
+}
+
+/* Brings the multipliers below the panel's own rows from the block into the matrix. */
+NOT_INLINE static void keep_multipliers(const elimination_t *work, uint32_t first)
+{
+    for (uint32_t lane = 0U; lane < WIDTH; lane += 4U) {
+        const $real *const from = &work->block[BLOCK * lane];
+        for (uint32_t row = first + WIDTH; row < ROWS; row += 4U) {
+            const $real *const column = &from[row - first];
+            store_square(at(work, row, first + lane), at(work, row + 1U, first + lane),
+                at(work, row + 2U, first + lane), at(work, row + 3U, first + lane),
+                turned(load_square(column, &column[BLOCK], &column[2U * BLOCK], &column[3U * BLOCK])));
+        }
+    }
+}
+
+/* As many numbers of a column as go through it side by side. */
+typedef struct {
+    half_t a;
+    half_t b;
+    half_t c;
+    half_t d;
+} group_t;
+
+static inline group_t load_group(const $real *from)
+{
+    const group_t group = {*(const half_t *)from, *(const half_t *)&from[HALF],
+        *(const half_t *)&from[2U * HALF], *(const half_t *)&from[3U * HALF]};
+    return group;
+}
+
+static inline void store_group($real *to, group_t group)
+{
+    *(half_t *)to = group.a;
+    *(half_t *)&to[HALF] = group.b;
+    *(half_t *)&to[2U * HALF] = group.c;
+    *(half_t *)&to[3U * HALF] = group.d;
+}
+
+static inline group_t times(group_t group, $real factor)
+{
+    const group_t product = {
+        group.a * factor, group.b * factor, group.c * factor, group.d * factor};
+    return product;
+}
+
+static inline group_t less(group_t group, group_t other)
+{
+    const group_t rest = {
+        group.a - other.a, group.b - other.b, group.c - other.c, group.d - other.d};
+    return rest;
+}
+
+static inline half_t magnitudes(half_t numbers)
+{
+    return (half_t)((half_bits_t)numbers & $magnitude_bits);
+}
+
+/* The larger of each two magnitudes; the second where one is NaN. */
+static inline half_t larger(half_t magnitude, half_t largest)
+{
+    const half_bits_t above = (half_bits_t)(magnitude > largest);
+    return (half_t)(((half_bits_t)magnitude & above) | ((half_bits_t)largest & ~above));
+}
+
+/* Takes columns of the block, so many, times numbers, each so far from the last, from a column; the last of them is
+   divided by its pivot on the way. Gives the largest magnitude that is then in the column, or zero. */
+NOT_INLINE static $real subtract_columns(const elimination_t *work, $real *column, uint32_t rows, uint32_t columns,
+    const $real *numbers, uint32_t apart, $real reciprocal)
+{
+    half_t largest = {$zero};
+    half_t other = {$zero};
+    for (uint32_t row = 0U; row < rows; row += GROUP) {
+        group_t group = load_group(&column[row]);
+        $real *multipliers = &work->block[row];
+        const $real *number = numbers;
+        for (uint32_t k = 1U; k < columns; k++) {
+            group = less(group, times(load_group(multipliers), *number));
+            multipliers += BLOCK;
+            number += apart;
+        }
+        if (columns > 0U) {
+            const group_t last = times(load_group(multipliers), reciprocal);
+            store_group(multipliers, last);
+            group = less(group, times(last, *number));
+            store_group(&column[row], group);
+        }
+        largest = larger(magnitudes(group.a), largest);
+        other = larger(magnitudes(group.b), other);
+        largest = larger(magnitudes(group.c), largest);
+        other = larger(magnitudes(group.d), other);
+    }
+    largest = larger(other, largest);
+    $real most = largest[0];
+    for (uint32_t lane = 1U; lane < HALF; lane++) {
+        most = (largest[lane] > most) ? largest[lane] : most;
+    }
+    return most;
+}
+
+static inline bool has(group_t group, $real magnitude)
+{
+    const half_bits_t found = (half_bits_t)((magnitudes(group.a) == magnitude) | (magnitudes(group.b) == magnitude)
+        | (magnitudes(group.c) == magnitude) | (magnitudes(group.d) == magnitude));
+    bool any = false;
+    for (uint32_t lane = 0U; lane < HALF; lane++) {
+        any = any || found[lane] != 0;
+    }
+    return any;
+}
+
+/* The first row of a column with this magnitude, which is there. */
+static inline uint32_t find(const $real *column, $real magnitude)
+{
+    uint32_t row = 0U;
+    while (!has(load_group(&column[row]), magnitude)) {
+        row += GROUP;
+    }
+    while ($abs(column[row]) != magnitude) {
+        row++;
+    }
+    return row;
+}
+
+/* Takes a pivot's row out of the block, and puts another into its place: what is on the left of the pivot are multipliers
+   of the matrix. */
+static inline void take_out(const elimination_t *work, uint32_t own, uint32_t other, $real *left)
+{
+    for (uint32_t column = 0U; column < WIDTH; column++) {
+        $real *const numbers = &work->block[BLOCK * column];
+        if (column < own) {
+            left[column] = numbers[other];
+        }
+        numbers[other] = numbers[own];
+        /* No pivot any more. */
+        numbers[own] = $zero;
+    }
+}
+
+static inline void exchange(const elimination_t *work, uint32_t row, uint32_t other)
+{
+    const uint32_t number = work->order[row];
+    work->order[row] = work->order[other];
+    work->order[other] = number;
+    work->place[work->order[row]] = row;
+    work->place[number] = other;
+}
+
+/* A step of the panel: the row of its pivot goes through the columns on its left, as the right-hand side does. Gives the
+   pivot. */
+NOT_INLINE static $real eliminate(const elimination_t *work, uint32_t first, uint32_t own, uint32_t other, $real *y)
+{
+    $real *const panel = &work->panel[WIDTH * first];
+    $real *const x = &work->x[first];
+    const $real pivot = work->block[BLOCK * own + other];
+    row_t row = load_row(&panel[WIDTH * other]);
+    store_row(&panel[WIDTH * other], load_row(&panel[WIDTH * own]));
+    $real number = x[other];
+    x[other] = x[own];
+    for (uint32_t k = 0U; k < own; k++) {
+        const $real factor = work->block[BLOCK * k + other];
+        row = minus(row, factor, load_row(&panel[WIDTH * k]));
+        number -= factor * y[k];
+    }
+    store_row(&panel[WIDTH * own], row);
+    y[own] = number;
+    exchange(work, first + own, first + other);
+    $real *const left = at(work, first + own, first);
+    store_row(left, row);
+    take_out(work, own, other, left);
+    return pivot;
+}
+
+/* Factors a panel by columns, from the diagonal down, and takes it from the right-hand side. False if a pivot is zero. */
+NOT_INLINE static bool factor_panel(const elimination_t *work, uint32_t first)
+{
+    const uint32_t rows = ROWS - first;
+    const uint32_t columns = (SIZE - first < WIDTH) ? SIZE - first : WIDTH;
+    $real *const x = &work->x[first];
+    $real y[WIDTH];
+    $real reciprocal = $one;
+    for (uint32_t own = 0U; own < columns; own++) {
+        $real *const column = &work->block[BLOCK * own];
+        const $real magnitude = subtract_columns(
+            work, column, rows, own, &work->panel[WIDTH * first + own], WIDTH, reciprocal);
+        /* A NaN is no pivot, unless it stands first. */
+        const uint32_t other = (column[own] == column[own]) ? find(column, magnitude) : own;
+        if (column[other] == $zero) {
+            return false;
+        }
+        reciprocal = $one / eliminate(work, first, own, other, y);
+    }
+    if (first + WIDTH < ROWS) {
+        (void)subtract_columns(work, x, rows, WIDTH, y, 1U, reciprocal);
+    }
+    memcpy(x, y, columns * sizeof(*x));
+    return true;
+}
+
+/* Factors the matrix, and solves by L. False if a pivot is zero. */
+NOT_INLINE static bool eliminate_all(const elimination_t *work, const $real *a)
+{
+    for (uint32_t first = 0U; first < SIZE; first += WIDTH) {
+        fill_panel(work, a, first);
+        for (uint32_t row = 0U; row < ROWS && first > 0U; row += 4U) {
+            subtract(work, first, row);
+        }
+        fill_block(work, first);
+        if (!factor_panel(work, first)) {
+            return false;
+        }
+        keep_multipliers(work, first);
+    }
+    return true;
+}
+
+/* Solves by the columns of a panel from the last one back, in the panel's own rows. */
+static inline void substitute_own(const elimination_t *work, uint32_t first, uint32_t columns)
+{
+    $real *const x = work->x;
+    for (uint32_t column = first + columns; column > first; column--) {
+        const uint32_t own = column - 1U;
+        x[own] = x[own] / *at(work, own, own);
+        for (uint32_t row = first; row < own; row++) {
+            x[row] -= *at(work, row, own) * x[own];
+        }
+    }
+}
+
+/* Solves by U. */
+NOT_INLINE static void substitute(const elimination_t *work)
+{
+    $real *const x = work->x;
+    for (uint32_t panel = PANELS; panel > 0U; panel--) {
+        const uint32_t first = WIDTH * (panel - 1U);
+        uint32_t columns = (SIZE - first < WIDTH) ? SIZE - first : WIDTH;
+        substitute_own(work, first, columns);
+$part        for (uint32_t row = 0U; row < first; row += 4U) {
+            quad_lanes_t four = load_quad(&x[row]);
+            for (uint32_t end = first + columns; end > first; end -= 4U) {
+                const uint32_t column = end - 4U;
+                const square_t square = turned(load_square(at(work, row, column),
+                    at(work, row + 1U, column), at(work, row + 2U, column), at(work, row + 3U, column)));
+                four = minus_quad(four, x[column + 3U], square.d);
+                four = minus_quad(four, x[column + 2U], square.c);
+                four = minus_quad(four, x[column + 1U], square.b);
+                four = minus_quad(four, x[column], square.a);
+            }
+            store_quad(&x[row], four);
+        }
+    }
+}
