@@ -26,9 +26,14 @@ enum Kind {
     Singular,
     /// Some elements are zero, NaN or infinite.
     Special,
+    /// A NaN stands first where the first pivot is sought, a zero where the second is.
+    Undefined,
+    /// An infinity is the first pivot, and a column has no number but in its last row.
+    Infinite,
 }
 
 const KINDS: [Kind; 4] = [Kind::Uniform, Kind::Graded, Kind::Singular, Kind::Special];
+const UNUSUAL: [Kind; 2] = [Kind::Undefined, Kind::Infinite];
 
 /// A generator of numbers; the same in every run.
 struct Random(u64);
@@ -58,6 +63,14 @@ fn elements(kind: Kind, n: usize, random: &mut Random) -> Vec<f64> {
             list[n + 7] = 5e-324;
             list[n * (n - 2) + n - 3] = f64::INFINITY;
             list[n * (n - 1) + 3] = f64::NAN;
+        }
+        Kind::Undefined => {
+            list[0] = f64::NAN;
+            list[n + 1] = 0.0;
+        }
+        Kind::Infinite => {
+            list[5] = f64::NEG_INFINITY;
+            list[2 * n..3 * n - 1].fill(f64::NAN);
         }
     }
     list
@@ -103,8 +116,33 @@ fn calls<T: Real, const N: usize>(element: Float) -> Vec<Call> {
     calls
 }
 
+/// Solves for one right-hand side, of which x86-64 has forms of their own.
+fn solves<T: Real, const N: usize>(element: Float) -> Vec<Call> {
+    let number = |it: f64| T::dsl_from_f64(it);
+    let mut random = Random(0xD1B5_4A32_D192_ED03 + N as u64);
+    let call = |kind| {
+        let list = elements(kind, N, &mut random);
+        let right: Vec<f64> = (0..N).map(|_| random.unit()).collect();
+        let a: Box<SMatrix<T, N, N>> =
+            Box::new(SMatrix::from_iterator(list.iter().copied().map(number)));
+        let mut x = SMatrix::<T, N, 1>::from_iterator(right.iter().copied().map(number));
+        let mut native = vec![u64::from(bessemer::solve_into(&*a, &mut x))];
+        native.extend(x.iter().map(|it| word(it.as_f64(), element)));
+        let kernel = kernel(Solve, element, &[N, 1]);
+        Call { kernel, kind, arguments: vec![list, right], native }
+    };
+    KINDS.into_iter().chain(UNUSUAL).map(call).collect()
+}
+
 fn all() -> Vec<Call> {
-    let mut all = calls::<f64, 130>(Float::F64);
+    let mut all = solves::<f64, 63>(Float::F64);
+    all.extend(solves::<f64, 64>(Float::F64));
+    all.extend(solves::<f64, 77>(Float::F64));
+    all.extend(solves::<f64, 132>(Float::F64));
+    all.extend(solves::<f64, 150>(Float::F64));
+    all.extend(solves::<f32, 128>(Float::F32));
+    all.extend(solves::<f32, 147>(Float::F32));
+    all.extend(calls::<f64, 130>(Float::F64));
     all.extend(calls::<f64, 132>(Float::F64));
     all.extend(calls::<f64, 150>(Float::F64));
     all.extend(calls::<f32, 133>(Float::F32));
@@ -141,6 +179,15 @@ fn the_interpreter_agrees() {
     }
 }
 
+/// Whether this machine has vectors of four doubles.
+fn has_avx2() -> bool {
+    #[cfg(target_arch = "x86_64")]
+    let found = std::arch::is_x86_feature_detected!("avx2");
+    #[cfg(not(target_arch = "x86_64"))]
+    let found = false;
+    found
+}
+
 #[test]
 fn the_c_agrees() {
     let calls = all();
@@ -151,6 +198,13 @@ fn the_c_agrees() {
         let flags: &[&'static [&'static str]] = match it.emulator {
             // Loads of four words, and plain C99.
             Some(_) => &[&[], &["-mfpu=neon-vfpv3"]],
+            None if has_avx2() => &[
+                &[],
+                &["-mavx2"],
+                &["-mavx2", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"],
+                &["-march=native"],
+                &["-DBESSEMER_PLAIN"],
+            ],
             None => &[&[], &["-march=native"], &["-DBESSEMER_PLAIN"]],
         };
         flags.iter().map(|more| Toolchain { more, ..it.clone() }).collect()

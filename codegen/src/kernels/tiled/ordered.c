@@ -51,12 +51,12 @@ static inline void step(tile_t *tile, $real a, $real b, $real c, $real d, const 
 {
     const row_t other = load_operand(row);
     tile->a = minus(tile->a, a, other);
-    IN_REGISTERS(tile->a);
     tile->b = minus(tile->b, b, other);
-    IN_REGISTERS(tile->b);
     tile->c = minus(tile->c, c, other);
-    IN_REGISTERS(tile->c);
     tile->d = minus(tile->d, d, other);
+    IN_REGISTERS(tile->a);
+    IN_REGISTERS(tile->b);
+    IN_REGISTERS(tile->c);
     IN_REGISTERS(tile->d);
 }
 

@@ -155,12 +155,12 @@ static inline void step(tile_t *tile, const $real *column, const $real *row)
     const four_t factor = load_four(column);
     const row_t other = load_operand(row);
     tile->r0 = minus(tile->r0, factor.a, other);
-    IN_REGISTERS(tile->r0);
     tile->r1 = minus(tile->r1, factor.b, other);
-    IN_REGISTERS(tile->r1);
     tile->r2 = minus(tile->r2, factor.c, other);
-    IN_REGISTERS(tile->r2);
     tile->r3 = minus(tile->r3, factor.d, other);
+    IN_REGISTERS(tile->r0);
+    IN_REGISTERS(tile->r1);
+    IN_REGISTERS(tile->r2);
     IN_REGISTERS(tile->r3);
 #elif defined(WORDS)
     const four_t factor = load_four(column);
