@@ -159,7 +159,7 @@ pub(super) fn buffers(kernel: &Kernel, size: u32, sides: bool) -> Vec<Buffer> {
             true => Buffer {
                 name: "pivots",
                 element: number,
-                len: 2 * rows(size),
+                len: ordered::orders(size),
                 holds: "The order of the rows by their pivots.",
             },
             false => Buffer {
@@ -253,7 +253,8 @@ fn assemble(
         }
     };
     if ordered {
-        before += &format!("\n#if defined(ORDERED)\n{}#else", twice(ordered::TEXT));
+        let text = ordered::TEXT.replace("$tile\n", &ordered::tile(mode));
+        before += &format!("\n#if defined(ORDERED)\n{}#else", twice(&text));
     }
     let tile = registers(TILE, kernel.element);
     for part in [SQUARES, &tile, &subtract, ELIMINATION].iter().chain(rest) {

@@ -1,9 +1,15 @@
 $real *const panel = aligned(panel_memory);
-const elimination_t elimination = {aligned(tile_memory), panel, &panel[WIDTH * ROWS],
-    &panel[WIDTH * (ROWS + BLOCK)], pivots, &pivots[ROWS]};
+$real *const block = &panel[WIDTH * TALL_ROWS];
+const elimination_t elimination = {
+    aligned(tile_memory), panel, block, &block[WIDTH * BLOCK], pivots, &pivots[TALL_ROWS]};
+for (uint32_t row = 0U; row < TALL_ROWS; row++) {
+    elimination.order[row] = (row < ROWS) ? row : 0U;
+}
 for (uint32_t row = 0U; row < ROWS; row++) {
-    elimination.order[row] = row;
     elimination.place[row] = row;
+}
+for (uint32_t index = WIDTH * ROWS; index < WIDTH * TALL_ROWS; index++) {
+    panel[index] = $zero;
 }
 for (uint32_t row = 0U; row < ROWS + GROUP; row++) {
     elimination.x[row] = (row < SIZE) ? b[row] : $zero;

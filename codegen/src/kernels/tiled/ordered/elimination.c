@@ -31,74 +31,7 @@ static inline $real *at(const elimination_t *work, uint32_t row, uint32_t column
     return &work->rows[PITCH * work->order[row] + column];
 }
 
-/* Four rows of a panel. */
-typedef struct {
-    row_t a;
-    row_t b;
-    row_t c;
-    row_t d;
-} tile_t;
-
-static inline tile_t load_tile(const $real *from)
-{
-    const tile_t tile = {load_row(from), load_row(&from[WIDTH]), load_row(&from[2U * WIDTH]),
-        load_row(&from[3U * WIDTH])};
-    return tile;
-}
-
-/* Takes a row, times a multiplier of each row of the tile, from the tile. */
-static inline void step(tile_t *tile, $real a, $real b, $real c, $real d, const $real *row)
-{
-    const row_t other = load_operand(row);
-    tile->a = minus(tile->a, a, other);
-    tile->b = minus(tile->b, b, other);
-    tile->c = minus(tile->c, c, other);
-    tile->d = minus(tile->d, d, other);
-    IN_REGISTERS(tile->a);
-    IN_REGISTERS(tile->b);
-    IN_REGISTERS(tile->c);
-    IN_REGISTERS(tile->d);
-}
-
-static inline void store_rows($real *a, $real *b, $real *c, $real *d, const tile_t *tile)
-{
-    store_row(a, tile->a);
-    store_row(b, tile->b);
-    store_row(c, tile->c);
-    store_row(d, tile->d);
-}
-
-/* Takes the columns on the left of a panel, times the panel's rows, from four rows of it: of those above the diagonal the
-   columns of rows above them, the last ones of each other. What is above the diagonal is then done with. */
-NOT_INLINE static void subtract(const elimination_t *work, uint32_t first, uint32_t row)
-{
-    $real *const a = at(work, row, 0U);
-    $real *const b = at(work, row + 1U, 0U);
-    $real *const c = at(work, row + 2U, 0U);
-    $real *const d = at(work, row + 3U, 0U);
-    $real *const to = &work->panel[WIDTH * row];
-    const $real *upper = work->panel;
-    const size_t columns = (row < first) ? row : first;
-    tile_t tile = load_tile(to);
-    for (size_t k = 0U; k < columns; k += 4U) {
-        step(&tile, a[k], b[k], c[k], d[k], upper);
-        step(&tile, a[k + 1U], b[k + 1U], c[k + 1U], d[k + 1U], &upper[WIDTH]);
-        step(&tile, a[k + 2U], b[k + 2U], c[k + 2U], d[k + 2U], &upper[2U * WIDTH]);
-        step(&tile, a[k + 3U], b[k + 3U], c[k + 3U], d[k + 3U], &upper[3U * WIDTH]);
-        upper += 4U * WIDTH;
-    }
-    if (row < first) {
-        tile.b = minus(tile.b, b[columns], tile.a);
-        tile.c = minus(tile.c, c[columns], tile.a);
-        tile.d = minus(tile.d, d[columns], tile.a);
-        tile.c = minus(tile.c, c[columns + 1U], tile.b);
-        tile.d = minus(tile.d, d[columns + 1U], tile.b);
-        tile.d = minus(tile.d, d[columns + 2U], tile.c);
-        store_rows(&a[first], &b[first], &c[first], &d[first], &tile);
-    }
-    store_rows(to, &to[WIDTH], &to[2U * WIDTH], &to[3U * WIDTH], &tile);
-}
-
+$tile
 /* Brings columns of the matrix into the panel, by rows in their order; beyond the matrix are zeros. */
 NOT_INLINE static void fill_panel(const elimination_t *work, const $real *a, uint32_t first)
 {
@@ -342,7 +275,7 @@ NOT_INLINE static bool eliminate_all(const elimination_t *work, const $real *a)
 {
     for (uint32_t first = 0U; first < SIZE; first += WIDTH) {
         fill_panel(work, a, first);
-        for (uint32_t row = 0U; row < ROWS && first > 0U; row += 4U) {
+        for (uint32_t row = 0U; row < ROWS && first > 0U; row += TALL) {
             subtract(work, first, row);
         }
         fill_block(work, first);
