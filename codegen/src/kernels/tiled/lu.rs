@@ -2,7 +2,7 @@
 
 use bessemer_ir::{Float, Int, Kernel, KernelRoutine, Scalar};
 
-use super::{lanes, ordered};
+use super::{lanes, ordered, rows};
 use crate::kernels::rows as by_rows;
 use crate::kernels::text::{fill, indented, values, without};
 use crate::kernels::threads::{Own, Work};
@@ -113,11 +113,6 @@ const SPOIL: &str = "    for (uint32_t index = 0U; index < SIZE * SIZE; index++)
         a[index] = $nan;
     }
 ";
-
-/// Rows in whole tiles.
-pub(super) fn rows(size: u32) -> u32 {
-    size.next_multiple_of(4)
-}
 
 /// Columns that a panel of vectors may have: none, if the matrix goes by rows where there are vectors.
 fn room(kernel: &Kernel) -> u32 {

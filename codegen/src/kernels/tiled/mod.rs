@@ -7,6 +7,7 @@
 //!
 //! One text serves all targets: [`lanes`] says what a row of a panel is (two vectors of the target, or
 //! four numbers), and the rest of the templates, C files beside this one, says what happens to rows.
+//! Where it pays, [`ordered`] has another text, whose rows stay where they are.
 //!
 //! Absent: loops over k across lanes, fused operations, anything that would round differently.
 
@@ -20,6 +21,11 @@ use super::{Buffer, Mode, Source};
 
 /// Bytes of code that a solve or an inverse takes, on a target of four bytes an instruction.
 pub(super) const BYTES: u32 = 5 * 1024;
+
+/// Rows in whole tiles.
+fn rows(size: u32) -> u32 {
+    size.next_multiple_of(4)
+}
 
 /// Whether a kernel gains by tiles.
 pub(super) fn fits(kernel: &Kernel) -> bool {

@@ -12,7 +12,7 @@ use std::fmt::Write as _;
 
 use bessemer_ir::{Kernel, KernelRoutine};
 
-use super::{lanes, lu};
+use super::lanes;
 use crate::kernels::Mode;
 use crate::kernels::text::{bytes, fill};
 
@@ -63,14 +63,14 @@ pub(super) fn fits(kernel: &Kernel) -> bool {
 
 /// Numbers of the panel, of the block and of the right-hand side.
 pub(super) fn numbers(kernel: &Kernel) -> u32 {
-    let (rows, width) = (lu::rows(kernel.dims[0]), width(kernel));
+    let (rows, width) = (super::rows(kernel.dims[0]), width(kernel));
     let group = 2 * width;
     width * rows.next_multiple_of(TALLEST) + width * rows.next_multiple_of(group) + rows + group
 }
 
 /// Numbers of the two orders of the rows.
 pub(super) fn orders(size: u32) -> u32 {
-    lu::rows(size).next_multiple_of(TALLEST) + lu::rows(size)
+    super::rows(size).next_multiple_of(TALLEST) + super::rows(size)
 }
 
 /// The tile: its rows, one after another, and what happens to each.
