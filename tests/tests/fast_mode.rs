@@ -135,7 +135,7 @@ const SIZES: [(Float, usize); 7] = [
     (Float::F64, 131),
     (Float::F32, 22),
     (Float::F32, 45),
-    (Float::F32, 96),
+    (Float::F32, 128),
 ];
 
 /// Solves systems of a size, and inverts; the largest part of a bound, and the largest relative residual.
