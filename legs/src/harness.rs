@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 
 use bessemer_codegen::c::Options;
 use bessemer_codegen::c::names::{Names, Passing, Returned};
-use bessemer_ir::{Float, FunctionId, Int, Module, Owner, Scalar, Type};
+use bessemer_ir::{Float, FunctionId, Module, Owner, Scalar, Type};
 
 /// The text of the program for `entry`, a method of a component; `params`: how many parameters the
 /// author gave it. What the compiler added, a work struct, is no argument.
@@ -240,6 +240,37 @@ static void put(uint64_t word)
         exit(1);
     }
 }
+
+/* Numbers of so many bytes that lie one behind the other. */
+__attribute__((unused)) static void get_numbers(void *place, size_t size, uint32_t count)
+{
+    unsigned char *to = place;
+    for (; count > 0; --count, to += size) {
+        const uint64_t word = get();
+        memcpy(to, &word, size);
+    }
+}
+
+__attribute__((unused)) static void put_numbers(const void *place, size_t size, uint32_t count)
+{
+    const unsigned char *from = place;
+    for (; count > 0; --count, from += size) {
+        uint64_t word = 0;
+        memcpy(&word, from, size);
+        put(word);
+    }
+}
+
+/* The same of signed ones: what is above their bytes is their sign. */
+__attribute__((unused)) static void put_signed(const void *place, size_t size, uint32_t count)
+{
+    const unsigned char *from = place;
+    for (; count > 0; --count, from += size) {
+        uint64_t word = from[size - 1] >= 128 ? UINT64_MAX : 0;
+        memcpy(&word, from, size);
+        put(word);
+    }
+}
 ";
 
 struct Walk<'a> {
@@ -250,17 +281,17 @@ struct Walk<'a> {
 impl Walk<'_> {
     /// C that reads a value of type `ty` into the C place `place`, word by word.
     fn reads(&self, ty: &Type, place: &str, text: &mut String) {
-        self.words(ty, place, text, "get();", &|ty, place, text| match self.numbers(ty) {
+        self.words(ty, place, text, "get();", &|ty, place, count, text| match self.numbers(ty) {
             Some(numbers) => get_numbered(self.names.word(ty), &numbers, place, text),
-            None => get(self.names, ty, place, text),
+            None => get(self.names, ty, place, count, text),
         });
     }
 
     /// C that writes it.
     fn writes(&self, ty: &Type, place: &str, text: &mut String) {
-        self.words(ty, place, text, "put(0);", &|ty, place, text| match self.numbers(ty) {
+        self.words(ty, place, text, "put(0);", &|ty, place, count, text| match self.numbers(ty) {
             Some(numbers) => put_numbered(&numbers, place, text),
-            None => put(ty, place, text),
+            None => put(ty, place, count, text),
         });
     }
 
@@ -271,27 +302,35 @@ impl Walk<'_> {
         item.is_numbered().then(|| item.variants.iter().map(|variant| variant.value).collect())
     }
 
-    /// Every word of a value, in order; what shares its memory only if it is there, else `skip`.
+    /// Every word of a value, in order, numbers that lie one behind the other as one place and their count; what shares its
+    /// memory only if it is there, else `skip`.
     fn words(
         &self,
         ty: &Type,
         place: &str,
         text: &mut String,
         skip: &str,
-        found: &dyn Fn(&Type, &str, &mut String),
+        found: &dyn Fn(&Type, &str, u32, &mut String),
     ) {
         match ty {
             Type::Unit | Type::Slice(_) => {}
-            Type::Scalar(_) | Type::Enum(_) => found(ty, place, text),
+            Type::Scalar(_) | Type::Enum(_) => found(ty, place, 1, text),
+            Type::Array { element, len } if bytes(element).is_some() && *len > 0 => {
+                found(element, &format!("{place}[0]"), *len, text);
+            }
             Type::Array { element, len } => {
                 for index in 0..*len {
                     self.words(element, &format!("{place}[{index}]"), text, skip, found);
                 }
             }
             Type::Matrix { element, rows, cols } => {
-                for index in 0..rows * cols {
-                    let at = self.names.layout.subscript((*rows, *cols), index);
-                    found(&Type::Scalar(*element), &format!("{place}{at}"), text);
+                let (element, shape, len) = (Type::Scalar(*element), (*rows, *cols), rows * cols);
+                if self.names.layout.has_columns(shape) && bytes(&element).is_some() && len > 0 {
+                    return found(&element, &format!("{place}[0]"), len, text);
+                }
+                for index in 0..len {
+                    let at = self.names.layout.subscript(shape, index);
+                    found(&element, &format!("{place}{at}"), 1, text);
                 }
             }
             Type::Struct(id) => {
@@ -318,24 +357,22 @@ impl Walk<'_> {
     }
 }
 
-fn get(names: &Names, ty: &Type, place: &str, text: &mut String) {
+/// The size of a number; none of what is not read and written as its bytes.
+fn bytes(ty: &Type) -> Option<u32> {
+    match ty {
+        Type::Scalar(Scalar::Float(Float::F64)) => Some(8),
+        Type::Scalar(Scalar::Float(Float::F32)) => Some(4),
+        Type::Scalar(Scalar::Int(int)) => Some(int.bits() / 8),
+        _ => None,
+    }
+}
+
+/// As calls and not written out: thousands of these stand in a program, and compilers, above all with sanitizers, take long over each.
+fn get(names: &Names, ty: &Type, place: &str, count: u32, text: &mut String) {
     let name = names.word(ty);
-    let _ = match ty {
-        Type::Scalar(Scalar::Float(Float::F64)) => {
-            writeln!(text, "        {{ uint64_t w = get(); memcpy(&{place}, &w, 8); }}")
-        }
-        Type::Scalar(Scalar::Float(Float::F32)) => {
-            writeln!(text, "        {{ uint32_t w = (uint32_t)get(); memcpy(&{place}, &w, 4); }}")
-        }
-        Type::Scalar(Scalar::Int(int)) => {
-            let bytes = int.bits() / 8;
-            let unsigned = format!("uint{}_t", int.bits());
-            writeln!(
-                text,
-                "        {{ {unsigned} w = ({unsigned})get(); memcpy(&{place}, &w, {bytes}); }}"
-            )
-        }
-        Type::Scalar(Scalar::Bool) => writeln!(text, "        {place} = get() != 0;"),
+    let _ = match (bytes(ty), ty) {
+        (Some(bytes), _) => writeln!(text, "        get_numbers(&{place}, {bytes}, {count});"),
+        (None, Type::Scalar(Scalar::Bool)) => writeln!(text, "        {place} = get() != 0;"),
         _ => writeln!(text, "        {place} = ({name})get();"),
     };
 }
@@ -366,17 +403,11 @@ fn list(numbers: &[i32]) -> String {
     numbers.join(", ")
 }
 
-fn put(ty: &Type, place: &str, text: &mut String) {
-    let _ = match ty {
-        Type::Scalar(Scalar::Float(Float::F64)) => {
-            writeln!(text, "        {{ uint64_t w; memcpy(&w, &{place}, 8); put(w); }}")
-        }
-        Type::Scalar(Scalar::Float(Float::F32)) => {
-            writeln!(text, "        {{ uint32_t w; memcpy(&w, &{place}, 4); put(w); }}")
-        }
-        Type::Scalar(Scalar::Int(int)) if int.signed() && *int != Int::Isize => {
-            writeln!(text, "        put((uint64_t)(int64_t){place});")
-        }
-        _ => writeln!(text, "        put((uint64_t){place});"),
+fn put(ty: &Type, place: &str, count: u32, text: &mut String) {
+    let signed = matches!(ty, Type::Scalar(Scalar::Int(int)) if int.signed());
+    let call = if signed { "put_signed" } else { "put_numbers" };
+    let _ = match bytes(ty) {
+        Some(bytes) => writeln!(text, "        {call}(&{place}, {bytes}, {count});"),
+        None => writeln!(text, "        put((uint64_t){place});"),
     };
 }
