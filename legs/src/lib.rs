@@ -12,6 +12,7 @@ pub mod kernels;
 pub mod panics;
 pub mod process;
 pub mod toolchain;
+mod units;
 
 use std::path::PathBuf;
 

@@ -12,6 +12,7 @@ use tempfile::TempDir;
 
 use crate::harness;
 use crate::toolchain::Toolchain;
+use crate::units;
 
 /// Why a leg could not run.
 #[derive(Debug, thiserror::Error)]
@@ -60,6 +61,16 @@ fn lay_out_files(files: &[CFile]) -> Result<Folder, Error> {
         }
     }
     Ok(Folder { folder, sources })
+}
+
+/// The same, with the sources that a program needs.
+fn lay_out_needed(files: &[CFile], main: &str) -> Result<Folder, Error> {
+    let mut folder = lay_out_files(files)?;
+    let needed = needed(files, main);
+    folder.sources.retain(|source| {
+        source.file_stem().is_some_and(|stem| needed.contains(&*stem.to_string_lossy()))
+    });
+    Ok(folder)
 }
 
 impl Folder {
@@ -122,15 +133,36 @@ impl Process {
         toolchain: &Toolchain,
         flags: &[&str],
     ) -> Result<Process, Error> {
-        let Folder { folder, mut sources } = lay_out_files(files)?;
-        let needed = needed(files, main);
-        sources.retain(|source| {
-            source.file_stem().is_some_and(|stem| needed.contains(&*stem.to_string_lossy()))
-        });
+        let Folder { folder, sources } = lay_out_needed(files, main)?;
+        Process::of(folder, &sources, main, toolchain, flags)
+    }
+
+    /// The same as [`run`](Process::run), with several files in a translation unit: see [`units`].
+    ///
+    /// # Errors
+    /// What the compiler or the system said.
+    pub fn run_in_units(
+        compiled: &Compiled,
+        main: &str,
+        toolchain: &Toolchain,
+        flags: &[&str],
+    ) -> Result<Process, Error> {
+        let Folder { folder, sources } = lay_out_needed(&compiled.files, main)?;
+        let units = units::write(folder.path(), &sources)?;
+        Process::of(folder, &units, main, toolchain, flags)
+    }
+
+    fn of(
+        folder: TempDir,
+        sources: &[PathBuf],
+        main: &str,
+        toolchain: &Toolchain,
+        flags: &[&str],
+    ) -> Result<Process, Error> {
         let path = folder.path().join("harness_main.c");
         std::fs::write(&path, main)?;
         let program = folder.path().join("harness");
-        let said = toolchain.around(&path, &sources, &program, flags).map_err(Error::Compile)?;
+        let said = toolchain.around(&path, sources, &program, flags).map_err(Error::Compile)?;
         let (child, input, output) = spawn(toolchain, &program)?;
         Ok(Process { child, input, output, results: 0, said, folder })
     }

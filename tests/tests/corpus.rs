@@ -188,8 +188,12 @@ fn run_c_with(
     let params = |id: FunctionId| compiled.module.functions[id.index()].params;
     let ids: Vec<_> = cases.iter().map(|case| (case.id, params(case.id))).collect();
     let main = harness::programs_with(&compiled.explicit, &ids, options);
-    let mut process = Process::run(compiled, &main, toolchain, flags)
-        .unwrap_or_else(|error| panic!("{leg}: {error}"));
+    // The target's files, and those that are not optimised, each by itself, as a firmware's build has them.
+    let alone = toolchain.emulator.is_some()
+        || (toolchain.compiler == "gcc" && toolchain.level == 0 && flags.is_empty());
+    let run = if alone { Process::run } else { Process::run_in_units };
+    let mut process =
+        run(compiled, &main, toolchain, flags).unwrap_or_else(|error| panic!("{leg}: {error}"));
     for (at, case) in cases.iter().enumerate() {
         let taken = case.calls.iter().map(|call| 1 + call.iter().flatten().count());
         let together = at_once(taken.max().unwrap_or_default().max(1 + case.leaves.len()));
