@@ -43,10 +43,14 @@ fn build(job: &Job, sources: &Sources) -> Result<Program, Error> {
     command
         .args(["build", "--quiet", "--message-format=json-diagnostic-rendered-ansi"])
         .args(["--package", &job.package, "--features", "generate", "--bin", &binary])
-        // Its program runs once, for its tree: the builders are not worth optimising.
-        .args(["--config", &format!("profile.dev.package.{}.opt-level=0", job.package)])
         .current_dir(&job.root)
         .stderr(Stdio::piped());
+    // Its program runs once, for its tree: the builders are not worth optimising, and nobody steps through them.
+    for package in [&job.package, "bessemer"] {
+        for setting in ["opt-level=0", "debug=false"] {
+            command.args(["--config", &format!("profile.dev.package.{package}.{setting}")]);
+        }
+    }
     for (name, _) in std::env::vars() {
         // Set by `cargo run` for the caller; they would make cargo rebuild.
         if name.starts_with("CARGO_PKG_") || name.starts_with("CARGO_MANIFEST_") {
