@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::case::{CHAPTER_6, Case};
-use super::clock::{Server, race, summary};
+use super::clock::{Reference, Server, race, summary};
 use super::contender::Contender;
 use super::machine::{
     A9, A9_PLAIN, HOST, HOST_AVX2, HOST_SCALAR, HOST_SSE2, HOST_V3, Machine, processor,
@@ -166,6 +166,7 @@ impl Bench<'_> {
         let programs = self.programs(machine, contenders, cases)?;
         self.check(machine, &programs, cases)?;
         let mut rounds_of = vec![vec![Vec::new(); programs.len()]; cases.len()];
+        let mut reference = Reference::default();
         for start in 1..=STARTS {
             let mut servers = Vec::new();
             for (contender, program) in &programs {
@@ -174,7 +175,7 @@ impl Bench<'_> {
             for (case, known) in cases.iter().zip(&mut rounds_of) {
                 let name = case.name();
                 (self.say)(&format!("{}: timing {name}, {start} of {STARTS}", machine.title));
-                let times = race(&mut servers, &name, rounds.div_ceil(STARTS))?;
+                let times = race(&mut servers, &name, rounds.div_ceil(STARTS), &mut reference)?;
                 for (known, more) in known.iter_mut().zip(times) {
                     known.extend(more);
                 }
@@ -187,7 +188,10 @@ impl Bench<'_> {
         });
         let rows = rows.collect();
         let contenders = programs.into_iter().map(|(contender, _)| contender).collect();
-        Ok(Table { machine: *machine, contenders, rows, processor: processor() })
+        let [kept, disturbed] = reference.rounds();
+        let beside = |name| format!("{name}; {disturbed} of {kept} rounds beside a neighbour");
+        let processor = processor().map(beside);
+        Ok(Table { machine: *machine, contenders, rows, processor })
     }
 
     fn counts(
