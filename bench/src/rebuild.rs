@@ -9,6 +9,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
+use bessemer_codegen::generate::settings;
 use bessemer_tests::workspace::Workspace;
 use serde_json::{Value, json};
 
@@ -89,9 +90,9 @@ pub fn measure(runs: usize, mut tick: impl FnMut()) -> Result<Rebuild, String> {
         workspaces.push((workspace, modules));
     }
     // As `cargo xtask gen` builds it.
-    let generating: &[&str] =
-        &["--features", "generate", "--config", "profile.dev.package.models.opt-level=0"];
-    let variants: [(usize, &[&str]); 3] = [(0, &[]), (1, &[]), (1, generating)];
+    let mut generating = vec!["--features".to_owned(), "generate".to_owned()];
+    generating.extend(settings("models").flat_map(|it| ["--config".to_owned(), it]));
+    let variants: [(usize, &[String]); 3] = [(0, &[]), (1, &[]), (1, &generating)];
     let mut times = [Vec::new(), Vec::new(), Vec::new()];
     for run in 0..=runs {
         for (index, (workspace, features)) in variants.into_iter().enumerate() {

@@ -18,6 +18,7 @@ use crate::diagnostic::{self, Diagnostic};
 use crate::source::Sources;
 
 pub use manifest::Manifest;
+pub use package::settings;
 pub use report::{explanation, table};
 
 /// What to generate, and where to.

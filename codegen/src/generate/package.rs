@@ -35,6 +35,15 @@ pub(super) fn tree(job: &Job, sources: &Sources) -> Result<Package, Error> {
     Err(failed("another workspace keeps building into the same target folder".to_owned()))
 }
 
+/// What cargo is told with `--config` for a generation build of a package. Its program runs once, for its tree: the builders are
+/// not worth optimising, and nobody steps through them.
+pub fn settings(package: &str) -> impl Iterator<Item = String> {
+    let of = |package: &str| {
+        ["opt-level=0", "debug=false"].map(|it| format!("profile.dev.package.{package}.{it}"))
+    };
+    of(package).into_iter().chain(of("bessemer"))
+}
+
 /// Builds the program that prints the tree.
 fn build(job: &Job, sources: &Sources) -> Result<Program, Error> {
     let cargo = program::cargo();
@@ -45,11 +54,8 @@ fn build(job: &Job, sources: &Sources) -> Result<Program, Error> {
         .args(["--package", &job.package, "--features", "generate", "--bin", &binary])
         .current_dir(&job.root)
         .stderr(Stdio::piped());
-    // Its program runs once, for its tree: the builders are not worth optimising, and nobody steps through them.
-    for package in [&job.package, "bessemer"] {
-        for setting in ["opt-level=0", "debug=false"] {
-            command.args(["--config", &format!("profile.dev.package.{package}.{setting}")]);
-        }
+    for setting in settings(&job.package) {
+        command.args(["--config", &setting]);
     }
     for (name, _) in std::env::vars() {
         // Set by `cargo run` for the caller; they would make cargo rebuild.
