@@ -111,11 +111,6 @@ fn timed_without_vectors(case: &Case, best: Contender) -> Option<&'static str> {
             "tiles of sixteen numbers for ARM's 32 registers; with 16, a fifth of the instructions on numbers go through the stack (75 of 371 for 15 \
              rows)",
         ),
-        (Routine::CholeskySolve, 3) => Some(
-            "both have two times, by where a start puts their stacks: of `f64` 31 to 33 ns and 44 to 46; over fifteen starts the medians are 42 and, \
-             naive C's, 45",
-        ),
-        (Routine::CholeskySolve, 2) | (Routine::Product, 2 | 3) => timed(case, best),
         (Routine::LuSolve, 20) => Some(
             "tiles of sixteen numbers for ARM's 32 registers; with 16 they go through the stack; up to 19 rows it is written out, and takes less than \
              any other",
