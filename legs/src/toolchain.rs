@@ -182,3 +182,12 @@ pub fn all() -> Vec<Toolchain> {
     all.extend(target());
     all
 }
+
+/// Whether this machine has vectors of four doubles.
+pub fn has_avx2() -> bool {
+    #[cfg(target_arch = "x86_64")]
+    let found = std::arch::is_x86_feature_detected!("avx2");
+    #[cfg(not(target_arch = "x86_64"))]
+    let found = false;
+    found
+}

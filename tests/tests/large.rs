@@ -179,15 +179,6 @@ fn the_interpreter_agrees() {
     }
 }
 
-/// Whether this machine has vectors of four doubles.
-fn has_avx2() -> bool {
-    #[cfg(target_arch = "x86_64")]
-    let found = std::arch::is_x86_feature_detected!("avx2");
-    #[cfg(not(target_arch = "x86_64"))]
-    let found = false;
-    found
-}
-
 #[test]
 fn the_c_agrees() {
     let calls = all();
@@ -198,7 +189,7 @@ fn the_c_agrees() {
         let flags: &[&'static [&'static str]] = match it.emulator {
             // Loads of four words, and plain C99.
             Some(_) => &[&[], &["-mfpu=neon-vfpv3"]],
-            None if has_avx2() => &[
+            None if toolchain::has_avx2() => &[
                 &[],
                 &["-mavx2"],
                 &["-mavx2", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"],

@@ -264,15 +264,6 @@ fn run_c(compiled: &Compiled, cases: &[&Case], toolchain: &Toolchain, flags: &[&
     }
 }
 
-/// Whether this machine has vectors of four doubles.
-fn has_avx2() -> bool {
-    #[cfg(target_arch = "x86_64")]
-    let found = std::arch::is_x86_feature_detected!("avx2");
-    #[cfg(not(target_arch = "x86_64"))]
-    let found = false;
-    found
-}
-
 #[test]
 fn the_c_agrees() {
     let compiled = linear_routines();
@@ -294,12 +285,14 @@ fn the_c_agrees() {
             // The other sizes where it costs least: one optimised build, without the sanitizers.
             let cases = if toolchain.compiler == "gcc" { &all } else { &most };
             // Kernels have forms for each width of vectors: gcc's are those that any machine has.
-            let wide = has_avx2() && toolchain.compiler == "clang" && toolchain.level == 3;
+            let wide =
+                toolchain::has_avx2() && toolchain.compiler == "clang" && toolchain.level == 3;
             let flags = if wide { &["-mavx2"][..] } else { &[] };
             scope.spawn(move || run_c(compiled, cases, &toolchain, flags));
         }
         // Inverses shuffle the widest that there are.
-        let widest = |it: &Toolchain| has_avx2() && it.compiler == "gcc" && it.level == 2;
+        let widest =
+            |it: &Toolchain| toolchain::has_avx2() && it.compiler == "gcc" && it.level == 2;
         for toolchain in toolchain::host().into_iter().filter(widest) {
             let cases = &inverses;
             scope.spawn(move || run_c(compiled, cases, &toolchain, &["-march=native"]));

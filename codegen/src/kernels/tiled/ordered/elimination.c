@@ -1,7 +1,7 @@
 /*
  * Rows of the matrix stay where they are, and `order` says which of them each pivot took, so that nothing on the left of a
  * panel is ever exchanged. A panel, WIDTH columns, is brought in by rows in the order so far, goes through all columns
- * on its left from the first to the last, a tile of four rows at a time, and is then factored by columns. So an element
+ * on its left from the first to the last, a tile of rows at a time, and is then factored by columns. So an element
  * sees its steps in their order.
  */
 #define PANELS ((ROWS + WIDTH - 1U) / WIDTH)
@@ -136,8 +136,8 @@ static inline half_t larger(half_t magnitude, half_t largest)
     return (half_t)(((half_bits_t)magnitude & above) | ((half_bits_t)largest & ~above));
 }
 
-/* Takes columns of the block, so many, times numbers, each so far from the last, from a column; the last of them is
-   divided by its pivot on the way. Gives the largest magnitude that is then in the column, or zero. */
+/* Takes columns of the block, so many, times numbers, each so far from the last, from a column; the last of them
+   becomes multipliers on the way. Gives the largest magnitude that is then in the column, or zero. */
 NOT_INLINE static $real subtract_columns(const elimination_t *work, $real *column, uint32_t rows, uint32_t columns,
     const $real *numbers, uint32_t apart, $real reciprocal)
 {
