@@ -30,10 +30,12 @@ enum Kind {
     Undefined,
     /// An infinity is the first pivot, and a column has no number but in its last row.
     Infinite,
+    /// So small that reciprocals of pivots are infinite.
+    Subnormal,
 }
 
 const KINDS: [Kind; 4] = [Kind::Uniform, Kind::Graded, Kind::Singular, Kind::Special];
-const UNUSUAL: [Kind; 2] = [Kind::Undefined, Kind::Infinite];
+const UNUSUAL: [Kind; 3] = [Kind::Undefined, Kind::Infinite, Kind::Subnormal];
 
 /// A generator of numbers; the same in every run.
 struct Random(u64);
@@ -48,7 +50,7 @@ impl Random {
     }
 }
 
-fn elements(kind: Kind, n: usize, random: &mut Random) -> Vec<f64> {
+fn elements(kind: Kind, element: Float, n: usize, random: &mut Random) -> Vec<f64> {
     let mut list: Vec<f64> = (0..n * n).map(|_| random.unit()).collect();
     match kind {
         Kind::Uniform => {}
@@ -72,6 +74,13 @@ fn elements(kind: Kind, n: usize, random: &mut Random) -> Vec<f64> {
             list[5] = f64::NEG_INFINITY;
             list[2 * n..3 * n - 1].fill(f64::NAN);
         }
+        Kind::Subnormal => {
+            let scale = match element {
+                Float::F64 => 1e-310,
+                Float::F32 => 1e-40,
+            };
+            list.iter_mut().for_each(|it| *it *= scale);
+        }
     }
     list
 }
@@ -90,7 +99,7 @@ fn calls<T: Real, const N: usize>(element: Float) -> Vec<Call> {
     let mut random = Random(0x9E37_79B9_7F4A_7C15 + N as u64);
     let mut calls = Vec::new();
     for kind in KINDS {
-        let list = elements(kind, N, &mut random);
+        let list = elements(kind, element, N, &mut random);
         let right: Vec<f64> = (0..N * SIDES).map(|_| random.unit()).collect();
         let a: Box<SMatrix<T, N, N>> =
             Box::new(SMatrix::from_iterator(list.iter().copied().map(number)));
@@ -116,22 +125,29 @@ fn calls<T: Real, const N: usize>(element: Float) -> Vec<Call> {
     calls
 }
 
-/// Solves for one right-hand side, of which x86-64 has forms of their own.
+/// Solves for one right-hand side and inverses, of which x86-64 has forms of their own.
 fn solves<T: Real, const N: usize>(element: Float) -> Vec<Call> {
     let number = |it: f64| T::dsl_from_f64(it);
+    let words = |list: &[T]| list.iter().map(|it| word(it.as_f64(), element)).collect::<Vec<_>>();
     let mut random = Random(0xD1B5_4A32_D192_ED03 + N as u64);
-    let call = |kind| {
-        let list = elements(kind, N, &mut random);
+    let calls = |kind| {
+        let list = elements(kind, element, N, &mut random);
         let right: Vec<f64> = (0..N).map(|_| random.unit()).collect();
-        let a: Box<SMatrix<T, N, N>> =
+        let mut a: Box<SMatrix<T, N, N>> =
             Box::new(SMatrix::from_iterator(list.iter().copied().map(number)));
         let mut x = SMatrix::<T, N, 1>::from_iterator(right.iter().copied().map(number));
-        let mut native = vec![u64::from(bessemer::solve_into(&*a, &mut x))];
-        native.extend(x.iter().map(|it| word(it.as_f64(), element)));
-        let kernel = kernel(Solve, element, &[N, 1]);
-        Call { kernel, kind, arguments: vec![list, right], native }
+        let mut solved = vec![u64::from(bessemer::solve_into(&*a, &mut x))];
+        solved.extend(words(x.as_slice()));
+        let mut inverted = vec![u64::from(bessemer::inverse_mut(&mut *a))];
+        inverted.extend(words(a.as_slice()));
+        let solve = kernel(Solve, element, &[N, 1]);
+        let inverse = kernel(Inverse, element, &[N]);
+        [
+            Call { kernel: solve, kind, arguments: vec![list.clone(), right], native: solved },
+            Call { kernel: inverse, kind, arguments: vec![list], native: inverted },
+        ]
     };
-    KINDS.into_iter().chain(UNUSUAL).map(call).collect()
+    KINDS.into_iter().chain(UNUSUAL).flat_map(calls).collect()
 }
 
 fn all() -> Vec<Call> {

@@ -98,6 +98,11 @@ pub fn fused(
 
 /// The text without what stands under a macro that the kernel never defines.
 pub fn without(text: &str, name: &str) -> String {
+    decided(text, name, false)
+}
+
+/// The text with the branches alone that a macro decides which is always defined, or never.
+pub fn decided(text: &str, name: &str, defined: bool) -> String {
     let condition = format!("#if defined({name})");
     let mut kept = String::new();
     // Where a block of the macro is open: how deep, and whether its other branch has begun.
@@ -118,13 +123,15 @@ pub fn without(text: &str, name: &str) -> String {
         } else if depth == 1 && line == "#else" {
             other = true;
             continue;
-        } else if let (1, false, Some(rest)) = (depth, other, line.strip_prefix("#elif")) {
+        } else if let (1, false, false, Some(rest)) =
+            (depth, other, defined, line.strip_prefix("#elif"))
+        {
             // What follows is a block of its own.
             kept += &format!("#if{rest}\n");
             depth = 0;
             continue;
         }
-        if depth == 0 || other {
+        if depth == 0 || other != defined {
             kept += line;
             kept.push('\n');
         }

@@ -112,11 +112,6 @@ static inline void store_quad($real *to, quad_lanes_t quad)
     *(quad_lanes_t *)to = quad;
 }
 
-static inline quad_lanes_t minus_quad(quad_lanes_t quad, $real factor, quad_lanes_t other)
-{
-    return quad - factor * other;
-}
-
 /* Rows of a square, or its columns. */
 typedef struct {
     quad_lanes_t a;

@@ -38,7 +38,17 @@ pub fn line(element: Float) -> u32 {
 }
 
 /// Bytes of the vectors with which rows that stay where they are take less time: AVX's.
-pub const ORDERED: u32 = 32;
+const ORDERED: u32 = 32;
+
+/// Columns of a panel there.
+pub fn ordered_width(element: Float) -> u32 {
+    2 * ORDERED / bytes(element)
+}
+
+/// Rows that go through a column side by side there: four vectors.
+pub fn ordered_group(element: Float) -> u32 {
+    4 * ORDERED / bytes(element)
+}
 
 /// Types and operations of rows, for every target; `ordered` if the kernel has a form whose rows stay where they are.
 pub fn text(element: Float, columns: u32, mode: Mode, ordered: bool) -> String {
@@ -80,7 +90,7 @@ fn targets(element: Float, columns: u32, mode: Mode, ordered: bool) -> String {
         if ordered && vector == ORDERED {
             let word = 8 * bytes(element);
             text += &format!(
-                "#define ORDERED\ntypedef int{word}_t half_bits_t __attribute__((vector_size({vector})));\n"
+                "#include <immintrin.h>\n#define ORDERED\ntypedef int{word}_t half_bits_t __attribute__((vector_size({vector})));\n"
             );
         }
         let four = 4 * bytes(element);

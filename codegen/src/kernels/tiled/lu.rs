@@ -248,7 +248,7 @@ fn assemble(
         }
     };
     if ordered {
-        let text = ordered::TEXT.replace("$tile\n", &ordered::tile(mode));
+        let text = ordered::text(kernel, OWN_PANEL);
         before += &format!("\n#if defined(ORDERED)\n{}#else", twice(&text));
     }
     let tile = registers(TILE, kernel.element);
@@ -259,7 +259,8 @@ fn assemble(
     let mut body = body.to_owned();
     if ordered {
         before += "#endif\n";
-        body = format!("#if defined(ORDERED)\n{}#else\n{body}#endif\n", ordered::BODY);
+        let other = ordered::body(kernel, OWN_PANEL);
+        body = format!("#if defined(ORDERED)\n{other}#else\n{body}#endif\n");
     }
     let buffers = buffers(kernel, size, kernel.routine == KernelRoutine::Inverse);
     let body = twice(&(declarations(&buffers) + &body)).replace("\n\n", "\n");
@@ -289,19 +290,24 @@ fn all_values(kernel: &Kernel, size: u32, sides: u32) -> Vec<(&'static str, Stri
     let edge = size % 4;
     let mut all = values(element, &[("columns", sides), ("edge", edge)]);
     all.push(("panel", format!("{}U", panel(kernel))));
+    let (maximum, x86_vector) = match element {
+        Float::F64 => ("_mm256_max_pd", "__m256d"),
+        Float::F32 => ("_mm256_max_ps", "__m256"),
+    };
     let (bits, rank, infinite, magnitude_bits) = match element {
         Float::F64 => ("uint64_t", "(uint32_t)(bits >> 32)", "0xFFE00000U", "INT64_MAX"),
         Float::F32 => ("uint32_t", "bits", "0xFF000000U", "INT32_MAX"),
     };
     let edges = |text: &str| if edge == 0 { String::new() } else { text.to_owned() };
     all.extend([
+        ("maximum", maximum.to_owned()),
+        ("x86_vector", x86_vector.to_owned()),
         ("bits", bits.to_owned()),
         ("rank", rank.to_owned()),
         ("infinite", infinite.to_owned()),
         ("fill", if edge == 0 { FILL } else { FILL_EDGES }.to_owned()),
         ("tail", edges(TAIL)),
         ("pad", edges(PAD)),
-        ("part", edges(ordered::PART)),
         ("magnitude_bits", magnitude_bits.to_owned()),
         ("pad_x", edges(PAD_X)),
         ("pad_rows", edges(PAD_ROWS)),

@@ -17,6 +17,11 @@ static inline four_t load_four(const $real *from)
 #endif
 
 #if defined(QUAD)
+static inline quad_lanes_t minus_quad(quad_lanes_t quad, $real factor, quad_lanes_t other)
+{
+    return quad - factor * other;
+}
+
 static inline quad_lanes_t times_quad(quad_lanes_t quad, $real factor)
 {
     return quad * factor;

@@ -4,9 +4,8 @@
  * on its left from the first to the last, a tile of rows at a time, and is then factored by columns. So an element
  * sees its steps in their order.
  */
-#define PANELS ((ROWS + WIDTH - 1U) / WIDTH)
-/* Numbers from a row of the matrix to the next. */
-#define PITCH (WIDTH * PANELS)
+/* Columns that the first panel lacks, so that all others are whole. */
+#define BEFORE ((WIDTH - ROWS % WIDTH) % WIDTH)
 /* Rows that go through a column side by side, and numbers from a column of the block to the next. */
 #define GROUP (4U * HALF)
 #define BLOCK ((ROWS + GROUP - 1U) / GROUP * GROUP)
@@ -14,12 +13,14 @@
 typedef struct {
     /* By rows: the multipliers, and from the diagonal on what is left of the matrix. */
     $real *rows;
-    /* The panel at work, by rows in their order. */
+    /* The panel at work, by rows in their order: what comes in, and what is done with. */
     $real *panel;
     /* Its rows from the diagonal down, by columns. */
     $real *block;
+#if defined(SIDE)
     /* The right-hand side, in the order of the rows. */
     $real *x;
+#endif
     /* Which row of the matrix stands where, and where a row stands. */
     uint32_t *order;
     uint32_t *place;
@@ -28,10 +29,26 @@ typedef struct {
 /* The number of a row, by its order, and a column. */
 static inline $real *at(const elimination_t *work, uint32_t row, uint32_t column)
 {
-    return &work->rows[PITCH * work->order[row] + column];
+    return &work->rows[ROWS * work->order[row] + column];
+}
+
+/* Columns of the panel that begins with this one. */
+static inline uint32_t columns_from(uint32_t first)
+{
+    const uint32_t columns = (first == 0U) ? WIDTH - BEFORE : WIDTH;
+    return (SIZE - first < columns) ? SIZE - first : columns;
 }
 
 $tile
+/* Before the first panel: the order is that of the matrix. */
+static void begin(const elimination_t *work)
+{
+    for (uint32_t row = 0U; row < ROWS; row++) {
+        work->order[row] = row;
+        work->place[row] = row;
+    }
+}
+
 /* Brings columns of the matrix into the panel, by rows in their order; beyond the matrix are zeros. */
 NOT_INLINE static void fill_panel(const elimination_t *work, const $real *a, uint32_t first)
 {
@@ -54,31 +71,30 @@ NOT_INLINE static void fill_panel(const elimination_t *work, const $real *a, uin
     }
 }
 
-/* Brings the panel's rows from the diagonal down into the block, and fills its last group up with zeros. */
-NOT_INLINE static void fill_block(const elimination_t *work, uint32_t first)
+/* The first panel has nothing on its left: its columns go into the block as they are. */
+static void fill_block(const elimination_t *work, const $real *a)
 {
-    const $real *const panel = &work->panel[WIDTH * first];
-    for (uint32_t lane = 0U; lane < WIDTH; lane += 4U) {
-        $real *const to = &work->block[BLOCK * lane];
-        for (uint32_t row = 0U; row < ROWS - first; row += 4U) {
-            const $real *const from = &panel[WIDTH * row + lane];
-            store_square(&to[row], &to[BLOCK + row], &to[2U * BLOCK + row], &to[3U * BLOCK + row],
-                turned(load_square(from, &from[WIDTH], &from[2U * WIDTH], &from[3U * WIDTH])));
-        }
+    for (uint32_t column = 0U; column < WIDTH; column++) {
+        memcpy(&work->block[BLOCK * column], &a[SIZE * column], SIZE * sizeof(*a));
     }
-    for (uint32_t row = ROWS - first; row % GROUP != 0U; row++) {
-        for (uint32_t lane = 0U; lane < WIDTH; lane++) {
-            work->block[BLOCK * lane + row] = $zero;
+}
+
+/* What fills the block's last group up. */
+static void pad_block(const elimination_t *work, uint32_t rows)
+{
+    for (uint32_t row = rows; row % GROUP != 0U; row++) {
+        for (uint32_t column = 0U; column < WIDTH; column++) {
+            work->block[BLOCK * column + row] = $zero;
         }
     }
 }
 
-/* Brings the multipliers below the panel's own rows from the block into the matrix. */
-NOT_INLINE static void keep_multipliers(const elimination_t *work, uint32_t first)
+/* Brings the multipliers below the panel's own rows, which are as many as its columns, from the block into the matrix. */
+NOT_INLINE static void keep_multipliers(const elimination_t *work, uint32_t first, uint32_t columns)
 {
-    for (uint32_t lane = 0U; lane < WIDTH; lane += 4U) {
+    for (uint32_t lane = 0U; lane < columns; lane += 4U) {
         const $real *const from = &work->block[BLOCK * lane];
-        for (uint32_t row = first + WIDTH; row < ROWS; row += 4U) {
+        for (uint32_t row = first + columns; row < ROWS; row += 4U) {
             const $real *const column = &from[row - first];
             store_square(at(work, row, first + lane), at(work, row + 1U, first + lane),
                 at(work, row + 2U, first + lane), at(work, row + 3U, first + lane),
@@ -132,8 +148,7 @@ static inline half_t magnitudes(half_t numbers)
 /* The larger of each two magnitudes; the second where one is NaN. */
 static inline half_t larger(half_t magnitude, half_t largest)
 {
-    const half_bits_t above = (half_bits_t)(magnitude > largest);
-    return (half_t)(((half_bits_t)magnitude & above) | ((half_bits_t)largest & ~above));
+    return (half_t)$maximum(($x86_vector)magnitude, ($x86_vector)largest);
 }
 
 /* Takes columns of the block, so many, times numbers, each so far from the last, from a column; the last of them
@@ -195,15 +210,19 @@ static inline uint32_t find(const $real *column, $real magnitude)
     return row;
 }
 
-/* Takes a pivot's row out of the block, and puts another into its place: what is on the left of the pivot are multipliers
-   of the matrix. */
-static inline void take_out(const elimination_t *work, uint32_t own, uint32_t other, $real *left)
+/* A row of the block. */
+static inline row_t load_across(const elimination_t *work, uint32_t row)
+{
+    const row_t across = {vector_across(&work->block[row]), vector_across(&work->block[HALF * BLOCK + row])};
+    return across;
+}
+
+/* Takes the row of a pivot, which is found at another place, out of the block, one number after another. */
+static inline void take_out(const elimination_t *work, uint32_t own, uint32_t other, $real *taken)
 {
     for (uint32_t column = 0U; column < WIDTH; column++) {
         $real *const numbers = &work->block[BLOCK * column];
-        if (column < own) {
-            left[column] = numbers[other];
-        }
+        taken[column] = numbers[other];
         numbers[other] = numbers[own];
         /* No pivot any more. */
         numbers[own] = $zero;
@@ -219,38 +238,61 @@ static inline void exchange(const elimination_t *work, uint32_t row, uint32_t ot
     work->place[number] = other;
 }
 
-/* A step of the panel: the row of its pivot goes through the columns on its left, as the right-hand side does. Gives the
-   pivot. */
-NOT_INLINE static $real eliminate(const elimination_t *work, uint32_t first, uint32_t own, uint32_t other, $real *y)
+#if defined(SIDE)
+/* The right-hand side's number of a pivot's row, which is found at another place, goes through the columns on its left. */
+static inline $real eliminate_side(const elimination_t *work, uint32_t first, uint32_t own, uint32_t other, const $real *y)
 {
-    $real *const panel = &work->panel[WIDTH * first];
     $real *const x = &work->x[first];
-    const $real pivot = work->block[BLOCK * own + other];
-    row_t row = load_row(&panel[WIDTH * other]);
-    store_row(&panel[WIDTH * other], load_row(&panel[WIDTH * own]));
     $real number = x[other];
     x[other] = x[own];
     for (uint32_t k = 0U; k < own; k++) {
-        const $real factor = work->block[BLOCK * k + other];
-        row = minus(row, factor, load_row(&panel[WIDTH * k]));
-        number -= factor * y[k];
+        number -= work->block[BLOCK * k + other] * y[k];
     }
-    store_row(&panel[WIDTH * own], row);
-    y[own] = number;
-    exchange(work, first + own, first + other);
-    $real *const left = at(work, first + own, first);
-    store_row(left, row);
-    take_out(work, own, other, left);
-    return pivot;
+    return number;
 }
 
+#else
+/* The panel's last column becomes multipliers. */
+static inline void scale_column($real *column, uint32_t rows, $real reciprocal)
+{
+    for (uint32_t row = 0U; row < rows; row += GROUP) {
+        store_group(&column[row], times(load_group(&column[row]), reciprocal));
+    }
+}
+
+#endif
+/* A step of the panel: what is on the right of a pivot goes through the columns on its left. Gives the pivot. */
+NOT_INLINE static $real eliminate(const elimination_t *work, uint32_t first, uint32_t own, uint32_t other)
+{
+    $real *const panel = &work->panel[WIDTH * first];
+    row_t row = load_across(work, other);
+    $real taken[WIDTH];
+    take_out(work, own, other, taken);
+    for (uint32_t k = 0U; k < own; k++) {
+        row = minus(row, taken[k], load_row(&panel[WIDTH * k]));
+    }
+    store_row(&panel[WIDTH * own], row);
+    exchange(work, first + own, first + other);
+    $real *const to = at(work, first + own, first);
+    store_row(to, row);
+    /* Multipliers, and the pivot, which has lost its steps before. */
+    for (uint32_t k = 0U; k <= own; k++) {
+        to[k] = taken[k];
+    }
+    return taken[own];
+}
+
+#if defined(SIDE)
 /* Factors a panel by columns, from the diagonal down, and takes it from the right-hand side. False if a pivot is zero. */
-NOT_INLINE static bool factor_panel(const elimination_t *work, uint32_t first)
+#else
+/* Factors a panel by columns, from the diagonal down. False if a pivot is zero. */
+#endif
+NOT_INLINE static bool factor_panel(const elimination_t *work, uint32_t first, uint32_t columns)
 {
     const uint32_t rows = ROWS - first;
-    const uint32_t columns = (SIZE - first < WIDTH) ? SIZE - first : WIDTH;
-    $real *const x = &work->x[first];
+#if defined(SIDE)
     $real y[WIDTH];
+#endif
     $real reciprocal = $one;
     for (uint32_t own = 0U; own < columns; own++) {
         $real *const column = &work->block[BLOCK * own];
@@ -261,65 +303,49 @@ NOT_INLINE static bool factor_panel(const elimination_t *work, uint32_t first)
         if (column[other] == $zero) {
             return false;
         }
-        reciprocal = $one / eliminate(work, first, own, other, y);
+#if defined(SIDE)
+        y[own] = eliminate_side(work, first, own, other, y);
+#endif
+        reciprocal = $one / eliminate(work, first, own, other);
     }
-    if (first + WIDTH < ROWS) {
-        (void)subtract_columns(work, x, rows, WIDTH, y, 1U, reciprocal);
+#if defined(SIDE)
+    $real *const x = &work->x[first];
+    if (first + columns < SIZE) {
+        (void)subtract_columns(work, x, rows, columns, y, 1U, reciprocal);
     }
     memcpy(x, y, columns * sizeof(*x));
+#else
+    if (first + columns < SIZE) {
+        scale_column(&work->block[BLOCK * (columns - 1U)], rows, reciprocal);
+    }
+#endif
     return true;
 }
 
+#if defined(SIDE)
 /* Factors the matrix, and solves by L. False if a pivot is zero. */
+#else
+/* Factors the matrix. False if a pivot is zero. */
+#endif
 NOT_INLINE static bool eliminate_all(const elimination_t *work, const $real *a)
 {
-    for (uint32_t first = 0U; first < SIZE; first += WIDTH) {
-        fill_panel(work, a, first);
-        for (uint32_t row = 0U; row < ROWS && first > 0U; row += TALL) {
-            subtract(work, first, row);
+    uint32_t columns = 0U;
+    for (uint32_t first = 0U; first < SIZE; first += columns) {
+        columns = columns_from(first);
+        if (first == 0U) {
+            fill_block(work, a);
+        } else {
+            fill_panel(work, a, first);
+            subtract_above(work, first);
+            subtract_below(work, first);
         }
-        fill_block(work, first);
-        if (!factor_panel(work, first)) {
+        pad_block(work, SIZE - first);
+        if (!factor_panel(work, first, columns)) {
             return false;
         }
-        keep_multipliers(work, first);
+        if (first + columns < SIZE) {
+            keep_multipliers(work, first, columns);
+        }
     }
     return true;
-}
-
-/* Solves by the columns of a panel from the last one back, in the panel's own rows. */
-static inline void substitute_own(const elimination_t *work, uint32_t first, uint32_t columns)
-{
-    $real *const x = work->x;
-    for (uint32_t column = first + columns; column > first; column--) {
-        const uint32_t own = column - 1U;
-        x[own] = x[own] / *at(work, own, own);
-        for (uint32_t row = first; row < own; row++) {
-            x[row] -= *at(work, row, own) * x[own];
-        }
-    }
-}
-
-/* Solves by U. */
-NOT_INLINE static void substitute(const elimination_t *work)
-{
-    $real *const x = work->x;
-    for (uint32_t panel = PANELS; panel > 0U; panel--) {
-        const uint32_t first = WIDTH * (panel - 1U);
-        uint32_t columns = (SIZE - first < WIDTH) ? SIZE - first : WIDTH;
-        substitute_own(work, first, columns);
-$part        for (uint32_t row = 0U; row < first; row += 4U) {
-            quad_lanes_t four = load_quad(&x[row]);
-            for (uint32_t end = first + columns; end > first; end -= 4U) {
-                const uint32_t column = end - 4U;
-                const square_t square = turned(load_square(at(work, row, column),
-                    at(work, row + 1U, column), at(work, row + 2U, column), at(work, row + 3U, column)));
-                four = minus_quad(four, x[column + 3U], square.d);
-                four = minus_quad(four, x[column + 2U], square.c);
-                four = minus_quad(four, x[column + 1U], square.b);
-                four = minus_quad(four, x[column], square.a);
-            }
-            store_quad(&x[row], four);
-        }
-    }
 }
