@@ -5,7 +5,9 @@
 //! last place of 1 and `γ(n) = n u / (1 − n u)`:
 //! * solves, and each column of an inverse: `(A + E) x = b` with `|E| ≤ γ(3 n) |L| |U|` (theorem 9.4). Multipliers are
 //!   products with a reciprocal, which round once more than quotients; below the diagonal of column `j` that is
-//!   `γ(j + 1)` in place of `γ(j)` for an element, and `j < n`.
+//!   `γ(j + 1)` in place of `γ(j)` for an element, and `j < n`. Quotients of the way back may be such products too: then
+//!   U's diagonal has `γ(n + 1)` in place of `γ(n)`, which L, whose diagonal needs no quotient, leaves room for: it has
+//!   `γ(n − 1)`.
 //! * products: `|C − A B| ≤ γ(n) |A| |B|`, of `n` terms (section 3.5).
 //!
 //! They hold element by element, where nothing underflows.

@@ -99,8 +99,12 @@ fn targets(element: Float, columns: u32, mode: Mode, ordered: bool) -> String {
         }
         if mode == Mode::Fast {
             let minus = fused(element, vector, "fnmadd", ["factor", "other", "row"]);
-            text +=
-                &format!("{}#define MINUS(row, factor, other) ((half_t){minus})\n#endif\n", FUSED);
+            text += &format!("{FUSED}#define MINUS(row, factor, other) ((half_t){minus})\n");
+            if ordered && vector == ORDERED {
+                let plus = fused(element, vector, "fmadd", ["factor", "other", "row"]);
+                text += &format!("#define PLUS(row, factor, other) ((half_t){plus})\n");
+            }
+            text += "#endif\n";
             // As many sums again as a tile has elements, where there are registers for them.
             text += if vector == 64 { "#define SPLIT\n" } else { "" };
         }

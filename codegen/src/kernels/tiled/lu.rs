@@ -248,7 +248,7 @@ fn assemble(
         }
     };
     if ordered {
-        let text = ordered::text(kernel, OWN_PANEL);
+        let text = ordered::text(kernel, mode, OWN_PANEL);
         before += &format!("\n#if defined(ORDERED)\n{}#else", twice(&text));
     }
     let tile = registers(TILE, kernel.element);
@@ -259,7 +259,7 @@ fn assemble(
     let mut body = body.to_owned();
     if ordered {
         before += "#endif\n";
-        let other = ordered::body(kernel, OWN_PANEL);
+        let other = ordered::body(kernel, mode, OWN_PANEL);
         body = format!("#if defined(ORDERED)\n{other}#else\n{body}#endif\n");
     }
     let buffers = buffers(kernel, size, kernel.routine == KernelRoutine::Inverse);

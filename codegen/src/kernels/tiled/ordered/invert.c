@@ -68,7 +68,7 @@ static void forward(const elimination_t *work, const sides_t *sides)
 
 static inline row_t over(row_t row, $real divisor)
 {
-    const row_t quotient = {row.low / divisor, row.high / divisor};
+    const row_t quotient = {row.low $over divisor, row.high $over divisor};
     return quotient;
 }
 
@@ -105,10 +105,15 @@ static inline void divide_a(tile_t *tile, const rows_t *of, uint32_t column)
 static inline void four_steps_back(tile_t *tile, const rows_t *of, size_t column, const $real *panel)
 {
     const $real *const rows = &panel[WIDTH * column];
+#if defined(FAST)
+    two_steps(tile, of, column + 2U, &rows[2U * WIDTH]);
+    two_steps(tile, of, column, rows);
+#else
     step(tile, of, column + 3U, &rows[3U * WIDTH]);
     step(tile, of, column + 2U, &rows[2U * WIDTH]);
     step(tile, of, column + 1U, &rows[WIDTH]);
     step(tile, of, column, rows);
+#endif
 }
 
 /* Takes the columns of U on the right of a tile, times the rows below it, from the last one back. */

@@ -13,6 +13,7 @@
 use bessemer_ir::{Float, Kernel, KernelRoutine};
 
 use super::lanes;
+use crate::kernels::Mode;
 use crate::kernels::text::{bytes, decided};
 use crate::kernels::threads::{Own, Work};
 
@@ -55,7 +56,7 @@ pub(super) fn orders(size: u32) -> u32 {
 }
 
 /// What stands before the kernel; `own` is what each thread of an inverse has of its own.
-pub(super) fn text(kernel: &Kernel, own: Own<'static>) -> String {
+pub(super) fn text(kernel: &Kernel, mode: Mode, own: Own<'static>) -> String {
     let solve = kernel.routine == KernelRoutine::Solve;
     let all = decided(
         &ELIMINATION.replace("$tile\n", &decided(TILE, "TWO_QUADS", kernel.element == Float::F32)),
@@ -66,20 +67,23 @@ pub(super) fn text(kernel: &Kernel, own: Own<'static>) -> String {
         true => SUBSTITUTE.to_owned(),
         false => format!("{INVERT}\n{}", work(own).text()),
     };
-    decided(&format!("{all}\n{rest}"), "EDGE", has_edge(kernel))
+    let over = if mode == Mode::Fast { "*" } else { "/" };
+    completed(&format!("{all}\n{rest}").replace("$over", over), kernel, mode)
 }
 
 /// The body of the kernel.
-pub(super) fn body(kernel: &Kernel, own: Own<'static>) -> String {
-    match kernel.routine {
+pub(super) fn body(kernel: &Kernel, mode: Mode, own: Own<'static>) -> String {
+    let body = match kernel.routine {
         KernelRoutine::Solve => SOLVE.to_owned(),
-        _ => decided(&INVERSE.replace("$panels\n", &work(own).call()), "EDGE", has_edge(kernel)),
-    }
+        _ => INVERSE.replace("$panels\n", &work(own).call()),
+    };
+    completed(&body, kernel, mode)
 }
 
-/// Whether the last rows are no four.
-fn has_edge(kernel: &Kernel) -> bool {
-    !kernel.dims[0].is_multiple_of(4)
+/// A template with the branches alone that a kernel has: for last rows that are no four, and for the fast mode.
+fn completed(text: &str, kernel: &Kernel, mode: Mode) -> String {
+    let text = decided(text, "EDGE", !kernel.dims[0].is_multiple_of(4));
+    decided(&text, "FAST", mode == Mode::Fast)
 }
 
 /// What threads share of an inverse.

@@ -4,7 +4,7 @@ static inline void substitute_own(const elimination_t *work, uint32_t first, uin
     $real *const x = work->x;
     for (uint32_t column = first + columns; column > first; column--) {
         const uint32_t own = column - 1U;
-        const $real number = x[own] / *at(work, own, own);
+        const $real number = x[own] $over *at(work, own, own);
         x[own] = number;
         for (uint32_t row = own; row > first; row--) {
             x[row - 1U] -= *at(work, row - 1U, own) * number;

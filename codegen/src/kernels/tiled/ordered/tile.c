@@ -36,6 +36,42 @@ static inline rows_t find_rows(const elimination_t *work, uint32_t row)
     return of;
 }
 
+/* As HOLD, of all rows at once. */
+#define HOLD_TILE(tile) __asm__("" : "+v"((tile)->a.low), "+v"((tile)->a.high), "+v"((tile)->b.low), "+v"((tile)->b.high), \
+    "+v"((tile)->c.low), "+v"((tile)->c.high), "+v"((tile)->d.low), "+v"((tile)->d.high))
+
+#if defined(FAST)
+#if !defined(PLUS)
+#define PLUS(row, factor, other) ((row) + (factor) * (other))
+#endif
+
+/* row - (factor * other + next * following): of two steps, one waits for the last. */
+static inline row_t minus_two(row_t row, $real factor, row_t other, $real next, row_t following)
+{
+    const row_t rest = {row.low - PLUS(factor * other.low, next, following.low),
+        row.high - PLUS(factor * other.high, next, following.high)};
+    return rest;
+}
+
+/* Takes two rows, times multipliers of each row of the tile, from the tile. */
+static inline void two_steps(tile_t *tile, const rows_t *of, size_t column, const $real *rows)
+{
+    const row_t other = load_operand(rows);
+    const row_t following = load_operand(&rows[WIDTH]);
+    tile->a = minus_two(tile->a, of->a[column], other, of->a[column + 1U], following);
+    tile->b = minus_two(tile->b, of->b[column], other, of->b[column + 1U], following);
+    tile->c = minus_two(tile->c, of->c[column], other, of->c[column + 1U], following);
+    tile->d = minus_two(tile->d, of->d[column], other, of->d[column + 1U], following);
+    HOLD_TILE(tile);
+}
+
+/* The same of four columns, and as many rows. */
+static inline void four_steps(tile_t *tile, const rows_t *of, size_t column, const $real *rows)
+{
+    two_steps(tile, of, column, rows);
+    two_steps(tile, of, column + 2U, &rows[2U * WIDTH]);
+}
+#else
 /* Takes a row, times a multiplier of each row of the tile, from the tile. */
 static inline void step(tile_t *tile, const rows_t *of, size_t column, const $real *row)
 {
@@ -44,22 +80,24 @@ static inline void step(tile_t *tile, const rows_t *of, size_t column, const $re
     tile->b = minus(tile->b, of->b[column], other);
     tile->c = minus(tile->c, of->c[column], other);
     tile->d = minus(tile->d, of->d[column], other);
-#if defined(FEW_REGISTERS)
-    /* As HOLD, of all rows at once. */
-    __asm__(""
-        : "+v"(tile->a.low), "+v"(tile->a.high), "+v"(tile->b.low), "+v"(tile->b.high),
-          "+v"(tile->c.low), "+v"(tile->c.high), "+v"(tile->d.low), "+v"(tile->d.high));
-#endif
+    HOLD_TILE(tile);
 }
 
-/* The same of columns from one to another, which are fours, and as many rows. */
+/* The same of four columns, and as many rows. */
+static inline void four_steps(tile_t *tile, const rows_t *of, size_t column, const $real *rows)
+{
+    step(tile, of, column, rows);
+    step(tile, of, column + 1U, &rows[WIDTH]);
+    step(tile, of, column + 2U, &rows[2U * WIDTH]);
+    step(tile, of, column + 3U, &rows[3U * WIDTH]);
+}
+#endif
+
+/* The same of fours from one to another. */
 static inline void steps(tile_t *tile, const rows_t *of, size_t column, size_t end, const $real *rows)
 {
     for (; column < end; column += 4U) {
-        step(tile, of, column, rows);
-        step(tile, of, column + 1U, &rows[WIDTH]);
-        step(tile, of, column + 2U, &rows[2U * WIDTH]);
-        step(tile, of, column + 3U, &rows[3U * WIDTH]);
+        four_steps(tile, of, column, rows);
         rows += 4U * WIDTH;
     }
 }
