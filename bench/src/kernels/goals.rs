@@ -63,6 +63,10 @@ fn on_host(results: &Results, name: &str, machine: &Machine, goals: &mut Vec<Goa
             goals.push(Goal::new(what, 0.55, part_over(results, machine, contender, part)));
         }
     }
+    for contender in [Contender::Eigen, Contender::OpenBlas] {
+        let what = format!("{name}, both parts: time over that of {}", contender.title());
+        goals.push(Goal::new(what, 0.55, times(results, machine, Contender::Generated, contender)));
+    }
     goals.push(Goal::new(
         format!("{name}, Chapter 6: time over that of the handwritten C, as in the thesis"),
         0.20,

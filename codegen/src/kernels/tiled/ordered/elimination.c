@@ -40,16 +40,6 @@ static inline uint32_t columns_from(uint32_t first)
 }
 
 $tile
-#if defined(FAST)
-/* Reciprocals take the place of U's diagonal: products take less time than quotients. */
-static void take_reciprocals(const elimination_t *work)
-{
-    for (uint32_t k = 0U; k < SIZE; k++) {
-        *at(work, k, k) = $one / *at(work, k, k);
-    }
-}
-
-#endif
 /* Before the first panel: the order is that of the matrix. */
 static void begin(const elimination_t *work)
 {
@@ -323,6 +313,10 @@ NOT_INLINE static bool factor_panel(const elimination_t *work, uint32_t first, u
         y[own] = eliminate_side(work, first, own, other, y);
 #endif
         reciprocal = $one / eliminate(work, first, own, other);
+#if defined(FAST)
+        /* In the place of the pivot: products take less time than quotients. */
+        *at(work, first + own, first + own) = reciprocal;
+#endif
     }
 #if defined(SIDE)
     $real *const x = &work->x[first];

@@ -9,8 +9,5 @@ if (!eliminate_all(elimination, a)) {
 pad(elimination);
 #endif
 const bool finite = all_finite(elimination);
-#if defined(FAST)
-take_reciprocals(elimination);
-#endif
 $panels
 return true;

@@ -12,9 +12,6 @@ if (!eliminate_all(&elimination, a)) {
     }
     return false;
 }
-#if defined(FAST)
-take_reciprocals(&elimination);
-#endif
 substitute(&elimination);
 memcpy(b, elimination.x, SIZE * sizeof(*b));
 return true;
