@@ -7,7 +7,6 @@ pub mod c;
 pub mod compile;
 pub mod diagnostic;
 pub mod generate;
-pub mod interpret;
 pub mod kernels;
 pub mod passes;
 pub mod source;

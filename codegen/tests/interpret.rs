@@ -11,9 +11,10 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use bessemer_codegen::interpret::{Interpreter, Stop, call};
-use bessemer_codegen::validate::{validate, word_fits};
+use bessemer_codegen::validate::validate;
+use bessemer_interpret::{Interpreter, Stop, call};
 use bessemer_ir::text::{parse, print};
+use bessemer_ir::words::word_fits;
 use bessemer_ir::{FunctionId, Module, Type};
 use nalgebra::SMatrix;
 

@@ -1,6 +1,6 @@
 //! The IR's interpreter as a leg: a component's state, and calls of one entry point.
 
-use bessemer_codegen::interpret::{Interpreter, Stop};
+use bessemer_interpret::{Interpreter, Stop};
 use bessemer_ir::{FunctionId, Module, Owner};
 
 /// A component whose entry point the interpreter runs.

@@ -9,6 +9,7 @@
 pub mod harness;
 pub mod interpreter;
 pub mod kernels;
+mod objects;
 pub mod panics;
 pub mod process;
 pub mod toolchain;

@@ -5,6 +5,9 @@
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use crate::objects;
 
 pub use bessemer_codegen::c::FLAGS;
 
@@ -82,11 +85,66 @@ impl Toolchain {
         program: &Path,
         flags: &[&str],
     ) -> Result<String, String> {
-        let object = main.with_extension("o");
         let plain = Toolchain { level: 0, ..self.clone() };
-        run(plain.command().args(flags).arg("-c").arg(main).arg("-o").arg(&object))?;
-        let all: Vec<PathBuf> = sources.iter().cloned().chain([object]).collect();
-        said(&mut self.linking(&all, program, flags))
+        let main = plain.object(main, flags)?;
+        let (objects, said) = self.objects(sources, flags)?;
+        let all: Vec<PathBuf> = objects.into_iter().chain([main.0]).collect();
+        run(&mut self.linking(&all, program, flags))?;
+        Ok(said)
+    }
+
+    /// Compiles each of the sources, on all processors; the objects in their order, and what the compiler said.
+    fn objects(
+        &self,
+        sources: &[PathBuf],
+        flags: &[&str],
+    ) -> Result<(Vec<PathBuf>, String), String> {
+        let workers = std::thread::available_parallelism().map_or(1, usize::from);
+        let next = AtomicUsize::new(0);
+        let work = || {
+            let mut made = Vec::new();
+            while let Some(source) = sources.get(next.fetch_add(1, Ordering::Relaxed)) {
+                made.push((source, self.object(source, flags)));
+            }
+            made
+        };
+        let mut made = std::thread::scope(|scope| {
+            let workers: Vec<_> = (0..workers).map(|_| scope.spawn(work)).collect();
+            let made = workers.into_iter().filter_map(|worker| worker.join().ok());
+            made.flatten().collect::<Vec<_>>()
+        });
+        made.sort_by_key(|(source, _)| *source);
+        let (mut objects, mut all) = (Vec::new(), String::new());
+        for (_, made) in made {
+            let (object, said) = made?;
+            objects.push(object);
+            all.push_str(&said);
+        }
+        Ok((objects, all))
+    }
+
+    /// Compiles a source to an object beside it, unless the same was compiled before; and what the compiler said.
+    ///
+    /// # Errors
+    /// What the compiler said.
+    pub fn object(&self, source: &Path, flags: &[&str]) -> Result<(PathBuf, String), String> {
+        let object = source.with_extension(format!("{}-{}.o", self.compiler, self.level));
+        let mut command = self.command();
+        command.args(flags);
+        let words =
+            command.get_args().map(|word| word.to_string_lossy().into_owned()).collect::<Vec<_>>();
+        let stored = objects::place(self.compiler, &words, source);
+        if stored.as_ref().is_some_and(|stored| objects::fetch(stored, &object)) {
+            return Ok((object, String::new()));
+        }
+        let said = said(command.arg("-c").arg(source).arg("-o").arg(&object))?;
+        if said.is_empty()
+            && let Some(stored) = stored
+        {
+            objects::store(&object, &stored)
+                .map_err(|error| format!("{}: {error}", stored.display()))?;
+        }
+        Ok((object, said))
     }
 
     /// A command that runs `program`.

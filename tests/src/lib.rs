@@ -11,6 +11,7 @@ pub mod edge_values;
 pub mod outcome;
 pub mod pilot;
 pub mod random;
+pub mod turn;
 pub mod workspace;
 
 pub use bessemer_legs::{

@@ -5,19 +5,19 @@ use std::process::Command;
 
 use bessemer_tests::process::lay_out;
 use bessemer_tests::toolchain::{self, Toolchain, run};
-use bessemer_tests::{flight_models, root};
+use bessemer_tests::{flight_models, root, turn};
 
 #[test]
 fn it_compiles_without_a_warning() {
     let folder = lay_out(flight_models()).expect("the C");
     std::thread::scope(|scope| {
-        for toolchain in toolchain::all() {
+        for toolchain in turn::levels(toolchain::all()) {
             let folder = &folder;
             scope.spawn(move || {
                 for source in folder.sources() {
-                    let mut command = toolchain.command();
-                    command.arg("-c").arg(source).args(["-o", "/dev/null"]);
-                    run(&mut command).unwrap_or_else(|said| panic!("{}: {said}", toolchain.name()));
+                    toolchain
+                        .object(source, &[])
+                        .unwrap_or_else(|said| panic!("{}: {said}", toolchain.name()));
                 }
             });
         }
@@ -54,8 +54,7 @@ fn it_has_no_heap_and_no_memory_of_its_own() {
     let Some(toolchain) = toolchains.iter().find(|it| it.level == 0) else { return };
     let (mut defined, mut called) = (Vec::new(), Vec::new());
     for source in folder.sources() {
-        let object = source.with_extension("o");
-        run(toolchain.command().arg("-c").arg(source).arg("-o").arg(&object)).expect("an object");
+        let (object, _) = toolchain.object(source, &[]).expect("an object");
         let symbols = Command::new("nm").arg(&object).output().expect("nm");
         for line in String::from_utf8_lossy(&symbols.stdout).lines() {
             let mut words = line.split_whitespace().rev();

@@ -6,7 +6,7 @@ use std::thread;
 
 use bessemer_tests::pilot::{Wired, entry};
 use bessemer_tests::toolchain::{self, Toolchain};
-use bessemer_tests::{flight_models, words};
+use bessemer_tests::{flight_models, turn, words};
 use models::Parameters;
 use sim::{Flight, Mission, Native, Pilot, Vehicle, fly};
 
@@ -70,10 +70,10 @@ fn fly_c(toolchains: &[Toolchain]) {
 
 #[test]
 fn the_c_flies_the_same_bits_on_this_machine() {
-    fly_c(&toolchain::host());
+    fly_c(&turn::levels(toolchain::host()));
 }
 
 #[test]
 fn the_c_flies_the_same_bits_on_the_cortex_a9() {
-    fly_c(&toolchain::target());
+    fly_c(&turn::levels(toolchain::target()));
 }

@@ -2,13 +2,16 @@
 //! `bessemer::inverse_mut` and `bessemer::solve_mut`, whose own bits `dsl/tests/linear.rs` holds to nalgebra's matrices of dynamic
 //! size.
 
+use std::collections::BTreeMap;
+
 use bessemer::math::Real;
 use bessemer::nalgebra::SMatrix;
-use bessemer_codegen::interpret::Interpreter;
 use bessemer_codegen::kernels::Tuning;
+use bessemer_interpret::Interpreter;
 use bessemer_ir::{Float, FunctionId, Kernel, KernelRoutine, Module};
 use bessemer_tests::kernels::{Program, kernel, number, word};
 use bessemer_tests::toolchain::{self, Toolchain};
+use bessemer_tests::turn;
 
 use KernelRoutine::{Inverse, LuSolve, Solve};
 
@@ -150,19 +153,22 @@ fn solves<T: Real, const N: usize>(element: Float) -> Vec<Call> {
     KINDS.into_iter().chain(UNUSUAL).flat_map(calls).collect()
 }
 
+/// The calls of some of the sizes: of all in a full run.
 fn all() -> Vec<Call> {
-    let mut all = solves::<f64, 63>(Float::F64);
-    all.extend(solves::<f64, 64>(Float::F64));
-    all.extend(solves::<f64, 77>(Float::F64));
-    all.extend(solves::<f64, 132>(Float::F64));
-    all.extend(solves::<f64, 150>(Float::F64));
-    all.extend(solves::<f32, 128>(Float::F32));
-    all.extend(solves::<f32, 147>(Float::F32));
-    all.extend(calls::<f64, 130>(Float::F64));
-    all.extend(calls::<f64, 132>(Float::F64));
-    all.extend(calls::<f64, 150>(Float::F64));
-    all.extend(calls::<f32, 133>(Float::F32));
-    all
+    let sizes: Vec<fn() -> Vec<Call>> = vec![
+        || solves::<f64, 63>(Float::F64),
+        || calls::<f64, 130>(Float::F64),
+        || solves::<f32, 128>(Float::F32),
+        || solves::<f64, 64>(Float::F64),
+        || solves::<f64, 132>(Float::F64),
+        || calls::<f32, 133>(Float::F32),
+        || solves::<f64, 77>(Float::F64),
+        || calls::<f64, 132>(Float::F64),
+        || solves::<f32, 147>(Float::F32),
+        || solves::<f64, 150>(Float::F64),
+        || calls::<f64, 150>(Float::F64),
+    ];
+    turn::some_of(sizes, 3).into_iter().flat_map(|calls| calls()).collect()
 }
 
 fn agree(leg: &str, call: &Call, found: &[u64]) {
@@ -217,7 +223,12 @@ fn the_c_agrees() {
         flags.iter().map(|more| Toolchain { more, ..it.clone() }).collect()
     };
     let legs = toolchain::all().into_iter().filter(|it| it.level == 2).flat_map(more);
-    for toolchain in legs {
+    // Each way of the kernels once, with a compiler of the turn.
+    let ways = legs.fold(BTreeMap::<_, Vec<_>>::new(), |mut ways, it| {
+        ways.entry((it.emulator, it.more)).or_default().push(it);
+        ways
+    });
+    for toolchain in ways.into_values().flat_map(turn::one_of) {
         let mut program = Program::start(&kernels, Tuning::default(), &toolchain);
         for call in &calls {
             let arguments: Vec<&[f64]> = call.arguments.iter().map(Vec::as_slice).collect();

@@ -8,15 +8,18 @@ use std::thread;
 
 use bessemer_codegen::c::CFile;
 use bessemer_codegen::compile::Compiled;
-use bessemer_codegen::interpret::Interpreter;
+use bessemer_interpret::Interpreter;
 use bessemer_ir::{Float, Function, FunctionId, Mode, Module, Scalar, Type};
 use bessemer_tests::process::{Process, at_once};
 use bessemer_tests::toolchain::{self, Toolchain};
-use bessemer_tests::{compiled, harness};
+use bessemer_tests::{compiled, harness, turn};
 use linear::{CASES, OTHER_SIZES};
 
 /// Calls of each routine.
 const CALLS: usize = 24;
+
+/// Of so many routines that follow one another a leg takes one, unless the run is full.
+const SHARED: usize = 3;
 
 /// Calls of each routine of the other sizes: one of each kind.
 const FEWER_CALLS: usize = 6;
@@ -273,40 +276,41 @@ fn the_c_agrees() {
     };
     let (all, most) = (chosen(&|_| true), chosen(&|case| case.everywhere));
     let inverses = chosen(&|case| case.name.ends_with("::inverse"));
-    let sanitized = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-w"];
-    thread::scope(|scope| {
+    let with = |compiler: &str, level: u32| -> Vec<Toolchain> {
+        let is = |it: &Toolchain| it.compiler == compiler && it.level == level;
+        toolchain::all().into_iter().filter(is).collect()
+    };
+    let (gcc, clang, target) = ("gcc", "clang", "arm-linux-gnueabihf-gcc");
+    let sanitized = &["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-w"][..];
+    let avx2 = |flags: &'static [&'static str]| if toolchain::has_avx2() { flags } else { &[] };
+    // Kernels have forms for each width of vectors. gcc's are those that any machine has, and the widest for
+    // inverses, which shuffle them; on the target plain C99, and loads of NEON, which tiles have forms of their own for.
+    let mut legs = vec![
+        // The other sizes where it costs least: one optimised build, without the sanitizers.
+        (with(gcc, 3), &[][..], &all),
+        (with(clang, 3), avx2(&["-mavx2"]), &most),
         // gcc's least optimised code is the sanitized one.
-        let levels = |it: &Toolchain| match it.compiler {
-            "gcc" => it.level == 3,
-            "clang" => it.level != 2,
-            _ => it.level == 2,
-        };
-        for toolchain in toolchain::all().into_iter().filter(levels) {
-            // The other sizes where it costs least: one optimised build, without the sanitizers.
-            let cases = if toolchain.compiler == "gcc" { &all } else { &most };
-            // Kernels have forms for each width of vectors: gcc's are those that any machine has.
-            let wide =
-                toolchain::has_avx2() && toolchain.compiler == "clang" && toolchain.level == 3;
-            let flags = if wide { &["-mavx2"][..] } else { &[] };
-            scope.spawn(move || run_c(compiled, cases, &toolchain, flags));
-        }
-        // Inverses shuffle the widest that there are.
-        let widest =
-            |it: &Toolchain| toolchain::has_avx2() && it.compiler == "gcc" && it.level == 2;
-        for toolchain in toolchain::host().into_iter().filter(widest) {
-            let cases = &inverses;
-            scope.spawn(move || run_c(compiled, cases, &toolchain, &["-march=native"]));
-        }
-        for toolchain in
-            toolchain::host().into_iter().filter(|it| it.level == 0 && it.compiler == "gcc")
-        {
-            let cases = &most;
-            scope.spawn(move || run_c(compiled, cases, &toolchain, &sanitized));
-        }
-        // Loads of NEON, which tiles have forms of their own for.
-        for toolchain in toolchain::target().into_iter().filter(|it| it.level == 2) {
-            let cases = &most;
-            scope.spawn(move || run_c(compiled, cases, &toolchain, &["-mfpu=neon-vfpv3"]));
+        (with(gcc, 0), sanitized, &most),
+        (with(target, 2), &[], &most),
+        (with(target, 2), &["-mfpu=neon-vfpv3"], &most),
+    ];
+    if toolchain::has_avx2() {
+        legs.push((with(gcc, 2), &["-march=native"], &inverses));
+    }
+    if turn::is_full() {
+        legs.push((with(clang, 0), &[], &most));
+    }
+    thread::scope(|scope| {
+        for (number, (toolchains, flags, cases)) in legs.into_iter().enumerate() {
+            // Legs that follow one another take other cases, so that none of these is left out by all.
+            let own: Vec<Vec<&Case>> = cases
+                .chunks(SHARED)
+                .map(|some| turn::some_of_shifted(some.to_vec(), 1, number))
+                .collect();
+            for toolchain in toolchains {
+                let cases = own.concat();
+                scope.spawn(move || run_c(compiled, &cases, &toolchain, flags));
+            }
         }
     });
 }

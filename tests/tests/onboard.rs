@@ -5,7 +5,7 @@ use std::sync::Mutex;
 
 use bessemer_tests::process::Process;
 use bessemer_tests::toolchain::{self, Toolchain};
-use bessemer_tests::{entry, flight_models, words};
+use bessemer_tests::{entry, flight_models, turn, words};
 use models::plant::Plant;
 use sim::computer::{Computer, Emitted, Native};
 use sim::flights::{FLIGHTS, Flight, find};
@@ -51,12 +51,12 @@ fn started(toolchain: &Toolchain) -> Emitted {
 
 #[test]
 fn the_c_flies_every_flight_to_the_same_bits() {
-    let Some(toolchain) = toolchain::host().into_iter().find(|toolchain| toolchain.level == 2)
-    else {
+    let Some(toolchain) = turn::levels(toolchain::host()).into_iter().next() else {
         println!("left out: the compilers are not installed");
         return;
     };
-    let left = Mutex::new(FLIGHTS.iter());
+    let flights = turn::some_of(FLIGHTS.iter().collect(), FLIGHTS.len().div_ceil(2));
+    let left = Mutex::new(flights.into_iter());
     std::thread::scope(|scope| {
         for _ in 0..2 {
             scope.spawn(|| {
@@ -74,7 +74,7 @@ fn the_c_flies_every_flight_to_the_same_bits() {
 #[test]
 fn every_compiler_flies_a_hover_to_the_same_bits() {
     let hover = find("hover").expect("a flight");
-    for toolchain in toolchain::all() {
+    for toolchain in turn::levels(toolchain::all()) {
         same(hover, 6.0, &toolchain, &mut started(&toolchain));
     }
 }
@@ -82,7 +82,7 @@ fn every_compiler_flies_a_hover_to_the_same_bits() {
 #[test]
 fn the_plant_model_moves_to_the_same_bits_in_every_flight() {
     let step = entry(flight_models(), "Plant", "step").expect("an entry point");
-    let toolchains: Vec<_> = toolchain::all().into_iter().filter(|it| it.level == 2).collect();
+    let toolchains = turn::levels(toolchain::all());
     let mut processes: Vec<_> = toolchains
         .iter()
         .map(|toolchain| {
@@ -90,7 +90,7 @@ fn the_plant_model_moves_to_the_same_bits_in_every_flight() {
                 .unwrap_or_else(|error| panic!("{}: {error}", toolchain.name()))
         })
         .collect();
-    for flight in FLIGHTS {
+    for flight in turn::some_of(FLIGHTS.iter().collect(), FLIGHTS.len().div_ceil(3)) {
         let mut scenario = (flight.scenario)(1);
         scenario.duration = scenario.duration.min(15.0);
         let period = scenario.settings.parameters.period;

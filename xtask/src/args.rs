@@ -93,15 +93,18 @@ impl Gen {
 }
 
 /// Arguments of `test`.
-#[derive(Debug, Args)]
+#[derive(Debug, Default, Args)]
 #[command(after_help = "\
 Examples:
   cargo xtask test              Run everything; if a tool is missing, print the line that installs it, and fail
   cargo xtask test --install    The same, but install what is missing first (apt, as root or through sudo)
   cargo xtask test --host       Leave out what runs on the emulated Cortex-A9
+  cargo xtask test --quick      What to run at each step: only the tests that take no time
+  cargo xtask test --full       Every leg, compiler and size; without it, commits take turns at the dear ones
 
-Stages: format, lints, gen --check, documentation tests, tests. The first that fails ends the run.
-The tests learn what to run from BESSEMER_LEGS: `all`, or `host` with --host.")]
+Stages: format, gen --check, lints, build, documentation tests, tests. The first that fails ends the run.
+The tests learn what to run from the environment: BESSEMER_LEGS is `all`, or `host` with --host; BESSEMER_FULL is set
+with --full; without it BESSEMER_TURN is a number that the commit chooses.")]
 pub struct Test {
     /// Install what is missing first, with apt-get (as root or through sudo) and rustup
     #[arg(long)]
@@ -109,6 +112,15 @@ pub struct Test {
     /// Leave out the ARM part: neither the cross compiler nor QEMU is needed
     #[arg(long)]
     pub host: bool,
+    /// Leave out the documentation tests, and the tests that took over 3 s in the stored run
+    #[arg(long, conflicts_with = "full")]
+    pub quick: bool,
+    /// Leave nothing out: every leg, compiler, size and seed
+    #[arg(long)]
+    pub full: bool,
+    /// Store the times of this run, beside which later runs see what grew
+    #[arg(long)]
+    pub store_times: bool,
 }
 
 /// Arguments of `doctor`.
@@ -198,19 +210,15 @@ mod tests {
 
     #[test]
     fn test_installs_nothing_unless_told() {
-        assert!(matches!(parse(&["test"]), Ok(Task::Test(Test { install: false, host: false }))));
-        assert!(matches!(
-            parse(&["test", "--install"]),
-            Ok(Task::Test(Test { install: true, host: false }))
-        ));
-        assert!(matches!(
-            parse(&["test", "--host"]),
-            Ok(Task::Test(Test { install: false, host: true }))
-        ));
-        assert!(matches!(
-            parse(&["test", "--host", "--install"]),
-            Ok(Task::Test(Test { install: true, host: true }))
-        ));
+        let flags = |line: &[&str]| match parse(line) {
+            Ok(Task::Test(it)) => (it.install, it.host, it.quick, it.full),
+            _ => panic!("{line:?} is no test"),
+        };
+        assert_eq!(flags(&["test"]), (false, false, false, false));
+        assert_eq!(flags(&["test", "--install"]), (true, false, false, false));
+        assert_eq!(flags(&["test", "--host", "--quick"]), (false, true, true, false));
+        assert_eq!(flags(&["test", "--install", "--full"]), (true, false, false, true));
+        assert!(parse(&["test", "--quick", "--full"]).is_err());
     }
 
     #[test]

@@ -70,6 +70,14 @@ pub enum Error {
     /// The generator could not do its work.
     #[error(transparent)]
     Generate(#[from] bessemer_codegen::generate::Error),
+    /// A file could not be written.
+    #[error("`{}`: {source}", path.display())]
+    Write {
+        /// Which.
+        path: std::path::PathBuf,
+        /// The system's reason.
+        source: std::io::Error,
+    },
     /// A program could not be started or listened to.
     #[error("cannot run `{program}`: {source}")]
     Spawn {
@@ -95,7 +103,10 @@ impl Error {
             Self::Stage { remedy, .. } => remedy.map(str::to_owned),
             Self::Generate(error) => error.remedy().map(str::to_owned),
             Self::StillMissing { .. } => Some("cargo xtask doctor".to_owned()),
-            Self::NotYet { .. } | Self::Install { .. } | Self::Spawn { .. } => None,
+            Self::NotYet { .. }
+            | Self::Install { .. }
+            | Self::Write { .. }
+            | Self::Spawn { .. } => None,
         }
     }
 

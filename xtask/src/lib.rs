@@ -18,6 +18,7 @@ pub mod error;
 pub mod generate;
 pub mod install;
 pub mod project;
+pub mod runner;
 pub mod sim;
 pub mod stages;
 pub mod test;

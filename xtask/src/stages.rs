@@ -65,11 +65,10 @@ impl Progress {
         outcome
     }
 
-    /// The stages that went through, with their times, as one line.
+    /// The stages that went through, with their times.
     #[must_use]
-    pub fn summary(&self) -> String {
-        let each = |(name, time): &(String, Duration)| format!("{name} {}", seconds(*time));
-        self.done.iter().map(each).collect::<Vec<_>>().join(", ")
+    pub fn done(&self) -> &[(String, Duration)] {
+        &self.done
     }
 
     fn end(&mut self, name: &str, start: Instant, good: bool) {
@@ -108,6 +107,11 @@ impl Voice {
         let plain = anstream::adapter::strip_str(line).to_string();
         self.bar.set_message(plain.trim().to_owned());
     }
+
+    /// Prints lines that stay, above the moving one.
+    pub fn print(&self, lines: &str) {
+        self.bar.suspend(|| anstream::eprintln!("{lines}"));
+    }
 }
 
 /// Runs the program with the terminal for itself.
@@ -123,6 +127,38 @@ pub fn attached(command: &mut Command) -> Result<ExitStatus, Error> {
 /// # Errors
 /// [`Error::Spawn`] if it does not start.
 pub fn captured(command: &mut Command, voice: &Voice) -> Result<ExitStatus, Error> {
+    let (status, heard) = heard(command, voice)?;
+    if !status.success() {
+        voice.print(&heard.join("\n"));
+    }
+    Ok(status)
+}
+
+/// Runs the program with its errors on the moving line; gives its standard output. If it fails, prints its errors.
+///
+/// # Errors
+/// [`Error::Spawn`] if it does not start.
+pub fn answered(command: &mut Command, voice: &Voice) -> Result<(ExitStatus, String), Error> {
+    command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().map_err(|source| spawn_error(command, source))?;
+    let (sender, lines) = mpsc::channel();
+    listen(child.stderr.take(), sender);
+    let output = child.stdout.take();
+    let reader = std::thread::spawn(move || {
+        let mut bytes = Vec::new();
+        let read = output.map(|mut output| output.read_to_end(&mut bytes));
+        read.transpose().map(|_| String::from_utf8_lossy(&bytes).into_owned())
+    });
+    let heard: Vec<String> = lines.iter().inspect(|line| voice.say(line)).collect();
+    let status = child.wait().map_err(|source| spawn_error(command, source))?;
+    if !status.success() {
+        voice.print(&heard.join("\n"));
+    }
+    let text = reader.join().unwrap_or_else(|_| Ok(String::new()));
+    Ok((status, text.map_err(|source| spawn_error(command, source))?))
+}
+
+fn heard(command: &mut Command, voice: &Voice) -> Result<(ExitStatus, Vec<String>), Error> {
     if anstream::AutoStream::choice(&std::io::stderr()) != anstream::ColorChoice::Never {
         command.env("CARGO_TERM_COLOR", "always");
     }
@@ -137,10 +173,7 @@ pub fn captured(command: &mut Command, voice: &Voice) -> Result<ExitStatus, Erro
         heard.push(line);
     }
     let status = child.wait().map_err(|source| spawn_error(command, source))?;
-    if !status.success() {
-        voice.bar.suspend(|| heard.iter().for_each(|line| anstream::eprintln!("{line}")));
-    }
-    Ok(status)
+    Ok((status, heard))
 }
 
 /// Sends the stream's lines, from a thread of its own, until the stream ends.
@@ -193,13 +226,13 @@ mod tests {
     }
 
     #[test]
-    fn only_stages_that_went_through_are_in_the_summary() {
+    fn only_stages_that_went_through_are_done() {
         let mut progress = Progress { moving: false, done: Vec::new() };
         let good = progress.closed("format", |_| Ok(()));
         let bad: Result<(), Error> =
             progress.closed("lints", |_| Err(Error::StillMissing { tools: vec![] }));
         assert!(good.is_ok() && bad.is_err());
-        assert!(progress.summary().starts_with("format 0.0 s"), "{}", progress.summary());
-        assert!(!progress.summary().contains("lints"));
+        let names: Vec<_> = progress.done().iter().map(|(name, _)| name.as_str()).collect();
+        assert_eq!(names, ["format"]);
     }
 }

@@ -1,21 +1,33 @@
-//! `cargo xtask test`: the tools first, then the stages, cheapest first.
+//! `cargo xtask test`: the tools first, then the stages, cheapest first; at the end what each took.
 //!
 //! Invariants:
 //! - nothing runs before every tool that the run needs is there;
-//! - the tests come last and write to the terminal themselves, and nothing is printed after them when they pass, so
-//!   that the run ends with the test runner's own summary;
-//! - the tests are told which legs to run through `BESSEMER_LEGS`, never by guessing from what is installed.
+//! - the tests come last, and their summary is the last line of a run that got so far;
+//! - the tests are told what to run through the environment, never by guessing from what is installed:
+//!   `BESSEMER_LEGS` names the machines, `BESSEMER_FULL` says that nothing may be left out, `BESSEMER_TURN` is the
+//!   number by which a run that leaves something out takes turns.
 //!
 //! What it must not know: what the tests test.
 
 use crate::args::{Mode, Test};
 use crate::error::{Error, Outcome};
 use crate::install::Plan;
+use crate::runner::{self, Done, Program, Times};
 use crate::stages::{self, Progress};
 use crate::tools::{self, Machine, Need, Tool};
 use crate::{generate, project};
 use std::path::Path;
 use std::process::{Command, ExitStatus};
+use std::time::Duration;
+
+/// Where the times of a run are stored: by them tests are put in order, and growth is seen.
+const TIMES: &str = "xtask/times.tsv";
+
+/// A quick run leaves out the tests that took longer in the stored run.
+const QUICK: Duration = Duration::from_secs(3);
+
+/// How many of the slowest tests are listed.
+const SLOWEST: usize = 20;
 
 /// Runs everything that must pass.
 ///
@@ -29,25 +41,106 @@ pub fn run(root: &Path, wanted: &Test, machine: &dyn Machine) -> Result<Outcome,
             "--host: the ARM part is left out; nothing runs on the emulated Cortex-A9"
         );
     }
-    let cargo = |arguments: &[&str]| {
-        let mut command = project::cargo(root, arguments);
-        command.env("BESSEMER_LEGS", legs(wanted));
-        command
-    };
+    let stored = std::fs::read_to_string(root.join(TIMES)).unwrap_or_default();
+    let stored = Times::read(&stored);
+    let environment = environment(root, wanted);
+    let cargo = |arguments: &[&str]| project::cargo(root, arguments);
 
     check(&mut progress, "format", cargo(&["fmt", "--all", "--check"]), Some("cargo fmt --all"))?;
+    progress.open("gen --check", || generate::run(root, Mode::Check, false))?;
     let lints = cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]);
     check(&mut progress, "lints", lints, None)?;
-    progress.open("gen --check", || generate::run(root, Mode::Check, false))?;
-    show(&mut progress, "documentation tests", cargo(&["test", "--workspace", "--doc"]))?;
-    // Features of a package alone: in a workspace build they would reach the models of every test. Its builders run once.
-    let witness = ["test", "--package", "bessemer", "--features", "generate", "--test", "witness"];
-    let mut witness = cargo(&witness);
-    witness.args(["--config", "profile.dev.package.bessemer.opt-level=0"]);
-    show(&mut progress, "witness tests", witness)?;
-    anstream::eprintln!("passed: {}; now the tests", progress.summary());
-    attach("tests", cargo(&["test", "--workspace", "--lib", "--bins", "--examples", "--tests"]))?;
-    Ok(Outcome::Good)
+    let programs = progress.closed("build of the tests", |voice| programs(root, voice))?;
+    if !wanted.quick {
+        let documentation = cargo(&["test", "--workspace", "--doc"]);
+        check(&mut progress, "documentation tests", documentation, None)?;
+    }
+    let done = progress.closed("tests", |voice| {
+        let chosen = |title: &str| !wanted.quick || stored.of(title) <= QUICK;
+        runner::run(&programs, &chosen, &stored, &environment, voice)
+    })?;
+    let times = times(&progress, &done);
+    if wanted.store_times {
+        store(root, &times)?;
+    }
+    report(&progress, &done, &times.grown(&stored));
+    Ok(if done.iter().all(|test| test.passed) { Outcome::Good } else { Outcome::Bad })
+}
+
+/// Builds the tests: those of the workspace, and those of what a generation build alone has.
+fn programs(root: &Path, voice: &stages::Voice) -> Result<Vec<Program>, Error> {
+    let build = |arguments: &[&str]| {
+        let all = ["test", "--no-run", "--message-format", "json-render-diagnostics"];
+        let mut command = project::cargo(root, &all);
+        command.args(arguments);
+        let (status, messages) = stages::answered(&mut command, voice)?;
+        verdict("build of the tests", status, None)?;
+        Ok::<_, Error>(Program::of(&messages))
+    };
+    let mut programs = build(&["--workspace"])?;
+    // Features of a package alone: in a workspace build they would reach the models of every test.
+    programs.extend(build(&[
+        "--package",
+        "bessemer",
+        "--features",
+        "generate",
+        "--test",
+        "witness",
+    ])?);
+    Ok(programs)
+}
+
+/// The times of the stages and tests of this run.
+fn times(progress: &Progress, done: &[Done]) -> Times {
+    let mut times = Times::default();
+    let stages = progress.done().iter().map(|(name, time)| (name, time));
+    let tests = done.iter().map(|test| (&test.title, &test.time));
+    stages.chain(tests).for_each(|(name, time)| times.add(name, *time));
+    times
+}
+
+fn store(root: &Path, times: &Times) -> Result<(), Error> {
+    let path = root.join(TIMES);
+    std::fs::write(&path, times.text()).map_err(|source| Error::Write { path, source })
+}
+
+/// What took how long, what grew, what failed; the summary last.
+fn report(progress: &Progress, done: &[Done], grown: &[(String, f64)]) {
+    anstream::println!("\nstages");
+    for (name, time) in progress.done() {
+        anstream::println!("{:>8.1} s  {name}", time.as_secs_f64());
+    }
+    anstream::println!("\nslowest tests");
+    for test in runner::slowest(done, SLOWEST) {
+        anstream::println!("{:>8.1} s  {}", test.time.as_secs_f64(), test.title);
+    }
+    for (name, ratio) in grown {
+        anstream::println!("\ngrew to {ratio:.1} of its share in {TIMES}: {name}");
+    }
+    let failed: Vec<&Done> = done.iter().filter(|test| !test.passed).collect();
+    for test in &failed {
+        anstream::println!("\nfailed: {}", test.title);
+    }
+    anstream::println!("\n{} passed, {} failed", done.len() - failed.len(), failed.len());
+}
+
+/// What the tests read.
+fn environment(root: &Path, wanted: &Test) -> Vec<(&'static str, String)> {
+    let legs = if wanted.host { "host" } else { "all" };
+    let mut list = vec![("BESSEMER_LEGS", legs.to_owned())];
+    match wanted.full {
+        true => list.push(("BESSEMER_FULL", "1".to_owned())),
+        false => list.push(("BESSEMER_TURN", turn(root).to_string())),
+    }
+    list
+}
+
+/// A number that the commit chooses, so that commits take turns and one commit is always tested alike.
+fn turn(root: &Path) -> u32 {
+    let mut git = Command::new("git");
+    let output = git.args(["rev-parse", "--short=7", "HEAD"]).current_dir(root).output();
+    let text = output.map(|output| String::from_utf8_lossy(&output.stdout).into_owned());
+    u32::from_str_radix(text.unwrap_or_default().trim(), 16).unwrap_or_default()
 }
 
 /// Sees to it that every tool is there, or says what to do.
@@ -80,11 +173,6 @@ fn names(tools: &[&'static Tool]) -> Vec<&'static str> {
     tools.iter().map(|tool| tool.name).collect()
 }
 
-/// What the tests read from `BESSEMER_LEGS`.
-fn legs(wanted: &Test) -> &'static str {
-    if wanted.host { "host" } else { "all" }
-}
-
 /// A stage that says nothing unless it fails.
 fn check(
     progress: &mut Progress,
@@ -93,15 +181,6 @@ fn check(
     remedy: Option<&'static str>,
 ) -> Result<(), Error> {
     progress.closed(stage, |voice| verdict(stage, stages::captured(&mut command, voice)?, remedy))
-}
-
-/// A stage that shows its own output.
-fn show(progress: &mut Progress, stage: &'static str, command: Command) -> Result<(), Error> {
-    progress.open(stage, || attach(stage, command))
-}
-
-fn attach(stage: &'static str, mut command: Command) -> Result<(), Error> {
-    verdict(stage, stages::attached(&mut command)?, None)
 }
 
 fn verdict(

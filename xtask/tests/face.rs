@@ -245,8 +245,11 @@ fn the_json_says_the_same() {
 #[test]
 fn test_refuses_to_start_and_prints_one_line() {
     let machine = Fake::fresh().with("sudo", "Sudo version 1.9.13p3");
-    let outcome =
-        prepare(&Test { install: false, host: false }, &machine, &mut Progress::default());
+    let outcome = prepare(
+        &Test { install: false, host: false, ..Test::default() },
+        &machine,
+        &mut Progress::default(),
+    );
     let error = outcome.expect_err("tools are missing");
     assert_eq!(
         error.to_string(),
@@ -260,7 +263,7 @@ fn test_refuses_to_start_and_prints_one_line() {
 
 #[test]
 fn test_of_the_host_does_without_the_arm_tools() {
-    let wanted = Test { install: false, host: true };
+    let wanted = Test { install: false, host: true, ..Test::default() };
     assert!(prepare(&wanted, &Fake::host(), &mut Progress::default()).is_ok());
     let outcome = prepare(&wanted, &Fake::fresh(), &mut Progress::default());
     assert!(
@@ -270,14 +273,17 @@ fn test_of_the_host_does_without_the_arm_tools() {
 
 #[test]
 fn installing_without_rights_stops_before_it_starts() {
-    let outcome =
-        prepare(&Test { install: true, host: false }, &Fake::host(), &mut Progress::default());
+    let outcome = prepare(
+        &Test { install: true, host: false, ..Test::default() },
+        &Fake::host(),
+        &mut Progress::default(),
+    );
     let Err(Error::NoRights { line, .. }) = outcome else { panic!("{outcome:?}") };
     assert!(line.starts_with("su -c 'apt-get update"), "{line}");
 }
 
 #[test]
 fn nothing_is_installed_when_everything_is_there() {
-    let wanted = Test { install: true, host: false };
+    let wanted = Test { install: true, host: false, ..Test::default() };
     assert!(prepare(&wanted, &Fake::full(), &mut Progress::default()).is_ok());
 }

@@ -12,7 +12,7 @@ use super::alias::conflicts;
 use super::body::Body;
 use super::items::check_span;
 use super::problem::Problem;
-use super::words::word_fits;
+use bessemer_ir::words::word_fits;
 
 type Checked = Result<Type, Problem>;
 

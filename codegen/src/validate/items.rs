@@ -9,7 +9,7 @@ use bessemer_ir::{
 
 use super::MAX_NESTING;
 use super::problem::{Error, Problem, Subject};
-use super::words::words_fit;
+use bessemer_ir::words::words_fit;
 
 /// The most words that a value may have (128 MiB in the interpreter).
 pub const MAX_WORDS: u64 = 1 << 24;

@@ -55,14 +55,12 @@ mod expr;
 mod flow;
 mod items;
 mod problem;
-mod words;
 
 use bessemer_ir::Module;
 
 pub use bessemer_ir::text::{MAX_HEIGHT, MAX_NESTING};
 pub use items::MAX_WORDS;
 pub use problem::{Error, Problem, Subject};
-pub use words::{WordsError, word_fits, words_fit, words_in};
 
 /// Checks every invariant of this module's documentation; all violations, in the order of the module.
 /// Bodies are looked at only once the definitions hold.

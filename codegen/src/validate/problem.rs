@@ -5,7 +5,7 @@ use bessemer_ir::{
     UnaryOp,
 };
 
-use super::words::WordsError;
+use bessemer_ir::words::WordsError;
 
 /// A violated invariant, and where.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -7,7 +7,7 @@ use std::process::{Command, Stdio};
 
 use bessemer_codegen::c::names::{FAULTS, Names, Passing, Returned, Signature, Storage};
 use bessemer_codegen::c::{CFile, Options};
-use bessemer_codegen::interpret::{Interpreter, Stop};
+use bessemer_interpret::{Interpreter, Stop};
 use bessemer_ir::{Float, FunctionId, Mode, Module, Scalar, Type};
 
 use super::compilers::{folder, is_there};

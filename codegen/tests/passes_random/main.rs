@@ -3,9 +3,9 @@
 
 mod generate;
 
-use bessemer_codegen::interpret::{Interpreter, Stop};
 use bessemer_codegen::passes::{Report, check, explicit};
 use bessemer_codegen::validate::validate;
+use bessemer_interpret::{Interpreter, Stop};
 use bessemer_ir::visit::{VisitMut, walk_stmt_mut};
 use bessemer_ir::{FunctionId, Module, Stmt, StmtKind, Type};
 use generate::Random;

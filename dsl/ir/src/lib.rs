@@ -21,6 +21,7 @@ pub mod operation;
 pub mod text;
 pub mod tree;
 pub mod visit;
+pub mod words;
 
 pub use attributes::{Attributes, Given, Inlining};
 pub use ir::*;

@@ -7,7 +7,7 @@ use std::fmt;
 
 use bessemer_codegen::c::names::FAULTS;
 use bessemer_codegen::compile::Compiled;
-use bessemer_codegen::interpret::{Interpreter, Stop};
+use bessemer_interpret::{Interpreter, Stop};
 use bessemer_ir::{FunctionId, Mode, Module, Owner, Type};
 use bessemer_tests::arguments::{Size, words};
 use bessemer_tests::harness;

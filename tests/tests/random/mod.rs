@@ -1,7 +1,8 @@
 //! Random programs in the DSL's Rust, through everything: what rustc makes of them against what the
 //! interpreter and the C do, the bits of each result and the kind of each fault.
 //!
-//! `BESSEMER_RANDOM=seeds` runs that many batches, from the seed `BESSEMER_RANDOM_FROM`, instead of one.
+//! A run takes some programs that stay and some of its turn. `BESSEMER_RANDOM=seeds` runs that many larger batches
+//! instead, from the seed `BESSEMER_RANDOM_FROM`.
 
 mod bounded;
 mod calls;
@@ -33,13 +34,15 @@ use bessemer_codegen::generate::{self as generation, Error};
 use bessemer_codegen::source::Sources;
 use bessemer_tests::random::Random;
 use bessemer_tests::toolchain::{self, Toolchain};
+use bessemer_tests::turn;
 use bessemer_tests::workspace::Workspace;
 
 use legs::{Difference, in_c, interpreted};
 use writer::Program;
 
-/// Programs in a batch.
+/// Programs in a batch: as many as a full run takes, and otherwise, of a seed that stays and of one of the turn.
 const PROGRAMS: usize = 36;
+const FEWER: usize = 10;
 
 const SANITIZED: [&str; 3] = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-w"];
 /// Warnings are told of, each with its program, and the rest goes on.
@@ -64,13 +67,14 @@ struct Batch {
 }
 
 impl Batch {
-    fn new(seed: u64) -> Batch {
-        let mut programs = Vec::new();
-        for index in 0..PROGRAMS {
+    /// So many programs of each seed.
+    fn new(seeds: &[u64], each: usize) -> Batch {
+        let numbers = seeds.iter().flat_map(|seed| (0..each).map(move |index| (seed, index)));
+        let program = |(place, (seed, index)): (usize, (&u64, usize))| {
             let mut random = Random(seed << 32 | index as u64);
-            programs.push(writer::program(&mut random, &format!("p{index}")));
-        }
-        Batch::of(programs)
+            writer::program(&mut random, &format!("p{place}"))
+        };
+        Batch::of(numbers.enumerate().map(program).collect())
     }
 
     fn of(programs: Vec<Program>) -> Batch {
@@ -217,8 +221,7 @@ fn by_turns(seed: u64) -> Vec<Toolchain> {
 }
 
 /// What was different in the programs of a seed.
-fn attack(workspace: &Workspace, seed: u64) -> Vec<Difference> {
-    let mut batch = Batch::new(seed);
+fn attack(workspace: &Workspace, seed: u64, mut batch: Batch) -> Vec<Difference> {
     let (native, places, compiled) = compiled(workspace, &mut batch);
     let cases = legs::cases(&batch.left(), &native, &places, &compiled);
     let refused: Vec<_> = batch.refused.values().chain(batch.mistaken.values()).collect();
@@ -302,11 +305,16 @@ fn random_programs_agree() {
     let number = |name: &str, default: u64| {
         std::env::var(name).ok().and_then(|it| it.parse().ok()).unwrap_or(default)
     };
-    let (seeds, from) = (number("BESSEMER_RANDOM", 1), number("BESSEMER_RANDOM_FROM", 1));
+    let (seeds, from) = (number("BESSEMER_RANDOM", 0), number("BESSEMER_RANDOM_FROM", 1));
     let workspace = Workspace::with_source("").expect("a workspace");
     let mut all = Vec::new();
-    for seed in from..from + seeds {
-        all.extend(attack(&workspace, seed));
+    if seeds == 0 && !turn::is_full() {
+        let fresh = 2 + turn::number();
+        all.extend(attack(&workspace, fresh, Batch::new(&[1, fresh], FEWER)));
+    } else {
+        for seed in from..from + seeds.max(1) {
+            all.extend(attack(&workspace, seed, Batch::new(&[seed], PROGRAMS)));
+        }
     }
     let texts: Vec<_> = all.into_iter().map(|it| it.text).collect();
     assert!(texts.is_empty(), "{}", texts.join("\n\n"));

@@ -3,13 +3,14 @@
 //! Absent: allocation. A value is checked where it lies, so that the interpreter can check what it is
 //! given at every call.
 
-use bessemer_ir::{Float, Module, Scalar, Type};
+use core::fmt;
+
+use crate::{Float, Module, Scalar, Type};
 
 /// What is wrong with words that should be a value.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum WordsError {
     /// Too few or too many.
-    #[error("{expected} words make a value of this type, not {found}")]
     Count {
         /// What the type takes.
         expected: usize,
@@ -17,13 +18,27 @@ pub enum WordsError {
         found: usize,
     },
     /// One of them is no value of its leaf's type.
-    #[error("word {index}, {word:#x}, is no value of its type")]
     Value {
         /// Which one.
         index: usize,
         /// What it is.
         word: u64,
     },
+}
+
+impl core::error::Error for WordsError {}
+
+impl fmt::Display for WordsError {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Count { expected, found } => {
+                write!(to, "{expected} words make a value of this type, not {found}")
+            }
+            Self::Value { index, word } => {
+                write!(to, "word {index}, {word:#x}, is no value of its type")
+            }
+        }
+    }
 }
 
 /// Whether `word` is a value of `ty`, a scalar or an enum.
@@ -42,7 +57,7 @@ pub fn word_fits(module: &Module, ty: &Type, word: u64) -> bool {
     }
 }
 
-/// Whether `words` are a value of `ty`, a type that [`validate`](super::validate) accepts.
+/// Whether `words` are a value of `ty`, a type that the validation accepts.
 pub fn words_fit(module: &Module, ty: &Type, words: &[u64]) -> Result<(), WordsError> {
     let expected = words_in(module, ty);
     if words.len() != expected {

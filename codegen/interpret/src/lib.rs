@@ -4,7 +4,7 @@
 //! means; where Rust leaves bits open (`min` of zeros, a NaN's sign) they mean what the DSL means.
 //!
 //! Invariants:
-//! * The module has passed [`validate`](crate::validate::validate()); anything else may panic.
+//! * The module has passed the validation; anything else may panic.
 //! * Evaluation is strictly left to right, operands before the operation.
 //! * A function call allocates nothing once the memory has grown to what the call needs.
 //!
@@ -19,7 +19,7 @@ mod scalar;
 
 use bessemer_ir::{Fault, FunctionId, Mode, Module, Span};
 
-use crate::validate::{WordsError, words_fit};
+use bessemer_ir::words::{WordsError, words_fit};
 use layout::Layout;
 
 /// Why a call gave no result.

@@ -1,0 +1,114 @@
+//! Objects by what they are made of, so that no C is compiled twice in the same way.
+//!
+//! An object's key is all that decides it: the compiler's own words about itself, the flags, the text of the source,
+//! and the texts of the files of its folder that it includes, and that these include. Kernels, helpers and the files
+//! of unchanged programs then come from the run before, and from the test beside. Where nothing may be left out
+//! (`BESSEMER_FULL`) every object is compiled.
+//!
+//! Invariants: an object is stored only if its compiler had nothing to say; it appears whole or not at all.
+//!
+//! What it must not know: what the C is for.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::{LazyLock, Mutex};
+
+use crate::root;
+
+/// Where an object with this content lies, or would lie; none if nothing is to be stored.
+///
+/// `flags` are those of the command that makes it; `source` is the file that it compiles.
+pub fn place(compiler: &str, flags: &[String], source: &Path) -> Option<PathBuf> {
+    if std::env::var_os("BESSEMER_FULL").is_some() {
+        return None;
+    }
+    let texts = texts(source)?;
+    let content = (version(compiler)?, compiler, flags, texts);
+    let folder = root().join("target").join("objects");
+    Some(folder.join(format!("{:016x}{:016x}.o", hash(&content, 0), hash(&content, 1))))
+}
+
+/// Copies a stored object to `object`; whether there was one.
+pub fn fetch(stored: &Path, object: &Path) -> bool {
+    std::fs::copy(stored, object).is_ok()
+}
+
+/// Stores an object.
+///
+/// # Errors
+/// What the file system said.
+pub fn store(object: &Path, stored: &Path) -> std::io::Result<()> {
+    let folder = stored.parent().unwrap_or(Path::new("."));
+    std::fs::create_dir_all(folder)?;
+    let fresh = tempfile::Builder::new().tempfile_in(folder)?;
+    std::fs::copy(object, fresh.path())?;
+    fresh.persist(stored).map_err(|error| error.error)?;
+    Ok(())
+}
+
+/// The name and the text of the source and of each file that it includes from its folder.
+fn texts(source: &Path) -> Option<BTreeMap<String, String>> {
+    let folder = source.parent()?;
+    let mut texts = BTreeMap::new();
+    let mut open = BTreeSet::from([source.file_name()?.to_str()?.to_owned()]);
+    while let Some(name) = open.pop_first() {
+        // A header of the system's is part of the compiler.
+        let Ok(text) = std::fs::read_to_string(folder.join(&name)) else { continue };
+        let included =
+            text.lines().filter_map(|line| line.trim_start().strip_prefix("#include \""));
+        let included = included.filter_map(|rest| rest.split_once('"').map(|(name, _)| name));
+        open.extend(included.filter(|name| !texts.contains_key(*name)).map(str::to_owned));
+        texts.insert(name, text);
+    }
+    Some(texts)
+}
+
+/// What a compiler says of itself, asked once.
+fn version(compiler: &str) -> Option<String> {
+    static VERSIONS: LazyLock<Mutex<BTreeMap<String, Option<String>>>> =
+        LazyLock::new(Mutex::default);
+    let mut versions = VERSIONS.lock().ok()?;
+    let ask = || {
+        let output = Command::new(compiler).arg("--version").output().ok()?;
+        output.status.success().then(|| String::from_utf8_lossy(&output.stdout).into_owned())
+    };
+    versions.entry(compiler.to_owned()).or_insert_with(ask).clone()
+}
+
+fn hash(content: &impl Hash, salt: u64) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    salt.hash(&mut hasher);
+    content.hash(&mut hasher);
+    hasher.finish()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_object_moves_with_all_that_decides_it() -> std::io::Result<()> {
+        let folder = tempfile::tempdir()?;
+        let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text);
+        write("a.c", "#include \"a.h\"\nint a;\n")?;
+        write("a.h", "#include \"b.h\"\n")?;
+        write("b.h", "#include <math.h>\nint b;\n")?;
+        write("c.h", "int c;\n")?;
+        let source = folder.path().join("a.c");
+        let of = |flags: &[&str]| {
+            let flags: Vec<String> = flags.iter().map(|flag| (*flag).to_owned()).collect();
+            place("gcc", &flags, &source)
+        };
+        let first = of(&["-O2"]);
+        assert_eq!(first, of(&["-O2"]));
+        assert_ne!(first, of(&["-O3"]));
+        write("c.h", "int other;\n")?;
+        assert_eq!(first, of(&["-O2"]), "nobody includes it");
+        write("b.h", "int other;\n")?;
+        assert_ne!(first, of(&["-O2"]), "a file that is included by an included one");
+        assert_eq!(place("no-such-compiler", &[], &source), None);
+        Ok(())
+    }
+}
