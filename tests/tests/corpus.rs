@@ -15,9 +15,9 @@ use bessemer_ir::{Fault, Function, FunctionId, Mode, Module, Owner, Type};
 use bessemer_tests::arguments::{Size, words};
 use bessemer_tests::outcome::{self, Outcome, fault};
 use bessemer_tests::panics::caught;
-use bessemer_tests::process::{Error, Process, at_once};
+use bessemer_tests::process::{Error, Process, at_once, lay_out};
 use bessemer_tests::random::Random;
-use bessemer_tests::toolchain::{self, Toolchain};
+use bessemer_tests::toolchain::{self, Toolchain, run};
 use bessemer_tests::{corpus, corpus_with, harness, turn};
 use corpus::Entry;
 
@@ -51,7 +51,7 @@ fn lived(compiled: &Compiled) -> Vec<Case> {
     let module = &compiled.module;
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     let case = |native: &'static Entry| {
-        let name = format!("{}::{}::{}", native.module, native.component, native.name);
+        let name = name(native);
         let id = callable(compiled, native).unwrap_or_else(|| panic!("`{name}` was not compiled"));
         let function = &module.functions[id.index()];
         let stateful = !native.component.is_empty();
@@ -66,6 +66,10 @@ fn lived(compiled: &Compiled) -> Vec<Case> {
         Case { name, id, calls, types, leaves, native }
     };
     corpus::programs::ENTRIES.iter().map(case).collect()
+}
+
+fn name(native: &Entry) -> String {
+    format!("{}::{}::{}", native.module, native.component, native.name)
 }
 
 /// The function or entry point in the module.
@@ -188,9 +192,10 @@ fn run_c_with(
     let params = |id: FunctionId| compiled.module.functions[id.index()].params;
     let ids: Vec<_> = cases.iter().map(|case| (case.id, params(case.id))).collect();
     let main = harness::programs_with(&compiled.explicit, &ids, options);
-    // The target's files, and those that are not optimised, each by itself, as a firmware's build has them.
-    let alone = toolchain.emulator.is_some()
-        || (toolchain.compiler == "gcc" && toolchain.level == 0 && flags.is_empty());
+    // In a full run the target's files, and those that are not optimised, each by itself, as a firmware's build has them.
+    let alone = turn::is_full()
+        && (toolchain.emulator.is_some()
+            || (toolchain.compiler == "gcc" && toolchain.level == 0 && flags.is_empty()));
     let run = if alone { Process::run } else { Process::run_in_units };
     let mut process =
         run(compiled, &main, toolchain, flags).unwrap_or_else(|error| panic!("{leg}: {error}"));
@@ -234,7 +239,34 @@ fn the_c_agrees() {
     let cases = cases();
     thread::scope(|scope| {
         for (toolchain, flags) in legs() {
-            scope.spawn(move || run_c(compiled, cases, &toolchain, flags));
+            scope.spawn(move || match flags {
+                // The dearest, of every second program.
+                [_, ..] => run_c(compiled, &every(2, cases), &toolchain, flags),
+                [] => run_c(compiled, cases, &toolchain, flags),
+            });
+        }
+    });
+}
+
+/// One of so many cases that follow one another, others at each turn; all of them in a full run.
+fn every(count: usize, cases: &[Case]) -> Vec<Case> {
+    cases.chunks(count).flat_map(|some| turn::one_of(some.to_vec())).collect()
+}
+
+/// Each file of C includes what it needs: compiled with others, one could do so for another.
+#[test]
+fn each_file_stands_by_itself() {
+    let folder = lay_out(corpus()).expect("the C");
+    let toolchains = toolchain::host();
+    let Some(toolchain) = toolchains.first() else { return };
+    let sources = folder.sources();
+    thread::scope(|scope| {
+        for half in sources.chunks(sources.len().div_ceil(2)) {
+            scope.spawn(move || {
+                let mut command = toolchain.command();
+                run(command.arg("-fsyntax-only").args(half))
+                    .unwrap_or_else(|said| panic!("{said}"));
+            });
         }
     });
 }
@@ -267,12 +299,16 @@ fn the_c_agrees_in_every_layout() {
     let has_matrices =
         |name: &str| chapters.iter().any(|chapter| name.contains(&format!("programs::{chapter}")));
     cases.retain(|case| has_matrices(&case.name));
-    let natives = corpus::programs::ENTRIES.iter().filter(|native| has_matrices(native.module));
+    let mut cases = every(3, &cases);
+    let natives = |case: &Case| {
+        let is = |native: &&Entry| case.name == name(native);
+        corpus::programs::ENTRIES.iter().find(is).expect("a program of the corpus")
+    };
     for layout in turn::one_of(vec![Layout::Rows, Layout::Array]) {
         let options = Options { layout, ..Options::default() };
         let compiled = corpus_with(&options);
-        for (case, native) in cases.iter_mut().zip(natives.clone()) {
-            case.id = callable(&compiled, native).expect("it was compiled before");
+        for case in &mut cases {
+            case.id = callable(&compiled, natives(case)).expect("it was compiled before");
         }
         thread::scope(|scope| {
             // What compilers make of C is the other test's; here a sanitized build of this machine, and the target's.

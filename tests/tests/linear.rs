@@ -18,7 +18,7 @@ use linear::{CASES, OTHER_SIZES};
 /// Calls of each routine.
 const CALLS: usize = 24;
 
-/// Of so many routines that follow one another a leg takes one, unless the run is full.
+/// Of so many sizes that follow one another a leg takes one, unless the run is full.
 const SHARED: usize = 3;
 
 /// Calls of each routine of the other sizes: one of each kind.
@@ -133,6 +133,13 @@ struct Case {
     native: Vec<Vec<u64>>,
     /// The types of the words that come out.
     leaves: Vec<Type>,
+}
+
+impl Case {
+    /// The module: its routines have one size, and their C stands in one file, which needs all of their kernels.
+    fn size(&self) -> &str {
+        self.name.rsplit_once("::").map_or("", |(module, _)| module)
+    }
 }
 
 /// The package, compiled once.
@@ -302,13 +309,17 @@ fn the_c_agrees() {
     }
     thread::scope(|scope| {
         for (number, (toolchains, flags, cases)) in legs.into_iter().enumerate() {
-            // Legs that follow one another take other cases, so that none of these is left out by all.
-            let own: Vec<Vec<&Case>> = cases
+            // Legs that follow one another take other sizes, so that none of these is left out by all.
+            let sizes: Vec<&[&Case]> =
+                cases.chunk_by(|one, next| one.size() == next.size()).collect();
+            let own: Vec<&Case> = sizes
                 .chunks(SHARED)
-                .map(|some| turn::some_of_shifted(some.to_vec(), 1, number))
+                .flat_map(|some| turn::some_of_shifted(some.to_vec(), 1, number))
+                .flatten()
+                .copied()
                 .collect();
             for toolchain in toolchains {
-                let cases = own.concat();
+                let cases = own.clone();
                 scope.spawn(move || run_c(compiled, &cases, &toolchain, flags));
             }
         }
