@@ -6,11 +6,11 @@ use std::process::{Command, ExitCode};
 
 use bench::check_cost::{self, Size};
 use bench::kernels::results::Results;
-use bench::kernels::{machine, plot, report, run};
+use bench::kernels::{machine, plot, report, run, stored};
 use bench::{accuracy_points, elementary, equality, generation, onboard, rebuild, threads};
 use clap::{Parser, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 /// Measures the generated C against its peers, and what the attributes cost; writes bench/results/.
 #[derive(Parser)]
@@ -179,13 +179,13 @@ fn renew_kernels(
 }
 
 fn report_kernels(results: &Results, about: &BTreeMap<&'static str, String>) -> Result<(), String> {
-    let json = results.json(about);
-    put("kernels.json", &format!("{json:#}\n"))?;
+    let json = results.json(&json!(about));
+    put("kernels.json", &stored::text(&json))?;
     // By what the JSON says, so that a later report of it is the same.
-    let stored = Results::from_json(&json).ok_or("the results cannot be read again")?;
-    put("kernels.md", &report::markdown(&stored, &json["about"]))?;
-    put("chapter6.svg", &plot::chapter_6(&stored))?;
-    put("small.svg", &plot::small(&stored))
+    let results = Results::from_json(&json).ok_or("the results cannot be read again")?;
+    put("kernels.md", &report::markdown(&results, &json["about"]))?;
+    put("chapter6.svg", &plot::chapter_6(&results))?;
+    put("small.svg", &plot::small(&results))
 }
 
 /// The compilers.

@@ -7,14 +7,14 @@ use std::path::PathBuf;
 
 use bench::kernels::goals::Goal;
 use bench::kernels::results::Results;
-use bench::kernels::{goals, plot, report};
+use bench::kernels::{goals, plot, report, stored};
 use serde_json::Value;
 
 fn file(name: &str) -> PathBuf {
     bessemer_tests::root().join("bench/results").join(name)
 }
 
-fn stored() -> (Results, Value) {
+fn committed() -> (Results, Value) {
     let text = fs::read_to_string(file("kernels.json")).expect("results are committed");
     let json: Value = serde_json::from_str(&text).expect("JSON");
     let results = Results::from_json(&json).expect("the results of a run");
@@ -22,8 +22,15 @@ fn stored() -> (Results, Value) {
 }
 
 #[test]
+fn the_json_is_what_the_bench_writes() {
+    let (results, json) = committed();
+    let text = fs::read_to_string(file("kernels.json")).expect("results are committed");
+    assert!(stored::text(&results.json(&json["about"])) == text, "kernels.json has another form");
+}
+
+#[test]
 fn the_report_says_what_the_json_has() {
-    let (results, json) = stored();
+    let (results, json) = committed();
     let files = [
         ("kernels.md", report::markdown(&results, &json["about"])),
         ("chapter6.svg", plot::chapter_6(&results)),
@@ -46,7 +53,7 @@ fn missed(results: &Results) -> Vec<Goal> {
 /// four products and two of Cholesky's solves, wait for their reason.
 #[test]
 fn every_bound_is_kept_but_three() {
-    let (results, _) = stored();
+    let (results, _) = committed();
     let missed = missed(&results);
     let known: Vec<_> = missed.iter().map(|goal| (&*goal.what, goal.reached)).collect();
     let solve = "host without AVX-512, solve 200: time over that of";
@@ -59,7 +66,7 @@ fn every_bound_is_kept_but_three() {
 
 #[test]
 fn a_bound_that_is_not_kept_is_seen() {
-    let (mut results, _) = stored();
+    let (mut results, _) = committed();
     let known = goals::of(&results).len();
     let before = missed(&results).len();
     // Twice the code, and twice the stack.

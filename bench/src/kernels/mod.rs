@@ -10,7 +10,7 @@
 //! | [`check`] | whether a result may be measured at all |
 //! | [`above`] | where the generated C takes more than it should, and why |
 //! | [`goals`] | what it is to reach, and whether it did |
-//! | [`stored`] | the results of a run, from their JSON |
+//! | [`stored`] | the results of a run as a file, and from it |
 //! | [`report`], [`plot`] | the terminal, JSON, Markdown and SVG |
 //!
 //! Invariants: every contender gets the same numbers and the same flags; what is compared was measured in

@@ -1,7 +1,5 @@
 //! What was measured.
 
-use std::collections::BTreeMap;
-
 use serde_json::{Value, json};
 
 use super::case::Case;
@@ -102,24 +100,24 @@ impl Results {
         self.left_out.extend(again.left_out);
     }
 
-    /// For machines.
-    pub fn json(&self, about: &BTreeMap<&'static str, String>) -> Value {
+    /// As `kernels.json` has it: a table for each machine, with a row for each case; sizes in the order of the machines, so that a later
+    /// run on some of them changes no other's rows.
+    pub fn json(&self, about: &Value) -> Value {
         let tables = |tables: &[Table]| tables.iter().map(Table::json).collect::<Vec<_>>();
-        let sizes: Vec<Value> = self
-            .sizes
-            .iter()
-            .map(|size| {
-                json!({
-                    "kernel": size.kernel, "machine": size.machine,
-                    "text_bytes": size.text, "stack_bytes_at_most": size.stack,
-                })
+        let sizes = ALL.iter().filter_map(|machine| {
+            let own = self.sizes.iter().filter(|size| size.machine == machine.name);
+            let rows: Vec<Value> =
+                own.map(|size| json!([size.kernel, size.text, size.stack])).collect();
+            (!rows.is_empty()).then(|| {
+                let columns = ["kernel", "text_bytes", "stack_bytes_at_most"];
+                json!({ "machine": machine.name, "columns": columns, "rows": rows })
             })
-            .collect();
+        });
         json!({
             "about": about,
             "chapter_6": tables(&self.chapter_6),
             "small": tables(&self.small),
-            "sizes": sizes,
+            "sizes": sizes.collect::<Vec<_>>(),
             "left_out": self.left_out,
         })
     }
@@ -127,24 +125,17 @@ impl Results {
 
 impl Table {
     fn json(&self) -> Value {
-        let rows: Vec<Value> = self
-            .rows
-            .iter()
-            .map(|row| {
-                let cells = self.contenders.iter().zip(&row.cells);
-                let cells: serde_json::Map<String, Value> = cells
-                    .filter_map(|(contender, cell)| {
-                        Some((contender.name().to_owned(), cell.as_ref()?.json()))
-                    })
-                    .collect();
-                json!({ "case": row.case.name(), "contenders": cells })
-            })
-            .collect();
+        let row = |row: &Row| {
+            let cells = row.cells.iter().map(|cell| cell.as_ref().map_or(Value::Null, Cell::json));
+            Value::Array(std::iter::once(json!(row.case.name())).chain(cells).collect())
+        };
+        let who = self.contenders.iter().map(|contender| contender.name());
         let mut table = json!({
             "machine": self.machine.name,
             "flags": self.machine.flags.join(" "),
             "rust_flags": self.machine.rust_flags,
-            "cases": rows,
+            "columns": std::iter::once("case").chain(who).collect::<Vec<_>>(),
+            "rows": self.rows.iter().map(row).collect::<Vec<_>>(),
         });
         if let Some(processor) = &self.processor {
             table["processor"] = json!(processor);
@@ -154,20 +145,12 @@ impl Table {
 }
 
 impl Cell {
+    /// Executed instructions; or the quartiles in nanoseconds, and the generated C's time over this one.
     fn json(&self) -> Value {
-        let mut object = serde_json::Map::new();
-        if let Some(instructions) = self.instructions {
-            object.insert("instructions".into(), json!(instructions));
-        }
-        if let Some(times) = self.times {
-            let tenths = |value: f64| (10.0 * value).round() / 10.0;
-            let quartiles = [times.low, times.median, times.high].map(tenths);
-            object.insert("nanoseconds_quartiles".into(), json!(quartiles));
-            object.insert(
-                "generated_over_this".into(),
-                json!((1000.0 * times.ratio).round() / 1000.0),
-            );
-        }
-        Value::Object(object)
+        let Some(times) = self.times else { return json!(self.instructions) };
+        let rounded = |value: f64, parts: f64| (parts * value).round() / parts;
+        let [low, median, high] =
+            [times.low, times.median, times.high].map(|time| rounded(time, 10.0));
+        json!([low, median, high, rounded(times.ratio, 1000.0)])
     }
 }
