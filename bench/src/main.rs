@@ -5,6 +5,7 @@ use std::path::Path;
 use std::process::{Command, ExitCode};
 
 use bench::check_cost::{self, Size};
+use bench::kernels::reasons::Reasons;
 use bench::kernels::results::Results;
 use bench::kernels::{machine, plot, report, run, stored};
 use bench::{accuracy_points, elementary, equality, generation, onboard, rebuild, threads};
@@ -116,6 +117,7 @@ fn main() -> ExitCode {
 }
 
 fn kernels(arguments: &Arguments) -> Result<(), String> {
+    let reasons = Reasons::committed()?;
     let bar = ProgressBar::new_spinner();
     if let Ok(style) = ProgressStyle::with_template("{spinner} {elapsed:.dim} {wide_msg}") {
         bar.set_style(style);
@@ -138,12 +140,12 @@ fn kernels(arguments: &Arguments) -> Result<(), String> {
     plan.machines = &arguments.machines;
     let results = run::run(&plan, &say)?;
     bar.finish_and_clear();
-    print!("{}", report::terminal(&results));
+    print!("{}", report::terminal(&results, &reasons));
     let about = about(&sizes);
     match (arguments.quick || arguments.counts, arguments.machines.is_empty()) {
         (true, _) => Ok(()),
-        (false, true) => report_kernels(&results, &about),
-        (false, false) => renew_kernels(results, about, &arguments.machines),
+        (false, true) => report_kernels(&results, &about, &reasons),
+        (false, false) => renew_kernels(results, about, &reasons, &arguments.machines),
     }
 }
 
@@ -151,6 +153,7 @@ fn kernels(arguments: &Arguments) -> Result<(), String> {
 fn renew_kernels(
     again: Results,
     mut about: BTreeMap<&'static str, String>,
+    reasons: &Reasons,
     machines: &[String],
 ) -> Result<(), String> {
     let path = bessemer_tests::root().join("bench/results/kernels.json");
@@ -175,15 +178,19 @@ fn renew_kernels(
     let again = |name: &&str| before.contains(name) || machines.iter().any(|it| it == name);
     let names: Vec<&str> = MACHINES.into_iter().filter(again).collect();
     about.insert(AGAIN, format!("{command} --machines {}", names.join(",")));
-    report_kernels(&results, &about)
+    report_kernels(&results, &about, reasons)
 }
 
-fn report_kernels(results: &Results, about: &BTreeMap<&'static str, String>) -> Result<(), String> {
+fn report_kernels(
+    results: &Results,
+    about: &BTreeMap<&'static str, String>,
+    reasons: &Reasons,
+) -> Result<(), String> {
     let json = results.json(&json!(about));
     put("kernels.json", &stored::text(&json))?;
     // By what the JSON says, so that a later report of it is the same.
     let results = Results::from_json(&json).ok_or("the results cannot be read again")?;
-    put("kernels.md", &report::markdown(&results, &json["about"]))?;
+    put("kernels.md", &report::markdown(&results, &json["about"], reasons))?;
     put("chapter6.svg", &plot::chapter_6(&results))?;
     put("small.svg", &plot::small(&results))
 }

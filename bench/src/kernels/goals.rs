@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use super::above;
 use super::contender::Contender;
 use super::machine::{A9, A9_PLAIN, HOST, HOST_V3, Machine};
+use super::reasons::Reasons;
 use super::results::{Cell, Results, Size, Table};
 
 /// A figure, and its bound.
@@ -29,11 +30,8 @@ impl Goal {
     }
 }
 
-/// The one that is about the list of what is above the best.
-pub const WITHOUT_REASON: &str = "small sizes: cases above the best, and nobody knows why";
-
 /// All of them.
-pub fn of(results: &Results) -> Vec<Goal> {
+pub fn of(results: &Results, reasons: &Reasons) -> Vec<Goal> {
     let mut goals = vec![
         Goal::new(
             "Cortex-A9, Chapter 6, NEON loads: million instructions of both parts",
@@ -49,8 +47,10 @@ pub fn of(results: &Results) -> Vec<Goal> {
     for (name, machine) in [("host", &HOST), ("host without AVX-512", &HOST_V3)] {
         on_host(results, name, machine, &mut goals);
     }
-    let unknown = (!results.small.is_empty()).then(|| above::without_reason(results) as f64);
-    goals.push(Goal::new(WITHOUT_REASON, 0.0, unknown));
+    let unknown = || above::without_reason(results, reasons) as f64;
+    let unknown = (!results.small.is_empty()).then(unknown);
+    let what = "small sizes: cases above the best, and nobody knows why";
+    goals.push(Goal::new(what, 0.0, unknown));
     sizes(results, &mut goals);
     goals
 }
@@ -133,18 +133,18 @@ fn times(results: &Results, machine: &Machine, one: Contender, other: Contender)
 }
 
 /// A line for each.
-pub fn markdown(results: &Results) -> String {
+pub fn markdown(results: &Results, reasons: &Reasons) -> String {
     let mut text = String::from(
         "\n## What was to be reached\n\n| | at most | reached | |\n|---|---:|---:|---|\n",
     );
-    for goal in of(results) {
+    for goal in of(results, reasons) {
         let digits = if goal.most.fract() == 0.0 && goal.most != 7.0 { 0 } else { 3 };
         let figure = |figure: f64| format!("{figure:.digits$}");
         let reached = goal.reached.map_or_else(|| "–".to_owned(), figure);
         let word = match (goal.reached, goal.holds()) {
-            (None, _) => "not measured",
-            (_, true) => "yes",
-            (_, false) => "**no**",
+            (None, _) => "not measured".to_owned(),
+            (_, true) => "yes".to_owned(),
+            (_, false) => format!("**no**: {}", why(&goal, reasons)),
         };
         let most = figure(goal.most);
         let _ = writeln!(text, "| {} | {most} | {reached} | {word} |", goal.what);
@@ -152,12 +152,35 @@ pub fn markdown(results: &Results) -> String {
     text
 }
 
+fn why<'a>(goal: &Goal, reasons: &'a Reasons) -> &'a str {
+    reasons.of_goal(&goal.what).unwrap_or("no reason known")
+}
+
 /// For the terminal: what was measured and is not reached.
-pub fn missed(results: &Results) -> String {
-    let missed = of(results).into_iter().filter(|goal| goal.reached.is_some() && !goal.holds());
-    let line = |goal: Goal| {
-        let reached = goal.reached.unwrap_or_default();
-        format!("\nnot reached: {}: {reached:.3}, at most {:.3}\n", goal.what, goal.most)
+pub fn missed(results: &Results, reasons: &Reasons) -> String {
+    let goals = of(results, reasons);
+    let missed = goals.iter().filter(|goal| goal.reached.is_some() && !goal.holds());
+    let line = |goal: &Goal| {
+        let (what, most, reached) = (&goal.what, goal.most, goal.reached.unwrap_or_default());
+        format!("\nnot reached: {what}: {reached:.3}, at most {most:.3}: {}\n", why(goal, reasons))
     };
     missed.map(line).collect()
+}
+
+/// A line for each goal that is not measured, or is missed by more than a reason speaks for, or is listed and not missed.
+pub fn unsettled(results: &Results, reasons: &Reasons) -> Vec<String> {
+    let goals = of(results, reasons);
+    let missed: Vec<&Goal> = goals.iter().filter(|goal| !goal.holds()).collect();
+    let speaks_for = |goal: &Goal| {
+        let listed = reasons.goals().find(|known| known.what == goal.what);
+        listed.zip(goal.reached).is_some_and(|(known, reached)| reached <= known.up_to)
+    };
+    let unknown = missed.iter().filter(|goal| !speaks_for(goal));
+    let unknown = unknown.map(|goal| match goal.reached {
+        Some(reached) => format!("{}: {reached}, and no reason speaks for that", goal.what),
+        None => format!("{}: not measured", goal.what),
+    });
+    let settled = reasons.goals().filter(|known| missed.iter().all(|goal| goal.what != known.what));
+    let settled = settled.map(|known| format!("{}: listed, and not missed", known.what));
+    unknown.chain(settled).collect()
 }

@@ -8,8 +8,9 @@
 //! | [`count`] | executed instructions: callgrind on the host, QEMU's plugin on the Cortex-A9 |
 //! | [`clock`] | times: programs that run by turns, round by round |
 //! | [`check`] | whether a result may be measured at all |
-//! | [`above`] | where the generated C takes more than it should, and why |
+//! | [`above`] | where the generated C takes more than it should |
 //! | [`goals`] | what it is to reach, and whether it did |
+//! | [`reasons`] | why it does not, as far as somebody found out |
 //! | [`stored`] | the results of a run as a file, and from it |
 //! | [`report`], [`plot`] | the terminal, JSON, Markdown and SVG |
 //!
@@ -26,6 +27,7 @@ pub mod generated;
 pub mod goals;
 pub mod machine;
 pub mod plot;
+pub mod reasons;
 pub mod report;
 pub mod results;
 pub mod run;

@@ -5,11 +5,12 @@ use std::fmt::Write as _;
 use serde_json::Value;
 
 use super::case::{Element, Routine};
+use super::reasons::Reasons;
 use super::results::{Cell, Results, Row, Table};
 use super::{above, goals};
 
 /// Short tables for the terminal.
-pub fn terminal(results: &Results) -> String {
+pub fn terminal(results: &Results, reasons: &Reasons) -> String {
     let mut text = String::new();
     for table in &results.chapter_6 {
         let _ = writeln!(text, "\nChapter 6, {}\n", table.machine.title);
@@ -26,7 +27,7 @@ pub fn terminal(results: &Results) -> String {
         );
         text += &small(table, "  ");
     }
-    text += &goals::missed(results);
+    text += &goals::missed(results, reasons);
     for line in &results.left_out {
         let _ = writeln!(text, "\nleft out: {line}");
     }
@@ -34,17 +35,18 @@ pub fn terminal(results: &Results) -> String {
 }
 
 /// The report of a run, by what its JSON has: `about` is the part of that name.
-pub fn markdown(results: &Results, about: &Value) -> String {
+pub fn markdown(results: &Results, about: &Value, reasons: &Reasons) -> String {
     let mut text = String::from(
         "# Generated C against its peers\n\n\
-         Written by `cargo xtask bench`; [kernels.json](kernels.json) has every figure. All contenders of a table had\n\
-         the same flags, without contraction, and ran in turns in one run; each result was checked before (the\n\
-         generated C by its bits against the model as rustc compiles it, the others by their residual).\n\n",
+         Written by `cargo xtask bench`; [kernels.json](kernels.json) has every figure, [reasons.json](reasons.json) why a\n\
+         goal is missed or a case above the best. All contenders of a table had the same flags, without contraction, and ran in\n\
+         turns in one run; each result was checked before (the generated C by its bits against the model as rustc compiles it,\n\
+         the others by their residual).\n\n",
     );
     for (key, value) in about.as_object().into_iter().flatten() {
         let _ = writeln!(text, "* {key}: {}", value.as_str().unwrap_or_default());
     }
-    text += &goals::markdown(results);
+    text += &goals::markdown(results, reasons);
     text += "\n## The Chapter 6 job\n\n\
              Solve 200×200 with one right-hand side, and invert 100×100; doubles in [0, 1]. The data are loaded\n\
              outside the measured part. `ratio` is the generated C's figure over the contender's, for both parts.\n\n\
@@ -77,7 +79,7 @@ pub fn markdown(results: &Results, about: &Value) -> String {
         text += &small(table, "");
         text += "```\n";
     }
-    text += &above::markdown(results);
+    text += &above::markdown(results, reasons);
     text += &sizes(results);
     for line in &results.left_out {
         let _ = writeln!(text, "\nLeft out: {line}");

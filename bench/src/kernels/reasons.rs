@@ -1,0 +1,113 @@
+//! Why a goal is missed, or a case takes more than it should: prose, written by hand in `bench/results/reasons.json`.
+//!
+//! Invariant: a reason speaks for exactly what it lists. What comes to be above its limit later, beside another best, or by more, has none
+//! until somebody has looked at it; and a reason that is needed no more is found, too ([`unsettled`]).
+//!
+//! What it must not know: limits, goals and figures.
+
+use std::fmt;
+
+use serde::Deserialize;
+
+use super::results::Results;
+use super::{above, goals};
+
+/// All of them.
+#[derive(Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Reasons {
+    above: Vec<OfCases>,
+    missed: Vec<OfGoals>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct OfCases {
+    /// None: known to be above, and nobody knows why.
+    why: Option<String>,
+    cases: Vec<Place>,
+}
+
+/// A case of the small sizes on a machine, beside the best of the others there; by their names in the results.
+#[derive(Debug, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Place {
+    /// `a9`.
+    pub machine: String,
+    /// `product_f32_6`.
+    pub case: String,
+    /// `eigen`.
+    pub best: String,
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} on {} beside {}", self.case, self.machine, self.best)
+    }
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct OfGoals {
+    why: String,
+    goals: Vec<Missed>,
+}
+
+/// A goal, and the largest figure that its reason speaks for.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Missed {
+    /// As the report names it.
+    pub what: String,
+    /// What was reached when the reason was found.
+    pub up_to: f64,
+}
+
+impl Reasons {
+    /// Those that are committed.
+    ///
+    /// # Errors
+    /// The file is not there, or is something else; with line and column.
+    pub fn committed() -> Result<Reasons, String> {
+        let path = bessemer_tests::root().join("bench/results/reasons.json");
+        let text = std::fs::read_to_string(&path).map_err(|error| error.to_string());
+        let read = |text: String| Reasons::from_json(&text).map_err(|error| error.to_string());
+        text.and_then(read).map_err(|error| format!("`{}`: {error}", path.display()))
+    }
+
+    /// Those of such a file.
+    ///
+    /// # Errors
+    /// It is something else.
+    pub fn from_json(text: &str) -> Result<Reasons, serde_json::Error> {
+        serde_json::from_str(text)
+    }
+
+    /// Why this case is above its limit there.
+    pub fn of_case(&self, place: &Place) -> Option<&str> {
+        self.above.iter().find(|reason| reason.cases.contains(place))?.why.as_deref()
+    }
+
+    /// Every case that is known to be above its limit, for a reason or for none.
+    pub fn cases(&self) -> impl Iterator<Item = &Place> {
+        self.above.iter().flat_map(|reason| &reason.cases)
+    }
+
+    /// Why a goal is missed.
+    pub fn of_goal(&self, what: &str) -> Option<&str> {
+        let speaks = |reason: &&OfGoals| reason.goals.iter().any(|goal| goal.what == what);
+        Some(&self.missed.iter().find(speaks)?.why)
+    }
+
+    /// Every goal that is known to be missed.
+    pub fn goals(&self) -> impl Iterator<Item = &Missed> {
+        self.missed.iter().flat_map(|reason| &reason.goals)
+    }
+}
+
+/// A line for each case above its limit and each missed goal that somebody has to look at, and for each that is listed without need.
+pub fn unsettled(results: &Results, reasons: &Reasons) -> Vec<String> {
+    let mut lines = above::unsettled(results, reasons);
+    lines.extend(goals::unsettled(results, reasons));
+    lines
+}
