@@ -2,7 +2,8 @@
 
 mod program;
 
-use clap::{Parser, Subcommand};
+use clap::Parser;
+use sim_args::Task;
 use std::process::ExitCode;
 
 /// Flies, identifies, and flies very often.
@@ -11,16 +12,6 @@ use std::process::ExitCode;
 struct Arguments {
     #[command(subcommand)]
     task: Task,
-}
-
-#[derive(Subcommand)]
-enum Task {
-    /// Fly a flight of the onboard software against the simulated aircraft
-    Sim(program::fly::Fly),
-    /// Identify the thrust coefficients of a logged flight
-    Identify(program::identify::Identify),
-    /// Fly very many flights: chance, failures
-    Campaign(program::campaign::Campaign),
 }
 
 fn main() -> ExitCode {

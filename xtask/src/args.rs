@@ -46,15 +46,9 @@ pub enum Task {
     Doctor(Doctor),
     /// Measure the generated C against its peers
     Bench(Bench),
-    /// Fly the onboard software against the simulated aircraft
-    #[command(disable_help_flag = true)]
-    Sim(Forwarded),
-    /// Identify the thrust coefficients of a logged flight
-    #[command(disable_help_flag = true)]
-    Identify(Forwarded),
-    /// Fly very many flights: chance, failures
-    #[command(disable_help_flag = true)]
-    Campaign(Forwarded),
+    /// What the simulation does: `sim`, `identify`, `campaign`
+    #[command(flatten)]
+    Simulation(sim_args::Task),
 }
 
 /// Arguments of `gen`.
@@ -175,14 +169,6 @@ pub struct Bench {
     pub install: bool,
 }
 
-/// Arguments of a command that another program carries out: it has the help, too.
-#[derive(Debug, Args)]
-pub struct Forwarded {
-    /// What that program is given
-    #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
-    pub rest: Vec<String>,
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -225,13 +211,19 @@ mod tests {
     fn the_rest_is_read() {
         assert!(matches!(parse(&["doctor", "--json"]), Ok(Task::Doctor(Doctor { json: true }))));
         assert!(matches!(parse(&["bench", "--quick"]), Ok(Task::Bench(Bench { quick: true, .. }))));
-        assert!(matches!(parse(&["sim"]), Ok(Task::Sim(Forwarded { rest })) if rest.is_empty()));
-        assert!(
-            matches!(parse(&["sim", "hover", "--c"]), Ok(Task::Sim(Forwarded { rest })) if rest == ["hover", "--c"])
-        );
-        assert!(
-            matches!(parse(&["campaign", "--help"]), Ok(Task::Campaign(Forwarded { rest })) if rest == ["--help"])
-        );
+        assert!(matches!(parse(&["sim"]), Ok(Task::Simulation(_))));
+        assert!(matches!(parse(&["sim", "hover", "--c"]), Ok(Task::Simulation(_))));
+    }
+
+    /// By the same definitions as the program has, without building it.
+    #[test]
+    fn the_simulation_is_helped_and_refused_here() {
+        use clap::error::ErrorKind;
+        for command in ["sim", "identify", "campaign"] {
+            assert_eq!(parse(&[command, "--help"]).err(), Some(ErrorKind::DisplayHelp));
+            assert_eq!(parse(&[command, "--sed", "1"]).err(), Some(ErrorKind::UnknownArgument));
+        }
+        assert_eq!(parse(&["campaign", "spred"]).err(), Some(ErrorKind::InvalidValue));
     }
 
     #[test]

@@ -29,8 +29,6 @@ fn perform(task: &Task) -> Result<Outcome, Error> {
         Task::Test(wanted) => test::run(&root, wanted, &ThisMachine),
         Task::Doctor(wanted) => doctor::run(wanted, &ThisMachine),
         Task::Bench(wanted) => bench::run(&root, wanted, &ThisMachine),
-        Task::Sim(wanted) => sim::run(&root, "sim", wanted),
-        Task::Identify(wanted) => sim::run(&root, "identify", wanted),
-        Task::Campaign(wanted) => sim::run(&root, "campaign", wanted),
+        Task::Simulation(_) => sim::run(&root, std::env::args_os().skip(1)),
     }
 }

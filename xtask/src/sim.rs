@@ -1,23 +1,39 @@
 //! `cargo xtask sim`, `identify` and `campaign`: hand over to the program of the `sim` crate.
 //!
 //! Invariant: it is a program of its own, so that a fault in a model never keeps xtask from building; and it
-//! is built with optimisation, so that a flight takes a moment.
+//! is built with optimisation, so that a flight takes a moment. Its command lines are those of `sim-args`, so that help and
+//! what is mistyped need no build.
 //!
 //! What it must not know: the plant, the flights' contents.
 
-use crate::args::Forwarded;
 use crate::error::{Error, Outcome};
+use crate::stages::Progress;
 use crate::{project, stages};
+use std::ffi::OsString;
+use std::io::IsTerminal;
 use std::path::Path;
+use std::process::ExitStatus;
 
-/// Runs a command of the program.
+/// Builds the program, in sight, and runs it with the words of the command line, which have been parsed.
 ///
 /// # Errors
-/// [`Error::Spawn`] if cargo does not start.
-pub fn run(root: &Path, task: &str, wanted: &Forwarded) -> Result<Outcome, Error> {
-    let run = ["run", "--quiet", "--release", "--package", "sim", "--", task];
+/// [`Error::Spawn`] if cargo does not start, [`Error::Stage`] if the program does not build.
+pub fn run(root: &Path, words: impl Iterator<Item = OsString>) -> Result<Outcome, Error> {
+    let stage = "building the simulation";
+    let mut build = project::cargo(root, &["build", "--release", "--package", "sim"]);
+    let verdict = |status: ExitStatus| match status.success() {
+        true => Ok(()),
+        false => Err(Error::Stage { stage, status, remedy: None }),
+    };
+    // On a terminal cargo shows how far it is.
+    match std::io::stderr().is_terminal() {
+        true => verdict(stages::attached(&mut build)?)?,
+        false => Progress::default()
+            .closed(stage, |voice| verdict(stages::captured(&mut build, voice)?))?,
+    }
+    let run = ["run", "--quiet", "--release", "--package", "sim", "--"];
     let mut command = project::cargo(root, &run);
-    command.args(&wanted.rest);
+    command.args(words);
     let status = stages::attached(&mut command)?;
     Ok(if status.success() { Outcome::Good } else { Outcome::Bad })
 }

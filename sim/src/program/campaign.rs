@@ -1,54 +1,12 @@
 //! `cargo xtask campaign`: very many flights on all cores, and what they come to.
 
 use super::Outcome;
-use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 use sim::campaign::ledger::{Ledger, outcomes};
 use sim::campaign::{Kind, fly, tally};
+use sim_args::{Campaign, Subject};
 use std::collections::BTreeSet;
-use std::path::PathBuf;
 use std::sync::Mutex;
-
-const EXAMPLES: &str = "\
-Examples:
-  cargo xtask campaign spread --seeds 0..1000 --file target/spread.csv
-  cargo xtask campaign failures --seeds 0..200 --file target/failures.csv
-      Stopped and started again, a campaign flies what its file does not hold yet.
-  cargo xtask campaign spread --seeds 250..500 --file shard-2.csv
-      One of four shards, for a scheduler.
-  cargo xtask campaign spread --merge shard-1.csv shard-2.csv shard-3.csv shard-4.csv
-      What all shards come to.";
-
-/// Arguments of `campaign`.
-#[derive(Args)]
-#[command(after_help = EXAMPLES)]
-pub struct Campaign {
-    /// What it is about
-    kind: Subject,
-    /// The seeds, from .. to (without the last)
-    #[arg(long, default_value = "0..1000", value_parser = range)]
-    seeds: (u64, u64),
-    /// Where the flights are written down, a line each
-    #[arg(long, required_unless_present = "merge")]
-    file: Option<PathBuf>,
-    /// Fly nothing: tell what the flights in these files come to
-    #[arg(long, num_args = 1.., conflicts_with = "file")]
-    merge: Vec<PathBuf>,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum Subject {
-    /// Parameters, noise, wind and outages by chance: no flight may end badly
-    Spread,
-    /// Something breaks in each: every stop must be true, and none missed
-    Failures,
-}
-
-fn range(text: &str) -> Result<(u64, u64), String> {
-    let (from, to) = text.split_once("..").ok_or("write it as 0..1000")?;
-    let number = |text: &str| text.parse::<u64>().map_err(|error| format!("`{text}`: {error}"));
-    Ok((number(from)?, number(to)?))
-}
 
 /// Flies what is missing, and tells what all come to.
 pub fn run(wanted: &Campaign) -> Outcome {

@@ -2,7 +2,6 @@
 
 use super::{Outcome, write};
 use bessemer_legs::toolchain::Toolchain;
-use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use models::Parameters;
 use sim::computer::{Computer, Emitted, Native};
@@ -10,37 +9,9 @@ use sim::flights::{FLIGHTS, Flight, find};
 use sim::scenario::{LEAD, Scenario};
 use sim::voyage::{Voyage, follow};
 use sim::{Mission, Tolerance, Vehicle, recording, report, summary, verdict};
+use sim_args::Fly;
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
-
-const EXAMPLES: &str = "\
-Examples:
-  cargo xtask sim --list                  The flights, and what each shows
-  cargo xtask sim hover                   Fly one with the Rust models
-  cargo xtask sim hover --c               The same with their C, to the same bits
-  cargo xtask sim hover --out target/hover
-                                          Also write CSV, MCAP (Foxglove, PlotJuggler) and pictures
-  cargo xtask sim all                     Fly them all";
-
-/// Arguments of `sim`.
-#[derive(Args)]
-#[command(after_help = EXAMPLES)]
-pub struct Fly {
-    /// The flight, or `all`; without it, the flights are listed
-    flight: Option<String>,
-    /// List the flights
-    #[arg(long)]
-    list: bool,
-    /// Where chance begins
-    #[arg(long, default_value_t = 1)]
-    seed: u64,
-    /// Write CSV, MCAP and SVG into this folder
-    #[arg(long, value_name = "FOLDER")]
-    out: Option<PathBuf>,
-    /// Also fly the emitted C (gcc), and compare every output and every state by its bits
-    #[arg(long)]
-    c: bool,
-}
+use std::path::Path;
 
 /// The flight of the closed loop alone, with a perfect estimator.
 const CLOSED_LOOP: (&str, &str) =

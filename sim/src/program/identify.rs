@@ -2,7 +2,6 @@
 //! and by a well-posed one.
 
 use super::{Outcome, write};
-use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use models::Airframe;
 use rayon::prelude::*;
@@ -14,48 +13,12 @@ use sim::identify::segments::Segments;
 use sim::identify::swarm::{Found, Swarm, search};
 use sim::identify::{replay, with_coefficients};
 use sim::recording::Log;
+use sim_args::Identify;
 use std::error::Error;
 use std::fmt::Write as _;
 use std::hint::black_box;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Instant;
-
-const EXAMPLES: &str = "\
-Examples:
-  cargo xtask sim hover --out target/hover
-  cargo xtask identify target/hover/hover.mcap --out target/hover
-      Coefficients with their confidence, the convergence (fig. 5.2), the model against the flight (fig. 5.3)
-  cargo xtask identify target/hover/hover.mcap --no-swarm --costs 4000
-      Also how long so many costs of each kind take
-  cargo xtask identify --study 20 --file docs/results/identification.csv
-      Simulated flights whose coefficients are known: how far each method is off";
-
-/// Arguments of `identify`.
-#[derive(Args)]
-#[command(after_help = EXAMPLES)]
-pub struct Identify {
-    /// A flight, as `cargo xtask sim FLIGHT --out FOLDER` writes it
-    #[arg(required_unless_present = "study")]
-    flight: Option<PathBuf>,
-    /// Where chance begins, for the swarm
-    #[arg(long, default_value_t = 1)]
-    seed: u64,
-    /// Write the pictures into this folder
-    #[arg(long, value_name = "FOLDER")]
-    out: Option<PathBuf>,
-    /// Also say how long so many costs of each kind take, around the coefficients that were found
-    #[arg(long, value_name = "COUNT")]
-    costs: Option<u32>,
-    /// Leave the thesis' swarm out
-    #[arg(long)]
-    no_swarm: bool,
-    /// Identify so many simulated flights whose coefficients are known
-    #[arg(long, conflicts_with = "flight")]
-    study: Option<u64>,
-    /// Where the study is written down
-    #[arg(long, requires = "study")]
-    file: Option<PathBuf>,
-}
 
 /// Identifies.
 pub fn run(wanted: &Identify) -> Outcome {

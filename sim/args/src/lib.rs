@@ -1,0 +1,127 @@
+//! The command lines of the simulation: what can be asked, and the help that teaches it.
+//!
+//! A crate of its own, so that xtask gives help and refuses what is mistyped at once, without building the plant.
+//!
+//! Invariant: only data and help texts; nothing is done here.
+
+use clap::{Args, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub enum Task {
+    /// Fly a flight of the onboard software against the simulated aircraft
+    Sim(Fly),
+    /// Identify the thrust coefficients of a logged flight
+    Identify(Identify),
+    /// Fly very many flights: chance, failures
+    Campaign(Campaign),
+}
+
+const FLY: &str = "\
+Examples:
+  cargo xtask sim --list                  The flights, and what each shows
+  cargo xtask sim hover                   Fly one with the Rust models
+  cargo xtask sim hover --c               The same with their C, to the same bits
+  cargo xtask sim hover --out target/hover
+                                          Also write CSV, MCAP (Foxglove, PlotJuggler) and pictures
+  cargo xtask sim all                     Fly them all";
+
+/// Arguments of `sim`.
+#[derive(Debug, Args)]
+#[command(after_help = FLY)]
+pub struct Fly {
+    /// The flight, or `all`; without it, the flights are listed
+    pub flight: Option<String>,
+    /// List the flights
+    #[arg(long)]
+    pub list: bool,
+    /// Where chance begins
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// Write CSV, MCAP and SVG into this folder
+    #[arg(long, value_name = "FOLDER")]
+    pub out: Option<PathBuf>,
+    /// Also fly the emitted C (gcc), and compare every output and every state by its bits
+    #[arg(long)]
+    pub c: bool,
+}
+
+const IDENTIFY: &str = "\
+Examples:
+  cargo xtask sim hover --out target/hover
+  cargo xtask identify target/hover/hover.mcap --out target/hover
+      Coefficients with their confidence, the convergence (fig. 5.2), the model against the flight (fig. 5.3)
+  cargo xtask identify target/hover/hover.mcap --no-swarm --costs 4000
+      Also how long so many costs of each kind take
+  cargo xtask identify --study 20 --file docs/results/identification.csv
+      Simulated flights whose coefficients are known: how far each method is off";
+
+/// Arguments of `identify`.
+#[derive(Debug, Args)]
+#[command(after_help = IDENTIFY)]
+pub struct Identify {
+    /// A flight, as `cargo xtask sim FLIGHT --out FOLDER` writes it
+    #[arg(required_unless_present = "study")]
+    pub flight: Option<PathBuf>,
+    /// Where chance begins, for the swarm
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// Write the pictures into this folder
+    #[arg(long, value_name = "FOLDER")]
+    pub out: Option<PathBuf>,
+    /// Also say how long so many costs of each kind take, around the coefficients that were found
+    #[arg(long, value_name = "COUNT")]
+    pub costs: Option<u32>,
+    /// Leave the thesis' swarm out
+    #[arg(long)]
+    pub no_swarm: bool,
+    /// Identify so many simulated flights whose coefficients are known
+    #[arg(long, conflicts_with = "flight")]
+    pub study: Option<u64>,
+    /// Where the study is written down
+    #[arg(long, requires = "study")]
+    pub file: Option<PathBuf>,
+}
+
+const CAMPAIGN: &str = "\
+Examples:
+  cargo xtask campaign spread --seeds 0..1000 --file target/spread.csv
+  cargo xtask campaign failures --seeds 0..200 --file target/failures.csv
+      Stopped and started again, a campaign flies what its file does not hold yet.
+  cargo xtask campaign spread --seeds 250..500 --file shard-2.csv
+      One of four shards, for a scheduler.
+  cargo xtask campaign spread --merge shard-1.csv shard-2.csv shard-3.csv shard-4.csv
+      What all shards come to.";
+
+/// Arguments of `campaign`.
+#[derive(Debug, Args)]
+#[command(after_help = CAMPAIGN)]
+pub struct Campaign {
+    /// What it is about
+    pub kind: Subject,
+    /// The seeds, from .. to (without the last)
+    #[arg(long, default_value = "0..1000", value_parser = range)]
+    pub seeds: (u64, u64),
+    /// Where the flights are written down, a line each
+    #[arg(long, required_unless_present = "merge")]
+    pub file: Option<PathBuf>,
+    /// Fly nothing: tell what the flights in these files come to
+    #[arg(long, num_args = 1.., conflicts_with = "file")]
+    pub merge: Vec<PathBuf>,
+}
+
+/// What a campaign is about.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub enum Subject {
+    /// Parameters, noise, wind and outages by chance: no flight may end badly
+    Spread,
+    /// Something breaks in each: every stop must be true, and none missed
+    Failures,
+}
+
+fn range(text: &str) -> Result<(u64, u64), String> {
+    let (from, to) = text.split_once("..").ok_or("write it as 0..1000")?;
+    let number = |text: &str| text.parse::<u64>().map_err(|error| format!("`{text}`: {error}"));
+    Ok((number(from)?, number(to)?))
+}
