@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use bessemer_ir::{ConstId, FunctionId, Given, Module, Span};
 
 use super::Options;
+use super::helpers::is_helper_name;
 use super::names::{Names, OVERLAY, Storage};
 use super::reserved::{is_keyword, is_reserved_for_locals, is_reserved_globally};
 
@@ -15,6 +16,9 @@ pub enum Taken {
     /// C, C++ or POSIX have it.
     #[error("`{0}` is a name that C, C++ or POSIX reserve")]
     Reserved(String),
+    /// A file may have a helper of this name.
+    #[error("`{0}` is what the C calls a helper of its own")]
+    Helper(String),
     /// Something else of the package has it.
     #[error("two items would be `{0}` in the C")]
     Twice(String),
@@ -141,6 +145,8 @@ impl Found {
     fn global(&mut self, name: &str, span: Span) {
         if is_keyword(name) || is_reserved_globally(name) {
             self.list.push((span, Taken::Reserved(name.to_owned())));
+        } else if is_helper_name(name) {
+            self.list.push((span, Taken::Helper(name.to_owned())));
         } else if self.is_twice(name) {
             self.list.push((span, Taken::Twice(name.to_owned())));
         }

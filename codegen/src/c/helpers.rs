@@ -8,6 +8,7 @@ mod floats;
 mod integers;
 
 use std::collections::BTreeSet;
+use std::sync::LazyLock;
 
 use bessemer_ir::{Float, Int, Scalar};
 
@@ -226,42 +227,52 @@ impl Helper {
     }
 }
 
-/// Every helper there can be: none of their names is free for a local.
+/// Whether a helper has this name, in whatever file: it is free for nothing else.
 pub fn is_helper_name(name: &str) -> bool {
-    let floats = ["f32", "f64"];
-    let prefixes = [
-        "wrap_",
-        "min_",
-        "max_",
-        "clamp_",
-        "abs_",
-        "shift_left_",
-        "shift_right_",
-        "copysign_",
-        "wrapping_div_",
-        "wrapping_rem_",
-        "saturating_add_",
-        "saturating_sub_",
-        "saturating_mul_",
-        "div_euclid_",
-        "rem_euclid_",
-        "unsigned_abs_",
-        "abs_diff_",
-        "count_ones_",
-        "leading_zeros_",
-        "trailing_zeros_",
-        "swap_bytes_",
-        "signum_",
-        "dot_",
-        "norm_squared_",
+    static NAMES: LazyLock<BTreeSet<String>> = LazyLock::new(|| all().map(Helper::name).collect());
+    NAMES.contains(name)
+}
+
+/// Every helper there can be.
+fn all() -> impl Iterator<Item = Helper> {
+    let of_int: [fn(Int) -> Helper; 17] = [
+        Helper::Wrap,
+        Helper::Abs,
+        Helper::Xor,
+        Helper::ShiftLeft,
+        Helper::ShiftRight,
+        Helper::WrappingDiv,
+        Helper::WrappingRem,
+        Helper::SaturatingAdd,
+        Helper::SaturatingSub,
+        Helper::SaturatingMul,
+        Helper::UnsignedAbs,
+        Helper::AbsDiff,
+        Helper::CountOnes,
+        Helper::LeadingZeros,
+        Helper::TrailingZeros,
+        Helper::SwapBytes,
+        |int| Helper::FromFloat(int, Float::F32),
     ];
-    let scalar = |text: &str| Scalar::from_name(text).is_some();
-    prefixes.iter().any(|prefix| name.strip_prefix(prefix).is_some_and(scalar))
-        || name.split_once("_from_").is_some_and(|(to, from)| {
-            scalar(to) && (floats.contains(&from) || matches!(from, "bits" | "i8" | "i16"))
-        })
-        || name.strip_prefix("bits_of_").is_some_and(scalar)
-        || name.strip_prefix("raw_bits_of_").is_some_and(scalar)
+    let from_double = |int| Helper::FromFloat(int, Float::F64);
+    let of_float: [fn(Float) -> Helper; 7] = [
+        Helper::Bits,
+        Helper::RawBits,
+        Helper::FromBits,
+        Helper::Copysign,
+        Helper::Signum,
+        Helper::Dot,
+        Helper::NormSquared,
+    ];
+    let of_either: [fn(Scalar) -> Helper; 5] =
+        [Helper::Min, Helper::Max, Helper::Clamp, Helper::DivEuclid, Helper::RemEuclid];
+    let floats = [Float::F32, Float::F64];
+    let scalars = Int::ALL.map(Scalar::Int).into_iter().chain(floats.map(Scalar::Float));
+    let ints = of_int.into_iter().flat_map(|helper| Int::ALL.map(helper));
+    ints.chain([Int::I8, Int::I16].map(Helper::Extend))
+        .chain(Int::ALL.map(from_double))
+        .chain(of_float.into_iter().flat_map(move |helper| floats.map(helper)))
+        .chain(scalars.flat_map(move |scalar| of_either.map(|helper| helper(scalar))))
 }
 
 /// The helpers with those that they call.

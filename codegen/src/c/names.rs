@@ -4,7 +4,7 @@
 //!
 //! * A type is its Rust name in snake case with `_t`; an enum's variants are prefixed by it in
 //!   capitals. A method is prefixed by its type, a free function by its module's last segment.
-//! * A name that is reserved, or that two items want, is qualified by the module: `Mode` in
+//! * A name that is reserved, or a helper's, or that two items want, is qualified by the module: `Mode` in
 //!   `models::flight` becomes `flight_mode_t`, since `mode_t` is POSIX's. Every item that wants the
 //!   name is qualified, so that the order of the items does not matter.
 //! * A field, parameter or variable with a reserved name gets a `_` at its end.
@@ -288,7 +288,10 @@ impl Names {
             .map(|(function, name)| {
                 if let Some(name) = &function.attributes.name {
                     name.clone()
-                } else if wanted[name.as_str()] > 1 || is_reserved_globally(name) {
+                } else if wanted[name.as_str()] > 1
+                    || is_reserved_globally(name)
+                    || is_helper_name(name)
+                {
                     long_name(self, module, function, options)
                 } else {
                     name.clone()

@@ -469,6 +469,8 @@ fn comment_text(line: &str) -> String {
         .trim_end()
         .replace("*/", "* /")
         .replace("/*", "/ *")
+        // Twice: of three in a row, the first two take the second from the third.
+        .replace("??", "? ?")
         .replace("??", "? ?")
         .replace('\t', "    ")
 }

@@ -269,14 +269,18 @@ impl Context<'_> {
         }
     }
 
-    /// The name of an author's type; with its module where two have the same.
+    /// The name of an author's type; with its module where two have the same, and with the modules around that where
+    /// these are named alike, too.
     fn qualified(&self, name: &str, module: &str) -> String {
-        let rivals = self.declared.iter().filter(|declared| *declared == name).count();
-        if rivals < 2 {
+        let homes = self.declared.iter().filter(|(declared, _)| declared == name);
+        let homes: Vec<&str> = homes.map(|(_, home)| home.as_str()).collect();
+        if homes.len() < 2 {
             return name.to_owned();
         }
-        let module = module.rsplit("::").next().unwrap_or_default();
-        let words: String = module.split('_').map(capitalised).collect();
+        let alike = homes.iter().any(|home| *home != module && last(home) == last(module));
+        let below = module.split_once("::").map_or(module, |(_, below)| below);
+        let told = if alike { below } else { last(module) };
+        let words: String = told.split(['_', ':']).map(capitalised).collect();
         format!("{words}{name}")
     }
 
@@ -387,7 +391,7 @@ impl Context<'_> {
 
     /// A name that no author's type has.
     fn free_name(&self, mut name: String) -> String {
-        while self.declared.contains(&name) {
+        while self.declared.iter().any(|(declared, _)| *declared == name) {
             name.push_str("Of");
         }
         name
@@ -406,6 +410,11 @@ fn beside(given: &Given, part: &str) -> Given {
         None => format!("{name}_{part}"),
     });
     Given { name, site: given.site, ..Given::default() }
+}
+
+/// The last segment of a path.
+fn last(path: &str) -> &str {
+    path.rsplit_once("::").map_or(path, |(_, last)| last)
 }
 
 /// Adds a field for what there is something to hold of.

@@ -205,8 +205,8 @@ struct Context<'a> {
     /// The names that authors gave, in snake case behind their module or type.
     authored: HashSet<String>,
     claims: Claims<'a>,
-    /// The names of the authors' types.
-    declared: Vec<String>,
+    /// The names of the authors' types, and their modules.
+    declared: Vec<(String, String)>,
     /// The structs that stand for types of Rust's own.
     generics: HashMap<tree::Ty, bessemer_ir::Type>,
     /// What they are in Rust.
@@ -270,7 +270,7 @@ impl<'a> Context<'a> {
             aliases: package.aliases.iter().map(|alias| (alias.of.as_str(), alias)).collect(),
             authored: authored(package),
             claims,
-            declared: package.types.iter().map(|it| it.name.clone()).collect(),
+            declared: package.types.iter().map(|it| (it.name.clone(), it.module.clone())).collect(),
             generics: HashMap::new(),
             shown: HashMap::new(),
             cases: HashMap::new(),

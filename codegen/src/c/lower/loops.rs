@@ -142,7 +142,9 @@ impl Lower<'_> {
         let i = || Expr::name(counter);
         let first = match literal_value(&to.1, int) {
             Some(value) if inclusive => literal_like(&to.0, int, value + 1),
-            _ if inclusive => Expr::binary("+", to.0, Expr::name("1U")),
+            _ if inclusive => {
+                Expr::binary("+", to.0, Expr::name(if int.signed() { "1" } else { "1U" }))
+            }
             _ => to.0,
         };
         // Below the first value the counter must not fall where that would leave its type.
