@@ -7,6 +7,7 @@ use bessemer_ir::Module;
 use bessemer_ir::tree::Package;
 
 use crate::c::{self, CFile, EntryReport};
+use crate::deep::deep;
 use crate::diagnostic::{Diagnostic, OUR_FAULT};
 use crate::kernels::replace::Replacement;
 use crate::source::Sources;
@@ -43,6 +44,14 @@ pub struct Compiled {
 /// # Errors
 /// Everything that is wrong with it, at the author's lines.
 pub fn compile(
+    package: &Package,
+    sources: &Sources,
+    options: &Options,
+) -> Result<Compiled, Vec<Diagnostic>> {
+    deep(|| whole(package, sources, options))
+}
+
+fn whole(
     package: &Package,
     sources: &Sources,
     options: &Options,

@@ -5,6 +5,7 @@
 
 pub mod c;
 pub mod compile;
+pub mod deep;
 pub mod diagnostic;
 pub mod generate;
 pub mod kernels;

@@ -132,9 +132,9 @@ macro_rules! print_tree {
             let (name, license) = (env!("CARGO_PKG_NAME"), env!("CARGO_PKG_LICENSE"));
             // Whose tree it is: where workspaces share a target folder, cargo may mix packages of one name.
             println!("{}", $crate::generate::folders());
-            // Initial values of large components pass through the stack.
+            // Initial values of large components pass through the stack, and trees nest deep.
             let tree = ::std::thread::Builder::new()
-                .stack_size(1 << 28)
+                .stack_size(1 << 30)
                 .spawn(move || println!("{}", $crate::generate::package(name, license)));
             if tree.map_or(true, |tree| tree.join().is_err()) {
                 ::std::process::exit(1);

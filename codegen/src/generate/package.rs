@@ -11,6 +11,7 @@ use serde_json::Value;
 
 use super::program::{self, Program};
 use super::{Error, Job};
+use crate::deep;
 use crate::diagnostic::{self, Diagnostic};
 use crate::source::Sources;
 
@@ -26,7 +27,8 @@ pub(super) fn tree(job: &Job, sources: &Sources) -> Result<Package, Error> {
             return Err(failed(printed.error));
         }
         if printed.strangers.is_empty() {
-            return serde_json::from_str(&printed.tree).map_err(|error| failed(error.to_string()));
+            let read = || bessemer_ir::tree::read(&printed.tree);
+            return deep::deep(read).map_err(|error| failed(error.to_string()));
         }
         for source in &printed.strangers {
             program::touch(source)?;

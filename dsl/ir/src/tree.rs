@@ -21,6 +21,19 @@ use crate::number::Scalar;
 pub use data::*;
 pub use way::*;
 
+/// Reads a part of the tree that was written as JSON, which nests as deep as the author's expressions: the caller runs on a
+/// stack that is large enough.
+///
+/// # Errors
+/// What is no such part.
+pub fn read<'t, T: Deserialize<'t>>(text: &'t str) -> serde_json::Result<T> {
+    let mut reader = serde_json::Deserializer::from_str(text);
+    reader.disable_recursion_limit();
+    let part = T::deserialize(&mut reader)?;
+    reader.end()?;
+    Ok(part)
+}
+
 /// What a package of models hands to the compiler.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Package {

@@ -23,6 +23,15 @@ mod table;
 
 use proc_macro::TokenStream;
 
+/// Bytes of a stack for an expansion, of which only those that are used take memory: syntax nests as deep as the author's
+/// expressions, a sum by a level for each term.
+const STACK: usize = 1 << 28;
+
+/// Expands on a stack of its own.
+fn deep(expand: impl FnOnce() -> proc_macro2::TokenStream) -> TokenStream {
+    stacker::grow(STACK, expand).into()
+}
+
 /// Plain data: a struct, an enum, or the `impl` block of one; a `const` or a `static` of which more is to be
 /// said than its value.
 ///
@@ -30,7 +39,7 @@ use proc_macro::TokenStream;
 /// `Pid::torque`. Derives are the author's: `Clone`, `Copy`, `Debug`, `Default`, `PartialEq`.
 #[proc_macro_attribute]
 pub fn data(arguments: TokenStream, item: TokenStream) -> TokenStream {
-    data::expand(data::Kind::Data, arguments.into(), item.into()).into()
+    deep(|| data::expand(data::Kind::Data, arguments.into(), item.into()))
 }
 
 /// A component: a struct with the state of a controller or estimator, or its `impl` block.
@@ -39,13 +48,13 @@ pub fn data(arguments: TokenStream, item: TokenStream) -> TokenStream {
 /// `#[entry]` are what the firmware calls; the others stay private to the component's C file.
 #[proc_macro_attribute]
 pub fn component(arguments: TokenStream, item: TokenStream) -> TokenStream {
-    data::expand(data::Kind::Component, arguments.into(), item.into()).into()
+    deep(|| data::expand(data::Kind::Component, arguments.into(), item.into()))
 }
 
 /// A free function.
 #[proc_macro_attribute]
 pub fn function(arguments: TokenStream, item: TokenStream) -> TokenStream {
-    function::expand(arguments.into(), item.into()).into()
+    deep(|| function::expand(arguments.into(), item.into()))
 }
 
 /// A function that the firmware brings in C; its body stands in for it in the simulation and in the tests.
@@ -55,7 +64,7 @@ pub fn function(arguments: TokenStream, item: TokenStream) -> TokenStream {
 /// same bits as the stand-in rests on whoever wrote it, and the report says so.
 #[proc_macro_attribute]
 pub fn external(arguments: TokenStream, item: TokenStream) -> TokenStream {
-    function::expand_external(arguments.into(), item.into()).into()
+    deep(|| function::expand_external(arguments.into(), item.into()))
 }
 
 /// What an item is called in the C, and where it is placed: `#[c(name = "pid_step", section = ".fast")]`.
@@ -76,7 +85,7 @@ pub fn c(_arguments: TokenStream, item: TokenStream) -> TokenStream {
 /// used with. Implementations are marked as their type is: `#[component] impl Controller for Pid`.
 #[proc_macro_attribute]
 pub fn interface(arguments: TokenStream, item: TokenStream) -> TokenStream {
-    interface::expand(arguments.into(), item.into()).into()
+    deep(|| interface::expand(arguments.into(), item.into()))
 }
 
 /// Marks a method of a `#[component]` as an entry point; `#[entry(infallible)]` claims that no fault

@@ -368,24 +368,31 @@ impl Builder {
             self.stack.push(path.clone());
             let witness = witness(self);
             self.stack.pop();
-            if let Ok(tree) = serde_json::from_str::<tree::FunctionTree>(text) {
-                let operators =
-                    operators::called(self, &tree.operators, witness.operators, &witness.slots);
-                self.package.functions.push(tree::Function {
-                    path: path.clone(),
-                    module: named.module.to_owned(),
-                    file: named.file.to_owned(),
-                    owner,
-                    generics: generics.scope,
-                    interface: generics.interface.map(|(name, _)| name.to_owned()),
-                    suffix,
-                    tree,
-                    slots: witness.slots,
-                    callees: witness.callees,
-                    constants: witness.constants,
-                    operators,
-                });
-            }
+            let tree = match tree::read::<tree::FunctionTree>(text) {
+                Ok(tree) => tree,
+                Err(error) => {
+                    let message = format!("the tree of `{path}` cannot be read: {error}");
+                    let remedy = "use one version of `bessemer` in the whole workspace";
+                    self.refuse(named.file, Site::default(), message, remedy);
+                    return tree::Callee::Function(path);
+                }
+            };
+            let operators =
+                operators::called(self, &tree.operators, witness.operators, &witness.slots);
+            self.package.functions.push(tree::Function {
+                path: path.clone(),
+                module: named.module.to_owned(),
+                file: named.file.to_owned(),
+                owner,
+                generics: generics.scope,
+                interface: generics.interface.map(|(name, _)| name.to_owned()),
+                suffix,
+                tree,
+                slots: witness.slots,
+                callees: witness.callees,
+                constants: witness.constants,
+                operators,
+            });
         }
         tree::Callee::Function(path)
     }
@@ -430,7 +437,7 @@ impl Builder {
     }
 
     fn recursion(&mut self, path: &str, file: &str, text: &str) {
-        let site = serde_json::from_str::<tree::FunctionTree>(text).map(|tree| tree.site);
+        let site = tree::read::<tree::FunctionTree>(text).map(|tree| tree.site);
         let message = self.round_trip(path);
         self.refuse(
             file,

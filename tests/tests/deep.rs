@@ -1,0 +1,103 @@
+//! Expressions that nest as deep as somebody may write them: they come through every stage, and none vanishes.
+
+use bessemer_codegen::compile::Compiled;
+use bessemer_codegen::deep::deep;
+use bessemer_codegen::interpret::Interpreter;
+use bessemer_ir::FunctionId;
+use bessemer_tests::process::Process;
+use bessemer_tests::toolchain;
+use bessemer_tests::workspace::Workspace;
+
+const TERMS: u32 = 2000;
+const BRANCHES: u32 = 500;
+const FIELDS: u32 = 600;
+
+fn joined(count: u32, between: &str, one: impl Fn(u32) -> String) -> String {
+    (0..count).map(one).collect::<Vec<_>>().join(between)
+}
+
+fn source() -> String {
+    let sum = joined(TERMS, "\n        + ", |k| format!("x * {k}.5"));
+    let all = joined(TERMS, "\n        && ", |k| format!("n != {}", 2 * k + 1));
+    let chosen =
+        joined(BRANCHES, " else ", |k| format!("if n == {k} {{\n        {}\n    }}", 3 * k));
+    let fields = joined(FIELDS, "\n", |k| format!("    pub f{k}: i32,"));
+    format!(
+        "#![allow(missing_docs)]
+use bessemer::prelude::*;
+
+#[function]
+pub fn sum(x: f64) -> f64 {{
+    {sum}
+}}
+
+#[function]
+pub fn all(n: u32) -> bool {{
+    {all}
+}}
+
+#[function]
+pub fn chosen(n: u32) -> u32 {{
+    {chosen} else {{
+        1
+    }}
+}}
+
+#[data]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wide {{
+{fields}
+}}
+
+#[function]
+pub fn same(a: &Wide, b: &Wide) -> bool {{
+    a == b
+}}
+"
+    )
+}
+
+/// Calls of a function, and the word that each gives.
+type Calls = Vec<(Vec<Vec<u64>>, u64)>;
+
+fn calls() -> [(&'static str, Calls); 4] {
+    let sum = |x: f64| (1..TERMS).fold(x * 0.5, |sum, k| sum + x * (f64::from(k) + 0.5));
+    let wide = |at: u32| (0..FIELDS).map(|k| u64::from(k) + u64::from(k == at)).collect::<Vec<_>>();
+    let same = |at: u32| (vec![wide(FIELDS), wide(at)], u64::from(at == FIELDS));
+    [
+        ("sum", [0.1, -3.7].map(|x| (vec![vec![x.to_bits()]], sum(x).to_bits())).to_vec()),
+        ("all", [(1, 0), (3999, 0), (4001, 1), (2, 1)].map(|(n, is)| (vec![vec![n]], is)).to_vec()),
+        ("chosen", [(0, 0), (499, 1497), (500, 1)].map(|(n, is)| (vec![vec![n]], is)).to_vec()),
+        ("same", [0, 599, 600].map(same).to_vec()),
+    ]
+}
+
+fn function(compiled: &Compiled, name: &str) -> FunctionId {
+    let index = compiled.module.functions.iter().position(|it| it.name == name);
+    FunctionId(index.unwrap_or_else(|| panic!("`{name}` vanished")) as u32)
+}
+
+#[test]
+fn what_nests_deep_comes_through() {
+    let workspace = Workspace::with_source(&source()).expect("a workspace");
+    let compiled = workspace.compiled().unwrap_or_else(|error| panic!("{error}"));
+    for (name, calls) in calls() {
+        let id = function(&compiled, name);
+        for (arguments, expected) in &calls {
+            for module in [&compiled.module, &compiled.explicit] {
+                let mut arguments = arguments.clone();
+                let words = deep(|| Interpreter::new(module).call(id, &mut arguments));
+                let words = words.unwrap_or_else(|stop| panic!("{name}: {stop}"));
+                assert_eq!(words, [*expected], "{name}, interpreted");
+            }
+        }
+        for toolchain in toolchain::host().iter().filter(|it| it.level == 0) {
+            let mut process = Process::start(&compiled, id, toolchain)
+                .unwrap_or_else(|error| panic!("{name}: {error}"));
+            for (arguments, expected) in &calls {
+                let words = process.step(&arguments.concat()).expect("it answers");
+                assert_eq!(words, [0, *expected], "{name} with {}", toolchain.name());
+            }
+        }
+    }
+}
