@@ -17,13 +17,25 @@
 
 #include "covariance.h"
 
-#if defined(__FAST_MATH__)
-#error "-ffast-math changes results: compile without it"
+#if FLT_MANT_DIG != 24 || DBL_MANT_DIG != 53 || !defined(FLT_EVAL_METHOD) || FLT_EVAL_METHOD != 0
+#error "results need float and double of IEEE 754, and operations that round to their own type"
 #endif
-#if !defined(FLT_EVAL_METHOD) || FLT_EVAL_METHOD != 0
-#error "results need float and double arithmetic that rounds to its own type"
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) \
+    || defined(__NO_SIGNED_ZEROS__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ != 0)
+#error "-ffast-math and its parts change results: compile without them"
 #endif
 #if defined(__clang__)
+#pragma clang diagnostic ignored "-Wpragmas"
+#pragma float_control(precise, on)
+#elif defined(__GNUC__)
+#pragma GCC optimize("fp-contract=off", "signed-zeros")
+#if (__GNUC__ > 10) && (defined(__FMA__) || defined(__FMA4__) || defined(__AVX512F__) \
+    || defined(__ARM_FEATURE_COMPLEX) || defined(__ARM_FEATURE_MVE))
+/* Vectors of gcc's own making contract all the same. */
+#pragma GCC optimize("no-tree-vectorize", "no-tree-slp-vectorize")
+#endif
+#endif
+#if !defined(__GNUC__) || defined(__clang__) || defined(__INTEL_COMPILER)
 #pragma STDC FP_CONTRACT OFF
 #endif
 

@@ -14,11 +14,25 @@
 #include <float.h>
 #include <stdint.h>
 
-#if defined(__FAST_MATH__)
-#error "-ffast-math changes results: compile without it"
+#if FLT_MANT_DIG != 24 || DBL_MANT_DIG != 53 || !defined(FLT_EVAL_METHOD) || FLT_EVAL_METHOD != 0
+#error "results need float and double of IEEE 754, and operations that round to their own type"
 #endif
-#if !defined(FLT_EVAL_METHOD) || FLT_EVAL_METHOD != 0
-#error "results need float and double arithmetic that rounds to its own type"
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) \
+    || defined(__NO_SIGNED_ZEROS__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ != 0)
+#error "-ffast-math and its parts change results: compile without them"
+#endif
+#if defined(__clang__)
+#pragma clang diagnostic push
+#pragma clang diagnostic ignored "-Wpragmas"
+#pragma float_control(precise, on, push)
+#elif defined(__GNUC__)
+#pragma GCC push_options
+#pragma GCC optimize("fp-contract=off", "signed-zeros")
+#if (__GNUC__ > 10) && (defined(__FMA__) || defined(__FMA4__) || defined(__AVX512F__) \
+    || defined(__ARM_FEATURE_COMPLEX) || defined(__ARM_FEATURE_MVE))
+/* Vectors of gcc's own making contract all the same. */
+#pragma GCC optimize("no-tree-vectorize", "no-tree-slp-vectorize")
+#endif
 #endif
 
 #ifdef __cplusplus
@@ -31,10 +45,10 @@ extern "C" {
  */
 static inline void product_f64_3x3_3x3(const double a[9], const double b[9], double result[9])
 {
-#if defined(__clang__)
+#if !defined(__GNUC__) || defined(__clang__) || defined(__INTEL_COMPILER)
 #pragma STDC FP_CONTRACT OFF
 #endif
-#if defined(__GNUC__) && (defined(__clang__) || (__GNUC__ >= 12)) && defined(__SSE2__) && !defined(BESSEMER_PLAIN)
+#if defined(__GNUC__) && (defined(__clang__) || (__GNUC__ >= 12)) && defined(__x86_64__) && defined(__SSE2__) && !defined(BESSEMER_PLAIN)
     typedef double rows_t __attribute__((vector_size(16), aligned(8), may_alias));
     const rows_t a00 = *(const rows_t *)&a[0];
     const rows_t a10 = *(const rows_t *)&a[1];
@@ -114,6 +128,13 @@ static inline void product_f64_3x3_3x3(const double a[9], const double b[9], dou
 
 #ifdef __cplusplus
 }
+#endif
+
+#if defined(__clang__)
+#pragma float_control(pop)
+#pragma clang diagnostic pop
+#elif defined(__GNUC__)
+#pragma GCC pop_options
 #endif
 
 #endif

@@ -19,7 +19,7 @@ use super::names::{OVERLAY, Returned, Signature, Storage};
 use super::print::Printer;
 use super::shell::{Shell, frame};
 use super::tree::{Declarator, Head, Init, Item, Lines, Origin, Stmt, StmtKind, plain};
-use super::{CFile, Options, asked, init, literal, status, units};
+use super::{CFile, Options, asked, init, literal, self_test, status, units};
 use crate::kernels;
 
 /// What one pair of files holds.
@@ -50,6 +50,7 @@ pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {
     if context.faults.any() {
         list.push(status::header(context, options));
     }
+    list.extend(self_test::files(context, options));
     for (name, unit) in units(context) {
         let writer = Writer { context, options, name, unit };
         list.push(writer.header());
@@ -447,6 +448,7 @@ impl Writer<'_> {
             license: &self.options.license,
             system_includes: includes.system.into_iter().map(str::to_owned).collect(),
             own_includes: includes.own.into_iter().collect(),
+            refuses: true,
         };
         assemble(self.context, &name, &shell, extension == "h", items)
     }

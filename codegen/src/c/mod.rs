@@ -27,6 +27,7 @@ mod placing;
 mod print;
 mod report;
 mod reserved;
+mod self_test;
 mod shell;
 mod spelling;
 mod status;
@@ -81,6 +82,8 @@ pub struct Options {
     pub math: Math,
     /// How matrices lie in memory.
     pub layout: Layout,
+    /// Whether `bessemer_self_test` comes along, which tells on the target whether its arithmetic is as the C needs it.
+    pub self_test: bool,
 }
 
 impl Default for Options {
@@ -94,6 +97,7 @@ impl Default for Options {
             kernels: Tuning::default(),
             math: Math::Portable,
             layout: Layout::Columns,
+            self_test: false,
         }
     }
 }

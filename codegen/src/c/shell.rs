@@ -6,6 +6,9 @@ use tera::{Context, Tera};
 /// The mark that the body takes the place of.
 const BODY: &str = "\u{1}body\u{1}";
 
+/// What a source says of all that stands in it, a function of a header says of itself: other files include it.
+pub const NO_CONTRACTION: &str = include_str!("../../templates/contraction.tera");
+
 /// What a shell needs to know.
 pub struct Shell<'a> {
     /// `height.h`.
@@ -22,6 +25,8 @@ pub struct Shell<'a> {
     pub system_includes: Vec<String>,
     /// `"…"`, sorted.
     pub own_includes: Vec<String>,
+    /// Whether it refuses compilers that would compute other bits.
+    pub refuses: bool,
 }
 
 /// The text before and after the body.
@@ -35,6 +40,8 @@ pub fn frame(shell: &Shell<'_>, is_header: bool) -> (String, String) {
     context.insert("guard", &guard(shell.file));
     context.insert("system_includes", &shell.system_includes);
     context.insert("own_includes", &shell.own_includes);
+    context.insert("is_header", &is_header);
+    context.insert("refuses", &shell.refuses);
     context.insert("body", BODY);
     let (name, template) = if is_header {
         ("header.h", include_str!("../../templates/header.h.tera"))
@@ -45,6 +52,8 @@ pub fn frame(shell: &Shell<'_>, is_header: bool) -> (String, String) {
     let parts = [
         ("conditions", include_str!("../../templates/conditions.tera")),
         ("checks", include_str!("../../templates/checks.tera")),
+        ("rounding", include_str!("../../templates/rounding.tera")),
+        ("contraction", NO_CONTRACTION),
         (name, template),
     ];
     tera.add_raw_templates(parts).expect("the templates parse: a test renders them");

@@ -129,6 +129,7 @@ pub fn header(context: Context<'_>, options: &Options) -> CFile {
         license: &options.license,
         system_includes: Vec::new(),
         own_includes: Vec::new(),
+        refuses: true,
     };
     assemble(context, &status.header, &shell, true, &items)
 }

@@ -62,11 +62,13 @@ pub fn values(float: Float, sizes: &[(&'static str, u32)]) -> Vec<(&'static str,
 }
 
 /// The condition of the preprocessor under which vectors of a target are used. x86-64's are shuffled, which gcc can from
-/// version 12 on; ARM's are not.
+/// version 12 on; ARM's are not. On i386, which has the same vectors, `double` stands at multiples of 4, where they may not.
 pub fn vectors_if(target: &str) -> String {
     let compiler = match target.contains("ARM") {
         true => "defined(__GNUC__)",
-        false => "defined(__GNUC__) && (defined(__clang__) || (__GNUC__ >= 12))",
+        false => {
+            "defined(__GNUC__) && (defined(__clang__) || (__GNUC__ >= 12)) && defined(__x86_64__)"
+        }
     };
     format!("{compiler} && {target} && !defined(BESSEMER_PLAIN)")
 }

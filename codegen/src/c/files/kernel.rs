@@ -6,16 +6,10 @@ use super::{Callable, Includes, Writer, origin};
 use crate::c::helpers::Helper;
 use crate::c::lower::Uses;
 use crate::c::names::Storage;
+use crate::c::shell::NO_CONTRACTION;
 use crate::c::tree::{Item, StmtKind, plain};
 use crate::kernels;
 use crate::kernels::replace::Replacement;
-
-/// What a source says of all that stands in it, a function of a header says of itself.
-const NO_CONTRACTION: &str = "\
-#if defined(__clang__)
-#pragma STDC FP_CONTRACT OFF
-#endif
-";
 
 impl Writer<'_> {
     /// The kernel that a function is, if it is one that stands in its header.
