@@ -4,7 +4,7 @@
 //! A flight is flown by the models first; then the C gets the same inputs. It counts only if every output and
 //! every state of every period has the same bits.
 
-use bessemer_tests::toolchain::Toolchain;
+use bessemer_tests::toolchain;
 use bessemer_tests::{entry, flight_models, harness, process, words};
 use models::{Inputs, Outputs, Settings};
 use serde_json::{Value, json};
@@ -81,7 +81,7 @@ pub fn measure(longest: f64) -> Result<Vec<Row>, String> {
     let main = laid.path().join("harness_main.c");
     std::fs::write(&main, harness::marked(&compiled.explicit, step, params)).map_err(failed)?;
     let program = laid.path().join("harness");
-    target().around(&main, laid.sources(), &program, &[])?;
+    toolchain::ARM.around(&main, laid.sources(), &program, &[])?;
 
     let mut rows = Vec::new();
     for name in FLIGHTS {
@@ -100,11 +100,6 @@ pub fn measure(longest: f64) -> Result<Vec<Row>, String> {
         rows.push(Row { flight: name, counts });
     }
     Ok(rows)
-}
-
-fn target() -> Toolchain {
-    let emulator: &[&str] = &["qemu-arm", "-cpu", "cortex-a9"];
-    Toolchain { compiler: "arm-linux-gnueabihf-gcc", level: 2, emulator: Some(emulator), more: &[] }
 }
 
 fn bytes(words: &[u64]) -> Vec<u8> {
@@ -157,7 +152,7 @@ pub fn json(rows: &[Row]) -> Value {
     json!({
         "command": "cargo xtask bench --only onboard",
         "what": "executed instructions of a control period on the Cortex-A9, under QEMU",
-        "flags": target().command().get_args().map(|a| a.to_string_lossy().into_owned()).collect::<Vec<_>>().join(" "),
+        "flags": toolchain::ARM.command().get_args().map(|a| a.to_string_lossy().into_owned()).collect::<Vec<_>>().join(" "),
         "flights": rows,
     })
 }

@@ -241,13 +241,22 @@ static void put(uint64_t word)
     }
 }
 
+/* Where the lowest bytes of a word stand in it, so many of them. */
+__attribute__((unused)) static size_t lowest(size_t size)
+{
+    const uint16_t one = 1;
+    unsigned char first;
+    memcpy(&first, &one, 1);
+    return first == 1 ? 0 : 8 - size;
+}
+
 /* Numbers of so many bytes that lie one behind the other. */
 __attribute__((unused)) static void get_numbers(void *place, size_t size, uint32_t count)
 {
     unsigned char *to = place;
     for (; count > 0; --count, to += size) {
         const uint64_t word = get();
-        memcpy(to, &word, size);
+        memcpy(to, (const unsigned char *)&word + lowest(size), size);
     }
 }
 
@@ -256,7 +265,7 @@ __attribute__((unused)) static void put_numbers(const void *place, size_t size, 
     const unsigned char *from = place;
     for (; count > 0; --count, from += size) {
         uint64_t word = 0;
-        memcpy(&word, from, size);
+        memcpy((unsigned char *)&word + lowest(size), from, size);
         put(word);
     }
 }
@@ -266,8 +275,8 @@ __attribute__((unused)) static void put_signed(const void *place, size_t size, u
 {
     const unsigned char *from = place;
     for (; count > 0; --count, from += size) {
-        uint64_t word = from[size - 1] >= 128 ? UINT64_MAX : 0;
-        memcpy(&word, from, size);
+        uint64_t word = from[lowest(size) == 0 ? size - 1 : 0] >= 128 ? UINT64_MAX : 0;
+        memcpy((unsigned char *)&word + lowest(size), from, size);
         put(word);
     }
 }

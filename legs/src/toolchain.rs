@@ -21,13 +21,68 @@ pub struct Toolchain {
     pub compiler: &'static str,
     /// `0` to `3`.
     pub level: u32,
+    /// What it is told of the machine that its programs run on.
+    pub machine: &'static [&'static str],
     /// What runs its programs, for another machine than this.
     pub emulator: Option<&'static [&'static str]>,
     /// What it is told besides, such as that the processor has an instruction that not every one has.
     pub more: &'static [&'static str],
 }
 
+/// This machine, by gcc.
+pub const GCC: Toolchain =
+    Toolchain { compiler: "gcc", level: 2, machine: &[], emulator: None, more: &[] };
+
+/// This machine, by clang.
+pub const CLANG: Toolchain = Toolchain { compiler: "clang", ..GCC };
+
+/// The target.
+pub const ARM: Toolchain = Toolchain {
+    compiler: "arm-linux-gnueabihf-gcc",
+    machine: CORTEX_A9,
+    emulator: Some(&["qemu-arm", "-cpu", "cortex-a9"]),
+    ..GCC
+};
+
+/// ARM of 64 bits.
+pub const AARCH64: Toolchain = Toolchain {
+    compiler: "aarch64-linux-gnu-gcc",
+    machine: &["-static"],
+    emulator: Some(&["qemu-aarch64"]),
+    ..GCC
+};
+
+/// RISC-V of 64 bits.
+pub const RISCV64: Toolchain = Toolchain {
+    compiler: "riscv64-linux-gnu-gcc",
+    machine: &["-static"],
+    emulator: Some(&["qemu-riscv64"]),
+    ..GCC
+};
+
+/// Big-endian. Held to C99, gcc would compute `float` as `double` there, which the C refuses.
+pub const S390X: Toolchain = Toolchain {
+    compiler: "s390x-linux-gnu-gcc",
+    machine: &["-std=gnu99", "-static"],
+    emulator: Some(&["qemu-s390x"]),
+    ..GCC
+};
+
 impl Toolchain {
+    /// Whether programs can be made and run with it here.
+    fn is_there(&self) -> bool {
+        there(self.compiler) && self.emulator.is_none_or(|emulator| there(emulator[0]))
+    }
+
+    /// The same of an emulated machine, if the run says nothing of these.
+    fn is_asked_for(&self) -> bool {
+        match legs() {
+            Legs::All => true,
+            Legs::Host => false,
+            Legs::Present => self.is_there(),
+        }
+    }
+
     /// As a test names it: `gcc -O2`.
     pub fn name(&self) -> String {
         let more: String = self.more.iter().map(|flag| format!(" {flag}")).collect();
@@ -49,10 +104,7 @@ impl Toolchain {
             Err(_) => Command::new(self.compiler),
         };
         command.args(FLAGS).arg(format!("-O{}", self.level));
-        if self.emulator.is_some() {
-            command.args(CORTEX_A9);
-        }
-        command.args(self.more);
+        command.args(self.machine).args(self.more);
         command
     }
 
@@ -205,33 +257,26 @@ fn there(program: &str) -> bool {
     Command::new(program).arg("--version").output().is_ok_and(|output| output.status.success())
 }
 
+/// A compiler at -O0, -O2 and -O3.
+fn at_levels(toolchain: Toolchain) -> impl Iterator<Item = Toolchain> {
+    [0, 2, 3].into_iter().map(move |level| Toolchain { level, ..toolchain.clone() })
+}
+
 /// gcc and clang on this machine at -O0, -O2 and -O3.
 pub fn host() -> Vec<Toolchain> {
-    let compilers: Vec<&str> = ["gcc", "clang"]
-        .into_iter()
-        .filter(|compiler| legs() != Legs::Present || there(compiler))
-        .collect();
-    compilers
-        .into_iter()
-        .flat_map(|compiler| {
-            [0, 2, 3].map(|level| Toolchain { compiler, level, emulator: None, more: &[] })
-        })
-        .collect()
+    let wanted = |it: &Toolchain| legs() != Legs::Present || it.is_there();
+    [GCC, CLANG].into_iter().filter(wanted).flat_map(at_levels).collect()
 }
 
 /// The Cortex-A9 under emulation, at the same levels.
 pub fn target() -> Vec<Toolchain> {
-    let compiler = "arm-linux-gnueabihf-gcc";
-    let wanted = match legs() {
-        Legs::All => true,
-        Legs::Host => false,
-        Legs::Present => there(compiler) && there("qemu-arm"),
-    };
-    if !wanted {
-        return Vec::new();
-    }
-    let emulator: &[&str] = &["qemu-arm", "-cpu", "cortex-a9"];
-    [0, 2, 3].map(|level| Toolchain { compiler, level, emulator: Some(emulator), more: &[] }).into()
+    if ARM.is_asked_for() { at_levels(ARM).collect() } else { Vec::new() }
+}
+
+/// Other machines under emulation, one of them big-endian, optimised.
+pub fn others() -> Vec<Toolchain> {
+    let others = [AARCH64, RISCV64, S390X].into_iter();
+    others.filter(Toolchain::is_asked_for).collect()
 }
 
 /// Every toolchain of this run.
@@ -239,6 +284,36 @@ pub fn all() -> Vec<Toolchain> {
     let mut all = host();
     all.extend(target());
     all
+}
+
+/// What tells compilers that they may fuse a multiplication with an addition, in vectors of each width that this processor has.
+pub fn with_fma() -> Vec<&'static [&'static str]> {
+    let mut list: Vec<&'static [&'static str]> = Vec::new();
+    #[cfg(target_arch = "x86_64")]
+    {
+        use std::arch::is_x86_feature_detected as has;
+        if has!("avx2") && has!("fma") && has!("bmi2") && has!("lzcnt") && has!("movbe") {
+            list.push(&["-march=x86-64-v3"]);
+            if has!("avx512f")
+                && has!("avx512bw")
+                && has!("avx512cd")
+                && has!("avx512dq")
+                && has!("avx512vl")
+            {
+                list.push(&["-march=x86-64-v4"]);
+            }
+            list.push(&["-march=native"]);
+        }
+    }
+    list
+}
+
+/// gcc and clang for each of these, optimised.
+pub fn fusing() -> Vec<Toolchain> {
+    let optimised = host().into_iter().filter(|it| it.level == 2);
+    let each =
+        |it: Toolchain| with_fma().into_iter().map(move |more| Toolchain { more, ..it.clone() });
+    optimised.flat_map(each).collect()
 }
 
 /// Whether this machine has vectors of four doubles.

@@ -4,7 +4,7 @@
 //! which some of the list is chosen, so that a few commits go through all of it and one commit is always tested
 //! alike. Plain `cargo test` is turn 0.
 
-use crate::toolchain::Toolchain;
+use crate::toolchain::{self, Toolchain};
 
 /// Whether nothing may be left out.
 pub fn is_full() -> bool {
@@ -46,6 +46,11 @@ pub fn levels(toolchains: Vec<Toolchain>) -> Vec<Toolchain> {
         chosen(own, 1, turn() + index)
     };
     compilers.into_iter().enumerate().flat_map(of_compiler).collect()
+}
+
+/// Machines beside the target, in a full run.
+pub fn others() -> Vec<Toolchain> {
+    if is_full() { toolchain::others() } else { Vec::new() }
 }
 
 fn turn() -> usize {

@@ -30,8 +30,8 @@ const RUN: usize = 100;
 const SANITIZED: [&str; 3] = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-w"];
 
 #[derive(Clone)]
-struct Case {
-    name: String,
+pub(super) struct Case {
+    pub(super) name: String,
     id: FunctionId,
     /// The words of each call: of the state, then of each argument.
     calls: Vec<Vec<Vec<u64>>>,
@@ -42,7 +42,7 @@ struct Case {
 }
 
 /// What Rust does, found once for every leg.
-fn cases() -> &'static [Case] {
+pub(super) fn cases() -> &'static [Case] {
     static CASES: OnceLock<Vec<Case>> = OnceLock::new();
     CASES.get_or_init(|| lived(corpus()))
 }
@@ -177,7 +177,7 @@ fn the_interpreter_agrees() {
 }
 
 /// Every call in one process, as many at once as its pipes hold.
-fn run_c(compiled: &Compiled, cases: &[Case], toolchain: &Toolchain, flags: &[&str]) {
+pub(super) fn run_c(compiled: &Compiled, cases: &[Case], toolchain: &Toolchain, flags: &[&str]) {
     run_c_with(compiled, cases, toolchain, flags, &Options::default());
 }
 
@@ -238,7 +238,8 @@ fn the_c_agrees() {
     let compiled = corpus();
     let cases = cases();
     thread::scope(|scope| {
-        for (toolchain, flags) in legs() {
+        let others = turn::others().into_iter().map(|it| (it, &[][..]));
+        for (toolchain, flags) in legs().into_iter().chain(others) {
             scope.spawn(move || match flags {
                 // The dearest, of every second program.
                 [_, ..] => run_c(compiled, &every(2, cases), &toolchain, flags),

@@ -2,7 +2,7 @@
 
 use bessemer_codegen::compile::Compiled;
 use bessemer_codegen::deep::deep;
-use bessemer_codegen::interpret::Interpreter;
+use bessemer_interpret::Interpreter;
 use bessemer_ir::FunctionId;
 use bessemer_tests::process::Process;
 use bessemer_tests::toolchain;
@@ -65,7 +65,7 @@ fn calls() -> [(&'static str, Calls); 4] {
     let wide = |at: u32| (0..FIELDS).map(|k| u64::from(k) + u64::from(k == at)).collect::<Vec<_>>();
     let same = |at: u32| (vec![wide(FIELDS), wide(at)], u64::from(at == FIELDS));
     [
-        ("sum", [0.1, -3.7].map(|x| (vec![vec![x.to_bits()]], sum(x).to_bits())).to_vec()),
+        ("sum", [0.1_f64, -3.7].map(|x| (vec![vec![x.to_bits()]], sum(x).to_bits())).to_vec()),
         ("all", [(1, 0), (3999, 0), (4001, 1), (2, 1)].map(|(n, is)| (vec![vec![n]], is)).to_vec()),
         ("chosen", [(0, 0), (499, 1497), (500, 1)].map(|(n, is)| (vec![vec![n]], is)).to_vec()),
         ("same", [0, 599, 600].map(same).to_vec()),

@@ -77,3 +77,15 @@ fn the_c_flies_the_same_bits_on_this_machine() {
 fn the_c_flies_the_same_bits_on_the_cortex_a9() {
     fly_c(&turn::levels(toolchain::target()));
 }
+
+/// Where a processor can round once for a multiplication and an addition, compilers like it to.
+#[test]
+fn the_c_flies_the_same_bits_on_processors_that_fuse() {
+    fly_c(&turn::some_of(toolchain::fusing(), 2));
+}
+
+/// In the full run.
+#[test]
+fn the_c_flies_the_same_bits_on_other_machines() {
+    fly_c(&turn::others());
+}

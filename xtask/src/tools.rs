@@ -18,6 +18,8 @@ pub enum Need {
     Host,
     /// `test` without `--host`: what runs on the emulated target.
     Target,
+    /// `test --full`, beside what `test` needs: further machines, emulated.
+    Full,
     /// `bench`, beside what `test` needs: the peers, and what counts instructions.
     Bench,
 }
@@ -30,6 +32,7 @@ impl Need {
             Self::Everything => "everything",
             Self::Host => "test",
             Self::Target => "test (not --host)",
+            Self::Full => "test --full",
             Self::Bench => "bench",
         }
     }
@@ -151,6 +154,69 @@ pub const TOOLS: &[Tool] = &[
         purpose: "runs it on an emulated Cortex-A9",
         need: Need::Target,
         probe: Probe::Version("qemu-arm"),
+        source: Source::Package("qemu-user"),
+    },
+    Tool {
+        name: "aarch64-linux-gnu-gcc",
+        purpose: "compiles the emitted C for ARM of 64 bits",
+        need: Need::Full,
+        probe: Probe::Version("aarch64-linux-gnu-gcc"),
+        source: Source::Package("gcc-aarch64-linux-gnu"),
+    },
+    Tool {
+        name: "aarch64 C library",
+        purpose: "headers and libraries for the above",
+        need: Need::Full,
+        probe: Probe::Headers("aarch64-linux-gnu-gcc"),
+        source: Source::Package("libc6-dev-arm64-cross"),
+    },
+    Tool {
+        name: "qemu-aarch64",
+        purpose: "runs it",
+        need: Need::Full,
+        probe: Probe::Version("qemu-aarch64"),
+        source: Source::Package("qemu-user"),
+    },
+    Tool {
+        name: "riscv64-linux-gnu-gcc",
+        purpose: "compiles the emitted C for RISC-V",
+        need: Need::Full,
+        probe: Probe::Version("riscv64-linux-gnu-gcc"),
+        source: Source::Package("gcc-riscv64-linux-gnu"),
+    },
+    Tool {
+        name: "riscv64 C library",
+        purpose: "headers and libraries for the above",
+        need: Need::Full,
+        probe: Probe::Headers("riscv64-linux-gnu-gcc"),
+        source: Source::Package("libc6-dev-riscv64-cross"),
+    },
+    Tool {
+        name: "qemu-riscv64",
+        purpose: "runs it",
+        need: Need::Full,
+        probe: Probe::Version("qemu-riscv64"),
+        source: Source::Package("qemu-user"),
+    },
+    Tool {
+        name: "s390x-linux-gnu-gcc",
+        purpose: "compiles the emitted C for s390x, which is big-endian",
+        need: Need::Full,
+        probe: Probe::Version("s390x-linux-gnu-gcc"),
+        source: Source::Package("gcc-s390x-linux-gnu"),
+    },
+    Tool {
+        name: "s390x C library",
+        purpose: "headers and libraries for the above",
+        need: Need::Full,
+        probe: Probe::Headers("s390x-linux-gnu-gcc"),
+        source: Source::Package("libc6-dev-s390x-cross"),
+    },
+    Tool {
+        name: "qemu-s390x",
+        purpose: "runs it",
+        need: Need::Full,
+        probe: Probe::Version("qemu-s390x"),
         source: Source::Package("qemu-user"),
     },
     Tool {

@@ -1,7 +1,7 @@
 //! `cargo xtask sim`: flies one flight, or all, and says how it went.
 
 use super::{Outcome, write};
-use bessemer_legs::toolchain::Toolchain;
+use bessemer_legs::toolchain::{self, Toolchain};
 use indicatif::{ProgressBar, ProgressStyle};
 use models::Parameters;
 use sim::computer::{Computer, Emitted, Native};
@@ -94,7 +94,7 @@ struct CLeg {
 impl CLeg {
     fn start() -> Result<Self, Box<dyn std::error::Error>> {
         eprintln!("compiling the models to C …");
-        let toolchain = Toolchain { compiler: "gcc", level: 2, emulator: None, more: &[] };
+        let toolchain = toolchain::GCC;
         let compiled = bessemer_legs::compiled("models");
         Ok(Self { emitted: Emitted::start(&compiled, &toolchain)?, toolchain })
     }

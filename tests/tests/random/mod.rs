@@ -230,7 +230,7 @@ fn attack(workspace: &Workspace, seed: u64, mut batch: Batch) -> Vec<Difference>
     let mut all = interpreted("interpreter", &compiled.module, &cases);
     all.extend(batch.internal());
     all.extend(interpreted("explicit", &compiled.explicit, &cases));
-    let gcc = Toolchain { compiler: "gcc", level: 0, emulator: None, more: &[] };
+    let gcc = Toolchain { level: 0, ..toolchain::GCC };
     all.extend(in_c(&compiled, &cases, &gcc, &SANITIZED));
     for toolchain in by_turns(seed) {
         all.extend(in_c(&compiled, &cases, &toolchain, &WARNED));

@@ -15,7 +15,7 @@ use bessemer::prelude::*;
 use bessemer_codegen::kernels::{Mode, Tuning};
 use bessemer_ir::KernelRoutine;
 use bessemer_legs::kernels::{Program, kernel};
-use bessemer_legs::toolchain::Toolchain;
+use bessemer_legs::toolchain::{self, Toolchain};
 use rug::Float;
 
 /// Eighty decimal digits.
@@ -25,8 +25,7 @@ const SYSTEMS: u64 = 40;
 
 /// The C of the fast mode: of more than twenty rows, where the processor fuses.
 const FAST: Tuning = Tuning { code_bytes: 8 * 1024, mode: Mode::Fast };
-const FUSING: Toolchain =
-    Toolchain { compiler: "gcc", level: 3, emulator: None, more: &["-march=native"] };
+const FUSING: Toolchain = Toolchain { level: 3, more: &["-march=native"], ..toolchain::GCC };
 const FAST_SIZE: usize = 33;
 const FAST_SOLVE: &str = "solve, fast mode";
 const FAST_INVERSE: &str = "inverse, fast mode";
@@ -299,7 +298,9 @@ fn report(routine: &str, n: usize, kind: &str, findings: &Findings) -> (String, 
     let of = |figure: fn(&[[f64; 2]], usize) -> f64, which| both.map(|list| figure(list, which));
     let (mut line, mut object) = (
         format!("| {routine} | {n} | {kind} | {count} |"),
-        format!("  {{\"routine\": \"{routine}\", \"size\": {n}, \"kind\": \"{kind}\", \"solutions\": {count}"),
+        format!(
+            "  {{\"routine\": \"{routine}\", \"size\": {n}, \"kind\": \"{kind}\", \"solutions\": {count}"
+        ),
     );
     for (name, [ours, theirs]) in [("worst", of(worst, 0)), ("median", of(median, 0))] {
         let _ = write!(line, " {ours:.3} | {theirs:.3} |");

@@ -1,0 +1,147 @@
+//! Whatever a compiler is told: it refuses the C, or computes the same bits.
+//!
+//! The program that goes through is `told_compilers` of the corpus, in which each of the flags would change bits. The
+//! flags of which neither a macro nor a pragma takes the edge are the self-test's (`self_test.rs`).
+
+use std::thread;
+
+use bessemer_tests::process::lay_out;
+use bessemer_tests::toolchain::{self, Toolchain, run};
+use bessemer_tests::{compiled, corpus, turn};
+
+use super::corpus::{Case, cases, run_c};
+
+/// What the head of a file says of fast mathematics, and of numbers that are none of IEEE 754.
+const FAST: &str = "-ffast-math and its parts change results";
+const FORMAT: &str = "results need float and double of IEEE 754";
+
+/// What becomes of the C.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Then {
+    Same,
+    Refused(&'static str),
+}
+use Then::{Refused, Same};
+
+/// Flags, beside those for processors with FMA, and what becomes of the C.
+type Told = (&'static [&'static str], Then);
+
+const GCC: &[Told] = &[
+    (&["-std=gnu99", "-ffp-contract=fast"], Same),
+    (&["-fno-signed-zeros"], Same),
+    (&["-frounding-math", "-fno-trapping-math", "-fno-math-errno"], Same),
+    (&["-std=gnu99", "-ffp-contract=fast", "-flto"], Same),
+    (&["-ffast-math"], Refused(FAST)),
+    (&["-Ofast"], Refused(FAST)),
+    (&["-ffinite-math-only"], Refused(FAST)),
+    (&["-freciprocal-math"], Refused(FAST)),
+    (&["-funsafe-math-optimizations"], Refused(FAST)),
+    (&["-fassociative-math", "-fno-signed-zeros", "-fno-trapping-math"], Refused(FAST)),
+    (&["-mfpmath=387"], Refused(FORMAT)),
+];
+
+const CLANG: &[Told] = &[
+    (&["-std=gnu99", "-ffp-contract=on"], Same),
+    (&["-freciprocal-math"], Same),
+    (&["-fassociative-math"], Same),
+    (&["-frounding-math", "-fno-trapping-math", "-fno-math-errno"], Same),
+    (&["-ffast-math"], Refused(FAST)),
+    (&["-Ofast"], Refused(FAST)),
+    (&["-ffinite-math-only"], Refused(FAST)),
+    (&["-ffp-model=fast"], Refused(FAST)),
+];
+
+/// The cases that the flags change.
+fn sensitive() -> Vec<Case> {
+    let chosen = |case: &&Case| case.name.contains("told_compilers");
+    cases().iter().filter(chosen).cloned().collect()
+}
+
+fn holds(toolchain: &Toolchain, flags: &[&str], then: Then, cases: &[Case]) {
+    match then {
+        Same => run_c(corpus(), cases, toolchain, flags),
+        Refused(why) => {
+            let folder = lay_out(corpus()).expect("the C");
+            let named = |name: &str| folder.path().join(name);
+            let mut command = toolchain.command();
+            command.args(flags).arg("-fsyntax-only").arg(named("told_compilers.c"));
+            let said = run(&mut command).expect_err(&format!("{}: {flags:?}", toolchain.name()));
+            assert!(said.contains(why), "{}: {flags:?}: {said}", toolchain.name());
+        }
+    }
+}
+
+#[test]
+fn no_flag_changes_bits_in_silence() {
+    let cases = sensitive();
+    assert!(cases.len() > 10);
+    let Some(&fma) = toolchain::with_fma().first() else {
+        println!("left out: this processor has no FMA");
+        return;
+    };
+    thread::scope(|scope| {
+        for (compiler, told) in [("gcc", GCC), ("clang", CLANG)] {
+            let is = |it: &Toolchain| it.compiler == compiler && it.level == 3;
+            let Some(toolchain) = toolchain::host().into_iter().find(is) else { continue };
+            let toolchain = Toolchain { more: fma, ..toolchain };
+            let cases = &cases;
+            scope.spawn(move || {
+                for (flags, then) in told {
+                    holds(&toolchain, flags, *then, cases);
+                }
+            });
+        }
+    });
+}
+
+/// gcc's vectors contract on processors that can, whatever they are told. In the full run, the whole corpus goes through.
+#[test]
+fn no_processor_changes_bits() {
+    let cases = if turn::is_full() { cases().to_vec() } else { sensitive() };
+    for toolchain in toolchain::fusing() {
+        run_c(corpus(), &cases, &toolchain, &[]);
+        run_c(corpus(), &cases, &Toolchain { level: 3, ..toolchain }, &[]);
+    }
+}
+
+/// Processors of ARM with FMA: gcc contracts there as soon as nobody tells it not to.
+#[test]
+fn no_contraction_on_arm() {
+    const A7: Toolchain = Toolchain {
+        level: 3,
+        machine: &["-mcpu=cortex-a7", "-mfpu=vfpv4", "-mfloat-abi=hard", "-static"],
+        emulator: Some(&["qemu-arm", "-cpu", "cortex-a7"]),
+        ..toolchain::ARM
+    };
+    if toolchain::target().is_empty() {
+        return;
+    }
+    run_c(corpus(), &sensitive(), &A7, &["-std=gnu99", "-ffp-contract=fast"]);
+}
+
+/// What a compiler for i386 wants to know of the C library, of which Debian has no headers beside those of ARM.
+const LIBRARY: [(&str, &str); 2] = [
+    (
+        "math.h",
+        "#define NAN __builtin_nanf(\"\")\n#define isfinite(x) __builtin_isfinite(x)\n\
+         double sqrt(double);\ndouble fabs(double);\nfloat sqrtf(float);\nfloat fabsf(float);\n",
+    ),
+    ("string.h", "#include <stddef.h>\nvoid *memcpy(void *, const void *, size_t);\n"),
+];
+
+/// A `double` in a struct or an array stands at a multiple of 4 there: vectors must not claim more.
+#[test]
+fn vectors_ask_for_no_more_than_numbers_have() {
+    let host = toolchain::host();
+    let Some(gcc) = host.iter().find(|it| it.compiler == "gcc") else { return };
+    let folder = lay_out(&compiled("linear")).expect("the C");
+    for (name, text) in LIBRARY {
+        std::fs::write(folder.path().join(name), text).expect("a header");
+    }
+    for vectors in ["-msse2", "-mavx2", "-mavx512f"] {
+        let mut command = gcc.command();
+        command.args(["-m32", vectors, "-mfpmath=sse", "-ffreestanding", "-fsyntax-only"]);
+        command.args(["-Wcast-align=strict", "-I"]).arg(folder.path()).args(folder.sources());
+        run(&mut command).unwrap_or_else(|said| panic!("{said}"));
+    }
+}
