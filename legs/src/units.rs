@@ -62,9 +62,7 @@ pub fn write(folder: &Path, sources: &[PathBuf]) -> std::io::Result<Vec<PathBuf>
 
 /// Whether a file has what would reach into those behind it.
 fn stands_alone(text: &str) -> bool {
-    ["#define", "__attribute__", "\ntypedef"]
-        .iter()
-        .any(|it| text.contains(it))
+    ["#define", "__attribute__", "\ntypedef"].iter().any(|it| text.contains(it))
 }
 
 fn words(text: &str) -> BTreeSet<String> {

@@ -75,7 +75,8 @@ fn the_c_flies_every_flight_to_the_same_bits() {
 fn every_compiler_flies_a_hover_to_the_same_bits() {
     let hover = find("hover").expect("a flight");
     let fusing = turn::one_of(toolchain::fusing());
-    for toolchain in turn::levels(toolchain::all()).into_iter().chain(fusing).chain(turn::others()) {
+    for toolchain in turn::levels(toolchain::all()).into_iter().chain(fusing).chain(turn::others())
+    {
         same(hover, 6.0, &toolchain, &mut started(&toolchain));
     }
 }
