@@ -162,11 +162,14 @@ pub fn prepare(wanted: &Test, machine: &dyn Machine, progress: &mut Progress) ->
 }
 
 fn lacking(wanted: &Test, machine: &dyn Machine) -> Vec<&'static Tool> {
-    let needs: &[Need] = match wanted.host {
-        true => &[Need::Everything, Need::Host],
-        false => &[Need::Everything, Need::Host, Need::Target],
-    };
-    tools::missing(&tools::survey(machine), needs)
+    let mut needs = vec![Need::Everything, Need::Host];
+    if !wanted.host {
+        needs.push(Need::Target);
+    }
+    if wanted.full {
+        needs.push(Need::Full);
+    }
+    tools::missing(&tools::survey(machine), &needs)
 }
 
 fn names(tools: &[&'static Tool]) -> Vec<&'static str> {

@@ -68,6 +68,21 @@ impl Fake {
             .with("qemu-arm", "qemu-arm version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)")
             .with("valgrind", "valgrind-3.19.0")
             .with("arm-linux-gnueabihf-g++", "arm-linux-gnueabihf-g++ (Debian 12.2.0-14) 12.2.0");
+        for (compiler, answer) in [
+            ("aarch64-linux-gnu-gcc", "aarch64-linux-gnu-gcc (Debian 12.2.0-14) 12.2.0"),
+            ("riscv64-linux-gnu-gcc", "riscv64-linux-gnu-gcc (Debian 12.2.0-13) 12.2.0"),
+            ("s390x-linux-gnu-gcc", "s390x-linux-gnu-gcc (Debian 12.2.0-14) 12.2.0"),
+        ] {
+            fake = fake.with(compiler, answer);
+            fake.headers.insert(compiler);
+        }
+        for (emulator, answer) in [
+            ("qemu-aarch64", "qemu-aarch64 version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)"),
+            ("qemu-riscv64", "qemu-riscv64 version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)"),
+            ("qemu-s390x", "qemu-s390x version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)"),
+        ] {
+            fake = fake.with(emulator, answer);
+        }
         fake.headers.insert("arm-linux-gnueabihf-gcc");
         fake
     }
@@ -192,6 +207,15 @@ C library                found         test               headers and libraries 
 arm-linux-gnueabihf-gcc  12.2.0        test (not --host)  compiles the emitted C for a Cortex-A9
 ARM C library            found         test (not --host)  headers and libraries for the above
 qemu-arm                 7.2.22        test (not --host)  runs it on an emulated Cortex-A9
+aarch64-linux-gnu-gcc    12.2.0        test --full        compiles the emitted C for ARM of 64 bits
+aarch64 C library        found         test --full        headers and libraries for the above
+qemu-aarch64             7.2.22        test --full        runs it
+riscv64-linux-gnu-gcc    12.2.0        test --full        compiles the emitted C for RISC-V
+riscv64 C library        found         test --full        headers and libraries for the above
+qemu-riscv64             7.2.22        test --full        runs it
+s390x-linux-gnu-gcc      12.2.0        test --full        compiles the emitted C for s390x, which is big-endian
+s390x C library          found         test --full        headers and libraries for the above
+qemu-s390x               7.2.22        test --full        runs it
 valgrind                 3.19.0        bench              counts instructions on the host
 arm-linux-gnueabihf-g++  12.2.0        bench              compiles Eigen for the Cortex-A9
 Eigen                    found         bench              a peer
