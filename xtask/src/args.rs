@@ -4,6 +4,7 @@
 
 use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Args, Parser, Subcommand};
+use std::num::NonZeroUsize;
 
 const STYLES: Styles = Styles::styled()
     .header(AnsiColor::Green.on_default().bold())
@@ -42,6 +43,8 @@ pub enum Task {
     Gen(Gen),
     /// Run everything that must pass: format, lints, freshness of generated/, all tests
     Test(Test),
+    /// Break the compiler in small ways, and show that the tests tell
+    Mutate(Mutate),
     /// List the tools that are there and those that are missing
     Doctor(Doctor),
     /// Measure the generated C against its peers
@@ -115,6 +118,38 @@ pub struct Test {
     /// Store the times of this run, beside which later runs see what grew
     #[arg(long)]
     pub store_times: bool,
+}
+
+/// Arguments of `mutate`.
+#[derive(Debug, Default, Args)]
+#[command(
+    arg_required_else_help = true,
+    after_help = "\
+Examples:
+  cargo xtask mutate --all                 Every mutant in tests/mutants/ (an hour)
+  cargo xtask mutate passes_never_moves    One of them
+  cargo xtask mutate --turn 3 --of 30      The third of thirty parts
+
+A mutant is a patch as `git apply` takes it: drop the output of `git diff` into tests/mutants/, below a line that
+says what is broken and, if it is known, the test that finds it (`killed-by: cargo test …`). It is tried in a copy of the
+work tree, under target/mutants/. Exit code 1 if one survives, does not compile, or is found by another test."
+)]
+pub struct Mutate {
+    /// The mutants to try: names of patches, without the ending
+    #[arg(required_unless_present_any = ["all", "turn"], conflicts_with_all = ["all", "turn"])]
+    pub names: Vec<String>,
+    /// Every mutant
+    #[arg(long, conflicts_with = "turn")]
+    pub all: bool,
+    /// One part of them, from 1
+    #[arg(long, value_name = "N", requires = "of")]
+    pub turn: Option<NonZeroUsize>,
+    /// How many parts there are
+    #[arg(long, value_name = "M", requires = "turn")]
+    pub of: Option<NonZeroUsize>,
+    /// Print JSON instead of lines
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Arguments of `doctor`.
@@ -224,6 +259,27 @@ mod tests {
             assert_eq!(parse(&[command, "--sed", "1"]).err(), Some(ErrorKind::UnknownArgument));
         }
         assert_eq!(parse(&["campaign", "spred"]).err(), Some(ErrorKind::InvalidValue));
+    }
+
+    #[test]
+    fn mutate_is_told_which() {
+        use clap::error::ErrorKind;
+        let mutate = |rest: &[&str]| match parse(&[&["mutate"], rest].concat()) {
+            Ok(Task::Mutate(wanted)) => Ok(wanted),
+            Ok(_) => Err(ErrorKind::Format),
+            Err(kind) => Err(kind),
+        };
+        assert!(mutate(&["a", "b"]).is_ok_and(|it| it.names == ["a", "b"] && !it.all));
+        assert!(mutate(&["--all", "--json"]).is_ok_and(|it| it.all && it.json));
+        assert!(mutate(&["--turn", "1", "--of", "2"]).is_ok_and(|it| it.turn.is_some()));
+        for wrong in [&["--json"][..], &["--turn", "1"], &["--of", "2"]] {
+            assert_eq!(mutate(wrong).err(), Some(ErrorKind::MissingRequiredArgument), "{wrong:?}");
+        }
+        for wrong in [&["a", "--all"][..], &["--all", "--turn", "1", "--of", "2"]] {
+            assert_eq!(mutate(wrong).err(), Some(ErrorKind::ArgumentConflict), "{wrong:?}");
+        }
+        let zero = mutate(&["--turn", "0", "--of", "2"]);
+        assert_eq!(zero.err(), Some(ErrorKind::ValueValidation));
     }
 
     #[test]

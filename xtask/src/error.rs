@@ -5,6 +5,7 @@
 
 use anstyle::{AnsiColor, Style};
 use bessemer_codegen::generate;
+use std::path::PathBuf;
 use std::process::ExitStatus;
 
 /// How a command that ran to its end came out.
@@ -70,11 +71,47 @@ pub enum Error {
     /// The generator could not do its work.
     #[error(transparent)]
     Generate(#[from] bessemer_codegen::generate::Error),
-    /// A file could not be written.
-    #[error("`{}`: {source}", path.display())]
-    Write {
-        /// Which.
-        path: std::path::PathBuf,
+    /// A patch of a mutant does not say what it should.
+    #[error("{}: {problem}", file.display())]
+    Mutant {
+        /// The patch.
+        file: PathBuf,
+        /// What is wrong, and what to write.
+        problem: String,
+    },
+    /// There is no mutant of this name.
+    #[error("there is no mutant `{name}`")]
+    NoMutant {
+        /// As it was asked for.
+        name: String,
+        /// Those that there are.
+        known: Vec<String>,
+    },
+    /// There is no such turn.
+    #[error("there is no turn {turn} of {of}")]
+    NoTurn {
+        /// As it was asked for.
+        turn: usize,
+        /// How many there are.
+        of: usize,
+    },
+    /// Another run has what this one needs for itself.
+    #[error("another run is at work in {}", folder.display())]
+    Busy {
+        /// What it has.
+        folder: PathBuf,
+    },
+    /// What needs the work tree of a git repository is asked for elsewhere.
+    #[error("this is no checkout of git: {said}")]
+    NoCheckout {
+        /// What git said.
+        said: String,
+    },
+    /// A file or folder could not be read or written.
+    #[error("{}: {source}", path.display())]
+    File {
+        /// The file or folder.
+        path: PathBuf,
         /// The system's reason.
         source: std::io::Error,
     },
@@ -103,10 +140,17 @@ impl Error {
             Self::Stage { remedy, .. } => remedy.map(str::to_owned),
             Self::Generate(error) => error.remedy().map(str::to_owned),
             Self::StillMissing { .. } => Some("cargo xtask doctor".to_owned()),
+            Self::NoMutant { known, .. } => Some(format!("choose from {}", known.join(", "))),
+            Self::NoTurn { of, .. } => Some(format!("turns go from 1 to {of}")),
+            Self::Busy { .. } => Some("wait until it has ended".to_owned()),
+            Self::NoCheckout { .. } => {
+                Some("run it in a clone of the repository, with at least one commit".to_owned())
+            }
             Self::NotYet { .. }
             | Self::Install { .. }
-            | Self::Write { .. }
-            | Self::Spawn { .. } => None,
+            | Self::Spawn { .. }
+            | Self::Mutant { .. }
+            | Self::File { .. } => None,
         }
     }
 

@@ -17,6 +17,7 @@ pub mod doctor;
 pub mod error;
 pub mod generate;
 pub mod install;
+pub mod mutate;
 pub mod project;
 pub mod runner;
 pub mod sim;

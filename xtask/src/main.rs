@@ -8,7 +8,7 @@ use clap::Parser;
 use xtask::args::{Arguments, Task};
 use xtask::error::{Error, Outcome};
 use xtask::tools::ThisMachine;
-use xtask::{bench, doctor, generate, project, sim, test};
+use xtask::{bench, doctor, generate, mutate, project, sim, test};
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
@@ -27,6 +27,7 @@ fn perform(task: &Task) -> Result<Outcome, Error> {
     match task {
         Task::Gen(wanted) => generate::run(&root, wanted.mode(), wanted.explain),
         Task::Test(wanted) => test::run(&root, wanted, &ThisMachine),
+        Task::Mutate(wanted) => mutate::run(&root, wanted),
         Task::Doctor(wanted) => doctor::run(wanted, &ThisMachine),
         Task::Bench(wanted) => bench::run(&root, wanted, &ThisMachine),
         Task::Simulation(_) => sim::run(&root, std::env::args_os().skip(1)),

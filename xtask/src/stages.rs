@@ -12,8 +12,8 @@ use crate::error::Error;
 use anstyle::{AnsiColor, Style};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::{BufRead, BufReader, IsTerminal, Read};
-use std::process::{Command, ExitStatus, Stdio};
-use std::sync::mpsc::{self, Sender};
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::mpsc::{self, Receiver, Sender};
 use std::time::{Duration, Instant};
 
 const GREEN: Style = Style::new().bold().fg_color(Some(anstyle::Color::Ansi(AnsiColor::Green)));
@@ -41,11 +41,24 @@ impl Progress {
         name: &str,
         work: impl FnOnce(&Voice) -> Result<T, Error>,
     ) -> Result<T, Error> {
-        let voice = Voice::new(name, self.moving);
         let start = Instant::now();
+        let outcome = self.moving(name, work);
+        self.end(name, start, outcome.is_ok());
+        outcome
+    }
+
+    /// The same for work that tells of its end itself.
+    ///
+    /// # Errors
+    /// Those of `work`.
+    pub fn moving<T>(
+        &self,
+        name: &str,
+        work: impl FnOnce(&Voice) -> Result<T, Error>,
+    ) -> Result<T, Error> {
+        let voice = Voice::new(name, self.moving);
         let outcome = work(&voice);
         voice.bar.finish_and_clear();
-        self.end(name, start, outcome.is_ok());
         outcome
     }
 
@@ -90,7 +103,7 @@ impl Voice {
     fn new(name: &str, moving: bool) -> Self {
         if !moving {
             anstream::eprintln!("{name} ...");
-            return Self { bar: ProgressBar::hidden() };
+            return Self::hidden();
         }
         let bar = ProgressBar::new_spinner().with_prefix(name.to_owned());
         if let Ok(style) =
@@ -100,6 +113,12 @@ impl Voice {
         }
         bar.enable_steady_tick(Duration::from_millis(100));
         Self { bar }
+    }
+
+    /// One that nobody hears.
+    #[must_use]
+    pub fn hidden() -> Self {
+        Self { bar: ProgressBar::hidden() }
     }
 
     /// Shows the last thing that happened.
@@ -162,11 +181,7 @@ fn heard(command: &mut Command, voice: &Voice) -> Result<(ExitStatus, Vec<String
     if anstream::AutoStream::choice(&std::io::stderr()) != anstream::ColorChoice::Never {
         command.env("CARGO_TERM_COLOR", "always");
     }
-    command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
-    let mut child = command.spawn().map_err(|source| spawn_error(command, source))?;
-    let (sender, lines) = mpsc::channel();
-    listen(child.stdout.take(), sender.clone());
-    listen(child.stderr.take(), sender);
+    let (mut child, lines) = started(command)?;
     let mut heard = Vec::new();
     for line in lines {
         voice.say(&line);
@@ -174,6 +189,19 @@ fn heard(command: &mut Command, voice: &Voice) -> Result<(ExitStatus, Vec<String
     }
     let status = child.wait().map_err(|source| spawn_error(command, source))?;
     Ok((status, heard))
+}
+
+/// Starts the program and listens to both its outputs; the lines end when it has closed them.
+///
+/// # Errors
+/// [`Error::Spawn`] if it does not start.
+pub fn started(command: &mut Command) -> Result<(Child, Receiver<String>), Error> {
+    command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().map_err(|source| spawn_error(command, source))?;
+    let (sender, lines) = mpsc::channel();
+    listen(child.stdout.take(), sender.clone());
+    listen(child.stderr.take(), sender);
+    Ok((child, lines))
 }
 
 /// Sends the stream's lines, from a thread of its own, until the stream ends.
@@ -192,7 +220,9 @@ fn listen(stream: Option<impl Read + Send + 'static>, sender: Sender<String>) {
     });
 }
 
-fn spawn_error(command: &Command, source: std::io::Error) -> Error {
+/// That a program could not be started or listened to.
+#[must_use]
+pub fn spawn_error(command: &Command, source: std::io::Error) -> Error {
     Error::Spawn { program: command.get_program().to_string_lossy().into_owned(), source }
 }
 
@@ -204,13 +234,9 @@ fn seconds(time: Duration) -> String {
 mod tests {
     use super::*;
 
-    fn quiet() -> Voice {
-        Voice { bar: ProgressBar::hidden() }
-    }
-
     #[test]
     fn a_program_that_does_not_start_is_named() {
-        let outcome = captured(&mut Command::new("no-such-program-anywhere"), &quiet());
+        let outcome = captured(&mut Command::new("no-such-program-anywhere"), &Voice::hidden());
         assert!(
             matches!(outcome, Err(Error::Spawn { program, .. }) if program == "no-such-program-anywhere")
         );
@@ -220,7 +246,7 @@ mod tests {
     fn both_outputs_are_read_to_the_end() -> Result<(), Error> {
         // More than a pipe holds, on both: a reader that minds only one of them would hang.
         let script = "i=0; while [ $i -lt 20000 ]; do echo out; echo err >&2; i=$((i+1)); done";
-        let status = captured(Command::new("sh").args(["-c", script]), &quiet())?;
+        let status = captured(Command::new("sh").args(["-c", script]), &Voice::hidden())?;
         assert!(status.success());
         Ok(())
     }

@@ -101,7 +101,7 @@ fn times(progress: &Progress, done: &[Done]) -> Times {
 
 fn store(root: &Path, times: &Times) -> Result<(), Error> {
     let path = root.join(TIMES);
-    std::fs::write(&path, times.text()).map_err(|source| Error::Write { path, source })
+    std::fs::write(&path, times.text()).map_err(|source| Error::File { path, source })
 }
 
 /// What took how long, what grew, what failed; the summary last.

@@ -1,0 +1,273 @@
+//! `cargo xtask mutate`: breaks the compiler in small ways, and shows that the tests tell.
+//!
+//! Each patch in `tests/mutants/` is applied to a copy of the work tree; the test that its header names is run there, and, if
+//! that passes or none is named, all tests from the cheapest to the dearest until one fails. A mutant that no test finds is a gap
+//! in the tests; one that does not compile, or that another test finds than its header says, is a mistake in its file. Each
+//! of these fails the command. That the tests pass without a mutant is for `cargo xtask test` to see.
+//!
+//! What it must not know: what the mutants break, what the tests test.
+
+pub mod mutant;
+pub mod sandbox;
+pub mod trial;
+
+use std::num::NonZeroUsize;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use anstyle::{AnsiColor, Style};
+use serde_json::{Value, json};
+
+use crate::args::Mutate;
+use crate::error::{Error, Outcome};
+use crate::stages::{Progress, Voice};
+use mutant::Mutant;
+use sandbox::Sandbox;
+use trial::Found;
+
+/// All tests of what mutants change, from the cheapest to the dearest. Not those of `xtask`: no patch applies twice, which
+/// is all that they would find.
+const TESTS: [&str; 9] = [
+    "test --package bessemer-codegen",
+    "xtask gen --check",
+    "test --package bessemer-tests --test all corpus::",
+    "test --package bessemer-tests --test all linear::",
+    "test --package bessemer-tests --test all edges::",
+    "test --package bessemer-tests --test all random::",
+    "test --package bessemer-ir --package bessemer-macros --package bessemer-legs",
+    "test --package bessemer",
+    "test --package bessemer-tests",
+];
+
+const GREEN: Style = Style::new().fg_color(Some(anstyle::Color::Ansi(AnsiColor::Green)));
+const RED: Style = Style::new().bold().fg_color(Some(anstyle::Color::Ansi(AnsiColor::Red)));
+
+/// What became of a mutant.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Fate {
+    /// A test found it.
+    Killed {
+        /// What failed.
+        by: String,
+        /// The command that failed.
+        command: String,
+    },
+    /// A test found it, but not that of its header.
+    Elsewhere {
+        /// What failed.
+        by: String,
+        /// The command that failed.
+        command: String,
+    },
+    /// No test found it.
+    Survived,
+    /// What it changes does not compile.
+    Uncompiled,
+    /// Its patch does not apply; what git said.
+    Unapplied(String),
+    /// A command could not be carried out; what it said.
+    Unrun(String),
+}
+
+impl Fate {
+    fn verdict(&self) -> &'static str {
+        match self {
+            Self::Killed { .. } => "killed",
+            Self::Elsewhere { .. } => "misnamed",
+            Self::Survived => "survived",
+            Self::Uncompiled => "not compiled",
+            Self::Unapplied(_) => "not applied",
+            Self::Unrun(_) => "not run",
+        }
+    }
+
+    fn detail(&self, mutant: &Mutant) -> String {
+        match self {
+            Self::Killed { by, command } => killer(by, command),
+            Self::Elsewhere { by, command } => format!(
+                "by {}, not by cargo {}, as its header says",
+                killer(by, command),
+                mutant.killed_by.as_deref().unwrap_or_default()
+            ),
+            Self::Survived => "no test tells: write one that does".to_owned(),
+            Self::Uncompiled => "mend the patch".to_owned(),
+            Self::Unapplied(said) | Self::Unrun(said) => said.clone(),
+        }
+    }
+
+    fn is_good(&self) -> bool {
+        matches!(self, Self::Killed { .. })
+    }
+}
+
+/// Tries the mutants that are asked for, and prints a line for each.
+///
+/// # Errors
+/// What keeps it from trying them; that one survives is an [`Outcome::Bad`].
+pub fn run(root: &Path, wanted: &Mutate) -> Result<Outcome, Error> {
+    let chosen = chosen(Mutant::all(root)?, wanted)?;
+    let width = chosen.iter().map(|mutant| mutant.name.len()).max().unwrap_or(0);
+    let sandbox = Sandbox::of(root)?;
+    let progress = Progress::default();
+    let mut fates = Vec::new();
+    for (index, mutant) in chosen.iter().enumerate() {
+        let stage = format!("{}/{} {}", index + 1, chosen.len(), mutant.name);
+        let start = Instant::now();
+        let fate = progress.moving(&stage, |voice| fate(root, &sandbox, mutant, voice))?;
+        if !wanted.json {
+            anstream::println!("{}", line(mutant, &fate, start.elapsed(), width));
+        }
+        fates.push((mutant, fate, start.elapsed()));
+    }
+    sandbox.restore()?;
+    if wanted.json {
+        let entries: Vec<Value> = fates.iter().map(|it| entry(it.0, &it.1, it.2)).collect();
+        anstream::println!("{:#}", Value::Array(entries));
+    }
+    let good = fates.iter().all(|(_, fate, _)| fate.is_good());
+    Ok(if good { Outcome::Good } else { Outcome::Bad })
+}
+
+/// The mutants that the command line names.
+fn chosen(all: Vec<Mutant>, wanted: &Mutate) -> Result<Vec<Mutant>, Error> {
+    if let Some(name) = wanted.names.iter().find(|name| all.iter().all(|it| it.name != **name)) {
+        let known = all.into_iter().map(|it| it.name).collect();
+        return Err(Error::NoMutant { name: name.clone(), known });
+    }
+    Ok(match (wanted.turn, wanted.of) {
+        (Some(turn), Some(of)) if turn > of => {
+            return Err(Error::NoTurn { turn: turn.get(), of: of.get() });
+        }
+        (Some(turn), Some(of)) => mutant::of_turn(all, turn, of),
+        _ if wanted.all => all,
+        _ => all.into_iter().filter(|it| wanted.names.contains(&it.name)).collect(),
+    })
+}
+
+/// What a run by turns asks for: `count` mutants, or fewer, that a number chooses, such as that of a commit.
+///
+/// # Errors
+/// If the mutants cannot be read.
+pub fn by_turn(root: &Path, number: u32, count: NonZeroUsize) -> Result<Mutate, Error> {
+    let (turn, of) = mutant::turn_of(number, Mutant::all(root)?.len(), count);
+    Ok(Mutate { turn: Some(turn), of: Some(of), ..Mutate::default() })
+}
+
+/// Tries one mutant.
+fn fate(root: &Path, sandbox: &Sandbox, mutant: &Mutant, voice: &Voice) -> Result<Fate, Error> {
+    sandbox.restore()?;
+    if let Err(said) = sandbox.mutate(mutant)? {
+        return Ok(Fate::Unapplied(said));
+    }
+    let packages = mutant.packages(root);
+    for command in mutant.killed_by.as_deref().into_iter().chain(TESTS) {
+        let by = match trial::run(&mut sandbox.cargo(command), voice)? {
+            Found::Nothing => continue,
+            Found::Broken(package) if packages.contains(&package) => return Ok(Fate::Uncompiled),
+            Found::Broken(package) => format!("the build of {package}"),
+            Found::Test(name) => name,
+            Found::Failure => String::new(),
+            Found::Unrun(said) => return Ok(Fate::Unrun(format!("cargo {command}: {said}"))),
+            Found::Silence => "a test that does not end".to_owned(),
+        };
+        let command = command.to_owned();
+        return Ok(match &mutant.killed_by {
+            Some(stated) if *stated != command => Fate::Elsewhere { by, command },
+            _ => Fate::Killed { by, command },
+        });
+    }
+    Ok(Fate::Survived)
+}
+
+/// What failed, in a command that may name no test.
+fn killer(by: &str, command: &str) -> String {
+    if by.is_empty() { format!("cargo {command}") } else { format!("{by} of cargo {command}") }
+}
+
+fn line(mutant: &Mutant, fate: &Fate, time: Duration, width: usize) -> String {
+    let style = if fate.is_good() { GREEN } else { RED };
+    let (name, verdict, detail) = (&mutant.name, fate.verdict(), fate.detail(mutant));
+    let seconds = time.as_secs_f64();
+    format!("{name:width$}  {style}{verdict:12}{style:#}  {seconds:>7.1} s  {detail}")
+}
+
+fn entry(mutant: &Mutant, fate: &Fate, time: Duration) -> Value {
+    let (by, command) = match fate {
+        Fate::Killed { by, command } | Fate::Elsewhere { by, command } => {
+            (Some(by).filter(|by| !by.is_empty()), Some(format!("cargo {command}")))
+        }
+        _ => (None, None),
+    };
+    json!({
+        "mutant": mutant.name,
+        "what": mutant.what,
+        "changed": mutant.changed,
+        "verdict": fate.verdict(),
+        "killed_by": by,
+        "command": command,
+        "seconds": time.as_secs_f64(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn mutant(name: &str) -> Mutant {
+        let text = "It is broken.\nkilled-by: cargo test -p it\n--- a/x\n+++ b/x\n";
+        Mutant::parse(Path::new(&format!("{name}.patch")), text).expect("it is whole")
+    }
+
+    #[test]
+    fn the_command_line_chooses() {
+        let all = || ["a", "b", "c"].map(mutant).to_vec();
+        let names = |wanted: Mutate| {
+            let chosen = chosen(all(), &wanted);
+            chosen.map(|all| all.into_iter().map(|it| it.name).collect::<Vec<_>>())
+        };
+        let named = Mutate { names: vec!["c".to_owned(), "a".to_owned()], ..Mutate::default() };
+        assert!(names(named).is_ok_and(|names| names == ["a", "c"]));
+        let every = Mutate { all: true, ..Mutate::default() };
+        assert!(names(every).is_ok_and(|names| names == ["a", "b", "c"]));
+        let second =
+            Mutate { turn: NonZeroUsize::new(2), of: NonZeroUsize::new(2), ..Mutate::default() };
+        assert!(names(second).is_ok_and(|names| names == ["b"]));
+        let third =
+            Mutate { turn: NonZeroUsize::new(3), of: NonZeroUsize::new(2), ..Mutate::default() };
+        assert!(matches!(names(third), Err(Error::NoTurn { turn: 3, of: 2 })));
+        let unknown = Mutate { names: vec!["d".to_owned()], ..Mutate::default() };
+        assert!(matches!(names(unknown), Err(Error::NoMutant { name, .. }) if name == "d"));
+    }
+
+    #[test]
+    fn a_line_for_each() {
+        let plain = |fate: &Fate| {
+            let time = Duration::from_millis(12_345);
+            anstream::adapter::strip_str(&line(&mutant("order"), fate, time, 8)).to_string()
+        };
+        let (by, command) = ("corpus::a".to_owned(), "test -p it".to_owned());
+        let killed = Fate::Killed { by: by.clone(), command: command.clone() };
+        assert_eq!(
+            plain(&killed),
+            "order     killed           12.3 s  corpus::a of cargo test -p it"
+        );
+        assert!(killed.is_good());
+        let bad = [
+            Fate::Elsewhere { by, command },
+            Fate::Survived,
+            Fate::Uncompiled,
+            Fate::Unapplied("error: patch failed".to_owned()),
+            Fate::Unrun("error: no such package".to_owned()),
+        ];
+        assert!(bad.iter().all(|fate| !fate.is_good()));
+        assert!(plain(&bad[0]).contains("misnamed"), "{}", plain(&bad[0]));
+        assert_eq!(
+            plain(&bad[1]),
+            "order     survived         12.3 s  no test tells: write one that does"
+        );
+        let entry = entry(&mutant("order"), &killed, Duration::from_millis(1_500));
+        assert_eq!(entry["verdict"], "killed");
+        assert_eq!(entry["killed_by"], "corpus::a");
+        assert_eq!(entry["seconds"], 1.5);
+    }
+}

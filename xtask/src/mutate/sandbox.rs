@@ -1,0 +1,125 @@
+//! The copy of the work tree in which mutants are tried, and the target folder that they share.
+//!
+//! Invariants:
+//! - the work tree itself is never changed;
+//! - a file of the copy is written only where it differs, so that cargo builds anew what a mutant changes, what the last one
+//!   changed, and what rests on these;
+//! - one run at a time has the copy.
+//!
+//! The copy always lies in the same place: cargo would build every package of another place anew.
+
+use std::collections::BTreeSet;
+use std::fs::{self, File, TryLockError};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use super::mutant::{self, Mutant};
+use crate::error::Error;
+use crate::project;
+
+/// A copy of the work tree at `root`.
+#[derive(Debug)]
+pub struct Sandbox {
+    root: PathBuf,
+    /// Where the copy lies.
+    pub tree: PathBuf,
+    target: PathBuf,
+    _lock: File,
+}
+
+impl Sandbox {
+    /// The copy of the work tree at `root`, not yet up to date.
+    ///
+    /// # Errors
+    /// [`Error::Busy`] if another run has it; what the file system said.
+    pub fn of(root: &Path) -> Result<Sandbox, Error> {
+        let folder = root.join("target/mutants");
+        let tree = folder.join("tree");
+        fs::create_dir_all(&tree).map_err(of(&tree))?;
+        let path = folder.join("lock");
+        let lock = File::create(&path).map_err(of(&path))?;
+        lock.try_lock().map_err(|error| match error {
+            TryLockError::WouldBlock => Error::Busy { folder: folder.clone() },
+            TryLockError::Error(source) => Error::File { path, source },
+        })?;
+        Ok(Sandbox { root: root.to_owned(), tree, target: folder.join("target"), _lock: lock })
+    }
+
+    /// Makes the copy what the work tree is now, what is not committed included.
+    ///
+    /// # Errors
+    /// What git or the file system said.
+    pub fn restore(&self) -> Result<(), Error> {
+        let wanted = listed(&self.root)?;
+        for name in &wanted {
+            let (from, to) = (self.root.join(name), self.tree.join(name));
+            if fs::read(&from).map_err(of(&from))? == fs::read(&to).unwrap_or_default()
+                && to.exists()
+            {
+                continue;
+            }
+            if let Some(folder) = to.parent() {
+                fs::create_dir_all(folder).map_err(of(folder))?;
+            }
+            fs::copy(&from, &to).map_err(of(&to))?;
+        }
+        self.sweep(&self.tree, &wanted)
+    }
+
+    /// Removes what is in the copy and not in the work tree.
+    fn sweep(&self, folder: &Path, wanted: &BTreeSet<PathBuf>) -> Result<(), Error> {
+        for entry in fs::read_dir(folder).map_err(of(folder))? {
+            let path = entry.map_err(of(folder))?.path();
+            if path.is_dir() && !path.is_symlink() {
+                self.sweep(&path, wanted)?;
+            } else if path.strip_prefix(&self.tree).is_ok_and(|name| !wanted.contains(name)) {
+                fs::remove_file(&path).map_err(of(&path))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Breaks the copy as the mutant says; gives what git said if its patch does not apply.
+    ///
+    /// # Errors
+    /// If git does not run.
+    pub fn mutate(&self, mutant: &Mutant) -> Result<Result<(), String>, Error> {
+        let output = run(&mut mutant::git_apply(&self.tree, &mutant.patch))?;
+        let said = String::from_utf8_lossy(&output.stderr).trim().to_owned();
+        Ok(if output.status.success() { Ok(()) } else { Err(said) })
+    }
+
+    /// Cargo in the copy, with the words of `command`.
+    #[must_use]
+    pub fn cargo(&self, command: &str) -> Command {
+        let words: Vec<&str> = command.split_whitespace().collect();
+        let mut cargo = project::cargo(&self.tree, &words);
+        // A snapshot that differs is a failure; nobody accepts it there.
+        cargo.env("CARGO_TARGET_DIR", &self.target).env("INSTA_UPDATE", "no");
+        cargo
+    }
+}
+
+/// The files of the work tree that git knows or would add.
+fn listed(root: &Path) -> Result<BTreeSet<PathBuf>, Error> {
+    let mut git = Command::new("git");
+    git.args(["ls-files", "-z", "--cached", "--others", "--exclude-standard"]).current_dir(root);
+    let output = run(&mut git)?;
+    if !output.status.success() {
+        let said = String::from_utf8_lossy(&output.stderr).trim().to_owned();
+        return Err(Error::NoCheckout { said });
+    }
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    // What is removed and not yet committed is still listed.
+    let there = |name: &PathBuf| root.join(name).is_file();
+    Ok(text.split_terminator('\0').map(PathBuf::from).filter(there).collect())
+}
+
+fn run(command: &mut Command) -> Result<std::process::Output, Error> {
+    command.output().map_err(|source| Error::Spawn { program: "git".to_owned(), source })
+}
+
+fn of(path: &Path) -> impl FnOnce(std::io::Error) -> Error + use<> {
+    let path = path.to_owned();
+    |source| Error::File { path, source }
+}
