@@ -46,6 +46,10 @@ pub fn settings(package: &str) -> impl Iterator<Item = String> {
     of(package).into_iter().chain(of("bessemer"))
 }
 
+/// Bytes of rustc's stack in a generation build. In the witness copy each value of an expression stands in a call, so
+/// what nests as deep as an author's Rust may nests three times as deep there. Only what is used of it is memory.
+const RUSTC_STACK: usize = 1 << 30;
+
 /// Builds the program that prints the tree.
 fn build(job: &Job, sources: &Sources) -> Result<Program, Error> {
     let cargo = program::cargo();
@@ -56,6 +60,9 @@ fn build(job: &Job, sources: &Sources) -> Result<Program, Error> {
         .args(["--package", &job.package, "--features", "generate", "--bin", &binary])
         .current_dir(&job.root)
         .stderr(Stdio::piped());
+    if std::env::var_os("RUST_MIN_STACK").is_none() {
+        command.env("RUST_MIN_STACK", RUSTC_STACK.to_string());
+    }
     for setting in settings(&job.package) {
         command.args(["--config", &setting]);
     }
