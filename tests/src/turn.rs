@@ -21,11 +21,6 @@ pub fn some_of_shifted<T>(list: Vec<T>, count: usize, by: usize) -> Vec<T> {
     if is_full() { list } else { chosen(list, count, turn() + by) }
 }
 
-/// The number of this run's turn, for what chooses by itself.
-pub fn number() -> u64 {
-    turn() as u64
-}
-
 /// One element of the list; all of them in a full run.
 pub fn one_of<T>(list: Vec<T>) -> Vec<T> {
     some_of(list, 1)

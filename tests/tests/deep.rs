@@ -8,9 +8,11 @@ use bessemer_tests::process::Process;
 use bessemer_tests::toolchain;
 use bessemer_tests::workspace::Workspace;
 
-const TERMS: u32 = 2000;
-const BRANCHES: u32 = 500;
-const FIELDS: u32 = 600;
+/// How deep: beyond what the tree's JSON was once read to (43 terms, 39 branches). The whole way takes more than linear
+/// time in one function, rustc's part of it first.
+const TERMS: u32 = 150;
+const BRANCHES: u32 = 60;
+const FIELDS: u32 = 100;
 
 fn joined(count: u32, between: &str, one: impl Fn(u32) -> String) -> String {
     (0..count).map(one).collect::<Vec<_>>().join(between)
@@ -66,9 +68,19 @@ fn calls() -> [(&'static str, Calls); 4] {
     let same = |at: u32| (vec![wide(FIELDS), wide(at)], u64::from(at == FIELDS));
     [
         ("sum", [0.1_f64, -3.7].map(|x| (vec![vec![x.to_bits()]], sum(x).to_bits())).to_vec()),
-        ("all", [(1, 0), (3999, 0), (4001, 1), (2, 1)].map(|(n, is)| (vec![vec![n]], is)).to_vec()),
-        ("chosen", [(0, 0), (499, 1497), (500, 1)].map(|(n, is)| (vec![vec![n]], is)).to_vec()),
-        ("same", [0, 599, 600].map(same).to_vec()),
+        (
+            "all",
+            [(1, 0), (2 * TERMS - 1, 0), (2 * TERMS + 1, 1), (2, 1)]
+                .map(|(n, is)| (vec![vec![u64::from(n)]], is))
+                .to_vec(),
+        ),
+        (
+            "chosen",
+            [(0, 0), (BRANCHES - 1, 3 * (BRANCHES - 1)), (BRANCHES, 1)]
+                .map(|(n, is)| (vec![vec![u64::from(n)]], u64::from(is)))
+                .to_vec(),
+        ),
+        ("same", [0, FIELDS - 1, FIELDS].map(same).to_vec()),
     ]
 }
 

@@ -1,8 +1,7 @@
 //! Random programs in the DSL's Rust, through everything: what rustc makes of them against what the
 //! interpreter and the C do, the bits of each result and the kind of each fault.
 //!
-//! A run takes some programs that stay and some of its turn. `BESSEMER_RANDOM=seeds` runs that many larger batches
-//! instead, from the seed `BESSEMER_RANDOM_FROM`.
+//! `BESSEMER_RANDOM=seeds` runs that many batches, from the seed `BESSEMER_RANDOM_FROM`, instead of a smaller one.
 
 mod bounded;
 mod calls;
@@ -40,9 +39,9 @@ use bessemer_tests::workspace::Workspace;
 use legs::{Difference, in_c, interpreted};
 use writer::Program;
 
-/// Programs in a batch: as many as a full run takes, and otherwise, of a seed that stays and of one of the turn.
+/// Programs in a batch of a full run, and of any other.
 const PROGRAMS: usize = 36;
-const FEWER: usize = 10;
+const FEWER: usize = 20;
 
 const SANITIZED: [&str; 3] = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-w"];
 /// Warnings are told of, each with its program, and the rest goes on.
@@ -67,14 +66,12 @@ struct Batch {
 }
 
 impl Batch {
-    /// So many programs of each seed.
-    fn new(seeds: &[u64], each: usize) -> Batch {
-        let numbers = seeds.iter().flat_map(|seed| (0..each).map(move |index| (seed, index)));
-        let program = |(place, (seed, index)): (usize, (&u64, usize))| {
+    fn new(seed: u64, programs: usize) -> Batch {
+        let program = |index| {
             let mut random = Random(seed << 32 | index as u64);
-            writer::program(&mut random, &format!("p{place}"))
+            writer::program(&mut random, &format!("p{index}"))
         };
-        Batch::of(numbers.enumerate().map(program).collect())
+        Batch::of((0..programs).map(program).collect())
     }
 
     fn of(programs: Vec<Program>) -> Batch {
@@ -305,16 +302,13 @@ fn random_programs_agree() {
     let number = |name: &str, default: u64| {
         std::env::var(name).ok().and_then(|it| it.parse().ok()).unwrap_or(default)
     };
-    let (seeds, from) = (number("BESSEMER_RANDOM", 0), number("BESSEMER_RANDOM_FROM", 1));
+    let (seeds, from) = (number("BESSEMER_RANDOM", 1), number("BESSEMER_RANDOM_FROM", 1));
+    let chosen = std::env::var_os("BESSEMER_RANDOM").is_some();
+    let programs = if chosen || turn::is_full() { PROGRAMS } else { FEWER };
     let workspace = Workspace::with_source("").expect("a workspace");
     let mut all = Vec::new();
-    if seeds == 0 && !turn::is_full() {
-        let fresh = 2 + turn::number();
-        all.extend(attack(&workspace, fresh, Batch::new(&[1, fresh], FEWER)));
-    } else {
-        for seed in from..from + seeds.max(1) {
-            all.extend(attack(&workspace, seed, Batch::new(&[seed], PROGRAMS)));
-        }
+    for seed in from..from + seeds {
+        all.extend(attack(&workspace, seed, Batch::new(seed, programs)));
     }
     let texts: Vec<_> = all.into_iter().map(|it| it.text).collect();
     assert!(texts.is_empty(), "{}", texts.join("\n\n"));
