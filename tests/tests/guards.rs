@@ -28,7 +28,7 @@ type Told = (&'static [&'static str], Then);
 
 const GCC: &[Told] = &[
     (&["-std=gnu99", "-ffp-contract=fast"], Same),
-    (&["-fno-signed-zeros"], Same),
+    (&["-fno-signed-zeros"], Refused(FAST)),
     (&["-frounding-math", "-fno-trapping-math", "-fno-math-errno"], Same),
     (&["-std=gnu99", "-ffp-contract=fast", "-flto"], Same),
     (&["-ffast-math"], Refused(FAST)),
@@ -124,7 +124,9 @@ const LIBRARY: [(&str, &str); 2] = [
     (
         "math.h",
         "#define NAN __builtin_nanf(\"\")\n#define isfinite(x) __builtin_isfinite(x)\n\
-         double sqrt(double);\ndouble fabs(double);\nfloat sqrtf(float);\nfloat fabsf(float);\n",
+         #define isinf(x) __builtin_isinf_sign(x)\n#define isnan(x) __builtin_isnan(x)\n\
+         double sqrt(double);\ndouble fabs(double);\nfloat sqrtf(float);\nfloat fabsf(float);\n\
+         double copysign(double, double);\nfloat copysignf(float, float);\n",
     ),
     ("string.h", "#include <stddef.h>\nvoid *memcpy(void *, const void *, size_t);\n"),
 ];

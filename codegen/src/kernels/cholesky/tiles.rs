@@ -38,7 +38,7 @@ for (uint32_t column = 0U; column < $first; column++) {
 fn targets(element: Float) -> String {
     let target = |macro_name: &str, lanes: u32| {
         format!(
-            "if defined(__GNUC__) && defined({macro_name}) && !defined(BESSEMER_PLAIN)\n#define LANES {lanes}U\n"
+            "if defined(__GNUC__) && defined(__x86_64__) && defined({macro_name}) && !defined(BESSEMER_PLAIN)\n#define LANES {lanes}U\n"
         )
     };
     match element {

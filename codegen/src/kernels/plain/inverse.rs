@@ -4,7 +4,7 @@ use bessemer_ir::{Float, Kernel};
 
 use super::inverse_of_four::four;
 use crate::kernels::Source;
-use crate::kernels::text::{bytes, fill, values};
+use crate::kernels::text::{bytes, fill, values, vectors_if};
 
 const ONE: &str = "\
 if (a[0] == $zero) {
@@ -100,9 +100,7 @@ return true;
 
 /// The condition under which there are vectors and what shuffles them.
 pub(super) fn vectors(needed: &str) -> String {
-    format!(
-        "defined(__GNUC__) && (defined(__clang__) || (__GNUC__ >= 12)) && defined({needed}) && !defined(BESSEMER_PLAIN)"
-    )
+    vectors_if(&format!("defined({needed})"))
 }
 
 pub(super) fn by_cofactors(kernel: &Kernel, size: u32) -> Source {
