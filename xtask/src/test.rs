@@ -48,7 +48,8 @@ pub fn run(root: &Path, wanted: &Test, machine: &dyn Machine) -> Result<Outcome,
 
     check(&mut progress, "format", cargo(&["fmt", "--all", "--check"]), Some("cargo fmt --all"))?;
     progress.open("gen --check", || generate::run(root, Mode::Check, false))?;
-    let lints = cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]);
+    // Not `--all-targets`, which checks libraries once more for unit tests that they do not have.
+    let lints = cargo(&["clippy", "--workspace", "--bins", "--tests", "--", "-D", "warnings"]);
     check(&mut progress, "lints", lints, None)?;
     let programs = progress.closed("build of the tests", |voice| programs(root, voice))?;
     if !wanted.quick {
@@ -79,14 +80,7 @@ fn programs(root: &Path, voice: &stages::Voice) -> Result<Vec<Program>, Error> {
     };
     let mut programs = build(&["--workspace"])?;
     // Features of a package alone: in a workspace build they would reach the models of every test.
-    programs.extend(build(&[
-        "--package",
-        "bessemer",
-        "--features",
-        "generate",
-        "--test",
-        "witness",
-    ])?);
+    programs.extend(build(&["--package", "bessemer-witness", "--features", "generate"])?);
     Ok(programs)
 }
 

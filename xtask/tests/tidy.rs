@@ -135,22 +135,45 @@ fn every_dependency_is_explained() {
 
 /// The names of the dependencies of all members, of every kind, those within the workspace aside.
 fn dependencies() -> BTreeSet<String> {
-    let output = xtask::project::cargo(
-        &root(),
-        &["metadata", "--no-deps", "--offline", "--format-version", "1"],
-    )
-    .output()
-    .expect("cargo starts");
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    let metadata: Value =
-        serde_json::from_slice(&output.stdout).expect("cargo metadata prints JSON");
-    let packages = metadata["packages"].as_array().into_iter().flatten();
-    let all = packages.flat_map(|package| package["dependencies"].as_array().into_iter().flatten());
-    let foreign = all.filter(|dependency| dependency["path"].is_null());
+    let packages = packages();
+    let all = packages.iter().flat_map(|package| package["dependencies"].as_array());
+    let foreign = all.flatten().filter(|dependency| dependency["path"].is_null());
     let names: BTreeSet<_> =
         foreign.filter_map(|dependency| dependency["name"].as_str()).map(str::to_owned).collect();
     assert!(names.contains("clap"), "the dependencies were not found");
     names
+}
+
+/// The members of the workspace, as `cargo metadata` describes them.
+fn packages() -> Vec<Value> {
+    let arguments = ["metadata", "--no-deps", "--offline", "--format-version", "1"];
+    let output = xtask::project::cargo(&root(), &arguments).output().expect("cargo starts");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let metadata: Value =
+        serde_json::from_slice(&output.stdout).expect("cargo metadata prints JSON");
+    metadata["packages"].as_array().cloned().expect("a list of packages")
+}
+
+/// Libraries without unit tests say `test = false`, which saves building them twice; none says it that has some.
+#[test]
+fn what_is_not_built_as_a_test_has_none() {
+    let root = root();
+    let mut offences = Vec::new();
+    for package in packages() {
+        let targets = package["targets"].as_array().into_iter().flatten();
+        let folders = |tested: bool| -> BTreeSet<&Path> {
+            let such = targets.clone().filter(|target| target["test"] == tested);
+            such.filter_map(|target| Path::new(target["src_path"].as_str()?).parent()).collect()
+        };
+        for folder in folders(false).difference(&folders(true)) {
+            let within =
+                |file: &File| file.is_source() && root.join(&file.path).starts_with(folder);
+            let tested = |file: &File| file.text.lines().any(|line| line.trim() == "#[test]");
+            let found = files().into_iter().filter(|file| within(file) && tested(file));
+            offences.extend(found.map(|file| file.path));
+        }
+    }
+    none("what says `test = false` has no tests", &offences);
 }
 
 /// C is called from tests and benchmarks only, so the rest needs no `unsafe`.
