@@ -15,16 +15,20 @@ use crate::install::Plan;
 use crate::runner::{self, Done, Program, Times};
 use crate::stages::{self, Progress};
 use crate::tools::{self, Machine, Need, Tool};
-use crate::{generate, project};
+use crate::{generate, mutate, project};
+use std::num::NonZeroUsize;
 use std::path::Path;
 use std::process::{Command, ExitStatus};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// Where the times of a run are stored: by them tests are put in order, and growth is seen.
 const TIMES: &str = "xtask/times.tsv";
 
 /// A quick run leaves out the tests that took longer in the stored run.
 const QUICK: Duration = Duration::from_secs(3);
+
+/// How many mutants a run tries.
+const MUTANTS: NonZeroUsize = NonZeroUsize::new(2).unwrap();
 
 /// How many of the slowest tests are listed.
 const SLOWEST: usize = 20;
@@ -56,10 +60,13 @@ pub fn run(root: &Path, wanted: &Test, machine: &dyn Machine) -> Result<Outcome,
         let documentation = cargo(&["test", "--workspace", "--doc"]);
         check(&mut progress, "documentation tests", documentation, None)?;
     }
-    let done = progress.closed("tests", |voice| {
+    let mut done = progress.closed("tests", |voice| {
         let chosen = |title: &str| !wanted.quick || stored.of(title) <= QUICK;
         runner::run(&programs, &chosen, &stored, &environment, voice)
     })?;
+    if !wanted.quick {
+        done.push(mutants(root, &mut progress)?);
+    }
     let times = times(&progress, &done);
     if wanted.store_times {
         store(root, &times)?;
@@ -82,6 +89,15 @@ fn programs(root: &Path, voice: &stages::Voice) -> Result<Vec<Program>, Error> {
     // Features of a package alone: in a workspace build they would reach the models of every test.
     programs.extend(build(&["--package", "bessemer-witness", "--features", "generate"])?);
     Ok(programs)
+}
+
+/// Breaks the compiler on purpose, in the ways whose turn it is, and sees whether the tests tell.
+fn mutants(root: &Path, progress: &mut Progress) -> Result<Done, Error> {
+    let start = Instant::now();
+    let wanted = mutate::by_turn(root, turn(root), MUTANTS)?;
+    let outcome = progress.open("mutants", || mutate::run(root, &wanted))?;
+    let passed = matches!(outcome, Outcome::Good);
+    Ok(Done { title: "mutants that are found".to_owned(), passed, time: start.elapsed() })
 }
 
 /// The times of the stages and tests of this run.

@@ -14,6 +14,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use super::mutant::{self, Mutant};
+use super::seed;
 use crate::error::Error;
 use crate::project;
 
@@ -42,7 +43,9 @@ impl Sandbox {
             TryLockError::WouldBlock => Error::Busy { folder: folder.clone() },
             TryLockError::Error(source) => Error::File { path, source },
         })?;
-        Ok(Sandbox { root: root.to_owned(), tree, target: folder.join("target"), _lock: lock })
+        let target = folder.join("target");
+        seed::seed(root, &target).map_err(of(&target))?;
+        Ok(Sandbox { root: root.to_owned(), tree, target, _lock: lock })
     }
 
     /// Makes the copy what the work tree is now, what is not committed included.
