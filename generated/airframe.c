@@ -38,6 +38,7 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
+/** Places for motors: quad-, hexa- and octocopters run the same code. */
 static const uint64_t MOST_MOTORS = UINT64_C(8);
 static const double PI = 3.141592653589793;
 

@@ -38,6 +38,20 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
+/**
+ * Largest integral of the error of an angle, rad·s: at the Mambo's gain as much torque as 0.5 rad.
+ */
+static const double MOST = 0.5;
+
+/* The number nearest to value from low to high; NaN stays NaN. */
+static double clamp_f64(double value, double low, double high)
+{
+    if (value < low) {
+        return low;
+    }
+    return value > high ? high : value;
+}
+
 void attitude_init(attitude_t *self)
 {
     self->integral[0] = 0.0;
@@ -50,9 +64,10 @@ void attitude_step(attitude_t *self, const parameters_t *parameters, const doubl
 {
     const double integral[3] = {self->integral[0], self->integral[1], self->integral[2]};
     if (!grounded) {
-        self->integral[0] += error[0] * parameters->period;
-        self->integral[1] += error[1] * parameters->period;
-        self->integral[2] += error[2] * parameters->period;
+        for (uint32_t n = 0U; n < 3U; n++) {
+            const double integral_2 = self->integral[n] + error[n] * parameters->period;
+            self->integral[n] = clamp_f64(integral_2, -MOST, MOST);
+        }
     }
     result[0] = gains_respond(&parameters->roll, error[0], integral[0], error_rate[0]);
     result[1] = gains_respond(&parameters->pitch, error[1], integral[1], error_rate[1]);

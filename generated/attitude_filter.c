@@ -93,9 +93,10 @@ void attitude_filter_advance(const attitude_filter_t *self, const orientation_t 
     const double rates[3], double period, double advance[36])
 {
     (void)self;
+    const double c2 = orientation_divisor(orientation);
     const double along = orientation->c3 * rates[0] + orientation->s3 * rates[1];
     const double across = orientation->s3 * rates[0] - orientation->c3 * rates[1];
-    const double lean = orientation->s2 / orientation->c2;
+    const double lean = orientation->s2 / c2;
     for (uint32_t i = 0U; i < 36U; i++) {
         advance[i] = 0.0;
     }
@@ -105,13 +106,13 @@ void attitude_filter_advance(const attitude_filter_t *self, const orientation_t 
     advance[3 + 6 * 3] = 1.0;
     advance[4 + 6 * 4] = 1.0;
     advance[5 + 6 * 5] = 1.0;
-    advance[0 + 6 * 1] = -period * along * lean / orientation->c2;
-    advance[0 + 6 * 2] = period * across / orientation->c2;
+    advance[0 + 6 * 1] = -period * along * lean / c2;
+    advance[0 + 6 * 2] = period * across / c2;
     advance[1 + 6 * 2] = period * along;
-    advance[2 + 6 * 1] = -period * along / (orientation->c2 * orientation->c2);
+    advance[2 + 6 * 1] = -period * along / (c2 * c2);
     advance[2 + 6 * 2] += period * across * lean;
-    advance[0 + 6 * 3] = period * orientation->c3 / orientation->c2;
-    advance[0 + 6 * 4] = period * orientation->s3 / orientation->c2;
+    advance[0 + 6 * 3] = period * orientation->c3 / c2;
+    advance[0 + 6 * 4] = period * orientation->s3 / c2;
     advance[1 + 6 * 3] = -period * orientation->s3;
     advance[1 + 6 * 4] = period * orientation->c3;
     advance[2 + 6 * 3] = period * orientation->c3 * lean;
@@ -126,7 +127,9 @@ bool attitude_filter_correct(attitude_filter_t *self, const double row[6], const
     product_f64_6x6_6x1(self->covariance, row, spread);
     const double expected = 0.0 + row[0] * spread[0] + row[1] * spread[1] + row[2] * spread[2]
         + row[3] * spread[3] + row[4] * spread[4] + row[5] * spread[5] + variance;
-    const bool plausible = innovation * innovation <= gate * gate * expected;
+
+    /* Nothing is left to learn where neither the state nor the measurement can be wrong. */
+    const bool plausible = expected > 0.0 && innovation * innovation <= gate * gate * expected;
     if (!plausible) {
         return false;
     }

@@ -22,7 +22,10 @@ typedef struct {
     double angles[3];
     /** Biases of the gyroscope, rad/s. */
     double bias[3];
-    /** Covariance of the errors of the angles, then of the biases. */
+    /**
+     * Covariance of the errors: roll, pitch, yaw (rad²), then the biases about the body's x, y, z
+     * (rad²/s²); symmetric.
+     */
     double covariance[36];
 } attitude_filter_t;
 

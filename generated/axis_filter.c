@@ -91,7 +91,7 @@ bool axis_filter_correct(axis_filter_t *self, const double row[3], double measur
             + self->covariance[2 + 3 * 2] * row[2]
     };
     const double expected = row[0] * spread[0] + row[1] * spread[1] + row[2] * spread[2] + variance;
-    const bool plausible = innovation * innovation <= gate * gate * expected;
+    const bool plausible = expected > 0.0 && innovation * innovation <= gate * gate * expected;
     if (!plausible) {
         return false;
     }

@@ -17,7 +17,7 @@ extern "C" {
 typedef struct {
     /** Position, m; velocity, m/s; bias of the acceleration, m/s². */
     double state[3];
-    /** Covariance of the errors of these. */
+    /** Covariance of the errors of these, in this order; symmetric. */
     double covariance[9];
 } axis_filter_t;
 

@@ -36,6 +36,7 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
+/** Largest count of a 16-bit sensor: at it, the sensor is at the end of its range. */
 static const int16_t FULL_SCALE = INT16_MAX;
 
 void calibration_mambo(calibration_t *calibration)

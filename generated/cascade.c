@@ -63,11 +63,12 @@ void cascade_step(cascade_t *self, const parameters_t *parameters, const estimat
     /*
      * The attitude loops act about the axes of roll, pitch and yaw; the motors, about the body's.
      */
-    const double error[3] = {
+    double error[3] = {
         wanted[0] - estimate->angles[0],
         wanted[1] - estimate->angles[1],
         wanted[2] - estimate->angles[2]
     };
+    error[2] = geometry_wrapped(error[2]);
     const double wanted_rates[3] = {0.0, 0.0, target->yaw_rate};
     double error_rate_angle_rates[3];
     orientation_angle_rates(&orientation, estimate->rates, error_rate_angle_rates);

@@ -36,6 +36,7 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
+/** So many wrong steps of the clock in a row are too many. */
 static const uint32_t MOST_WRONG = 20U;
 
 /* a + b, or the limit of the type beyond which it lies. */

@@ -41,8 +41,13 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
+/** Acceleration of gravity, m/s². */
 static const double GRAVITY = 9.81;
+
+/** Below this height, m, an aircraft that does not know how it leans had better go on landing. */
 static const double LOW = 0.2;
+
+/** For so many periods something has to look wrong: one reading proves nothing. */
 static const uint32_t PROOF = 3U;
 
 /* a + b, or the limit of the type beyond which it lies. */

@@ -48,16 +48,44 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
+/** Without the gyroscope for so long, s, its expected readings are all that there is. */
 static const double DEAF = 0.02;
+
+/** The same while the gyroscope is silent, and the state is wrong more often. */
 static const double DEAF_DOUBT = 0.1;
+
+/** The same for the acceleration, whose direction is then uncertain, m/s² and m/s² in a second. */
 static const double DEAF_PUSH[2] = {3.0, 0.02};
+
+/** How uncertain the expected rates are, rad/s, and how they wander, rad/s in a second. */
 static const double DEAF_RATES[2] = {0.1, 1.0};
+
+/**
+ * After so long, s, in which the gates let nothing of a source through, it is the state that is wrong.
+ */
 static const double DOUBT = 0.25;
+
+/** Acceleration of gravity, m/s². */
 static const double GRAVITY = 9.81;
+
+/**
+ * How near the ground, m, it may be the ground that holds the aircraft: nothing is expected to fall there.
+ */
 static const double GROUND = 0.05;
+
+/** The same for the other sources, whose readings are nonsense more often. */
 static const double LATE_DOUBT = 0.8;
+
+/** The longest time over which the camera's velocity tells an acceleration, s. */
 static const double MEMORY = 0.05;
+
+/**
+ * So far below the ground, m, it is the height that is wrong: more than the inertial sensors drift in the
+ * seconds in which nothing else shows it.
+ */
 static const double SUNK = 0.15;
+
+/** How uncertain the expected acceleration is, m/s², and how it wanders, m/s² in a second. */
 static const double UNFELT[2] = {1.0, 0.3};
 
 /* The larger of two numbers: -0 < +0, and a NaN gives the other. */
@@ -360,8 +388,8 @@ static void estimator_see_vicon(estimator_t *self, const sensors_t *sensors,
         sensors->vicon_space[2]
     };
     const double place[3] = {vicon.position[0], vicon.position[1], vicon.position[2]};
-    const bool inside = fabs(place[0]) <= space[0] && fabs(place[1]) <= space[1]
-        && fabs(place[2]) <= space[2];
+    const bool above = fabs(place[0]) <= space[0] && fabs(place[1]) <= space[1];
+    const bool inside = above && place[2] >= -SUNK && place[2] <= space[2];
     const bool new_ = stuck_says(&self->vicon, place);
     if (!inside || !new_) {
         self->outliers = saturating_add_u32(self->outliers, 1U);
@@ -592,6 +620,17 @@ static void estimator_velocity(const estimator_t *self, double result[3])
     result[0] = self->axes[0].state[1];
     result[1] = self->axes[1].state[1];
     result[2] = self->axes[2].state[1];
+}
+
+void estimator_spread(const estimator_t *self, double spread[6])
+{
+    for (uint32_t i = 0U; i < 6U; i++) {
+        spread[i] = 0.0;
+    }
+    for (uint32_t n = 0U; n < 3U; n++) {
+        spread[n] = self->axes[n].covariance[0 + 3 * 0];
+        spread[n + 3] = self->attitude.covariance[n + 6 * n];
+    }
 }
 
 /** Everything in one vector. */

@@ -40,7 +40,7 @@ typedef struct {
     double vicon_delay;
     /** Without Vicon for so long, s, the other sources take over. */
     double vicon_patience;
-    /** What Vicon sees: half the sides of a box on the ground, m, and its height. */
+    /** What Vicon sees, from the ground up: half the sides of a box, m, and its height. */
     double vicon_space[3];
     /** Noise of the altimeter, m. */
     double altimeter;
@@ -187,6 +187,9 @@ void estimator_step(estimator_t *self, const sensors_t *sensors, const push_t *t
 
 /** Whether the gyroscope is silent for good. */
 bool estimator_is_deaf(const estimator_t *self);
+
+/** Variances of the position, m², and of the angles, rad². */
+void estimator_spread(const estimator_t *self, double spread[6]);
 
 #ifdef __cplusplus
 }

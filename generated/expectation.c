@@ -36,9 +36,18 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
+/** How fast the motors follow their commands: share of the way in a period. */
 static const double FOLLOW = 0.25;
+
+/** Share by which the expected rates follow the gyroscope in each period. */
 static const double TURN = 0.2;
+
+/** Share by which the force that no command explains follows the accelerometer in each period. */
 static const double UNEXPLAINED_FORCE = 0.02;
+
+/**
+ * The same for the angular acceleration that no command explains, 1/s, as a share of the force, m/s².
+ */
 static const double UNEXPLAINED_TURN = 0.1;
 
 void expectation_init(expectation_t *self)

@@ -42,7 +42,10 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
+/** Acceleration of gravity, m/s². */
 static const double GRAVITY = 9.81;
+
+/** Places for motors: quad-, hexa- and octocopters run the same code. */
 static const uint64_t MOST_MOTORS = UINT64_C(8);
 
 /* The smaller of two numbers: -0 < +0, and a NaN gives the other. */

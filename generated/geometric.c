@@ -42,7 +42,10 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
+/** Acceleration of gravity, m/s². */
 static const double GRAVITY = 9.81;
+
+/** Steepest lean that is asked for, rad. */
 static const double STEEPEST = 0.6;
 
 /* The number nearest to value from low to high; NaN stays NaN. */

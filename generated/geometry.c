@@ -41,6 +41,15 @@
 
 static const double PI = 3.141592653589793;
 
+/** Least cosine of the pitch that is divided by: 89.4°. */
+static const double STEEP = 0.01;
+
+/* The size of one number with the sign of another; a NaN counts as positive. */
+static double copysign_f64(double size, double sign)
+{
+    return sign != sign ? fabs(size) : copysign(size, sign);
+}
+
 /* The remainder of a / b, from 0 to the size of b. */
 static double rem_euclid_f64(double a, double b)
 {
@@ -104,12 +113,20 @@ void orientation_rate_matrix(const orientation_t *self, double result[9])
     result[2 + 3 * 2] = -1.0;
 }
 
+double orientation_divisor(const orientation_t *self)
+{
+    if (fabs(self->c2) < STEEP) {
+        return copysign_f64(STEEP, self->c2);
+    }
+    return self->c2;
+}
+
 void orientation_angle_rates(const orientation_t *self, const double body_rates[3],
     double result[3])
 {
     const double along = self->c3 * body_rates[0] + self->s3 * body_rates[1];
     const double across = self->s3 * body_rates[0] - self->c3 * body_rates[1];
-    const double roll_rate = -along / self->c2;
+    const double roll_rate = -along / orientation_divisor(self);
     result[0] = roll_rate;
     result[1] = across;
     result[2] = self->s2 * roll_rate - body_rates[2];
@@ -117,5 +134,8 @@ void orientation_angle_rates(const orientation_t *self, const double body_rates[
 
 double geometry_wrapped(double angle)
 {
+    if (fabs(angle) <= PI) {
+        return angle;
+    }
     return rem_euclid_f64(angle + PI, 2.0 * PI) - PI;
 }

@@ -53,14 +53,22 @@ void orientation_upwards(const orientation_t *self, double result[3]);
 void orientation_rate_matrix(const orientation_t *self, double result[9]);
 
 /**
+ * cos θ2 as a divisor: no nearer to 0 than [`STEEP`], so that a pitch of ±π/2 has large rates, and not
+ * infinite ones.
+ */
+double orientation_divisor(const orientation_t *self);
+
+/**
  * Rates of the angles at the given body rates (thesis, eq. (2.17)), rad/s.
  *
- * Singular at a pitch of ±π/2.
+ * Singular at a pitch of ±π/2: see [`divisor`](Orientation::divisor).
  */
 void orientation_angle_rates(const orientation_t *self, const double body_rates[3],
     double result[3]);
 
-/** The angle that differs from `angle` by whole turns and lies within half a turn, rad. */
+/**
+ * The angle that differs from `angle` by whole turns and lies within half a turn, rad: itself, if it does.
+ */
 double geometry_wrapped(double angle);
 
 #ifdef __cplusplus

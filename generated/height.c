@@ -38,7 +38,22 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
+/** Acceleration of gravity, m/s². */
 static const double GRAVITY = 9.81;
+
+/**
+ * Largest integral of the height error, m·s: at the Mambo's gain its whole weight, most of which a feed-forward takes over.
+ */
+static const double MOST = 14.0;
+
+/* The number nearest to value from low to high; NaN stays NaN. */
+static double clamp_f64(double value, double low, double high)
+{
+    if (value < low) {
+        return low;
+    }
+    return value > high ? high : value;
+}
 
 void height_init(height_t *self)
 {
@@ -56,7 +71,8 @@ double height_step(height_t *self, const parameters_t *parameters, const target_
     const double error_rate = target->velocity[2] - climb;
     const double correction = gains_respond(&parameters->height, error, self->integral, error_rate);
     if (!target->grounded) {
-        self->integral += error * parameters->period;
+        const double integral = self->integral + error * parameters->period;
+        self->integral = clamp_f64(integral, -MOST, MOST);
     }
     return weight + parameters->mass * target->climb_acceleration + correction;
 }

@@ -37,8 +37,13 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
+/** How many records the ring holds. */
 static const uint64_t DEPTH = UINT64_C(16);
+
+/** How many signals there are to choose from. */
 static const uint64_t SIGNALS = UINT64_C(64);
+
+/** How many signals a record holds. */
 static const uint64_t WIDTH = UINT64_C(36);
 
 /* The smaller of two integers. */
@@ -68,6 +73,7 @@ void choice_usual(choice_t *choice)
     for (uint32_t n = 0U; n < WIDTH; n++) {
         signals[n] = (uint8_t)n;
     }
+    choice->tag = 0U;
     choice->every = 10U;
     memcpy(choice->signals, signals, sizeof(uint8_t[36]));
 }
@@ -76,6 +82,7 @@ void logger_init(logger_t *self)
 {
     for (uint32_t i = 0U; i < 16U; i++) {
         self->records[i].period = 0U;
+        self->records[i].tag = 0U;
         for (uint32_t j = 0U; j < 36U; j++) {
             self->records[i].values[j] = 0.0;
         }
@@ -92,6 +99,7 @@ void logger_step(logger_t *self, const choice_t *choice, const double signals[64
     const bool due = choice->every != 0U && self->period % max_u32(choice->every, 1U) == 0U;
     if (due) {
         work->record.period = self->period;
+        work->record.tag = choice->tag;
         for (uint32_t i = 0U; i < 36U; i++) {
             work->record.values[i] = 0.0;
         }

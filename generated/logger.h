@@ -18,12 +18,16 @@ extern "C" {
 typedef struct {
     /** When: periods since `init`. */
     uint32_t period;
+    /** The choice of signals that it holds. */
+    uint8_t tag;
     /** The chosen signals. */
     double values[36];
 } record_t;
 
 /** What to write down, and how often. */
 typedef struct {
+    /** What the ground calls this choice: it comes down with each record. */
+    uint8_t tag;
     /** Every so many periods; 0 for never. */
     uint32_t every;
     /** The numbers of the signals. */

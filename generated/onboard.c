@@ -11,8 +11,10 @@
 #include "onboard.h"
 
 #include <float.h>
+#include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
+#include <string.h>
 
 #include "airframe.h"
 #include "calibration.h"
@@ -28,6 +30,7 @@
 #include "reference_generator.h"
 #include "sender.h"
 #include "signals.h"
+#include "tuning.h"
 
 #if FLT_MANT_DIG != 24 || DBL_MANT_DIG != 53 || !defined(FLT_EVAL_METHOD) || FLT_EVAL_METHOD != 0
 #error "results need float and double of IEEE 754, and operations that round to their own type"
@@ -51,10 +54,60 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
+static const controller_t CONTROLLER_DEFAULT = {
+    .cascade = {.height = {.integral = 0.0}, .attitude = {.integral = {0.0, 0.0, 0.0}}},
+    .printed = {.height = {.integral = 0.0}, .attitude = {.integral = {0.0, 0.0, 0.0}}},
+    .touch_down = {.still = 0.0, .landed = false}
+};
+static const crash_predictor_t CRASH_PREDICTOR_DEFAULT = {.alarm = ALARM_CLEAR, .suspicion = 0U};
+static const reference_generator_t REFERENCE_GENERATOR_DEFAULT = {
+    .phase = PHASE_READY,
+    .time = 0.0,
+    .landing = 0.0,
+    .wanted = {.time = 0.0, .position = {0.0, 0.0, 0.0}, .yaw = 0.0},
+    .yaw = 0.0,
+    .airborne = false
+};
+
+/** An aircraft stands on the ground if it is lower than this, m, and slower than this, m/s. */
+static const double STANDING[2] = {0.1, 0.1};
+
+/**
+ * How fast the share of the feed-forward may change, 1/s: at once, it would throw the aircraft up.
+ */
+static const double SWELL = 0.1;
+
+/* The smaller of two numbers: -0 < +0, and a NaN gives the other. */
+static double min_f64(double a, double b)
+{
+    if (a < b || b != b) {
+        return a;
+    }
+    if (a == b) {
+        return signbit(a) ? a : b;
+    }
+    return b;
+}
+
+/* The larger of two numbers: -0 < +0, and a NaN gives the other. */
+static double max_f64(double a, double b)
+{
+    if (a > b || b != b) {
+        return a;
+    }
+    if (a == b) {
+        return !signbit(a) ? a : b;
+    }
+    return b;
+}
+
+static void onboard_arm(onboard_t *self, const estimate_t *estimate);
 static alarm_t onboard_watch(onboard_t *self, const settings_t *settings, uint64_t time,
     const estimate_t *estimate);
-static double onboard_gain(const onboard_t *self, const settings_t *settings,
+static void onboard_swell(onboard_t *self, const settings_t *settings,
     const reference_t *reference);
+static void onboard_send(onboard_t *self, const settings_t *settings, const refused_t *refused,
+    packet_t *packet);
 
 void settings_mambo(settings_mambo_work_t *work, settings_t *settings)
 {
@@ -87,6 +140,10 @@ void onboard_init(onboard_t *self)
     controller_init(&self->controller);
     logger_init(&self->logger);
     sender_init(&self->sender);
+    self->gain = 0.0;
+    self->reply.wanted = false;
+    self->reply.number = 0U;
+    self->reply.value = 0.0;
 }
 
 void onboard_step(onboard_t *self, const settings_t *settings, const inputs_t *inputs,
@@ -99,6 +156,9 @@ void onboard_step(onboard_t *self, const settings_t *settings, const inputs_t *i
     estimate_t estimate;
     estimator_step(&self->estimator, &settings->sensors, &self->pushed, &measured, &work->step_work,
         &estimate);
+    if (self->receiver.orders.arm) {
+        onboard_arm(self, &estimate);
+    }
     const alarm_t alarm = onboard_watch(self, settings, inputs->time, &estimate);
     if (alarm != ALARM_CLEAR) {
         reference_generator_end(&self->reference);
@@ -108,35 +168,54 @@ void onboard_step(onboard_t *self, const settings_t *settings, const inputs_t *i
     reference_t reference;
     reference_generator_step(&self->reference, &settings->course, &self->receiver.orders, &estimate,
         landed, limp, &reference);
-    const double gain = onboard_gain(self, settings, &reference);
+    onboard_swell(self, settings, &reference);
     command_t command;
     command_still(&command);
     if (reference.motors) {
         double whole[8];
         feed_forward_compensation(&settings->airframe, &estimate, settings->injection.friction,
             whole);
-        double command_feed_forward[8];
+        double share[8];
         for (uint32_t i = 0U; i < 8U; i++) {
-            command_feed_forward[i] = whole[i] * gain;
+            share[i] = whole[i] * self->gain;
         }
         controller_step(&self->controller, &settings->parameters, &estimate, &reference.target,
-            command_feed_forward, &command);
+            share, &command);
     }
     parameters_push(&settings->parameters, &command, &self->pushed);
-    const ages_t ages = self->estimator.ages;
+    double outputs_spread[6];
+    estimator_spread(&self->estimator, outputs_spread);
     packet_t outputs_downlink;
     packet_none(&outputs_downlink);
     outputs->command = command;
     outputs->estimate = estimate;
-    outputs->ages = ages;
+    outputs->ages = self->estimator.ages;
     outputs->reference = reference;
-    outputs->gain = gain;
+    memcpy(outputs->spread, outputs_spread, sizeof(double[6]));
+    outputs->gain = self->gain;
+    outputs->wish = self->receiver.wish;
     outputs->alarm = alarm;
     outputs->downlink = outputs_downlink;
     onboard_signals(outputs, work->signals);
     logger_step(&self->logger, &settings->choice, work->signals, &work->step_work_2);
     if (self->receiver.orders.link) {
-        sender_step(&self->sender, &self->logger, &outputs->downlink);
+        onboard_send(self, settings, &inputs->refused, &outputs->downlink);
+    }
+}
+
+/** Makes ready for another flight, if the aircraft stands on the ground with its motors off. */
+static void onboard_arm(onboard_t *self, const estimate_t *estimate)
+{
+    const bool stands = estimate->position[2] < STANDING[0]
+        && sqrt(estimate->velocity[0] * estimate->velocity[0]
+        + estimate->velocity[1] * estimate->velocity[1]
+        + estimate->velocity[2] * estimate->velocity[2]) < STANDING[1];
+    if (!reference_generator_is_flying(&self->reference) && stands) {
+        receiver_forget(&self->receiver);
+        self->reference = REFERENCE_GENERATOR_DEFAULT;
+        self->predictor = CRASH_PREDICTOR_DEFAULT;
+        self->controller = CONTROLLER_DEFAULT;
+        self->gain = 0.0;
     }
 }
 
@@ -157,14 +236,41 @@ static alarm_t onboard_watch(onboard_t *self, const settings_t *settings, uint64
         &self->estimator.ages, climb);
 }
 
-/** The share of the feed-forward that is injected now. */
-static double onboard_gain(const onboard_t *self, const settings_t *settings,
-    const reference_t *reference)
+/** The share of the feed-forward on its way to what is injected now. */
+static void onboard_swell(onboard_t *self, const settings_t *settings, const reference_t *reference)
 {
-    if (self->receiver.orders.mode != RECEIVER_MODE_FEED_FORWARD || reference->target.take_off) {
-        return 0.0;
+    if (!reference->motors || reference->target.take_off) {
+        self->gain = 0.0;
+        return;
     }
-    return injection_gain(&settings->injection, reference->time);
+    double wanted = 0.0;
+    if (self->receiver.orders.mode == RECEIVER_MODE_FEED_FORWARD) {
+        wanted = injection_gain(&settings->injection, reference->time);
+    }
+    const double most = SWELL * settings->parameters.period;
+    self->gain += min_f64(max_f64(wanted - self->gain, -most), most);
+}
+
+/**
+ * What goes down in this period. A parameter that is asked for in it goes down in the next one, when a
+ * change of it has taken place.
+ */
+static void onboard_send(onboard_t *self, const settings_t *settings, const refused_t *refused,
+    packet_t *packet)
+{
+    const sender_status_t status = {
+        .tally = self->receiver.tally,
+        .refused = *refused,
+        .lost = self->logger.lost,
+        .mode = self->receiver.orders.mode,
+        .tag = self->receiver.orders.tag,
+        .watched = self->receiver.orders.watched
+    };
+    self->reply.value = settings_parameter(settings, self->reply.number);
+    sender_step(&self->sender, &self->logger, &status, &self->reply, packet);
+    self->reply.wanted = self->receiver.wish.request == REQUEST_ASK
+        || self->receiver.wish.request == REQUEST_SET;
+    self->reply.number = self->receiver.wish.number;
 }
 
 void onboard_signals(const outputs_t *outputs, double all[64])
@@ -194,4 +300,7 @@ void onboard_signals(const outputs_t *outputs, double all[64])
     all[48] = outputs->ages.vicon;
     all[49] = outputs->ages.height;
     all[50] = outputs->ages.plane;
+    for (uint32_t n = 0U; n < 6U; n++) {
+        all[51 + n] = outputs->spread[n];
+    }
 }

@@ -17,6 +17,7 @@
 #include "estimator.h"
 #include "expectation.h"
 #include "feed_forward.h"
+#include "gate.h"
 #include "logger.h"
 #include "packet.h"
 #include "parameters.h"
@@ -67,6 +68,8 @@ typedef struct {
     readings_t readings;
     /** A packet from the ground; of no length, if none came. */
     packet_t uplink;
+    /** What the gate before the link has kept out so far. */
+    refused_t refused;
 } inputs_t;
 
 /** What goes out in one period. */
@@ -79,8 +82,12 @@ typedef struct {
     ages_t ages;
     /** Where it is wanted. */
     reference_t reference;
+    /** Variances of the position, m², and of the angles, rad². */
+    double spread[6];
     /** The share of the feed-forward that is injected. */
     double gain;
+    /** What the ground wants of the settings: for whoever holds them, before the next period. */
+    wish_t wish;
     /** What is wrong. */
     alarm_t alarm;
     /** A packet for the ground; of no length, if there is none. */
@@ -107,6 +114,10 @@ typedef struct {
     logger_t logger;
     /** Sends what was written down. */
     sender_t sender;
+    /** The share of the feed-forward that is injected. */
+    double gain;
+    /** The parameter that the ground has asked for. */
+    reply_t reply;
 } onboard_t;
 
 /** What `Onboard::step` works with; its content means nothing between calls. */
@@ -135,7 +146,7 @@ void onboard_step(onboard_t *self, const settings_t *settings, const inputs_t *i
  *
  * 0–11 the state; 12–17 the wanted position, yaw, phase and time; 18–25 the closed loop's commands;
  * 26–33 the feed-forward's; 34 its gain; 35 the alarm; 36–43 the motors' commands; 44–46 the wanted
- * velocity; 47–50 the ages of the measurements. The rest is 0.
+ * velocity; 47–50 the ages of the measurements; 51–56 the variances of position and angles. The rest is 0.
  */
 void onboard_signals(const outputs_t *outputs, double all[64]);
 

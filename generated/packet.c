@@ -37,11 +37,29 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
+/** The first byte of every packet. */
 static const uint8_t FIRST = 165U;
+
+/** Bytes before the payload: two marks, kind, sequence (2), length. */
 static const uint64_t HEADER = UINT64_C(6);
+
+/** The most bytes of a packet. */
 static const uint64_t MOST_BYTES = UINT64_C(64);
+
+/** The most bytes of a payload: the rest is header and checksum. */
 static const uint64_t MOST_PAYLOAD = UINT64_C(56);
+
+/** The second byte of every packet. */
 static const uint8_t SECOND = 90U;
+
+/** Where the length of the payload stands. */
+static const uint64_t SIZE_AT = UINT64_C(5);
+
+/** Where what is summed up begins: behind the two marks, with the kind. */
+static const uint64_t START = UINT64_C(2);
+
+/** Bytes of the checksum behind the payload. */
+static const uint64_t SUM = UINT64_C(2);
 
 /* The smaller of two integers. */
 static uint64_t min_u64(uint64_t a, uint64_t b)
@@ -70,13 +88,13 @@ void packet_around(uint8_t kind, uint16_t sequence, const uint8_t payload[56], u
 {
     packet_none(packet);
     const uint64_t size = min_u64(length, MOST_PAYLOAD);
-    packet->length = HEADER + size + UINT64_C(2);
+    packet->length = HEADER + size + SUM;
     packet->bytes[0] = FIRST;
     packet->bytes[1] = SECOND;
     packet->bytes[2] = kind;
     packet->bytes[3] = (uint8_t)(uint16_t)(sequence & 255U);
     packet->bytes[4] = (uint8_t)(uint16_t)(sequence >> 8);
-    packet->bytes[5] = (uint8_t)size;
+    packet->bytes[SIZE_AT] = (uint8_t)size;
     for (uint32_t n = 0U; n < MOST_PAYLOAD; n++) {
         if ((uint64_t)n < size) {
             packet->bytes[HEADER + n] = payload[n];
@@ -95,11 +113,11 @@ void packet_around(uint8_t kind, uint16_t sequence, const uint8_t payload[56], u
 
 bool packet_is_sound(const packet_t *self)
 {
-    const uint64_t size = (uint64_t)self->bytes[5];
+    const uint64_t size = (uint64_t)self->bytes[SIZE_AT];
     if (self->bytes[0] != FIRST || self->bytes[1] != SECOND || size > MOST_PAYLOAD) {
         return false;
     }
-    if (self->length != HEADER + size + UINT64_C(2)) {
+    if (self->length != HEADER + size + SUM) {
         return false;
     }
     uint16_t sent = 0U;
@@ -128,7 +146,7 @@ uint16_t packet_sequence(const packet_t *self)
 
 uint64_t packet_size(const packet_t *self)
 {
-    return (uint64_t)self->bytes[5];
+    return (uint64_t)self->bytes[SIZE_AT];
 }
 
 uint8_t packet_byte(const packet_t *self, uint64_t at)
@@ -139,20 +157,25 @@ uint8_t packet_byte(const packet_t *self, uint64_t at)
 
 double packet_number(const packet_t *self, uint64_t at)
 {
+    return f64_from_bits(packet_word(self, at));
+}
+
+uint64_t packet_word(const packet_t *self, uint64_t at)
+{
     const uint64_t start = min_u64(at, MOST_PAYLOAD - UINT64_C(8));
     uint8_t eight[8];
     for (uint32_t n = 0U; n < 8U; n++) {
         eight[n] = self->bytes[HEADER + start + (uint64_t)n];
     }
-    return f64_from_bits((uint64_t)eight[0] | ((uint64_t)eight[1] << 8U)
-        | ((uint64_t)eight[2] << 16U) | ((uint64_t)eight[3] << 24U) | ((uint64_t)eight[4] << 32U)
-        | ((uint64_t)eight[5] << 40U) | ((uint64_t)eight[6] << 48U) | ((uint64_t)eight[7] << 56U));
+    return (uint64_t)eight[0] | ((uint64_t)eight[1] << 8U) | ((uint64_t)eight[2] << 16U)
+        | ((uint64_t)eight[3] << 24U) | ((uint64_t)eight[4] << 32U) | ((uint64_t)eight[5] << 40U)
+        | ((uint64_t)eight[6] << 48U) | ((uint64_t)eight[7] << 56U);
 }
 
 uint16_t packet_checksum(const uint8_t bytes[64], uint64_t end)
 {
     uint16_t sum = UINT16_MAX;
-    for (uint32_t n = 2U; n < MOST_BYTES; n++) {
+    for (uint32_t n = (uint32_t)START; n < MOST_BYTES; n++) {
         if ((uint64_t)n < end) {
             sum = (uint16_t)(sum ^ (uint16_t)((uint32_t)(uint16_t)bytes[n] << 8));
             for (int32_t pass = 0; pass < 8; pass++) {

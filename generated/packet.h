@@ -47,6 +47,9 @@ uint8_t packet_byte(const packet_t *self, uint64_t at);
 /** The number at `at` in the payload, of eight bytes. */
 double packet_number(const packet_t *self, uint64_t at);
 
+/** The word at `at` in the payload, of eight bytes. */
+uint64_t packet_word(const packet_t *self, uint64_t at);
+
 /** CRC-16/CCITT (polynomial 0x1021, from 0xFFFF) over the bytes from the third to before `end`. */
 uint16_t packet_checksum(const uint8_t bytes[64], uint64_t end);
 

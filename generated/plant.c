@@ -40,7 +40,10 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
+/** Acceleration of gravity, m/s². */
 static const double GRAVITY = 9.81;
+
+/** Places for motors: quad-, hexa- and octocopters run the same code. */
 static const uint64_t MOST_MOTORS = UINT64_C(8);
 
 void motion_plus(const motion_t *self, const motion_t *slope, double time, motion_t *motion)

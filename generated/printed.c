@@ -55,11 +55,12 @@ void printed_step(printed_t *self, const parameters_t *parameters, const estimat
     orientation_of(estimate->angles, &orientation);
     double error_lean[3];
     printed_lean(parameters, target, estimate, error_lean);
-    const double error[3] = {
+    double error[3] = {
         error_lean[0] - estimate->angles[0],
         error_lean[1] - estimate->angles[1],
         error_lean[2] - estimate->angles[2]
     };
+    error[2] = geometry_wrapped(error[2]);
     const double wanted_rates[3] = {0.0, 0.0, target->yaw_rate};
     double error_rate_angle_rates[3];
     orientation_angle_rates(&orientation, estimate->rates, error_rate_angle_rates);

@@ -14,6 +14,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
+#include <string.h>
 
 #include "packet.h"
 #include "trajectory.h"
@@ -40,10 +41,82 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
+/** Makes ready for another flight; nothing happens unless the aircraft stands on the ground. */
+static const uint8_t ARM = 11U;
+
+/** Asks for a parameter: its number, one byte. */
+static const uint8_t ASK = 12U;
+
+/** Bytes of the payload of [`ASK`]: a parameter. */
+static const uint64_t ASK_BYTES = UINT64_C(1);
+
+/** Says that the ground is there. From the first one on, it is missed when it is silent. */
+static const uint8_t BEAT = 10U;
+
+/**
+ * Chooses what to write down: what to call the choice, every so many periods, and each signal, one byte each.
+ */
+static const uint8_t CHOOSE = 14U;
+
+/** Bytes of the payload of [`CHOOSE`]: two, and one for each signal. */
+static const uint64_t CHOOSE_BYTES = UINT64_C(38);
+
+/** Flies the collected trajectory: how many points, one byte; what to call it, one byte. */
+static const uint8_t COMMIT = 5U;
+
+/** Bytes of the payload of [`COMMIT`]: how many points, and a name. */
+static const uint64_t COMMIT_BYTES = UINT64_C(2);
+
+/** Closes the link: nothing is sent down any more. */
+static const uint8_t GOODBYE = 2U;
+
+/** Opens the link: always taken, and the numbering begins with it. */
 static const uint8_t HELLO = 1U;
+
+/** Lands. */
+static const uint8_t LAND = 7U;
+
+/** A [`Mode`], one byte. */
+static const uint8_t MODE = 3U;
+
+/** Bytes of the payload of [`MODE`]. */
+static const uint64_t MODE_BYTES = UINT64_C(1);
+
+/** The most bytes of a packet. */
 static const uint64_t MOST_BYTES = UINT64_C(64);
+
+/** The most set points of a trajectory. */
 static const uint64_t MOST_POINTS = UINT64_C(16);
+
+/** A set point: its index, one byte; time, x, y, z, yaw. */
+static const uint8_t POINT = 4U;
+
+/** Bytes of the payload of [`POINT`]: an index and five numbers. */
+static const uint64_t POINT_BYTES = UINT64_C(41);
+
+/** Sets a parameter: its number, one byte; its value. */
+static const uint8_t SET = 13U;
+
+/** Bytes of the payload of [`SET`]: a parameter and a number. */
+static const uint64_t SET_BYTES = UINT64_C(9);
+
+/** Sticks: roll, pitch, rate of yaw, rate of climb. */
+static const uint8_t STICKS = 8U;
+
+/** Bytes of the payload of [`STICKS`]: four numbers. */
+static const uint64_t STICKS_BYTES = UINT64_C(32);
+
+/** The largest lean, rad, rate of yaw, rad/s, and rate of climb, m/s, that sticks can ask for. */
 static const double STICK_LIMITS[3] = {0.35, 2.0, 0.5};
+
+/** Stops the motors at once. */
+static const uint8_t STOP = 9U;
+
+/** Takes off. */
+static const uint8_t TAKE_OFF = 6U;
+
+/** How many signals a record holds. */
+static const uint64_t WIDTH = UINT64_C(36);
 
 /* The smaller of two numbers: -0 < +0, and a NaN gives the other. */
 static double min_f64(double a, double b)
@@ -76,13 +149,17 @@ static uint32_t saturating_add_u32(uint32_t a, uint32_t b)
     return exact > UINT32_MAX ? UINT32_MAX : (uint32_t)exact;
 }
 
+static bool receiver_is_newer(const receiver_t *self, uint16_t number);
 static bool receiver_take(receiver_t *self, const space_t *space, const packet_t *packet,
     receiver_take_work_t *work);
+static bool receiver_take_word(receiver_t *self, const space_t *space, uint8_t kind);
 static bool receiver_take_mode(receiver_t *self, uint8_t number);
 static bool receiver_collect(receiver_t *self, const space_t *space, const packet_t *packet);
-static bool receiver_commit(receiver_t *self, const space_t *space, uint64_t count,
+static bool receiver_commit(receiver_t *self, const space_t *space, const packet_t *packet,
     receiver_commit_work_t *work);
 static bool receiver_take_sticks(receiver_t *self, const packet_t *packet);
+static bool receiver_wish_for(receiver_t *self, request_t request, const packet_t *packet);
+static bool receiver_choose(receiver_t *self, const packet_t *packet);
 
 void sticks_centred(sticks_t *sticks)
 {
@@ -98,7 +175,10 @@ void receiver_init(receiver_t *self)
     self->orders.take_off = false;
     self->orders.land = false;
     self->orders.stop = false;
+    self->orders.arm = false;
     self->orders.link = false;
+    self->orders.watched = false;
+    self->orders.silence = 1000000000.0;
     self->orders.trajectory.count = UINT64_C(0);
     for (uint32_t i = 0U; i < 16U; i++) {
         self->orders.trajectory.points[i].time = 0.0;
@@ -107,11 +187,22 @@ void receiver_init(receiver_t *self)
         self->orders.trajectory.points[i].position[2] = 0.0;
         self->orders.trajectory.points[i].yaw = 0.0;
     }
+    self->orders.tag = 0U;
     self->orders.sticks.lean[0] = 0.0;
     self->orders.sticks.lean[1] = 0.0;
     self->orders.sticks.yaw_rate = 0.0;
     self->orders.sticks.climb = 0.0;
-    self->orders.sticks_age = 0.0;
+    self->orders.sticks_age = 1000000000.0;
+    self->wish.request = REQUEST_NOTHING;
+    self->wish.number = 0U;
+    self->wish.value = 0.0;
+    self->wish.choice.tag = 0U;
+    self->wish.choice.every = 10U;
+    static const uint8_t initial_signals[36] = {
+        0U, 1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U, 9U, 10U, 11U, 12U, 13U, 14U, 15U, 16U, 17U, 18U, 19U,
+        20U, 21U, 22U, 23U, 24U, 25U, 26U, 27U, 28U, 29U, 30U, 31U, 32U, 33U, 34U, 35U
+    };
+    memcpy(self->wish.choice.signals, initial_signals, sizeof(initial_signals));
     self->tally.taken = 0U;
     self->tally.broken = 0U;
     self->tally.old = 0U;
@@ -124,6 +215,7 @@ void receiver_init(receiver_t *self)
         self->collected.points[i].position[2] = 0.0;
         self->collected.points[i].yaw = 0.0;
     }
+    self->received = 0U;
     self->last = 0U;
     self->heard = false;
 }
@@ -132,6 +224,9 @@ void receiver_step(receiver_t *self, double period, const space_t *space, const 
     receiver_step_work_t *work)
 {
     self->orders.sticks_age += period;
+    self->orders.silence += period;
+    self->orders.arm = false;
+    self->wish.request = REQUEST_NOTHING;
     if (packet->length == UINT64_C(0)) {
         return;
     }
@@ -139,49 +234,94 @@ void receiver_step(receiver_t *self, double period, const space_t *space, const 
         self->tally.broken = saturating_add_u32(self->tally.broken, 1U);
         return;
     }
-    const uint16_t ahead = (uint16_t)((uint32_t)packet_sequence(packet) - (uint32_t)self->last);
-    const bool newer = ahead > 0U && ahead < 32768U;
-    if (self->heard && !newer && packet_kind(packet) != HELLO) {
+    const bool hello = packet_kind(packet) == HELLO && packet_size(packet) == UINT64_C(0);
+    const bool stop = packet_kind(packet) == STOP && packet_size(packet) == UINT64_C(0);
+    const bool newer = receiver_is_newer(self, packet_sequence(packet));
+    if (!newer && !hello && !stop) {
         self->tally.old = saturating_add_u32(self->tally.old, 1U);
         return;
     }
-    self->heard = true;
-    self->last = packet_sequence(packet);
     const bool take = receiver_take(self, space, packet, &work->take_work);
-    if (take) {
-        self->tally.taken = saturating_add_u32(self->tally.taken, 1U);
-    } else {
+    if (!take) {
         self->tally.senseless = saturating_add_u32(self->tally.senseless, 1U);
+        return;
     }
+    self->tally.taken = saturating_add_u32(self->tally.taken, 1U);
+    self->orders.silence = 0.0;
+    if (newer || hello) {
+        self->heard = true;
+        self->last = packet_sequence(packet);
+    }
+}
+
+void receiver_forget(receiver_t *self)
+{
+    self->orders.take_off = false;
+    self->orders.land = false;
+    self->orders.stop = false;
+}
+
+/** Whether a number is ahead of the last, by less than half of all numbers. */
+static bool receiver_is_newer(const receiver_t *self, uint16_t number)
+{
+    const uint16_t ahead = (uint16_t)((uint32_t)number - (uint32_t)self->last);
+    return !self->heard || (ahead > 0U && ahead < 32768U);
 }
 
 /** Does what the packet asks for; whether it made sense. */
 static bool receiver_take(receiver_t *self, const space_t *space, const packet_t *packet,
     receiver_take_work_t *work)
 {
+    const uint8_t kind = packet_kind(packet);
     const uint64_t size = packet_size(packet);
-    const uint8_t selector = packet_kind(packet);
-    if (selector == 1U && size == UINT64_C(0)) {
-        self->orders.link = true;
-    } else if (selector == 2U && size == UINT64_C(0)) {
-        self->orders.link = false;
-    } else if (selector == 6U && size == UINT64_C(0)) {
+    if (size == UINT64_C(0)) {
+        return receiver_take_word(self, space, kind);
+    }
+    if (kind == MODE && size == MODE_BYTES) {
+        return receiver_take_mode(self, packet_byte(packet, UINT64_C(0)));
+    }
+    if (kind == POINT && size == POINT_BYTES) {
+        return receiver_collect(self, space, packet);
+    }
+    if (kind == COMMIT && size == COMMIT_BYTES) {
+        return receiver_commit(self, space, packet, &work->commit_work);
+    }
+    if (kind == STICKS && size == STICKS_BYTES) {
+        return receiver_take_sticks(self, packet);
+    }
+    if (kind == ASK && size == ASK_BYTES) {
+        return receiver_wish_for(self, REQUEST_ASK, packet);
+    }
+    if (kind == SET && size == SET_BYTES) {
+        return receiver_wish_for(self, REQUEST_SET, packet);
+    }
+    if (kind == CHOOSE && size == CHOOSE_BYTES) {
+        return receiver_choose(self, packet);
+    }
+    return false;
+}
+
+/** What needs no more than the kind of the packet. */
+static bool receiver_take_word(receiver_t *self, const space_t *space, uint8_t kind)
+{
+    if (kind == TAKE_OFF) {
         const bool ready = trajectory_is_sound(&self->orders.trajectory, space);
         self->orders.take_off = self->orders.take_off || ready;
         return ready;
-    } else if (selector == 7U && size == UINT64_C(0)) {
+    }
+    if (kind == HELLO) {
+        self->orders.link = true;
+    } else if (kind == GOODBYE) {
+        self->orders.link = false;
+        self->orders.watched = false;
+    } else if (kind == LAND) {
         self->orders.land = true;
-    } else if (selector == 9U && size == UINT64_C(0)) {
+    } else if (kind == STOP) {
         self->orders.stop = true;
-    } else if (selector == 3U && size == UINT64_C(1)) {
-        return receiver_take_mode(self, packet_byte(packet, UINT64_C(0)));
-    } else if (selector == 4U && size == UINT64_C(41)) {
-        return receiver_collect(self, space, packet);
-    } else if (selector == 5U && size == UINT64_C(1)) {
-        return receiver_commit(self, space, (uint64_t)packet_byte(packet, UINT64_C(0)),
-            &work->commit_work);
-    } else if (selector == 8U && size == UINT64_C(32)) {
-        return receiver_take_sticks(self, packet);
+    } else if (kind == BEAT) {
+        self->orders.watched = true;
+    } else if (kind == ARM) {
+        self->orders.arm = true;
     } else {
         return false;
     }
@@ -224,19 +364,31 @@ static bool receiver_collect(receiver_t *self, const space_t *space, const packe
         return false;
     }
     self->collected.points[index] = point;
+    self->received |= 1U << index;
     return true;
 }
 
-/** Flies the collected trajectory from now on, if it is sound. */
-static bool receiver_commit(receiver_t *self, const space_t *space, uint64_t count,
+/**
+ * Flies the collected trajectory from now on, if it is sound and all of it has come. The next one is
+ * collected anew.
+ */
+static bool receiver_commit(receiver_t *self, const space_t *space, const packet_t *packet,
     receiver_commit_work_t *work)
 {
+    const uint64_t count = (uint64_t)packet_byte(packet, UINT64_C(0));
     work->wanted = self->collected;
     work->wanted.count = count;
     if (!trajectory_is_sound(&work->wanted, space)) {
         return false;
     }
+    for (uint32_t n = 0U; n < MOST_POINTS; n++) {
+        if ((uint64_t)n < count && (self->received & (1U << (uint64_t)n)) == 0U) {
+            return false;
+        }
+    }
     self->orders.trajectory = work->wanted;
+    self->orders.tag = packet_byte(packet, UINT64_C(1));
+    self->received = 0U;
     return true;
 }
 
@@ -258,7 +410,31 @@ static bool receiver_take_sticks(receiver_t *self, const packet_t *packet)
     return true;
 }
 
+/** Asks for a parameter, or sets it: whoever holds the settings knows whether that can be. */
+static bool receiver_wish_for(receiver_t *self, request_t request, const packet_t *packet)
+{
+    self->wish.request = request;
+    self->wish.number = packet_byte(packet, UINT64_C(0));
+    self->wish.value = packet_number(packet, UINT64_C(1));
+    return true;
+}
+
+/** Asks for other signals to be written down. */
+static bool receiver_choose(receiver_t *self, const packet_t *packet)
+{
+    self->wish.request = REQUEST_CHOOSE;
+    self->wish.choice.tag = packet_byte(packet, UINT64_C(0));
+    self->wish.choice.every = (uint32_t)packet_byte(packet, UINT64_C(1));
+    for (uint32_t n = 0U; n < WIDTH; n++) {
+        self->wish.choice.signals[n] = packet_byte(packet, (uint64_t)(2U + n));
+    }
+    return true;
+}
+
 double receiver_within(double value, double limit)
 {
+    if (isnan(value) != 0) {
+        return 0.0;
+    }
     return min_f64(max_f64(value, -limit), limit);
 }

@@ -10,6 +10,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "logger.h"
 #include "packet.h"
 #include "trajectory.h"
 
@@ -37,6 +38,30 @@ typedef struct {
     double climb;
 } sticks_t;
 
+/** What the ground wants of the settings, which the receiver does not hold. */
+typedef enum {
+    /** Nothing. */
+    REQUEST_NOTHING = 0,
+    /** To know a parameter. */
+    REQUEST_ASK = 1,
+    /** To change a parameter. */
+    REQUEST_SET = 2,
+    /** To change what is written down. */
+    REQUEST_CHOOSE = 3
+} request_t;
+
+/** A request of one period. */
+typedef struct {
+    /** What for. */
+    request_t request;
+    /** The parameter's number: see [`crate::tuning`]. */
+    uint8_t number;
+    /** The value it is to have. */
+    double value;
+    /** What is to be written down. */
+    choice_t choice;
+} wish_t;
+
 /** Everything that the ground has asked for. */
 typedef struct {
     /** Who decides. */
@@ -47,10 +72,18 @@ typedef struct {
     bool land;
     /** Whether to stop the motors. */
     bool stop;
+    /** Whether to make ready for another flight: in the period in which it is asked for. */
+    bool arm;
     /** Whether anyone listens. */
     bool link;
+    /** Whether the ground has said that it will be heard from again and again. */
+    bool watched;
+    /** How long nothing has been taken, s. */
+    double silence;
     /** Where to go. */
     trajectory_t trajectory;
+    /** What the ground calls that. */
+    uint8_t tag;
     /** The sticks. */
     sticks_t sticks;
     /** How old they are, s. */
@@ -73,11 +106,15 @@ typedef struct {
 typedef struct {
     /** What is to be done. */
     orders_t orders;
+    /** What is wanted of the settings in this period. */
+    wish_t wish;
     /** How the packets fared. */
     tally_t tally;
     /** The trajectory that is being collected. */
     trajectory_t collected;
-    /** Number of the last packet. */
+    /** Which of its points have come: a bit for each. */
+    uint32_t received;
+    /** Number of the last packet that was taken. */
     uint16_t last;
     /** Whether there was one. */
     bool heard;
@@ -110,7 +147,10 @@ void receiver_init(receiver_t *self);
 void receiver_step(receiver_t *self, double period, const space_t *space, const packet_t *packet,
     receiver_step_work_t *work);
 
-/** The value, or the limit that it exceeds. */
+/** Makes ready for another flight: what was asked for is over. */
+void receiver_forget(receiver_t *self);
+
+/** The value, or the limit that it exceeds; 0 for what is no number. */
 double receiver_within(double value, double limit);
 
 #ifdef __cplusplus

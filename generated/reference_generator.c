@@ -15,6 +15,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "geometry.h"
 #include "receiver.h"
 #include "signals.h"
 #include "trajectory.h"
@@ -41,6 +42,7 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
+/** Height above which the aircraft has left the ground, m. */
 static const double CLEAR = 0.1;
 
 /* The smaller of two numbers: -0 < +0, and a NaN gives the other. */
@@ -88,6 +90,8 @@ void course_mambo(course_t *course)
     course->patience = 0.5;
     course->ceiling = 2.5;
     course->turn = 1.0;
+    course->silence = 1.0;
+    course->farewell = 6.0;
 }
 
 void reference_generator_init(reference_generator_t *self)
@@ -108,16 +112,17 @@ void reference_generator_step(reference_generator_t *self, const course_t *cours
     const orders_t *orders, const estimate_t *estimate, bool landed, bool limp,
     reference_t *reference)
 {
+    if (self->phase == PHASE_READY) {
+        trajectory_at(&orders->trajectory, 0.0, &self->wanted);
+    }
     reference_generator_change_phase(self, course, orders, estimate, landed, limp);
     self->airborne = self->airborne || estimate->position[2] > CLEAR;
     target_t target;
     target_idle(&target);
     target.grounded = !self->airborne;
-    if (self->phase == PHASE_READY) {
-        trajectory_at(&orders->trajectory, 0.0, &self->wanted);
+    if (self->phase == PHASE_READY || self->phase == PHASE_OVER || self->phase == PHASE_HOLD) {
     } else if (self->phase == PHASE_TAKE_OFF) {
         target.take_off = true;
-    } else if (self->phase == PHASE_OVER) {
     } else if (self->phase == PHASE_FLIGHT && orders->mode == RECEIVER_MODE_MANUAL) {
         reference_generator_follow_sticks(self, course, orders, estimate, &target);
     } else if (self->phase == PHASE_FLIGHT) {
@@ -162,19 +167,26 @@ bool reference_generator_is_flying(const reference_generator_t *self)
 static void reference_generator_change_phase(reference_generator_t *self, const course_t *course,
     const orders_t *orders, const estimate_t *estimate, bool landed, bool limp)
 {
-    if (limp && (self->phase == PHASE_TAKE_OFF || self->phase == PHASE_FLIGHT)) {
+    const bool aloft = self->phase == PHASE_FLIGHT || self->phase == PHASE_HOLD;
+    if (limp && (self->phase == PHASE_TAKE_OFF || aloft)) {
         self->wanted.position[0] = estimate->position[0];
         self->wanted.position[1] = estimate->position[1];
         self->wanted.position[2] = estimate->position[2];
         self->wanted.yaw = self->yaw;
     }
-    const bool land = orders->land || limp;
+    const bool alone = orders->watched && orders->silence > course->silence;
+    const bool left = orders->watched && orders->silence > course->farewell;
+    const bool land = orders->land || limp || left;
     const bool off = estimate->position[2] > 0.5 * self->wanted.position[2];
     const phase_t same = self->phase;
     if (same == PHASE_READY && (orders->take_off && !land)) {
         self->phase = PHASE_TAKE_OFF;
-    } else if ((same == PHASE_TAKE_OFF || same == PHASE_FLIGHT) && land) {
+    } else if ((same == PHASE_TAKE_OFF || same == PHASE_FLIGHT || same == PHASE_HOLD) && land) {
         self->phase = PHASE_LANDING;
+    } else if (same == PHASE_FLIGHT && alone) {
+        self->phase = PHASE_HOLD;
+    } else if (same == PHASE_HOLD && !alone) {
+        self->phase = PHASE_FLIGHT;
     } else if (same == PHASE_TAKE_OFF && (self->time >= course->burn || off)) {
         self->phase = PHASE_FLIGHT;
     } else if (same == PHASE_LANDING && landed) {
@@ -191,7 +203,9 @@ static void reference_generator_turn(reference_generator_t *self, const course_t
     if (!self->airborne) {
         self->yaw = estimate->angles[2];
     }
-    const double left = self->wanted.yaw - self->yaw;
+
+    /* The short way round: the yaw itself goes on beyond half a turn. */
+    const double left = geometry_wrapped(self->wanted.yaw - self->yaw);
     const double most = course->turn * course->period;
     if (!self->airborne) {
         target->yaw_rate = 0.0;
@@ -199,7 +213,7 @@ static void reference_generator_turn(reference_generator_t *self, const course_t
         target->yaw_rate = copysign_f64(course->turn, left);
         self->yaw += copysign_f64(most, left);
     } else {
-        self->yaw = self->wanted.yaw;
+        self->yaw += left;
     }
     target->yaw = self->yaw;
 }

@@ -27,8 +27,12 @@ typedef enum {
     PHASE_FLIGHT = 2,
     /** Sinking to the ground. */
     PHASE_LANDING = 3,
-    /** On the ground again, or stopped: the motors stay off until `init`. */
-    PHASE_OVER = 4
+    /**
+     * On the ground again, or stopped: the motors stay off until `init`, or until it is armed again.
+     */
+    PHASE_OVER = 4,
+    /** Staying where it was wanted last, since the ground is not heard any more. */
+    PHASE_HOLD = 5
 } phase_t;
 
 /** How a flight begins and ends. */
@@ -48,6 +52,13 @@ typedef struct {
      * the motors need for it.
      */
     double turn;
+    /**
+     * How long the ground may be silent, once it has said that it will not be, before the aircraft stays
+     * where it is, s.
+     */
+    double silence;
+    /** The same before it lands, s. */
+    double farewell;
 } course_t;
 
 /** What the reference generator says. */

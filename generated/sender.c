@@ -40,14 +40,50 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
-static const uint64_t PARTS = UINT64_C(6);
+/** Bytes before the values. */
+static const uint64_t FRONT = UINT64_C(6);
+
+/** A parameter: its number, one byte; its value, or no number if there is no such parameter. */
+static const uint8_t PARAMETER = 66U;
+
+/** Bytes of a parameter. */
+static const uint64_t PARAMETER_BYTES = UINT64_C(9);
+
+/** Packets of a record. */
+static const uint64_t PARTS = UINT64_C(3);
+
+/** A part of a record. */
 static const uint8_t RECORD = 64U;
-static const uint64_t VALUES = UINT64_C(6);
+
+/** Bytes of a part of a record. */
+static const uint64_t RECORD_BYTES = UINT64_C(54);
+
+/** The state of the link: see [`Status`]. */
+static const uint8_t STATUS = 65U;
+
+/** Bytes of the state of the link. */
+static const uint64_t STATUS_BYTES = UINT64_C(35);
+
+/** The state of the link goes down every so many periods. */
+static const uint32_t STATUS_EVERY = 100U;
+
+/** Values in a packet. */
+static const uint64_t VALUES = UINT64_C(12);
 
 /* The smaller of two integers. */
 static uint64_t min_u64(uint64_t a, uint64_t b)
 {
     return a < b ? a : b;
+}
+
+/* The bits of a number; every NaN has the same. */
+static uint32_t bits_of_f32(float value)
+{
+    uint32_t bits = 0x7FC00000U;
+    if (value == value) {
+        memcpy(&bits, &value, sizeof bits);
+    }
+    return bits;
 }
 
 /* The bits of a number; every NaN has the same. */
@@ -60,21 +96,44 @@ static uint64_t bits_of_f64(double value)
     return bits;
 }
 
+/* a + b, or the limit of the type beyond which it lies. */
+static uint32_t saturating_add_u32(uint32_t a, uint32_t b)
+{
+    const int64_t exact = (int64_t)a + (int64_t)b;
+    return exact > UINT32_MAX ? UINT32_MAX : (uint32_t)exact;
+}
+
 static void sender_packet(const sender_t *self, uint64_t part, packet_t *packet);
 
 void sender_init(sender_t *self)
 {
     self->record.period = 0U;
+    self->record.tag = 0U;
     for (uint32_t i = 0U; i < 36U; i++) {
         self->record.values[i] = 0.0;
     }
     self->part = UINT64_C(0);
     self->busy = false;
     self->sequence = 0U;
+    self->since = 0U;
 }
 
-void sender_step(sender_t *self, logger_t *logger, packet_t *packet)
+void sender_step(sender_t *self, logger_t *logger, const sender_status_t *status,
+    const reply_t *reply, packet_t *packet)
 {
+    self->since = saturating_add_u32(self->since, 1U);
+    const uint16_t sequence = self->sequence;
+    if (reply->wanted) {
+        self->sequence = (uint16_t)((uint32_t)sequence + 1U);
+        sender_parameter(sequence, reply, packet);
+        return;
+    }
+    if (self->since >= STATUS_EVERY) {
+        self->since = 0U;
+        self->sequence = (uint16_t)((uint32_t)sequence + 1U);
+        sender_state(sequence, status, packet);
+        return;
+    }
     if (!self->busy) {
         if (!logger_has_one(logger)) {
             packet_none(packet);
@@ -87,7 +146,7 @@ void sender_step(sender_t *self, logger_t *logger, packet_t *packet)
     const uint64_t part = min_u64(self->part, PARTS - UINT64_C(1));
     packet_t packet_value;
     sender_packet(self, part, &packet_value);
-    self->sequence = (uint16_t)((uint32_t)self->sequence + 1U);
+    self->sequence = (uint16_t)((uint32_t)sequence + 1U);
     self->part = part + UINT64_C(1);
     self->busy = self->part < PARTS;
     *packet = packet_value;
@@ -97,26 +156,56 @@ void sender_step(sender_t *self, logger_t *logger, packet_t *packet)
 static void sender_packet(const sender_t *self, uint64_t part, packet_t *packet)
 {
     uint8_t payload[56] = {0U};
-    const uint8_t stamp[4] = {
-        (uint8_t)self->record.period, (uint8_t)(self->record.period >> 8U),
-        (uint8_t)(self->record.period >> 16U), (uint8_t)(self->record.period >> 24U)
+    sender_put(payload, UINT64_C(0), self->record.period);
+    payload[4] = self->record.tag;
+    payload[5] = (uint8_t)part;
+    for (uint32_t value = 0U; value < VALUES; value++) {
+        const float single = (float)self->record.values[VALUES * min_u64(part,
+            PARTS - UINT64_C(1)) + (uint64_t)value];
+        sender_put(payload, FRONT + 4U * value, bits_of_f32(single));
+    }
+    packet_around(RECORD, self->sequence, payload, RECORD_BYTES, packet);
+}
+
+void sender_state(uint16_t sequence, const sender_status_t *status, packet_t *packet)
+{
+    const uint32_t counts[8] = {
+        status->tally.taken, status->tally.broken, status->tally.old, status->tally.senseless,
+        status->refused.unsealed, status->refused.forged, status->refused.replayed, status->lost
+    };
+    uint8_t payload[56] = {0U};
+    for (uint32_t n = 0U; n < 8U; n++) {
+        sender_put(payload, (uint64_t)(4U * n), counts[n]);
+    }
+    payload[32] = (uint8_t)status->mode;
+    payload[33] = status->tag;
+    payload[34] = (uint8_t)status->watched;
+    packet_around(STATUS, sequence, payload, STATUS_BYTES, packet);
+}
+
+void sender_parameter(uint16_t sequence, const reply_t *reply, packet_t *packet)
+{
+    uint8_t payload[56] = {0U};
+    payload[0] = reply->number;
+    const uint64_t bytes_value = bits_of_f64(reply->value);
+    const uint8_t bytes[8] = {
+        (uint8_t)bytes_value, (uint8_t)(bytes_value >> 8U), (uint8_t)(bytes_value >> 16U),
+        (uint8_t)(bytes_value >> 24U), (uint8_t)(bytes_value >> 32U),
+        (uint8_t)(bytes_value >> 40U), (uint8_t)(bytes_value >> 48U), (uint8_t)(bytes_value >> 56U)
+    };
+    for (uint32_t n = 0U; n < 8U; n++) {
+        payload[1 + n] = bytes[n];
+    }
+    packet_around(PARAMETER, sequence, payload, PARAMETER_BYTES, packet);
+}
+
+void sender_put(uint8_t payload[56], uint64_t at, uint32_t word)
+{
+    const uint64_t start = min_u64(at, UINT64_C(52));
+    const uint8_t bytes[4] = {
+        (uint8_t)word, (uint8_t)(word >> 8U), (uint8_t)(word >> 16U), (uint8_t)(word >> 24U)
     };
     for (uint32_t n = 0U; n < 4U; n++) {
-        payload[n] = stamp[n];
+        payload[start + (uint64_t)n] = bytes[n];
     }
-    payload[4] = (uint8_t)part;
-    for (uint32_t value = 0U; value < VALUES; value++) {
-        const uint64_t bytes_value = bits_of_f64(
-            self->record.values[VALUES * min_u64(part, PARTS - UINT64_C(1)) + (uint64_t)value]);
-        const uint8_t bytes[8] = {
-            (uint8_t)bytes_value, (uint8_t)(bytes_value >> 8U), (uint8_t)(bytes_value >> 16U),
-            (uint8_t)(bytes_value >> 24U), (uint8_t)(bytes_value >> 32U),
-            (uint8_t)(bytes_value >> 40U), (uint8_t)(bytes_value >> 48U),
-            (uint8_t)(bytes_value >> 56U)
-        };
-        for (uint32_t n = 0U; n < 8U; n++) {
-            payload[5 + 8 * value + n] = bytes[n];
-        }
-    }
-    packet_around(RECORD, self->sequence, payload, UINT64_C(53), packet);
 }

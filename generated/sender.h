@@ -10,12 +10,40 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "gate.h"
 #include "logger.h"
 #include "packet.h"
+#include "receiver.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/** How the link is: eight counts of four bytes, and what was asked for. */
+typedef struct {
+    /** How the packets fared. */
+    tally_t tally;
+    /** Which did not get that far. */
+    refused_t refused;
+    /** Records that were overwritten before they went down. */
+    uint32_t lost;
+    /** The mode, one byte. */
+    receiver_mode_t mode;
+    /** The trajectory, by the name that the ground gave it, one byte. */
+    uint8_t tag;
+    /** Whether the ground is missed when it is silent, one byte. */
+    bool watched;
+} sender_status_t;
+
+/** A parameter to send down. */
+typedef struct {
+    /** Whether there is one. */
+    bool wanted;
+    /** Its number. */
+    uint8_t number;
+    /** Its value. */
+    double value;
+} reply_t;
 
 /** The data sender. */
 typedef struct {
@@ -27,13 +55,27 @@ typedef struct {
     bool busy;
     /** Number of the next packet. */
     uint16_t sequence;
+    /** Periods since the state of the link went down. */
+    uint32_t since;
 } sender_t;
 
 /** Sets the initial state; call it before anything else. */
 void sender_init(sender_t *self);
 
 /** One period: the packet to send, if there is something to send. */
-void sender_step(sender_t *self, logger_t *logger, packet_t *packet);
+void sender_step(sender_t *self, logger_t *logger, const sender_status_t *status,
+    const reply_t *reply, packet_t *packet);
+
+/** The state of the link, framed. */
+void sender_state(uint16_t sequence, const sender_status_t *status, packet_t *packet);
+
+/** A parameter, framed. */
+void sender_parameter(uint16_t sequence, const reply_t *reply, packet_t *packet);
+
+/**
+ * Puts a word at `at`, least significant byte first; at the end, if it would not fit behind that.
+ */
+void sender_put(uint8_t payload[56], uint64_t at, uint32_t word);
 
 #ifdef __cplusplus
 }

@@ -37,9 +37,16 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
+/** How long it has to stay still, s. */
 static const double LONG_ENOUGH = 0.15;
+
+/** Height below which the ground can be what holds the aircraft, m. */
 static const double NEAR = 0.1;
+
+/** Height below the ground that the target reaches before it is believed, m. */
 static const double PUSHED = 0.02;
+
+/** Speed below which it no longer sinks, m/s: a fraction of any rate of descent. */
 static const double STILL = 0.08;
 
 void touch_down_init(touch_down_t *self)

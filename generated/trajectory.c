@@ -37,6 +37,7 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
+/** The most set points of a trajectory. */
 static const uint64_t MOST_POINTS = UINT64_C(16);
 static const double PI = 3.141592653589793;
 

@@ -7,9 +7,11 @@ use bessemer::prelude::*;
 use core::f64::consts::PI;
 
 /// Places for motors: quad-, hexa- and octocopters run the same code.
+#[data]
 pub const MOST_MOTORS: usize = 8;
 
 /// Acceleration of gravity, m/s².
+#[data]
 pub const GRAVITY: f64 = 9.81;
 
 /// How the arms lie (thesis, eq. (2.2)).

@@ -5,6 +5,10 @@
 use crate::parameters::Parameters;
 use bessemer::prelude::*;
 
+/// Largest integral of the error of an angle, rad·s: at the Mambo's gain as much torque as 0.5 rad.
+#[data]
+const MOST: f64 = 0.5;
+
 /// Holds roll, pitch and yaw.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -27,7 +31,10 @@ impl Attitude {
     ) -> Vector3<f64> {
         let integral = self.integral;
         if !grounded {
-            self.integral += error * parameters.period;
+            for n in 0..3 {
+                let integral = self.integral[n] + error[n] * parameters.period;
+                self.integral[n] = integral.clamp(-MOST, MOST);
+            }
         }
 
         Vector3::new(

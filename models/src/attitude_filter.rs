@@ -14,7 +14,8 @@ pub struct AttitudeFilter {
     pub angles: Vector3<f64>,
     /// Biases of the gyroscope, rad/s.
     pub bias: Vector3<f64>,
-    /// Covariance of the errors of the angles, then of the biases.
+    /// Covariance of the errors: roll, pitch, yaw (rad²), then the biases about the body's x, y, z
+    /// (rad²/s²); symmetric.
     pub covariance: Matrix6<f64>,
 }
 
@@ -55,7 +56,8 @@ impl AttitudeFilter {
         rates: &Vector3<f64>,
         period: f64,
     ) -> Matrix6<f64> {
-        let Orientation { s2, c2, s3, c3, .. } = *orientation;
+        let Orientation { s2, s3, c3, .. } = *orientation;
+        let c2 = orientation.divisor();
         let along = c3 * rates.x + s3 * rates.y;
         let across = s3 * rates.x - c3 * rates.y;
         let lean = s2 / c2;
@@ -93,7 +95,8 @@ impl AttitudeFilter {
     ) -> bool {
         let spread = self.covariance * row;
         let expected = row.dot(&spread) + variance;
-        let plausible = innovation * innovation <= gate * gate * expected;
+        // Nothing is left to learn where neither the state nor the measurement can be wrong.
+        let plausible = expected > 0.0 && innovation * innovation <= gate * gate * expected;
         if !plausible {
             return false;
         }

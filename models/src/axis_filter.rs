@@ -11,7 +11,7 @@ use bessemer::prelude::*;
 pub struct AxisFilter {
     /// Position, m; velocity, m/s; bias of the acceleration, m/s².
     pub state: Vector3<f64>,
-    /// Covariance of the errors of these.
+    /// Covariance of the errors of these, in this order; symmetric.
     pub covariance: Matrix3<f64>,
 }
 
@@ -52,7 +52,7 @@ impl AxisFilter {
         let innovation = measured - row.dot(&self.state);
         let spread = self.covariance * row;
         let expected = row.dot(&spread) + variance;
-        let plausible = innovation * innovation <= gate * gate * expected;
+        let plausible = expected > 0.0 && innovation * innovation <= gate * gate * expected;
         if !plausible {
             return false;
         }

@@ -7,6 +7,7 @@
 use bessemer::prelude::*;
 
 /// Largest count of a 16-bit sensor: at it, the sensor is at the end of its range.
+#[data]
 const FULL_SCALE: i16 = 32767;
 
 /// What the inertial sensors say.

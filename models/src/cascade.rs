@@ -4,7 +4,7 @@
 
 use crate::airframe::Wrench;
 use crate::attitude::Attitude;
-use crate::geometry::Orientation;
+use crate::geometry::{Orientation, wrapped};
 use crate::height::Height;
 use crate::horizontal::lean;
 use crate::parameters::Parameters;
@@ -39,7 +39,8 @@ impl Cascade {
         let wanted = lean(parameters, target, &estimate.position, &estimate.velocity);
 
         // The attitude loops act about the axes of roll, pitch and yaw; the motors, about the body's.
-        let error = wanted - estimate.angles;
+        let mut error = wanted - estimate.angles;
+        error.z = wrapped(error.z);
         let wanted_rates = Vector3::new(0.0, 0.0, target.yaw_rate);
         let error_rate = wanted_rates - orientation.angle_rates(&estimate.rates);
         let turn = self.attitude.step(parameters, &error, &error_rate, target.grounded);

@@ -6,6 +6,7 @@
 use bessemer::prelude::*;
 
 /// So many wrong steps of the clock in a row are too many.
+#[data]
 const MOST_WRONG: u32 = 20;
 
 /// Watches the clock.

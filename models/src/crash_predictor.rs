@@ -11,9 +11,11 @@ use crate::signals::Estimate;
 use bessemer::prelude::*;
 
 /// For so many periods something has to look wrong: one reading proves nothing.
+#[data]
 const PROOF: u32 = 3;
 
 /// Below this height, m, an aircraft that does not know how it leans had better go on landing.
+#[data]
 const LOW: f64 = 0.2;
 
 /// What is wrong.

@@ -23,34 +23,44 @@ use crate::stuck::Stuck;
 use bessemer::prelude::*;
 
 /// After so long, s, in which the gates let nothing of a source through, it is the state that is wrong.
+#[data]
 const DOUBT: f64 = 0.25;
 
 /// The same for the other sources, whose readings are nonsense more often.
+#[data]
 const LATE_DOUBT: f64 = 0.8;
 
 /// The same while the gyroscope is silent, and the state is wrong more often.
+#[data]
 const DEAF_DOUBT: f64 = 0.1;
 
 /// So far below the ground, m, it is the height that is wrong: more than the inertial sensors drift in the
 /// seconds in which nothing else shows it.
+#[data]
 const SUNK: f64 = 0.15;
 
 /// How near the ground, m, it may be the ground that holds the aircraft: nothing is expected to fall there.
+#[data]
 const GROUND: f64 = 0.05;
 
 /// Without the gyroscope for so long, s, its expected readings are all that there is.
+#[data]
 const DEAF: f64 = 0.02;
 
 /// How uncertain the expected rates are, rad/s, and how they wander, rad/s in a second.
+#[data]
 const DEAF_RATES: Vector2<f64> = Vector2::new(0.1, 1.0);
 
 /// The same for the acceleration, whose direction is then uncertain, m/s² and m/s² in a second.
+#[data]
 const DEAF_PUSH: Vector2<f64> = Vector2::new(3.0, 0.02);
 
 /// How uncertain the expected acceleration is, m/s², and how it wanders, m/s² in a second.
+#[data]
 const UNFELT: Vector2<f64> = Vector2::new(1.0, 0.3);
 
 /// The longest time over which the camera's velocity tells an acceleration, s.
+#[data]
 const MEMORY: f64 = 0.05;
 
 /// How good the sensors are.
@@ -71,7 +81,7 @@ pub struct Sensors {
     pub vicon_delay: f64,
     /// Without Vicon for so long, s, the other sources take over.
     pub vicon_patience: f64,
-    /// What Vicon sees: half the sides of a box on the ground, m, and its height.
+    /// What Vicon sees, from the ground up: half the sides of a box, m, and its height.
     pub vicon_space: Vector3<f64>,
     /// Noise of the altimeter, m.
     pub altimeter: f64,
@@ -283,8 +293,8 @@ impl Estimator {
         let vicon = measured.vicon;
         let space = sensors.vicon_space;
         let place = vicon.position;
-        let inside =
-            place.x.abs() <= space.x && place.y.abs() <= space.y && place.z.abs() <= space.z;
+        let above = place.x.abs() <= space.x && place.y.abs() <= space.y;
+        let inside = above && place.z >= -SUNK && place.z <= space.z;
         let new = self.vicon.says(&place);
         if !inside || !new {
             self.outliers = self.outliers.saturating_add(1);
@@ -444,6 +454,17 @@ impl Estimator {
     /// The velocity in the inertial frame, m/s.
     fn velocity(&self) -> Vector3<f64> {
         Vector3::new(self.axes[0].state[1], self.axes[1].state[1], self.axes[2].state[1])
+    }
+
+    /// Variances of the position, m², and of the angles, rad².
+    #[entry(infallible)]
+    pub fn spread(&self) -> Vector6<f64> {
+        let mut spread = Vector6::zeros();
+        for n in 0..3 {
+            spread[n] = self.axes[n].covariance[(0, 0)];
+            spread[n + 3] = self.attitude.covariance[(n, n)];
+        }
+        spread
     }
 
     /// Everything in one vector.

@@ -7,15 +7,19 @@
 use bessemer::prelude::*;
 
 /// How fast the motors follow their commands: share of the way in a period.
+#[data]
 const FOLLOW: f64 = 0.25;
 
 /// Share by which the expected rates follow the gyroscope in each period.
+#[data]
 const TURN: f64 = 0.2;
 
 /// The same for the angular acceleration that no command explains, 1/s, as a share of the force, m/s².
+#[data]
 const UNEXPLAINED_TURN: f64 = 0.1;
 
 /// Share by which the force that no command explains follows the accelerometer in each period.
+#[data]
 const UNEXPLAINED_FORCE: f64 = 0.02;
 
 /// What the motors are to do to the aircraft.

@@ -11,6 +11,7 @@ use crate::signals::{Estimate, Target};
 use bessemer::prelude::*;
 
 /// Steepest lean that is asked for, rad.
+#[data]
 const STEEPEST: f64 = 0.6;
 
 /// The thrust and the torques that take the aircraft to its target.

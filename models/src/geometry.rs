@@ -1,10 +1,15 @@
 //! The aircraft's orientation: frames, angles and their rates (thesis, ch. 2).
 //!
-//! The angles are those of a passive rotation: a positive body rate lowers them. Nothing here knows
-//! of forces or of control.
+//! Frames: the inertial one has z upwards; the body's x points forward, its z along the thrust; both are
+//! right-handed. Angles: R = C1(roll) C2(pitch) C3(yaw), those of a passive rotation, so that a positive body
+//! rate lowers them. Nothing here knows of forces or of control.
 
 use bessemer::prelude::*;
 use core::f64::consts::PI;
+
+/// Least cosine of the pitch that is divided by: 89.4°.
+#[data]
+pub const STEEP: f64 = 0.01;
 
 /// Sines and cosines of roll θ1, pitch θ2 and yaw θ3.
 #[data]
@@ -82,19 +87,31 @@ impl Orientation {
         )
     }
 
+    /// cos θ2 as a divisor: no nearer to 0 than [`STEEP`], so that a pitch of ±π/2 has large rates, and not
+    /// infinite ones.
+    pub fn divisor(&self) -> f64 {
+        if self.c2.abs() < STEEP {
+            return STEEP.copysign(self.c2);
+        }
+        self.c2
+    }
+
     /// Rates of the angles at the given body rates (thesis, eq. (2.17)), rad/s.
     ///
-    /// Singular at a pitch of ±π/2.
+    /// Singular at a pitch of ±π/2: see [`divisor`](Orientation::divisor).
     pub fn angle_rates(&self, body_rates: &Vector3<f64>) -> Vector3<f64> {
         let along = self.c3 * body_rates.x + self.s3 * body_rates.y;
         let across = self.s3 * body_rates.x - self.c3 * body_rates.y;
-        let roll_rate = -along / self.c2;
+        let roll_rate = -along / self.divisor();
         Vector3::new(roll_rate, across, self.s2 * roll_rate - body_rates.z)
     }
 }
 
-/// The angle that differs from `angle` by whole turns and lies within half a turn, rad.
+/// The angle that differs from `angle` by whole turns and lies within half a turn, rad: itself, if it does.
 #[function]
 pub fn wrapped(angle: f64) -> f64 {
+    if angle.abs() <= PI {
+        return angle;
+    }
     (angle + PI).rem_euclid(2.0 * PI) - PI
 }

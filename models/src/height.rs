@@ -7,6 +7,10 @@ use crate::parameters::Parameters;
 use crate::signals::Target;
 use bessemer::prelude::*;
 
+/// Largest integral of the height error, m·s: at the Mambo's gain its whole weight, most of which a feed-forward takes over.
+#[data]
+const MOST: f64 = 14.0;
+
 /// Holds the height, and takes off.
 #[component]
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -35,7 +39,8 @@ impl Height {
         let error_rate = target.velocity.z - climb;
         let correction = parameters.height.respond(error, self.integral, error_rate);
         if !target.grounded {
-            self.integral += error * parameters.period;
+            let integral = self.integral + error * parameters.period;
+            self.integral = integral.clamp(-MOST, MOST);
         }
 
         weight + parameters.mass * target.climb_acceleration + correction

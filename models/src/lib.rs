@@ -5,7 +5,8 @@
 //! | module | what it says | thesis |
 //! |---|---|---|
 //! | [`onboard`] | everything that happens in one period | §6.1 |
-//! | [`receiver`], [`packet`], [`trajectory`] | what the ground asks for | §6.1 |
+//! | [`receiver`], [`packet`], [`trajectory`], [`tuning`] | what the ground asks for | §6.1 |
+//! | [`gate`], [`siphash`] | whether it is the ground that asks | |
 //! | [`calibration`] | from counts to units | §6.1 |
 //! | [`estimator`], [`attitude_filter`], [`axis_filter`], [`covariance`], [`low_pass`], [`stuck`], [`expectation`] | what is known of the aircraft | §6.1 |
 //! | [`reference_generator`], [`touch_down`] | where it is wanted: take-off, trajectory, sticks, landing | (3.20) |
@@ -42,6 +43,7 @@ pub mod crash_predictor;
 pub mod estimator;
 pub mod expectation;
 pub mod feed_forward;
+pub mod gate;
 pub mod geometric;
 pub mod geometry;
 pub mod height;
@@ -58,9 +60,11 @@ pub mod receiver;
 pub mod reference_generator;
 pub mod sender;
 pub mod signals;
+pub mod siphash;
 pub mod stuck;
 pub mod touch_down;
 pub mod trajectory;
+pub mod tuning;
 
 pub use airframe::{Airframe, Layout, MOST_MOTORS, Wrench};
 pub use attitude::Attitude;

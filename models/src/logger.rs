@@ -6,12 +6,15 @@
 use bessemer::prelude::*;
 
 /// How many signals there are to choose from.
+#[data]
 pub const SIGNALS: usize = 64;
 
 /// How many signals a record holds.
+#[data]
 pub const WIDTH: usize = 36;
 
 /// How many records the ring holds.
+#[data]
 pub const DEPTH: usize = 16;
 
 /// One moment.
@@ -20,13 +23,15 @@ pub const DEPTH: usize = 16;
 pub struct Record {
     /// When: periods since `init`.
     pub period: u32,
+    /// The choice of signals that it holds.
+    pub tag: u8,
     /// The chosen signals.
     pub values: [f64; 36],
 }
 
 impl Default for Record {
     fn default() -> Self {
-        Record { period: 0, values: [0.0; WIDTH] }
+        Record { period: 0, tag: 0, values: [0.0; WIDTH] }
     }
 }
 
@@ -34,6 +39,8 @@ impl Default for Record {
 #[data]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Choice {
+    /// What the ground calls this choice: it comes down with each record.
+    pub tag: u8,
     /// Every so many periods; 0 for never.
     pub every: u32,
     /// The numbers of the signals.
@@ -54,7 +61,7 @@ impl Choice {
         for n in 0..WIDTH {
             signals[n] = n as u8;
         }
-        Choice { every: 10, signals }
+        Choice { tag: 0, every: 10, signals }
     }
 }
 
@@ -81,7 +88,7 @@ impl Logger {
     pub fn step(&mut self, choice: &Choice, signals: &SVector<f64, 64>) {
         let due = choice.every != 0 && self.period % choice.every.max(1) == 0;
         if due {
-            let mut record = Record { period: self.period, values: [0.0; 36] };
+            let mut record = Record { period: self.period, tag: choice.tag, values: [0.0; 36] };
             for n in 0..WIDTH {
                 let number = choice.signals[n] as usize;
                 record.values[n] = signals[number % SIGNALS];

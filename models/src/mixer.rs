@@ -14,10 +14,10 @@ use bessemer::prelude::*;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Mixer {
     /// Squares of the motor speeds (rows) per thrust and roll, pitch and yaw torque (columns),
-    /// rad²/s² per N and per N·m.
+    /// rad²/s² per N and per N·m, about the body's x, y and z.
     pub allocation: SMatrix<f64, 8, 4>,
     /// Thrust and roll, pitch and yaw torque (rows) per square of the motor speeds (columns), N·s²/rad²
-    /// and N·m·s²/rad²: what the motors do.
+    /// and N·m·s²/rad²: what the motors do. A positive torque turns x towards y, y towards z, z towards x.
     pub effectiveness: SMatrix<f64, 4, 8>,
     /// Direction in which each motor turns, 1 or −1; 0 where there is none.
     pub spins: SVector<f64, 8>,

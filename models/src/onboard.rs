@@ -12,12 +12,13 @@ use crate::crash_predictor::{Alarm, CrashPredictor, Limits};
 use crate::estimator::{Ages, Estimator, Sensors};
 use crate::expectation::Push;
 use crate::feed_forward::{Injection, compensation};
+use crate::gate::Refused;
 use crate::logger::{Choice, Logger};
 use crate::packet::Packet;
 use crate::parameters::Parameters;
-use crate::receiver::{Mode, Receiver};
+use crate::receiver::{Mode, Receiver, Request, Wish};
 use crate::reference_generator::{Course, Reference, ReferenceGenerator};
-use crate::sender::Sender;
+use crate::sender::{Reply, Sender, Status};
 use crate::signals::{Command, Estimate};
 use crate::trajectory::Space;
 use bessemer::prelude::*;
@@ -74,6 +75,8 @@ pub struct Inputs {
     pub readings: Readings,
     /// A packet from the ground; of no length, if none came.
     pub uplink: Packet,
+    /// What the gate before the link has kept out so far.
+    pub refused: Refused,
 }
 
 /// What goes out in one period.
@@ -88,13 +91,25 @@ pub struct Outputs {
     pub ages: Ages,
     /// Where it is wanted.
     pub reference: Reference,
+    /// Variances of the position, m², and of the angles, rad².
+    pub spread: Vector6<f64>,
     /// The share of the feed-forward that is injected.
     pub gain: f64,
+    /// What the ground wants of the settings: for whoever holds them, before the next period.
+    pub wish: Wish,
     /// What is wrong.
     pub alarm: Alarm,
     /// A packet for the ground; of no length, if there is none.
     pub downlink: Packet,
 }
+
+/// How fast the share of the feed-forward may change, 1/s: at once, it would throw the aircraft up.
+#[data]
+const SWELL: f64 = 0.1;
+
+/// An aircraft stands on the ground if it is lower than this, m, and slower than this, m/s.
+#[data]
+const STANDING: [f64; 2] = [0.1, 0.1];
 
 /// The onboard software.
 #[component]
@@ -118,6 +133,10 @@ pub struct Onboard {
     pub logger: Logger,
     /// Sends what was written down.
     pub sender: Sender,
+    /// The share of the feed-forward that is injected.
+    pub gain: f64,
+    /// The parameter that the ground has asked for.
+    pub reply: Reply,
 }
 
 #[component]
@@ -130,6 +149,9 @@ impl Onboard {
 
         let measured = settings.calibration.measured(&inputs.readings);
         let estimate = self.estimator.step(&settings.sensors, &self.pushed, &measured);
+        if self.receiver.orders.arm {
+            self.arm(&estimate);
+        }
         let alarm = self.watch(settings, inputs.time, &estimate);
         if alarm != Alarm::Clear {
             self.reference.end();
@@ -139,24 +161,46 @@ impl Onboard {
         let orders = &self.receiver.orders;
         let limp = self.estimator.is_deaf();
         let reference = self.reference.step(&settings.course, orders, &estimate, landed, limp);
-        let gain = self.gain(settings, &reference);
+        self.swell(settings, &reference);
         let mut command = Command::still();
         if reference.motors {
             let whole = compensation(&settings.airframe, &estimate, settings.injection.friction);
             let parameters = &settings.parameters;
             let target = &reference.target;
-            command = self.controller.step(parameters, &estimate, target, &(whole * gain));
+            let share = whole * self.gain;
+            command = self.controller.step(parameters, &estimate, target, &share);
         }
         self.pushed = settings.parameters.push(&command);
 
-        let ages = self.estimator.ages;
-        let mut outputs =
-            Outputs { command, estimate, ages, reference, gain, alarm, downlink: Packet::none() };
+        let mut outputs = Outputs {
+            command,
+            estimate,
+            ages: self.estimator.ages,
+            reference,
+            spread: self.estimator.spread(),
+            gain: self.gain,
+            wish: self.receiver.wish,
+            alarm,
+            downlink: Packet::none(),
+        };
         self.logger.step(&settings.choice, &signals(&outputs));
         if self.receiver.orders.link {
-            outputs.downlink = self.sender.step(&mut self.logger);
+            outputs.downlink = self.send(settings, &inputs.refused);
         }
         outputs
+    }
+
+    /// Makes ready for another flight, if the aircraft stands on the ground with its motors off.
+    fn arm(&mut self, estimate: &Estimate) {
+        let [low, slow] = STANDING;
+        let stands = estimate.position.z < low && estimate.velocity.norm() < slow;
+        if !self.reference.is_flying() && stands {
+            self.receiver.forget();
+            self.reference = ReferenceGenerator::default();
+            self.predictor = CrashPredictor::default();
+            self.controller = Controller::default();
+            self.gain = 0.0;
+        }
     }
 
     /// Whether to go on.
@@ -172,12 +216,37 @@ impl Onboard {
         self.predictor.step(&settings.limits, flying, estimate, &self.estimator.ages, climb)
     }
 
-    /// The share of the feed-forward that is injected now.
-    fn gain(&self, settings: &Settings, reference: &Reference) -> f64 {
-        if self.receiver.orders.mode != Mode::FeedForward || reference.target.take_off {
-            return 0.0;
+    /// The share of the feed-forward on its way to what is injected now.
+    fn swell(&mut self, settings: &Settings, reference: &Reference) {
+        if !reference.motors || reference.target.take_off {
+            self.gain = 0.0;
+            return;
         }
-        settings.injection.gain(reference.time)
+        let mut wanted = 0.0;
+        if self.receiver.orders.mode == Mode::FeedForward {
+            wanted = settings.injection.gain(reference.time);
+        }
+        let most = SWELL * settings.parameters.period;
+        self.gain += (wanted - self.gain).max(-most).min(most);
+    }
+
+    /// What goes down in this period. A parameter that is asked for in it goes down in the next one, when a
+    /// change of it has taken place.
+    fn send(&mut self, settings: &Settings, refused: &Refused) -> Packet {
+        let status = Status {
+            tally: self.receiver.tally,
+            refused: *refused,
+            lost: self.logger.lost,
+            mode: self.receiver.orders.mode,
+            tag: self.receiver.orders.tag,
+            watched: self.receiver.orders.watched,
+        };
+        self.reply.value = settings.parameter(self.reply.number);
+        let packet = self.sender.step(&mut self.logger, &status, &self.reply);
+        let wish = &self.receiver.wish;
+        self.reply.wanted = wish.request == Request::Ask || wish.request == Request::Set;
+        self.reply.number = wish.number;
+        packet
     }
 }
 
@@ -185,7 +254,7 @@ impl Onboard {
 ///
 /// 0–11 the state; 12–17 the wanted position, yaw, phase and time; 18–25 the closed loop's commands;
 /// 26–33 the feed-forward's; 34 its gain; 35 the alarm; 36–43 the motors' commands; 44–46 the wanted
-/// velocity; 47–50 the ages of the measurements. The rest is 0.
+/// velocity; 47–50 the ages of the measurements; 51–56 the variances of position and angles. The rest is 0.
 #[function]
 fn signals(outputs: &Outputs) -> SVector<f64, 64> {
     let mut all = SVector::zeros();
@@ -214,5 +283,8 @@ fn signals(outputs: &Outputs) -> SVector<f64, 64> {
     all[48] = outputs.ages.vicon;
     all[49] = outputs.ages.height;
     all[50] = outputs.ages.plane;
+    for n in 0..6 {
+        all[51 + n] = outputs.spread[n];
+    }
     all
 }

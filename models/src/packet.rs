@@ -6,18 +6,35 @@
 use bessemer::prelude::*;
 
 /// The most bytes of a packet.
+#[data]
 pub const MOST_BYTES: usize = 64;
 
-/// Bytes before the payload.
+/// Where what is summed up begins: behind the two marks, with the kind.
+#[data]
+pub const START: usize = 2;
+
+/// Where the length of the payload stands.
+#[data]
+pub const SIZE_AT: usize = 5;
+
+/// Bytes before the payload: two marks, kind, sequence (2), length.
+#[data]
 pub const HEADER: usize = 6;
 
+/// Bytes of the checksum behind the payload.
+#[data]
+pub const SUM: usize = 2;
+
 /// The most bytes of a payload: the rest is header and checksum.
+#[data]
 pub const MOST_PAYLOAD: usize = 56;
 
 /// The first byte of every packet.
+#[data]
 const FIRST: u8 = 0xA5;
 
 /// The second byte of every packet.
+#[data]
 const SECOND: u8 = 0x5A;
 
 /// Bytes as they come from a link, or go to one.
@@ -47,13 +64,13 @@ impl Packet {
     pub fn around(kind: u8, sequence: u16, payload: &[u8; 56], length: usize) -> Packet {
         let mut packet = Packet::none();
         let size = length.min(MOST_PAYLOAD);
-        packet.length = HEADER + size + 2;
+        packet.length = HEADER + size + SUM;
         packet.bytes[0] = FIRST;
         packet.bytes[1] = SECOND;
         packet.bytes[2] = kind;
         packet.bytes[3] = (sequence & 0xFF) as u8;
         packet.bytes[4] = (sequence >> 8) as u8;
-        packet.bytes[5] = size as u8;
+        packet.bytes[SIZE_AT] = size as u8;
         for n in 0..MOST_PAYLOAD {
             if n < size {
                 packet.bytes[HEADER + n] = payload[n];
@@ -73,11 +90,11 @@ impl Packet {
 
     /// Whether the bytes are a packet: its marks, its length and its checksum.
     pub fn is_sound(&self) -> bool {
-        let size = self.bytes[5] as usize;
+        let size = self.bytes[SIZE_AT] as usize;
         if self.bytes[0] != FIRST || self.bytes[1] != SECOND || size > MOST_PAYLOAD {
             return false;
         }
-        if self.length != HEADER + size + 2 {
+        if self.length != HEADER + size + SUM {
             return false;
         }
         let mut sent: u16 = 0;
@@ -104,7 +121,7 @@ impl Packet {
 
     /// How long its payload is.
     pub fn size(&self) -> usize {
-        self.bytes[5] as usize
+        self.bytes[SIZE_AT] as usize
     }
 
     /// The byte of the payload at `at`; 0 behind its capacity.
@@ -115,12 +132,17 @@ impl Packet {
 
     /// The number at `at` in the payload, of eight bytes.
     pub fn number(&self, at: usize) -> f64 {
+        f64::from_bits(self.word(at))
+    }
+
+    /// The word at `at` in the payload, of eight bytes.
+    pub fn word(&self, at: usize) -> u64 {
         let start = at.min(MOST_PAYLOAD - 8);
         let mut eight = [0; 8];
         for n in 0..8 {
             eight[n] = self.bytes[HEADER + start + n];
         }
-        f64::from_le_bytes(eight)
+        u64::from_le_bytes(eight)
     }
 }
 
@@ -128,7 +150,7 @@ impl Packet {
 #[function]
 fn checksum(bytes: &[u8; 64], end: usize) -> u16 {
     let mut sum: u16 = 0xFFFF;
-    for n in 2..MOST_BYTES {
+    for n in START..MOST_BYTES {
         if n < end {
             sum ^= (bytes[n] as u16) << 8;
             for _ in 0..8 {

@@ -6,7 +6,7 @@
 
 use crate::airframe::Wrench;
 use crate::attitude::Attitude;
-use crate::geometry::Orientation;
+use crate::geometry::{Orientation, wrapped};
 use crate::height::Height;
 use crate::parameters::Parameters;
 use crate::signals::{Estimate, Target};
@@ -33,7 +33,8 @@ impl Printed {
         target: &Target,
     ) -> Wrench {
         let orientation = Orientation::of(&estimate.angles);
-        let error = lean(parameters, target, estimate) - estimate.angles;
+        let mut error = lean(parameters, target, estimate) - estimate.angles;
+        error.z = wrapped(error.z);
         let wanted_rates = Vector3::new(0.0, 0.0, target.yaw_rate);
         let error_rate = wanted_rates - orientation.angle_rates(&estimate.rates);
 

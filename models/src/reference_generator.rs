@@ -3,12 +3,14 @@
 //!
 //! Knows what was asked for and where the aircraft is, not how it gets to where it is wanted.
 
+use crate::geometry::wrapped;
 use crate::receiver::{Mode, Orders, Sticks};
 use crate::signals::{Estimate, Target};
 use crate::trajectory::SetPoint;
 use bessemer::prelude::*;
 
 /// Height above which the aircraft has left the ground, m.
+#[data]
 const CLEAR: f64 = 0.1;
 
 /// Which part of the flight it is.
@@ -24,8 +26,10 @@ pub enum Phase {
     Flight,
     /// Sinking to the ground.
     Landing,
-    /// On the ground again, or stopped: the motors stay off until `init`.
+    /// On the ground again, or stopped: the motors stay off until `init`, or until it is armed again.
     Over,
+    /// Staying where it was wanted last, since the ground is not heard any more.
+    Hold,
 }
 
 /// How a flight begins and ends.
@@ -45,13 +49,27 @@ pub struct Course {
     /// How fast the wanted yaw goes to that of a set point, rad/s: a step would take from the height what
     /// the motors need for it.
     pub turn: f64,
+    /// How long the ground may be silent, once it has said that it will not be, before the aircraft stays
+    /// where it is, s.
+    pub silence: f64,
+    /// The same before it lands, s.
+    pub farewell: f64,
 }
 
 #[data]
 impl Course {
     /// The Mambo's. The thesis takes the sample time for K_landing, which would take 200 s to land.
     pub fn mambo() -> Course {
-        Course { period: 0.005, burn: 1.0, sink: 0.25, patience: 0.5, ceiling: 2.5, turn: 1.0 }
+        Course {
+            period: 0.005,
+            burn: 1.0,
+            sink: 0.25,
+            patience: 0.5,
+            ceiling: 2.5,
+            turn: 1.0,
+            silence: 1.0,
+            farewell: 6.0,
+        }
     }
 }
 
@@ -100,14 +118,16 @@ impl ReferenceGenerator {
         landed: bool,
         limp: bool,
     ) -> Reference {
+        if self.phase == Phase::Ready {
+            self.wanted = orders.trajectory.at(0.0);
+        }
         self.change_phase(course, orders, estimate, landed, limp);
         self.airborne = self.airborne || estimate.position.z > CLEAR;
         let mut target = Target::idle();
         target.grounded = !self.airborne;
         match self.phase {
-            Phase::Ready => self.wanted = orders.trajectory.at(0.0),
+            Phase::Ready | Phase::Over | Phase::Hold => {}
             Phase::TakeOff => target.take_off = true,
-            Phase::Over => {}
             Phase::Flight if orders.mode == Mode::Manual => {
                 self.follow_sticks(course, orders, estimate, &mut target);
             }
@@ -154,15 +174,20 @@ impl ReferenceGenerator {
         landed: bool,
         limp: bool,
     ) {
-        if limp && (self.phase == Phase::TakeOff || self.phase == Phase::Flight) {
+        let aloft = self.phase == Phase::Flight || self.phase == Phase::Hold;
+        if limp && (self.phase == Phase::TakeOff || aloft) {
             self.wanted.position = estimate.position;
             self.wanted.yaw = self.yaw;
         }
-        let land = orders.land || limp;
+        let alone = orders.watched && orders.silence > course.silence;
+        let left = orders.watched && orders.silence > course.farewell;
+        let land = orders.land || limp || left;
         let off = estimate.position.z > 0.5 * self.wanted.position.z;
         self.phase = match self.phase {
             Phase::Ready if orders.take_off && !land => Phase::TakeOff,
-            Phase::TakeOff | Phase::Flight if land => Phase::Landing,
+            Phase::TakeOff | Phase::Flight | Phase::Hold if land => Phase::Landing,
+            Phase::Flight if alone => Phase::Hold,
+            Phase::Hold if !alone => Phase::Flight,
             Phase::TakeOff if self.time >= course.burn || off => Phase::Flight,
             Phase::Landing if landed => Phase::Over,
             same => same,
@@ -174,7 +199,8 @@ impl ReferenceGenerator {
         if !self.airborne {
             self.yaw = estimate.angles.z;
         }
-        let left = self.wanted.yaw - self.yaw;
+        // The short way round: the yaw itself goes on beyond half a turn.
+        let left = wrapped(self.wanted.yaw - self.yaw);
         let most = course.turn * course.period;
         if !self.airborne {
             target.yaw_rate = 0.0;
@@ -182,7 +208,7 @@ impl ReferenceGenerator {
             target.yaw_rate = course.turn.copysign(left);
             self.yaw += most.copysign(left);
         } else {
-            self.yaw = self.wanted.yaw;
+            self.yaw += left;
         }
         target.yaw = self.yaw;
     }

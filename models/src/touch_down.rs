@@ -7,15 +7,19 @@ use crate::signals::{Estimate, Target};
 use bessemer::prelude::*;
 
 /// Height below which the ground can be what holds the aircraft, m.
+#[data]
 const NEAR: f64 = 0.1;
 
 /// Speed below which it no longer sinks, m/s: a fraction of any rate of descent.
+#[data]
 const STILL: f64 = 0.08;
 
 /// How long it has to stay still, s.
+#[data]
 const LONG_ENOUGH: f64 = 0.15;
 
 /// Height below the ground that the target reaches before it is believed, m.
+#[data]
 const PUSHED: f64 = 0.02;
 
 /// Tells touch-down from a slow descent.

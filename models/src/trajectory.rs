@@ -6,6 +6,7 @@
 use bessemer::prelude::*;
 
 /// The most set points of a trajectory.
+#[data]
 pub const MOST_POINTS: usize = 16;
 
 /// A place from a time on.

@@ -4,7 +4,9 @@
 use bessemer::nalgebra::Vector3;
 use models::calibration::{Calibration, Inertial, Readings, Vicon};
 use models::packet::Packet;
-use models::receiver::{COMMIT, HELLO, MODE, Mode, POINT, Receiver, STICKS, TAKE_OFF};
+use models::receiver::{
+    BEAT, COMMIT, HELLO, MODE, Mode, NEVER, POINT, Receiver, STICKS, STOP, TAKE_OFF, within,
+};
 use models::trajectory::{SetPoint, Space, Trajectory};
 use models::{Alarm, Inputs, Onboard, Outputs, Phase, Settings};
 
@@ -62,8 +64,8 @@ fn what_is_no_packet_is_dropped_and_counted() {
     take(&mut receiver, &packet(TAKE_OFF, 5, &[]));
     assert_eq!(receiver.tally.senseless, 4, "the last: there is no trajectory yet");
     assert_eq!(receiver.tally.taken, 1);
-    let sticks_age = receiver.orders.sticks_age;
-    assert_eq!(receiver.orders, models::receiver::Orders { sticks_age, ..orders });
+    let models::receiver::Orders { sticks_age, silence, .. } = receiver.orders;
+    assert_eq!(receiver.orders, models::receiver::Orders { sticks_age, silence, ..orders });
 }
 
 #[test]
@@ -120,17 +122,80 @@ fn trajectories_out_of_order_or_out_of_bounds_are_refused() {
 fn a_refused_trajectory_leaves_the_one_that_is_flown() {
     let mut receiver = Receiver::default();
     take(&mut receiver, &packet(POINT, 1, &set_point(0, [0.0, 0.0, 0.0, 1.0, 0.0])));
-    take(&mut receiver, &packet(COMMIT, 2, &[1]));
+    take(&mut receiver, &packet(COMMIT, 2, &[1, 0]));
     let flown = receiver.orders.trajectory;
     assert_eq!(flown.count, 1);
     take(&mut receiver, &packet(POINT, 3, &set_point(1, [0.0, 0.0, 0.0, 1.5, 0.0])));
-    take(&mut receiver, &packet(COMMIT, 4, &[2]));
-    take(&mut receiver, &packet(COMMIT, 5, &[16]));
-    take(&mut receiver, &packet(COMMIT, 6, &[200]));
+    take(&mut receiver, &packet(COMMIT, 4, &[2, 0]));
+    take(&mut receiver, &packet(COMMIT, 5, &[16, 0]));
+    take(&mut receiver, &packet(COMMIT, 6, &[200, 0]));
     take(&mut receiver, &packet(POINT, 7, &set_point(16, [0.0, 0.0, 0.0, 1.5, 0.0])));
     take(&mut receiver, &packet(POINT, 8, &set_point(0, [0.0, 99.0, 0.0, 1.5, 0.0])));
     assert_eq!(receiver.orders.trajectory, flown);
     assert_eq!(receiver.tally.senseless, 5);
+}
+
+#[test]
+fn to_stop_a_packet_is_never_too_old() {
+    let mut receiver = Receiver::default();
+    take(&mut receiver, &packet(MODE, 900, &[1]));
+    take(&mut receiver, &packet(STOP, 1, &[]));
+    assert!(receiver.orders.stop);
+    // And it does not bring the numbers back, at which old packets would be new.
+    assert_eq!(receiver.last, 900);
+    take(&mut receiver, &packet(MODE, 2, &[2]));
+    assert_eq!((receiver.orders.mode, receiver.tally.old), (Mode::FeedForward, 1));
+}
+
+#[test]
+fn what_makes_no_sense_moves_no_number() {
+    let mut receiver = Receiver::default();
+    take(&mut receiver, &packet(MODE, 900, &[1]));
+    take(&mut receiver, &packet(HELLO, 5, &[1]));
+    take(&mut receiver, &packet(MODE, 5000, &[9]));
+    assert_eq!((receiver.last, receiver.tally.old, receiver.tally.senseless), (900, 1, 1));
+}
+
+#[test]
+fn points_of_an_earlier_trajectory_are_in_no_later_one() {
+    let mut receiver = Receiver::default();
+    take(&mut receiver, &packet(POINT, 1, &set_point(0, [0.0, 0.0, 0.0, 1.0, 0.0])));
+    take(&mut receiver, &packet(POINT, 2, &set_point(1, [5.0, 1.0, 0.0, 1.0, 0.0])));
+    take(&mut receiver, &packet(COMMIT, 3, &[2, 7]));
+    assert_eq!((receiver.orders.trajectory.count, receiver.orders.tag), (2, 7));
+    // The second point of the new one was lost on the way.
+    take(&mut receiver, &packet(POINT, 4, &set_point(0, [0.0, 0.0, 0.0, 2.0, 0.0])));
+    take(&mut receiver, &packet(COMMIT, 5, &[2, 8]));
+    assert_eq!((receiver.orders.tag, receiver.tally.senseless), (7, 1));
+    take(&mut receiver, &packet(POINT, 6, &set_point(1, [5.0, 0.0, 0.0, 2.0, 0.0])));
+    take(&mut receiver, &packet(COMMIT, 7, &[2, 8]));
+    assert_eq!((receiver.orders.tag, receiver.orders.trajectory.points[1].position.z), (8, 2.0));
+}
+
+#[test]
+fn sticks_that_never_came_are_old() {
+    let mut receiver = Receiver::default();
+    assert!(receiver.orders.sticks_age >= NEVER);
+    take(&mut receiver, &packet(STICKS, 1, &[0; 32]));
+    assert_eq!(receiver.orders.sticks_age, 0.0);
+}
+
+#[test]
+fn no_number_is_within_no_limit() {
+    assert_eq!([within(f64::NAN, 2.0), within(9.0, 2.0), within(-9.0, 2.0)], [0.0, 2.0, -2.0]);
+}
+
+#[test]
+fn the_ground_is_missed_once_it_has_beaten() {
+    let mut receiver = Receiver::default();
+    take(&mut receiver, &packet(HELLO, 1, &[]));
+    assert!(!receiver.orders.watched);
+    take(&mut receiver, &packet(BEAT, 2, &[]));
+    assert!(receiver.orders.watched && receiver.orders.silence == 0.0);
+    for _ in 0..200 {
+        take(&mut receiver, &Packet::none());
+    }
+    assert!(receiver.orders.silence > 0.99);
 }
 
 /// The software on a bench at a height of 1 m, flying; `change` is what goes wrong with its inputs.
@@ -140,7 +205,7 @@ fn flown(periods: usize, mut change: impl FnMut(usize, &mut Inputs)) -> Vec<Outp
     let mut packets = vec![
         packet(HELLO, 1, &[]),
         packet(POINT, 2, &set_point(0, [0.0, 0.0, 0.0, 1.0, 0.0])),
-        packet(COMMIT, 3, &[1]),
+        packet(COMMIT, 3, &[1, 0]),
         packet(TAKE_OFF, 4, &[]),
     ]
     .into_iter();
@@ -163,7 +228,8 @@ fn flown(periods: usize, mut change: impl FnMut(usize, &mut Inputs)) -> Vec<Outp
             };
             let uplink = if n >= 20 { packets.next().unwrap_or_default() } else { Packet::none() };
             let readings = Readings { inertial, vicon, ..Readings::default() };
-            let mut inputs = Inputs { time: 5000 * n as u64, readings, uplink };
+            let time = 5000 * n as u64;
+            let mut inputs = Inputs { time, readings, uplink, ..Inputs::default() };
             change(n, &mut inputs);
             onboard.step(&settings, &inputs)
         })

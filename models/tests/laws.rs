@@ -45,17 +45,17 @@ fn to_go_forward_is_to_pitch_down_and_to_go_left_is_to_roll_up() {
 
 #[test]
 fn attitude_adds_the_terms_of_each_axis() {
-    let mut attitude = Attitude { integral: Vector3::new(1.0, 2.0, 3.0) };
+    let mut attitude = Attitude { integral: Vector3::new(0.1, 0.2, 0.3) };
     let error = Vector3::new(0.1, 0.2, 0.3);
     let error_rate = Vector3::new(0.4, 0.5, 0.6);
     let torque = attitude.step(&Parameters::mambo(), &error, &error_rate, false);
     let expected = Vector3::new(
-        0.01 * 0.1 + 0.01 * 1.0 + 0.0028 * 0.4,
-        0.014 * 0.2 + 0.01 * 2.0 + 0.002 * 0.5,
+        0.01 * 0.1 + 0.01 * 0.1 + 0.0028 * 0.4,
+        0.014 * 0.2 + 0.01 * 0.2 + 0.002 * 0.5,
         0.005 * 0.3 + 0.0012 * 0.6,
     );
     assert!((torque - expected).norm() < 1e-15, "{torque}");
-    let integral = Vector3::new(1.0, 2.0, 3.0) + error * 0.005;
+    let integral = Vector3::new(0.1, 0.2, 0.3) + error * 0.005;
     assert!((attitude.integral - integral).norm() < 1e-15, "{attitude:?}");
 }
 

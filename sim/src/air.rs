@@ -20,7 +20,8 @@ pub struct Air {
 /// The air in motion.
 #[derive(Clone, Debug)]
 pub struct Wind {
-    air: Air,
+    /// What air there is.
+    pub air: Air,
     gust: Vector3<f64>,
     stream: Stream,
 }

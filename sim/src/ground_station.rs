@@ -6,9 +6,10 @@
 
 use models::packet::Packet;
 use models::receiver::{
-    COMMIT, GOODBYE, HELLO, LAND, MODE, Mode, POINT, STICKS, STOP, Sticks, TAKE_OFF,
+    ARM, ASK, BEAT, CHOOSE, COMMIT, GOODBYE, HELLO, LAND, MODE, Mode, POINT, SET, STICKS, STOP,
+    Sticks, TAKE_OFF,
 };
-use models::sender::RECORD;
+use models::sender::{PARAMETER, RECORD, STATUS};
 use models::trajectory::SetPoint;
 use std::collections::VecDeque;
 
@@ -23,6 +24,8 @@ pub enum Order {
     Mode(Mode),
     /// Hands in a trajectory: several packets.
     Fly(Vec<SetPoint>),
+    /// Hands in a trajectory by a name, at which it can be recognised when it is flown.
+    FlyAs(u8, Vec<SetPoint>),
     /// Takes off.
     TakeOff,
     /// Lands.
@@ -31,8 +34,153 @@ pub enum Order {
     Sticks(Sticks),
     /// Stops the motors.
     Stop,
+    /// Says that somebody is there.
+    Beat,
+    /// Makes ready for another flight.
+    Arm,
+    /// Asks for a parameter by its number.
+    Ask(u8),
+    /// Sets a parameter.
+    Set(u8, f64),
+    /// Chooses the signals of the records: what to call the choice, every so many periods, which.
+    Choose(u8, u8, [u8; 36]),
     /// Any bytes at all, to see what happens.
     Raw(Packet),
+}
+
+/// Orders as packets, numbered in the order in which they are framed.
+#[derive(Clone, Debug, Default)]
+pub struct Framer {
+    sequence: u16,
+}
+
+impl Framer {
+    /// The packets of an order.
+    pub fn frame(&mut self, order: &Order) -> Vec<Packet> {
+        match order {
+            Order::Hello => vec![self.packet(HELLO, &[])],
+            Order::Goodbye => vec![self.packet(GOODBYE, &[])],
+            Order::Mode(mode) => vec![self.packet(MODE, &[*mode as u8])],
+            Order::TakeOff => vec![self.packet(TAKE_OFF, &[])],
+            Order::Land => vec![self.packet(LAND, &[])],
+            Order::Stop => vec![self.packet(STOP, &[])],
+            Order::Raw(packet) => vec![*packet],
+            Order::Sticks(sticks) => {
+                let Sticks { lean, yaw_rate, climb } = sticks;
+                vec![self.packet(STICKS, &numbers(&[lean.x, lean.y, *yaw_rate, *climb]))]
+            }
+            Order::Beat => vec![self.packet(BEAT, &[])],
+            Order::Arm => vec![self.packet(ARM, &[])],
+            Order::Ask(number) => vec![self.packet(ASK, &[*number])],
+            Order::Set(number, value) => {
+                let payload = [vec![*number], numbers(&[*value])].concat();
+                vec![self.packet(SET, &payload)]
+            }
+            Order::Choose(tag, every, signals) => {
+                let payload = [&[*tag, *every], signals.as_slice()].concat();
+                vec![self.packet(CHOOSE, &payload)]
+            }
+            Order::Fly(points) => self.trajectory(0, points),
+            Order::FlyAs(tag, points) => self.trajectory(*tag, points),
+        }
+    }
+
+    fn trajectory(&mut self, tag: u8, points: &[SetPoint]) -> Vec<Packet> {
+        let mut packets = Vec::new();
+        for (index, point) in points.iter().enumerate() {
+            let SetPoint { time, position, yaw } = point;
+            let mut bytes = vec![index as u8];
+            bytes.extend(numbers(&[*time, position.x, position.y, position.z, *yaw]));
+            packets.push(self.packet(POINT, &bytes));
+        }
+        packets.push(self.packet(COMMIT, &[points.len() as u8, tag]));
+        packets
+    }
+
+    fn packet(&mut self, kind: u8, payload: &[u8]) -> Packet {
+        self.sequence = self.sequence.wrapping_add(1);
+        framed(kind, self.sequence, payload)
+    }
+}
+
+/// One moment as the onboard logger wrote it down.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Record {
+    /// When: periods since the software began.
+    pub period: u32,
+    /// Which choice of signals it holds.
+    pub tag: u8,
+    /// The signals, in single precision.
+    pub values: Vec<f32>,
+}
+
+/// How the link is, as the aircraft sees it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Status {
+    /// Packets taken, broken, old, senseless; unsealed, forged, replayed; records lost.
+    pub counts: [u32; 8],
+    /// The mode's number.
+    pub mode: u8,
+    /// Which trajectory is flown.
+    pub tag: u8,
+    /// Whether the ground is missed when it is silent.
+    pub watched: bool,
+}
+
+/// What comes down.
+#[derive(Clone, Debug, PartialEq)]
+pub enum News {
+    /// A record that has come as a whole.
+    Record(Record),
+    /// How the link is.
+    Status(Status),
+    /// A parameter's number and its value.
+    Parameter(u8, f64),
+}
+
+/// Makes news of packets: records come in parts.
+#[derive(Clone, Debug, Default)]
+pub struct Collector {
+    record: Record,
+}
+
+impl Collector {
+    /// Takes in what came down: the news that it completes.
+    pub fn take(&mut self, packet: &Packet) -> Option<News> {
+        let bytes = &packet.bytes[..packet.length.min(64)];
+        let (head, payload) = unframed(bytes)?;
+        match (head, payload.len()) {
+            (RECORD, 54) => self.part(payload).map(News::Record),
+            (STATUS, 35) => {
+                let mut counts = [0; 8];
+                for (count, four) in counts.iter_mut().zip(payload.chunks_exact(4)) {
+                    *count = u32::from_le_bytes(fixed(four));
+                }
+                let (mode, tag, watched) = (payload[32], payload[33], payload[34] != 0);
+                Some(News::Status(Status { counts, mode, tag, watched }))
+            }
+            (PARAMETER, 9) => {
+                Some(News::Parameter(payload[0], f64::from_le_bytes(fixed(&payload[1..]))))
+            }
+            _ => None,
+        }
+    }
+
+    /// A part of a record: the record, if it is the last and none is missing.
+    fn part(&mut self, payload: &[u8]) -> Option<Record> {
+        let (stamp, values) = payload.split_at(6);
+        let (period, tag) = (u32::from_le_bytes(fixed(&stamp[..4])), stamp[4]);
+        if stamp[5] == 0 {
+            self.record = Record { period, tag, values: Vec::with_capacity(36) };
+        }
+        let record = &mut self.record;
+        if usize::from(stamp[5]) * 12 != record.values.len() || record.period != period {
+            record.values.clear();
+            return None;
+        }
+        record.values.extend(values.chunks_exact(4).map(|four| f32::from_le_bytes(fixed(four))));
+        (record.values.len() == 36).then(|| std::mem::take(record))
+    }
 }
 
 /// The ground station of one flight.
@@ -40,10 +188,10 @@ pub enum Order {
 pub struct GroundStation {
     orders: VecDeque<(f64, Order)>,
     packets: VecDeque<Packet>,
-    sequence: u16,
-    parts: Vec<f64>,
-    /// Every record that came down whole: its period and its values.
-    pub records: Vec<(u32, Vec<f64>)>,
+    framer: Framer,
+    collector: Collector,
+    /// Every record that came down whole.
+    pub records: Vec<Record>,
 }
 
 impl GroundStation {
@@ -56,7 +204,7 @@ impl GroundStation {
     pub fn send(&mut self, time: f64) -> Packet {
         while self.orders.front().is_some_and(|(at, _)| *at <= time) {
             if let Some((_, order)) = self.orders.pop_front() {
-                self.frame(&order);
+                self.packets.extend(self.framer.frame(&order));
             }
         }
         self.packets.pop_front().unwrap_or_default()
@@ -64,51 +212,9 @@ impl GroundStation {
 
     /// Takes in what came down.
     pub fn receive(&mut self, packet: &Packet) {
-        let bytes = &packet.bytes[..packet.length.min(64)];
-        let Some((head, payload)) = unframed(bytes) else { return };
-        if head != RECORD || payload.len() != 53 {
-            return;
+        if let Some(News::Record(record)) = self.collector.take(packet) {
+            self.records.push(record);
         }
-        let (stamp, rest) = payload.split_at(4);
-        let (part, values) = rest.split_at(1);
-        if usize::from(part[0]) * 6 != self.parts.len() {
-            self.parts.clear();
-            return;
-        }
-        self.parts.extend(values.chunks_exact(8).map(|eight| f64::from_le_bytes(fixed(eight))));
-        if self.parts.len() == 36 {
-            self.records.push((u32::from_le_bytes(fixed(stamp)), std::mem::take(&mut self.parts)));
-        }
-    }
-
-    fn frame(&mut self, order: &Order) {
-        match order {
-            Order::Hello => self.push(HELLO, &[]),
-            Order::Goodbye => self.push(GOODBYE, &[]),
-            Order::Mode(mode) => self.push(MODE, &[*mode as u8]),
-            Order::TakeOff => self.push(TAKE_OFF, &[]),
-            Order::Land => self.push(LAND, &[]),
-            Order::Stop => self.push(STOP, &[]),
-            Order::Raw(packet) => self.packets.push_back(*packet),
-            Order::Sticks(sticks) => {
-                let Sticks { lean, yaw_rate, climb } = sticks;
-                self.push(STICKS, &numbers(&[lean.x, lean.y, *yaw_rate, *climb]));
-            }
-            Order::Fly(points) => {
-                for (index, point) in points.iter().enumerate() {
-                    let SetPoint { time, position, yaw } = point;
-                    let mut bytes = vec![index as u8];
-                    bytes.extend(numbers(&[*time, position.x, position.y, position.z, *yaw]));
-                    self.push(POINT, &bytes);
-                }
-                self.push(COMMIT, &[points.len() as u8]);
-            }
-        }
-    }
-
-    fn push(&mut self, kind: u8, payload: &[u8]) {
-        self.sequence = self.sequence.wrapping_add(1);
-        self.packets.push_back(framed(kind, self.sequence, payload));
     }
 }
 
@@ -125,7 +231,7 @@ pub fn framed(kind: u8, sequence: u16, payload: &[u8]) -> Packet {
 }
 
 /// Kind and payload of a packet that came whole.
-fn unframed(bytes: &[u8]) -> Option<(u8, &[u8])> {
+pub fn unframed(bytes: &[u8]) -> Option<(u8, &[u8])> {
     let (body, sum) = bytes.split_at_checked(bytes.len().checked_sub(2)?)?;
     let sound = body.starts_with(&[0xA5, 0x5A]) && crc(&body[2..]).to_le_bytes() == sum;
     let whole = body.len() > 5 && body.len() == 6 + usize::from(body[5]);

@@ -5,6 +5,7 @@
 //! | [`vehicle`] | a multicopter with any number of motors: forces and torques |
 //! | [`plant`] | its motion: twelve states, RK4, a floor |
 //! | [`motors`], [`air`], [`sensors`], [`noise`] | motors that lag, wind, sensors as they are, chance from a seed |
+//! | [`world`] | all of these together, one control period at a time |
 //! | [`ground_station`] | the other end of the link |
 //! | [`computer`] | whatever can run the onboard software: the models, their emitted C |
 //! | [`scenario`], [`voyage`] | a flight before it is flown, and as it was flown |
@@ -49,6 +50,7 @@ pub mod summary;
 pub mod vehicle;
 pub mod verdict;
 pub mod voyage;
+pub mod world;
 
 pub use flight::{Flight, Step, fly};
 pub use mission::{Action, Gust, Manoeuvre, Mission};

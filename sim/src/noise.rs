@@ -25,6 +25,8 @@ pub enum Purpose {
     Dice,
     /// The particles of a swarm.
     Swarm,
+    /// What a link does to its datagrams.
+    Radio,
 }
 
 /// A stream of random numbers.

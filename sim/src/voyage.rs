@@ -3,19 +3,13 @@
 //!
 //! Knows the computer only through its trait, and passes no judgement.
 
-use crate::air::Wind;
 use crate::computer::Computer;
-use crate::ground_station::GroundStation;
-use crate::motors::Motors;
-use crate::plant::{Body, Loads, State};
+use crate::ground_station::{GroundStation, Record};
+use crate::plant::State;
 use crate::scenario::{LEAD, Scenario};
-use crate::sensors::Sensors;
-use crate::vehicle::Vehicle;
+use crate::world::World;
 use models::{Inputs, Outputs};
 use nalgebra::SVector;
-
-/// Steps of the plant in a control period: the motors change within one.
-const SUBSTEPS: usize = 2;
 
 /// One control period, as it was flown.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,8 +33,8 @@ pub struct Moment {
 pub struct Voyage {
     /// Every control period, in order.
     pub moments: Vec<Moment>,
-    /// The records that came down: the period, and the values.
-    pub records: Vec<(u32, Vec<f64>)>,
+    /// The records that came down.
+    pub records: Vec<Record>,
 }
 
 /// Flies a scenario.
@@ -59,41 +53,30 @@ pub fn follow<C: Computer>(
     scenario: &Scenario,
     computer: &mut C,
     mut seen: impl FnMut(&Moment, &C) -> bool,
-) -> Vec<(u32, Vec<f64>)> {
+) -> Vec<Record> {
     let period = scenario.settings.parameters.period;
     let count = ((scenario.duration + LEAD) / period).round() as usize;
-    let vehicle = Vehicle::new(&scenario.airframe);
-    let body = Body { mass: vehicle.mass, inertia: vehicle.inertia };
-    let mut wind = Wind::new(scenario.air, scenario.seed);
-    let mut motors = Motors::new(scenario.lag);
-    let mut sensors = Sensors::new(&scenario.senses, scenario.seed);
+    let mut world =
+        World::new(&scenario.airframe, scenario.lag, scenario.start, period, scenario.seed).with(
+            scenario.air,
+            &scenario.senses,
+            scenario.seed,
+        );
     let mut ground = GroundStation::new(&scenario.orders);
-    let mut state = scenario.start;
 
     for n in 0..count {
         let time = n as f64 * period - LEAD;
-        let readings = sensors.read(n, time, period, &state, scenario.stuck_at(time));
+        let readings = world.sense(n, time, scenario.stuck_at(time));
         let clock = 1_000_000 + (n as u64) * (1e6 * period).round() as u64;
-        let inputs = Inputs { time: clock, readings, uplink: ground.send(time) };
+        let uplink = ground.send(time);
+        let inputs = Inputs { time: clock, readings, uplink, ..Inputs::default() };
         let outputs = computer.step(&scenario.settings_at(time), &inputs);
         ground.receive(&outputs.downlink);
 
-        let (before, mut impact) = (state, 0.0);
-        motors.dead = scenario.dead_at(time);
-        let force = wind.blow(period);
-        for _ in 0..SUBSTEPS {
-            let step = period / SUBSTEPS as f64;
-            let squares = motors.turn(&outputs.command.speeds, step);
-            let (thrust, torque) = vehicle.loads(squares.as_slice());
-            // On the ground the wind finds the aircraft in the lee, and its feet do not slide.
-            let wind = if state.position.z > 0.0 { force } else { nalgebra::Vector3::zeros() };
-            let next = state.after(&body, &Loads { thrust, torque, wind }, step);
-            if state.position.z > 0.0 && next.position.z <= 0.0 {
-                impact = -state.velocity.z;
-            }
-            state = next;
-        }
-        let moment = Moment { time, state: before, inputs, outputs, speeds: motors.speeds, impact };
+        let state = world.state;
+        world.motors.dead = scenario.dead_at(time);
+        let impact = world.advance(&outputs.command.speeds);
+        let moment = Moment { time, state, inputs, outputs, speeds: world.motors.speeds, impact };
         if !seen(&moment, computer) {
             break;
         }

@@ -2,6 +2,7 @@
 
 use sim::computer::Native;
 use sim::flights::{FLIGHTS, find};
+use sim::ground_station::Record;
 use sim::scenario::Scenario;
 use sim::voyage::{Voyage, fly};
 
@@ -64,12 +65,12 @@ fn a_seed_is_a_flight() {
 fn what_was_logged_on_board_comes_down_whole() {
     let voyage = flown(&(find("hover").expect("a flight").scenario)(1));
     assert!(voyage.records.len() > 600, "{}", voyage.records.len());
-    for (period, values) in &voyage.records {
+    for Record { period, values, .. } in &voyage.records {
         let outputs = &voyage.moments[*period as usize].outputs;
-        assert_eq!(values[2], outputs.estimate.position.z);
-        assert_eq!(values[18], outputs.command.closed_loop[0]);
-        assert_eq!(values[35], outputs.alarm as u8 as f64);
+        assert_eq!(values[2], outputs.estimate.position.z as f32);
+        assert_eq!(values[18], outputs.command.closed_loop[0] as f32);
+        assert_eq!(values[35], f32::from(outputs.alarm as u8));
     }
-    let every_tenth = voyage.records.windows(2).all(|pair| pair[1].0 - pair[0].0 == 10);
+    let every_tenth = voyage.records.windows(2).all(|pair| pair[1].period - pair[0].period == 10);
     assert!(every_tenth, "the sender keeps up with the logger");
 }

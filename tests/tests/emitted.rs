@@ -136,7 +136,7 @@ fn the_controller_keeps_its_authors_words() {
         "if (target->take_off) {",
         "return weight + parameters->takeoff_gain * weight;",
         "const double error = target->position[2] - height;",
-        "self->integral += error * parameters->period;",
+        "const double integral = self->integral + error * parameters->period;",
     ] {
         assert!(source.contains(line), "{line}");
     }

@@ -1,0 +1,97 @@
+//! SipHash-2-4: a short sum over a message that nobody can write without the key (Aumasson, Bernstein:
+//! "SipHash: a fast short-input PRF", INDOCRYPT 2012).
+//!
+//! Knows bytes and a key, not what they are for.
+
+use crate::packet::MOST_BYTES;
+use bessemer::prelude::*;
+
+/// A secret of 16 bytes, that the ground has as well.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Key {
+    /// Whether there is one.
+    pub given: bool,
+    /// Its first and its last eight bytes, least significant byte first.
+    pub halves: [u64; 2],
+}
+
+/// The four words of the sum on its way.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Sip {
+    /// v0 of the paper.
+    pub v0: u64,
+    /// v1 of the paper.
+    pub v1: u64,
+    /// v2 of the paper.
+    pub v2: u64,
+    /// v3 of the paper.
+    pub v3: u64,
+}
+
+#[data]
+impl Sip {
+    /// The words before the message (paper, section 2.1).
+    pub fn keyed(key: &Key) -> Sip {
+        Sip {
+            v0: key.halves[0] ^ 0x736F_6D65_7073_6575,
+            v1: key.halves[1] ^ 0x646F_7261_6E64_6F6D,
+            v2: key.halves[0] ^ 0x6C79_6765_6E65_7261,
+            v3: key.halves[1] ^ 0x7465_6462_7974_6573,
+        }
+    }
+
+    /// One SipRound (paper, figure 2.1).
+    pub fn turn(&mut self) {
+        self.v0 = self.v0.wrapping_add(self.v1);
+        self.v2 = self.v2.wrapping_add(self.v3);
+        self.v1 = self.v1.rotate_left(13) ^ self.v0;
+        self.v3 = self.v3.rotate_left(16) ^ self.v2;
+        self.v0 = self.v0.rotate_left(32);
+        self.v2 = self.v2.wrapping_add(self.v1);
+        self.v0 = self.v0.wrapping_add(self.v3);
+        self.v1 = self.v1.rotate_left(17) ^ self.v2;
+        self.v3 = self.v3.rotate_left(21) ^ self.v0;
+        self.v2 = self.v2.rotate_left(32);
+    }
+
+    /// Takes in eight bytes of the message: the two rounds of SipHash-2-4.
+    pub fn take(&mut self, word: u64) {
+        self.v3 ^= word;
+        self.turn();
+        self.turn();
+        self.v0 ^= word;
+    }
+
+    /// The sum behind the last word: the four rounds of SipHash-2-4.
+    pub fn sum(&self) -> u64 {
+        let mut last = *self;
+        last.v2 ^= 0xFF;
+        for _ in 0..4 {
+            last.turn();
+        }
+        last.v0 ^ last.v1 ^ last.v2 ^ last.v3
+    }
+}
+
+/// The sum over the bytes from `from` to before `end`.
+#[function]
+pub fn sip_hash(key: &Key, bytes: &[u8; 64], from: usize, end: usize) -> u64 {
+    let mut sip = Sip::keyed(key);
+    let mut word: u64 = 0;
+    let mut count: u64 = 0;
+    for n in 0..MOST_BYTES {
+        if n >= from && n < end {
+            word |= (bytes[n] as u64) << (8 * (count % 8));
+            count = count.wrapping_add(1);
+            if count % 8 == 0 {
+                sip.take(word);
+                word = 0;
+            }
+        }
+    }
+    // What is left, and the length of the message in the highest byte.
+    sip.take(word | (count << 56));
+    sip.sum()
+}

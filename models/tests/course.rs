@@ -1,0 +1,115 @@
+//! What the reference generator makes of orders: the first step, the way round, the link that is lost; and what the
+//! loops remember.
+
+use bessemer::nalgebra::Vector3;
+use models::receiver::Orders;
+use models::reference_generator::{Course, ReferenceGenerator};
+use models::trajectory::{SetPoint, Trajectory};
+use models::{Attitude, Estimate, Height, Mode, Parameters, Phase, Target};
+use std::f64::consts::PI;
+
+/// To 1 m, and to a yaw from 5 s on.
+fn orders(yaw: f64) -> Orders {
+    let mut trajectory = Trajectory { count: 2, ..Trajectory::default() };
+    let place = Vector3::new(0.0, 0.0, 1.0);
+    trajectory.points[0] = SetPoint { time: 0.0, position: place, yaw: 0.0 };
+    trajectory.points[1] = SetPoint { time: 5.0, position: place, yaw };
+    Orders { take_off: true, link: true, trajectory, ..Orders::default() }
+}
+
+fn at(height: f64, yaw: f64) -> Estimate {
+    Estimate {
+        position: Vector3::new(0.0, 0.0, height),
+        angles: Vector3::new(0.0, 0.0, yaw),
+        ..Estimate::default()
+    }
+}
+
+/// A generator that has followed the orders for so long, s, at the wanted height.
+fn flown(generator: &mut ReferenceGenerator, orders: &Orders, time: f64) -> Target {
+    let course = Course::mambo();
+    let mut target = Target::idle();
+    for _ in 0..(time / course.period).round() as u32 {
+        target = generator.step(&course, orders, &at(1.0, generator.yaw), false, false).target;
+    }
+    target
+}
+
+#[test]
+fn a_take_off_in_the_very_first_step_is_one() {
+    let mut generator = ReferenceGenerator::default();
+    // The height is a little above 0, by noise.
+    let first = generator.step(&Course::mambo(), &orders(0.0), &at(0.01, 0.0), false, false);
+    assert_eq!(first.phase, Phase::TakeOff);
+    let second = generator.step(&Course::mambo(), &orders(0.0), &at(0.01, 0.0), false, false);
+    assert_eq!((second.phase, second.target.position.z), (Phase::TakeOff, 1.0));
+}
+
+#[test]
+fn it_turns_the_short_way_round() {
+    let mut generator = ReferenceGenerator::default();
+    flown(&mut generator, &orders(3.0), 9.0);
+    assert!((generator.yaw - 3.0).abs() < 1e-9, "{}", generator.yaw);
+    // From 3 to −3 it is 0.28 through half a turn, not 6 back.
+    let mut back = orders(-3.0);
+    back.trajectory.count = 1;
+    back.trajectory.points[0].yaw = -3.0;
+    let target = flown(&mut generator, &back, 1.0);
+    assert!((generator.yaw - (2.0 * PI - 3.0)).abs() < 1e-9, "{}", generator.yaw);
+    assert_eq!(target.yaw, generator.yaw);
+}
+
+#[test]
+fn a_silent_ground_is_waited_for_then_left() {
+    let course = Course::mambo();
+    let mut generator = ReferenceGenerator::default();
+    let mut orders = Orders { watched: true, silence: 0.0, ..orders(1.0) };
+    flown(&mut generator, &orders, 3.0);
+    assert_eq!(generator.phase, Phase::Flight);
+    // It stays where it was wanted, although the trajectory goes on.
+    orders.silence = course.silence + 0.01;
+    flown(&mut generator, &orders, 3.0);
+    assert_eq!((generator.phase, generator.wanted.yaw), (Phase::Hold, 0.0));
+    orders.silence = 0.0;
+    flown(&mut generator, &orders, 0.01);
+    assert_eq!((generator.phase, generator.wanted.yaw), (Phase::Flight, 1.0));
+    orders.silence = course.farewell + 0.01;
+    flown(&mut generator, &orders, 0.01);
+    assert_eq!(generator.phase, Phase::Landing);
+    // A ground that never said that it would be heard of again is not missed.
+    let mut other = ReferenceGenerator::default();
+    flown(&mut other, &Orders { watched: false, ..orders }, 3.0);
+    assert_eq!(other.phase, Phase::Flight);
+}
+
+#[test]
+fn a_pilot_who_is_lost_leaves_the_aircraft_where_it_is() {
+    let mut generator = ReferenceGenerator::default();
+    let mut manual = Orders { watched: true, silence: 0.0, ..orders(0.0) };
+    flown(&mut generator, &manual, 3.0);
+    manual.mode = Mode::Manual;
+    let moved = Estimate { position: Vector3::new(0.7, -0.4, 1.2), ..Estimate::default() };
+    generator.step(&Course::mambo(), &manual, &moved, false, false);
+    manual.silence = 2.0;
+    let held = generator.step(&Course::mambo(), &manual, &moved, false, false);
+    assert_eq!(held.phase, Phase::Hold);
+    assert!(!held.target.manual);
+    assert_eq!((held.target.position.x, held.target.position.y), (0.7, -0.4));
+}
+
+#[test]
+fn integrals_end_somewhere() {
+    let parameters = Parameters::mambo();
+    let (mut height, mut attitude) = (Height::default(), Attitude::default());
+    let far = Target { position: Vector3::new(0.0, 0.0, 1000.0), ..Target::idle() };
+    for _ in 0..10_000 {
+        height.step(&parameters, &far, 0.0, 0.0);
+        attitude.step(&parameters, &Vector3::repeat(-3.0), &Vector3::zeros(), false);
+    }
+    assert_eq!(height.integral, 14.0);
+    assert_eq!(attitude.integral, Vector3::repeat(-0.5));
+    // And let go at once.
+    let near = Target { position: Vector3::new(0.0, 0.0, -1000.0), ..Target::idle() };
+    height.step(&parameters, &near, 0.0, 0.0);
+    assert_eq!(height.integral, 9.0);
+}

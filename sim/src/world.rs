@@ -1,0 +1,79 @@
+//! The world around the onboard computer: aircraft, motors, air, sensors. It moves one control period at
+//! a time.
+//!
+//! Knows no clock, no link and no scenario: whoever drives it says which period it is and what breaks.
+
+use crate::air::{Air, Wind};
+use crate::motors::Motors;
+use crate::plant::{Body, Loads, State};
+use crate::sensors::{Senses, Sensors, Stuck};
+use crate::vehicle::Vehicle;
+use models::Airframe;
+use models::calibration::Readings;
+use nalgebra::{SVector, Vector3};
+
+/// Steps of the plant in a control period: the motors change within one.
+const SUBSTEPS: usize = 2;
+
+/// The world.
+#[derive(Clone, Debug)]
+pub struct World {
+    /// Where the aircraft is.
+    pub state: State,
+    /// Its motors.
+    pub motors: Motors,
+    /// The air.
+    pub wind: Wind,
+    /// Its sensors.
+    pub sensors: Sensors,
+    vehicle: Vehicle,
+    body: Body,
+    period: f64,
+}
+
+impl World {
+    /// An aircraft with motors of the given time constant, s, that stands where `start` says, under a seed.
+    pub fn new(airframe: &Airframe, lag: f64, start: State, period: f64, seed: u64) -> Self {
+        let vehicle = Vehicle::new(airframe);
+        Self {
+            state: start,
+            motors: Motors::new(lag),
+            wind: Wind::new(Air::default(), seed),
+            sensors: Sensors::new(&Senses::usual(), seed),
+            body: Body { mass: vehicle.mass, inertia: vehicle.inertia },
+            vehicle,
+            period,
+        }
+    }
+
+    /// The same in other air, with other sensors.
+    #[must_use]
+    pub fn with(self, air: Air, senses: &Senses, seed: u64) -> Self {
+        Self { wind: Wind::new(air, seed), sensors: Sensors::new(senses, seed), ..self }
+    }
+
+    /// What the sensors say in the period `n`, which begins at `time`, s.
+    pub fn sense(&mut self, n: usize, time: f64, stuck: Option<Stuck>) -> Readings {
+        self.sensors.read(n, time, self.period, &self.state, stuck)
+    }
+
+    /// One period at the speeds that are asked of the motors, rad/s: how fast the aircraft hit the ground
+    /// in it, m/s; 0 if it did not.
+    pub fn advance(&mut self, speeds: &SVector<f64, 8>) -> f64 {
+        let mut impact = 0.0;
+        let force = self.wind.blow(self.period);
+        for _ in 0..SUBSTEPS {
+            let step = self.period / SUBSTEPS as f64;
+            let squares = self.motors.turn(speeds, step);
+            let (thrust, torque) = self.vehicle.loads(squares.as_slice());
+            // On the ground the wind finds the aircraft in the lee, and its feet do not slide.
+            let wind = if self.state.position.z > 0.0 { force } else { Vector3::zeros() };
+            let next = self.state.after(&self.body, &Loads { thrust, torque, wind }, step);
+            if self.state.position.z > 0.0 && next.position.z <= 0.0 {
+                impact = -self.state.velocity.z;
+            }
+            self.state = next;
+        }
+        impact
+    }
+}
