@@ -1,7 +1,7 @@
 //! Flights as pictures: the thesis' figures, drawn of our flights.
 //!
 //! A figure is a row of data: a title, panels below one another, and in each the signals of
-//! [`crate::channels`] that it shows. Curves are thinned to what a screen can show.
+//! [`crate::channels`] that it shows. Curves are thinned to what a screen can show; the legend stands beside them.
 
 use crate::channels::signal;
 use crate::voyage::{Moment, Voyage};
@@ -159,6 +159,12 @@ pub const TILT: &[Figure] = &[TILT_FIGURE, ALTITUDE_FIGURE];
 /// Of a flight under feed-forward.
 pub const GRAVITY: &[Figure] = &[GRAVITY_FIGURE, ALTITUDE_FIGURE, PLANE_FIGURE];
 
+/// Time since take-off after which errors are to scale, s: before, they are of the size of the flight.
+const SETTLED: f64 = 6.0;
+
+/// Room for the legend, right of the curves.
+const LEGEND: u32 = 130;
+
 /// Most points of a curve.
 const MOST_POINTS: usize = 900;
 
@@ -182,6 +188,8 @@ pub struct Line {
     pub points: Vec<(f64, f64)>,
     /// Whether they are dots rather than a line.
     pub dots: bool,
+    /// Whether it is an error, whose scale is that of a flight that has settled.
+    pub error: bool,
 }
 
 /// A panel that is ready to be drawn.
@@ -209,6 +217,7 @@ impl Panel {
             name: curve.name.to_owned(),
             points: thinned(voyage, |moment| curve.at(moment)),
             dots: false,
+            error: curve.less.is_some(),
         };
         Axes { label: self.label.to_owned(), lines: self.curves.iter().map(line).collect() }
     }
@@ -274,10 +283,13 @@ type Failure<'a> = DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::Erro
 fn paint_panel<'a>(area: &Area<'a>, across: &str, panel: &Axes) -> Result<(), Failure<'a>> {
     let points = || panel.lines.iter().flat_map(|line| &line.points);
     let (left, right) = span(points().map(|point| point.0), 0.0);
-    let (low, high) = span(points().map(|point| point.1), 0.06);
+    let settled = |(x, _): &&(f64, f64)| *x > SETTLED;
+    let errors = panel.lines.iter().all(|line| line.error) && points().any(|it| settled(&it));
+    let scaled = points().filter(|point| !errors || settled(point));
+    let (low, high) = span(scaled.map(|point| point.1), 0.06);
     let mut chart = ChartBuilder::on(area)
         .margin_left(12)
-        .margin_right(20)
+        .margin_right(LEGEND)
         .margin_top(8)
         .x_label_area_size(36)
         .y_label_area_size(74)
@@ -290,27 +302,36 @@ fn paint_panel<'a>(area: &Area<'a>, across: &str, panel: &Axes) -> Result<(), Fa
         .bold_line_style(RGBColor(225, 225, 225))
         .label_style(("sans-serif", 13))
         .axis_desc_style(("sans-serif", 14))
+        .x_label_formatter(&|x| number(*x, right - left))
+        .y_label_formatter(&|y| number(*y, high - low))
         .y_labels(6)
         .draw()?;
+    let right_of_curves = area.dim_in_pixel().0 as i32 - LEGEND as i32;
     for (index, line) in panel.lines.iter().enumerate() {
         let colour = COLOURS[index % COLOURS.len()];
-        let points = line.points.iter().copied();
-        let drawn = if line.dots {
-            chart.draw_series(points.map(|at| Circle::new(at, 2, colour.filled())))?
+        // What is drawn later is thinner, so that what lies under it is seen.
+        let width = 1_u32 << (panel.lines.len() - 1 - index).min(2);
+        let points = line.points.iter().map(|(x, y)| (*x, y.clamp(low, high)));
+        if line.dots {
+            chart.draw_series(points.map(|at| Circle::new(at, 2, colour.filled())))?;
         } else {
-            chart.draw_series(LineSeries::new(points, colour.stroke_width(1)))?
-        };
-        drawn.label(line.name.as_str()).legend(move |(x, y)| {
-            PathElement::new(vec![(x, y), (x + 18, y)], colour.stroke_width(3))
-        });
+            chart.draw_series(LineSeries::new(points, colour.stroke_width(width)))?;
+        }
+        // The chart would cut off what stands beside its curves.
+        let (x, y) = (right_of_curves + 10, 16 + 18 * index as i32);
+        let swatch = vec![(x, y), (x + 18, y)];
+        area.draw(&PathElement::new(swatch, colour.stroke_width(width.max(2))))?;
+        area.draw(&Text::new(line.name.clone(), (x + 25, y - 6), ("sans-serif", 13)))?;
     }
-    chart
-        .configure_series_labels()
-        .position(SeriesLabelPosition::UpperRight)
-        .background_style(WHITE.mix(0.85))
-        .border_style(RGBColor(200, 200, 200))
-        .label_font(("sans-serif", 13))
-        .draw()
+    Ok(())
+}
+
+/// A number on an axis of some width: as many digits as tell its marks apart, and no minus before zeros.
+fn number(value: f64, width: f64) -> String {
+    let digits = (1.3 - width.log10()).ceil().clamp(0.0, 9.0) as usize;
+    let text = format!("{value:.digits$}");
+    let zero = text.trim_start_matches('-').chars().all(|it| it == '0' || it == '.');
+    if zero { text.trim_start_matches('-').to_owned() } else { text }
 }
 
 /// The range of some values, wider by a share of it on both sides; of some width in any case.

@@ -1,16 +1,19 @@
 //! Flights as files: CSV for everybody, MCAP for Foxglove and PlotJuggler.
 //!
 //! Both hold every signal of [`crate::channels`] at each control period. An MCAP topic is a JSON channel
-//! with its schema; time 0 is take-off, and the second before it is there too.
+//! with its schema. All of its times count from the first period: that is [`LEAD`] before a take-off at 0. `/pose/…`
+//! are what Foxglove's 3D panel shows.
 
 use crate::channels::{TOPICS, Topic};
+use crate::plant::rotation;
 use crate::scenario::LEAD;
 use crate::voyage::{Moment, Voyage};
 use mcap::records::MessageHeader;
+use nalgebra::{Rotation3, UnitQuaternion, Vector3};
 use serde_json::{Map, Number, Value, json};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
-use std::io::{Cursor, Read};
+use std::io::{Cursor, Read, Seek, Write};
 use std::path::Path;
 
 /// What went wrong with a file.
@@ -69,36 +72,156 @@ pub fn csv(voyage: &Voyage) -> String {
 /// What the writer said.
 pub fn mcap(voyage: &Voyage, about: &BTreeMap<String, String>) -> Result<Vec<u8>, mcap::McapError> {
     let mut bytes = Vec::new();
-    let options = mcap::WriteOptions::new().compression(None).profile("").library("bessemer sim");
-    let mut writer = options.create(Cursor::new(&mut bytes))?;
-    let mut channels = Vec::new();
-    for topic in TOPICS {
-        let schema = writer.add_schema(topic.name, "jsonschema", schema(topic).as_bytes())?;
-        let name = format!("/{}", topic.name);
-        channels.push(writer.add_channel(schema, &name, "json", about)?);
-    }
-    for (sequence, moment) in voyage.moments.iter().enumerate() {
-        let time = ((moment.time + LEAD) * 1e9).round() as u64;
-        for (topic, channel_id) in TOPICS.iter().zip(&channels) {
-            let header = MessageHeader {
-                channel_id: *channel_id,
-                sequence: sequence as u32,
-                log_time: time,
-                publish_time: time,
-            };
-            writer.write_to_known_channel(&header, message(topic, moment).as_bytes())?;
-        }
+    let mut writer = Writer::new(Cursor::new(&mut bytes), about)?;
+    for moment in &voyage.moments {
+        writer.moment(moment)?;
     }
     writer.finish()?;
-    drop(writer);
     Ok(bytes)
+}
+
+/// Writes an MCAP file moment by moment.
+pub struct Writer<W: Write + Seek> {
+    writer: mcap::Writer<W>,
+    topics: Vec<u16>,
+    poses: [u16; 2],
+    raw: BTreeMap<String, u16>,
+    sequence: u32,
+}
+
+impl<W: Write + Seek> Writer<W> {
+    /// Begins a file; `about` says what flew.
+    ///
+    /// # Errors
+    /// What the writer said.
+    pub fn new(sink: W, about: &BTreeMap<String, String>) -> Result<Self, mcap::McapError> {
+        let options = mcap::WriteOptions::new()
+            .compression(Some(mcap::Compression::Lz4))
+            .profile("")
+            .library("bessemer sim");
+        let mut writer = options.create(sink)?;
+        let mut topics = Vec::new();
+        for topic in TOPICS {
+            let schema = writer.add_schema(topic.name, "jsonschema", schema(topic).as_bytes())?;
+            topics.push(writer.add_channel(schema, &format!("/{}", topic.name), "json", about)?);
+        }
+        let pose = writer.add_schema("foxglove.PoseInFrame", "jsonschema", POSE.as_bytes())?;
+        let mut poses = [0; 2];
+        for (place, name) in poses.iter_mut().zip(["/pose/true", "/pose/estimated"]) {
+            *place = writer.add_channel(pose, name, "json", about)?;
+        }
+        Ok(Self { writer, topics, poses, raw: BTreeMap::new(), sequence: 0 })
+    }
+
+    /// Adds a topic of bytes that nobody but us reads; `about` says what they are.
+    ///
+    /// # Errors
+    /// What the writer said.
+    pub fn raw(&mut self, topic: &str, encoding: &str, about: &str) -> Result<(), mcap::McapError> {
+        let schema = self.writer.add_schema(encoding, encoding, about.as_bytes())?;
+        let channel = self.writer.add_channel(schema, topic, encoding, &BTreeMap::new())?;
+        self.raw.insert(topic.to_owned(), channel);
+        Ok(())
+    }
+
+    /// Writes a moment to every topic.
+    ///
+    /// # Errors
+    /// What the writer said.
+    pub fn moment(&mut self, moment: &Moment) -> Result<(), mcap::McapError> {
+        for (topic, channel) in TOPICS.iter().zip(&self.topics) {
+            let header = header(*channel, self.sequence, moment.time);
+            self.writer.write_to_known_channel(&header, message(topic, moment).as_bytes())?;
+        }
+        let (state, estimate) = (&moment.state, &moment.outputs.estimate);
+        let poses = [(&state.position, &state.angles), (&estimate.position, &estimate.angles)];
+        for (channel, (position, angles)) in self.poses.iter().zip(poses) {
+            let header = header(*channel, self.sequence, moment.time);
+            let pose = pose(header.log_time, position, angles);
+            self.writer.write_to_known_channel(&header, pose.as_bytes())?;
+        }
+        self.sequence = self.sequence.wrapping_add(1);
+        Ok(())
+    }
+
+    /// Writes bytes of a time, s, to a topic that [`raw`](Writer::raw) added; nothing to any other.
+    ///
+    /// # Errors
+    /// What the writer said.
+    pub fn bytes(&mut self, topic: &str, time: f64, bytes: &[u8]) -> Result<(), mcap::McapError> {
+        let Some(channel) = self.raw.get(topic) else { return Ok(()) };
+        let header = header(*channel, self.sequence, time);
+        self.writer.write_to_known_channel(&header, bytes)
+    }
+
+    /// Ends the file.
+    ///
+    /// # Errors
+    /// What the writer said.
+    pub fn finish(mut self) -> Result<(), mcap::McapError> {
+        self.writer.finish().map(drop)
+    }
+}
+
+fn header(channel_id: u16, sequence: u32, time: f64) -> MessageHeader {
+    let log_time = ((time + LEAD) * 1e9).round() as u64;
+    MessageHeader { channel_id, sequence, log_time, publish_time: log_time }
+}
+
+/// Foxglove's schema of a pose, as far as we fill it in.
+const POSE: &str = r#"{"title":"foxglove.PoseInFrame","type":"object","properties":{
+"timestamp":{"type":"object","title":"time","properties":{"sec":{"type":"integer"},"nsec":{"type":"integer"}}},
+"frame_id":{"type":"string"},
+"pose":{"title":"foxglove.Pose","type":"object","properties":{
+"position":{"title":"foxglove.Vector3","type":"object","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"}}},
+"orientation":{"title":"foxglove.Quaternion","type":"object","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"},"w":{"type":"number"}}}}}}}"#;
+
+/// Where the aircraft is in the room, as Foxglove has it; `time` in ns.
+fn pose(time: u64, position: &Vector3<f64>, angles: &Vector3<f64>) -> String {
+    let turn = Rotation3::from_matrix_unchecked(rotation(angles));
+    let turn = UnitQuaternion::from_rotation_matrix(&turn);
+    json!({
+        "timestamp": { "sec": time / 1_000_000_000, "nsec": time % 1_000_000_000 },
+        "frame_id": "room",
+        "pose": {
+            "position": { "x": number(position.x), "y": number(position.y), "z": number(position.z) },
+            "orientation": {
+                "x": number(turn.i), "y": number(turn.j), "z": number(turn.k), "w": number(turn.w),
+            },
+        },
+    })
+    .to_string()
+}
+
+/// The names of a signal's values, where they are numbers for people's words.
+fn words(name: &str) -> Option<Vec<String>> {
+    let all = |count: u8, name: fn(u8) -> String| Some((0..count).map(name).collect());
+    match name {
+        "phase" => all(6, |n| {
+            use models::Phase::{Flight, Hold, Landing, Over, Ready, TakeOff};
+            format!("{:?}", [Ready, TakeOff, Flight, Landing, Over, Hold][usize::from(n)])
+        }),
+        "alarm" => all(11, |n| {
+            use models::Alarm::{
+                Asked, Blind, Clear, Clock, Height, Impact, Place, Speed, Spin, Tilt, Undefined,
+            };
+            let named =
+                [Clear, Asked, Undefined, Clock, Blind, Tilt, Spin, Speed, Height, Place, Impact];
+            format!("{:?}", named[usize::from(n)])
+        }),
+        _ => None,
+    }
 }
 
 fn schema(topic: &Topic) -> String {
     let mut properties = Map::new();
     properties.insert("time".into(), json!({ "type": "number", "description": "s" }));
     for signal in topic.signals {
-        let property = json!({ "type": "number", "description": signal.unit });
+        let mut property = json!({ "type": "number", "description": signal.unit });
+        if let Some(words) = words(signal.name) {
+            let named = words.iter().enumerate().map(|(n, it)| json!({ "title": it, "const": n }));
+            property["oneOf"] = named.collect();
+        }
         properties.insert(signal.name.into(), property);
     }
     let title = topic.name;
@@ -109,7 +232,7 @@ fn schema(topic: &Topic) -> String {
 
 fn message(topic: &Topic, moment: &Moment) -> String {
     let mut object = Map::new();
-    object.insert("time".into(), number(moment.time));
+    object.insert("time".into(), number(moment.time + LEAD));
     for signal in topic.signals {
         object.insert(signal.name.into(), number((signal.value)(moment)));
     }
@@ -154,6 +277,11 @@ impl Log {
         let mut log = Self { path: path.clone(), ..Self::default() };
         for message in mcap::MessageStream::new(bytes).map_err(broken)? {
             let message = message.map_err(|source| Error::Mcap { path: path.clone(), source })?;
+            let ours =
+                TOPICS.iter().any(|it| message.channel.topic.strip_prefix('/') == Some(it.name));
+            if message.channel.message_encoding != "json" || !ours {
+                continue;
+            }
             let topic = message.channel.topic.trim_start_matches('/');
             let lacks = |what: &str| Error::Lacks { path: path.clone(), what: what.to_owned() };
             let Ok(Value::Object(object)) = serde_json::from_slice(&message.data) else {

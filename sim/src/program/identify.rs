@@ -144,6 +144,7 @@ fn pictures(
         name: name.to_owned(),
         points: history.iter().enumerate().map(|(n, cost)| (n as f64, *cost)).collect(),
         dots: false,
+        error: false,
     };
     let mut lines = Vec::new();
     for (name, found) in [("four coefficients", &results.four), ("one", &results.one)] {
@@ -167,6 +168,7 @@ fn pictures(
             })
             .collect(),
         dots: false,
+        error: false,
     };
     let fitted = with_coefficients(sheet, &results.fit.coefficients);
     let model = replay::flown(logged, &fitted);
