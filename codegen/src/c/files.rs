@@ -19,7 +19,7 @@ use super::names::{OVERLAY, Returned, Signature, Storage};
 use super::print::Printer;
 use super::shell::{Shell, frame};
 use super::tree::{Declarator, Head, Init, Item, Lines, Origin, Stmt, StmtKind, plain};
-use super::{CFile, Options, asked, init, literal, self_test, status, units};
+use super::{CFile, Options, asked, init, literal, self_test, status, target, units};
 use crate::kernels;
 
 /// What one pair of files holds.
@@ -50,7 +50,6 @@ pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {
     if context.faults.any() {
         list.push(status::header(context, options));
     }
-    list.extend(self_test::files(context, options));
     for (name, unit) in units(context) {
         let writer = Writer { context, options, name, unit };
         list.push(writer.header());
@@ -58,6 +57,10 @@ pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {
             list.push(writer.source());
         }
     }
+    if list.iter().any(|file| file.name.ends_with(".c")) {
+        list.push(target::header(context, options));
+    }
+    list.extend(self_test::files(context, options));
     list.sort_by(|a, b| a.name.cmp(&b.name));
     list
 }
@@ -280,7 +283,8 @@ impl Writer<'_> {
         }
         items.append(&mut prototypes);
         items.append(&mut definitions);
-        includes.system.extend(["float.h", "stdbool.h", "stdint.h"]);
+        includes.system.extend(["stdbool.h", "stdint.h"]);
+        includes.own.insert(target::name(self.options));
         includes.system.extend(uses.math.then_some("math.h"));
         includes.system.extend(uses.string.then_some("string.h"));
         includes.own.append(&mut uses.headers);

@@ -31,6 +31,7 @@ mod self_test;
 mod shell;
 mod spelling;
 mod status;
+mod target;
 mod tree;
 mod units;
 

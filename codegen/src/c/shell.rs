@@ -31,6 +31,22 @@ pub struct Shell<'a> {
 
 /// The text before and after the body.
 pub fn frame(shell: &Shell<'_>, is_header: bool) -> (String, String) {
+    let template = if is_header {
+        include_str!("../../templates/header.h.tera")
+    } else {
+        include_str!("../../templates/source.c.tera")
+    };
+    let text = rendered(shell, is_header, template);
+    let (before, after) = text.split_once(BODY).expect("the templates have a body");
+    (before.to_owned(), after.to_owned())
+}
+
+/// The text of a file that is a template as a whole.
+pub fn whole(shell: &Shell<'_>, template: &str) -> String {
+    rendered(shell, false, template)
+}
+
+fn rendered(shell: &Shell<'_>, is_header: bool, template: &str) -> String {
     let mut context = Context::new();
     context.insert("file", shell.file);
     context.insert("header", shell.header);
@@ -43,23 +59,16 @@ pub fn frame(shell: &Shell<'_>, is_header: bool) -> (String, String) {
     context.insert("is_header", &is_header);
     context.insert("refuses", &shell.refuses);
     context.insert("body", BODY);
-    let (name, template) = if is_header {
-        ("header.h", include_str!("../../templates/header.h.tera"))
-    } else {
-        ("source.c", include_str!("../../templates/source.c.tera"))
-    };
     let mut tera = Tera::default();
     let parts = [
         ("conditions", include_str!("../../templates/conditions.tera")),
         ("checks", include_str!("../../templates/checks.tera")),
         ("rounding", include_str!("../../templates/rounding.tera")),
         ("contraction", NO_CONTRACTION),
-        (name, template),
+        ("file", template),
     ];
     tera.add_raw_templates(parts).expect("the templates parse: a test renders them");
-    let text = tera.render(name, &context).expect("the templates render: a test renders them");
-    let (before, after) = text.split_once(BODY).expect("the templates have a body");
-    (before.to_owned(), after.to_owned())
+    tera.render("file", &context).expect("the templates render: a test renders them")
 }
 
 /// `height.h` → `HEIGHT_H`.
