@@ -1,0 +1,96 @@
+//! The command lines of the ground station: what can be asked, and the help that teaches it.
+//!
+//! A crate of its own, so that xtask gives help and refuses what is mistyped at once, without building the testbed.
+//!
+//! Invariant: only data and help texts; nothing is done here.
+
+use clap::{Args, Subcommand, ValueEnum};
+use std::net::{IpAddr, Ipv4Addr};
+use std::path::PathBuf;
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub enum Task {
+    /// Fly live: aircraft, emitted C, link and ground station, with a page in the browser
+    Fly(Fly),
+    /// Run the onboard C again from a recording of `fly`, and compare every output by its bits
+    Replay(Replay),
+}
+
+const FLY: &str = "\
+Examples:
+  cargo xtask fly                    Open the page in the browser
+  cargo xtask fly --headless         Only print its address
+  cargo xtask fly --loss 20%         Over a bad link
+  cargo xtask fly --key FILE         Commands are sealed; FILE holds 32 hexadecimal digits
+  cargo xtask fly --record FILE      Record from the beginning; `cargo xtask replay FILE` runs the C again
+  cargo xtask fly --seconds 600      End after that, and say how well the periods were kept";
+
+/// Arguments of `fly`.
+#[derive(Debug, Args)]
+#[command(after_help = FLY)]
+pub struct Fly {
+    /// Open no browser
+    #[arg(long)]
+    pub headless: bool,
+    /// Port of the page; 0 for any that is free
+    #[arg(long, default_value_t = 8080)]
+    pub port: u16,
+    /// Address that the page is served at: others than loopback can be reached from outside
+    #[arg(long, default_value_t = IpAddr::V4(Ipv4Addr::LOCALHOST))]
+    pub bind: IpAddr,
+    /// Where the onboard software runs
+    #[arg(long, value_enum, default_value_t = Machine::Native)]
+    pub target: Machine,
+    /// Share of the datagrams that is lost, such as 5%
+    #[arg(long, value_parser = share, default_value = "0")]
+    pub loss: f64,
+    /// Share that comes twice
+    #[arg(long, value_parser = share, default_value = "0")]
+    pub duplicate: f64,
+    /// Share that others overtake
+    #[arg(long, value_parser = share, default_value = "0")]
+    pub reorder: f64,
+    /// Delay of the link, ms
+    #[arg(long, default_value_t = 0)]
+    pub delay: u32,
+    /// File with the key that seals commands
+    #[arg(long, value_name = "FILE")]
+    pub key: Option<PathBuf>,
+    /// Record from the beginning
+    #[arg(long, value_name = "FILE")]
+    pub record: Option<PathBuf>,
+    /// Where chance begins
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// End after so many seconds
+    #[arg(long)]
+    pub seconds: Option<f64>,
+}
+
+/// Arguments of `replay`.
+#[derive(Debug, Args)]
+pub struct Replay {
+    /// The recording
+    pub file: PathBuf,
+    /// Where the onboard software runs
+    #[arg(long, value_enum, default_value_t = Machine::Native)]
+    pub target: Machine,
+}
+
+/// Where the onboard software runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Machine {
+    /// This machine
+    Native,
+    /// An emulated Cortex-A9 (qemu-arm)
+    A9,
+}
+
+/// `5%` or `0.05`.
+fn share(text: &str) -> Result<f64, String> {
+    let (number, unit) = text.strip_suffix('%').map_or((text, 1.0), |number| (number, 0.01));
+    let value: f64 = number.trim().parse().map_err(|_| format!("`{text}` is no share: try 5%"))?;
+    let share = value * unit;
+    if (0.0..=1.0).contains(&share) { Ok(share) } else { Err("a share is 0% to 100%".into()) }
+}

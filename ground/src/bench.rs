@@ -1,0 +1,387 @@
+//! The aircraft on its bench: plant, motors, air and sensors, with a program at the other end of the bus as their
+//! computer.
+//!
+//! A period begins with the sensors' datagram and ends with the motors'. In virtual time the bench waits for the
+//! answer, in real time no longer than the period: then the last command holds, and the period counts as missed.
+//! Knows nothing of the ground.
+
+use bessemer::Plain;
+use bessemer_legs::{value, words};
+use models::gate::Refused;
+use models::packet::Packet;
+use models::{Airframe, Inputs, Outputs, Settings};
+use serde::{Deserialize, Serialize};
+use sim::air::Air;
+use sim::noise::{Purpose, Stream};
+use sim::plant::State;
+use sim::sensors::{Senses, Stuck};
+use sim::voyage::Moment;
+use sim::world::World;
+use std::collections::VecDeque;
+use std::io;
+use std::net::{Ipv4Addr, SocketAddr, UdpSocket};
+use std::time::{Duration, Instant};
+
+/// After so many periods without a command the motors stop, as those of real aircraft do.
+const FAILSAFE: u64 = 20;
+
+/// How long virtual time waits for an answer.
+const PATIENCE: Duration = Duration::from_secs(5);
+
+/// What can be done to the aircraft.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "what", rename_all = "snake_case")]
+pub enum Injection {
+    /// A motor stops, or turns again.
+    Motor {
+        /// Which one, from 0 on; none for all well.
+        number: Option<usize>,
+    },
+    /// The gyroscope sticks.
+    Gyroscope {
+        /// Whether it does.
+        stuck: bool,
+    },
+    /// Vicon does not see the aircraft.
+    Vicon {
+        /// Whether that is so.
+        away: bool,
+    },
+    /// A wind blows.
+    Wind {
+        /// Along x and y, N.
+        force: [f64; 2],
+        /// Standard deviation of the gusts, N.
+        gusts: f64,
+    },
+    /// Somebody puts the aircraft back to where it stood.
+    Back,
+}
+
+/// What a period came to.
+#[derive(Clone, Debug)]
+pub struct Period {
+    /// Periods since the bench began.
+    pub number: u64,
+    /// Periods since the software began; none, if no answer came in time.
+    pub count: Option<u64>,
+    /// The period, with the last outputs if no answer came.
+    pub moment: Moment,
+    /// What the software took and said in earlier periods, whose answers came only now.
+    pub late: Vec<Worked>,
+}
+
+/// One step of the software: everything that it took, and everything that it said.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Worked {
+    /// Steps since it began.
+    pub count: u64,
+    /// What it took.
+    pub inputs: Inputs,
+    /// What it said.
+    pub outputs: Outputs,
+}
+
+impl Period {
+    /// The steps of the software that are known by now, in their order.
+    pub fn worked(&self) -> impl Iterator<Item = Worked> + '_ {
+        let Moment { inputs, outputs, .. } = self.moment;
+        let now = self.count.map(|count| Worked { count, inputs, outputs });
+        self.late.iter().cloned().chain(now)
+    }
+}
+
+/// How well the periods were kept.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Timing {
+    /// Periods begun.
+    pub periods: u64,
+    /// Periods without an answer in time.
+    pub missed: u64,
+    /// The longest answer, µs.
+    pub slowest: u64,
+}
+
+/// The bench.
+pub struct Bench {
+    world: World,
+    bus: UdpSocket,
+    computer: Option<SocketAddr>,
+    link: Option<SocketAddr>,
+    stuck: Option<Stuck>,
+    last: Outputs,
+    silent: u64,
+    start: State,
+    period: f64,
+    open: VecDeque<(u64, Inputs)>,
+    /// How well the periods were kept.
+    pub timing: Timing,
+}
+
+impl Bench {
+    /// The Mambo on the ground, under a seed.
+    ///
+    /// # Errors
+    /// There is no port.
+    pub fn new(seed: u64) -> io::Result<Self> {
+        let period = Settings::mambo().parameters.period;
+        let mut dice = Stream::new(seed, Purpose::Dice);
+        let mut about = |most: f64| dice.between(-most, most);
+        let start = State {
+            position: nalgebra::Vector3::new(about(0.1), about(0.1), 0.0),
+            angles: nalgebra::Vector3::new(about(0.01), about(0.01), about(0.05)),
+            ..State::default()
+        };
+        let air = Air { gusts: 0.001, memory: 0.5, ..Air::default() };
+        let world = World::new(&Airframe::mambo(), 0.015, start, period, seed).with(
+            air,
+            &Senses::usual(),
+            seed,
+        );
+        Ok(Self {
+            world,
+            bus: UdpSocket::bind((Ipv4Addr::LOCALHOST, 0))?,
+            computer: None,
+            link: None,
+            stuck: None,
+            last: Outputs::default(),
+            silent: 0,
+            start,
+            period,
+            open: VecDeque::new(),
+            timing: Timing::default(),
+        })
+    }
+
+    /// Where the computer reaches the bus.
+    ///
+    /// # Errors
+    /// What the system said.
+    pub fn port(&self) -> io::Result<u16> {
+        Ok(self.bus.local_addr()?.port())
+    }
+
+    /// Waits until a computer is there; whether one came.
+    ///
+    /// # Errors
+    /// What the system said.
+    pub fn wait(&mut self, patience: Duration) -> io::Result<bool> {
+        let deadline = Instant::now() + patience;
+        while self.computer.is_none() {
+            if !self.hear(deadline, |_| ())? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    /// Where the computer that was there last listens to the ground.
+    pub fn link(&self) -> Option<SocketAddr> {
+        self.link
+    }
+
+    /// Where the aircraft is.
+    pub fn state(&self) -> &State {
+        &self.world.state
+    }
+
+    /// Does something to the aircraft.
+    pub fn inject(&mut self, what: Injection) {
+        match what {
+            Injection::Motor { number } => {
+                self.world.motors.dead = number.filter(|motor| *motor < 8);
+            }
+            Injection::Gyroscope { stuck } => {
+                self.stuck = stuck.then_some(Stuck::Gyroscope);
+            }
+            Injection::Vicon { away } => self.world.sensors.blind = away,
+            Injection::Wind { force: [x, y], gusts } => {
+                let air = &mut self.world.wind.air;
+                air.steady = nalgebra::Vector3::new(bounded(x), bounded(y), 0.0);
+                air.gusts = bounded(gusts).abs();
+            }
+            Injection::Back => self.world.state = self.start,
+        }
+    }
+
+    /// One period, whose answer is waited for until `deadline`; without one, as long as it takes.
+    ///
+    /// # Errors
+    /// What the system said.
+    pub fn step(&mut self, deadline: Option<Instant>) -> io::Result<Period> {
+        let number = self.timing.periods;
+        self.timing.periods += 1;
+        let time = number as f64 * self.period;
+        let readings = self.world.sense(number as usize, time, self.stuck);
+        let clock = 1_000_000 + number * (1e6 * self.period).round() as u64;
+        let begun = Instant::now();
+        if let Some(computer) = self.computer {
+            let mut datagram = vec![number];
+            clock.store(&mut |word| datagram.push(word));
+            readings.store(&mut |word| datagram.push(word));
+            // A computer that is gone refuses: then there is no answer.
+            let _ = self.bus.send_to(&bytes(&datagram), computer);
+        }
+        let mut inputs = Inputs { time: clock, readings, ..Inputs::default() };
+        self.open.push_back((number, inputs));
+        let (mut count, mut late) = (None, Vec::new());
+        if let (None, Some(deadline)) = (self.computer, deadline) {
+            // One that was started anew says so.
+            self.hear(deadline, |_| ())?;
+        }
+        let until = deadline.unwrap_or(begun + PATIENCE);
+        while self.computer.is_some() && count.is_none() {
+            let mut heard = None;
+            if !self.hear(until, |answer| heard = Some(answer))? {
+                break;
+            }
+            let Some(answer) = heard else { continue };
+            let place = self.open.iter().position(|(open, _)| *open == answer.number);
+            let Some((_, taken)) = place.and_then(|place| self.open.remove(place)) else {
+                continue;
+            };
+            let Answer { count: theirs, uplink, refused, outputs, .. } = answer;
+            let taken = Inputs { uplink, refused, ..taken };
+            if answer.number == number {
+                (count, inputs, self.last) = (Some(theirs), taken, outputs);
+            } else {
+                late.push(Worked { count: theirs, inputs: taken, outputs });
+            }
+        }
+        // What is older than a moment is not answered any more.
+        while self.open.len() > 64 {
+            self.open.pop_front();
+        }
+        if count.is_some() {
+            self.silent = 0;
+            let took = u64::try_from(begun.elapsed().as_micros()).unwrap_or(u64::MAX);
+            self.timing.slowest = self.timing.slowest.max(took);
+        } else {
+            self.silent += 1;
+            self.timing.missed += 1;
+        }
+        if self.silent >= FAILSAFE {
+            self.last.command = models::Command::still();
+        }
+        let state = self.world.state;
+        let impact = self.world.advance(&self.last.command.speeds);
+        let speeds = self.world.motors.speeds;
+        let moment = Moment { time, state, inputs, outputs: self.last, speeds, impact };
+        Ok(Period { number, count, moment, late })
+    }
+
+    /// Whether the software has answered lately.
+    pub fn is_answered(&self) -> bool {
+        self.computer.is_some() && self.silent < FAILSAFE
+    }
+
+    /// The software's memory between two periods: bytes for the same program only. None, if it does not answer.
+    ///
+    /// # Errors
+    /// What the system said.
+    pub fn image(&mut self) -> io::Result<Option<Vec<u8>>> {
+        let Some(computer) = self.computer else { return Ok(None) };
+        self.bus.send_to(b"image", computer)?;
+        self.bus.set_read_timeout(Some(Duration::from_millis(100)))?;
+        let mut buffer = vec![0; 65536];
+        // Late answers of earlier periods may come before it.
+        for _ in 0..64 {
+            let Ok((length, from)) = self.bus.recv_from(&mut buffer) else { break };
+            if from == computer && Answer::read(&buffer[..length]).is_none() {
+                buffer.truncate(length);
+                return Ok(Some(buffer));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Forgets the computer: another one will say that it is there.
+    pub fn unplug(&mut self) {
+        self.computer = None;
+    }
+
+    /// Takes one datagram in before `deadline`; whether one came. Answers are handed to `take`.
+    fn hear(&mut self, deadline: Instant, take: impl FnOnce(Answer)) -> io::Result<bool> {
+        let left = deadline.saturating_duration_since(Instant::now());
+        if left.is_zero() {
+            return Ok(false);
+        }
+        self.bus.set_read_timeout(Some(left))?;
+        let mut buffer = [0; 4096];
+        let (length, from) = match self.bus.recv_from(&mut buffer) {
+            Ok(heard) => heard,
+            // Refused: the computer is gone.
+            Err(error) if error.kind() == io::ErrorKind::ConnectionRefused => return Ok(true),
+            Err(error)
+                if matches!(
+                    error.kind(),
+                    io::ErrorKind::WouldBlock
+                        | io::ErrorKind::TimedOut
+                        | io::ErrorKind::Interrupted
+                ) =>
+            {
+                return Ok(false);
+            }
+            Err(error) => return Err(error),
+        };
+        if let Some([low, high]) = buffer[..length].strip_prefix(b"ready") {
+            self.computer = Some(from);
+            self.link = Some((from.ip(), u16::from_le_bytes([*low, *high])).into());
+            return Ok(true);
+        }
+        if let Some(answer) = Answer::read(&buffer[..length]) {
+            take(answer);
+        }
+        Ok(true)
+    }
+}
+
+/// What the computer answers.
+#[derive(Clone, Debug)]
+pub struct Answer {
+    /// The period's number.
+    pub number: u64,
+    /// Periods since the software began.
+    pub count: u64,
+    /// The packet that it took from the ground in this period.
+    pub uplink: Packet,
+    /// What its gate had kept out.
+    pub refused: Refused,
+    /// What it said.
+    pub outputs: Outputs,
+}
+
+impl Answer {
+    /// The answer in a datagram; none, if it is none.
+    pub fn read(datagram: &[u8]) -> Option<Self> {
+        let all: Vec<u64> = datagram
+            .chunks_exact(8)
+            .map(|eight| u64::from_le_bytes(eight.try_into().unwrap_or_default()))
+            .collect();
+        let (packet, refused) = (words(&Packet::none()).len(), words(&Refused::default()).len());
+        let expected = 2 + packet + refused + words(&Outputs::default()).len();
+        if datagram.len() != 8 * expected {
+            return None;
+        }
+        let (head, rest) = all.split_at(2);
+        let (uplink, rest) = rest.split_at(packet);
+        let (kept, outputs) = rest.split_at(refused);
+        Some(Self {
+            number: head[0],
+            count: head[1],
+            uplink: value(uplink),
+            refused: value(kept),
+            outputs: value(outputs),
+        })
+    }
+}
+
+/// Words as bytes, least significant byte first.
+pub fn bytes(words: &[u64]) -> Vec<u8> {
+    words.iter().flat_map(|word| word.to_le_bytes()).collect()
+}
+
+/// A force within what an aircraft of this size could be meant to meet, N; 0 for what is no number.
+fn bounded(force: f64) -> f64 {
+    if force.is_finite() { force.clamp(-1.0, 1.0) } else { 0.0 }
+}

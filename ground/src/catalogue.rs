@@ -1,0 +1,109 @@
+//! What signals and parameters are called, in which unit they are, and how far parameters go.
+//!
+//! The numbers are the models'; the names are only for people.
+
+use models::tuning::{GROUNDED, LEAST, MOST};
+use serde::Serialize;
+
+/// A signal that the onboard logger can write down.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Signal {
+    /// Its number on board.
+    pub number: u8,
+    /// Its name.
+    pub name: &'static str,
+    /// Its unit.
+    pub unit: &'static str,
+}
+
+macro_rules! signals {
+    ($($number:literal $name:literal $unit:literal;)*) => {
+        &[$(Signal { number: $number, name: $name, unit: $unit }),*]
+    };
+}
+
+/// Every signal.
+pub const SIGNALS: &[Signal] = signals! {
+    0 "x" "m"; 1 "y" "m"; 2 "z" "m";
+    3 "roll" "rad"; 4 "pitch" "rad"; 5 "yaw" "rad";
+    6 "vx" "m/s"; 7 "vy" "m/s"; 8 "vz" "m/s";
+    9 "p" "rad/s"; 10 "q" "rad/s"; 11 "r" "rad/s";
+    12 "wanted x" "m"; 13 "wanted y" "m"; 14 "wanted z" "m"; 15 "wanted yaw" "rad";
+    16 "phase" ""; 17 "time" "s";
+    18 "closed loop 1" "rad/s"; 19 "closed loop 2" "rad/s"; 20 "closed loop 3" "rad/s";
+    21 "closed loop 4" "rad/s"; 22 "closed loop 5" "rad/s"; 23 "closed loop 6" "rad/s";
+    24 "closed loop 7" "rad/s"; 25 "closed loop 8" "rad/s";
+    26 "feed-forward 1" "rad/s"; 27 "feed-forward 2" "rad/s"; 28 "feed-forward 3" "rad/s";
+    29 "feed-forward 4" "rad/s"; 30 "feed-forward 5" "rad/s"; 31 "feed-forward 6" "rad/s";
+    32 "feed-forward 7" "rad/s"; 33 "feed-forward 8" "rad/s";
+    34 "gain" ""; 35 "alarm" "";
+    36 "motor 1" ""; 37 "motor 2" ""; 38 "motor 3" ""; 39 "motor 4" "";
+    40 "motor 5" ""; 41 "motor 6" ""; 42 "motor 7" ""; 43 "motor 8" "";
+    44 "wanted vx" "m/s"; 45 "wanted vy" "m/s"; 46 "wanted vz" "m/s";
+    47 "inertial age" "s"; 48 "Vicon age" "s"; 49 "height age" "s"; 50 "plane age" "s";
+    51 "variance x" "m²"; 52 "variance y" "m²"; 53 "variance z" "m²";
+    54 "variance roll" "rad²"; 55 "variance pitch" "rad²"; 56 "variance yaw" "rad²";
+};
+
+/// What the page shows: the state, what is wanted, closed loop and feed-forward of four motors, the variances,
+/// and how old Vicon and the height are.
+pub const SHOWN: [u8; 36] = [
+    0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 26, 27, 28, 29,
+    34, 35, 48, 49, 51, 52, 53, 54, 55, 56,
+];
+
+/// A parameter that the ground can change.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Parameter {
+    /// Its number on board.
+    pub number: u8,
+    /// Its name.
+    pub name: &'static str,
+    /// Its unit.
+    pub unit: &'static str,
+    /// Its least value.
+    pub least: f64,
+    /// Its largest value.
+    pub most: f64,
+    /// Whether it changes in flight.
+    pub in_flight: bool,
+}
+
+/// Name and unit of each parameter, in the order of `models::tuning`.
+const NAMED: [(&str, &str); models::tuning::TUNABLE] = [
+    ("height P", "N/m"),
+    ("height I", "N/(m·s)"),
+    ("height D", "N·s/m"),
+    ("roll P", "N·m/rad"),
+    ("roll I", "N·m/(rad·s)"),
+    ("roll D", "N·m·s/rad"),
+    ("pitch P", "N·m/rad"),
+    ("pitch I", "N·m/(rad·s)"),
+    ("pitch D", "N·m·s/rad"),
+    ("yaw P", "N·m/rad"),
+    ("yaw D", "N·m·s/rad"),
+    ("x P", "rad/m"),
+    ("x D", "rad·s/m"),
+    ("y P", "rad/m"),
+    ("y D", "rad·s/m"),
+    ("feed-forward gain", ""),
+    ("friction taken away", "N·s/m"),
+    ("rate of landing", "m/s"),
+    ("take-off excess", ""),
+    ("candidate", ""),
+];
+
+/// Every parameter.
+pub fn parameters() -> Vec<Parameter> {
+    let named = NAMED.iter().enumerate();
+    named
+        .map(|(n, (name, unit))| Parameter {
+            number: n as u8,
+            name,
+            unit,
+            least: LEAST[n],
+            most: MOST[n],
+            in_flight: n < GROUNDED,
+        })
+        .collect()
+}

@@ -1,0 +1,85 @@
+//! The seal of those who may command: a counter and a sum over the packet, as `models::gate` wants them.
+//!
+//! Written against the description of the packets, not with the models' code. A key is never shown: it has no
+//! `Display`, and its `Debug` hides it.
+
+use models::packet::Packet;
+use sim::ground_station::{framed, unframed};
+use siphasher::sip::SipHasher24;
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// A secret of 16 bytes.
+#[derive(Clone, PartialEq, Eq)]
+pub struct Key([u8; 16]);
+
+impl fmt::Debug for Key {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Key(hidden)")
+    }
+}
+
+/// Why there is no key.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// The file cannot be read.
+    #[error("the key `{path}` cannot be read: {source}")]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        source: std::io::Error,
+    },
+    /// It holds something else.
+    #[error(
+        "`{path}` holds no key: it takes 32 hexadecimal digits, such as `openssl rand -hex 16` prints"
+    )]
+    Content {
+        /// The file.
+        path: PathBuf,
+    },
+}
+
+impl Key {
+    /// The key with these bytes.
+    pub fn new(bytes: [u8; 16]) -> Self {
+        Self(bytes)
+    }
+
+    /// Reads a file of 32 hexadecimal digits.
+    ///
+    /// # Errors
+    /// The file cannot be read, or holds something else.
+    pub fn read(path: &Path) -> Result<Self, Error> {
+        let text = std::fs::read_to_string(path)
+            .map_err(|source| Error::File { path: path.to_owned(), source })?;
+        Self::parse(text.trim()).ok_or_else(|| Error::Content { path: path.to_owned() })
+    }
+
+    fn parse(text: &str) -> Option<Self> {
+        if text.len() != 32 || !text.is_ascii() {
+            return None;
+        }
+        let mut bytes = [0; 16];
+        for (n, byte) in bytes.iter_mut().enumerate() {
+            *byte = u8::from_str_radix(&text[2 * n..2 * n + 2], 16).ok()?;
+        }
+        Some(Self(bytes))
+    }
+
+    /// The key as the onboard program reads it: only for its standard input.
+    pub(crate) fn line(&self) -> String {
+        self.0.iter().map(|byte| format!("{byte:02x}")).collect()
+    }
+
+    /// The packet with its seal; none if it has no room for one, or is no packet.
+    pub fn seal(&self, packet: &Packet, counter: u64) -> Option<Packet> {
+        let bytes = packet.bytes.get(..packet.length)?;
+        let (kind, payload) = unframed(bytes)?;
+        let mut sealed = [payload, &counter.to_le_bytes()[..6]].concat();
+        let size = u8::try_from(sealed.len() + 8).ok().filter(|size| *size <= 56)?;
+        let summed = [&[kind, bytes[3], bytes[4], size], sealed.as_slice()].concat();
+        sealed.extend(SipHasher24::new_with_key(&self.0).hash(&summed).to_le_bytes());
+        Some(framed(kind, u16::from_le_bytes([bytes[3], bytes[4]]), &sealed))
+    }
+}

@@ -1,0 +1,30 @@
+//! The ground station and the testbed around it: desktop Rust, never emitted.
+//!
+//! | module | what it says |
+//! |---|---|
+//! | [`program`] | the emitted C around its sockets: compiled, started, killed |
+//! | [`bench`] | the aircraft in real or virtual time, with that program as its computer |
+//! | [`radio`] | a link that loses, doubles, delays and reorders |
+//! | [`key`] | the seal of those who may command |
+//! | [`station`] | the other end of the link: orders up, news down |
+//! | [`catalogue`] | what signals and parameters are called |
+//! | [`testbed`] | all of these, one control period at a time |
+//! | [`recorder`], [`replay`] | a flight as a file, and the C run again from it |
+//! | [`live`] | the testbed with the server at its side |
+//! | [`messages`], [`server`], [`page`] | what the browser is told and may ask |
+//!
+//! The aircraft depends on none of what listens: the testbed never waits for the server, nor for a disk.
+
+pub mod bench;
+pub mod catalogue;
+pub mod key;
+pub mod live;
+pub mod messages;
+pub mod page;
+pub mod program;
+pub mod radio;
+pub mod recorder;
+pub mod replay;
+pub mod server;
+pub mod station;
+pub mod testbed;

@@ -1,0 +1,254 @@
+//! The testbed with the server at its side: what pages ask for goes in, what comes down goes out.
+//!
+//! Invariant: nothing here waits. What pages ask for is taken from a queue of a fixed length; what they are told
+//! is handed over and forgotten; a recording has a thread of its own.
+
+use crate::bench::{Period, Timing};
+use crate::catalogue::{SHOWN, SIGNALS, parameters};
+use crate::messages::{Ask, Point, Recording, State, Tell};
+use crate::radio::Quality;
+use crate::recorder::Recorder;
+use crate::server::Hub;
+use crate::testbed::{Error, Testbed, period};
+use models::receiver::Sticks;
+use models::trajectory::{MOST_POINTS, SetPoint};
+use models::{Alarm, Phase, Settings};
+use nalgebra::{Vector2, Vector3};
+use sim::ground_station::{News, Order, Record};
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
+
+/// What pages ask for that waits: half a second of a lively pilot.
+const WAITING: usize = 64;
+
+/// The state goes out every so many periods.
+const STATE_EVERY: u64 = 50;
+
+/// The testbed and its listeners.
+pub struct Live {
+    /// The testbed.
+    pub testbed: Testbed,
+    hub: Arc<Hub>,
+    asked: Receiver<Ask>,
+    recorder: Option<Recorder>,
+    recorded: Recording,
+    folder: PathBuf,
+    files: u32,
+}
+
+/// A queue for what pages ask for.
+pub fn queue() -> (SyncSender<Ask>, Receiver<Ask>) {
+    sync_channel(WAITING)
+}
+
+/// What a page is told first.
+pub fn hello(authenticated: bool) -> Tell {
+    let space = Settings::mambo().space;
+    Tell::Hello {
+        signals: SIGNALS,
+        parameters: parameters(),
+        phases: [
+            Phase::Ready,
+            Phase::TakeOff,
+            Phase::Flight,
+            Phase::Landing,
+            Phase::Over,
+            Phase::Hold,
+        ]
+        .map(|it| spaced(&format!("{it:?}")))
+        .into(),
+        alarms: [
+            Alarm::Clear,
+            Alarm::Asked,
+            Alarm::Undefined,
+            Alarm::Clock,
+            Alarm::Blind,
+            Alarm::Tilt,
+            Alarm::Spin,
+            Alarm::Speed,
+            Alarm::Height,
+            Alarm::Place,
+            Alarm::Impact,
+        ]
+        .map(|it| spaced(&format!("{it:?}")))
+        .into(),
+        authenticated,
+        space: [space.reach, space.heights.x, space.heights.y],
+        period: period(),
+    }
+}
+
+/// `TakeOff` as people write it.
+fn spaced(name: &str) -> String {
+    let mut text = String::new();
+    for letter in name.chars() {
+        if letter.is_uppercase() && !text.is_empty() {
+            text.push(' ');
+        }
+        text.extend(letter.to_lowercase());
+    }
+    text
+}
+
+impl Live {
+    /// A testbed whose pages ask through `asked`; recordings go to `folder`.
+    pub fn new(testbed: Testbed, hub: Arc<Hub>, asked: Receiver<Ask>, folder: PathBuf) -> Self {
+        let recorded = Recording::default();
+        Self { testbed, hub, asked, recorder: None, recorded, folder, files: 0 }
+    }
+
+    /// Begins to record into a file.
+    pub fn record(&mut self, path: PathBuf) {
+        self.save();
+        let image = self.testbed.bench.image().ok().flatten();
+        self.recorder = Some(Recorder::start(path, image));
+    }
+
+    /// One period: what was asked for, the testbed, what came of it.
+    ///
+    /// # Errors
+    /// The testbed ended.
+    pub fn step(&mut self) -> Result<Period, Error> {
+        if self.hub.take_stop() {
+            let now = self.testbed.now();
+            self.testbed.station.order(now, Order::Stop);
+        }
+        while let Ok(ask) = self.asked.try_recv() {
+            self.obey(ask);
+        }
+        let (done, news) = self.testbed.step()?;
+        for record in news.iter().filter_map(|it| match it {
+            News::Record(record) => Some(record),
+            _ => None,
+        }) {
+            self.hub.tell(&self.frame(record));
+        }
+        while let Some((order, outcome)) = self.testbed.station.outcomes.pop_front() {
+            self.hub.tell(&Tell::Outcome { order, outcome });
+        }
+        if let Some(recorder) = &mut self.recorder {
+            recorder.take(&done);
+        }
+        if done.number.is_multiple_of(STATE_EVERY) {
+            let state = self.state();
+            self.hub.tell(&Tell::State(Box::new(state)));
+        }
+        Ok(done)
+    }
+
+    /// Ends the recording, if one is made.
+    pub fn save(&mut self) {
+        let Some(recorder) = self.recorder.take() else { return };
+        let path = recorder.path().to_owned();
+        self.recorded = recorder.finish();
+        if self.recorded.error.is_none() {
+            self.hub.keep(path);
+            self.recorded.ready = true;
+        }
+    }
+
+    /// How well the periods were kept.
+    pub fn timing(&self) -> Timing {
+        self.testbed.bench.timing
+    }
+
+    fn frame(&self, record: &Record) -> Tell {
+        let state = self.testbed.bench.state();
+        let (place, angles) = (state.position, state.angles);
+        Tell::Frame {
+            period: record.period,
+            signals: self.testbed.station.chosen().to_vec(),
+            values: record.values.clone(),
+            truth: [place.x, place.y, place.z, angles.x, angles.y, angles.z].map(|it| it as f32),
+        }
+    }
+
+    fn state(&mut self) -> State {
+        let testbed = &self.testbed;
+        let now = testbed.now();
+        let (up, down) = testbed.counts();
+        let station = &testbed.station;
+        State {
+            time: now,
+            alive: testbed.bench.is_answered(),
+            restarts: testbed.restarts,
+            silence: station.silence(now),
+            timing: testbed.bench.timing,
+            up,
+            down,
+            heard: station.down,
+            counts: station.status.as_ref().map(|status| status.counts),
+            mode: station.status.as_ref().map(|status| status.mode),
+            parameters: station.parameters.to_vec(),
+            pages: self.hub.pages(),
+            commanded: self.hub.is_commanded(),
+            skipped: self.hub.skipped(),
+            recording: match &self.recorder {
+                Some(recorder) => recorder.state(),
+                None => self.recorded.clone(),
+            },
+        }
+    }
+
+    /// Does what a page asks for. It has been checked who asks; not what.
+    fn obey(&mut self, ask: Ask) {
+        let now = self.testbed.now();
+        let station = &mut self.testbed.station;
+        match ask {
+            Ask::Claim { .. } | Ask::Release | Ask::Ping { .. } => {}
+            Ask::Stop => station.order(now, Order::Stop),
+            Ask::Arm => station.order(now, Order::Arm),
+            Ask::TakeOff => station.order(now, Order::TakeOff),
+            Ask::Land => station.order(now, Order::Land),
+            Ask::Mode { mode } => station.order(now, Order::Mode(mode.into())),
+            Ask::Sticks { roll, pitch, yaw_rate, climb } => {
+                let lean = Vector2::new(roll, pitch);
+                station.order(now, Order::Sticks(Sticks { lean, yaw_rate, climb }));
+            }
+            Ask::Fly { points } if (1..=MOST_POINTS).contains(&points.len()) => {
+                station.fly(now, points.iter().map(set_point).collect());
+            }
+            Ask::Fly { .. } => {
+                let reason = format!("a trajectory has 1 to {MOST_POINTS} points");
+                self.hub.tell(&Tell::Refused { reason });
+            }
+            Ask::Set { number, value } => station.order(now, Order::Set(number, value)),
+            Ask::Choose { every, signals } => {
+                let mut chosen = SHOWN;
+                chosen.fill(63);
+                for (place, number) in chosen.iter_mut().zip(&signals) {
+                    *place = *number % 64;
+                }
+                station.choose(now, every, chosen);
+            }
+            Ask::Inject { injection } => self.testbed.inject(injection),
+            Ask::Kill => self.testbed.kill(),
+            Ask::Link { loss, duplication, reordering, delay } => {
+                let quality = Quality {
+                    loss: share(loss),
+                    duplication: share(duplication),
+                    reordering: share(reordering),
+                    delay: share(delay),
+                };
+                (self.testbed.up.quality, self.testbed.down.quality) = (quality, quality);
+            }
+            Ask::Record => {
+                self.files += 1;
+                let name = format!("flight-{}-{}.mcap", std::process::id(), self.files);
+                self.record(self.folder.join(name));
+            }
+            Ask::Save => self.save(),
+        }
+    }
+}
+
+fn set_point(point: &Point) -> SetPoint {
+    let Point { time, x, y, z, yaw } = *point;
+    SetPoint { time, position: Vector3::new(x, y, z), yaw }
+}
+
+/// 0 to 1; 0 for what is no number.
+fn share(value: f64) -> f64 {
+    if value.is_nan() { 0.0 } else { value.clamp(0.0, 1.0) }
+}

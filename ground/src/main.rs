@@ -1,0 +1,119 @@
+//! The program behind `cargo xtask fly` and `cargo xtask replay`.
+
+use clap::Parser;
+use ground::key::Key;
+use ground::live::{self, Live};
+use ground::program::{Program, Target};
+use ground::radio::Quality;
+use ground::server::{self, Hub};
+use ground::testbed::{Pace, Testbed, Wanted};
+use ground::{replay, testbed};
+use ground_args::{Fly, Machine, Replay, Task};
+use std::error::Error;
+use std::net::SocketAddr;
+use std::process::{Command, ExitCode, Stdio};
+
+/// The ground station.
+#[derive(Parser)]
+#[command(name = "cargo xtask", bin_name = "cargo xtask")]
+struct Arguments {
+    #[command(subcommand)]
+    task: Task,
+}
+
+fn main() -> ExitCode {
+    let outcome = match Arguments::parse().task {
+        Task::Fly(wanted) => fly(&wanted).map(|()| true),
+        Task::Replay(wanted) => run_again(&wanted),
+    };
+    match outcome {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn fly(wanted: &Fly) -> Result<(), Box<dyn Error>> {
+    let key = wanted.key.as_deref().map(Key::read).transpose()?;
+    let authenticated = key.is_some();
+    eprintln!("compiling the onboard software …");
+    let program = Program::build(&bessemer_legs::root(), target(wanted.target))?;
+    let quality = Quality {
+        loss: wanted.loss,
+        duplication: wanted.duplicate,
+        reordering: wanted.reorder,
+        delay: f64::from(wanted.delay) / 1000.0,
+    };
+    let testbed = Testbed::start(
+        &program,
+        &Wanted { pace: Pace::Real, quality, key, other_key: None, seed: wanted.seed },
+    )?;
+
+    let (asked, asks) = live::queue();
+    let hub = Hub::new(asked, &live::hello(authenticated))?;
+    let wish = SocketAddr::new(wanted.bind, wanted.port);
+    let address = server::start(wish, hub.clone())
+        .map_err(|error| format!("`{wish}`: {error}; `--port 0` takes a port that is free"))?;
+    let page = format!("http://{address}/#token={}", hub.token());
+    println!("{page}");
+    if !authenticated {
+        eprintln!("commands are not sealed: `--key FILE` seals them");
+    }
+    if !wanted.bind.is_loopback() {
+        eprintln!("the page can be reached from outside, without encryption");
+    }
+    if !wanted.headless {
+        show(&page);
+    }
+
+    let folder = bessemer_legs::root().join("target/fly/recordings");
+    std::fs::create_dir_all(&folder)?;
+    let mut live = Live::new(testbed, hub, asks, folder);
+    if let Some(path) = &wanted.record {
+        live.record(path.clone());
+    }
+    while wanted.seconds.is_none_or(|end| live.testbed.now() < end) {
+        live.step()?;
+    }
+    live.save();
+    let timing = live.timing();
+    println!(
+        "{} periods of {} ms, {} missed, slowest answer {} µs",
+        timing.periods,
+        1000.0 * testbed::period(),
+        timing.missed,
+        timing.slowest
+    );
+    Ok(())
+}
+
+fn run_again(wanted: &Replay) -> Result<bool, Box<dyn Error>> {
+    let program = Program::build(&bessemer_legs::root(), target(wanted.target))?;
+    let report = replay::replay(&program, &wanted.file)?;
+    match &report.difference {
+        None => println!("{} steps, every output the same bits", report.steps),
+        Some(replay::Difference { count, time, signal, words: (then, now) }) => println!(
+            "step {count}, at {time:.3} s: {signal} was {then:#018x} ({}), is {now:#018x} ({})",
+            f64::from_bits(*then),
+            f64::from_bits(*now)
+        ),
+    }
+    Ok(report.difference.is_none())
+}
+
+fn target(machine: Machine) -> Target {
+    match machine {
+        Machine::Native => Target::Native,
+        Machine::A9 => Target::A9,
+    }
+}
+
+/// Opens the page in the browser; where there is none, the address has been printed.
+fn show(page: &str) {
+    let quiet = Stdio::null;
+    let _ =
+        Command::new("xdg-open").arg(page).stdin(quiet()).stdout(quiet()).stderr(quiet()).spawn();
+}

@@ -1,0 +1,248 @@
+//! What the browser is told and may ask: JSON over a WebSocket, each message an object with a `type`.
+//!
+//! Only data. Whoever reads a message has checked who sent it.
+
+use crate::bench::{Injection, Timing};
+use crate::catalogue::{Parameter, Signal};
+use crate::radio::Counts;
+use crate::station::{Down, Outcome};
+use models::receiver::Mode;
+use serde::{Deserialize, Serialize};
+
+/// A set point, as the page writes it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Point {
+    /// From when, in seconds since the take-off.
+    pub time: f64,
+    /// Where, m.
+    pub x: f64,
+    /// Where, m.
+    pub y: f64,
+    /// Where, m.
+    pub z: f64,
+    /// Yaw, rad.
+    pub yaw: f64,
+}
+
+/// A mode, as the page writes it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Flown {
+    /// The closed loop.
+    ClosedLoop,
+    /// The closed loop and the feed-forward.
+    FeedForward,
+    /// Sticks.
+    Manual,
+}
+
+impl From<Flown> for Mode {
+    fn from(flown: Flown) -> Self {
+        match flown {
+            Flown::ClosedLoop => Mode::ClosedLoop,
+            Flown::FeedForward => Mode::FeedForward,
+            Flown::Manual => Mode::Manual,
+        }
+    }
+}
+
+/// What the page asks for.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
+pub enum Ask {
+    /// To be allowed to command.
+    Claim {
+        /// The token of the address that the program printed.
+        token: String,
+        /// Whether to take the command away from whoever has it.
+        #[serde(default)]
+        force: bool,
+    },
+    /// To command no more.
+    Release,
+    /// To know how long the way to the server and back is: the number comes back.
+    Ping {
+        /// Any number.
+        number: f64,
+    },
+    /// Stops the motors: anybody with the token may.
+    Stop,
+    /// Makes ready for a flight.
+    Arm,
+    /// Takes off.
+    TakeOff,
+    /// Lands.
+    Land,
+    /// Changes the mode.
+    Mode {
+        /// To which.
+        mode: Flown,
+    },
+    /// Moves the sticks.
+    Sticks {
+        /// Roll, rad.
+        roll: f64,
+        /// Pitch, rad.
+        pitch: f64,
+        /// Rate of yaw, rad/s.
+        yaw_rate: f64,
+        /// Rate of climb, m/s.
+        climb: f64,
+    },
+    /// Flies a trajectory.
+    Fly {
+        /// Its set points, in the order of their times.
+        points: Vec<Point>,
+    },
+    /// Sets a parameter.
+    Set {
+        /// Its number.
+        number: u8,
+        /// Its value.
+        value: f64,
+    },
+    /// Chooses what comes down.
+    Choose {
+        /// Every so many periods.
+        every: u8,
+        /// The numbers of the signals: up to 36.
+        signals: Vec<u8>,
+    },
+    /// Does something to the simulated aircraft.
+    Inject {
+        /// What.
+        injection: Injection,
+    },
+    /// Kills the onboard software, which is then started anew.
+    Kill,
+    /// Makes the link worse, or better: probabilities, and a delay in s.
+    Link {
+        /// Datagrams are lost.
+        loss: f64,
+        /// They come twice.
+        duplication: f64,
+        /// They are overtaken.
+        reordering: f64,
+        /// They are late, s.
+        delay: f64,
+    },
+    /// Begins to record.
+    Record,
+    /// Ends the recording.
+    Save,
+}
+
+impl Ask {
+    /// Whether it needs no right to command.
+    pub fn is_free(&self) -> bool {
+        matches!(self, Self::Claim { .. } | Self::Release | Self::Ping { .. })
+    }
+}
+
+/// What the page is told.
+#[derive(Clone, Debug, Serialize)]
+#[serde(tag = "type", rename_all = "snake_case")]
+pub enum Tell {
+    /// What does not change: first of all.
+    Hello {
+        /// The signals that there are.
+        signals: &'static [Signal],
+        /// The parameters that there are.
+        parameters: Vec<Parameter>,
+        /// The parts of a flight, by their numbers.
+        phases: Vec<String>,
+        /// The alarms, by their numbers.
+        alarms: Vec<String>,
+        /// Whether commands are sealed.
+        authenticated: bool,
+        /// Where trajectories may lead: along x and y, and the heights, m.
+        space: [f64; 3],
+        /// The control period, s.
+        period: f64,
+    },
+    /// One record that came down.
+    Frame {
+        /// When, by the onboard software's periods.
+        period: u32,
+        /// The numbers of the signals.
+        signals: Vec<u8>,
+        /// Their values.
+        values: Vec<f32>,
+        /// Where the simulated aircraft is, in truth: x, y, z, roll, pitch, yaw.
+        truth: [f32; 6],
+    },
+    /// How everything is.
+    State(Box<State>),
+    /// Whether this page commands.
+    Command {
+        /// Whether it does.
+        granted: bool,
+        /// Why not.
+        reason: &'static str,
+    },
+    /// What became of an order.
+    Outcome {
+        /// The order.
+        order: String,
+        /// What became of it.
+        outcome: Outcome,
+    },
+    /// What the page asked for was not understood, or not allowed.
+    Refused {
+        /// Why.
+        reason: String,
+    },
+    /// The answer to a ping.
+    Pong {
+        /// The number that came with it.
+        number: f64,
+    },
+}
+
+/// How everything is, four times a second.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct State {
+    /// Time since the testbed began, s.
+    pub time: f64,
+    /// Whether the onboard software answers its bus.
+    pub alive: bool,
+    /// How often it was started anew.
+    pub restarts: u64,
+    /// How long nothing has come down, s.
+    pub silence: Option<f64>,
+    /// How well the periods were kept.
+    pub timing: Timing,
+    /// What the link did to what went up.
+    pub up: Counts,
+    /// What it did to what came down.
+    pub down: Counts,
+    /// What the station made of it.
+    pub heard: Down,
+    /// How the packets fared on board: taken, broken, old, senseless, unsealed, forged, replayed; records lost.
+    pub counts: Option<[u32; 8]>,
+    /// The mode's number.
+    pub mode: Option<u8>,
+    /// The parameters, as far as they are known.
+    pub parameters: Vec<Option<f64>>,
+    /// Pages that look on.
+    pub pages: usize,
+    /// Whether any of them commands.
+    pub commanded: bool,
+    /// Messages that were left out for pages that read too slowly.
+    pub skipped: u64,
+    /// How the recording goes.
+    pub recording: Recording,
+}
+
+/// How a recording goes.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Recording {
+    /// Whether one is made.
+    pub running: bool,
+    /// Periods in it.
+    pub periods: u64,
+    /// What ended it.
+    pub error: Option<String>,
+    /// Whether there is one to be downloaded.
+    pub ready: bool,
+}

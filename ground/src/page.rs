@@ -1,0 +1,14 @@
+//! The page's files, as npm built them from `ground/web`: they are in the program, so that it works without
+//! files and without the internet.
+
+/// Name, kind and content of each file.
+const FILES: &[(&str, &str, &[u8])] = &[
+    ("index.html", "text/html; charset=utf-8", include_bytes!("../page/index.html")),
+    ("page.js", "text/javascript; charset=utf-8", include_bytes!("../page/page.js")),
+    ("page.css", "text/css; charset=utf-8", include_bytes!("../page/page.css")),
+];
+
+/// Kind and content of a file.
+pub fn file(name: &str) -> Option<(&'static str, &'static [u8])> {
+    FILES.iter().find(|(known, ..)| *known == name).map(|(_, kind, content)| (*kind, *content))
+}

@@ -1,0 +1,91 @@
+//! A link that does to datagrams what links do: loses them, delivers them twice, late, or out of order.
+//!
+//! Knows bytes and time, and no socket. What it does comes from a seed, so that a flight over a bad link can
+//! be flown again.
+
+use serde::Serialize;
+use sim::noise::{Purpose, Stream};
+use std::collections::VecDeque;
+
+/// How much later a datagram comes that others overtake, s.
+const BEHIND: f64 = 0.03;
+
+/// How bad a link is: probabilities for each datagram, and a delay for all.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Quality {
+    /// It is lost.
+    pub loss: f64,
+    /// It comes twice.
+    pub duplication: f64,
+    /// Others overtake it.
+    pub reordering: f64,
+    /// How late it is, s.
+    pub delay: f64,
+}
+
+/// What became of the datagrams.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Counts {
+    /// Handed in.
+    pub sent: u64,
+    /// Never delivered.
+    pub lost: u64,
+    /// Delivered twice.
+    pub doubled: u64,
+    /// Held back, so that others overtook them.
+    pub overtaken: u64,
+}
+
+/// One direction of a link.
+#[derive(Clone, Debug)]
+pub struct Way {
+    /// How bad it is.
+    pub quality: Quality,
+    /// What became of the datagrams.
+    pub counts: Counts,
+    waiting: VecDeque<(f64, Vec<u8>)>,
+    stream: Stream,
+}
+
+impl Way {
+    /// A direction under a seed.
+    pub fn new(quality: Quality, seed: u64) -> Self {
+        let stream = Stream::new(seed, Purpose::Radio);
+        Self { quality, counts: Counts::default(), waiting: VecDeque::new(), stream }
+    }
+
+    /// Hands in a datagram at a time, s.
+    pub fn send(&mut self, now: f64, bytes: &[u8]) {
+        let Quality { loss, duplication, reordering, delay } = self.quality;
+        self.counts.sent += 1;
+        // Three throws for each datagram, so that one probability moves nothing of another.
+        let (lost, doubled, overtaken) = (
+            self.stream.happens(loss),
+            self.stream.happens(duplication),
+            self.stream.happens(reordering),
+        );
+        if lost {
+            self.counts.lost += 1;
+            return;
+        }
+        let due = now + delay + if overtaken { BEHIND } else { 0.0 };
+        self.counts.overtaken += u64::from(overtaken);
+        self.insert(due, bytes);
+        if doubled {
+            self.counts.doubled += 1;
+            self.insert(due, bytes);
+        }
+    }
+
+    /// The datagrams that have arrived by a time, s.
+    pub fn arrived(&mut self, now: f64) -> Vec<Vec<u8>> {
+        let count = self.waiting.partition_point(|(due, _)| *due <= now);
+        self.waiting.drain(..count).map(|(_, bytes)| bytes).collect()
+    }
+
+    /// Behind all that are due no later.
+    fn insert(&mut self, due: f64, bytes: &[u8]) {
+        let place = self.waiting.partition_point(|(other, _)| *other <= due);
+        self.waiting.insert(place, (due, bytes.to_vec()));
+    }
+}

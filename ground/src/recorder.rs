@@ -1,0 +1,161 @@
+//! A flight as an MCAP file, written while it is flown.
+//!
+//! Two kinds of topics: the ones of `sim::recording`, JSON for Foxglove and PlotJuggler, at 50 Hz; and, for the
+//! software to be run again, `/image`, its memory at the beginning, and `/steps`, the words of everything that it
+//! took and said in each period. A
+//! thread writes; when it cannot, or not fast enough, the recording ends and says why, and the flight goes on.
+
+use crate::bench::{Period, Worked};
+use crate::messages::Recording;
+use bessemer_legs::{value, words};
+use models::{Inputs, Outputs};
+use sim::recording::Writer;
+use sim::voyage::Moment;
+use std::collections::BTreeMap;
+use std::fs::File;
+use std::io::BufWriter;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, SyncSender, TrySendError, sync_channel};
+use std::sync::{Arc, Mutex};
+use std::thread::JoinHandle;
+
+/// The topic of the software's steps.
+pub const STEPS: &str = "/steps";
+
+/// The topic of the software's memory.
+pub const IMAGE: &str = "/image";
+
+/// Periods that may wait for the disk: five seconds.
+const WAITING: usize = 1000;
+
+/// Of so many periods one goes to the topics for people.
+const SHOWN: u64 = 4;
+
+/// What goes to the writing thread.
+struct Page {
+    shown: Option<Moment>,
+    worked: Vec<(f64, Worked)>,
+}
+
+/// A recording that is being made.
+pub struct Recorder {
+    path: PathBuf,
+    pages: Option<SyncSender<Page>>,
+    writer: Option<JoinHandle<()>>,
+    error: Arc<Mutex<Option<String>>>,
+    broken: Arc<AtomicBool>,
+    periods: u64,
+}
+
+impl Recorder {
+    /// Begins to write a file; `image`: the software's memory, if it has begun already.
+    pub fn start(path: PathBuf, image: Option<Vec<u8>>) -> Self {
+        let (pages, waiting) = sync_channel(WAITING);
+        let (error, broken) = (Arc::new(Mutex::new(None)), Arc::new(AtomicBool::new(false)));
+        let (said, there, place) = (error.clone(), broken.clone(), path.clone());
+        let writer = std::thread::spawn(move || {
+            if let Err(reason) = write(&place, image.as_deref(), &waiting) {
+                there.store(true, Ordering::Relaxed);
+                if let Ok(mut said) = said.lock() {
+                    *said = Some(format!("`{}`: {}", place.display(), whole(reason.as_ref())));
+                }
+            }
+        });
+        Self { path, pages: Some(pages), writer: Some(writer), error, broken, periods: 0 }
+    }
+
+    /// Where it goes.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Hands a period over; nothing, if the recording has ended.
+    pub fn take(&mut self, done: &Period) {
+        let time = done.moment.time;
+        let shown = done.number.is_multiple_of(SHOWN).then(|| done.moment.clone());
+        let worked = done.worked().map(|worked| (time, worked)).collect();
+        let Some(pages) = &self.pages else { return };
+        match pages.try_send(Page { shown, worked }) {
+            Ok(()) => self.periods += 1,
+            Err(TrySendError::Full(_)) => {
+                self.fail("the disk does not keep up");
+            }
+            Err(TrySendError::Disconnected(_)) => self.pages = None,
+        }
+    }
+
+    /// How it goes.
+    pub fn state(&self) -> Recording {
+        let error = self.error.lock().ok().and_then(|error| error.clone());
+        let running = self.pages.is_some() && !self.broken.load(Ordering::Relaxed);
+        Recording { running, periods: self.periods, error, ready: false }
+    }
+
+    /// Ends it: the file is whole, or the state says why not.
+    pub fn finish(mut self) -> Recording {
+        self.pages = None;
+        if let Some(writer) = self.writer.take()
+            && writer.join().is_err()
+        {
+            self.fail("the writer ended");
+        }
+        self.state()
+    }
+
+    fn fail(&mut self, reason: &str) {
+        self.pages = None;
+        if let Ok(mut error) = self.error.lock() {
+            error.get_or_insert_with(|| format!("`{}`: {reason}", self.path.display()));
+        }
+    }
+}
+
+/// What went wrong, with what lies behind it.
+fn whole(error: &dyn std::error::Error) -> String {
+    match error.source() {
+        Some(source) => format!("{error}: {}", whole(source)),
+        None => error.to_string(),
+    }
+}
+
+/// Writes what comes until nothing comes any more.
+fn write(
+    path: &Path,
+    image: Option<&[u8]>,
+    pages: &Receiver<Page>,
+) -> Result<(), Box<dyn std::error::Error>> {
+    let file = BufWriter::new(File::create(path)?);
+    let about = BTreeMap::from([("flight".to_owned(), "live".to_owned())]);
+    let mut writer = Writer::new(file, &about)?;
+    writer.raw(STEPS, "words", "u64: steps since the software began, inputs, outputs")?;
+    writer.raw(IMAGE, "image", "the memory of the program that /steps are of")?;
+    if let Some(image) = image {
+        writer.bytes(IMAGE, 0.0, image)?;
+    }
+    while let Ok(Page { shown, worked }) = pages.recv() {
+        if let Some(moment) = shown {
+            writer.moment(&moment)?;
+        }
+        for (time, worked) in worked {
+            let all = [vec![worked.count], words(&worked.inputs), words(&worked.outputs)].concat();
+            writer.bytes(STEPS, time, &crate::bench::bytes(&all))?;
+        }
+    }
+    writer.finish()?;
+    Ok(())
+}
+
+/// A step of the software as it was recorded; none, if the bytes are none.
+pub fn step(bytes: &[u8]) -> Option<Worked> {
+    let all: Vec<u64> = bytes
+        .chunks_exact(8)
+        .map(|eight| u64::from_le_bytes(eight.try_into().unwrap_or_default()))
+        .collect();
+    let (inputs, outputs) = (words(&Inputs::default()).len(), words(&Outputs::default()).len());
+    if bytes.len() != 8 * (1 + inputs + outputs) {
+        return None;
+    }
+    let (taken, said) = all[1..].split_at(inputs);
+    Some(Worked { count: all[0], inputs: value(taken), outputs: value(said) })
+}

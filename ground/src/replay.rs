@@ -1,0 +1,208 @@
+//! The onboard software run again from a recording, and held against what it said then, bit by bit.
+//!
+//! Needs no aircraft and no key: what was heard from the ground is in the recording behind the gate.
+
+use crate::bench::{Answer, Worked, bytes};
+use crate::program::{self, Program, Running};
+use crate::recorder::{IMAGE, STEPS, step};
+use bessemer::Plain;
+use models::Outputs;
+use std::io;
+use std::net::{Ipv4Addr, SocketAddr, UdpSocket};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// How long an answer may take.
+const PATIENCE: Duration = Duration::from_secs(30);
+
+/// Why a recording cannot be run again.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// It cannot be read.
+    #[error("`{path}`: {source}")]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// It is no MCAP file, or one that was cut off.
+    #[error("`{path}` is no whole MCAP file: {source}")]
+    Mcap {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        source: mcap::McapError,
+    },
+    /// It holds no steps of the software.
+    #[error(
+        "`{path}` holds nothing to run again; `cargo xtask fly --record FILE` records what can be"
+    )]
+    Empty {
+        /// The file.
+        path: PathBuf,
+    },
+    /// It begins in the middle.
+    #[error(
+        "`{path}` begins after the software did, and without its memory: record from the beginning"
+    )]
+    Middle {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The software does not run.
+    #[error(transparent)]
+    Program(#[from] program::Error),
+    /// It does not answer.
+    #[error("the onboard software does not answer: {0}")]
+    Silent(io::Error),
+}
+
+/// Where a replay differs from its recording first.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Difference {
+    /// Steps since the software began.
+    pub count: u64,
+    /// Time since the testbed began, s.
+    pub time: f64,
+    /// The signal.
+    pub signal: String,
+    /// What was recorded, and what came now, as words.
+    pub words: (u64, u64),
+}
+
+/// What a replay came to.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Report {
+    /// Steps that were run again.
+    pub steps: u64,
+    /// The first difference.
+    pub difference: Option<Difference>,
+}
+
+/// Runs the software again from a recording.
+///
+/// # Errors
+/// The recording cannot be read, or the software does not run.
+pub fn replay(program: &Program, path: &Path) -> Result<Report, Error> {
+    let file =
+        std::fs::read(path).map_err(|source| Error::File { path: path.to_owned(), source })?;
+    let broken = |source| Error::Mcap { path: path.to_owned(), source };
+    let mut report = Report::default();
+    let mut runner: Option<Runner> = None;
+    let mut image = None;
+    for message in mcap::MessageStream::new(&file).map_err(broken)? {
+        let message = message.map_err(|source| Error::Mcap { path: path.to_owned(), source })?;
+        if message.channel.topic == IMAGE {
+            image = Some(message.data.to_vec());
+        }
+        if message.channel.topic != STEPS {
+            continue;
+        }
+        let Some(recorded) = step(&message.data) else {
+            return Err(Error::Empty { path: path.to_owned() });
+        };
+        if recorded.count == 0 {
+            // The software began anew.
+            runner = Some(Runner::start(program)?);
+        }
+        if runner.is_none() {
+            let Some(image) = image.take() else {
+                return Err(Error::Middle { path: path.to_owned() });
+            };
+            let begun = Runner::start(program)?;
+            begun.send(&image)?;
+            runner = Some(begun);
+        }
+        let Some(running) = &runner else { continue };
+        let outputs = running.step(&recorded)?;
+        report.steps += 1;
+        let time = message.log_time as f64 * 1e-9 - sim::scenario::LEAD;
+        report.difference = difference(&recorded, &outputs, time);
+        if report.difference.is_some() {
+            return Ok(report);
+        }
+    }
+    if report.steps == 0 {
+        return Err(Error::Empty { path: path.to_owned() });
+    }
+    Ok(report)
+}
+
+/// The software and the other end of its bus.
+struct Runner {
+    bus: UdpSocket,
+    computer: SocketAddr,
+    _running: Running,
+}
+
+impl Runner {
+    fn start(program: &Program) -> Result<Self, Error> {
+        let bus = UdpSocket::bind((Ipv4Addr::LOCALHOST, 0)).map_err(Error::Silent)?;
+        bus.set_read_timeout(Some(PATIENCE)).map_err(Error::Silent)?;
+        let port = bus.local_addr().map_err(Error::Silent)?.port();
+        let running = program.start(port, None)?;
+        let (_, computer) = bus.recv_from(&mut [0; 16]).map_err(Error::Silent)?;
+        Ok(Self { bus, computer, _running: running })
+    }
+
+    fn send(&self, datagram: &[u8]) -> Result<(), Error> {
+        self.bus.send_to(datagram, self.computer).map_err(Error::Silent).map(drop)
+    }
+
+    fn step(&self, recorded: &Worked) -> Result<Outputs, Error> {
+        let mut all = vec![recorded.count];
+        recorded.inputs.store(&mut |word| all.push(word));
+        self.send(&bytes(&all))?;
+        let mut buffer = [0; 4096];
+        let (length, _) = self.bus.recv_from(&mut buffer).map_err(Error::Silent)?;
+        let answer = Answer::read(&buffer[..length]);
+        let nonsense = || Error::Silent(io::Error::other("it answers something else"));
+        answer.map(|answer| answer.outputs).ok_or_else(nonsense)
+    }
+}
+
+/// The first word that differs; any NaN is any NaN.
+fn difference(recorded: &Worked, now: &Outputs, time: f64) -> Option<Difference> {
+    let (then, now) = (bessemer_legs::words(&recorded.outputs), bessemer_legs::words(now));
+    let plain = |word: u64| if f64::from_bits(word).is_nan() { u64::MAX } else { word };
+    let place = then.iter().zip(&now).position(|(then, now)| plain(*then) != plain(*now))?;
+    Some(Difference {
+        count: recorded.count,
+        time,
+        signal: signal(place),
+        words: (then[place], now[place]),
+    })
+}
+
+/// What the word at a place of the outputs is.
+fn signal(place: usize) -> String {
+    const PARTS: &[(&str, usize)] = &[
+        ("command.motors", 8),
+        ("command.speeds", 8),
+        ("command.closed_loop", 8),
+        ("command.feed_forward", 8),
+        ("estimate.position", 3),
+        ("estimate.angles", 3),
+        ("estimate.velocity", 3),
+        ("estimate.rates", 3),
+        ("ages", 4),
+        ("reference.target", 15),
+        ("reference.phase", 1),
+        ("reference.motors", 1),
+        ("reference.time", 1),
+        ("spread", 6),
+        ("gain", 1),
+        ("wish", 41),
+        ("alarm", 1),
+        ("downlink", 65),
+    ];
+    let mut left = place;
+    for (name, length) in PARTS {
+        if left < *length {
+            return if *length == 1 { (*name).to_owned() } else { format!("{name}[{left}]") };
+        }
+        left -= length;
+    }
+    format!("word {place}")
+}

@@ -1,0 +1,323 @@
+//! The server of the page: static files, and a WebSocket that carries everything else.
+//!
+//! * Nothing is commanded by a GET. A page may command that shows the token, and of those one at a time; the
+//!   others watch. To stop, the token is enough.
+//! * A WebSocket is opened only for pages of this server: `Origin` and `Host` must be ours.
+//! * Whoever reads slowly misses frames; nobody waits for it. Orders that come faster than the testbed takes them
+//!   are refused.
+//!
+//! Knows messages, not what is done about them.
+
+use crate::messages::{Ask, Tell};
+use crate::page;
+use axum::Router;
+use axum::extract::ws::{Message, Utf8Bytes, WebSocket, WebSocketUpgrade};
+use axum::extract::{Path, State};
+use axum::http::{HeaderMap, StatusCode, Uri, header};
+use axum::response::{IntoResponse, Response};
+use axum::routing::get;
+use std::net::SocketAddr;
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
+use std::sync::mpsc::{SyncSender, TrySendError};
+use std::sync::{Arc, Mutex};
+use tokio::net::TcpListener;
+use tokio::sync::broadcast::{self, error::RecvError};
+
+/// Messages that a slow page may be behind: two seconds of frames.
+const BEHIND: usize = 128;
+
+/// The most pages at once.
+const MOST_PAGES: usize = 1000;
+
+/// The longest message that a page may send, bytes.
+const LONGEST: usize = 16 * 1024;
+
+/// What server and testbed share.
+#[derive(Debug)]
+pub struct Hub {
+    /// What every page is told.
+    told: broadcast::Sender<Utf8Bytes>,
+    /// What pages asked for: who, and what.
+    asked: SyncSender<Ask>,
+    /// What a page is told first.
+    hello: String,
+    token: String,
+    /// Which page commands; 0 for none.
+    commander: AtomicU64,
+    pages: AtomicUsize,
+    skipped: AtomicU64,
+    next: AtomicU64,
+    /// Whether somebody wants the motors to stop: never refused, however much is asked for.
+    stop: AtomicBool,
+    /// The last recording.
+    recording: Mutex<Option<PathBuf>>,
+}
+
+impl Hub {
+    /// A hub whose pages send what they ask to `asked`. Random bytes make the token.
+    ///
+    /// # Errors
+    /// The system has no random bytes.
+    pub fn new(asked: SyncSender<Ask>, hello: &Tell) -> Result<Arc<Self>, getrandom::Error> {
+        let mut bytes = [0; 16];
+        getrandom::fill(&mut bytes)?;
+        Ok(Arc::new(Self {
+            told: broadcast::channel(BEHIND).0,
+            asked,
+            hello: text(hello),
+            token: bytes.iter().map(|byte| format!("{byte:02x}")).collect(),
+            commander: AtomicU64::new(0),
+            pages: AtomicUsize::new(0),
+            skipped: AtomicU64::new(0),
+            next: AtomicU64::new(1),
+            stop: AtomicBool::new(false),
+            recording: Mutex::new(None),
+        }))
+    }
+
+    /// The secret of those who may command.
+    pub fn token(&self) -> &str {
+        &self.token
+    }
+
+    /// Tells every page.
+    pub fn tell(&self, what: &Tell) {
+        if self.told.receiver_count() > 0 {
+            // None listens any more: nobody is told.
+            let _ = self.told.send(text(what).into());
+        }
+    }
+
+    /// Pages that look on.
+    pub fn pages(&self) -> usize {
+        self.pages.load(Ordering::Relaxed)
+    }
+
+    /// Messages that slow pages missed.
+    pub fn skipped(&self) -> u64 {
+        self.skipped.load(Ordering::Relaxed)
+    }
+
+    /// Whether a page commands.
+    pub fn is_commanded(&self) -> bool {
+        self.commander.load(Ordering::Relaxed) != 0
+    }
+
+    /// Whether somebody has wanted the motors to stop since this was asked last.
+    pub fn take_stop(&self) -> bool {
+        self.stop.swap(false, Ordering::Relaxed)
+    }
+
+    /// Says which file can be downloaded.
+    pub fn keep(&self, recording: PathBuf) {
+        if let Ok(mut place) = self.recording.lock() {
+            *place = Some(recording);
+        }
+    }
+}
+
+/// Serves until the process ends.
+///
+/// # Errors
+/// The socket failed.
+pub async fn serve(listener: TcpListener, hub: Arc<Hub>) -> std::io::Result<()> {
+    axum::serve(listener, router(hub)).await
+}
+
+/// Binds, and serves from a thread of its own: the address.
+///
+/// # Errors
+/// The address is taken, or there is no thread.
+pub fn start(address: SocketAddr, hub: Arc<Hub>) -> std::io::Result<SocketAddr> {
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
+    let listener = runtime.block_on(TcpListener::bind(address))?;
+    let bound = listener.local_addr()?;
+    std::thread::Builder::new().name("server".into()).spawn(move || {
+        if let Err(error) = runtime.block_on(serve(listener, hub)) {
+            eprintln!("the server ended: {error}");
+        }
+    })?;
+    Ok(bound)
+}
+
+fn router(hub: Arc<Hub>) -> Router {
+    Router::new()
+        .route("/", get(|| file(Path("index.html".to_owned()))))
+        .route("/live", get(live))
+        .route("/flight.mcap", get(flight))
+        .route("/{name}", get(file))
+        .with_state(hub)
+}
+
+/// One of the page's files.
+async fn file(Path(name): Path<String>) -> Response {
+    let Some((kind, content)) = page::file(&name) else {
+        return (StatusCode::NOT_FOUND, "there is no such file").into_response();
+    };
+    let headers = [
+        (header::CONTENT_TYPE, kind),
+        (header::CACHE_CONTROL, "no-cache"),
+        (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
+        (
+            header::CONTENT_SECURITY_POLICY,
+            "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data:; frame-ancestors 'none'",
+        ),
+    ];
+    (headers, content).into_response()
+}
+
+/// The last recording.
+async fn flight(State(hub): State<Arc<Hub>>) -> Response {
+    let found = hub.recording.lock().ok().and_then(|place| place.clone());
+    let read = match found {
+        Some(path) => tokio::task::spawn_blocking(move || std::fs::read(path)).await.ok(),
+        None => None,
+    };
+    let Some(Ok(recording)) = read else {
+        return (StatusCode::NOT_FOUND, "nothing has been recorded").into_response();
+    };
+    let headers = [
+        (header::CONTENT_TYPE, "application/octet-stream"),
+        (header::CONTENT_DISPOSITION, "attachment; filename=\"flight.mcap\""),
+    ];
+    (headers, recording).into_response()
+}
+
+/// Opens a page's WebSocket.
+async fn live(
+    State(hub): State<Arc<Hub>>,
+    headers: HeaderMap,
+    upgrade: WebSocketUpgrade,
+) -> Response {
+    if !is_ours(&headers) {
+        return (StatusCode::FORBIDDEN, "this page is not of this server").into_response();
+    }
+    if hub.pages() >= MOST_PAGES {
+        return (StatusCode::SERVICE_UNAVAILABLE, "too many pages look on").into_response();
+    }
+    hub.pages.fetch_add(1, Ordering::Relaxed);
+    let (failed, there) = (hub.clone(), hub);
+    upgrade
+        .max_message_size(LONGEST)
+        .on_failed_upgrade(move |_| {
+            failed.pages.fetch_sub(1, Ordering::Relaxed);
+        })
+        .on_upgrade(move |socket| async move {
+            let number = there.next.fetch_add(1, Ordering::Relaxed);
+            attend(socket, &there, number).await;
+            // Whoever leaves commands no more.
+            let _ =
+                there.commander.compare_exchange(number, 0, Ordering::Relaxed, Ordering::Relaxed);
+            there.pages.fetch_sub(1, Ordering::Relaxed);
+        })
+}
+
+/// Whether a browser says that the page comes from this server, or the client is no browser.
+fn is_ours(headers: &HeaderMap) -> bool {
+    let Some(origin) = headers.get(header::ORIGIN) else { return true };
+    let host = headers.get(header::HOST).and_then(|host| host.to_str().ok());
+    let from = origin.to_str().ok().and_then(|origin| origin.parse::<Uri>().ok());
+    let from = from.as_ref().and_then(Uri::authority).map(|it| it.as_str());
+    from.is_some() && from == host && host.is_some_and(is_local_name)
+}
+
+/// Whether a host is an address or `localhost`: a name of somebody else's that leads here is not ours.
+fn is_local_name(host: &str) -> bool {
+    let name = host.rsplit_once(':').map_or(host, |(name, _)| name);
+    let plain = name.trim_start_matches('[').trim_end_matches(']');
+    plain == "localhost" || plain.parse::<std::net::IpAddr>().is_ok()
+}
+
+/// One page, until it leaves.
+async fn attend(mut socket: WebSocket, hub: &Hub, number: u64) {
+    let mut news = hub.told.subscribe();
+    let mut trusted = false;
+    if socket.send(Message::Text(hub.hello.clone().into())).await.is_err() {
+        return;
+    }
+    loop {
+        tokio::select! {
+            told = news.recv() => match told {
+                Ok(message) => {
+                    if socket.send(Message::Text(message)).await.is_err() {
+                        return;
+                    }
+                }
+                Err(RecvError::Lagged(count)) => {
+                    hub.skipped.fetch_add(count, Ordering::Relaxed);
+                }
+                Err(RecvError::Closed) => return,
+            },
+            heard = socket.recv() => {
+                let Some(Ok(message)) = heard else { return };
+                let Message::Text(asked) = message else { continue };
+                if let Some(answer) = answer(hub, number, &mut trusted, &asked)
+                    && socket.send(Message::Text(text(&answer).into())).await.is_err()
+                {
+                    return;
+                }
+            }
+        }
+    }
+}
+
+/// What a page is answered; what it asks for goes to the testbed, if it may.
+fn answer(hub: &Hub, number: u64, trusted: &mut bool, asked: &str) -> Option<Tell> {
+    let ask: Ask = match serde_json::from_str(asked) {
+        Ok(ask) => ask,
+        Err(error) => return Some(Tell::Refused { reason: error.to_string() }),
+    };
+    let commands = || hub.commander.load(Ordering::Relaxed) == number;
+    match ask {
+        Ask::Ping { number } => Some(Tell::Pong { number }),
+        Ask::Claim { token, force } => {
+            *trusted |= is_same(&token, &hub.token);
+            if !*trusted {
+                let reason =
+                    "the token is not that of this server: open the address that it printed";
+                return Some(Tell::Command { granted: false, reason });
+            }
+            let free = force
+                || commands()
+                || hub
+                    .commander
+                    .compare_exchange(0, number, Ordering::Relaxed, Ordering::Relaxed)
+                    .is_ok();
+            if force {
+                hub.commander.store(number, Ordering::Relaxed);
+            }
+            let reason = if free { "" } else { "another page commands" };
+            Some(Tell::Command { granted: free, reason })
+        }
+        Ask::Release => {
+            let _ = hub.commander.compare_exchange(number, 0, Ordering::Relaxed, Ordering::Relaxed);
+            Some(Tell::Command { granted: false, reason: "" })
+        }
+        Ask::Stop if *trusted => {
+            hub.stop.store(true, Ordering::Relaxed);
+            None
+        }
+        ask if commands() => match hub.asked.try_send(ask) {
+            Ok(()) => None,
+            Err(TrySendError::Full(_)) => {
+                Some(Tell::Refused { reason: "orders come too fast".into() })
+            }
+            Err(TrySendError::Disconnected(_)) => {
+                Some(Tell::Refused { reason: "the testbed has ended".into() })
+            }
+        },
+        _ => Some(Tell::Refused { reason: "this page does not command".into() }),
+    }
+}
+
+/// Whether two tokens are the same, in a time that tells nothing of where they differ.
+fn is_same(one: &str, other: &str) -> bool {
+    let differing = one.bytes().zip(other.bytes()).fold(0, |all, (a, b)| all | (a ^ b));
+    one.len() == other.len() && differing == 0
+}
+
+/// A message as JSON. What is not a number is null.
+fn text(tell: &Tell) -> String {
+    serde_json::to_string(tell).unwrap_or_default()
+}

@@ -1,0 +1,375 @@
+//! The ground's end of the link: orders up, news down.
+//!
+//! A link loses things, so an order is repeated until what comes down shows that it was carried out, or, if it
+//! changes the flight, until that has taken too long. Beats go up ten times a second, so that the aircraft knows that somebody is there.
+//! Knows time only as it is told, and no socket.
+
+use crate::catalogue::SHOWN;
+use crate::key::Key;
+use models::packet::Packet;
+use models::tuning::TUNABLE;
+use models::{Alarm, Phase};
+use serde::Serialize;
+use sim::ground_station::{Collector, Framer, News, Order, Record, Status};
+use std::collections::VecDeque;
+
+/// A beat every so often, s.
+const BEAT: f64 = 0.1;
+
+/// An order is repeated every so often, s: twice as often as the state of the link comes down.
+const AGAIN: f64 = 0.25;
+
+/// And given up after so long, s.
+const ENOUGH: f64 = 5.0;
+
+/// After so long without a word, s, it may be another software that is there, which has never heard of us.
+const STRANGE: f64 = 1.0;
+
+/// Signals come down every so many periods: at 50 Hz.
+const EVERY: u8 = 4;
+
+/// What became of an order.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Outcome {
+    /// It was carried out.
+    Done,
+    /// Nothing shows that it was.
+    GivenUp,
+    /// The aircraft refused it.
+    Refused,
+}
+
+/// An order on its way.
+#[derive(Clone, Debug)]
+struct Pending {
+    order: Order,
+    again: f64,
+    until: f64,
+}
+
+/// How the way down is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Down {
+    /// Packets that came.
+    pub heard: u64,
+    /// Datagrams that were none.
+    pub broken: u64,
+    /// Packets that did not come, by their numbers.
+    pub missing: u64,
+}
+
+/// The ground station.
+#[derive(Debug)]
+pub struct Station {
+    key: Option<Key>,
+    counter: u64,
+    framer: Framer,
+    collector: Collector,
+    outbox: VecDeque<Packet>,
+    pending: Vec<Pending>,
+    next_beat: f64,
+    tag: u8,
+    sequence: Option<u16>,
+    heard_at: Option<f64>,
+    signals: Vec<(u8, [u8; 36])>,
+    values: [f32; 64],
+    record: Option<Record>,
+    /// How the aircraft sees the link.
+    pub status: Option<Status>,
+    /// The parameters, as far as they are known.
+    pub parameters: [Option<f64>; TUNABLE],
+    /// How the way down is.
+    pub down: Down,
+    /// What became of orders, for people.
+    pub outcomes: VecDeque<(String, Outcome)>,
+}
+
+impl Station {
+    /// A ground station that begins at a time, s.
+    pub fn new(key: Option<Key>, now: f64) -> Self {
+        let mut station = Self {
+            key,
+            counter: 0,
+            framer: Framer::default(),
+            collector: Collector::default(),
+            outbox: VecDeque::new(),
+            pending: Vec::new(),
+            next_beat: now,
+            tag: 0,
+            sequence: None,
+            heard_at: None,
+            // What the onboard software begins with.
+            signals: vec![(0, std::array::from_fn(|n| n as u8))],
+            values: [0.0; 64],
+            record: None,
+            status: None,
+            parameters: [None; TUNABLE],
+            down: Down::default(),
+            outcomes: VecDeque::new(),
+        };
+        station.meet(now);
+        station
+    }
+
+    /// Opens the link to an aircraft that may know nothing of us: at the beginning, and when it was silent.
+    fn meet(&mut self, now: f64) {
+        self.order(now, Order::Hello);
+        self.choose(now, EVERY, SHOWN);
+        for number in 0..TUNABLE {
+            self.order(now, Order::Ask(number as u8));
+        }
+    }
+
+    /// Whether commands are sealed.
+    pub fn is_authenticated(&self) -> bool {
+        self.key.is_some()
+    }
+
+    /// How long nothing has come down, s.
+    pub fn silence(&self, now: f64) -> Option<f64> {
+        self.heard_at.map(|at| now - at)
+    }
+
+    fn is_strange(&self, now: f64) -> bool {
+        self.silence(now).is_some_and(|silence| silence > STRANGE)
+    }
+
+    /// What a signal was when it came down last.
+    pub fn signal(&self, number: u8) -> f32 {
+        self.values.get(usize::from(number)).copied().unwrap_or(f32::NAN)
+    }
+
+    /// Which signals come down, in their order.
+    pub fn chosen(&self) -> &[u8; 36] {
+        let tag = self.record.as_ref().map_or(0, |record| record.tag);
+        self.layout(tag).unwrap_or(&SHOWN)
+    }
+
+    /// The last record.
+    pub fn record(&self) -> Option<&Record> {
+        self.record.as_ref()
+    }
+
+    /// The part of the flight, as far as that is known.
+    pub fn phase(&self) -> u8 {
+        self.signal(16) as u8
+    }
+
+    /// Chooses what comes down.
+    pub fn choose(&mut self, now: f64, every: u8, signals: [u8; 36]) {
+        self.tag = self.tag.wrapping_add(1).max(1);
+        self.signals.push((self.tag, signals));
+        if self.signals.len() > 16 {
+            self.signals.remove(1);
+        }
+        self.order(now, Order::Choose(self.tag, every, signals));
+    }
+
+    /// Hands in a trajectory.
+    pub fn fly(&mut self, now: f64, points: Vec<models::trajectory::SetPoint>) {
+        self.tag = self.tag.wrapping_add(1).max(1);
+        self.order(now, Order::FlyAs(self.tag, points));
+    }
+
+    /// Sends an order, and goes on sending it until it is carried out.
+    pub fn order(&mut self, now: f64, order: Order) {
+        match order {
+            // Nobody repeats where a stick was.
+            Order::Sticks(_) | Order::Raw(_) | Order::Beat => return self.send(&order),
+            // What was wanted before is not wanted any more.
+            Order::Stop | Order::Arm => {
+                self.pending.retain(|it| !is_course(&it.order));
+                self.outbox.clear();
+            }
+            Order::Land => self.pending.retain(|it| it.order != Order::TakeOff),
+            _ => {}
+        }
+        self.pending.retain(|it| !replaces(&order, &it.order));
+        self.send(&order);
+        let until = if is_lasting(&order) { f64::INFINITY } else { now + ENOUGH };
+        self.pending.push(Pending { order, again: now + AGAIN, until });
+    }
+
+    /// The datagrams that go up now; `clock`: milliseconds since 1970.
+    pub fn tick(&mut self, now: f64, clock: u64) -> Option<Vec<u8>> {
+        if now >= self.next_beat {
+            self.next_beat = now + BEAT;
+            self.send(&Order::Beat);
+        }
+        if self.is_strange(now) && !self.pending.iter().any(|it| it.order == Order::Hello) {
+            self.order(now, Order::Hello);
+        }
+        let mut due = Vec::new();
+        for waiting in &mut self.pending {
+            if now >= waiting.again {
+                waiting.again = now + AGAIN;
+                due.push(waiting.order.clone());
+            }
+        }
+        for order in due {
+            self.send(&order);
+        }
+        self.give_up(now);
+        let packet = self.outbox.pop_front()?;
+        self.sealed(&packet, clock)
+    }
+
+    /// Takes in a datagram.
+    pub fn receive(&mut self, now: f64, datagram: &[u8]) -> Option<News> {
+        let mut packet = Packet { length: datagram.len(), bytes: [0; 64] };
+        let sound = datagram.len() <= 64 && {
+            packet.bytes[..datagram.len()].copy_from_slice(datagram);
+            sim::ground_station::unframed(datagram).is_some()
+        };
+        if !sound {
+            self.down.broken += 1;
+            return None;
+        }
+        self.down.heard += 1;
+        let number = u16::from_le_bytes([datagram[3], datagram[4]]);
+        let ahead = self.sequence.map_or(1, |last| number.wrapping_sub(last));
+        if ahead == 0 || ahead >= 0x8000 {
+            // Twice, or overtaken.
+            return None;
+        }
+        self.down.missing += u64::from(ahead - 1);
+        self.sequence = Some(number);
+        if self.is_strange(now) {
+            self.meet(now);
+        }
+        self.heard_at = Some(now);
+        let news = self.collector.take(&packet)?;
+        self.learn(&news);
+        Some(news)
+    }
+
+    /// Forgets the numbers of what came down: another software begins anew.
+    pub fn anew(&mut self) {
+        self.sequence = None;
+        self.record = None;
+        self.status = None;
+    }
+
+    fn learn(&mut self, news: &News) {
+        match news {
+            News::Record(record) => {
+                let layout = self.layout(record.tag).copied();
+                for (number, value) in layout.into_iter().flatten().zip(&record.values) {
+                    self.values[usize::from(number % 64)] = *value;
+                }
+                self.record = Some(record.clone());
+            }
+            News::Status(status) => self.status = Some(status.clone()),
+            News::Parameter(number, value) => {
+                if let Some(place) = self.parameters.get_mut(usize::from(*number)) {
+                    *place = Some(*value);
+                }
+            }
+        }
+        let (done, left): (Vec<Pending>, Vec<Pending>) = std::mem::take(&mut self.pending)
+            .into_iter()
+            .partition(|it| self.is_done(&it.order, news));
+        self.pending = left;
+        for Pending { order, .. } in done {
+            let refused = matches!((&order, news), (Order::Set(_, wanted), News::Parameter(_, is)) if wanted != is);
+            self.tell(&order, if refused { Outcome::Refused } else { Outcome::Done });
+        }
+    }
+
+    /// Whether the news show that an order was carried out.
+    fn is_done(&self, order: &Order, news: &News) -> bool {
+        let phase = self.phase();
+        match (order, news) {
+            (Order::Hello, _) => true,
+            (Order::Ask(number) | Order::Set(number, _), News::Parameter(it, _)) => number == it,
+            (Order::Choose(tag, ..), News::Record(record)) => record.tag == *tag,
+            (Order::Mode(mode), News::Status(status)) => status.mode == *mode as u8,
+            (Order::FlyAs(tag, _), News::Status(status)) => status.tag == *tag,
+            (Order::TakeOff, News::Record(_)) => {
+                phase != Phase::Ready as u8 && phase != Phase::Over as u8
+            }
+            (Order::Land, News::Record(_)) => {
+                [Phase::Landing, Phase::Over, Phase::Ready].map(|it| it as u8).contains(&phase)
+            }
+            (Order::Stop, News::Record(_)) => self.signal(35) != Alarm::Clear as u8 as f32,
+            (Order::Arm, News::Record(_)) => phase == Phase::Ready as u8,
+            _ => false,
+        }
+    }
+
+    fn give_up(&mut self, now: f64) {
+        let (left, over): (Vec<Pending>, Vec<Pending>) =
+            std::mem::take(&mut self.pending).into_iter().partition(|it| now < it.until);
+        self.pending = left;
+        for Pending { order, .. } in over {
+            self.tell(&order, Outcome::GivenUp);
+        }
+    }
+
+    fn tell(&mut self, order: &Order, outcome: Outcome) {
+        if matches!(order, Order::Ask(_) | Order::Hello) && outcome == Outcome::Done {
+            return;
+        }
+        self.outcomes.push_back((name(order), outcome));
+    }
+
+    fn send(&mut self, order: &Order) {
+        // A link that takes one packet a period never catches up with more than this.
+        if self.outbox.len() < 256 {
+            self.outbox.extend(self.framer.frame(order));
+        }
+    }
+
+    fn sealed(&mut self, packet: &Packet, clock: u64) -> Option<Vec<u8>> {
+        let mut sealed = *packet;
+        if let Some(key) = &self.key {
+            // A clock that goes backwards changes nothing.
+            self.counter = clock.max(self.counter + 1);
+            sealed = key.seal(packet, self.counter)?;
+        }
+        Some(sealed.bytes[..sealed.length.min(64)].to_vec())
+    }
+
+    fn layout(&self, tag: u8) -> Option<&[u8; 36]> {
+        self.signals.iter().rev().find(|(known, _)| *known == tag).map(|(_, signals)| signals)
+    }
+}
+
+/// Whether an order changes the course of the flight.
+fn is_course(order: &Order) -> bool {
+    matches!(order, Order::TakeOff | Order::Land | Order::Arm | Order::Stop)
+}
+
+/// Whether an order is meant whenever it arrives: a take-off that comes through after minutes is not.
+fn is_lasting(order: &Order) -> bool {
+    matches!(order, Order::Hello | Order::Ask(_) | Order::Choose(..) | Order::Land | Order::Stop)
+}
+
+/// Whether a new order stands for an old one.
+fn replaces(new: &Order, old: &Order) -> bool {
+    match (new, old) {
+        (Order::Ask(new) | Order::Set(new, _), Order::Ask(old) | Order::Set(old, _)) => new == old,
+        _ => std::mem::discriminant(new) == std::mem::discriminant(old),
+    }
+}
+
+/// An order as people call it.
+fn name(order: &Order) -> String {
+    match order {
+        Order::Hello => "open the link".into(),
+        Order::Goodbye => "close the link".into(),
+        Order::Mode(_) => "mode".into(),
+        Order::Fly(_) | Order::FlyAs(..) => "trajectory".into(),
+        Order::TakeOff => "take off".into(),
+        Order::Land => "land".into(),
+        Order::Sticks(_) => "sticks".into(),
+        Order::Stop => "stop".into(),
+        Order::Beat => "beat".into(),
+        Order::Arm => "arm".into(),
+        Order::Ask(number) => format!("parameter {number}"),
+        Order::Set(number, _) => format!("set parameter {number}"),
+        Order::Choose(..) => "signals".into(),
+        Order::Raw(_) => "raw".into(),
+    }
+}

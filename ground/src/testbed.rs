@@ -1,0 +1,234 @@
+//! The testbed: bench, link and ground station together, one control period at a time.
+//!
+//! In virtual time, and from one seed, two runs are the same to the bit, sockets or not: what goes up is in the
+//! computer's socket before the sensors' datagram is. Knows no browser and no file: whoever drives it gets what
+//! each period came to.
+
+use crate::bench::{Bench, Injection, Period};
+use crate::key::Key;
+use crate::program::{self, Program, Running};
+use crate::radio::{Counts, Quality, Way};
+use crate::station::Station;
+use models::Settings;
+use sim::ground_station::News;
+use std::io;
+use std::net::{Ipv4Addr, SocketAddr, UdpSocket};
+use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
+
+/// How long a program may take to start: emulated, on a busy machine.
+const START: Duration = Duration::from_secs(30);
+
+/// So many periods behind, real time begins anew instead of catching up.
+const STALLED: u32 = 10;
+
+/// Why the testbed does not run.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// The onboard software does not.
+    #[error(transparent)]
+    Program(#[from] program::Error),
+    /// A socket does not.
+    #[error("a socket of the testbed: {0}")]
+    Socket(#[from] io::Error),
+    /// The onboard software said nothing.
+    #[error("the onboard software does not answer: it was started, and sent nothing for {} s", START.as_secs())]
+    Silent,
+}
+
+/// How time passes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Pace {
+    /// As on the wall.
+    #[default]
+    Real,
+    /// As fast as the software answers.
+    Virtual,
+}
+
+/// What a testbed is made of.
+#[derive(Clone, Debug, Default)]
+pub struct Wanted {
+    /// How time passes.
+    pub pace: Pace,
+    /// The link.
+    pub quality: Quality,
+    /// Who may command.
+    pub key: Option<Key>,
+    /// The key of the software, if it is to differ: to see what happens.
+    pub other_key: Option<Key>,
+    /// Where chance begins.
+    pub seed: u64,
+}
+
+/// The testbed.
+pub struct Testbed {
+    /// The aircraft.
+    pub bench: Bench,
+    /// The ground's end of the link.
+    pub station: Station,
+    /// The way up.
+    pub up: Way,
+    /// The way down.
+    pub down: Way,
+    program: Program,
+    running: Running,
+    key: Option<Key>,
+    socket: UdpSocket,
+    pace: Pace,
+    begun: Instant,
+    periods: u32,
+    /// How often the software was started anew.
+    pub restarts: u64,
+}
+
+impl Testbed {
+    /// Starts the software and waits until it is there.
+    ///
+    /// # Errors
+    /// It does not start, or there are no ports.
+    pub fn start(program: &Program, wanted: &Wanted) -> Result<Self, Error> {
+        let mut bench = Bench::new(wanted.seed)?;
+        let socket = UdpSocket::bind((Ipv4Addr::LOCALHOST, 0))?;
+        socket.set_nonblocking(true)?;
+        let key = wanted.other_key.clone().or_else(|| wanted.key.clone());
+        let running = program.start(bench.port()?, key.as_ref())?;
+        if !bench.wait(START)? {
+            return Err(Error::Silent);
+        }
+        Ok(Self {
+            bench,
+            station: Station::new(wanted.key.clone(), 0.0),
+            up: Way::new(wanted.quality, wanted.seed),
+            down: Way::new(wanted.quality, wanted.seed.wrapping_add(1)),
+            program: program.clone(),
+            running,
+            key,
+            socket,
+            pace: wanted.pace,
+            begun: Instant::now(),
+            periods: 0,
+            restarts: 0,
+        })
+    }
+
+    /// Time since the testbed began, by its periods, s.
+    pub fn now(&self) -> f64 {
+        self.bench.timing.periods as f64 * period()
+    }
+
+    /// What became of the datagrams, up and down.
+    pub fn counts(&self) -> (Counts, Counts) {
+        (self.up.counts, self.down.counts)
+    }
+
+    /// Where the aircraft listens to the ground.
+    pub fn link(&self) -> Option<SocketAddr> {
+        self.bench.link()
+    }
+
+    /// The number of the software's process.
+    pub fn process(&self) -> u32 {
+        self.running.id()
+    }
+
+    /// Kills the software; it is started anew in the next period.
+    pub fn kill(&mut self) {
+        self.running.kill();
+    }
+
+    /// Does something to the aircraft.
+    pub fn inject(&mut self, what: Injection) {
+        self.bench.inject(what);
+    }
+
+    /// One period, with the news that came down in it. In real time it begins when it is time.
+    ///
+    /// # Errors
+    /// A socket failed, or the software cannot be started anew.
+    pub fn step(&mut self) -> Result<(Period, Vec<News>), Error> {
+        let deadline = self.pause();
+        if !self.running.is_alive() {
+            self.restart()?;
+        }
+        let now = self.now();
+        if let Some(datagram) = self.station.tick(now, milliseconds()) {
+            self.up.send(now, &datagram);
+        }
+        for datagram in self.up.arrived(now) {
+            // A software that is gone refuses: the datagram is lost.
+            let _ = self.link().map(|link| self.socket.send_to(&datagram, link));
+        }
+        let done = self.bench.step(deadline)?;
+        self.listen(now);
+        let mut news = Vec::new();
+        for datagram in self.down.arrived(now) {
+            news.extend(self.station.receive(now, &datagram));
+        }
+        Ok((done, news))
+    }
+
+    /// Periods until a time since the beginning, s; `seen` sees each.
+    ///
+    /// # Errors
+    /// As for [`step`](Testbed::step).
+    pub fn run_until(
+        &mut self,
+        time: f64,
+        mut seen: impl FnMut(&Period, &[News]),
+    ) -> Result<(), Error> {
+        while self.now() < time {
+            let (done, news) = self.step()?;
+            seen(&done, &news);
+        }
+        Ok(())
+    }
+
+    /// Takes everything from the socket into the way down.
+    fn listen(&mut self, now: f64) {
+        let mut buffer = [0; 2048];
+        while let Ok((length, from)) = self.socket.recv_from(&mut buffer) {
+            if Some(from) == self.link() {
+                self.down.send(now, &buffer[..length]);
+            }
+        }
+    }
+
+    /// Waits for the beginning of the period; its end.
+    fn pause(&mut self) -> Option<Instant> {
+        if self.pace == Pace::Virtual {
+            return None;
+        }
+        let length = Duration::from_secs_f64(period());
+        let mut due = self.begun + length * self.periods;
+        let now = Instant::now();
+        if now > due + length * STALLED {
+            (self.begun, self.periods, due) = (now, 0, now);
+        }
+        std::thread::sleep(due.saturating_duration_since(now));
+        self.periods += 1;
+        Some(due + length)
+    }
+
+    fn restart(&mut self) -> Result<(), Error> {
+        self.bench.unplug();
+        self.restarts += 1;
+        self.station.anew();
+        self.running = self.program.start(self.bench.port()?, self.key.as_ref())?;
+        // The aircraft does not wait for its computer; virtual time does.
+        if self.pace == Pace::Virtual && !self.bench.wait(START)? {
+            return Err(Error::Silent);
+        }
+        Ok(())
+    }
+}
+
+/// The control period, s.
+pub fn period() -> f64 {
+    Settings::mambo().parameters.period
+}
+
+/// Milliseconds since 1970.
+fn milliseconds() -> u64 {
+    let since = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
+    u64::try_from(since.as_millis()).unwrap_or(u64::MAX)
+}

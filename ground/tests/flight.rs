@@ -1,0 +1,312 @@
+//! Whole flights of the emitted C over UDP, in virtual time: through the ground station, the link and the bus.
+
+use ground::bench::Injection;
+use ground::key::Key;
+use ground::program::{Program, Target};
+use ground::radio::Quality;
+use ground::testbed::{Pace, Testbed, Wanted};
+use models::{Alarm, Mode, Phase};
+use sim::ground_station::Order;
+use sim::scenario::point;
+
+fn testbed(wanted: Wanted) -> Testbed {
+    let root = bessemer_legs::root();
+    let program = Program::build(&root, Target::Native).unwrap_or_else(|error| panic!("{error}"));
+    Testbed::start(&program, &Wanted { pace: Pace::Virtual, ..wanted })
+        .unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn until(testbed: &mut Testbed, time: f64) {
+    testbed.run_until(time, |_, _| ()).unwrap_or_else(|error| panic!("{error}"));
+}
+
+/// Takes off to 1 m.
+fn taken_off(wanted: Wanted) -> Testbed {
+    let mut testbed = testbed(wanted);
+    until(&mut testbed, 1.0);
+    testbed.station.fly(1.0, vec![point(0.0, 0.0, 0.0, 1.0, 0.0)]);
+    until(&mut testbed, 2.0);
+    testbed.station.order(2.0, Order::TakeOff);
+    until(&mut testbed, 12.0);
+    testbed
+}
+
+#[test]
+fn the_c_takes_off_hovers_and_lands_over_udp() {
+    let mut testbed = taken_off(Wanted::default());
+    let place = testbed.bench.state().position;
+    assert!((place.z - 1.0).abs() < 0.1, "{place}");
+    assert_eq!(testbed.station.phase(), Phase::Flight as u8);
+    testbed.station.order(12.0, Order::Land);
+    until(&mut testbed, 20.0);
+    assert_eq!(testbed.station.phase(), Phase::Over as u8);
+    assert_eq!(testbed.bench.state().position.z, 0.0);
+    assert_eq!(testbed.bench.timing.missed, 0);
+}
+
+const KEY: [u8; 16] = [7; 16];
+
+fn key() -> Option<Key> {
+    Some(Key::new(KEY))
+}
+
+/// Bad, but not hopeless.
+fn bad() -> Quality {
+    Quality { loss: 0.2, duplication: 0.1, reordering: 0.1, delay: 0.02 }
+}
+
+#[test]
+fn a_trajectory_of_many_points_survives_a_link_that_loses_a_fifth() {
+    let mut testbed = testbed(Wanted { quality: bad(), key: key(), ..Wanted::default() });
+    let points = (0..16).map(|n| {
+        let turn = f64::from(n) * 0.4;
+        point(3.0 * f64::from(n), 0.4 * turn.sin(), 0.4 - 0.4 * turn.cos(), 1.0, 0.0)
+    });
+    testbed.station.fly(0.0, points.collect());
+    testbed.station.order(0.0, Order::TakeOff);
+    until(&mut testbed, 8.0);
+    assert_eq!(testbed.station.phase(), Phase::Flight as u8, "{:?}", testbed.station.outcomes);
+    until(&mut testbed, 56.0);
+    let end = 15.0_f64 * 0.4;
+    let place = testbed.bench.state().position;
+    let (x, y) = (0.4 * end.sin(), 0.4 - 0.4 * end.cos());
+    assert!((place.x - x).hypot(place.y - y) < 0.1, "{place} is not ({x}, {y})");
+    let (up, down) = testbed.counts();
+    for counts in [up, down] {
+        assert!(counts.lost * 4 > counts.sent / 2 && counts.doubled > 0 && counts.overtaken > 0);
+    }
+}
+
+#[test]
+fn two_runs_over_the_same_bad_link_are_the_same_to_the_bit() {
+    let flown = || {
+        let mut words = Vec::new();
+        let mut testbed = testbed(Wanted { quality: bad(), seed: 5, ..Wanted::default() });
+        testbed.station.fly(0.0, vec![point(0.0, 0.0, 0.0, 1.0, 0.0)]);
+        testbed.station.order(0.0, Order::TakeOff);
+        let run = testbed.run_until(5.0, |done, _| {
+            words.extend(bessemer_legs::words(&done.moment.outputs));
+        });
+        run.unwrap_or_else(|error| panic!("{error}"));
+        words
+    };
+    assert!(flown() == flown());
+}
+
+#[test]
+fn alone_it_hovers_then_lands() {
+    let mut testbed = taken_off(Wanted::default());
+    testbed.up.quality.loss = 1.0;
+    let lost = testbed.now();
+    let (mut held, mut landing) = (None, None);
+    let run = testbed.run_until(lost + 14.0, |done, _| {
+        let since = done.moment.time - lost;
+        match done.moment.outputs.reference.phase {
+            Phase::Hold => held = held.or(Some(since)),
+            Phase::Landing => landing = landing.or(Some(since)),
+            _ => {}
+        }
+    });
+    run.unwrap_or_else(|error| panic!("{error}"));
+    let (held, landing) = (held.expect("it holds"), landing.expect("it lands"));
+    assert!((0.9..1.2).contains(&held) && (5.9..6.2).contains(&landing), "{held} {landing}");
+    assert_eq!(testbed.station.phase(), Phase::Over as u8);
+    assert_eq!(testbed.bench.state().position.z, 0.0);
+}
+
+#[test]
+fn a_link_that_comes_back_in_time_changes_nothing() {
+    let mut testbed = taken_off(Wanted::default());
+    testbed.up.quality.loss = 1.0;
+    until(&mut testbed, 15.0);
+    assert_eq!(testbed.station.phase(), Phase::Hold as u8);
+    testbed.up.quality.loss = 0.0;
+    until(&mut testbed, 16.0);
+    assert_eq!(testbed.station.phase(), Phase::Flight as u8);
+}
+
+#[test]
+fn who_lacks_the_key_commands_nothing() {
+    for (ours, theirs) in [(None, key()), (Some(Key::new([8; 16])), key())] {
+        let mut testbed =
+            testbed(Wanted { key: ours.clone(), other_key: theirs, ..Wanted::default() });
+        testbed.station.fly(0.0, vec![point(0.0, 0.0, 0.0, 1.0, 0.0)]);
+        testbed.station.order(0.0, Order::TakeOff);
+        let (mut refused, mut silent) = (models::gate::Refused::default(), true);
+        let run = testbed.run_until(2.0, |done, _| {
+            refused = done.moment.inputs.refused;
+            silent &= done.moment.outputs.downlink.length == 0;
+        });
+        run.unwrap_or_else(|error| panic!("{error}"));
+        assert!(silent && testbed.bench.state().position.z == 0.0);
+        let counted = if ours.is_none() { refused.unsealed } else { refused.forged };
+        assert!(counted > 20, "{refused:?}");
+    }
+}
+
+#[test]
+fn what_was_overheard_cannot_be_said_again() {
+    let mut testbed = testbed(Wanted { key: key(), ..Wanted::default() });
+    testbed.up.quality.duplication = 1.0;
+    until(&mut testbed, 2.0);
+    let refused = testbed.station.status.as_ref().expect("the link is open").counts;
+    assert!(refused[6] > 20 && refused[5] == 0, "{refused:?}");
+}
+
+#[test]
+fn noise_on_the_port_harms_nobody() {
+    let mut testbed = taken_off(Wanted::default());
+    let noise = std::net::UdpSocket::bind("127.0.0.1:0").expect("a port");
+    let link = testbed.link().expect("it listens");
+    let mut random = sim::noise::Stream::new(3, sim::noise::Purpose::Radio);
+    let mut alarm = Alarm::Clear;
+    for step in 0..400 {
+        for _ in 0..20 {
+            let length = random.below(200) as usize;
+            let bytes: Vec<u8> = (0..length).map(|_| random.below(256) as u8).collect();
+            let _ = noise.send_to(&bytes, link);
+        }
+        testbed
+            .run_until(12.0 + 0.005 * f64::from(step), |done, _| alarm = done.moment.outputs.alarm)
+            .unwrap_or_else(|error| panic!("{error}"));
+    }
+    assert_eq!((alarm, testbed.station.phase()), (Alarm::Clear, Phase::Flight as u8));
+    assert!((testbed.bench.state().position.z - 1.0).abs() < 0.1);
+}
+
+#[test]
+fn a_second_ground_station_may_only_stop() {
+    let mut testbed = taken_off(Wanted::default());
+    let other = std::net::UdpSocket::bind("127.0.0.1:0").expect("a port");
+    let link = testbed.link().expect("it listens");
+    let mut framer = sim::ground_station::Framer::default();
+    let mut say = |order: &Order| {
+        for packet in framer.frame(order) {
+            other.send_to(&packet.bytes[..packet.length], link).expect("loopback takes it");
+        }
+    };
+    say(&Order::Hello);
+    say(&Order::Land);
+    say(&Order::Mode(Mode::Manual));
+    until(&mut testbed, 13.0);
+    assert_eq!(testbed.station.phase(), Phase::Flight as u8);
+    assert_eq!(testbed.station.status.as_ref().map(|status| status.mode), Some(0));
+    say(&Order::Stop);
+    until(&mut testbed, 13.5);
+    assert_eq!(testbed.station.signal(35), f32::from(Alarm::Asked as u8));
+}
+
+#[test]
+fn a_software_that_is_killed_is_met_again() {
+    let mut testbed = testbed(Wanted { key: key(), ..Wanted::default() });
+    until(&mut testbed, 2.0);
+    testbed.kill();
+    until(&mut testbed, 6.0);
+    assert_eq!(testbed.restarts, 1);
+    assert!(testbed.station.silence(6.0).is_some_and(|silence| silence < 0.1));
+    testbed.station.fly(6.0, vec![point(0.0, 0.0, 0.0, 1.0, 0.0)]);
+    testbed.station.order(6.0, Order::TakeOff);
+    until(&mut testbed, 14.0);
+    assert!((testbed.bench.state().position.z - 1.0).abs() < 0.1);
+}
+
+#[test]
+fn it_flies_again_after_a_stop_and_a_new_arming() {
+    let mut testbed = taken_off(Wanted::default());
+    testbed.station.order(12.0, Order::Stop);
+    until(&mut testbed, 14.0);
+    assert_eq!(testbed.bench.state().position.z, 0.0, "it falls");
+    testbed.inject(Injection::Back);
+    until(&mut testbed, 16.0);
+    testbed.station.order(16.0, Order::Arm);
+    until(&mut testbed, 17.0);
+    assert_eq!(testbed.station.phase(), Phase::Ready as u8);
+    testbed.station.order(17.0, Order::TakeOff);
+    until(&mut testbed, 26.0);
+    assert!((testbed.bench.state().position.z - 1.0).abs() < 0.1);
+}
+
+#[test]
+fn parameters_and_signals_change_in_flight_within_their_bounds() {
+    let mut testbed = taken_off(Wanted::default());
+    assert!(testbed.station.parameters.iter().all(Option::is_some));
+    testbed.station.order(12.0, Order::Set(0, 2.0));
+    testbed.station.order(12.0, Order::Set(1, 9.0));
+    testbed.station.order(12.0, Order::Set(19, 2.0));
+    testbed.station.choose(12.0, 8, [2; 36]);
+    until(&mut testbed, 13.0);
+    let parameters = &testbed.station.parameters;
+    assert_eq!(parameters[0], Some(2.0));
+    assert_eq!(parameters[1], Some(0.05), "9 is out of its range");
+    assert_eq!(parameters[19], Some(0.0), "another candidate only on the ground");
+    assert_eq!(testbed.station.chosen(), &[2; 36]);
+    let record = testbed.station.record().expect("records come down");
+    assert!((f64::from(record.values[35]) - 1.0).abs() < 0.1);
+}
+
+#[test]
+fn the_c_runs_again_from_a_recording_to_the_bit() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("flight.mcap");
+    // From the middle of the flight, over a bad link, with a key.
+    let mut testbed = taken_off(Wanted { quality: bad(), key: key(), ..Wanted::default() });
+    let image = testbed.bench.image().expect("the bus").expect("it answers");
+    let mut recorder = ground::recorder::Recorder::start(path.clone(), Some(image));
+    testbed.station.order(12.0, Order::Set(0, 2.0));
+    testbed
+        .run_until(15.0, |done, _| recorder.take(done))
+        .unwrap_or_else(|error| panic!("{error}"));
+    let state = recorder.finish();
+    assert_eq!((state.error, state.periods), (None, 600));
+
+    let program = Program::build(&bessemer_legs::root(), Target::Native)
+        .unwrap_or_else(|error| panic!("{error}"));
+    let report = ground::replay::replay(&program, &path).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!((report.steps, report.difference), (600, None));
+    let bytes = std::fs::read(&path).expect("the recording");
+    let secret = |place: &[u8]| place == KEY.as_slice();
+    assert!(!bytes.windows(16).any(secret), "the key is in no recording");
+}
+
+/// A recording of the first two seconds; in one of its periods a bit is another, if that is wanted.
+fn recorded(path: &std::path::Path, changed: Option<u64>) {
+    let mut testbed = testbed(Wanted::default());
+    let mut recorder = ground::recorder::Recorder::start(path.to_owned(), None);
+    let run = testbed.run_until(2.0, |done, _| {
+        let mut done = done.clone();
+        if done.count == changed && changed.is_some() {
+            let motor = &mut done.moment.outputs.command.motors[2];
+            *motor = f64::from_bits(motor.to_bits() ^ 1);
+        }
+        recorder.take(&done);
+    });
+    run.unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(recorder.finish().error, None);
+}
+
+#[test]
+fn one_bit_of_a_recording_is_told_by_its_step_and_signal() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("flight.mcap");
+    recorded(&path, Some(123));
+    let program = Program::build(&bessemer_legs::root(), Target::Native)
+        .unwrap_or_else(|error| panic!("{error}"));
+    let report = ground::replay::replay(&program, &path).unwrap_or_else(|error| panic!("{error}"));
+    let difference = report.difference.expect("a bit differs");
+    assert_eq!((difference.count, difference.signal.as_str()), (123, "command.motors[2]"));
+}
+
+#[test]
+fn the_cortex_a9_runs_a_recording_of_this_machine_to_the_bit() {
+    if !std::env::var("BESSEMER_FULL").is_ok_and(|value| value == "1") {
+        println!("left out: it compiles for the Cortex-A9; BESSEMER_FULL=1 brings it in");
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("flight.mcap");
+    recorded(&path, None);
+    let program = Program::build(&bessemer_legs::root(), Target::A9)
+        .unwrap_or_else(|error| panic!("{error}"));
+    let report = ground::replay::replay(&program, &path).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!((report.steps, report.difference), (400, None));
+}

@@ -1,0 +1,250 @@
+//! The page's server as a client sees it: HTTP and WebSocket, without a browser.
+//!
+//! The testbed is moved by the test, so that nothing waits for the clock: a test moves it until it sees what it
+//! waits for, or until that is hopeless.
+
+use ground::live::{self, Live};
+use ground::program::{Program, Target};
+use ground::server::{self, Hub};
+use ground::testbed::{Pace, Testbed, Wanted};
+use serde_json::{Value, json};
+use std::io::{Read, Write};
+use std::net::{SocketAddr, TcpStream};
+use std::sync::Arc;
+use tungstenite::client::IntoClientRequest;
+use tungstenite::{HandshakeError, Message, WebSocket};
+
+struct Served {
+    live: Live,
+    hub: Arc<Hub>,
+    address: SocketAddr,
+    folder: tempfile::TempDir,
+}
+
+fn served() -> Served {
+    let program = Program::build(&bessemer_legs::root(), Target::Native)
+        .unwrap_or_else(|error| panic!("{error}"));
+    let testbed = Testbed::start(&program, &Wanted { pace: Pace::Virtual, ..Wanted::default() })
+        .unwrap_or_else(|error| panic!("{error}"));
+    let (asked, asks) = live::queue();
+    let hub = Hub::new(asked, &live::hello(false)).expect("random bytes");
+    let address = server::start(([127, 0, 0, 1], 0).into(), hub.clone()).expect("a port");
+    let folder = tempfile::tempdir().expect("a folder");
+    let live = Live::new(testbed, hub.clone(), asks, folder.path().to_owned());
+    Served { live, hub, address, folder }
+}
+
+struct Page(WebSocket<TcpStream>);
+
+/// A page with an `Origin`, or the status with which it is turned away.
+fn page_from(address: SocketAddr, origin: Option<&str>) -> Result<Page, u16> {
+    let mut request = format!("ws://{address}/live").into_client_request().expect("an address");
+    if let Some(origin) = origin {
+        request.headers_mut().insert("origin", origin.parse().expect("an origin"));
+    }
+    let stream = TcpStream::connect(address).expect("the server listens");
+    match tungstenite::client(request, stream) {
+        Ok((socket, _)) => Ok(Page(socket)),
+        Err(HandshakeError::Failure(tungstenite::Error::Http(answer))) => {
+            Err(answer.status().as_u16())
+        }
+        Err(error) => panic!("{error}"),
+    }
+}
+
+impl Page {
+    fn open(served: &Served) -> Self {
+        page_from(served.address, None).unwrap_or_else(|status| panic!("{status}"))
+    }
+
+    fn ask(&mut self, what: &Value) {
+        self.0.send(Message::text(what.to_string())).expect("the server listens");
+    }
+
+    /// Reads until a message of a type comes.
+    fn hear(&mut self, kind: &str) -> Value {
+        loop {
+            let heard = self.0.read().expect("the server speaks");
+            let message: Value =
+                serde_json::from_str(heard.to_text().expect("it is text")).expect("it is JSON");
+            if message["type"] == kind {
+                return message;
+            }
+        }
+    }
+
+    /// Commands, which the server grants or not.
+    fn claim(&mut self, token: &str, force: bool) -> bool {
+        self.ask(&json!({ "type": "claim", "token": token, "force": force }));
+        self.hear("command")["granted"] == true
+    }
+
+    /// Waits until the server has read everything that was asked.
+    fn settle(&mut self) {
+        self.ask(&json!({ "type": "ping", "number": 1 }));
+        self.hear("pong");
+    }
+}
+
+impl Served {
+    /// Moves the testbed until something holds.
+    fn until(&mut self, what: &str, holds: impl Fn(&Testbed) -> bool) {
+        for _ in 0..10_000 {
+            if holds(&self.live.testbed) {
+                return;
+            }
+            self.live.step().unwrap_or_else(|error| panic!("{error}"));
+        }
+        panic!("{what}: never");
+    }
+
+    fn get(&self, request: &str) -> String {
+        let mut stream = TcpStream::connect(self.address).expect("the server listens");
+        let host = self.address;
+        write!(stream, "{request} HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n")
+            .expect("the server listens");
+        let mut answer = Vec::new();
+        stream.read_to_end(&mut answer).expect("the server answers");
+        String::from_utf8_lossy(&answer).into_owned()
+    }
+}
+
+fn height(testbed: &Testbed) -> f64 {
+    testbed.bench.state().position.z
+}
+
+#[test]
+fn a_page_takes_off_moves_lands_and_stops() {
+    let mut served = served();
+    let mut page = Page::open(&served);
+    let hello = page.hear("hello");
+    assert_eq!(hello["authenticated"], false);
+    assert_eq!(hello["parameters"].as_array().map(Vec::len), Some(20));
+    assert!(page.claim(served.hub.token(), false));
+    let there = |x: f64| json!({ "type": "fly", "points": [{ "time": 0, "x": x, "y": 0, "z": 1, "yaw": 0 }] });
+    page.ask(&there(0.0));
+    page.ask(&json!({ "type": "arm" }));
+    page.settle();
+    served.until("ready", |testbed| testbed.now() > 1.5);
+    page.ask(&json!({ "type": "take_off" }));
+    page.settle();
+    served.until("in the air", |testbed| height(testbed) > 0.9);
+    page.ask(&there(0.8));
+    page.settle();
+    served.until("there", |testbed| testbed.bench.state().position.x > 0.75);
+    page.ask(&json!({ "type": "land" }));
+    page.settle();
+    served.until("down", |testbed| height(testbed) == 0.0);
+    page.ask(&json!({ "type": "stop" }));
+    page.settle();
+    served.until("stopped", |testbed| testbed.station.signal(35) == 1.0);
+}
+
+#[test]
+fn whoever_has_no_token_watches() {
+    let mut served = served();
+    let mut page = Page::open(&served);
+    assert!(!page.claim("", false) && !page.claim(&"0".repeat(32), true));
+    for asked in [json!({ "type": "stop" }), json!({ "type": "take_off" })] {
+        page.ask(&asked);
+        assert_eq!(page.hear("refused")["reason"], "this page does not command");
+    }
+    page.ask(&json!({ "type": "nonsense" }));
+    assert!(page.hear("refused")["reason"].as_str().is_some_and(|it| it.contains("nonsense")));
+    served.until("frames", |testbed| testbed.now() > 1.0);
+    page.hear("frame");
+    assert_eq!(page.hear("state")["commanded"], false);
+}
+
+#[test]
+fn one_page_commands_and_any_with_the_token_stops() {
+    let mut served = served();
+    let token = served.hub.token().to_owned();
+    let (mut one, mut other) = (Page::open(&served), Page::open(&served));
+    assert!(one.claim(&token, false));
+    assert!(!other.claim(&token, false));
+    other.ask(&json!({ "type": "take_off" }));
+    assert_eq!(other.hear("refused")["reason"], "this page does not command");
+    other.ask(&json!({ "type": "stop" }));
+    other.settle();
+    served.until("stopped", |testbed| testbed.station.signal(35) == 1.0);
+    assert!(other.claim(&token, true), "taken away");
+    one.ask(&json!({ "type": "arm" }));
+    assert_eq!(one.hear("refused")["reason"], "this page does not command");
+    // Whoever leaves, commands no more.
+    drop(other);
+    let hub = served.hub.clone();
+    served.until("free", |_| !hub.is_commanded());
+    assert!(one.claim(&token, false));
+}
+
+#[test]
+fn pages_of_others_are_turned_away() {
+    let served = served();
+    let own = format!("http://{}", served.address);
+    assert!(page_from(served.address, Some(&own)).is_ok());
+    for origin in ["http://example.org", "null", "http://127.0.0.1:1", "file://"] {
+        assert_eq!(page_from(served.address, Some(origin)).err(), Some(403), "{origin}");
+    }
+}
+
+#[test]
+fn nothing_is_commanded_by_a_get() {
+    let mut served = served();
+    for path in ["/take_off", "/stop", "/live", "/../Cargo.toml", "/live?type=stop", "/flight.mcap"]
+    {
+        let answer = served.get(&format!("GET {path}"));
+        assert!(answer.starts_with("HTTP/1.1 4"), "{path}: {answer}");
+    }
+    assert!(served.get("POST /").starts_with("HTTP/1.1 405"));
+    let page = served.get("GET /");
+    assert!(page.starts_with("HTTP/1.1 200") && page.contains("page.js"), "{page}");
+    served.until("a second", |testbed| testbed.now() > 1.0);
+    assert_eq!(served.live.testbed.station.signal(35), 0.0);
+}
+
+#[test]
+fn a_page_that_reads_nothing_holds_nobody_up() {
+    let mut served = served();
+    let mut slow = Page::open(&served);
+    slow.hear("hello");
+    let pages: Vec<Page> = (0..100).map(|_| Page::open(&served)).collect();
+    served.until("most of a minute", |testbed| testbed.now() > 45.0);
+    assert_eq!(served.live.timing().missed, 0);
+    let mut last = pages.into_iter().next_back().expect("a hundred");
+    assert!(last.hear("state")["pages"].as_u64().is_some_and(|pages| pages >= 101));
+}
+
+#[test]
+fn a_full_disk_ends_the_recording_and_nothing_else() {
+    let mut served = served();
+    served.live.record("/dev/full".into());
+    let mut page = Page::open(&served);
+    served.until("a while", |testbed| testbed.now() > 30.0);
+    served.live.save();
+    served.until("told", |testbed| testbed.now() > 31.0);
+    let mut state = page.hear("state");
+    while state["time"].as_f64().is_some_and(|time| time < 30.5) {
+        state = page.hear("state");
+    }
+    let error = state["recording"]["error"].as_str().unwrap_or_default().to_owned();
+    assert!(error.contains("No space left"), "{state}");
+    assert!(served.live.testbed.bench.is_answered());
+}
+
+#[test]
+fn a_recording_is_made_and_downloaded() {
+    let mut served = served();
+    let token = served.hub.token().to_owned();
+    let mut page = Page::open(&served);
+    assert!(page.claim(&token, false));
+    page.ask(&json!({ "type": "record" }));
+    page.settle();
+    served.until("a second", |testbed| testbed.now() > 1.0);
+    page.ask(&json!({ "type": "save" }));
+    page.settle();
+    served.until("saved", |testbed| testbed.now() > 2.0);
+    let answer = served.get("GET /flight.mcap");
+    assert!(answer.starts_with("HTTP/1.1 200") && answer.contains("MCAP0"));
+    assert!(std::fs::read_dir(served.folder.path()).expect("the folder").count() == 1);
+}

@@ -1,0 +1,41 @@
+// The last half minute of every signal, in columns that grow and are cut, so that a plot is a view and no copy.
+
+import type { Frame } from "./protocol";
+
+const SIGNALS = 64;
+/** Samples that are shown: 30 s at 50 Hz. */
+const SHOWN = 1500;
+
+export class History {
+  private readonly times = new Float64Array(2 * SHOWN);
+  private readonly columns = Array.from({ length: SIGNALS }, () => new Float64Array(2 * SHOWN));
+  private begin = 0;
+  private end = 0;
+  private last = -1;
+  /** What each signal was last. */
+  readonly now = new Float64Array(SIGNALS).fill(NaN);
+  truth: number[] = [];
+
+  /** Takes a frame in; whether it is the first of another software. */
+  take(frame: Frame, period: number): boolean {
+    const anew = frame.period < this.last;
+    if (anew) this.begin = this.end = 0;
+    this.last = frame.period;
+    this.truth = frame.truth;
+    frame.signals.forEach((signal, place) => { this.now[signal] = frame.values[place] ?? NaN; });
+    if (this.end === 2 * SHOWN) {
+      // Cut to the younger half.
+      for (const column of [this.times, ...this.columns]) column.copyWithin(0, SHOWN);
+      this.begin = 0;
+      this.end = SHOWN;
+    }
+    this.times[this.end] = frame.period * period;
+    this.columns.forEach((column, signal) => { column[this.end] = this.now[signal]!; });
+    this.end += 1;
+    this.begin = Math.max(this.begin, this.end - SHOWN);
+    return anew;
+  }
+
+  get time(): Float64Array { return this.times.subarray(this.begin, this.end); }
+  column(signal: number): Float64Array { return this.columns[signal]!.subarray(this.begin, this.end); }
+}

@@ -1,0 +1,302 @@
+// The page: what comes from the server is shown, and what the operator does is sent.
+
+import "uplot/dist/uPlot.min.css";
+import "./page.css";
+import { History } from "./history";
+import { Plan } from "./plan";
+import { Plots } from "./plots";
+import { ALARM, CLOSED_LOOP, FEED_FORWARD, PHASE, WANTED, X, Y, Z } from "./protocol";
+import type { Ask, Frame, Hello, Point, State, Tell } from "./protocol";
+import { Scene } from "./scene";
+import { Socket } from "./socket";
+import { pilot } from "./sticks";
+
+const MODES = ["closed loop", "feed-forward", "manual"];
+/** Largest speed of a motor, rad/s: of the Mambo. */
+const FASTEST = 2631;
+
+function get<T extends HTMLElement>(id: string): T {
+  const found = document.getElementById(id);
+  if (!found) throw new Error(`the page has no #${id}`);
+  return found as T;
+}
+function make<K extends keyof HTMLElementTagNameMap>(tag: K, text = "", attributes: Record<string, string> = {}): HTMLElementTagNameMap[K] {
+  const made = document.createElement(tag);
+  made.textContent = text;
+  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
+  return made;
+}
+/** A number without a minus before zeros. */
+const fixed = (value: number | null | undefined, digits: number): string =>
+  value == null || !Number.isFinite(value) ? "–" : value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1");
+
+const history = new History();
+const plots = new Plots(get("plots"));
+const scene = new Scene(get<HTMLCanvasElement>("scene"));
+let hello: Hello | undefined;
+let commands = false;
+let open = false;
+let fresh = false;
+let mode = "";
+
+const socket = new Socket(take, (is) => {
+  open = is;
+  if (!is) granted(false, "");
+  link(undefined);
+});
+const ask = (type: string, more: Record<string, unknown> = {}): void => socket.send({ type, ...more } as Ask);
+
+const plan = new Plan(get<HTMLCanvasElement>("plan"), (x, y) => {
+  const round = (value: number) => Math.round(value * 100) / 100;
+  const wanted = history.now[WANTED + 2];
+  points = [{ time: 0, x: round(x), y: round(y), z: wanted && wanted > 0.2 ? round(wanted) : 1, yaw: 0 }];
+  list();
+  send();
+});
+
+// --- what comes ---
+
+function take(tell: Tell): void {
+  switch (tell.type) {
+    case "hello": return begin(tell);
+    case "frame": return frame(tell);
+    case "state": return state(tell);
+    case "command": return granted(tell.granted, tell.reason);
+    case "outcome": return say(`${tell.order}: ${{ done: "done", given_up: "nothing shows that it was carried out", refused: "refused" }[tell.outcome]}`, tell.outcome !== "done");
+    case "refused": return say(tell.reason, true);
+    case "pong": return;
+  }
+}
+
+function begin(tell: Hello): void {
+  hello = tell;
+  plan.space = tell.space[0];
+  const seal = get("seal");
+  seal.textContent = tell.authenticated ? "authenticated" : "unauthenticated";
+  seal.className = tell.authenticated ? "good" : "poor";
+  const parameters = get("parameters");
+  parameters.replaceChildren(...tell.parameters.map((it) => {
+    const row = make("tr"), input = make("input", "", { type: "number", min: `${it.least}`, max: `${it.most}`, step: "any", "aria-label": it.name, id: `parameter-${it.number}` });
+    input.addEventListener("change", () => {
+      if (input.checkValidity() && input.value !== "") ask("set", { number: it.number, value: Number(input.value) });
+      else say(`${it.name}: ${it.least} to ${it.most}`, true);
+    });
+    const cell = make("td");
+    cell.append(input);
+    row.append(make("th", it.name), cell, make("td", it.unit), make("td", `${it.least} … ${it.most}${it.in_flight ? "" : ", on the ground"}`, { class: "hint" }));
+    return row;
+  }));
+  get("signals").replaceChildren(...tell.signals.map((it) => {
+    const label = make("label"), box = make("input", "", { type: "checkbox", value: `${it.number}` });
+    label.append(box, ` ${it.name}${it.unit ? `, ${it.unit}` : ""}`);
+    return label;
+  }));
+}
+
+function frame(tell: Frame): void {
+  if (!hello) return;
+  if (history.take(tell, hello.period)) scene.forget();
+  document.body.dataset["frames"] = `${Number(document.body.dataset["frames"] ?? 0) + 1}`;
+  fresh = true;
+}
+
+function state(tell: State): void {
+  link(tell);
+  mode = tell.mode == null ? "" : MODES[tell.mode] ?? "";
+  get("mode").textContent = mode || "–";
+  tell.parameters.forEach((value, number) => {
+    const input = document.getElementById(`parameter-${number}`) as HTMLInputElement | null;
+    if (input && value != null && document.activeElement !== input) input.value = `${Number(value.toPrecision(6))}`;
+  });
+  const { recording, timing, up, down, heard, counts } = tell;
+  get("record").textContent = recording.running ? "End the recording" : "Record";
+  get("recording").textContent = recording.error ?? (recording.running ? `${fixed(recording.periods * (hello?.period ?? 0), 0)} s` : "");
+  get("recording").className = recording.error ? "bad" : "";
+  get("download").hidden = !recording.ready;
+  get("claim").textContent = commands ? "Give up command" : tell.commanded ? "Take command from the other page" : "Take command";
+  const rows: [string, string][] = [
+    ["up: sent, lost, doubled, overtaken", [up.sent, up.lost, up.doubled, up.overtaken].join(", ")],
+    ["down: sent, lost, doubled, overtaken", [down.sent, down.lost, down.doubled, down.overtaken].join(", ")],
+    ["came down, broken, missing", [heard.heard, heard.broken, heard.missing].join(", ")],
+    ["on board: taken, broken, old, senseless", counts?.slice(0, 4).join(", ") ?? "–"],
+    ["unsealed, forged, replayed", counts?.slice(4, 7).join(", ") ?? "–"],
+    ["periods, missed, slowest", `${timing.periods}, ${timing.missed}, ${timing.slowest} µs`],
+    ["pages, frames they missed", `${tell.pages}, ${tell.skipped}`],
+    ["software started anew", `${tell.restarts}`],
+  ];
+  get("counts").replaceChildren(...rows.flatMap(([name, value]) => [make("dt", name), make("dd", value)]));
+}
+
+function link(tell: State | undefined): void {
+  const element = get("link");
+  const [text, how] = !open ? ["page cut off", "bad"]
+    : !tell ? ["connecting", "poor"]
+    : !tell.alive ? ["software silent", "bad"]
+    : tell.silence == null || tell.silence > 1 ? [`lost for ${fixed(tell.silence, 0)} s`, "bad"]
+    : [`${Math.round(100 * (1 - lossOf(tell)))} %`, lossOf(tell) > 0.1 ? "poor" : "good"];
+  element.textContent = text ?? "";
+  element.className = how ?? "";
+}
+
+/** The share of what came down that was missing, of late. */
+let before = { heard: 0, missing: 0 };
+let share = 0;
+function lossOf({ heard }: State): number {
+  const came = heard.heard - before.heard, missing = heard.missing - before.missing;
+  if (came < 0) before = { heard: 0, missing: 0 };
+  if (came + missing > 100) {
+    share = missing / (came + missing);
+    before = { heard: heard.heard, missing: heard.missing };
+  }
+  return share;
+}
+
+function granted(is: boolean, reason: string): void {
+  commands = is;
+  document.body.dataset["commands"] = `${is}`;
+  if (reason) say(reason, true);
+  for (const control of document.querySelectorAll<HTMLButtonElement | HTMLInputElement | HTMLSelectElement>(
+    "#middle button, #middle input, #middle select")) control.disabled = !is;
+}
+
+function say(text: string, bad = false): void {
+  const line = make("li", `${new Date().toLocaleTimeString()} ${text}`);
+  if (bad) line.className = "bad";
+  const log = get("log");
+  log.prepend(line);
+  while (log.children.length > 30) log.lastChild?.remove();
+}
+
+// --- what is drawn ---
+
+const bars = Array.from({ length: 4 }, (_, n) => {
+  const bar = make("div", "", { class: "motor" }), closed = make("i", "", { class: "closed" }), forward = make("i", "", { class: "forward" });
+  bar.append(make("span", `motor ${n + 1}`), forward, closed, make("b"));
+  get("motors").append(bar);
+  return { closed, forward, text: bar.lastChild as HTMLElement };
+});
+
+function draw(): void {
+  requestAnimationFrame(draw);
+  if (!fresh) return;
+  fresh = false;
+  const { now } = history;
+  const phase = hello?.phases[now[PHASE] ?? 0] ?? "–", alarm = hello?.alarms[now[ALARM] ?? 0] ?? "–";
+  document.body.dataset["phase"] = phase;
+  document.body.dataset["alarm"] = alarm;
+  document.body.dataset["height"] = fixed(now[Z], 3);
+  document.body.dataset["place"] = `${fixed(now[X], 2)},${fixed(now[Y], 2)}`;
+  get("phase").textContent = phase;
+  get("phase").className = phase === "hold" ? "poor" : "";
+  get("alarm").textContent = alarm === "clear" ? "none" : alarm;
+  get("alarm").className = alarm === "clear" ? "good" : "bad";
+  const wanted: [number, number, number] = [now[WANTED] ?? 0, now[WANTED + 1] ?? 0, now[WANTED + 2] ?? 0];
+  get("readout").textContent = `x ${fixed(now[X], 2)}  y ${fixed(now[Y], 2)}  z ${fixed(now[Z], 2)} m`;
+  scene.show(now, history.truth, wanted);
+  plan.show([now[X] ?? 0, now[Y] ?? 0], [wanted[0], wanted[1]]);
+  plots.show(history);
+  bars.forEach(({ closed, forward, text }, n) => {
+    const [own, given] = [Math.abs(now[CLOSED_LOOP + n] ?? 0), Math.abs(now[FEED_FORWARD + n] ?? 0)];
+    forward.style.width = `${100 * given / FASTEST}%`;
+    closed.style.width = `${100 * own / FASTEST}%`;
+    text.textContent = fixed(own + given, 0);
+  });
+}
+
+// --- what is asked for ---
+
+let points: Point[] = [{ time: 0, x: 0, y: 0, z: 1, yaw: 0 }];
+
+function list(): void {
+  get("points").replaceChildren(...points.map((point, index) => {
+    const row = make("tr");
+    const cell = (name: keyof Point, scale = 1) => {
+      const input = make("input", "", { type: "number", step: "any", "aria-label": `${name} of point ${index + 1}` });
+      input.value = `${Math.round(point[name] * scale * 1000) / 1000}`;
+      input.disabled = !commands;
+      input.addEventListener("change", () => { point[name] = Number(input.value) / scale; });
+      const place = make("td");
+      place.append(input);
+      return place;
+    };
+    const away = make("button", "×", { type: "button", class: "quiet", "aria-label": `remove point ${index + 1}` });
+    away.addEventListener("click", () => { points.splice(index, 1); list(); });
+    const last = make("td");
+    last.append(away);
+    row.append(cell("time"), cell("x"), cell("y"), cell("z"), cell("yaw", 180 / Math.PI), last);
+    return row;
+  }));
+}
+
+const send = (): void => ask("fly", { points });
+
+function order(type: string): void {
+  // There is somewhere to fly to before there is a take-off.
+  if (type === "arm") send();
+  ask(type);
+}
+
+function choose(button: HTMLElement): void {
+  const gain = button.dataset["gain"];
+  if (gain) ask("set", { number: hello?.parameters.find((it) => it.name === "feed-forward gain")?.number ?? 0, value: Number(gain) });
+  ask("mode", { mode: button.dataset["mode"] });
+}
+
+for (const button of document.querySelectorAll<HTMLElement>("[data-order]")) button.addEventListener("click", () => order(button.dataset["order"] ?? ""));
+for (const button of document.querySelectorAll<HTMLElement>("[data-mode]")) button.addEventListener("click", () => choose(button));
+get("stop").addEventListener("click", () => ask("stop"));
+get("claim").addEventListener("click", () => {
+  if (!socket.trusted) return say("open the address with the token that the program printed", true);
+  if (commands) { socket.wants = false; ask("release"); } else socket.claim(get("claim").textContent?.includes("other") ?? false);
+});
+get("add").addEventListener("click", () => {
+  const last = points[points.length - 1] ?? { time: -5, x: 0, y: 0, z: 1, yaw: 0 };
+  points.push({ ...last, time: last.time + 5 });
+  list();
+});
+get("fly").addEventListener("click", send);
+get("kill").addEventListener("click", () => ask("kill"));
+get("record").addEventListener("click", () => ask(get("record").textContent === "Record" ? "record" : "save"));
+get("choose").addEventListener("click", () => {
+  const chosen = [...document.querySelectorAll<HTMLInputElement>("#signals input:checked")].map((box) => Number(box.value));
+  if (chosen.length === 0 || chosen.length > 36) return say("1 to 36 signals", true);
+  ask("choose", { every: 4, signals: chosen });
+});
+const inject = (what: string, more: Record<string, unknown>): void => ask("inject", { injection: { what, ...more } });
+get("back").addEventListener("click", () => inject("back", {}));
+get<HTMLSelectElement>("motor").addEventListener("change", (event) => {
+  const { value } = event.target as HTMLSelectElement;
+  inject("motor", { number: value === "" ? null : Number(value) });
+});
+get("gyroscope").addEventListener("change", (event) => inject("gyroscope", { stuck: (event.target as HTMLInputElement).checked }));
+get("vicon").addEventListener("change", (event) => inject("vicon", { away: (event.target as HTMLInputElement).checked }));
+get("wind").addEventListener("input", (event) => {
+  const force = Number((event.target as HTMLInputElement).value);
+  get("wind-is").textContent = `${fixed(force * 1000, 0)} mN`;
+  inject("wind", { force: [force, 0], gusts: 0.001 + force / 4 });
+});
+get("loss").addEventListener("input", (event) => {
+  const loss = Number((event.target as HTMLInputElement).value);
+  get("loss-is").textContent = `${fixed(loss * 100, 0)} %`;
+  ask("link", { loss, duplication: 0, reordering: 0, delay: 0 });
+});
+
+addEventListener("keydown", (event) => {
+  if (event.key === "Escape") { event.preventDefault(); return ask("stop"); }
+  const typing = event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement;
+  if (typing || event.repeat || event.ctrlKey || event.altKey || event.metaKey) return;
+  const key = event.key.toLowerCase();
+  const orders: Record<string, string> = { m: "arm", t: "take_off", l: "land" };
+  if (orders[key]) order(orders[key]);
+  const buttons = document.querySelectorAll<HTMLElement>("[data-mode]");
+  if (/^[1-5]$/.test(key)) choose(buttons[Number(key) - 1]!);
+});
+pilot(() => commands && mode === "manual", (sticks) => ask("sticks", { ...sticks }));
+
+addEventListener("error", (event) => {
+  document.body.dataset["failure"] = event.message;
+  say(event.message, true);
+});
+granted(false, "");
+list();
+draw();

@@ -1,0 +1,123 @@
+// The plots: what each shows, and how a history becomes one.
+
+import uPlot from "uplot";
+import type { History } from "./history";
+import { onResize } from "./resize";
+import { CLOSED_LOOP, FEED_FORWARD, GAIN, ROLL, VARIANCE, WANTED, WANTED_YAW, X, Y, YAW, Z } from "./protocol";
+
+interface Line { name: string; signal: number; colour: string; dash?: boolean; scale?: number; band?: number }
+interface Plot { title: string; lines: Line[] }
+
+/** Of a plot without its legend, px: six of them fit on a screen. */
+const HEIGHT = 118;
+
+const DEGREES = 180 / Math.PI;
+const MOTORS = ["--one", "--two", "--three", "--four"];
+const motors = (first: number): Line[] =>
+  MOTORS.map((colour, n) => ({ name: `${n + 1}`, signal: first + n, colour }));
+
+const PLOTS: Plot[] = [
+  { title: "Height, m", lines: [
+    { name: "z", signal: Z, colour: "--one", band: VARIANCE + 2 },
+    { name: "wanted", signal: WANTED + 2, colour: "--wanted", dash: true } ] },
+  { title: "Place, m", lines: [
+    { name: "x", signal: X, colour: "--one", band: VARIANCE },
+    { name: "y", signal: Y, colour: "--two", band: VARIANCE + 1 },
+    { name: "wanted x", signal: WANTED, colour: "--one", dash: true },
+    { name: "wanted y", signal: WANTED + 1, colour: "--two", dash: true } ] },
+  { title: "Roll and pitch, °", lines: [
+    { name: "roll", signal: ROLL, colour: "--one", scale: DEGREES, band: VARIANCE + 3 },
+    { name: "pitch", signal: ROLL + 1, colour: "--two", scale: DEGREES, band: VARIANCE + 4 } ] },
+  { title: "Yaw, °", lines: [
+    { name: "yaw", signal: YAW, colour: "--one", scale: DEGREES, band: VARIANCE + 5 },
+    { name: "wanted", signal: WANTED_YAW, colour: "--wanted", scale: DEGREES, dash: true } ] },
+  { title: "Motors, closed loop, rad/s", lines: motors(CLOSED_LOOP) },
+  { title: "Motors, feed-forward, rad/s", lines: [...motors(FEED_FORWARD),
+    { name: "gain × 1000", signal: GAIN, colour: "--wanted", scale: 1000, dash: true }] },
+];
+
+const css = (name: string): string => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+
+class Chart {
+  private readonly plot: uPlot;
+  private readonly scratch: Float64Array[] = [];
+
+  constructor(private readonly what: Plot, parent: HTMLElement) {
+    const series: uPlot.Series[] = [{ label: "s" }];
+    const bands: uPlot.Band[] = [];
+    for (const line of what.lines) {
+      series.push({ label: line.name, stroke: () => css(line.colour), width: 1.5,
+        value: (_, value) => value == null || Number.isNaN(value) ? "–" : (value as number).toFixed(3).replace(/^-(0\.0+)$/, "$1"),
+        ...(line.dash ? { dash: [6, 4] } : {}) });
+    }
+    // The bands' edges stand behind the lines, and are not in the legend.
+    for (const line of what.lines) {
+      if (line.band === undefined) continue;
+      const at = series.length;
+      for (let edge = 0; edge < 2; edge += 1) series.push({ width: 0, points: { show: false }, class: "edge" });
+      bands.push({ series: [at, at + 1], fill: () => `color-mix(in srgb, ${css(line.colour)} 22%, transparent)` });
+    }
+    const axis = (): uPlot.Axis => ({ stroke: () => css("--quiet"), grid: { stroke: () => css("--line"), width: 1 },
+      ticks: { stroke: () => css("--line"), width: 1 }, font: "11px system-ui", size: 54 });
+    this.plot = new uPlot({
+      title: what.title, width: 400, height: HEIGHT, series, bands, axes: [{ ...axis(), size: 26 }, axis()],
+      scales: { x: { time: false }, y: { range: (_, low, high) => wide(low, high) } },
+      cursor: { points: { show: false } }, legend: { live: true, markers: { stroke: (_, n) => `var(${what.lines[n - 1]?.colour ?? "--quiet"})` } }, pxAlign: 0,
+    }, [[], ...series.slice(1).map(() => [])], parent);
+  }
+
+  resize(width: number): void { this.plot.setSize({ width, height: HEIGHT }); }
+  redraw(): void { this.plot.redraw(false, true); }
+
+  show(history: History): void {
+    const data: (Float64Array)[] = [history.time];
+    const length = history.time.length;
+    let at = 0;
+    const next = (): Float64Array => {
+      const found = this.scratch[at];
+      const array = found && found.length >= length ? found : new Float64Array(2 * length + 64);
+      this.scratch[at] = array;
+      at += 1;
+      return array.subarray(0, length);
+    };
+    for (const { signal, scale } of this.what.lines) {
+      const column = history.column(signal);
+      if (scale === undefined) { data.push(column); continue; }
+      const scaled = next();
+      for (let n = 0; n < length; n += 1) scaled[n] = column[n]! * scale;
+      data.push(scaled);
+    }
+    for (const { signal, scale = 1, band } of this.what.lines) {
+      if (band === undefined) continue;
+      const column = history.column(signal), variance = history.column(band);
+      const upper = next(), lower = next();
+      for (let n = 0; n < length; n += 1) {
+        // Two standard deviations.
+        const far = 2 * Math.sqrt(variance[n]!);
+        upper[n] = (column[n]! + far) * scale;
+        lower[n] = (column[n]! - far) * scale;
+      }
+      data.push(upper, lower);
+    }
+    this.plot.setData(data as unknown as uPlot.AlignedData);
+  }
+}
+
+/** A range that never makes noise look like a flight. */
+function wide(low: number, high: number): [number, number] {
+  if (!Number.isFinite(low) || !Number.isFinite(high)) return [0, 1];
+  const middle = (low + high) / 2, half = Math.max((high - low) * 0.55, 0.05);
+  return [middle - half, middle + half];
+}
+
+export class Plots {
+  private readonly charts: Chart[];
+
+  constructor(parent: HTMLElement) {
+    this.charts = PLOTS.map((plot) => new Chart(plot, parent));
+    onResize(parent, () => this.charts.forEach((chart) => chart.resize(parent.clientWidth - 4)));
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.charts.forEach((chart) => chart.redraw()));
+  }
+
+  show(history: History): void { this.charts.forEach((chart) => chart.show(history)); }
+}

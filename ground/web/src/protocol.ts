@@ -1,0 +1,30 @@
+// What goes between the page and the server: the shapes of ground/src/messages.rs.
+
+export interface Signal { number: number; name: string; unit: string }
+export interface Parameter { number: number; name: string; unit: string; least: number; most: number; in_flight: boolean }
+export interface Counts { sent: number; lost: number; doubled: number; overtaken: number }
+export interface Hello {
+  type: "hello"; signals: Signal[]; parameters: Parameter[]; phases: string[]; alarms: string[];
+  authenticated: boolean; space: [number, number, number]; period: number;
+}
+export interface Frame { type: "frame"; period: number; signals: number[]; values: (number | null)[]; truth: number[] }
+export interface State {
+  type: "state"; time: number; alive: boolean; restarts: number; silence: number | null;
+  timing: { periods: number; missed: number; slowest: number };
+  up: Counts; down: Counts; heard: { heard: number; broken: number; missing: number };
+  counts: number[] | null; mode: number | null; parameters: (number | null)[];
+  pages: number; commanded: boolean; skipped: number;
+  recording: { running: boolean; periods: number; error: string | null; ready: boolean };
+}
+export type Tell = Hello | Frame | State
+  | { type: "command"; granted: boolean; reason: string }
+  | { type: "outcome"; order: string; outcome: "done" | "given_up" | "refused" }
+  | { type: "refused"; reason: string }
+  | { type: "pong"; number: number };
+
+export interface Point { time: number; x: number; y: number; z: number; yaw: number }
+export type Ask = { type: string } & Record<string, unknown>;
+
+// Numbers of signals on board.
+export const X = 0, Y = 1, Z = 2, ROLL = 3, YAW = 5, WANTED = 12, WANTED_YAW = 15, PHASE = 16, TIME = 17;
+export const CLOSED_LOOP = 18, FEED_FORWARD = 26, GAIN = 34, ALARM = 35, VARIANCE = 51;
