@@ -52,6 +52,9 @@ pub enum Task {
     /// What the simulation does: `sim`, `identify`, `campaign`
     #[command(flatten)]
     Simulation(sim_args::Task),
+    /// What the ground station does: `fly`, `replay`
+    #[command(flatten)]
+    Ground(ground_args::Task),
 }
 
 /// Arguments of `gen`.
@@ -248,17 +251,20 @@ mod tests {
         assert!(matches!(parse(&["bench", "--quick"]), Ok(Task::Bench(Bench { quick: true, .. }))));
         assert!(matches!(parse(&["sim"]), Ok(Task::Simulation(_))));
         assert!(matches!(parse(&["sim", "hover", "--c"]), Ok(Task::Simulation(_))));
+        assert!(matches!(parse(&["fly", "--headless"]), Ok(Task::Ground(_))));
+        assert!(matches!(parse(&["replay", "f.mcap"]), Ok(Task::Ground(_))));
     }
 
-    /// By the same definitions as the program has, without building it.
+    /// By the same definitions as the programs have, without building them.
     #[test]
-    fn the_simulation_is_helped_and_refused_here() {
+    fn simulation_and_ground_station_are_helped_and_refused_here() {
         use clap::error::ErrorKind;
-        for command in ["sim", "identify", "campaign"] {
+        for command in ["sim", "identify", "campaign", "fly", "replay"] {
             assert_eq!(parse(&[command, "--help"]).err(), Some(ErrorKind::DisplayHelp));
             assert_eq!(parse(&[command, "--sed", "1"]).err(), Some(ErrorKind::UnknownArgument));
         }
         assert_eq!(parse(&["campaign", "spred"]).err(), Some(ErrorKind::InvalidValue));
+        assert_eq!(parse(&["fly", "--loss", "101%"]).err(), Some(ErrorKind::ValueValidation));
     }
 
     #[test]

@@ -8,7 +8,7 @@ use clap::Parser;
 use xtask::args::{Arguments, Task};
 use xtask::error::{Error, Outcome};
 use xtask::tools::ThisMachine;
-use xtask::{bench, doctor, generate, mutate, project, sim, test};
+use xtask::{bench, doctor, generate, hand_over, mutate, project, test};
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
@@ -30,6 +30,7 @@ fn perform(task: &Task) -> Result<Outcome, Error> {
         Task::Mutate(wanted) => mutate::run(&root, wanted),
         Task::Doctor(wanted) => doctor::run(wanted, &ThisMachine),
         Task::Bench(wanted) => bench::run(&root, wanted, &ThisMachine),
-        Task::Simulation(_) => sim::run(&root, std::env::args_os().skip(1)),
+        Task::Simulation(_) => hand_over::run(&root, "sim", std::env::args_os().skip(1)),
+        Task::Ground(_) => hand_over::run(&root, "ground", std::env::args_os().skip(1)),
     }
 }

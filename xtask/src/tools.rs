@@ -220,6 +220,13 @@ pub const TOOLS: &[Tool] = &[
         source: Source::Package("qemu-user"),
     },
     Tool {
+        name: "chromium",
+        purpose: "shows the page of the ground station",
+        need: Need::Full,
+        probe: Probe::Version("chromium"),
+        source: Source::Package("chromium"),
+    },
+    Tool {
         name: "valgrind",
         purpose: "counts instructions on the host",
         need: Need::Bench,

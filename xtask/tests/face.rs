@@ -79,6 +79,7 @@ impl Fake {
         for (emulator, answer) in [
             ("qemu-aarch64", "qemu-aarch64 version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)"),
             ("qemu-riscv64", "qemu-riscv64 version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)"),
+            ("chromium", "Chromium 150.0.1 built on Debian GNU/Linux 12 (bookworm)"),
             ("qemu-s390x", "qemu-s390x version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)"),
         ] {
             fake = fake.with(emulator, answer);
@@ -216,6 +217,7 @@ qemu-riscv64             7.2.22        test --full        runs it
 s390x-linux-gnu-gcc      12.2.0        test --full        compiles the emitted C for s390x, which is big-endian
 s390x C library          found         test --full        headers and libraries for the above
 qemu-s390x               7.2.22        test --full        runs it
+chromium                 150.0.1       test --full        shows the page of the ground station
 valgrind                 3.19.0        bench              counts instructions on the host
 arm-linux-gnueabihf-g++  12.2.0        bench              compiles Eigen for the Cortex-A9
 Eigen                    found         bench              a peer

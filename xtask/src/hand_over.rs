@@ -1,10 +1,11 @@
-//! `cargo xtask sim`, `identify` and `campaign`: hand over to the program of the `sim` crate.
+//! `cargo xtask sim`, `identify`, `campaign`, `fly` and `replay`: hand over to the programs of the `sim` and `ground`
+//! crates.
 //!
 //! Invariant: it is a program of its own, so that a fault in a model never keeps xtask from building; and it
 //! is built with optimisation, so that a flight takes a moment. Its command lines are those of `sim-args`, so that help and
 //! what is mistyped need no build.
 //!
-//! What it must not know: the plant, the flights' contents.
+//! What it must not know: the plant, the flights' contents, the page.
 
 use crate::error::{Error, Outcome};
 use crate::stages::Progress;
@@ -14,13 +15,20 @@ use std::io::IsTerminal;
 use std::path::Path;
 use std::process::ExitStatus;
 
-/// Builds the program, in sight, and runs it with the words of the command line, which have been parsed.
+/// Builds the program of a package, in sight, and runs it with the words of the command line, which have been parsed.
 ///
 /// # Errors
 /// [`Error::Spawn`] if cargo does not start, [`Error::Stage`] if the program does not build.
-pub fn run(root: &Path, words: impl Iterator<Item = OsString>) -> Result<Outcome, Error> {
-    let stage = "building the simulation";
-    let mut build = project::cargo(root, &["build", "--release", "--package", "sim"]);
+pub fn run(
+    root: &Path,
+    package: &str,
+    words: impl Iterator<Item = OsString>,
+) -> Result<Outcome, Error> {
+    let stage = match package {
+        "sim" => "building the simulation",
+        _ => "building the ground station",
+    };
+    let mut build = project::cargo(root, &["build", "--release", "--package", package]);
     let verdict = |status: ExitStatus| match status.success() {
         true => Ok(()),
         false => Err(Error::Stage { stage, status, remedy: None }),
@@ -31,7 +39,7 @@ pub fn run(root: &Path, words: impl Iterator<Item = OsString>) -> Result<Outcome
         false => Progress::default()
             .closed(stage, |voice| verdict(stages::captured(&mut build, voice)?))?,
     }
-    let run = ["run", "--quiet", "--release", "--package", "sim", "--"];
+    let run = ["run", "--quiet", "--release", "--package", package, "--"];
     let mut command = project::cargo(root, &run);
     command.args(words);
     let status = stages::attached(&mut command)?;
