@@ -154,6 +154,25 @@ fn packages() -> Vec<Value> {
     metadata["packages"].as_array().cloned().expect("a list of packages")
 }
 
+/// Cargo builds a package once for each set of features. `xtask/Cargo.toml` asks for what the tests ask for, so that
+/// the compiler, and all below it, is built once for both.
+#[test]
+fn what_xtask_needs_is_built_once() {
+    let of_xtask = built(&["--package", "xtask", "--edges", "normal,build"]);
+    let of_tests = built(&["--workspace", "--edges", "normal,build,dev"]);
+    let twice = of_xtask.difference(&of_tests).cloned().collect::<Vec<_>>();
+    none("xtask asks for the features that the tests' build has of a package", &twice);
+}
+
+/// Packages with their features, as a build has them.
+fn built(chosen: &[&str]) -> BTreeSet<String> {
+    let mut cargo = xtask::project::cargo(&root(), &["tree", "--offline", "--prefix", "none"]);
+    let output = cargo.args(["--no-dedupe", "--format", "{p} {f}"]).args(chosen).output();
+    let output = output.expect("cargo starts");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8_lossy(&output.stdout).lines().map(|line| line.trim().to_owned()).collect()
+}
+
 /// Libraries without unit tests say `test = false`, which saves building them twice; none says it that has some.
 #[test]
 fn what_is_not_built_as_a_test_has_none() {
