@@ -59,9 +59,10 @@ fn whole(
     let options = &Options { license: package.license.clone(), ..options.clone() };
     let (module, typed) = typify::typify(package, sources, options.layout == Layout::Columns)?;
     gate(&module)?;
-    let (explicit, checks) = passes::explicit(module.clone()).map_err(|errors| {
-        errors.iter().map(|error| unproved(&module, error)).collect::<Vec<_>>()
-    })?;
+    let (explicit, checks) =
+        passes::explicit_with(module.clone(), options.keep_checks).map_err(|errors| {
+            errors.iter().map(|error| unproved(&module, error)).collect::<Vec<_>>()
+        })?;
     let explicit = passes::lend(explicit, &options.kernels);
     gate(&explicit)?;
     let taken: Vec<_> = c::given::taken(&explicit, options)

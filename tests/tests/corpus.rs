@@ -150,29 +150,34 @@ fn the_interpreter_agrees() {
     for module in [&compiled.module, &compiled.explicit] {
         let mut interpreter = Interpreter::new(module);
         for case in cases() {
-            let parameters = module.functions[case.id.index()].parameters();
-            let stateful = module.functions[case.id.index()].owner.is_some();
-            for (index, call) in case.calls.iter().enumerate() {
-                let mut arguments = call.clone();
-                // What the compiler added, a work struct, is nothing that Rust knows.
-                for added in &parameters[call.len()..] {
-                    arguments.push(vec![0; module.leaves(&added.ty).len()]);
-                }
-                let got = match interpreter.call(case.id, &mut arguments) {
-                    Ok(mut words) => {
-                        for (at, argument) in arguments[..call.len()].iter().enumerate() {
-                            if at == 0 && stateful || parameters[at].mode == Mode::RefMut {
-                                words.extend(argument);
-                            }
-                        }
-                        Ok(words)
-                    }
-                    Err(Stop::Fault { fault, .. }) => Err(fault),
-                    Err(stop) => panic!("{}: {stop}", case.name),
-                };
-                agree("interpreter", module, case, index, &got);
-            }
+            interpreted(compiled, module, &mut interpreter, case);
         }
+    }
+}
+
+/// Each call of an entry point in an interpreter of `module`.
+fn interpreted(compiled: &Compiled, module: &Module, interpreter: &mut Interpreter, case: &Case) {
+    let parameters = module.functions[case.id.index()].parameters();
+    let stateful = module.functions[case.id.index()].owner.is_some();
+    for (index, call) in case.calls.iter().enumerate() {
+        let mut arguments = call.clone();
+        // What the compiler added, a work struct, is nothing that Rust knows.
+        for added in &parameters[call.len()..] {
+            arguments.push(vec![0; module.leaves(&added.ty).len()]);
+        }
+        let got = match interpreter.call(case.id, &mut arguments) {
+            Ok(mut words) => {
+                for (at, argument) in arguments[..call.len()].iter().enumerate() {
+                    if at == 0 && stateful || parameters[at].mode == Mode::RefMut {
+                        words.extend(argument);
+                    }
+                }
+                Ok(words)
+            }
+            Err(Stop::Fault { fault, .. }) => Err(fault),
+            Err(stop) => panic!("{}: {stop}", case.name),
+        };
+        agree("interpreter", &compiled.module, case, index, &got);
     }
 }
 
@@ -324,5 +329,21 @@ fn the_c_agrees_in_every_layout() {
                 scope.spawn(move || run_c_with(compiled, cases, &toolchain, flags, options));
             }
         });
+    }
+}
+
+/// Checks that were proved stand in the module and in the C all the same, and none of them fails.
+#[test]
+fn what_was_proved_holds() {
+    let options = Options { keep_checks: true, ..Options::default() };
+    let kept = corpus_with(&options);
+    let cases = cases();
+    let mut interpreter = Interpreter::new(&kept.explicit);
+    for case in cases {
+        interpreted(&kept, &kept.explicit, &mut interpreter, case);
+    }
+    let chosen = toolchain::host().into_iter().find(|it| it.level == 2);
+    if let Some(toolchain) = chosen {
+        run_c_with(&kept, cases, &toolchain, &["-w"], &options);
     }
 }

@@ -7,8 +7,8 @@
 //! words goes through a copy); memory above `top` is free.
 
 use bessemer_ir::{
-    Argument, Block, Expr, ExprKind, Fault, Function, FunctionId, Int, LogicOp, Mode, Module,
-    Place, Routine, Span, Step, Stmt, StmtKind, Type,
+    Argument, Block, Expr, ExprKind, Fault, Function, FunctionId, Int, Intrinsic, LogicOp, Mode,
+    Module, Place, Routine, Span, Step, Stmt, StmtKind, Type,
 };
 
 use super::layout::Layout;
@@ -216,9 +216,13 @@ impl<'m, 'r> Run<'m, 'r> {
             self.memory[slot] = value as u64;
             match self.block(frame, body)? {
                 Flow::Next | Flow::Continue => {}
-                Flow::Break => break,
+                Flow::Break => return Ok(Flow::Next),
                 Flow::Return => return Ok(Flow::Return),
             }
+        }
+        if *ended && first + passed > last {
+            // In the C nothing counts, so it would go on.
+            return frame.fault(Fault::LeftOut, stmt.span);
         }
         Ok(Flow::Next)
     }
@@ -329,6 +333,12 @@ impl<'m, 'r> Run<'m, 'r> {
                     return Ok(scalar::cast_number(value.into(), &expr.ty));
                 }
                 Ok(scalar::cast(&operand.ty, &expr.ty, word))
+            }
+            ExprKind::Intrinsic(Intrinsic::Variant, operands) => {
+                let word = self.word(frame, &operands[0])?;
+                let Type::Enum(id) = operands[0].ty else { unreachable!("validated: an enum") };
+                let last = self.module.enums[id.index()].variants.len().saturating_sub(1);
+                Ok(word.min(last as u64))
             }
             ExprKind::Intrinsic(function, operands) => {
                 let mut words = [0; 3];

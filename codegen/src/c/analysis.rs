@@ -6,8 +6,8 @@
 use std::collections::BTreeSet;
 
 use bessemer_ir::{
-    Argument, Block, Expr, ExprKind, Function, FunctionId, LocalId, Mode, Module, Owner, Place,
-    Role, Step, Stmt, StmtKind, StructId,
+    Argument, Block, Expr, ExprKind, Fault, Function, FunctionId, LocalId, Mode, Module, Owner,
+    Place, Role, Step, Stmt, StmtKind, StructId,
 };
 
 /// Who can fault.
@@ -34,7 +34,7 @@ impl Faults {
             let mut checks = 0;
             let mut fallible = matches!(function.role, Role::Entry { infallible: false });
             walk_stmts(&function.body, &mut |stmt| {
-                if matches!(stmt.kind, StmtKind::Check { .. }) {
+                if matches!(stmt.kind, StmtKind::Check { fault, .. } if fault != Fault::LeftOut) {
                     checks += 1;
                     fallible = true;
                 }

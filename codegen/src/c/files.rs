@@ -287,6 +287,7 @@ impl Writer<'_> {
         includes.own.insert(target::name(self.options));
         includes.system.extend(uses.math.then_some("math.h"));
         includes.system.extend(uses.string.then_some("string.h"));
+        includes.system.extend(uses.library.then_some("stdlib.h"));
         includes.own.append(&mut uses.headers);
         self.file("c", &items, includes)
     }

@@ -72,6 +72,8 @@ pub enum Helper {
     TrailingZeros(Int),
     /// The bytes turned round.
     SwapBytes(Int),
+    /// A `bool` of the caller's as a number, whatever byte stands for it.
+    Flag,
     /// The sign of a float.
     Signum(Float),
     /// The scalar product of the columns of two matrices.
@@ -153,6 +155,7 @@ impl Helper {
             Helper::LeadingZeros(int) => format!("leading_zeros_{}", int.name()),
             Helper::TrailingZeros(int) => format!("trailing_zeros_{}", int.name()),
             Helper::SwapBytes(int) => format!("swap_bytes_{}", int.name()),
+            Helper::Flag => "u8_from_bool".to_owned(),
             Helper::Signum(float) => format!("signum_{}", float.name()),
             Helper::Dot(float) => format!("dot_{}", float.name()),
             Helper::NormSquared(float) => format!("norm_squared_{}", float.name()),
@@ -182,7 +185,7 @@ impl Helper {
 
     /// Whether it needs `string.h`.
     pub fn needs_string(self) -> bool {
-        matches!(self, Helper::Bits(_) | Helper::RawBits(_) | Helper::FromBits(_))
+        matches!(self, Helper::Bits(_) | Helper::RawBits(_) | Helper::FromBits(_) | Helper::Flag)
     }
 
     /// Its definition.
@@ -220,6 +223,7 @@ impl Helper {
             Helper::LeadingZeros(int) => integers::leading_zeros(&name, int),
             Helper::TrailingZeros(int) => integers::trailing_zeros(&name, int),
             Helper::SwapBytes(int) => integers::swap_bytes(&name, int),
+            Helper::Flag => flag(&name),
             Helper::Signum(float) => floats::signum(&name, float),
             Helper::Dot(float) => dot(&name, float),
             Helper::NormSquared(float) => norm_squared(&name, float),
@@ -270,6 +274,7 @@ fn all() -> impl Iterator<Item = Helper> {
     let scalars = Int::ALL.map(Scalar::Int).into_iter().chain(floats.map(Scalar::Float));
     let ints = of_int.into_iter().flat_map(|helper| Int::ALL.map(helper));
     ints.chain([Int::I8, Int::I16].map(Helper::Extend))
+        .chain([Helper::Flag])
         .chain(Int::ALL.map(from_double))
         .chain(of_float.into_iter().flat_map(move |helper| floats.map(helper)))
         .chain(scalars.flat_map(move |scalar| of_either.map(|helper| helper(scalar))))
@@ -451,6 +456,18 @@ static uint{bits}_t {name}({ty} value)
         memcpy(&bits, &value, sizeof bits);
     }}
     return bits;
+}}"
+    )
+}
+
+fn flag(name: &str) -> String {
+    format!(
+        "/* 1 for true and 0 for false; read as a byte, which may be any. */
+static uint8_t {name}(const bool *flag)
+{{
+    uint8_t byte = 0U;
+    memcpy(&byte, flag, sizeof byte);
+    return (byte != 0U) ? 1U : 0U;
 }}"
     )
 }

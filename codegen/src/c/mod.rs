@@ -85,6 +85,9 @@ pub struct Options {
     pub layout: Layout,
     /// Whether `bessemer_self_test` comes along, which tells on the target whether its arithmetic is as the C needs it.
     pub self_test: bool,
+    /// Whether checks that were proved stand in the C all the same, and end the program where one fails: to test the
+    /// compiler with, not for a target.
+    pub keep_checks: bool,
 }
 
 impl Default for Options {
@@ -99,6 +102,7 @@ impl Default for Options {
             math: Math::Portable,
             layout: Layout::Columns,
             self_test: false,
+            keep_checks: false,
         }
     }
 }

@@ -70,6 +70,7 @@ impl StatusNames {
             Fault::Bound => "BOUND",
             Fault::Absent => "ABSENT",
             Fault::Capacity => "CAPACITY",
+            Fault::LeftOut => unreachable!("it ends the program, and no status tells of it"),
         };
         format!("{}_{word}", self.prefix)
     }
@@ -91,6 +92,7 @@ pub fn header(context: Context<'_>, options: &Options) -> CFile {
             Fault::Bound => "A loop did not end within its bound.",
             Fault::Absent => "A value that is not there was taken.",
             Fault::Capacity => "A bounded container is full.",
+            Fault::LeftOut => continue,
         };
         variants.push((vec![docs.to_owned()], status.fault(fault), value));
     }

@@ -144,5 +144,6 @@ fn word(fault: Fault) -> &'static str {
         Fault::Bound => "bound",
         Fault::Absent => "absent",
         Fault::Capacity => "capacity",
+        Fault::LeftOut => "left out",
     }
 }

@@ -1,7 +1,7 @@
 //! Which conditions an operation needs so as not to fault, and which of them are not known to hold.
 //!
 //! Precondition: the operands are fault-free themselves. Postcondition: each condition is fault-free
-//! IR, true exactly where Rust would not panic; what [`Facts`] proves is left out, half by half.
+//! IR, true exactly where Rust would not panic; what [`State`] proves is left out, half by half.
 //! Integers of up to 32 bits are widened and compared; wider ones are compared with what is left to
 //! the limit.
 
@@ -10,9 +10,9 @@ use bessemer_ir::{
     Span, Step, Type, UnaryOp,
 };
 
-use super::facts::Facts;
+use super::analysis::Interval;
+use super::analysis::State;
 use super::places::{load, located};
-use super::ranges::Interval;
 
 /// A condition that has to be checked before an operation.
 pub(crate) struct Obligation {
@@ -25,7 +25,7 @@ pub(crate) struct Obligation {
 }
 
 /// What the operation at the root of `expr` needs.
-pub(crate) fn of_expr(expr: &Expr, facts: &Facts) -> Vec<Obligation> {
+pub(crate) fn of_expr(expr: &Expr, facts: &State) -> Vec<Obligation> {
     let needs = Needs { facts, span: expr.span };
     match &expr.kind {
         ExprKind::Unary(UnaryOp::Neg, x) => needs.of_negation(x),
@@ -55,7 +55,7 @@ pub(crate) fn of_step(
     root: LocalId,
     container: &Type,
     step: &Step,
-    facts: &Facts,
+    facts: &State,
 ) -> Vec<Obligation> {
     let index = |index: &Expr, len: u32, what: &str| {
         Needs { facts, span: index.span }.of_index(index, len, what)
@@ -116,7 +116,7 @@ fn length_of(slice: LocalId, span: Span) -> Expr {
 
 /// An operation at a point.
 struct Needs<'f, 'm> {
-    facts: &'f Facts<'m>,
+    facts: &'f State<'m>,
     span: Span,
 }
 
@@ -198,7 +198,7 @@ impl Needs<'_, '_> {
     }
 }
 
-fn sum(a: &Expr, b: &Expr, int: Int, facts: &Facts) -> Vec<Expr> {
+fn sum(a: &Expr, b: &Expr, int: Int, facts: &State) -> Vec<Expr> {
     if let Some(c) = constant(b, facts) {
         shifted(a, int, -c)
     } else if let Some(c) = constant(a, facts) {
@@ -219,7 +219,7 @@ fn sum(a: &Expr, b: &Expr, int: Int, facts: &Facts) -> Vec<Expr> {
     }
 }
 
-fn difference(a: &Expr, b: &Expr, int: Int, facts: &Facts) -> Vec<Expr> {
+fn difference(a: &Expr, b: &Expr, int: Int, facts: &State) -> Vec<Expr> {
     if let Some(c) = constant(b, facts) {
         shifted(a, int, c)
     } else if !int.signed() {
@@ -242,7 +242,7 @@ fn shifted(x: &Expr, int: Int, c: i128) -> Vec<Expr> {
     if c >= 0 { at_least(x, int, int.min() + c) } else { at_most(x, int, int.max() + c) }
 }
 
-fn product(a: &Expr, b: &Expr, int: Int, facts: &Facts) -> Vec<Expr> {
+fn product(a: &Expr, b: &Expr, int: Int, facts: &State) -> Vec<Expr> {
     match (constant(a, facts), constant(b, facts)) {
         (_, Some(c)) => scaled(a, int, c),
         (Some(c), None) => scaled(b, int, c),
@@ -265,7 +265,7 @@ fn scaled(x: &Expr, int: Int, c: i128) -> Vec<Expr> {
 }
 
 /// `a * b` of 64 bits stays within the type: a condition for each pair of signs.
-fn long_product(a: &Expr, b: &Expr, int: Int, facts: &Facts) -> Vec<Expr> {
+fn long_product(a: &Expr, b: &Expr, int: Int, facts: &State) -> Vec<Expr> {
     let zero = literal(0, int);
     let over = |limit, by| binary(BinaryOp::Div, &literal(limit, int), by);
     if !int.signed() {
@@ -307,13 +307,13 @@ fn wide(op: BinaryOp, a: &Expr, b: &Expr, to: Int, int: Int) -> Vec<Expr> {
 }
 
 /// `condition`, which need not hold where `b` compares so with 0.
-fn unless(b: &Expr, sign: CompareOp, condition: Expr, facts: &Facts) -> Expr {
+fn unless(b: &Expr, sign: CompareOp, condition: Expr, facts: &State) -> Expr {
     let Some(int) = b.ty.as_int() else { return condition };
     otherwise(compare(sign, b, &literal(0, int)), condition, facts)
 }
 
 /// `excuse || condition`, shorter where it is known that there is no excuse.
-fn otherwise(excuse: Expr, condition: Expr, facts: &Facts) -> Expr {
+fn otherwise(excuse: Expr, condition: Expr, facts: &State) -> Expr {
     if facts.range(&excuse) == Interval::one(0) {
         condition
     } else {
@@ -338,7 +338,7 @@ fn below(x: &Expr, int: Int, end: i128) -> Vec<Expr> {
 }
 
 /// The value, if it is written as a number or a named constant.
-fn constant(x: &Expr, facts: &Facts) -> Option<i128> {
+fn constant(x: &Expr, facts: &State) -> Option<i128> {
     match x.kind {
         ExprKind::Literal(_) | ExprKind::Const(_) => facts.range(x).single(),
         _ => None,

@@ -11,11 +11,15 @@
 //! that it may be evaluated later, unless a call in the next operand writes what it reads: then it is
 //! kept in a local first. What already is as it has to be is left alone.
 
+use std::borrow::Cow;
+
 use bessemer_ir::{
-    Argument, CompareOp, Expr, ExprKind, FunctionId, Local, LocalId, LogicOp, Mode, Place, Span,
-    Step, Stmt, StmtKind, Type, UnaryOp,
+    Argument, CompareOp, Expr, ExprKind, Fault, FunctionId, Intrinsic, Local, LocalId, LogicOp,
+    Mode, Place, Span, Step, Stmt, StmtKind, Type, UnaryOp,
 };
 
+use super::analysis::State;
+use super::checked;
 use super::faults::{self, Obligation, step_type};
 use super::names::{self, Purpose};
 use super::places::{lent, lent_by_indices, lent_by_step, load, moves, reads, weight, whole};
@@ -25,7 +29,7 @@ use super::statements::Lowering;
 /// What is read in a check and again in the statement may weigh as much as this.
 const LIGHT: usize = 4;
 
-impl Lowering<'_> {
+impl<'m> Lowering<'m> {
     /// Makes `expr` explicit, to stand at `position`.
     pub(super) fn lower(&mut self, expr: Expr, position: Position, purpose: Purpose) -> Expr {
         let expr = self.node(expr);
@@ -34,7 +38,15 @@ impl Lowering<'_> {
 
     /// A word within an expression.
     pub(super) fn word(&mut self, expr: Expr) -> Expr {
-        self.lower(expr, Position::Nested, Purpose::Operand)
+        let expr = self.lower(expr, Position::Nested, Purpose::Operand);
+        let comes = matches!(expr.kind, ExprKind::Load(_) | ExprKind::Call(..));
+        if !(self.brings && comes && self.facts.may_stray(&expr)) {
+            return expr;
+        }
+        // It is read twice.
+        let expr = if comes_light(&expr) { expr } else { self.keep(expr, Purpose::Operand) };
+        let (ty, span) = (expr.ty.clone(), expr.span);
+        Expr { kind: ExprKind::Intrinsic(Intrinsic::Variant, vec![expr]), ty, span }
     }
 
     fn node(&mut self, expr: Expr) -> Expr {
@@ -213,10 +225,15 @@ impl Lowering<'_> {
     }
 
     fn secure_step(&mut self, container: &Type, step: &mut Step, of: &Place) {
-        if faults::of_step(of.root, container, step, &self.facts).is_empty() {
+        let (root, span) = (of.root, of.span);
+        let obliged = |lowering: &Self, step: &Step| {
+            faults::of_step(root, container, step, &lowering.facts_at(span))
+        };
+        if obliged(self, step).is_empty() {
+            self.keep_proved(|blank| faults::of_step(root, container, step, blank), Vec::new());
             return;
         }
-        let (root, of) = (of.root, names::place(self.module, &self.function, of));
+        let of = names::place(self.module, &self.function, of);
         match step {
             Step::Field(_) => {}
             Step::Index(index) | Step::From(index) => {
@@ -227,14 +244,36 @@ impl Lowering<'_> {
                 self.lighten(column, Purpose::Named(&format!("{of}_column")));
             }
         }
-        for obligation in faults::of_step(root, container, step, &self.facts) {
-            self.check(obligation);
+        let checked = obliged(self, step).into_iter().map(|it| self.check(it)).collect();
+        self.keep_proved(|blank| faults::of_step(root, container, step, blank), checked);
+    }
+
+    /// What is known before an operation: nothing, if its proof is not believed.
+    fn facts_at(&self, span: Span) -> Cow<'_, State<'m>> {
+        match self.doubted.contains(&span) {
+            true => Cow::Owned(State::blind(self.module)),
+            false => Cow::Borrowed(&self.facts),
+        }
+    }
+
+    /// Writes down the checks of an operation that was proved not to need them, save those `checked`.
+    fn keep_proved(&mut self, of: impl Fn(&State) -> Vec<Obligation>, checked: Vec<Expr>) {
+        if !self.keeps {
+            return;
+        }
+        for Obligation { condition, span, .. } in of(&State::new(self.module)) {
+            if !checked.contains(&condition) {
+                self.emit(StmtKind::Check { condition, fault: Fault::LeftOut }, span);
+            }
         }
     }
 
     /// Checks what the operation at the root of `expr` needs.
     fn secure(&mut self, mut expr: Expr) -> Expr {
-        if faults::of_expr(&expr, &self.facts).is_empty() {
+        let obliged =
+            |lowering: &Self, expr: &Expr| faults::of_expr(expr, &lowering.facts_at(expr.span));
+        if obliged(self, &expr).is_empty() {
+            self.keep_proved(|blank| faults::of_expr(&expr, blank), Vec::new());
             return expr;
         }
         match &mut expr.kind {
@@ -253,9 +292,8 @@ impl Lowering<'_> {
             }
             _ => {}
         }
-        for obligation in faults::of_expr(&expr, &self.facts) {
-            self.check(obligation);
-        }
+        let checked = obliged(self, &expr).into_iter().map(|it| self.check(it)).collect();
+        self.keep_proved(|blank| faults::of_expr(&expr, blank), checked);
         expr
     }
 
@@ -266,14 +304,17 @@ impl Lowering<'_> {
         }
     }
 
-    fn check(&mut self, obligation: Obligation) {
+    /// Checks a condition, and gives it back.
+    fn check(&mut self, obligation: Obligation) -> Expr {
         let Obligation { condition, fault, span, reason } = obligation;
-        if self.facts.proves(&condition) {
-            return; // Another half of the same operation has just been checked.
+        // Another half of the same operation may have just been checked; or all of it, in explicit code.
+        let proved = self.facts.proves(&condition) && !self.doubted.contains(&span);
+        if !proved && !checked::before(&self.out, &condition) {
+            self.facts.assume(&condition, true);
+            self.remain(fault, span, reason);
+            self.emit(StmtKind::Check { condition: condition.clone(), fault }, span);
         }
-        self.facts.assume(&condition, true);
-        self.remain(fault, span, reason);
-        self.emit(StmtKind::Check { condition, fault }, span);
+        condition
     }
 
     /// Keeps a value in a local of its own, from here on.
@@ -397,6 +438,11 @@ fn opposite(op: CompareOp) -> CompareOp {
         CompareOp::Gt => CompareOp::Le,
         CompareOp::Le => CompareOp::Gt,
     }
+}
+
+/// Whether a value may be written twice: a place, and no call.
+fn comes_light(expr: &Expr) -> bool {
+    matches!(expr.kind, ExprKind::Load(_)) && weight(expr) <= LIGHT
 }
 
 /// Whether a value is a number, a constant, a local or a field.

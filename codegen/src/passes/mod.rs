@@ -15,26 +15,27 @@
 //! folded, nothing is reordered, no local of the author's is renamed, and code that is explicit already
 //! comes out as it went in.
 
-mod counts;
+mod analysis;
+mod checked;
 mod declare;
 mod explicit;
-mod facts;
 mod faults;
 mod flatten;
-mod glance;
 mod names;
 mod places;
 mod positions;
-mod ranges;
+mod proof;
 mod statements;
 mod work;
 
 pub use explicit::{Problem, Rule, check};
 pub use work::lend;
 
-use bessemer_ir::visit::{Visit, walk_expr, walk_stmt};
+use std::collections::HashSet;
+
+use bessemer_ir::visit::{Visit, VisitMut, walk_block_mut, walk_expr, walk_stmt};
 use bessemer_ir::{
-    Expr, ExprKind, Fault, Function, FunctionId, Module, Role, Span, Stmt, StmtKind,
+    Block, Expr, ExprKind, Fault, Function, FunctionId, Module, Role, Span, Stmt, StmtKind,
 };
 use thiserror::Error;
 
@@ -89,19 +90,63 @@ pub enum Error {
 /// # Errors
 /// For each check that is left in an entry point (or in what it calls) that claims to be infallible.
 pub fn explicit(module: Module) -> Result<(Module, Report), Vec<Error>> {
+    explicit_with(module, false)
+}
+
+/// The same; with `keep`, checks that were proved stand in the module all the same, and report
+/// [`Fault::LeftOut`].
+///
+/// # Errors
+/// As [`explicit`].
+pub fn explicit_with(module: Module, keep: bool) -> Result<(Module, Report), Vec<Error>> {
     let mut report = Report::default();
     let mut callees = Vec::new();
-    let mut functions = Vec::new();
+    let (mut functions, mut kept) = (Vec::new(), Vec::new());
     for function in &module.functions {
-        let (function, remaining) = statements::function(&module, &callees, function.clone());
-        callees.push(Callee::of(&function, may_fault(&function, &callees)));
-        functions.push(function);
+        let mut doubted = Doubted::default();
+        let (mut done, remaining) = loop {
+            let done = statements::function(&module, &callees, function, &doubted, false);
+            let open = open(&module, &done.0);
+            // The first alone: behind its check, others may not be open any more.
+            match open.into_iter().find(|span| !doubted.contains(span)) {
+                Some(first) => doubted.insert(first),
+                None => break done,
+            };
+        };
+        if keep {
+            kept.push(statements::function(&module, &callees, function, &doubted, true).0);
+        }
+        Proved.block(&mut done.body);
+        callees.push(Callee::of(&done, may_fault(&done, &callees)));
+        functions.push(done);
         report.functions.push(remaining);
     }
     let module = Module { functions, ..module };
     let mut errors: Vec<Error> = check(&module).into_iter().map(Error::from).collect();
     errors.extend(broken_claims(&module, &report));
-    if errors.is_empty() { Ok((module, report)) } else { Err(errors) }
+    match errors.is_empty() {
+        true if keep => Ok((Module { functions: kept, ..module }, report)),
+        true => Ok((module, report)),
+        false => Err(errors),
+    }
+}
+
+/// Where an operation of a function may fault: [`proof`] does not show that it cannot, and its check is not before it.
+fn open(module: &Module, function: &Function) -> Vec<Span> {
+    checked::without(proof::open(module, function), module, function)
+}
+
+/// Operations whose proof [`proof`] does not confirm: their checks stand.
+type Doubted = HashSet<Span>;
+
+/// Takes checks of the author's away that were proved.
+struct Proved;
+
+impl VisitMut for Proved {
+    fn block(&mut self, block: &mut Block) {
+        block.0.retain(|stmt| !matches!(stmt.kind, StmtKind::Check { fault: Fault::LeftOut, .. }));
+        walk_block_mut(self, block);
+    }
 }
 
 /// Which functions of an explicit module may end in a fault.
@@ -133,7 +178,8 @@ impl Calls {
 
 impl Visit for Calls {
     fn stmt(&mut self, stmt: &Stmt) {
-        self.checks |= matches!(stmt.kind, StmtKind::Check { .. });
+        let fault = |fault: &Fault| *fault != Fault::LeftOut;
+        self.checks |= matches!(&stmt.kind, StmtKind::Check { fault: told, .. } if fault(told));
         walk_stmt(self, stmt);
     }
     fn expr(&mut self, expr: &Expr) {

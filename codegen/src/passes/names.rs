@@ -136,6 +136,7 @@ fn intrinsic(which: Intrinsic) -> &'static str {
         Intrinsic::LeadingZeros => "zeros",
         Intrinsic::TrailingZeros => "zeros",
         Intrinsic::SwapBytes => "swapped",
+        Intrinsic::Variant => "variant",
         Intrinsic::Ceil => "ceiling",
         Intrinsic::Trunc => "whole",
         Intrinsic::Round => "rounded",

@@ -4,20 +4,20 @@
 //! into a place that it still reads goes through a local; the bounds of a loop that its body changes,
 //! or that call, are kept before it; a check that is known to hold goes away.
 
+use bessemer_ir::visit::{Visit, walk_expr};
 use bessemer_ir::{
-    Arm, Block, Expr, ExprKind, Fault, Function, LocalId, Module, Place, Span, Stmt, StmtKind,
+    Arm, Block, Expr, ExprKind, Fault, Function, LocalId, Module, Place, Span, Stmt, StmtKind, Type,
 };
 
-use super::Remaining;
-use super::counts::Loop;
-use super::facts::Facts;
+use super::analysis::{Loop, State};
+use super::checked;
 use super::flatten::when;
 use super::names::{self, Names, Purpose};
 use super::places::{
-    disturbs, lent, lent_by_indices, load, moves, reads, same_place, weight, whole, writes,
+    disturbs, erased, lent, lent_by_indices, load, moves, reads, same_place, weight, whole, writes,
 };
 use super::positions::{Callee, Position};
-use super::ranges::Interval;
+use super::{Doubted, Remaining};
 
 /// A function on its way.
 pub(super) struct Lowering<'m> {
@@ -25,26 +25,85 @@ pub(super) struct Lowering<'m> {
     /// Of the functions before this one.
     pub(super) callees: &'m [Callee],
     pub(super) function: Function,
-    pub(super) facts: Facts<'m>,
+    pub(super) facts: State<'m>,
     /// The statements of the block so far.
     pub(super) out: Vec<Stmt>,
     /// What the statement writes to, as the stem of names.
     pub(super) base: String,
     pub(super) names: Names,
+    /// Whether an enum that may be none of its variants is brought to one where it is read.
+    pub(super) brings: bool,
+    /// Operations whose proof is not believed.
+    pub(super) doubted: &'m Doubted,
+    /// The conditions of checks that operations behind them need.
+    needed: Vec<Expr>,
+    /// Whether checks that are proved stand all the same.
+    pub(super) keeps: bool,
     remaining: Vec<Remaining>,
 }
 
-/// Makes one function explicit; the checks that it needs.
+/// Makes one function explicit; the checks that it needs. Enums are brought to their variants if that spares some.
 pub(super) fn function(
     module: &Module,
     callees: &[Callee],
-    mut function: Function,
+    function: &Function,
+    doubted: &Doubted,
+    keeps: bool,
 ) -> (Function, Vec<Remaining>) {
+    let lowered = |brings| lowered(module, callees, function.clone(), brings, doubted, keeps);
+    let plain = lowered(false);
+    if plain.1.is_empty() || !Enums::read(function) {
+        return plain;
+    }
+    let brought = lowered(true);
+    if brought.1.len() < plain.1.len() { brought } else { plain }
+}
+
+/// Whether a function reads an enum.
+struct Enums(bool);
+
+impl Enums {
+    fn read(function: &Function) -> bool {
+        let mut enums = Enums(false);
+        enums.block(&function.body);
+        enums.0
+    }
+}
+
+impl Visit for Enums {
+    fn expr(&mut self, expr: &Expr) {
+        self.0 |= matches!(expr.ty, Type::Enum(_)) && !matches!(expr.kind, ExprKind::Literal(_));
+        walk_expr(self, expr);
+    }
+}
+
+fn lowered(
+    module: &Module,
+    callees: &[Callee],
+    mut function: Function,
+    brings: bool,
+    doubted: &Doubted,
+    keeps: bool,
+) -> (Function, Vec<Remaining>) {
+    let needed = if doubted.is_empty() { Vec::new() } else { checked::needed(module, &function) };
     let body = std::mem::take(&mut function.body);
     let names = Names::of(&function);
-    let facts = Facts::new(module);
+    let facts = State::new(module);
     let (out, base, remaining) = (Vec::new(), String::new(), Vec::new());
-    let mut lowering = Lowering { module, callees, function, facts, out, base, names, remaining };
+    let mut lowering = Lowering {
+        module,
+        callees,
+        function,
+        facts,
+        out,
+        base,
+        names,
+        brings,
+        doubted,
+        needed,
+        keeps,
+        remaining,
+    };
     let body = lowering.block(body);
     let Lowering { mut function, remaining, .. } = lowering;
     function.body = body;
@@ -180,9 +239,11 @@ impl Lowering<'_> {
         let mut ends = Vec::new();
         let mut all = Vec::new();
         let mut done = Vec::new();
-        for Arm { values, body } in arms {
+        let last = arms.len().saturating_sub(1);
+        for (index, Arm { values, body }) in arms.into_iter().enumerate() {
             self.facts = before.clone();
-            self.facts.select(&scrutinee, &values);
+            let rest = otherwise.is_none() && index == last;
+            self.facts.select(&scrutinee, &values, rest);
             let body = self.block(body);
             ends.push((self.facts.clone(), diverges(&body)));
             all.extend(values.iter().copied());
@@ -217,12 +278,17 @@ impl Lowering<'_> {
         if changes(&to) && !ended {
             to = self.keep(to, Purpose::Named(&format!("{name}_end")));
         }
-        let ranges: (Interval, Interval) = (self.facts.range(&from), self.facts.range(&to));
-        let entered =
-            Loop { variable, bounds: ranges, inclusive, ended, written: &written, body: &body };
-        let behind = entered.enter(&mut self.facts);
         let counter = load(variable, &ty, span);
-        self.facts.enter_body(&counter, (&from, &to), ranges, inclusive);
+        let entered = Loop {
+            counter: &counter,
+            from: &from,
+            to: &to,
+            inclusive,
+            ended,
+            written: &written,
+            body: &body,
+        };
+        let behind = entered.enter(&mut self.facts);
         let body = self.block(body);
         self.facts = behind;
         self.emit(
@@ -233,8 +299,12 @@ impl Lowering<'_> {
 
     /// A check of the author's.
     fn assertion(&mut self, condition: Expr, fault: Fault, span: Span) {
-        let condition = self.word(condition);
-        if self.facts.proves(&condition) {
+        // A condition that an operation needs cannot fault itself, and stays as it is.
+        let needed = self.needed.contains(&erased(&condition));
+        let condition = if needed { condition } else { self.word(condition) };
+        if self.facts.proves(&condition) && !self.doubted.contains(&span) {
+            // For the verifier to confirm.
+            self.emit(StmtKind::Check { condition, fault: Fault::LeftOut }, span);
             return;
         }
         self.facts.assume(&condition, true);
@@ -257,7 +327,10 @@ impl Lowering<'_> {
 pub(super) fn diverges(block: &Block) -> bool {
     block.0.iter().any(|stmt| match &stmt.kind {
         StmtKind::Return(_) | StmtKind::Break | StmtKind::Continue => true,
-        StmtKind::Check { condition, .. } => matches!(condition.kind, ExprKind::Literal(0)),
+        // A check that is left out is gone when the passes see their own output.
+        StmtKind::Check { condition, fault } => {
+            *fault != Fault::LeftOut && condition.kind == ExprKind::Literal(0)
+        }
         StmtKind::If { then, otherwise, .. } => diverges(then) && diverges(otherwise),
         StmtKind::Match { arms, otherwise, .. } => {
             arms.iter().all(|arm| diverges(&arm.body)) && otherwise.as_ref().is_none_or(diverges)

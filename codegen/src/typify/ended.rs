@@ -18,6 +18,9 @@ use bessemer_ir::{
 
 use super::written::{Writes, alike, overlap, place};
 
+#[cfg(test)]
+mod tests;
+
 /// Between which two numbers there are as many as there are passes.
 pub(super) struct Proof {
     pub low: Expr,

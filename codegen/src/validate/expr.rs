@@ -352,6 +352,7 @@ fn intrinsic(function: Intrinsic, operands: &[Expr]) -> Checked {
     }
     let result = match ty {
         Type::Scalar(scalar) => function.result(*scalar).map(Type::Scalar),
+        Type::Enum(_) if function == Intrinsic::Variant => Some(ty.clone()),
         _ => None,
     };
     result.ok_or_else(|| Problem::IntrinsicOperand { function, ty: ty.clone() })

@@ -5,6 +5,7 @@ mod compilers;
 #[allow(dead_code)]
 #[path = "../passes_random/generate.rs"]
 mod generate;
+mod hostile;
 mod run;
 
 use std::fmt::Write as _;
@@ -174,5 +175,18 @@ fn random_modules_agree() {
         let (explicit, _) = bessemer_codegen::passes::explicit(module.clone()).expect("explicit");
         let files = emit(&explicit, &Options::default());
         run::compare("random", &module, &explicit, &files);
+    }
+}
+
+/// Checks that were proved stand in the C, and none of them fails.
+#[test]
+fn kept_checks_hold() {
+    let options = Options { keep_checks: true, ..Options::default() };
+    for path in modules() {
+        let module = load(&path);
+        let (kept, _) = bessemer_codegen::passes::explicit_with(module.clone(), true)
+            .unwrap_or_else(|errors| panic!("{}: {errors:#?}", path.display()));
+        let name = path.file_stem().expect("a file").to_string_lossy().into_owned();
+        run::compare(&format!("kept-{name}"), &module, &kept, &emit(&kept, &options));
     }
 }

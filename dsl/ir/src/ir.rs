@@ -393,6 +393,8 @@ pub enum Fault {
     Absent,
     /// A bounded container that is full.
     Capacity,
+    /// What was proved does not hold: a mistake of the compiler's, told by a check that is left out otherwise.
+    LeftOut,
 }
 
 /// An arm of a [`StmtKind::Match`].

@@ -120,10 +120,13 @@ pub enum Intrinsic {
     IsFinite,
     /// Whether a float is infinite.
     IsInfinite,
+    /// An enum as it is, or its last variant for what is none of them: a byte from outside may be either.
+    Variant,
 }
 
 impl Intrinsic {
-    /// The type of the result for operands of type `operand`; none if it does not take that type.
+    /// The type of the result for operands of type `operand`; none if it does not take that type, as
+    /// [`Intrinsic::Variant`] takes no scalar.
     pub fn result(self, operand: Scalar) -> Option<Scalar> {
         use Intrinsic::*;
         let (int, float) = match operand {
@@ -145,6 +148,7 @@ impl Intrinsic {
             CountOnes | LeadingZeros | TrailingZeros => {
                 int.filter(|_| !signed).map(|_| Scalar::Int(Int::U32))
             }
+            Variant => None,
             SwapBytes => int.filter(|int| !signed && int.bits() > 8).map(Scalar::Int),
             ToBits | RawBits => float.map(|float| Scalar::Int(float.bits_type())),
             FromBits => match int? {
@@ -161,7 +165,7 @@ impl Intrinsic {
         match self {
             Sqrt | Abs | Floor | Ceil | Trunc | Round | Signum | ToBits | RawBits | FromBits
             | IsNan | IsFinite | IsInfinite | UnsignedAbs | CountOnes | LeadingZeros
-            | TrailingZeros | SwapBytes => 1,
+            | TrailingZeros | SwapBytes | Variant => 1,
             Clamp => 3,
             _ => 2,
         }

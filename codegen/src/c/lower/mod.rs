@@ -50,6 +50,8 @@ pub struct Uses {
     pub math: bool,
     /// `string.h`.
     pub string: bool,
+    /// `stdlib.h`.
+    pub library: bool,
     /// The macro that asks for a loop to be written out.
     pub unroll: bool,
 }

@@ -1,6 +1,6 @@
 //! Operators, conversions and functions of numbers.
 
-use bessemer_ir::{BinaryOp, Expr as Ir, Float, Int, Intrinsic, Scalar, Type};
+use bessemer_ir::{BinaryOp, Expr as Ir, ExprKind, Float, Int, Intrinsic, Mode, Scalar, Type};
 
 use super::super::helpers::{Helper, unsigned_type};
 use super::super::names::scalar_type;
@@ -63,6 +63,14 @@ impl Lower<'_> {
         if narrow && *target == Scalar::Int(Int::U32) {
             return self.narrow(operand, false);
         }
+        if let Some(flag) = self.foreign_flag(operand) {
+            let byte = self.helper(Helper::Flag, vec![flag.address()]);
+            return if *target == Scalar::Int(Int::U8) {
+                byte
+            } else {
+                Expr::cast(scalar_type(*target), byte)
+            };
+        }
         let value = if narrow { self.narrow(operand, false) } else { self.word(operand) };
         let ty = scalar_type(*target);
         match (&operand.ty, target) {
@@ -96,9 +104,20 @@ impl Lower<'_> {
         }
     }
 
+    /// A `bool` in memory of the caller's: compilers believe that its byte is 0 or 1, and take it for the number.
+    fn foreign_flag(&mut self, operand: &Ir) -> Option<Expr> {
+        let ExprKind::Load(place) = &operand.kind else { return None };
+        let lent = self.function.local(place.root).mode != Mode::Value;
+        let flag = operand.ty == Type::BOOL && lent;
+        flag.then(|| self.place(place))
+    }
+
     /// A function of scalars.
     pub(super) fn intrinsic(&mut self, intrinsic: Intrinsic, operands: &[Ir], ty: &Type) -> Expr {
         let of = &operands[0].ty;
+        if let (Intrinsic::Variant, Type::Enum(id)) = (intrinsic, of) {
+            return self.variant(&operands[0], *id);
+        }
         let Type::Scalar(scalar) = *of else { unreachable!("intrinsics take scalars") };
         let mut values: Vec<Expr> = operands.iter().map(|operand| self.word(operand)).collect();
         match (intrinsic, of.as_float(), of.as_int()) {

@@ -157,8 +157,13 @@ impl Lower<'_> {
     }
 
     fn check(&mut self, condition: &Ir, fault: Fault) {
-        let fault = Expr::name(self.context.names.status.fault(fault));
-        let then = self.scope(|lower| lower.fail(fault));
+        let then = self.scope(|lower| match fault {
+            Fault::LeftOut => {
+                lower.uses.library = true;
+                lower.emit(StmtKind::Expr(Expr::call("abort", Vec::new())));
+            }
+            _ => lower.fail(Expr::name(lower.context.names.status.fault(fault))),
+        });
         match condition.kind {
             ExprKind::Literal(0) => self.out.extend(then),
             ExprKind::Literal(_) => {}

@@ -1,16 +1,41 @@
-//! What an entry point says of an enum that it is handed and that holds none of its variants.
+//! What is done with an enum that comes from outside and holds none of its variants.
 //!
+//! Where a proof rests on it ([`Intrinsic::Variant`](bessemer_ir::Intrinsic::Variant)), the last variant stands for it.
 //! One that returns a status says so before it does anything; one that is claimed to be infallible has no way to,
 //! and takes the last arm of a `match`. Looked at are enums that are passed, by themselves or as fields of
 //! structs; not the elements of arrays, and not payloads.
 
-use bessemer_ir::{Fault, Form, Owner, Role, Type};
+use bessemer_ir::{EnumId, Expr as Ir, Fault, Form, Owner, Role, Type};
 
 use super::super::names::Returned;
 use super::super::tree::{Expr, StmtKind, SwitchArm};
 use super::{Lower, bound};
 
 impl Lower<'_> {
+    /// An enum, or its last variant where it holds none.
+    pub(super) fn variant(&mut self, operand: &Ir, id: EnumId) -> Expr {
+        let item = &self.context.module.enums[id.index()];
+        let names = self.context.names.enums[id.index()].variants.clone();
+        let (Some(last), others) = (names.last().map(Expr::name), names.len().saturating_sub(1))
+        else {
+            return self.word(operand);
+        };
+        let condition = if item.is_numbered() {
+            let equal = |name: &String| Expr::binary("==", self.word(operand), Expr::name(name));
+            names[..others].iter().map(equal).reduce(|a, b| Expr::binary("||", a, b))
+        } else {
+            let end = Expr::name(format!("{others}U"));
+            Some(Expr::binary("<", Expr::cast("uint32_t", self.word(operand)), end))
+        };
+        match condition.filter(|_| others > 0) {
+            Some(condition) => {
+                let value = self.word(operand);
+                Expr::Conditional(Box::new(condition), Box::new(value), Box::new(last))
+            }
+            None => last,
+        }
+    }
+
     pub(super) fn check_variants(&mut self) {
         let entry = matches!(self.function.role, Role::Entry { .. });
         if !entry || self.signature.returned != Returned::Status {

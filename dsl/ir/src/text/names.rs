@@ -155,6 +155,7 @@ table! {
     "leading_zeros" => Intrinsic::LeadingZeros,
     "trailing_zeros" => Intrinsic::TrailingZeros,
     "swap_bytes" => Intrinsic::SwapBytes,
+    "variant" => Intrinsic::Variant,
     "ceil" => Intrinsic::Ceil,
     "trunc" => Intrinsic::Trunc,
     "round" => Intrinsic::Round,
@@ -194,4 +195,5 @@ table! {
     "bound" => Fault::Bound,
     "absent" => Fault::Absent,
     "capacity" => Fault::Capacity,
+    "left_out" => Fault::LeftOut,
 }

@@ -403,6 +403,7 @@ impl Source<'_> {
             I::IsNan,
             I::IsFinite,
             I::IsInfinite,
+            I::Variant,
         ];
         let routine = [
             R::Add,

@@ -1,53 +1,14 @@
-//! Intervals of integers, and what each operation makes of them.
+//! What each operation makes of intervals.
 //!
-//! Invariant: every function over-approximates the exact results of operations that do not fault.
+//! The meaning: whatever operands lie in the intervals, the result lies in the interval that is given, if the operation
+//! does not fault. `all` are the values of the type, whatever its width.
 //! Bounds that leave `i128` saturate, which no 64-bit type can tell from the truth.
 
-use bessemer_ir::{BinaryOp, CompareOp, Int, Intrinsic};
+use bessemer_ir::{BinaryOp, CompareOp, Intrinsic};
 
-/// All integers from `low` to `high`; never empty. `bool` is 0 or 1, an enum the index of its variant.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Interval {
-    pub(crate) low: i128,
-    pub(crate) high: i128,
-}
+use super::domain::Interval;
 
 impl Interval {
-    pub(crate) const BOOL: Interval = Interval { low: 0, high: 1 };
-
-    pub(crate) fn new(a: i128, b: i128) -> Interval {
-        Interval { low: a.min(b), high: a.max(b) }
-    }
-
-    pub(crate) fn one(value: i128) -> Interval {
-        Interval { low: value, high: value }
-    }
-
-    pub(crate) fn of(int: Int) -> Interval {
-        Interval { low: int.min(), high: int.max() }
-    }
-
-    pub(crate) fn within(self, other: Interval) -> bool {
-        other.low <= self.low && self.high <= other.high
-    }
-
-    pub(crate) fn single(self) -> Option<i128> {
-        (self.low == self.high).then_some(self.low)
-    }
-
-    pub(crate) fn hull(self, other: Interval) -> Interval {
-        Interval { low: self.low.min(other.low), high: self.high.max(other.high) }
-    }
-
-    /// What both hold. Where that is nothing the code is unreachable: then the nearest bound of
-    /// `self`, so that to know more of the operands is never to know less of the result.
-    pub(crate) fn meet(self, other: Interval) -> Interval {
-        Interval {
-            low: other.low.clamp(self.low, self.high),
-            high: other.high.clamp(self.low, self.high),
-        }
-    }
-
     fn magnitude(self) -> i128 {
         self.low.saturating_abs().max(self.high.saturating_abs())
     }
@@ -59,7 +20,7 @@ impl Interval {
             f(self.high, other.low),
             f(self.high, other.high),
         ];
-        all.into_iter().map(Interval::one).fold(Interval::one(all[0]), Interval::hull)
+        all.into_iter().map(Interval::one).fold(Interval::one(all[0]), Interval::join)
     }
 
     pub(crate) fn add(self, other: Interval) -> Interval {
@@ -215,28 +176,6 @@ impl Interval {
                 all.meet(Interval { low: 0, high: 64 })
             }
             _ => all,
-        }
-    }
-
-    /// What is left when one value is known not to occur.
-    pub(crate) fn without(self, value: i128) -> Interval {
-        if self.low == self.high {
-            self
-        } else if value == self.low {
-            Interval { low: self.low + 1, high: self.high }
-        } else if value == self.high {
-            Interval { low: self.low, high: self.high - 1 }
-        } else {
-            self
-        }
-    }
-}
-
-impl std::fmt::Display for Interval {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self.single() {
-            Some(value) => write!(f, "{value}"),
-            None => write!(f, "{}..={}", self.low, self.high),
         }
     }
 }

@@ -21,7 +21,7 @@ pub(crate) fn bit(root: LocalId) -> u64 {
 }
 
 impl Glance {
-    /// Of a condition that [`facts`](super::facts) has brought into its one form.
+    /// Of a condition that [`relations`](super::relations) has brought into its one form.
     pub(crate) fn of(condition: &Expr) -> Glance {
         let mut last = condition;
         while let ExprKind::Logic(LogicOp::Or, _, rest) = &last.kind {

@@ -1,0 +1,79 @@
+//! Intervals of integers: the lattice.
+//!
+//! The meaning of an interval is the set of the integers in it. It is never empty: code that nothing reaches is known
+//! by its statements, not by its values. The order is inclusion, [`Interval::join`] the least interval that holds both.
+//! Nothing here knows the width of a type, so that every function can be tried on all values of a narrow one.
+
+use bessemer_ir::Int;
+
+/// All integers from `low` to `high`. `bool` is 0 or 1, an enum the index of its variant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Interval {
+    pub(crate) low: i128,
+    pub(crate) high: i128,
+}
+
+impl Interval {
+    pub(crate) const BOOL: Interval = Interval { low: 0, high: 1 };
+
+    /// From one bound to the other, in whichever order they come.
+    pub(crate) fn new(a: i128, b: i128) -> Interval {
+        Interval { low: a.min(b), high: a.max(b) }
+    }
+
+    pub(crate) fn one(value: i128) -> Interval {
+        Interval { low: value, high: value }
+    }
+
+    pub(crate) fn of(int: Int) -> Interval {
+        Interval { low: int.min(), high: int.max() }
+    }
+
+    pub(crate) fn contains(self, value: i128) -> bool {
+        self.low <= value && value <= self.high
+    }
+
+    pub(crate) fn within(self, other: Interval) -> bool {
+        other.low <= self.low && self.high <= other.high
+    }
+
+    pub(crate) fn single(self) -> Option<i128> {
+        (self.low == self.high).then_some(self.low)
+    }
+
+    /// The least interval that holds both.
+    pub(crate) fn join(self, other: Interval) -> Interval {
+        Interval { low: self.low.min(other.low), high: self.high.max(other.high) }
+    }
+
+    /// What both hold. Where that is nothing the code is unreachable: then the nearest bound of
+    /// `self`, so that to know more of the operands is never to know less of the result.
+    pub(crate) fn meet(self, other: Interval) -> Interval {
+        Interval {
+            low: other.low.clamp(self.low, self.high),
+            high: other.high.clamp(self.low, self.high),
+        }
+    }
+
+    /// What is left when one value is known not to occur.
+    pub(crate) fn without(self, value: i128) -> Interval {
+        if self.low == self.high {
+            self
+        } else if value == self.low {
+            Interval { low: self.low + 1, high: self.high }
+        } else if value == self.high {
+            Interval { low: self.low, high: self.high - 1 }
+        } else {
+            self
+        }
+    }
+}
+
+impl std::fmt::Display for Interval {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self.single() {
+            Some(value) => write!(f, "{value}"),
+            None => write!(f, "{}..={}", self.low, self.high),
+        }
+    }
+}

@@ -1,0 +1,168 @@
+//! What is known about the value of an expression.
+//!
+//! The meaning: in every execution of the state in which the expression does not fault, its value lies in the interval.
+
+use bessemer_ir::{
+    BinaryOp, CompareOp, Expr, ExprKind, Float, Intrinsic, LogicOp, Scalar, Type, UnaryOp,
+};
+
+use super::domain::Interval;
+use super::state::{BROUGHT, Key, Known, State, key};
+
+impl State<'_> {
+    /// The range of an integer, `bool` or enum; of anything else, nothing useful.
+    pub(crate) fn range(&self, expr: &Expr) -> Interval {
+        let all = self.all(&expr.ty).unwrap_or(Interval::new(i128::MIN, i128::MAX));
+        self.result(expr, all)
+    }
+
+    fn result(&self, expr: &Expr, all: Interval) -> Interval {
+        match &expr.kind {
+            ExprKind::Literal(word) => self.word(&expr.ty, *word).unwrap_or(all),
+            ExprKind::Const(id) => {
+                let word = self.module.consts.get(id.index()).and_then(|c| c.words.first());
+                word.and_then(|word| self.word(&expr.ty, *word)).unwrap_or(all)
+            }
+            ExprKind::Compare(op, a, b) => self.compare(*op, a, b),
+            ExprKind::Logic(op, a, b) => {
+                let (a, b) = (self.range(a), self.range(b));
+                if *op == LogicOp::And { a.min(b) } else { a.max(b) }
+            }
+            _ if self.blind => all,
+            ExprKind::Load(place) => {
+                key(place).and_then(|key| self.at(&key)).map_or(all, |known| all.meet(known))
+            }
+            ExprKind::Unary(UnaryOp::Not, x) => self.range(x).not(all),
+            ExprKind::Unary(UnaryOp::Neg, x) => all.meet(Interval::one(0).sub(self.range(x))),
+            ExprKind::Binary(op, a, b) => self.range(a).binary(*op, self.range(b), all),
+            ExprKind::Cast(x) => self.number(x).filter(|from| from.within(all)).unwrap_or(all),
+            ExprKind::Intrinsic(Intrinsic::Variant, args) => {
+                let from = args.first().map_or(all, |x| self.brought(x));
+                self.meant(&expr.ty).map_or(all, |meant| meant.meet(from))
+            }
+            ExprKind::Intrinsic(which, args) => {
+                let args: Vec<Interval> = args.iter().map(|arg| self.range(arg)).collect();
+                Interval::intrinsic(*which, &args, all)
+            }
+            _ => all,
+        }
+    }
+
+    /// The interval at a key.
+    fn at(&self, key: &Key) -> Option<Interval> {
+        match self.known.get(key)? {
+            Known::Within(interval) => Some(*interval),
+            Known::Float(_) => None,
+        }
+    }
+
+    /// What is known of the variant that an enum is brought to: what is known of it itself, if it is a variant.
+    fn brought(&self, x: &Expr) -> Interval {
+        let range = self.range(x);
+        brought_key(x).and_then(|key| self.at(&key)).map_or(range, |known| range.meet(known))
+    }
+
+    /// What a word type is as a number: an enum has those of its variants, if it is one of them.
+    pub(super) fn number(&self, expr: &Expr) -> Option<Interval> {
+        self.all(&expr.ty)?;
+        let range = self.range(expr);
+        let Type::Enum(id) = expr.ty else { return Some(range) };
+        let words = usize::try_from(range.low).ok()?..=usize::try_from(range.high).ok()?;
+        let (low, high) = self.module.enums.get(id.index())?.values(words)?;
+        Some(Interval::new(low.into(), high.into()))
+    }
+
+    fn word(&self, ty: &Type, word: u64) -> Option<Interval> {
+        match ty {
+            Type::Scalar(Scalar::Int(int)) => Some(Interval::one(int.from_word(word))),
+            Type::Scalar(Scalar::Bool) | Type::Enum(_) => Some(Interval::one(i128::from(word))),
+            _ => None,
+        }
+    }
+
+    fn compare(&self, op: CompareOp, a: &Expr, b: &Expr) -> Interval {
+        if a.ty.as_float().is_none() {
+            // Two that are no variants may be the same or not.
+            let decided = !(self.may_stray(a) && self.may_stray(b)) && is_ordered(op, &a.ty);
+            let (a, b) = (self.range(a), self.range(b));
+            return if decided { a.compare(op, b) } else { Interval::BOOL };
+        }
+        let (Some(a), Some(b)) = (self.float(a), self.float(b)) else { return Interval::BOOL };
+        Interval::one(i128::from(match op {
+            CompareOp::Eq => a == b,
+            CompareOp::Ne => a != b,
+            CompareOp::Lt => a < b,
+            CompareOp::Le => a <= b,
+            CompareOp::Gt => a > b,
+            CompareOp::Ge => a >= b,
+        }))
+    }
+
+    /// The value of a float expression where it is constant; never a NaN.
+    fn float(&self, expr: &Expr) -> Option<f64> {
+        let float = expr.ty.as_float()?;
+        let value = match &expr.kind {
+            ExprKind::Literal(word) => float_of(float, *word),
+            ExprKind::Const(id) => {
+                float_of(float, *self.module.consts.get(id.index())?.words.first()?)
+            }
+            ExprKind::Load(place) => match self.known.get(&key(place)?)? {
+                Known::Float(value) => *value,
+                Known::Within(_) => return None,
+            },
+            ExprKind::Unary(UnaryOp::Neg, x) => -self.float(x)?,
+            ExprKind::Binary(op, a, b) => {
+                round(float, operate(*op, self.float(a)?, self.float(b)?)?)
+            }
+            ExprKind::Cast(x) => round(float, self.float(x)?),
+            _ => return None,
+        };
+        (!value.is_nan()).then_some(value)
+    }
+
+    /// What is known about a value.
+    pub(crate) fn value(&self, expr: &Expr) -> Option<Known> {
+        match self.all(&expr.ty) {
+            Some(_) => Some(Known::Within(self.range(expr))),
+            None => self.float(expr).map(Known::Float),
+        }
+    }
+}
+
+/// The key of what the enum at a place is brought to.
+pub(super) fn brought_key(x: &Expr) -> Option<Key> {
+    let ExprKind::Load(place) = &x.kind else { return None };
+    let (root, mut fields) = key(place)?;
+    fields.push(BROUGHT);
+    Some((root, fields))
+}
+
+/// Whether intervals of a type decide a comparison: variants are told apart, but not ordered, by their indices.
+pub(super) fn is_ordered(op: CompareOp, ty: &Type) -> bool {
+    !matches!(ty, Type::Enum(_)) || matches!(op, CompareOp::Eq | CompareOp::Ne)
+}
+
+fn float_of(float: Float, word: u64) -> f64 {
+    match float {
+        Float::F32 => f64::from(f32::from_bits(word as u32)),
+        Float::F64 => f64::from_bits(word),
+    }
+}
+
+fn round(float: Float, value: f64) -> f64 {
+    match float {
+        Float::F32 => f64::from(value as f32),
+        Float::F64 => value,
+    }
+}
+
+/// In double precision; rounding the result to single gives what single precision gives.
+fn operate(op: BinaryOp, a: f64, b: f64) -> Option<f64> {
+    match op {
+        BinaryOp::Add => Some(a + b),
+        BinaryOp::Sub => Some(a - b),
+        BinaryOp::Mul => Some(a * b),
+        BinaryOp::Div => Some(a / b),
+        _ => None,
+    }
+}

@@ -1,0 +1,195 @@
+//! Loops: what is known at the head of a pass, and behind the loop.
+//!
+//! The head is reached before the first pass and again after each, so what is known there must hold both times.
+//!
+//! * Nothing is known of what the body writes, save what is shown here.
+//! * **A counter** (`for`): its bounds do not change while the loop runs, and in the body it lies between them.
+//! * **A local that only counts up**: all that the body writes to it adds a literal. Each pass adds at most the sum
+//!   along one path, a loop within it that times its passes; so at the head of pass `k` that times `k` was added.
+//! * **A loop that its body ends** has no counter, and its bounds move: an invariant is looked for instead. From what
+//!   is known before, passes are followed ([`walk`](super::walk)) until nothing new comes; a bound that moves on the
+//!   way is given up. One pass more then gives back what every pass shows again.
+
+use bessemer_ir::{BinaryOp, Block, CompareOp, Expr, ExprKind, LocalId, Place, Stmt, StmtKind};
+
+use super::domain::Interval;
+use super::state::{Known, State};
+use super::walk;
+use crate::passes::places::{lent, load, overlap, whole, writes};
+
+/// A `for` that is about to be entered.
+pub(crate) struct Loop<'a> {
+    /// The variable, as a value.
+    pub(crate) counter: &'a Expr,
+    pub(crate) from: &'a Expr,
+    pub(crate) to: &'a Expr,
+    pub(crate) inclusive: bool,
+    /// Whether its body ends it, so that nothing counts its passes.
+    pub(crate) ended: bool,
+    /// What the body writes.
+    pub(crate) written: &'a [Place],
+    pub(crate) body: &'a Block,
+}
+
+/// A local that only counts up, as it is before the loop.
+struct Counted {
+    local: Expr,
+    before: Interval,
+    /// What a pass adds at most.
+    more: i128,
+}
+
+impl Counted {
+    /// Makes known what it is at most after so many passes.
+    fn bound(&self, passes: i128, state: &mut State) {
+        let high = self.before.high.saturating_add(self.more.saturating_mul(passes));
+        state.bound(&self.local, Interval { low: self.before.low, high });
+    }
+}
+
+impl Loop<'_> {
+    /// Makes `state` that of the head of a pass, and gives the one behind the loop.
+    pub(crate) fn enter<'m>(&self, state: &mut State<'m>) -> State<'m> {
+        let ranges = (state.range(self.from), state.range(self.to));
+        let behind = self.behind(state);
+        if self.ended {
+            *state = self.invariant(state);
+            return behind;
+        }
+        let counted = self.counted(state);
+        self.forget(state);
+        for local in counted {
+            local.bound((passes(ranges, self.inclusive) - 1).max(0), state);
+        }
+        let last = if self.inclusive { ranges.1.high } else { ranges.1.high.saturating_sub(1) };
+        state.bound(self.counter, Interval::new(ranges.0.low, last.max(ranges.0.low)));
+        let op = if self.inclusive { CompareOp::Le } else { CompareOp::Lt };
+        state.assume_compare(CompareOp::Le, self.from, self.counter, true);
+        state.assume_compare(op, self.counter, self.to, true);
+        behind
+    }
+
+    /// What is known behind the loop.
+    pub(super) fn behind<'m>(&self, before: &State<'m>) -> State<'m> {
+        let counted = if self.ended { Vec::new() } else { self.counted(before) };
+        let most = passes((before.range(self.from), before.range(self.to)), self.inclusive);
+        let mut behind = before.clone();
+        self.forget(&mut behind);
+        counted.iter().for_each(|local| local.bound(most, &mut behind));
+        behind
+    }
+
+    fn forget(&self, state: &mut State) {
+        if let ExprKind::Load(place) = &self.counter.kind {
+            state.forget(&[whole(place.root)]);
+        }
+        state.forget(self.written);
+    }
+
+    /// The locals that it only counts up, of which something is known before.
+    fn counted(&self, before: &State) -> Vec<Counted> {
+        let mut head = before.clone();
+        self.forget(&mut head);
+        let counted = |place: &Place| {
+            place.ty.as_int()?;
+            let local = load(place.root, &place.ty, place.span);
+            let range = before.range(&local);
+            if !place.steps.is_empty() || before.all(&local.ty) == Some(range) {
+                return None;
+            }
+            let more = increase(&self.body.0, place.root, &head)?;
+            Some(Counted { local, before: range, more })
+        };
+        self.written.iter().filter_map(counted).collect()
+    }
+
+    /// What holds before the first pass and after each that it held before.
+    fn invariant<'m>(&self, before: &State<'m>) -> State<'m> {
+        let mut before = before.clone();
+        if let ExprKind::Load(place) = &self.counter.kind {
+            before.forget(&[whole(place.root)]);
+        }
+        let next = |head: &State<'m>| {
+            let mut next = before.clone();
+            if let Some(again) = walk::again(self.body, head.clone()) {
+                next.join(&again);
+            }
+            next
+        };
+        let mut head = before.clone();
+        // Each round gives up a bound of a word, a relation, or all that is left.
+        while !head.widen(&next(&head)) {}
+        next(&head)
+    }
+}
+
+impl State<'_> {
+    /// Gives up each bound and each relation that `next` does not keep; whether that was none.
+    fn widen(&mut self, next: &State) -> bool {
+        let (words, relations) = (self.known.len(), self.relations.len());
+        let mut kept = true;
+        self.known.retain(|key, known| match (&mut *known, next.known.get(key)) {
+            (Known::Within(mine), Some(Known::Within(other))) => {
+                let (low, high) = (other.low >= mine.low, other.high <= mine.high);
+                kept &= low && high;
+                mine.low = if low { mine.low } else { i128::MIN };
+                mine.high = if high { mine.high } else { i128::MAX };
+                low || high
+            }
+            (Known::Float(mine), Some(Known::Float(other))) => mine.to_bits() == other.to_bits(),
+            _ => false,
+        });
+        self.relations.join(&next.relations);
+        kept && self.known.len() == words && self.relations.len() == relations
+    }
+}
+
+/// How many passes there are at most.
+fn passes((from, to): (Interval, Interval), inclusive: bool) -> i128 {
+    to.high.saturating_sub(from.low).saturating_add(i128::from(inclusive)).max(0)
+}
+
+/// What statements add to a local at most, if they do nothing else to it.
+fn increase(stmts: &[Stmt], local: LocalId, state: &State) -> Option<i128> {
+    let of_block = |block: &Block| increase(&block.0, local, state);
+    let mut sum = 0i128;
+    for stmt in stmts {
+        let added = match &stmt.kind {
+            StmtKind::Assign { place, value } if place.root == local => added(place, value)?,
+            StmtKind::If { condition, then, otherwise } if is_left(condition, local) => {
+                of_block(then)?.max(of_block(otherwise)?)
+            }
+            StmtKind::Match { scrutinee, arms, otherwise } if is_left(scrutinee, local) => {
+                let mut most = otherwise.as_ref().map_or(Some(0), of_block)?;
+                for arm in arms {
+                    most = most.max(of_block(&arm.body)?);
+                }
+                most
+            }
+            StmtKind::For { from, to, inclusive, ended: false, body, .. }
+                if is_left(from, local) && is_left(to, local) =>
+            {
+                let passes = passes((state.range(from), state.range(to)), *inclusive);
+                of_block(body)?.saturating_mul(passes)
+            }
+            _ if writes([stmt]).iter().any(|place| overlap(place, &whole(local))) => return None,
+            _ => 0,
+        };
+        sum = sum.saturating_add(added);
+    }
+    Some(sum)
+}
+
+/// Whether the calls in an expression leave a local as it is.
+fn is_left(expr: &Expr, local: LocalId) -> bool {
+    !lent(expr).iter().any(|place| place.root == local)
+}
+
+/// `k` of `local = local + k`.
+fn added(place: &Place, value: &Expr) -> Option<i128> {
+    let ExprKind::Binary(BinaryOp::Add, a, b) = &value.kind else { return None };
+    let (ExprKind::Load(from), ExprKind::Literal(word)) = (&a.kind, &b.kind) else { return None };
+    let same = place.steps.is_empty() && from.steps.is_empty() && from.root == place.root;
+    let added = b.ty.as_int()?.from_word(*word);
+    (same && added >= 0).then_some(added)
+}

@@ -1,0 +1,136 @@
+//! The state: what is known of places, and the relations between them; writes, and where paths meet.
+
+use std::collections::BTreeMap;
+
+use bessemer_ir::{Expr, LocalId, Module, Place, Scalar, Step, Type};
+
+use super::domain::Interval;
+use super::relations::Relations;
+use crate::passes::places::{overlap, whole};
+
+/// A local and the fields into it; [`BROUGHT`] behind them: what an enum there is brought to.
+pub(super) type Key = (LocalId, Vec<u32>);
+
+/// Stands in a [`Key`] for no field, but for the variant that the value there is brought to.
+pub(super) const BROUGHT: u32 = u32::MAX;
+
+/// What is known about the word at a place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Known {
+    /// It lies within.
+    Within(Interval),
+    /// It is this float; not a NaN.
+    Float(f64),
+}
+
+/// What is known at a point.
+#[derive(Clone)]
+pub(crate) struct State<'m> {
+    pub(super) module: &'m Module,
+    pub(super) known: BTreeMap<Key, Known>,
+    pub(super) relations: Relations,
+    /// Whether even operations tell nothing of their values but the type.
+    pub(super) blind: bool,
+}
+
+/// The key of a place that is reached by fields alone; an element of an array has none.
+pub(super) fn key(place: &Place) -> Option<Key> {
+    let fields = place.steps.iter().map(|step| match step {
+        Step::Field(field) => Some(*field),
+        Step::Index(_) | Step::Element(..) | Step::From(_) => None,
+    });
+    Some((place.root, fields.collect::<Option<_>>()?))
+}
+
+fn place_of((root, fields): &Key) -> Place {
+    Place { steps: fields.iter().map(|field| Step::Field(*field)).collect(), ..whole(*root) }
+}
+
+impl<'m> State<'m> {
+    /// Nothing is known: every execution is in the meaning.
+    pub(crate) fn new(module: &'m Module) -> State<'m> {
+        State { module, known: BTreeMap::new(), relations: Relations::default(), blind: false }
+    }
+
+    /// Nothing is known, and nothing is concluded: every number may have each value of its type.
+    pub(crate) fn blind(module: &'m Module) -> State<'m> {
+        State { blind: true, ..State::new(module) }
+    }
+
+    /// All values of a word type; floats have no interval.
+    pub(crate) fn all(&self, ty: &Type) -> Option<Interval> {
+        match ty {
+            Type::Scalar(Scalar::Bool) => Some(Interval::BOOL),
+            Type::Scalar(Scalar::Int(int)) => Some(Interval::of(*int)),
+            Type::Enum(_) => Some(Interval::new(0, self.stray(ty)?)),
+            _ => None,
+        }
+    }
+
+    /// What stands for a value of an enum that is none of its variants: one more than the last index.
+    pub(super) fn stray(&self, ty: &Type) -> Option<i128> {
+        let Type::Enum(id) = ty else { return None };
+        Some(self.module.enums.get(id.index())?.variants.len() as i128)
+    }
+
+    /// The values of a type that are meant to be: those of an enum are its variants.
+    pub(super) fn meant(&self, ty: &Type) -> Option<Interval> {
+        let all = self.all(ty)?;
+        Some(self.stray(ty).map_or(all, |stray| all.without(stray)))
+    }
+
+    /// Whether an expression is an enum that may be none of its variants.
+    pub(crate) fn may_stray(&self, expr: &Expr) -> bool {
+        self.stray(&expr.ty).is_some_and(|stray| self.range(expr).contains(stray))
+    }
+
+    /// `written` are written: nothing that depends on them is known any more.
+    pub(crate) fn forget(&mut self, written: &[Place]) {
+        for written in written {
+            let (first, next) = (written.root, LocalId(written.root.0.saturating_add(1)));
+            let same_root = self.known.range((first, Vec::new())..(next, Vec::new()));
+            let hit = same_root.map(|(key, _)| key).filter(|key| overlap(&place_of(key), written));
+            for key in hit.cloned().collect::<Vec<_>>() {
+                self.known.remove(&key);
+            }
+        }
+        self.relations.forget(written);
+    }
+
+    /// `value`, if anything is known about it, is written to `place`.
+    pub(crate) fn assign(&mut self, place: &Place, value: Option<Known>) {
+        self.forget(std::slice::from_ref(place));
+        if let (Some(key), Some(value)) = (key(place), value) {
+            self.known.insert(key, value);
+        }
+    }
+
+    /// Only what is known here and in `other`.
+    pub(crate) fn join(&mut self, other: &State<'m>) {
+        self.known.retain(|key, known| match (*known, other.known.get(key)) {
+            (Known::Within(a), Some(Known::Within(b))) => {
+                *known = Known::Within(a.join(*b));
+                true
+            }
+            (Known::Float(a), Some(Known::Float(b))) => a.to_bits() == b.to_bits(),
+            _ => false,
+        });
+        self.relations.join(&other.relations);
+    }
+
+    /// After branches: what is known at the end of all of those that reach it.
+    pub(crate) fn after(&mut self, ends: Vec<(State<'m>, bool)>) {
+        let reached = ends.into_iter().filter(|(_, diverges)| !diverges).map(|(state, _)| state);
+        if let Some(joined) = joined(reached) {
+            *self = joined;
+        }
+    }
+}
+
+/// What is known where several paths meet; nothing if there are none.
+pub(super) fn joined<'m>(paths: impl IntoIterator<Item = State<'m>>) -> Option<State<'m>> {
+    paths.into_iter().reduce(|mut a, b| {
+        a.join(&b);
+        a
+    })
+}

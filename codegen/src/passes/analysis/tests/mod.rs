@@ -1,0 +1,5 @@
+//! The rules of the analysis against execution: exhaustively where types are narrow, by chance where they are wide.
+
+mod conditions;
+mod enums;
+mod operations;

@@ -1,0 +1,126 @@
+//! Statements, one after another: what is known at the end of a pass, if it was known where the pass began.
+//!
+//! Invariant: each execution of the statements that starts in the state, and does not fault, is in the meaning of what
+//! is given for the point where it comes out. Nothing is rewritten, and nothing said of checks; conditions that
+//! call are not assumed, since to ask again could give another answer.
+
+use bessemer_ir::visit::{Visit, walk_expr};
+use bessemer_ir::{Block, Expr, ExprKind, Stmt, StmtKind};
+
+use super::loops::Loop;
+use super::state::{Known, State, joined};
+use crate::passes::places::{lent, lent_by_indices, load, whole, writes};
+
+/// What is known where the next pass begins, by the end of the body or a `continue`; nothing if none does.
+pub(super) fn again<'m>(body: &Block, head: State<'m>) -> Option<State<'m>> {
+    let mut walk = Walk { continued: Vec::new() };
+    let end = walk.block(body, head);
+    joined(walk.continued.into_iter().chain(end))
+}
+
+struct Walk<'m> {
+    /// The states at each `continue`.
+    continued: Vec<State<'m>>,
+}
+
+impl<'m> Walk<'m> {
+    /// The state at the end; nothing if no path leads there.
+    fn block(&mut self, block: &Block, state: State<'m>) -> Option<State<'m>> {
+        block.0.iter().try_fold(state, |state, stmt| self.stmt(stmt, state))
+    }
+
+    fn stmt(&mut self, stmt: &Stmt, mut state: State<'m>) -> Option<State<'m>> {
+        match &stmt.kind {
+            StmtKind::Let { local, value } => {
+                let value = value.as_ref().and_then(|value| evaluated(value, &mut state));
+                state.assign(&whole(*local), value);
+            }
+            StmtKind::Assign { place, value } => {
+                let value = evaluated(value, &mut state);
+                state.forget(&lent_by_indices(place));
+                state.assign(place, value);
+            }
+            StmtKind::Expr(value) => {
+                evaluated(value, &mut state);
+            }
+            StmtKind::Check { condition, .. } => {
+                evaluated(condition, &mut state);
+                if condition.kind == ExprKind::Literal(0) {
+                    return None;
+                }
+                assume(&mut state, condition, true);
+            }
+            StmtKind::If { condition, then, otherwise } => {
+                evaluated(condition, &mut state);
+                let mut other = state.clone();
+                assume(&mut state, condition, true);
+                assume(&mut other, condition, false);
+                let ends = [self.block(then, state), self.block(otherwise, other)];
+                return joined(ends.into_iter().flatten());
+            }
+            StmtKind::Match { scrutinee, arms, otherwise } => {
+                evaluated(scrutinee, &mut state);
+                let asks = !calls(scrutinee);
+                let mut ends = Vec::new();
+                for (index, arm) in arms.iter().enumerate() {
+                    let mut state = state.clone();
+                    if asks {
+                        let rest = otherwise.is_none() && index + 1 == arms.len();
+                        state.select(scrutinee, &arm.values, rest);
+                    }
+                    ends.push(self.block(&arm.body, state));
+                }
+                if let Some(otherwise) = otherwise {
+                    if asks {
+                        let values = arms.iter().flat_map(|arm| arm.values.iter().copied());
+                        state.exclude(scrutinee, values.collect());
+                    }
+                    ends.push(self.block(otherwise, state));
+                }
+                return joined(ends.into_iter().flatten());
+            }
+            StmtKind::For { variable, from, to, inclusive, ended, body, .. } => {
+                evaluated(from, &mut state);
+                evaluated(to, &mut state);
+                let (counter, written) = (load(*variable, &from.ty, stmt.span), writes(&body.0));
+                let (inclusive, ended) = (*inclusive, *ended || calls(from) || calls(to));
+                let (counter, written) = (&counter, &written[..]);
+                let inner = Loop { counter, from, to, inclusive, ended, written, body };
+                return Some(inner.behind(&state));
+            }
+            StmtKind::Continue => {
+                self.continued.push(state);
+                return None;
+            }
+            StmtKind::Return(_) | StmtKind::Break => return None,
+        }
+        Some(state)
+    }
+}
+
+/// The value of an expression, unless it calls: then what it may have written is forgotten.
+fn evaluated(expr: &Expr, state: &mut State) -> Option<Known> {
+    let value = state.value(expr).filter(|_| !calls(expr));
+    state.forget(&lent(expr));
+    value
+}
+
+fn assume(state: &mut State, condition: &Expr, truth: bool) {
+    if !calls(condition) {
+        state.assume(condition, truth);
+    }
+}
+
+/// Whether an expression calls a function.
+fn calls(expr: &Expr) -> bool {
+    struct Calls(bool);
+    impl Visit for Calls {
+        fn expr(&mut self, expr: &Expr) {
+            self.0 |= matches!(expr.kind, ExprKind::Call(..));
+            walk_expr(self, expr);
+        }
+    }
+    let mut calls = Calls(false);
+    calls.expr(expr);
+    calls.0
+}

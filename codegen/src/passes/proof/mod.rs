@@ -1,0 +1,29 @@
+//! The verifier of F3: that no operation of explicit IR faults by itself.
+//!
+//! It shares nothing with the analysis that left the checks out: no facts, no conditions, no rules. It looks at
+//! **values**, not at places. Each value that is computed is a *linear form* over *symbols*, `3 + 2 a - b`, and a
+//! symbol stands for one number in one execution, for ever. So what is known of symbols never has to be forgotten; a
+//! write changes only which value a place holds.
+//!
+//! The meaning of a [`Knowledge`](knowledge::Knowledge): in every execution that is at this point, each symbol lies
+//! within its bounds, each form in `forms` is 0 or more, and one alternative of each clause is true.
+//! A goal `form >= 0` is shown by arithmetic alone: bounds of its symbols, after forms that are known to be 0 or more
+//! are subtracted; or from each alternative of a clause.
+//!
+//! What an operation needs is stated in exact numbers ([`values`]): a sum lies within its type, an index is 0 or more
+//! and less than the length. A loop ([`walk`]) is looked at twice: bounds are *guessed* from a pass, and kept if a pass
+//! that begins with them ends with them.
+//!
+//! Must not know: which checks could have been left out, `analysis`, `faults`.
+
+mod knowledge;
+mod linear;
+mod values;
+mod walk;
+
+use bessemer_ir::{Function, Module, Span};
+
+/// Where an operation of a function may fault, as far as this shows.
+pub(super) fn open(module: &Module, function: &Function) -> Vec<Span> {
+    walk::Walk::new(module, function).run()
+}
