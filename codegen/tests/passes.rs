@@ -136,6 +136,10 @@ fn g in demo(m: &mut matrix<f64, 2, 2>, t: &[u8; 4], i: usize, n: u8) {{
     assert_eq!(rules(&body("  let x: u8 = load(t[i]);")), [Rule::Unchecked]);
     assert_eq!(rules(&body("  check i < 4 else index;\n  let x: u8 = load(t[i]);")), []);
     assert_eq!(rules(&body("  check n + 1u8 > 0u8 else overflow;")), [Rule::Unchecked]);
+    // A condition is no reason to believe what is asked in it.
+    let early = "  check load(t[i]) <= 254u8 else overflow;\n  check i < 4 else index;";
+    let used = "  let x: u8 = load(t[i]) + 1u8;";
+    assert_eq!(rules(&body(&format!("{early}\n{used}"))), [Rule::Unchecked]);
     assert_eq!(rules(&body("  let x: u8 = f(&mut n) & 1u8;")), [Rule::Call]);
     assert_eq!(rules(&body("  let x: u8 = f(&mut n);")), []);
     assert_eq!(rules(&body("  m = m.product(m);")), [Rule::Overlap]);

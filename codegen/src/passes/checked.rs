@@ -6,14 +6,15 @@
 //!
 //! Must not know: what is proved.
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
-use bessemer_ir::visit::{Access, Visit, walk_expr, walk_place, walk_stmt};
-use bessemer_ir::{Block, Expr, ExprKind, Fault, Function, Module, Place, Span, Stmt, StmtKind};
+use bessemer_ir::visit::{Access, Visit, walk_expr, walk_stmt};
+use bessemer_ir::{Block, Expr, Fault, Function, Module, Place, Step, Stmt, StmtKind};
 
 use super::analysis::State;
 use super::faults::{self, Obligation};
 use super::places::{erased, reads, writes};
+use super::sites::Site;
 
 /// Whether a condition was checked by the statements before a point of a block, and still holds there.
 pub(super) fn before(stmts: &[Stmt], condition: &Expr) -> bool {
@@ -32,38 +33,18 @@ pub(super) fn before(stmts: &[Stmt], condition: &Expr) -> bool {
     false
 }
 
-/// Of places in a function at which something may fault: those where more stands than operations behind their checks.
-pub(super) fn without(open: Vec<Span>, module: &Module, function: &Function) -> Vec<Span> {
+/// Of operations of a function that may fault: those that do not stand behind their checks.
+pub(super) fn without(open: Vec<Site>, module: &Module, function: &Function) -> Vec<Site> {
     if open.is_empty() {
         return open;
     }
-    let Found { checks, checked, bare } = found(module, function);
-    // A condition that an operation needs cannot fault itself.
-    let faults = |within: &Option<Expr>| !within.as_ref().is_some_and(|it| checks.contains(it));
-    let bare = |span: &Span| bare.iter().any(|(at, within)| at == span && faults(within));
-    open.into_iter().filter(|span| bare(span) || !checked.contains(span)).collect()
+    let found = found(module, function);
+    open.into_iter().filter(|site| !found.stands(site)).collect()
 }
 
-/// The conditions of checks that operations behind them need, of words alone.
+/// The conditions of checks that operations behind them need.
 pub(super) fn needed(module: &Module, function: &Function) -> Vec<Expr> {
-    let mut checks = found(module, function).checks;
-    checks.retain(|condition| {
-        let mut words = Words(true);
-        words.expr(condition);
-        words.0
-    });
-    checks
-}
-
-/// Whether an expression neither calls nor takes what has parts.
-struct Words(bool);
-
-impl Visit for Words {
-    fn expr(&mut self, expr: &Expr) {
-        self.0 &=
-            expr.ty.is_word() && !matches!(expr.kind, ExprKind::Call(..) | ExprKind::Routine(..));
-        walk_expr(self, expr);
-    }
+    found(module, function).checks.into_iter().map(|check| check.condition).collect()
 }
 
 fn found(module: &Module, function: &Function) -> Found {
@@ -75,12 +56,37 @@ fn found(module: &Module, function: &Function) -> Found {
 
 #[derive(Default)]
 struct Found {
-    /// Conditions that operations needed and found checked.
-    checks: Vec<Expr>,
-    /// Where an operation stands behind its check.
-    checked: HashSet<Span>,
-    /// Where one does not; and the condition that it is part of, if that is checked.
-    bare: Vec<(Span, Option<Expr>)>,
+    checks: Vec<Needed>,
+    /// The operations that stand behind their checks.
+    checked: HashSet<Site>,
+    /// Those that are part of a check's condition.
+    within: HashMap<Site, Part>,
+}
+
+/// A condition that an operation needed and found checked.
+struct Needed {
+    condition: Expr,
+    /// What may fault of the operation's operands.
+    operands: Vec<Expr>,
+}
+
+/// An operation in the condition of a check; `of`: itself, if it is no step.
+struct Part {
+    condition: Expr,
+    of: Option<Expr>,
+}
+
+impl Found {
+    /// Whether an operation cannot fault, as it stands: it is checked, or it is what a condition that another needs asks
+    /// of the operands (`x <= MAX / y`, where `y` is above 0), which never faults.
+    fn stands(&self, site: &Site) -> bool {
+        let asks = |Part { condition, of }: &Part| {
+            let Some(of) = of else { return false };
+            let mut checks = self.checks.iter().filter(|check| check.condition == *condition);
+            checks.any(|check| !check.operands.contains(of))
+        };
+        self.checked.contains(site) || self.within.get(site).is_some_and(asks)
+    }
 }
 
 struct Blocks<'m> {
@@ -93,15 +99,12 @@ struct Blocks<'m> {
 impl Visit for Blocks<'_> {
     fn block(&mut self, block: &Block) {
         for (at, stmt) in block.0.iter().enumerate() {
-            if let StmtKind::Check { fault: Fault::LeftOut, .. } = stmt.kind {
-                self.found.bare.push((stmt.span, None));
-            }
             let within = match &stmt.kind {
                 StmtKind::Check { condition, .. } => Some(erased(condition)),
                 _ => None,
             };
             let stmts = &block.0[..at];
-            walk_stmt(&mut Operations { of: self, stmts, within }, stmt);
+            walk_stmt(&mut Operations { of: self, stmts, within, seen: Vec::new() }, stmt);
             walk_stmt(self, stmt);
         }
     }
@@ -115,33 +118,59 @@ struct Operations<'a, 'm> {
     stmts: &'a [Stmt],
     /// The condition, if it is a check.
     within: Option<Expr>,
+    /// Those so far that could fault, steps left out.
+    seen: Vec<Expr>,
 }
 
 impl Operations<'_, '_> {
-    fn operation(&mut self, span: Span, needs: Vec<Obligation>) {
+    /// An operation; `of`: itself, if it is no step; `operands`: from where on its operands were seen.
+    fn operation(&mut self, site: Site, needs: &[Obligation], of: Option<Expr>, operands: usize) {
         let found = &mut self.of.found;
-        if !needs.iter().all(|it| before(self.stmts, &it.condition)) {
-            found.bare.push((span, self.within.clone()));
-        } else if !needs.is_empty() {
-            found.checked.insert(span);
-            found.checks.extend(needs.iter().map(|it| erased(&it.condition)));
+        if needs.iter().all(|it| before(self.stmts, &it.condition)) {
+            found.checked.insert(site);
+            found.checks.extend(needs.iter().map(|it| Needed {
+                condition: erased(&it.condition),
+                operands: self.seen[operands..].to_vec(),
+            }));
         }
+        if let Some(condition) = self.within.clone() {
+            found.within.insert(site, Part { condition, of: of.clone() });
+        }
+        self.seen.extend(of);
     }
 }
 
 impl Visit for Operations<'_, '_> {
     fn block(&mut self, _: &Block) {}
     fn expr(&mut self, expr: &Expr) {
-        self.operation(expr.span, faults::of_expr(expr, &self.of.blind));
+        let operands = self.seen.len();
         walk_expr(self, expr);
+        let needs = faults::of_expr(expr, &self.of.blind);
+        if !needs.is_empty() {
+            self.operation(Site::of_expr(expr), &needs, Some(erased(expr)), operands);
+        }
     }
     fn place(&mut self, place: &Place, _: Access) {
         let mut container = Some(self.of.function.local(place.root).ty.clone());
         for step in &place.steps {
             let Some(ty) = &container else { break };
-            self.operation(place.span, faults::of_step(place.root, ty, step, &self.of.blind));
+            let operands = self.seen.len();
+            match step {
+                Step::Field(_) => {}
+                Step::Index(index) | Step::From(index) => self.expr(index),
+                Step::Element(row, column) => {
+                    self.expr(row);
+                    self.expr(column);
+                }
+            }
+            let needs = faults::of_step(place.root, ty, step, &self.of.blind);
+            if !needs.is_empty() {
+                self.operation(Site::of_step(step, place.span), &needs, None, operands);
+            }
             container = faults::step_type(self.of.module, ty, step);
         }
-        walk_place(self, place);
     }
 }
+
+#[cfg(test)]
+mod tests;

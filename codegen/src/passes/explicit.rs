@@ -51,7 +51,7 @@ pub fn check(module: &Module) -> Vec<Problem> {
         checker.block(&function.body);
         super::open(module, function)
             .into_iter()
-            .for_each(|span| checker.wrong(Rule::Unchecked, span));
+            .for_each(|site| checker.wrong(Rule::Unchecked, site.span));
         problems = checker.problems;
     }
     problems

@@ -125,7 +125,7 @@ impl Needs<'_, '_> {
     fn all(&self, conditions: Vec<Expr>, fault: Fault, reason: String) -> Vec<Obligation> {
         let open = conditions.into_iter().filter(|condition| !self.facts.proves(condition));
         let condition = open.reduce(|a, b| logic(LogicOp::And, a, b));
-        let condition = condition.map(|condition| located(&condition, self.span));
+        let condition = condition.map(|condition| located(condition, self.span));
         let obligation = |condition| Obligation { condition, fault, span: self.span, reason };
         condition.map(obligation).into_iter().collect()
     }
@@ -298,7 +298,7 @@ fn quotient(a: &Expr, b: &Expr, int: Int) -> Vec<Expr> {
 fn wide(op: BinaryOp, a: &Expr, b: &Expr, to: Int, int: Int) -> Vec<Expr> {
     let cast = |x: &Expr| {
         let ty = Type::Scalar(Scalar::Int(to));
-        Expr { kind: ExprKind::Cast(Box::new(x.clone())), ty, span: x.span }
+        Expr { kind: ExprKind::Cast(Box::new(x.clone())), ty, span: Span::default() }
     };
     let exact = binary(op, &cast(a), &cast(b));
     let mut conditions = at_least(&exact, to, int.min());
@@ -353,15 +353,15 @@ fn literal(value: i128, int: Int) -> Expr {
 
 fn binary(op: BinaryOp, a: &Expr, b: &Expr) -> Expr {
     let kind = ExprKind::Binary(op, Box::new(a.clone()), Box::new(b.clone()));
-    Expr { kind, ty: a.ty.clone(), span: a.span }
+    Expr { kind, ty: a.ty.clone(), span: Span::default() }
 }
 
 fn compare(op: CompareOp, a: &Expr, b: &Expr) -> Expr {
     let kind = ExprKind::Compare(op, Box::new(a.clone()), Box::new(b.clone()));
-    Expr { kind, ty: Type::BOOL, span: a.span }
+    Expr { kind, ty: Type::BOOL, span: Span::default() }
 }
 
 fn logic(op: LogicOp, a: Expr, b: Expr) -> Expr {
-    let span = a.span;
-    Expr { kind: ExprKind::Logic(op, Box::new(a), Box::new(b)), ty: Type::BOOL, span }
+    let kind = ExprKind::Logic(op, Box::new(a), Box::new(b));
+    Expr { kind, ty: Type::BOOL, span: Span::default() }
 }

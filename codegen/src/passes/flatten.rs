@@ -244,13 +244,19 @@ impl<'m> Lowering<'m> {
                 self.lighten(column, Purpose::Named(&format!("{of}_column")));
             }
         }
-        let checked = obliged(self, step).into_iter().map(|it| self.check(it)).collect();
+        let doubted = self.doubts(span);
+        let checked = obliged(self, step).into_iter().map(|it| self.check(it, doubted)).collect();
         self.keep_proved(|blank| faults::of_step(root, container, step, blank), checked);
+    }
+
+    /// Whether the proof of what comes from there is not believed.
+    pub(super) fn doubts(&self, span: Span) -> bool {
+        self.doubted.contains(&span)
     }
 
     /// What is known before an operation: nothing, if its proof is not believed.
     fn facts_at(&self, span: Span) -> Cow<'_, State<'m>> {
-        match self.doubted.contains(&span) {
+        match self.doubts(span) {
             true => Cow::Owned(State::blind(self.module)),
             false => Cow::Borrowed(&self.facts),
         }
@@ -272,7 +278,7 @@ impl<'m> Lowering<'m> {
     fn secure(&mut self, mut expr: Expr) -> Expr {
         let obliged =
             |lowering: &Self, expr: &Expr| faults::of_expr(expr, &lowering.facts_at(expr.span));
-        if obliged(self, &expr).is_empty() {
+        if self.asked == Some(expr.span) || obliged(self, &expr).is_empty() {
             self.keep_proved(|blank| faults::of_expr(&expr, blank), Vec::new());
             return expr;
         }
@@ -292,7 +298,8 @@ impl<'m> Lowering<'m> {
             }
             _ => {}
         }
-        let checked = obliged(self, &expr).into_iter().map(|it| self.check(it)).collect();
+        let doubted = self.doubts(expr.span);
+        let checked = obliged(self, &expr).into_iter().map(|it| self.check(it, doubted)).collect();
         self.keep_proved(|blank| faults::of_expr(&expr, blank), checked);
         expr
     }
@@ -304,12 +311,13 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    /// Checks a condition, and gives it back.
-    fn check(&mut self, obligation: Obligation) -> Expr {
+    /// Checks a condition, and gives it back; `doubted`: even if it is proved.
+    fn check(&mut self, obligation: Obligation, doubted: bool) -> Expr {
         let Obligation { condition, fault, span, reason } = obligation;
         // Another half of the same operation may have just been checked; or all of it, in explicit code.
-        let proved = self.facts.proves(&condition) && !self.doubted.contains(&span);
-        if !proved && !checked::before(&self.out, &condition) {
+        let proved = self.facts.proves(&condition) && !doubted;
+        let stands = checked::before(&self.out, &condition) && !reads(&condition, &self.pending);
+        if !proved && !stands {
             self.facts.assume(&condition, true);
             self.remain(fault, span, reason);
             self.emit(StmtKind::Check { condition: condition.clone(), fault }, span);

@@ -25,6 +25,7 @@ mod names;
 mod places;
 mod positions;
 mod proof;
+mod sites;
 mod statements;
 mod work;
 
@@ -40,6 +41,7 @@ use bessemer_ir::{
 use thiserror::Error;
 
 use positions::Callee;
+use sites::Site;
 
 /// A check that is left, because the operation could not be proved not to fault.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -108,8 +110,8 @@ pub fn explicit_with(module: Module, keep: bool) -> Result<(Module, Report), Vec
             let done = statements::function(&module, &callees, function, &doubted, false);
             let open = open(&module, &done.0);
             // The first alone: behind its check, others may not be open any more.
-            match open.into_iter().find(|span| !doubted.contains(span)) {
-                Some(first) => doubted.insert(first),
+            match open.into_iter().find(|site| !doubted.contains(&site.span)) {
+                Some(first) => doubted.insert(first.span),
                 None => break done,
             };
         };
@@ -131,12 +133,13 @@ pub fn explicit_with(module: Module, keep: bool) -> Result<(Module, Report), Vec
     }
 }
 
-/// Where an operation of a function may fault: [`proof`] does not show that it cannot, and its check is not before it.
-fn open(module: &Module, function: &Function) -> Vec<Span> {
+/// The operations of a function that may fault: [`proof`] does not show that they cannot, and their checks are not
+/// before them.
+fn open(module: &Module, function: &Function) -> Vec<Site> {
     checked::without(proof::open(module, function), module, function)
 }
 
-/// Operations whose proof [`proof`] does not confirm: their checks stand.
+/// Where operations come from of which [`proof`] does not confirm one: the checks of all of them stand.
 type Doubted = HashSet<Span>;
 
 /// Takes checks of the author's away that were proved.

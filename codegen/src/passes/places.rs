@@ -38,26 +38,31 @@ pub(crate) fn load(local: LocalId, ty: &Type, span: Span) -> Expr {
     Expr { kind: ExprKind::Load(place), ty: ty.clone(), span }
 }
 
-/// The same expression without its spans, to compare with others.
-pub(crate) fn erased(expr: &Expr) -> Expr {
-    located(expr, Span::default())
+/// Sets the spans of an expression, by what they are.
+struct Locate<F>(F);
+
+impl<F: Fn(Span) -> Span> VisitMut for Locate<F> {
+    fn expr(&mut self, expr: &mut Expr) {
+        expr.span = (self.0)(expr.span);
+        walk_expr_mut(self, expr);
+    }
+    fn place(&mut self, place: &mut Place, _: Access) {
+        place.span = (self.0)(place.span);
+        walk_place_mut(self, place);
+    }
 }
 
-/// The same expression, all of it at `span`.
-pub(crate) fn located(expr: &Expr, span: Span) -> Expr {
-    struct Locate(Span);
-    impl VisitMut for Locate {
-        fn expr(&mut self, expr: &mut Expr) {
-            expr.span = self.0;
-            walk_expr_mut(self, expr);
-        }
-        fn place(&mut self, place: &mut Place, _: Access) {
-            place.span = self.0;
-            walk_place_mut(self, place);
-        }
-    }
+/// The same expression without its spans, to compare with others.
+pub(crate) fn erased(expr: &Expr) -> Expr {
     let mut expr = expr.clone();
-    Locate(span).expr(&mut expr);
+    Locate(|_| Span::default()).expr(&mut expr);
+    expr
+}
+
+/// The same expression; what comes from nowhere comes from `span`.
+pub(crate) fn located(mut expr: Expr, span: Span) -> Expr {
+    let nowhere = Span::default();
+    Locate(|it| if it == nowhere { span } else { it }).expr(&mut expr);
     expr
 }
 

@@ -35,8 +35,12 @@ pub(super) struct Lowering<'m> {
     pub(super) brings: bool,
     /// Operations whose proof is not believed.
     pub(super) doubted: &'m Doubted,
+    /// What the value of the statement writes, which comes before what is emitted meanwhile and is not in `out`.
+    pub(super) pending: Vec<Place>,
     /// The conditions of checks that operations behind them need.
     needed: Vec<Expr>,
+    /// Where such a check comes from, while its condition is lowered.
+    pub(super) asked: Option<Span>,
     /// Whether checks that are proved stand all the same.
     pub(super) keeps: bool,
     remaining: Vec<Remaining>,
@@ -89,7 +93,7 @@ fn lowered(
     let body = std::mem::take(&mut function.body);
     let names = Names::of(&function);
     let facts = State::new(module);
-    let (out, base, remaining) = (Vec::new(), String::new(), Vec::new());
+    let (out, base, remaining, pending) = (Vec::new(), String::new(), Vec::new(), Vec::new());
     let mut lowering = Lowering {
         module,
         callees,
@@ -100,7 +104,9 @@ fn lowered(
         names,
         brings,
         doubted,
+        pending,
         needed,
+        asked: None,
         keeps,
         remaining,
     };
@@ -166,7 +172,9 @@ impl Lowering<'_> {
             self.protect(&mut value, &lent_by_indices(&place));
         }
         let start = self.out.len();
+        self.pending = written.clone();
         let place = self.place(place);
+        self.pending.clear();
         if self.is_statement(&value) && (self.out.len() > start || moves(&place, &written)) {
             let next = self.wish(Purpose::Part("next"), &value);
             self.keep_at(start, &mut value, &next);
@@ -299,10 +307,11 @@ impl Lowering<'_> {
 
     /// A check of the author's.
     fn assertion(&mut self, condition: Expr, fault: Fault, span: Span) {
-        // A condition that an operation needs cannot fault itself, and stays as it is.
-        let needed = self.needed.contains(&erased(&condition));
-        let condition = if needed { condition } else { self.word(condition) };
-        if self.facts.proves(&condition) && !self.doubted.contains(&span) {
+        // What the check of an operation asks of the operands stands at the operation's place, and never faults.
+        self.asked = self.needed.contains(&erased(&condition)).then_some(span);
+        let condition = self.word(condition);
+        self.asked = None;
+        if self.facts.proves(&condition) && !self.doubts(span) {
             // For the verifier to confirm.
             self.emit(StmtKind::Check { condition, fault: Fault::LeftOut }, span);
             return;

@@ -21,9 +21,11 @@ mod linear;
 mod values;
 mod walk;
 
-use bessemer_ir::{Function, Module, Span};
+use bessemer_ir::{Function, Module};
 
-/// Where an operation of a function may fault, as far as this shows.
-pub(super) fn open(module: &Module, function: &Function) -> Vec<Span> {
+use super::sites::Site;
+
+/// The operations of a function that may fault, as far as this shows.
+pub(super) fn open(module: &Module, function: &Function) -> Vec<Site> {
     walk::Walk::new(module, function).run()
 }

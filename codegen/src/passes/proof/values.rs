@@ -7,11 +7,12 @@ use std::collections::HashMap;
 
 use bessemer_ir::{
     BinaryOp, CompareOp, EnumId, Expr, ExprKind, Float, Function, FunctionId, Int, Intrinsic,
-    LocalId, LogicOp, Module, Place, Scalar, Span, Step, Type, UnaryOp,
+    LocalId, LogicOp, Module, Place, Scalar, Step, Type, UnaryOp,
 };
 
 use super::knowledge::{Bounds, Formula, Knowledge};
 use super::linear::{FURTHEST, Linear, Symbol};
+use crate::passes::sites::Site;
 
 /// The value of a word.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -62,8 +63,8 @@ pub(super) struct Values<'m> {
     pub(super) all: Vec<Bounds>,
     origins: HashMap<(Origin, Vec<Value>), Symbol>,
     pub(super) versions: u32,
-    /// Where something may fault.
-    pub(super) open: Vec<Span>,
+    /// The operations that may fault.
+    pub(super) open: Vec<Site>,
     /// Whether that is told later.
     pub(super) quiet: bool,
 }
@@ -137,22 +138,22 @@ impl<'m> Values<'m> {
     }
 
     /// Tells of a place where what is needed does not show.
-    pub(super) fn need(&mut self, point: &Point, needed: &Formula, span: Span) {
+    pub(super) fn need(&mut self, point: &Point, needed: &Formula, site: Site) {
         if !self.quiet && !point.knowledge.shows(needed, &self.all) {
-            self.open.push(span);
+            self.open.push(site);
         }
     }
 
-    fn tell(&mut self, span: Span) {
+    fn tell(&mut self, site: Site) {
         if !self.quiet {
-            self.open.push(span);
+            self.open.push(site);
         }
     }
 
-    fn need_within(&mut self, point: &Point, form: Option<&Linear>, bounds: Bounds, span: Span) {
+    fn need_within(&mut self, point: &Point, form: Option<&Linear>, bounds: Bounds, site: Site) {
         match form.and_then(|form| within(form, bounds)) {
-            Some(needed) => self.need(point, &needed, span),
-            None => self.tell(span),
+            Some(needed) => self.need(point, &needed, site),
+            None => self.tell(site),
         }
     }
 
@@ -309,11 +310,11 @@ impl<'m> Values<'m> {
             };
             let more = i128::from(matches!(step, Step::From(_)));
             if let (At::Index(indices), Some(container)) = (&at, &container) {
-                let span = place.span;
+                let site = Site::of_step(step, place.span);
                 match container {
                     Type::Array { len, .. } => {
                         let last = i128::from(*len) - 1 + more;
-                        self.need_within(point, indices.first(), (0, last), span);
+                        self.need_within(point, indices.first(), (0, last), site);
                     }
                     Type::Matrix { rows, cols, .. } => {
                         let most = match indices.len() {
@@ -321,7 +322,7 @@ impl<'m> Values<'m> {
                             _ => vec![i128::from(*rows), i128::from(*cols)],
                         };
                         for (index, most) in indices.iter().zip(most) {
-                            self.need_within(point, Some(index), (0, most - 1), span);
+                            self.need_within(point, Some(index), (0, most - 1), site);
                         }
                     }
                     Type::Slice(_) => {
@@ -331,8 +332,8 @@ impl<'m> Values<'m> {
                             (length, indices.first())
                         {
                             let room = length.minus(index).and_then(|it| it.shifted(more - 1));
-                            self.need_within(point, Some(index), (0, FURTHEST), span);
-                            self.need_within(point, room.as_ref(), (0, FURTHEST), span);
+                            self.need_within(point, Some(index), (0, FURTHEST), site);
+                            self.need_within(point, room.as_ref(), (0, FURTHEST), site);
                         }
                     }
                     _ => {}
@@ -373,7 +374,7 @@ impl<'m> Values<'m> {
             }
             (UnaryOp::Neg, Value::Number(form), Some(int)) => {
                 let opposite = form.times(-1);
-                self.need_within(point, opposite.as_ref(), bounds_of(int), expr.span);
+                self.need_within(point, opposite.as_ref(), bounds_of(int), Site::of_expr(expr));
                 opposite.map(Value::Number)
             }
             (UnaryOp::Neg, Value::Float(_, Some(bits)), _) => {
@@ -597,13 +598,17 @@ impl<'m> Values<'m> {
         };
         match op {
             BinaryOp::Add | BinaryOp::Sub => {
-                self.need_within(point, exact.as_ref(), bounds_of(int), expr.span);
+                self.need_within(point, exact.as_ref(), bounds_of(int), Site::of_expr(expr));
             }
-            BinaryOp::Mul => self.need_product(point, (&x, &y), exact.as_ref(), int, expr.span),
-            BinaryOp::Div | BinaryOp::Rem => self.need_quotient(point, (&x, &y), int, expr.span),
+            BinaryOp::Mul => {
+                self.need_product(point, (&x, &y), exact.as_ref(), int, Site::of_expr(expr))
+            }
+            BinaryOp::Div | BinaryOp::Rem => {
+                self.need_quotient(point, (&x, &y), int, Site::of_expr(expr))
+            }
             BinaryOp::Shl | BinaryOp::Shr => {
                 let bits = i128::from(a.ty.as_int().map_or(0, Int::bits));
-                self.need_within(point, Some(&y), (0, bits - 1), expr.span);
+                self.need_within(point, Some(&y), (0, bits - 1), Site::of_expr(expr));
             }
             BinaryOp::And | BinaryOp::Or | BinaryOp::Xor => {}
         }
@@ -630,7 +635,7 @@ impl<'m> Values<'m> {
         (x, y): (&Linear, &Linear),
         exact: Option<&Linear>,
         int: Int,
-        span: Span,
+        site: Site,
     ) {
         if self.quiet {
             return;
@@ -666,22 +671,22 @@ impl<'m> Values<'m> {
             knowledge.shows(fits, &self.all)
         });
         if !shown {
-            self.tell(span);
+            self.tell(site);
         }
     }
 
     /// The divisor is not 0; of signed numbers the least is not divided by -1.
-    fn need_quotient(&mut self, point: &Point, (x, y): (&Linear, &Linear), int: Int, span: Span) {
+    fn need_quotient(&mut self, point: &Point, (x, y): (&Linear, &Linear), int: Int, site: Site) {
         let not =
             |form: &Linear, number: i128| ordered(CompareOp::Ne, form, &Linear::number(number));
         match not(y, 0) {
-            Some(needed) => self.need(point, &needed, span),
-            None => self.tell(span),
+            Some(needed) => self.need(point, &needed, site),
+            None => self.tell(site),
         }
         if int.signed() {
             match (not(x, int.min()), not(y, -1)) {
-                (Some(a), Some(b)) => self.need(point, &Formula::Any(vec![a, b]), span),
-                _ => self.tell(span),
+                (Some(a), Some(b)) => self.need(point, &Formula::Any(vec![a, b]), site),
+                _ => self.tell(site),
             }
         }
     }
@@ -703,7 +708,7 @@ impl<'m> Values<'m> {
         if let (Intrinsic::Clamp, [_, low, high]) = (which, values.as_slice()) {
             let values = (Some(low.clone()), Some(high.clone()));
             let needed = self.compare(point, CompareOp::Le, &expr.ty, values);
-            self.need(point, &needed, expr.span);
+            self.need(point, &needed, Site::of_expr(expr));
         }
         let all = match &expr.ty {
             Type::Scalar(Scalar::Int(int)) => bounds_of(*int),
@@ -729,18 +734,23 @@ impl<'m> Values<'m> {
         match (which, int) {
             (Intrinsic::Abs, Some(int)) => {
                 let needed = x.times(-1);
-                self.need_within(point, needed.as_ref(), (i128::MIN / 4, int.max()), expr.span);
+                self.need_within(
+                    point,
+                    needed.as_ref(),
+                    (i128::MIN / 4, int.max()),
+                    Site::of_expr(expr),
+                );
             }
             (Intrinsic::WrappingDiv | Intrinsic::WrappingRem, _) => {
                 let needed = y.and_then(|y| ordered(CompareOp::Ne, y, &Linear::number(0)));
                 match needed {
-                    Some(needed) => self.need(point, &needed, expr.span),
-                    None => self.tell(expr.span),
+                    Some(needed) => self.need(point, &needed, Site::of_expr(expr)),
+                    None => self.tell(Site::of_expr(expr)),
                 }
             }
             (Intrinsic::DivEuclid | Intrinsic::RemEuclid, Some(int)) => {
                 if let Some(y) = y {
-                    self.need_quotient(point, (x, y), int, expr.span);
+                    self.need_quotient(point, (x, y), int, Site::of_expr(expr));
                 }
             }
             _ => {}

@@ -11,12 +11,13 @@
 use bessemer_ir::{
     Block, CompareOp, Expr, ExprKind, Fault, Function, LocalId, LogicOp, Module, Place,
 };
-use bessemer_ir::{Span, Step, Stmt, StmtKind, Type, UnaryOp};
+use bessemer_ir::{Step, Stmt, StmtKind, Type, UnaryOp};
 
 use super::knowledge::{Bounds, Formula};
 use super::linear::{Linear, Symbol};
 use super::values::{At, Point, Value, Values, ordered, within};
 use crate::passes::places::{lent, whole, writes};
+use crate::passes::sites::Site;
 
 /// The most that a pass may move a number for it to be followed.
 const FAST: i128 = 1 << 32;
@@ -33,7 +34,7 @@ impl<'m> Walk<'m> {
         Walk { values: Values::new(module, function), function, loops: Vec::new() }
     }
 
-    pub(super) fn run(mut self) -> Vec<Span> {
+    pub(super) fn run(mut self) -> Vec<Site> {
         let function = self.function;
         self.block(&function.body, Point::default());
         self.values.open
@@ -62,7 +63,7 @@ impl<'m> Walk<'m> {
             }
             StmtKind::Check { condition, fault: Fault::LeftOut } => {
                 let needed = self.values.truth(&mut point, condition);
-                self.values.need(&point, &needed, stmt.span);
+                self.values.need(&point, &needed, Site::of_check(stmt));
             }
             StmtKind::Check { condition, .. } => {
                 self.values.value(&mut point, condition);
