@@ -48,7 +48,8 @@ pub fn others() -> Vec<Toolchain> {
     if is_full() { toolchain::others() } else { Vec::new() }
 }
 
-fn turn() -> usize {
+/// The number that the commit gives.
+pub fn turn() -> usize {
     std::env::var("BESSEMER_TURN").ok().and_then(|turn| turn.parse().ok()).unwrap_or_default()
 }
 

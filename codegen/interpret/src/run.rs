@@ -205,8 +205,8 @@ impl<'m, 'r> Run<'m, 'r> {
         let Some(int) = from.ty.as_int() else { unreachable!("validated: bounds are integers") };
         let first = int.from_word(self.word(frame, from)?);
         let last = int.from_word(self.word(frame, to)?) - i128::from(!inclusive);
-        // What ends itself begins, whatever its bounds are: its condition may do something.
-        let last = if *ended { last.max(first) } else { last };
+        // What ends itself may begin once more than it passes: to find that it ends.
+        let last = if *ended { last.max(first - 1) + 1 } else { last };
         let slot = frame.base + frame.offsets[variable.index()];
         let mut passed = 0;
         while first + passed <= last {
@@ -220,7 +220,7 @@ impl<'m, 'r> Run<'m, 'r> {
                 Flow::Return => return Ok(Flow::Return),
             }
         }
-        if *ended && first + passed > last {
+        if *ended {
             // In the C nothing counts, so it would go on.
             return frame.fault(Fault::LeftOut, stmt.span);
         }

@@ -229,8 +229,8 @@ impl<'m> Lowering<'m> {
         let obliged = |lowering: &Self, step: &Step| {
             faults::of_step(root, container, step, &lowering.facts_at(span))
         };
-        if obliged(self, step).is_empty() {
-            self.keep_proved(|blank| faults::of_step(root, container, step, blank), Vec::new());
+        let kept = |blank: &State| faults::of_step(root, container, step, blank);
+        if obliged(self, step).is_empty() && !self.keeps_any(kept) {
             return;
         }
         let of = names::place(self.module, &self.function, of);
@@ -262,6 +262,11 @@ impl<'m> Lowering<'m> {
         }
     }
 
+    /// Whether checks of an operation stand although they were proved.
+    fn keeps_any(&self, of: impl Fn(&State) -> Vec<Obligation>) -> bool {
+        self.keeps && !of(&State::new(self.module)).is_empty()
+    }
+
     /// Writes down the checks of an operation that was proved not to need them, save those `checked`.
     fn keep_proved(&mut self, of: impl Fn(&State) -> Vec<Obligation>, checked: Vec<Expr>) {
         if !self.keeps {
@@ -278,8 +283,9 @@ impl<'m> Lowering<'m> {
     fn secure(&mut self, mut expr: Expr) -> Expr {
         let obliged =
             |lowering: &Self, expr: &Expr| faults::of_expr(expr, &lowering.facts_at(expr.span));
-        if self.asked == Some(expr.span) || obliged(self, &expr).is_empty() {
-            self.keep_proved(|blank| faults::of_expr(&expr, blank), Vec::new());
+        let kept = |blank: &State| faults::of_expr(&expr, blank);
+        let needs = !obliged(self, &expr).is_empty() || self.keeps_any(kept);
+        if self.asked == Some(expr.span) || !needs {
             return expr;
         }
         match &mut expr.kind {

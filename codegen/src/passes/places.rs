@@ -5,7 +5,7 @@
 use bessemer_ir::visit::{Access, Visit, VisitMut, walk_expr, walk_expr_mut, walk_place};
 use bessemer_ir::visit::{walk_place_mut, walk_stmt};
 use bessemer_ir::{
-    Argument, Expr, ExprKind, LocalId, Place, Routine, Span, Step, Stmt, StmtKind, Type,
+    Argument, BinaryOp, Expr, ExprKind, LocalId, Place, Routine, Span, Step, Stmt, StmtKind, Type,
 };
 
 /// Whether two places may share memory.
@@ -219,8 +219,19 @@ fn lends(argument: &Argument, destination: &Place) -> bool {
 
 /// Whether a statement gives a place its own value.
 fn is_idle(stmt: &Stmt) -> bool {
-    matches!(&stmt.kind, StmtKind::Assign { place, value: Expr { kind: ExprKind::Load(from), .. } }
-        if same_place(from, place))
+    matches!(&stmt.kind, StmtKind::Assign { place, value } if is_own(value, place))
+}
+
+/// Whether a value is what a place holds, as it is written: `x`, `x | x`, or `x as u8` of a `u8`.
+pub(super) fn is_own(value: &Expr, place: &Place) -> bool {
+    match &value.kind {
+        ExprKind::Load(from) => same_place(from, place),
+        ExprKind::Cast(x) => x.ty == value.ty && is_own(x, place),
+        ExprKind::Binary(BinaryOp::And | BinaryOp::Or, a, b) => {
+            is_own(a, place) && is_own(b, place)
+        }
+        _ => false,
+    }
 }
 
 /// Whether two places are one as they are written, wherever that is.

@@ -14,7 +14,7 @@ use super::checked;
 use super::flatten::when;
 use super::names::{self, Names, Purpose};
 use super::places::{
-    disturbs, erased, lent, lent_by_indices, load, moves, reads, same_place, weight, whole, writes,
+    disturbs, erased, is_own, lent, lent_by_indices, load, moves, reads, weight, whole, writes,
 };
 use super::positions::{Callee, Position};
 use super::{Doubted, Remaining};
@@ -183,7 +183,7 @@ impl Lowering<'_> {
             value = self.keep(value, Purpose::Part("next"));
         }
         // It does nothing, and compilers warn of it.
-        if matches!(&value.kind, ExprKind::Load(from) if same_place(from, &place)) {
+        if is_own(&value, &place) {
             return;
         }
         self.facts.assign(&place, known);

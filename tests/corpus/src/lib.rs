@@ -12,7 +12,9 @@
     mixed_script_confusables,
     non_upper_case_globals,
     clippy::all,
-    unused_parens
+    unused_parens,
+    unused_assignments,
+    dead_code
 )]
 
 /// A function or an entry point, callable by words.

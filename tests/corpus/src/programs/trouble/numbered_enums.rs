@@ -68,7 +68,7 @@ impl Trims {
         let at = (trim as i8 + 1) as usize;
         self.seen[at] = self.seen[at].saturating_add(kind as u32 / 10);
         if trim != Trim::Up {
-            return self.seen[at + 1];
+            return self.seen[(trim as i8 + 2) as usize];
         }
         self.seen[kind as usize / 10 - 1]
     }

@@ -1,0 +1,44 @@
+//! Assignments of what is there already, which change nothing, and of which compilers warn.
+
+use bessemer::prelude::*;
+
+#[function]
+pub fn of_numbers(mut n: u8, mut flag: bool, mut x: f64) -> (u8, bool, f64) {
+    n = n;
+    n |= n;
+    n &= n;
+    n = n as u8;
+    n = (n | n) & n;
+    flag = flag;
+    flag |= flag;
+    flag &= flag;
+    x = x;
+    x = x as f64;
+    (n, flag, x)
+}
+
+/// These change something.
+#[function]
+pub fn changed(mut n: i16, mut flag: bool) -> (i16, bool) {
+    n ^= n;
+    n |= n + 1;
+    n = n as u8 as i16;
+    n = (n as u16 >> 1) as i16;
+    flag |= !flag;
+    (n, flag)
+}
+
+#[function]
+pub fn of_parts(list: &mut [u32; 4], i: usize, j: usize) {
+    list[i] |= list[i];
+    list[j] &= list[j];
+    list[i] = list[j] | list[j];
+    list[0] |= list[0];
+}
+
+/// Nothing else reads them.
+#[function]
+pub fn alone(mut n: u32, list: &mut [i8; 2]) {
+    n |= n;
+    list[1] &= list[1];
+}
