@@ -45,6 +45,8 @@ impl<'m> Walk<'m> {
             }
             StmtKind::Check { condition, .. } => {
                 evaluated(condition, &mut state);
+                // Whatever reaches it faults, and the invariant speaks of what does not: so nothing comes behind it. It is
+                // a `panic!` or `unreachable!`; taking it for any condition would join a path that nobody takes.
                 if condition.kind == ExprKind::Literal(0) {
                     return None;
                 }
