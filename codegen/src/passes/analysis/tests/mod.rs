@@ -2,4 +2,5 @@
 
 mod conditions;
 mod enums;
+mod loops;
 mod operations;
