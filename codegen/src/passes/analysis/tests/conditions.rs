@@ -320,3 +320,29 @@ fn what_is_known_behind_a_write_holds() {
         }
     }
 }
+
+/// `x + 2 < y` and `x - 2 < y`, where `x` is below `y`, or below what falls short of it.
+#[test]
+fn what_lies_further_below_a_length_holds() {
+    let module = Module::default();
+    for numbers in NUMBERS {
+        let (x, y) = (numbers.x(), numbers.y());
+        let by = |by: i128| node(ExprKind::Literal(by as u64), numbers.ty());
+        let further = |op, more| compare(CompareOp::Lt, &binary(op, &x, &by(more)), &y);
+        let ops = [BinaryOp::Add, BinaryOp::Sub];
+        let asked = ops.into_iter().flat_map(|op| (0..6).map(move |more| (op, more)));
+        let asked = numbers.tables(asked.map(|(op, more)| further(op, more)).collect());
+        for short in 0..5 {
+            let kind = ExprKind::Intrinsic(Intrinsic::Max, vec![y.clone(), by(short)]);
+            let less = binary(BinaryOp::Sub, &node(kind, numbers.ty()), &by(short));
+            for (op, end) in
+                [CompareOp::Lt, CompareOp::Le].map(|op| [(op, &less), (op, &y)]).concat()
+            {
+                let condition = compare(op, &x, end);
+                let state = numbers.start(&module).assuming(&condition, true);
+                let reach = numbers.satisfy(&condition, true);
+                numbers.confirm(&state, &reach, &asked, &|| shown(&condition));
+            }
+        }
+    }
+}
