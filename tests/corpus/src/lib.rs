@@ -14,6 +14,7 @@
     clippy::all,
     unused_parens,
     unused_assignments,
+    unused_variables,
     dead_code
 )]
 

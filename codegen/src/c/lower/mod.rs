@@ -201,7 +201,7 @@ impl<'a> Lower<'a> {
 
     fn is_used(&self, parameter: usize) -> bool {
         let looked_at = parameter == 0 && self.looks;
-        looked_at || self.usage.read[parameter] || self.usage.assigned[parameter]
+        looked_at || self.usage.read[parameter]
     }
 
     /// A component that a fault has stopped does not run.

@@ -42,3 +42,14 @@ pub fn alone(mut n: u32, list: &mut [i8; 2]) {
     n |= n;
     list[1] &= list[1];
 }
+
+/// Set, and looked at nowhere.
+#[function]
+pub fn set(mut n: u32, mut flag: bool, mut x: f32) -> u8 {
+    n = 3;
+    flag = flag;
+    if flag {
+        x = 2.0;
+    }
+    1
+}
