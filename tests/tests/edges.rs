@@ -8,12 +8,13 @@ use std::thread;
 
 use bessemer_codegen::c::names::FAULTS;
 use bessemer_codegen::compile::Compiled;
+use bessemer_codegen::compile::Options;
 use bessemer_interpret::{Interpreter, Stop};
 use bessemer_ir::{Fault, FunctionId, Scalar};
 use bessemer_tests::batch::{self, Outcome};
 use bessemer_tests::edge_values::{self, Breadth};
 use bessemer_tests::panics::caught;
-use bessemer_tests::{compiled, toolchain, turn};
+use bessemer_tests::{compiled, compiled_with, toolchain, turn};
 use edges::Case;
 
 /// A call: which case, and the words of its operands.
@@ -143,6 +144,15 @@ fn every_operation_at_every_edge() {
         compare(&format!("interpreter, {name}"), &cases, &calls, &expected, &found);
     }
 
+    // What was proved stands in this one.
+    let of_proofs = compiled_with("edges", &Options { keep_checks: true, ..Options::default() });
+    let mut interpreter = Interpreter::new(&of_proofs.explicit);
+    let found: Vec<Outcome> = calls
+        .iter()
+        .map(|(index, operands)| interpreted(&mut interpreter, functions[*index], operands))
+        .collect();
+    compare("interpreter, what was proved", &cases, &calls, &expected, &found);
+
     let folder = tempfile::tempdir().expect("a temporary folder");
     let input = folder.path().join("calls");
     let words = calls.iter().flat_map(|(index, operands)| {
@@ -170,11 +180,14 @@ fn every_operation_at_every_edge() {
     }
     legs.extend(toolchain::target().into_iter().filter(|it| it.level == 3).map(|it| (it, &[][..])));
     thread::scope(|scope| {
-        for (toolchain, flags) in &legs {
-            let (compiled, functions, input) = (&compiled, &functions, &input);
+        let kept = toolchain::host().into_iter().find(|it| it.level == 2);
+        let kept = kept.into_iter().map(|toolchain| (&of_proofs, toolchain, &sanitized[..]));
+        let plain = legs.iter().map(|(toolchain, flags)| (&compiled, toolchain.clone(), *flags));
+        for (compiled, toolchain, flags) in plain.chain(kept) {
+            let (functions, input) = (&functions, &input);
             let (cases, calls, expected) = (&cases, &calls, &expected);
             scope.spawn(move || {
-                let found = batch::run(compiled, functions, toolchain, flags, input)
+                let found = batch::run(compiled, functions, &toolchain, flags, input)
                     .unwrap_or_else(|error| panic!("{}: {error}", toolchain.name()));
                 let leg = format!("{} {flags:?}", toolchain.name());
                 compare(&leg, cases, calls, expected, &found);

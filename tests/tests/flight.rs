@@ -4,9 +4,10 @@
 
 use std::thread;
 
+use bessemer_codegen::compile::{Compiled, Options};
 use bessemer_tests::pilot::{Wired, entry};
 use bessemer_tests::toolchain::{self, Toolchain};
-use bessemer_tests::{flight_models, turn, words};
+use bessemer_tests::{compiled_with, flight_models, turn, words};
 use models::Parameters;
 use sim::{Flight, Mission, Native, Pilot, Vehicle, fly};
 
@@ -45,12 +46,15 @@ fn the_interpreter_flies_the_same_bits() {
 }
 
 fn fly_c(toolchains: &[Toolchain]) {
+    flown_by(toolchains, flight_models());
+}
+
+fn flown_by(toolchains: &[Toolchain], compiled: &Compiled) {
     if toolchains.is_empty() {
         // Only where `BESSEMER_LEGS` does not demand them.
         println!("left out: the compilers are not installed");
         return;
     }
-    let compiled = flight_models();
     let step = entry(compiled, "Controller", "step").expect("the controller has a step");
     let native = flown(&mut Native::new(Parameters::mambo()));
     thread::scope(|scope| {
@@ -82,6 +86,16 @@ fn the_c_flies_the_same_bits_on_the_cortex_a9() {
 #[test]
 fn the_c_flies_the_same_bits_on_processors_that_fuse() {
     fly_c(&turn::some_of(toolchain::fusing(), 2));
+}
+
+/// Checks that were proved stand in the C all the same, beside what C leaves undefined, and none of them fails.
+#[test]
+fn what_was_proved_holds_in_flight() {
+    let kept = compiled_with("models", &Options { keep_checks: true, ..Options::default() });
+    let more = &["-w", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
+    let sanitized = Toolchain { level: 1, more, ..toolchain::GCC };
+    let has_gcc = toolchain::host().iter().any(|it| it.compiler == sanitized.compiler);
+    flown_by(has_gcc.then_some(sanitized).as_slice(), &kept);
 }
 
 /// In the full run.

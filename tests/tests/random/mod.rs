@@ -172,8 +172,18 @@ pub fn tick_TYPE(x: TYPE, t: &mut u64) -> TYPE {
 }
 ";
 
-/// The native program and the C of the batch, without what was refused.
-fn compiled(workspace: &Workspace, batch: &mut Batch) -> (String, Vec<String>, Compiled) {
+/// What a batch became, without what was refused.
+struct Built {
+    /// The native program.
+    native: String,
+    /// The names of the entries in it.
+    places: Vec<String>,
+    compiled: Compiled,
+    /// The same with checks that were proved.
+    kept: Compiled,
+}
+
+fn built(workspace: &Workspace, batch: &mut Batch) -> Built {
     let native = loop {
         batch.write(workspace);
         let result = native::build(workspace, &batch.left());
@@ -196,7 +206,12 @@ fn compiled(workspace: &Workspace, batch: &mut Batch) -> (String, Vec<String>, C
         batch.write(workspace);
         let said = match generation::tree(&workspace.path(""), "models") {
             Ok(package) => match compile::compile(&package, &sources, &Options::default()) {
-                Ok(compiled) => return (native, places, compiled),
+                Ok(compiled) => {
+                    let options = Options { keep_checks: true, ..Options::default() };
+                    let kept = compile::compile(&package, &sources, &options).map_err(drop);
+                    let kept = kept.expect("what compiles does so with checks that were proved");
+                    return Built { native, places, compiled, kept };
+                }
                 Err(errors) => diagnostic::render(&errors, &sources, false),
             },
             Err(Error::Models(said) | Error::Refused(said)) => said,
@@ -220,7 +235,7 @@ fn by_turns(seed: u64) -> Vec<Toolchain> {
 
 /// What was different in the programs of a seed.
 fn attack(workspace: &Workspace, seed: u64, mut batch: Batch) -> Vec<Difference> {
-    let (native, places, compiled) = compiled(workspace, &mut batch);
+    let Built { native, places, compiled, kept } = built(workspace, &mut batch);
     let cases = legs::cases(&batch.left(), &native, &places, &compiled);
     let refused: Vec<_> = batch.refused.values().chain(batch.mistaken.values()).collect();
     assert!(!cases.is_empty(), "nothing was compiled: {refused:?}");
@@ -228,8 +243,11 @@ fn attack(workspace: &Workspace, seed: u64, mut batch: Batch) -> Vec<Difference>
     let mut all = interpreted("interpreter", &compiled.module, &cases);
     all.extend(batch.internal());
     all.extend(interpreted("explicit", &compiled.explicit, &cases));
+    all.extend(interpreted("what was proved", &kept.explicit, &cases));
     let gcc = Toolchain { level: 0, ..toolchain::GCC };
     all.extend(in_c(&compiled, &cases, &gcc, &SANITIZED));
+    let gcc = Toolchain { level: 1, ..gcc };
+    all.extend(in_c(&kept, &cases, &gcc, &SANITIZED));
     for toolchain in by_turns(seed) {
         all.extend(in_c(&compiled, &cases, &toolchain, &WARNED));
     }
@@ -248,7 +266,7 @@ fn attack(workspace: &Workspace, seed: u64, mut batch: Batch) -> Vec<Difference>
 /// The names of the programs that the interpreter does not make what Rust makes of them, or that are refused as
 /// no program is meant to be.
 fn differing(workspace: &Workspace, batch: &mut Batch) -> BTreeSet<String> {
-    let (native, places, compiled) = compiled(workspace, batch);
+    let Built { native, places, compiled, .. } = built(workspace, batch);
     let cases = legs::cases(&batch.left(), &native, &places, &compiled);
     let all = interpreted("interpreter", &compiled.module, &cases).into_iter();
     let mut names: BTreeSet<String> = all.map(|it| it.program).collect();
