@@ -77,6 +77,14 @@ static uint32_t saturating_add_u32(uint32_t a, uint32_t b)
     return exact > UINT32_MAX ? UINT32_MAX : (uint32_t)exact;
 }
 
+/* 1 for true and 0 for false; read as a byte, which may be any. */
+static uint8_t u8_from_bool(const bool *flag)
+{
+    uint8_t byte = 0U;
+    memcpy(&byte, flag, sizeof byte);
+    return (byte != 0U) ? 1U : 0U;
+}
+
 static void sender_packet(const sender_t *self, uint64_t part, packet_t *packet);
 
 void sender_init(sender_t *self)
@@ -153,7 +161,7 @@ void sender_state(uint16_t sequence, const sender_status_t *status, packet_t *pa
     }
     payload[32] = (uint8_t)status->mode;
     payload[33] = status->tag;
-    payload[34] = (uint8_t)status->watched;
+    payload[34] = u8_from_bool(&status->watched);
     packet_around(STATUS, sequence, payload, STATUS_BYTES, packet);
 }
 
