@@ -57,7 +57,7 @@ impl Key {
     }
 
     fn parse(text: &str) -> Option<Self> {
-        if text.len() != 32 || !text.is_ascii() {
+        if text.len() != 32 || !text.bytes().all(|it| it.is_ascii_hexdigit()) {
             return None;
         }
         let mut bytes = [0; 16];

@@ -6,6 +6,7 @@ const FILES: &[(&str, &str, &[u8])] = &[
     ("index.html", "text/html; charset=utf-8", include_bytes!("../page/index.html")),
     ("page.js", "text/javascript; charset=utf-8", include_bytes!("../page/page.js")),
     ("page.css", "text/css; charset=utf-8", include_bytes!("../page/page.css")),
+    ("licences.txt", "text/plain; charset=utf-8", include_bytes!("../page/licences.txt")),
 ];
 
 /// Kind and content of a file.

@@ -16,6 +16,7 @@ use axum::extract::{Path, State};
 use axum::http::{HeaderMap, StatusCode, Uri, header};
 use axum::response::{IntoResponse, Response};
 use axum::routing::get;
+use axum::serve::ListenerExt;
 use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
@@ -122,6 +123,11 @@ impl Hub {
 /// # Errors
 /// The socket failed.
 pub async fn serve(listener: TcpListener, hub: Arc<Hub>) -> std::io::Result<()> {
+    // Small messages go at once: held back until the last was acknowledged, they would be 40 ms late.
+    let listener = listener.tap_io(|stream| {
+        // Where it cannot be had, they are late.
+        let _ = stream.set_nodelay(true);
+    });
     axum::serve(listener, router(hub)).await
 }
 

@@ -4,7 +4,10 @@ use ground::bench::Injection;
 use ground::key::Key;
 use ground::program::{Program, Target};
 use ground::radio::Quality;
+use ground::station::Station;
 use ground::testbed::{Pace, Testbed, Wanted};
+use models::gate::{Gate, Refused};
+use models::packet::Packet;
 use models::{Alarm, Mode, Phase};
 use sim::ground_station::Order;
 use sim::scenario::point;
@@ -132,7 +135,7 @@ fn who_lacks_the_key_commands_nothing() {
             testbed(Wanted { key: ours.clone(), other_key: theirs, ..Wanted::default() });
         testbed.station.fly(0.0, vec![point(0.0, 0.0, 0.0, 1.0, 0.0)]);
         testbed.station.order(0.0, Order::TakeOff);
-        let (mut refused, mut silent) = (models::gate::Refused::default(), true);
+        let (mut refused, mut silent) = (Refused::default(), true);
         let run = testbed.run_until(2.0, |done, _| {
             refused = done.moment.inputs.refused;
             silent &= done.moment.outputs.downlink.length == 0;
@@ -142,6 +145,21 @@ fn who_lacks_the_key_commands_nothing() {
         let counted = if ours.is_none() { refused.unsealed } else { refused.forged };
         assert!(counted > 20, "{refused:?}");
     }
+}
+
+#[test]
+fn a_clock_that_jumps_keeps_nobody_out() {
+    let theirs = models::siphash::Key { given: true, halves: [u64::from_le_bytes([7; 8]); 2] };
+    let (mut station, mut gate) = (Station::new(key(), 0.0), Gate::default());
+    let mut through = 0;
+    for (n, clock) in [5_000_000, 5, 4_000_000_000, 7].into_iter().cycle().take(400).enumerate() {
+        let Some(datagram) = station.tick(0.1 * n as f64, clock) else { continue };
+        let mut packet = Packet { length: datagram.len(), ..Packet::none() };
+        packet.bytes[..datagram.len()].copy_from_slice(&datagram);
+        assert_ne!(gate.step(&theirs, &packet).length, 0, "packet {n}, at {clock}");
+        through += 1;
+    }
+    assert_eq!((through, gate.refused), (400, Refused::default()));
 }
 
 #[test]
