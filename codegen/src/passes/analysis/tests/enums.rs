@@ -188,3 +188,20 @@ fn the_last_arm_stands_for_what_is_no_variant() {
         }
     }
 }
+
+/// Two bytes that are none of the variants may be the same, or not.
+#[test]
+fn bytes_that_are_no_variants_are_not_told_apart() {
+    let module = module(&NUMBERS[..2]);
+    let (one, other) = (LocalId(0), LocalId(1));
+    let (one, other) = (load(one, &kind(), Span::default()), load(other, &kind(), Span::default()));
+    let mut state = State::new(&module);
+    for byte in [&one, &other] {
+        state.exclude(byte, vec![0, 1]);
+    }
+    for op in [CompareOp::Eq, CompareOp::Ne] {
+        let (one, other) = (Box::new(one.clone()), Box::new(other.clone()));
+        let same = node(ExprKind::Compare(op, one, other), Type::BOOL);
+        assert!(!state.proves(&same), "{op:?}");
+    }
+}

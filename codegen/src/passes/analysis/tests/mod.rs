@@ -4,3 +4,4 @@ mod conditions;
 mod enums;
 mod loops;
 mod operations;
+mod writes;
