@@ -116,6 +116,8 @@ fn the_page_flies_the_aircraft() {
     browser.until("document.querySelector('#counts').innerText.includes('software started anew\\n1') || document.querySelector('#counts').lastChild.innerText === '1'");
     browser.until("document.body.dataset.phase === 'ready' && document.querySelector('#link').innerText.includes('%')");
     browser.click("#back", (0.5, 0.5));
+    // The software has seen where it stands now.
+    browser.until("Math.abs(Number(document.body.dataset.height)) < 0.05 && document.body.dataset.place.split(',').slice(0, 2).every((it) => Math.abs(Number(it)) < 0.2)");
     browser.press("m");
     browser.press("t");
     browser.until("Number(document.body.dataset.height) > 0.9");
