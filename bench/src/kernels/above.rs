@@ -3,7 +3,7 @@
 //! The report lists every such case of a run, with the reason that somebody found for it. A case without a reason is one that somebody
 //! has to look at.
 //!
-//! What it must not know: any reason.
+//! What it must not know: why a case exceeds its limit.
 
 use std::fmt::Write as _;
 

@@ -1,9 +1,9 @@
 //! Why a goal is missed, or a case takes more than it should: prose, written by hand in `bench/results/reasons.json`.
 //!
-//! Invariant: a reason speaks for exactly what it lists. What comes to be above its limit later, beside another best, or by more, has none
-//! until somebody has looked at it; and a reason that is needed no more is found, too ([`unsettled`]).
+//! Invariant: a reason explains the cases that it lists and no other. A case that exceeds its limit later, or beside another best routine, or by
+//! more than before, has no reason until somebody writes one. A reason that no case needs any more is reported ([`unsettled`]).
 //!
-//! What it must not know: limits, goals and figures.
+//! What it must not know: how a limit or a goal is set, and how a figure is measured.
 
 use std::fmt;
 
@@ -12,7 +12,7 @@ use serde::Deserialize;
 use super::results::Results;
 use super::{above, goals};
 
-/// All of them.
+/// All reasons of the file.
 #[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Reasons {
@@ -23,7 +23,7 @@ pub struct Reasons {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct OfCases {
-    /// None: known to be above, and nobody knows why.
+    /// The reason; none if the cases are known to exceed their limits and nobody knows why.
     why: Option<String>,
     cases: Vec<Place>,
 }
@@ -59,12 +59,12 @@ struct OfGoals {
 pub struct Missed {
     /// As the report names it.
     pub what: String,
-    /// What was reached when the reason was found.
+    /// The figure for which the reason was written; a worse one needs a new reason.
     pub up_to: f64,
 }
 
 impl Reasons {
-    /// Those that are committed.
+    /// Reads the committed file.
     ///
     /// # Errors
     /// The file is not there, or is something else; with line and column.
@@ -75,7 +75,7 @@ impl Reasons {
         text.and_then(read).map_err(|error| format!("`{}`: {error}", path.display()))
     }
 
-    /// Those of such a file.
+    /// Reads the text of such a file.
     ///
     /// # Errors
     /// It is something else.

@@ -231,7 +231,7 @@ impl Helper {
     }
 }
 
-/// Whether a helper has this name, in whatever file: it is free for nothing else.
+/// Whether a helper function has this name. No other function or variable may have it, in any file.
 pub fn is_helper_name(name: &str) -> bool {
     static NAMES: LazyLock<BTreeSet<String>> = LazyLock::new(|| all().map(Helper::name).collect());
     NAMES.contains(name)
