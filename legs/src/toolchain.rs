@@ -3,9 +3,11 @@
 //! `BESSEMER_LEGS` says what must be there: `all` with the Cortex-A9, `host` without; unset, whatever
 //! is there is used, so that a plain `cargo test` passes with one C compiler.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{LazyLock, Mutex};
 
 use crate::objects;
 
@@ -68,6 +70,24 @@ pub const S390X: Toolchain = Toolchain {
     ..GCC
 };
 
+/// A compiler at a level, as `cc` finds it: asked once, since `cc` runs a compiler to learn which one it is.
+fn tool(compiler: &'static str, level: u32) -> Option<cc::Tool> {
+    type Tools = BTreeMap<(&'static str, u32), Option<cc::Tool>>;
+    static TOOLS: LazyLock<Mutex<Tools>> = LazyLock::new(Mutex::default);
+    let ask = || {
+        let mut build = cc::Build::new();
+        build
+            .compiler(compiler)
+            .no_default_flags(true)
+            .cargo_metadata(false)
+            .host(HOST)
+            .target(HOST)
+            .opt_level(level);
+        build.try_get_compiler().ok()
+    };
+    TOOLS.lock().ok()?.entry((compiler, level)).or_insert_with(ask).clone()
+}
+
 impl Toolchain {
     /// Whether programs can be made and run with it here.
     fn is_there(&self) -> bool {
@@ -91,17 +111,9 @@ impl Toolchain {
 
     /// A command that compiles with the project's warnings; sources and outputs are the caller's.
     pub fn command(&self) -> Command {
-        let mut build = cc::Build::new();
-        build
-            .compiler(self.compiler)
-            .no_default_flags(true)
-            .cargo_metadata(false)
-            .host(HOST)
-            .target(HOST)
-            .opt_level(self.level);
-        let mut command = match build.try_get_compiler() {
-            Ok(tool) => tool.to_command(),
-            Err(_) => Command::new(self.compiler),
+        let mut command = match tool(self.compiler, self.level) {
+            Some(tool) => tool.to_command(),
+            None => Command::new(self.compiler),
         };
         command.args(FLAGS).arg(format!("-O{}", self.level));
         command.args(self.machine).args(self.more);

@@ -344,6 +344,6 @@ fn what_was_proved_holds() {
     }
     let chosen = toolchain::host().into_iter().find(|it| it.level == 2);
     if let Some(toolchain) = chosen {
-        run_c_with(&kept, cases, &toolchain, &["-w"], &options);
+        run_c_with(&kept, &every(2, cases), &toolchain, &["-w"], &options);
     }
 }

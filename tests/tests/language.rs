@@ -81,7 +81,8 @@ fn types(header: &str) -> String {
 
 /// What follows the head of a source file.
 fn body(source: &str) -> String {
-    let body = source.rsplit("#pragma STDC FP_CONTRACT OFF\n#endif\n").next();
+    let head = source.rfind("\n#include ").map_or(0, |last| last + 1);
+    let body = source[head..].split_once('\n').map(|(_, body)| body);
     body.unwrap_or_default().trim().to_owned()
 }
 

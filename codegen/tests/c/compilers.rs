@@ -7,6 +7,17 @@ use bessemer_codegen::c::{CFile, FLAGS};
 
 const COMPILERS: &[&str] = &["gcc", "clang", "arm-linux-gnueabihf-gcc"];
 
+/// Some of the ways to compile, others at each turn: the commit's number chooses, as it does in the tests across the
+/// crates (`BESSEMER_TURN`). All of them in a full run.
+pub fn by_turn<T: Copy>(ways: &[T], count: usize, shift: usize) -> Vec<T> {
+    if std::env::var_os("BESSEMER_FULL").is_some() {
+        return ways.to_vec();
+    }
+    let turn = std::env::var("BESSEMER_TURN").ok().and_then(|turn| turn.parse::<usize>().ok());
+    let first = (turn.unwrap_or_default() + shift) * count;
+    (0..count).map(|index| ways[(first + index) % ways.len()]).collect()
+}
+
 /// Whether a program is installed.
 pub fn is_there(program: &str) -> bool {
     Command::new(program).arg("--version").output().is_ok_and(|output| output.status.success())
@@ -23,12 +34,15 @@ pub fn folder(name: &str, files: &[CFile]) -> PathBuf {
     folder
 }
 
-/// Compiles every source with every compiler and level, every header as C and as C++.
+/// Compiles every source with every compiler, at a turn's levels, and every header as C and as C++.
 pub fn check(name: &str, files: &[CFile]) {
     let folder = folder(&format!("check-{name}"), files);
-    for compiler in COMPILERS.iter().filter(|compiler| is_there(compiler)) {
+    let there = COMPILERS.iter().enumerate().filter(|(_, compiler)| is_there(compiler));
+    for (index, compiler) in there {
+        // Another level of each, so that a run has the least and the most optimised.
+        let levels = by_turn(&["-O0", "-O1", "-O2", "-O3"], 1, index);
         for file in files.iter().filter(|file| file.name.ends_with(".c")) {
-            for level in ["-O0", "-O1", "-O2", "-O3"] {
+            for &level in &levels {
                 run(
                     Command::new(compiler).args(FLAGS).args([
                         level,

@@ -10,7 +10,7 @@ use bessemer_codegen::c::{CFile, Options};
 use bessemer_interpret::{Interpreter, Stop};
 use bessemer_ir::{Float, FunctionId, Mode, Module, Scalar, Type};
 
-use super::compilers::{folder, is_there};
+use super::compilers::{by_turn, folder, is_there};
 
 /// Up to so many calls of a function.
 const CALLS: usize = 500;
@@ -37,8 +37,9 @@ pub fn compare(name: &str, module: &Module, explicit: &Module, files: &[CFile]) 
     }
     let sanitized =
         ["-O1", "-fsanitize=undefined,float-cast-overflow", "-fno-sanitize-recover=all"];
-    for compiler in ["gcc", "clang"].iter().filter(|compiler| is_there(compiler)) {
-        for flags in [&["-O0"][..], &["-O3"], &sanitized] {
+    let compilers = ["gcc", "clang"].into_iter().enumerate();
+    for (index, compiler) in compilers.filter(|(_, compiler)| is_there(compiler)) {
+        for flags in by_turn(&[&["-O3"][..], &sanitized, &["-O0"]], 1, index) {
             let found = run(compiler, flags, &folder, &input);
             let found: Vec<&str> = found.lines().collect();
             assert_eq!(found.len(), expected.len(), "{name} {compiler} {flags:?}");

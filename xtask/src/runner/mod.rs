@@ -23,6 +23,9 @@ use std::process::{Command, Stdio};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
+/// Tests at a time for each processor: many wait for cargo, which builds one thing at a time in a target folder.
+const WAITING: usize = 2;
+
 /// A passing test is a line of its own from here on.
 const LONG: Duration = Duration::from_secs(5);
 
@@ -72,7 +75,8 @@ pub fn run(
     let count = tests.len();
     let queue = Mutex::new(VecDeque::from(tests));
     let done = Mutex::new(Vec::with_capacity(count));
-    let workers = std::thread::available_parallelism().map_or(1, usize::from);
+    let processors = std::thread::available_parallelism().map_or(1, usize::from);
+    let workers = WAITING * processors;
     std::thread::scope(|scope| {
         let work = || -> Result<(), Error> {
             loop {

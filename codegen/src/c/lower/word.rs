@@ -83,7 +83,7 @@ impl Lower<'_> {
         let narrow = (self.counts(left) || self.counts(right))
             && self.range(left).is_some()
             && self.range(right).is_some();
-        let mentioned = self.mentioned.clone();
+        let (mentioned, helpers) = (self.mentioned.clone(), self.uses.helpers.clone());
         let (a, b) = if narrow {
             (self.narrow(left, false), self.narrow(right, false))
         } else {
@@ -91,7 +91,7 @@ impl Lower<'_> {
         };
         if a == b && left.ty.as_float().is_none() {
             let equal = matches!(op, CompareOp::Eq | CompareOp::Le | CompareOp::Ge);
-            self.mentioned = mentioned;
+            (self.mentioned, self.uses.helpers) = (mentioned, helpers);
             return Expr::name(if equal { "true" } else { "false" });
         }
         let limit = |value: Expr, ir: &Ir| super::range::limit(ir).map_or(value, Expr::name);

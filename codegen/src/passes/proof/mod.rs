@@ -18,6 +18,7 @@
 
 mod knowledge;
 mod linear;
+mod operations;
 mod values;
 mod walk;
 

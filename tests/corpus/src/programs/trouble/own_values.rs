@@ -53,3 +53,9 @@ pub fn set(mut n: u32, mut flag: bool, mut x: f32) -> u8 {
     }
     1
 }
+
+/// What is compared with itself is not computed, so nothing that computing it would need stands in the C.
+#[function]
+pub fn at_most_itself(x: i8) -> bool {
+    (x as u32) <= (x as u32)
+}
