@@ -130,7 +130,7 @@ pub struct Test {
     after_help = "\
 Examples:
   cargo xtask mutate --all                 Every mutant in tests/mutants/ (an hour)
-  cargo xtask mutate passes_never_moves    One of them
+  cargo xtask mutate c_negative_zero_lost  One of them
   cargo xtask mutate --turn 3 --of 30      The third of thirty parts
 
 A mutant is a patch as `git apply` takes it: drop the output of `git diff` into tests/mutants/, below a line that

@@ -2,7 +2,8 @@
 //!
 //! Invariants:
 //! - nothing runs before every tool that the run needs is there;
-//! - the tests come last, and their summary is the last line of a run that got so far;
+//! - the tests come last, but for the mutants, which count as one test more; the summary of all is the last line of a
+//!   run that got so far;
 //! - the tests are told what to run through the environment, never by guessing from what is installed:
 //!   `BESSEMER_LEGS` names the machines, `BESSEMER_FULL` says that nothing may be left out, `BESSEMER_TURN` is the
 //!   number by which a run that leaves something out takes turns.

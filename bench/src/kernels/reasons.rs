@@ -3,7 +3,7 @@
 //! Invariant: a reason explains the cases that it lists and no other. A case that exceeds its limit later, or beside another best routine, or by
 //! more than before, has no reason until somebody writes one. A reason that no case needs any more is reported ([`unsettled`]).
 //!
-//! What it must not know: how a limit or a goal is set, and how a figure is measured.
+//! This module must neither set limits and goals nor measure figures: `above`, `goals` and `results` do.
 
 use std::fmt;
 

@@ -205,7 +205,7 @@ impl<'m, 'r> Run<'m, 'r> {
         let Some(int) = from.ty.as_int() else { unreachable!("validated: bounds are integers") };
         let first = int.from_word(self.word(frame, from)?);
         let last = int.from_word(self.word(frame, to)?) - i128::from(!inclusive);
-        // What ends itself may begin once more than it passes: to find that it ends.
+        // A loop that ends itself may begin one pass more than the bounds count: in that pass its condition fails.
         let last = if *ended { last.max(first - 1) + 1 } else { last };
         let slot = frame.base + frame.offsets[variable.index()];
         let mut passed = 0;
