@@ -74,41 +74,44 @@ static inline void put(uint64_t word)
 {
     (void)fwrite(&word, sizeof word, 1, stdout);
 }
-
-static inline void get_f64(double *numbers, uint32_t count)
-{
-    for (uint32_t index = 0U; index < count; index++) {
-        const uint64_t word = get();
-        memcpy(&numbers[index], &word, sizeof word);
-    }
-}
-
-static inline void put_f64(const double *numbers, uint32_t count)
-{
-    for (uint32_t index = 0U; index < count; index++) {
-        uint64_t word;
-        memcpy(&word, &numbers[index], sizeof word);
-        put(word);
-    }
-}
-
-static inline void get_f32(float *numbers, uint32_t count)
-{
-    for (uint32_t index = 0U; index < count; index++) {
-        const uint32_t word = (uint32_t)get();
-        memcpy(&numbers[index], &word, sizeof word);
-    }
-}
-
-static inline void put_f32(const float *numbers, uint32_t count)
-{
-    for (uint32_t index = 0U; index < count; index++) {
-        uint32_t word;
-        memcpy(&word, &numbers[index], sizeof word);
-        put(word);
-    }
-}
 ";
+
+/// The functions that read and write numbers of a type.
+fn numbers(element: Float) -> String {
+    let (real, suffix) = real(element);
+    let (word, read) = match element {
+        Float::F64 => ("uint64_t", "get()"),
+        Float::F32 => ("uint32_t", "(uint32_t)get()"),
+    };
+    format!(
+        "
+static inline void get_{suffix}({real} *numbers, uint32_t count)
+{{
+    for (uint32_t index = 0U; index < count; index++) {{
+        const {word} word = {read};
+        memcpy(&numbers[index], &word, sizeof word);
+    }}
+}}
+
+static inline void put_{suffix}(const {real} *numbers, uint32_t count)
+{{
+    for (uint32_t index = 0U; index < count; index++) {{
+        {word} word;
+        memcpy(&word, &numbers[index], sizeof word);
+        put(word);
+    }}
+}}
+"
+    )
+}
+
+/// A type in C, and what names of functions end in that take it.
+fn real(element: Float) -> (&'static str, &'static str) {
+    match element {
+        Float::F64 => ("double", "f64"),
+        Float::F32 => ("float", "f32"),
+    }
+}
 
 /// The program around the kernels: it reads which one, and the words of what goes into it.
 fn main(kernels: &[Kernel], tuning: &Tuning) -> String {
@@ -120,8 +123,12 @@ fn main(kernels: &[Kernel], tuning: &Tuning) -> String {
     }
     let include = |kernel: &Kernel| format!("#include \"{}.h\"\n", kernel.name());
     let includes: String = kernels.iter().map(include).collect();
+    // A turn's kernels may all be of one type: clang refuses functions that nobody calls.
+    let is_used = |element: &Float| kernels.iter().any(|kernel| kernel.element == *element);
+    let numbers: String =
+        [Float::F64, Float::F32].into_iter().filter(is_used).map(numbers).collect();
     format!(
-        "{includes}#include <stdint.h>\n{WORDS}{functions}\nint main(void)\n{{\n    for (;;) {{\n        switch (get()) \
+        "{includes}#include <stdint.h>\n{WORDS}{numbers}{functions}\nint main(void)\n{{\n    for (;;) {{\n        switch (get()) \
          {{\n{cases}        default: break;\n        }}\n        (void)fflush(stdout);\n    }}\n}}\n"
     )
 }
@@ -129,10 +136,7 @@ fn main(kernels: &[Kernel], tuning: &Tuning) -> String {
 /// The body of a call: reads, calls, writes.
 fn call(kernel: &Kernel, tuning: &Tuning) -> String {
     let name = kernel.name();
-    let (real, suffix) = match kernel.element {
-        Float::F64 => ("double", "f64"),
-        Float::F32 => ("float", "f32"),
-    };
+    let (real, suffix) = real(kernel.element);
     let function = kernel.function();
     let mut body = String::new();
     let (mut reads, mut writes, mut arguments) = (String::new(), String::new(), Vec::new());
