@@ -1,10 +1,11 @@
 //! A workspace of its own in a temporary folder, as a user outside this repository has one.
 //!
-//! It takes this workspace's settings, lock file and target folder, so that only its models are built
-//! anew; what it generates must not depend on where it lies.
+//! It takes this workspace's settings, lock file and target folder, and links to the DSL: only its models are built
+//! anew. What it generates must not depend on where it lies.
 
 use std::collections::BTreeMap;
 use std::fs;
+use std::os::unix::fs::symlink;
 use std::path::{Path, PathBuf};
 
 use bessemer_codegen::compile::{self, Compiled};
@@ -14,6 +15,9 @@ use bessemer_codegen::source::Sources;
 use tempfile::TempDir;
 
 use crate::root;
+
+/// The folder of the package `models`: not that of this workspace's, or cargo would take it for that one.
+const FOLDER: &str = "controllers";
 
 /// Generated files by name.
 pub type Files = BTreeMap<String, String>;
@@ -28,7 +32,7 @@ impl Workspace {
     /// What the file system said.
     pub fn with_flight_models() -> std::io::Result<Workspace> {
         let workspace = Workspace::bare()?;
-        copy_folder(&root().canonicalize()?.join("models"), &workspace.path("models"))?;
+        copy_folder(&root().canonicalize()?.join("models"), &workspace.folder())?;
         Ok(workspace)
     }
 
@@ -39,9 +43,9 @@ impl Workspace {
     pub fn with_source(text: &str) -> std::io::Result<Workspace> {
         let workspace = Workspace::bare()?;
         let models = root().canonicalize()?.join("models");
-        fs::create_dir_all(workspace.path("models/src/bin"))?;
+        fs::create_dir_all(workspace.folder().join("src/bin"))?;
         for name in ["Cargo.toml", "src/bin/tree.rs"] {
-            fs::copy(models.join(name), workspace.path("models").join(name))?;
+            fs::copy(models.join(name), workspace.folder().join(name))?;
         }
         workspace.set_source(text)?;
         Ok(workspace)
@@ -52,25 +56,31 @@ impl Workspace {
     /// # Errors
     /// What the file system said.
     pub fn set_source(&self, text: &str) -> std::io::Result<()> {
-        fs::write(self.path("models/src/lib.rs"), text)
+        fs::write(self.folder().join("src/lib.rs"), text)
     }
 
+    /// Cargo takes a linked package for the one that the link leads to, by its path in the workspace, and builds it once.
     fn bare() -> std::io::Result<Workspace> {
         let root = root().canonicalize()?;
         let workspace = Workspace(tempfile::tempdir()?);
         fs::copy(root.join("Cargo.lock"), workspace.path("Cargo.lock"))?;
+        symlink(root.join("dsl"), workspace.path("dsl"))?;
         let text = fs::read_to_string(root.join("Cargo.toml"))?;
         let members = text.lines().find(|line| line.starts_with("members")).unwrap_or_default();
         let text = text
-            .replace(members, "members = [\"models\"]")
-            .replace("path = \"", &format!("path = \"{}/", root.display()))
-            .replace(&format!("path = \"{}/models\"", root.display()), "path = \"models\"");
+            .replace(members, &format!("members = [\"{FOLDER}\"]"))
+            .replace("path = \"models\"", &format!("path = \"{FOLDER}\""));
         fs::write(workspace.path("Cargo.toml"), text)?;
         fs::create_dir(workspace.path(".cargo"))?;
         let target = root.join("target");
         let config = format!("[build]\ntarget-dir = \"{}\"\n", target.display());
         fs::write(workspace.path(".cargo/config.toml"), config)?;
         Ok(workspace)
+    }
+
+    /// The folder of its package.
+    pub fn folder(&self) -> PathBuf {
+        self.path(FOLDER)
     }
 
     /// A path in the workspace.
@@ -87,7 +97,7 @@ impl Workspace {
     /// What the file system said.
     pub fn replace(&self, old: &str, new: &str) -> std::io::Result<()> {
         let mut found = false;
-        for entry in fs::read_dir(self.path("models/src"))? {
+        for entry in fs::read_dir(self.folder().join("src"))? {
             let path = entry?.path();
             if path.is_file() {
                 let text = fs::read_to_string(&path)?;

@@ -25,6 +25,7 @@ mod mathematics;
 mod onboard;
 mod random;
 mod readme;
+mod refused;
 mod self_test;
 mod stability;
 mod target_math;

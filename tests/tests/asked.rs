@@ -223,7 +223,8 @@ fn what_is_asked_of_the_c_is_done() {
 
     let table = table(&compiled);
     assert!(
-        table.contains("rest on stand-ins") && table.contains("board_flow (board.h): models/src/"),
+        table.contains("rest on stand-ins")
+            && table.contains("board_flow (board.h): controllers/src/"),
         "{table}"
     );
     let explained = explanation(&compiled);

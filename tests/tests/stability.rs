@@ -73,7 +73,7 @@ fn only_what_must_move_moves() {
         impl Counter {\n    /// One period.\n    #[entry(infallible)]\n    \
         pub fn step(&mut self, goal: &Goal) {\n        if goal.land {\n            \
         self.landings += GRAVITY;\n        }\n    }\n}\n";
-    fs::write(copy.path("models/src/counter.rs"), model).expect("a source file");
+    fs::write(copy.folder().join("src/counter.rs"), model).expect("a source file");
     replace("pub mod height;", "pub mod counter;\npub mod height;");
     let added = generate(version);
     let new = ["counter.c", "counter.c.map", "counter.h", "counter.h.map", "manifest.json"];

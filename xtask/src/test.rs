@@ -87,8 +87,13 @@ fn programs(root: &Path, voice: &stages::Voice) -> Result<Vec<Program>, Error> {
         Ok::<_, Error>(Program::of(&messages))
     };
     let mut programs = build(&["--workspace"])?;
-    // Features of a package alone: in a workspace build they would reach the models of every test.
-    programs.extend(build(&["--package", "bessemer-witness", "--features", "generate"])?);
+    // Features of a package alone: in a workspace build they would reach the models of every test. With the settings of
+    // a generation build, so that it is not built once more.
+    const WITNESS: &str = "bessemer-witness";
+    let settings: Vec<String> = bessemer_codegen::generate::settings(WITNESS).collect();
+    let mut arguments = vec!["--package", WITNESS, "--features", "generate"];
+    arguments.extend(settings.iter().flat_map(|setting| ["--config", setting]));
+    programs.extend(build(&arguments)?);
     Ok(programs)
 }
 

@@ -79,7 +79,7 @@ impl Program {
         let mut strangers = Vec::new();
         for (krate, folder) in &folders {
             let built = built(krate);
-            if built.iter().all(|it| it.folder != *folder) {
+            if built.iter().all(|it| !is_same(&it.folder, folder)) {
                 strangers.extend(built.iter().map(|it| it.source.clone()));
             }
         }
@@ -94,6 +94,12 @@ impl Artifact {
         let source = PathBuf::from(message.get("target")?.get("src_path")?.as_str()?);
         (message["reason"] == "compiler-artifact").then_some(Artifact { krate, folder, source })
     }
+}
+
+/// Whether two paths lead to one folder.
+fn is_same(one: &Path, other: &Path) -> bool {
+    let real = |path: &Path| path.canonicalize().ok();
+    one == other || real(one).is_some_and(|one| real(other) == Some(one))
 }
 
 fn executable(message: &Value, binary: &str) -> Option<PathBuf> {

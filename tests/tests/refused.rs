@@ -1,0 +1,84 @@
+//! What the DSL does not take: each file of `tests/refused/` is a program that must not compile, and its snapshot is
+//! what rustc tells its author.
+//!
+//! Drop a file there and get a test. `INSTA_UPDATE=always cargo test -p bessemer-tests refused::` writes the snapshots anew:
+//! read them as the author of the program would.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::PathBuf;
+use std::process::Command;
+
+use bessemer_tests::workspace::Workspace;
+use serde_json::Value;
+
+#[test]
+fn refused_programs_are_told_why() {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("refused");
+    let entries = fs::read_dir(folder).expect("the cases").flatten().map(|entry| entry.path());
+    let cases = entries.filter(|path| path.extension().is_some_and(|extension| extension == "rs"));
+    let workspace = Workspace::with_source("//! No model.\n").expect("a workspace");
+    let programs = workspace.folder().join("src/bin");
+    let mut names = Vec::new();
+    for case in cases {
+        fs::copy(&case, programs.join(case.file_name().unwrap_or_default())).expect("a program");
+        names.push(case.file_stem().unwrap_or_default().to_string_lossy().into_owned());
+    }
+    let said = told(&workspace);
+    for name in names {
+        let said = said.get(&name).unwrap_or_else(|| panic!("{name} compiles"));
+        insta::with_settings!({ prepend_module_to_snapshot => false, snapshot_path => "../refused", omit_expression => true }, {
+            insta::assert_snapshot!(name, said);
+        });
+    }
+}
+
+/// What rustc says of each program that does not compile.
+fn told(workspace: &Workspace) -> BTreeMap<String, String> {
+    let output = Command::new(env!("CARGO"))
+        .args(["build", "--bins", "--keep-going", "--message-format=json"])
+        .current_dir(workspace.path(""))
+        .output()
+        .expect("cargo");
+    let mut told = BTreeMap::<String, String>::new();
+    for line in String::from_utf8_lossy(&output.stdout).lines() {
+        let Ok(line) = serde_json::from_str::<Value>(line) else { continue };
+        let message = &line["message"];
+        let title = message["message"].as_str().unwrap_or_default();
+        let [name, rendered] = [&line["target"]["name"], &message["rendered"]].map(Value::as_str);
+        let (Some(name), Some(rendered)) = (name, rendered) else { continue };
+        let one = unnumbered(rendered);
+        let told = told.entry(name.to_owned()).or_default();
+        // The last error of each program counts the others.
+        if message["level"] == "error"
+            && !title.starts_with("aborting due to")
+            && !told.contains(&one)
+        {
+            told.push_str(&one);
+        }
+    }
+    told
+}
+
+/// Without the numbers of the DSL's own lines, which move.
+fn unnumbered(rendered: &str) -> String {
+    let mut text = String::new();
+    let mut in_dsl = false;
+    for line in rendered.lines() {
+        in_dsl = line.contains(" dsl/src/")
+            || in_dsl && !line.trim().is_empty() && !line.contains("--> ");
+        let line = match line.split_once(" dsl/src/") {
+            Some((arrow, path)) => {
+                format!("{arrow} dsl/src/{}", path.split(':').next().unwrap_or_default())
+            }
+            None if in_dsl => {
+                let rest = line.trim_start_matches(|it: char| it.is_ascii_digit());
+                " ".repeat(line.len() - rest.len()) + rest
+            }
+            None => line.to_owned(),
+        };
+        text.push_str(&line);
+        text.push('\n');
+    }
+    text
+}
