@@ -327,9 +327,9 @@ fn builder(
             use ::bessemer::generate::prelude::*;
             #(#items)*
             #(#macros)*
-            #(let #slots = ::bessemer::generate::Slot::new();)*
-            #(let #callees = ::bessemer::generate::Slot::new();)*
-            #(let #owned = ::bessemer::generate::Slot::new();)*
+            #(let #slots = ::bessemer::generate::Slot::NEW;)*
+            #(let #callees = ::bessemer::generate::Slot::NEW;)*
+            #(let #owned = ::bessemer::generate::Slot::NEW;)*
             #witness
             __result::<#result>(&#result_slot);
             let owner = #owner;
@@ -337,10 +337,10 @@ fn builder(
             cx.function(
                 ::bessemer::generate::Named { module: ::core::module_path!(), file: ::core::file!(), name: #name },
                 owner, generics, #text,
-                |cx| ::bessemer::generate::Witness {
-                    slots: ::bessemer::generate::list([#(#slots.ty(cx)),*]),
-                    callees: ::bessemer::generate::list([#(#callees.callee(cx)),*]),
-                    operators: ::bessemer::generate::list([#(#owned.own(cx)),*]),
+                &|cx: &mut ::bessemer::generate::Builder| ::bessemer::generate::Witness {
+                    slots: ::bessemer::generate::types(cx, &[#(&#slots),*]),
+                    callees: ::bessemer::generate::callees(cx, &[#(&#callees),*]),
+                    operators: ::bessemer::generate::own(cx, &[#(&#owned),*]),
                     constants: ::bessemer::generate::list([#(#constants),*]),
                 },
             )

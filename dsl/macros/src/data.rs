@@ -286,7 +286,7 @@ fn definition(
                     cx.definition(
                         ::bessemer::generate::Named { module: ::core::module_path!(), file: ::core::file!(), name: #text },
                         &[#(#docs),*], (#line, #column), arguments, (#equal, #ordered, #given),
-                        |cx| #kind,
+                        &|cx: &mut ::bessemer::generate::Builder| #kind,
                     )
                 }
             }

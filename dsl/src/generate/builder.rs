@@ -264,7 +264,7 @@ impl Builder {
         site: (u32, u32),
         arguments: Arguments,
         (equal, ordered, given): (bool, bool, Option<Said>),
-        kind: impl FnOnce(&mut Builder) -> DefinitionKind,
+        kind: &dyn Fn(&mut Builder) -> DefinitionKind,
     ) -> Ty {
         let path = path(named.module, named.name, &arguments);
         if self.known.insert(path.clone()) {
@@ -343,14 +343,15 @@ impl Builder {
         });
     }
 
-    /// A function; `witness` is asked once.
+    /// A function; `witness` is asked once. By reference: of a generic parameter rustc would compile all of this for each
+    /// function of the models.
     pub fn function(
         &mut self,
         named: Named,
         owner: Option<Ty>,
         generics: Generics,
         text: &str,
-        witness: impl FnOnce(&mut Builder) -> Witness,
+        witness: &dyn Fn(&mut Builder) -> Witness,
     ) -> tree::Callee {
         let owner = owner.map(|owner| type_text(&owner));
         let home = owner.as_deref().unwrap_or(named.module);

@@ -34,7 +34,8 @@ pub use inventory;
 pub use numbers::{FromBuiltin, TryFromBuiltin};
 pub use operators::{Implements, Operates, Operation, OwnOperator, sign};
 pub use slot::{
-    Called, DslType, Instance, ScalarType, Seen, Slot, Value, WithoutEntries, constant, list,
+    Called, DslType, Instance, ScalarType, Seen, Slot, Value, WithoutEntries, callees, constant,
+    list, own, types,
 };
 
 /// What a builder imports; the names begin with `__` so that they never meet an author's.

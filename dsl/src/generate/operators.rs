@@ -144,7 +144,7 @@ pub fn __settled<T: Itself>(_: T) -> T::Type {
 pub trait OwnOperands {
     type Marker;
     fn __own(&self) -> Slot<Self::Marker> {
-        Slot::new()
+        Slot::NEW
     }
 }
 
@@ -156,7 +156,7 @@ impl<O, A: Operates<O, B>, B> OwnOperands for Operands<O, A, B> {
 #[allow(missing_docs)]
 pub trait OtherOperands {
     fn __own(&self) -> Slot<NotOwn> {
-        Slot::new()
+        Slot::NEW
     }
 }
 

@@ -78,35 +78,8 @@ pub struct Shared<T: ?Sized>(PhantomData<T>);
 pub struct Exclusive<T: ?Sized>(PhantomData<T>);
 
 impl<T> Slot<T> {
-    /// A slot of a type still to be inferred.
-    #[allow(clippy::new_without_default)]
-    pub const fn new() -> Slot<T> {
-        Slot(PhantomData)
-    }
-
-    /// The type that rustc put here.
-    pub fn ty(&self, cx: &mut Builder) -> Ty
-    where
-        T: DslType,
-    {
-        T::ty(cx)
-    }
-
-    /// The function that rustc put here.
-    pub fn callee(&self, cx: &mut Builder) -> tree::Callee
-    where
-        T: Callee,
-    {
-        T::callee(cx)
-    }
-
-    /// The function of an author's that rustc put here, if there is one.
-    pub fn own(&self, cx: &mut Builder) -> Option<tree::Callee>
-    where
-        T: PerhapsOwn,
-    {
-        T::own(cx)
-    }
+    /// A slot of a type still to be inferred. A constant, since a call is a block of its own to rustc's borrow checker.
+    pub const NEW: Slot<T> = Slot(PhantomData);
 
     /// As [`__glance`], in the form of a method.
     pub fn __glance<U: Seen<Slot = T>>(&self, value: U) -> U {
@@ -143,6 +116,58 @@ pub fn __result<T>(_: &Slot<T>) {}
 /// The result of a call; the slot learns which function it was.
 pub fn __take<M, R>(_: &Slot<M>, _: Called<M, R>) -> R {
     unreachable!("a witness copy is never run")
+}
+
+/// A slot that holds a type of the DSL. Builders ask their slots by reference: rustc compiles a table of addresses faster than
+/// a call for each.
+pub trait TypeSlot {
+    /// The type that rustc put here.
+    fn ty(&self, cx: &mut Builder) -> Ty;
+}
+
+impl<T: DslType> TypeSlot for Slot<T> {
+    fn ty(&self, cx: &mut Builder) -> Ty {
+        T::ty(cx)
+    }
+}
+
+/// A slot that holds a function.
+pub trait CalleeSlot {
+    /// The function that rustc put here.
+    fn callee(&self, cx: &mut Builder) -> tree::Callee;
+}
+
+impl<T: Callee> CalleeSlot for Slot<T> {
+    fn callee(&self, cx: &mut Builder) -> tree::Callee {
+        T::callee(cx)
+    }
+}
+
+/// A slot that holds a function of an author's, or none.
+pub trait OwnSlot {
+    /// The function of an author's that rustc put here, if there is one.
+    fn own(&self, cx: &mut Builder) -> Option<tree::Callee>;
+}
+
+impl<T: PerhapsOwn> OwnSlot for Slot<T> {
+    fn own(&self, cx: &mut Builder) -> Option<tree::Callee> {
+        T::own(cx)
+    }
+}
+
+/// The types in slots.
+pub fn types(cx: &mut Builder, slots: &[&dyn TypeSlot]) -> Vec<Ty> {
+    slots.iter().map(|slot| slot.ty(cx)).collect()
+}
+
+/// The functions in slots.
+pub fn callees(cx: &mut Builder, slots: &[&dyn CalleeSlot]) -> Vec<tree::Callee> {
+    slots.iter().map(|slot| slot.callee(cx)).collect()
+}
+
+/// The functions of authors in slots.
+pub fn own(cx: &mut Builder, slots: &[&dyn OwnSlot]) -> Vec<Option<tree::Callee>> {
+    slots.iter().map(|slot| slot.own(cx)).collect()
 }
 
 /// The value of a path that rustc evaluated.

@@ -76,7 +76,7 @@ impl Lowering<'_> {
             let (first, second) = (sides.first(), sides.last());
             // In parentheses: what begins with a brace would be the body of a loop over `0..n + 1`.
             *expr = syn::Expr::Verbatim(quote_spanned! { expr.span() => ({
-                #(let #sides = ::bessemer::generate::Slot::new();)*
+                #(let #sides = ::bessemer::generate::Slot::NEW;)*
                 __operated(&#own, #expr, __settled(&__operands::<::bessemer::generate::sign::#of, _, _>(&#first, &#second)).__own())
             }) });
         }
