@@ -1,0 +1,290 @@
+//! The compiler's structure in figures, each of which may only fall: files that import each other in a circle, and
+//! names of methods in the front half, which decides by name what a method of std or nalgebra means.
+//!
+//! A bound is met exactly: who improves a figure lowers its bound, so that nothing grows back into the gap.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+
+use proc_macro2::{TokenStream, TokenTree};
+use syn::visit::{self, Visit};
+
+/// Files that stand in circles of imports: the root of a crate's modules, the folder within it (all of it where this
+/// is empty), and how many of its files do.
+const IN_CIRCLES: [(&str, &str, usize); 3] =
+    [("dsl/macros/src", "", 29), ("dsl/src", "generate", 20), ("codegen/src", "", 52)];
+
+/// Words in quotation marks that a method could be called, by folder.
+const METHOD_NAMES: [(&str, usize); 2] =
+    [("dsl/macros/src/lower", 526), ("codegen/src/typify", 479)];
+
+/// A module's path from the root of its crate.
+type Module = Vec<String>;
+
+#[test]
+fn circles_of_imports_only_go() {
+    let mut figures = Vec::new();
+    for (crate_root, folder, bound) in IN_CIRCLES {
+        let imports = imports(crate_root, folder);
+        let circles = circles(&imports);
+        let shown: Vec<String> = circles.iter().map(shown).collect();
+        let count = circles.iter().map(BTreeSet::len).sum();
+        figures.push((format!("{crate_root}/{folder}: {}", shown.join("; ")), count, bound));
+    }
+    hold("files that import each other in circles", &figures);
+}
+
+#[test]
+fn names_of_methods_only_go() {
+    let mut figures = Vec::new();
+    for (folder, bound) in METHOD_NAMES {
+        let mut names = Vec::new();
+        for path in files(&root().join(folder)).values() {
+            quoted(read(path).parse().expect("Rust"), &mut names);
+        }
+        figures.push((folder.to_owned(), names.len(), bound));
+    }
+    hold("names of methods", &figures);
+}
+
+/// Each figure is its bound.
+#[track_caller]
+fn hold(what: &str, figures: &[(String, usize, usize)]) {
+    let differ = figures.iter().filter(|(_, count, bound)| count != bound);
+    let told = differ.map(|(place, count, bound)| match count < bound {
+        true => format!("{count}, fewer than {bound}: lower the bound in this file. {place}"),
+        false => format!("{count}, more than {bound}. {place}"),
+    });
+    let told: Vec<String> = told.collect();
+    assert!(told.is_empty(), "{what}:\n  {}\n", told.join("\n  "));
+}
+
+fn root() -> PathBuf {
+    xtask::project::root()
+}
+
+fn read(path: &Path) -> String {
+    std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// The modules under a folder, by their paths from it; tests in files of their own aside.
+fn files(folder: &Path) -> BTreeMap<Module, PathBuf> {
+    let (mut found, mut open) = (BTreeMap::new(), vec![(Module::new(), folder.to_owned())]);
+    while let Some((module, folder)) = open.pop() {
+        for entry in std::fs::read_dir(&folder).expect("a folder of sources").flatten() {
+            let path = entry.path();
+            let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+            let inner = || module.iter().cloned().chain([name.clone()]).collect();
+            if name == "tests" {
+                continue;
+            }
+            if path.is_dir() {
+                open.push((inner(), path));
+            } else if path.extension().is_some_and(|extension| extension == "rs") {
+                let own = matches!(name.as_str(), "mod" | "lib" | "main");
+                found.insert(if own { module.clone() } else { inner() }, path);
+            }
+        }
+    }
+    assert!(found.len() > 10, "no sources in {}", folder.display());
+    found
+}
+
+/// For each file of a folder, the files of that folder that it imports.
+fn imports(crate_root: &str, folder: &str) -> BTreeMap<Module, BTreeSet<Module>> {
+    let files = files(&root().join(crate_root));
+    let within =
+        |module: &Module| folder.is_empty() || module.first().is_some_and(|it| it == folder);
+    let inside = files.iter().filter(|(module, _)| within(module));
+    let of = |(module, path): (&Module, &PathBuf)| {
+        let file = syn::parse_file(&read(path)).expect("Rust");
+        let mut uses = Uses { files: &files, module: module.clone(), found: BTreeSet::new() };
+        uses.visit_file(&file);
+        let mut found = uses.found;
+        found.retain(|it| within(it) && it != module);
+        (module.clone(), found)
+    };
+    inside.map(of).collect()
+}
+
+/// The files that one file names: in its `use` items, and in paths from `crate` or `super` on.
+struct Uses<'f> {
+    files: &'f BTreeMap<Module, PathBuf>,
+    module: Module,
+    found: BTreeSet<Module>,
+}
+
+impl Uses<'_> {
+    /// Notes the file in which a path ends.
+    fn note(&mut self, path: &[String]) {
+        let mut at = self.module.clone();
+        let mut rest = path.iter().peekable();
+        match rest.peek().map(|word| word.as_str()) {
+            Some("crate") => {
+                rest.next();
+                at.clear();
+            }
+            Some("super" | "self") => {
+                while let Some(word) = rest.next_if(|it| matches!(it.as_str(), "super" | "self")) {
+                    if word == "super" {
+                        at.pop();
+                    }
+                }
+            }
+            // A child's, or another crate's.
+            Some(word) if self.files.contains_key(&joined(&at, word)) => {}
+            _ => return,
+        }
+        while let Some(word) = rest.next_if(|word| self.files.contains_key(&joined(&at, word))) {
+            at = joined(&at, word);
+        }
+        // A module within a file is that file's.
+        while !self.files.contains_key(&at) && at.pop().is_some() {}
+        self.found.insert(at);
+    }
+
+    fn tree(&mut self, before: &[String], tree: &syn::UseTree) {
+        match tree {
+            syn::UseTree::Path(path) => {
+                self.tree(&joined(before, &path.ident.to_string()), &path.tree)
+            }
+            syn::UseTree::Name(name) => self.note(&joined(before, &name.ident.to_string())),
+            syn::UseTree::Rename(name) => self.note(&joined(before, &name.ident.to_string())),
+            syn::UseTree::Glob(_) => self.note(before),
+            syn::UseTree::Group(group) => {
+                group.items.iter().for_each(|item| self.tree(before, item));
+            }
+        }
+    }
+}
+
+impl<'ast> Visit<'ast> for Uses<'_> {
+    fn visit_item_use(&mut self, item: &'ast syn::ItemUse) {
+        self.tree(&[], &item.tree);
+    }
+
+    fn visit_path(&mut self, path: &'ast syn::Path) {
+        let words: Vec<String> = path.segments.iter().map(|it| it.ident.to_string()).collect();
+        if words.len() > 1 && matches!(words[0].as_str(), "crate" | "super") {
+            self.note(&words);
+        }
+        visit::visit_path(self, path);
+    }
+
+    fn visit_item_mod(&mut self, item: &'ast syn::ItemMod) {
+        if !is_test(&item.attrs) {
+            self.module.push(item.ident.to_string());
+            visit::visit_item_mod(self, item);
+            self.module.pop();
+        }
+    }
+}
+
+fn joined(path: &[String], word: &str) -> Module {
+    path.iter().cloned().chain([word.to_owned()]).collect()
+}
+
+fn is_test(attributes: &[syn::Attribute]) -> bool {
+    attributes.iter().any(|it| match &it.meta {
+        syn::Meta::List(list) => list.path.is_ident("cfg") && list.tokens.to_string() == "test",
+        _ => false,
+    })
+}
+
+/// The sets of files each of which can be reached from each other.
+fn circles(imports: &BTreeMap<Module, BTreeSet<Module>>) -> Vec<BTreeSet<&Module>> {
+    let reached: BTreeMap<&Module, BTreeSet<&Module>> =
+        imports.keys().map(|module| (module, reached(imports, module))).collect();
+    let mut circles = Vec::new();
+    for (module, all) in &reached {
+        let circle: BTreeSet<&Module> =
+            all.iter().copied().filter(|it| reached[it].contains(module)).collect();
+        if circle.first() == Some(module) {
+            circles.push(circle);
+        }
+    }
+    circles
+}
+
+/// All that a file imports, that those import, and so on.
+fn reached<'m>(
+    imports: &'m BTreeMap<Module, BTreeSet<Module>>,
+    from: &'m Module,
+) -> BTreeSet<&'m Module> {
+    let (mut all, mut open) = (BTreeSet::new(), vec![from]);
+    while let Some(next) = open.pop() {
+        open.extend(imports.get(next).into_iter().flatten().filter(|it| all.insert(*it)));
+    }
+    all
+}
+
+fn shown(circle: &BTreeSet<&Module>) -> String {
+    let names: Vec<String> = circle.iter().map(|module| module.join("::")).collect();
+    names.join(", ")
+}
+
+/// The words in quotation marks that a method could be called.
+fn quoted(tokens: TokenStream, found: &mut Vec<String>) {
+    for token in tokens {
+        match token {
+            TokenTree::Group(group) => quoted(group.stream(), found),
+            TokenTree::Literal(literal) => {
+                let text = literal.to_string();
+                let word = text.strip_prefix('"').and_then(|text| text.strip_suffix('"'));
+                found.extend(word.filter(|word| is_name(word)).map(str::to_owned));
+            }
+            _ => {}
+        }
+    }
+}
+
+fn is_name(word: &str) -> bool {
+    let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
+    word.starts_with(|first: char| first.is_ascii_lowercase()) && word.chars().all(plain)
+}
+
+#[test]
+fn a_circle_is_found_and_a_chain_is_none() {
+    let module = |name: &str| vec![name.to_owned()];
+    let graph = |edges: &[(&str, &str)]| {
+        let mut graph: BTreeMap<Module, BTreeSet<Module>> = BTreeMap::new();
+        for (from, to) in edges {
+            graph.entry(module(to)).or_default();
+            graph.entry(module(from)).or_default().insert(module(to));
+        }
+        circles(&graph).iter().map(shown).collect::<Vec<_>>()
+    };
+    assert_eq!(graph(&[("a", "b"), ("b", "c"), ("a", "c")]), [""; 0]);
+    assert_eq!(graph(&[("a", "b"), ("b", "c"), ("c", "b"), ("d", "a"), ("e", "e")]), ["b, c", "e"]);
+}
+
+#[test]
+fn imports_are_read_as_rustc_reads_them() {
+    let files = ["", "a", "a::b", "a::c", "d"].map(|path| {
+        (path.split("::").filter(|it| !it.is_empty()).map(str::to_owned).collect(), PathBuf::new())
+    });
+    let files = BTreeMap::from(files);
+    let found = |text: &str| {
+        let module = vec!["a".to_owned(), "b".to_owned()];
+        let mut uses = Uses { files: &files, module, found: BTreeSet::new() };
+        uses.visit_file(&syn::parse_file(text).expect("Rust"));
+        let names: Vec<String> = uses.found.iter().map(|module| module.join("::")).collect();
+        names.join(" ")
+    };
+    assert_eq!(found("use super::c::{self, Thing as T}; use std::fmt;"), "a::c");
+    assert_eq!(found("use super::Thing; use crate::d::*;"), "a d");
+    assert_eq!(found("fn f() -> super::c::Thing { crate::d::g() }"), "a::c d");
+    assert_eq!(found("mod inner { use super::super::c; use super::Own; }"), "a::b a::c");
+    assert_eq!(found("#[cfg(test)] mod tests { use crate::d; }"), "");
+}
+
+#[test]
+fn words_are_told_from_texts() {
+    let found = |text: &str| {
+        let mut names = Vec::new();
+        quoted(text.parse().expect("Rust"), &mut names);
+        names
+    };
+    assert_eq!(found("match m { \"map_or\" => say(\"two words\"), b\"x\" => f('c') }"), ["map_or"]);
+    assert_eq!(found("/// A comment.\nmatches!(name, \"zip\" | \"Sum\" | \"_\")"), ["zip"]);
+}
