@@ -3,10 +3,9 @@
 use bessemer_ir::tree;
 use bessemer_ir::{Block, CompareOp, Expr, ExprKind, Fault, StmtKind, StructId, Type};
 
-use super::equal::{number, stmt};
+use super::equal::stmt;
 use super::function::Lowering;
-use super::pattern::load;
-use super::slice::{Slice, compare, plus};
+use super::slice::{Slice, plus};
 use super::{OUR_FAULT, Result, problem};
 
 impl Lowering<'_, '_> {
@@ -89,14 +88,14 @@ impl Lowering<'_, '_> {
         let there = match slice.length.kind {
             ExprKind::Literal(length) => {
                 let enough = if whole { length == wanted } else { length >= wanted };
-                super::equal::truth(u64::from(enough), span)
+                Expr::bool(enough, span)
             }
             _ => {
                 let op = if whole { CompareOp::Eq } else { CompareOp::Ge };
-                compare(op, slice.length.clone(), number(wanted, span), span)
+                Expr::compare(op, slice.length.clone(), Expr::usize(wanted, span)).at(span)
             }
         };
-        let element = |index| load(&slice.at(plus(slice.from.clone(), number(index, span))));
+        let element = |index| slice.at(plus(slice.from.clone(), Expr::usize(index, span))).load();
         let kind = ExprKind::Array((0..wanted).map(element).collect());
         Ok((there, Expr { kind, ty, span }))
     }

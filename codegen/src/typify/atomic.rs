@@ -2,12 +2,11 @@
 //! where it returns. So a fault leaves everything as it was.
 
 use bessemer_ir::visit::{self, Access, VisitMut};
-use bessemer_ir::{Block, Expr, ExprKind, Local, LocalId, Mode, Place, Span, Stmt, StmtKind, Type};
+use bessemer_ir::{Block, Local, LocalId, Mode, Place, Span, Stmt, StmtKind, Type};
 
 use super::equal::stmt;
 use super::function::Lowering;
 use super::order::is_free;
-use super::pattern::load;
 
 impl Lowering<'_, '_> {
     /// Makes the body that was lowered write to copies.
@@ -22,7 +21,7 @@ impl Lowering<'_, '_> {
             let name = if name == "self" { "next".to_owned() } else { format!("next_{name}") };
             let copy = LocalId(self.locals.len() as u32);
             self.locals.push(Local { name, ty: ty.clone(), mode: Mode::Value, span });
-            let place = |root| Place { root, steps: Vec::new(), ty: ty.clone(), span };
+            let place = |root| Place::local(root, ty.clone(), span);
             copies.push((place(LocalId(index as u32)), place(copy)));
         }
         let mut body = Block(std::mem::take(&mut self.out));
@@ -33,7 +32,7 @@ impl Lowering<'_, '_> {
             body.0.extend(commit(&copies, span));
         }
         let first = copies.iter().map(|(place, copy)| {
-            stmt(StmtKind::Let { local: copy.root, value: Some(load(place)) }, span)
+            stmt(StmtKind::Let { local: copy.root, value: Some(place.load()) }, span)
         });
         self.out = first.chain(body.0).collect();
     }
@@ -49,8 +48,8 @@ impl Lowering<'_, '_> {
                         let local = LocalId(self.locals.len() as u32);
                         let name = "outcome".to_owned();
                         self.locals.push(Local { name, ty: ty.clone(), mode: Mode::Value, span });
-                        let place = Place { root: local, steps: Vec::new(), ty: ty.clone(), span };
-                        let held = Expr { kind: ExprKind::Load(place), ty, span };
+                        let place = Place::local(local, ty.clone(), span);
+                        let held = place.load();
                         let value = Some(std::mem::replace(value, held));
                         block.0.push(stmt(StmtKind::Let { local, value }, span));
                     }
@@ -74,7 +73,7 @@ impl Lowering<'_, '_> {
 
 fn commit(copies: &[(Place, Place)], span: Span) -> impl Iterator<Item = Stmt> {
     copies.iter().map(move |(place, copy)| {
-        stmt(StmtKind::Assign { place: place.clone(), value: load(copy) }, span)
+        stmt(StmtKind::Assign { place: place.clone(), value: copy.load() }, span)
     })
 }
 

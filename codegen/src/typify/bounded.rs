@@ -3,13 +3,12 @@
 
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{
-    Block, CompareOp, Expr, ExprKind, Fault, LocalId, LogicOp, Place, Span, Step, StmtKind, Type,
+    Block, CompareOp, Expr, Fault, LocalId, LogicOp, Place, Span, Step, StmtKind, Type,
 };
 
-use super::equal::number;
 use super::expr::{Operand, two};
 use super::function::Lowering;
-use super::pattern::{Subject, inside, load, logic};
+use super::pattern::Subject;
 use super::slice::least;
 use super::{Result, problem};
 
@@ -64,23 +63,23 @@ impl Lowering<'_, '_> {
         let later = self.later(mark);
         self.settle_place(&mut place, &later);
         self.out.extend(later);
-        let size = |field| load(&inside(&place, Step::Field(field), Type::USIZE));
+        let size = |field| place.inside(Step::Field(field), Type::USIZE).load();
         let conditions = [
             // The first two hold of every matrix, and keep a damaged one from being read beyond its end.
-            compare(CompareOp::Le, size(0), number(u64::from(rows), span), span),
-            compare(CompareOp::Le, size(1), number(u64::from(columns), span), span),
-            compare(CompareOp::Lt, row.clone(), size(0), span),
-            compare(CompareOp::Lt, column.clone(), size(1), span),
+            Expr::compare(CompareOp::Le, size(0), Expr::usize(u64::from(rows), span)).at(span),
+            Expr::compare(CompareOp::Le, size(1), Expr::usize(u64::from(columns), span)).at(span),
+            Expr::compare(CompareOp::Lt, row.clone(), size(0)).at(span),
+            Expr::compare(CompareOp::Lt, column.clone(), size(1)).at(span),
         ];
-        let condition = conditions.into_iter().reduce(|a, b| logic(LogicOp::And, a, b));
+        let condition = conditions.into_iter().reduce(|a, b| Expr::logic(LogicOp::And, a, b));
         if let Some(condition) = condition {
             self.emit(StmtKind::Check { condition, fault: Fault::Index }, span);
         }
         let of_column = Type::Array { element: Box::new(element.clone()), len: rows };
         let all = Type::Array { element: Box::new(of_column.clone()), len: columns };
-        let elements = inside(&place, Step::Field(2), all);
-        let column = inside(&elements, Step::Index(column), of_column);
-        Ok(Place { span, ..inside(&column, Step::Index(row), element) })
+        let elements = place.inside(Step::Field(2), all);
+        let column = elements.inside(Step::Index(column), of_column);
+        Ok(Place { span, ..column.inside(Step::Index(row), element) })
     }
 
     /// A `BoundedMatrix` that a loop goes through, if it has a name.
@@ -104,20 +103,20 @@ impl Lowering<'_, '_> {
         let of_column = Type::Array { element: Box::new(element.clone()), len: rows };
         let all = Type::Array { element: Box::new(of_column.clone()), len: columns };
         let mut size = |name, field, most: u32| {
-            let size = load(&inside(&matrix, Step::Field(field), Type::USIZE));
-            self.steady(name, least(size, number(u64::from(most), span)))
+            let size = matrix.inside(Step::Field(field), Type::USIZE).load();
+            self.steady(name, least(size, Expr::usize(u64::from(most), span)))
         };
         let (end_rows, end_columns) = (size("rows", 0, rows), size("columns", 1, columns));
-        let at = |root| load(&Place { root, steps: Vec::new(), ty: Type::USIZE, span });
+        let at = |root| Place::local(root, Type::USIZE, span).load();
         self.repeated(None, None, span, |walk| {
             let column = walk.counter("column", span);
             walk.counters.push(column);
             let through = |walk: &mut Self| {
                 let row = walk.counter("row", span);
                 walk.counters.push(row);
-                let place = inside(&matrix, Step::Field(2), all);
-                let place = inside(&place, Step::Index(at(column)), of_column);
-                let place = Place { span, ..inside(&place, Step::Index(at(row)), element) };
+                let place = matrix.inside(Step::Field(2), all);
+                let place = place.inside(Step::Index(at(column)), of_column);
+                let place = Place { span, ..place.inside(Step::Index(at(row)), element) };
                 let block = walk.scoped(|walk| {
                     let mut names = Vec::new();
                     walk.test(&part.pattern, &Subject::Place(place), site, &mut names)?;
@@ -136,7 +135,7 @@ impl Lowering<'_, '_> {
 
 /// `for variable in 0..to`.
 fn up_to(variable: LocalId, to: Expr, body: Block) -> StmtKind {
-    let from = number(0, to.span);
+    let from = Expr::usize(0, to.span);
     StmtKind::For {
         variable,
         from,
@@ -158,9 +157,4 @@ fn is_named(expr: &tree::Expr) -> bool {
         | tree::ExprKind::Ref(_, base) => is_named(base),
         _ => false,
     }
-}
-
-fn compare(op: CompareOp, left: Expr, right: Expr, span: Span) -> Expr {
-    let kind = ExprKind::Compare(op, Box::new(left), Box::new(right));
-    Expr { kind, ty: Type::BOOL, span }
 }

@@ -339,6 +339,6 @@ impl Lowering<'_, '_> {
             _ => u64::from(value),
         };
         let span = self.span(expr.site);
-        Expr { kind: ExprKind::Literal(word), ty: Type::Scalar(scalar), span }
+        Expr::literal(word, Type::Scalar(scalar), span)
     }
 }

@@ -89,8 +89,8 @@ impl Lowering<'_, '_> {
         let local = LocalId(self.locals.len() as u32);
         self.locals.push(Local { name: name.into(), ty: ty.clone(), mode: Mode::Value, span });
         self.emit(StmtKind::Let { local, value: Some(value) }, span);
-        let place = Place { root: local, steps: Vec::new(), ty: ty.clone(), span };
-        Expr { kind: ExprKind::Load(place), ty, span }
+        let place = Place::local(local, ty.clone(), span);
+        place.load()
     }
 
     /// Arms without guards, of few values each.
@@ -178,10 +178,7 @@ impl Lowering<'_, '_> {
         span: Span,
     ) -> Result<Option<Expr>> {
         let tests = ranges.iter().map(|range| test(value, *range, span));
-        let pattern = tests.reduce(|one, other| {
-            let kind = ExprKind::Logic(LogicOp::Or, Box::new(one), Box::new(other));
-            Expr { kind, ty: Type::BOOL, span }
-        });
+        let pattern = tests.reduce(|one, other| Expr::logic(LogicOp::Or, one, other).at(span));
         match (pattern, guard) {
             (Some(pattern), Some(guard)) => {
                 self.short_circuit(LogicOp::And, pattern, guard, guard.site).map(Some)
@@ -322,7 +319,7 @@ impl Lowering<'_, '_> {
         match (cases.is_empty(), otherwise) {
             (true, Some(Block(all))) => self.out.extend(all),
             (_, otherwise) => {
-                let scrutinee = super::pattern::load(&tag);
+                let scrutinee = tag.load();
                 self.emit(StmtKind::Match { scrutinee, arms: cases, otherwise }, span);
             }
         }
@@ -531,27 +528,22 @@ fn is_still(value: &Expr) -> bool {
 
 /// `low <= value && value <= high`, or what is left of it.
 pub(super) fn test(value: &Expr, (low, high): (i128, i128), span: Span) -> Expr {
-    let boolean = |kind| Expr { kind, ty: Type::BOOL, span };
     if value.ty == Type::BOOL {
-        let not = ExprKind::Unary(UnaryOp::Not, Box::new(value.clone()));
-        return if low == 1 { value.clone() } else { boolean(not) };
+        let not = Expr::unary(UnaryOp::Not, value.clone()).at(span);
+        return if low == 1 { value.clone() } else { not };
     }
-    let limit = |limit: i128| Expr {
-        kind: ExprKind::Literal(limit as u64),
-        ty: value.ty.clone(),
-        span: value.span,
+    let compare = |op, limit: i128| {
+        Expr::compare(op, value.clone(), Expr::literal_like(limit as u64, value)).at(span)
     };
-    let compare =
-        |op, other| boolean(ExprKind::Compare(op, Box::new(value.clone()), Box::new(limit(other))));
     let (least, most) = value.ty.as_int().map_or((-1, i128::MAX), |int| (int.min(), int.max()));
     match (low == least, high == most) {
         _ if low == high => compare(CompareOp::Eq, low),
-        (true, true) => boolean(ExprKind::Literal(1)),
+        (true, true) => Expr::bool(true, span),
         (true, false) => compare(CompareOp::Le, high),
         (false, true) => compare(CompareOp::Ge, low),
         (false, false) => {
             let (above, below) = (compare(CompareOp::Ge, low), compare(CompareOp::Le, high));
-            boolean(ExprKind::Logic(LogicOp::And, Box::new(above), Box::new(below)))
+            Expr::logic(LogicOp::And, above, below)
         }
     }
 }

@@ -5,7 +5,7 @@ use bessemer_ir::{Block, Expr, ExprKind, LogicOp, Place, Stmt, StmtKind, Type};
 
 use super::Result;
 use super::function::Lowering;
-use super::pattern::{Named, logic};
+use super::pattern::Named;
 
 impl Lowering<'_, '_> {
     /// A condition with patterns in it; its names stand for their places from here on.
@@ -48,7 +48,7 @@ impl Lowering<'_, '_> {
         let inner = std::mem::replace(&mut self.out, outer);
         let right = right?;
         if inner.is_empty() {
-            return Ok(logic(LogicOp::And, left, right));
+            return Ok(Expr::logic(LogicOp::And, left, right));
         }
         if left.kind == ExprKind::Literal(1) {
             self.out.extend(inner);
@@ -64,7 +64,7 @@ impl Lowering<'_, '_> {
             let ty = self.locals[local.index()].ty.clone();
             let first = Some(self.zero(&ty, span));
             self.emit(StmtKind::Let { local, value: first }, span);
-            let place = Place { root: local, steps: Vec::new(), ty, span };
+            let place = Place::local(local, ty, span);
             let assign = value.map(|value| StmtKind::Assign { place, value });
             kept.extend(assign.map(|kind| Stmt { kind, span, comments }));
         }

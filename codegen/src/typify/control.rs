@@ -111,8 +111,7 @@ impl Lowering<'_, '_> {
             return problem(site, "this does not fit the result of the function", OUR_FAULT);
         };
         let from = self.case(id, left).and_then(|(_, case)| case.field);
-        let payload =
-            from.map(|field| super::pattern::load(&self.part(&place, id, field as usize)));
+        let payload = from.map(|field| self.part(&place, id, field as usize).load());
         let field = |field| &self.cx.module.structs[result.index()].fields[field as usize];
         let wanted = case.field.map(field).map(|field| field.ty.clone());
         let condition = negated(self.tag_is(&place, id, taken.0));
@@ -124,7 +123,7 @@ impl Lowering<'_, '_> {
         })?;
         self.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
         let value = taken.1.field.map(|field| self.part(&place, id, field as usize));
-        Ok(value.map(|value| super::pattern::load(&value)))
+        Ok(value.map(|value| value.load()))
     }
 
     fn store(&mut self, expr: &tree::Expr, target: &Target) -> Result<()> {
@@ -459,8 +458,7 @@ impl Lowering<'_, '_> {
                 let ty = self.place_type(place)?;
                 let expected = self.compound_operand(op, &ty);
                 let (place, value) = self.compound(place, value, expected, &ty)?;
-                let kind = ExprKind::Load(place.clone());
-                let current = Expr { kind, ty: ty.clone(), span: place.span };
+                let current = place.load();
                 let value = self.binary_node(op, current, value, site)?;
                 self.agree(&value.ty, &ty, site)?;
                 self.emit(StmtKind::Assign { place, value }, span);

@@ -9,10 +9,9 @@ use bessemer_ir::{
     StmtKind, Type,
 };
 
-use super::equal::number;
 use super::function::{Binding, Lowering};
 use super::list::lesser;
-use super::pattern::{Subject, load};
+use super::pattern::Subject;
 use super::slice::{Slice, divided, greatest, least, minus, plus, times};
 use super::{Result, problem};
 
@@ -45,11 +44,11 @@ impl Lowering<'_, '_> {
                 (slice.from.clone(), slice.to.clone())
             }
             slices => {
-                let all = (number(0, span), shortest(slices, span));
+                let all = (Expr::usize(0, span), shortest(slices, span));
                 self.cut_off(all, cuts)?
             }
         };
-        let last = minus(end.clone(), number(1, span));
+        let last = minus(end.clone(), Expr::usize(1, span));
         let reversed = order == Order::Down;
         let mut copies = Vec::new();
         let mut lowered = |inner: &mut Self| {
@@ -61,8 +60,7 @@ impl Lowering<'_, '_> {
                 if let Some(index) = index {
                     inner.bind(index, super::function::Binding::Local(variable));
                 }
-                let counter =
-                    load(&Place { root: variable, steps: Vec::new(), ty: Type::USIZE, span });
+                let counter = Place::local(variable, Type::USIZE, span).load();
                 let counter = match order {
                     Order::Mirrored => minus(last.clone(), counter),
                     _ => counter,
@@ -117,10 +115,7 @@ impl Lowering<'_, '_> {
             let place = self.base(&part.array)?;
             places.push(self.held_still(place));
         }
-        let count = |word: u32| {
-            let kind = ExprKind::Literal(u64::from(word));
-            Expr { kind, ty: Type::USIZE, span }
-        };
+        let count = |word: u32| Expr::usize(u64::from(word), span);
         let counter = |name: &str, inner: &mut Self| {
             let variable = LocalId(inner.locals.len() as u32);
             let local = Local { name: name.into(), ty: Type::USIZE, mode: Mode::Value, span };
@@ -134,7 +129,7 @@ impl Lowering<'_, '_> {
             walk.bind(row, super::function::Binding::Local(inner));
             for (part, place) in parts.iter().zip(&places) {
                 let mut element = place.clone();
-                let at = |id| load(&Place { root: id, steps: vec![], ty: Type::USIZE, span });
+                let at = |id| (Place { root: id, steps: vec![], ty: Type::USIZE, span }).load();
                 element.steps.push(Step::Element(at(inner), at(outer)));
                 if let Type::Matrix { element: scalar, .. } = place.ty {
                     element.ty = Type::Scalar(scalar);
@@ -189,12 +184,12 @@ impl Lowering<'_, '_> {
         let (local, ty) = (LocalId(self.locals.len() as u32), first.element.clone());
         self.locals.push(Local { name: name.to_owned(), ty: ty.clone(), mode: Mode::Value, span });
         self.held.insert(local);
-        let place = Place { root: local, steps: Vec::new(), ty, span };
+        let place = Place::local(local, ty, span);
         self.emit(StmtKind::Let { local, value: None }, span);
         let mut cases = Vec::new();
         let mut counter = counter;
         for slice in std::iter::once(first).chain(&passed.behind) {
-            let element = load(&slice.at(plus(slice.from.clone(), counter.clone())));
+            let element = slice.at(plus(slice.from.clone(), counter.clone())).load();
             let assign = StmtKind::Assign { place: place.clone(), value: element };
             cases.push((is_below(&counter, &slice.length), assign));
             counter = minus(counter, slice.length.clone());
@@ -282,13 +277,15 @@ impl Lowering<'_, '_> {
             let at = match (bare, part.reversed) {
                 (true, false) => counter,
                 (_, false) => plus(slice.from.clone(), counter),
-                (_, true) => minus(minus(slice.to.clone(), number(1, slice.base.span)), counter),
+                (_, true) => {
+                    minus(minus(slice.to.clone(), Expr::usize(1, slice.base.span)), counter)
+                }
             };
             let mut names = Vec::new();
             self.test(&part.pattern, &Subject::Place(slice.at(at)), site, &mut names)?;
             return self.bind_names(&names);
         };
-        let size = number(size, slice.base.span);
+        let size = Expr::usize(size, slice.base.span);
         let begin = match way {
             Grouping::Windows => counter,
             _ => times(counter, size.clone()),
@@ -296,7 +293,7 @@ impl Lowering<'_, '_> {
         if way == Grouping::First {
             let at = match part.reversed {
                 false => plus(slice.from.clone(), begin),
-                true => minus(minus(slice.to.clone(), number(1, slice.base.span)), begin),
+                true => minus(minus(slice.to.clone(), Expr::usize(1, slice.base.span)), begin),
             };
             let mut names = Vec::new();
             self.test(&part.pattern, &Subject::Place(slice.at(at)), site, &mut names)?;
@@ -407,7 +404,7 @@ impl Lowering<'_, '_> {
                 // Its names are references, `for x in table.row_mut(i)`.
                 continue;
             }
-            let value = Some(Expr { kind: ExprKind::Load(place.clone()), ty, span });
+            let value = Some(place.load().at(span));
             let kind = StmtKind::Let { local: copy, value };
             copies.push(Stmt { kind, span, comments: Vec::new() });
         }
@@ -440,21 +437,25 @@ impl Passed {
             way = Grouping::Whole;
         }
         let count = match (way, known) {
-            (Grouping::Whole, Some(length)) => number(length / size, span),
-            (Grouping::All | Grouping::First, Some(length)) => number(length.div_ceil(size), span),
-            (Grouping::Windows, Some(length)) => number((length + 1).saturating_sub(size), span),
-            (Grouping::Whole, None) => divided(length, number(size, span)),
+            (Grouping::Whole, Some(length)) => Expr::usize(length / size, span),
+            (Grouping::All | Grouping::First, Some(length)) => {
+                Expr::usize(length.div_ceil(size), span)
+            }
+            (Grouping::Windows, Some(length)) => {
+                Expr::usize((length + 1).saturating_sub(size), span)
+            }
+            (Grouping::Whole, None) => divided(length, Expr::usize(size, span)),
             // No slice is that long, and the sum below would overflow.
             (Grouping::All | Grouping::First, None) if size > 1 << 31 => {
-                lesser(length, number(1, span))
+                lesser(length, Expr::usize(1, span))
             }
             (Grouping::All | Grouping::First, None) => {
-                let more = plus(length, number(size - 1, span));
-                divided(more, number(size, span))
+                let more = plus(length, Expr::usize(size - 1, span));
+                divided(more, Expr::usize(size, span))
             }
             // One begins at each element but the last `size - 1`.
             (Grouping::Windows, None) => {
-                let last = number(size - 1, span);
+                let last = Expr::usize(size - 1, span);
                 minus(greatest(length, last.clone()), last)
             }
         };
@@ -471,9 +472,7 @@ impl Passed {
 
 /// `index < length`.
 fn is_below(index: &Expr, length: &Expr) -> Expr {
-    let (index, length) = (Box::new(index.clone()), Box::new(length.clone()));
-    let span = index.span;
-    Expr { kind: ExprKind::Compare(CompareOp::Lt, index, length), ty: Type::BOOL, span }
+    Expr::compare(CompareOp::Lt, index.clone(), length.clone())
 }
 
 /// How many passes all of these make.
@@ -482,10 +481,10 @@ fn shortest(all: &[Passed], span: Span) -> Expr {
         ExprKind::Literal(count) => Some(count),
         _ => None,
     });
-    let least = numbers.min().map(|least| number(least, span));
+    let least = numbers.min().map(|least| Expr::usize(least, span));
     let others = all.iter().filter(|passed| !matches!(passed.count.kind, ExprKind::Literal(_)));
     let counts = least.into_iter().chain(others.map(|passed| passed.count.clone()));
-    counts.reduce(|end, count| lesser(count, end)).unwrap_or_else(|| number(0, span))
+    counts.reduce(|end, count| lesser(count, end)).unwrap_or_else(|| Expr::usize(0, span))
 }
 
 /// Whether a block writes to a local.

@@ -96,7 +96,7 @@ pub(super) fn popped(
     length: &Expr,
     body: &[Stmt],
 ) -> Result<Proof, Reason> {
-    let low = Expr { kind: ExprKind::Literal(0), ..length.clone() };
+    let low = Expr::literal_like(0, length);
     let (inclusive, least, moving) = (false, None, vec![1]);
     let looked = Looked { module, low: &low, high: length, inclusive, least, name: &name, moving };
     if place(length).is_none() {

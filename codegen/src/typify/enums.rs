@@ -3,7 +3,7 @@
 //! A variant's word is its index; Rust compares and converts the numbers, which the author may choose.
 
 use bessemer_ir::tree::{self, Site};
-use bessemer_ir::{EnumId, Expr, ExprKind, Int, Scalar, Type, Variant};
+use bessemer_ir::{EnumId, Expr, Int, Scalar, Type, Variant};
 
 use super::function::Lowering;
 use super::{Result, problem};
@@ -22,8 +22,7 @@ impl Lowering<'_, '_> {
         if !definition.is_numbered() {
             return Ok(value);
         }
-        let (span, ty) = (value.span, Type::Scalar(Scalar::Int(Int::I32)));
-        Ok(Expr { kind: ExprKind::Cast(Box::new(value)), ty, span })
+        Ok(value.cast(&Type::Scalar(Scalar::Int(Int::I32))))
     }
 }
 

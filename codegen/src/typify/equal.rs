@@ -13,7 +13,6 @@ use bessemer_ir::{
 
 use super::function::{Lowering, is_literal};
 use super::loops::negated;
-use super::pattern::{inside, load, logic};
 use super::{Result, problem};
 
 /// Up to so many elements are compared one by one.
@@ -57,20 +56,18 @@ impl Lowering<'_, '_> {
         site: Site,
         span: Span,
     ) -> Result<Expr> {
-        if let Some(equal) = self.own_equality(&load(left), &load(right), site)? {
+        if let Some(equal) = self.own_equality(&left.load(), &right.load(), site)? {
             return Ok(equal);
         }
         self.check_equality(&left.ty, site)?;
         match &left.ty {
-            Type::Unit | Type::Slice(_) => Ok(truth(1, span)),
+            Type::Unit | Type::Slice(_) => Ok(Expr::bool(true, span)),
             Type::Scalar(_) | Type::Enum(_) => {
-                let kind =
-                    ExprKind::Compare(CompareOp::Eq, Box::new(load(left)), Box::new(load(right)));
-                Ok(Expr { kind, ty: Type::BOOL, span })
+                Ok(Expr::compare(CompareOp::Eq, left.load(), right.load()).at(span))
             }
             Type::Struct(id) => {
                 let function = self.equality_of(*id, site)?;
-                let lent = [left, right].map(|place| Argument::Ref(load(place)));
+                let lent = [left, right].map(|place| Argument::Ref(place.load()));
                 let kind = ExprKind::Call(function, lent.into());
                 Ok(Expr { kind, ty: Type::BOOL, span })
             }
@@ -83,7 +80,7 @@ impl Lowering<'_, '_> {
                 let element = Type::Scalar(*element);
                 if rows == 1 || cols == 1 {
                     let step = |index: Expr, _: &mut Self| {
-                        let zero = number(0, span);
+                        let zero = Expr::usize(0, span);
                         if cols == 1 {
                             Step::Element(index, zero)
                         } else {
@@ -209,7 +206,7 @@ impl Lowering<'_, '_> {
                 Some(all) => self.and_then(all, compare)?,
             });
         }
-        Ok(all.unwrap_or_else(|| truth(1, span)))
+        Ok(all.unwrap_or_else(|| Expr::bool(true, span)))
     }
 
     /// `absent || right`, where `right` may need statements.
@@ -223,10 +220,10 @@ impl Lowering<'_, '_> {
         let inner = std::mem::replace(&mut self.out, outer);
         let right = right?;
         if inner.is_empty() {
-            return Ok(logic(LogicOp::Or, absent, right));
+            return Ok(Expr::logic(LogicOp::Or, absent, right));
         }
         let span = right.span;
-        let held = self.temporary("equal", truth(1, span));
+        let held = self.temporary("equal", Expr::bool(true, span));
         let mut inner = inner;
         if let ExprKind::Load(place) = &held.kind {
             let kind = StmtKind::Assign { place: place.clone(), value: right };
@@ -249,20 +246,20 @@ impl Lowering<'_, '_> {
         if len <= FEW && element.is_word() {
             let mut all: Option<Expr> = None;
             for index in 0..len {
-                let at = number(u64::from(index), span);
-                let one = inside(left, step(at.clone(), self), element.clone());
-                let other = inside(right, step(at, self), element.clone());
+                let at = Expr::usize(u64::from(index), span);
+                let one = left.inside(step(at.clone(), self), element.clone());
+                let other = right.inside(step(at, self), element.clone());
                 let next = self.equal(&one, &other, site, span)?;
                 all = Some(match all {
-                    Some(all) => logic(LogicOp::And, all, next),
+                    Some(all) => Expr::logic(LogicOp::And, all, next),
                     None => next,
                 });
             }
-            return Ok(all.unwrap_or_else(|| truth(1, span)));
+            return Ok(all.unwrap_or_else(|| Expr::bool(true, span)));
         }
-        self.all_equal(number(u64::from(len), span), span, |inner, index| {
-            let one = inside(left, step(index.clone(), inner), element.clone());
-            let other = inside(right, step(index, inner), element.clone());
+        self.all_equal(Expr::usize(u64::from(len), span), span, |inner, index| {
+            let one = left.inside(step(index.clone(), inner), element.clone());
+            let other = right.inside(step(index, inner), element.clone());
             inner.equal(&one, &other, site, span)
         })
     }
@@ -274,21 +271,24 @@ impl Lowering<'_, '_> {
         span: Span,
         equal: impl FnOnce(&mut Self, Expr) -> Result<Expr>,
     ) -> Result<Expr> {
-        let held = self.temporary("equal", truth(1, span));
+        let held = self.temporary("equal", Expr::bool(true, span));
         let ExprKind::Load(flag) = held.kind.clone() else { return Ok(held) };
         let variable = self.counter("i", span);
         let body = self.scoped(|inner| {
-            let place = Place { root: variable, steps: Vec::new(), ty: Type::USIZE, span };
-            let same = equal(inner, load(&place))?;
+            let place = Place::local(variable, Type::USIZE, span);
+            let same = equal(inner, place.load())?;
             let then = Block(vec![
-                stmt(StmtKind::Assign { place: flag.clone(), value: truth(0, span) }, span),
+                stmt(
+                    StmtKind::Assign { place: flag.clone(), value: Expr::bool(false, span) },
+                    span,
+                ),
                 stmt(StmtKind::Break, span),
             ]);
             let condition = unequal(same);
             inner.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
             Ok(())
         })?;
-        let (from, inclusive, reversed) = (number(0, span), false, false);
+        let (from, inclusive, reversed) = (Expr::usize(0, span), false, false);
         self.emit(
             StmtKind::For {
                 variable,
@@ -312,14 +312,12 @@ impl Lowering<'_, '_> {
         element: &Type,
         span: Span,
     ) -> Result<Expr> {
-        self.all_equal(number(u64::from(cols), span), span, |inner, col| {
-            inner.all_equal(number(u64::from(rows), span), span, |_, row| {
+        self.all_equal(Expr::usize(u64::from(cols), span), span, |inner, col| {
+            inner.all_equal(Expr::usize(u64::from(rows), span), span, |_, row| {
                 let step = Step::Element(row, col);
-                let one = inside(left, step.clone(), element.clone());
-                let other = inside(right, step, element.clone());
-                let (one, other) = (Box::new(load(&one)), Box::new(load(&other)));
-                let kind = ExprKind::Compare(CompareOp::Eq, one, other);
-                Ok(Expr { kind, ty: Type::BOOL, span })
+                let one = left.inside(step.clone(), element.clone());
+                let other = right.inside(step, element.clone());
+                Ok(Expr::compare(CompareOp::Eq, one.load(), other.load()).at(span))
             })
         })
     }
@@ -337,7 +335,7 @@ fn unequal(same: Expr) -> Expr {
     let span = same.span;
     match same.kind {
         ExprKind::Compare(CompareOp::Eq, one, other) => {
-            Expr { kind: ExprKind::Compare(CompareOp::Ne, one, other), ty: Type::BOOL, span }
+            Expr::compare(CompareOp::Ne, *one, *other).at(span)
         }
         _ => negated(same),
     }
@@ -345,12 +343,4 @@ fn unequal(same: Expr) -> Expr {
 
 pub(super) fn stmt(kind: StmtKind, span: Span) -> Stmt {
     Stmt { kind, span, comments: Vec::new() }
-}
-
-pub(super) fn truth(word: u64, span: Span) -> Expr {
-    Expr { kind: ExprKind::Literal(word), ty: Type::BOOL, span }
-}
-
-pub(super) fn number(word: u64, span: Span) -> Expr {
-    Expr { kind: ExprKind::Literal(word), ty: Type::USIZE, span }
 }

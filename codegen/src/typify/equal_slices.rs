@@ -6,7 +6,7 @@ use bessemer_ir::{CompareOp, Expr};
 use super::Result;
 use super::function::Lowering;
 use super::loops::negated;
-use super::slice::{Slice, compare, plus, same};
+use super::slice::{Slice, plus, same};
 
 impl Lowering<'_, '_> {
     /// `left == right` or `left != right`, if one of the two is a slice.
@@ -29,7 +29,8 @@ impl Lowering<'_, '_> {
         let equal = if same(&one.length, &other.length) {
             self.equal_elements_of((&one, &other), site)?
         } else {
-            let as_long = compare(CompareOp::Eq, one.length.clone(), other.length.clone(), span);
+            let as_long =
+                Expr::compare(CompareOp::Eq, one.length.clone(), other.length.clone()).at(span);
             self.and_then(as_long, |inner| inner.equal_elements_of((&one, &other), site))?
         };
         Ok(Some(if op == Op::Ne { negated(equal) } else { equal }))

@@ -31,10 +31,10 @@ impl Lowering<'_, '_> {
             return Ok(self.nothing(expr.site));
         }
         if let Some(place) = self.in_option(expr)? {
-            return Ok(super::pattern::load(&place));
+            return Ok(place.load());
         }
         if let Some(place) = self.lent_place(expr)? {
-            return Ok(super::pattern::load(&place));
+            return Ok(place.load());
         }
         let value = self.bare_value(expr, expected)?;
         self.cx.typed.expressions += 1;
@@ -120,7 +120,7 @@ impl Lowering<'_, '_> {
             tree::ExprKind::Fold { .. } => {
                 let local = self.fold(expr, None)?;
                 let (ty, span) = (self.locals[local.index()].ty.clone(), self.span(site));
-                let place = Place { root: local, steps: Vec::new(), ty: ty.clone(), span };
+                let place = Place::local(local, ty.clone(), span);
                 self.node(ExprKind::Load(place), ty, site)
             }
             _ if control_with_value(expr) => self.control_value(expr, expected),
@@ -447,9 +447,9 @@ impl Lowering<'_, '_> {
         let local = self.temporary_local("choice", ty.clone(), span);
         let first = self.before_loop(expr, &ty, span);
         self.emit(StmtKind::Let { local, value: first }, span);
-        let place = Place { root: local, steps: Vec::new(), ty: ty.clone(), span };
+        let place = Place::local(local, ty.clone(), span);
         self.into(expr, &Target::Place(place.clone()))?;
-        Ok(Expr { kind: ExprKind::Load(place), ty, span })
+        Ok(place.load())
     }
 
     /// Lowers operands left to right. Where a later one needs statements, what came before and could
@@ -491,7 +491,7 @@ impl Lowering<'_, '_> {
                     return self.call_handing(template, arguments, expr);
                 }
                 if let Some(place) = self.lent_by(path, arguments, expr)? {
-                    return Ok(super::pattern::load(&place));
+                    return Ok(place.load());
                 }
                 if let Some(value) = self.shorter(path, arguments, expr)? {
                     return Ok(value);

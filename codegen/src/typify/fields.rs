@@ -83,10 +83,7 @@ impl Lowering<'_, '_> {
         let mut parts = Vec::new();
         for (index, field) in definition.fields.iter().enumerate() {
             parts.push(match index {
-                0 => {
-                    let kind = ExprKind::Literal(word);
-                    Expr { kind, ty: field.ty.clone(), span }
-                }
+                0 => Expr::literal(word, field.ty.clone(), span),
                 _ if definition.holds(index, word) => match payload.take() {
                     Some(payload) => payload,
                     None => return problem(site, "the payload is missing", OUR_FAULT),
@@ -154,8 +151,7 @@ impl Lowering<'_, '_> {
                 let mut place = rest.clone()?;
                 place.steps.push(bessemer_ir::Step::Field(at as u32));
                 place.ty = field.ty.clone();
-                let (ty, span) = (field.ty.clone(), place.span);
-                Some(Expr { kind: ExprKind::Load(place), ty, span })
+                Some(place.load())
             });
             let Some(value) = value else {
                 return problem(expr.site, format!("`{}` is missing", field.name), OUR_FAULT);

@@ -4,9 +4,8 @@
 use bessemer_ir::tree;
 use bessemer_ir::{Block, Expr, ExprKind, Place, Span, Step, StmtKind, Type};
 
-use super::equal::{number, stmt};
+use super::equal::stmt;
 use super::function::{Lowering, is_literal};
-use super::pattern::{inside, load};
 use super::written_views::{counted, local};
 use super::{OUR_FAULT, Result, problem};
 
@@ -44,13 +43,13 @@ impl Lowering<'_, '_> {
         let i = self.counter(if inner.is_some() { "col" } else { "i" }, span);
         let row = inner.map(|_| self.counter("row", span));
         let at = (local(i, span), row.map(|row| local(row, span)));
-        let (place, value) = (cell(&result, &at, span), load(&cell(&source, &at, span)));
+        let (place, value) = (cell(&result, &at, span), cell(&source, &at, span).load());
         let mut body = Block(vec![stmt(StmtKind::Assign { place, value }, span)]);
         if let (Some(row), Some(rows)) = (row, inner) {
             body = Block(vec![stmt(counted(row, rows, body, span), span)]);
         }
         self.emit(counted(i, outer, body, span), span);
-        Ok(load(&result))
+        Ok(result.load())
     }
 
     /// Whether what is written out are elements, and not columns that have names.
@@ -89,17 +88,17 @@ fn cell(whole: &Place, (outer, inner): &(Expr, Option<Expr>), span: Span) -> Pla
         (Type::Matrix { element, rows, .. }, inner) => {
             let (row, col) = match inner {
                 Some(row) => (row.clone(), outer.clone()),
-                None if *rows == 1 => (number(0, span), outer.clone()),
-                None => (outer.clone(), number(0, span)),
+                None if *rows == 1 => (Expr::usize(0, span), outer.clone()),
+                None => (outer.clone(), Expr::usize(0, span)),
             };
-            inside(whole, Step::Element(row, col), Type::Scalar(*element))
+            whole.inside(Step::Element(row, col), Type::Scalar(*element))
         }
         (Type::Array { element, .. }, inner) => {
-            let part = inside(whole, Step::Index(outer.clone()), (**element).clone());
+            let part = whole.inside(Step::Index(outer.clone()), (**element).clone());
             match (&part.ty, inner) {
                 (Type::Array { element, .. }, Some(row)) => {
                     let element = (**element).clone();
-                    inside(&part, Step::Index(row.clone()), element)
+                    part.inside(Step::Index(row.clone()), element)
                 }
                 _ => part,
             }
@@ -115,10 +114,10 @@ fn written_out(
     (outer, inner): (u32, Option<u32>),
     span: Span,
 ) -> ExprKind {
-    let index = |index: u32| number(u64::from(index), span);
+    let index = |index: u32| Expr::usize(u64::from(index), span);
     let column = |col: u32| -> Vec<Expr> {
         let rows = inner.map_or(vec![None], |rows| (0..rows).map(|row| Some(index(row))).collect());
-        rows.into_iter().map(|row| load(&cell(source, &(index(col), row), span))).collect()
+        rows.into_iter().map(|row| cell(source, &(index(col), row), span).load()).collect()
     };
     match (ty, inner) {
         (Type::Array { element, .. }, Some(_)) => {

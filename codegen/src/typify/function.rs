@@ -331,11 +331,10 @@ impl Lowering<'_, '_> {
             Binding::Nothing => return Ok(self.nothing(site)),
             Binding::Local(root) => {
                 let ty = self.locals[root.index()].ty.clone();
-                Place { root, steps: Vec::new(), ty, span }
+                Place::local(root, ty, span)
             }
         };
-        let ty = place.ty.clone();
-        Ok(Expr { kind: ExprKind::Load(place), ty, span })
+        Ok(place.load().at(span))
     }
 
     /// Another name for a place, from here on.
@@ -505,7 +504,7 @@ impl Lowering<'_, '_> {
         let first = value.and_then(|value| self.before_loop(value, &ty, span));
         self.emit(StmtKind::Let { local, value: first }, span);
         if let Some(value) = value {
-            let place = Place { root: local, steps: Vec::new(), ty, span };
+            let place = Place::local(local, ty, span);
             self.into(value, &Target::Place(place))?;
         }
         self.bind(name, Binding::Local(local));
@@ -518,8 +517,7 @@ impl Lowering<'_, '_> {
         let local = self.temporary_local(role, ty.clone(), span);
         self.held.insert(local);
         self.emit(StmtKind::Let { local, value: Some(value) }, span);
-        let place = Place { root: local, steps: Vec::new(), ty: ty.clone(), span };
-        Expr { kind: ExprKind::Load(place), ty, span }
+        Expr::local(local, &ty, span)
     }
 
     pub(super) fn temporary_local(&mut self, role: &str, ty: Type, span: Span) -> LocalId {

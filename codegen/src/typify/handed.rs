@@ -12,7 +12,7 @@ use bessemer_ir::{
 };
 
 use super::function::{Binding, Lowering, UNNAMED};
-use super::pattern::{Subject, load};
+use super::pattern::Subject;
 use super::{OUR_FAULT, Result, names, problem};
 
 /// A closure that was handed to the function that is being lowered.
@@ -86,7 +86,7 @@ impl<'a> Lowering<'a, '_> {
                 }
                 Binding::Local(root) => {
                     let ty = self.locals[root.index()].ty.clone();
-                    Some(Place { root, steps: Vec::new(), ty, span })
+                    Some(Place::local(root, ty, span))
                 }
             };
             // Neither the parts of an array nor a parameter that is a slice.
@@ -149,8 +149,8 @@ impl<'a> Lowering<'a, '_> {
             let local = &mut locals[id.index()];
             let argument = match (written.0.contains(&id), local.ty.is_word()) {
                 (true, _) => Argument::RefMut(place),
-                (false, true) => Argument::Value(load(&place)),
-                (false, false) => Argument::Ref(load(&place)),
+                (false, true) => Argument::Value(place.load()),
+                (false, false) => Argument::Ref(place.load()),
             };
             local.mode = match &argument {
                 Argument::RefMut(_) => Mode::RefMut,

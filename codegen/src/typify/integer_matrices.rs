@@ -10,9 +10,8 @@ use bessemer_ir::{
     BinaryOp, Block, Expr, ExprKind, LocalId, Place, Routine, Span, Step, StmtKind, Type, UnaryOp,
 };
 
-use super::equal::{number, stmt};
+use super::equal::stmt;
 use super::function::{Lowering, is_literal};
-use super::pattern::{inside, load};
 use super::written_views::{counted, local};
 use super::{OUR_FAULT, Result, problem};
 
@@ -63,13 +62,13 @@ impl Lowering<'_, '_> {
                 false => {
                     let mut place = self.hold(value, site)?;
                     self.keep_indices(&mut place, |index| !is_literal(index));
-                    load(&place)
+                    place.load()
                 }
             });
         }
         let span = self.span(site);
         let elements = Elements { operands, scalar: Type::Scalar(*element), span };
-        let zero = Expr { kind: ExprKind::Literal(0), ty: elements.scalar.clone(), span };
+        let zero = Expr::literal(0, elements.scalar.clone(), span);
         let zeros = Expr { kind: ExprKind::Splat(Box::new(zero)), ty: ty.clone(), span };
         let ExprKind::Load(result) = self.temporary(name, zeros).kind else {
             return problem(site, "a temporary is not a place", OUR_FAULT);
@@ -89,7 +88,7 @@ impl Lowering<'_, '_> {
                 let ((row, col), k) = (at, elements.index(k));
                 let factors = (elements.at(0, (row, k.clone())), elements.at(1, (k, col)));
                 let term = elements.joined(BinaryOp::Mul, factors.0, factors.1);
-                elements.joined(BinaryOp::Add, load(&place), term)
+                elements.joined(BinaryOp::Add, place.load(), term)
             }
         };
         let mut body = Block(vec![stmt(StmtKind::Assign { place, value }, span)]);
@@ -99,7 +98,7 @@ impl Lowering<'_, '_> {
             }
         }
         self.out.extend(body.0);
-        Ok(load(&result))
+        Ok(result.load())
     }
 
     /// A counter, unless there is one row or column.
@@ -117,11 +116,11 @@ struct Elements {
 
 impl Elements {
     fn index(&self, counter: Option<LocalId>) -> Expr {
-        counter.map_or_else(|| number(0, self.span), |counter| local(counter, self.span))
+        counter.map_or_else(|| Expr::usize(0, self.span), |counter| local(counter, self.span))
     }
 
     fn cell(&self, matrix: &Place, (row, col): (Expr, Expr)) -> Place {
-        inside(matrix, Step::Element(row, col), self.scalar.clone())
+        matrix.inside(Step::Element(row, col), self.scalar.clone())
     }
 
     /// An operand at a row and a column; a number is the same at each.
@@ -129,7 +128,7 @@ impl Elements {
         let operand = &self.operands[operand];
         match &operand.kind {
             ExprKind::Load(place) if matches!(place.ty, Type::Matrix { .. }) => {
-                load(&self.cell(place, at))
+                self.cell(place, at).load()
             }
             _ => operand.clone(),
         }
@@ -144,14 +143,10 @@ impl Elements {
     }
 
     fn negative(&self, value: Expr) -> Expr {
-        self.node(ExprKind::Unary(UnaryOp::Neg, Box::new(value)))
+        Expr::unary(UnaryOp::Neg, value).at(self.span)
     }
 
     fn joined(&self, op: BinaryOp, one: Expr, other: Expr) -> Expr {
-        self.node(ExprKind::Binary(op, Box::new(one), Box::new(other)))
-    }
-
-    fn node(&self, kind: ExprKind) -> Expr {
-        Expr { kind, ty: self.scalar.clone(), span: self.span }
+        Expr::binary(op, one, other).at(self.span)
     }
 }

@@ -6,9 +6,8 @@ use bessemer_ir::{
     Routine, Scalar, Span, Step, StmtKind, Type,
 };
 
-use super::equal::{number, stmt};
+use super::equal::stmt;
 use super::function::{Lowering, is_literal};
-use super::pattern::{inside, load};
 use super::written_views::counted;
 use super::{Context, OUR_FAULT, Result, problem};
 
@@ -107,7 +106,7 @@ impl Lowering<'_, '_> {
             };
             passed.push(match mode {
                 Mode::RefMut => Argument::RefMut(place),
-                _ => Argument::Ref(load(&place)),
+                _ => Argument::Ref(place.load()),
             });
         }
         let call = self.node(ExprKind::Call(id, passed), result, expr.site)?;
@@ -116,11 +115,11 @@ impl Lowering<'_, '_> {
             && !matches!(call.ty, Type::Matrix { .. })
         {
             let columns = self.temporary_local("columns", call.ty.clone(), span);
-            let columns = Place { root: columns, steps: Vec::new(), ty: call.ty.clone(), span };
+            let columns = Place::local(columns, call.ty.clone(), span);
             self.emit(StmtKind::Let { local: columns.root, value: Some(call) }, span);
             let matrix = self.zeros("result", Type::Matrix { element, rows, cols }, element, span);
             self.copy_columns(&matrix, &columns, (rows, cols), false)?;
-            return Ok(load(&matrix));
+            return Ok(matrix.load());
         }
         if back.is_empty() {
             return Ok(call);
@@ -128,7 +127,7 @@ impl Lowering<'_, '_> {
         let value = match call.ty {
             Type::Unit => {
                 self.emit(StmtKind::Expr(call), span);
-                Expr { kind: ExprKind::Literal(0), ty: Type::Unit, span }
+                Expr::literal(0, Type::Unit, span)
             }
             _ => self.temporary("solved", call),
         };
@@ -147,11 +146,11 @@ impl Lowering<'_, '_> {
     /// A variable of zeros.
     fn zeros(&mut self, name: &str, ty: Type, element: Scalar, span: Span) -> Place {
         let local = self.temporary_local(name, ty.clone(), span);
-        let zero = Expr { kind: ExprKind::Literal(0), ty: Type::Scalar(element), span };
+        let zero = Expr::literal(0, Type::Scalar(element), span);
         let kind = ExprKind::Splat(Box::new(zero));
         let value = Some(Expr { kind, ty: ty.clone(), span });
         self.emit(StmtKind::Let { local, value }, span);
-        Place { root: local, steps: Vec::new(), ty, span }
+        Place::local(local, ty, span)
     }
 
     /// Loops that copy a matrix to an array of its elements, by columns, or back.
@@ -166,19 +165,14 @@ impl Lowering<'_, '_> {
             return Ok(());
         };
         let element = Type::Scalar(element);
-        let at = |root| load(&Place { root, steps: Vec::new(), ty: Type::USIZE, span });
+        let at = |root| Place::local(root, Type::USIZE, span).load();
         let column = self.counter("column", span);
         let row = self.counter("row", span);
-        let node = |op, a: Expr, b: Expr| Expr {
-            kind: ExprKind::Binary(op, Box::new(a), Box::new(b)),
-            ty: Type::USIZE,
-            span,
-        };
-        let start = node(BinaryOp::Mul, number(u64::from(rows), span), at(column));
-        let index = node(BinaryOp::Add, at(row), start);
-        let cell = inside(matrix, Step::Element(at(row), at(column)), element.clone());
-        let part = inside(columns, Step::Index(index), element);
-        let (place, value) = if to_columns { (part, load(&cell)) } else { (cell, load(&part)) };
+        let start = Expr::binary(BinaryOp::Mul, Expr::usize(u64::from(rows), span), at(column));
+        let index = Expr::binary(BinaryOp::Add, at(row), start);
+        let cell = matrix.inside(Step::Element(at(row), at(column)), element.clone());
+        let part = columns.inside(Step::Index(index), element);
+        let (place, value) = if to_columns { (part, cell.load()) } else { (cell, part.load()) };
         let assign = stmt(StmtKind::Assign { place, value }, span);
         let inner = stmt(counted(row, rows, Block(vec![assign]), span), span);
         self.emit(counted(column, cols, Block(vec![inner]), span), span);

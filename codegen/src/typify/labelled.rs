@@ -5,7 +5,7 @@
 
 use bessemer_ir::tree;
 use bessemer_ir::{
-    Arm, Block, Expr, ExprKind, Local, LocalId, Mode, Place, Span, Stmt, StmtKind, Type,
+    Arm, Block, Expr, Local, LocalId, Mode, Place, Span, Stmt, StmtKind, Type,
 };
 
 use super::Result;
@@ -43,7 +43,7 @@ impl Lowering<'_, '_> {
         let mut leaving = Leaving { mark, marks, flagged };
         let Block(stmts) = leaving.without_marks(lowered, false);
         if leaving.flagged {
-            let no = Expr { kind: ExprKind::Literal(0), ty: Type::BOOL, span };
+            let no = Expr::bool(false, span);
             self.emit(StmtKind::Let { local: mark, value: Some(no) }, span);
             // Behind a flag no compiler sees that something has been assigned.
             stmts.iter().for_each(|stmt| self.needs_values(stmt));
@@ -146,14 +146,13 @@ impl Leaving {
     }
 
     fn flag(&self, span: Span) -> Expr {
-        let place = Place { root: self.mark, steps: Vec::new(), ty: Type::BOOL, span };
-        Expr { kind: ExprKind::Load(place), ty: Type::BOOL, span }
+        Expr::local(self.mark, &Type::BOOL, span)
     }
 
     fn raise(&mut self, span: Span) -> StmtKind {
         self.flagged = true;
         let place = Place { root: self.mark, steps: Vec::new(), ty: Type::BOOL, span };
-        let value = Expr { kind: ExprKind::Literal(1), ty: Type::BOOL, span };
+        let value = Expr::bool(true, span);
         StmtKind::Assign { place, value }
     }
 

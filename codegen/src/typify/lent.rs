@@ -7,11 +7,10 @@
 use bessemer_ir::tree::{self, NO_SLOT, Site};
 use bessemer_ir::{CompareOp, Expr, ExprKind, Fault, LogicOp, Mode, Span, StmtKind, Type};
 
-use super::equal::{number, truth};
 use super::function::{Binding, Lowering, is_literal};
 use super::loops::negated;
-use super::pattern::{Named, Subject, load, logic};
-use super::slice::{Slice, compare, minus, plus};
+use super::pattern::{Named, Subject};
+use super::slice::{Slice, minus, plus};
 use super::{Result, problem};
 
 impl Lowering<'_, '_> {
@@ -36,14 +35,15 @@ impl Lowering<'_, '_> {
             return Ok(None);
         };
         let span = self.span(expr.site);
-        let (zero, one) = (number(0, span), number(1, span));
+        let (zero, one) = (Expr::usize(0, span), Expr::usize(1, span));
         let slice = |slice: Slice| Subject::Slice(Box::new(slice));
         Ok(Some(match (name, arguments.as_slice()) {
             ("get" | "get_mut", [array, index]) => {
                 let array = self.sliced(array)?;
                 let index = self.value(index, Some(&Type::USIZE))?;
                 let index = self.steady("index", index);
-                let there = compare(CompareOp::Lt, index.clone(), array.length.clone(), span);
+                let there =
+                    Expr::compare(CompareOp::Lt, index.clone(), array.length.clone()).at(span);
                 let place = array.at(plus(array.from.clone(), index));
                 Subject::Maybe(there, Box::new(Subject::Place(place)))
             }
@@ -53,12 +53,14 @@ impl Lowering<'_, '_> {
                 let from = self.steady("from", from);
                 let to = self.value(to, Some(&Type::USIZE))?;
                 let to = self.steady("to", to);
-                let inside = compare(CompareOp::Le, to.clone(), array.length.clone(), span);
+                let inside =
+                    Expr::compare(CompareOp::Le, to.clone(), array.length.clone()).at(span);
                 let there = match from.kind {
                     ExprKind::Literal(0) => inside,
                     _ => {
-                        let ordered = compare(CompareOp::Le, from.clone(), to.clone(), span);
-                        logic(LogicOp::And, ordered, inside)
+                        let ordered =
+                            Expr::compare(CompareOp::Le, from.clone(), to.clone()).at(span);
+                        Expr::logic(LogicOp::And, ordered, inside)
                     }
                 };
                 Subject::Maybe(there, Box::new(slice(array.between(from, to))))
@@ -67,7 +69,8 @@ impl Lowering<'_, '_> {
                 let array = self.sliced(array)?;
                 let from = self.value(from, Some(&Type::USIZE))?;
                 let from = self.steady("from", from);
-                let there = compare(CompareOp::Le, from.clone(), array.length.clone(), span);
+                let there =
+                    Expr::compare(CompareOp::Le, from.clone(), array.length.clone()).at(span);
                 Subject::Maybe(there, Box::new(slice(array.behind(from))))
             }
             (
@@ -76,8 +79,8 @@ impl Lowering<'_, '_> {
             ) => {
                 let array = self.sliced(array)?;
                 let there = match array.length.kind {
-                    ExprKind::Literal(length) => truth(u64::from(length > 0), span),
-                    _ => compare(CompareOp::Gt, array.length.clone(), zero.clone(), span),
+                    ExprKind::Literal(length) => Expr::bool(length > 0, span),
+                    _ => Expr::compare(CompareOp::Gt, array.length.clone(), zero.clone()).at(span),
                 };
                 let less = minus(array.length.clone(), one.clone());
                 let last = minus(array.to.clone(), one.clone());
@@ -99,7 +102,7 @@ impl Lowering<'_, '_> {
                 let array = self.sliced(array)?;
                 let at = self.value(at, Some(&Type::USIZE))?;
                 let at = self.steady("middle", at);
-                let there = compare(CompareOp::Le, at.clone(), array.length.clone(), span);
+                let there = Expr::compare(CompareOp::Le, at.clone(), array.length.clone()).at(span);
                 self.emit(StmtKind::Check { condition: there, fault: Fault::Index }, span);
                 let behind = slice(array.behind(at.clone()));
                 Subject::Parts(vec![slice(array.part(zero, at)), behind])
@@ -122,7 +125,7 @@ impl Lowering<'_, '_> {
                 // Of an array it is known.
                 let there = (there.kind != ExprKind::Literal(1)).then(|| there.clone());
                 Ok(match (there, inner) {
-                    (Some(there), Some(inner)) => Some(logic(LogicOp::And, there, inner)),
+                    (Some(there), Some(inner)) => Some(Expr::logic(LogicOp::And, there, inner)),
                     (there, inner) => there.or(inner),
                 })
             }
@@ -160,31 +163,33 @@ impl Lowering<'_, '_> {
         let behind = rest.map_or(0, |rest| patterns.len() - rest - 1);
         let before = patterns.len() - behind - usize::from(rest.is_some());
         let fixed = (before + behind) as u64;
-        let wanted = number(fixed, span);
+        let wanted = Expr::usize(fixed, span);
         let mut all = match (rest, &slice.length.kind) {
             // rustc has counted the elements of an array.
             (_, ExprKind::Literal(_)) => None,
             (Some(_), _) if fixed == 0 => None,
-            (Some(_), _) => Some(compare(CompareOp::Ge, slice.length.clone(), wanted, span)),
-            (None, _) => Some(compare(CompareOp::Eq, slice.length.clone(), wanted, span)),
+            (Some(_), _) => {
+                Some(Expr::compare(CompareOp::Ge, slice.length.clone(), wanted).at(span))
+            }
+            (None, _) => Some(Expr::compare(CompareOp::Eq, slice.length.clone(), wanted).at(span)),
         };
         for (index, pattern) in patterns.iter().enumerate() {
             let at = if index < before {
-                plus(slice.from.clone(), number(index as u64, span))
+                plus(slice.from.clone(), Expr::usize(index as u64, span))
             } else if Some(index) == rest {
                 if let tree::Pattern::Name { name, slot, .. } = pattern {
-                    let begun = slice.behind(number(before as u64, span));
-                    let length = minus(begun.length.clone(), number(behind as u64, span));
-                    let part = begun.part(number(0, span), length);
+                    let begun = slice.behind(Expr::usize(before as u64, span));
+                    let length = minus(begun.length.clone(), Expr::usize(behind as u64, span));
+                    let part = begun.part(Expr::usize(0, span), length);
                     names.push(Named::part(name, *slot, part, site));
                 }
                 continue;
             } else {
-                minus(slice.to.clone(), number((patterns.len() - index) as u64, span))
+                minus(slice.to.clone(), Expr::usize((patterns.len() - index) as u64, span))
             };
             let next = self.test(pattern, &Subject::Place(slice.at(at)), site, names)?;
             all = match (all, next) {
-                (Some(all), Some(next)) => Some(logic(LogicOp::And, all, next)),
+                (Some(all), Some(next)) => Some(Expr::logic(LogicOp::And, all, next)),
                 (all, next) => all.or(next),
             };
         }
@@ -207,8 +212,9 @@ impl Lowering<'_, '_> {
             return problem(site, "a slice is no value", "match what `&` refers to");
         };
         let span: Span = self.span(site);
-        let element =
-            |index: u32| load(&part.at(plus(part.from.clone(), number(u64::from(index), span))));
+        let element = |index: u32| {
+            part.at(plus(part.from.clone(), Expr::usize(u64::from(index), span))).load()
+        };
         let kind = ExprKind::Array((0..*len).map(element).collect());
         let value = Some(Expr { kind, ty: ty.clone(), span });
         let local = self.declare(name, ty, Mode::Value, span);

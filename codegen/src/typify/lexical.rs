@@ -5,9 +5,7 @@
 use bessemer_ir::tree::{BinaryOp as Op, Site};
 use bessemer_ir::{Expr, LogicOp, Place, Step, StructId, Type};
 
-use super::equal::number;
 use super::function::{Lowering, is_literal};
-use super::pattern::{inside, load, logic};
 
 use super::{Result, problem};
 
@@ -37,13 +35,13 @@ impl Lowering<'_, '_> {
         let mut decided: Option<Expr> = None;
         for (step, ty) in steps.into_iter().rev() {
             let [one, other] =
-                [&left, &right].map(|whole| load(&inside(whole, step.clone(), ty.clone())));
+                [&left, &right].map(|whole| whole.inside(step.clone(), ty.clone()).load());
             decided = Some(match decided {
                 None => self.binary_node(op, one, other, site)?,
                 Some(rest) => {
                     let first = self.binary_node(strict, one.clone(), other.clone(), site)?;
                     let same = self.binary_node(Op::Eq, one, other, site)?;
-                    logic(LogicOp::Or, first, logic(LogicOp::And, same, rest))
+                    Expr::logic(LogicOp::Or, first, Expr::logic(LogicOp::And, same, rest))
                 }
             });
         }
@@ -61,7 +59,7 @@ impl Lowering<'_, '_> {
                 Some((0..).zip(fields).map(|(at, it)| (Step::Field(at), it.ty.clone())).collect())
             }
             Type::Array { element, len } if *len <= MOST => {
-                let step = |at: u32| Step::Index(number(u64::from(at), place.span));
+                let step = |at: u32| Step::Index(Expr::usize(u64::from(at), place.span));
                 Some((0..*len).map(|at| (step(at), (**element).clone())).collect())
             }
             _ => None,

@@ -8,9 +8,8 @@ use bessemer_ir::{
     StructId, Type,
 };
 
-use super::equal::{number, stmt};
+use super::equal::stmt;
 use super::function::Lowering;
-use super::pattern::{inside, load, logic};
 use super::{OUR_FAULT, Result, problem};
 
 /// A list in its place.
@@ -26,8 +25,8 @@ impl List {
     /// The place of an element.
     fn at(&self, index: Expr) -> Place {
         let ty = Type::Array { element: Box::new(self.element.clone()), len: self.capacity };
-        let items = inside(&self.place, Step::Field(1), ty);
-        inside(&items, Step::Index(index), self.element.clone())
+        let items = self.place.inside(Step::Field(1), ty);
+        items.inside(Step::Index(index), self.element.clone())
     }
 }
 
@@ -46,14 +45,14 @@ impl Lowering<'_, '_> {
 
     /// The place of a list's length.
     pub(super) fn length_of(&self, place: &Place) -> Place {
-        inside(place, Step::Field(0), Type::USIZE)
+        place.inside(Step::Field(0), Type::USIZE)
     }
 
     /// The places of a list's length and of its elements.
     pub(super) fn list_items(&self, place: &Place) -> Option<(Place, Place)> {
         let (_, element, len) = self.list_type(&place.ty)?;
         let ty = Type::Array { element: Box::new(element), len };
-        Some((self.length_of(place), inside(place, Step::Field(1), ty)))
+        Some((self.length_of(place), place.inside(Step::Field(1), ty)))
     }
 
     fn list(&mut self, expr: &tree::Expr) -> Result<List> {
@@ -77,9 +76,9 @@ impl Lowering<'_, '_> {
         };
         let length = self.length_of(&place);
         // The first half holds of every list, and keeps a damaged one from being read beyond its end.
-        let sound = at_most(load(&length), capacity, span);
-        let inside = compare(CompareOp::Lt, index.clone(), load(&length), span);
-        self.check(logic(LogicOp::And, sound, inside), Fault::Index, span);
+        let sound = at_most(length.load(), capacity, span);
+        let inside = Expr::compare(CompareOp::Lt, index.clone(), length.load()).at(span);
+        self.check(Expr::logic(LogicOp::And, sound, inside), Fault::Index, span);
         List { place, length, element, capacity }.at(index)
     }
 
@@ -100,14 +99,14 @@ impl Lowering<'_, '_> {
                 let ty = self.slot_of(expr)?;
                 Ok(Some(self.zero(&ty, span)))
             }
-            "list_len" => Ok(Some(load(&self.list(&arguments[0])?.length))),
+            "list_len" => Ok(Some(self.list(&arguments[0])?.length.load())),
             "list_capacity" => {
                 let capacity = self.list(&arguments[0])?.capacity;
-                Ok(Some(number(u64::from(capacity), span)))
+                Ok(Some(Expr::usize(u64::from(capacity), span)))
             }
             "list_is_empty" => {
-                let length = load(&self.list(&arguments[0])?.length);
-                Ok(Some(compare(CompareOp::Eq, length, number(0, span), span)))
+                let length = self.list(&arguments[0])?.length.load();
+                Ok(Some(Expr::compare(CompareOp::Eq, length, Expr::usize(0, span)).at(span)))
             }
             "list_pop" => self.pop(&arguments[0], expr).map(Some),
             _ if name.starts_with("list_") => {
@@ -127,15 +126,16 @@ impl Lowering<'_, '_> {
         let none = self.choice(option, 0, None, site)?;
         let held = self.temporary("popped", none);
         let ExprKind::Load(target) = held.kind.clone() else { return Ok(held) };
-        let some = self.choice(option, 1, Some(load(&list.at(load(&list.length)))), site)?;
-        let shorter = minus_one(load(&list.length), span);
+        let some = self.choice(option, 1, Some(list.at(list.length.load()).load()), site)?;
+        let shorter = minus_one(list.length.load(), span);
         let then = vec![
             stmt(StmtKind::Assign { place: list.length.clone(), value: shorter }, span),
             stmt(StmtKind::Assign { place: target, value: some }, span),
         ];
-        let some_left = compare(CompareOp::Gt, load(&list.length), number(0, span), span);
-        let sound = at_most(load(&list.length), list.capacity, span);
-        let condition = logic(LogicOp::And, some_left, sound);
+        let some_left =
+            Expr::compare(CompareOp::Gt, list.length.load(), Expr::usize(0, span)).at(span);
+        let sound = at_most(list.length.load(), list.capacity, span);
+        let condition = Expr::logic(LogicOp::And, some_left, sound);
         let kind = StmtKind::If { condition, then: Block(then), otherwise: Block::default() };
         self.emit(kind, span);
         Ok(held)
@@ -153,12 +153,13 @@ impl Lowering<'_, '_> {
             "list_push" => self.push(&arguments[0], &arguments[1], span)?,
             "list_clear" => {
                 let list = self.list(&arguments[0])?;
-                self.set_length(&list, number(0, span), span);
+                self.set_length(&list, Expr::usize(0, span), span);
             }
             "list_truncate" => {
                 let list = self.list(&arguments[0])?;
                 let length = self.length_argument(&arguments[1])?;
-                let condition = compare(CompareOp::Lt, length.clone(), load(&list.length), span);
+                let condition =
+                    Expr::compare(CompareOp::Lt, length.clone(), list.length.load()).at(span);
                 let assign = StmtKind::Assign { place: list.length, value: length };
                 let (then, otherwise) = (Block(vec![stmt(assign, span)]), Block::default());
                 self.emit(StmtKind::If { condition, then, otherwise }, span);
@@ -166,8 +167,9 @@ impl Lowering<'_, '_> {
             "list_resize" => self.resize(arguments, span)?,
             "list_pop" => {
                 let list = self.list(&arguments[0])?;
-                let condition = compare(CompareOp::Gt, load(&list.length), number(0, span), span);
-                let shorter = minus_one(load(&list.length), span);
+                let condition =
+                    Expr::compare(CompareOp::Gt, list.length.load(), Expr::usize(0, span)).at(span);
+                let shorter = minus_one(list.length.load(), span);
                 let assign = StmtKind::Assign { place: list.length, value: shorter };
                 let (then, otherwise) = (Block(vec![stmt(assign, span)]), Block::default());
                 self.emit(StmtKind::If { condition, then, otherwise }, span);
@@ -198,14 +200,14 @@ impl Lowering<'_, '_> {
         if !super::order::is_free(&value) {
             value = self.temporary("element", value);
         }
-        let capacity = number(u64::from(list.capacity), span);
-        let room = compare(CompareOp::Lt, load(&list.length), capacity, span);
+        let capacity = Expr::usize(u64::from(list.capacity), span);
+        let room = Expr::compare(CompareOp::Lt, list.length.load(), capacity).at(span);
         self.check(room, Fault::Capacity, span);
-        let place = list.at(load(&list.length));
+        let place = list.at(list.length.load());
         self.emit(StmtKind::Assign { place, value }, span);
-        let operands = vec![load(&list.length), number(1, span)];
-        let kind = ExprKind::Intrinsic(Intrinsic::WrappingAdd, operands);
-        self.set_length(&list, Expr { kind, ty: Type::USIZE, span }, span);
+        let operands = vec![list.length.load(), Expr::usize(1, span)];
+        let longer = Expr::intrinsic(Intrinsic::WrappingAdd, operands).at(span);
+        self.set_length(&list, longer, span);
         Ok(())
     }
 
@@ -217,13 +219,13 @@ impl Lowering<'_, '_> {
             true => element,
             false => self.temporary("element", element),
         };
-        let capacity = number(u64::from(list.capacity), span);
-        let room = compare(CompareOp::Le, length.clone(), capacity, span);
+        let capacity = Expr::usize(u64::from(list.capacity), span);
+        let room = Expr::compare(CompareOp::Le, length.clone(), capacity).at(span);
         self.check(room, Fault::Capacity, span);
-        let before = self.temporary("before", load(&list.length));
+        let before = self.temporary("before", list.length.load());
         let variable = self.counter("i", span);
-        let index = Place { root: variable, steps: Vec::new(), ty: Type::USIZE, span };
-        let place = list.at(load(&index));
+        let index = Place::local(variable, Type::USIZE, span);
+        let place = list.at(index.load());
         let body = Block(vec![stmt(StmtKind::Assign { place, value: element }, span)]);
         let (inclusive, reversed) = (false, false);
         let to = length.clone();
@@ -250,7 +252,7 @@ impl Lowering<'_, '_> {
         span: Span,
     ) -> Result<Expr> {
         let (one, other) = (self.length_of(left), self.length_of(right));
-        let length = compare(CompareOp::Eq, load(&one), load(&other), span);
+        let length = Expr::compare(CompareOp::Eq, one.load(), other.load()).at(span);
         let Some((_, element, capacity)) = self.list_type(&left.ty) else { return Ok(length) };
         let list = |place: &Place, length: &Place| List {
             place: place.clone(),
@@ -261,7 +263,7 @@ impl Lowering<'_, '_> {
         let (left, right) = (list(left, &one), list(right, &other));
         self.and_then(length, |inner| {
             inner.all_equal(
-                lesser(load(&one), number(u64::from(capacity), span)),
+                lesser(one.load(), Expr::usize(u64::from(capacity), span)),
                 span,
                 |inner, index| inner.equal(&left.at(index.clone()), &right.at(index), site, span),
             )
@@ -269,24 +271,16 @@ impl Lowering<'_, '_> {
     }
 }
 
-fn compare(op: CompareOp, left: Expr, right: Expr, span: Span) -> Expr {
-    let kind = ExprKind::Compare(op, Box::new(left), Box::new(right));
-    Expr { kind, ty: Type::BOOL, span }
-}
-
 /// `length <= capacity`.
 fn at_most(length: Expr, capacity: u32, span: Span) -> Expr {
-    compare(CompareOp::Le, length, number(u64::from(capacity), span), span)
+    Expr::compare(CompareOp::Le, length, Expr::usize(u64::from(capacity), span)).at(span)
 }
 
 /// The length, and no more than there is room for.
 pub(super) fn lesser(length: Expr, most: Expr) -> Expr {
-    let span = length.span;
-    let operands = vec![length, most];
-    Expr { kind: ExprKind::Intrinsic(Intrinsic::Min, operands), ty: Type::USIZE, span }
+    Expr::intrinsic(Intrinsic::Min, vec![length, most])
 }
 
 fn minus_one(length: Expr, span: Span) -> Expr {
-    let kind = ExprKind::Intrinsic(Intrinsic::WrappingSub, vec![length, number(1, span)]);
-    Expr { kind, ty: Type::USIZE, span }
+    Expr::intrinsic(Intrinsic::WrappingSub, vec![length, Expr::usize(1, span)]).at(span)
 }

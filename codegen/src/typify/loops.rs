@@ -164,7 +164,7 @@ impl Lowering<'_, '_> {
         self.out.extend(behind);
         if endless {
             // Behind the last pass there is nothing but the fault.
-            let condition = Expr { kind: ExprKind::Literal(0), ty: Type::BOOL, span };
+            let condition = Expr::bool(false, span);
             self.emit(StmtKind::Check { condition, fault: Fault::Bound }, span);
         }
         Ok(())
@@ -183,7 +183,7 @@ impl Lowering<'_, '_> {
             return Ok(None);
         }
         let list = self.base(&arguments[0])?;
-        Ok(self.list_items(&list).map(|(length, _)| super::pattern::load(&length)))
+        Ok(self.list_items(&list).map(|(length, _)| length.load()))
     }
 
     /// What shows of a loop that the `if` at `head` of its body ends.
@@ -213,7 +213,7 @@ impl Lowering<'_, '_> {
     /// A loop that ends, though nothing is known of its first pass: any number of passes is enough.
     fn turned(&mut self, body: Block, span: Span) -> StmtKind {
         let ty = Type::Scalar(Scalar::Int(Int::U64));
-        let bound = |word| Expr { kind: ExprKind::Literal(word), ty: ty.clone(), span };
+        let bound = |word| Expr::literal(word, ty.clone(), span);
         let (from, to) = (bound(0), bound(u64::MAX));
         let variable = self.pass(&from, span);
         let (inclusive, reversed, unroll) = (true, false, None);
@@ -241,7 +241,7 @@ impl Lowering<'_, '_> {
         };
         // The last pass comes no further than the condition, so there is one more than the proof says.
         let Some(int) = low.ty.as_int() else { return problem(site, "no integers", OUR_FAULT) };
-        let limit = |value: i128| Expr { kind: ExprKind::Literal(value as u64), ..low.clone() };
+        let limit = |value: i128| Expr::literal_like(value as u64, &low);
         let from = if is_calm(&low) { low.clone() } else { limit(int.min()) };
         let to = if is_calm(&high) && !inclusive { high } else { limit(int.max()) };
         let variable = self.pass(&from, span);
@@ -336,7 +336,7 @@ impl Lowering<'_, '_> {
         for Behind { flag, left, .. } in &behind {
             // That of a block is declared where the block begins.
             if self.is_outermost(*left, depth) && self.frames[*left].mark.is_none() {
-                let value = Expr { kind: ExprKind::Literal(0), ty: Type::BOOL, span };
+                let value = Expr::bool(false, span);
                 self.emit(StmtKind::Let { local: *flag, value: Some(value) }, span);
             }
         }
@@ -349,8 +349,7 @@ impl Lowering<'_, '_> {
                 _ => StmtKind::Break,
             };
             let then = alone(kind, span);
-            let place = Place { root: flag, steps: Vec::new(), ty: Type::BOOL, span };
-            let condition = Expr { kind: ExprKind::Load(place), ty: Type::BOOL, span };
+            let condition = Expr::local(flag, &Type::BOOL, span);
             self.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
         }
         Ok(())
@@ -399,8 +398,8 @@ impl Lowering<'_, '_> {
             return Ok(());
         }
         let flag = self.flag(depth, leaving, span);
-        let place = Place { root: flag, steps: Vec::new(), ty: Type::BOOL, span };
-        let value = Expr { kind: ExprKind::Literal(1), ty: Type::BOOL, span };
+        let place = Place::local(flag, Type::BOOL, span);
+        let value = Expr::bool(true, span);
         self.emit(StmtKind::Assign { place, value }, span);
         self.emit(StmtKind::Break, span);
         Ok(())
@@ -515,15 +514,14 @@ fn is_named(expr: &tree::Expr) -> bool {
 
 /// The check that a pass may begin.
 fn begun(pass: LocalId, bound: &Expr, span: Span) -> StmtKind {
-    let place = Place { root: pass, steps: Vec::new(), ty: bound.ty.clone(), span };
-    let pass = Expr { kind: ExprKind::Load(place), ty: bound.ty.clone(), span };
-    let kind = ExprKind::Compare(CompareOp::Lt, Box::new(pass), Box::new(bound.clone()));
-    StmtKind::Check { condition: Expr { kind, ty: Type::BOOL, span }, fault: Fault::Bound }
+    let pass = Expr::local(pass, &bound.ty, span);
+    let condition = Expr::compare(CompareOp::Lt, pass, bound.clone());
+    StmtKind::Check { condition, fault: Fault::Bound }
 }
 
 /// The passes of a loop with a bound; `over`: one more begins, for its check to tell.
 fn passes(variable: LocalId, bound: Expr, over: bool, body: Block) -> StmtKind {
-    let from = Expr { kind: ExprKind::Literal(0), ..bound.clone() };
+    let from = Expr::literal_like(0, &bound);
     StmtKind::For {
         variable,
         from,

@@ -4,7 +4,6 @@ use bessemer_ir::{Block, CompareOp, Expr, ExprKind, LogicOp, StmtKind, Type, tre
 
 use super::equal::stmt;
 use super::function::Lowering;
-use super::pattern::{load, logic};
 use super::{OUR_FAULT, Result, problem};
 
 impl Lowering<'_, '_> {
@@ -25,16 +24,15 @@ impl Lowering<'_, '_> {
         let (Some(from), Some(to)) = (place.ty.as_int(), target.as_int()) else {
             return problem(expr.site, "this converts integers", OUR_FAULT);
         };
-        let x = load(&place);
+        let x = place.load();
         let bound = |op, bound: i128| {
-            let literal = Expr { kind: ExprKind::Literal(bound as u64), ..x.clone() };
-            let kind = ExprKind::Compare(op, Box::new(x.clone()), Box::new(literal));
-            Expr { kind, ty: Type::BOOL, span }
+            let literal = Expr::literal_like(bound as u64, &x);
+            Expr::compare(op, x.clone(), literal).at(span)
         };
         let low = (from.min() < to.min()).then(|| bound(CompareOp::Ge, to.min()));
         let high = (from.max() > to.max()).then(|| bound(CompareOp::Le, to.max()));
         let condition = match (low, high) {
-            (Some(low), Some(high)) => Some(logic(LogicOp::And, low, high)),
+            (Some(low), Some(high)) => Some(Expr::logic(LogicOp::And, low, high)),
             (one, other) => one.or(other),
         };
         let number = self.node(ExprKind::Cast(Box::new(x.clone())), target, expr.site)?;

@@ -173,7 +173,7 @@ impl Lowering<'_, '_> {
 
     /// The value of all that holds nothing.
     pub(super) fn nothing(&mut self, site: Site) -> Expr {
-        Expr { kind: ExprKind::Literal(0), ty: Type::Unit, span: self.span(site) }
+        Expr::literal(0, Type::Unit, self.span(site))
     }
 
     /// Does what an expression does, of which the value holds nothing; gives what is left to be done.

@@ -1,12 +1,11 @@
 //! The methods of `Option` and `Result`: a test, a copy, a check that there is a value.
 
 use bessemer_ir::tree::{self, Site};
-use bessemer_ir::{Block, Expr, ExprKind, Fault, Place, StmtKind, StructId, Type};
+use bessemer_ir::{Block, Expr, Fault, Place, StmtKind, StructId, Type};
 
 use super::equal::stmt;
 use super::expr::Operand;
 use super::function::Lowering;
-use super::pattern::load;
 use super::{OUR_FAULT, Result, problem};
 
 /// What to write where what an `Option` lends would be held.
@@ -64,7 +63,7 @@ impl Lowering<'_, '_> {
         let names = if error { ["Err", "Err"] } else { ["Some", "Ok"] };
         let found = names.iter().find_map(|name| self.case(id, name));
         let (word, field) = found.map_or((0, None), |(word, case)| (word, case.field));
-        (word, field.map(|field| load(&self.part(place, id, field as usize))))
+        (word, field.map(|field| self.part(place, id, field as usize).load()))
     }
 
     /// `unwrap`: a check, and the value if there is something to it.
@@ -108,7 +107,7 @@ impl Lowering<'_, '_> {
                 self.choice(id, 1, Some(value), expr.site)?
             }
         };
-        let before = self.temporary("before", load(&place));
+        let before = self.temporary("before", place.load());
         self.emit(StmtKind::Assign { place, value: next }, span);
         Ok(before)
     }
@@ -149,7 +148,7 @@ impl Lowering<'_, '_> {
         let (otherwise, then) = match (name, &ty, second) {
             ("unwrap_or", _, Some(second)) => (second, value),
             ("unwrap_or_default", _, _) => (self.default_of(&ty, site)?, value),
-            ("or", _, Some(second)) => (second, Some(load(&place))),
+            ("or", _, Some(second)) => (second, Some(place.load())),
             ("and", Type::Struct(result), Some(second)) => {
                 there = super::loops::negated(there);
                 let (_, error) = self.present(&place, id, true);
@@ -172,12 +171,12 @@ impl Lowering<'_, '_> {
         let local = self.temporary_local("choice", ty.clone(), span);
         self.held.insert(local);
         self.emit(StmtKind::Let { local, value: Some(otherwise) }, span);
-        let target = Place { root: local, steps: Vec::new(), ty: ty.clone(), span };
+        let target = Place::local(local, ty.clone(), span);
         let assign = StmtKind::Assign { place: target.clone(), value: then };
         let then = Block(vec![stmt(assign, span)]);
         let otherwise = Block::default();
         self.emit(StmtKind::If { condition: there, then, otherwise }, span);
-        Ok(Expr { kind: ExprKind::Load(target), ty, span })
+        Ok(target.load().at(span))
     }
 
     fn default_of(&mut self, ty: &Type, site: Site) -> Result<Expr> {

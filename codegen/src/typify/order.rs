@@ -77,9 +77,8 @@ impl Lowering<'_, '_> {
                     continue;
                 }
                 let (ty, span) = (index.ty.clone(), index.span);
-                let len = Expr { kind: ExprKind::Literal(u64::from(len)), ty, span };
-                let kind = ExprKind::Compare(CompareOp::Lt, Box::new(index), Box::new(len));
-                let condition = Expr { kind, ty: Type::BOOL, span };
+                let len = Expr::literal(u64::from(len), ty, span);
+                let condition = Expr::compare(CompareOp::Lt, index, len);
                 self.emit(StmtKind::Check { condition, fault: Fault::Index }, span);
             }
             ty = inner;

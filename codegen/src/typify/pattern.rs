@@ -116,7 +116,7 @@ impl Lowering<'_, '_> {
                 parts.iter_mut().for_each(|part| self.settle_subject(part, later));
             }
             Subject::Place(place) => {
-                let value = load(place);
+                let value = place.load();
                 if !later.is_empty()
                     && !is_settled(&value, later)
                     && let ExprKind::Load(held) = self.temporary("selector", value).kind
@@ -186,7 +186,7 @@ impl Lowering<'_, '_> {
             }
             let Some(next) = next else { return Ok(None) };
             any = Some(match any {
-                Some(any) => logic(LogicOp::Or, any, next),
+                Some(any) => Expr::logic(LogicOp::Or, any, next),
                 None => next,
             });
         }
@@ -238,9 +238,8 @@ impl Lowering<'_, '_> {
                 let mut parts = Vec::new();
                 for (pattern, index) in aligned(patterns, *len as usize) {
                     let span = place.span;
-                    let kind = ExprKind::Literal(index as u64);
-                    let index = Expr { kind, ty: Type::USIZE, span };
-                    parts.push((pattern, inside(place, Step::Index(index), (**element).clone())));
+                    let index = Expr::usize(index as u64, span);
+                    parts.push((pattern, place.inside(Step::Index(index), (**element).clone())));
                 }
                 all(self, parts, names)
             }
@@ -295,11 +294,11 @@ impl Lowering<'_, '_> {
                 ty,
             ) if ty.is_word() => {
                 let ranges = self.ranges(std::slice::from_ref(pattern), ty, site)?;
-                let value = load(place);
+                let value = place.load();
                 Ok(ranges
                     .into_iter()
                     .map(|range| super::choice::test(&value, range, place.span))
-                    .reduce(|one, other| logic(LogicOp::Or, one, other)))
+                    .reduce(|one, other| Expr::logic(LogicOp::Or, one, other)))
             }
             (tree::Pattern::Constructor(..), Type::Array { .. } | Type::Matrix { .. }) => problem(
                 site,
@@ -404,13 +403,13 @@ impl Lowering<'_, '_> {
     pub(super) fn tag_is(&mut self, place: &Place, id: StructId, word: u64) -> Expr {
         let tag = self.part(place, id, 0);
         let word = i128::from(word);
-        super::choice::test(&load(&tag), (word, word), place.span)
+        super::choice::test(&tag.load(), (word, word), place.span)
     }
 
     /// The place of a field.
     pub(super) fn part(&self, place: &Place, id: StructId, index: usize) -> Place {
         let ty = self.cx.module.structs[id.index()].fields[index].ty.clone();
-        inside(place, Step::Field(index as u32), ty)
+        place.inside(Step::Field(index as u32), ty)
     }
 
     /// Makes names stand for their places, those of values too: only while nothing is written.
@@ -466,7 +465,7 @@ impl Lowering<'_, '_> {
             self.agree(&place.ty, &rustc, named.site)?;
             let span = self.span(named.site);
             let local = self.declare(&named.name, rustc, Mode::Value, span);
-            let value = Some(load(place));
+            let value = Some(place.load());
             self.emit(StmtKind::Let { local, value }, span);
         }
         Ok(())
@@ -504,29 +503,10 @@ pub(super) fn used(mut block: Block) -> Block {
     block
 }
 
-/// The value at a place.
-pub(super) fn load(place: &Place) -> Expr {
-    Expr { kind: ExprKind::Load(place.clone()), ty: place.ty.clone(), span: place.span }
-}
-
-/// The part of a place behind one more step.
-pub(super) fn inside(place: &Place, step: Step, ty: Type) -> Place {
-    let mut inner = place.clone();
-    inner.steps.push(step);
-    inner.ty = ty;
-    inner
-}
-
-pub(super) fn logic(op: LogicOp, left: Expr, right: Expr) -> Expr {
-    let span = left.span;
-    let kind = ExprKind::Logic(op, Box::new(left), Box::new(right));
-    Expr { kind, ty: Type::BOOL, span }
-}
-
 /// Both conditions, as far as there are any.
 fn both(one: Option<Expr>, other: Option<Expr>) -> Option<Expr> {
     match (one, other) {
-        (Some(one), Some(other)) => Some(logic(LogicOp::And, one, other)),
+        (Some(one), Some(other)) => Some(Expr::logic(LogicOp::And, one, other)),
         (one, other) => one.or(other),
     }
 }

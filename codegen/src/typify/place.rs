@@ -45,7 +45,7 @@ impl Lowering<'_, '_> {
                 Binding::Value(_) | Binding::Nothing => return Ok(None),
                 Binding::Local(root) => {
                     let ty = self.locals[root.index()].ty.clone();
-                    Place { root, steps: Vec::new(), ty, span }
+                    Place::local(root, ty, span)
                 }
             })),
             tree::ExprKind::Deref(inner) | tree::ExprKind::Ref(_, inner) => self.place(inner),
@@ -226,7 +226,7 @@ impl Lowering<'_, '_> {
 
     pub(super) fn index_literal(&mut self, word: u64, expr: &tree::Expr) -> Expr {
         let span = self.span(expr.site);
-        Expr { kind: ExprKind::Literal(word), ty: Type::Scalar(Scalar::Int(Int::Usize)), span }
+        Expr::literal(word, Type::Scalar(Scalar::Int(Int::Usize)), span)
     }
 
     /// The type at a place that is to be assigned, without computing its indices.

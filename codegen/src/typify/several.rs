@@ -3,9 +3,7 @@
 use bessemer_ir::tree::{self, Places, Site};
 use bessemer_ir::{Expr, Place, Step, StmtKind, Type};
 
-use super::equal::number;
 use super::function::{Lowering, is_literal};
-use super::pattern::{inside, load};
 use super::{OUR_FAULT, Result, problem};
 
 impl Lowering<'_, '_> {
@@ -80,7 +78,7 @@ impl Lowering<'_, '_> {
         match (places, &from.ty) {
             (Places::None, _) => Ok(()),
             (Places::One(place), _) => {
-                pairs.push((place, load(from)));
+                pairs.push((place, from.load()));
                 Ok(())
             }
             (Places::Each(all), Type::Struct(id)) => {
@@ -92,8 +90,8 @@ impl Lowering<'_, '_> {
             }
             (Places::Each(all), Type::Array { element, .. }) => {
                 for (index, places) in all.iter().enumerate() {
-                    let step = Step::Index(number(index as u64, from.span));
-                    let part = inside(from, step, (**element).clone());
+                    let step = Step::Index(Expr::usize(index as u64, from.span));
+                    let part = from.inside(step, (**element).clone());
                     self.take_parts(places, &part, pairs, site)?;
                 }
                 Ok(())

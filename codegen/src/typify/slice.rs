@@ -10,9 +10,8 @@ use bessemer_ir::{
     Place, Span, Step, StmtKind, Type,
 };
 
-use super::equal::{number, stmt};
+use super::equal::stmt;
 use super::function::{Binding, Lowering, is_literal};
-use super::pattern::{inside, load, logic};
 use super::{OUR_FAULT, Result, problem};
 
 /// Elements of an array, in their place.
@@ -33,7 +32,7 @@ pub(super) struct Slice {
 
 impl Slice {
     fn whole(base: Place, element: Type, length: Expr) -> Slice {
-        let from = number(0, base.span);
+        let from = Expr::usize(0, base.span);
         Slice { base, element, from, to: length.clone(), length, whole: true }
     }
 
@@ -46,18 +45,18 @@ impl Slice {
     pub fn place(&self) -> Place {
         match (&self.base.ty, is_number(&self.from, 0)) {
             (Type::Slice(_), true) => self.base.clone(),
-            _ => inside(&self.base, Step::From(self.from.clone()), self.ty()),
+            _ => self.base.inside(Step::From(self.from.clone()), self.ty()),
         }
     }
 
     /// An element of the base, by its index there.
     pub fn at(&self, index: Expr) -> Place {
         let step = match &self.base.ty {
-            Type::Matrix { cols: 1, .. } => Step::Element(index, number(0, self.base.span)),
-            Type::Matrix { rows: 1, .. } => Step::Element(number(0, self.base.span), index),
+            Type::Matrix { cols: 1, .. } => Step::Element(index, Expr::usize(0, self.base.span)),
+            Type::Matrix { rows: 1, .. } => Step::Element(Expr::usize(0, self.base.span), index),
             _ => Step::Index(index),
         };
-        inside(&self.base, step, self.element.clone())
+        self.base.inside(step, self.element.clone())
     }
 
     /// `length` elements from `begin` on, which are known to be there.
@@ -85,7 +84,7 @@ impl Slice {
         let place = self.place();
         let first = match mode {
             Mode::RefMut => Argument::RefMut(place),
-            _ => Argument::Ref(load(&place)),
+            _ => Argument::Ref(place.load()),
         };
         [first, Argument::Value(self.length)]
     }
@@ -149,17 +148,17 @@ impl Lowering<'_, '_> {
     pub(super) fn all_of(&mut self, place: Place) -> Option<Slice> {
         if let Some((length, items)) = self.list_items(&place) {
             let Type::Array { element, len } = items.ty.clone() else { return None };
-            let most = number(u64::from(len), place.span);
-            let length = super::list::lesser(load(&length), most);
+            let most = Expr::usize(u64::from(len), place.span);
+            let length = super::list::lesser(length.load(), most);
             return Some(Slice { whole: false, ..Slice::whole(items, *element, length) });
         }
         match place.ty.clone() {
             Type::Array { element, len } => {
-                let length = number(u64::from(len), place.span);
+                let length = Expr::usize(u64::from(len), place.span);
                 Some(Slice::whole(place, *element, length))
             }
             Type::Matrix { element, rows, cols } => {
-                let length = number(u64::from(rows * cols), place.span);
+                let length = Expr::usize(u64::from(rows * cols), place.span);
                 Some(Slice::whole(place, Type::Scalar(element), length))
             }
             _ => None,
@@ -175,11 +174,10 @@ impl Lowering<'_, '_> {
                     Type::Slice(element) => {
                         let span = self.span(expr.site);
                         let ty = Type::Slice(element.clone());
-                        let base = Place { root, steps: Vec::new(), ty, span };
+                        let base = Place::local(root, ty, span);
                         let length = bessemer_ir::LocalId(root.0 + 1);
-                        let length =
-                            Place { root: length, steps: Vec::new(), ty: Type::USIZE, span };
-                        Some(Slice::whole(base, *element, load(&length)))
+                        let length = Place::local(length, Type::USIZE, span);
+                        Some(Slice::whole(base, *element, length.load()))
                     }
                     _ => None,
                 },
@@ -202,7 +200,7 @@ impl Lowering<'_, '_> {
                         let from = plus(base.from.clone(), count);
                         Slice { from, length, whole: false, ..base }
                     }
-                    false => base.part(number(0, base.base.span), count),
+                    false => base.part(Expr::usize(0, base.base.span), count),
                 }))
             }
             tree::ExprKind::Call(callee, arguments)
@@ -225,7 +223,7 @@ impl Lowering<'_, '_> {
     ) -> Result<Slice> {
         let written = match from {
             Some(from) => self.value(from, Some(&Type::USIZE))?,
-            None => number(0, span),
+            None => Expr::usize(0, span),
         };
         let mark = self.out.len();
         let from = self.steady("start", written.clone());
@@ -248,20 +246,21 @@ impl Lowering<'_, '_> {
         if inclusive {
             // The last one has to be there before the one behind it can be named.
             to = self.steady("last", to);
-            let there = compare(CompareOp::Lt, to.clone(), slice.length.clone(), span);
+            let there = Expr::compare(CompareOp::Lt, to.clone(), slice.length.clone()).at(span);
             self.emit(StmtKind::Check { condition: there, fault: Fault::Index }, span);
-            to = plus(to, number(1, span));
+            to = plus(to, Expr::usize(1, span));
         } else if !open && !is_further(&from, &to) {
             to = self.steady("end", to);
         }
         let mut conditions = Vec::new();
         if !is_number(&from, 0) && !is_further(&from, &to) {
-            conditions.push(compare(CompareOp::Le, from.clone(), to.clone(), span));
+            conditions.push(Expr::compare(CompareOp::Le, from.clone(), to.clone()).at(span));
         }
         if !open && !inclusive {
-            conditions.push(compare(CompareOp::Le, to.clone(), slice.length.clone(), span));
+            conditions
+                .push(Expr::compare(CompareOp::Le, to.clone(), slice.length.clone()).at(span));
         }
-        let condition = conditions.into_iter().reduce(|a, b| logic(LogicOp::And, a, b));
+        let condition = conditions.into_iter().reduce(|a, b| Expr::logic(LogicOp::And, a, b));
         if let Some(condition) = condition {
             self.emit(StmtKind::Check { condition, fault: Fault::Index }, span);
         }
@@ -311,7 +310,7 @@ impl Lowering<'_, '_> {
             true => index,
             false => self.temporary("index", index),
         };
-        let there = compare(CompareOp::Lt, index.clone(), slice.length.clone(), span);
+        let there = Expr::compare(CompareOp::Lt, index.clone(), slice.length.clone()).at(span);
         self.emit(StmtKind::Check { condition: there, fault: Fault::Index }, span);
         slice.at(plus(slice.from.clone(), index))
     }
@@ -326,14 +325,14 @@ impl Lowering<'_, '_> {
         let Some(name) = name.strip_prefix("slice_") else { return Ok(None) };
         let span = self.span(expr.site);
         let slice = self.sliced(&arguments[0])?;
-        let zero = number(0, span);
+        let zero = Expr::usize(0, span);
         match (name, arguments) {
             ("len", _) => Ok(Some(slice.length)),
-            ("is_empty", _) => Ok(Some(compare(CompareOp::Eq, slice.length, zero, span))),
+            ("is_empty", _) => Ok(Some(Expr::compare(CompareOp::Eq, slice.length, zero).at(span))),
             ("first", _) => self.maybe(&slice, zero, expr).map(Some),
             ("last", _) => {
-                let there = compare(CompareOp::Gt, slice.length.clone(), zero, span);
-                let last = minus(slice.to.clone(), number(1, span));
+                let there = Expr::compare(CompareOp::Gt, slice.length.clone(), zero).at(span);
+                let last = minus(slice.to.clone(), Expr::usize(1, span));
                 self.maybe_where(there, slice.at(last), expr).map(Some)
             }
             ("get", [_, index]) => {
@@ -353,7 +352,7 @@ impl Lowering<'_, '_> {
     /// `Some` of a copy of an element, if it is there.
     fn maybe(&mut self, slice: &Slice, index: Expr, expr: &tree::Expr) -> Result<Expr> {
         let span = self.span(expr.site);
-        let there = compare(CompareOp::Lt, index.clone(), slice.length.clone(), span);
+        let there = Expr::compare(CompareOp::Lt, index.clone(), slice.length.clone()).at(span);
         self.maybe_where(there, slice.at(plus(slice.from.clone(), index)), expr)
     }
 
@@ -365,7 +364,7 @@ impl Lowering<'_, '_> {
         let none = self.choice(option, 0, None, expr.site)?;
         let held = self.temporary("found", none);
         let ExprKind::Load(target) = held.kind.clone() else { return Ok(held) };
-        let value = self.choice(option, 1, Some(load(&place)), expr.site)?;
+        let value = self.choice(option, 1, Some(place.load()), expr.site)?;
         let then = Block(vec![stmt(StmtKind::Assign { place: target, value }, span)]);
         let (condition, otherwise) = (there, Block::default());
         self.emit(StmtKind::If { condition, then, otherwise }, span);
@@ -381,12 +380,12 @@ impl Lowering<'_, '_> {
             false => value,
         };
         let wanted = self.hold(wanted, site)?;
-        let held = self.temporary("found", truth(0, span));
+        let held = self.temporary("found", Expr::bool(false, span));
         let ExprKind::Load(flag) = held.kind.clone() else { return Ok(held) };
         self.each_index(slice, span, |inner, index| {
             let condition = inner.equal(&slice.at(index), &wanted, site, span)?;
             let then = Block(vec![
-                stmt(StmtKind::Assign { place: flag, value: truth(1, span) }, span),
+                stmt(StmtKind::Assign { place: flag, value: Expr::bool(true, span) }, span),
                 stmt(StmtKind::Break, span),
             ]);
             inner.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
@@ -403,8 +402,8 @@ impl Lowering<'_, '_> {
         body: impl FnOnce(&mut Self, Expr) -> Result<()>,
     ) -> Result<()> {
         let variable = self.counter("i", span);
-        let index = Place { root: variable, steps: Vec::new(), ty: Type::USIZE, span };
-        let body = self.scoped(|inner| body(inner, load(&index)))?;
+        let index = Place::local(variable, Type::USIZE, span);
+        let body = self.scoped(|inner| body(inner, index.load()))?;
         let (from, to) = (slice.from.clone(), slice.to.clone());
         let (inclusive, reversed) = (false, false);
         self.emit(
@@ -455,14 +454,14 @@ impl Lowering<'_, '_> {
             }
             ("slice_reverse", [array]) => {
                 let slice = self.sliced(array)?;
-                let half = binary(BinaryOp::Div, slice.length.clone(), number(2, span));
+                let half = Expr::binary(BinaryOp::Div, slice.length.clone(), Expr::usize(2, span));
                 let half = match slice.length.kind {
-                    ExprKind::Literal(length) => number(length / 2, span),
+                    ExprKind::Literal(length) => Expr::usize(length / 2, span),
                     _ => half,
                 };
-                let start = Slice { to: half, from: number(0, span), ..slice.clone() };
+                let start = Slice { to: half, from: Expr::usize(0, span), ..slice.clone() };
                 self.each_index(&start, span, |inner, index| {
-                    let last = minus(minus(slice.to.clone(), number(1, span)), index.clone());
+                    let last = minus(minus(slice.to.clone(), Expr::usize(1, span)), index.clone());
                     let first = slice.at(plus(slice.from.clone(), index));
                     inner.exchange(first, slice.at(last), span);
                     Ok(())
@@ -470,7 +469,8 @@ impl Lowering<'_, '_> {
             }
             ("slice_copy_from", [array, from]) => {
                 let (to, from) = (self.sliced(array)?, self.sliced(from)?);
-                let same = compare(CompareOp::Eq, to.length.clone(), from.length.clone(), span);
+                let same =
+                    Expr::compare(CompareOp::Eq, to.length.clone(), from.length.clone()).at(span);
                 if !is_literal(&to.length) || !is_literal(&from.length) {
                     self.emit(StmtKind::Check { condition: same, fault: Fault::Index }, span);
                 } else if to.length.kind != from.length.kind {
@@ -480,10 +480,10 @@ impl Lowering<'_, '_> {
                         "name as many elements on both sides",
                     );
                 }
-                let all = Slice { from: number(0, span), to: to.length.clone(), ..to.clone() };
+                let all = Slice { from: Expr::usize(0, span), to: to.length.clone(), ..to.clone() };
                 self.each_index(&all, span, |inner, index| {
                     let place = to.at(plus(to.from.clone(), index.clone()));
-                    let value = load(&from.at(plus(from.from.clone(), index)));
+                    let value = from.at(plus(from.from.clone(), index)).load();
                     inner.emit(StmtKind::Assign { place, value }, span);
                     Ok(())
                 })?;
@@ -494,8 +494,8 @@ impl Lowering<'_, '_> {
     }
 
     fn exchange(&mut self, one: Place, other: Place, span: Span) {
-        let before = self.temporary("before", load(&one));
-        self.emit(StmtKind::Assign { place: one, value: load(&other) }, span);
+        let before = self.temporary("before", one.load());
+        self.emit(StmtKind::Assign { place: one, value: other.load() }, span);
         self.emit(StmtKind::Assign { place: other, value: before }, span);
     }
 }
@@ -530,9 +530,9 @@ pub(super) fn plus(one: Expr, other: Expr) -> Expr {
     match (&one.kind, &other.kind) {
         (ExprKind::Literal(0), _) => other,
         (_, ExprKind::Literal(0)) => one,
-        (ExprKind::Literal(a), ExprKind::Literal(b)) => number(a.saturating_add(*b), one.span),
-        (ExprKind::Literal(_), _) => binary(BinaryOp::Add, other, one),
-        _ => binary(BinaryOp::Add, one, other),
+        (ExprKind::Literal(a), ExprKind::Literal(b)) => Expr::usize(a.saturating_add(*b), one.span),
+        (ExprKind::Literal(_), _) => Expr::binary(BinaryOp::Add, other, one),
+        _ => Expr::binary(BinaryOp::Add, one, other),
     }
 }
 
@@ -540,44 +540,28 @@ pub(super) fn plus(one: Expr, other: Expr) -> Expr {
 pub(super) fn minus(one: Expr, other: Expr) -> Expr {
     match (&one.kind, &other.kind) {
         (_, ExprKind::Literal(0)) => one,
-        (ExprKind::Literal(a), ExprKind::Literal(b)) => number(a.saturating_sub(*b), one.span),
+        (ExprKind::Literal(a), ExprKind::Literal(b)) => Expr::usize(a.saturating_sub(*b), one.span),
         (ExprKind::Binary(BinaryOp::Add, base, more), _) if same(base, &other) => (**more).clone(),
-        _ => binary(BinaryOp::Sub, one, other),
+        _ => Expr::binary(BinaryOp::Sub, one, other),
     }
 }
 
 /// The lesser of two, where one of them may be a number that is known to be.
 pub(super) fn least(one: Expr, other: Expr) -> Expr {
     match (&one.kind, &other.kind) {
-        (ExprKind::Literal(a), ExprKind::Literal(b)) => number(*a.min(b), one.span),
+        (ExprKind::Literal(a), ExprKind::Literal(b)) => Expr::usize(*a.min(b), one.span),
         _ => super::list::lesser(one, other),
     }
 }
 
 pub(super) fn greatest(one: Expr, other: Expr) -> Expr {
-    let span = one.span;
-    let kind = ExprKind::Intrinsic(Intrinsic::Max, vec![one, other]);
-    Expr { kind, ty: Type::USIZE, span }
+    Expr::intrinsic(Intrinsic::Max, vec![one, other])
 }
 
 pub(super) fn times(one: Expr, other: Expr) -> Expr {
-    binary(BinaryOp::Mul, one, other)
+    Expr::binary(BinaryOp::Mul, one, other)
 }
 
 pub(super) fn divided(one: Expr, other: Expr) -> Expr {
-    binary(BinaryOp::Div, one, other)
-}
-
-fn binary(op: BinaryOp, one: Expr, other: Expr) -> Expr {
-    let span = one.span;
-    Expr { kind: ExprKind::Binary(op, Box::new(one), Box::new(other)), ty: Type::USIZE, span }
-}
-
-pub(super) fn compare(op: CompareOp, left: Expr, right: Expr, span: Span) -> Expr {
-    let kind = ExprKind::Compare(op, Box::new(left), Box::new(right));
-    Expr { kind, ty: Type::BOOL, span }
-}
-
-fn truth(word: u64, span: Span) -> Expr {
-    Expr { kind: ExprKind::Literal(word), ty: Type::BOOL, span }
+    Expr::binary(BinaryOp::Div, one, other)
 }

@@ -8,7 +8,6 @@ use bessemer_ir::{
 
 use super::expr::{Operand, two};
 use super::function::Lowering;
-use super::pattern::{inside, load, logic};
 use super::{OUR_FAULT, Result, problem};
 
 /// Whether the type at a path stands for a quaternion, and then whether for a unit one.
@@ -146,12 +145,12 @@ impl Lowering<'_, '_> {
             return problem(site, "this is not a quaternion", OUR_FAULT);
         };
         let place = self.hold(value, site)?;
-        Ok((0..4).map(|part| load(&self.quaternion_part(&place, id, part))).collect())
+        Ok((0..4).map(|part| self.quaternion_part(&place, id, part).load()).collect())
     }
 
     fn quaternion_part(&self, place: &Place, id: StructId, part: u32) -> Place {
         let ty = self.cx.module.structs[id.index()].fields[part as usize].ty.clone();
-        inside(place, Step::Field(part), ty)
+        place.inside(Step::Field(part), ty)
     }
 
     /// `q.coords`: i, j, k and w as a vector.
@@ -203,21 +202,18 @@ impl Lowering<'_, '_> {
     ) -> Expr {
         let all = |opposite: bool| {
             let parts = (0..4).map(|part| {
-                let one = load(&self.quaternion_part(left, id, part));
-                let mut other = load(&self.quaternion_part(right, id, part));
+                let one = self.quaternion_part(left, id, part).load();
+                let mut other = self.quaternion_part(right, id, part).load();
                 if opposite {
-                    let ty = other.ty.clone();
-                    let kind = ExprKind::Unary(UnaryOp::Neg, Box::new(other));
-                    other = Expr { kind, ty, span };
+                    other = Expr::unary(UnaryOp::Neg, other).at(span);
                 }
-                let kind = ExprKind::Compare(CompareOp::Eq, Box::new(one), Box::new(other));
-                Expr { kind, ty: Type::BOOL, span }
+                Expr::compare(CompareOp::Eq, one, other).at(span)
             });
-            parts.reduce(|all, next| logic(LogicOp::And, all, next))
+            parts.reduce(|all, next| Expr::logic(LogicOp::And, all, next))
         };
         match (all(false), all(true)) {
-            (Some(same), Some(opposite)) => logic(LogicOp::Or, same, opposite),
-            _ => super::equal::truth(1, span),
+            (Some(same), Some(opposite)) => Expr::logic(LogicOp::Or, same, opposite),
+            _ => Expr::bool(true, span),
         }
     }
 }

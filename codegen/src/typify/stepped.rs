@@ -2,7 +2,7 @@
 
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{
-    BinaryOp, CompareOp, Expr, ExprKind, Fault, Int, Intrinsic, Local, LocalId, Mode, Place,
+    BinaryOp, CompareOp, Expr, ExprKind, Fault, Int, Intrinsic, Local, LocalId, Mode,
     Scalar, StmtKind, Type,
 };
 
@@ -44,14 +44,13 @@ impl Lowering<'_, '_> {
             let local = Local { name: "pass".into(), ty: counted, mode: Mode::Value, span };
             inner.locals.push(local);
             let body = inner.scoped(|inner| {
-                let place = Place { root: pass, steps: Vec::new(), ty: passes.ty.clone(), span };
-                let pass = Expr { kind: ExprKind::Load(place), ty: passes.ty.clone(), span };
+                let pass = Expr::local(pass, &passes.ty, span);
                 let variable = inner.declare(name, ty.clone(), Mode::Value, span);
                 let value = Some(number(&steps, pass, &ty));
                 inner.emit(StmtKind::Let { local: variable, value }, span);
                 inner.statements(body)
             })?;
-            let from = Expr { kind: ExprKind::Literal(0), ..passes.clone() };
+            let from = Expr::literal_like(0, &passes);
             let reversed = range.reversed;
             Ok(StmtKind::For {
                 variable: pass,
@@ -94,11 +93,12 @@ impl Lowering<'_, '_> {
             let end = last + i128::from(range.inclusive);
             let passes = ((end - first).max(0) + i128::from(by) - 1) / i128::from(by);
             if int.min() == 0 || passes == 0 || first >= 0 {
-                let [step, passes] = [by, passes as u64].map(|word| literal(word, &from));
+                let [step, passes] =
+                    [by, passes as u64].map(|word| Expr::literal_like(word, &from));
                 return Ok(Steps { from, step, passes, constant: true });
             }
-            let from = as_number(from, &Type::USIZE);
-            let [step, passes] = [by, passes as u64].map(|word| literal(word, &from));
+            let from = from.cast(&Type::USIZE);
+            let [step, passes] = [by, passes as u64].map(|word| Expr::literal_like(word, &from));
             return Ok(Steps { from, step, passes, constant: false });
         }
         if int.min() < 0 || range.inclusive && by == 1 {
@@ -126,7 +126,7 @@ impl Lowering<'_, '_> {
 
     /// Steps of a constant through unsigned numbers, which count the passes, too.
     fn unsigned_steps(&mut self, inclusive: bool, [from, to]: [Expr; 2], by: u64) -> Steps {
-        let step = literal(by, &from);
+        let step = Expr::literal_like(by, &from);
         let held = self.once("start", from);
         let from_zero = held.kind == ExprKind::Literal(0);
         // The last number that there may be is one more than those behind the steps.
@@ -134,25 +134,26 @@ impl Lowering<'_, '_> {
         let to = last.clone().unwrap_or(to);
         let length = match from_zero {
             true => to,
-            false => intrinsic(Intrinsic::SaturatingSub, to, held.clone()),
+            false => Expr::intrinsic(Intrinsic::SaturatingSub, vec![to, held.clone()]),
         };
         let length = match (&last, from_zero) {
             (Some(_), true) => length,
             _ => self.temporary("length", length),
         };
-        let whole = binary(BinaryOp::Div, length.clone(), step.clone());
+        let whole = Expr::binary(BinaryOp::Div, length.clone(), step.clone());
         let more = match last {
             // A step of at least 2 leaves room for it.
-            Some(_) if from_zero => literal(1, &held),
-            Some(last) => as_number(compare(CompareOp::Le, held.clone(), last), &held.ty),
+            Some(_) if from_zero => Expr::literal_like(1, &held),
+            Some(last) => Expr::compare(CompareOp::Le, held.clone(), last).cast(&held.ty),
             // A step of 1 leaves no rest, so this cannot leave the type.
             None => {
-                let rest = binary(BinaryOp::Rem, length, step.clone());
-                let none = literal(0, &rest);
-                as_number(compare(CompareOp::Ne, rest, none), &held.ty)
+                let rest = Expr::binary(BinaryOp::Rem, length, step.clone());
+                let none = Expr::literal_like(0, &rest);
+                Expr::compare(CompareOp::Ne, rest, none).cast(&held.ty)
             }
         };
-        let passes = self.temporary("passes", intrinsic(Intrinsic::WrappingAdd, whole, more));
+        let passes =
+            self.temporary("passes", Expr::intrinsic(Intrinsic::WrappingAdd, vec![whole, more]));
         Steps { from: held, step, passes, constant: false }
     }
 
@@ -161,79 +162,51 @@ impl Lowering<'_, '_> {
         let [from, to] = [self.once("start", from), self.once("end", to)];
         let span = step.span;
         let step = self.once("step", step);
-        let there = compare(CompareOp::Ne, step.clone(), literal(0, &step));
+        let there = Expr::compare(CompareOp::Ne, step.clone(), Expr::literal_like(0, &step));
         self.emit(StmtKind::Check { condition: there, fault: Fault::Assertion }, span);
         let wide = int.bits() == 64;
         let length = match int {
             Int::U64 | Int::Usize => {
-                let [first, last] = [&from, &to].map(|end| as_number(end.clone(), &Type::USIZE));
+                let [first, last] = [&from, &to].map(|end| end.clone().cast(&Type::USIZE));
                 match first.kind {
                     ExprKind::Literal(0) => last,
-                    _ => intrinsic(Intrinsic::SaturatingSub, last, first),
+                    _ => Expr::intrinsic(Intrinsic::SaturatingSub, vec![last, first]),
                 }
             }
             // What lies between two numbers of 64 bits with a sign fits without it.
             Int::I64 | Int::Isize => {
-                let last = intrinsic(Intrinsic::Max, from.clone(), to.clone());
-                let [first, last] = [from.clone(), last].map(|end| as_number(end, &Type::USIZE));
-                intrinsic(Intrinsic::WrappingSub, last, first)
+                let last = Expr::intrinsic(Intrinsic::Max, vec![from.clone(), to.clone()]);
+                let [first, last] = [from.clone(), last].map(|end| end.cast(&Type::USIZE));
+                Expr::intrinsic(Intrinsic::WrappingSub, vec![last, first])
             }
             // Both ends and their difference fit.
             _ => {
                 let wide = Type::Scalar(Scalar::Int(Int::I64));
-                let [first, last] = [&from, &to].map(|end| as_number(end.clone(), &wide));
-                let length = binary(BinaryOp::Sub, last, first);
-                let none = literal(0, &length);
-                as_number(intrinsic(Intrinsic::Max, length, none), &Type::USIZE)
+                let [first, last] = [&from, &to].map(|end| end.clone().cast(&wide));
+                let length = Expr::binary(BinaryOp::Sub, last, first);
+                let none = Expr::literal_like(0, &length);
+                Expr::intrinsic(Intrinsic::Max, vec![length, none]).cast(&Type::USIZE)
             }
         };
         let length = match length.kind {
             ExprKind::Load(_) => length,
             _ => self.temporary("length", length),
         };
-        let whole = binary(BinaryOp::Div, length.clone(), step.clone());
+        let whole = Expr::binary(BinaryOp::Div, length.clone(), step.clone());
         let more = match inclusive {
-            true => compare(CompareOp::Le, from.clone(), to),
+            true => Expr::compare(CompareOp::Le, from.clone(), to),
             false => {
-                let rest = binary(BinaryOp::Rem, length, step.clone());
-                let none = literal(0, &rest);
-                compare(CompareOp::Ne, rest, none)
+                let rest = Expr::binary(BinaryOp::Rem, length, step.clone());
+                let none = Expr::literal_like(0, &rest);
+                Expr::compare(CompareOp::Ne, rest, none)
             }
         };
-        let more = as_number(more, &Type::USIZE);
+        let more = more.cast(&Type::USIZE);
         // All numbers of 64 bits are one more than `usize` counts to, and nobody gets that far.
         let add = if wide && inclusive { Intrinsic::SaturatingAdd } else { Intrinsic::WrappingAdd };
-        let passes = self.temporary("passes", intrinsic(add, whole, more));
-        Steps { from: as_number(from, &Type::USIZE), step, passes, constant: false }
+        let passes = self.temporary("passes", Expr::intrinsic(add, vec![whole, more]));
+        Steps { from: from.cast(&Type::USIZE), step, passes, constant: false }
     }
-}
-
-fn literal(word: u64, like: &Expr) -> Expr {
-    Expr { kind: ExprKind::Literal(word), ty: like.ty.clone(), span: like.span }
-}
-
-fn intrinsic(op: Intrinsic, left: Expr, right: Expr) -> Expr {
-    let (ty, span) = (left.ty.clone(), left.span);
-    Expr { kind: ExprKind::Intrinsic(op, vec![left, right]), ty, span }
-}
-
-fn binary(op: BinaryOp, left: Expr, right: Expr) -> Expr {
-    let (ty, span) = (left.ty.clone(), left.span);
-    Expr { kind: ExprKind::Binary(op, Box::new(left), Box::new(right)), ty, span }
-}
-
-fn compare(op: CompareOp, left: Expr, right: Expr) -> Expr {
-    let span = left.span;
-    Expr { kind: ExprKind::Compare(op, Box::new(left), Box::new(right)), ty: Type::BOOL, span }
-}
-
-/// A number, or a condition, as a number of another type.
-fn as_number(expr: Expr, ty: &Type) -> Expr {
-    if expr.ty == *ty {
-        return expr;
-    }
-    let span = expr.span;
-    Expr { kind: ExprKind::Cast(Box::new(expr)), ty: ty.clone(), span }
 }
 
 /// The number of a pass.
@@ -241,13 +214,14 @@ fn number(steps: &Steps, pass: Expr, ty: &Type) -> Expr {
     let (from, step) = (steps.from.clone(), steps.step.clone());
     let from_zero = from.kind == ExprKind::Literal(0);
     if !steps.constant {
-        let way = intrinsic(Intrinsic::WrappingMul, pass, step);
-        let number = if from_zero { way } else { intrinsic(Intrinsic::WrappingAdd, from, way) };
-        return as_number(number, ty);
+        let way = Expr::intrinsic(Intrinsic::WrappingMul, vec![pass, step]);
+        let number =
+            if from_zero { way } else { Expr::intrinsic(Intrinsic::WrappingAdd, vec![from, way]) };
+        return number.cast(ty);
     }
     let way = match step.kind {
         ExprKind::Literal(1) => pass,
-        _ => binary(BinaryOp::Mul, pass, step),
+        _ => Expr::binary(BinaryOp::Mul, pass, step),
     };
-    if from_zero { way } else { binary(BinaryOp::Add, from, way) }
+    if from_zero { way } else { Expr::binary(BinaryOp::Add, from, way) }
 }

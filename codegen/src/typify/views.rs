@@ -3,9 +3,7 @@
 use bessemer_ir::tree;
 use bessemer_ir::{CompareOp, Expr, ExprKind, Fault, Step, StmtKind, Type};
 
-use super::equal::number;
 use super::function::{Lowering, is_literal};
-use super::pattern::{inside, load};
 use super::slice::plus;
 use super::{OUR_FAULT, Result, problem};
 
@@ -41,8 +39,9 @@ impl Lowering<'_, '_> {
             return problem(expr.site, "this takes a vector", OUR_FAULT);
         };
         let component = |axis: u8| {
-            let step = Step::Element(number(u64::from(axis - b'x'), span), number(0, span));
-            load(&inside(&place, step, Type::Scalar(element)))
+            let step =
+                Step::Element(Expr::usize(u64::from(axis - b'x'), span), Expr::usize(0, span));
+            place.inside(step, Type::Scalar(element)).load()
         };
         self.node(ExprKind::Matrix(axes.bytes().map(component).collect()), ty, expr.site)
     }
@@ -78,24 +77,24 @@ impl Lowering<'_, '_> {
                 let index = self.value(index, Some(&Type::USIZE))?;
                 Ok(self.steady(role, index))
             }
-            None => Ok(number(0, span)),
+            None => Ok(Expr::usize(0, span)),
         };
         let (row, column) = (first(row, "row")?, first(column, "column")?);
         // As nalgebra has it: the end of the view is that of the matrix at most.
         for (first, count, most) in [(&row, rows, most_rows), (&column, cols, most_columns)] {
-            let end = Box::new(plus(first.clone(), number(u64::from(count), span)));
-            let most = Box::new(number(u64::from(most), span));
-            let kind = ExprKind::Compare(CompareOp::Le, end, most);
-            let condition = Expr { kind, ty: Type::BOOL, span };
+            let end = plus(first.clone(), Expr::usize(u64::from(count), span));
+            let most = Expr::usize(u64::from(most), span);
+            let condition = Expr::compare(CompareOp::Le, end, most).at(span);
             self.emit(StmtKind::Check { condition, fault: Fault::Index }, span);
         }
         let mut elements = Vec::new();
         for j in 0..cols {
             for i in 0..rows {
-                let at =
-                    |first: &Expr, more: u32| plus(first.clone(), number(u64::from(more), span));
+                let at = |first: &Expr, more: u32| {
+                    plus(first.clone(), Expr::usize(u64::from(more), span))
+                };
                 let step = Step::Element(at(&row, i), at(&column, j));
-                elements.push(load(&inside(&place, step, Type::Scalar(element))));
+                elements.push(place.inside(step, Type::Scalar(element)).load());
             }
         }
         let ty = Type::Matrix { element, rows, cols };

@@ -3,14 +3,13 @@
 
 use bessemer_ir::tree;
 use bessemer_ir::{
-    Block, CompareOp, Expr, ExprKind, Fault, LocalId, LogicOp, Place, Span, Step, StmtKind, Type,
+    Block, CompareOp, Expr, Fault, LocalId, LogicOp, Place, Span, Step, StmtKind, Type,
 };
 
 use super::Result;
-use super::equal::{number, stmt};
+use super::equal::stmt;
 use super::expr::Operand;
 use super::function::{Lowering, is_literal};
-use super::pattern::{inside, load, logic};
 use super::slice::plus;
 
 /// A part of a matrix: from where on, and how many rows and columns.
@@ -94,20 +93,23 @@ impl Lowering<'_, '_> {
         let [row, column] = [(first[0], "row"), (first[1], "column")].map(|(index, role)| {
             match index.and_then(|_| values.next()) {
                 Some(value) => self.steady(role, value),
-                None => number(0, span),
+                None => Expr::usize(0, span),
             }
         });
         let from = self.hold(value, part.site)?;
         let Type::Matrix { rows, cols: columns, .. } = from.ty else { return Ok(false) };
         for (first, count, most) in [(&row, rows, most_rows), (&column, columns, most_columns)] {
-            let end = plus(first.clone(), number(u64::from(count), span));
-            self.claim(compare(CompareOp::Le, end, number(u64::from(most), span)), Fault::Index);
+            let end = plus(first.clone(), Expr::usize(u64::from(count), span));
+            self.claim(
+                Expr::compare(CompareOp::Le, end, Expr::usize(u64::from(most), span)),
+                Fault::Index,
+            );
         }
         let part = Part { row, column, rows, columns };
         let scalar = Type::Scalar(element);
         self.each_cell(part, span, |place_of, source_of| {
-            let to = inside(&place, place_of, scalar.clone());
-            let value = load(&inside(&from, source_of, scalar.clone()));
+            let to = place.inside(place_of, scalar.clone());
+            let value = from.inside(source_of, scalar.clone()).load();
             StmtKind::Assign { place: to, value }
         });
         Ok(true)
@@ -131,19 +133,19 @@ impl Lowering<'_, '_> {
         ])?;
         let [line, value] = super::expr::two(values, matrix.site)?;
         let (line, value) = (self.steady("line", line), self.steady("value", value));
-        let most = number(u64::from(if is_row { rows } else { cols }), span);
+        let most = Expr::usize(u64::from(if is_row { rows } else { cols }), span);
         let is_there = match routine.starts_with("views::") {
-            true => compare(CompareOp::Le, plus(line.clone(), number(1, span)), most),
-            false => compare(CompareOp::Lt, line.clone(), most),
+            true => Expr::compare(CompareOp::Le, plus(line.clone(), Expr::usize(1, span)), most),
+            false => Expr::compare(CompareOp::Lt, line.clone(), most),
         };
         self.claim(is_there, Fault::Index);
-        let zero = number(0, span);
+        let zero = Expr::usize(0, span);
         let part = match is_row {
             true => Part { row: line, column: zero, rows: 1, columns: cols },
             false => Part { row: zero, column: line, rows, columns: 1 },
         };
         self.each_cell(part, span, |at, _| StmtKind::Assign {
-            place: inside(&place, at, scalar.clone()),
+            place: place.inside(at, scalar.clone()),
             value: value.clone(),
         });
         Ok(true)
@@ -166,11 +168,11 @@ impl Lowering<'_, '_> {
         ])?;
         let [one, other] = super::expr::two(values, matrix.site)?;
         let (one, other) = (self.steady("one", one), self.steady("other", other));
-        let most = || number(u64::from(if are_rows { rows } else { cols }), span);
-        let inside_both = logic(
+        let most = || Expr::usize(u64::from(if are_rows { rows } else { cols }), span);
+        let inside_both = Expr::logic(
             LogicOp::And,
-            compare(CompareOp::Lt, one.clone(), most()),
-            compare(CompareOp::Lt, other.clone(), most()),
+            Expr::compare(CompareOp::Lt, one.clone(), most()),
+            Expr::compare(CompareOp::Lt, other.clone(), most()),
         );
         self.claim(inside_both, Fault::Assertion);
         let count = if are_rows { cols } else { rows };
@@ -181,17 +183,17 @@ impl Lowering<'_, '_> {
                 true => Step::Element(line.clone(), along.clone()),
                 false => Step::Element(along.clone(), line.clone()),
             };
-            inside(&place, step, Type::Scalar(element))
+            place.inside(step, Type::Scalar(element))
         };
         let held = LocalId(self.locals.len() as u32);
         let ty = Type::Scalar(element);
         let (name, mode) = ("held".to_owned(), bessemer_ir::Mode::Value);
         self.locals.push(bessemer_ir::Local { name, ty: ty.clone(), mode, span });
-        let held_place = Place { root: held, steps: Vec::new(), ty, span };
+        let held_place = Place::local(held, ty, span);
         let body = vec![
-            stmt(StmtKind::Let { local: held, value: Some(load(&cell(&one))) }, span),
-            stmt(StmtKind::Assign { place: cell(&one), value: load(&cell(&other)) }, span),
-            stmt(StmtKind::Assign { place: cell(&other), value: load(&held_place) }, span),
+            stmt(StmtKind::Let { local: held, value: Some(cell(&one).load()) }, span),
+            stmt(StmtKind::Assign { place: cell(&one), value: cell(&other).load() }, span),
+            stmt(StmtKind::Assign { place: cell(&other), value: held_place.load() }, span),
         ];
         self.emit(counted(index, count, Block(body), span), span);
         Ok(true)
@@ -202,7 +204,7 @@ impl Lowering<'_, '_> {
         let Part { row, column, rows, columns } = part;
         let column_at = (columns > 1).then(|| self.counter("column", span));
         let row_at = (rows > 1).then(|| self.counter("row", span));
-        let index = |at: Option<LocalId>| at.map_or(number(0, span), |at| local(at, span));
+        let index = |at: Option<LocalId>| at.map_or(Expr::usize(0, span), |at| local(at, span));
         let (i, j) = (index(row_at), index(column_at));
         let at = Step::Element(plus(row, i.clone()), plus(column, j.clone()));
         let mut kind = write(at, Step::Element(i, j));
@@ -221,22 +223,17 @@ impl Lowering<'_, '_> {
     }
 }
 
-fn compare(op: CompareOp, left: Expr, right: Expr) -> Expr {
-    let span = left.span;
-    Expr { kind: ExprKind::Compare(op, Box::new(left), Box::new(right)), ty: Type::BOOL, span }
-}
-
 /// The value of a counter.
 pub(super) fn local(root: LocalId, span: Span) -> Expr {
-    load(&Place { root, steps: Vec::new(), ty: Type::USIZE, span })
+    Place::local(root, Type::USIZE, span).load()
 }
 
 /// A loop that counts from 0.
 pub(super) fn counted(variable: LocalId, count: u32, body: Block, span: Span) -> StmtKind {
     StmtKind::For {
         variable,
-        from: number(0, span),
-        to: number(u64::from(count), span),
+        from: Expr::usize(0, span),
+        to: Expr::usize(u64::from(count), span),
         inclusive: false,
         reversed: false,
         unroll: None,

@@ -12,6 +12,7 @@
 extern crate alloc;
 
 pub mod attributes;
+mod build;
 mod canonical;
 mod enums;
 pub mod ir;

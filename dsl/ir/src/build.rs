@@ -1,0 +1,115 @@
+//! Expressions and places made of their parts: types follow from the operands, and an expression stands where its
+//! first operand does.
+//!
+//! Nothing is folded or reordered. Whether the operands are of the types that an operation takes is the validator's to
+//! say.
+
+use alloc::boxed::Box;
+use alloc::vec::Vec;
+
+use crate::ir::{
+    BinaryOp, CompareOp, Expr, ExprKind, Intrinsic, LocalId, LogicOp, Place, Span, Step, Type,
+    UnaryOp,
+};
+
+impl Expr {
+    /// A word of a type.
+    pub fn literal(word: u64, ty: Type, span: Span) -> Expr {
+        Expr { kind: ExprKind::Literal(word), ty, span }
+    }
+
+    /// A word of the type of another expression, where that one stands.
+    pub fn literal_like(word: u64, like: &Expr) -> Expr {
+        Expr::literal(word, like.ty.clone(), like.span)
+    }
+
+    /// A `usize`.
+    pub fn usize(value: u64, span: Span) -> Expr {
+        Expr::literal(value, Type::USIZE, span)
+    }
+
+    /// `true` or `false`.
+    pub fn bool(value: bool, span: Span) -> Expr {
+        Expr::literal(value.into(), Type::BOOL, span)
+    }
+
+    /// The value of a local.
+    pub fn local(local: LocalId, ty: &Type, span: Span) -> Expr {
+        Place::local(local, ty.clone(), span).load()
+    }
+
+    /// `-x`, `!x`.
+    pub fn unary(op: UnaryOp, operand: Expr) -> Expr {
+        let (ty, span) = (operand.ty.clone(), operand.span);
+        Expr { kind: ExprKind::Unary(op, Box::new(operand)), ty, span }
+    }
+
+    /// `a + b` and the like: of the left operand's type.
+    pub fn binary(op: BinaryOp, left: Expr, right: Expr) -> Expr {
+        let (ty, span) = (left.ty.clone(), left.span);
+        Expr { kind: ExprKind::Binary(op, Box::new(left), Box::new(right)), ty, span }
+    }
+
+    /// `a < b` and the like.
+    pub fn compare(op: CompareOp, left: Expr, right: Expr) -> Expr {
+        let span = left.span;
+        let kind = ExprKind::Compare(op, Box::new(left), Box::new(right));
+        Expr { kind, ty: Type::BOOL, span }
+    }
+
+    /// `a && b`, `a || b`.
+    pub fn logic(op: LogicOp, left: Expr, right: Expr) -> Expr {
+        let span = left.span;
+        let kind = ExprKind::Logic(op, Box::new(left), Box::new(right));
+        Expr { kind, ty: Type::BOOL, span }
+    }
+
+    /// An intrinsic, of the type that it gives for its first operand.
+    pub fn intrinsic(op: Intrinsic, operands: Vec<Expr>) -> Expr {
+        let first = operands.first();
+        let span = first.map_or_else(Span::default, |first| first.span);
+        let ty = match first.map(|first| &first.ty) {
+            Some(Type::Scalar(scalar)) => Type::Scalar(op.result(*scalar).unwrap_or(*scalar)),
+            Some(other) => other.clone(),
+            None => Type::Unit,
+        };
+        Expr { kind: ExprKind::Intrinsic(op, operands), ty, span }
+    }
+
+    /// `self as ty`; the value itself where it is of that type.
+    #[must_use]
+    pub fn cast(self, ty: &Type) -> Expr {
+        if self.ty == *ty {
+            return self;
+        }
+        let span = self.span;
+        Expr { kind: ExprKind::Cast(Box::new(self)), ty: ty.clone(), span }
+    }
+
+    /// The same expression at another place in the source; its operands stay where they are.
+    #[must_use]
+    pub fn at(self, span: Span) -> Expr {
+        Expr { span, ..self }
+    }
+}
+
+impl Place {
+    /// The whole of a local.
+    pub fn local(root: LocalId, ty: Type, span: Span) -> Place {
+        Place { root, steps: Vec::new(), ty, span }
+    }
+
+    /// The part behind one more step.
+    #[must_use]
+    pub fn inside(&self, step: Step, ty: Type) -> Place {
+        let mut inner = self.clone();
+        inner.steps.push(step);
+        inner.ty = ty;
+        inner
+    }
+
+    /// The value that is there.
+    pub fn load(&self) -> Expr {
+        Expr { kind: ExprKind::Load(self.clone()), ty: self.ty.clone(), span: self.span }
+    }
+}
