@@ -2,6 +2,9 @@
 //!
 //! One that the IR has is in [`builtin`](super::builtin); what stands here is spelt out, as a reader of
 //! the C would write it, each operand computed once.
+//!
+//! Invariant: a name is looked up once, in [`named`]; what is spelt out then is one `match`, which the compiler holds
+//! to be complete.
 
 use bessemer_ir::tree;
 use bessemer_ir::{
@@ -9,72 +12,221 @@ use bessemer_ir::{
     UnaryOp,
 };
 
-use super::Result;
 use super::expr::Operand;
 use super::function::Lowering;
+use super::{OUR_FAULT, Result, problem};
 
-/// Makes nodes at one place in the source.
-struct At(Span);
+/// A method of a number.
+#[derive(Clone, Copy)]
+enum Method {
+    One(One),
+    Two(Two),
+}
 
-impl At {
-    fn node(&self, kind: ExprKind, ty: &Type) -> Expr {
-        Expr { kind, ty: ty.clone(), span: self.0 }
-    }
+/// A method without arguments.
+#[derive(Clone, Copy)]
+enum One {
+    Recip,
+    Fract,
+    ToDegrees,
+    ToRadians,
+    Signum,
+    /// How the sign of a float, its zero included, compares with 0.
+    Sign(CompareOp),
+    /// How a number compares with 0.
+    Compared(CompareOp),
+    WrappingNeg,
+    WrappingAbs,
+    SwapBytes,
+    IsPowerOfTwo,
+    From,
+    /// An intrinsic that counts the bits of an unsigned integer.
+    Bits(Intrinsic),
+    /// The same, of the opposite bits.
+    OppositeBits(Intrinsic),
+}
 
-    fn binary(&self, op: BinaryOp, a: Expr, b: Expr) -> Expr {
-        let ty = a.ty.clone();
-        self.node(ExprKind::Binary(op, Box::new(a), Box::new(b)), &ty)
-    }
+/// A method with one argument.
+#[derive(Clone, Copy)]
+enum Two {
+    /// An operator where numbers have no sign, else an intrinsic.
+    BySign(BinaryOp, Intrinsic),
+    AbsDiff,
+    /// A shift by a number of places modulo the width.
+    Shift(BinaryOp),
+    RotateLeft,
+    RotateRight,
+}
 
-    fn compare(&self, op: CompareOp, a: Expr, b: Expr) -> Expr {
-        self.node(ExprKind::Compare(op, Box::new(a), Box::new(b)), &Type::BOOL)
-    }
+/// What a name means; none if it is no method that is put together here.
+fn named(name: &str) -> Option<Method> {
+    use Method::{One as O, Two as T};
+    Some(match name {
+        "recip" => O(One::Recip),
+        "fract" => O(One::Fract),
+        "to_degrees" => O(One::ToDegrees),
+        "to_radians" => O(One::ToRadians),
+        "signum" => O(One::Signum),
+        "is_sign_negative" => O(One::Sign(CompareOp::Lt)),
+        "is_sign_positive" => O(One::Sign(CompareOp::Gt)),
+        "is_negative" => O(One::Compared(CompareOp::Lt)),
+        "is_positive" => O(One::Compared(CompareOp::Gt)),
+        "wrapping_neg" => O(One::WrappingNeg),
+        "wrapping_abs" => O(One::WrappingAbs),
+        "swap_bytes" => O(One::SwapBytes),
+        "is_power_of_two" => O(One::IsPowerOfTwo),
+        "from" => O(One::From),
+        "count_ones" => O(One::Bits(Intrinsic::CountOnes)),
+        "count_zeros" => O(One::OppositeBits(Intrinsic::CountOnes)),
+        "leading_zeros" => O(One::Bits(Intrinsic::LeadingZeros)),
+        "leading_ones" => O(One::OppositeBits(Intrinsic::LeadingZeros)),
+        "trailing_zeros" => O(One::Bits(Intrinsic::TrailingZeros)),
+        "trailing_ones" => O(One::OppositeBits(Intrinsic::TrailingZeros)),
+        "div_euclid" => T(Two::BySign(BinaryOp::Div, Intrinsic::DivEuclid)),
+        "rem_euclid" => T(Two::BySign(BinaryOp::Rem, Intrinsic::RemEuclid)),
+        "wrapping_div" => T(Two::BySign(BinaryOp::Div, Intrinsic::WrappingDiv)),
+        "wrapping_rem" => T(Two::BySign(BinaryOp::Rem, Intrinsic::WrappingRem)),
+        "abs_diff" => T(Two::AbsDiff),
+        "wrapping_shl" => T(Two::Shift(BinaryOp::Shl)),
+        "wrapping_shr" => T(Two::Shift(BinaryOp::Shr)),
+        "rotate_left" => T(Two::RotateLeft),
+        "rotate_right" => T(Two::RotateRight),
+        _ => return None,
+    })
+}
 
-    fn not(&self, x: Expr) -> Expr {
-        let ty = x.ty.clone();
-        self.node(ExprKind::Unary(UnaryOp::Not, Box::new(x)), &ty)
-    }
-
-    fn cast(&self, x: Expr, ty: &Type) -> Expr {
-        if x.ty == *ty { x } else { self.node(ExprKind::Cast(Box::new(x)), ty) }
-    }
-
-    /// An intrinsic whose result has the type `ty`.
-    fn intrinsic(&self, op: Intrinsic, operands: Vec<Expr>, ty: &Type) -> Expr {
-        self.node(ExprKind::Intrinsic(op, operands), ty)
-    }
-
-    fn int(&self, value: u32, ty: &Type) -> Expr {
-        self.node(ExprKind::Literal(u64::from(value)), ty)
-    }
-
-    fn float(&self, double: f64, single: f32, ty: &Type) -> Expr {
-        let word = match ty.as_float() {
-            Some(Float::F32) => u64::from(single.to_bits()),
-            _ => double.to_bits(),
-        };
-        self.node(ExprKind::Literal(word), ty)
-    }
-
-    /// The bits of an integer, unsigned.
-    fn unsigned(&self, x: Expr) -> Expr {
-        match x.ty.as_int() {
-            Some(int) => self.cast(x, &of(int.unsigned())),
-            None => x,
+impl One {
+    /// Whether a literal before it is of the result's type.
+    fn keeps_type(self) -> bool {
+        match self {
+            One::Recip | One::Fract | One::ToDegrees | One::ToRadians | One::Signum => true,
+            One::WrappingNeg | One::WrappingAbs | One::SwapBytes => true,
+            One::Sign(_) | One::Compared(_) | One::IsPowerOfTwo | One::From => false,
+            One::Bits(_) | One::OppositeBits(_) => false,
         }
     }
 
-    /// `n` modulo the width of `int`.
-    fn masked(&self, n: Expr, int: Int) -> Expr {
-        let mask = int.bits() - 1;
-        match n.kind {
-            ExprKind::Literal(word) => self.int(word as u32 & mask, &n.ty),
-            _ => {
-                let mask = self.int(mask, &n.ty);
-                self.binary(BinaryOp::And, n, mask)
+    /// Whether it mentions its operand more than once.
+    fn repeats(self) -> bool {
+        matches!(self, One::Fract | One::Signum)
+    }
+
+    /// The value for `x`, of type `ty`.
+    fn of(self, x: Expr, ty: &Type, span: Span) -> Expr {
+        let zero = Expr::literal(0, x.ty.clone(), span);
+        match self {
+            One::Recip => Expr::binary(BinaryOp::Div, float(1.0, 1.0, ty, span), x),
+            One::Fract => {
+                let whole = Expr::intrinsic(Intrinsic::Trunc, vec![x.clone()]);
+                Expr::binary(BinaryOp::Sub, x, whole)
+            }
+            // As core has them: the factor rounded once, for `f32` from more digits.
+            One::ToDegrees => {
+                let factor = 180.0 / core::f64::consts::PI;
+                Expr::binary(BinaryOp::Mul, x, float(factor, factor as f32, ty, span))
+            }
+            One::ToRadians => {
+                let (double, single) =
+                    (core::f64::consts::PI / 180.0, core::f32::consts::PI / 180.0);
+                Expr::binary(BinaryOp::Mul, x, float(double, single, ty, span))
+            }
+            One::Signum if x.ty.as_float().is_some() => Expr::intrinsic(Intrinsic::Signum, vec![x]),
+            One::Signum => {
+                let above = Expr::compare(CompareOp::Gt, x.clone(), zero.clone());
+                let below = Expr::compare(CompareOp::Lt, x, zero);
+                Expr::binary(BinaryOp::Sub, above.cast(ty), below.cast(ty))
+            }
+            One::Sign(op) => {
+                let (one, nothing) = (float(1.0, 1.0, &x.ty, span), float(0.0, 0.0, &x.ty, span));
+                Expr::compare(op, Expr::intrinsic(Intrinsic::Copysign, vec![one, x]), nothing)
+            }
+            One::Compared(op) => Expr::compare(op, x, zero),
+            One::WrappingNeg => Expr::intrinsic(Intrinsic::WrappingSub, vec![zero, x]),
+            One::WrappingAbs => Expr::intrinsic(Intrinsic::UnsignedAbs, vec![x]).cast(ty),
+            One::SwapBytes if x.ty.as_int().is_some_and(|int| int.bits() == 8) => x,
+            One::SwapBytes => Expr::intrinsic(Intrinsic::SwapBytes, vec![unsigned(x)]).cast(ty),
+            One::IsPowerOfTwo => {
+                let count = Expr::intrinsic(Intrinsic::CountOnes, vec![x]);
+                Expr::compare(CompareOp::Eq, count, Expr::literal(1, U32, span))
+            }
+            One::From => x.cast(ty),
+            One::Bits(op) => Expr::intrinsic(op, vec![unsigned(x)]),
+            One::OppositeBits(op) => {
+                Expr::intrinsic(op, vec![Expr::unary(UnaryOp::Not, unsigned(x))])
             }
         }
     }
+}
+
+impl Two {
+    /// The value for `a` and `b`, of type `ty`; none if they are of types that it does not take.
+    fn of(self, a: Expr, b: Expr, ty: &Type, span: Span) -> Option<Expr> {
+        let int = a.ty.as_int();
+        Some(match self {
+            Two::BySign(op, _) if int.is_some_and(|int| !int.signed()) => Expr::binary(op, a, b),
+            Two::BySign(_, op) => Expr::intrinsic(op, vec![a, b]),
+            Two::AbsDiff => Expr::intrinsic(Intrinsic::AbsDiff, vec![a, b]),
+            Two::Shift(op) => Expr::binary(op, a, masked(b, int?)),
+            Two::RotateLeft => {
+                let (by, back) = (masked(b.clone(), int?), to_whole(b, int?, span));
+                rotated(a, by, back).cast(ty)
+            }
+            Two::RotateRight => {
+                let (by, back) = (masked(b.clone(), int?), to_whole(b, int?, span));
+                rotated(a, back, by).cast(ty)
+            }
+        })
+    }
+}
+
+fn float(double: f64, single: f32, ty: &Type, span: Span) -> Expr {
+    let word = match ty.as_float() {
+        Some(Float::F32) => u64::from(single.to_bits()),
+        _ => double.to_bits(),
+    };
+    Expr::literal(word, ty.clone(), span)
+}
+
+/// The bits of an integer, unsigned.
+fn unsigned(x: Expr) -> Expr {
+    match x.ty.as_int() {
+        Some(int) => x.cast(&of(int.unsigned())),
+        None => x,
+    }
+}
+
+/// `n` modulo the width of `int`.
+fn masked(n: Expr, int: Int) -> Expr {
+    let mask = u64::from(int.bits() - 1);
+    match n.kind {
+        ExprKind::Literal(word) => Expr::literal_like(word & mask, &n),
+        _ => {
+            let mask = Expr::literal_like(mask, &n);
+            Expr::binary(BinaryOp::And, n, mask)
+        }
+    }
+}
+
+/// By how many places more bits have come round after `n`, modulo the width of `int`.
+fn to_whole(n: Expr, int: Int, span: Span) -> Expr {
+    match n.kind {
+        ExprKind::Literal(word) => {
+            let back = (word as u32).wrapping_neg() & (int.bits() - 1);
+            Expr::literal_like(back.into(), &n)
+        }
+        _ => {
+            let zero = Expr::literal(0, U32, span);
+            masked(Expr::intrinsic(Intrinsic::WrappingSub, vec![zero, n]), int)
+        }
+    }
+}
+
+/// The bits of an integer shifted left, and those that come round.
+fn rotated(x: Expr, left: Expr, right: Expr) -> Expr {
+    let bits = unsigned(x);
+    let high = Expr::binary(BinaryOp::Shl, bits.clone(), left);
+    let low = Expr::binary(BinaryOp::Shr, bits, right);
+    Expr::binary(BinaryOp::Or, high, low)
 }
 
 fn of(int: Int) -> Type {
@@ -91,34 +243,38 @@ impl Lowering<'_, '_> {
         arguments: &[tree::Expr],
         expr: &tree::Expr,
     ) -> Result<Option<Expr>> {
-        let Some((first, rest)) = expected(name) else { return Ok(None) };
+        let Some(method) = named(name) else { return Ok(None) };
         let ty = self.slot_of(expr)?;
-        let first = match first {
-            Expected::Result => Some(ty.clone()),
-            Expected::Count => Some(U32),
-            Expected::Receiver => None,
+        // What a literal operand is expected to be.
+        let same = Some(ty.clone());
+        let expected = match method {
+            Method::One(method) => [same.filter(|_| method.keeps_type()), None],
+            Method::Two(Two::BySign(..)) => [same.clone(), same],
+            Method::Two(Two::AbsDiff) => [None, self.partner(arguments)?],
+            Method::Two(Two::Shift(_) | Two::RotateLeft | Two::RotateRight) => [same, Some(U32)],
         };
-        let rest = match rest {
-            Expected::Receiver => self.partner(arguments)?,
-            Expected::Result => Some(ty.clone()),
-            Expected::Count => Some(U32),
-        };
-        let operands: Vec<_> = arguments
-            .iter()
-            .zip(["value", "by"])
-            .map(|(expr, role)| Operand {
-                expr,
-                expected: if role == "by" { rest.clone() } else { first.clone() },
-                role,
-            })
-            .collect();
+        let operands = arguments.iter().zip(["value", "by"]).zip(expected);
+        let operands: Vec<_> =
+            operands.map(|((expr, role), expected)| Operand { expr, expected, role }).collect();
         let values = self.operands(&operands)?;
-        let at = At(self.span(expr.site));
-        let value = match values.len() {
-            1 => self.of_one(name, values, &ty, &at),
-            _ => self.of_two(name, values, &ty, &at),
+        let span = self.span(expr.site);
+        let repeats = match method {
+            Method::One(method) => method.repeats(),
+            Method::Two(method) => matches!(method, Two::RotateLeft | Two::RotateRight),
         };
-        Ok(Some(value))
+        let values = if repeats { self.reusable(values) } else { values };
+        let value = match (method, <[Expr; 1]>::try_from(values)) {
+            (Method::One(method), Ok([x])) => Some(method.of(x, &ty, span)),
+            (Method::Two(method), Err(values)) => match <[Expr; 2]>::try_from(values) {
+                Ok([a, b]) => method.of(a, b, &ty, span),
+                Err(_) => None,
+            },
+            _ => None,
+        };
+        match value {
+            Some(value) => Ok(Some(value.at(span))),
+            None => problem(expr.site, format!("`{name}` does not take these operands"), OUR_FAULT),
+        }
     }
 
     /// The type of the first operand, where a literal beside it has it too.
@@ -157,115 +313,6 @@ impl Lowering<'_, '_> {
         kept.collect()
     }
 
-    fn of_one(&mut self, name: &str, mut values: Vec<Expr>, ty: &Type, at: &At) -> Expr {
-        if matches!(name, "fract" | "signum") {
-            values = self.reusable(values);
-        }
-        let x = values.remove(0);
-        let zero = at.int(0, &x.ty);
-        let is_float = x.ty.as_float().is_some();
-        match name {
-            "recip" => at.binary(BinaryOp::Div, at.float(1.0, 1.0, ty), x),
-            "fract" => {
-                let whole = at.intrinsic(Intrinsic::Trunc, vec![x.clone()], ty);
-                at.binary(BinaryOp::Sub, x, whole)
-            }
-            // As core has them: the factor rounded once, for `f32` from more digits.
-            "to_degrees" => {
-                let factor = 180.0 / core::f64::consts::PI;
-                at.binary(BinaryOp::Mul, x, at.float(factor, factor as f32, ty))
-            }
-            "to_radians" => {
-                let single = core::f32::consts::PI / 180.0;
-                at.binary(BinaryOp::Mul, x, at.float(core::f64::consts::PI / 180.0, single, ty))
-            }
-            "signum" if is_float => at.intrinsic(Intrinsic::Signum, vec![x], ty),
-            "signum" => {
-                let above = at.compare(CompareOp::Gt, x.clone(), zero.clone());
-                let below = at.compare(CompareOp::Lt, x, zero);
-                at.binary(BinaryOp::Sub, at.cast(above, ty), at.cast(below, ty))
-            }
-            "is_sign_negative" | "is_sign_positive" => {
-                let one = at.float(1.0, 1.0, &x.ty);
-                let nothing = at.float(0.0, 0.0, &x.ty);
-                let of = x.ty.clone();
-                let unit = at.intrinsic(Intrinsic::Copysign, vec![one, x], &of);
-                let negative = name == "is_sign_negative";
-                at.compare(if negative { CompareOp::Lt } else { CompareOp::Gt }, unit, nothing)
-            }
-            "is_positive" => at.compare(CompareOp::Gt, x, zero),
-            "is_negative" => at.compare(CompareOp::Lt, x, zero),
-            "wrapping_neg" => at.intrinsic(Intrinsic::WrappingSub, vec![zero, x], ty),
-            "wrapping_abs" => {
-                let unsigned = x.ty.as_int().map_or(U32, |int| of(int.unsigned()));
-                at.cast(at.intrinsic(Intrinsic::UnsignedAbs, vec![x], &unsigned), ty)
-            }
-            "swap_bytes" if x.ty.as_int().is_some_and(|int| int.bits() == 8) => x,
-            "swap_bytes" => {
-                let bits = at.unsigned(x);
-                let unsigned = bits.ty.clone();
-                at.cast(at.intrinsic(Intrinsic::SwapBytes, vec![bits], &unsigned), ty)
-            }
-            "is_power_of_two" => {
-                let count = at.intrinsic(Intrinsic::CountOnes, vec![x], &U32);
-                at.compare(CompareOp::Eq, count, at.int(1, &U32))
-            }
-            "from" => at.cast(x, ty),
-            _ => {
-                let bits = at.unsigned(x);
-                let (op, turned) = match name {
-                    "count_ones" => (Intrinsic::CountOnes, false),
-                    "count_zeros" => (Intrinsic::CountOnes, true),
-                    "leading_zeros" => (Intrinsic::LeadingZeros, false),
-                    "leading_ones" => (Intrinsic::LeadingZeros, true),
-                    "trailing_zeros" => (Intrinsic::TrailingZeros, false),
-                    _ => (Intrinsic::TrailingZeros, true),
-                };
-                at.intrinsic(op, vec![if turned { at.not(bits) } else { bits }], &U32)
-            }
-        }
-    }
-
-    fn of_two(&mut self, name: &str, mut values: Vec<Expr>, ty: &Type, at: &At) -> Expr {
-        let int = values[0].ty.as_int();
-        let signed = int.is_none_or(Int::signed);
-        if name.starts_with("rotate") {
-            values = self.reusable(values);
-        }
-        let (b, a) = (values.remove(1), values.remove(0));
-        let plain = |op, node, a, b| match signed {
-            true => at.intrinsic(node, vec![a, b], ty),
-            false => at.binary(op, a, b),
-        };
-        match (name, int) {
-            ("div_euclid", _) => plain(BinaryOp::Div, Intrinsic::DivEuclid, a, b),
-            ("rem_euclid", _) => plain(BinaryOp::Rem, Intrinsic::RemEuclid, a, b),
-            ("wrapping_div", _) => plain(BinaryOp::Div, Intrinsic::WrappingDiv, a, b),
-            ("wrapping_rem", _) => plain(BinaryOp::Rem, Intrinsic::WrappingRem, a, b),
-            ("abs_diff", _) => at.intrinsic(Intrinsic::AbsDiff, vec![a, b], ty),
-            ("wrapping_shl", Some(int)) => at.binary(BinaryOp::Shl, a, at.masked(b, int)),
-            ("wrapping_shr", Some(int)) => at.binary(BinaryOp::Shr, a, at.masked(b, int)),
-            (_, Some(int)) => {
-                let bits = at.unsigned(a);
-                let back = match b.kind {
-                    ExprKind::Literal(word) => {
-                        at.int((word as u32).wrapping_neg() & (int.bits() - 1), &U32)
-                    }
-                    _ => {
-                        let operands = vec![at.int(0, &U32), b.clone()];
-                        at.masked(at.intrinsic(Intrinsic::WrappingSub, operands, &U32), int)
-                    }
-                };
-                let by = at.masked(b, int);
-                let (left, right) = if name == "rotate_left" { (by, back) } else { (back, by) };
-                let high = at.binary(BinaryOp::Shl, bits.clone(), left);
-                let low = at.binary(BinaryOp::Shr, bits, right);
-                at.cast(at.binary(BinaryOp::Or, high, low), ty)
-            }
-            _ => a,
-        }
-    }
-
     /// The square or the cube of an integer, which need no loop; none if it is another call.
     pub(super) fn small_power(
         &mut self,
@@ -284,10 +331,10 @@ impl Lowering<'_, '_> {
         }
         let ty = self.slot_of(expr)?;
         let base = self.value(&arguments[0], Some(&ty))?;
-        let at = At(self.span(expr.site));
+        let span = self.span(expr.site);
         let product = |a: Expr, b: Expr| match wrapping {
-            true => at.intrinsic(Intrinsic::WrappingMul, vec![a, b], &ty),
-            false => at.binary(BinaryOp::Mul, a, b),
+            true => Expr::intrinsic(Intrinsic::WrappingMul, vec![a, b]).at(span),
+            false => Expr::binary(BinaryOp::Mul, a, b).at(span),
         };
         let x = self.reusable(vec![base]).remove(0);
         let square = product(x.clone(), x.clone());
@@ -302,27 +349,28 @@ impl Lowering<'_, '_> {
         expr: &tree::Expr,
     ) -> Result<Expr> {
         let ty = self.slot_of(expr)?;
-        let at = At(self.span(expr.site));
+        let span = self.span(expr.site);
         let big = name.ends_with("be_bytes");
         let byte = of(Int::U8);
         let argument = self.value(&arguments[0], None)?;
         if let Type::Array { len, .. } = ty {
             let value = match argument.ty.as_float() {
-                Some(float) => {
-                    at.intrinsic(Intrinsic::ToBits, vec![argument], &of(float.bits_type()))
-                }
-                None => at.unsigned(argument),
+                Some(_) => Expr::intrinsic(Intrinsic::ToBits, vec![argument]),
+                None => unsigned(argument),
             };
             let value = self.reusable(vec![value]).remove(0);
             let bytes = (0..len).map(|index| {
                 let place = if big { len - 1 - index } else { index };
                 let shifted = match place {
                     0 => value.clone(),
-                    _ => at.binary(BinaryOp::Shr, value.clone(), at.int(8 * place, &U32)),
+                    _ => {
+                        let by = Expr::literal(u64::from(8 * place), U32, span);
+                        Expr::binary(BinaryOp::Shr, value.clone(), by)
+                    }
                 };
-                at.cast(shifted, &byte)
+                shifted.cast(&byte)
             });
-            return Ok(at.node(ExprKind::Array(bytes.collect()), &ty));
+            return self.node(ExprKind::Array(bytes.collect()), ty, expr.site);
         }
         let bytes = match &argument.kind {
             ExprKind::Load(place) if place.steps.iter().all(|it| matches!(it, Step::Field(_))) => {
@@ -331,59 +379,34 @@ impl Lowering<'_, '_> {
             _ => self.temporary("bytes", argument),
         };
         let (ExprKind::Load(place), Type::Array { len, .. }) = (&bytes.kind, &bytes.ty) else {
-            return super::problem(expr.site, "these are no bytes", super::OUR_FAULT);
+            return problem(expr.site, "these are no bytes", OUR_FAULT);
         };
-        let unsigned = match (ty.as_float(), ty.as_int()) {
+        let word = match (ty.as_float(), ty.as_int()) {
             (Some(float), _) => of(float.bits_type()),
             (_, Some(int)) => of(int.unsigned()),
             _ => U32,
         };
         let mut total: Option<Expr> = None;
         for index in 0..*len {
-            let mut steps = place.steps.clone();
-            steps.push(Step::Index(at.int(index, &Type::USIZE)));
-            let one = Place { root: place.root, steps, ty: byte.clone(), span: at.0 };
-            let value = at.cast(at.node(ExprKind::Load(one), &byte), &unsigned);
+            let step = Step::Index(Expr::usize(u64::from(index), span));
+            let value = Place { span, ..place.inside(step, byte.clone()) }.load().cast(&word);
             let weight = if big { len - 1 - index } else { index };
             let value = match weight {
                 0 => value,
-                _ => at.binary(BinaryOp::Shl, value, at.int(8 * weight, &U32)),
+                _ => {
+                    let by = Expr::literal(u64::from(8 * weight), U32, span);
+                    Expr::binary(BinaryOp::Shl, value, by)
+                }
             };
             total = Some(match total {
                 None => value,
-                Some(total) => at.binary(BinaryOp::Or, total, value),
+                Some(total) => Expr::binary(BinaryOp::Or, total, value),
             });
         }
-        let bits = total.unwrap_or_else(|| at.int(0, &unsigned));
+        let bits = total.unwrap_or_else(|| Expr::literal(0, word, span));
         Ok(match ty.as_float() {
-            Some(_) => at.intrinsic(Intrinsic::FromBits, vec![bits], &ty),
-            None => at.cast(bits, &ty),
+            Some(_) => Expr::intrinsic(Intrinsic::FromBits, vec![bits]).at(span),
+            None => bits.cast(&ty).at(span),
         })
     }
-}
-
-/// What a literal operand is expected to be.
-enum Expected {
-    /// Of the result's type.
-    Result,
-    /// A `u32`.
-    Count,
-    /// Of the receiver's type, which is not the result's.
-    Receiver,
-}
-
-/// What is expected of the receiver and of the operand after it; none for names of no method here.
-fn expected(name: &str) -> Option<(Expected, Expected)> {
-    use Expected::{Count, Receiver, Result};
-    Some(match name {
-        "recip" | "fract" | "to_degrees" | "to_radians" | "signum" | "wrapping_neg"
-        | "wrapping_abs" | "swap_bytes" => (Result, Result),
-        "div_euclid" | "rem_euclid" | "wrapping_div" | "wrapping_rem" => (Result, Result),
-        "wrapping_shl" | "wrapping_shr" | "rotate_left" | "rotate_right" => (Result, Count),
-        "is_sign_negative" | "is_sign_positive" | "is_positive" | "is_negative"
-        | "is_power_of_two" | "abs_diff" | "from" => (Receiver, Receiver),
-        "count_ones" | "count_zeros" | "leading_zeros" | "leading_ones" | "trailing_zeros"
-        | "trailing_ones" => (Receiver, Receiver),
-        _ => return None,
-    })
 }
