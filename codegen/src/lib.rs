@@ -1,12 +1,14 @@
 //! From the tree of a package of models to C99.
 //!
 //! [`compile`] is the whole way, stage by stage; [`generate`] is the command line's work around it.
-//! Each stage takes the form before it and gives the form behind it; none imports another.
+//! Each stage takes the form before it and gives the form behind it; none imports another. What all of them ask of
+//! the IR is in [`effects`].
 
 pub mod c;
 pub mod compile;
 pub mod deep;
 pub mod diagnostic;
+mod effects;
 pub mod generate;
 pub mod kernels;
 pub mod passes;

@@ -5,9 +5,10 @@
 
 use std::collections::BTreeSet;
 
+use bessemer_ir::visit::{Access, Visit, Walk, walk_place, walk_stmt};
 use bessemer_ir::{
-    Argument, Block, Expr, ExprKind, Fault, Function, FunctionId, LocalId, Mode, Module, Owner,
-    Place, Role, Step, Stmt, StmtKind, StructId,
+    ExprKind, Fault, Function, FunctionId, LocalId, Mode, Module, Owner, Place, Role, Stmt,
+    StmtKind, StructId,
 };
 
 /// Who can fault.
@@ -33,13 +34,13 @@ impl Faults {
         for function in &module.functions {
             let mut checks = 0;
             let mut fallible = matches!(function.role, Role::Entry { infallible: false });
-            walk_stmts(&function.body, &mut |stmt| {
+            function.body.each_stmt(|stmt| {
                 if matches!(stmt.kind, StmtKind::Check { fault, .. } if fault != Fault::LeftOut) {
                     checks += 1;
                     fallible = true;
                 }
             });
-            walk_exprs(&function.body, &mut |expr| {
+            function.body.each_expr(|expr| {
                 if let ExprKind::Call(callee, _) = &expr.kind {
                     checks += faults.checks[callee.index()];
                     fallible |= faults.functions[callee.index()];
@@ -94,171 +95,43 @@ impl Usage {
     /// Looks at the whole body.
     pub fn new(function: &Function) -> Usage {
         let count = function.locals.len();
-        let mut usage = Usage { assigned: vec![false; count], read: vec![false; count] };
-        walk_stmts(&function.body, &mut |stmt| {
-            if let StmtKind::Assign { place, .. } = &stmt.kind {
-                usage.assigned[place.root.index()] = true;
-                // Through a reference, the write is the use.
-                if function.local(place.root).mode == Mode::RefMut {
-                    usage.read[place.root.index()] = true;
-                }
-            }
-        });
-        walk_stmts(&function.body, &mut |stmt| {
-            // What flows back into the same variable does not use it.
-            let own = match &stmt.kind {
-                StmtKind::Assign { place, .. } if place.steps.is_empty() => Some(place.root),
-                _ => None,
-            };
-            walk_own_exprs(stmt, &mut |expr| match &expr.kind {
-                ExprKind::Load(place) if Some(place.root) != own => {
-                    usage.read[place.root.index()] = true;
-                }
-                ExprKind::Call(_, arguments) => {
-                    for argument in arguments {
-                        if let Argument::RefMut(place) = argument {
-                            usage.assigned[place.root.index()] = true;
-                            usage.read[place.root.index()] = true;
-                        }
-                    }
-                }
-                _ => {}
-            });
-        });
-        usage
+        let none = || vec![false; count];
+        let usage = Usage { assigned: none(), read: none() };
+        let mut uses = Uses { function, usage, own: None };
+        uses.block(&function.body);
+        uses.usage
     }
 }
 
-/// Whether two places may share storage: one root, and no step at which they certainly part.
-pub fn overlap(a: &Place, b: &Place) -> bool {
-    a.root == b.root
-        && a.steps.iter().zip(&b.steps).all(|pair| match pair {
-            (Step::Field(x), Step::Field(y)) => x == y,
-            (Step::Index(x), Step::Index(y)) => !certainly_differ(x, y),
-            (Step::Element(r, c), Step::Element(s, d)) => {
-                !certainly_differ(r, s) && !certainly_differ(c, d)
-            }
-            _ => true,
-        })
+/// Looks for what is done with locals.
+struct Uses<'f> {
+    function: &'f Function,
+    usage: Usage,
+    /// The local that the statement assigns as a whole: what flows back into it does not use it.
+    own: Option<LocalId>,
 }
 
-fn certainly_differ(a: &Expr, b: &Expr) -> bool {
-    matches!((&a.kind, &b.kind), (ExprKind::Literal(x), ExprKind::Literal(y)) if x != y)
-}
-
-/// Whether an expression reads a place that may share storage with `place`.
-pub fn reads(expr: &Expr, place: &Place) -> bool {
-    let mut found = false;
-    walk_expr(expr, &mut |expr| match &expr.kind {
-        ExprKind::Load(other) => found |= overlap(other, place),
-        ExprKind::Call(_, arguments) => {
-            for argument in arguments {
-                if let Argument::RefMut(other) = argument {
-                    found |= overlap(other, place);
-                }
-            }
-        }
-        _ => {}
-    });
-    found
-}
-
-/// Whether an expression reads a local at all.
-pub fn reads_local(expr: &Expr, local: LocalId) -> bool {
-    let mut found = false;
-    walk_expr(expr, &mut |expr| {
-        if let ExprKind::Load(place) = &expr.kind {
-            found |= place.root == local;
-        }
-    });
-    found
-}
-
-/// Visits every statement, outer before inner.
-pub fn walk_stmts(block: &Block, visit: &mut dyn FnMut(&Stmt)) {
-    for stmt in &block.0 {
-        visit(stmt);
-        for inner in inner_blocks(stmt) {
-            walk_stmts(inner, visit);
-        }
+impl Visit for Uses<'_> {
+    fn stmt(&mut self, stmt: &Stmt) {
+        let own = match &stmt.kind {
+            StmtKind::Assign { place, .. } if place.steps.is_empty() => Some(place.root),
+            _ => None,
+        };
+        let outer = std::mem::replace(&mut self.own, own);
+        walk_stmt(self, stmt);
+        self.own = outer;
     }
-}
 
-/// The blocks right inside a statement.
-fn inner_blocks(stmt: &Stmt) -> Vec<&Block> {
-    match &stmt.kind {
-        StmtKind::If { then, otherwise, .. } => vec![then, otherwise],
-        StmtKind::Match { arms, otherwise, .. } => {
-            arms.iter().map(|arm| &arm.body).chain(otherwise).collect()
-        }
-        StmtKind::For { body, .. } => vec![body],
-        _ => Vec::new(),
-    }
-}
-
-/// Visits every expression of a block.
-pub fn walk_exprs(block: &Block, visit: &mut dyn FnMut(&Expr)) {
-    walk_stmts(block, &mut |stmt| walk_own_exprs(stmt, visit));
-}
-
-/// Visits the expressions of a statement, without those of the statements in it.
-fn walk_own_exprs(stmt: &Stmt, visit: &mut dyn FnMut(&Expr)) {
-    match &stmt.kind {
-        StmtKind::Let { value: Some(value), .. } => walk_expr(value, visit),
-        StmtKind::Assign { place, value } => {
-            walk_expr(value, visit);
-            walk_place(place, visit);
-        }
-        StmtKind::Expr(value) | StmtKind::Return(Some(value)) => walk_expr(value, visit),
-        StmtKind::If { condition, .. } | StmtKind::Check { condition, .. } => {
-            walk_expr(condition, visit);
-        }
-        StmtKind::Match { scrutinee, .. } => walk_expr(scrutinee, visit),
-        StmtKind::For { from, to, .. } => {
-            walk_expr(from, visit);
-            walk_expr(to, visit);
-        }
-        _ => {}
-    }
-}
-
-/// Visits an expression and all inside it.
-pub fn walk_expr(expr: &Expr, visit: &mut dyn FnMut(&Expr)) {
-    visit(expr);
-    match &expr.kind {
-        ExprKind::Literal(_) | ExprKind::Const(_) => {}
-        ExprKind::Load(place) => walk_place(place, visit),
-        ExprKind::Unary(_, a) | ExprKind::Cast(a) | ExprKind::Splat(a) => walk_expr(a, visit),
-        ExprKind::Binary(_, a, b) | ExprKind::Compare(_, a, b) | ExprKind::Logic(_, a, b) => {
-            walk_expr(a, visit);
-            walk_expr(b, visit);
-        }
-        ExprKind::Call(_, arguments) => {
-            for argument in arguments {
-                match argument {
-                    Argument::Value(value) | Argument::Ref(value) => walk_expr(value, visit),
-                    Argument::RefMut(place) => walk_place(place, visit),
-                }
-            }
-        }
-        ExprKind::Intrinsic(_, items)
-        | ExprKind::Struct(items)
-        | ExprKind::Array(items)
-        | ExprKind::Matrix(items)
-        | ExprKind::Routine(_, items) => items.iter().for_each(|item| walk_expr(item, visit)),
-    }
-}
-
-fn walk_place(place: &Place, visit: &mut dyn FnMut(&Expr)) {
-    for step in &place.steps {
-        match step {
-            Step::Field(_) => {}
-            Step::Index(index) | Step::From(index) => walk_expr(index, visit),
-            Step::Element(row, column) => {
-                walk_expr(row, visit);
-                walk_expr(column, visit);
-            }
-        }
+    fn place(&mut self, place: &Place, access: Access) {
+        let (root, Usage { assigned, read }) = (place.root, &mut self.usage);
+        assigned[root.index()] |= access != Access::Read;
+        read[root.index()] |= match access {
+            Access::Read => Some(root) != self.own,
+            // Through a reference, the write is the use.
+            Access::Write => self.function.local(root).mode == Mode::RefMut,
+            Access::Lend => true,
+        };
+        walk_place(self, place);
     }
 }
 
@@ -290,7 +163,7 @@ fn follow(module: &Module, marked: &mut [bool], through: impl Fn(FunctionId) -> 
     // Callees stand before callers.
     for index in (0..marked.len()).rev() {
         if marked[index] && through(FunctionId(index as u32)) {
-            walk_exprs(&module.functions[index].body, &mut |expr| {
+            module.functions[index].body.each_expr(|expr| {
                 if let ExprKind::Call(callee, _) = &expr.kind {
                     marked[callee.index()] = true;
                 }
@@ -308,7 +181,7 @@ pub fn inline_callees(
     let mut found = BTreeSet::new();
     let mut open: Vec<FunctionId> = callers.into_iter().collect();
     while let Some(caller) = open.pop() {
-        walk_exprs(&module.functions[caller.index()].body, &mut |expr| {
+        module.functions[caller.index()].body.each_expr(|expr| {
             if let ExprKind::Call(callee, _) = &expr.kind
                 && is_inline(*callee)
                 && found.insert(*callee)

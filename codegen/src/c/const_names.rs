@@ -6,9 +6,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use bessemer_ir::visit::Walk;
 use bessemer_ir::{Const, ConstId, ExprKind, FunctionId, Module};
 
-use super::analysis::{inline_callees, walk_exprs};
+use super::analysis::inline_callees;
 use super::names::{Signature, Storage, unique};
 use super::reserved::is_reserved_globally;
 use super::spelling::{identifier, relative, screaming};
@@ -32,7 +33,7 @@ impl ConstNames {
             }
             let file = used.entry(&signature.header).or_default();
             for id in [id].into_iter().chain(inline_callees(module, [id], inline)) {
-                walk_exprs(&module.functions[id.index()].body, &mut |expr| {
+                module.functions[id.index()].body.each_expr(|expr| {
                     if let ExprKind::Const(id) = expr.kind {
                         file.insert(id);
                     }

@@ -9,12 +9,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use bessemer_ir::visit::Walk;
 use bessemer_ir::{
     EnumId, ExprKind, Function, FunctionId, Module, Owner, Role, Struct, StructId, Type,
 };
 
 use super::Options;
-use super::analysis::walk_exprs;
 use super::library::{self, Math};
 use super::reserved::is_reserved_file;
 use super::spelling::{identifier, last_segment, relative, snake, wanted};
@@ -72,7 +72,7 @@ impl Placing {
     pub fn called_in_own_file_only(&self, module: &Module) -> Vec<bool> {
         let mut locally = vec![true; module.functions.len()];
         for (caller, function) in module.functions.iter().enumerate() {
-            walk_exprs(&function.body, &mut |expr| {
+            function.body.each_expr(|expr| {
                 if let ExprKind::Call(callee, _) = &expr.kind {
                     let moves = function.role == Role::Inline;
                     let together = self.functions[callee.index()] == self.functions[caller];

@@ -1,8 +1,9 @@
 //! What there is to say about each entry point: sizes, checks, stack.
 
+use bessemer_ir::visit::Walk;
 use bessemer_ir::{FunctionId, Module, Owner, Role};
 
-use super::analysis::{Faults, walk_exprs};
+use super::analysis::Faults;
 use super::layout::size_of_struct;
 use super::lower::{self, Context, Uses};
 use super::names::Names;
@@ -52,7 +53,7 @@ pub fn report(module: &Module, options: &Options, files: &[CFile]) -> Vec<EntryR
             None => lower::function(context, id, &mut Uses::default()).locals,
         };
         let (mut below, mut largest) = (0, own);
-        walk_exprs(&function.body, &mut |expr| {
+        function.body.each_expr(|expr| {
             if let bessemer_ir::ExprKind::Call(callee, _) = &expr.kind {
                 let (depth, frame) = deepest[callee.index()];
                 below = below.max(depth);

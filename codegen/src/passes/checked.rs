@@ -13,8 +13,9 @@ use bessemer_ir::{Block, Expr, Fault, Function, Module, Place, Step, Stmt, StmtK
 
 use super::analysis::State;
 use super::faults::{self, Obligation};
-use super::places::{erased, reads, writes};
+use super::places::erased;
 use super::sites::Site;
+use crate::effects::{reads, writes};
 
 /// Whether a condition was checked by the statements before a point of a block, and still holds there.
 pub(super) fn before(stmts: &[Stmt], condition: &Expr) -> bool {

@@ -5,8 +5,10 @@
 //!
 //! Keeps: every statement, its order, and what the locals hold. Must not know: faults, calls, types.
 
-use bessemer_ir::visit::{self, Access, Visit, VisitMut};
-use bessemer_ir::{Block, Function, LocalId, Place, Stmt, StmtKind};
+use bessemer_ir::visit::{self, VisitMut};
+use bessemer_ir::{Block, Function, Stmt, StmtKind};
+
+use crate::effects::mentions;
 
 /// Moves the declarations of a function.
 pub(super) fn late(function: &mut Function) {
@@ -28,10 +30,10 @@ impl VisitMut for Late {
 /// Moves the declaration at `at`, if there is one that can go.
 fn moved(stmts: &mut Vec<Stmt>, at: usize) -> bool {
     let StmtKind::Let { local, value: None } = stmts[at].kind else { return false };
-    let next = stmts[at + 1..].iter().position(|stmt| Mentioned::by(stmt, local));
+    let next = stmts[at + 1..].iter().position(|stmt| mentions(stmt, local));
     let Some(next) = next.map(|next| at + 1 + next) else { return false };
     let StmtKind::Assign { place, value } = &stmts[next].kind else { return false };
-    if place.root != local || !place.steps.is_empty() || Mentioned::in_value(value, local) {
+    if place.root != local || !place.steps.is_empty() || mentions(value, local) {
         return false;
     }
     let value = Some(value.clone());
@@ -41,29 +43,4 @@ fn moved(stmts: &mut Vec<Stmt>, at: usize) -> bool {
     comments.append(&mut stmts[at].comments);
     stmts[at].comments = comments;
     true
-}
-
-/// Whether a local is mentioned.
-struct Mentioned(LocalId, bool);
-
-impl Mentioned {
-    fn by(stmt: &Stmt, local: LocalId) -> bool {
-        let mut mentioned = Mentioned(local, false);
-        mentioned.stmt(stmt);
-        mentioned.1
-    }
-
-    fn in_value(value: &bessemer_ir::Expr, local: LocalId) -> bool {
-        let mut mentioned = Mentioned(local, false);
-        mentioned.expr(value);
-        mentioned.1
-    }
-}
-
-impl Visit for Mentioned {
-    fn place(&mut self, place: &Place, access: Access) {
-        let _ = access;
-        self.1 |= place.root == self.0;
-        visit::walk_place(self, place);
-    }
 }

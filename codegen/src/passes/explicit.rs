@@ -7,8 +7,9 @@ use bessemer_ir::StmtKind;
 use bessemer_ir::{Argument, Block, Expr, ExprKind, Function, Module, Place, Span, Step, Stmt};
 use thiserror::Error;
 
-use super::places::{disturbs, lent, moves, reads, writes};
+use super::places::disturbs;
 use super::positions::{self, Callee, Position, accepts};
+use crate::effects::{lent, moves, reads, writes};
 
 /// A rule of explicit IR.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]

@@ -12,7 +12,7 @@ use bessemer_ir::{
 
 use super::analysis::Interval;
 use super::analysis::State;
-use super::places::{load, located};
+use super::places::located;
 
 /// A condition that has to be checked before an operation.
 pub(crate) struct Obligation {
@@ -111,7 +111,7 @@ pub(crate) fn step_type(module: &Module, container: &Type, step: &Step) -> Optio
 
 /// How many elements the slice has that is this parameter.
 fn length_of(slice: LocalId, span: Span) -> Expr {
-    load(LocalId(slice.0.saturating_add(1)), &Type::USIZE, span)
+    Expr::local(LocalId(slice.0.saturating_add(1)), &Type::USIZE, span)
 }
 
 /// An operation at a point.
@@ -347,21 +347,17 @@ fn constant(x: &Expr, facts: &State) -> Option<i128> {
 
 fn literal(value: i128, int: Int) -> Expr {
     let word = if int.signed() { value as i64 as u64 } else { value as u64 };
-    let ty = Type::Scalar(Scalar::Int(int));
-    Expr { kind: ExprKind::Literal(word), ty, span: Span::default() }
+    Expr::literal(word, Type::Scalar(Scalar::Int(int)), Span::default())
 }
 
 fn binary(op: BinaryOp, a: &Expr, b: &Expr) -> Expr {
-    let kind = ExprKind::Binary(op, Box::new(a.clone()), Box::new(b.clone()));
-    Expr { kind, ty: a.ty.clone(), span: Span::default() }
+    Expr::binary(op, a.clone(), b.clone()).at(Span::default())
 }
 
 fn compare(op: CompareOp, a: &Expr, b: &Expr) -> Expr {
-    let kind = ExprKind::Compare(op, Box::new(a.clone()), Box::new(b.clone()));
-    Expr { kind, ty: Type::BOOL, span: Span::default() }
+    Expr::compare(op, a.clone(), b.clone()).at(Span::default())
 }
 
 fn logic(op: LogicOp, a: Expr, b: Expr) -> Expr {
-    let kind = ExprKind::Logic(op, Box::new(a), Box::new(b));
-    Expr { kind, ty: Type::BOOL, span: Span::default() }
+    Expr::logic(op, a, b).at(Span::default())
 }

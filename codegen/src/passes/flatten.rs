@@ -22,9 +22,10 @@ use super::analysis::State;
 use super::checked;
 use super::faults::{self, Obligation, step_type};
 use super::names::{self, Purpose};
-use super::places::{lent, lent_by_indices, lent_by_step, load, moves, reads, weight, whole};
+use super::places::weight;
 use super::positions::{self, Position, accepts};
 use super::statements::Lowering;
+use crate::effects::{lent, lent_by_step, moves, reads, whole};
 
 /// What is read in a check and again in the statement may weigh as much as this.
 const LIGHT: usize = 4;
@@ -128,7 +129,7 @@ impl<'m> Lowering<'m> {
         for (index, argument) in arguments.into_iter().enumerate() {
             let written = match &argument {
                 Argument::Value(value) | Argument::Ref(value) => lent(value),
-                Argument::RefMut(place) => lent_by_indices(place),
+                Argument::RefMut(place) => lent(place),
             };
             done.iter_mut().for_each(|done| self.protect_argument(done, &written));
             let purpose = match parameters.get(index) {
@@ -196,7 +197,7 @@ impl<'m> Lowering<'m> {
         self.facts.join(&within);
         then.push(Stmt { kind: StmtKind::Assign { place, value: b }, span, comments: Vec::new() });
         self.emit(when(op, a, then), span);
-        load(local, &Type::BOOL, span)
+        Expr::local(local, &Type::BOOL, span)
     }
 
     /// Makes the indices of a place explicit.
@@ -336,7 +337,7 @@ impl<'m> Lowering<'m> {
         let (ty, span) = (expr.ty.clone(), expr.span);
         let name = self.wish(purpose, &expr);
         match self.declare(&name, expr.clone()) {
-            Some(local) => load(local, &ty, span),
+            Some(local) => Expr::local(local, &ty, span),
             None => expr,
         }
     }
@@ -408,7 +409,7 @@ impl<'m> Lowering<'m> {
     /// Keeps the call `value` in front of the statement `at`: what follows waits for its effects.
     pub(super) fn keep_at(&mut self, at: usize, value: &mut Expr, name: &str) {
         let Some(local) = self.new_local(name, value) else { return };
-        let kept = load(local, &value.ty, value.span);
+        let kept = Expr::local(local, &value.ty, value.span);
         let value = std::mem::replace(value, kept);
         let span = value.span;
         let kind = StmtKind::Let { local, value: Some(value) };

@@ -4,7 +4,7 @@
 //! into a place that it still reads goes through a local; the bounds of a loop that its body changes,
 //! or that call, are kept before it; a check that is known to hold goes away.
 
-use bessemer_ir::visit::{Visit, walk_expr};
+use bessemer_ir::visit::Walk;
 use bessemer_ir::{
     Arm, Block, Expr, ExprKind, Fault, Function, LocalId, Module, Place, Span, Stmt, StmtKind, Type,
 };
@@ -13,11 +13,10 @@ use super::analysis::{Loop, State};
 use super::checked;
 use super::flatten::when;
 use super::names::{self, Names, Purpose};
-use super::places::{
-    disturbs, erased, is_own, lent, lent_by_indices, load, moves, reads, weight, whole, writes,
-};
+use super::places::{disturbs, erased, weight};
 use super::positions::{Callee, Position};
 use super::{Doubted, Remaining};
+use crate::effects::{is_own, lent, moves, reads, whole, writes};
 
 /// A function on its way.
 pub(super) struct Lowering<'m> {
@@ -56,7 +55,7 @@ pub(super) fn function(
 ) -> (Function, Vec<Remaining>) {
     let lowered = |brings| lowered(module, callees, function.clone(), brings, doubted, keeps);
     let plain = lowered(false);
-    if plain.1.is_empty() || !Enums::read(function) {
+    if plain.1.is_empty() || !reads_enum(function) {
         return plain;
     }
     let brought = lowered(true);
@@ -64,21 +63,11 @@ pub(super) fn function(
 }
 
 /// Whether a function reads an enum.
-struct Enums(bool);
-
-impl Enums {
-    fn read(function: &Function) -> bool {
-        let mut enums = Enums(false);
-        enums.block(&function.body);
-        enums.0
-    }
-}
-
-impl Visit for Enums {
-    fn expr(&mut self, expr: &Expr) {
-        self.0 |= matches!(expr.ty, Type::Enum(_)) && !matches!(expr.kind, ExprKind::Literal(_));
-        walk_expr(self, expr);
-    }
+fn reads_enum(function: &Function) -> bool {
+    let reads = |expr: &Expr| {
+        matches!(expr.ty, Type::Enum(_)) && !matches!(expr.kind, ExprKind::Literal(_))
+    };
+    function.body.any_expr(reads)
 }
 
 fn lowered(
@@ -169,7 +158,7 @@ impl Lowering<'_> {
         let (known, written) = (self.facts.value(&value), lent(&value));
         self.facts.forget(&written);
         if !self.is_statement(&value) {
-            self.protect(&mut value, &lent_by_indices(&place));
+            self.protect(&mut value, &lent(&place));
         }
         let start = self.out.len();
         self.pending = written.clone();
@@ -286,7 +275,7 @@ impl Lowering<'_> {
         if changes(&to) && !ended {
             to = self.keep(to, Purpose::Named(&format!("{name}_end")));
         }
-        let counter = load(variable, &ty, span);
+        let counter = Expr::local(variable, &ty, span);
         let entered = Loop {
             counter: &counter,
             from: &from,

@@ -8,7 +8,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use bessemer_ir::visit::{self, Access, Visit, VisitMut};
+use bessemer_ir::visit::{self, Access, Visit, VisitMut, Walk};
 use bessemer_ir::{
     Argument, Expr, ExprKind, Field, Float, Function, FunctionId, Given, Kernel, Local, LocalId,
     Mode, Module, Owner, Place, Scalar, Step, Stmt, StmtKind, Struct, StructId, Type,
@@ -131,20 +131,15 @@ impl Visit for Uses {
 
 /// The functions called that need work, each once.
 fn called(function: &Function, works: &BTreeMap<FunctionId, StructId>) -> Vec<FunctionId> {
-    struct Calls<'a>(&'a BTreeMap<FunctionId, StructId>, BTreeSet<FunctionId>);
-    impl Visit for Calls<'_> {
-        fn expr(&mut self, expr: &Expr) {
-            if let ExprKind::Call(callee, _) = &expr.kind
-                && self.0.contains_key(callee)
-            {
-                self.1.insert(*callee);
-            }
-            visit::walk_expr(self, expr);
+    let mut called = BTreeSet::new();
+    function.body.each_expr(|expr| {
+        if let ExprKind::Call(callee, _) = &expr.kind
+            && works.contains_key(callee)
+        {
+            called.insert(*callee);
         }
-    }
-    let mut calls = Calls(works, BTreeSet::new());
-    calls.block(&function.body);
-    calls.1.into_iter().collect()
+    });
+    called.into_iter().collect()
 }
 
 /// The fields of a function's work: its large locals, then the works of those it calls.

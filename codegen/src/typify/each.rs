@@ -3,10 +3,8 @@
 //! A name for a reference is another name for the element; a name for a value is a local of its own.
 
 use bessemer_ir::tree::{self, Grouping, Order, Site};
-use bessemer_ir::visit::{self, Visit};
 use bessemer_ir::{
-    Argument, Block, CompareOp, Expr, ExprKind, Local, LocalId, Mode, Place, Span, Step, Stmt,
-    StmtKind, Type,
+    Block, CompareOp, Expr, ExprKind, Local, LocalId, Mode, Place, Span, Step, Stmt, StmtKind, Type,
 };
 
 use super::function::{Binding, Lowering};
@@ -14,6 +12,7 @@ use super::list::lesser;
 use super::pattern::Subject;
 use super::slice::{Slice, divided, greatest, least, minus, plus, times};
 use super::{Result, problem};
+use crate::effects;
 
 impl Lowering<'_, '_> {
     pub(super) fn each_stmt(
@@ -374,7 +373,7 @@ impl Lowering<'_, '_> {
     ) -> Vec<Stmt> {
         let mut copies = Vec::new();
         for (part, place) in parts.iter().zip(places) {
-            if !part.owned || !Written::of(body, place.root) {
+            if !part.owned || !effects::writes_local(body, place.root) {
                 continue;
             }
             let copy = LocalId(self.locals.len() as u32);
@@ -485,33 +484,4 @@ fn shortest(all: &[Passed], span: Span) -> Expr {
     let others = all.iter().filter(|passed| !matches!(passed.count.kind, ExprKind::Literal(_)));
     let counts = least.into_iter().chain(others.map(|passed| passed.count.clone()));
     counts.reduce(|end, count| lesser(count, end)).unwrap_or_else(|| Expr::usize(0, span))
-}
-
-/// Whether a block writes to a local.
-struct Written(LocalId, bool);
-
-impl Written {
-    fn of(block: &Block, local: LocalId) -> bool {
-        let mut written = Written(local, false);
-        block.0.iter().for_each(|stmt| written.stmt(stmt));
-        written.1
-    }
-}
-
-impl Visit for Written {
-    fn stmt(&mut self, stmt: &Stmt) {
-        if let StmtKind::Assign { place, .. } = &stmt.kind {
-            self.1 |= place.root == self.0;
-        }
-        visit::walk_stmt(self, stmt);
-    }
-
-    fn expr(&mut self, expr: &Expr) {
-        if let ExprKind::Call(_, arguments) = &expr.kind {
-            let lent =
-                |it: &Argument| matches!(it, Argument::RefMut(place) if place.root == self.0);
-            self.1 |= arguments.iter().any(lent);
-        }
-        visit::walk_expr(self, expr);
-    }
 }

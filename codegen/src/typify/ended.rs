@@ -16,7 +16,7 @@ use bessemer_ir::{
     Stmt, StmtKind, UnaryOp,
 };
 
-use super::written::{Writes, alike, overlap, place};
+use crate::effects::{lent, overlap, reads, same_place, writes};
 
 #[cfg(test)]
 mod tests;
@@ -127,12 +127,12 @@ fn continues(stmt: &Stmt) -> bool {
 /// What a number is at least where a loop begins: the last that is written to it before, if that shows.
 fn least_at(module: &Module, number: &Expr, lead: &[Stmt]) -> Option<i128> {
     let ours = place(number)?;
-    let writes = |stmt: &&Stmt| Writes::of([*stmt]).touch(number);
-    let value = match &lead.iter().rev().find(writes)?.kind {
+    let touches = |stmt: &&Stmt| reads(number, &writes([*stmt]));
+    let value = match &lead.iter().rev().find(touches)?.kind {
         StmtKind::Let { local, value } if ours.steps.is_empty() && ours.root == *local => {
             value.as_ref()?
         }
-        StmtKind::Assign { place, value } if alike(place, ours) => value,
+        StmtKind::Assign { place, value } if same_place(place, ours) => value,
         _ => return None,
     };
     shown_least(module, value)
@@ -188,8 +188,8 @@ struct Path {
 
 impl Path {
     /// Forgets the locals that are written.
-    fn forget(&mut self, writes: &Writes) {
-        writes.0.iter().for_each(|written| {
+    fn forget(&mut self, writes: &[Place]) {
+        writes.iter().for_each(|written| {
             self.locals.remove(&written.root);
         });
     }
@@ -239,8 +239,8 @@ impl Looked<'_> {
     ) -> Result<(), Reason> {
         // What the condition itself writes, it writes before or behind the comparison.
         self.lent(condition, &mut Path::default())?;
-        let writes = Writes::of(before.iter().chain(body));
-        self.moving = (0..2).filter(|side| writes.touch(self.side(*side))).collect();
+        let written = writes(before.iter().chain(body));
+        self.moving = (0..2).filter(|side| reads(self.side(*side), &written)).collect();
         if self.moving.is_empty() {
             let value = [self.low, self.high].into_iter().find_map(place);
             return Err(match value {
@@ -248,8 +248,8 @@ impl Looked<'_> {
                 None => "nothing in it changes what its condition compares".into(),
             });
         }
-        let led = Writes::of(before);
-        let anew = |side: &Side| self.place(*side).is_none() || led.touch(self.side(*side));
+        let led = writes(before);
+        let anew = |side: &Side| self.place(*side).is_none() || reads(self.side(*side), &led);
         if self.moving.iter().any(anew) {
             return Err("what its condition compares is computed anew in every pass".into());
         }
@@ -324,10 +324,10 @@ impl Looked<'_> {
                 self.lent(from, &mut path)?;
                 self.lent(to, &mut path)?;
                 // It may run any number of times, so that only what it does wrong counts.
-                let touched = Writes::of(&body.0);
+                let touched = writes(&body.0);
                 path.forget(&touched);
                 for side in 0..2 {
-                    if touched.touch(self.side(side)) {
+                    if reads(self.side(side), &touched) {
                         path.written[side] = true;
                         path.above = false;
                         path.locals.values_mut().for_each(|known| known[side] = None);
@@ -370,7 +370,7 @@ impl Looked<'_> {
         }
         for side in 0..2 {
             let Some(ours) = self.place(side).filter(|ours| overlap(ours, to)) else { continue };
-            let far = if alike(ours, to) { self.against(side, value, path) } else { None };
+            let far = if same_place(ours, to) { self.against(side, value, path) } else { None };
             let Some(far) = far else {
                 let name = (self.name)(ours);
                 return Err(format!("`{name}` may {}", WAYS[1 - side]));
@@ -387,9 +387,9 @@ impl Looked<'_> {
 
     /// What a call may write.
     fn lent(&self, expr: &Expr, path: &mut Path) -> Result<(), Reason> {
-        let lent = Writes::of_expr(expr);
+        let lent = lent(expr);
         path.forget(&lent);
-        match (0..2).find(|side| lent.touch(self.side(*side))) {
+        match (0..2).find(|side| reads(self.side(*side), &lent)) {
             Some(side) => Err(match self.place(side) {
                 Some(place) => format!("`{}` is lent to a function", (self.name)(place)),
                 None => "what it compares with is lent to a function".into(),
@@ -526,7 +526,7 @@ impl Looked<'_> {
     /// Whether an expression is one of the two numbers.
     fn is(&self, side: Side, expr: &Expr) -> bool {
         match (&self.side(side).kind, &expr.kind) {
-            (ExprKind::Load(a), ExprKind::Load(b)) => alike(a, b),
+            (ExprKind::Load(a), ExprKind::Load(b)) => same_place(a, b),
             (ExprKind::Const(a), ExprKind::Const(b)) => a == b,
             (ExprKind::Literal(a), ExprKind::Literal(b)) => a == b,
             _ => false,
@@ -566,5 +566,16 @@ fn meet(a: Option<Path>, b: Option<Path>) -> Option<Path> {
     match a {
         Some(a) => Some(a.join(b)),
         None => b,
+    }
+}
+
+/// A place of fields alone.
+fn place(expr: &Expr) -> Option<&Place> {
+    match &expr.kind {
+        ExprKind::Load(place) => {
+            let fields = place.steps.iter().all(|step| matches!(step, Step::Field(_)));
+            fields.then_some(place)
+        }
+        _ => None,
     }
 }

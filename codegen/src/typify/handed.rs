@@ -5,8 +5,8 @@
 
 use std::collections::{BTreeSet, HashMap};
 
+use bessemer_ir::tree::visit::{Bound, Locals, Visit};
 use bessemer_ir::tree::{self, Site, Ty};
-use bessemer_ir::visit::{Access, Visit, walk_place};
 use bessemer_ir::{
     Argument, Block, Expr, ExprKind, FunctionId, Local, LocalId, Mode, Place, Role, Type,
 };
@@ -14,6 +14,7 @@ use bessemer_ir::{
 use super::function::{Binding, Lowering, UNNAMED};
 use super::pattern::Subject;
 use super::{OUR_FAULT, Result, names, problem};
+use crate::effects;
 
 /// A closure that was handed to the function that is being lowered.
 #[derive(Clone)]
@@ -139,7 +140,6 @@ impl<'a> Lowering<'a, '_> {
         inner.body(&template.tree.body)?;
         let body = Block(std::mem::take(&mut inner.out));
         inner.check_locals()?;
-        let written = Written::of(&body);
         let mut locals = std::mem::take(&mut inner.locals);
         let result = inner.result.clone();
         let absent = std::mem::take(&mut inner.absent);
@@ -147,7 +147,7 @@ impl<'a> Lowering<'a, '_> {
         for (index, place) in outside.into_iter().enumerate() {
             let id = LocalId((first + index) as u32);
             let local = &mut locals[id.index()];
-            let argument = match (written.0.contains(&id), local.ty.is_word()) {
+            let argument = match (effects::writes_local(&body, id), local.ty.is_word()) {
                 (true, _) => Argument::RefMut(place),
                 (false, true) => Argument::Value(place.load()),
                 (false, false) => Argument::Ref(place.load()),
@@ -294,64 +294,8 @@ impl<'a> Lowering<'a, '_> {
 
 /// The names that stand in a closure's body, as far as they are not its own parameters.
 fn names_in(closure: &tree::Closure) -> BTreeSet<String> {
-    // In its travelling form the tree can be searched without a walk over every kind of node.
-    fn locals(value: &serde_json::Value, found: &mut BTreeSet<String>) {
-        match value {
-            serde_json::Value::Object(map) => {
-                for (key, value) in map {
-                    match (key.as_str(), value) {
-                        ("Local", serde_json::Value::String(name)) => {
-                            found.insert(name.clone());
-                        }
-                        _ => locals(value, found),
-                    }
-                }
-            }
-            serde_json::Value::Array(items) => items.iter().for_each(|item| locals(item, found)),
-            _ => {}
-        }
-    }
-    let mut found = BTreeSet::new();
-    locals(&serde_json::to_value(&closure.body).unwrap_or_default(), &mut found);
-    let parameters = serde_json::to_value(&closure.parameters).unwrap_or_default();
-    let mut own = BTreeSet::new();
-    bound(&parameters, &mut own);
-    found.difference(&own).cloned().collect()
-}
-
-/// The names that patterns bind.
-fn bound(value: &serde_json::Value, found: &mut BTreeSet<String>) {
-    match value {
-        serde_json::Value::Object(map) => {
-            if let Some(serde_json::Value::Object(name)) = map.get("Name")
-                && let Some(serde_json::Value::String(text)) = name.get("name")
-            {
-                found.insert(text.clone());
-            }
-            map.values().for_each(|value| bound(value, found));
-        }
-        serde_json::Value::Array(items) => items.iter().for_each(|item| bound(item, found)),
-        _ => {}
-    }
-}
-
-/// The locals that a body writes.
-#[derive(Default)]
-struct Written(BTreeSet<LocalId>);
-
-impl Written {
-    fn of(body: &Block) -> Written {
-        let mut written = Written::default();
-        written.block(body);
-        written
-    }
-}
-
-impl Visit for Written {
-    fn place(&mut self, place: &Place, access: Access) {
-        if access != Access::Read {
-            self.0.insert(place.root);
-        }
-        walk_place(self, place);
-    }
+    let (mut named, mut own) = (Locals::default(), Bound::default());
+    named.expr(&closure.body);
+    closure.parameters.iter().for_each(|parameter| own.pattern(parameter));
+    named.0.difference(&own.0).cloned().collect()
 }

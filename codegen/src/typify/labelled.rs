@@ -4,9 +4,7 @@
 //! what follows, or a loop is left, a flag says whether the block has been left.
 
 use bessemer_ir::tree;
-use bessemer_ir::{
-    Arm, Block, Expr, Local, LocalId, Mode, Place, Span, Stmt, StmtKind, Type,
-};
+use bessemer_ir::{Arm, Block, Expr, Local, LocalId, Mode, Place, Span, Stmt, StmtKind, Type};
 
 use super::Result;
 use super::equal::stmt;

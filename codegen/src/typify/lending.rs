@@ -4,9 +4,9 @@
 //! and the place can be written. One that only lends to be read, and chooses between places, is a function that gives
 //! a copy; nothing writes to what is lent while it is.
 
+use bessemer_ir::tree::visit::{self, Locals, Visit, VisitMut};
 use bessemer_ir::tree::{self, ExprKind as Tree, Pattern, Site, Ty};
 use bessemer_ir::{Expr, ExprKind, Place, Type};
-use serde_json::Value;
 
 use super::function::{Binding, Lowering};
 use super::{Context, OUR_FAULT, Problem, Result, diagnostic, problem};
@@ -27,28 +27,53 @@ pub(super) fn lends(function: &tree::Function) -> Option<bool> {
     }
 }
 
-/// The same tree wherever it stands, and whether it lends to be read or to be written.
-fn bare(value: Value) -> Value {
-    match value {
-        Value::Object(map) => {
-            let inner = map.into_iter().filter(|(key, _)| key != "site" && key != "slot");
-            let inner = inner.map(|(key, value)| match (key.as_str(), value) {
-                ("Ref", Value::Array(mut parts)) => (key, bare(parts.pop().unwrap_or_default())),
-                (_, value) => (key, bare(value)),
-            });
-            Value::Object(inner.collect())
+/// Takes away where a tree stands, what rustc inferred of it, and whether it lends to be read or to be written.
+struct Bare;
+
+impl VisitMut for Bare {
+    fn stmt(&mut self, stmt: &mut tree::Stmt) {
+        match stmt {
+            tree::Stmt::Let { site, slot, .. } => (*site, *slot) = (Site::default(), 0),
+            tree::Stmt::Apart { site, .. } => *site = Site::default(),
+            tree::Stmt::Expr(_) => {}
         }
-        Value::Array(items) => Value::Array(items.into_iter().map(bare).collect()),
-        other => other,
+        visit::walk_stmt_mut(self, stmt);
+    }
+
+    fn arm(&mut self, arm: &mut tree::Arm) {
+        arm.site = Site::default();
+        visit::walk_arm_mut(self, arm);
+    }
+
+    fn pattern(&mut self, pattern: &mut Pattern) {
+        if let Pattern::Name { slot, .. } = pattern {
+            *slot = 0;
+        }
+        visit::walk_pattern_mut(self, pattern);
+    }
+
+    fn expr(&mut self, expr: &mut tree::Expr) {
+        (expr.site, expr.slot) = (Site::default(), None);
+        match &mut expr.kind {
+            Tree::Ref(mutable, _) => *mutable = false,
+            Tree::For { slot, .. } => *slot = 0,
+            _ => {}
+        }
+        visit::walk_expr_mut(self, expr);
     }
 }
 
-/// What a function does, and to what.
-fn meaning(function: &tree::Function) -> Value {
-    let tree = &function.tree;
-    let names: Vec<_> = tree.params.iter().map(|param| &param.name).collect();
-    let called = (&function.callees, &function.constants);
-    bare(serde_json::to_value((names, &tree.body, called)).unwrap_or_default())
+/// Whether two functions do the same to the same.
+fn same_meaning(one: &tree::Function, other: &tree::Function) -> bool {
+    let names = |it: &tree::Function| it.tree.params.iter().map(|it| it.name.clone()).collect();
+    let called = |it: &tree::Function| (it.callees.clone(), it.constants.clone());
+    let bare = |it: &tree::Function| {
+        let mut body = it.tree.body.clone();
+        Bare.block(&mut body);
+        body
+    };
+    let (one_names, other_names): (Vec<_>, Vec<_>) = (names(one), names(other));
+    one_names == other_names && called(one) == called(other) && bare(one) == bare(other)
 }
 
 /// The names of the parts of a parameter that the body begins with taking apart, `(row, column): (usize, usize)`; then
@@ -69,8 +94,9 @@ fn taken_apart(body: &mut tree::Block, name: &str, count: usize) -> Option<Vec<S
         return None;
     }
     let stmt = body.stmts.remove(at);
-    let text = serde_json::to_string(&body).unwrap_or_default();
-    if text.contains(&format!("{{\"Local\":\"{name}\"}}")) {
+    let mut named = Locals::default();
+    named.block(body);
+    if named.0.contains(name) {
         body.stmts.insert(at, stmt);
         return None;
     }
@@ -260,7 +286,8 @@ impl<'a> Lowering<'a, '_> {
         let Some((_, _, path)) = found.iter().find(|it| !it.1).copied() else { return Ok(None) };
         let Some((_, _, other)) = found.iter().find(|it| it.1) else { return Ok(Some(path)) };
         let (read, written) = (self.cx.all.get(path), self.cx.all.get(other));
-        if read.map(|it| meaning(it)) != written.map(|it| meaning(it)) {
+        let alike = read.zip(written).is_some_and(|(one, other)| same_meaning(one, other));
+        if !alike {
             return problem(
                 site,
                 "`Index` and `IndexMut` of this type lend in two ways, and here either may be meant",

@@ -56,7 +56,6 @@ mod spatial;
 mod stepped;
 mod types;
 mod views;
-mod written;
 mod written_views;
 
 use std::collections::{HashMap, HashSet};

@@ -5,7 +5,7 @@
 
 use std::collections::HashSet;
 
-use bessemer_ir::visit::{self, Access, Visit};
+use bessemer_ir::visit::{Access, Walk};
 use bessemer_ir::{
     Argument, CompareOp, Expr, ExprKind, Fault, Intrinsic, LocalId, Place, Scalar, Step, Stmt,
     StmtKind, Type,
@@ -13,6 +13,7 @@ use bessemer_ir::{
 
 use super::function::Lowering;
 use super::place::is_fixed;
+use crate::effects;
 
 impl Lowering<'_, '_> {
     /// The statements since `mark`, taken out; what comes before them can still be emitted.
@@ -104,13 +105,16 @@ impl Lowering<'_, '_> {
 
 /// Whether `value` is the same before and after `later`, and its faults come as they would.
 pub(super) fn is_settled(value: &Expr, later: &[Stmt]) -> bool {
-    let Some(read) = Reads::of(value) else { return false };
+    if effects::calls(value) {
+        return false;
+    }
     let fixed = match &value.kind {
         ExprKind::Literal(_) | ExprKind::Const(_) => true,
         ExprKind::Load(place) => place.steps.iter().all(is_fixed),
         _ => false,
     };
-    (fixed || later.iter().all(is_quiet)) && !later.iter().any(|stmt| writes(stmt, &read))
+    (fixed || later.iter().all(is_quiet))
+        && !later.iter().any(|stmt| writes_what_is_read(stmt, value))
 }
 
 /// Whether a statement does nothing but give a name to what can be had without effect or fault.
@@ -118,53 +122,14 @@ fn is_quiet(stmt: &Stmt) -> bool {
     matches!(&stmt.kind, StmtKind::Let { value, .. } if value.as_ref().is_none_or(is_free))
 }
 
-/// Whether a statement may write what one of these locals holds.
-fn writes(stmt: &Stmt, locals: &[LocalId]) -> bool {
-    let mut written = Written(Vec::new());
-    written.stmt(stmt);
-    written.0.iter().any(|local| locals.contains(local))
-}
-
-/// The locals that statements write or pass to calls that may.
-struct Written(Vec<LocalId>);
-
-impl Visit for Written {
-    fn place(&mut self, place: &Place, access: Access) {
-        if access != Access::Read {
-            self.0.push(place.root);
-        }
-        visit::walk_place(self, place);
-    }
-}
-
-/// The locals that an expression reads; none if it calls.
-struct Reads(Option<Vec<LocalId>>);
-
-impl Reads {
-    fn of(expr: &Expr) -> Option<Vec<LocalId>> {
-        let mut reads = Reads(Some(Vec::new()));
-        reads.expr(expr);
-        reads.0
-    }
-}
-
-impl Visit for Reads {
-    fn expr(&mut self, expr: &Expr) {
-        if matches!(expr.kind, ExprKind::Call(..)) {
-            self.0 = None;
-        }
-        visit::walk_expr(self, expr);
-    }
-
-    fn place(&mut self, place: &Place, _: Access) {
-        self.0.iter_mut().for_each(|read| read.push(place.root));
-        visit::walk_place(self, place);
-    }
+/// Whether a statement writes a part of a local that an expression reads.
+fn writes_what_is_read(stmt: &Stmt, expr: &Expr) -> bool {
+    stmt.any_place(|place, access| access != Access::Read && effects::mentions(expr, place.root))
 }
 
 /// Whether an expression writes anything.
 pub(super) fn has_effect(expr: &Expr) -> bool {
-    !Lent::of(expr).0.is_empty()
+    !effects::lent(expr).is_empty()
 }
 
 /// Whether a value may be computed before or after others: it writes nothing, and cannot fault. A
@@ -175,23 +140,17 @@ pub(super) fn is_free(expr: &Expr) -> bool {
 
 /// Whether nothing in an expression writes, calls or faults, save for loads that `allowed` judges.
 fn is_quiet_but_for(expr: &Expr, allowed: impl Fn(&Place) -> bool) -> bool {
-    struct Quiet<F>(bool, F);
-    impl<F: Fn(&Place) -> bool> Visit for Quiet<F> {
-        fn expr(&mut self, expr: &Expr) {
-            let float = matches!(expr.ty, Type::Scalar(Scalar::Float(_) | Scalar::Bool));
-            self.0 &= match &expr.kind {
-                ExprKind::Call(..) => false,
-                ExprKind::Intrinsic(which, _) => float && *which != Intrinsic::Clamp,
-                ExprKind::Unary(..) | ExprKind::Binary(..) => float,
-                ExprKind::Load(place) => (self.1)(place),
-                _ => true,
-            };
-            visit::walk_expr(self, expr);
-        }
-    }
-    let mut quiet = Quiet(true, allowed);
-    quiet.expr(expr);
-    quiet.0
+    !expr.any_expr(|expr| {
+        let float = matches!(expr.ty, Type::Scalar(Scalar::Float(_) | Scalar::Bool));
+        let quiet = match &expr.kind {
+            ExprKind::Call(..) => false,
+            ExprKind::Intrinsic(which, _) => float && *which != Intrinsic::Clamp,
+            ExprKind::Unary(..) | ExprKind::Binary(..) => float,
+            ExprKind::Load(place) => allowed(place),
+            _ => true,
+        };
+        !quiet
+    })
 }
 
 /// Whether it is the same, result and fault, if `value` is computed after `place`.
@@ -208,26 +167,6 @@ fn indices(place: &Place) -> impl Iterator<Item = &Expr> {
         Step::Index(index) | Step::From(index) => [Some(index), None].into_iter().flatten(),
         Step::Element(row, column) => [Some(row), Some(column)].into_iter().flatten(),
     })
-}
-
-/// The locals that calls in an expression may write.
-struct Lent(Vec<LocalId>);
-
-impl Lent {
-    fn of(expr: &Expr) -> Lent {
-        let mut lent = Lent(Vec::new());
-        lent.expr(expr);
-        lent
-    }
-}
-
-impl Visit for Lent {
-    fn place(&mut self, place: &Place, access: Access) {
-        if access == Access::Lend {
-            self.0.push(place.root);
-        }
-        visit::walk_place(self, place);
-    }
 }
 
 /// The value of an argument that is not lent.

@@ -6,9 +6,8 @@
 //! A payload is looked at only behind the test that it is there.
 
 use bessemer_ir::tree::{self, NO_SLOT, Site};
-use bessemer_ir::visit::{self, Access, Visit};
 use bessemer_ir::{
-    Block, Expr, ExprKind, LocalId, LogicOp, Mode, Place, Step, Stmt, StmtKind, StructId, Type,
+    Block, Expr, ExprKind, LogicOp, Mode, Place, Step, Stmt, StmtKind, StructId, Type,
 };
 
 use super::OUR_FAULT;
@@ -19,6 +18,7 @@ use super::nothing::At;
 use super::order::is_settled;
 use super::slice::Slice;
 use super::{Result, problem};
+use crate::effects;
 
 /// What is matched: a place, or several side by side that are written as a tuple.
 #[derive(Clone)]
@@ -481,20 +481,11 @@ impl Lowering<'_, '_> {
 
 /// A block without the names that it begins with and does not use.
 pub(super) fn used(mut block: Block) -> Block {
-    struct Reads(LocalId, bool);
-    impl Visit for Reads {
-        fn place(&mut self, place: &Place, _: Access) {
-            self.1 |= place.root == self.0;
-            visit::walk_place(self, place);
-        }
-    }
     let mut at = 0;
     while let Some(Stmt { kind: StmtKind::Let { local, value: Some(value) }, .. }) = block.0.get(at)
         && matches!(value.kind, ExprKind::Load(_))
     {
-        let mut reads = Reads(*local, false);
-        block.0[at + 1..].iter().for_each(|stmt| reads.stmt(stmt));
-        if reads.1 {
+        if effects::mentions(&block.0[at + 1..], *local) {
             at += 1;
         } else {
             block.0.remove(at);

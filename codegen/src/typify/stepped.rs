@@ -2,8 +2,8 @@
 
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{
-    BinaryOp, CompareOp, Expr, ExprKind, Fault, Int, Intrinsic, Local, LocalId, Mode,
-    Scalar, StmtKind, Type,
+    BinaryOp, CompareOp, Expr, ExprKind, Fault, Int, Intrinsic, Local, LocalId, Mode, Scalar,
+    StmtKind, Type,
 };
 
 use super::function::Lowering;

@@ -4,7 +4,7 @@
 
 use std::collections::BTreeSet;
 
-use bessemer_ir::visit::{Visit, walk_block, walk_expr, walk_stmt};
+use bessemer_ir::visit::{Visit, Walk, walk_block, walk_expr, walk_stmt};
 use bessemer_ir::{
     Arm, Block, Expr, ExprKind, Function, FunctionId, LocalId, Module, Span, Stmt, StmtKind, Type,
 };
@@ -178,9 +178,13 @@ impl Body<'_> {
             }
             StmtKind::Check { condition, .. } => {
                 self.condition(condition);
-                let mut calls = Calls(None);
-                calls.expr(condition);
-                if let Some(span) = calls.0 {
+                let mut call = None;
+                condition.each_expr(|expr| {
+                    if let ExprKind::Call(..) = expr.kind {
+                        call.get_or_insert(expr.span);
+                    }
+                });
+                if let Some(span) = call {
                     self.note(span, Err(Problem::CallInCheck));
                 }
                 if matches!(condition.kind, ExprKind::Literal(0)) {
@@ -280,17 +284,5 @@ impl Body<'_> {
         self.flow.forget(&declared);
         // The body may not run at all.
         self.flow.rewind(before);
-    }
-}
-
-/// The first call in an expression.
-struct Calls(Option<Span>);
-
-impl Visit for Calls {
-    fn expr(&mut self, expr: &Expr) {
-        if let ExprKind::Call(..) = expr.kind {
-            self.0.get_or_insert(expr.span);
-        }
-        walk_expr(self, expr);
     }
 }

@@ -7,6 +7,7 @@
 //! Must not know: what an operation means. That is the typifier's.
 
 mod data;
+pub mod visit;
 mod way;
 
 use alloc::boxed::Box;

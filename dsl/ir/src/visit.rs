@@ -1,7 +1,8 @@
 //! Walks over statements, expressions and places, children in the order in which they are evaluated.
 //!
 //! Implement [`Visit`] (to read) or [`VisitMut`] (to rewrite) and override what matters; an override
-//! goes on to the children by calling the `walk_…` function of the same name.
+//! goes on to the children by calling the `walk_…` function of the same name. Where one closure can tell, [`Walk`]
+//! spares the visitor.
 //!
 //! Invariants: every node is met exactly once; a place that is written is met after the value that is
 //! written to it; a declaration is met after the value (or the bounds) it starts from.
@@ -155,4 +156,108 @@ visitor! {
 visitor! {
     /// Rewrites every node under the one it is started on, in place.
     VisitMut(mut) => walk_block_mut walk_stmt_mut walk_expr_mut walk_place_mut
+}
+
+/// A node in which something is looked for: what one closure can tell needs no visitor of its own.
+///
+/// The walks are [`Visit`]'s, the node itself included; of a place, the indices.
+pub trait Walk {
+    /// Starts a visitor on the node.
+    fn walk<V: Visit>(&self, visitor: &mut V);
+
+    /// Shows each statement, outer before inner.
+    fn each_stmt(&self, see: impl FnMut(&Stmt)) {
+        self.walk(&mut Stmts(see));
+    }
+
+    /// Shows each expression, outer before inner.
+    fn each_expr(&self, see: impl FnMut(&Expr)) {
+        self.walk(&mut Exprs(see));
+    }
+
+    /// Shows each place, and what is done with it.
+    fn each_place(&self, see: impl FnMut(&Place, Access)) {
+        self.walk(&mut Places(see));
+    }
+
+    /// Whether this holds of a statement.
+    fn any_stmt(&self, mut test: impl FnMut(&Stmt) -> bool) -> bool {
+        let mut found = false;
+        self.each_stmt(|stmt| found = found || test(stmt));
+        found
+    }
+
+    /// Whether this holds of an expression.
+    fn any_expr(&self, mut test: impl FnMut(&Expr) -> bool) -> bool {
+        let mut found = false;
+        self.each_expr(|expr| found = found || test(expr));
+        found
+    }
+
+    /// Whether this holds of a place.
+    fn any_place(&self, mut test: impl FnMut(&Place, Access) -> bool) -> bool {
+        let mut found = false;
+        self.each_place(|place, access| found = found || test(place, access));
+        found
+    }
+}
+
+impl Walk for Block {
+    fn walk<V: Visit>(&self, visitor: &mut V) {
+        visitor.block(self);
+    }
+}
+
+impl Walk for [Stmt] {
+    fn walk<V: Visit>(&self, visitor: &mut V) {
+        self.iter().for_each(|stmt| visitor.stmt(stmt));
+    }
+}
+
+impl Walk for Stmt {
+    fn walk<V: Visit>(&self, visitor: &mut V) {
+        visitor.stmt(self);
+    }
+}
+
+impl Walk for Expr {
+    fn walk<V: Visit>(&self, visitor: &mut V) {
+        visitor.expr(self);
+    }
+}
+
+impl Walk for Place {
+    fn walk<V: Visit>(&self, visitor: &mut V) {
+        walk_place(visitor, self);
+    }
+}
+
+struct Stmts<F>(F);
+
+impl<F: FnMut(&Stmt)> Visit for Stmts<F> {
+    fn stmt(&mut self, stmt: &Stmt) {
+        (self.0)(stmt);
+        walk_stmt(self, stmt);
+    }
+    // No statement stands in one.
+    fn expr(&mut self, _: &Expr) {}
+    fn place(&mut self, _: &Place, _: Access) {}
+}
+
+struct Exprs<F>(F);
+
+impl<F: FnMut(&Expr)> Visit for Exprs<F> {
+    fn expr(&mut self, expr: &Expr) {
+        (self.0)(expr);
+        walk_expr(self, expr);
+    }
+}
+
+struct Places<F>(F);
+
+impl<F: FnMut(&Place, Access)> Visit for Places<F> {
+    fn place(&mut self, place: &Place, access: Access) {
+        (self.0)(place, access);
+        walk_place(self, place);
+    }
 }

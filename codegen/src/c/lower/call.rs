@@ -2,11 +2,11 @@
 
 use bessemer_ir::{Argument, Expr as Ir, ExprKind, FunctionId, Place, Type};
 
-use super::super::analysis::{overlap, reads};
 use super::super::names::{Passing, Returned, Storage};
 use super::super::tree::{Expr, StmtKind};
 use super::Lower;
 use super::copy::indexed_by;
+use crate::effects::{overlap, reads_place};
 
 impl Lower<'_> {
     /// A call whose result is one word and which cannot fault, as an expression.
@@ -167,7 +167,7 @@ impl Lower<'_> {
     /// Whether a value that C passes by address could change under the callee's hands.
     fn needs_copy(&self, value: &Ir, arguments: &[Argument]) -> bool {
         arguments.iter().any(|other| match other {
-            Argument::RefMut(place) => reads(value, place),
+            Argument::RefMut(place) => reads_place(value, place),
             _ => false,
         })
     }
@@ -190,7 +190,7 @@ fn lends(argument: &Argument, dest: &Place) -> bool {
     match argument {
         Argument::RefMut(place) => overlap(place, dest),
         Argument::Value(value) | Argument::Ref(value) => {
-            value.ty.is_aggregate() && reads(value, dest)
+            value.ty.is_aggregate() && reads_place(value, dest)
         }
     }
 }

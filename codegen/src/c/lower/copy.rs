@@ -2,10 +2,10 @@
 
 use bessemer_ir::{Expr as Ir, ExprKind, Place, Step, StructId, Type};
 
-use super::super::analysis::{overlap, reads};
 use super::super::tree::{Declarator, Expr, Init, Lines, Step as ForStep, StmtKind};
 use super::Lower;
 use super::stmt::is_simple;
+use crate::effects::{overlap, reads_place};
 
 /// Up to so many words are copied by a line each.
 const LINES: u32 = 4;
@@ -31,7 +31,7 @@ impl Lower<'_> {
             value.kind,
             ExprKind::Struct(_) | ExprKind::Array(_) | ExprKind::Matrix(_) | ExprKind::Splat(_)
         );
-        if built && place.is_some_and(|place| reads(value, place)) {
+        if built && place.is_some_and(|place| reads_place(value, place)) {
             self.store_through_copy(dest, value);
             return;
         }
@@ -321,7 +321,7 @@ impl Lower<'_> {
     /// A value to compute with more than once: itself if that is simple, else a constant.
     pub(super) fn once(&mut self, name: &str, value: &Ir, place: Option<&Place>) -> Expr {
         let lowered = self.word(value);
-        let disturbed = place.is_some_and(|place| reads(value, place));
+        let disturbed = place.is_some_and(|place| reads_place(value, place));
         if is_simple(&lowered) && !disturbed {
             return lowered;
         }
@@ -371,9 +371,11 @@ fn is_zero(value: &Ir) -> bool {
 pub(super) fn indexed_by(place: &Place, written: &[&Place]) -> bool {
     place.steps.iter().any(|step| match step {
         Step::Field(_) => false,
-        Step::Index(index) | Step::From(index) => written.iter().any(|place| reads(index, place)),
+        Step::Index(index) | Step::From(index) => {
+            written.iter().any(|place| reads_place(index, place))
+        }
         Step::Element(row, column) => {
-            written.iter().any(|place| reads(row, place) || reads(column, place))
+            written.iter().any(|place| reads_place(row, place) || reads_place(column, place))
         }
     })
 }

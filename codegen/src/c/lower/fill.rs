@@ -2,12 +2,14 @@
 //!
 //! Invariant: where [`filled`] says so, every element is assigned before anything reads it, on each path.
 
-use bessemer_ir::visit::{Access, Visit, walk_place};
+use bessemer_ir::visit::Walk;
 use bessemer_ir::{Block, Expr, ExprKind, LocalId, Place, Step, Stmt, StmtKind, Type};
+
+use crate::effects::mentions;
 
 /// Whether a loop of `rest`, the first statement that mentions `local`, assigns each of its elements.
 pub(super) fn filled(local: LocalId, ty: &Type, rest: &[Stmt]) -> bool {
-    let Some(first) = rest.iter().find(|stmt| mentions(local, |walk| walk.stmt(stmt))) else {
+    let Some(first) = rest.iter().find(|stmt| mentions(*stmt, local)) else {
         return false;
     };
     let Some((outer, to, body)) = through(first) else { return false };
@@ -50,18 +52,18 @@ fn assigns(local: LocalId, at: &[Option<LocalId>], block: &Block) -> bool {
     for stmt in &block.0 {
         match &stmt.kind {
             StmtKind::Assign { place, value } if place.root == local => {
-                return is_element(place, at) && !mentions(local, |walk| walk.expr(value));
+                return is_element(place, at) && !mentions(value, local);
             }
             StmtKind::If { condition, then, otherwise } => {
                 let both = assigns(local, at, then) && assigns(local, at, otherwise);
                 if both {
-                    return !mentions(local, |walk| walk.expr(condition));
+                    return !mentions(condition, local);
                 }
             }
             StmtKind::Break | StmtKind::Continue | StmtKind::Return(_) => return false,
             _ => {}
         }
-        if mentions(local, |walk| walk.stmt(stmt)) || leaves(stmt) {
+        if mentions(stmt, local) || leaves(stmt) {
             return false;
         }
     }
@@ -81,33 +83,9 @@ fn is_element(place: &Place, at: &[Option<LocalId>]) -> bool {
     }
 }
 
-/// Whether a local stands in what is walked.
-fn mentions(local: LocalId, walk: impl FnOnce(&mut Mentions)) -> bool {
-    let mut mentions = Mentions(local, false);
-    walk(&mut mentions);
-    mentions.1
-}
-
-struct Mentions(LocalId, bool);
-
-impl Visit for Mentions {
-    fn place(&mut self, place: &Place, _: Access) {
-        self.1 |= place.root == self.0;
-        walk_place(self, place);
-    }
-}
-
 /// Whether something in a statement leaves a loop or the function.
 fn leaves(stmt: &Stmt) -> bool {
-    struct Leaves(bool);
-    impl Visit for Leaves {
-        fn stmt(&mut self, stmt: &Stmt) {
-            self.0 |=
-                matches!(stmt.kind, StmtKind::Break | StmtKind::Continue | StmtKind::Return(_));
-            bessemer_ir::visit::walk_stmt(self, stmt);
-        }
-    }
-    let mut leaves = Leaves(false);
-    leaves.stmt(stmt);
-    leaves.0
+    stmt.any_stmt(|stmt| {
+        matches!(stmt.kind, StmtKind::Break | StmtKind::Continue | StmtKind::Return(_))
+    })
 }

@@ -3,16 +3,15 @@
 //! A range that includes its end may end at the largest value of its type, where `i <= end` never
 //! fails; unless the bound is known to be smaller, a flag ends the loop.
 
-use bessemer_ir::{
-    Block, CompareOp, Expr as Ir, ExprKind, Int, LocalId, Scalar, StmtKind as IrKind, Type,
-};
+use bessemer_ir::visit::{Access, Walk};
+use bessemer_ir::{Block, CompareOp, Expr as Ir, ExprKind, Int, LocalId, Place, Scalar, Type};
 
-use super::super::analysis::{reads_local, walk_expr, walk_exprs, walk_stmts};
 use super::super::literal;
 use super::super::names::scalar_type;
 use super::super::tree::{Declarator, Expr, Init, Step, StmtKind};
 use super::Lower;
 use super::place::is_small;
+use crate::effects::mentions;
 
 /// The pieces of a loop that its form decides.
 struct Head {
@@ -255,25 +254,9 @@ fn literal_like(other: &Expr, int: Int, value: i128) -> Expr {
 
 /// Whether a bound keeps its value while the body runs, and costs little to read.
 fn holds_still(value: &Ir, body: &Block) -> bool {
-    let mut still = true;
-    walk_expr(value, &mut |expr| {
-        still &= !matches!(expr.kind, ExprKind::Call(..) | ExprKind::Routine(..));
-    });
-    walk_stmts(body, &mut |stmt| {
-        if let IrKind::Assign { place, .. } = &stmt.kind {
-            still &= !reads_local(value, place.root);
-        }
-    });
-    walk_exprs(body, &mut |expr| {
-        if let ExprKind::Call(_, arguments) = &expr.kind {
-            for argument in arguments {
-                if let bessemer_ir::Argument::RefMut(place) = argument {
-                    still &= !reads_local(value, place.root);
-                }
-            }
-        }
-    });
-    still
+    let computes = |expr: &Ir| matches!(expr.kind, ExprKind::Call(..) | ExprKind::Routine(..));
+    let written = |place: &Place, access| access != Access::Read && mentions(value, place.root);
+    !value.any_expr(computes) && !body.any_place(written)
 }
 
 /// Whether an expression calls anything.

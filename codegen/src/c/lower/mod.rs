@@ -24,12 +24,13 @@ mod word;
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use bessemer_ir::visit::Walk;
 use bessemer_ir::{
     Block, ConstId, ExprKind, Function, FunctionId, LocalId, Mode, Module, Owner, Role, Span,
     StmtKind as IrKind, Type,
 };
 
-use super::analysis::{Faults, Usage, walk_exprs, walk_stmts};
+use super::analysis::{Faults, Usage};
 use super::helpers::Helper;
 use super::layout::size_of;
 use super::names::{Names, Signature, local_name, unique};
@@ -245,7 +246,7 @@ impl<'a> Lower<'a> {
         });
         let declared: Vec<LocalId> = declared.collect();
         let mut returned: Vec<Option<LocalId>> = Vec::new();
-        walk_stmts(&self.function.body, &mut |stmt| {
+        self.function.body.each_stmt(|stmt| {
             if let IrKind::Return(value) = &stmt.kind {
                 returned.push(value.as_ref().and_then(|value| match &value.kind {
                     ExprKind::Load(place) if place.steps.is_empty() => Some(place.root),
@@ -260,7 +261,7 @@ impl<'a> Lower<'a> {
 
     fn calls_fallible(&self) -> bool {
         let mut found = false;
-        walk_exprs(&self.function.body, &mut |expr| {
+        self.function.body.each_expr(|expr| {
             if let ExprKind::Call(callee, _) = &expr.kind {
                 found |= self.context.faults.fallible(*callee);
             }

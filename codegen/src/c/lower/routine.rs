@@ -6,13 +6,13 @@
 use bessemer_ir::kernel::{DOTS_WRITTEN_OUT, WRITTEN_OUT};
 use bessemer_ir::{BinaryOp, Expr as Ir, ExprKind, Float, Place, Routine, Scalar, Type};
 
-use super::super::analysis::reads;
 use super::super::helpers::Helper;
 use super::super::literal;
 use super::super::matrices::Layout;
 use super::super::tree::{Expr, Init, Lines, StmtKind};
 use super::Lower;
 use super::place::shape;
+use crate::effects::reads_place;
 
 /// Up to so many elements an element-wise routine is written out.
 const ELEMENTS: u32 = 4;
@@ -167,7 +167,7 @@ impl Lower<'_> {
             self.store_beside(&dest, value);
             return;
         }
-        if !is_element_wise(routine) && place.is_some_and(|place| reads(value, place)) {
+        if !is_element_wise(routine) && place.is_some_and(|place| reads_place(value, place)) {
             self.store_through_copy(dest, value);
             return;
         }

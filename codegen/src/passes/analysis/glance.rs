@@ -3,7 +3,7 @@
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::mem::discriminant;
 
-use bessemer_ir::visit::{Access, Visit, walk_expr, walk_place};
+use bessemer_ir::visit::{Access, Visit, Walk, walk_expr, walk_place};
 use bessemer_ir::{Expr, ExprKind, LocalId, LogicOp, Place, Step};
 
 /// What conditions have in common where one can follow from the other: the operands of the comparison
@@ -31,23 +31,14 @@ impl Glance {
             ExprKind::Compare(_, a, b) => hashed(a).wrapping_add(hashed(b)),
             _ => hashed(last),
         };
-        let mut roots = Roots(0);
-        roots.expr(condition);
-        Glance { operands, roots: roots.0 }
+        let mut roots = 0;
+        condition.each_place(|place, _| roots |= bit(place.root));
+        Glance { operands, roots }
     }
 
     /// Whether one may follow from the other.
     pub(crate) fn like(self, other: Glance) -> bool {
         self.operands == other.operands
-    }
-}
-
-struct Roots(u64);
-
-impl Visit for Roots {
-    fn place(&mut self, place: &Place, _: Access) {
-        self.0 |= bit(place.root);
-        walk_place(self, place);
     }
 }
 

@@ -15,7 +15,7 @@ use bessemer_ir::{BinaryOp, Block, CompareOp, Expr, ExprKind, LocalId, Place, St
 use super::domain::Interval;
 use super::state::{Known, State};
 use super::walk;
-use crate::passes::places::{lent, load, overlap, whole, writes};
+use crate::effects::{lent, overlap, whole, writes};
 
 /// A `for` that is about to be entered.
 pub(crate) struct Loop<'a> {
@@ -92,7 +92,7 @@ impl Loop<'_> {
         self.forget(&mut head);
         let counted = |place: &Place| {
             place.ty.as_int()?;
-            let local = load(place.root, &place.ty, place.span);
+            let local = Expr::local(place.root, &place.ty, place.span);
             let range = before.range(&local);
             if !place.steps.is_empty() || before.all(&local.ty) == Some(range) {
                 return None;

@@ -10,7 +10,8 @@ use std::rc::Rc;
 use bessemer_ir::{BinaryOp, CompareOp, Expr, ExprKind, Intrinsic, LogicOp, Place};
 
 use super::glance::{Glance, bit};
-use crate::passes::places::{erased, reads};
+use crate::effects::reads;
+use crate::passes::places::erased;
 
 /// A condition that holds, and what tells it from most others at a glance.
 #[derive(Clone)]

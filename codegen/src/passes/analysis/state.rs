@@ -6,7 +6,7 @@ use bessemer_ir::{Expr, LocalId, Module, Place, Scalar, Step, Type};
 
 use super::domain::Interval;
 use super::relations::Relations;
-use crate::passes::places::{overlap, whole};
+use crate::effects::{overlap, whole};
 
 /// A local and the fields into it; [`BROUGHT`] behind them: what an enum there is brought to.
 pub(super) type Key = (LocalId, Vec<u32>);

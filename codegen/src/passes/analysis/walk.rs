@@ -4,12 +4,11 @@
 //! is given for the point where it comes out. Nothing is rewritten, and nothing said of checks; conditions that
 //! call are not assumed, since to ask again could give another answer.
 
-use bessemer_ir::visit::{Visit, walk_expr};
 use bessemer_ir::{Block, Expr, ExprKind, Stmt, StmtKind};
 
 use super::loops::Loop;
 use super::state::{Known, State, joined};
-use crate::passes::places::{lent, lent_by_indices, load, whole, writes};
+use crate::effects::{calls, lent, whole, writes};
 
 /// What is known where the next pass begins, by the end of the body or a `continue`; nothing if none does.
 pub(super) fn again<'m>(body: &Block, head: State<'m>) -> Option<State<'m>> {
@@ -37,7 +36,7 @@ impl<'m> Walk<'m> {
             }
             StmtKind::Assign { place, value } => {
                 let value = evaluated(value, &mut state);
-                state.forget(&lent_by_indices(place));
+                state.forget(&lent(place));
                 state.assign(place, value);
             }
             StmtKind::Expr(value) => {
@@ -84,7 +83,8 @@ impl<'m> Walk<'m> {
             StmtKind::For { variable, from, to, inclusive, ended, body, .. } => {
                 evaluated(from, &mut state);
                 evaluated(to, &mut state);
-                let (counter, written) = (load(*variable, &from.ty, stmt.span), writes(&body.0));
+                let (counter, written) =
+                    (Expr::local(*variable, &from.ty, stmt.span), writes(&body.0));
                 let (inclusive, ended) = (*inclusive, *ended || calls(from) || calls(to));
                 let (counter, written) = (&counter, &written[..]);
                 let inner = Loop { counter, from, to, inclusive, ended, written, body };
@@ -111,18 +111,4 @@ fn assume(state: &mut State, condition: &Expr, truth: bool) {
     if !calls(condition) {
         state.assume(condition, truth);
     }
-}
-
-/// Whether an expression calls a function.
-fn calls(expr: &Expr) -> bool {
-    struct Calls(bool);
-    impl Visit for Calls {
-        fn expr(&mut self, expr: &Expr) {
-            self.0 |= matches!(expr.kind, ExprKind::Call(..));
-            walk_expr(self, expr);
-        }
-    }
-    let mut calls = Calls(false);
-    calls.expr(expr);
-    calls.0
 }

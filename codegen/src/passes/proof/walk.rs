@@ -16,7 +16,7 @@ use bessemer_ir::{Step, Stmt, StmtKind, Type, UnaryOp};
 use super::knowledge::{Bounds, Formula};
 use super::linear::{Linear, Symbol};
 use super::values::{At, Point, Value, Values, ordered, within};
-use crate::passes::places::{lent, whole, writes};
+use crate::effects::{lent, whole, writes};
 use crate::passes::sites::Site;
 
 /// The most that a pass may move a number for it to be followed.

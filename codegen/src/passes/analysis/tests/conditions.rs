@@ -6,8 +6,8 @@ use bessemer_ir::{
     Type, UnaryOp,
 };
 
+use crate::effects::whole;
 use crate::passes::analysis::{Interval, State};
-use crate::passes::places::{load, whole};
 
 const X: LocalId = LocalId(0);
 const Y: LocalId = LocalId(1);
@@ -57,11 +57,11 @@ impl Numbers {
     }
 
     fn x(self) -> Expr {
-        load(X, &self.ty(), Span::default())
+        Expr::local(X, &self.ty(), Span::default())
     }
 
     fn y(self) -> Expr {
-        load(Y, &self.ty(), Span::default())
+        Expr::local(Y, &self.ty(), Span::default())
     }
 
     /// What conditions compare.

@@ -6,7 +6,6 @@ use bessemer_ir::{
 };
 
 use crate::passes::analysis::State;
-use crate::passes::places::load;
 
 const NUMBERS: [i8; 5] = [-1, 0, 1, 2, 10];
 
@@ -57,7 +56,7 @@ fn int(int: Int) -> Type {
 
 /// The enum: the byte that is there, and the variant that it is brought to.
 fn read() -> [Expr; 2] {
-    let raw = load(LocalId(0), &kind(), Span::default());
+    let raw = Expr::local(LocalId(0), &kind(), Span::default());
     let brought = node(ExprKind::Intrinsic(Intrinsic::Variant, vec![raw.clone()]), kind());
     [raw, brought]
 }
@@ -194,7 +193,8 @@ fn the_last_arm_stands_for_what_is_no_variant() {
 fn bytes_that_are_no_variants_are_not_told_apart() {
     let module = module(&NUMBERS[..2]);
     let (one, other) = (LocalId(0), LocalId(1));
-    let (one, other) = (load(one, &kind(), Span::default()), load(other, &kind(), Span::default()));
+    let (one, other) =
+        (Expr::local(one, &kind(), Span::default()), Expr::local(other, &kind(), Span::default()));
     let mut state = State::new(&module);
     for byte in [&one, &other] {
         state.exclude(byte, vec![0, 1]);

@@ -9,8 +9,8 @@ use bessemer_ir::{
     StmtKind, Type,
 };
 
+use crate::effects::{reads, writes};
 use crate::passes::analysis::{Interval, Loop, State};
-use crate::passes::places::{load, reads, writes};
 use crate::validate::validate;
 
 const U8: Type = Type::Scalar(Scalar::Int(Int::U8));
@@ -55,7 +55,7 @@ fn compare(op: CompareOp, a: Expr, b: Expr) -> Expr {
 }
 
 fn local(local: LocalId) -> Expr {
-    load(local, &U8, Span::default())
+    Expr::local(local, &U8, Span::default())
 }
 
 fn literal(value: i128) -> Expr {

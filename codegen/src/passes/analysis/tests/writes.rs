@@ -4,7 +4,6 @@
 use bessemer_ir::{Expr, ExprKind, Int, LocalId, Module, Place, Scalar, Span, Step, Type};
 
 use crate::passes::analysis::{Interval, State};
-use crate::passes::places::load;
 
 const U8: Type = Type::Scalar(Scalar::Int(Int::U8));
 
@@ -32,7 +31,7 @@ fn what_is_written_is_not_known() {
         for written in places() {
             // An element of it, too: whatever the index is.
             let mut element = written.clone();
-            element.steps.push(Step::Index(load(LocalId(9), &Type::USIZE, Span::default())));
+            element.steps.push(Step::Index(Expr::local(LocalId(9), &Type::USIZE, Span::default())));
             let shared = place.steps.iter().zip(&written.steps).all(|(one, other)| one == other);
             let touched = place.root == written.root && shared;
             for write in [&written, &element] {

@@ -1,0 +1,302 @@
+//! Walks over the author's syntax.
+//!
+//! Implement [`Visit`] (to read) or [`VisitMut`] (to rewrite) and override what matters; an override goes on to the
+//! children by calling the `walk_…` function of the same name.
+//!
+//! Invariant: every expression, statement, arm and pattern is met exactly once, in the order of the source.
+
+use alloc::collections::BTreeSet;
+use alloc::string::String;
+
+use super::{Arm, Block, Cut, Expr, ExprKind, Part, Pattern, Places, Start, Stmt};
+
+macro_rules! visitor {
+    (
+        $(#[$doc:meta])* $visitor:ident($($mutable:tt)?) =>
+        $walk_block:ident $walk_stmt:ident $walk_arm:ident $walk_pattern:ident $walk_expr:ident
+        $parts:ident $cuts:ident $places:ident
+    ) => {
+        $(#[$doc])*
+        pub trait $visitor {
+            /// A block.
+            fn block(&mut self, block: &$($mutable)? Block) {
+                $walk_block(self, block);
+            }
+            /// A statement.
+            fn stmt(&mut self, stmt: &$($mutable)? Stmt) {
+                $walk_stmt(self, stmt);
+            }
+            /// An arm of a `match`.
+            fn arm(&mut self, arm: &$($mutable)? Arm) {
+                $walk_arm(self, arm);
+            }
+            /// A pattern.
+            fn pattern(&mut self, pattern: &$($mutable)? Pattern) {
+                $walk_pattern(self, pattern);
+            }
+            /// An expression.
+            fn expr(&mut self, expr: &$($mutable)? Expr) {
+                $walk_expr(self, expr);
+            }
+        }
+
+        /// The statements of a block, and its value.
+        pub fn $walk_block<V: $visitor + ?Sized>(visitor: &mut V, block: &$($mutable)? Block) {
+            for stmt in &$($mutable)? block.stmts {
+                visitor.stmt(stmt);
+            }
+            if let Some(tail) = &$($mutable)? block.tail {
+                visitor.expr(tail);
+            }
+        }
+
+        /// The parts of a statement.
+        pub fn $walk_stmt<V: $visitor + ?Sized>(visitor: &mut V, stmt: &$($mutable)? Stmt) {
+            match stmt {
+                Stmt::Let { value, .. } => {
+                    if let Some(value) = value {
+                        visitor.expr(value);
+                    }
+                }
+                Stmt::Apart { pattern, value, otherwise, .. } => {
+                    visitor.pattern(pattern);
+                    visitor.expr(value);
+                    if let Some(otherwise) = otherwise {
+                        visitor.block(otherwise);
+                    }
+                }
+                Stmt::Expr(expr) => visitor.expr(expr),
+            }
+        }
+
+        /// The parts of an arm.
+        pub fn $walk_arm<V: $visitor + ?Sized>(visitor: &mut V, arm: &$($mutable)? Arm) {
+            visitor.pattern(&$($mutable)? arm.pattern);
+            if let Some(guard) = &$($mutable)? arm.guard {
+                visitor.expr(guard);
+            }
+            visitor.expr(&$($mutable)? arm.body);
+        }
+
+        /// The parts of a pattern.
+        pub fn $walk_pattern<V: $visitor + ?Sized>(visitor: &mut V, pattern: &$($mutable)? Pattern) {
+            match pattern {
+                Pattern::Any | Pattern::Rest => {}
+                Pattern::Name { inner, .. } => {
+                    if let Some(inner) = inner {
+                        visitor.pattern(inner);
+                    }
+                }
+                Pattern::Value(value) => visitor.expr(value),
+                Pattern::Range { from, to, .. } => {
+                    for end in [from, to] {
+                        if let Some(end) = end {
+                            visitor.expr(end);
+                        }
+                    }
+                }
+                Pattern::Or(patterns)
+                | Pattern::Tuple(patterns)
+                | Pattern::Array(patterns)
+                | Pattern::Constructor(_, patterns) => {
+                    for pattern in patterns {
+                        visitor.pattern(pattern);
+                    }
+                }
+                Pattern::Fields(_, fields) => {
+                    for (_, pattern) in fields {
+                        visitor.pattern(pattern);
+                    }
+                }
+            }
+        }
+
+        /// The parts of an expression.
+        pub fn $walk_expr<V: $visitor + ?Sized>(visitor: &mut V, expr: &$($mutable)? Expr) {
+            match &$($mutable)? expr.kind {
+                ExprKind::Bool(_)
+                | ExprKind::Int(..)
+                | ExprKind::Float(..)
+                | ExprKind::Bytes(_)
+                | ExprKind::Local(_)
+                | ExprKind::Path(..)
+                | ExprKind::Continue(_) => {}
+                ExprKind::Unary(_, x)
+                | ExprKind::Field(x, _)
+                | ExprKind::Repeat(x)
+                | ExprKind::Ref(_, x)
+                | ExprKind::Deref(x)
+                | ExprKind::Cast(x)
+                | ExprKind::Try(x)
+                | ExprKind::Unroll(_, x)
+                | ExprKind::Assert(x, _) => visitor.expr(x),
+                ExprKind::Binary(_, a, b)
+                | ExprKind::Assign(_, a, b)
+                | ExprKind::Index(a, b)
+                | ExprKind::Chain(a, b) => {
+                    visitor.expr(a);
+                    visitor.expr(b);
+                }
+                ExprKind::AssignEach(places, value) => {
+                    $places(visitor, places);
+                    visitor.expr(value);
+                }
+                ExprKind::Call(_, items)
+                | ExprKind::Apply(_, items)
+                | ExprKind::Tuple(items)
+                | ExprKind::Constructor(_, items)
+                | ExprKind::Array(items) => {
+                    for item in items {
+                        visitor.expr(item);
+                    }
+                }
+                ExprKind::Closure(closure) => {
+                    for parameter in &$($mutable)? closure.parameters {
+                        visitor.pattern(parameter);
+                    }
+                    visitor.expr(&$($mutable)? closure.body);
+                }
+                ExprKind::Slice(base, from, to, _) => {
+                    visitor.expr(base);
+                    for end in [from, to] {
+                        if let Some(end) = end {
+                            visitor.expr(end);
+                        }
+                    }
+                }
+                ExprKind::Cut(base, cut) => {
+                    visitor.expr(base);
+                    visitor.expr(&$($mutable)? cut.count);
+                }
+                ExprKind::Struct(_, fields, base) => {
+                    for (_, value) in fields {
+                        visitor.expr(value);
+                    }
+                    if let Some(base) = base {
+                        visitor.expr(base);
+                    }
+                }
+                ExprKind::Let(pattern, value) => {
+                    visitor.pattern(pattern);
+                    visitor.expr(value);
+                }
+                ExprKind::If(condition, then, otherwise) => {
+                    visitor.expr(condition);
+                    visitor.block(then);
+                    if let Some(otherwise) = otherwise {
+                        visitor.expr(otherwise);
+                    }
+                }
+                ExprKind::Match(value, arms) => {
+                    visitor.expr(value);
+                    for arm in arms {
+                        visitor.arm(arm);
+                    }
+                }
+                ExprKind::Block(block) | ExprKind::Labelled(_, block) => visitor.block(block),
+                ExprKind::For { range, body, .. } => {
+                    visitor.expr(&$($mutable)? range.from);
+                    visitor.expr(&$($mutable)? range.to);
+                    if let Some(step) = &$($mutable)? range.step {
+                        visitor.expr(step);
+                    }
+                    visitor.block(body);
+                }
+                ExprKind::Each { parts, cuts, body, .. } => {
+                    $parts(visitor, parts);
+                    $cuts(visitor, cuts);
+                    visitor.block(body);
+                }
+                ExprKind::Grid { of, parts, body, .. } => {
+                    visitor.expr(of);
+                    $parts(visitor, parts);
+                    visitor.block(body);
+                }
+                ExprKind::Fold { start, each, .. } => {
+                    if let Start::Value(value) | Start::Tried(value) = start {
+                        visitor.expr(value);
+                    }
+                    visitor.expr(each);
+                }
+                ExprKind::While { condition, bound, body, .. } => {
+                    for expr in [condition, bound] {
+                        if let Some(expr) = expr {
+                            visitor.expr(expr);
+                        }
+                    }
+                    visitor.block(body);
+                }
+                ExprKind::Return(value) | ExprKind::Break(_, value) => {
+                    if let Some(value) = value {
+                        visitor.expr(value);
+                    }
+                }
+            }
+        }
+
+        fn $parts<V: $visitor + ?Sized>(visitor: &mut V, parts: &$($mutable)? [Part]) {
+            for part in parts {
+                visitor.pattern(&$($mutable)? part.pattern);
+                visitor.expr(&$($mutable)? part.array);
+                if let Some(group) = &$($mutable)? part.group {
+                    visitor.expr(&$($mutable)? group.size);
+                }
+            }
+        }
+
+        fn $cuts<V: $visitor + ?Sized>(visitor: &mut V, cuts: &$($mutable)? [Cut]) {
+            for cut in cuts {
+                visitor.expr(&$($mutable)? cut.count);
+            }
+        }
+
+        fn $places<V: $visitor + ?Sized>(visitor: &mut V, places: &$($mutable)? Places) {
+            match places {
+                Places::None => {}
+                Places::One(place) => visitor.expr(place),
+                Places::Each(all) => {
+                    for places in all {
+                        $places(visitor, places);
+                    }
+                }
+            }
+        }
+    };
+}
+
+visitor! {
+    /// Reads every node under the one it is started on.
+    Visit() => walk_block walk_stmt walk_arm walk_pattern walk_expr parts cuts places
+}
+
+visitor! {
+    /// Rewrites every node under the one it is started on, in place.
+    VisitMut(mut) =>
+    walk_block_mut walk_stmt_mut walk_arm_mut walk_pattern_mut walk_expr_mut parts_mut cuts_mut places_mut
+}
+
+/// The names of the locals that stand in what is walked, wherever they are declared.
+#[derive(Clone, Debug, Default)]
+pub struct Locals(pub BTreeSet<String>);
+
+impl Visit for Locals {
+    fn expr(&mut self, expr: &Expr) {
+        if let ExprKind::Local(name) = &expr.kind {
+            self.0.insert(name.clone());
+        }
+        walk_expr(self, expr);
+    }
+}
+
+/// The names that patterns bind in what is walked.
+#[derive(Clone, Debug, Default)]
+pub struct Bound(pub BTreeSet<String>);
+
+impl Visit for Bound {
+    fn pattern(&mut self, pattern: &Pattern) {
+        if let Pattern::Name { name, .. } = pattern {
+            self.0.insert(name.clone());
+        }
+        walk_pattern(self, pattern);
+    }
+}
