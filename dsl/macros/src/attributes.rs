@@ -9,8 +9,8 @@ use bessemer_ir::tree::Role;
 use proc_macro2::TokenStream;
 use syn::spanned::Spanned;
 
-use crate::data::Kind;
-use crate::given;
+use crate::given::{self, check_name, check_section};
+use crate::kind::Kind;
 use crate::lower::refuse::{self, Reason};
 use crate::lower::{self, Refusals};
 
@@ -158,22 +158,6 @@ pub fn external(
 fn is_header(text: &str) -> bool {
     let allowed = |c: char| c.is_ascii_alphanumeric() || "_-./".contains(c);
     text.len() > 2 && text.ends_with(".h") && text.chars().all(allowed)
-}
-
-pub fn check_name(text: &syn::LitStr, refusals: &mut Refusals) {
-    let name = text.value();
-    let mut letters = name.chars();
-    let starts = letters.next().is_some_and(|first| first.is_ascii_alphabetic());
-    if !starts || !letters.all(|letter| letter.is_ascii_alphanumeric() || letter == '_') {
-        refusals.add(text.span(), refuse::C_NAME);
-    }
-}
-
-pub fn check_section(text: &syn::LitStr, refusals: &mut Refusals) {
-    let allowed = |c: char| c.is_ascii_alphanumeric() || "_.$-,".contains(c);
-    if text.value().is_empty() || !text.value().chars().all(allowed) {
-        refusals.add(text.span(), refuse::C_SECTION);
-    }
 }
 
 /// Whether the author wants the function where it is called: `#[inline]`.

@@ -17,18 +17,11 @@ use crate::generics::Scope;
 use crate::given::{self, On};
 use crate::instance;
 use crate::interface;
+use crate::kind::Kind;
 use crate::lower::{self, Refusals, refuse};
+use crate::owned;
 use crate::redirect;
 use crate::table;
-
-/// Which attribute stands on the item.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
-    /// `#[data]`.
-    Data,
-    /// `#[component]`.
-    Component,
-}
 
 /// Expands the attribute on a struct, an enum or an `impl` block.
 pub fn expand(kind: Kind, arguments: TokenStream, item: TokenStream) -> TokenStream {
@@ -476,7 +469,7 @@ fn methods(
 fn alias(method: &syn::ImplItemFn) -> Option<syn::ImplItem> {
     let mut alias = method.clone();
     let name = &method.sig.ident;
-    alias.sig.ident = redirect::owned(name)?;
+    alias.sig.ident = owned::owned(name)?;
     alias.attrs = vec![syn::parse_quote!(#[doc(hidden)]), syn::parse_quote!(#[allow(dead_code)])];
     let arguments = alias.sig.inputs.iter_mut().enumerate().map(|(index, input)| match input {
         syn::FnArg::Receiver(receiver) => receiver.self_token.to_token_stream(),

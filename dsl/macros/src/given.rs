@@ -9,7 +9,6 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::spanned::Spanned;
 
-use crate::attributes::{check_name, check_section};
 use crate::lower::{self, Refusals, refuse};
 
 /// What the attributes stand on, which decides what they may say.
@@ -119,5 +118,21 @@ pub fn tokens(given: &Given) -> TokenStream {
         ::core::option::Option::Some(::bessemer::generate::Said {
             name: #name, unit: #unit, section: #section, site: (#line, #column),
         })
+    }
+}
+
+pub fn check_name(text: &syn::LitStr, refusals: &mut Refusals) {
+    let name = text.value();
+    let mut letters = name.chars();
+    let starts = letters.next().is_some_and(|first| first.is_ascii_alphabetic());
+    if !starts || !letters.all(|letter| letter.is_ascii_alphanumeric() || letter == '_') {
+        refusals.add(text.span(), refuse::C_NAME);
+    }
+}
+
+pub fn check_section(text: &syn::LitStr, refusals: &mut Refusals) {
+    let allowed = |c: char| c.is_ascii_alphanumeric() || "_.$-,".contains(c);
+    if text.value().is_empty() || !text.value().chars().all(allowed) {
+        refusals.add(text.span(), refuse::C_SECTION);
     }
 }

@@ -9,12 +9,13 @@ use syn::spanned::Spanned;
 
 use crate::attributes::{self, Asked};
 use crate::builder::{self, Home, Subject};
-use crate::data::Kind;
 use crate::function::refuse_body;
 use crate::generics::Scope;
 use crate::instance;
+use crate::kind::Kind;
 use crate::lower::{self, Refusals, refuse};
 use crate::operators;
+use crate::owned;
 use crate::redirect;
 use bessemer_ir::tree::Role;
 
@@ -46,7 +47,7 @@ fn interface(it: &mut syn::ItemTrait, refusals: &mut Refusals) -> TokenStream {
         match item {
             syn::TraitItem::Fn(method) => {
                 let mut refusals = Refusals::default();
-                if redirect::owned(&method.sig.ident).is_some() {
+                if owned::owned(&method.sig.ident).is_some() {
                     refusals.add(method.sig.ident.span(), refuse::OWNED_NAME);
                 }
                 let asked = attributes::of_interface(method, &mut refusals);
@@ -172,11 +173,6 @@ impl Method<'_> {
     }
 }
 
-/// Whether a type is one that Rust makes of others, as far as its syntax shows: nobody can mark it.
-pub fn is_composed(ty: &syn::Type) -> bool {
-    matches!(ty, syn::Type::Array(_) | syn::Type::Tuple(_) | syn::Type::Reference(_))
-}
-
 /// The `impl` block of an interface as Rust runs it, and what stands beside it.
 pub fn implementation(
     kind: Kind,
@@ -191,7 +187,7 @@ pub fn implementation(
         refusals.add(path.span(), reason);
         return (it.into_token_stream(), TokenStream::new());
     }
-    if is_composed(&it.self_ty) {
+    if operators::is_composed(&it.self_ty) {
         refusals.add(it.self_ty.span(), refuse::FOREIGN_IMPLEMENTATION);
         return (it.into_token_stream(), TokenStream::new());
     }

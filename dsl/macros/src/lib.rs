@@ -16,12 +16,16 @@ mod generics;
 mod given;
 mod instance;
 mod interface;
+mod kind;
 mod lower;
 mod operators;
+mod owned;
 mod redirect;
 mod table;
 
 use proc_macro::TokenStream;
+
+use kind::Kind;
 
 /// Bytes of a stack for an expansion, of which only those that are used take memory: syntax nests as deep as the author's
 /// expressions, a sum by a level for each term.
@@ -39,7 +43,7 @@ fn deep(expand: impl FnOnce() -> proc_macro2::TokenStream) -> TokenStream {
 /// `Pid::torque`. Derives are the author's: `Clone`, `Copy`, `Debug`, `Default`, `PartialEq`.
 #[proc_macro_attribute]
 pub fn data(arguments: TokenStream, item: TokenStream) -> TokenStream {
-    deep(|| data::expand(data::Kind::Data, arguments.into(), item.into()))
+    deep(|| data::expand(Kind::Data, arguments.into(), item.into()))
 }
 
 /// A component: a struct with the state of a controller or estimator, or its `impl` block.
@@ -48,7 +52,7 @@ pub fn data(arguments: TokenStream, item: TokenStream) -> TokenStream {
 /// `#[entry]` are what the firmware calls; the others stay private to the component's C file.
 #[proc_macro_attribute]
 pub fn component(arguments: TokenStream, item: TokenStream) -> TokenStream {
-    deep(|| data::expand(data::Kind::Component, arguments.into(), item.into()))
+    deep(|| data::expand(Kind::Component, arguments.into(), item.into()))
 }
 
 /// A free function.

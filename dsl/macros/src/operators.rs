@@ -11,9 +11,9 @@ use syn::visit_mut::{self, VisitMut};
 
 use crate::attributes;
 use crate::builder::{self, Home, Subject};
-use crate::data::Kind;
 use crate::function::refuse_body;
 use crate::generics::Scope;
+use crate::kind::Kind;
 use crate::lower::{self, Refusals, refuse};
 use crate::redirect;
 
@@ -63,7 +63,7 @@ pub fn implementation(
             refusals.add(ty.span(), refuse::BORROWED_OPERAND);
         }
     }
-    if crate::interface::is_composed(&it.self_ty) {
+    if is_composed(&it.self_ty) {
         refusals.add(it.self_ty.span(), refuse::FOREIGN_OPERAND);
     }
     let mut named = associated(&it);
@@ -245,4 +245,9 @@ impl Beside<'_> {
             },
         }
     }
+}
+
+/// Whether a type is one that Rust makes of others, as far as its syntax shows: nobody can mark it.
+pub fn is_composed(ty: &syn::Type) -> bool {
+    matches!(ty, syn::Type::Array(_) | syn::Type::Tuple(_) | syn::Type::Reference(_))
 }

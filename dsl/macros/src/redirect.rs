@@ -8,67 +8,9 @@
 use proc_macro2::Span;
 use syn::visit_mut::{self, VisitMut};
 
-use crate::lower::{bound, by_rows, halving, matching, sort, unroll};
-
-/// The methods that the DSL owns: their result in the last bits, at ±0 or for NaN depends on the
-/// platform, or they do not exist without std.
-pub const OWNED: &[&str] = &[
-    "abs",
-    "acos",
-    "acosh",
-    "asin",
-    "asinh",
-    "atan",
-    "atan2",
-    "atanh",
-    "cbrt",
-    "ceil",
-    "clamp",
-    "copysign",
-    "cos",
-    "cosh",
-    "div_euclid",
-    "exp",
-    "exp2",
-    "exp_m1",
-    "floor",
-    "fract",
-    "hypot",
-    "is_sign_negative",
-    "is_sign_positive",
-    "ln",
-    "ln_1p",
-    "log",
-    "log10",
-    "log2",
-    "max",
-    "min",
-    "mul_add",
-    "powf",
-    "powi",
-    "rem_euclid",
-    "round",
-    "signum",
-    "sin",
-    "sin_cos",
-    "sinh",
-    "sqrt",
-    "tan",
-    "tanh",
-    "to_be_bytes",
-    "to_bits",
-    "to_degrees",
-    "to_le_bytes",
-    "to_radians",
-    "total_cmp",
-    "trunc",
-];
-
-/// The DSL's name of an owned method.
-pub fn owned(name: &syn::Ident) -> Option<syn::Ident> {
-    let text = name.to_string();
-    OWNED.contains(&text.as_str()).then(|| syn::Ident::new(&format!("dsl_{text}"), name.span()))
-}
+use crate::lower::macros::{by_rows, matching};
+use crate::lower::{bound, halving, sort, unroll};
+use crate::owned::{associated, owned};
 
 /// Rewrites every call in `block`, and brings the DSL's traits into its scope.
 pub fn block(block: &mut syn::Block) {
@@ -85,16 +27,6 @@ pub fn block(block: &mut syn::Block) {
         };
         block.stmts.insert(0, import);
     }
-}
-
-/// Whether a path ends in a function of a type, and not of a module.
-pub fn associated(qself: Option<&syn::QSelf>, path: &syn::Path) -> bool {
-    let before = path.segments.iter().rev().nth(1).map(|segment| segment.ident.to_string());
-    qself.is_some()
-        || before.is_some_and(|before| {
-            before.starts_with(|first: char| first.is_uppercase())
-                || bessemer_ir::Scalar::from_name(&before).is_some()
-        })
 }
 
 struct Redirect {

@@ -6,8 +6,9 @@
 
 use syn::spanned::Spanned;
 
-use super::refuse::{self, Reason};
-use super::text;
+use super::names::text;
+use super::refuse;
+use super::refuse::Reason;
 
 /// Names, how many arguments they take beside the receiver, and what to write instead.
 const ABSENT: &[(&str, usize, &str)] = &[

@@ -11,9 +11,12 @@ use bessemer_ir::tree::ExprKind;
 use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
 
-use super::pattern::last_segment;
-use super::{GENERATING, Lowering, absent, callee_name, expr::UNIT, refuse, text};
-use crate::redirect;
+use super::made::UNIT;
+use super::names::{GENERATING, callee_name, text};
+use super::syntax::last_segment;
+use super::walk::Lowering;
+use super::{absent, refuse};
+use crate::owned::associated;
 
 impl Lowering<'_> {
     pub(super) fn call(&mut self, it: &mut syn::ExprCall) -> ExprKind {
@@ -189,7 +192,7 @@ fn companion(function: &syn::ExprPath) -> Option<syn::Path> {
     if upper(&last.ident) {
         return None;
     }
-    if redirect::associated(function.qself.as_ref(), &path) {
+    if associated(function.qself.as_ref(), &path) {
         path.segments.last_mut()?.ident = companion_name(&last.ident);
     } else {
         // The arguments of a turbofish belong to the companion.

@@ -6,11 +6,15 @@
 use bessemer_ir::tree::{self, BinaryOp, ExprKind, Order, Start, UnaryOp};
 use syn::spanned::Spanned;
 
-use super::closure::{closure_of, closure_parameter, plain};
-use super::each::{self, Way};
+use super::closure::{closure_of, closure_parameter};
+use super::each::Way;
 use super::flow::{Flow, Item, Over, Step, Takes};
 use super::item::{is_wild, simple};
-use super::{Lowering, refuse, search, text};
+use super::made::{UNIT, plain};
+use super::names::text;
+use super::syntax::{is_iterator, is_linked, is_made_of_plain};
+use super::walk::Lowering;
+use super::{each, refuse, search};
 
 /// What a chain may end with, and how many arguments that takes.
 const ENDS: [(&str, usize); 15] = [
@@ -48,7 +52,7 @@ impl Lowering<'_> {
             if kind.is_none() && self.refusals.len() == before {
                 self.refusals.add(node.span(), refuse::CHAIN);
             }
-            return Some(kind.unwrap_or(super::expr::UNIT));
+            return Some(kind.unwrap_or(UNIT));
         }
         let kind = self.scoped(|walk| {
             let start = match end.as_str() {
@@ -74,7 +78,7 @@ impl Lowering<'_> {
         if kind.is_none() && self.refusals.len() == before {
             self.refusals.add(node.span(), refuse::CHAIN);
         }
-        Some(kind.unwrap_or(super::expr::UNIT))
+        Some(kind.unwrap_or(UNIT))
     }
 
     /// `for x in values.iter().filter(…)`: the body is what the chain ends in.
@@ -260,7 +264,7 @@ impl Lowering<'_> {
     /// `.scan(start, |state, x| …)`: a variable that each pass changes.
     fn scan(&mut self, it: &mut syn::ExprMethodCall) -> Option<Flow> {
         let mut flow = self.flow(&mut it.receiver)?;
-        if !super::rewrite::is_made_of_plain(&it.args[0]) {
+        if !is_made_of_plain(&it.args[0]) {
             // It would be computed before what the chain begins with.
             self.refusals.add(it.args[0].span(), refuse::SCAN);
             return None;
@@ -352,13 +356,6 @@ impl Lowering<'_> {
     }
 }
 
-/// `let Some(pattern) = value`, as a condition.
-pub(super) fn there(pattern: tree::Pattern, value: tree::Expr) -> tree::Expr {
-    let (site, pattern) = (value.site, tree::Pattern::Constructor("Some".into(), vec![pattern]));
-    let kind = ExprKind::Let(Box::new(pattern), Box::new(value));
-    tree::Expr { kind, site, slot: None }
-}
-
 /// `f64::abs` as the closure that it stands for.
 pub(super) fn in_full(argument: &mut syn::Expr, of_two: bool) {
     let syn::Expr::Path(path) = argument else { return };
@@ -367,56 +364,5 @@ pub(super) fn in_full(argument: &mut syn::Expr, of_two: bool) {
             true => syn::parse_quote! { |gathered, value| #path(gathered, value) },
             false => syn::parse_quote! { |value| #path(value) },
         };
-    }
-}
-
-/// The name of the elements, and the slot of their type.
-pub(super) fn named_by(part: &tree::Part) -> Option<(&String, u32)> {
-    match &part.pattern {
-        tree::Pattern::Name { name, slot, inner: None, .. } => Some((name, *slot)),
-        _ => None,
-    }
-}
-
-/// Whether an expression is an iterator, as far as its syntax shows.
-pub(super) fn is_iterator(expr: &syn::Expr) -> bool {
-    match expr {
-        syn::Expr::Paren(it) => is_iterator(&it.expr),
-        syn::Expr::Range(_) => true,
-        syn::Expr::MethodCall(it) => match (text(&it.method).as_str(), it.args.len()) {
-            ("iter" | "into_iter" | "iter_mut", 0) => true,
-            ("enumerate" | "rev" | "copied" | "cloned", 0) => is_iterator(&it.receiver),
-            ("flatten", 0) => is_iterator(&it.receiver),
-            (
-                "map" | "map_while" | "filter" | "filter_map" | "take_while" | "skip_while" | "zip"
-                | "chain" | "step_by" | "take" | "skip",
-                1,
-            )
-            | ("scan", 2) => is_iterator(&it.receiver),
-            ("windows" | "chunks" | "chunks_exact", 1) => true,
-            _ => false,
-        },
-        _ => false,
-    }
-}
-
-/// Whether a closure stands somewhere in a chain.
-pub(super) fn is_linked(expr: &syn::Expr) -> bool {
-    match expr {
-        syn::Expr::Paren(it) => is_linked(&it.expr),
-        syn::Expr::MethodCall(it) => {
-            let link = [
-                "map",
-                "map_while",
-                "filter",
-                "filter_map",
-                "take_while",
-                "skip_while",
-                "scan",
-                "flatten",
-            ];
-            link.iter().any(|link| it.method == link) || is_linked(&it.receiver)
-        }
-        _ => false,
     }
 }

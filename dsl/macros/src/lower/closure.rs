@@ -8,7 +8,11 @@ use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 
-use super::{Lowering, pattern, refuse, site, text};
+use super::made::plain;
+use super::names::text;
+use super::syntax::names;
+use super::walk::{Closure, Lowering};
+use super::{pattern, refuse};
 
 /// Methods whose last argument takes a value and could be a function, and how many they have.
 const TAKES_VALUE: [(&str, usize); 6] = [
@@ -19,17 +23,6 @@ const TAKES_VALUE: [(&str, usize); 6] = [
     ("is_some_and", 1),
     ("is_ok_and", 1),
 ];
-
-/// A closure with a name.
-pub struct Closure {
-    /// Its name in the tree.
-    name: String,
-    /// Its parameters; their names are those in the tree.
-    parameters: Vec<tree::Pattern>,
-    body: tree::Expr,
-    /// The names that its body uses, and how often each was bound before.
-    uses: Vec<(usize, String)>,
-}
 
 impl Lowering<'_> {
     /// `let f = |x| …;`: the closure is known by its name from here on.
@@ -241,18 +234,6 @@ pub(super) fn closure_of(argument: &mut syn::Expr) -> Option<&mut syn::ExprClosu
     }
 }
 
-/// Whether a name stands somewhere in an expression. Answers yes too often rather than too rarely.
-pub(super) fn names(expr: &syn::Expr, name: &str) -> bool {
-    fn any(tokens: proc_macro2::TokenStream, name: &str) -> bool {
-        tokens.into_iter().any(|token| match token {
-            proc_macro2::TokenTree::Ident(ident) => ident == name,
-            proc_macro2::TokenTree::Group(group) => any(group.stream(), name),
-            _ => false,
-        })
-    }
-    any(quote! { #expr }, name)
-}
-
 /// What would leave a closure early.
 struct Returns(Vec<Span>);
 
@@ -266,9 +247,4 @@ impl<'ast> Visit<'ast> for Returns {
         visit::visit_expr_try(self, it);
     }
     fn visit_expr_closure(&mut self, _: &'ast syn::ExprClosure) {}
-}
-
-/// An expression of the tree that rustc is not asked about.
-pub(super) fn plain(kind: ExprKind, node: &impl Spanned) -> tree::Expr {
-    tree::Expr { kind, site: site(node), slot: None }
 }

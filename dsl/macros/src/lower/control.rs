@@ -4,7 +4,9 @@ use bessemer_ir::tree::{self, ExprKind};
 use quote::quote_spanned;
 use syn::spanned::Spanned;
 
-use super::{GENERATING, Lowering, bound, each, item, pattern, refuse, site, text};
+use super::names::{GENERATING, site, text};
+use super::walk::Lowering;
+use super::{bound, each, item, pattern, refuse};
 
 impl Lowering<'_> {
     pub(super) fn if_expr(&mut self, it: &mut syn::ExprIf, value: bool) -> ExprKind {

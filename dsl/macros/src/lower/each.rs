@@ -5,14 +5,11 @@
 use bessemer_ir::tree::{self, ExprKind, Order};
 use syn::spanned::Spanned;
 
-use super::rewrite::gives_references;
-use super::{Lowering, item, refuse, site, text};
-
-/// What a loop goes through.
-pub(super) enum Source {
-    One { array: Box<tree::Expr>, owned: bool, group: Option<tree::Group>, reversed: bool },
-    Zip(Box<Source>, Box<Source>),
-}
+use super::flow::Source;
+use super::names::{site, text};
+use super::syntax::{gives_references, is_linked};
+use super::walk::Lowering;
+use super::{item, refuse};
 
 /// What a loop goes through, and how.
 pub(super) struct Way {
@@ -25,7 +22,7 @@ pub(super) struct Way {
 impl Lowering<'_> {
     pub(super) fn each_loop(&mut self, it: &mut syn::ExprForLoop) -> Option<ExprKind> {
         let label = it.label.as_ref().map(|label| text(&label.name.ident));
-        if super::chain::is_linked(&it.expr) {
+        if is_linked(&it.expr) {
             return self.linked_loop(it, label);
         }
         let before = self.refusals.len();

@@ -5,8 +5,12 @@ use bessemer_ir::tree::{self, BinaryOp, ExprKind, UnaryOp};
 use quote::ToTokens;
 use syn::spanned::Spanned;
 
-use super::operator::{self, Side};
-use super::{Lowering, bound, call, pattern, refuse, signature, site, text, unroll};
+use super::made::UNIT;
+use super::names::{site, text};
+use super::operator::Side;
+use super::syntax::{is_variant, last_segment};
+use super::walk::Lowering;
+use super::{bound, call, macros, operator, pattern, refuse, signature, unroll};
 
 impl Lowering<'_> {
     /// An expression whose value is wanted.
@@ -54,7 +58,7 @@ impl Lowering<'_> {
             syn::Expr::Path(it) => {
                 // Of what type it is only its use says.
                 let open = it.path.segments.last().is_some_and(|it| it.ident == "PhantomData");
-                let seen = open || pattern::is_variant(&it.path);
+                let seen = open || is_variant(&it.path);
                 (self.path(it), seen)
             }
             syn::Expr::Paren(it) => self.kind(&mut it.expr, value),
@@ -147,7 +151,7 @@ impl Lowering<'_> {
             syn::Expr::Try(it) => (ExprKind::Try(Box::new(self.value(&mut it.expr))), value),
             syn::Expr::Macro(it) if it.mac.path.is_ident("matches") => {
                 self.is_rusts(&it.mac.path);
-                match super::matching(&it.mac) {
+                match macros::matching(&it.mac) {
                     Some(matching) => {
                         *expr = syn::Expr::Match(matching);
                         self.kind(expr, value)
@@ -158,7 +162,7 @@ impl Lowering<'_> {
                     }
                 }
             }
-            syn::Expr::Macro(it) => match super::by_rows(&it.mac) {
+            syn::Expr::Macro(it) => match macros::by_rows(&it.mac) {
                 Some(matrix) => {
                     *expr = matrix;
                     self.kind(expr, value)
@@ -316,7 +320,7 @@ impl Lowering<'_> {
             fields.push((name, self.value(&mut field.expr)));
         }
         let rest = it.rest.as_mut().map(|rest| Box::new(self.value(rest)));
-        ExprKind::Struct(pattern::last_segment(&it.path), fields, rest)
+        ExprKind::Struct(last_segment(&it.path), fields, rest)
     }
 }
 
@@ -325,9 +329,6 @@ fn gives_several(left: &syn::Expr) -> bool {
     use syn::Expr::{Array, Call, Struct, Tuple};
     matches!(left, Tuple(_) | Array(_) | Struct(_) | Call(_))
 }
-
-/// What stands for an expression that was refused.
-pub(super) const UNIT: ExprKind = ExprKind::Tuple(Vec::new());
 
 /// The operator behind `+=` and the like.
 pub(super) fn compound(op: &syn::BinOp) -> Option<BinaryOp> {
@@ -369,4 +370,19 @@ fn infix(op: &syn::BinOp) -> Option<BinaryOp> {
         syn::BinOp::Or(_) => BinaryOp::LogicOr,
         _ => return None,
     })
+}
+
+/// Whether an expression at the end of a block is a statement all the same: loops, `if` without
+/// `else`, assignments.
+pub(super) fn is_unit_control(expr: &syn::Expr) -> bool {
+    match expr {
+        syn::Expr::ForLoop(_)
+        | syn::Expr::While(_)
+        | syn::Expr::Assign(_)
+        | syn::Expr::Return(_) => true,
+        syn::Expr::Loop(it) => !bound::gives_value(it) && !bound::is_endless(it),
+        syn::Expr::If(it) => it.else_branch.is_none(),
+        syn::Expr::Binary(it) => compound(&it.op).is_some(),
+        _ => false,
+    }
 }

@@ -2,7 +2,11 @@
 
 use bessemer_ir::tree::{self, ExprKind, Order, UnaryOp};
 
-use super::each::Source;
+/// What a loop goes through.
+pub(super) enum Source {
+    One { array: Box<tree::Expr>, owned: bool, group: Option<tree::Group>, reversed: bool },
+    Zip(Box<Source>, Box<Source>),
+}
 
 /// A chain so far.
 pub(super) struct Flow {
@@ -109,5 +113,20 @@ impl Flow {
         let whole = tree::Expr { kind, site: *site, slot: None };
         before.push(tree::Stmt::Expr(whole));
         ExprKind::Block(tree::Block { stmts: before, tail: None })
+    }
+}
+
+/// `let Some(pattern) = value`, as a condition.
+pub(super) fn there(pattern: tree::Pattern, value: tree::Expr) -> tree::Expr {
+    let (site, pattern) = (value.site, tree::Pattern::Constructor("Some".into(), vec![pattern]));
+    let kind = ExprKind::Let(Box::new(pattern), Box::new(value));
+    tree::Expr { kind, site, slot: None }
+}
+
+/// The name of the elements, and the slot of their type.
+pub(super) fn named_by(part: &tree::Part) -> Option<(&String, u32)> {
+    match &part.pattern {
+        tree::Pattern::Name { name, slot, inner: None, .. } => Some((name, *slot)),
+        _ => None,
     }
 }

@@ -3,8 +3,8 @@
 
 use syn::{parse_quote, parse_quote_spanned};
 
-use super::closure::names;
-use super::text;
+use super::names::text;
+use super::syntax::names;
 
 /// What a call stands for; none if it searches nothing.
 pub fn searched(it: &syn::ExprMethodCall) -> Option<syn::Expr> {

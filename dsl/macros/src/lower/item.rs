@@ -5,11 +5,11 @@
 use bessemer_ir::tree::{self, ExprKind};
 use quote::{format_ident, quote};
 
-use super::chain::{named_by, there};
-use super::closure::{closure_parameter, plain};
-use super::each::Source;
-use super::flow::{Flow, Item, Over, Step, Takes};
-use super::{Lowering, slot_name, text};
+use super::closure::closure_parameter;
+use super::flow::{Flow, Item, Over, Source, Step, Takes, named_by, there};
+use super::made::plain;
+use super::names::{slot_name, text};
+use super::walk::Lowering;
 
 impl Lowering<'_> {
     /// Gives what flows out of a chain the names of a pattern.

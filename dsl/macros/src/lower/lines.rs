@@ -6,8 +6,9 @@
 
 use syn::{parse_quote, parse_quote_spanned};
 
+use super::names::text;
 use super::view::may_repeat;
-use super::{Lowering, text};
+use super::walk::Lowering;
 
 /// What may stand between the lines and what takes them.
 const LINKS: [(&str, usize); 3] = [("enumerate", 0), ("rev", 0), ("step_by", 1)];

@@ -1,9 +1,15 @@
-//! Macros, and the module `mem`, that are taken for Rust's by their names: rustc is asked whether they are.
+//! Calls of macros: assertions, `matches!`, matrices.
+//!
+//! They, and the module `mem`, are taken for Rust's by their names: rustc is asked whether they are.
 
+use bessemer_ir::tree;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
+use syn::spanned::Spanned;
 
-use super::{Lowering, text};
+use super::names::{site, text};
+use super::refuse;
+use super::walk::Lowering;
 
 impl Lowering<'_> {
     /// Whether a path may be that of a macro of Rust's; where it stands alone, rustc is asked.
@@ -22,6 +28,106 @@ impl Lowering<'_> {
             self.macros.push(name.clone());
         }
     }
+
+    pub(super) fn macro_statement(&mut self, mac: &mut syn::StmtMacro) -> Option<tree::Expr> {
+        self.macro_call(&mut mac.mac)
+    }
+
+    /// Lowers `assert!(condition)` and the like, `panic!()` and the like; every other macro is refused.
+    pub(super) fn macro_call(&mut self, mac: &mut syn::Macro) -> Option<tree::Expr> {
+        use syn::punctuated::Punctuated;
+        let span = mac.path.span();
+        let name =
+            mac.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default();
+        let compared = match name.as_str() {
+            "assert" | "assert_eq" | "assert_ne" | "panic" | "unreachable" | "todo"
+            | "unimplemented"
+                if !self.is_rusts(&mac.path) =>
+            {
+                self.refusals.add(span, refuse::MACRO);
+                return None;
+            }
+            "assert" | "__inside" | "__room" | "__between" => None,
+            "assert_eq" => Some(tree::BinaryOp::Eq),
+            "assert_ne" => Some(tree::BinaryOp::Ne),
+            "panic" | "unreachable" | "todo" | "unimplemented" => {
+                // What the message would show is not computed.
+                mac.tokens = TokenStream::new();
+                let never = tree::ExprKind::Bool(false);
+                let site = site(&mac.path);
+                let never = Box::new(tree::Expr { kind: never, site, slot: None });
+                let kind = tree::ExprKind::Assert(never, tree::Claim::Assertion);
+                return Some(tree::Expr { kind, site, slot: None });
+            }
+            _ => {
+                self.refusals.add(span, refuse::macro_call(&name));
+                return None;
+            }
+        };
+        let parser = Punctuated::<syn::Expr, syn::Token![,]>::parse_terminated;
+        let Ok(mut arguments) = mac.parse_body_with(parser) else {
+            self.refusals.add(span, refuse::SYNTAX);
+            return None;
+        };
+        let site = site(&mac.path);
+        let first = self.value(arguments.first_mut()?);
+        let condition = match compared {
+            None => {
+                let witness = &arguments[0];
+                mac.tokens = quote! { #witness };
+                first
+            }
+            Some(op) => {
+                let second = self.value(arguments.get_mut(1)?);
+                let (left, right) = (&arguments[0], &arguments[1]);
+                mac.tokens = quote! { #left, #right };
+                let kind = tree::ExprKind::Binary(op, Box::new(first), Box::new(second));
+                tree::Expr { kind, site, slot: None }
+            }
+        };
+        let claim = match name.as_str() {
+            "__inside" => tree::Claim::Index,
+            "__room" => tree::Claim::Capacity,
+            "__between" => tree::Claim::Clamp,
+            _ => tree::Claim::Assertion,
+        };
+        let kind = tree::ExprKind::Assert(Box::new(condition), claim);
+        Some(tree::Expr { kind, site, slot: None })
+    }
+}
+
+/// `matches!(value, pattern if guard)` as the `match` that it stands for.
+pub fn matching(mac: &syn::Macro) -> Option<syn::ExprMatch> {
+    use syn::parse::ParseStream;
+    let parser = |input: ParseStream<'_>| {
+        let value: syn::Expr = input.parse()?;
+        input.parse::<syn::Token![,]>()?;
+        Ok((value, input.parse::<TokenStream>()?))
+    };
+    let (value, rest) = mac.parse_body_with(parser).ok()?;
+    let mut arm: Vec<_> = rest.into_iter().collect();
+    arm.pop_if(|token| matches!(token, proc_macro2::TokenTree::Punct(it) if it.as_char() == ','));
+    syn::parse2(quote! { match #value { #(#arm)* => true, _ => false } }).ok()
+}
+
+/// `vector![a, b]`, `matrix![a, b; c, d]` as the call that they stand for.
+pub fn by_rows(mac: &syn::Macro) -> Option<syn::Expr> {
+    use syn::punctuated::Punctuated;
+    type Elements = Punctuated<syn::Expr, syn::Token![,]>;
+    let name = &mac.path.segments.last()?.ident;
+    let rows: Vec<Vec<syn::Expr>> = if name == "vector" {
+        let column = mac.parse_body_with(Elements::parse_terminated).ok()?;
+        column.into_iter().map(|element| vec![element]).collect()
+    } else if name == "matrix" {
+        let parser = Punctuated::<_, syn::Token![;]>::parse_terminated_with;
+        let row = |input: syn::parse::ParseStream<'_>| Elements::parse_separated_nonempty(input);
+        let rows =
+            mac.parse_body_with(|input: syn::parse::ParseStream<'_>| parser(input, row)).ok()?;
+        rows.into_iter().map(|row| row.into_iter().collect()).collect()
+    } else {
+        return None;
+    };
+    Some(syn::parse_quote! { ::bessemer::linear::by_rows([#([#(#rows),*]),*]) })
 }
 
 /// Calls that rustc finds ambiguous if a name is a macro of the author's own: one that stands above in the text

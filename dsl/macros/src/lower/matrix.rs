@@ -8,9 +8,12 @@ use bessemer_ir::tree::{self, ExprKind, Start};
 use quote::quote_spanned;
 use syn::spanned::Spanned;
 
-use super::closure::{closure_of, closure_parameter, plain};
-use super::each::Source;
-use super::{Lowering, refuse, text};
+use super::closure::{closure_of, closure_parameter};
+use super::flow::Source;
+use super::made::{UNIT, plain};
+use super::names::text;
+use super::refuse;
+use super::walk::Lowering;
 
 /// The methods: how many arguments stand before the closure, and how many elements it takes.
 const METHODS: [(&str, usize, usize); 6] = [
@@ -89,7 +92,7 @@ impl Lowering<'_> {
     fn or_refused(&mut self, kind: Option<ExprKind>, node: &syn::Ident) -> ExprKind {
         kind.unwrap_or_else(|| {
             self.refusals.add(node.span(), refuse::CLOSURE_PARAMETERS);
-            super::expr::UNIT
+            UNIT
         })
     }
 

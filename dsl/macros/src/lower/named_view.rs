@@ -12,8 +12,10 @@ use quote::{ToTokens, format_ident};
 use syn::parse_quote;
 use syn::visit::{self, Visit};
 
+use super::expr::is_unit_control;
+use super::names::text;
 use super::view::{may_repeat, set, written};
-use super::{Lowering, is_unit_control, text};
+use super::walk::Lowering;
 
 impl Lowering<'_> {
     /// Gives each view that has a name in a block a value of its own.

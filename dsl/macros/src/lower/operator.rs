@@ -9,7 +9,8 @@ use proc_macro2::Span;
 use quote::quote_spanned;
 use syn::spanned::Spanned;
 
-use super::{GENERATING, Lowering, own_name, slot_name};
+use super::names::{GENERATING, own_name, slot_name};
+use super::walk::Lowering;
 
 impl Lowering<'_> {
     /// An operand: a slot sees its type.

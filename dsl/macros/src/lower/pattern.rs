@@ -5,8 +5,12 @@ use quote::{ToTokens, quote_spanned};
 use syn::spanned::Spanned;
 use syn::visit_mut::{self, VisitMut};
 
-use super::{Lowering, Refusals, refuse, site, slot_name, text};
-use crate::redirect;
+use super::names::{site, slot_name, text};
+use super::refuse;
+use super::refuse::Refusals;
+use super::syntax::{is_variant, last_segment};
+use super::walk::Lowering;
+use crate::owned::associated;
 
 /// The name that a pattern binds, if that is all it does.
 pub fn simple_name(pattern: &syn::Pat, refusals: &mut Refusals) -> Option<syn::Ident> {
@@ -49,7 +53,7 @@ pub(super) fn brace_variants(pattern: &mut syn::Pat) {
             visit_mut::visit_pat_mut(self, pattern);
             if let syn::Pat::Path(it) = pattern
                 && is_variant(&it.path)
-                && redirect::associated(it.qself.as_ref(), &it.path)
+                && associated(it.qself.as_ref(), &it.path)
                 && !is_of_option(&it.path)
             {
                 *pattern = syn::Pat::Struct(syn::PatStruct {
@@ -213,8 +217,7 @@ impl Lowering<'_> {
         let slot = self.slot();
         let index = self.constants.len() as u32;
         self.constants.push((slot, tokens));
-        let segments: Vec<_> =
-            path.segments.iter().map(|segment| super::text(&segment.ident)).collect();
+        let segments: Vec<_> = path.segments.iter().map(|segment| text(&segment.ident)).collect();
         let name = segments.join("::");
         tree::Expr { kind: tree::ExprKind::Path(index, name), site: site(path), slot: Some(slot) }
     }
@@ -226,19 +229,6 @@ pub fn member(member: &syn::Member) -> String {
         syn::Member::Named(name) => text(name),
         syn::Member::Unnamed(index) => index.index.to_string(),
     }
-}
-
-/// The last name of a path.
-pub(super) fn last_segment(path: &syn::Path) -> String {
-    path.segments.last().map(|segment| text(&segment.ident)).unwrap_or_default()
-}
-
-/// Whether a path is that of a variant: a constant has no small letters.
-pub(super) fn is_variant(path: &syn::Path) -> bool {
-    let last = last_segment(path);
-    path.segments.len() > 1
-        && last.starts_with(|first: char| first.is_uppercase())
-        && last.contains(|letter: char| letter.is_lowercase())
 }
 
 /// Whether a path is `Option::None`, of which rustc cannot tell the type by itself.

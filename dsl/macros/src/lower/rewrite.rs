@@ -6,12 +6,15 @@
 //! (`list_extend`), so that rustc refuses another type's method of the same name.
 
 use proc_macro2::Span;
-use quote::ToTokens;
 use syn::parse_quote;
 
-use super::closure::names;
-use super::sort::{self, Leg};
-use super::{Lowering, chain, halving, refuse, text};
+use super::names::text;
+use super::sort::Leg;
+use super::syntax::{
+    bare, compared, gives_pairs, gives_references, is_iterator, is_made_of_plain, is_plain, names,
+};
+use super::walk::Lowering;
+use super::{halving, refuse, sort};
 
 impl Lowering<'_> {
     /// What an expression stands for; none if for itself.
@@ -24,9 +27,7 @@ impl Lowering<'_> {
         match (text(&it.method).as_str(), it.args.len()) {
             ("contains", 1) => self.contained(it),
             ("then" | "then_some", 1) => self.only_if(it),
-            ("min_by_key" | "max_by_key" | "min_by" | "max_by", 1)
-                if chain::is_iterator(&it.receiver) =>
-            {
+            ("min_by_key" | "max_by_key" | "min_by" | "max_by", 1) if is_iterator(&it.receiver) => {
                 self.extreme(it)
             }
             ("for_each" | "reduce", 1) => self.ended(it),
@@ -362,69 +363,6 @@ fn let_in(pattern: &syn::Pat, value: &syn::Expr, body: &syn::Expr) -> syn::Expr 
     }
 }
 
-/// The two sides of `a.cmp(&b)`, or of `a.partial_cmp(&b).unwrap_or(Ordering::Equal)`.
-pub(super) fn compared(body: &syn::Expr) -> Option<(syn::Expr, syn::Expr)> {
-    let syn::Expr::MethodCall(it) = bare(body) else { return None };
-    let (call, known) = match (text(&it.method).as_str(), bare(&it.receiver)) {
-        ("cmp", _) => (it, "cmp"),
-        ("unwrap_or", syn::Expr::MethodCall(call))
-            if it.args.to_token_stream().to_string().ends_with("Equal") =>
-        {
-            (call, "partial_cmp")
-        }
-        _ => return None,
-    };
-    if call.method != known || call.args.len() != 1 {
-        return None;
-    }
-    let right = match &call.args[0] {
-        syn::Expr::Reference(it) => (*it.expr).clone(),
-        other => other.clone(),
-    };
-    Some(((*call.receiver).clone(), right))
-}
-
-/// Whether an iterator gives pairs, as far as its syntax shows.
-fn gives_pairs(expr: &syn::Expr) -> bool {
-    match bare(expr) {
-        syn::Expr::MethodCall(it) => match text(&it.method).as_str() {
-            "enumerate" | "zip" => true,
-            "rev" | "skip" | "take" | "filter" | "take_while" | "skip_while" => {
-                gives_pairs(&it.receiver)
-            }
-            _ => false,
-        },
-        _ => false,
-    }
-}
-
-/// Whether an iterator gives references, as far as its syntax shows.
-pub(super) fn gives_references(expr: &syn::Expr) -> bool {
-    match bare(expr) {
-        syn::Expr::Reference(_) => true,
-        syn::Expr::MethodCall(it) => match text(&it.method).as_str() {
-            "iter" => true,
-            "chain" | "rev" | "skip" | "take" | "filter" | "take_while" | "skip_while" => {
-                gives_references(&it.receiver)
-            }
-            _ => false,
-        },
-        _ => false,
-    }
-}
-
-pub(super) fn bare(expr: &syn::Expr) -> &syn::Expr {
-    match expr {
-        syn::Expr::Paren(it) => bare(&it.expr),
-        syn::Expr::Group(it) => bare(&it.expr),
-        syn::Expr::Block(it) if it.label.is_none() => match it.block.stmts.as_slice() {
-            [syn::Stmt::Expr(only, None)] => bare(only),
-            _ => expr,
-        },
-        other => other,
-    }
-}
-
 /// Whether computing `value` may change what `end` reads: whoever writes a variable names it.
 fn may_change(value: &syn::Expr, end: &syn::Expr) -> bool {
     !is_plain(value) && root(end).is_some_and(|root| names(value, &root.to_string()))
@@ -556,38 +494,6 @@ fn moves(value: &syn::Expr, place: &syn::Expr) -> bool {
     match bare(place) {
         syn::Expr::Index(it) => may_change(value, &it.index) || moves(value, &it.expr),
         syn::Expr::Field(it) => moves(value, &it.base),
-        _ => false,
-    }
-}
-
-/// Whether an expression is plain, or a tuple, an array or a struct of what is.
-pub(super) fn is_made_of_plain(expr: &syn::Expr) -> bool {
-    match bare(expr) {
-        syn::Expr::Tuple(it) => it.elems.iter().all(is_made_of_plain),
-        syn::Expr::Array(it) => it.elems.iter().all(is_made_of_plain),
-        syn::Expr::Repeat(it) => is_made_of_plain(&it.expr),
-        syn::Expr::Struct(it) => it.fields.iter().all(|field| is_made_of_plain(&field.expr)),
-        syn::Expr::Call(it) => is_constructor(&it.func) && it.args.iter().all(is_made_of_plain),
-        other => is_plain(other),
-    }
-}
-
-/// Whether what is called is a variant, by its path.
-fn is_constructor(function: &syn::Expr) -> bool {
-    matches!(function, syn::Expr::Path(it) if super::pattern::is_variant(&it.path))
-}
-
-/// Whether an expression may be written twice, or left out: a number, a name, a part of one.
-fn is_plain(expr: &syn::Expr) -> bool {
-    match bare(expr) {
-        syn::Expr::Lit(_) | syn::Expr::Path(_) => true,
-        syn::Expr::Field(it) => is_plain(&it.base),
-        syn::Expr::Reference(it) => is_plain(&it.expr),
-        syn::Expr::Unary(it) => match it.op {
-            syn::UnOp::Neg(_) => matches!(bare(&it.expr), syn::Expr::Lit(_)),
-            syn::UnOp::Deref(_) => is_plain(&it.expr),
-            _ => false,
-        },
         _ => false,
     }
 }

@@ -5,10 +5,13 @@
 use bessemer_ir::tree::{self, BinaryOp, ExprKind, Order, Pattern, Start};
 use bessemer_ir::{Int, Scalar};
 
-use super::chain::named_by;
-use super::closure::{closure_of, plain};
-use super::flow::{Flow, Item, Over, Step, Takes};
-use super::{GENERATING, Lowering, refuse, slot_name};
+use super::closure::closure_of;
+use super::flow::{Flow, Item, Over, Step, Takes, named_by};
+use super::made::{UNIT, plain};
+use super::names::{GENERATING, slot_name};
+use super::refuse;
+use super::syntax::is_made_of_plain;
+use super::walk::Lowering;
 
 /// What such a chain may end with.
 pub(super) const ENDS: [&str; 8] =
@@ -25,7 +28,7 @@ impl Lowering<'_> {
         let option = |name: &str, parts| tree::Expr {
             kind: ExprKind::Constructor(name.to_owned(), parts),
             slot: Some(slot),
-            ..plain(super::expr::UNIT, &node)
+            ..plain(UNIT, &node)
         };
         let told = |item: tree::Expr| {
             let some = Box::new(option("Some", vec![item]));
@@ -96,7 +99,7 @@ impl Lowering<'_> {
 
     /// How many items `.nth(n)` passes over still.
     fn passed_over(&mut self, flow: &mut Flow, it: &mut syn::ExprMethodCall) -> Option<String> {
-        if !super::rewrite::is_made_of_plain(&it.args[0]) {
+        if !is_made_of_plain(&it.args[0]) {
             // It would be computed before what the chain begins with.
             self.refusals.add(syn::spanned::Spanned::span(&it.args[0]), refuse::SCAN);
             return None;

@@ -7,7 +7,9 @@ use syn::visit::{self, Visit};
 
 use crate::closures;
 
-use super::{Refusals, pattern, refuse, site, text};
+use super::names::{site, text};
+use super::refuse::Refusals;
+use super::{pattern, refuse};
 
 /// What the witness copy calls `self`.
 pub const RECEIVER: &str = "__self";

@@ -4,9 +4,8 @@
 use syn::parse_quote;
 use syn::spanned::Spanned;
 
-use super::closure::names;
-use super::rewrite::{bare, compared};
-use super::text;
+use super::names::text;
+use super::syntax::{bare, compared, names};
 
 /// Where a comparison stands: in the native item, or in the tree and the copy.
 #[derive(Clone, Copy, PartialEq, Eq)]

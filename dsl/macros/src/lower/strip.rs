@@ -5,7 +5,8 @@
 use syn::spanned::Spanned;
 use syn::visit_mut::{self, VisitMut};
 
-use super::{Refusals, bound, refuse, unroll};
+use super::refuse::Refusals;
+use super::{bound, refuse, unroll};
 
 /// Refuses the attributes of an item, field or method that would make the C differ from the Rust.
 ///

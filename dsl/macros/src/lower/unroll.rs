@@ -2,7 +2,8 @@
 
 use syn::spanned::Spanned;
 
-use super::{Refusals, refuse};
+use super::refuse;
+use super::refuse::Refusals;
 
 /// Takes the attribute off a loop; gives how many passes are to be written out at once.
 pub fn take(attributes: &mut Vec<syn::Attribute>, refusals: &mut Refusals) -> Option<u32> {

@@ -5,7 +5,8 @@
 
 use quote::{format_ident, quote_spanned};
 
-use super::Lowering;
+use super::names::text;
+use super::walk::Lowering;
 
 /// The views that may be written, without their `_mut`.
 const VIEWS: [&str; 5] = ["row", "column", "fixed_view", "fixed_rows", "fixed_columns"];
@@ -15,7 +16,7 @@ pub(super) fn written(expr: &mut syn::Expr) -> Option<(&mut syn::ExprMethodCall,
     match expr {
         syn::Expr::Paren(it) => written(&mut it.expr),
         syn::Expr::MethodCall(it) => {
-            let name = super::text(&it.method);
+            let name = text(&it.method);
             let name = name.strip_suffix("_mut")?.to_owned();
             VIEWS.contains(&name.as_str()).then_some((it, name))
         }
@@ -39,7 +40,7 @@ impl Lowering<'_> {
     /// What an expression that writes a view stands for.
     pub(super) fn written_view(&self, expr: &syn::Expr) -> Option<syn::Expr> {
         let syn::Expr::MethodCall(it) = expr else { return None };
-        let (method, arguments) = (super::text(&it.method), it.args.clone());
+        let (method, arguments) = (text(&it.method), it.args.clone());
         let mut receiver = (*it.receiver).clone();
         let (view, name) = written(&mut receiver)?;
         let first = arguments.first().cloned();

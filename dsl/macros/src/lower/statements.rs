@@ -1,0 +1,173 @@
+//! Blocks and their statements: `let`, items, expressions for their effect.
+
+use bessemer_ir::tree;
+use quote::quote;
+use syn::spanned::Spanned;
+
+use super::expr::is_unit_control;
+use super::made::UNIT;
+use super::names::{site, slot_name, text};
+use super::walk::Lowering;
+use super::{pattern, refuse, rewrite, signature};
+
+impl Lowering<'_> {
+    /// Lowers a block; its locals end with it.
+    pub fn block(&mut self, block: &mut syn::Block) -> tree::Block {
+        self.scoped(|walk| walk.statements(&mut block.stmts))
+    }
+
+    pub(super) fn statements(&mut self, stmts: &mut Vec<syn::Stmt>) -> tree::Block {
+        let mut lowered = tree::Block::default();
+        self.views_with_names(stmts);
+        let originals = std::mem::take(stmts);
+        let last = originals.len().saturating_sub(1);
+        for (index, mut stmt) in originals.into_iter().enumerate() {
+            match &mut stmt {
+                syn::Stmt::Local(local) => {
+                    rewrite::or_return(local, self.optional);
+                    if self.closure_local(local) {
+                        stmts.push(stmt);
+                        continue;
+                    }
+                    if takes_apart(local) && local.init.is_none() {
+                        self.refusals.add(local.pat.span(), refuse::LATER);
+                        continue;
+                    }
+                    if takes_apart(local) {
+                        let (tree, looks) = self.apart(local);
+                        lowered.stmts.push(tree);
+                        stmts.push(stmt);
+                        stmts.extend(looks);
+                        continue;
+                    }
+                    let (tree, look) = self.local(local);
+                    lowered.stmts.extend(tree);
+                    stmts.push(stmt);
+                    stmts.extend(look);
+                    continue;
+                }
+                syn::Stmt::Item(item) => {
+                    self.item(item);
+                    continue;
+                }
+                syn::Stmt::Expr(expr, semicolon) => {
+                    if semicolon.is_none() && index == last && !is_unit_control(expr) {
+                        lowered.tail = Some(Box::new(self.value(expr)));
+                    } else {
+                        lowered.stmts.push(tree::Stmt::Expr(self.statement(expr)));
+                    }
+                }
+                syn::Stmt::Macro(mac) => {
+                    if let Some(tree) = self.macro_statement(mac) {
+                        lowered.stmts.push(tree::Stmt::Expr(tree));
+                    }
+                }
+            }
+            stmts.push(stmt);
+        }
+        lowered
+    }
+
+    pub(super) fn item(&mut self, item: &syn::Item) {
+        match item {
+            // The outermost block holds them after the scope of the parameters.
+            syn::Item::Const(_) | syn::Item::Use(_) if self.scopes.len() == 2 => {
+                self.items.push(item.clone())
+            }
+            syn::Item::Static(it)
+                if self.scopes.len() == 2
+                    && matches!(it.mutability, syn::StaticMutability::None) =>
+            {
+                self.items.push(item.clone())
+            }
+            syn::Item::Const(it) => self.refusals.add(it.const_token.span, refuse::NESTED_CONST),
+            syn::Item::Use(it) => self.refusals.add(it.use_token.span, refuse::NESTED_CONST),
+            syn::Item::Static(it) if matches!(it.mutability, syn::StaticMutability::None) => {
+                self.refusals.add(it.static_token.span, refuse::NESTED_CONST);
+            }
+            syn::Item::Static(it) => self.refusals.add(it.static_token.span, refuse::STATIC),
+            other => self.refusals.add(refuse::first_token(other), refuse::NESTED_ITEM),
+        }
+    }
+
+    pub(super) fn local(
+        &mut self,
+        local: &mut syn::Local,
+    ) -> (Option<tree::Stmt>, Option<syn::Stmt>) {
+        let site = site(&local.let_token);
+        let value = local.init.as_mut().map(|init| self.value(&mut init.expr));
+        if let syn::Pat::Type(typed) = &local.pat {
+            signature::check_type(&typed.ty, self.refusals);
+        }
+        let Some(ident) = pattern::simple_name(&local.pat, self.refusals) else {
+            return (None, None);
+        };
+        let slot = self.slot();
+        pattern::name_wild(&mut local.pat);
+        let name = text(&ident);
+        self.bind(&name);
+        let look = if local.init.is_some() {
+            Some(self.look(slot, &ident))
+        } else {
+            pattern::make_mutable(&mut local.pat);
+            let slot = slot_name(slot);
+            local.init = Some(syn::LocalInit {
+                eq_token: Default::default(),
+                expr: Box::new(syn::Expr::Verbatim(quote! { __any(&#slot) })),
+                diverge: None,
+            });
+            None
+        };
+        (Some(tree::Stmt::Let { name, slot, value, site }), look)
+    }
+
+    /// `let pattern = value;`, perhaps with an `else`.
+    pub(super) fn apart(&mut self, local: &mut syn::Local) -> (tree::Stmt, Vec<syn::Stmt>) {
+        let site = site(&local.let_token);
+        if let syn::Pat::Type(typed) = &local.pat {
+            signature::check_type(&typed.ty, self.refusals);
+        }
+        let lent = local.init.as_ref().is_some_and(|init| self.is_place(&init.expr));
+        let (mut value, mut otherwise) = (tree::Expr { kind: UNIT, site, slot: None }, None);
+        if let Some(init) = local.init.as_mut() {
+            value = self.whole(&mut init.expr);
+            if let Some((_, expr)) = &mut init.diverge {
+                otherwise = match &mut **expr {
+                    syn::Expr::Block(it) => Some(self.branch(&mut it.block, false)),
+                    _ => None,
+                };
+            }
+        }
+        let mut looks = Vec::new();
+        pattern::brace_variants(&mut local.pat);
+        let pattern = Box::new(self.pattern_of(lent, &local.pat, &mut looks));
+        (tree::Stmt::Apart { pattern, value, otherwise, site }, looks)
+    }
+
+    /// A value that is taken apart: the parts of a tuple need not become one.
+    pub(super) fn whole(&mut self, expr: &mut syn::Expr) -> tree::Expr {
+        match expr {
+            syn::Expr::Paren(it) => self.whole(&mut it.expr),
+            syn::Expr::Tuple(it) => {
+                let parts = it.elems.iter_mut().map(|part| self.whole(part)).collect();
+                tree::Expr { kind: tree::ExprKind::Tuple(parts), site: site(it), slot: None }
+            }
+            other => self.value(other),
+        }
+    }
+}
+
+/// Whether a `let` takes its value apart.
+fn takes_apart(local: &syn::Local) -> bool {
+    let simple = |pattern: &syn::Pat| match pattern {
+        syn::Pat::Ident(it) => it.by_ref.is_none() && it.subpat.is_none(),
+        syn::Pat::Wild(_) => true,
+        _ => false,
+    };
+    let diverges = local.init.as_ref().is_some_and(|init| init.diverge.is_some());
+    diverges
+        || !match &local.pat {
+            syn::Pat::Type(it) => simple(&it.pat),
+            pattern => simple(pattern),
+        }
+}

@@ -1,0 +1,186 @@
+//! What a walk over one function knows: the locals in scope, the slots so far, and what the builder has to emit beside.
+//!
+//! Must not know: syntax. Each form is lowered in a file of its own.
+
+use bessemer_ir::tree;
+use proc_macro2::TokenStream;
+use quote::quote_spanned;
+use syn::spanned::Spanned;
+
+use super::names::{GENERATING, slot_name, text};
+use super::refuse::Refusals;
+
+/// The walk over one function.
+pub struct Lowering<'a> {
+    /// What was refused so far.
+    pub refusals: &'a mut Refusals,
+    /// The locals in scope: the author's name, and that in the tree.
+    pub(super) scopes: Vec<Vec<(String, String)>>,
+    /// The closures that have a name, by it.
+    pub(super) closures: Vec<Closure>,
+    /// The parameters that take closures.
+    pub called: Vec<String>,
+    /// Whether patterns are those of a closure, whose names are kept apart from those around it, with this mark.
+    pub(super) apart: Option<&'static str>,
+    pub(super) slots: u32,
+    pub(super) callees: u32,
+    /// The operators, which may be functions of a type that the library knows.
+    pub operators: Vec<tree::Operator>,
+    /// Paths that rustc has to evaluate: the slot, and the path.
+    pub constants: Vec<(u32, TokenStream)>,
+    /// The macros of Rust's that are called, each once.
+    pub macros: Vec<syn::Ident>,
+    /// `const` items of the body: the builder needs them too.
+    pub items: Vec<syn::Item>,
+    /// The function's own name, and whether it is a method: to tell a direct recursion.
+    pub(super) name: String,
+    pub(super) method: bool,
+    /// Whether what is matched is a place, so that `ref` in a pattern names a part of it.
+    pub(super) lent: bool,
+    /// Whether the function gives an `Option`.
+    pub optional: bool,
+}
+
+/// A closure with a name.
+pub struct Closure {
+    /// Its name in the tree.
+    pub(super) name: String,
+    /// Its parameters; their names are those in the tree.
+    pub(super) parameters: Vec<tree::Pattern>,
+    pub(super) body: tree::Expr,
+    /// The names that its body uses, and how often each was bound before.
+    pub(super) uses: Vec<(usize, String)>,
+}
+
+impl<'a> Lowering<'a> {
+    /// A walk over the function or method called `name`, with nothing seen yet.
+    pub fn new(name: &syn::Ident, method: bool, refusals: &'a mut Refusals) -> Lowering<'a> {
+        Lowering {
+            refusals,
+            scopes: vec![Vec::new()],
+            closures: Vec::new(),
+            called: Vec::new(),
+            apart: None,
+            slots: 0,
+            callees: 0,
+            operators: Vec::new(),
+            constants: Vec::new(),
+            macros: Vec::new(),
+            items: Vec::new(),
+            name: text(name),
+            method,
+            lent: false,
+            optional: false,
+        }
+    }
+
+    /// How many slots, and how many callees, the walk has used.
+    pub fn counts(&self) -> (u32, u32) {
+        (self.slots, self.callees)
+    }
+
+    /// A fresh slot.
+    pub fn slot(&mut self) -> u32 {
+        self.slots += 1;
+        self.slots - 1
+    }
+
+    /// Makes `name` a local of the innermost scope.
+    pub fn bind(&mut self, name: &str) {
+        if let Some(scope) = self.scopes.last_mut() {
+            scope.push((name.to_owned(), name.to_owned()));
+        }
+    }
+
+    /// The same under another name in the tree, if it would hide a local there: what is lowered out of
+    /// its place keeps its meaning. Marks in a name of the tree do not reach the C.
+    pub(super) fn bind_apart(&mut self, name: &str) -> String {
+        let apart = self.hidden(name);
+        self.bind_as(name, &apart);
+        apart
+    }
+
+    /// A name in the tree for what the author has none for.
+    pub(super) fn hidden(&mut self, name: &str) -> String {
+        let mut hidden = name.to_owned();
+        while self.scopes.iter().flatten().any(|(_, known)| *known == hidden) {
+            hidden.push('%');
+        }
+        self.bind_as("", &hidden);
+        hidden
+    }
+
+    pub(super) fn bind_as(&mut self, name: &str, in_tree: &str) {
+        if let Some(scope) = self.scopes.last_mut() {
+            scope.push((name.to_owned(), in_tree.to_owned()));
+        }
+    }
+
+    /// How often a name was bound, as far as that is in scope.
+    pub(super) fn bindings(&self, name: &str) -> usize {
+        self.scopes.iter().flatten().filter(|(known, _)| known == name).count()
+    }
+
+    /// The name in the tree of a local.
+    pub(super) fn local_name(&self, name: &str) -> Option<&str> {
+        let found = self.scopes.iter().rev().flat_map(|scope| scope.iter().rev());
+        found.into_iter().find(|(known, _)| known == name).map(|(_, in_tree)| in_tree.as_str())
+    }
+
+    pub(super) fn is_local(&self, name: &str) -> bool {
+        self.local_name(name).is_some()
+    }
+
+    pub(super) fn scoped<T>(&mut self, walk: impl FnOnce(&mut Self) -> T) -> T {
+        self.scopes.push(Vec::new());
+        let closures = self.closures.len();
+        let result = walk(self);
+        self.scopes.pop();
+        self.closures.truncate(closures);
+        result
+    }
+
+    /// Turns `expr` into `see(&slot, expr)` and gives the slot.
+    pub(super) fn see(&mut self, expr: &mut syn::Expr) -> u32 {
+        let slot = self.slot();
+        self.see_in(slot, expr);
+        slot
+    }
+
+    /// The same for a value with references in it, of which a slot holds the type without their lifetime.
+    pub(super) fn glance(&mut self, expr: &mut syn::Expr) -> u32 {
+        let slot = self.slot();
+        if GENERATING {
+            let name = slot_name(slot);
+            *expr = syn::Expr::Verbatim(quote_spanned! { expr.span() => __glance(&#name, #expr) });
+        }
+        slot
+    }
+
+    pub(super) fn see_in(&self, slot: u32, expr: &mut syn::Expr) {
+        if GENERATING {
+            let name = slot_name(slot);
+            *expr = syn::Expr::Verbatim(quote_spanned! { expr.span() => __see(&#name, #expr) });
+        }
+    }
+
+    /// The statement `look(&slot, &place);`.
+    pub(super) fn look(&self, slot: u32, place: &syn::Ident) -> syn::Stmt {
+        let name = slot_name(slot);
+        syn::Stmt::Expr(
+            syn::Expr::Verbatim(quote_spanned! { place.span() => __look(&#name, &#place) }),
+            Some(Default::default()),
+        )
+    }
+
+    /// The same for what a reference refers to.
+    pub(super) fn look_behind(&self, slot: u32, reference: &syn::Ident) -> syn::Stmt {
+        let name = slot_name(slot);
+        syn::Stmt::Expr(
+            syn::Expr::Verbatim(
+                quote_spanned! { reference.span() => __look(&#name, &*#reference) },
+            ),
+            Some(Default::default()),
+        )
+    }
+}
