@@ -2,7 +2,8 @@
 
 #![allow(missing_docs)]
 
-use super::{Called, Callee};
+use super::builder::Callee;
+use super::slot::Called;
 use crate::math::ascii;
 
 /// What a companion that is a function of the DSL returns.

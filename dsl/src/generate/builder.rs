@@ -1,7 +1,9 @@
-//! Collects the definitions and functions of a package, each after what it is made of.
+//! What a package is made of, so far: definitions, each after what it is made of, and what was refused.
+//!
+//! Must not know: slots, companions and operators, which build on it.
 
 use alloc::borrow::ToOwned;
-use alloc::collections::{BTreeMap, BTreeSet};
+use alloc::collections::BTreeSet;
 
 use alloc::format;
 use alloc::string::String;
@@ -10,16 +12,15 @@ use alloc::vec::Vec;
 use bessemer_ir::tree::{self, Argument, DefinitionKind, Package, Refusal, Site, Ty};
 use bessemer_ir::{Given, Scalar};
 
-use super::{DslType, ScalarType, operators};
 use crate::Plain;
 
 /// What a package is made of, so far.
 #[derive(Default)]
 pub struct Builder {
-    package: Package,
-    known: BTreeSet<String>,
+    pub(super) package: Package,
+    pub(super) known: BTreeSet<String>,
     /// The functions being built, outermost first.
-    stack: Vec<String>,
+    pub(super) stack: Vec<String>,
 }
 
 /// What rustc decided about one function.
@@ -57,89 +58,6 @@ pub struct Named {
 /// Parameters by name, and what stands for each.
 pub type Arguments = Vec<(String, Argument)>;
 
-/// Where an item stands: its module, and the folder of its package.
-pub type Place = (&'static str, &'static str);
-
-/// The [`Place`] of what stands here.
-#[macro_export]
-#[doc(hidden)]
-macro_rules! __place {
-    () => {
-        (::core::module_path!(), ::core::env!("CARGO_MANIFEST_DIR"))
-    };
-}
-pub use __place as place;
-
-/// An item that announced itself to its package.
-pub struct Registered {
-    place: Place,
-    site: (u32, u32),
-    build: fn(&mut Builder),
-    /// Whether it comes along with whatever package uses its crate.
-    everywhere: bool,
-}
-
-inventory::collect!(Registered);
-
-impl Registered {
-    /// An item at a line and column of its file.
-    pub const fn new(place: Place, site: (u32, u32), build: fn(&mut Builder)) -> Registered {
-        Registered { place, site, build, everywhere: false }
-    }
-
-    /// A table, which is told by its value wherever it is used.
-    pub const fn table(place: Place, site: (u32, u32), build: fn(&mut Builder)) -> Registered {
-        Registered { place, site, build, everywhere: true }
-    }
-
-    fn module(&self) -> &'static str {
-        self.place.0
-    }
-
-    /// Its crate.
-    fn root(&self) -> &'static str {
-        self.module().split("::").next().unwrap_or_default()
-    }
-}
-
-/// The crates whose items are here, each with the folder in which it was compiled, as JSON.
-pub fn folders() -> String {
-    let items = inventory::iter::<Registered>.into_iter();
-    let crates: BTreeMap<&str, &str> = items.map(|item| (item.root(), item.place.1)).collect();
-    serde_json::to_string(&crates).unwrap_or_default()
-}
-
-/// Builds the function of a marker.
-pub fn function<C: Callee>(cx: &mut Builder) {
-    C::callee(cx);
-}
-
-/// Builds a type.
-pub fn data<T: DslType>(cx: &mut Builder) {
-    T::ty(cx);
-}
-
-/// A field of type `T`.
-pub fn field<T: DslType>(
-    cx: &mut Builder,
-    name: &str,
-    docs: &[&str],
-    given: Option<Said>,
-) -> tree::Field {
-    tree::Field { name: name.to_owned(), docs: owned(docs), ty: T::ty(cx), given: said(given) }
-}
-
-/// A variant of an enum.
-pub fn variant(
-    name: &str,
-    docs: &[&str],
-    fields: Vec<tree::Field>,
-    value: Option<i64>,
-    given: Option<Said>,
-) -> tree::Variant {
-    tree::Variant { name: name.to_owned(), docs: owned(docs), fields, value, given: said(given) }
-}
-
 /// What the author of an item asks of its C: the name and its place, the unit, the section.
 pub struct Said {
     /// The name in the C, and the line and column where it stands.
@@ -152,7 +70,7 @@ pub struct Said {
     pub site: (u32, u32),
 }
 
-fn said(said: Option<Said>) -> Given {
+pub(super) fn said(said: Option<Said>) -> Given {
     let Some(Said { name, unit, section, site }) = said else { return Given::default() };
     let owned = |text: Option<&'static str>| text.map(ToOwned::to_owned);
     let site = Site(site.0, site.1);
@@ -166,29 +84,8 @@ pub fn words<T: Plain>(value: &T) -> Vec<u64> {
     words
 }
 
-/// What stands for the parameters of a function.
-pub struct Generics {
-    /// Of all in scope.
-    pub scope: Arguments,
-    /// Of its own.
-    pub own: Arguments,
-    /// The interface that it is part of, and of its parameters.
-    pub interface: Option<(&'static str, Arguments)>,
-}
-
-/// The type that stands for the parameter `name`.
-pub fn argument<T: DslType>(cx: &mut Builder, name: &str) -> (String, Argument) {
-    (name.to_owned(), Argument::Type(T::ty(cx)))
-}
-
-/// The number that stands for the parameter `name`.
-pub fn number<T: Plain + ScalarType>(name: &str, value: T) -> (String, Argument) {
-    let word = words(&value).first().copied().unwrap_or_default();
-    (name.to_owned(), Argument::Number(T::SCALAR, word))
-}
-
 /// A Rust path with its arguments, `models::Fir<f32, 4>`.
-fn path(owner: &str, name: &str, arguments: &[(String, Argument)]) -> String {
+pub(super) fn path(owner: &str, name: &str, arguments: &[(String, Argument)]) -> String {
     if arguments.is_empty() {
         return format!("{owner}::{name}");
     }
@@ -196,7 +93,7 @@ fn path(owner: &str, name: &str, arguments: &[(String, Argument)]) -> String {
     format!("{owner}::{name}<{}>", arguments.join(", "))
 }
 
-fn text(argument: &Argument) -> String {
+pub(super) fn text(argument: &Argument) -> String {
     match argument {
         Argument::Type(ty) => type_text(ty),
         Argument::Number(Scalar::Int(int), word) => format!("{}", int.from_word(*word)),
@@ -204,7 +101,7 @@ fn text(argument: &Argument) -> String {
     }
 }
 
-fn type_text(ty: &Ty) -> String {
+pub(super) fn type_text(ty: &Ty) -> String {
     match ty {
         Ty::Unit => "()".to_owned(),
         Ty::Scalar(scalar) => scalar.name().to_owned(),
@@ -226,25 +123,6 @@ fn type_text(ty: &Ty) -> String {
             inner => format!("{name}<{}>", type_text(inner)),
         },
     }
-}
-
-/// Everything that the items of the package `name` registered, as JSON.
-///
-/// Items of other crates are part of it as far as they are used.
-pub fn package(name: &str, license: &str) -> String {
-    let mut builder = Builder::default();
-    builder.package.name = name.to_owned();
-    builder.package.license = license.to_owned();
-    let mut items: Vec<&Registered> = inventory::iter::<Registered>.into_iter().collect();
-    // The linker's order differs from build to build; the author's does not.
-    items.sort_by_key(|item| (item.module(), item.site));
-    for item in items {
-        if item.everywhere || item.root() == name.replace('-', "_") {
-            (item.build)(&mut builder);
-        }
-    }
-    builder.package.implied = operators::implied(&mut builder);
-    serde_json::to_string(&builder.package).unwrap_or_default()
 }
 
 impl Builder {
@@ -286,150 +164,8 @@ impl Builder {
         Ty::Named(path)
     }
 
-    /// The name that its author gives to an instance.
-    pub fn alias<T: DslType>(
-        &mut self,
-        named: Named,
-        docs: &[&str],
-        site: (u32, u32),
-        given: Option<Said>,
-    ) {
-        let ty = T::ty(self);
-        let site = Site(site.0, site.1);
-        let known = |it: &&tree::Definition| matches!(&ty, Ty::Named(path) if *path == it.path);
-        let generic = self.package.types.iter().find(known).filter(|it| !it.arguments.is_empty());
-        let Some(of) = generic.map(|definition| definition.path.clone()) else {
-            self.refuse(
-                named.file,
-                site,
-                format!("`{}` is not an instance of a generic type", type_text(&ty)),
-                "leave the attribute out: the type has a name of its own",
-            );
-            return;
-        };
-        if let Some(other) = self.package.aliases.iter().find(|alias| alias.of == of) {
-            let message = format!("`{of}` is named twice: it is `{}` already", other.name);
-            self.refuse(named.file, site, message, "leave the attribute out at one of the two");
-            return;
-        }
-        self.package.aliases.push(tree::Alias {
-            of,
-            name: named.name.to_owned(),
-            module: named.module.to_owned(),
-            docs: owned(docs),
-            file: named.file.to_owned(),
-            site,
-            given: said(given),
-        });
-    }
-
-    /// A constant or a table of which its author says more than its value.
-    pub fn table<T: DslType + Plain>(
-        &mut self,
-        named: Named,
-        docs: &[&str],
-        site: (u32, u32),
-        value: &T,
-        given: Option<Said>,
-    ) {
-        let value = tree::Constant { ty: T::ty(self), words: words(value) };
-        self.package.tables.push(tree::Table {
-            name: named.name.to_owned(),
-            docs: owned(docs),
-            file: named.file.to_owned(),
-            site: Site(site.0, site.1),
-            value,
-            given: said(given),
-        });
-    }
-
-    /// A function; `witness` is asked once. By reference: of a generic parameter rustc would compile all of this for each
-    /// function of the models.
-    pub fn function(
-        &mut self,
-        named: Named,
-        owner: Option<Ty>,
-        generics: Generics,
-        text: &str,
-        witness: &dyn Fn(&mut Builder) -> Witness,
-    ) -> tree::Callee {
-        let owner = owner.map(|owner| type_text(&owner));
-        let home = owner.as_deref().unwrap_or(named.module);
-        let path = match &generics.interface {
-            None => path(home, named.name, &generics.own),
-            Some((name, arguments)) => {
-                let interface = path(home, name, arguments);
-                path(&interface, named.name, &generics.own)
-            }
-        };
-        let suffix = self.suffix(owner.as_deref(), &generics);
-        if self.stack.contains(&path) {
-            self.recursion(&path, named.file, text);
-        } else if self.known.insert(path.clone()) {
-            self.stack.push(path.clone());
-            let witness = witness(self);
-            self.stack.pop();
-            let tree = match tree::read::<tree::FunctionTree>(text) {
-                Ok(tree) => tree,
-                Err(error) => {
-                    let message = format!("the tree of `{path}` cannot be read: {error}");
-                    let remedy = "use one version of `bessemer` in the whole workspace";
-                    self.refuse(named.file, Site::default(), message, remedy);
-                    return tree::Callee::Function(path);
-                }
-            };
-            let operators =
-                operators::called(self, &tree.operators, witness.operators, &witness.slots);
-            self.package.functions.push(tree::Function {
-                path: path.clone(),
-                module: named.module.to_owned(),
-                file: named.file.to_owned(),
-                owner,
-                generics: generics.scope,
-                interface: generics.interface.map(|(name, _)| name.to_owned()),
-                suffix,
-                tree,
-                slots: witness.slots,
-                callees: witness.callees,
-                constants: witness.constants,
-                operators,
-            });
-        }
-        tree::Callee::Function(path)
-    }
-
-    /// What tells a function from others of its name and owner: what stands for its parameters and for
-    /// those of its interface, as far as the owner does not tell.
-    fn suffix(&self, owner: Option<&str>, generics: &Generics) -> Vec<Argument> {
-        let known = self.package.types.iter().find(|it| Some(it.path.as_str()) == owner);
-        let known = known.map(|owner| owner.arguments.as_slice()).unwrap_or_default();
-        // An operator may take what its type is made of, and the type itself besides.
-        let told = |name, argument| !operators::is_sign(name) && known.contains(argument);
-        let interface = generics.interface.iter().flat_map(|(name, arguments)| {
-            arguments.iter().filter(|(_, argument)| !told(name, argument))
-        });
-        interface.chain(&generics.own).map(|(_, argument)| argument.clone()).collect()
-    }
-
-    /// The method of an interface whose implementation is not part of the DSL.
-    pub fn unmarked<T: DslType>(
-        &mut self,
-        method: &str,
-        file: &str,
-        site: (u32, u32),
-    ) -> tree::Callee {
-        let owner = type_text(&T::ty(self));
-        self.refuse(
-            file,
-            Site(site.0, site.1),
-            format!("what `{method}` does for `{owner}` is not part of the DSL"),
-            "mark the `impl` block as the type is: `#[data]` or `#[component]`",
-        );
-        tree::Callee::Function(String::new())
-    }
-
     /// How a function comes back to itself.
-    fn round_trip(&self, path: &str) -> String {
+    pub(super) fn round_trip(&self, path: &str) -> String {
         let from = self.stack.iter().position(|known| known == path).unwrap_or_default();
         match &self.stack[from + 1..] {
             [] => format!("`{path}` calls itself"),
@@ -437,7 +173,7 @@ impl Builder {
         }
     }
 
-    fn recursion(&mut self, path: &str, file: &str, text: &str) {
+    pub(super) fn recursion(&mut self, path: &str, file: &str, text: &str) {
         let site = tree::read::<tree::FunctionTree>(text).map(|tree| tree.site);
         let message = self.round_trip(path);
         self.refuse(
@@ -448,12 +184,12 @@ impl Builder {
         );
     }
 
-    fn refuse(&mut self, file: &str, site: Site, message: String, remedy: &str) {
+    pub(super) fn refuse(&mut self, file: &str, site: Site, message: String, remedy: &str) {
         let (file, remedy) = (file.to_owned(), remedy.to_owned());
         self.package.errors.push(Refusal { file, site, message, remedy });
     }
 }
 
-fn owned(lines: &[&str]) -> Vec<String> {
+pub(super) fn owned(lines: &[&str]) -> Vec<String> {
     lines.iter().map(|&line| line.to_owned()).collect()
 }

@@ -8,8 +8,8 @@ use alloc::borrow::ToOwned;
 use bessemer_ir::tree;
 use nalgebra::{SMatrix, Scalar};
 
-use super::slot::ScalarType;
-use super::{Builder, Called, Callee, Value};
+use super::builder::{Builder, Callee};
+use super::slot::{Called, ScalarType, Value};
 
 macro_rules! markers {
     ($($marker:ident: $name:literal;)*) => {$(

@@ -2,7 +2,8 @@
 
 use crate::math::checked;
 
-use super::{Called, Callee};
+use super::builder::Callee;
+use super::slot::Called;
 
 /// Checked arithmetic of integers.
 #[allow(missing_docs)]

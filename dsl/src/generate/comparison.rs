@@ -7,9 +7,10 @@ use core::cmp::Ordering;
 
 use bessemer_ir::tree::{self, Ty};
 
+use super::builder::{Builder, Callee};
 use super::builtin::{OrderBuiltins, markers};
 use super::matrices::told;
-use super::{Builder, Called, Callee, DslType, Seen, Value};
+use super::slot::{Called, DslType, Seen, Value};
 use crate::comparison;
 use crate::math::Real;
 

@@ -1,6 +1,7 @@
 //! The companions of the elementary functions.
 
-use super::{Called, Callee};
+use super::builder::Callee;
+use super::slot::Called;
 use crate::math::{
     arctangent, exponential, fused, hyperbolic, logarithm, power, roots, sine, single, tangent,
 };

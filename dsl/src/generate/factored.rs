@@ -6,8 +6,9 @@
 use bessemer_ir::tree::Ty;
 use nalgebra::{Cholesky, Const, DimMin, LU, QR, SMatrix, SVector, UDU};
 
+use super::builder::{Builder, Callee};
 use super::matrices::{companions, told};
-use super::{Builder, Called, Callee, DslType, Seen};
+use super::slot::{Called, DslType, Seen};
 use crate::linear::factored::cholesky::CholeskyFactor;
 use crate::linear::factored::lu::Lu;
 use crate::linear::factored::qr::Qr;

@@ -7,10 +7,10 @@ use alloc::borrow::ToOwned;
 use bessemer_ir::tree;
 use nalgebra::{SMatrix, SVector, Scalar};
 
+use super::builder::{Builder, Callee};
 use super::builtin::markers;
 use super::numbers::FromBuiltin;
-use super::slot::ScalarType;
-use super::{Builder, Called, Callee};
+use super::slot::{Called, ScalarType};
 use crate::linear::{by_rows, inverse_mut, kernels, solve_into, solve_mut};
 
 markers! {

@@ -4,9 +4,10 @@ use alloc::borrow::ToOwned;
 
 use bessemer_ir::tree;
 
+use super::builder::{Builder, Callee};
 use super::builtin::markers;
 use super::matrices::told;
-use super::{Builder, Called, Callee, Value};
+use super::slot::{Called, Value};
 use crate::{List, list_edit};
 
 markers! {

@@ -4,7 +4,8 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::{Called, Callee};
+use super::builder::Callee;
+use super::slot::Called;
 use crate::element::{Element, Number};
 use crate::linear::{
     blas, elementwise, inverse, matrix_edit, matrix_extremes, matrix_powers, matrix_statistics,

@@ -10,6 +10,7 @@ pub mod checked;
 pub mod comparison;
 pub mod elementary;
 pub mod factored;
+mod items;
 pub mod linear;
 pub mod list;
 pub mod matrices;
@@ -25,17 +26,17 @@ pub mod views;
 
 pub use alloc::string::String;
 pub use bessemer_ir::tree;
-pub use builder::{
-    Builder, Callee, Generics, Named, Registered, Said, Witness, argument, data, field, folders,
-    function, number, package, place, variant, words,
-};
+pub use builder::{Builder, Callee, Named, Said, Witness, words};
 pub use comparison::{Ranked, cmp};
 pub use inventory;
+pub use items::{
+    Generics, Registered, argument, data, field, folders, function, number, package, place, variant,
+};
 pub use numbers::{FromBuiltin, TryFromBuiltin};
-pub use operators::{Implements, Operates, Operation, OwnOperator, sign};
+pub use operators::{Implements, Operates, Operation, OwnOperator, own, sign};
 pub use slot::{
     Called, DslType, Instance, ScalarType, Seen, Slot, Value, WithoutEntries, callees, constant,
-    list, own, types,
+    list, types,
 };
 
 /// What a builder imports; the names begin with `__` so that they never meet an author's.

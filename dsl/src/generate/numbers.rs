@@ -5,8 +5,9 @@ use core::num::TryFromIntError;
 
 use bessemer_ir::tree::{self, Ty};
 
+use super::builder::{Builder, Callee};
 use super::builtin::markers;
-use super::{Builder, Called, Callee, DslType, Seen};
+use super::slot::{Called, DslType, Seen};
 use crate::math::integer;
 
 markers! {

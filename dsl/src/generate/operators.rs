@@ -15,7 +15,9 @@ use bessemer_ir::tree::{self, Callee, Implied, Ty};
 
 use nalgebra::SMatrix;
 
-use super::{Builder, ScalarType, Slot, spatial};
+use super::builder::Builder;
+use super::slot::{ScalarType, Slot};
+use super::spatial;
 
 /// The traits that are called by no name and no operator of one's own.
 const IMPLIED: [&str; 4] = ["PartialEq", "From", "Index", "IndexMut"];
@@ -64,7 +66,7 @@ pub trait Implements<O, B> {
 /// The marker of that function.
 pub struct Operation<O, A, B>(PhantomData<fn() -> (O, A, B)>);
 
-impl<O, A: Implements<O, B>, B> super::Callee for Operation<O, A, B> {
+impl<O, A: Implements<O, B>, B> super::builder::Callee for Operation<O, A, B> {
     fn callee(cx: &mut Builder) -> tree::Callee {
         A::build(cx)
     }
@@ -114,6 +116,23 @@ impl<O, A: Implements<O, B>, B> PerhapsOwn for Operation<O, A, B> {
     fn own(cx: &mut Builder) -> Option<tree::Callee> {
         Some(A::build(cx))
     }
+}
+
+/// A slot that holds a function of an author's, or none.
+pub trait OwnSlot {
+    /// The function of an author's that rustc put here, if there is one.
+    fn own(&self, cx: &mut Builder) -> Option<tree::Callee>;
+}
+
+impl<T: PerhapsOwn> OwnSlot for Slot<T> {
+    fn own(&self, cx: &mut Builder) -> Option<tree::Callee> {
+        T::own(cx)
+    }
+}
+
+/// The functions of authors in slots.
+pub fn own(cx: &mut Builder, slots: &[&dyn OwnSlot]) -> Vec<Option<tree::Callee>> {
+    slots.iter().map(|slot| slot.own(cx)).collect()
 }
 
 /// The operands of an operator; of the sign, twice the same.

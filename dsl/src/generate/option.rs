@@ -5,8 +5,9 @@ use alloc::borrow::ToOwned;
 use bessemer_ir::tree;
 use nalgebra::{SMatrix, Scalar};
 
+use super::builder::{Builder, Callee};
 use super::builtin::markers;
-use super::{Builder, Called, Callee};
+use super::slot::Called;
 
 markers! {
     IsSome: "is_some";

@@ -12,8 +12,9 @@ use nalgebra::{
     SVector, U1,
 };
 
+use super::builder::{Builder, Callee};
 use super::matrices::told;
-use super::{Builder, Called, Callee};
+use super::slot::Called;
 use crate::linear::matrix_resize;
 use crate::math::Real;
 

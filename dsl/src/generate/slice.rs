@@ -6,9 +6,11 @@ use core::array::TryFromSliceError;
 use bessemer_ir::tree::{self, Ty};
 use nalgebra::SVector;
 
+use super::builder::{Builder, Callee};
 use super::builtin::markers;
 use super::matrices::told;
-use super::{Builder, Called, Callee, DslType, Seen, TryFromBuiltin, Value};
+use super::numbers::TryFromBuiltin;
+use super::slot::{Called, DslType, Seen, Value};
 use crate::math::Real;
 use crate::{Number, slice_edit, sort};
 

@@ -8,8 +8,7 @@ use bessemer_ir::tree::{self, Ty};
 use bessemer_ir::{Float, Int, Scalar};
 use nalgebra::SMatrix;
 
-use super::operators::PerhapsOwn;
-use super::{Builder, Callee};
+use super::builder::{Builder, Callee, words};
 use crate::{EntriesInOneBlock, List, Plain};
 
 /// A place for a type.
@@ -148,18 +147,6 @@ impl<T: Callee> CalleeSlot for Slot<T> {
     }
 }
 
-/// A slot that holds a function of an author's, or none.
-pub trait OwnSlot {
-    /// The function of an author's that rustc put here, if there is one.
-    fn own(&self, cx: &mut Builder) -> Option<tree::Callee>;
-}
-
-impl<T: PerhapsOwn> OwnSlot for Slot<T> {
-    fn own(&self, cx: &mut Builder) -> Option<tree::Callee> {
-        T::own(cx)
-    }
-}
-
 /// The types in slots.
 pub fn types(cx: &mut Builder, slots: &[&dyn TypeSlot]) -> Vec<Ty> {
     slots.iter().map(|slot| slot.ty(cx)).collect()
@@ -170,14 +157,9 @@ pub fn callees(cx: &mut Builder, slots: &[&dyn CalleeSlot]) -> Vec<tree::Callee>
     slots.iter().map(|slot| slot.callee(cx)).collect()
 }
 
-/// The functions of authors in slots.
-pub fn own(cx: &mut Builder, slots: &[&dyn OwnSlot]) -> Vec<Option<tree::Callee>> {
-    slots.iter().map(|slot| slot.own(cx)).collect()
-}
-
 /// The value of a path that rustc evaluated.
 pub fn constant<T: DslType + Plain>(cx: &mut Builder, _: &Slot<T>, value: T) -> tree::Constant {
-    tree::Constant { ty: T::ty(cx), words: super::words(&value) }
+    tree::Constant { ty: T::ty(cx), words: words(&value) }
 }
 
 /// An array as a list.

@@ -17,10 +17,11 @@ use nalgebra::{
     Translation, Translation3, Unit, UnitQuaternion, UnitVector3, Vector3, Vector4,
 };
 
+use super::builder::{Builder, Callee};
 use super::builtin::{AxisX, AxisY, AxisZ, Identity, New, TrMul, Transpose, Zeros, markers};
 use super::factored::{gives, held_mut, methods};
 use super::matrices::told;
-use super::{Builder, Called, Callee, DslType, Seen};
+use super::slot::{Called, DslType, Seen};
 use crate::linear::spatial::{isometry, quaternion, unit_quaternion};
 use crate::linear::{elementwise, matrix_edit, norms};
 use crate::math::Real;

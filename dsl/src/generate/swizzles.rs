@@ -7,8 +7,9 @@ use alloc::borrow::ToOwned;
 use bessemer_ir::tree;
 use nalgebra::SVector;
 
+use super::builder::{Builder, Callee};
 use super::builtin::markers;
-use super::{Builder, Called, Callee};
+use super::slot::Called;
 use crate::element::Element;
 
 macro_rules! swizzles {

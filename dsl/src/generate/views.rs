@@ -7,9 +7,10 @@ use alloc::borrow::ToOwned;
 use bessemer_ir::tree;
 use nalgebra::{SMatrix, SVector};
 
+use super::builder::{Builder, Callee};
 use super::builtin::markers;
 use super::numbers::FromBuiltin;
-use super::{Builder, Called, Callee, Value};
+use super::slot::{Called, Value};
 use crate::element::Element;
 use crate::linear::views;
 
