@@ -5,7 +5,7 @@
 
 use bessemer_ir::{Attributes, Inlining};
 
-use super::Options;
+use super::options::Options;
 use super::spelling::identifier;
 
 /// One of the macros.

@@ -10,9 +10,10 @@ use bessemer_ir::visit::Walk;
 use bessemer_ir::{Const, ConstId, ExprKind, FunctionId, Module};
 
 use super::analysis::inline_callees;
-use super::names::{Signature, Storage, unique};
 use super::reserved::is_reserved_globally;
-use super::spelling::{identifier, relative, screaming};
+use super::signature::Signature;
+use super::spelling::{identifier, relative, screaming, unique};
+use super::tree::Storage;
 
 /// The names, by file (its header) and constant.
 #[derive(Clone, Debug, Default)]

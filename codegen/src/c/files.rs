@@ -12,14 +12,18 @@ use std::collections::{BTreeMap, BTreeSet};
 use bessemer_ir::{ConstId, EnumId, Function, FunctionId, Owner, Scalar, Span, StructId, Type};
 
 use super::analysis::{inline_callees, reachable};
+use super::assemble::assemble;
+use super::context::{Context, Uses};
+use super::file::CFile;
 use super::helpers::closure;
 use super::library::{self, is_mathematics};
-use super::lower::{self, Context, Uses};
-use super::names::{OVERLAY, Returned, Signature, Storage};
-use super::print::Printer;
-use super::shell::{Shell, frame};
-use super::tree::{Declarator, Head, Init, Item, Lines, Origin, Stmt, StmtKind, plain};
-use super::{CFile, Options, asked, init, literal, self_test, status, target, units};
+use super::lower;
+use super::names::OVERLAY;
+use super::options::Options;
+use super::shell::Shell;
+use super::signature::{Returned, Signature};
+use super::tree::{Declarator, Head, Init, Item, Lines, Origin, Stmt, StmtKind, Storage, plain};
+use super::{asked, init, literal, self_test, status_header, target, units};
 use crate::kernels;
 
 /// What one pair of files holds.
@@ -48,7 +52,7 @@ enum Callable {
 pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {
     let mut list = Vec::new();
     if context.faults.any() {
-        list.push(status::header(context, options));
+        list.push(status_header::header(context, options));
     }
     for (name, unit) in units(context) {
         let writer = Writer { context, options, name, unit };
@@ -457,38 +461,6 @@ impl Writer<'_> {
         };
         assemble(self.context, &name, &shell, extension == "h", items)
     }
-}
-
-pub(super) fn assemble(
-    context: Context<'_>,
-    name: &str,
-    shell: &Shell<'_>,
-    is_header: bool,
-    items: &[Item],
-) -> CFile {
-    let (before, after) = frame(shell, is_header);
-    let first_line = before.matches('\n').count() as u32 + 1;
-    let mut printer = Printer::new(&context.module.files, first_line);
-    let mut before_it: Option<&Item> = None;
-    for item in items {
-        // Constants stand together, and so do prototypes without a comment.
-        let together = match (before_it, item) {
-            (None, _) => true,
-            (Some(Item::Constant { .. }), Item::Constant { docs, .. }) => docs.is_empty(),
-            (Some(Item::Prototype { .. }), Item::Prototype { docs, .. }) => docs.is_empty(),
-            _ => false,
-        };
-        printer.item(item, !together);
-        before_it = Some(item);
-    }
-    let (body, map) = printer.finish();
-    let text = format!("{before}{body}{}", after.trim_start_matches('\n'));
-    let text = if is_header {
-        text.replacen("#ifdef __cplusplus\n}", "\n#ifdef __cplusplus\n}", 1)
-    } else {
-        text
-    };
-    CFile { name: name.to_owned(), text, map }
 }
 
 /// The struct or enum that a type is made of, if one.

@@ -5,10 +5,11 @@ use std::collections::BTreeMap;
 
 use bessemer_ir::{ConstId, FunctionId, Given, Module, Span};
 
-use super::Options;
 use super::helpers::is_helper_name;
-use super::names::{Names, OVERLAY, Storage};
+use super::names::{Names, OVERLAY};
+use super::options::Options;
 use super::reserved::{is_keyword, is_reserved_for_locals, is_reserved_globally};
+use super::tree::Storage;
 
 /// What is wrong with a name that an author gave.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

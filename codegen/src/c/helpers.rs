@@ -12,7 +12,7 @@ use std::sync::LazyLock;
 
 use bessemer_ir::{Float, Int, Scalar};
 
-use super::names::scalar_type;
+use super::spelling::scalar_type;
 
 /// A helper; the order is the order in a file: what another calls comes first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

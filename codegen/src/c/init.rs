@@ -4,8 +4,9 @@ use std::collections::BTreeSet;
 
 use bessemer_ir::{Module, StructId, Type};
 
+use super::context::{Context, Uses};
 use super::literal;
-use super::lower::{Context, Uses};
+use super::spelling::unique;
 use super::tree::{
     Declarator, Expr, Head, Init, Item, Lines, Origin, Step, Stmt, StmtKind, Storage, plain,
 };
@@ -144,7 +145,7 @@ impl Writer<'_> {
             _ => "values".to_owned(),
         };
         let tables = &self.tables;
-        let name = super::names::unique(&format!("initial_{field}"), |name| tables.contains(name));
+        let name = unique(&format!("initial_{field}"), |name| tables.contains(name));
         self.tables.insert(name.clone());
         let items = words
             .iter()

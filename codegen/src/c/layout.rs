@@ -2,7 +2,7 @@
 
 use bessemer_ir::{Scalar, StructId, Type};
 
-use super::lower::Context;
+use super::context::Context;
 
 /// `sizeof` a value.
 pub fn size_of(context: Context<'_>, ty: &Type) -> u64 {

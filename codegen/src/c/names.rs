@@ -13,20 +13,22 @@
 use std::collections::BTreeSet;
 
 use bessemer_ir::{
-    ConstId, EnumId, Function, FunctionId, Given, Int, Module, Owner, Scalar, StructId, Type,
+    ConstId, EnumId, Function, FunctionId, Given, Module, Owner, StructId, Type,
 };
 
 use super::analysis::Faults;
 use super::const_names::ConstNames;
 use super::helpers::is_helper_name;
 use super::library::{self, Math};
+use super::matrices::Layout;
+use super::options::Options;
 use super::placing::Placing;
 use super::reserved::{is_keyword, is_reserved_for_locals, is_reserved_globally};
-use super::spelling::{self, identifier, screaming, snake};
+pub use super::signature::{Param, Passing, Returned, Signature};
+use super::spelling::{self, identifier, scalar_type, screaming, snake};
 pub use super::status::{FAULTS, StatusNames};
 pub use super::tree::Storage;
 use super::tree::{Declarator, Head};
-use super::{Layout, Options};
 
 /// The names of a struct.
 #[derive(Clone, Debug)]
@@ -55,56 +57,6 @@ pub struct EnumNames {
     /// The enumerators, in order.
     pub variants: Vec<String>,
     /// The header that declares it.
-    pub header: String,
-}
-
-/// How a parameter is passed in C.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Passing {
-    /// A word, by value.
-    Value,
-    /// A pointer to const, or an array of const elements.
-    Input,
-    /// A pointer or an array that is read and written.
-    InOut,
-    /// A pointer or an array that only receives the result.
-    Output,
-}
-
-/// A parameter of a C function.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Param {
-    /// Its name.
-    pub name: String,
-    /// The type of the value, of the pointee for a pointer.
-    pub ty: Type,
-    /// How it is passed.
-    pub passing: Passing,
-}
-
-/// What a C function returns.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Returned {
-    /// `void`.
-    Nothing,
-    /// The result itself.
-    Value(Type),
-    /// The status.
-    Status,
-}
-
-/// The C face of a function.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Signature {
-    /// Its name.
-    pub name: String,
-    /// Who can call it.
-    pub storage: Storage,
-    /// The parameters of the Rust function, in order; after them the result's, if it has one.
-    pub params: Vec<Param>,
-    /// What it returns.
-    pub returned: Returned,
-    /// The header that declares it (for a static function, the one beside its source).
     pub header: String,
 }
 
@@ -360,25 +312,6 @@ impl Names {
 /// What stands before the name of a field that shares its memory: `state.as.running`.
 pub const OVERLAY: &str = "as.";
 
-/// The C type of a scalar.
-pub fn scalar_type(scalar: Scalar) -> &'static str {
-    match scalar {
-        Scalar::Bool => "bool",
-        Scalar::Float(bessemer_ir::Float::F32) => "float",
-        Scalar::Float(bessemer_ir::Float::F64) => "double",
-        Scalar::Int(int) => match int {
-            Int::I8 => "int8_t",
-            Int::I16 => "int16_t",
-            Int::I32 => "int32_t",
-            Int::I64 | Int::Isize => "int64_t",
-            Int::U8 => "uint8_t",
-            Int::U16 => "uint16_t",
-            Int::U32 => "uint32_t",
-            Int::U64 | Int::Usize => "uint64_t",
-        },
-    }
-}
-
 /// The name that an author gave, or another.
 fn given_or(given: &Given, name: String) -> String {
     given.name.clone().unwrap_or(name)
@@ -394,16 +327,6 @@ pub fn field_name(name: &str) -> String {
 pub fn local_name(name: &str) -> String {
     let name = identifier(name);
     if is_reserved_for_locals(&name) { format!("{name}_") } else { name }
-}
-
-/// `name`, or `name_2`, `name_3`, …: the first that is free.
-pub fn unique(name: &str, taken: impl Fn(&str) -> bool) -> String {
-    if !taken(name) {
-        return name.to_owned();
-    }
-    let gap = if name.ends_with('_') { "" } else { "_" };
-    let candidates = (2..).map(|number| format!("{name}{gap}{number}"));
-    candidates.into_iter().find(|candidate| !taken(candidate)).expect("numbers do not end")
 }
 
 /// `attitude_pid_torque`: the whole module path, the owner, the name.

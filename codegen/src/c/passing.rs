@@ -6,7 +6,9 @@
 use bessemer_ir::{Function, FunctionId, Mode, Module, Type};
 
 use super::analysis::Faults;
-use super::names::{Names, Param, Passing, Returned, local_name, unique};
+use super::names::{Names, local_name};
+use super::signature::{Param, Passing, Returned};
+use super::spelling::unique;
 
 impl Names {
     /// Names the parameters of every function.

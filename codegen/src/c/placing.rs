@@ -14,8 +14,8 @@ use bessemer_ir::{
     EnumId, ExprKind, Function, FunctionId, Module, Owner, Role, Struct, StructId, Type,
 };
 
-use super::Options;
 use super::library::{self, Math};
+use super::options::Options;
 use super::reserved::is_reserved_file;
 use super::spelling::{identifier, last_segment, relative, snake, wanted};
 

@@ -2,7 +2,7 @@
 //!
 //! It decides indentation, line breaks, braces, comments' form. It knows nothing of the IR.
 
-use super::MapLine;
+use super::file::MapLine;
 use super::layout_text::{Pieces, WIDTH, fill, flat};
 use super::tree::{
     Declarator, Head, Init, Item, Lines, Origin, Step, Stmt, StmtKind, Storage, SwitchArm,

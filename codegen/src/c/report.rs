@@ -4,11 +4,13 @@ use bessemer_ir::visit::Walk;
 use bessemer_ir::{FunctionId, Module, Owner, Role};
 
 use super::analysis::Faults;
+use super::context::{Context, Uses};
+use super::file::CFile;
 use super::layout::size_of_struct;
-use super::lower::{self, Context, Uses};
+use super::lower;
 use super::names::Names;
+use super::options::Options;
 use super::units::{self, Measured};
-use super::{CFile, Options};
 use crate::kernels;
 
 /// What a call costs beside the variables: return address, saved registers, alignment.

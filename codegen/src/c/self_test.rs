@@ -6,10 +6,11 @@
 
 use tera::{Context as Values, Tera};
 
-use super::lower::Context;
+use super::context::Context;
+use super::file::CFile;
+use super::options::Options;
 use super::shell::{Shell, frame};
 use super::spelling::identifier;
-use super::{CFile, Options};
 
 /// Header and source, if they are wanted.
 pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {

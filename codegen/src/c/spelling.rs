@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use bessemer_ir::{Int, Scalar};
+
 /// A Rust identifier as a C identifier: ASCII letters, digits and `_`.
 pub fn identifier(name: &str) -> String {
     let name = name.strip_prefix("r#").unwrap_or(name);
@@ -86,4 +88,33 @@ fn greek(letter: char) -> Option<&'static str> {
     let pick =
         |table: &[&'static str; 25], first| at(first).and_then(|offset| table.get(offset).copied());
     pick(&SMALL, 'α').or_else(|| pick(&CAPITAL, 'Α'))
+}
+
+/// The C type of a scalar.
+pub fn scalar_type(scalar: Scalar) -> &'static str {
+    match scalar {
+        Scalar::Bool => "bool",
+        Scalar::Float(bessemer_ir::Float::F32) => "float",
+        Scalar::Float(bessemer_ir::Float::F64) => "double",
+        Scalar::Int(int) => match int {
+            Int::I8 => "int8_t",
+            Int::I16 => "int16_t",
+            Int::I32 => "int32_t",
+            Int::I64 | Int::Isize => "int64_t",
+            Int::U8 => "uint8_t",
+            Int::U16 => "uint16_t",
+            Int::U32 => "uint32_t",
+            Int::U64 | Int::Usize => "uint64_t",
+        },
+    }
+}
+
+/// `name`, or `name_2`, `name_3`, …: the first that is free.
+pub fn unique(name: &str, taken: impl Fn(&str) -> bool) -> String {
+    if !taken(name) {
+        return name.to_owned();
+    }
+    let gap = if name.ends_with('_') { "" } else { "_" };
+    let candidates = (2..).map(|number| format!("{name}{gap}{number}"));
+    candidates.into_iter().find(|candidate| !taken(candidate)).expect("numbers do not end")
 }

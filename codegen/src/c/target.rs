@@ -4,10 +4,11 @@
 //! `codegen/templates/`, and depends on names alone. A header that computes says the same for its own lines instead:
 //! what includes it may be anybody's.
 
-use super::lower::Context;
+use super::context::Context;
+use super::file::CFile;
+use super::options::Options;
 use super::shell::{Shell, whole};
 use super::spelling::identifier;
-use super::{CFile, Options};
 
 /// The header's name.
 pub fn name(options: &Options) -> String {

@@ -2,7 +2,8 @@
 
 use bessemer_ir::{Function, Module, Type};
 
-use super::names::{Names, OVERLAY, Param, Passing, Signature};
+use super::names::{Names, OVERLAY};
+use super::signature::{Param, Passing, Signature};
 
 /// What a value is to whoever calls an entry point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

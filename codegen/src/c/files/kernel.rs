@@ -3,10 +3,10 @@
 use bessemer_ir::{FunctionId, Kernel, Span};
 
 use super::{Callable, Includes, Writer, origin};
+use crate::c::context::Uses;
 use crate::c::helpers::Helper;
-use crate::c::lower::Uses;
-use crate::c::names::Storage;
 use crate::c::shell::NO_CONTRACTION;
+use crate::c::tree::Storage;
 use crate::c::tree::{Item, StmtKind, plain};
 use crate::kernels;
 use crate::kernels::replace::Replacement;

@@ -2,7 +2,8 @@
 
 use bessemer_ir::{Argument, Expr as Ir, ExprKind, FunctionId, Place, Type};
 
-use super::super::names::{Passing, Returned, Storage};
+use super::super::signature::{Passing, Returned};
+use super::super::tree::Storage;
 use super::super::tree::{Expr, StmtKind};
 use super::Lower;
 use super::copy::indexed_by;

@@ -7,7 +7,7 @@ use bessemer_ir::visit::{Access, Walk};
 use bessemer_ir::{Block, CompareOp, Expr as Ir, ExprKind, Int, LocalId, Place, Scalar, Type};
 
 use super::super::literal;
-use super::super::names::scalar_type;
+use super::super::spelling::scalar_type;
 use super::super::tree::{Declarator, Expr, Init, Step, StmtKind};
 use super::Lower;
 use super::place::is_small;

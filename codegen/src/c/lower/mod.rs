@@ -22,51 +22,22 @@ mod stmt;
 mod variants;
 mod word;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use bessemer_ir::visit::Walk;
 use bessemer_ir::{
-    Block, ConstId, ExprKind, Function, FunctionId, LocalId, Mode, Module, Owner, Role, Span,
+    Block, ConstId, ExprKind, Function, FunctionId, LocalId, Mode, Owner, Role, Span,
     StmtKind as IrKind, Type,
 };
 
-use super::analysis::{Faults, Usage};
+use super::analysis::Usage;
+use super::context::{Context, Uses};
 use super::helpers::Helper;
 use super::layout::size_of;
-use super::names::{Names, Signature, local_name, unique};
+use super::names::local_name;
+use super::signature::{Returned, Signature};
+use super::spelling::unique;
 use super::tree::{Declarator, Expr, Init, Lines, Origin, Stmt, StmtKind, Storage, plain};
-
-/// What a file must contain or include for the functions in it.
-#[derive(Clone, Debug, Default)]
-pub struct Uses {
-    /// The file, by its header.
-    pub file: String,
-    /// Helper functions.
-    pub helpers: BTreeSet<Helper>,
-    /// Named constants.
-    pub consts: BTreeSet<ConstId>,
-    /// Emitted headers.
-    pub headers: BTreeSet<String>,
-    /// `math.h`.
-    pub math: bool,
-    /// `string.h`.
-    pub string: bool,
-    /// `stdlib.h`.
-    pub library: bool,
-    /// The macro that asks for a loop to be written out.
-    pub unroll: bool,
-}
-
-/// What all functions share.
-#[derive(Clone, Copy)]
-pub struct Context<'a> {
-    /// The module.
-    pub module: &'a Module,
-    /// Its names.
-    pub names: &'a Names,
-    /// Who can fault.
-    pub faults: &'a Faults,
-}
 
 /// A lowered function.
 pub struct Lowered {
@@ -217,7 +188,7 @@ impl<'a> Lower<'a> {
         let Some(field) = names.fault.as_ref().filter(|_| first.ty == Type::Struct(owner)) else {
             return;
         };
-        if self.signature.returned != super::names::Returned::Status || first.mode == Mode::Value {
+        if self.signature.returned != Returned::Status || first.mode == Mode::Value {
             return;
         }
         let fault = Expr::unary("*", Expr::name(&self.signature.params[0].name)).field(field);
@@ -302,7 +273,7 @@ impl<'a> Lower<'a> {
     }
 
     fn is_fallible(&self) -> bool {
-        self.signature.returned == super::names::Returned::Status
+        self.signature.returned == Returned::Status
     }
 
     fn emit_ok(&mut self) {

@@ -3,7 +3,7 @@
 use bessemer_ir::{BinaryOp, Expr as Ir, ExprKind, Float, Int, Intrinsic, Mode, Scalar, Type};
 
 use super::super::helpers::{Helper, unsigned_type};
-use super::super::names::scalar_type;
+use super::super::spelling::scalar_type;
 use super::super::tree::Expr;
 use super::Lower;
 use super::place::is_small;

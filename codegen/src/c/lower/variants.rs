@@ -7,7 +7,7 @@
 
 use bessemer_ir::{EnumId, Expr as Ir, Fault, Form, Owner, Role, Type};
 
-use super::super::names::Returned;
+use super::super::signature::Returned;
 use super::super::tree::{Expr, StmtKind, SwitchArm};
 use super::{Lower, bound};
 

@@ -8,7 +8,7 @@ use bessemer_ir::{
 };
 
 use super::super::literal;
-use super::super::names::scalar_type;
+use super::super::spelling::scalar_type;
 use super::super::tree::Expr;
 use super::Lower;
 

@@ -1,0 +1,41 @@
+//! What the whole back end looks things up in, and what one file turns out to need.
+
+use std::collections::BTreeSet;
+
+use bessemer_ir::{ConstId, Module};
+
+use super::analysis::Faults;
+use super::helpers::Helper;
+use super::names::Names;
+
+/// What a file must contain or include for the functions in it.
+#[derive(Clone, Debug, Default)]
+pub struct Uses {
+    /// The file, by its header.
+    pub file: String,
+    /// Helper functions.
+    pub helpers: BTreeSet<Helper>,
+    /// Named constants.
+    pub consts: BTreeSet<ConstId>,
+    /// Emitted headers.
+    pub headers: BTreeSet<String>,
+    /// `math.h`.
+    pub math: bool,
+    /// `string.h`.
+    pub string: bool,
+    /// `stdlib.h`.
+    pub library: bool,
+    /// The macro that asks for a loop to be written out.
+    pub unroll: bool,
+}
+
+/// What all functions share.
+#[derive(Clone, Copy)]
+pub struct Context<'a> {
+    /// The module.
+    pub module: &'a Module,
+    /// Its names.
+    pub names: &'a Names,
+    /// Who can fault.
+    pub faults: &'a Faults,
+}

@@ -1,0 +1,25 @@
+//! Emitted files.
+
+/// An emitted file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CFile {
+    /// `height.h`.
+    pub name: String,
+    /// What is in it.
+    pub text: String,
+    /// Where its lines come from, in order.
+    pub map: Vec<MapLine>,
+}
+
+/// A line of C and the line of Rust that it comes from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MapLine {
+    /// Line of the C file, from 1.
+    pub c_line: u32,
+    /// The Rust file, relative to the workspace.
+    pub rust_file: String,
+    /// Line of the Rust file, from 1.
+    pub rust_line: u32,
+    /// The Rust path of the function, empty for a type.
+    pub function: String,
+}

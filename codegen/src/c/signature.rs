@@ -1,0 +1,55 @@
+//! The C face of a function.
+
+use bessemer_ir::Type;
+
+use super::tree::Storage;
+
+/// How a parameter is passed in C.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Passing {
+    /// A word, by value.
+    Value,
+    /// A pointer to const, or an array of const elements.
+    Input,
+    /// A pointer or an array that is read and written.
+    InOut,
+    /// A pointer or an array that only receives the result.
+    Output,
+}
+
+/// A parameter of a C function.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Param {
+    /// Its name.
+    pub name: String,
+    /// The type of the value, of the pointee for a pointer.
+    pub ty: Type,
+    /// How it is passed.
+    pub passing: Passing,
+}
+
+/// What a C function returns.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Returned {
+    /// `void`.
+    Nothing,
+    /// The result itself.
+    Value(Type),
+    /// The status.
+    Status,
+}
+
+/// The C face of a function.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Signature {
+    /// Its name.
+    pub name: String,
+    /// Who can call it.
+    pub storage: Storage,
+    /// The parameters of the Rust function, in order; after them the result's, if it has one.
+    pub params: Vec<Param>,
+    /// What it returns.
+    pub returned: Returned,
+    /// The header that declares it (for a static function, the one beside its source).
+    pub header: String,
+}
