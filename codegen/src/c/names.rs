@@ -12,9 +12,7 @@
 
 use std::collections::BTreeSet;
 
-use bessemer_ir::{
-    ConstId, EnumId, Function, FunctionId, Given, Module, Owner, StructId, Type,
-};
+use bessemer_ir::{ConstId, EnumId, Function, FunctionId, Given, Module, Owner, StructId, Type};
 
 use super::analysis::Faults;
 use super::const_names::ConstNames;

@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 
 use serde_json::{Value, json};
 
-use super::output::Files;
+use super::files::Files;
 use crate::c::{CFile, Measured};
 use crate::compile::Compiled;
 

@@ -9,24 +9,9 @@ use std::path::{Path, PathBuf};
 
 use similar::TextDiff;
 
-use super::Error;
+use super::error::Error;
+use super::files::Files;
 use super::manifest::{self, Manifest};
-
-/// Files by name.
-#[derive(Default)]
-pub struct Files(BTreeMap<String, String>);
-
-impl Files {
-    /// Adds a file.
-    pub fn add(&mut self, name: &str, text: String) {
-        self.0.insert(name.to_owned(), text);
-    }
-
-    /// Their names, in order.
-    pub fn names(&self) -> impl Iterator<Item = &str> {
-        self.0.keys().map(String::as_str)
-    }
-}
 
 /// Compares the folder with what it should hold.
 pub(super) fn check(

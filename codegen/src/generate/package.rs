@@ -9,8 +9,9 @@ use std::process::{Command, Stdio};
 use bessemer_ir::tree::Package;
 use serde_json::Value;
 
+use super::error::Error;
+use super::job::Job;
 use super::program::{self, Program};
-use super::{Error, Job};
 use crate::deep;
 use crate::diagnostic::{self, Diagnostic};
 use crate::source::Sources;

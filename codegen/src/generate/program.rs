@@ -14,7 +14,7 @@ use std::time::SystemTime;
 
 use serde_json::Value;
 
-use super::Error;
+use super::error::Error;
 
 /// The program, and the crates that it is made of.
 pub(super) struct Program {

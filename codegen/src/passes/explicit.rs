@@ -7,8 +7,11 @@ use bessemer_ir::StmtKind;
 use bessemer_ir::{Argument, Block, Expr, ExprKind, Function, Module, Place, Span, Step, Stmt};
 use thiserror::Error;
 
+use super::callees::callees;
 use super::places::disturbs;
 use super::positions::{self, Callee, Position, accepts};
+use super::sites::Site;
+use super::{checked, proof};
 use crate::effects::{lent, moves, reads, writes};
 
 /// A rule of explicit IR.
@@ -45,12 +48,12 @@ pub struct Problem {
 
 /// Everything that is not explicit in a valid module.
 pub fn check(module: &Module) -> Vec<Problem> {
-    let callees = super::callees(module);
+    let callees = callees(module);
     let mut problems = Vec::new();
     for function in &module.functions {
         let mut checker = Checker { callees: &callees, function, problems };
         checker.block(&function.body);
-        super::open(module, function)
+        open(module, function)
             .into_iter()
             .for_each(|site| checker.wrong(Rule::Unchecked, site.span));
         problems = checker.problems;
@@ -189,4 +192,10 @@ impl Checker<'_> {
             }
         }
     }
+}
+
+/// The operations of a function that may fault: [`proof`](super::proof) does not show that they cannot, and their checks are not
+/// before them.
+pub(super) fn open(module: &Module, function: &Function) -> Vec<Site> {
+    checked::without(proof::open(module, function), module, function)
 }

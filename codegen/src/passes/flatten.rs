@@ -21,10 +21,10 @@ use bessemer_ir::{
 use super::analysis::State;
 use super::checked;
 use super::faults::{self, Obligation, step_type};
+use super::lowering::Lowering;
 use super::names::{self, Purpose};
 use super::places::weight;
 use super::positions::{self, Position, accepts};
-use super::statements::Lowering;
 use crate::effects::{lent, lent_by_step, moves, reads, whole};
 
 /// What is read in a check and again in the statement may weigh as much as this.

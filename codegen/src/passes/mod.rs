@@ -16,43 +16,35 @@
 //! comes out as it went in.
 
 mod analysis;
+mod callees;
 mod checked;
 mod declare;
 mod explicit;
 mod faults;
 mod flatten;
+mod lowering;
 mod names;
 mod places;
 mod positions;
 mod proof;
+mod remaining;
 mod sites;
 mod statements;
 mod work;
 
+pub use callees::{fallible, reached};
 pub use explicit::{Problem, Rule, check};
+pub use remaining::Remaining;
 pub use work::lend;
 
-use std::collections::HashSet;
-
-use bessemer_ir::visit::{Visit, VisitMut, walk_block_mut, walk_expr, walk_stmt};
-use bessemer_ir::{
-    Block, Expr, ExprKind, Fault, Function, FunctionId, Module, Role, Span, Stmt, StmtKind,
-};
+use bessemer_ir::visit::{VisitMut, walk_block_mut};
+use bessemer_ir::{Block, Fault, Module, Role, StmtKind};
 use thiserror::Error;
 
+use callees::may_fault;
+use explicit::open;
 use positions::Callee;
-use sites::Site;
-
-/// A check that is left, because the operation could not be proved not to fault.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Remaining {
-    /// What it reports.
-    pub fault: Fault,
-    /// Where the operation stands.
-    pub span: Span,
-    /// Why it could not be proved, in words.
-    pub reason: String,
-}
+use remaining::Doubted;
 
 /// The checks that are left.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -133,15 +125,6 @@ pub fn explicit_with(module: Module, keep: bool) -> Result<(Module, Report), Vec
     }
 }
 
-/// The operations of a function that may fault: [`proof`] does not show that they cannot, and their checks are not
-/// before them.
-fn open(module: &Module, function: &Function) -> Vec<Site> {
-    checked::without(proof::open(module, function), module, function)
-}
-
-/// Where operations come from of which [`proof`] does not confirm one: the checks of all of them stand.
-type Doubted = HashSet<Span>;
-
 /// Takes checks of the author's away that were proved.
 struct Proved;
 
@@ -150,53 +133,6 @@ impl VisitMut for Proved {
         block.0.retain(|stmt| !matches!(stmt.kind, StmtKind::Check { fault: Fault::LeftOut, .. }));
         walk_block_mut(self, block);
     }
-}
-
-/// Which functions of an explicit module may end in a fault.
-pub fn fallible(module: &Module) -> Vec<bool> {
-    callees(module).into_iter().map(|callee| callee.fallible).collect()
-}
-
-fn callees(module: &Module) -> Vec<Callee> {
-    module.functions.iter().fold(Vec::new(), |mut callees, function| {
-        callees.push(Callee::of(function, may_fault(function, &callees)));
-        callees
-    })
-}
-
-/// What a function calls, and whether it checks anything itself.
-#[derive(Default)]
-struct Calls {
-    checks: bool,
-    called: Vec<FunctionId>,
-}
-
-impl Calls {
-    fn of(function: &Function) -> Calls {
-        let mut calls = Calls::default();
-        calls.block(&function.body);
-        calls
-    }
-}
-
-impl Visit for Calls {
-    fn stmt(&mut self, stmt: &Stmt) {
-        let fault = |fault: &Fault| *fault != Fault::LeftOut;
-        self.checks |= matches!(&stmt.kind, StmtKind::Check { fault: told, .. } if fault(told));
-        walk_stmt(self, stmt);
-    }
-    fn expr(&mut self, expr: &Expr) {
-        if let ExprKind::Call(callee, _) = &expr.kind {
-            self.called.push(*callee);
-        }
-        walk_expr(self, expr);
-    }
-}
-
-fn may_fault(function: &Function, callees: &[Callee]) -> bool {
-    let calls = Calls::of(function);
-    let faults = |id: &FunctionId| callees.get(id.index()).is_some_and(|callee| callee.fallible);
-    calls.checks || calls.called.iter().any(faults)
 }
 
 /// What an external function must not do: its C has no status to tell of it.
@@ -222,21 +158,4 @@ fn broken_claims(module: &Module, report: &Report) -> Vec<Error> {
         }
     }
     errors
-}
-
-/// A function and all that it calls; callees before callers.
-pub fn reached(module: &Module, index: usize) -> Vec<usize> {
-    let mut reached = vec![false; module.functions.len()];
-    reached[index] = true;
-    for caller in (0..=index).rev() {
-        if reached[caller] {
-            let calls = Calls::of(&module.functions[caller]);
-            calls
-                .called
-                .iter()
-                .filter(|id| id.index() < caller)
-                .for_each(|id| reached[id.index()] = true);
-        }
-    }
-    (0..=index).filter(|index| reached[*index]).collect()
 }

@@ -12,38 +12,12 @@ use bessemer_ir::{
 use super::analysis::{Loop, State};
 use super::checked;
 use super::flatten::when;
+use super::lowering::Lowering;
 use super::names::{self, Names, Purpose};
 use super::places::{disturbs, erased, weight};
 use super::positions::{Callee, Position};
-use super::{Doubted, Remaining};
+use super::remaining::{Doubted, Remaining};
 use crate::effects::{is_own, lent, moves, reads, whole, writes};
-
-/// A function on its way.
-pub(super) struct Lowering<'m> {
-    pub(super) module: &'m Module,
-    /// Of the functions before this one.
-    pub(super) callees: &'m [Callee],
-    pub(super) function: Function,
-    pub(super) facts: State<'m>,
-    /// The statements of the block so far.
-    pub(super) out: Vec<Stmt>,
-    /// What the statement writes to, as the stem of names.
-    pub(super) base: String,
-    pub(super) names: Names,
-    /// Whether an enum that may be none of its variants is brought to one where it is read.
-    pub(super) brings: bool,
-    /// Operations whose proof is not believed.
-    pub(super) doubted: &'m Doubted,
-    /// What the value of the statement writes, which comes before what is emitted meanwhile and is not in `out`.
-    pub(super) pending: Vec<Place>,
-    /// The conditions of checks that operations behind them need.
-    needed: Vec<Expr>,
-    /// Where such a check comes from, while its condition is lowered.
-    pub(super) asked: Option<Span>,
-    /// Whether checks that are proved stand all the same.
-    pub(super) keeps: bool,
-    remaining: Vec<Remaining>,
-}
 
 /// Makes one function explicit; the checks that it needs. Enums are brought to their variants if that spares some.
 pub(super) fn function(

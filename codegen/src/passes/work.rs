@@ -14,6 +14,7 @@ use bessemer_ir::{
     Mode, Module, Owner, Place, Scalar, Step, Stmt, StmtKind, Struct, StructId, Type,
 };
 
+use super::callees::fallible;
 use crate::kernels::{self, Buffer, Tuning};
 
 /// Bytes that a local may take on the stack.
@@ -22,7 +23,7 @@ pub const LARGEST: u64 = 256;
 /// Lends large temporaries from the caller; what kernels need follows from how they are made.
 pub fn lend(mut module: Module, tuning: &Tuning) -> Module {
     let mut works: BTreeMap<FunctionId, StructId> = BTreeMap::new();
-    for (index, fallible) in super::fallible(&module).into_iter().enumerate() {
+    for (index, fallible) in fallible(&module).into_iter().enumerate() {
         let id = FunctionId(index as u32);
         if let Some(kernel) = &module.functions[index].kernel {
             if let Some(definition) = scratch(kernel, tuning) {

@@ -4,6 +4,7 @@
 
 use std::collections::BTreeSet;
 
+use bessemer_ir::text::{MAX_HEIGHT, MAX_NESTING};
 use bessemer_ir::visit::{Visit, Walk, walk_block, walk_expr, walk_stmt};
 use bessemer_ir::{
     Arm, Block, Expr, ExprKind, Function, FunctionId, LocalId, Module, Span, Stmt, StmtKind, Type,
@@ -12,7 +13,6 @@ use bessemer_ir::{
 use super::flow::{Flow, join};
 use super::items::{Sizes, check_span};
 use super::problem::{Error, Problem, Subject};
-use super::{MAX_HEIGHT, MAX_NESTING};
 
 /// Checks one function of a module whose definitions hold.
 pub(super) fn check(module: &Module, sizes: &Sizes<'_>, index: usize) -> Vec<Error> {

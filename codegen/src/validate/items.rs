@@ -2,12 +2,12 @@
 
 use std::collections::BTreeSet;
 
+use bessemer_ir::text::MAX_NESTING;
 use bessemer_ir::{
     ConstId, EnumId, Form, Function, FunctionId, Kernel, Local, LocalId, Mode, Module, Owner, Span,
     Struct, StructId, Type,
 };
 
-use super::MAX_NESTING;
 use super::problem::{Error, Problem, Subject};
 use bessemer_ir::words::words_fit;
 

@@ -6,7 +6,7 @@
 //! by numbers, which need not be spread.
 
 use super::Sizes;
-use super::vectors::Target;
+use super::target::Target;
 
 /// Vectors below one another, and columns side by side, in a block, at most.
 pub(super) const MOST: u32 = 8;

@@ -11,6 +11,7 @@ mod beside;
 mod blocks;
 mod numbers;
 mod small;
+mod target;
 mod vectors;
 
 use bessemer_ir::{Float, Kernel, KernelRoutine};

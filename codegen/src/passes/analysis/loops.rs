@@ -6,15 +6,13 @@
 //! * **A counter** (`for`): its bounds do not change while the loop runs, and in the body it lies between them.
 //! * **A local that only counts up**: all that the body writes to it adds a literal. Each pass adds at most the sum
 //!   along one path, a loop within it that times its passes; so at the head of pass `k` that times `k` was added.
-//! * **A loop that its body ends** has no counter, and its bounds move: an invariant is looked for instead. From what
-//!   is known before, passes are followed ([`walk`](super::walk)) until nothing new comes; a bound that moves on the
-//!   way is given up. One pass more then gives back what every pass shows again.
+//! * **A loop that its body ends** has no counter, and its bounds move: an [`invariant`](super::invariant) is looked
+//!   for instead.
 
 use bessemer_ir::{BinaryOp, Block, CompareOp, Expr, ExprKind, LocalId, Place, Stmt, StmtKind};
 
 use super::domain::Interval;
-use super::state::{Known, State};
-use super::walk;
+use super::state::State;
 use crate::effects::{lent, overlap, whole, writes};
 
 /// A `for` that is about to be entered.
@@ -79,7 +77,7 @@ impl Loop<'_> {
         behind
     }
 
-    fn forget(&self, state: &mut State) {
+    pub(super) fn forget(&self, state: &mut State) {
         if let ExprKind::Load(place) = &self.counter.kind {
             state.forget(&[whole(place.root)]);
         }
@@ -101,46 +99,6 @@ impl Loop<'_> {
             Some(Counted { local, before: range, more })
         };
         self.written.iter().filter_map(counted).collect()
-    }
-
-    /// What holds before the first pass and after each that it held before.
-    fn invariant<'m>(&self, before: &State<'m>) -> State<'m> {
-        let mut before = before.clone();
-        if let ExprKind::Load(place) = &self.counter.kind {
-            before.forget(&[whole(place.root)]);
-        }
-        let next = |head: &State<'m>| {
-            let mut next = before.clone();
-            if let Some(again) = walk::again(self.body, head.clone()) {
-                next.join(&again);
-            }
-            next
-        };
-        let mut head = before.clone();
-        // Each round gives up a bound of a word, a relation, or all that is left.
-        while !head.widen(&next(&head)) {}
-        next(&head)
-    }
-}
-
-impl State<'_> {
-    /// Gives up each bound and each relation that `next` does not keep; whether that was none.
-    fn widen(&mut self, next: &State) -> bool {
-        let (words, relations) = (self.known.len(), self.relations.len());
-        let mut kept = true;
-        self.known.retain(|key, known| match (&mut *known, next.known.get(key)) {
-            (Known::Within(mine), Some(Known::Within(other))) => {
-                let (low, high) = (other.low >= mine.low, other.high <= mine.high);
-                kept &= low && high;
-                mine.low = if low { mine.low } else { i128::MIN };
-                mine.high = if high { mine.high } else { i128::MAX };
-                low || high
-            }
-            (Known::Float(mine), Some(Known::Float(other))) => mine.to_bits() == other.to_bits(),
-            _ => false,
-        });
-        self.relations.join(&next.relations);
-        kept && self.known.len() == words && self.relations.len() == relations
     }
 }
 

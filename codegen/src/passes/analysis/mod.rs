@@ -24,6 +24,7 @@ mod assume;
 mod domain;
 mod evaluate;
 mod glance;
+mod invariant;
 mod loops;
 mod relations;
 mod state;

@@ -1,0 +1,35 @@
+//! What to generate, and where to.
+
+use std::path::PathBuf;
+
+use crate::compile::Options;
+
+/// What to generate, and where to.
+#[derive(Clone, Debug)]
+pub struct Job {
+    /// The root of the workspace.
+    pub root: PathBuf,
+    /// The package of models.
+    pub package: String,
+    /// The folder of the C, which belongs to the generator.
+    pub output: PathBuf,
+    /// Compare instead of writing.
+    pub check: bool,
+    /// What the user decides about the C.
+    pub options: Options,
+    /// Colour in diagnostics and differences.
+    pub colour: bool,
+    /// The version that the manifest names: the tool's.
+    pub version: String,
+}
+
+impl Job {
+    /// Generates `package` of the workspace at `root` into its `generated/`.
+    pub fn new(root: impl Into<PathBuf>, package: &str) -> Job {
+        let root = root.into();
+        let output = root.join("generated");
+        let version = env!("CARGO_PKG_VERSION").to_owned();
+        let (package, options) = (package.to_owned(), Options::default());
+        Job { root, package, output, check: false, options, colour: false, version }
+    }
+}

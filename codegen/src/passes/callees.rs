@@ -1,0 +1,70 @@
+//! What functions call, and which of them may end in a fault.
+
+use bessemer_ir::visit::{Visit, walk_expr, walk_stmt};
+use bessemer_ir::{Expr, ExprKind, Fault, Function, FunctionId, Module, Stmt, StmtKind};
+
+use super::positions::Callee;
+
+/// Which functions of an explicit module may end in a fault.
+pub fn fallible(module: &Module) -> Vec<bool> {
+    callees(module).into_iter().map(|callee| callee.fallible).collect()
+}
+
+pub(super) fn callees(module: &Module) -> Vec<Callee> {
+    module.functions.iter().fold(Vec::new(), |mut callees, function| {
+        callees.push(Callee::of(function, may_fault(function, &callees)));
+        callees
+    })
+}
+
+/// What a function calls, and whether it checks anything itself.
+#[derive(Default)]
+struct Calls {
+    checks: bool,
+    called: Vec<FunctionId>,
+}
+
+impl Calls {
+    fn of(function: &Function) -> Calls {
+        let mut calls = Calls::default();
+        calls.block(&function.body);
+        calls
+    }
+}
+
+impl Visit for Calls {
+    fn stmt(&mut self, stmt: &Stmt) {
+        let fault = |fault: &Fault| *fault != Fault::LeftOut;
+        self.checks |= matches!(&stmt.kind, StmtKind::Check { fault: told, .. } if fault(told));
+        walk_stmt(self, stmt);
+    }
+    fn expr(&mut self, expr: &Expr) {
+        if let ExprKind::Call(callee, _) = &expr.kind {
+            self.called.push(*callee);
+        }
+        walk_expr(self, expr);
+    }
+}
+
+pub(super) fn may_fault(function: &Function, callees: &[Callee]) -> bool {
+    let calls = Calls::of(function);
+    let faults = |id: &FunctionId| callees.get(id.index()).is_some_and(|callee| callee.fallible);
+    calls.checks || calls.called.iter().any(faults)
+}
+
+/// A function and all that it calls; callees before callers.
+pub fn reached(module: &Module, index: usize) -> Vec<usize> {
+    let mut reached = vec![false; module.functions.len()];
+    reached[index] = true;
+    for caller in (0..=index).rev() {
+        if reached[caller] {
+            let calls = Calls::of(&module.functions[caller]);
+            calls
+                .called
+                .iter()
+                .filter(|id| id.index() < caller)
+                .for_each(|id| reached[id.index()] = true);
+        }
+    }
+    (0..=index).filter(|index| reached[*index]).collect()
+}

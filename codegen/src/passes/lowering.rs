@@ -1,0 +1,37 @@
+//! A function on its way from valid IR to explicit IR.
+//!
+//! [`statements`](super::statements) lowers its statements, [`flatten`](super::flatten) their expressions.
+
+use bessemer_ir::{Expr, Function, Module, Place, Span, Stmt};
+
+use super::analysis::State;
+use super::names::Names;
+use super::positions::Callee;
+use super::remaining::{Doubted, Remaining};
+
+/// A function on its way.
+pub(super) struct Lowering<'m> {
+    pub(super) module: &'m Module,
+    /// Of the functions before this one.
+    pub(super) callees: &'m [Callee],
+    pub(super) function: Function,
+    pub(super) facts: State<'m>,
+    /// The statements of the block so far.
+    pub(super) out: Vec<Stmt>,
+    /// What the statement writes to, as the stem of names.
+    pub(super) base: String,
+    pub(super) names: Names,
+    /// Whether an enum that may be none of its variants is brought to one where it is read.
+    pub(super) brings: bool,
+    /// Operations whose proof is not believed.
+    pub(super) doubted: &'m Doubted,
+    /// What the value of the statement writes, which comes before what is emitted meanwhile and is not in `out`.
+    pub(super) pending: Vec<Place>,
+    /// The conditions of checks that operations behind them need.
+    pub(super) needed: Vec<Expr>,
+    /// Where such a check comes from, while its condition is lowered.
+    pub(super) asked: Option<Span>,
+    /// Whether checks that are proved stand all the same.
+    pub(super) keeps: bool,
+    pub(super) remaining: Vec<Remaining>,
+}

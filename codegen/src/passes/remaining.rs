@@ -1,0 +1,19 @@
+//! Checks that are left, and those whose proof is not believed.
+
+use std::collections::HashSet;
+
+use bessemer_ir::{Fault, Span};
+
+/// A check that is left, because the operation could not be proved not to fault.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Remaining {
+    /// What it reports.
+    pub fault: Fault,
+    /// Where the operation stands.
+    pub span: Span,
+    /// Why it could not be proved, in words.
+    pub reason: String,
+}
+
+/// Where operations come from of which [`proof`](super::proof) does not confirm one: the checks of all of them stand.
+pub(super) type Doubted = HashSet<Span>;
