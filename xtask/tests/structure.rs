@@ -12,7 +12,7 @@ use syn::visit::{self, Visit};
 /// Files that stand in circles of imports: the root of a crate's modules, the folder within it (all of it where this
 /// is empty), and how many of its files do.
 const IN_CIRCLES: [(&str, &str, usize); 3] =
-    [("dsl/macros/src", "", 0), ("dsl/src", "generate", 0), ("codegen/src", "", 18)];
+    [("dsl/macros/src", "", 0), ("dsl/src", "generate", 0), ("codegen/src", "", 0)];
 
 /// Words in quotation marks that a method could be called, by folder.
 const METHOD_NAMES: [(&str, usize); 2] =

@@ -17,13 +17,12 @@ use super::context::{Context, Uses};
 use super::file::CFile;
 use super::helpers::closure;
 use super::library::{self, is_mathematics};
-use super::lower;
 use super::names::OVERLAY;
 use super::options::Options;
 use super::shell::Shell;
 use super::signature::{Returned, Signature};
 use super::tree::{Declarator, Head, Init, Item, Lines, Origin, Stmt, StmtKind, Storage, plain};
-use super::{asked, init, literal, self_test, status_header, target, units};
+use super::{asked, init, literal, lower, self_test, status_header, target, units};
 use crate::kernels;
 
 /// What one pair of files holds.

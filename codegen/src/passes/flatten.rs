@@ -14,8 +14,8 @@
 use std::borrow::Cow;
 
 use bessemer_ir::{
-    Argument, CompareOp, Expr, ExprKind, Fault, FunctionId, Intrinsic, Local, LocalId, LogicOp,
-    Mode, Place, Span, Step, Stmt, StmtKind, Type, UnaryOp,
+    Argument, Expr, ExprKind, Fault, FunctionId, Intrinsic, Local, LocalId, LogicOp, Mode, Place,
+    Span, Step, Stmt, StmtKind, Type,
 };
 
 use super::analysis::State;
@@ -431,30 +431,6 @@ impl<'m> Lowering<'m> {
     }
 }
 
-/// The opposite of a condition; a comparison turned round, unless a NaN could tell.
-fn negated(condition: Expr) -> Expr {
-    let Expr { kind, ty, span } = condition;
-    let kind = match kind {
-        ExprKind::Unary(UnaryOp::Not, inner) => return *inner,
-        ExprKind::Compare(op, a, b) if a.ty.as_float().is_none() => {
-            ExprKind::Compare(opposite(op), a, b)
-        }
-        kind => ExprKind::Unary(UnaryOp::Not, Box::new(Expr { kind, ty: ty.clone(), span })),
-    };
-    Expr { kind, ty, span }
-}
-
-fn opposite(op: CompareOp) -> CompareOp {
-    match op {
-        CompareOp::Eq => CompareOp::Ne,
-        CompareOp::Ne => CompareOp::Eq,
-        CompareOp::Lt => CompareOp::Ge,
-        CompareOp::Ge => CompareOp::Lt,
-        CompareOp::Gt => CompareOp::Le,
-        CompareOp::Le => CompareOp::Gt,
-    }
-}
-
 /// Whether a value may be written twice: a place, and no call.
 fn comes_light(expr: &Expr) -> bool {
     matches!(expr.kind, ExprKind::Load(_)) && weight(expr) <= LIGHT
@@ -473,7 +449,7 @@ fn bare(expr: &Expr) -> bool {
 pub(super) fn when(op: LogicOp, condition: Expr, then: Vec<Stmt>) -> StmtKind {
     let condition = match op {
         LogicOp::And => condition,
-        LogicOp::Or => negated(condition),
+        LogicOp::Or => condition.negated(),
     };
     let then = bessemer_ir::Block(then);
     StmtKind::If { condition, then, otherwise: bessemer_ir::Block::default() }

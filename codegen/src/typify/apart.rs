@@ -4,8 +4,7 @@ use bessemer_ir::tree::{self, NO_SLOT};
 use bessemer_ir::{Block, Local, LocalId, Mode, StmtKind};
 
 use super::Result;
-use super::function::{Binding, Lowering};
-use super::loops::negated;
+use super::lowering::{Binding, Lowering};
 use super::pattern::aligned;
 
 impl Lowering<'_, '_> {
@@ -30,7 +29,7 @@ impl Lowering<'_, '_> {
         if let (Some(condition), Some(otherwise)) = (condition, otherwise) {
             let span = condition.span;
             let then = self.block_effect(otherwise)?;
-            let condition = negated(condition);
+            let condition = condition.negated();
             self.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
         }
         self.bind_names(&names)

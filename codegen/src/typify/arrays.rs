@@ -1,11 +1,11 @@
 //! Slices as arrays: `bytes[2..6].try_into()`, `bytes.first_chunk::<4>()`.
 
 use bessemer_ir::tree;
-use bessemer_ir::{Block, CompareOp, Expr, ExprKind, Fault, StmtKind, StructId, Type};
+use bessemer_ir::{Block, CompareOp, Expr, ExprKind, Fault, Stmt, StmtKind, StructId, Type};
 
-use super::equal::stmt;
-use super::function::Lowering;
-use super::slice::{Slice, plus};
+use super::elements::Slice;
+use super::lengths::plus;
+use super::lowering::Lowering;
 use super::{OUR_FAULT, Result, problem};
 
 impl Lowering<'_, '_> {
@@ -23,7 +23,7 @@ impl Lowering<'_, '_> {
         let held = self.temporary("part", none);
         let ExprKind::Load(target) = held.kind.clone() else { return Ok(held) };
         let value = self.choice(id, 1, Some(array), expr.site)?;
-        let then = Block(vec![stmt(StmtKind::Assign { place: target, value }, span)]);
+        let then = Block(vec![Stmt::new(StmtKind::Assign { place: target, value }, span)]);
         let otherwise = Block::default();
         self.emit(StmtKind::If { condition: there, then, otherwise }, span);
         Ok(held)

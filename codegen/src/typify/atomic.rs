@@ -4,8 +4,7 @@
 use bessemer_ir::visit::{self, Access, VisitMut};
 use bessemer_ir::{Block, Local, LocalId, Mode, Place, Span, Stmt, StmtKind, Type};
 
-use super::equal::stmt;
-use super::function::Lowering;
+use super::lowering::Lowering;
 use super::order::is_free;
 
 impl Lowering<'_, '_> {
@@ -32,7 +31,7 @@ impl Lowering<'_, '_> {
             body.0.extend(commit(&copies, span));
         }
         let first = copies.iter().map(|(place, copy)| {
-            stmt(StmtKind::Let { local: copy.root, value: Some(place.load()) }, span)
+            Stmt::new(StmtKind::Let { local: copy.root, value: Some(place.load()) }, span)
         });
         self.out = first.chain(body.0).collect();
     }
@@ -51,7 +50,7 @@ impl Lowering<'_, '_> {
                         let place = Place::local(local, ty.clone(), span);
                         let held = place.load();
                         let value = Some(std::mem::replace(value, held));
-                        block.0.push(stmt(StmtKind::Let { local, value }, span));
+                        block.0.push(Stmt::new(StmtKind::Let { local, value }, span));
                     }
                     block.0.extend(commit(copies, span));
                 }
@@ -73,7 +72,7 @@ impl Lowering<'_, '_> {
 
 fn commit(copies: &[(Place, Place)], span: Span) -> impl Iterator<Item = Stmt> {
     copies.iter().map(move |(place, copy)| {
-        stmt(StmtKind::Assign { place: place.clone(), value: copy.load() }, span)
+        Stmt::new(StmtKind::Assign { place: place.clone(), value: copy.load() }, span)
     })
 }
 

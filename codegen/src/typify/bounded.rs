@@ -7,9 +7,9 @@ use bessemer_ir::{
 };
 
 use super::expr::{Operand, two};
-use super::function::Lowering;
-use super::pattern::Subject;
-use super::slice::least;
+use super::lengths::least;
+use super::lowering::Lowering;
+use super::subject::Subject;
 use super::{Result, problem};
 
 impl Lowering<'_, '_> {

@@ -3,10 +3,9 @@
 use bessemer_ir::tree;
 use bessemer_ir::{Const, Expr, ExprKind, Float, Int, Intrinsic, Routine, Scalar, Type, UnaryOp};
 
-use super::OUR_FAULT;
 use super::expr::Operand;
-use super::function::Lowering;
-use super::{Result, problem};
+use super::lowering::Lowering;
+use super::{OUR_FAULT, Result, problem};
 
 /// What a builtin lowers to.
 enum Meaning {

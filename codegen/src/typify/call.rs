@@ -3,7 +3,7 @@
 use bessemer_ir::tree;
 use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Mode, Type};
 
-use super::function::Lowering;
+use super::lowering::Lowering;
 use super::{OUR_FAULT, Result, problem};
 
 impl Lowering<'_, '_> {

@@ -2,12 +2,13 @@
 
 use bessemer_ir::tree::{self, NO_SLOT, Site};
 use bessemer_ir::{
-    Arm, Block, CompareOp, Expr, ExprKind, Int, Local, LocalId, LogicOp, Mode, Place, Scalar, Span,
-    StmtKind, StructId, Type, UnaryOp,
+    Arm, Block, Expr, ExprKind, Int, Local, LocalId, LogicOp, Mode, Place, Scalar, Span, StmtKind,
+    StructId, Type,
 };
 
-use super::function::{Lowering, Target};
-use super::pattern::Subject;
+use super::lowering::{Lowering, Target};
+use super::subject::Subject;
+use super::within::test;
 use super::{Result, problem};
 
 /// An arm with more values than this is told by their ends.
@@ -523,27 +524,5 @@ fn reachable(arms: &[tree::Arm]) -> &[tree::Arm] {
 
 /// Whether a value can be read again, and is the same while the arms are tried.
 fn is_still(value: &Expr) -> bool {
-    matches!(&value.kind, ExprKind::Load(place) if place.steps.iter().all(super::place::is_fixed))
-}
-
-/// `low <= value && value <= high`, or what is left of it.
-pub(super) fn test(value: &Expr, (low, high): (i128, i128), span: Span) -> Expr {
-    if value.ty == Type::BOOL {
-        let not = Expr::unary(UnaryOp::Not, value.clone()).at(span);
-        return if low == 1 { value.clone() } else { not };
-    }
-    let compare = |op, limit: i128| {
-        Expr::compare(op, value.clone(), Expr::literal_like(limit as u64, value)).at(span)
-    };
-    let (least, most) = value.ty.as_int().map_or((-1, i128::MAX), |int| (int.min(), int.max()));
-    match (low == least, high == most) {
-        _ if low == high => compare(CompareOp::Eq, low),
-        (true, true) => Expr::bool(true, span),
-        (true, false) => compare(CompareOp::Le, high),
-        (false, true) => compare(CompareOp::Ge, low),
-        (false, false) => {
-            let (above, below) = (compare(CompareOp::Ge, low), compare(CompareOp::Le, high));
-            Expr::logic(LogicOp::And, above, below)
-        }
-    }
+    matches!(&value.kind, ExprKind::Load(place) if place.steps.iter().all(super::order::is_fixed))
 }

@@ -4,7 +4,7 @@
 
 use bessemer_ir::tree::{self, Arm, Block, Expr, ExprKind, NO_SLOT, Pattern, Site, Start, Stmt};
 
-use super::function::Lowering;
+use super::lowering::Lowering;
 
 /// What an arm makes of the value that it takes.
 enum Body<'t> {

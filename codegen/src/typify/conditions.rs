@@ -4,8 +4,8 @@ use bessemer_ir::tree;
 use bessemer_ir::{Block, Expr, ExprKind, LogicOp, Place, Stmt, StmtKind, Type};
 
 use super::Result;
-use super::function::Lowering;
-use super::pattern::Named;
+use super::lowering::Lowering;
+use super::subject::Named;
 
 impl Lowering<'_, '_> {
     /// A condition with patterns in it; its names stand for their places from here on.

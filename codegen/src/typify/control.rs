@@ -6,8 +6,8 @@ use bessemer_ir::{
 };
 
 use super::conditions::has_let;
-use super::function::{Binding, Lowering, Target, control_with_value, is_literal};
-use super::loops::{Leaving, negated};
+use super::lowering::{Binding, Leaving, Lowering, Target};
+use super::syntax::control_with_value;
 use super::{OUR_FAULT, Result, order, problem};
 
 impl Lowering<'_, '_> {
@@ -114,7 +114,7 @@ impl Lowering<'_, '_> {
         let payload = from.map(|field| self.part(&place, id, field as usize).load());
         let field = |field| &self.cx.module.structs[result.index()].fields[field as usize];
         let wanted = case.field.map(field).map(|field| field.ty.clone());
-        let condition = negated(self.tag_is(&place, id, taken.0));
+        let condition = self.tag_is(&place, id, taken.0).negated();
         let then = self.scoped(|inner| {
             let payload = inner.converted_error(payload, wanted.as_ref(), (id, result), site)?;
             let leave = inner.choice(result, word, payload, site)?;
@@ -482,7 +482,7 @@ impl Lowering<'_, '_> {
             let mark = self.out.len();
             let mut place = self.writable(place)?;
             let mut later = self.later(mark);
-            let fixed = place.steps.iter().all(super::place::is_fixed);
+            let fixed = place.steps.iter().all(super::order::is_fixed);
             if !fixed && !order::may_follow(&value, &place) {
                 value = self.temporary("operand", value);
             } else {
@@ -499,7 +499,7 @@ impl Lowering<'_, '_> {
         let later = self.later(mark);
         self.settle_place(&mut place, &later);
         if order::has_effect(&value) {
-            self.keep_indices(&mut place, |index| !is_literal(index));
+            self.keep_indices(&mut place, |index| !index.is_literal());
         }
         self.out.extend(later);
         Ok((place, value))

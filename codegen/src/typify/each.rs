@@ -7,10 +7,10 @@ use bessemer_ir::{
     Block, CompareOp, Expr, ExprKind, Local, LocalId, Mode, Place, Span, Step, Stmt, StmtKind, Type,
 };
 
-use super::function::{Binding, Lowering};
-use super::list::lesser;
-use super::pattern::Subject;
-use super::slice::{Slice, divided, greatest, least, minus, plus, times};
+use super::elements::Slice;
+use super::lengths::{divided, greatest, least, lesser, minus, plus, times};
+use super::lowering::{Binding, Lowering};
+use super::subject::Subject;
 use super::{Result, problem};
 use crate::effects;
 
@@ -57,7 +57,7 @@ impl Lowering<'_, '_> {
             inner.locals.push(Local { name, ty: Type::USIZE, mode: Mode::Value, span });
             let mut block = inner.scoped(|inner| {
                 if let Some(index) = index {
-                    inner.bind(index, super::function::Binding::Local(variable));
+                    inner.bind(index, super::lowering::Binding::Local(variable));
                 }
                 let counter = Place::local(variable, Type::USIZE, span).load();
                 let counter = match order {
@@ -124,8 +124,8 @@ impl Lowering<'_, '_> {
         };
         let (outer, inner) = (counter(column, self), counter(row, self));
         let block = self.scoped(|walk| {
-            walk.bind(column, super::function::Binding::Local(outer));
-            walk.bind(row, super::function::Binding::Local(inner));
+            walk.bind(column, super::lowering::Binding::Local(outer));
+            walk.bind(row, super::lowering::Binding::Local(inner));
             for (part, place) in parts.iter().zip(&places) {
                 let mut element = place.clone();
                 let at = |id| (Place { root: id, steps: vec![], ty: Type::USIZE, span }).load();
@@ -232,7 +232,7 @@ impl Lowering<'_, '_> {
     pub(super) fn held_still(&mut self, mut place: Place) -> Place {
         for step in &mut place.steps {
             if let Step::Index(index) = step
-                && !super::function::is_literal(index)
+                && !index.is_literal()
                 && !self.is_counter(index)
                 && !self.is_steady(index)
             {

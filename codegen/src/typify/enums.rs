@@ -5,7 +5,7 @@
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{EnumId, Expr, Int, Scalar, Type, Variant};
 
-use super::function::Lowering;
+use super::lowering::Lowering;
 use super::{Result, problem};
 
 impl Lowering<'_, '_> {

@@ -11,8 +11,7 @@ use bessemer_ir::{
     LocalId, LogicOp, Mode, Owner, Place, Role, Span, Step, Stmt, StmtKind, StructId, Type,
 };
 
-use super::function::{Lowering, is_literal};
-use super::loops::negated;
+use super::lowering::Lowering;
 use super::{Result, problem};
 
 /// Up to so many elements are compared one by one.
@@ -30,7 +29,7 @@ impl Lowering<'_, '_> {
         let mut left = self.hold(left, site)?;
         let mut right = self.hold(right, site)?;
         for place in [&mut left, &mut right] {
-            self.keep_indices(place, |index| !is_literal(index));
+            self.keep_indices(place, |index| !index.is_literal());
         }
         match left.ty {
             Type::Struct(id)
@@ -191,7 +190,7 @@ impl Lowering<'_, '_> {
             let condition = match &form {
                 Form::Choice(chosen) if index > 0 => {
                     let word = chosen.iter().position(|field| *field == Some(index as u32));
-                    Some(negated(self.tag_is(left, id, word.unwrap_or_default() as u64)))
+                    Some(self.tag_is(left, id, word.unwrap_or_default() as u64).negated())
                 }
                 _ => None,
             };
@@ -229,7 +228,7 @@ impl Lowering<'_, '_> {
             let kind = StmtKind::Assign { place: place.clone(), value: right };
             inner.push(Stmt { kind, span, comments: Vec::new() });
         }
-        let (condition, then) = (negated(absent), Block(inner));
+        let (condition, then) = (absent.negated(), Block(inner));
         self.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
         Ok(held)
     }
@@ -278,11 +277,11 @@ impl Lowering<'_, '_> {
             let place = Place::local(variable, Type::USIZE, span);
             let same = equal(inner, place.load())?;
             let then = Block(vec![
-                stmt(
+                Stmt::new(
                     StmtKind::Assign { place: flag.clone(), value: Expr::bool(false, span) },
                     span,
                 ),
-                stmt(StmtKind::Break, span),
+                Stmt::new(StmtKind::Break, span),
             ]);
             let condition = unequal(same);
             inner.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
@@ -337,10 +336,6 @@ fn unequal(same: Expr) -> Expr {
         ExprKind::Compare(CompareOp::Eq, one, other) => {
             Expr::compare(CompareOp::Ne, *one, *other).at(span)
         }
-        _ => negated(same),
+        _ => same.negated(),
     }
-}
-
-pub(super) fn stmt(kind: StmtKind, span: Span) -> Stmt {
-    Stmt { kind, span, comments: Vec::new() }
 }

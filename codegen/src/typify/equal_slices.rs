@@ -4,9 +4,9 @@ use bessemer_ir::tree::{self, BinaryOp as Op, Site};
 use bessemer_ir::{CompareOp, Expr};
 
 use super::Result;
-use super::function::Lowering;
-use super::loops::negated;
-use super::slice::{Slice, plus, same};
+use super::elements::Slice;
+use super::lengths::{plus, same};
+use super::lowering::Lowering;
 
 impl Lowering<'_, '_> {
     /// `left == right` or `left != right`, if one of the two is a slice.
@@ -33,7 +33,7 @@ impl Lowering<'_, '_> {
                 Expr::compare(CompareOp::Eq, one.length.clone(), other.length.clone()).at(span);
             self.and_then(as_long, |inner| inner.equal_elements_of((&one, &other), site))?
         };
-        Ok(Some(if op == Op::Ne { negated(equal) } else { equal }))
+        Ok(Some(if op == Op::Ne { equal.negated() } else { equal }))
     }
 
     /// Whether each element is equal to its counterpart.

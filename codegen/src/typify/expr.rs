@@ -6,8 +6,8 @@ use bessemer_ir::{
     Type, UnaryOp,
 };
 
-use super::function::{Lowering, Target, control_with_value};
-use super::loops::negated;
+use super::lowering::{Lowering, Target};
+use super::syntax::{control_with_value, is_question};
 use super::{OUR_FAULT, Result, literal, problem};
 
 /// An operand still to be lowered: the expression, the type expected of it, and its role.
@@ -302,7 +302,7 @@ impl Lowering<'_, '_> {
                     CompareOp::Eq | CompareOp::Ne => self.equality(left, right, site)?,
                     _ => return self.lexical(tree_op, left, right, site),
                 };
-                return Ok(if op == CompareOp::Ne { negated(equal) } else { equal });
+                return Ok(if op == CompareOp::Ne { equal.negated() } else { equal });
             }
             let (left, right) = match (&left_ty, op) {
                 (Type::Enum(_), CompareOp::Eq | CompareOp::Ne) => (left, right),
@@ -387,7 +387,7 @@ impl Lowering<'_, '_> {
         });
         let condition = match op {
             LogicOp::And => held.clone(),
-            LogicOp::Or => negated(held.clone()),
+            LogicOp::Or => held.clone().negated(),
         };
         let (then, otherwise) = (bessemer_ir::Block(body), bessemer_ir::Block::default());
         self.emit(StmtKind::If { condition, then, otherwise }, span);
@@ -500,21 +500,6 @@ impl Lowering<'_, '_> {
                 self.call_function(id, arguments, expr)
             }
         }
-    }
-}
-
-/// Whether the arms of a `match` are those of `matches!`.
-pub(super) fn is_question(arms: &[tree::Arm]) -> bool {
-    let says =
-        |arm: &tree::Arm, word| matches!(arm.body.kind, tree::ExprKind::Bool(it) if it == word);
-    match arms {
-        [taken, rest] => {
-            says(taken, true)
-                && says(rest, false)
-                && rest.guard.is_none()
-                && matches!(rest.pattern, tree::Pattern::Any)
-        }
-        _ => false,
     }
 }
 

@@ -3,12 +3,11 @@
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{Expr, ExprKind, Place, Span, StructId, Type};
 
-use super::OUR_FAULT;
 use super::expr::Operand;
-use super::function::Lowering;
+use super::lowering::Lowering;
 use super::nothing::At;
 use super::order::{has_effect, is_free, is_settled};
-use super::{Result, problem};
+use super::{OUR_FAULT, Result, problem};
 
 impl Lowering<'_, '_> {
     /// `Name { field: value, ..base }`: a struct, or a variant.
@@ -178,7 +177,7 @@ impl Lowering<'_, '_> {
         let naming = std::mem::take(&mut self.naming);
         for (value, (name, _)) in values.iter_mut().zip(fields) {
             if let Some(value) = value
-                && !super::function::is_literal(value)
+                && !value.is_literal()
             {
                 *value = self.temporary(name, value.clone());
             }

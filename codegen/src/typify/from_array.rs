@@ -2,10 +2,9 @@
 //! it, and arrays from matrices.
 
 use bessemer_ir::tree;
-use bessemer_ir::{Block, Expr, ExprKind, Place, Span, Step, StmtKind, Type};
+use bessemer_ir::{Block, Expr, ExprKind, Place, Span, Step, Stmt, StmtKind, Type};
 
-use super::equal::stmt;
-use super::function::{Lowering, is_literal};
+use super::lowering::Lowering;
 use super::written_views::{counted, local};
 use super::{OUR_FAULT, Result, problem};
 
@@ -27,7 +26,7 @@ impl Lowering<'_, '_> {
             return self.node(ExprKind::Matrix(elements), ty, expr.site);
         }
         let mut source = self.base(from)?;
-        self.keep_indices(&mut source, |index| !is_literal(index));
+        self.keep_indices(&mut source, |index| !index.is_literal());
         let (outer, inner) = match (dimensions(&ty), dimensions(&source.ty)) {
             (Some(dimensions), None) | (None, Some(dimensions)) => dimensions,
             _ => return problem(expr.site, "this is no array of a matrix' elements", OUR_FAULT),
@@ -44,9 +43,9 @@ impl Lowering<'_, '_> {
         let row = inner.map(|_| self.counter("row", span));
         let at = (local(i, span), row.map(|row| local(row, span)));
         let (place, value) = (cell(&result, &at, span), cell(&source, &at, span).load());
-        let mut body = Block(vec![stmt(StmtKind::Assign { place, value }, span)]);
+        let mut body = Block(vec![Stmt::new(StmtKind::Assign { place, value }, span)]);
         if let (Some(row), Some(rows)) = (row, inner) {
-            body = Block(vec![stmt(counted(row, rows, body, span), span)]);
+            body = Block(vec![Stmt::new(counted(row, rows, body, span), span)]);
         }
         self.emit(counted(i, outer, body, span), span);
         Ok(result.load())

@@ -8,68 +8,10 @@ use bessemer_ir::{
     StmtKind, Type,
 };
 
-use super::handed::Handed;
-use super::loops::Frame;
-use super::slice::Slice;
-use super::types::split;
+use super::lowering::{Binding, Lowering, Target, UNNAMED};
+use super::names::split;
+use super::syntax::{control_with_value, ends_in_loop};
 use super::{Context, Result, names, problem};
-
-/// What temporaries are part of where nothing has a name.
-pub(super) const UNNAMED: &str = "value";
-
-/// A function being lowered.
-pub(super) struct Lowering<'a, 'c> {
-    pub cx: &'a mut Context<'c>,
-    pub source: &'a tree::Function,
-    pub locals: Vec<Local>,
-    /// Innermost scope last; in each, later bindings shadow.
-    pub scopes: Vec<Vec<(String, Binding)>>,
-    /// The statements of the block being lowered, so far.
-    pub out: Vec<Stmt>,
-    /// What to call a value that the author left unnamed here.
-    pub naming: String,
-    pub result: Type,
-    /// The locals that the author has no name for: nothing writes to them again.
-    pub held: HashSet<LocalId>,
-    /// The counters of loops over ranges, which only their loop changes, and parameters that nobody does.
-    pub steady: HashSet<LocalId>,
-    /// Locals that have to have a value where they are declared.
-    pub valued: HashSet<LocalId>,
-    /// The loops around what is being lowered, outermost first.
-    pub frames: Vec<Frame>,
-    /// The counters of the loops over elements around it, outermost first.
-    pub counters: Vec<LocalId>,
-    /// The closures that were handed to it, by the names of its parameters.
-    pub handed: HashMap<String, Handed<'a>>,
-    /// Which of its parameters hold nothing.
-    pub absent: Vec<bool>,
-    /// The functions that lend whose bodies are being lowered, outermost first.
-    pub expanding: Vec<&'a str>,
-}
-
-/// What a name means.
-#[derive(Clone)]
-pub(super) enum Binding {
-    /// A local of its own.
-    Local(LocalId),
-    /// A reference to a place.
-    Alias(Place),
-    /// A slice.
-    Slice(Box<Slice>),
-    /// A literal or a constant.
-    Value(Box<Expr>),
-    /// What holds nothing.
-    Nothing,
-}
-
-/// Where a value goes.
-#[derive(Clone)]
-pub(super) enum Target {
-    /// To a place.
-    Place(Place),
-    /// Out of the function.
-    Return,
-}
 
 /// Lowers a function; its callees are in the module already.
 pub(super) fn lower(
@@ -552,32 +494,4 @@ impl Lowering<'_, '_> {
             self.source.module.clone()
         }
     }
-}
-
-/// Whether `expr` is control flow that has a value.
-pub(super) fn control_with_value(expr: &tree::Expr) -> bool {
-    use tree::ExprKind::{Block, If, Labelled, Match, While};
-    match &expr.kind {
-        Match(_, arms) => !super::expr::is_question(arms),
-        Labelled(..) => true,
-        kind => matches!(kind, If(..) | Block(..) | While { condition: None, .. }),
-    }
-}
-
-/// Whether a loop gives the value of `expr`, or of a branch of it.
-fn ends_in_loop(expr: &tree::Expr) -> bool {
-    let block = |block: &tree::Block| block.tail.as_deref().is_some_and(ends_in_loop);
-    match &expr.kind {
-        tree::ExprKind::While { condition: None, .. } => true,
-        tree::ExprKind::Block(it) => block(it),
-        tree::ExprKind::If(_, then, otherwise) => {
-            block(then) || otherwise.as_deref().is_some_and(ends_in_loop)
-        }
-        tree::ExprKind::Match(_, arms) => arms.iter().any(|arm| ends_in_loop(&arm.body)),
-        _ => false,
-    }
-}
-
-pub(super) fn is_literal(expr: &Expr) -> bool {
-    matches!(expr.kind, ExprKind::Literal(_) | ExprKind::Const(_))
 }

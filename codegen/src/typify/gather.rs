@@ -3,7 +3,7 @@
 use bessemer_ir::tree::{self, Start};
 use bessemer_ir::{Expr, ExprKind, Float, Local, LocalId, Mode, Scalar, Stmt, StmtKind, Type};
 
-use super::function::{Binding, Lowering};
+use super::lowering::{Binding, Lowering};
 use super::order::{is_free, is_settled};
 use super::{OUR_FAULT, Result, problem};
 

@@ -11,31 +11,10 @@ use bessemer_ir::{
     Argument, Block, Expr, ExprKind, FunctionId, Local, LocalId, Mode, Place, Role, Type,
 };
 
-use super::function::{Binding, Lowering, UNNAMED};
-use super::pattern::Subject;
+use super::lowering::{Binding, Capture, Handed, Lowering, UNNAMED};
+use super::subject::Subject;
 use super::{OUR_FAULT, Result, names, problem};
 use crate::effects;
-
-/// A closure that was handed to the function that is being lowered.
-#[derive(Clone)]
-pub(super) struct Handed<'a> {
-    closure: tree::Closure,
-    /// The function that its body stands in.
-    source: &'a tree::Function,
-    captures: Vec<Capture>,
-    /// The names of what it uses that holds nothing.
-    nothing: Vec<String>,
-}
-
-/// What a closure uses.
-#[derive(Clone)]
-struct Capture {
-    name: String,
-    /// Where that is here.
-    place: Place,
-    /// A local, which the closure may assign, rather than another name of a place.
-    local: bool,
-}
 
 impl<'a> Lowering<'a, '_> {
     /// A call of a function that takes closures.

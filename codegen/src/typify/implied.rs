@@ -6,8 +6,8 @@
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Mode, StructId, Type};
 
-use super::function::{self, Lowering};
-use super::{Context, Problem, Result, diagnostic, problem};
+use super::lowering::Lowering;
+use super::{Context, Problem, Result, diagnostic, function, problem};
 
 const UNCONVERTED: &str = "the conversion of this error is not part of the DSL";
 const MARK_CONVERSION: &str =

@@ -7,11 +7,11 @@
 
 use bessemer_ir::tree::Site;
 use bessemer_ir::{
-    BinaryOp, Block, Expr, ExprKind, LocalId, Place, Routine, Span, Step, StmtKind, Type, UnaryOp,
+    BinaryOp, Block, Expr, ExprKind, LocalId, Place, Routine, Span, Step, Stmt, StmtKind, Type,
+    UnaryOp,
 };
 
-use super::equal::stmt;
-use super::function::{Lowering, is_literal};
+use super::lowering::Lowering;
 use super::written_views::{counted, local};
 use super::{OUR_FAULT, Result, problem};
 
@@ -57,11 +57,11 @@ impl Lowering<'_, '_> {
         };
         let mut operands = Vec::new();
         for value in values {
-            operands.push(match is_literal(&value) {
+            operands.push(match value.is_literal() {
                 true => value,
                 false => {
                     let mut place = self.hold(value, site)?;
-                    self.keep_indices(&mut place, |index| !is_literal(index));
+                    self.keep_indices(&mut place, |index| !index.is_literal());
                     place.load()
                 }
             });
@@ -91,10 +91,10 @@ impl Lowering<'_, '_> {
                 elements.joined(BinaryOp::Add, place.load(), term)
             }
         };
-        let mut body = Block(vec![stmt(StmtKind::Assign { place, value }, span)]);
+        let mut body = Block(vec![Stmt::new(StmtKind::Assign { place, value }, span)]);
         for (counter, count) in counters {
             if let Some(counter) = counter {
-                body = Block(vec![stmt(counted(counter, count, body, span), span)]);
+                body = Block(vec![Stmt::new(counted(counter, count, body, span), span)]);
             }
         }
         self.out.extend(body.0);

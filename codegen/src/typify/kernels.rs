@@ -3,11 +3,10 @@
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{
     Argument, BinaryOp, Block, Expr, ExprKind, FunctionId, Kernel, KernelRoutine, Mode, Place,
-    Routine, Scalar, Span, Step, StmtKind, Type,
+    Routine, Scalar, Span, Step, Stmt, StmtKind, Type,
 };
 
-use super::equal::stmt;
-use super::function::{Lowering, is_literal};
+use super::lowering::Lowering;
 use super::written_views::counted;
 use super::{Context, OUR_FAULT, Result, problem};
 
@@ -92,7 +91,7 @@ impl Lowering<'_, '_> {
         let (mut passed, mut back) = (Vec::new(), Vec::new());
         for (argument, (mode, ty)) in arguments.iter().zip(parameters) {
             let mut place = self.base(argument)?;
-            self.keep_indices(&mut place, |index| !is_literal(index));
+            self.keep_indices(&mut place, |index| !index.is_literal());
             let place = match place.ty {
                 Type::Matrix { rows, cols, .. } if place.ty != ty => {
                     let columns = self.columns(&place, &ty);
@@ -173,8 +172,8 @@ impl Lowering<'_, '_> {
         let cell = matrix.inside(Step::Element(at(row), at(column)), element.clone());
         let part = columns.inside(Step::Index(index), element);
         let (place, value) = if to_columns { (part, cell.load()) } else { (cell, part.load()) };
-        let assign = stmt(StmtKind::Assign { place, value }, span);
-        let inner = stmt(counted(row, rows, Block(vec![assign]), span), span);
+        let assign = Stmt::new(StmtKind::Assign { place, value }, span);
+        let inner = Stmt::new(counted(row, rows, Block(vec![assign]), span), span);
         self.emit(counted(column, cols, Block(vec![inner]), span), span);
         Ok(())
     }

@@ -7,9 +7,7 @@ use bessemer_ir::tree;
 use bessemer_ir::{Arm, Block, Expr, Local, LocalId, Mode, Place, Span, Stmt, StmtKind, Type};
 
 use super::Result;
-use super::equal::stmt;
-use super::function::{Lowering, Target};
-use super::loops::{Frame, negated};
+use super::lowering::{Frame, Lowering, Target};
 
 /// What stands for the `break` of a block until all of the block is known.
 pub(super) fn left(mark: LocalId) -> StmtKind {
@@ -136,9 +134,9 @@ impl Leaving {
         if let Some(behind) = shared {
             self.flagged = true;
             let then = self.without_marks(Block(behind), followed);
-            let condition = negated(self.flag(span));
+            let condition = self.flag(span).negated();
             let kind = StmtKind::If { condition, then, otherwise: Block::default() };
-            done.push(stmt(kind, span));
+            done.push(Stmt::new(kind, span));
         }
         done
     }
@@ -212,7 +210,7 @@ fn turned(mut stmt: Stmt) -> Stmt {
         && then.0.is_empty()
         && !otherwise.0.is_empty()
     {
-        *condition = negated(condition.clone());
+        *condition = condition.clone().negated();
         std::mem::swap(then, otherwise);
     }
     stmt

@@ -8,7 +8,7 @@ use bessemer_ir::tree::visit::{self, Locals, Visit, VisitMut};
 use bessemer_ir::tree::{self, ExprKind as Tree, Pattern, Site, Ty};
 use bessemer_ir::{Expr, ExprKind, Place, Type};
 
-use super::function::{Binding, Lowering};
+use super::lowering::{Binding, Lowering};
 use super::{Context, OUR_FAULT, Problem, Result, diagnostic, problem};
 
 /// An author's own `[…]`.

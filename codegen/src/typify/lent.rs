@@ -7,10 +7,11 @@
 use bessemer_ir::tree::{self, NO_SLOT, Site};
 use bessemer_ir::{CompareOp, Expr, ExprKind, Fault, LogicOp, Mode, Span, StmtKind, Type};
 
-use super::function::{Binding, Lowering, is_literal};
-use super::loops::negated;
-use super::pattern::{Named, Subject};
-use super::slice::{Slice, minus, plus};
+use super::elements::Slice;
+use super::lengths::{minus, plus};
+use super::lowering::{Binding, Lowering};
+use super::subject::{Named, Subject};
+use super::syntax::is_rest;
 use super::{Result, problem};
 
 impl Lowering<'_, '_> {
@@ -130,7 +131,7 @@ impl Lowering<'_, '_> {
                 })
             }
             tree::Pattern::Constructor(name, _) if name == "None" => {
-                Ok(Some(negated(there.clone())))
+                Ok(Some(there.clone().negated()))
             }
             _ => problem(site, LENT, TAKE_APART),
         }
@@ -208,7 +209,7 @@ impl Lowering<'_, '_> {
             return Ok(());
         }
         let ty = self.slot(slot, site)?;
-        let (Type::Array { len, .. }, true) = (&ty, is_literal(&part.length)) else {
+        let (Type::Array { len, .. }, true) = (&ty, part.length.is_literal()) else {
             return problem(site, "a slice is no value", "match what `&` refers to");
         };
         let span: Span = self.span(site);
@@ -226,12 +227,3 @@ impl Lowering<'_, '_> {
 /// What is said of a lent value that is held.
 pub(super) const LENT: &str = "what this lends is no value in the DSL";
 pub(super) const TAKE_APART: &str = "take it apart where it is called: `if let Some(x) = values.get_mut(i) { … }`, `let (a, b) = values.split_at(n);`";
-
-/// `..`, or `name @ ..`.
-pub(super) fn is_rest(pattern: &tree::Pattern) -> bool {
-    match pattern {
-        tree::Pattern::Rest => true,
-        tree::Pattern::Name { inner: Some(inner), .. } => matches!(**inner, tree::Pattern::Rest),
-        _ => false,
-    }
-}

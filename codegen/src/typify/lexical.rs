@@ -5,8 +5,7 @@
 use bessemer_ir::tree::{BinaryOp as Op, Site};
 use bessemer_ir::{Expr, LogicOp, Place, Step, StructId, Type};
 
-use super::function::{Lowering, is_literal};
-
+use super::lowering::Lowering;
 use super::{Result, problem};
 
 /// An array of more elements is not written out.
@@ -18,7 +17,7 @@ impl Lowering<'_, '_> {
         let mut left = self.hold(left, site)?;
         let mut right = self.hold(right, site)?;
         for place in [&mut left, &mut right] {
-            self.keep_indices(place, |index| !is_literal(index));
+            self.keep_indices(place, |index| !index.is_literal());
         }
         let Some(steps) = self.steps_to_parts(&left.ty, &left) else {
             return problem(

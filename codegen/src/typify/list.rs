@@ -4,12 +4,12 @@
 
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{
-    Block, CompareOp, Expr, ExprKind, Fault, Form, Intrinsic, LogicOp, Place, Span, Step, StmtKind,
-    StructId, Type,
+    Block, CompareOp, Expr, ExprKind, Fault, Form, Intrinsic, LogicOp, Place, Span, Step, Stmt,
+    StmtKind, StructId, Type,
 };
 
-use super::equal::stmt;
-use super::function::Lowering;
+use super::lengths::lesser;
+use super::lowering::Lowering;
 use super::{OUR_FAULT, Result, problem};
 
 /// A list in its place.
@@ -57,7 +57,7 @@ impl Lowering<'_, '_> {
 
     fn list(&mut self, expr: &tree::Expr) -> Result<List> {
         let mut place = self.base(expr)?;
-        self.keep_indices(&mut place, |index| !super::function::is_literal(index));
+        self.keep_indices(&mut place, |index| !index.is_literal());
         match self.list_type(&place.ty) {
             Some((_, element, capacity)) => {
                 let length = self.length_of(&place);
@@ -129,8 +129,8 @@ impl Lowering<'_, '_> {
         let some = self.choice(option, 1, Some(list.at(list.length.load()).load()), site)?;
         let shorter = minus_one(list.length.load(), span);
         let then = vec![
-            stmt(StmtKind::Assign { place: list.length.clone(), value: shorter }, span),
-            stmt(StmtKind::Assign { place: target, value: some }, span),
+            Stmt::new(StmtKind::Assign { place: list.length.clone(), value: shorter }, span),
+            Stmt::new(StmtKind::Assign { place: target, value: some }, span),
         ];
         let some_left =
             Expr::compare(CompareOp::Gt, list.length.load(), Expr::usize(0, span)).at(span);
@@ -161,7 +161,7 @@ impl Lowering<'_, '_> {
                 let condition =
                     Expr::compare(CompareOp::Lt, length.clone(), list.length.load()).at(span);
                 let assign = StmtKind::Assign { place: list.length, value: length };
-                let (then, otherwise) = (Block(vec![stmt(assign, span)]), Block::default());
+                let (then, otherwise) = (Block(vec![Stmt::new(assign, span)]), Block::default());
                 self.emit(StmtKind::If { condition, then, otherwise }, span);
             }
             "list_resize" => self.resize(arguments, span)?,
@@ -171,7 +171,7 @@ impl Lowering<'_, '_> {
                     Expr::compare(CompareOp::Gt, list.length.load(), Expr::usize(0, span)).at(span);
                 let shorter = minus_one(list.length.load(), span);
                 let assign = StmtKind::Assign { place: list.length, value: shorter };
-                let (then, otherwise) = (Block(vec![stmt(assign, span)]), Block::default());
+                let (then, otherwise) = (Block(vec![Stmt::new(assign, span)]), Block::default());
                 self.emit(StmtKind::If { condition, then, otherwise }, span);
             }
             _ => return problem(site, "the value of this is not used", "leave it out"),
@@ -182,7 +182,7 @@ impl Lowering<'_, '_> {
     /// An argument, computed once.
     fn length_argument(&mut self, argument: &tree::Expr) -> Result<Expr> {
         let length = self.value(argument, Some(&Type::USIZE))?;
-        Ok(match super::function::is_literal(&length) {
+        Ok(match length.is_literal() {
             true => length,
             false => self.temporary("length", length),
         })
@@ -215,7 +215,7 @@ impl Lowering<'_, '_> {
         let list = self.list(&arguments[0])?;
         let length = self.length_argument(&arguments[1])?;
         let element = self.value(&arguments[2], Some(&list.element))?;
-        let element = match super::function::is_literal(&element) {
+        let element = match element.is_literal() {
             true => element,
             false => self.temporary("element", element),
         };
@@ -226,7 +226,7 @@ impl Lowering<'_, '_> {
         let variable = self.counter("i", span);
         let index = Place::local(variable, Type::USIZE, span);
         let place = list.at(index.load());
-        let body = Block(vec![stmt(StmtKind::Assign { place, value: element }, span)]);
+        let body = Block(vec![Stmt::new(StmtKind::Assign { place, value: element }, span)]);
         let (inclusive, reversed) = (false, false);
         let to = length.clone();
         let kind = StmtKind::For {
@@ -274,11 +274,6 @@ impl Lowering<'_, '_> {
 /// `length <= capacity`.
 fn at_most(length: Expr, capacity: u32, span: Span) -> Expr {
     Expr::compare(CompareOp::Le, length, Expr::usize(u64::from(capacity), span)).at(span)
-}
-
-/// The length, and no more than there is room for.
-pub(super) fn lesser(length: Expr, most: Expr) -> Expr {
-    Expr::intrinsic(Intrinsic::Min, vec![length, most])
 }
 
 fn minus_one(length: Expr, span: Span) -> Expr {

@@ -3,7 +3,7 @@
 use bessemer_ir::tree::{self, BinaryOp, Site};
 use bessemer_ir::{Expr, ExprKind, Float, Int, Scalar, Type};
 
-use super::function::Lowering;
+use super::lowering::Lowering;
 use super::{OUR_FAULT, Result, problem};
 
 /// The word of an integer literal as a value of `scalar`.

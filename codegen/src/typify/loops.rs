@@ -7,50 +7,13 @@
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{
     Block, CompareOp, Expr, ExprKind, Fault, Int, Local, LocalId, Mode, Place, Scalar, Span, Step,
-    Stmt, StmtKind, Type, UnaryOp,
+    Stmt, StmtKind, Type,
 };
 
-use super::OUR_FAULT;
 use super::ended::{self, Loop, Proof};
 use super::expr::{Operand, two};
-use super::function::{Lowering, Target};
-use super::{Result, labelled, problem};
-
-/// A loop, or a block with a label, that is being lowered.
-pub(super) struct Frame {
-    label: Option<String>,
-    /// Where the value of a `break` goes.
-    target: Option<Target>,
-    /// Of a block: the local whose declaration marks where it is left ([`super::labelled`]).
-    pub(super) mark: Option<LocalId>,
-    /// Whether it is one loop with the one around it: what leaves it leaves both.
-    joined: bool,
-    /// What is looked at behind the loop.
-    behind: Vec<Behind>,
-}
-
-impl Frame {
-    /// That of a block, left where `mark` is declared.
-    pub(super) fn block(label: &str, target: Option<&Target>, mark: LocalId) -> Frame {
-        let (label, target) = (Some(label.to_owned()), target.cloned());
-        Frame { label, target, mark: Some(mark), joined: false, behind: Vec::new() }
-    }
-}
-
-/// A flag that is looked at behind a loop.
-struct Behind {
-    flag: LocalId,
-    /// The loop that is left for good, or continued, by its depth.
-    left: usize,
-    leaving: Leaving,
-}
-
-/// The two ways to leave a pass.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Leaving {
-    Break,
-    Continue,
-}
+use super::lowering::{Behind, Frame, Leaving, Lowering, Target};
+use super::{OUR_FAULT, Result, labelled, problem};
 
 impl Lowering<'_, '_> {
     pub(super) fn for_stmt(
@@ -109,7 +72,7 @@ impl Lowering<'_, '_> {
             let mut head = 0;
             let body = inner.scoped(|inner| {
                 let mut names = Vec::new();
-                let condition = negated(inner.pattern_condition(condition, &mut names)?);
+                let condition = inner.pattern_condition(condition, &mut names)?.negated();
                 let (then, otherwise) = (alone(StmtKind::Break, span), Block::default());
                 head = inner.out.len();
                 inner.emit(StmtKind::If { condition, then, otherwise }, span);
@@ -447,27 +410,6 @@ impl Lowering<'_, '_> {
         }
         flag
     }
-}
-
-/// The opposite of a condition; a comparison turned round, unless a NaN could tell.
-pub(super) fn negated(condition: Expr) -> Expr {
-    let Expr { kind, ty, span } = condition;
-    let kind = match kind {
-        ExprKind::Unary(UnaryOp::Not, inner) => return *inner,
-        ExprKind::Compare(op, a, b) if a.ty.as_float().is_none() => {
-            let op = match op {
-                CompareOp::Eq => CompareOp::Ne,
-                CompareOp::Ne => CompareOp::Eq,
-                CompareOp::Lt => CompareOp::Ge,
-                CompareOp::Ge => CompareOp::Lt,
-                CompareOp::Gt => CompareOp::Le,
-                CompareOp::Le => CompareOp::Gt,
-            };
-            ExprKind::Compare(op, a, b)
-        }
-        kind => ExprKind::Unary(UnaryOp::Not, Box::new(Expr { kind, ty: ty.clone(), span })),
-    };
-    Expr { kind, ty, span }
 }
 
 /// What a loop does before the one `break` that it begins with: as well behind it.

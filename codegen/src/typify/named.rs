@@ -2,7 +2,7 @@
 
 use bessemer_ir::tree::{self, Site};
 
-use super::function::{Binding, Lowering};
+use super::lowering::{Binding, Lowering};
 use super::{Result, problem};
 
 /// Whether what `expr` refers to comes from a call, or is gathered: what a fold of references gives is held by itself.

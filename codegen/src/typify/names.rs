@@ -40,3 +40,8 @@ pub(super) fn constant(module: &str, owner: Option<&str>, path: &str) -> (String
         None => (format!("{root}::{}", segments.join("::")), name),
     }
 }
+
+/// Module and name of a path.
+pub(super) fn split(path: &str) -> (&str, &str) {
+    path.rsplit_once("::").unwrap_or(("", path))
+}

@@ -1,9 +1,8 @@
 //! `u8::try_from(x)` of an integer: the number if it fits, asked before it is converted.
 
-use bessemer_ir::{Block, CompareOp, Expr, ExprKind, LogicOp, StmtKind, Type, tree};
+use bessemer_ir::{Block, CompareOp, Expr, ExprKind, LogicOp, Stmt, StmtKind, Type, tree};
 
-use super::equal::stmt;
-use super::function::Lowering;
+use super::lowering::Lowering;
 use super::{OUR_FAULT, Result, problem};
 
 impl Lowering<'_, '_> {
@@ -42,7 +41,7 @@ impl Lowering<'_, '_> {
         let held = self.temporary("narrowed", nothing);
         if let ExprKind::Load(place) = &held.kind {
             let assign = StmtKind::Assign { place: place.clone(), value: there };
-            let then = Block(vec![stmt(assign, span)]);
+            let then = Block(vec![Stmt::new(assign, span)]);
             self.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
         }
         Ok(held)

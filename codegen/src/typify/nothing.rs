@@ -6,9 +6,9 @@ use std::collections::HashMap;
 use bessemer_ir::tree::{self, Definition, NO_SLOT, Pattern, Site, Ty};
 use bessemer_ir::{Expr, ExprKind, FunctionId, StmtKind, StructId, Type};
 
-use super::function::{Binding, Lowering};
 use super::generic::position;
-use super::pattern::Named;
+use super::lowering::{Binding, Lowering};
+use super::subject::Named;
 use super::{Context, Result, problem};
 
 /// What is said of slices of what holds nothing.

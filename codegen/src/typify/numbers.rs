@@ -13,7 +13,7 @@ use bessemer_ir::{
 };
 
 use super::expr::Operand;
-use super::function::Lowering;
+use super::lowering::Lowering;
 use super::{OUR_FAULT, Result, problem};
 
 /// A method of a number.

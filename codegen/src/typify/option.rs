@@ -1,11 +1,10 @@
 //! The methods of `Option` and `Result`: a test, a copy, a check that there is a value.
 
 use bessemer_ir::tree::{self, Site};
-use bessemer_ir::{Block, Expr, Fault, Place, StmtKind, StructId, Type};
+use bessemer_ir::{Block, Expr, Fault, Place, Stmt, StmtKind, StructId, Type};
 
-use super::equal::stmt;
 use super::expr::Operand;
-use super::function::Lowering;
+use super::lowering::Lowering;
 use super::{OUR_FAULT, Result, problem};
 
 /// What to write where what an `Option` lends would be held.
@@ -45,7 +44,7 @@ impl Lowering<'_, '_> {
         };
         let there = self.tag_is(&place, id, word);
         let absent = matches!(name, "is_none" | "is_err");
-        Ok(Some(if absent { super::loops::negated(there) } else { there }))
+        Ok(Some(if absent { there.negated() } else { there }))
     }
 
     /// The place of an `Option` or a `Result`.
@@ -150,7 +149,7 @@ impl Lowering<'_, '_> {
             ("unwrap_or_default", _, _) => (self.default_of(&ty, site)?, value),
             ("or", _, Some(second)) => (second, Some(place.load())),
             ("and", Type::Struct(result), Some(second)) => {
-                there = super::loops::negated(there);
+                there = there.negated();
                 let (_, error) = self.present(&place, id, true);
                 (second, Some(self.choice(*result, 0, error, site)?))
             }
@@ -173,7 +172,7 @@ impl Lowering<'_, '_> {
         self.emit(StmtKind::Let { local, value: Some(otherwise) }, span);
         let target = Place::local(local, ty.clone(), span);
         let assign = StmtKind::Assign { place: target.clone(), value: then };
-        let then = Block(vec![stmt(assign, span)]);
+        let then = Block(vec![Stmt::new(assign, span)]);
         let otherwise = Block::default();
         self.emit(StmtKind::If { condition: there, then, otherwise }, span);
         Ok(target.load().at(span))

@@ -2,11 +2,9 @@
 //! another name for what is in it.
 
 use bessemer_ir::tree;
-use bessemer_ir::{Block, Fault, Place, StmtKind, StructId, Type};
+use bessemer_ir::{Block, Fault, Place, Stmt, StmtKind, StructId, Type};
 
-use super::equal::stmt;
-use super::function::Lowering;
-use super::loops::negated;
+use super::lowering::Lowering;
 use super::{OUR_FAULT, Result, order, problem};
 
 impl Lowering<'_, '_> {
@@ -108,9 +106,9 @@ impl Lowering<'_, '_> {
             Ok(())
         })?;
         if unless {
-            let condition = negated(self.tag_is(&place, id, word));
+            let condition = self.tag_is(&place, id, word).negated();
             let kind = StmtKind::If { condition, then: Block(put), otherwise: Block::default() };
-            self.out.push(stmt(kind, span));
+            self.out.push(Stmt::new(kind, span));
         } else {
             self.out.extend(put);
         }

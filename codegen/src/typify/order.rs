@@ -11,8 +11,7 @@ use bessemer_ir::{
     StmtKind, Type,
 };
 
-use super::function::Lowering;
-use super::place::is_fixed;
+use super::lowering::Lowering;
 use crate::effects;
 
 impl Lowering<'_, '_> {
@@ -174,5 +173,14 @@ pub(super) fn value_of(argument: &mut Argument) -> Result<&mut Expr, &mut Place>
     match argument {
         Argument::Value(value) | Argument::Ref(value) => Ok(value),
         Argument::RefMut(place) => Err(place),
+    }
+}
+
+/// Whether a step never depends on a value that is computed.
+pub(super) fn is_fixed(step: &Step) -> bool {
+    match step {
+        Step::Field(_) => true,
+        Step::Index(index) | Step::From(index) => index.is_literal(),
+        Step::Element(row, col) => row.is_literal() && col.is_literal(),
     }
 }

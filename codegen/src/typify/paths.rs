@@ -3,7 +3,7 @@
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{Expr, ExprKind, Type};
 
-use super::function::Lowering;
+use super::lowering::Lowering;
 use super::{OUR_FAULT, Result, names, problem};
 
 impl Lowering<'_, '_> {

@@ -10,51 +10,15 @@ use bessemer_ir::{
     Block, Expr, ExprKind, LogicOp, Mode, Place, Step, Stmt, StmtKind, StructId, Type,
 };
 
-use super::OUR_FAULT;
-use super::function::{Binding, Lowering};
+use super::elements::Slice;
 use super::generic::Case;
-use super::lent::is_rest;
+use super::lowering::{Binding, Lowering};
 use super::nothing::At;
 use super::order::is_settled;
-use super::slice::Slice;
-use super::{Result, problem};
+use super::subject::{Named, Stands, Subject};
+use super::syntax::is_rest;
+use super::{OUR_FAULT, Result, problem};
 use crate::effects;
-
-/// What is matched: a place, or several side by side that are written as a tuple.
-#[derive(Clone)]
-pub(super) enum Subject {
-    /// A value in its place.
-    Place(Place),
-    /// The parts of a tuple that is never made.
-    Parts(Vec<Subject>),
-    /// Elements in a row.
-    Slice(Box<Slice>),
-    /// What is lent if the condition holds.
-    Maybe(Expr, Box<Subject>),
-    /// What holds nothing.
-    Nothing,
-}
-
-/// A name of a pattern, and the place that it stands for.
-#[derive(Clone)]
-pub(super) struct Named {
-    pub name: String,
-    slot: u32,
-    mutable: bool,
-    stands: Stands,
-    site: Site,
-}
-
-/// What a name stands for.
-#[derive(Clone)]
-enum Stands {
-    /// A place.
-    Place(Place),
-    /// Several elements.
-    Part(Box<Slice>),
-    /// What holds nothing.
-    Nothing,
-}
 
 impl Named {
     /// A name of several elements.
@@ -297,7 +261,7 @@ impl Lowering<'_, '_> {
                 let value = place.load();
                 Ok(ranges
                     .into_iter()
-                    .map(|range| super::choice::test(&value, range, place.span))
+                    .map(|range| super::within::test(&value, range, place.span))
                     .reduce(|one, other| Expr::logic(LogicOp::Or, one, other)))
             }
             (tree::Pattern::Constructor(..), Type::Array { .. } | Type::Matrix { .. }) => problem(
@@ -403,7 +367,7 @@ impl Lowering<'_, '_> {
     pub(super) fn tag_is(&mut self, place: &Place, id: StructId, word: u64) -> Expr {
         let tag = self.part(place, id, 0);
         let word = i128::from(word);
-        super::choice::test(&tag.load(), (word, word), place.span)
+        super::within::test(&tag.load(), (word, word), place.span)
     }
 
     /// The place of a field.

@@ -4,18 +4,9 @@ use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{Expr, ExprKind, Int, Place, Scalar, Step, Type};
 
 use super::expr::{Operand, two};
-use super::function::{Binding, Lowering, is_literal};
+use super::lowering::{Binding, Lowering};
 use super::nothing::At;
 use super::{Result, problem};
-
-/// Whether a step never depends on a value that is computed.
-pub(super) fn is_fixed(step: &Step) -> bool {
-    match step {
-        Step::Field(_) => true,
-        Step::Index(index) | Step::From(index) => is_literal(index),
-        Step::Element(row, col) => is_literal(row) && is_literal(col),
-    }
-}
 
 /// Whether a field is all there is: of a point its `coords`, of a translation its `vector`.
 fn is_whole(base: &Type, name: &str) -> bool {
@@ -169,7 +160,7 @@ impl Lowering<'_, '_> {
                 let later = self.later(mark);
                 self.settle_place(&mut base, &later);
                 self.out.extend(later);
-                self.keep_indices(&mut base, |index| !is_literal(index));
+                self.keep_indices(&mut base, |index| !index.is_literal());
                 let span = self.span(expr.site);
                 return Ok(self.list_element(base, index, span));
             }

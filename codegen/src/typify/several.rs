@@ -3,7 +3,7 @@
 use bessemer_ir::tree::{self, Places, Site};
 use bessemer_ir::{Expr, Place, Step, StmtKind, Type};
 
-use super::function::{Lowering, is_literal};
+use super::lowering::Lowering;
 use super::{OUR_FAULT, Result, problem};
 
 impl Lowering<'_, '_> {
@@ -45,7 +45,7 @@ impl Lowering<'_, '_> {
                 let name = self.name_of(place);
                 let naming = std::mem::replace(&mut self.naming, name);
                 let value = self.value(value, Some(&ty))?;
-                let value = match is_literal(&value) {
+                let value = match value.is_literal() {
                     true => value,
                     false => self.temporary("next", value),
                 };

@@ -6,89 +6,14 @@
 
 use bessemer_ir::tree::{self, Site, Ty};
 use bessemer_ir::{
-    Argument, BinaryOp, Block, CompareOp, Expr, ExprKind, Fault, Intrinsic, Local, LogicOp, Mode,
-    Place, Span, Step, StmtKind, Type,
+    BinaryOp, Block, CompareOp, Expr, ExprKind, Fault, Local, LogicOp, Mode, Place, Span, Stmt,
+    StmtKind, Type,
 };
 
-use super::equal::stmt;
-use super::function::{Binding, Lowering, is_literal};
+use super::elements::Slice;
+use super::lengths::{is_number, least, minus, plus, same};
+use super::lowering::{Binding, Lowering};
 use super::{OUR_FAULT, Result, problem};
-
-/// Elements of an array, in their place.
-#[derive(Clone)]
-pub(super) struct Slice {
-    /// The array, or the parameter that is a slice.
-    pub base: Place,
-    /// Of one element.
-    pub element: Type,
-    /// The first element, and the one behind the last: numbers, or locals that nothing writes.
-    pub from: Expr,
-    pub to: Expr,
-    /// How many there are.
-    pub length: Expr,
-    /// Whether these are all elements of the base.
-    whole: bool,
-}
-
-impl Slice {
-    fn whole(base: Place, element: Type, length: Expr) -> Slice {
-        let from = Expr::usize(0, base.span);
-        Slice { base, element, from, to: length.clone(), length, whole: true }
-    }
-
-    /// The type of what is lent.
-    pub fn ty(&self) -> Type {
-        Type::Slice(Box::new(self.element.clone()))
-    }
-
-    /// Where the first element is.
-    pub fn place(&self) -> Place {
-        match (&self.base.ty, is_number(&self.from, 0)) {
-            (Type::Slice(_), true) => self.base.clone(),
-            _ => self.base.inside(Step::From(self.from.clone()), self.ty()),
-        }
-    }
-
-    /// An element of the base, by its index there.
-    pub fn at(&self, index: Expr) -> Place {
-        let step = match &self.base.ty {
-            Type::Matrix { cols: 1, .. } => Step::Element(index, Expr::usize(0, self.base.span)),
-            Type::Matrix { rows: 1, .. } => Step::Element(Expr::usize(0, self.base.span), index),
-            _ => Step::Index(index),
-        };
-        self.base.inside(step, self.element.clone())
-    }
-
-    /// `length` elements from `begin` on, which are known to be there.
-    pub fn part(&self, begin: Expr, length: Expr) -> Slice {
-        let from = plus(self.from.clone(), begin);
-        let to = plus(from.clone(), length.clone());
-        Slice { from, to, length, whole: false, ..self.clone() }
-    }
-
-    /// The elements from `from` to `to`, which is no less and no more than there are.
-    pub fn between(&self, from: Expr, to: Expr) -> Slice {
-        let length = minus(to.clone(), from.clone());
-        let (from, to) = (plus(self.from.clone(), from), plus(self.from.clone(), to));
-        Slice { from, to, length, whole: false, ..self.clone() }
-    }
-
-    /// The elements from `begin` on, which is no more than there are.
-    pub fn behind(&self, begin: Expr) -> Slice {
-        let length = minus(self.length.clone(), begin.clone());
-        Slice { from: plus(self.from.clone(), begin), length, whole: false, ..self.clone() }
-    }
-
-    /// What a call passes for it.
-    pub fn passed(self, mode: Mode) -> [Argument; 2] {
-        let place = self.place();
-        let first = match mode {
-            Mode::RefMut => Argument::RefMut(place),
-            _ => Argument::Ref(place.load()),
-        };
-        [first, Argument::Value(self.length)]
-    }
-}
 
 impl Lowering<'_, '_> {
     /// A parameter that is a slice, and the one of its length.
@@ -149,7 +74,7 @@ impl Lowering<'_, '_> {
         if let Some((length, items)) = self.list_items(&place) {
             let Type::Array { element, len } = items.ty.clone() else { return None };
             let most = Expr::usize(u64::from(len), place.span);
-            let length = super::list::lesser(length.load(), most);
+            let length = super::lengths::lesser(length.load(), most);
             return Some(Slice { whole: false, ..Slice::whole(items, *element, length) });
         }
         match place.ty.clone() {
@@ -285,7 +210,7 @@ impl Lowering<'_, '_> {
                 let known = self.steady.contains(&place.root) || self.held.contains(&place.root);
                 place.steps.is_empty() && known
             }
-            _ => is_literal(value),
+            _ => value.is_literal(),
         }
     }
 
@@ -365,7 +290,7 @@ impl Lowering<'_, '_> {
         let held = self.temporary("found", none);
         let ExprKind::Load(target) = held.kind.clone() else { return Ok(held) };
         let value = self.choice(option, 1, Some(place.load()), expr.site)?;
-        let then = Block(vec![stmt(StmtKind::Assign { place: target, value }, span)]);
+        let then = Block(vec![Stmt::new(StmtKind::Assign { place: target, value }, span)]);
         let (condition, otherwise) = (there, Block::default());
         self.emit(StmtKind::If { condition, then, otherwise }, span);
         Ok(held)
@@ -375,7 +300,7 @@ impl Lowering<'_, '_> {
         let span = self.span(site);
         let value = self.value(element, Some(&slice.element))?;
         self.agree(&value.ty, &slice.element, element.site)?;
-        let wanted = match is_literal(&value) {
+        let wanted = match value.is_literal() {
             true => self.temporary("wanted", value),
             false => value,
         };
@@ -385,8 +310,8 @@ impl Lowering<'_, '_> {
         self.each_index(slice, span, |inner, index| {
             let condition = inner.equal(&slice.at(index), &wanted, site, span)?;
             let then = Block(vec![
-                stmt(StmtKind::Assign { place: flag, value: Expr::bool(true, span) }, span),
-                stmt(StmtKind::Break, span),
+                Stmt::new(StmtKind::Assign { place: flag, value: Expr::bool(true, span) }, span),
+                Stmt::new(StmtKind::Break, span),
             ]);
             inner.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
             Ok(())
@@ -471,7 +396,7 @@ impl Lowering<'_, '_> {
                 let (to, from) = (self.sliced(array)?, self.sliced(from)?);
                 let same =
                     Expr::compare(CompareOp::Eq, to.length.clone(), from.length.clone()).at(span);
-                if !is_literal(&to.length) || !is_literal(&from.length) {
+                if !to.length.is_literal() || !from.length.is_literal() {
                     self.emit(StmtKind::Check { condition: same, fault: Fault::Index }, span);
                 } else if to.length.kind != from.length.kind {
                     return problem(
@@ -500,10 +425,6 @@ impl Lowering<'_, '_> {
     }
 }
 
-fn is_number(expr: &Expr, wanted: u64) -> bool {
-    expr.kind == ExprKind::Literal(wanted)
-}
-
 /// Whether `to` is a number more than `from`, so that it is never before it.
 fn is_further(from: &Expr, to: &Expr) -> bool {
     match (&from.kind, &to.kind) {
@@ -513,55 +434,4 @@ fn is_further(from: &Expr, to: &Expr) -> bool {
         }
         _ => false,
     }
-}
-
-/// Whether both are the same but for where they stand.
-pub(super) fn same(one: &Expr, other: &Expr) -> bool {
-    match (&one.kind, &other.kind) {
-        (ExprKind::Load(one), ExprKind::Load(other)) => {
-            one.root == other.root && one.steps.is_empty() && other.steps.is_empty()
-        }
-        (one, other) => one == other,
-    }
-}
-
-/// `one + other`, shorter where one of them is a number.
-pub(super) fn plus(one: Expr, other: Expr) -> Expr {
-    match (&one.kind, &other.kind) {
-        (ExprKind::Literal(0), _) => other,
-        (_, ExprKind::Literal(0)) => one,
-        (ExprKind::Literal(a), ExprKind::Literal(b)) => Expr::usize(a.saturating_add(*b), one.span),
-        (ExprKind::Literal(_), _) => Expr::binary(BinaryOp::Add, other, one),
-        _ => Expr::binary(BinaryOp::Add, one, other),
-    }
-}
-
-/// `one - other`, the same.
-pub(super) fn minus(one: Expr, other: Expr) -> Expr {
-    match (&one.kind, &other.kind) {
-        (_, ExprKind::Literal(0)) => one,
-        (ExprKind::Literal(a), ExprKind::Literal(b)) => Expr::usize(a.saturating_sub(*b), one.span),
-        (ExprKind::Binary(BinaryOp::Add, base, more), _) if same(base, &other) => (**more).clone(),
-        _ => Expr::binary(BinaryOp::Sub, one, other),
-    }
-}
-
-/// The lesser of two, where one of them may be a number that is known to be.
-pub(super) fn least(one: Expr, other: Expr) -> Expr {
-    match (&one.kind, &other.kind) {
-        (ExprKind::Literal(a), ExprKind::Literal(b)) => Expr::usize(*a.min(b), one.span),
-        _ => super::list::lesser(one, other),
-    }
-}
-
-pub(super) fn greatest(one: Expr, other: Expr) -> Expr {
-    Expr::intrinsic(Intrinsic::Max, vec![one, other])
-}
-
-pub(super) fn times(one: Expr, other: Expr) -> Expr {
-    Expr::binary(BinaryOp::Mul, one, other)
-}
-
-pub(super) fn divided(one: Expr, other: Expr) -> Expr {
-    Expr::binary(BinaryOp::Div, one, other)
 }

@@ -7,7 +7,7 @@ use bessemer_ir::{
 };
 
 use super::expr::{Operand, two};
-use super::function::Lowering;
+use super::lowering::Lowering;
 use super::{OUR_FAULT, Result, problem};
 
 /// Whether the type at a path stands for a quaternion, and then whether for a unit one.

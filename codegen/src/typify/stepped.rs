@@ -6,7 +6,7 @@ use bessemer_ir::{
     StmtKind, Type,
 };
 
-use super::function::Lowering;
+use super::lowering::Lowering;
 use super::{OUR_FAULT, Result, problem};
 
 /// Where a stepped range begins, and what it takes to get on.

@@ -4,13 +4,8 @@ use bessemer_ir::tree::{Argument, Definition, DefinitionKind, Field, Site, Table
 use bessemer_ir::{Const, ConstId, Enum, Form, Scalar, Span, Struct, StructId, Type};
 
 use super::generic::Home;
-use super::names::snake;
+use super::names::{snake, split};
 use super::{Context, Result, problem};
-
-/// Module and name of a path.
-pub(super) fn split(path: &str) -> (&str, &str) {
-    path.rsplit_once("::").unwrap_or(("", path))
-}
 
 impl<'a> Context<'a> {
     /// A type in the words of its author.

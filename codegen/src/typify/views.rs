@@ -3,8 +3,8 @@
 use bessemer_ir::tree;
 use bessemer_ir::{CompareOp, Expr, ExprKind, Fault, Step, StmtKind, Type};
 
-use super::function::{Lowering, is_literal};
-use super::slice::plus;
+use super::lengths::plus;
+use super::lowering::Lowering;
 use super::{OUR_FAULT, Result, problem};
 
 /// Views of up to so many elements are written out.
@@ -71,7 +71,7 @@ impl Lowering<'_, '_> {
         let Type::Matrix { rows: most_rows, cols: most_columns, .. } = place.ty else {
             return Ok(None);
         };
-        self.keep_indices(&mut place, |index| !is_literal(index));
+        self.keep_indices(&mut place, |index| !index.is_literal());
         let mut first = |index: Option<&tree::Expr>, role| match index {
             Some(index) => {
                 let index = self.value(index, Some(&Type::USIZE))?;

@@ -3,14 +3,13 @@
 
 use bessemer_ir::tree;
 use bessemer_ir::{
-    Block, CompareOp, Expr, Fault, LocalId, LogicOp, Place, Span, Step, StmtKind, Type,
+    Block, CompareOp, Expr, Fault, LocalId, LogicOp, Place, Span, Step, Stmt, StmtKind, Type,
 };
 
 use super::Result;
-use super::equal::stmt;
 use super::expr::Operand;
-use super::function::{Lowering, is_literal};
-use super::slice::plus;
+use super::lengths::plus;
+use super::lowering::Lowering;
 
 /// A part of a matrix: from where on, and how many rows and columns.
 struct Part {
@@ -64,7 +63,7 @@ impl Lowering<'_, '_> {
         if !matches!(place.ty, Type::Matrix { .. }) {
             return Ok(None);
         }
-        self.keep_indices(&mut place, |index| !is_literal(index));
+        self.keep_indices(&mut place, |index| !index.is_literal());
         Ok(Some(place))
     }
 
@@ -191,9 +190,9 @@ impl Lowering<'_, '_> {
         self.locals.push(bessemer_ir::Local { name, ty: ty.clone(), mode, span });
         let held_place = Place::local(held, ty, span);
         let body = vec![
-            stmt(StmtKind::Let { local: held, value: Some(cell(&one).load()) }, span),
-            stmt(StmtKind::Assign { place: cell(&one), value: cell(&other).load() }, span),
-            stmt(StmtKind::Assign { place: cell(&other), value: held_place.load() }, span),
+            Stmt::new(StmtKind::Let { local: held, value: Some(cell(&one).load()) }, span),
+            Stmt::new(StmtKind::Assign { place: cell(&one), value: cell(&other).load() }, span),
+            Stmt::new(StmtKind::Assign { place: cell(&other), value: held_place.load() }, span),
         ];
         self.emit(counted(index, count, Block(body), span), span);
         Ok(true)
@@ -210,7 +209,7 @@ impl Lowering<'_, '_> {
         let mut kind = write(at, Step::Element(i, j));
         for (counter, count) in [(row_at, rows), (column_at, columns)] {
             if let Some(counter) = counter {
-                kind = counted(counter, count, Block(vec![stmt(kind, span)]), span);
+                kind = counted(counter, count, Block(vec![Stmt::new(kind, span)]), span);
             }
         }
         self.emit(kind, span);

@@ -3,13 +3,13 @@
 use std::collections::BTreeSet;
 
 use bessemer_ir::text::MAX_NESTING;
+use bessemer_ir::words::words_fit;
 use bessemer_ir::{
     ConstId, EnumId, Form, Function, FunctionId, Kernel, Local, LocalId, Mode, Module, Owner, Span,
     Struct, StructId, Type,
 };
 
 use super::problem::{Error, Problem, Subject};
-use bessemer_ir::words::words_fit;
 
 /// The most words that a value may have (128 MiB in the interpreter).
 pub const MAX_WORDS: u64 = 1 << 24;

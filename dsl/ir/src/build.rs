@@ -8,8 +8,8 @@ use alloc::boxed::Box;
 use alloc::vec::Vec;
 
 use crate::ir::{
-    BinaryOp, CompareOp, Expr, ExprKind, Intrinsic, LocalId, LogicOp, Place, Span, Step, Type,
-    UnaryOp,
+    BinaryOp, CompareOp, Expr, ExprKind, Intrinsic, LocalId, LogicOp, Place, Span, Step, Stmt,
+    StmtKind, Type, UnaryOp,
 };
 
 impl Expr {
@@ -86,6 +86,25 @@ impl Expr {
         Expr { kind: ExprKind::Cast(Box::new(self)), ty: ty.clone(), span }
     }
 
+    /// The opposite of a condition; a comparison turned round, unless a NaN could tell.
+    #[must_use]
+    pub fn negated(self) -> Expr {
+        let Expr { kind, ty, span } = self;
+        let kind = match kind {
+            ExprKind::Unary(UnaryOp::Not, inner) => return *inner,
+            ExprKind::Compare(op, a, b) if a.ty.as_float().is_none() => {
+                ExprKind::Compare(op.opposite(), a, b)
+            }
+            kind => ExprKind::Unary(UnaryOp::Not, Box::new(Expr { kind, ty: ty.clone(), span })),
+        };
+        Expr { kind, ty, span }
+    }
+
+    /// Whether it is a literal, or a named constant.
+    pub fn is_literal(&self) -> bool {
+        matches!(self.kind, ExprKind::Literal(_) | ExprKind::Const(_))
+    }
+
     /// The same expression at another place in the source; its operands stay where they are.
     #[must_use]
     pub fn at(self, span: Span) -> Expr {
@@ -111,5 +130,12 @@ impl Place {
     /// The value that is there.
     pub fn load(&self) -> Expr {
         Expr { kind: ExprKind::Load(self.clone()), ty: self.ty.clone(), span: self.span }
+    }
+}
+
+impl Stmt {
+    /// A statement without comments.
+    pub fn new(kind: StmtKind, span: Span) -> Stmt {
+        Stmt { kind, span, comments: Vec::new() }
     }
 }

@@ -124,6 +124,21 @@ pub enum Intrinsic {
     Variant,
 }
 
+impl CompareOp {
+    /// What holds of two integers where this does not.
+    #[must_use]
+    pub const fn opposite(self) -> CompareOp {
+        match self {
+            CompareOp::Eq => CompareOp::Ne,
+            CompareOp::Ne => CompareOp::Eq,
+            CompareOp::Lt => CompareOp::Ge,
+            CompareOp::Ge => CompareOp::Lt,
+            CompareOp::Gt => CompareOp::Le,
+            CompareOp::Le => CompareOp::Gt,
+        }
+    }
+}
+
 impl Intrinsic {
     /// The type of the result for operands of type `operand`; none if it does not take that type, as
     /// [`Intrinsic::Variant`] takes no scalar.

@@ -3,6 +3,7 @@
 //! In a generation build a trait has two hidden items for each method: the companion, and the builder,
 //! which each implementation brings for its own methods and the trait for those with a default.
 
+use bessemer_ir::tree::Role;
 use proc_macro2::TokenStream;
 use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::spanned::Spanned;
@@ -17,7 +18,6 @@ use crate::lower::{self, Refusals, refuse};
 use crate::operators;
 use crate::owned;
 use crate::redirect;
-use bessemer_ir::tree::Role;
 
 /// `#[interface]`.
 pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {

@@ -1,9 +1,8 @@
 //! The companions of checked arithmetic: functions of [`math::checked`](crate::math::checked).
 
-use crate::math::checked;
-
 use super::builder::Callee;
 use super::slot::Called;
+use crate::math::checked;
 
 /// Checked arithmetic of integers.
 #[allow(missing_docs)]

@@ -12,7 +12,6 @@ use alloc::vec::Vec;
 use core::marker::PhantomData;
 
 use bessemer_ir::tree::{self, Callee, Implied, Ty};
-
 use nalgebra::SMatrix;
 
 use super::builder::Builder;

@@ -3,8 +3,7 @@
 use bessemer_ir::{Argument, Expr as Ir, ExprKind, FunctionId, Place, Type};
 
 use super::super::signature::{Passing, Returned};
-use super::super::tree::Storage;
-use super::super::tree::{Expr, StmtKind};
+use super::super::tree::{Expr, StmtKind, Storage};
 use super::Lower;
 use super::copy::indexed_by;
 use crate::effects::{overlap, reads_place};

@@ -1,10 +1,9 @@
 //! Where a node stands, what it is called, and the names that builder and witness copy agree on.
 
+pub use bessemer_ir::tree::Site;
 use quote::format_ident;
 use syn::ext::IdentExt;
 use syn::spanned::Spanned;
-
-pub use bessemer_ir::tree::Site;
 
 /// Whether this is a generation build. Elsewhere the walk only refuses: places cost a call into
 /// rustc each, and nobody reads the witness copy.

@@ -5,11 +5,10 @@ use quote::{ToTokens, quote};
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 
-use crate::closures;
-
 use super::names::{site, text};
 use super::refuse::Refusals;
 use super::{pattern, refuse};
+use crate::closures;
 
 /// What the witness copy calls `self`.
 pub const RECEIVER: &str = "__self";

@@ -1,0 +1,81 @@
+//! Elements of an array in a row: a slice, known by its base and its ends.
+
+use bessemer_ir::{Argument, Expr, Mode, Place, Step, Type};
+
+use super::lengths::{is_number, minus, plus};
+
+/// Elements of an array, in their place.
+#[derive(Clone)]
+pub(super) struct Slice {
+    /// The array, or the parameter that is a slice.
+    pub base: Place,
+    /// Of one element.
+    pub element: Type,
+    /// The first element, and the one behind the last: numbers, or locals that nothing writes.
+    pub from: Expr,
+    pub to: Expr,
+    /// How many there are.
+    pub length: Expr,
+    /// Whether these are all elements of the base.
+    pub whole: bool,
+}
+
+impl Slice {
+    pub fn whole(base: Place, element: Type, length: Expr) -> Slice {
+        let from = Expr::usize(0, base.span);
+        Slice { base, element, from, to: length.clone(), length, whole: true }
+    }
+
+    /// The type of what is lent.
+    pub fn ty(&self) -> Type {
+        Type::Slice(Box::new(self.element.clone()))
+    }
+
+    /// Where the first element is.
+    pub fn place(&self) -> Place {
+        match (&self.base.ty, is_number(&self.from, 0)) {
+            (Type::Slice(_), true) => self.base.clone(),
+            _ => self.base.inside(Step::From(self.from.clone()), self.ty()),
+        }
+    }
+
+    /// An element of the base, by its index there.
+    pub fn at(&self, index: Expr) -> Place {
+        let step = match &self.base.ty {
+            Type::Matrix { cols: 1, .. } => Step::Element(index, Expr::usize(0, self.base.span)),
+            Type::Matrix { rows: 1, .. } => Step::Element(Expr::usize(0, self.base.span), index),
+            _ => Step::Index(index),
+        };
+        self.base.inside(step, self.element.clone())
+    }
+
+    /// `length` elements from `begin` on, which are known to be there.
+    pub fn part(&self, begin: Expr, length: Expr) -> Slice {
+        let from = plus(self.from.clone(), begin);
+        let to = plus(from.clone(), length.clone());
+        Slice { from, to, length, whole: false, ..self.clone() }
+    }
+
+    /// The elements from `from` to `to`, which is no less and no more than there are.
+    pub fn between(&self, from: Expr, to: Expr) -> Slice {
+        let length = minus(to.clone(), from.clone());
+        let (from, to) = (plus(self.from.clone(), from), plus(self.from.clone(), to));
+        Slice { from, to, length, whole: false, ..self.clone() }
+    }
+
+    /// The elements from `begin` on, which is no more than there are.
+    pub fn behind(&self, begin: Expr) -> Slice {
+        let length = minus(self.length.clone(), begin.clone());
+        Slice { from: plus(self.from.clone(), begin), length, whole: false, ..self.clone() }
+    }
+
+    /// What a call passes for it.
+    pub fn passed(self, mode: Mode) -> [Argument; 2] {
+        let place = self.place();
+        let first = match mode {
+            Mode::RefMut => Argument::RefMut(place),
+            _ => Argument::Ref(place.load()),
+        };
+        [first, Argument::Value(self.length)]
+    }
+}

@@ -1,0 +1,63 @@
+//! Arithmetic of lengths and indices, shorter where a number is known.
+
+use bessemer_ir::{BinaryOp, Expr, ExprKind, Intrinsic};
+
+pub(super) fn is_number(expr: &Expr, wanted: u64) -> bool {
+    expr.kind == ExprKind::Literal(wanted)
+}
+
+/// Whether both are the same but for where they stand.
+pub(super) fn same(one: &Expr, other: &Expr) -> bool {
+    match (&one.kind, &other.kind) {
+        (ExprKind::Load(one), ExprKind::Load(other)) => {
+            one.root == other.root && one.steps.is_empty() && other.steps.is_empty()
+        }
+        (one, other) => one == other,
+    }
+}
+
+/// `one + other`, shorter where one of them is a number.
+pub(super) fn plus(one: Expr, other: Expr) -> Expr {
+    match (&one.kind, &other.kind) {
+        (ExprKind::Literal(0), _) => other,
+        (_, ExprKind::Literal(0)) => one,
+        (ExprKind::Literal(a), ExprKind::Literal(b)) => Expr::usize(a.saturating_add(*b), one.span),
+        (ExprKind::Literal(_), _) => Expr::binary(BinaryOp::Add, other, one),
+        _ => Expr::binary(BinaryOp::Add, one, other),
+    }
+}
+
+/// `one - other`, the same.
+pub(super) fn minus(one: Expr, other: Expr) -> Expr {
+    match (&one.kind, &other.kind) {
+        (_, ExprKind::Literal(0)) => one,
+        (ExprKind::Literal(a), ExprKind::Literal(b)) => Expr::usize(a.saturating_sub(*b), one.span),
+        (ExprKind::Binary(BinaryOp::Add, base, more), _) if same(base, &other) => (**more).clone(),
+        _ => Expr::binary(BinaryOp::Sub, one, other),
+    }
+}
+
+/// The lesser of two, where one of them may be a number that is known to be.
+pub(super) fn least(one: Expr, other: Expr) -> Expr {
+    match (&one.kind, &other.kind) {
+        (ExprKind::Literal(a), ExprKind::Literal(b)) => Expr::usize(*a.min(b), one.span),
+        _ => lesser(one, other),
+    }
+}
+
+pub(super) fn greatest(one: Expr, other: Expr) -> Expr {
+    Expr::intrinsic(Intrinsic::Max, vec![one, other])
+}
+
+pub(super) fn times(one: Expr, other: Expr) -> Expr {
+    Expr::binary(BinaryOp::Mul, one, other)
+}
+
+pub(super) fn divided(one: Expr, other: Expr) -> Expr {
+    Expr::binary(BinaryOp::Div, one, other)
+}
+
+/// The length, and no more than there is room for.
+pub(super) fn lesser(length: Expr, most: Expr) -> Expr {
+    Expr::intrinsic(Intrinsic::Min, vec![length, most])
+}

@@ -1,0 +1,126 @@
+//! What lowering one function knows: its locals, what names mean, and what it stands in.
+//!
+//! Must not know: how anything is lowered. Each form of the tree is lowered in a file of its own, as a method of
+//! [`Lowering`].
+
+use std::collections::{HashMap, HashSet};
+
+use bessemer_ir::tree;
+use bessemer_ir::{Expr, Local, LocalId, Place, Stmt, Type};
+
+use super::Context;
+use super::elements::Slice;
+
+/// What temporaries are part of where nothing has a name.
+pub(super) const UNNAMED: &str = "value";
+
+/// A function being lowered.
+pub(super) struct Lowering<'a, 'c> {
+    pub cx: &'a mut Context<'c>,
+    pub source: &'a tree::Function,
+    pub locals: Vec<Local>,
+    /// Innermost scope last; in each, later bindings shadow.
+    pub scopes: Vec<Vec<(String, Binding)>>,
+    /// The statements of the block being lowered, so far.
+    pub out: Vec<Stmt>,
+    /// What to call a value that the author left unnamed here.
+    pub naming: String,
+    pub result: Type,
+    /// The locals that the author has no name for: nothing writes to them again.
+    pub held: HashSet<LocalId>,
+    /// The counters of loops over ranges, which only their loop changes, and parameters that nobody does.
+    pub steady: HashSet<LocalId>,
+    /// Locals that have to have a value where they are declared.
+    pub valued: HashSet<LocalId>,
+    /// The loops around what is being lowered, outermost first.
+    pub frames: Vec<Frame>,
+    /// The counters of the loops over elements around it, outermost first.
+    pub counters: Vec<LocalId>,
+    /// The closures that were handed to it, by the names of its parameters.
+    pub handed: HashMap<String, Handed<'a>>,
+    /// Which of its parameters hold nothing.
+    pub absent: Vec<bool>,
+    /// The functions that lend whose bodies are being lowered, outermost first.
+    pub expanding: Vec<&'a str>,
+}
+
+/// What a name means.
+#[derive(Clone)]
+pub(super) enum Binding {
+    /// A local of its own.
+    Local(LocalId),
+    /// A reference to a place.
+    Alias(Place),
+    /// A slice.
+    Slice(Box<Slice>),
+    /// A literal or a constant.
+    Value(Box<Expr>),
+    /// What holds nothing.
+    Nothing,
+}
+
+/// Where a value goes.
+#[derive(Clone)]
+pub(super) enum Target {
+    /// To a place.
+    Place(Place),
+    /// Out of the function.
+    Return,
+}
+
+/// A loop, or a block with a label, that is being lowered.
+pub(super) struct Frame {
+    pub label: Option<String>,
+    /// Where the value of a `break` goes.
+    pub target: Option<Target>,
+    /// Of a block: the local whose declaration marks where it is left ([`labelled`](super::labelled)).
+    pub mark: Option<LocalId>,
+    /// Whether it is one loop with the one around it: what leaves it leaves both.
+    pub joined: bool,
+    /// What is looked at behind the loop.
+    pub behind: Vec<Behind>,
+}
+
+impl Frame {
+    /// That of a block, left where `mark` is declared.
+    pub(super) fn block(label: &str, target: Option<&Target>, mark: LocalId) -> Frame {
+        let (label, target) = (Some(label.to_owned()), target.cloned());
+        Frame { label, target, mark: Some(mark), joined: false, behind: Vec::new() }
+    }
+}
+
+/// A flag that is looked at behind a loop.
+pub(super) struct Behind {
+    pub flag: LocalId,
+    /// The loop that is left for good, or continued, by its depth.
+    pub left: usize,
+    pub leaving: Leaving,
+}
+
+/// The two ways to leave a pass.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Leaving {
+    Break,
+    Continue,
+}
+
+/// A closure that was handed to the function that is being lowered.
+#[derive(Clone)]
+pub(super) struct Handed<'a> {
+    pub closure: tree::Closure,
+    /// The function that its body stands in.
+    pub source: &'a tree::Function,
+    pub captures: Vec<Capture>,
+    /// The names of what it uses that holds nothing.
+    pub nothing: Vec<String>,
+}
+
+/// What a closure uses.
+#[derive(Clone)]
+pub(super) struct Capture {
+    pub name: String,
+    /// Where that is here.
+    pub place: Place,
+    /// A local, which the closure may assign, rather than another name of a place.
+    pub local: bool,
+}
