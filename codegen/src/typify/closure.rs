@@ -48,6 +48,11 @@ impl Lowering<'_, '_> {
             "as_ref" => return arguments.first().cloned(),
             "option_xor" => return Some(one_of(arguments, expr)),
             "option_zip" => return Some(both_of(arguments, expr)),
+            "bool_then" => {
+                let (_, value) = parts(arguments.get(1)?)?;
+                return Some(only_if(&arguments[0], value, expr));
+            }
+            "bool_then_some" => return Some(some_if(&arguments[0], arguments.get(1)?, expr)),
             "ordering_then_with" => return then(&arguments[0], arguments.get(1)?, expr),
             _ => {}
         }
@@ -245,6 +250,54 @@ fn both_of(both: &[Expr], expr: &Expr) -> Expr {
         arm(Pattern::Any, None, of(none)),
     ];
     of(ExprKind::Match(Box::new(bare(ExprKind::Tuple(both.to_vec()))), arms))
+}
+
+/// `condition.then(|| value)`: `if condition { Some(value) } else { None }`.
+fn only_if(condition: &Expr, value: &Expr, expr: &Expr) -> Expr {
+    let of = |kind| Expr { kind, site: expr.site, slot: expr.slot };
+    let block = |name: &str, parts| {
+        let tail = of(ExprKind::Constructor(name.into(), parts));
+        Block { stmts: Vec::new(), tail: Some(Box::new(tail)) }
+    };
+    let otherwise = Box::new(of(ExprKind::Block(block("None", Vec::new()))));
+    let then = block("Some", vec![value.clone()]);
+    of(ExprKind::If(Box::new(condition.clone()), then, Some(otherwise)))
+}
+
+/// `condition.then_some(value)`: the same, but for the value, which is computed whether it is wanted or not.
+fn some_if(condition: &Expr, value: &Expr, expr: &Expr) -> Expr {
+    if is_plain(value) {
+        return only_if(condition, value, expr);
+    }
+    let site = expr.site;
+    let named = [("%condition", condition), (PAYLOAD, value)];
+    let held = named.map(|(name, value)| Stmt::Let {
+        name: name.into(),
+        slot: value.slot.unwrap_or(NO_SLOT),
+        value: Some(value.clone()),
+        site,
+    });
+    let [condition, value] =
+        named.map(|(name, _)| Expr { kind: ExprKind::Local(name.into()), site, slot: None });
+    let tail = Some(Box::new(only_if(&condition, &value, expr)));
+    let kind = ExprKind::Block(Block { stmts: held.into(), tail });
+    Expr { kind, site, slot: expr.slot }
+}
+
+/// Whether an expression may be left out: a literal, a name, a part of one.
+fn is_plain(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Bool(_) | ExprKind::Int(..) | ExprKind::Float(..) | ExprKind::Bytes(_) => true,
+        ExprKind::Local(_) | ExprKind::Path(..) => true,
+        ExprKind::Constructor(_, parts) => parts.is_empty(),
+        ExprKind::Field(inner, _) | ExprKind::Ref(_, inner) | ExprKind::Deref(inner) => {
+            is_plain(inner)
+        }
+        ExprKind::Unary(tree::UnaryOp::Neg, inner) => {
+            matches!(inner.kind, ExprKind::Int(..) | ExprKind::Float(..))
+        }
+        _ => false,
+    }
 }
 
 /// `order.then_with(|| …)`: `match order { Equal => …, other => other }`.

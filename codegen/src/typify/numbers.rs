@@ -233,6 +233,9 @@ fn of(int: Int) -> Type {
     Type::Scalar(Scalar::Int(int))
 }
 
+/// What temporaries for the operands are called.
+const ROLES: [&str; 2] = ["value", "by"];
+
 const U32: Type = Type::Scalar(Scalar::Int(Int::U32));
 
 impl Lowering<'_, '_> {
@@ -253,7 +256,7 @@ impl Lowering<'_, '_> {
             Method::Two(Two::AbsDiff) => [None, self.partner(arguments)?],
             Method::Two(Two::Shift(_) | Two::RotateLeft | Two::RotateRight) => [same, Some(U32)],
         };
-        let operands = arguments.iter().zip(["value", "by"]).zip(expected);
+        let operands = arguments.iter().zip(ROLES).zip(expected);
         let operands: Vec<_> =
             operands.map(|((expr, role), expected)| Operand { expr, expected, role }).collect();
         let values = self.operands(&operands)?;
@@ -304,10 +307,9 @@ impl Lowering<'_, '_> {
         if values.iter().all(light) {
             return values;
         }
-        let roles = ["value", "by"];
         let constant =
             |value: &Expr| matches!(value.kind, ExprKind::Literal(_) | ExprKind::Const(_));
-        let kept = values.into_iter().zip(roles).map(|(value, role)| {
+        let kept = values.into_iter().zip(ROLES).map(|(value, role)| {
             if constant(&value) { value } else { self.temporary(role, value) }
         });
         kept.collect()

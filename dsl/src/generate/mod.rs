@@ -78,8 +78,8 @@ pub mod prelude {
         OwnOperands as _,
     };
     pub use super::option::{
-        ArrayBuiltins as _, CopiedBuiltin as _, FlattenBuiltin as _, MatrixMapBuiltin as _,
-        OptionBuiltins as _, ResultBuiltins as _,
+        ArrayBuiltins as _, BoolBuiltins as _, CopiedBuiltin as _, FlattenBuiltin as _,
+        MatrixMapBuiltin as _, OptionBuiltins as _, ResultBuiltins as _,
     };
     pub use super::resized::{PushBuiltin as _, ResizedBuiltins as _};
     pub use super::slice::{

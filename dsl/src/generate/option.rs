@@ -1,4 +1,4 @@
-//! The companions of the methods of `Option` and `Result`.
+//! The companions of the methods of `Option`, `Result` and `bool`.
 
 use alloc::borrow::ToOwned;
 
@@ -54,6 +54,8 @@ markers! {
     IsOkAnd: "result_is_and";
     IsErrAnd: "result_is_err_and";
     ArrayMap: "array_map";
+    Then: "bool_then";
+    ThenSome: "bool_then_some";
 }
 
 /// Methods of `Option`.
@@ -156,6 +158,19 @@ pub trait OptionBuiltins<T>: Sized {
 }
 
 impl<T> OptionBuiltins<T> for Option<T> {}
+
+/// Methods of `bool`.
+#[allow(missing_docs)]
+pub trait BoolBuiltins: Sized {
+    fn __b_then<T>(self, _value: impl FnOnce() -> T) -> Called<Then, Option<T>> {
+        unreachable!()
+    }
+    fn __b_then_some<T>(self, _value: T) -> Called<ThenSome, Option<T>> {
+        unreachable!()
+    }
+}
+
+impl BoolBuiltins for bool {}
 
 /// `copied` of an `Option` of a reference.
 pub trait CopiedBuiltin<T>: Sized {

@@ -1,5 +1,5 @@
-//! Methods that stand for other code: `range.contains(&x)`, `condition.then(…)`, `items.min_by_key(…)`,
-//! `list.extend(…)`, `list.retain(…)`. In the tree and in the copy that code stands in their place.
+//! Methods that stand for other code: `range.contains(&x)`, `items.min_by_key(…)`, `list.extend(…)`,
+//! `list.retain(…)`. In the tree and in the copy that code stands in their place.
 //!
 //! What it names is named as nothing in scope is, so that no name of the author's changes its meaning.
 //! Types are not known here: what stands for a method of lists calls methods that lists alone have
@@ -26,7 +26,6 @@ impl Lowering<'_> {
         };
         match (text(&it.method).as_str(), it.args.len()) {
             ("contains", 1) => self.contained(it),
-            ("then" | "then_some", 1) => self.only_if(it),
             ("min_by_key" | "max_by_key" | "min_by" | "max_by", 1) if is_iterator(&it.receiver) => {
                 self.extreme(it)
             }
@@ -176,29 +175,6 @@ impl Lowering<'_> {
             true => inside,
             false => parse_quote! { { #(#names)* #inside } },
         })
-    }
-
-    /// `condition.then(|| value)`: an `if`.
-    fn only_if(&mut self, it: &syn::ExprMethodCall) -> Option<syn::Expr> {
-        let condition = &it.receiver;
-        if it.method == "then_some" {
-            let fresh = |name: &str| self.fresh_beside(name, it);
-            let value = &it.args[0];
-            if is_plain(value) {
-                return Some(parse_quote! { if #condition { Some(#value) } else { None } });
-            }
-            let (held, name) = (fresh("condition"), fresh("value"));
-            return Some(parse_quote! {
-                { let #held = #condition; let #name = #value; if #held { Some(#name) } else { None } }
-            });
-        }
-        let syn::Expr::Closure(closure) = &it.args[0] else { return None };
-        if !closure.inputs.is_empty() {
-            return None;
-        }
-        self.check_closure(closure);
-        let value = &closure.body;
-        Some(parse_quote! { if #condition { Some(#value) } else { None } })
     }
 
     /// `chain.min_by_key(|x| …)` and the like: a loop that keeps the best.

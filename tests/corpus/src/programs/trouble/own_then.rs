@@ -1,0 +1,42 @@
+//! Methods of an author's own type that are called as those of `bool` are, beside those of `bool`.
+
+use bessemer::prelude::*;
+
+/// A switch.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Switch {
+    pub on: bool,
+    pub asked: u8,
+}
+
+#[data]
+impl Switch {
+    /// The value while it is off; counts how often it was asked.
+    pub fn then_some(&mut self, value: u8) -> Option<u8> {
+        self.asked = self.asked.wrapping_add(1);
+        if self.on { None } else { Some(value) }
+    }
+
+    /// Another one.
+    pub fn then(self, other: Switch) -> Switch {
+        Switch { on: self.on && other.on, asked: other.asked }
+    }
+}
+
+/// Not the ones of `bool`.
+#[function]
+pub fn chosen(switch: &mut Switch, other: Switch, value: u8) -> Option<u8> {
+    let chosen = switch.then_some(value.wrapping_mul(3));
+    *switch = switch.then(other);
+    chosen
+}
+
+/// Those of `bool`: of `then_some` the value is computed first, and may fault.
+#[function]
+pub fn given(switch: Switch, value: u8) -> Option<u8> {
+    let quotient = switch.on.then_some(200 / value);
+    let same = (value > 7).then_some(switch.asked);
+    let later = (!switch.on).then(|| value.wrapping_add(1));
+    quotient.or(same).or(later)
+}
