@@ -31,6 +31,7 @@ mod stability;
 mod target_math;
 mod text;
 mod types;
+mod walks;
 mod work;
 
 /// A file that is dropped in beside this one is run.
