@@ -10,7 +10,7 @@ use super::place::is_small;
 use super::word::narrowed;
 
 impl Lower<'_> {
-    /// `a op b` on two values of type `ty`; no shift.
+    /// `a op b` on two values of type `ty`; no shift, and no `^` of two `bool`s, which is a comparison.
     pub(super) fn arithmetic(&mut self, op: BinaryOp, ty: &Type, a: Expr, b: Expr) -> Expr {
         let boolean = *ty == Type::BOOL;
         let symbol = match op {
@@ -25,7 +25,6 @@ impl Lower<'_> {
             // The operands have no effects, so whether both are computed does not show.
             BinaryOp::And if boolean => "&&",
             BinaryOp::Or if boolean => "||",
-            BinaryOp::Xor if boolean => "!=",
             BinaryOp::And => "&",
             BinaryOp::Or => "|",
             BinaryOp::Xor => "^",

@@ -72,6 +72,9 @@ impl Lower<'_> {
         if matches!(op, BinaryOp::Shl | BinaryOp::Shr) {
             return self.shift(op, left, right);
         }
+        if op == BinaryOp::Xor && left.ty == Type::BOOL {
+            return self.compare(CompareOp::Ne, left, right);
+        }
         let (a, b) = (self.word(left), self.word(right));
         self.arithmetic(op, &left.ty, a, b)
     }

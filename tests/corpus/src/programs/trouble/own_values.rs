@@ -59,3 +59,21 @@ pub fn set(mut n: u32, mut flag: bool, mut x: f32) -> u8 {
 pub fn at_most_itself(x: i8) -> bool {
     (x as u32) <= (x as u32)
 }
+
+/// `^` of two `bool`s is `!=` in the C: of one with itself it is none, since compilers warn of that.
+#[function]
+pub fn cleared(mut flag: bool, flags: &mut [bool; 3], i: usize) -> (bool, bool, bool) {
+    let other = flag ^ flag;
+    flags[i] ^= flags[i];
+    flags[0] ^= !flags[0];
+    let both = flag ^ flags[1] ^ true;
+    flag ^= flag;
+    (flag, other, both)
+}
+
+/// Nothing else reads it.
+#[function]
+pub fn cleared_alone(mut flag: bool) -> u8 {
+    flag ^= flag;
+    2
+}
