@@ -104,11 +104,15 @@ fn fast(module: &Module, options: &Options) -> Vec<(String, String)> {
     kernels.filter(fast).map(|kernel| (kernel.name(), kernels::fast::bound(kernel))).collect()
 }
 
-/// Validation; what it finds is a fault of the tool, since the author's were found before.
+/// Validation; what it finds is a fault of the tool, since the author's were found before, but for what nests too deep.
 fn gate(module: &Module) -> Result<(), Vec<Diagnostic>> {
     validate::validate(module).map_err(|errors| {
+        let help = |problem: &validate::Problem| match problem {
+            validate::Problem::NestedTooDeep => "give parts of it names, or functions of their own",
+            _ => OUR_FAULT,
+        };
         let told = |error: &validate::Error| Diagnostic {
-            help: OUR_FAULT.to_owned(),
+            help: help(&error.problem).to_owned(),
             ..place(module, error.span, &error.problem)
         };
         errors.iter().map(told).collect()

@@ -4,7 +4,6 @@
 
 use std::collections::BTreeSet;
 
-use bessemer_ir::text::{MAX_HEIGHT, MAX_NESTING};
 use bessemer_ir::visit::{Visit, Walk, walk_block, walk_expr, walk_stmt};
 use bessemer_ir::{
     Arm, Block, Expr, ExprKind, Function, FunctionId, LocalId, Module, Span, Stmt, StmtKind, Type,
@@ -13,6 +12,12 @@ use bessemer_ir::{
 use super::flow::{Flow, join};
 use super::items::{Sizes, check_span};
 use super::problem::{Error, Problem, Subject};
+
+/// How deep blocks may nest: each `else if` is one in the one before.
+pub const MAX_BLOCKS: u32 = 1024;
+
+/// How many levels of operands an expression may have: a sum has one for each term.
+pub const MAX_HEIGHT: u32 = 4096;
 
 /// Checks one function of a module whose definitions hold.
 pub(super) fn check(module: &Module, sizes: &Sizes<'_>, index: usize) -> Vec<Error> {
@@ -49,7 +54,7 @@ struct Depth {
 
 impl Visit for Depth {
     fn block(&mut self, block: &Block) {
-        if self.blocks <= MAX_NESTING {
+        if self.blocks <= MAX_BLOCKS {
             self.blocks += 1;
             walk_block(self, block);
             self.blocks -= 1;
@@ -57,7 +62,7 @@ impl Visit for Depth {
     }
 
     fn stmt(&mut self, stmt: &Stmt) {
-        if self.blocks > MAX_NESTING {
+        if self.blocks > MAX_BLOCKS {
             self.deepest.get_or_insert(stmt.span);
         }
         walk_stmt(self, stmt);

@@ -44,8 +44,8 @@
 //! * A call passes what the parameters' modes and types ask for. What one argument lends mutably
 //!   overlaps nothing that another argument of the call lends, and nothing that a call inside a later
 //!   argument writes is lent by an earlier one. (By-value arguments may read it: they are copies.)
-//! * Statements nest at most [`MAX_NESTING`] deep and operands [`MAX_HEIGHT`], so that whatever walks
-//!   them may recurse.
+//! * Blocks nest at most [`MAX_BLOCKS`] deep and operands [`MAX_HEIGHT`], so that whatever walks them may recurse, on a stack
+//!   of [`deep`](crate::deep). The text form has less of both.
 //!
 //! Absent: anything that changes a module; anything that knows C.
 
@@ -58,7 +58,8 @@ mod problem;
 
 use bessemer_ir::Module;
 
-pub use bessemer_ir::text::{MAX_HEIGHT, MAX_NESTING};
+pub use bessemer_ir::text::MAX_NESTING;
+pub use body::{MAX_BLOCKS, MAX_HEIGHT};
 pub use items::MAX_WORDS;
 pub use problem::{Error, Problem, Subject};
 

@@ -330,9 +330,9 @@ fn builder(
             use ::bessemer::generate::prelude::*;
             #(#items)*
             #(#macros)*
-            #(let #slots = ::bessemer::generate::Slot::NEW;)*
-            #(let #callees = ::bessemer::generate::Slot::NEW;)*
-            #(let #owned = ::bessemer::generate::Slot::NEW;)*
+            #(let #slots = [];)*
+            #(let #callees = [];)*
+            #(let #owned = [];)*
             #witness
             __result::<#result>(&#result_slot);
             let owner = #owner;

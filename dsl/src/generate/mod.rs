@@ -86,7 +86,9 @@ pub mod prelude {
         SliceArrays as _, SliceBuiltins as _, SliceEdits as _, SliceEnds as _, SliceOrder as _,
         SliceSorts as _, TotalOrder as _, VectorSliceBuiltins as _,
     };
-    pub use super::slot::{__any, __glance, __look, __result, __see, __take, __unreached};
+    pub use super::slot::{
+        __any, __glance, __look, __result, __see, __take, __unreached, Through as _,
+    };
     pub use super::spatial::{
         IsometryBuiltins as _, IsometryMethods as _, NewPoint2 as _, NewPoint3 as _,
         NewTranslation2 as _, NewTranslation3 as _, PointBuiltins as _, QuaternionBuiltins as _,

@@ -162,7 +162,7 @@ pub fn __settled<T: Itself>(_: T) -> T::Type {
 pub trait OwnOperands {
     type Marker;
     fn __own(&self) -> Slot<Self::Marker> {
-        Slot::NEW
+        []
     }
 }
 
@@ -174,7 +174,7 @@ impl<O, A: Operates<O, B>, B> OwnOperands for Operands<O, A, B> {
 #[allow(missing_docs)]
 pub trait OtherOperands {
     fn __own(&self) -> Slot<NotOwn> {
-        Slot::NEW
+        []
     }
 }
 

@@ -11,8 +11,11 @@ use nalgebra::SMatrix;
 use super::builder::{Builder, Callee, words};
 use crate::{EntriesInOneBlock, List, Plain};
 
-/// A place for a type.
-pub struct Slot<T>(PhantomData<fn() -> T>);
+/// A place for a type, `[]` where it is made.
+///
+/// An array, since of the elements of `[]` rustc asks almost nothing before it knows them. It goes through all that it
+/// has asked and not yet answered each time that it looks for a method, and there are as many slots as a function has values.
+pub type Slot<T> = [T; 0];
 
 /// What a companion returns: the type of the result, and the marker of the function.
 pub struct Called<M, R>(PhantomData<fn() -> (M, R)>);
@@ -76,17 +79,18 @@ pub struct Shared<T: ?Sized>(PhantomData<T>);
 /// Stands for `&mut T` in a slot.
 pub struct Exclusive<T: ?Sized>(PhantomData<T>);
 
-impl<T> Slot<T> {
-    /// A slot of a type still to be inferred. A constant, since a call is a block of its own to rustc's borrow checker.
-    pub const NEW: Slot<T> = Slot(PhantomData);
+/// What passes values through a slot in the form of a method, so that the expression stays a method call.
+pub trait Through {
+    /// The type in the slot.
+    type Of;
 
-    /// As [`__glance`], in the form of a method.
-    pub fn __glance<U: Seen<Slot = T>>(&self, value: U) -> U {
+    /// As [`__glance`].
+    fn __glance<U: Seen<Slot = Self::Of>>(&self, value: U) -> U {
         value
     }
 
-    /// As [`__take`], in the form of a method.
-    pub fn __take<R>(&self, _: Called<T, R>) -> R {
+    /// As [`__take`].
+    fn __take<R>(&self, _: Called<Self::Of, R>) -> R {
         unreachable!("a witness copy is never run")
     }
 }
@@ -94,6 +98,10 @@ impl<T> Slot<T> {
 /// Where a witness copy ends, were it run.
 pub fn __unreached() -> ! {
     unreachable!("a witness copy is never run")
+}
+
+impl<T> Through for Slot<T> {
+    type Of = T;
 }
 
 /// Passes a value through, and its type into the slot.

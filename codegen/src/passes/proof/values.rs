@@ -208,15 +208,18 @@ impl<'m> Values<'m> {
                 let values = (self.value(point, a), self.value(point, b));
                 Some(Value::Truth(self.compare(point, *op, &a.ty, values)))
             }
-            ExprKind::Logic(op, a, b) => {
-                let first = self.truth(point, a);
-                let reached = if *op == LogicOp::And { first.clone() } else { first.not() };
+            ExprKind::Logic(op, ..) => {
+                let mut operands = operands(*op, expr);
+                let first = self.truth(point, operands.pop()?);
                 let mut within = point.clone();
-                within.knowledge.assume(&reached, &self.all);
-                let second = self.truth(&mut within, b);
+                let mut parts = vec![first];
+                while let (Some(last), Some(operand)) = (parts.last(), operands.pop()) {
+                    let reached = if *op == LogicOp::And { last.clone() } else { last.not() };
+                    within.knowledge.assume(&reached, &self.all);
+                    parts.push(self.truth(&mut within, operand));
+                }
                 // What was read on the way is the same here.
                 point.places = within.places;
-                let parts = vec![first, second];
                 Some(Value::Truth(match op {
                     LogicOp::And => Formula::All(parts),
                     LogicOp::Or => Formula::Any(parts),
@@ -391,4 +394,17 @@ pub(super) fn ordered(op: CompareOp, a: &Linear, b: &Linear) -> Option<Formula> 
         CompareOp::Eq => Formula::All(vec![at_most(a, b)?, at_most(b, a)?]),
         CompareOp::Ne => Formula::Any(vec![at_most(a, b)?.not(), at_most(b, a)?.not()]),
     })
+}
+
+/// The operands of `a && b && c`, the first one last: one is looked at where all before it are true.
+fn operands(op: LogicOp, mut expr: &Expr) -> Vec<&Expr> {
+    let mut operands = Vec::new();
+    while let ExprKind::Logic(found, left, right) = &expr.kind
+        && *found == op
+    {
+        operands.push(&**right);
+        expr = left;
+    }
+    operands.push(expr);
+    operands
 }

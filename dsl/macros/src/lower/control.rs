@@ -4,7 +4,7 @@ use bessemer_ir::tree::{self, ExprKind};
 use quote::quote_spanned;
 use syn::spanned::Spanned;
 
-use super::names::{GENERATING, site, text};
+use super::names::{GENERATING, place, site, span, text};
 use super::walk::Lowering;
 use super::{bound, each, item, pattern, refuse};
 
@@ -17,7 +17,7 @@ impl Lowering<'_> {
         });
         it.then_branch.stmts.splice(0..0, looks);
         let otherwise = it.else_branch.as_mut().map(|(_, branch)| {
-            let site = site(branch);
+            let site = place(branch);
             let kind = match &mut **branch {
                 syn::Expr::If(it) => self.if_expr(it, value),
                 syn::Expr::Block(it) => ExprKind::Block(self.branch(&mut it.block, value)),
@@ -30,7 +30,7 @@ impl Lowering<'_> {
 
     /// A condition, and the patterns that it is made of: `a && let Some(x) = b`.
     fn condition(&mut self, expr: &mut syn::Expr, looks: &mut Vec<syn::Stmt>) -> tree::Expr {
-        let place = site(expr);
+        let place = place(expr);
         let kind = match expr {
             syn::Expr::Let(it) => {
                 let lent = self.is_place(&it.expr);
@@ -47,7 +47,7 @@ impl Lowering<'_> {
                 if GENERATING && !named.is_empty() {
                     // What follows may borrow what has a name here.
                     let before = &it.left;
-                    let seen = quote_spanned! { it.left.span() => #before && { #(#named)* true } };
+                    let seen = quote_spanned! { span(&it.left) => #before && { #(#named)* true } };
                     *it.left = syn::Expr::Verbatim(seen);
                 }
                 let right = self.condition(&mut it.right, looks);
@@ -203,7 +203,7 @@ impl Lowering<'_> {
 /// Puts statements before the value of an arm.
 fn behind(body: &mut syn::Expr, looks: Vec<syn::Stmt>) {
     if GENERATING && !looks.is_empty() {
-        let span = body.span();
+        let span = span(body);
         *body = syn::Expr::Verbatim(quote_spanned! { span => { #(#looks)* #body } });
     }
 }

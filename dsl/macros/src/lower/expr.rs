@@ -6,7 +6,7 @@ use quote::ToTokens;
 use syn::spanned::Spanned;
 
 use super::made::UNIT;
-use super::names::{site, text};
+use super::names::{place, site, text};
 use super::operator::Side;
 use super::syntax::{is_variant, last_segment};
 use super::walk::Lowering;
@@ -24,7 +24,8 @@ impl Lowering<'_> {
     }
 
     fn lower(&mut self, expr: &mut syn::Expr, value: bool) -> tree::Expr {
-        let place = site(expr);
+        let chained = std::mem::take(&mut self.chained);
+        let place = place(expr);
         let (mut kind, seen) = self.kind(expr, value);
         let slot = match (&kind, seen) {
             (_, true) if call::gives_reference(expr) => Some(self.glance(expr)),
@@ -38,7 +39,7 @@ impl Lowering<'_> {
             (_, true) => Some(self.see(expr)),
             _ => None,
         };
-        self.operator(&mut kind, slot, expr);
+        self.operator(&mut kind, slot, expr, chained);
         tree::Expr { kind, site: place, slot }
     }
 
@@ -298,12 +299,15 @@ impl Lowering<'_> {
             let value = self.assigned(op, &place, &mut it.right);
             return (ExprKind::Assign(Some(op), Box::new(place), Box::new(value)), false);
         }
-        let Some(op) = infix(&it.op) else {
+        let Some(op) = operator::infix(&it.op) else {
             self.refusals.add(it.op.span(), refuse::SYNTAX);
             return (UNIT, false);
         };
+        self.chained = operator::sign(op).is_some() && operator::is_operator(&it.left);
         let left = self.operand(op, &mut it.left, Side::Left);
+        let before = std::mem::take(&mut self.before);
         let right = self.operand(op, &mut it.right, Side::Right);
+        self.before = before;
         (ExprKind::Binary(op, Box::new(left), Box::new(right)), operator::sign(op).is_some())
     }
 
@@ -343,31 +347,6 @@ pub(super) fn compound(op: &syn::BinOp) -> Option<BinaryOp> {
         syn::BinOp::BitXorAssign(_) => BinaryOp::Xor,
         syn::BinOp::ShlAssign(_) => BinaryOp::Shl,
         syn::BinOp::ShrAssign(_) => BinaryOp::Shr,
-        _ => return None,
-    })
-}
-
-/// What stands between two operands.
-fn infix(op: &syn::BinOp) -> Option<BinaryOp> {
-    Some(match op {
-        syn::BinOp::Add(_) => BinaryOp::Add,
-        syn::BinOp::Sub(_) => BinaryOp::Sub,
-        syn::BinOp::Mul(_) => BinaryOp::Mul,
-        syn::BinOp::Div(_) => BinaryOp::Div,
-        syn::BinOp::Rem(_) => BinaryOp::Rem,
-        syn::BinOp::BitAnd(_) => BinaryOp::And,
-        syn::BinOp::BitOr(_) => BinaryOp::Or,
-        syn::BinOp::BitXor(_) => BinaryOp::Xor,
-        syn::BinOp::Shl(_) => BinaryOp::Shl,
-        syn::BinOp::Shr(_) => BinaryOp::Shr,
-        syn::BinOp::Eq(_) => BinaryOp::Eq,
-        syn::BinOp::Ne(_) => BinaryOp::Ne,
-        syn::BinOp::Lt(_) => BinaryOp::Lt,
-        syn::BinOp::Le(_) => BinaryOp::Le,
-        syn::BinOp::Gt(_) => BinaryOp::Gt,
-        syn::BinOp::Ge(_) => BinaryOp::Ge,
-        syn::BinOp::And(_) => BinaryOp::LogicAnd,
-        syn::BinOp::Or(_) => BinaryOp::LogicOr,
         _ => return None,
     })
 }

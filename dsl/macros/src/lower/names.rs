@@ -18,6 +18,32 @@ pub fn site(node: &impl Spanned) -> Site {
     Site(start.line as u32, start.column as u32 + 1)
 }
 
+/// The same of an expression.
+pub fn place(expr: &syn::Expr) -> Site {
+    if GENERATING { site(&span(expr)) } else { Site::default() }
+}
+
+/// The span of an expression: that of its first token. Syn finds it by printing the whole, and what nests as deep as an
+/// author's expressions would be printed once for each level.
+pub fn span(expr: &syn::Expr) -> proc_macro2::Span {
+    match expr {
+        syn::Expr::Binary(it) if it.attrs.is_empty() => span(&it.left),
+        syn::Expr::MethodCall(it) if it.attrs.is_empty() => span(&it.receiver),
+        syn::Expr::Field(it) if it.attrs.is_empty() => span(&it.base),
+        syn::Expr::Index(it) if it.attrs.is_empty() => span(&it.expr),
+        syn::Expr::Cast(it) if it.attrs.is_empty() => span(&it.expr),
+        syn::Expr::Try(it) if it.attrs.is_empty() => span(&it.expr),
+        syn::Expr::Call(it) if it.attrs.is_empty() => span(&it.func),
+        syn::Expr::If(it) if it.attrs.is_empty() => it.if_token.span,
+        syn::Expr::Unary(it) if it.attrs.is_empty() => it.op.span(),
+        syn::Expr::Paren(it) if it.attrs.is_empty() => it.paren_token.span.open(),
+        syn::Expr::Block(it) if it.attrs.is_empty() && it.label.is_none() => {
+            it.block.brace_token.span.open()
+        }
+        other => other.span(),
+    }
+}
+
 /// A name as it travels: without the `r#` of a raw one.
 pub fn text(ident: &syn::Ident) -> String {
     ident.unraw().to_string()

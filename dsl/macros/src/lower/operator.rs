@@ -3,13 +3,16 @@
 //! What `q * v` means depends on the types of both. So a slot sees each operand. Which function of the library is
 //! meant, if any, the builder says, which knows the types ([`tree::Operator`]); which of an author's, rustc: the witness
 //! copy asks it whether the two have one.
+//!
+//! In the copy, a left operand that is such an operator itself is a statement before ([`Lowering::before`]): rustc takes
+//! time that grows with the square of how deep what is still to be inferred nests, and a sum is as deep as it is long. Of a
+//! left operand rustc expects nothing, so that it infers the same.
 
 use bessemer_ir::tree::{self, BinaryOp, ExprKind};
 use proc_macro2::Span;
 use quote::quote_spanned;
-use syn::spanned::Spanned;
 
-use super::names::{GENERATING, own_name, slot_name};
+use super::names::{GENERATING, own_name, slot_name, span};
 use super::walk::Lowering;
 
 impl Lowering<'_> {
@@ -44,12 +47,13 @@ impl Lowering<'_> {
         operand
     }
 
-    /// Notes an operator, whose value is in `slot`.
+    /// Notes an operator, whose value is in `slot`; `chained`: it is the left operand of another.
     pub(super) fn operator(
         &mut self,
         kind: &mut ExprKind,
         slot: Option<u32>,
         expr: &mut syn::Expr,
+        chained: bool,
     ) {
         let (at, operands, of) = match (kind, slot) {
             (ExprKind::Binary(op, left, right), Some(slot)) if let Some(sign) = sign(*op) => {
@@ -75,11 +79,19 @@ impl Lowering<'_> {
             let sides = [Side::Left.name(), Side::Right.name()];
             let sides = &sides[..operands.len()];
             let (first, second) = (sides.first(), sides.last());
-            // In parentheses: what begins with a brace would be the body of a loop over `0..n + 1`.
-            *expr = syn::Expr::Verbatim(quote_spanned! { expr.span() => ({
-                #(let #sides = ::bessemer::generate::Slot::NEW;)*
+            let value = quote_spanned! { span(expr) =>
+                #(let #sides = [];)*
                 __operated(&#own, #expr, __settled(&__operands::<::bessemer::generate::sign::#of, _, _>(&#first, &#second)).__own())
-            }) });
+            };
+            *expr = syn::Expr::Verbatim(if chained {
+                let name = syn::Ident::new("__before", Span::mixed_site());
+                self.before.push(quote_spanned! { span(expr) => let #name = { #value }; });
+                quote_spanned! { span(expr) => #name }
+            } else {
+                let before = std::mem::take(&mut self.before);
+                // In parentheses: what begins with a brace would be the body of a loop over `0..n + 1`.
+                quote_spanned! { span(expr) => ({ #(#before)* #value }) }
+            });
         }
         self.operators.push(tree::Operator { at, of, operands });
     }
@@ -89,7 +101,7 @@ impl Lowering<'_> {
         let slot = self.slot();
         if let (true, syn::Expr::Binary(it)) = (GENERATING, &*expr) {
             let (name, place, left) = (slot_name(slot), &it.left, Side::Left.name());
-            *expr = syn::Expr::Verbatim(quote_spanned! { expr.span() => {
+            *expr = syn::Expr::Verbatim(quote_spanned! { span(expr) => {
                 __look(&#name, &#place);
                 __placed(&#left, &#place);
                 #expr;
@@ -120,7 +132,7 @@ impl Side {
     fn sees(self, expr: &mut syn::Expr) {
         if GENERATING {
             let name = self.name();
-            *expr = syn::Expr::Verbatim(quote_spanned! { expr.span() => __see(&#name, #expr) });
+            *expr = syn::Expr::Verbatim(quote_spanned! { span(expr) => __see(&#name, #expr) });
         }
     }
 }
@@ -130,7 +142,7 @@ impl Side {
 pub(super) fn see_signed(expr: &mut syn::Expr) {
     if GENERATING {
         let name = Side::Left.name();
-        *expr = syn::Expr::Verbatim(quote_spanned! { expr.span() => __operand(&#name, #expr) });
+        *expr = syn::Expr::Verbatim(quote_spanned! { span(expr) => __operand(&#name, #expr) });
     }
 }
 
@@ -149,6 +161,41 @@ pub(super) fn sign(op: BinaryOp) -> Option<&'static str> {
         BinaryOp::Shr => "Shr",
         _ => return None,
     })
+}
+
+/// What stands between two operands.
+pub(super) fn infix(op: &syn::BinOp) -> Option<BinaryOp> {
+    Some(match op {
+        syn::BinOp::Add(_) => BinaryOp::Add,
+        syn::BinOp::Sub(_) => BinaryOp::Sub,
+        syn::BinOp::Mul(_) => BinaryOp::Mul,
+        syn::BinOp::Div(_) => BinaryOp::Div,
+        syn::BinOp::Rem(_) => BinaryOp::Rem,
+        syn::BinOp::BitAnd(_) => BinaryOp::And,
+        syn::BinOp::BitOr(_) => BinaryOp::Or,
+        syn::BinOp::BitXor(_) => BinaryOp::Xor,
+        syn::BinOp::Shl(_) => BinaryOp::Shl,
+        syn::BinOp::Shr(_) => BinaryOp::Shr,
+        syn::BinOp::Eq(_) => BinaryOp::Eq,
+        syn::BinOp::Ne(_) => BinaryOp::Ne,
+        syn::BinOp::Lt(_) => BinaryOp::Lt,
+        syn::BinOp::Le(_) => BinaryOp::Le,
+        syn::BinOp::Gt(_) => BinaryOp::Gt,
+        syn::BinOp::Ge(_) => BinaryOp::Ge,
+        syn::BinOp::And(_) => BinaryOp::LogicAnd,
+        syn::BinOp::Or(_) => BinaryOp::LogicOr,
+        _ => return None,
+    })
+}
+
+/// Whether an expression is one of these operators between two operands.
+pub(super) fn is_operator(expr: &syn::Expr) -> bool {
+    match expr {
+        syn::Expr::Binary(it) => infix(&it.op).and_then(sign).is_some(),
+        syn::Expr::Paren(it) => is_operator(&it.expr),
+        syn::Expr::Group(it) => is_operator(&it.expr),
+        _ => false,
+    }
 }
 
 /// Whether what is behind a sign is a number or a condition by its form alone.

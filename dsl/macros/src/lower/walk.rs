@@ -5,9 +5,8 @@
 use bessemer_ir::tree;
 use proc_macro2::TokenStream;
 use quote::quote_spanned;
-use syn::spanned::Spanned;
 
-use super::names::{GENERATING, slot_name, text};
+use super::names::{GENERATING, slot_name, span, text};
 use super::refuse::Refusals;
 
 /// The walk over one function.
@@ -26,6 +25,10 @@ pub struct Lowering<'a> {
     pub(super) callees: u32,
     /// The operators, which may be functions of a type that the library knows.
     pub operators: Vec<tree::Operator>,
+    /// Whether what is lowered next is the left operand of an operator.
+    pub(super) chained: bool,
+    /// The statements of the witness copy before the operator that is being lowered: those of its left operand.
+    pub(super) before: Vec<TokenStream>,
     /// Paths that rustc has to evaluate: the slot, and the path.
     pub constants: Vec<(u32, TokenStream)>,
     /// The macros of Rust's that are called, each once.
@@ -64,6 +67,8 @@ impl<'a> Lowering<'a> {
             slots: 0,
             callees: 0,
             operators: Vec::new(),
+            chained: false,
+            before: Vec::new(),
             constants: Vec::new(),
             macros: Vec::new(),
             items: Vec::new(),
@@ -152,7 +157,7 @@ impl<'a> Lowering<'a> {
         let slot = self.slot();
         if GENERATING {
             let name = slot_name(slot);
-            *expr = syn::Expr::Verbatim(quote_spanned! { expr.span() => __glance(&#name, #expr) });
+            *expr = syn::Expr::Verbatim(quote_spanned! { span(expr) => __glance(&#name, #expr) });
         }
         slot
     }
@@ -160,7 +165,7 @@ impl<'a> Lowering<'a> {
     pub(super) fn see_in(&self, slot: u32, expr: &mut syn::Expr) {
         if GENERATING {
             let name = slot_name(slot);
-            *expr = syn::Expr::Verbatim(quote_spanned! { expr.span() => __see(&#name, #expr) });
+            *expr = syn::Expr::Verbatim(quote_spanned! { span(expr) => __see(&#name, #expr) });
         }
     }
 
