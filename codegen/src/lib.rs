@@ -14,4 +14,5 @@ pub mod kernels;
 pub mod passes;
 pub mod source;
 pub mod typify;
+pub mod used;
 pub mod validate;

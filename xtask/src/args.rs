@@ -45,6 +45,8 @@ pub enum Task {
     Test(Test),
     /// Break the compiler in small ways, and show that the tests tell
     Mutate(Mutate),
+    /// Run random programs through everything: Rust, interpreter, C; most aim at the proofs
+    Fuzz(Fuzz),
     /// List the tools that are there and those that are missing
     Doctor(Doctor),
     /// Measure the generated C against its peers
@@ -153,6 +155,26 @@ pub struct Mutate {
     /// Print JSON instead of lines
     #[arg(long)]
     pub json: bool,
+}
+
+/// Arguments of `fuzz`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  cargo xtask fuzz                             A thousand programs
+  cargo xtask fuzz --programs 100000 --seed 7  As many as are asked for, from another seed
+
+Each program is called a hundred times: what rustc makes of it, the interpreter before and after the passes, with the
+checks that were left out, and the C of gcc and clang must agree to the bit. After each batch a line says how far it is
+and how fast; at the end stands how often each rule of the proofs decided something. A program that differs is made
+small and written to tests/found/, from where every run of the tests takes it. Exit code 1 if one differs.")]
+pub struct Fuzz {
+    /// How many programs
+    #[arg(long, value_name = "N", default_value_t = 1000)]
+    pub programs: u64,
+    /// The first seed; a batch has one
+    #[arg(long, value_name = "S", default_value_t = 0)]
+    pub seed: u64,
 }
 
 /// Arguments of `doctor`.
@@ -286,6 +308,17 @@ mod tests {
         }
         let zero = mutate(&["--turn", "0", "--of", "2"]);
         assert_eq!(zero.err(), Some(ErrorKind::ValueValidation));
+    }
+
+    #[test]
+    fn fuzz_takes_numbers() {
+        let fuzz = |rest: &[&str]| match parse(&[&["fuzz"], rest].concat()) {
+            Ok(Task::Fuzz(wanted)) => Some((wanted.programs, wanted.seed)),
+            _ => None,
+        };
+        assert_eq!(fuzz(&[]), Some((1000, 0)));
+        assert_eq!(fuzz(&["--programs", "5", "--seed", "9"]), Some((5, 9)));
+        assert_eq!(fuzz(&["--programs", "many"]), None);
     }
 
     #[test]

@@ -15,6 +15,7 @@ pub mod args;
 pub mod bench;
 pub mod doctor;
 pub mod error;
+pub mod fuzz;
 pub mod generate;
 pub mod hand_over;
 pub mod install;

@@ -8,7 +8,7 @@ use clap::Parser;
 use xtask::args::{Arguments, Task};
 use xtask::error::{Error, Outcome};
 use xtask::tools::ThisMachine;
-use xtask::{bench, doctor, generate, hand_over, mutate, project, test};
+use xtask::{bench, doctor, fuzz, generate, hand_over, mutate, project, test};
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
@@ -28,6 +28,7 @@ fn perform(task: &Task) -> Result<Outcome, Error> {
         Task::Gen(wanted) => generate::run(&root, wanted.mode(), wanted.explain),
         Task::Test(wanted) => test::run(&root, wanted, &ThisMachine),
         Task::Mutate(wanted) => mutate::run(&root, wanted),
+        Task::Fuzz(wanted) => fuzz::run(&root, wanted),
         Task::Doctor(wanted) => doctor::run(wanted, &ThisMachine),
         Task::Bench(wanted) => bench::run(&root, wanted, &ThisMachine),
         Task::Simulation(_) => hand_over::run(&root, "sim", std::env::args_os().skip(1)),

@@ -41,6 +41,7 @@ use bessemer_ir::visit::{VisitMut, walk_block_mut};
 use bessemer_ir::{Block, Fault, Module, Role, StmtKind};
 use thiserror::Error;
 
+use crate::used;
 use callees::may_fault;
 use explicit::open;
 use positions::Callee;
@@ -103,7 +104,10 @@ pub fn explicit_with(module: Module, keep: bool) -> Result<(Module, Report), Vec
             let open = open(&module, &done.0);
             // The first alone: behind its check, others may not be open any more.
             match open.into_iter().find(|site| !doubted.contains(&site.span)) {
-                Some(first) => doubted.insert(first.span),
+                Some(first) => {
+                    used::Rule::Doubted.used();
+                    doubted.insert(first.span)
+                }
                 None => break done,
             };
         };

@@ -17,6 +17,7 @@ use bessemer_ir::{
 };
 
 use crate::effects::{lent, overlap, reads, same_place, writes};
+use crate::used::Rule;
 
 #[cfg(test)]
 mod tests;
@@ -59,7 +60,10 @@ pub(super) fn proof(
         let mut looked =
             Looked { module, low, high, inclusive, least, name: &name, moving: Vec::new() };
         match looked.shown(of.before, of.condition, of.rest, Path::default()) {
-            Ok(()) => return Ok(Proof { low: low.clone(), high: high.clone(), inclusive }),
+            Ok(()) => {
+                Rule::Ends.used();
+                return Ok(Proof { low: low.clone(), high: high.clone(), inclusive });
+            }
             Err(why) => reason = reason.or(Some(why)),
         }
     }

@@ -20,8 +20,9 @@ use super::native;
 use super::warnings;
 use super::writer::{Entry, Program};
 
-/// Calls of each program.
+/// Calls of each program; more of one that aims at the proofs, which is small.
 const CALLS: usize = 48;
+const MORE: usize = 100;
 
 /// A program with its calls, and what Rust makes of them.
 pub struct Case<'b> {
@@ -70,14 +71,16 @@ pub fn cases<'b>(
     compiled: &Compiled,
 ) -> Vec<Case<'b>> {
     let module = &compiled.module;
-    let mut random = Random(7);
     let mut cases = Vec::new();
     for program in programs {
+        // The same for each, so that one that is made smaller, or kept, is called as it was.
+        let mut random = Random(7);
         let entries = program.entries.iter().map(|entry| Target::new(module, program, entry));
         // A smaller variant may have lost its attribute.
         let Some(entries) = entries.collect::<Option<Vec<_>>>() else { continue };
-        let calls: Vec<Call> =
-            (0..CALLS).map(|at| call(&mut random, module, &entries, at)).collect();
+        let calls: Vec<Call> = (0..if program.aimed { MORE } else { CALLS })
+            .map(|at| call(&mut random, module, &entries, at))
+            .collect();
         let place = |call: &Call| {
             let name = &entries[call.entry].entry.name;
             places.iter().position(|it| it == name).expect("it was built")

@@ -2,11 +2,14 @@
 //! interpreter and the C do, the bits of each result and the kind of each fault.
 //!
 //! Each turn has a seed of its own. `BESSEMER_RANDOM=seeds` runs that many batches, from the seed
-//! `BESSEMER_RANDOM_FROM`, instead of a smaller one.
+//! `BESSEMER_RANDOM_FROM`, instead of a smaller one. `cargo xtask fuzz` runs many that aim at the proofs.
 
+mod aimed;
 mod bounded;
 mod calls;
 mod chains;
+mod found;
+mod fuzz;
 mod generics;
 mod interfaces;
 mod legs;
@@ -75,6 +78,15 @@ impl Batch {
         Batch::of((0..programs).map(program).collect())
     }
 
+    /// Of programs that aim at the proofs.
+    fn aimed(seed: u64, programs: usize) -> Batch {
+        let program = |index| {
+            let mut random = Random(!(seed << 32 | index as u64));
+            aimed::program(&mut random, &format!("p{index}"))
+        };
+        Batch::of((0..programs).map(program).collect())
+    }
+
     fn of(programs: Vec<Program>) -> Batch {
         Batch {
             programs,
@@ -83,6 +95,11 @@ impl Batch {
             lines: Vec::new(),
             text: String::new(),
         }
+    }
+
+    /// Whether its programs aim at the proofs: small ones, of which there are many.
+    fn is_aimed(&self) -> bool {
+        self.programs.iter().all(|program| program.aimed)
     }
 
     /// The programs that nobody has refused.
@@ -233,9 +250,30 @@ fn by_turns(seed: u64) -> Vec<Toolchain> {
     one.cloned().into_iter().chain(target).collect()
 }
 
+/// What was reached.
+#[derive(Default)]
+struct Reached {
+    programs: usize,
+    calls: usize,
+    faults: usize,
+    /// Programs that the DSL, or rustc, does not take.
+    refused: usize,
+    differences: Vec<Difference>,
+}
+
+impl Reached {
+    fn add(&mut self, other: Reached) {
+        self.programs += other.programs;
+        self.calls += other.calls;
+        self.faults += other.faults;
+        self.refused += other.refused;
+        self.differences.extend(other.differences);
+    }
+}
+
 /// What was different in the programs of a seed.
-fn attack(workspace: &Workspace, seed: u64, mut batch: Batch) -> Vec<Difference> {
-    let Built { native, places, compiled, kept } = built(workspace, &mut batch);
+fn attack(workspace: &Workspace, seed: u64, batch: &mut Batch) -> Reached {
+    let Built { native, places, compiled, kept } = built(workspace, batch);
     let cases = legs::cases(&batch.left(), &native, &places, &compiled);
     let refused: Vec<_> = batch.refused.values().chain(batch.mistaken.values()).collect();
     assert!(!cases.is_empty(), "nothing was compiled: {refused:?}");
@@ -244,10 +282,15 @@ fn attack(workspace: &Workspace, seed: u64, mut batch: Batch) -> Vec<Difference>
     all.extend(batch.internal());
     all.extend(interpreted("explicit", &compiled.explicit, &cases));
     all.extend(interpreted("what was proved", &kept.explicit, &cases));
+    // What is dear where there are many programs, batches of these do by turns.
+    let by_turn = |count: u64| batch.is_aimed() && !seed.is_multiple_of(count);
     let gcc = Toolchain { level: 0, ..toolchain::GCC };
-    all.extend(in_c(&compiled, &cases, &gcc, &SANITIZED));
-    let gcc = Toolchain { level: 1, ..gcc };
-    all.extend(in_c(&kept, &cases, &gcc, &SANITIZED));
+    if !by_turn(3) {
+        all.extend(in_c(&compiled, &cases, &gcc, &SANITIZED));
+    }
+    let (level, flags) = if by_turn(4) { (0, &["-w"][..]) } else { (1, &SANITIZED[..]) };
+    let gcc = Toolchain { level, ..gcc };
+    all.extend(in_c(&kept, &cases, &gcc, flags));
     for toolchain in by_turns(seed) {
         all.extend(in_c(&compiled, &cases, &toolchain, &WARNED));
     }
@@ -259,19 +302,31 @@ fn attack(workspace: &Workspace, seed: u64, mut batch: Batch) -> Vec<Difference>
         batch.mistaken.len(),
         all.iter().map(|it| &it.program).collect::<BTreeSet<_>>().len()
     );
-    report(&batch, &all, seed, workspace);
-    all
+    report(batch, &all, seed, workspace);
+    let refused = batch.refused.len() + batch.mistaken.len();
+    Reached { programs: cases.len(), calls, faults, refused, differences: all }
 }
 
 /// The names of the programs that the interpreter does not make what Rust makes of them, or that are refused as
 /// no program is meant to be.
 fn differing(workspace: &Workspace, batch: &mut Batch) -> BTreeSet<String> {
-    let Built { native, places, compiled, .. } = built(workspace, batch);
+    let Built { native, places, compiled, kept } = built(workspace, batch);
     let cases = legs::cases(&batch.left(), &native, &places, &compiled);
-    let all = interpreted("interpreter", &compiled.module, &cases).into_iter();
+    let modules = [&compiled.module, &compiled.explicit, &kept.explicit];
+    let all = modules.into_iter().flat_map(|module| interpreted("interpreter", module, &cases));
     let mut names: BTreeSet<String> = all.map(|it| it.program).collect();
     names.extend(batch.internal().map(|it| it.program));
     names
+}
+
+/// The programs that are worth making smaller: what only a compiler of C warns of is small enough as it is told.
+fn wrong<'b>(batch: &'b Batch, all: &[Difference]) -> Vec<&'b Program> {
+    let told = all.iter().filter(|it| !it.text.contains(" warned of in "));
+    let seen: BTreeSet<_> = told.map(|it| &it.program).collect();
+    let wrong = |it: &&Program| {
+        seen.contains(&it.name) || batch.refused.get(&it.name).is_some_and(|why| is_internal(why))
+    };
+    batch.programs.iter().filter(wrong).take(10).collect()
 }
 
 /// Shows what was refused, and keeps what differs, where `BESSEMER_RANDOM_SHOW` says.
@@ -300,13 +355,7 @@ fn report(batch: &Batch, all: &[Difference], seed: u64, workspace: &Workspace) {
         }
     }
     std::fs::write(folder.join(format!("seed{seed}.txt")), &text).expect("a folder to show in");
-    // What only a compiler of C warns of is small enough as it is told.
-    let told = all.iter().filter(|it| !it.text.contains(" warned of in "));
-    let seen: BTreeSet<_> = told.map(|it| &it.program).collect();
-    let wrong = |it: &&Program| {
-        seen.contains(&it.name) || batch.refused.get(&it.name).is_some_and(|why| is_internal(why))
-    };
-    let wrong: Vec<&Program> = batch.programs.iter().filter(wrong).take(10).collect();
+    let wrong = wrong(batch, all);
     if !wrong.is_empty() {
         text += "SHRUNK\n";
         for program in shrink::shrunk(workspace, &wrong) {
@@ -328,7 +377,11 @@ fn random_programs_agree() {
     let workspace = Workspace::with_source("").expect("a workspace");
     let mut all = Vec::new();
     for seed in from..from + seeds {
-        let found = attack(&workspace, seed, Batch::new(seed, programs));
+        let mut batch = Batch::new(seed, programs);
+        if seed == from {
+            batch.programs.extend(found::programs());
+        }
+        let found = attack(&workspace, seed, &mut batch).differences;
         all.extend(found.into_iter().map(|it| format!("seed {seed}: {}", it.text)));
     }
     assert!(all.is_empty(), "{}", all.join("\n\n"));

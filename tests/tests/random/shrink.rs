@@ -16,6 +16,9 @@ const ROUNDS: usize = 25;
 
 /// The smallest variant of each program that was found.
 pub fn shrunk(workspace: &Workspace, programs: &[&Program]) -> Vec<Program> {
+    if programs.is_empty() {
+        return Vec::new();
+    }
     let mut best: Vec<Program> = programs
         .iter()
         .enumerate()
@@ -48,7 +51,7 @@ pub fn shrunk(workspace: &Workspace, programs: &[&Program]) -> Vec<Program> {
 }
 
 /// The program with another text and name.
-fn named(program: &Program, text: &str, name: &str) -> Program {
+pub(super) fn named(program: &Program, text: &str, name: &str) -> Program {
     let renamed = |text: &str| {
         let text = text.replace(&program.name, name);
         text.replace(&program.name.to_uppercase(), &name.to_uppercase())
@@ -59,6 +62,7 @@ fn named(program: &Program, text: &str, name: &str) -> Program {
         text,
         unit: program.unit.as_deref().map(renamed),
         entries: program.entries.iter().map(|entry| entry.renamed(&renamed)).collect(),
+        aimed: program.aimed,
     }
 }
 

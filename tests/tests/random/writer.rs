@@ -60,6 +60,8 @@ pub struct Program {
     /// The component.
     pub unit: Option<String>,
     pub entries: Vec<Entry>,
+    /// Whether it aims at the proofs.
+    pub aimed: bool,
 }
 
 pub struct Entry {
@@ -167,7 +169,7 @@ pub fn program(random: &mut Random, name: &str) -> Program {
     let count = 4 + writer.below(5);
     text += &writer.function(name, Role::Whole, count);
     let entries = vec![writer.entry(false)];
-    Program { name: name.to_owned(), text, unit: None, entries }
+    Program { name: name.to_owned(), text, unit: None, entries, aimed: false }
 }
 
 fn passing(kind: &Kind) -> &'static str {
@@ -218,7 +220,7 @@ impl Writer<'_> {
             let _ = writeln!(text, "#[component]\nimpl {unit} {{\n{methods}}}");
         }
         let unit = self.items.units.last().map(|unit| unit.0.clone());
-        Program { name: name.to_owned(), text, unit, entries }
+        Program { name: name.to_owned(), text, unit, entries, aimed: false }
     }
 
     /// What makes some of the enums from integers.

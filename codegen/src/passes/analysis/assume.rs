@@ -8,26 +8,30 @@ use bessemer_ir::{BinaryOp, CompareOp, Expr, ExprKind, Intrinsic, LogicOp, Span,
 use super::domain::Interval;
 use super::evaluate::{brought_key, is_ordered};
 use super::state::{Known, State, key};
+use crate::used::Rule;
 
 impl<'m> State<'m> {
     /// Whether `condition` surely holds.
     pub(crate) fn proves(&self, condition: &Expr) -> bool {
-        if self.range(condition) == Interval::one(1) {
+        if Rule::Interval.told(self.range(condition) == Interval::one(1)) {
             return true;
         }
         match &condition.kind {
             ExprKind::Logic(LogicOp::And, a, b) => self.proves(a) && self.proves(b),
             ExprKind::Logic(LogicOp::Or, a, b) => {
-                self.holds(condition) || self.proves(a) || self.assuming(a, false).proves(b)
+                self.holds(condition)
+                    || self.proves(a)
+                    || Rule::Either.told(self.assuming(a, false).proves(b))
             }
             _ => {
-                self.holds(condition) || self.relations.below_length(condition, |it| self.fails(it))
+                let below = || self.relations.below_length(condition, |it| self.fails(it));
+                self.holds(condition) || Rule::Length.told(below())
             }
         }
     }
 
     fn holds(&self, condition: &Expr) -> bool {
-        self.relations.give(condition, |it| self.fails(it))
+        Rule::Relation.told(self.relations.give(condition, |it| self.fails(it)))
     }
 
     /// Whether `condition` surely does not hold.
@@ -114,17 +118,21 @@ impl<'m> State<'m> {
         match &expr.kind {
             ExprKind::Load(place) => {
                 let (Some(key), Some(_)) = (key(place), self.all(&expr.ty)) else { return };
-                let range = self.range(expr).meet(interval);
+                let before = self.range(expr);
+                let range = before.meet(interval);
+                Rule::Place.told(range != before);
                 self.known.insert(key, Known::Within(range));
             }
             ExprKind::Cast(x) => self.bound_number(x, interval, &expr.ty),
             ExprKind::Intrinsic(Intrinsic::Variant, args) => {
                 let Some(key) = args.first().and_then(brought_key) else { return };
+                Rule::Brought.used();
                 let range = self.range(expr).meet(interval);
                 self.known.insert(key, Known::Within(range));
             }
             ExprKind::Binary(BinaryOp::Add, a, b) => {
                 if let Some(b) = self.range(b).single() {
+                    Rule::Term.used();
                     self.bound(a, interval.sub(Interval::one(b)));
                 } else if let Some(a) = self.range(a).single() {
                     self.bound(b, interval.sub(Interval::one(a)));
@@ -132,6 +140,7 @@ impl<'m> State<'m> {
             }
             ExprKind::Binary(BinaryOp::Sub, a, b) => {
                 if let Some(b) = self.range(b).single() {
+                    Rule::Term.used();
                     self.bound(a, interval.add(Interval::one(b)));
                 }
             }
@@ -146,7 +155,7 @@ impl<'m> State<'m> {
             return;
         };
         let Type::Enum(id) = x.ty else {
-            if range.within(all) {
+            if Rule::Converted.told(range.within(all)) {
                 self.bound(x, interval);
             }
             return;
@@ -160,6 +169,7 @@ impl<'m> State<'m> {
         let stray = self.stray(&x.ty).filter(|stray| range.contains(*stray));
         let left = may.map(|(at, _)| at).filter(|at| range.contains(*at)).chain(stray);
         if let Some(left) = left.map(Interval::one).reduce(Interval::join) {
+            Rule::Variant.told(left != range);
             self.bound(x, left);
         }
     }
@@ -169,12 +179,14 @@ impl<'m> State<'m> {
         let stray = self.stray(&scrutinee.ty).filter(|_| rest);
         let ones = values.iter().copied().chain(stray).map(Interval::one);
         if let Some(range) = ones.reduce(Interval::join) {
+            Rule::Arm.used();
             self.bound(scrutinee, range);
         }
     }
 
     /// In the last arm of a `match`, where `values` do not occur.
     pub(crate) fn exclude(&mut self, scrutinee: &Expr, mut values: Vec<i128>) {
+        Rule::Rest.used();
         values.sort_unstable();
         let range = values.iter().fold(self.range(scrutinee), |range, value| range.without(*value));
         let range = values.iter().rev().fold(range, |range, value| range.without(*value));

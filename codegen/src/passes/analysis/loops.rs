@@ -14,6 +14,7 @@ use bessemer_ir::{BinaryOp, Block, CompareOp, Expr, ExprKind, LocalId, Place, St
 use super::domain::Interval;
 use super::state::State;
 use crate::effects::{lent, overlap, whole, writes};
+use crate::used::Rule;
 
 /// A `for` that is about to be entered.
 pub(crate) struct Loop<'a> {
@@ -40,6 +41,7 @@ struct Counted {
 impl Counted {
     /// Makes known what it is at most after so many passes.
     fn bound(&self, passes: i128, state: &mut State) {
+        Rule::Counted.used();
         let high = self.before.high.saturating_add(self.more.saturating_mul(passes));
         state.bound(&self.local, Interval { low: self.before.low, high });
     }
@@ -52,10 +54,12 @@ impl Loop<'_> {
         let behind = self.behind(state);
         if self.ended {
             *state = self.invariant(state);
+            Rule::Invariant.told(!state.known.is_empty());
             return behind;
         }
         let counted = self.counted(state);
         self.forget(state);
+        Rule::Counter.used();
         for local in counted {
             local.bound((passes(ranges, self.inclusive) - 1).max(0), state);
         }

@@ -4,6 +4,7 @@ use std::cell::Cell;
 use std::collections::{BTreeMap, HashSet};
 
 use super::linear::{Linear, Symbol};
+use crate::used::Rule;
 
 /// The least and the greatest value.
 pub(super) type Bounds = (i128, i128);
@@ -167,7 +168,8 @@ impl Knowledge {
 
     /// Whether a form is 0 or more, after known ones are subtracted.
     fn reaches(&self, goal: &Linear, steps: u32, all: &[Bounds], left: &Cell<u32>) -> bool {
-        self.least(goal, steps, Some(0), all, left) >= 0
+        self.plain(goal, all) >= 0
+            || Rule::Forms.told(self.least(goal, steps, Some(0), all, left) >= 0)
     }
 
     /// The least value of a form, as far as subtracting known ones shows it; no further than `enough`.
@@ -216,11 +218,12 @@ impl Knowledge {
             let clause = &self.clauses[at];
             let touches =
                 clause.iter().any(|part| symbols(part).iter().any(|it| about.contains(it)));
-            touches && {
-                let mut without = self.clone();
-                without.clauses.remove(at);
-                clause.iter().all(|part| without.assuming(part, all).follows(goal, all, cases))
-            }
+            touches
+                && Rule::Cases.told({
+                    let mut without = self.clone();
+                    without.clauses.remove(at);
+                    clause.iter().all(|part| without.assuming(part, all).follows(goal, all, cases))
+                })
         })
     }
 

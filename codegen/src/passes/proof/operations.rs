@@ -11,6 +11,7 @@ use super::knowledge::{Bounds, Formula};
 use super::linear::{FURTHEST, Linear};
 use super::values::{Origin, Point, Value, Values, bounds_of, ordered, within};
 use crate::passes::sites::Site;
+use crate::used::Rule;
 
 impl Values<'_> {
     pub(super) fn unary(
@@ -332,7 +333,7 @@ impl Values<'_> {
             knowledge.assume(second, &self.all);
             knowledge.shows(fits, &self.all)
         });
-        if !shown {
+        if !Rule::Product.told(shown) {
             self.tell(site);
         }
     }

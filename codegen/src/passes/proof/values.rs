@@ -13,6 +13,7 @@ use bessemer_ir::{
 use super::knowledge::{Bounds, Formula, Knowledge};
 use super::linear::{FURTHEST, Linear, Symbol};
 use crate::passes::sites::Site;
+use crate::used::Rule;
 
 /// The value of a word.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -139,7 +140,7 @@ impl<'m> Values<'m> {
 
     /// Tells of a place where what is needed does not show.
     pub(super) fn need(&mut self, point: &Point, needed: &Formula, site: Site) {
-        if !self.quiet && !point.knowledge.shows(needed, &self.all) {
+        if !self.quiet && !Rule::Shown.told(point.knowledge.shows(needed, &self.all)) {
             self.open.push(site);
         }
     }

@@ -18,6 +18,7 @@ use super::linear::{Linear, Symbol};
 use super::values::{At, Point, Value, Values, ordered, within};
 use crate::effects::{lent, whole, writes};
 use crate::passes::sites::Site;
+use crate::used::Rule;
 
 /// The most that a pass may move a number for it to be followed.
 const FAST: i128 = 1 << 32;
@@ -272,6 +273,7 @@ impl<'m> Walk<'m> {
         let mut behind = empty;
         let moved = self.moved(&before, &head, &written, body);
         for (local, old, (down, up)) in moved {
+            Rule::Moved.used();
             let Some(Value::Number(now)) = self.values.unknown(&self.function.local(local).ty)
             else {
                 continue;
@@ -410,6 +412,7 @@ impl<'m> Walk<'m> {
                 break;
             }
         }
+        Rule::Guessed.told(!guesses.is_empty());
         self.head(empty, &guesses).0
     }
 

@@ -1,0 +1,58 @@
+//! As many random programs as `cargo xtask fuzz` asks for, most of which aim at the proofs; what differs becomes a file.
+//!
+//! `BESSEMER_FUZZ` says how many, `BESSEMER_RANDOM_FROM` from which seed.
+
+use std::time::Instant;
+
+use bessemer_codegen::used;
+use bessemer_tests::workspace::Workspace;
+
+use super::{Batch, PROGRAMS, Reached, attack, found, shrink, wrong};
+
+/// Programs of a batch that aims at the proofs: as many as pay for a build and leave it short.
+const AIMED: usize = 250;
+
+/// One batch of so many is of programs of every kind.
+const OF: u64 = 12;
+
+#[test]
+#[ignore = "it takes as long as it is told: cargo xtask fuzz"]
+fn as_many_as_asked() {
+    let number = |name: &str| std::env::var(name).ok().and_then(|it| it.parse::<u64>().ok());
+    let (asked, from) = (number("BESSEMER_FUZZ").unwrap_or(1), number("BESSEMER_RANDOM_FROM"));
+    let workspace = Workspace::with_source("").expect("a workspace");
+    let (mut all, start) = (Reached::default(), Instant::now());
+    for seed in from.unwrap_or_default().. {
+        if all.programs >= asked as usize {
+            break;
+        }
+        let mut batch = match seed % OF {
+            0 => Batch::new(seed, PROGRAMS),
+            _ => Batch::aimed(seed, AIMED),
+        };
+        let reached = attack(&workspace, seed, &mut batch);
+        let wrong = wrong(&batch, &reached.differences);
+        for program in shrink::shrunk(&workspace, &wrong) {
+            let file = found::keep(&program, seed);
+            println!("different: {}", file.display());
+        }
+        all.add(reached);
+        let seconds = start.elapsed().as_secs_f64();
+        println!(
+            "{} of {asked} programs, {} calls ({} faults), {:.1} programs/s, {:.0} calls/s, {} refused, {} different",
+            all.programs,
+            all.calls,
+            all.faults,
+            all.programs as f64 / seconds,
+            all.calls as f64 / seconds,
+            all.refused,
+            all.differences.len()
+        );
+    }
+    println!("\nhow often each rule decided something");
+    for (rule, count) in used::counts() {
+        println!("{count:>12}  {rule}");
+    }
+    let texts: Vec<_> = all.differences.iter().map(|it| it.text.as_str()).collect();
+    assert!(texts.is_empty(), "{}", texts.join("\n\n"));
+}
