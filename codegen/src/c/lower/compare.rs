@@ -2,17 +2,23 @@
 //!
 //! gcc takes `(uint8_t)(255U - x)` and `(uint8_t)(x ^ 255U)` for `(uint8_t)~x`, the number perhaps behind the name of a
 //! constant, and warns of any comparison with that. The same value in 32 bits, or from a function, means what it says.
+//! Of what was widened, `~(uint64_t)x`, it warns too, so that a function gives that.
 
 use bessemer_ir::Int;
 
 use super::super::helpers::Helper;
+use super::super::literal;
 use super::super::tree::Expr;
 use super::Lower;
 
 impl Lower<'_> {
     /// A value in a form that no compiler takes for a complement.
     pub(super) fn comparable(&mut self, value: Expr) -> Expr {
-        let Expr::Cast(ty, inner) = value else { return value };
+        let (ty, inner) = match value {
+            Expr::Unary("~", operand) => return self.complement(*operand),
+            Expr::Cast(ty, inner) => (ty, inner),
+            other => return other,
+        };
         let (mask, int) = match ty.as_str() {
             "uint8_t" => ("255U", Int::U8),
             "uint16_t" => ("65535U", Int::U16),
@@ -35,6 +41,17 @@ impl Lower<'_> {
             }
             other => Expr::Cast(ty, Box::new(other)),
         }
+    }
+
+    /// All bits turned over of what is not promoted.
+    fn complement(&mut self, operand: Expr) -> Expr {
+        let int = match &operand {
+            Expr::Cast(ty, _) if ty == "uint32_t" => Int::U32,
+            Expr::Cast(ty, _) if ty == "uint64_t" => Int::U64,
+            _ => return Expr::unary("~", operand),
+        };
+        let all = literal::integer(int, Int::max(int));
+        self.helper(Helper::Xor(int), vec![operand, all])
     }
 
     /// Whether a compiler might know a value: a number, or what is no parameter.

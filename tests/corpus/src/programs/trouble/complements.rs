@@ -51,3 +51,10 @@ pub struct Cell {
 pub fn full(cell: &Cell) -> bool {
     u16::MAX - cell.voltage < 5
 }
+
+/// What was widened before.
+#[function]
+pub fn widened(a: u8, b: u16, flag: bool) -> (bool, bool, bool, bool) {
+    let most = !(flag as u64) >= 6;
+    (!(a as u64) < b as u64, !(b as u32) > a as u32, most, !(a as usize) == 3)
+}
