@@ -132,7 +132,11 @@ pub fn build(workspace: &Workspace, programs: &[&Program]) -> Result<String, Str
         text.lines().filter_map(|line| serde_json::from_str(line).ok()).collect();
     if output.status.success() {
         let program = messages.iter().rev().find_map(|it| it["executable"].as_str());
-        return program.map(str::to_owned).ok_or("no program".to_owned());
+        let program = program.ok_or("no program".to_owned())?;
+        // Another run may build its own to the same place.
+        let own = workspace.path(NAME);
+        std::fs::copy(program, &own).map_err(|error| error.to_string())?;
+        return Ok(own.display().to_string());
     }
     let said = messages.iter().filter(|it| it["message"]["level"] == "error");
     let said: String = said.filter_map(|it| it["message"]["rendered"].as_str()).collect();
