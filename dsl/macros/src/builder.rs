@@ -343,7 +343,7 @@ fn builder(
                 &|cx: &mut ::bessemer::generate::Builder| ::bessemer::generate::Witness {
                     slots: ::bessemer::generate::types(cx, &[#(&#slots),*]),
                     callees: ::bessemer::generate::callees(cx, &[#(&#callees),*]),
-                    operators: ::bessemer::generate::own(cx, &[#(&#owned),*]),
+                    operators: ::bessemer::generate::owned(cx, &[#(&#owned),*]),
                     constants: ::bessemer::generate::list([#(#constants),*]),
                 },
             )

@@ -33,7 +33,7 @@ pub use items::{
     Generics, Registered, argument, data, field, folders, function, number, package, place, variant,
 };
 pub use numbers::{FromBuiltin, TryFromBuiltin};
-pub use operators::{Implements, Operates, Operation, OwnOperator, own, sign};
+pub use operators::{Implements, Operates, Operation, OwnOperator, owned, sign};
 pub use slot::{
     Called, DslType, Instance, ScalarType, Seen, Slot, Value, WithoutEntries, callees, constant,
     list, types,

@@ -130,7 +130,7 @@ impl<T: PerhapsOwn> OwnSlot for Slot<T> {
 }
 
 /// The functions of authors in slots.
-pub fn own(cx: &mut Builder, slots: &[&dyn OwnSlot]) -> Vec<Option<tree::Callee>> {
+pub fn owned(cx: &mut Builder, slots: &[&dyn OwnSlot]) -> Vec<Option<tree::Callee>> {
     slots.iter().map(|slot| slot.own(cx)).collect()
 }
 

@@ -117,7 +117,7 @@ impl Aimed<'_> {
         self.random.of(&[0, 1, 1, 2, 3, 4, 4, 5, 5, 6, 6, 7, 8, 9])
     }
 
-    fn new(&mut self, ty: &'static str) -> String {
+    fn variable(&mut self, ty: &'static str) -> String {
         self.named += 1;
         let name = format!("v{}", self.named);
         self.vars.push(Var { name: name.clone(), ty });
@@ -330,7 +330,7 @@ impl Aimed<'_> {
             4 => {
                 let ty = self.random.of(&INTS);
                 let value = self.number(ty, 2);
-                format!("let mut {}: {ty} = {value};\n", self.new(ty))
+                format!("let mut {}: {ty} = {value};\n", self.variable(ty))
             }
             5 => {
                 let condition = self.condition(1);
@@ -453,13 +453,13 @@ impl Aimed<'_> {
     fn behind_condition(&mut self, depth: usize) -> String {
         let ty = self.random.of(&INTS);
         let (start, value) = (self.small(ty), self.small(ty));
-        let name = self.new(ty);
+        let name = self.variable(ty);
         let mut lead = format!("let mut {name}: {ty} = {start};\n");
         let limit = match self.random.below(3) {
             0 => self.near().to_string(),
             1 => "x.len()".to_owned(),
             _ => {
-                let limit = self.new(ty);
+                let limit = self.variable(ty);
                 let _ = writeln!(lead, "let mut {limit}: {ty} = {value};");
                 limit
             }
@@ -493,7 +493,7 @@ impl Aimed<'_> {
     fn before_condition(&mut self, depth: usize) -> String {
         let ty = self.random.of(&INTS);
         let (start, value) = (self.small(ty), self.small(ty));
-        let (name, limit) = (self.new(ty), self.new(ty));
+        let (name, limit) = (self.variable(ty), self.variable(ty));
         let step = self.step(&name);
         let hidden: Vec<Var> = match self.random.one_in(4) {
             true => Vec::new(),
