@@ -118,7 +118,7 @@ pub const SOURCE: &str = "src/bin/random-native.rs";
 
 /// Builds the program; what rustc says if it does not like it.
 pub fn build(workspace: &Workspace, programs: &[&Program]) -> Result<String, String> {
-    let path = workspace.path(&format!("models/{SOURCE}"));
+    let path = workspace.folder().join(SOURCE);
     std::fs::write(path, text(programs)).expect("a source file");
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let output = Command::new(cargo)
@@ -145,7 +145,7 @@ pub fn build(workspace: &Workspace, programs: &[&Program]) -> Result<String, Str
 
 /// The name of the program that is called where the native program has this line.
 pub fn at(workspace: &Workspace, line: usize) -> Option<String> {
-    let text = std::fs::read_to_string(workspace.path(&format!("models/{SOURCE}"))).ok()?;
+    let text = std::fs::read_to_string(workspace.folder().join(SOURCE)).ok()?;
     let above: Vec<_> = text.lines().take(line).collect();
     above.iter().rev().find_map(|it| Some(it.split_once("=> { // ")?.1.to_owned()))
 }
