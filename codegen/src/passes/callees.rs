@@ -1,4 +1,4 @@
-//! What functions call, and which of them may end in a fault.
+//! The call graph, and which functions may end in a fault.
 
 use bessemer_ir::visit::{Visit, walk_expr, walk_stmt};
 use bessemer_ir::{Expr, ExprKind, Fault, Function, FunctionId, Module, Stmt, StmtKind};
@@ -17,7 +17,7 @@ pub(super) fn callees(module: &Module) -> Vec<Callee> {
     })
 }
 
-/// What a function calls, and whether it checks anything itself.
+/// The callees of a function, and whether it checks anything itself.
 #[derive(Default)]
 struct Calls {
     checks: bool,

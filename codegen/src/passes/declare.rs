@@ -38,7 +38,7 @@ fn moved(stmts: &mut Vec<Stmt>, at: usize) -> bool {
     }
     let value = Some(value.clone());
     stmts[next].kind = StmtKind::Let { local, value };
-    // What the author said of the declaration stands before what leads to its value.
+    // The author's comment on the declaration goes before the statements that compute its value.
     let mut comments = stmts.remove(at).comments;
     comments.append(&mut stmts[at].comments);
     stmts[at].comments = comments;

@@ -42,7 +42,7 @@ pub struct Problem {
     pub function: String,
     /// Where in the author's source.
     pub span: Span,
-    /// What is broken.
+    /// The rule that is broken.
     pub rule: Rule,
 }
 

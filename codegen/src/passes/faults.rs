@@ -24,7 +24,7 @@ pub(crate) struct Obligation {
     pub(crate) reason: String,
 }
 
-/// What the operation at the root of `expr` needs.
+/// The conditions that the operation at the root of `expr` needs so as not to fault.
 pub(crate) fn of_expr(expr: &Expr, facts: &State) -> Vec<Obligation> {
     let needs = Needs { facts, span: expr.span };
     match &expr.kind {
@@ -50,7 +50,7 @@ pub(crate) fn of_expr(expr: &Expr, facts: &State) -> Vec<Obligation> {
     }
 }
 
-/// What a step into a value of type `container` needs.
+/// The conditions that a step into a value of type `container` needs.
 pub(crate) fn of_step(
     root: LocalId,
     container: &Type,

@@ -27,7 +27,7 @@ use super::places::weight;
 use super::positions::{self, Position, accepts};
 use crate::effects::{lent, lent_by_step, moves, reads, whole};
 
-/// What is read in a check and again in the statement may weigh as much as this.
+/// The most text that an expression may make to be written twice: in a check, and again in the statement.
 const LIGHT: usize = 4;
 
 impl<'m> Lowering<'m> {
@@ -123,7 +123,7 @@ impl<'m> Lowering<'m> {
     fn call(&mut self, callee: FunctionId, arguments: Vec<Argument>) -> ExprKind {
         let module = self.module;
         let parameters = module.functions.get(callee.index()).map_or(&[][..], |f| f.parameters());
-        // What a kernel calls its operands says nothing of what they are here.
+        // The kernel's names for its operands say nothing of what they mean here.
         let of_kernel = module.functions.get(callee.index()).is_some_and(|f| f.kernel.is_some());
         let mut done: Vec<Argument> = Vec::new();
         for (index, argument) in arguments.into_iter().enumerate() {
@@ -255,7 +255,7 @@ impl<'m> Lowering<'m> {
         self.doubted.contains(&span)
     }
 
-    /// What is known before an operation: nothing, if its proof is not believed.
+    /// The state before an operation; blind, if its proof is not believed.
     fn facts_at(&self, span: Span) -> Cow<'_, State<'m>> {
         match self.doubts(span) {
             true => Cow::Owned(State::blind(self.module)),

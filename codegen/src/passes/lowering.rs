@@ -18,7 +18,7 @@ pub(super) struct Lowering<'m> {
     pub(super) facts: State<'m>,
     /// The statements of the block so far.
     pub(super) out: Vec<Stmt>,
-    /// What the statement writes to, as the stem of names.
+    /// The destination of the statement, as the stem of names.
     pub(super) base: String,
     pub(super) names: Names,
     /// Whether an enum that may be none of its variants is brought to one where it is read.

@@ -66,7 +66,7 @@ pub enum Error {
     Fallible {
         /// The entry point, or the external function.
         entry: String,
-        /// What is not so.
+        /// The claim that does not hold, in words.
         claim: &'static str,
         /// The function that holds the check, the entry itself or what it calls.
         function: String,
@@ -129,7 +129,7 @@ pub fn explicit_with(module: Module, keep: bool) -> Result<(Module, Report), Vec
     }
 }
 
-/// Takes checks of the author's away that were proved.
+/// Removes the author's checks that were proved.
 struct Proved;
 
 impl VisitMut for Proved {

@@ -26,7 +26,7 @@ impl Names {
     }
 }
 
-/// What a value is for.
+/// The purpose of a value.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Purpose<'a> {
     /// Nothing better than what it is.

@@ -21,11 +21,11 @@ pub(crate) enum Position {
     Leaf,
     /// A factor of a product: the same, or the transpose of one.
     Factor,
-    /// What a reference is taken of.
+    /// The place of which a reference is taken.
     Reference,
 }
 
-/// What a caller has to know of a function.
+/// The facts about a function that its caller has to know.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Callee {
     /// It may end in a fault.

@@ -7,7 +7,7 @@ use bessemer_ir::{Fault, Span};
 /// A check that is left, because the operation could not be proved not to fault.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Remaining {
-    /// What it reports.
+    /// The fault that it reports.
     pub fault: Fault,
     /// Where the operation stands.
     pub span: Span,
@@ -15,5 +15,5 @@ pub struct Remaining {
     pub reason: String,
 }
 
-/// Where operations come from of which [`proof`](super::proof) does not confirm one: the checks of all of them stand.
+/// Source spans of operations of which [`proof`](super::proof) does not confirm one: the checks of all of them stand.
 pub(super) type Doubted = HashSet<Span>;

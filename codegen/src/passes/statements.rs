@@ -270,7 +270,7 @@ impl Lowering<'_> {
 
     /// A check of the author's.
     fn assertion(&mut self, condition: Expr, fault: Fault, span: Span) {
-        // What the check of an operation asks of the operands stands at the operation's place, and never faults.
+        // The check of an operation computes its condition at the operation's place, and that never faults.
         self.asked = self.needed.contains(&erased(&condition)).then_some(span);
         let condition = self.word(condition);
         self.asked = None;
@@ -299,7 +299,7 @@ impl Lowering<'_> {
 pub(super) fn diverges(block: &Block) -> bool {
     block.0.iter().any(|stmt| match &stmt.kind {
         StmtKind::Return(_) | StmtKind::Break | StmtKind::Continue => true,
-        // A check that is left out is gone when the passes see their own output.
+        // A check that is left out is gone when the passes run on their own output.
         StmtKind::Check { condition, fault } => {
             *fault != Fault::LeftOut && condition.kind == ExprKind::Literal(0)
         }

@@ -93,7 +93,7 @@ fn large_locals(module: &Module, function: &Function, fallible: bool) -> Vec<Loc
 struct Uses {
     written: BTreeSet<LocalId>,
     constant: BTreeSet<LocalId>,
-    /// What each `return` gives back, if that is a whole local.
+    /// The local that each `return` returns, if it is a whole local.
     returned: Vec<Option<LocalId>>,
 }
 

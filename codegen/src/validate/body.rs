@@ -89,7 +89,7 @@ pub(super) struct Body<'m> {
     pub flow: Flow,
     /// How many loops stand around.
     loops: u32,
-    /// What the block that is being checked has declared.
+    /// The locals that the current block has declared.
     declared: Vec<LocalId>,
     errors: Vec<Error>,
 }

@@ -284,7 +284,7 @@ fn counted(expected: usize, operands: &[Expr]) -> Result<(), Problem> {
     if expected == found { Ok(()) } else { Err(Problem::OperandCount { expected, found }) }
 }
 
-/// What an operation asks of a scalar type.
+/// The scalar types that an operation takes.
 #[derive(Clone, Copy)]
 struct Kind {
     signed: bool,

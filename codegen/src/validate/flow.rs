@@ -1,4 +1,4 @@
-//! What is known of a function's locals at one point of it: declared, in scope, assigned.
+//! Data flow of a function's locals: declared, in scope, assigned.
 //!
 //! Invariant: where no path leads, everything counts as assigned, so that joining paths is "and".
 
@@ -81,7 +81,7 @@ impl Flow {
         }
     }
 
-    /// What is assigned here.
+    /// The locals that are assigned here.
     pub fn assigned(&self) -> Vec<bool> {
         self.assigned.clone()
     }
@@ -97,7 +97,7 @@ impl Flow {
     }
 }
 
-/// What is assigned where two paths meet.
+/// The locals that are assigned where two paths meet.
 pub(super) fn join(mut one: Vec<bool>, other: &[bool]) -> Vec<bool> {
     for (one, other) in one.iter_mut().zip(other) {
         *one &= other;

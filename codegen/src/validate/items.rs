@@ -78,7 +78,7 @@ pub(super) fn check(module: &Module) -> (Sizes<'_>, Vec<Error>) {
     (items.sizes, items.errors)
 }
 
-/// That a span which stands somewhere names a file of the module.
+/// Checks that a span with a source position names a file of the module.
 pub(super) fn check_span(module: &Module, span: Span) -> Result<(), Problem> {
     if span.line == 0 || (span.file as usize) < module.files.len() {
         Ok(())

@@ -1,4 +1,4 @@
-//! What can be wrong with a module.
+//! Violations of a module's invariants.
 
 use bessemer_ir::{
     BinaryOp, ConstId, EnumId, FunctionId, Intrinsic, LocalId, Routine, Span, StructId, Type,
@@ -11,7 +11,7 @@ use bessemer_ir::words::WordsError;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{subject:?}, {}:{}:{}: {problem}", span.file, span.line, span.column)]
 pub struct Error {
-    /// What is wrong.
+    /// The invariant that is violated.
     pub problem: Problem,
     /// The definition that it is found in.
     pub subject: Subject,

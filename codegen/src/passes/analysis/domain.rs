@@ -46,8 +46,8 @@ impl Interval {
         Interval { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
-    /// What both hold. Where that is nothing the code is unreachable: then the nearest bound of
-    /// `self`, so that to know more of the operands is never to know less of the result.
+    /// The intersection. If it is empty, the code is unreachable: then the bound of `self` that is nearest, so that
+    /// knowing more of the operands never means knowing less of the result.
     pub(crate) fn meet(self, other: Interval) -> Interval {
         Interval {
             low: other.low.clamp(self.low, self.high),
@@ -55,7 +55,7 @@ impl Interval {
         }
     }
 
-    /// What is left when one value is known not to occur.
+    /// The interval without a value that is known not to occur.
     pub(crate) fn without(self, value: i128) -> Interval {
         if self.low == self.high {
             self

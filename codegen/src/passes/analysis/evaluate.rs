@@ -1,4 +1,4 @@
-//! What is known about the value of an expression.
+//! The interval, or the constant float, of an expression's value.
 //!
 //! The meaning: in every execution of the state in which the expression does not fault, its value lies in the interval.
 
@@ -56,7 +56,7 @@ impl State<'_> {
         }
     }
 
-    /// What is known of the variant that an enum is brought to: what is known of it itself, if it is a variant.
+    /// The interval of the variant that stands for an enum: its own, if it is a variant.
     fn brought(&self, x: &Expr) -> Interval {
         let range = self.range(x);
         brought_key(x).and_then(|key| self.at(&key)).map_or(range, |known| range.meet(known))
@@ -120,7 +120,7 @@ impl State<'_> {
         (!value.is_nan()).then_some(value)
     }
 
-    /// What is known about a value.
+    /// The interval or the float of a value.
     pub(crate) fn value(&self, expr: &Expr) -> Option<Known> {
         match self.all(&expr.ty) {
             Some(_) => Some(Known::Within(self.range(expr))),

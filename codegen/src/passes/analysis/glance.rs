@@ -1,4 +1,4 @@
-//! A look at a condition that is cheap to compare, for functions with thousands of them.
+//! A 64-bit fingerprint of a condition: it skips most deep comparisons in functions with thousands of conditions.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::mem::discriminant;
@@ -6,12 +6,12 @@ use std::mem::discriminant;
 use bessemer_ir::visit::{Access, Visit, Walk, walk_expr, walk_place};
 use bessemer_ir::{Expr, ExprKind, LocalId, LogicOp, Place, Step};
 
-/// What conditions have in common where one can follow from the other: the operands of the comparison
-/// (the last one of a disjunction), in either order.
+/// The fingerprint: a condition can follow from another only if the hashes of the operands of their comparisons (the
+/// last one of a disjunction, in either order) are equal.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Glance {
     operands: u64,
-    /// A bit for each root that is read, some sharing one.
+    /// A bit for each root that is read; roots share bits modulo 64.
     pub(crate) roots: u64,
 }
 
@@ -21,7 +21,7 @@ pub(crate) fn bit(root: LocalId) -> u64 {
 }
 
 impl Glance {
-    /// Of a condition that [`relations`](super::relations) has brought into its one form.
+    /// The fingerprint of a condition in the normal form of [`relations`](super::relations).
     pub(crate) fn of(condition: &Expr) -> Glance {
         let mut last = condition;
         while let ExprKind::Logic(LogicOp::Or, _, rest) = &last.kind {
@@ -36,7 +36,7 @@ impl Glance {
         Glance { operands, roots }
     }
 
-    /// Whether one may follow from the other.
+    /// Whether one condition may follow from the other.
     pub(crate) fn like(self, other: Glance) -> bool {
         self.operands == other.operands
     }

@@ -1,4 +1,4 @@
-//! What every pass of a loop keeps, of which nothing counts the passes.
+//! Invariants of loops without a counter: what each pass keeps.
 //!
 //! From what is known before, passes are followed ([`walk`](super::walk)) until nothing new comes; a bound that moves on
 //! the way is given up. One pass more then gives back what every pass shows again.
@@ -11,7 +11,7 @@ use super::walk::again;
 use crate::effects::whole;
 
 impl Loop<'_> {
-    /// What holds before the first pass and after each that it held before.
+    /// The invariant: it holds before the first pass, and each pass that begins with it ends with it.
     pub(super) fn invariant<'m>(&self, before: &State<'m>) -> State<'m> {
         let mut before = before.clone();
         if let ExprKind::Load(place) = &self.counter.kind {

@@ -25,7 +25,7 @@ pub(crate) struct Loop<'a> {
     pub(crate) inclusive: bool,
     /// Whether its body ends it, so that nothing counts its passes.
     pub(crate) ended: bool,
-    /// What the body writes.
+    /// The places that the body writes.
     pub(crate) written: &'a [Place],
     pub(crate) body: &'a Block,
 }
@@ -34,7 +34,7 @@ pub(crate) struct Loop<'a> {
 struct Counted {
     local: Expr,
     before: Interval,
-    /// What a pass adds at most.
+    /// The most that a pass adds.
     more: i128,
 }
 
@@ -71,7 +71,7 @@ impl Loop<'_> {
         behind
     }
 
-    /// What is known behind the loop.
+    /// The state behind the loop.
     pub(super) fn behind<'m>(&self, before: &State<'m>) -> State<'m> {
         let counted = if self.ended { Vec::new() } else { self.counted(before) };
         let most = passes((before.range(self.from), before.range(self.to)), self.inclusive);
@@ -111,7 +111,7 @@ fn passes((from, to): (Interval, Interval), inclusive: bool) -> i128 {
     to.high.saturating_sub(from.low).saturating_add(i128::from(inclusive)).max(0)
 }
 
-/// What statements add to a local at most, if they do nothing else to it.
+/// The most that statements add to a local, if they do nothing else to it.
 fn increase(stmts: &[Stmt], local: LocalId, state: &State) -> Option<i128> {
     let of_block = |block: &Block| increase(&block.0, local, state);
     let mut sum = 0i128;

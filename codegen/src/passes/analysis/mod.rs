@@ -1,4 +1,4 @@
-//! What is known at a point of a function: an abstract interpretation with intervals and a few relations.
+//! The value analysis: abstract interpretation with intervals and a few relations.
 //!
 //! A *state* of an execution says which word each place holds. A [`State`] stands for a set of them, its meaning:
 //! * an interval of a place ([`domain`]): the word there lies within;

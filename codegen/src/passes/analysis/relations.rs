@@ -13,7 +13,7 @@ use super::glance::{Glance, bit};
 use crate::effects::reads;
 use crate::passes::places::erased;
 
-/// A condition that holds, and what tells it from most others at a glance.
+/// A condition that holds, and its fingerprint.
 #[derive(Clone)]
 struct Relation {
     condition: Rc<Expr>,
@@ -37,13 +37,13 @@ impl Relations {
         self.0.len()
     }
 
-    /// `written` are written.
+    /// Forgets the conditions that read one of `written`.
     pub(super) fn forget(&mut self, written: &[Place]) {
         let roots = written.iter().fold(0, |roots, place| roots | bit(place.root));
         self.0.retain(|it| it.glance.roots & roots == 0 || !reads(&it.condition, written));
     }
 
-    /// Only those that hold here and in `other`.
+    /// Keeps those that hold here and in `other`.
     pub(super) fn join(&mut self, other: &Relations) {
         let shared: HashSet<*const Expr> =
             other.0.iter().map(|it| Rc::as_ptr(&it.condition)).collect();
@@ -103,7 +103,7 @@ impl Relations {
     }
 }
 
-/// Whether a condition that holds gives another, itself or where its excuse does not apply.
+/// Whether a condition that holds implies another, by itself or, for a disjunction, because its first half fails.
 fn gives(known: &Expr, condition: &Expr, fails: &impl Fn(&Expr) -> bool) -> bool {
     if implies(known, condition) {
         return true;

@@ -11,10 +11,10 @@ use crate::effects::{overlap, whole};
 /// A local and the fields into it; [`BROUGHT`] behind them: what an enum there is brought to.
 pub(super) type Key = (LocalId, Vec<u32>);
 
-/// Stands in a [`Key`] for no field, but for the variant that the value there is brought to.
+/// In a [`Key`], this marks not a field but the variant that stands for the enum there.
 pub(super) const BROUGHT: u32 = u32::MAX;
 
-/// What is known about the word at a place.
+/// Knowledge of the word at a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Known {
     /// It lies within.
@@ -23,13 +23,13 @@ pub(crate) enum Known {
     Float(f64),
 }
 
-/// What is known at a point.
+/// Knowledge at a point of a function.
 #[derive(Clone)]
 pub(crate) struct State<'m> {
     pub(super) module: &'m Module,
     pub(super) known: BTreeMap<Key, Known>,
     pub(super) relations: Relations,
-    /// Whether even operations tell nothing of their values but the type.
+    /// Whether nothing is concluded: an operation then gives no more than the range of its type.
     pub(super) blind: bool,
 }
 
@@ -67,7 +67,7 @@ impl<'m> State<'m> {
         }
     }
 
-    /// What stands for a value of an enum that is none of its variants: one more than the last index.
+    /// The index that stands for a stray enum, which is none of its variants: one more than the last.
     pub(super) fn stray(&self, ty: &Type) -> Option<i128> {
         let Type::Enum(id) = ty else { return None };
         Some(self.module.enums.get(id.index())?.variants.len() as i128)
@@ -84,7 +84,7 @@ impl<'m> State<'m> {
         self.stray(&expr.ty).is_some_and(|stray| self.range(expr).contains(stray))
     }
 
-    /// `written` are written: nothing that depends on them is known any more.
+    /// Forgets everything that depends on the places `written`.
     pub(crate) fn forget(&mut self, written: &[Place]) {
         for written in written {
             let (first, next) = (written.root, LocalId(written.root.0.saturating_add(1)));
@@ -97,7 +97,7 @@ impl<'m> State<'m> {
         self.relations.forget(written);
     }
 
-    /// `value`, if anything is known about it, is written to `place`.
+    /// Records at `place` the value that is written there, if anything is known of it.
     pub(crate) fn assign(&mut self, place: &Place, value: Option<Known>) {
         self.forget(std::slice::from_ref(place));
         if let (Some(key), Some(value)) = (key(place), value) {
@@ -105,7 +105,7 @@ impl<'m> State<'m> {
         }
     }
 
-    /// Only what is known here and in `other`.
+    /// Keeps what is known here and in `other`.
     pub(crate) fn join(&mut self, other: &State<'m>) {
         self.known.retain(|key, known| match (*known, other.known.get(key)) {
             (Known::Within(a), Some(Known::Within(b))) => {
@@ -118,7 +118,7 @@ impl<'m> State<'m> {
         self.relations.join(&other.relations);
     }
 
-    /// After branches: what is known at the end of all of those that reach it.
+    /// Goes on after branches, with what is known at the end of each that reaches its end.
     pub(crate) fn after(&mut self, ends: Vec<(State<'m>, bool)>) {
         let reached = ends.into_iter().filter(|(_, diverges)| !diverges).map(|(state, _)| state);
         if let Some(joined) = joined(reached) {
@@ -127,7 +127,7 @@ impl<'m> State<'m> {
     }
 }
 
-/// What is known where several paths meet; nothing if there are none.
+/// The state where several paths meet; nothing if there are none.
 pub(super) fn joined<'m>(paths: impl IntoIterator<Item = State<'m>>) -> Option<State<'m>> {
     paths.into_iter().reduce(|mut a, b| {
         a.join(&b);

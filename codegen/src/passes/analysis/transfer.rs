@@ -1,4 +1,4 @@
-//! What each operation makes of intervals.
+//! Transfer functions: the interval of an operation's result, from the intervals of its operands.
 //!
 //! The meaning: whatever operands lie in the intervals, the result lies in the interval that is given, if the operation
 //! does not fault. `all` are the values of the type, whatever its width.

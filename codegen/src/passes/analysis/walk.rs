@@ -10,7 +10,7 @@ use super::loops::Loop;
 use super::state::{Known, State, joined};
 use crate::effects::{calls, lent, whole, writes};
 
-/// What is known where the next pass begins, by the end of the body or a `continue`; nothing if none does.
+/// The state where the next pass begins, by the end of the body or a `continue`; nothing if none does.
 pub(super) fn again<'m>(body: &Block, head: State<'m>) -> Option<State<'m>> {
     let mut walk = Walk { continued: Vec::new() };
     let end = walk.block(body, head);

@@ -1,4 +1,4 @@
-//! What is known of symbols at a point, what follows from it, and formulas of it.
+//! Facts about symbols at a point, what follows from them, and formulas.
 
 use std::cell::Cell;
 use std::collections::{BTreeMap, HashSet};
@@ -42,7 +42,7 @@ const CASES: u32 = 2;
 /// How many attempts a goal is worth.
 const ATTEMPTS: u32 = 3000;
 
-/// What is known at a point.
+/// The facts at a point.
 #[derive(Clone, Default)]
 pub(super) struct Knowledge {
     pub(super) bounds: BTreeMap<Symbol, Bounds>,
@@ -227,7 +227,7 @@ impl Knowledge {
         })
     }
 
-    /// What holds on both paths; `forms` and `clauses` of one that follow from the other stay.
+    /// Keeps the facts that hold on both paths; `forms` and `clauses` of one that follow from the other stay.
     pub(super) fn join(&mut self, other: &Knowledge, all: &[Bounds]) {
         if other.dead {
             return;

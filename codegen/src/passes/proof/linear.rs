@@ -66,7 +66,7 @@ impl Linear {
         Linear::number(0).plus(by, self)
     }
 
-    /// What is 0 or more where this is below 0.
+    /// The negation: a form that is 0 or more where this one is below 0.
     pub(super) fn below(&self) -> Linear {
         let parts = self.parts.iter().map(|(symbol, factor)| (*symbol, -factor)).collect();
         Linear { constant: -self.constant - 1, parts }

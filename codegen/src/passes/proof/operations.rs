@@ -1,4 +1,4 @@
-//! What each operation on numbers needs, and the value that it gives.
+//! Preconditions of operations on numbers, and the values that they give.
 //!
 //! The meaning: where what is needed holds, the operation does not fault, and its result is the exact one or, of an
 //! operation that wraps, differs from it by a multiple of its type's size.
@@ -96,7 +96,7 @@ impl Values<'_> {
                     Formula::Is(self.made(Origin::Compare(op), of, (0, 1)), true)
                 };
                 match op {
-                    // What is less is also not more.
+                    // `a < b` implies `a <= b`.
                     CompareOp::Lt => Formula::All(vec![is(CompareOp::Lt), is(CompareOp::Le)]),
                     CompareOp::Ne => is(CompareOp::Eq).not(),
                     op => is(op),
@@ -250,7 +250,7 @@ impl Values<'_> {
                 let (p, q) = (self.range(point, &x), self.range(point, &y));
                 let of = vec![Value::Number(x.clone()), Value::Number(y.clone())];
                 let symbol = self.made(Origin::Product, of, (-FURTHEST, FURTHEST));
-                // What lies further out faults, and the need below tells of it.
+                // A product beyond `FURTHEST` faults, and the condition below tells of it.
                 let (least, most) = product(p, q);
                 if -FURTHEST <= least && most <= FURTHEST {
                     point.knowledge.refine(symbol, (least, most), &self.all);

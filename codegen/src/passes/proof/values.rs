@@ -25,7 +25,7 @@ pub(super) enum Value {
     Float(Symbol, Option<u64>),
 }
 
-/// What makes a symbol: the same operation on the same values gives the same symbol.
+/// The key of a symbol: the same operation on the same values gives the same symbol (value numbering).
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Origin {
     Float(u64),
@@ -47,7 +47,7 @@ pub(super) enum At {
     Index(Vec<Linear>),
 }
 
-/// What each place is known to hold, and what is known of it.
+/// The value that each place holds, and what is known of it.
 #[derive(Clone, Default)]
 pub(super) struct Point {
     pub(super) knowledge: Knowledge,
@@ -120,7 +120,7 @@ impl<'m> Values<'m> {
         })
     }
 
-    /// What an operation gives of which nothing but its type is known: the same for the same operands.
+    /// The result of an operation of which only the type is known: the same symbol for the same operands.
     pub(super) fn opaque(&mut self, origin: Origin, of: Vec<Value>, ty: &Type) -> Option<Value> {
         Some(match ty {
             Type::Scalar(Scalar::Int(int)) => {
@@ -283,7 +283,7 @@ impl<'m> Values<'m> {
         Value::Float(symbol, (!value.is_nan()).then_some(bits))
     }
 
-    /// What has no effect gives the same again until something is written.
+    /// An expression without effects has the same value until something is written.
     pub(super) fn call(&mut self, point: &Point, id: FunctionId, expr: &Expr) -> Option<Value> {
         let callee = &self.module.functions[id.index()];
         let reads = callee.parameters().iter().all(|it| it.mode != bessemer_ir::Mode::RefMut);
@@ -356,7 +356,7 @@ impl<'m> Values<'m> {
         all
     }
 
-    /// What a place holds.
+    /// The value that a place holds.
     pub(super) fn load(
         &mut self,
         point: &mut Point,

@@ -187,7 +187,7 @@ impl<'m> Walk<'m> {
         points.into_iter().reduce(|a, b| self.join(a, b))
     }
 
-    /// What is known where two paths meet.
+    /// The point where two paths meet.
     fn join(&mut self, mut a: Point, mut b: Point) -> Point {
         if a.knowledge.dead || b.knowledge.dead {
             return if a.knowledge.dead { b } else { a };
@@ -405,7 +405,7 @@ impl<'m> Walk<'m> {
                 ends.push(end);
             }
             if kept {
-                // What comes after a pass within the guesses, or before the first, is all that there is.
+                // The head is reached only before the first pass and after a pass within the guesses.
                 for ((_, _, start, guess, _), end) in guesses.iter_mut().zip(ends) {
                     *guess = (start.0.min(end.0), start.1.max(end.1));
                 }
