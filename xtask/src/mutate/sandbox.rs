@@ -99,6 +99,8 @@ impl Sandbox {
         let mut cargo = project::cargo(&self.tree, &words);
         // A snapshot that differs is a failure; nobody accepts it there.
         cargo.env("CARGO_TARGET_DIR", &self.target).env("INSTA_UPDATE", "no");
+        // One mutant after another is built here, each a few lines from the last, also where the rest is built once.
+        cargo.env("CARGO_INCREMENTAL", "1");
         cargo
     }
 }
