@@ -1,4 +1,4 @@
-//! What the whole back end looks things up in, and what one file turns out to need.
+//! The lookup tables of the whole back end, and the includes and helpers that one file needs.
 
 use std::collections::BTreeSet;
 
@@ -8,7 +8,7 @@ use super::analysis::Faults;
 use super::helpers::Helper;
 use super::names::Names;
 
-/// What a file must contain or include for the functions in it.
+/// The helpers, constants and headers that the functions of a file need.
 #[derive(Clone, Debug, Default)]
 pub struct Uses {
     /// The file, by its header.

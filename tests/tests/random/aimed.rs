@@ -472,14 +472,7 @@ impl Aimed<'_> {
             _ => format!("{name} {operator} {of}"),
         };
         let step = self.step(&name);
-        // What the condition compares is written by the step alone, or the loop may not show that it ends.
-        let hidden: Vec<Var> = match self.random.one_in(4) {
-            true => Vec::new(),
-            false => self.hide(&[&name, &limit]),
-        };
-        let bound = if hidden.is_empty() { "#[bound(9)]\n" } else { self.declared(&step) };
-        let body = self.body(depth);
-        self.vars.extend(hidden);
+        let (bound, body) = self.bounded_body(&[&name, &limit], &step, depth);
         let uses = format!("*t = t.wrapping_mul(31).wrapping_add(x[{name} as usize] as u64);\n");
         let inner = match self.random.below(4) {
             0 => format!("{step}{body}"),
@@ -495,13 +488,7 @@ impl Aimed<'_> {
         let (start, value) = (self.small(ty), self.small(ty));
         let (name, limit) = (self.variable(ty), self.variable(ty));
         let step = self.step(&name);
-        let hidden: Vec<Var> = match self.random.one_in(4) {
-            true => Vec::new(),
-            false => self.hide(&[&name, &limit]),
-        };
-        let bound = if hidden.is_empty() { "#[bound(9)]\n" } else { self.declared(&step) };
-        let body = self.body(depth);
-        self.vars.extend(hidden);
+        let (bound, body) = self.bounded_body(&[&name, &limit], &step, depth);
         let index = match self.random.below(3) {
             0 => format!("{name} as usize"),
             1 => format!("{limit} as usize"),
@@ -516,6 +503,24 @@ impl Aimed<'_> {
     }
 
     /// Takes variables out of scope.
+    /// A body, and what its loop says of its end. In three of four the step alone writes the variables that the condition
+    /// compares, so that the loop may show that it ends.
+    fn bounded_body(
+        &mut self,
+        compared: &[&str],
+        step: &str,
+        depth: usize,
+    ) -> (&'static str, String) {
+        let hidden: Vec<Var> = match self.random.one_in(4) {
+            true => Vec::new(),
+            false => self.hide(compared),
+        };
+        let bound = if hidden.is_empty() { "#[bound(9)]\n" } else { self.declared(step) };
+        let body = self.body(depth);
+        self.vars.extend(hidden);
+        (bound, body)
+    }
+
     fn hide(&mut self, names: &[&str]) -> Vec<Var> {
         let (hidden, left) = std::mem::take(&mut self.vars)
             .into_iter()
