@@ -14,11 +14,16 @@ use bessemer_ir::{Block, Expr, Fault, Function, Module, Place, Step, Stmt, StmtK
 use super::analysis::State;
 use super::faults::{self, Obligation};
 use super::places::erased;
+use super::proof::written::{by_stmts, touches};
 use super::sites::Site;
-use crate::effects::{reads, writes};
 
 /// Whether a condition was checked by the statements before a point of a block, and still holds there.
-pub(super) fn before(stmts: &[Stmt], condition: &Expr) -> bool {
+/// `changes`: whether a statement may change its value. Who leaves a check out and who verifies that answer by themselves.
+pub(super) fn before(
+    stmts: &[Stmt],
+    condition: &Expr,
+    changes: impl Fn(&Stmt, &Expr) -> bool,
+) -> bool {
     let condition = erased(condition);
     for stmt in stmts.iter().rev() {
         if let StmtKind::Check { condition: checked, fault } = &stmt.kind
@@ -27,11 +32,16 @@ pub(super) fn before(stmts: &[Stmt], condition: &Expr) -> bool {
         {
             return true;
         }
-        if reads(&condition, &writes([stmt])) {
+        if changes(stmt, &condition) {
             return false;
         }
     }
     false
+}
+
+/// The verifier's answer, by the proof's own account of what is written.
+fn changes(stmt: &Stmt, condition: &Expr) -> bool {
+    touches(condition, &by_stmts([stmt]))
 }
 
 /// Of operations of a function that may fault: those that do not stand behind their checks.
@@ -127,7 +137,7 @@ impl Operations<'_, '_> {
     /// An operation; `of`: itself, if it is no step; `operands`: from where on its operands were seen.
     fn operation(&mut self, site: Site, needs: &[Obligation], of: Option<Expr>, operands: usize) {
         let found = &mut self.of.found;
-        if needs.iter().all(|it| before(self.stmts, &it.condition)) {
+        if needs.iter().all(|it| before(self.stmts, &it.condition, changes)) {
             found.checked.insert(site);
             found.checks.extend(needs.iter().map(|it| Needed {
                 condition: erased(&it.condition),

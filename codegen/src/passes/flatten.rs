@@ -25,7 +25,7 @@ use super::lowering::Lowering;
 use super::names::{self, Purpose};
 use super::places::weight;
 use super::positions::{self, Position, accepts};
-use crate::effects::{lent, lent_by_step, moves, reads, whole};
+use crate::effects::{lent, lent_by_step, moves, reads, whole, writes};
 
 /// The most text that an expression may make to be written twice: in a check, and again in the statement.
 const LIGHT: usize = 4;
@@ -323,7 +323,9 @@ impl<'m> Lowering<'m> {
         let Obligation { condition, fault, span, reason } = obligation;
         // Another half of the same operation may have just been checked; or all of it, in explicit code.
         let proved = self.facts.proves(&condition) && !doubted;
-        let stands = checked::before(&self.out, &condition) && !reads(&condition, &self.pending);
+        let changes = |stmt: &Stmt, condition: &Expr| reads(condition, &writes([stmt]));
+        let stands =
+            checked::before(&self.out, &condition, changes) && !reads(&condition, &self.pending);
         if !proved && !stands {
             self.facts.assume(&condition, true);
             self.remain(fault, span, reason);

@@ -38,7 +38,7 @@ pub use remaining::Remaining;
 pub use work::lend;
 
 use bessemer_ir::visit::{VisitMut, walk_block_mut};
-use bessemer_ir::{Block, Fault, Module, Role, StmtKind};
+use bessemer_ir::{Block, Fault, Module, Role, Span, StmtKind};
 use thiserror::Error;
 
 use crate::used;
@@ -53,6 +53,9 @@ pub struct Report {
     /// Those of each function's own, without its callees', in the order of
     /// [`Module::functions`](bessemer_ir::Module::functions).
     pub functions: Vec<Vec<Remaining>>,
+    /// Where the analysis would have left a check out that the verifier does not confirm, of each function. Such a check
+    /// stands.
+    pub doubted: Vec<Vec<Span>>,
 }
 
 /// Why a module could not be made explicit.
@@ -118,6 +121,7 @@ pub fn explicit_with(module: Module, keep: bool) -> Result<(Module, Report), Vec
         callees.push(Callee::of(&done, may_fault(&done, &callees)));
         functions.push(done);
         report.functions.push(remaining);
+        report.doubted.push(doubted.into_iter().collect());
     }
     let module = Module { functions, ..module };
     let mut errors: Vec<Error> = check(&module).into_iter().map(Error::from).collect();

@@ -21,6 +21,7 @@ mod linear;
 mod operations;
 mod values;
 mod walk;
+pub(super) mod written;
 
 use bessemer_ir::{Function, Module};
 

@@ -5,9 +5,10 @@
 
 use std::collections::HashMap;
 
+use bessemer_ir::visit::{Access, VisitMut, walk_expr_mut, walk_place_mut};
 use bessemer_ir::{
     BinaryOp, CompareOp, EnumId, Expr, ExprKind, Float, Function, FunctionId, Int, Intrinsic,
-    LocalId, LogicOp, Module, Place, Scalar, Step, Type, UnaryOp,
+    LocalId, LogicOp, Module, Place, Scalar, Span, Step, Type, UnaryOp,
 };
 
 use super::knowledge::{Bounds, Formula, Knowledge};
@@ -295,7 +296,7 @@ impl<'m> Values<'m> {
             Value::Number(form) => self.range(point, form),
             _ => (0, 1),
         };
-        let written = format!("{:?}", crate::passes::places::erased(expr));
+        let written = format!("{:?}", without_spans(expr));
         let symbol = self.made(Origin::Call(written, point.version), Vec::new(), bounds);
         Some(match unknown {
             Value::Number(_) => Value::Number(Linear::symbol(symbol)),
@@ -349,8 +350,7 @@ impl<'m> Values<'m> {
                     _ => {}
                 }
             }
-            container =
-                container.and_then(|it| crate::passes::faults::step_type(self.module, &it, step));
+            container = container.and_then(|it| step_type(self.module, &it, step));
             all.push(at);
         }
         all
@@ -372,6 +372,38 @@ impl<'m> Values<'m> {
         point.places.entry(root).or_default().push((at, value.clone()));
         Some(value)
     }
+}
+
+/// The type behind a step; nothing behind the start of a part, which is lent as it is.
+pub(super) fn step_type(module: &Module, container: &Type, step: &Step) -> Option<Type> {
+    Some(match (container, step) {
+        (Type::Struct(id), Step::Field(field)) => {
+            module.structs.get(id.index())?.fields.get(*field as usize)?.ty.clone()
+        }
+        (Type::Array { element, .. } | Type::Slice(element), Step::Index(_)) => (**element).clone(),
+        (Type::Matrix { element, .. }, Step::Index(_) | Step::Element(..)) => {
+            Type::Scalar(*element)
+        }
+        _ => return None,
+    })
+}
+
+/// An expression without where it stands. One of which a span is left only equals fewer others.
+fn without_spans(expr: &Expr) -> Expr {
+    struct Erase;
+    impl VisitMut for Erase {
+        fn expr(&mut self, expr: &mut Expr) {
+            expr.span = Span::default();
+            walk_expr_mut(self, expr);
+        }
+        fn place(&mut self, place: &mut Place, _: Access) {
+            place.span = Span::default();
+            walk_place_mut(self, place);
+        }
+    }
+    let mut expr = expr.clone();
+    Erase.expr(&mut expr);
+    expr
 }
 
 /// The statement that a form lies within bounds.

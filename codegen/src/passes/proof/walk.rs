@@ -9,14 +9,14 @@
 //!   a pass that begins within all of them ends within all of them.
 
 use bessemer_ir::{
-    Block, CompareOp, Expr, ExprKind, Fault, Function, LocalId, LogicOp, Module, Place,
+    Block, CompareOp, Expr, ExprKind, Fault, Function, LocalId, LogicOp, Module, Step, Stmt,
+    StmtKind, Type, UnaryOp,
 };
-use bessemer_ir::{Step, Stmt, StmtKind, Type, UnaryOp};
 
 use super::knowledge::{Bounds, Formula};
 use super::linear::{Linear, Symbol};
-use super::values::{At, Point, Value, Values, ordered, within};
-use crate::effects::{lent, whole, writes};
+use super::values::{At, Point, Value, Values, ordered, step_type, within};
+use super::written::{Target, apart, by_expr, by_stmts};
 use crate::passes::sites::Site;
 use crate::used::Rule;
 
@@ -52,12 +52,13 @@ impl<'m> Walk<'m> {
         match &stmt.kind {
             StmtKind::Let { local, value } => {
                 let value = value.as_ref().and_then(|value| self.evaluated(value, &mut point));
-                self.write(&mut point, &whole(*local), Vec::new(), value);
+                self.write(&mut point, &Target::whole(*local), value);
             }
             StmtKind::Assign { place, value } => {
                 let value = self.evaluated(value, &mut point);
                 let at = self.values.steps(&mut point, place);
-                self.write(&mut point, place, at, value.filter(|_| place.ty.is_word()));
+                let target = Target { local: place.root, at };
+                self.write(&mut point, &target, value.filter(|_| place.ty.is_word()));
             }
             StmtKind::Expr(value) => {
                 self.evaluated(value, &mut point);
@@ -123,10 +124,7 @@ impl<'m> Walk<'m> {
     /// The value of an expression; behind it, what it lent may hold anything.
     fn evaluated(&mut self, expr: &Expr, point: &mut Point) -> Option<Value> {
         let value = self.values.value(point, expr);
-        for place in lent(expr) {
-            let at = place.steps.iter().map(plain).collect();
-            self.write(point, &place, at, None);
-        }
+        self.forget(point, &by_expr(expr));
         value
     }
 
@@ -166,21 +164,18 @@ impl<'m> Walk<'m> {
         }
     }
 
-    /// A place is written.
-    fn write(&mut self, point: &mut Point, place: &Place, at: Vec<At>, value: Option<Value>) {
+    /// A target is written.
+    fn write(&mut self, point: &mut Point, target: &Target, value: Option<Value>) {
         point.version = self.values.next_version();
-        let held = point.places.entry(place.root).or_default();
-        held.retain(|(other, _)| other.iter().zip(&at).any(|(a, b)| apart(a, b)));
+        let held = point.places.entry(target.local).or_default();
+        held.retain(|(other, _)| other.iter().zip(&target.at).any(|(a, b)| apart(a, b)));
         if let Some(value) = value {
-            held.push((at, value));
+            held.push((target.at.clone(), value));
         }
     }
 
-    fn forget(&mut self, point: &mut Point, places: &[Place]) {
-        for place in places {
-            let at = place.steps.iter().map(plain).collect();
-            self.write(point, place, at, None);
-        }
+    fn forget(&mut self, point: &mut Point, targets: &[Target]) {
+        targets.iter().for_each(|target| self.write(point, target, None));
     }
 
     fn joined(&mut self, points: impl IntoIterator<Item = Point>) -> Option<Point> {
@@ -244,8 +239,8 @@ impl<'m> Walk<'m> {
         };
         let first = self.values.number(&mut before, from);
         let end = self.values.number(&mut before, to);
-        let mut written = writes(&body.0);
-        written.push(whole(*variable));
+        let mut written = by_stmts(&body.0);
+        written.push(Target::whole(*variable));
         let mut empty = before.clone();
         self.forget(&mut empty, &written);
         if *ended {
@@ -317,7 +312,7 @@ impl<'m> Walk<'m> {
         &mut self,
         before: &Point,
         head: &Point,
-        written: &[Place],
+        written: &[Target],
         body: &Block,
     ) -> Vec<(LocalId, Linear, Bounds)> {
         let held = |local: LocalId| match before.places.get(&local)?.as_slice() {
@@ -326,8 +321,8 @@ impl<'m> Walk<'m> {
         };
         let mut locals: Vec<LocalId> = written
             .iter()
-            .filter(|place| place.steps.is_empty() && place.ty.as_int().is_some())
-            .map(|place| place.root)
+            .filter(|it| it.at.is_empty() && self.function.local(it.local).ty.as_int().is_some())
+            .map(|it| it.local)
             .collect();
         locals.sort_unstable();
         locals.dedup();
@@ -366,17 +361,23 @@ impl<'m> Walk<'m> {
     }
 
     /// The head of a loop that its body ends: bounds that each pass keeps.
-    fn guessed(&mut self, before: &Point, empty: &Point, written: &[Place], body: &Block) -> Point {
+    fn guessed(
+        &mut self,
+        before: &Point,
+        empty: &Point,
+        written: &[Target],
+        body: &Block,
+    ) -> Point {
         let mut guesses: Vec<(LocalId, Vec<At>, Bounds, Bounds, Bounds)> = Vec::new();
-        for place in written {
-            for (at, value) in before.places.get(&place.root).into_iter().flatten() {
+        for Target { local, .. } in written {
+            for (at, value) in before.places.get(local).into_iter().flatten() {
                 let Value::Number(form) = value else { continue };
                 let fields = at.iter().all(|step| matches!(step, At::Field(_)));
-                let same = |it: &(LocalId, Vec<At>, _, _, _)| it.0 == place.root && it.1 == *at;
+                let same = |it: &(LocalId, Vec<At>, _, _, _)| it.0 == *local && it.1 == *at;
                 if fields && !guesses.iter().any(same) {
                     let start = before.knowledge.range(form, &self.values.all);
-                    let widest = self.type_bounds(place.root, at);
-                    guesses.push((place.root, at.clone(), start, start, widest));
+                    let widest = self.type_bounds(*local, at);
+                    guesses.push((*local, at.clone(), start, start, widest));
                 }
             }
         }
@@ -439,37 +440,12 @@ impl<'m> Walk<'m> {
         for step in at {
             let At::Field(field) = step else { continue };
             let step = Step::Field(*field);
-            ty = ty.and_then(|ty| crate::passes::faults::step_type(self.values.module, &ty, &step));
+            ty = ty.and_then(|ty| step_type(self.values.module, &ty, &step));
         }
         let unknown = ty.and_then(|ty| self.values.unknown(&ty));
         match unknown {
             Some(Value::Number(form)) => Point::default().knowledge.range(&form, &self.values.all),
             _ => (-super::linear::FURTHEST, super::linear::FURTHEST),
         }
-    }
-}
-
-/// A step of which only fields and literals are told apart.
-fn plain(step: &Step) -> At {
-    let literal = |index: &Expr| match (&index.kind, index.ty.as_int()) {
-        (ExprKind::Literal(word), Some(int)) => Some(Linear::number(int.from_word(*word))),
-        _ => None,
-    };
-    match step {
-        Step::Field(field) => At::Field(*field),
-        Step::Index(index) => At::Index(literal(index).into_iter().collect()),
-        Step::Element(..) | Step::From(_) => At::Index(Vec::new()),
-    }
-}
-
-/// Whether two steps surely lead to different parts.
-fn apart(a: &At, b: &At) -> bool {
-    match (a, b) {
-        (At::Field(a), At::Field(b)) => a != b,
-        (At::Index(a), At::Index(b)) if a.len() == b.len() => a
-            .iter()
-            .zip(b)
-            .any(|(a, b)| matches!((a.as_number(), b.as_number()), (Some(a), Some(b)) if a != b)),
-        _ => false,
     }
 }
