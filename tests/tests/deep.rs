@@ -2,6 +2,7 @@
 
 use bessemer_codegen::compile::Compiled;
 use bessemer_codegen::deep::deep;
+use bessemer_codegen::generate::Error;
 use bessemer_interpret::Interpreter;
 use bessemer_ir::FunctionId;
 use bessemer_tests::process::Process;
@@ -121,4 +122,45 @@ fn what_nests_deep_comes_through() {
             }
         }
     }
+}
+
+/// Conditions between `&&`, more than are let through.
+const TOO_MANY: u32 = 4200;
+
+/// What is deeper than that is told where it stands, and what it is told helps.
+#[test]
+fn what_nests_too_deep_has_a_remedy() {
+    let all = |from: u32, to: u32| {
+        let conditions: Vec<String> = (from..to).map(|k| format!("n != {k}")).collect();
+        conditions.join("\n        && ")
+    };
+    let source = |body: &str| {
+        format!(
+            "#![allow(missing_docs)]
+use bessemer::prelude::*;
+
+#[function]
+pub fn all(n: u32) -> bool {{
+    {body}
+}}
+"
+        )
+    };
+    let workspace = Workspace::with_source(&source(&all(0, TOO_MANY))).expect("a workspace");
+    let said = match workspace.generate("0") {
+        Err(Error::Refused(said)) => said,
+        Err(other) => panic!("{other}"),
+        Ok(_) => panic!("it was generated"),
+    };
+    insta::with_settings!({ prepend_module_to_snapshot => false, snapshot_path => "../diagnosed", omit_expression => true }, {
+        insta::assert_snapshot!("nested_too_deep", said);
+    });
+    let half = TOO_MANY / 2;
+    let parts = format!(
+        "let low = {};\n    let high = {};\n    low && high",
+        all(0, half),
+        all(half, TOO_MANY)
+    );
+    workspace.set_source(&source(&parts)).expect("a source file");
+    workspace.generate("0").unwrap_or_else(|error| panic!("{error}"));
 }
