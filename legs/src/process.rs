@@ -64,7 +64,10 @@ fn lay_out_files(files: &[CFile]) -> Result<Folder, Error> {
 }
 
 /// The same, with the sources that a program needs.
-fn lay_out_needed(files: &[CFile], main: &str) -> Result<Folder, Error> {
+///
+/// # Errors
+/// What the file system said.
+pub fn lay_out_needed(files: &[CFile], main: &str) -> Result<Folder, Error> {
     let mut folder = lay_out_files(files)?;
     let needed = needed(files, main);
     folder.sources.retain(|source| {

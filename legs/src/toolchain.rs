@@ -96,11 +96,7 @@ impl Toolchain {
 
     /// The same of an emulated machine, if the run says nothing of these.
     fn is_asked_for(&self) -> bool {
-        match legs() {
-            Legs::All => true,
-            Legs::Host => false,
-            Legs::Present => self.is_there(),
-        }
+        asked_for(|| self.is_there())
     }
 
     /// As a test names it: `gcc -O2`.
@@ -262,6 +258,19 @@ fn legs() -> Legs {
         Ok("all") => Legs::All,
         Ok("host") => Legs::Host,
         _ => Legs::Present,
+    }
+}
+
+/// Whether a program that is no compiler of the host takes part in this run.
+pub fn is_asked_for(program: &str) -> bool {
+    asked_for(|| there(program))
+}
+
+fn asked_for(is_there: impl FnOnce() -> bool) -> bool {
+    match legs() {
+        Legs::All => true,
+        Legs::Host => false,
+        Legs::Present => is_there(),
     }
 }
 

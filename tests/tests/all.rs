@@ -12,6 +12,7 @@ mod diagnosed;
 mod edges;
 mod emitted;
 mod ends;
+mod eva;
 mod fast_mode;
 mod flight;
 mod guards;

@@ -19,10 +19,10 @@ First steps:
 
 What needs what:
   gen       Rust, nothing else
-  test      also rustfmt and clippy, gcc, g++ and clang, and for the ARM part
-            arm-linux-gnueabihf-gcc and qemu-arm
+  test      also rustfmt and clippy, gcc, g++ and clang; for the ARM part
+            arm-linux-gnueabihf-gcc and qemu-arm; to look at the C again frama-c
   test --host
-            the same without the ARM part
+            the same without the ARM part and frama-c
   doctor    nothing: it tells what is there and what is missing
 
 Plain `cargo test` works too: it runs what needs no cross tools.";

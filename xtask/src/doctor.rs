@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 use std::fmt::Write as _;
 
 const HOST: &[Need] = &[Need::Everything, Need::Host];
-const ALL: &[Need] = &[Need::Everything, Need::Host, Need::Target];
+const ALL: &[Need] = &[Need::Everything, Need::Host, Need::Target, Need::Analysis];
 const RED: Style = Style::new().bold().fg_color(Some(anstyle::Color::Ansi(AnsiColor::Red)));
 const GREEN: Style = Style::new().fg_color(Some(anstyle::Color::Ansi(AnsiColor::Green)));
 const BOLD: Style = Style::new().bold();

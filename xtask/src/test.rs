@@ -180,7 +180,7 @@ pub fn prepare(wanted: &Test, machine: &dyn Machine, progress: &mut Progress) ->
 fn lacking(wanted: &Test, machine: &dyn Machine) -> Vec<&'static Tool> {
     let mut needs = vec![Need::Everything, Need::Host];
     if !wanted.host {
-        needs.push(Need::Target);
+        needs.extend([Need::Target, Need::Analysis]);
     }
     if wanted.full {
         needs.push(Need::Full);

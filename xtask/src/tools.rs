@@ -18,6 +18,8 @@ pub enum Need {
     Host,
     /// `test` without `--host`: what runs on the emulated target.
     Target,
+    /// `test` without `--host`: what somebody else's analysis says of the emitted C.
+    Analysis,
     /// `test --full`, beside what `test` needs: further machines, emulated.
     Full,
     /// `bench`, beside what `test` needs: the peers, and what counts instructions.
@@ -31,7 +33,7 @@ impl Need {
         match self {
             Self::Everything => "everything",
             Self::Host => "test",
-            Self::Target => "test (not --host)",
+            Self::Target | Self::Analysis => "test (not --host)",
             Self::Full => "test --full",
             Self::Bench => "bench",
         }
@@ -155,6 +157,13 @@ pub const TOOLS: &[Tool] = &[
         need: Need::Target,
         probe: Probe::Version("qemu-arm"),
         source: Source::Package("qemu-user"),
+    },
+    Tool {
+        name: "frama-c",
+        purpose: "shows anew what was proved of the emitted C",
+        need: Need::Analysis,
+        probe: Probe::Version("frama-c"),
+        source: Source::Package("frama-c-base"),
     },
     Tool {
         name: "aarch64-linux-gnu-gcc",

@@ -79,6 +79,7 @@ impl Fake {
         for (emulator, answer) in [
             ("qemu-aarch64", "qemu-aarch64 version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)"),
             ("qemu-riscv64", "qemu-riscv64 version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)"),
+            ("frama-c", "25.0-beta (Manganese)"),
             ("chromium", "Chromium 150.0.1 built on Debian GNU/Linux 12 (bookworm)"),
             ("qemu-s390x", "qemu-s390x version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)"),
         ] {
@@ -104,7 +105,7 @@ impl Fake {
     }
 }
 
-const ALL: &[Need] = &[Need::Everything, Need::Host, Need::Target];
+const ALL: &[Need] = &[Need::Everything, Need::Host, Need::Target, Need::Analysis];
 
 fn lacking(machine: &Fake) -> Vec<&'static Tool> {
     missing(&survey(machine), ALL)
@@ -132,7 +133,7 @@ fn root_installs_with_apt_alone() {
         Some(
             "apt-get update -o DPkg::Lock::Timeout=900 && \
              env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends \
-             -o DPkg::Lock::Timeout=900 gcc-arm-linux-gnueabihf libc6-dev-armhf-cross qemu-user"
+             -o DPkg::Lock::Timeout=900 gcc-arm-linux-gnueabihf libc6-dev-armhf-cross qemu-user frama-c-base"
         )
     );
 }
@@ -208,6 +209,7 @@ C library                found         test               headers and libraries 
 arm-linux-gnueabihf-gcc  12.2.0        test (not --host)  compiles the emitted C for a Cortex-A9
 ARM C library            found         test (not --host)  headers and libraries for the above
 qemu-arm                 7.2.22        test (not --host)  runs it on an emulated Cortex-A9
+frama-c                  25.0-beta     test (not --host)  shows anew what was proved of the emitted C
 aarch64-linux-gnu-gcc    12.2.0        test --full        compiles the emitted C for ARM of 64 bits
 aarch64 C library        found         test --full        headers and libraries for the above
 qemu-aarch64             7.2.22        test --full        runs it
@@ -237,11 +239,11 @@ fn the_conclusion_says_what_can_run_and_what_to_do() {
     assert_eq!(
         conclusion(&Fake::host().rooted()).as_deref(),
         Some(
-            "Missing: arm-linux-gnueabihf-gcc, ARM C library, qemu-arm. `cargo xtask test --host` can run.\n\
+            "Missing: arm-linux-gnueabihf-gcc, ARM C library, qemu-arm, frama-c. `cargo xtask test --host` can run.\n\
              To install, run this line, or `cargo xtask test --install`:\n  \
              apt-get update -o DPkg::Lock::Timeout=900 && env DEBIAN_FRONTEND=noninteractive apt-get install -y \
              --no-install-recommends -o DPkg::Lock::Timeout=900 \
-             gcc-arm-linux-gnueabihf libc6-dev-armhf-cross qemu-user\n"
+             gcc-arm-linux-gnueabihf libc6-dev-armhf-cross qemu-user frama-c-base\n"
         )
     );
     assert_eq!(
@@ -279,7 +281,7 @@ fn test_refuses_to_start_and_prints_one_line() {
     let error = outcome.expect_err("tools are missing");
     assert_eq!(
         error.to_string(),
-        "missing: g++, clang, clang's run time, arm-linux-gnueabihf-gcc, ARM C library, qemu-arm"
+        "missing: g++, clang, clang's run time, arm-linux-gnueabihf-gcc, ARM C library, qemu-arm, frama-c"
     );
     let remedy = error.remedy().expect("there is apt-get");
     assert_eq!(remedy.lines().count(), 1);
