@@ -71,6 +71,7 @@ pub fn program(random: &mut Random, name: &str) -> Program {
     }
     let kind = format!("{long}Kind");
     let tame = !random.one_in(4);
+    text.push_str(&seek(random, name));
     let mut aimed = Aimed {
         random,
         vars: Vec::new(),
@@ -109,6 +110,28 @@ pub fn program(random: &mut Random, name: &str) -> Program {
     let params = params.into_iter().map(|(_, by, ty)| (by, ty)).collect();
     let entry = Entry { name: name.to_owned(), params, atomic: false, stops: false };
     Program { name: name.to_owned(), text, unit: None, entries: vec![entry], aimed: true }
+}
+
+/// A function that goes through a slice up to another value, which it has compared with the length.
+fn seek(random: &mut Random, name: &str) -> String {
+    let compare = random.of(&["n > x.len()", "n > x.len()", "n >= x.len()", "n < x.len()"]);
+    let (from, end) = (random.below(3), random.of(&["n", "n", "x.len().max(1) - 1", "x.len()"]));
+    let index = random.of(&["i", "i", "i + 1", "i - 1", "i + 2"]);
+    format!(
+        "
+#[function]
+fn {name}_seek(x: &[i32], n: usize) -> i32 {{
+    if {compare} {{
+        return 0;
+    }}
+    let mut sum = 0_i32;
+    for i in {from}..{end} {{
+        sum = sum.wrapping_mul(31) ^ x[{index}];
+    }}
+    sum
+}}
+"
+    )
 }
 
 impl Aimed<'_> {
@@ -184,17 +207,17 @@ impl Aimed<'_> {
             },
             0 | 1 => format!("({one} + {near})"),
             2 | 3 => format!("({one} - {near})"),
-            4 => format!("({one} % {})", near.max(2)),
-            5 => format!("({one} / {})", near.max(1)),
-            6 => format!("{one}.min({})", near.max(1)),
+            4 => format!("({one} % {near})"),
+            5 => format!("({one} / {near})"),
+            6 => format!("{one}.min({near})"),
             7 => format!("{one}.max({near})"),
-            8 => format!("({one} & {})", near.max(1)),
-            9 => format!("({one} >> {})", near.min(7)),
+            8 => format!("({one} & {near})"),
+            9 => format!("({one} >> {near})"),
             10 => format!("{one}.wrapping_add({near})"),
             11 => format!("{one}.wrapping_sub({near})"),
             12 => format!("{one}.saturating_sub({near})"),
-            13 if self.tame => format!("({one}.min(9) * {})", near.clamp(1, 3)),
-            13 => format!("({one} * {})", near.clamp(1, 3)),
+            13 if self.tame => format!("({one}.min(9) * {})", near.min(3)),
+            13 => format!("({one} * {})", near.min(3)),
             14 => format!("{one}.clamp({}, {})", near.min(2), near + 1),
             15 if signed => format!("(-{one}.max(-9))"),
             16 if signed => format!("{one}.max(-9).abs()"),
@@ -275,7 +298,7 @@ impl Aimed<'_> {
     /// An operation that may need a check, told to `t` or stored.
     fn use_of(&mut self) -> String {
         let ty = self.random.of(&INTS);
-        let value = match self.random.below(10) {
+        let value = match self.random.below(11) {
             0..=3 => format!("x[{}]", self.index(LENGTH, 1)),
             4 => {
                 let bits = if self.random.one_in(2) { "u32" } else { "u8" };
@@ -290,6 +313,10 @@ impl Aimed<'_> {
                 format!("{}_next(&x[..], {index})", self.name)
             }
             7 => format!("s.x[{}]", self.index(SHORT, 1)),
+            8 => {
+                let (from, to) = (self.index(LENGTH, 1), self.number("usize", 1));
+                format!("{}_seek(&x[{from}..], {to})", self.name)
+            }
             _ => self.number(ty, 2),
         };
         match self.random.below(4) {
@@ -319,7 +346,7 @@ impl Aimed<'_> {
             8 => format!("s.x[{}] = {};\n", self.index(SHORT, 1), self.number("u8", 1)),
             9 => "core::mem::swap(&mut s.n, &mut s.x[1]);\n".to_owned(),
             10 => "flag = !flag;\n".to_owned(),
-            _ => format!("{name} /= {};\n", near.max(1)),
+            _ => format!("{name} /= {near};\n"),
         }
     }
 
@@ -406,7 +433,7 @@ impl Aimed<'_> {
     fn small(&mut self, ty: &'static str) -> String {
         match self.random.below(4) {
             0 => format!("{}_{ty}", self.near()),
-            1 => format!("({} % {})", self.number(ty, 1), 2 + self.near()),
+            1 => format!("({} % {})", self.number(ty, 1), 1 + self.near()),
             _ => format!("{}.min({})", self.number(ty, 1), self.near()),
         }
     }

@@ -6,6 +6,7 @@ use bessemer_ir::{
 
 use super::super::tree::Expr;
 use super::Lower;
+use crate::effects::same_place;
 
 /// The largest value that a narrow expression may have, also on the way.
 const LIMIT: i128 = 1 << 31;
@@ -40,6 +41,11 @@ impl Lower<'_> {
 
     /// What a comparison comes to if the types alone decide it: compilers warn of such.
     pub(super) fn decided(&self, op: CompareOp, left: &Ir, right: &Ir) -> Option<bool> {
+        if matches!(op, CompareOp::Eq | CompareOp::Ne)
+            && (bits_differ(left, right) || bits_differ(right, left))
+        {
+            return Some(op == CompareOp::Ne);
+        }
         let (a, b) = (self.type_range(left)?, self.type_range(right)?);
         let (below, above) = (a.1 < b.0, a.0 > b.1);
         let (not_above, not_below) = (a.1 <= b.0, a.0 >= b.1);
@@ -73,8 +79,25 @@ impl Lower<'_> {
                 let inner = self.number_range(inner).unwrap_or(full);
                 Some(if inner.0 >= full.0 && inner.1 <= full.1 { inner } else { full })
             }
+            ExprKind::Binary(op, left, right) => {
+                let alone = unchanged(*op, left, right).and_then(|it| self.type_range(it));
+                alone.or_else(|| self.range_of_bits(*op, left, right)).or(Some(full))
+            }
             _ => Some(full),
         }
+    }
+
+    /// What is at most in the bits of two operands that are not negative.
+    fn range_of_bits(&self, op: BinaryOp, left: &Ir, right: &Ir) -> Option<(i128, i128)> {
+        let (a, b) = (self.type_range(left)?, self.type_range(right)?);
+        let bits = |value: i128| (1i128 << (128 - value.leading_zeros())) - 1;
+        let high = match op {
+            _ if a.0 < 0 || b.0 < 0 => return None,
+            BinaryOp::And => a.1.min(b.1),
+            BinaryOp::Or | BinaryOp::Xor => bits(a.1 | b.1),
+            _ => return None,
+        };
+        Some((0, high))
     }
 
     /// The same as numbers: those of an enum's variants.
@@ -141,7 +164,8 @@ pub(super) fn limit(expr: &Ir) -> Option<&'static str> {
     }
 }
 
-/// The value of an integer expression of literals alone, modulo 2^bits.
+/// The value of an integer expression that compilers know by its text, modulo 2^bits: of literals alone, or of which a
+/// literal decides, `x & 0` and `x % 1`. Its operands have no effects.
 pub(super) fn const_value(expr: &Ir) -> Option<i128> {
     let int = expr.ty.as_int()?;
     exact_value(expr).map(|value| wrapped(int, value))
@@ -156,22 +180,84 @@ fn exact_value(expr: &Ir) -> Option<i128> {
         ExprKind::Unary(UnaryOp::Not, operand) => Some(wrapped(int, !const_value(operand)?)),
         ExprKind::Cast(operand) => Some(wrapped(int, const_value(operand)?)),
         ExprKind::Binary(op, left, right) => {
-            let (a, b) = (const_value(left)?, const_value(right)?);
-            match op {
-                BinaryOp::Add => Some(a + b),
-                BinaryOp::Sub => Some(a - b),
-                BinaryOp::Mul => Some(a.wrapping_mul(b)),
-                BinaryOp::Div => a.checked_div(b),
-                BinaryOp::Rem => a.checked_rem(b),
-                BinaryOp::And => Some(a & b),
-                BinaryOp::Or => Some(a | b),
-                BinaryOp::Xor => Some(a ^ b),
-                BinaryOp::Shl | BinaryOp::Shr if !(0..i128::from(int.bits())).contains(&b) => None,
-                BinaryOp::Shl => Some(wrapped(int, a << b)),
-                BinaryOp::Shr => Some(a >> b),
-            }
+            let (a, b) = (const_value(left), const_value(right));
+            let alike = || same_load(left, right);
+            by_one(int, *op, a, b).or_else(|| by_both(int, *op, a?, b?)).or_else(|| match op {
+                BinaryOp::Sub | BinaryOp::Xor | BinaryOp::Rem if alike() => Some(0),
+                _ => None,
+            })
         }
         _ => None,
+    }
+}
+
+/// What one operand decides, whatever the other is.
+fn by_one(int: Int, op: BinaryOp, a: Option<i128>, b: Option<i128>) -> Option<i128> {
+    let all = Some(wrapped(int, -1));
+    let is_none = match op {
+        BinaryOp::And | BinaryOp::Mul => a == Some(0) || b == Some(0),
+        BinaryOp::Rem => a == Some(0) || b == Some(1) || b == Some(-1),
+        BinaryOp::Div | BinaryOp::Shl | BinaryOp::Shr => a == Some(0),
+        BinaryOp::Or if a == all || b == all => return all,
+        _ => false,
+    };
+    is_none.then_some(0)
+}
+
+/// What both operands decide, before it is brought into its type.
+fn by_both(int: Int, op: BinaryOp, a: i128, b: i128) -> Option<i128> {
+    match op {
+        BinaryOp::Add => Some(a + b),
+        BinaryOp::Sub => Some(a - b),
+        BinaryOp::Mul => Some(a.wrapping_mul(b)),
+        BinaryOp::Div => a.checked_div(b),
+        BinaryOp::Rem => a.checked_rem(b),
+        BinaryOp::And => Some(a & b),
+        BinaryOp::Or => Some(a | b),
+        BinaryOp::Xor => Some(a ^ b),
+        BinaryOp::Shl | BinaryOp::Shr if !(0..i128::from(int.bits())).contains(&b) => None,
+        BinaryOp::Shl => Some(wrapped(int, a << b)),
+        BinaryOp::Shr => Some(a >> b),
+    }
+}
+
+/// Whether a constant lacks a bit that `|` sets in a value, or has one that `&` clears.
+fn bits_differ(value: &Ir, constant: &Ir) -> bool {
+    let (ExprKind::Binary(op, left, right), Some(constant)) = (&value.kind, const_value(constant))
+    else {
+        return false;
+    };
+    let Some(bits) = const_value(right).or_else(|| const_value(left)) else { return false };
+    match op {
+        BinaryOp::Or => bits & !constant != 0,
+        BinaryOp::And => constant & !bits != 0,
+        _ => false,
+    }
+}
+
+/// The operand that is the result, since the other changes nothing.
+fn unchanged<'e>(op: BinaryOp, left: &'e Ir, right: &'e Ir) -> Option<&'e Ir> {
+    let (int, (a, b)) = (left.ty.as_int()?, (const_value(left), const_value(right)));
+    let (by_left, by_right) = match op {
+        BinaryOp::Add | BinaryOp::Or | BinaryOp::Xor => (Some(0), Some(0)),
+        BinaryOp::Sub | BinaryOp::Shl | BinaryOp::Shr => (None, Some(0)),
+        BinaryOp::Mul => (Some(1), Some(1)),
+        BinaryOp::Div => (None, Some(1)),
+        BinaryOp::And => (Some(wrapped(int, -1)), Some(wrapped(int, -1))),
+        BinaryOp::Rem => (None, None),
+    };
+    if by_right.is_some() && b == by_right {
+        return Some(left);
+    }
+    (by_left.is_some() && a == by_left).then_some(right)
+}
+
+/// Whether two operands load one place.
+fn same_load(left: &Ir, right: &Ir) -> bool {
+    match (&left.kind, &right.kind) {
+        (ExprKind::Load(one), ExprKind::Load(other)) => same_place(one, other),
+        (ExprKind::Cast(one), ExprKind::Cast(other)) => one.ty == other.ty && same_load(one, other),
+        _ => false,
     }
 }
 

@@ -1,0 +1,70 @@
+//! Operands that one constant decides, whatever the other value is: compilers know them, and warn of what certainly
+//! faults with them, although a check stands before it.
+#![allow(unconditional_panic, arithmetic_overflow, clippy::all)]
+
+use bessemer::prelude::*;
+
+#[function]
+pub fn by_nothing(x: u32, y: u32, n: i16) -> u32 {
+    if n < 0 {
+        return x % (y & 0);
+    }
+    if n < 10 {
+        return x / (y * 0);
+    }
+    if n < 20 {
+        return x % (y - y);
+    }
+    if n < 30 {
+        return x / (y % 1);
+    }
+    x / ((y ^ y) + 2)
+}
+
+#[function]
+pub fn signed_by_nothing(x: i32, y: i32) -> i32 {
+    match y & 3 {
+        0 => x / (y % -1),
+        1 => x % (0 & y),
+        2 => x / (y % 1),
+        _ => x / (y | -1),
+    }
+}
+
+#[function]
+pub fn too_far(x: u32, y: u8, n: u8) -> u32 {
+    if n > 9 {
+        return x << (y | 255);
+    }
+    if n > 4 {
+        return x >> (y | 255);
+    }
+    x << (y % 1)
+}
+
+#[function]
+pub fn signed_too_far(x: i64, y: u32, n: u8) -> i64 {
+    if n > 9 {
+        return x << (y | u32::MAX);
+    }
+    x >> (y | u32::MAX)
+}
+
+/// What is compared is known, too.
+#[function]
+pub fn compared(y: u16, z: i8) -> [bool; 6] {
+    [(y & 0) == 0, y % 1 > 0, (y | u16::MAX) == u16::MAX, z * 0 != 0, z % -1 <= 0, (y * 0) < (y & 0)]
+}
+
+/// Numbers that were `bool`s.
+#[function]
+pub fn flags(flag: bool, other: bool) -> [bool; 6] {
+    [
+        flag as u8 > 1,
+        (flag as u8 & 1) > 1,
+        (flag as u32) * 1 >= 2,
+        (flag as i16 | other as i16) == 2,
+        (flag as u8 + 0) != 7,
+        ((flag & other) as i32) < -1,
+    ]
+}
