@@ -12,9 +12,11 @@ use models::packet::Packet;
 use models::{Airframe, Inputs, Outputs, Settings};
 use serde::{Deserialize, Serialize};
 use sim::air::Air;
+use sim::battery::Battery;
 use sim::noise::{Purpose, Stream};
 use sim::plant::State;
 use sim::sensors::{Senses, Stuck};
+use sim::vehicle::Vehicle;
 use sim::voyage::Moment;
 use sim::world::World;
 use std::collections::VecDeque;
@@ -54,7 +56,7 @@ pub enum Injection {
         /// Standard deviation of the gusts, N.
         gusts: f64,
     },
-    /// Somebody puts the aircraft back to where it stood.
+    /// Somebody puts the aircraft back to where it stood, with a full battery.
     Back,
 }
 
@@ -105,6 +107,7 @@ pub struct Timing {
 /// The bench.
 pub struct Bench {
     world: World,
+    battery: Battery,
     bus: UdpSocket,
     computer: Option<SocketAddr>,
     link: Option<SocketAddr>,
@@ -140,6 +143,7 @@ impl Bench {
         );
         Ok(Self {
             world,
+            battery: full(),
             bus: UdpSocket::bind((Ipv4Addr::LOCALHOST, 0))?,
             computer: None,
             link: None,
@@ -185,6 +189,11 @@ impl Bench {
         &self.world.state
     }
 
+    /// Its battery.
+    pub fn battery(&self) -> &Battery {
+        &self.battery
+    }
+
     /// Does something to the aircraft.
     pub fn inject(&mut self, what: Injection) {
         match what {
@@ -200,7 +209,10 @@ impl Bench {
                 air.steady = nalgebra::Vector3::new(bounded(x), bounded(y), 0.0);
                 air.gusts = bounded(gusts).abs();
             }
-            Injection::Back => self.world.state = self.start,
+            Injection::Back => {
+                self.world.state = self.start;
+                self.battery = full();
+            }
         }
     }
 
@@ -266,6 +278,7 @@ impl Bench {
         let state = self.world.state;
         let impact = self.world.advance(&self.last.command.speeds);
         let speeds = self.world.motors.speeds;
+        self.battery.draw(&speeds, self.period);
         let moment = Moment { time, state, inputs, outputs: self.last, speeds, impact };
         Ok(Period { number, count, moment, late })
     }
@@ -374,6 +387,11 @@ impl Answer {
             outputs: value(outputs),
         })
     }
+}
+
+/// The Mambo's battery.
+fn full() -> Battery {
+    Battery::new(&Vehicle::mambo())
 }
 
 /// Words as bytes, least significant byte first.

@@ -11,12 +11,15 @@
 //! | [`testbed`] | all of these, one control period at a time |
 //! | [`recorder`], [`replay`] | a flight as a file, and the C run again from it |
 //! | [`live`] | the testbed with the server at its side |
+//! | [`command`] | who commands |
 //! | [`messages`], [`server`], [`page`] | what the browser is told and may ask |
+//! | [`tools`] | the same for Foxglove, and over MAVLink |
 //!
 //! The aircraft depends on none of what listens: the testbed never waits for the server, nor for a disk.
 
 pub mod bench;
 pub mod catalogue;
+pub mod command;
 pub mod key;
 pub mod live;
 pub mod messages;
@@ -28,3 +31,4 @@ pub mod replay;
 pub mod server;
 pub mod station;
 pub mod testbed;
+pub mod tools;

@@ -5,11 +5,13 @@
 
 use crate::bench::{Period, Timing};
 use crate::catalogue::{SHOWN, SIGNALS, parameters};
+use crate::command::Seat;
 use crate::messages::{Ask, Point, Recording, State, Tell};
 use crate::radio::Quality;
 use crate::recorder::Recorder;
 use crate::server::Hub;
 use crate::testbed::{Error, Testbed, period};
+use crate::tools::Tool;
 use models::receiver::Sticks;
 use models::trajectory::{MOST_POINTS, SetPoint};
 use models::{Alarm, Phase, Settings};
@@ -35,6 +37,7 @@ pub struct Live {
     recorded: Recording,
     folder: PathBuf,
     files: u32,
+    tools: Vec<(Box<dyn Tool>, Seat)>,
 }
 
 /// A queue for what pages ask for.
@@ -95,7 +98,13 @@ impl Live {
     /// A testbed whose pages ask through `asked`; recordings go to `folder`.
     pub fn new(testbed: Testbed, hub: Arc<Hub>, asked: Receiver<Ask>, folder: PathBuf) -> Self {
         let recorded = Recording::default();
-        Self { testbed, hub, asked, recorder: None, recorded, folder, files: 0 }
+        let tools = Vec::new();
+        Self { testbed, hub, asked, recorder: None, recorded, folder, files: 0, tools }
+    }
+
+    /// Puts a tool at the testbed's side.
+    pub fn add(&mut self, tool: impl Tool + 'static) {
+        self.tools.push((Box::new(tool), self.hub.seat()));
     }
 
     /// Begins to record into a file.
@@ -117,12 +126,19 @@ impl Live {
         while let Ok(ask) = self.asked.try_recv() {
             self.obey(ask);
         }
+        let testbed = &self.testbed;
+        let tools = self.tools.iter_mut();
+        let asked: Vec<Ask> = tools.flat_map(|(tool, seat)| tool.listen(testbed, seat)).collect();
+        asked.into_iter().for_each(|ask| self.obey(ask));
         let (done, news) = self.testbed.step()?;
         for record in news.iter().filter_map(|it| match it {
             News::Record(record) => Some(record),
             _ => None,
         }) {
             self.hub.tell(&self.frame(record));
+        }
+        for (tool, _) in &mut self.tools {
+            tool.tell(&self.testbed, &done, &news);
         }
         while let Some((order, outcome)) = self.testbed.station.outcomes.pop_front() {
             self.hub.tell(&Tell::Outcome { order, outcome });

@@ -72,6 +72,7 @@ fn fly(wanted: &Fly) -> Result<(), Box<dyn Error>> {
     let folder = bessemer_legs::root().join("target/fly/recordings");
     std::fs::create_dir_all(&folder)?;
     let mut live = Live::new(testbed, hub, asks, folder);
+    add_tools(wanted, &mut live)?;
     if let Some(path) = &wanted.record {
         live.record(path.clone());
     }
@@ -88,6 +89,37 @@ fn fly(wanted: &Fly) -> Result<(), Box<dyn Error>> {
         timing.slowest
     );
     Ok(())
+}
+
+/// Puts the tools that are asked for at the testbed's side.
+fn add_tools(wanted: &Fly, live: &mut Live) -> Result<(), Box<dyn Error>> {
+    if let Some(address) = wanted.foxglove {
+        #[cfg(feature = "foxglove")]
+        {
+            let tool = ground::tools::foxglove::Foxglove::start(address)
+                .map_err(|error| format!("Foxglove's port `{address}`: {error}"))?;
+            println!("foxglove: ws://{}", tool.address());
+            live.add(tool);
+        }
+        #[cfg(not(feature = "foxglove"))]
+        return Err(unbuilt(live, "foxglove", address));
+    }
+    if let Some(address) = wanted.mavlink {
+        #[cfg(feature = "mavlink")]
+        {
+            live.add(ground::tools::mavlink::Mavlink::start(address)?);
+            println!("mavlink: udp to {address}");
+        }
+        #[cfg(not(feature = "mavlink"))]
+        return Err(unbuilt(live, "mavlink", address));
+    }
+    Ok(())
+}
+
+/// That this program was built without a tool.
+#[cfg(not(all(feature = "foxglove", feature = "mavlink")))]
+fn unbuilt(_: &mut Live, tool: &str, address: SocketAddr) -> Box<dyn Error> {
+    format!("this program was built without `{tool}`, for {address}: `cargo xtask fly` builds it with it").into()
 }
 
 fn run_again(wanted: &Replay) -> Result<bool, Box<dyn Error>> {

@@ -73,7 +73,7 @@ impl Recorder {
     /// Hands a period over; nothing, if the recording has ended.
     pub fn take(&mut self, done: &Period) {
         let time = done.moment.time;
-        let shown = done.number.is_multiple_of(SHOWN).then(|| done.moment.clone());
+        let shown = is_shown(done).then(|| done.moment.clone());
         let worked = done.worked().map(|worked| (time, worked)).collect();
         let Some(pages) = &self.pages else { return };
         match pages.try_send(Page { shown, worked }) {
@@ -109,6 +109,11 @@ impl Recorder {
             error.get_or_insert_with(|| format!("`{}`: {reason}", self.path.display()));
         }
     }
+}
+
+/// Whether a period goes to the topics for people.
+pub fn is_shown(done: &Period) -> bool {
+    done.number.is_multiple_of(SHOWN)
 }
 
 /// What went wrong, with what lies behind it.

@@ -8,6 +8,7 @@
 //!
 //! Knows messages, not what is done about them.
 
+use crate::command::{Command, Seat};
 use crate::messages::{Ask, Tell};
 use crate::page;
 use axum::Router;
@@ -44,11 +45,9 @@ pub struct Hub {
     /// What a page is told first.
     hello: String,
     token: String,
-    /// Which page commands; 0 for none.
-    commander: AtomicU64,
+    command: Arc<Command>,
     pages: AtomicUsize,
     skipped: AtomicU64,
-    next: AtomicU64,
     /// Whether somebody wants the motors to stop: never refused, however much is asked for.
     stop: AtomicBool,
     /// The last recording.
@@ -68,10 +67,9 @@ impl Hub {
             asked,
             hello: text(hello),
             token: bytes.iter().map(|byte| format!("{byte:02x}")).collect(),
-            commander: AtomicU64::new(0),
+            command: Arc::default(),
             pages: AtomicUsize::new(0),
             skipped: AtomicU64::new(0),
-            next: AtomicU64::new(1),
             stop: AtomicBool::new(false),
             recording: Mutex::new(None),
         }))
@@ -100,9 +98,14 @@ impl Hub {
         self.skipped.load(Ordering::Relaxed)
     }
 
-    /// Whether a page commands.
+    /// Whether anybody commands.
     pub fn is_commanded(&self) -> bool {
-        self.commander.load(Ordering::Relaxed) != 0
+        self.command.is_held()
+    }
+
+    /// A place among those who may command.
+    pub fn seat(&self) -> Seat {
+        self.command.seat()
     }
 
     /// Whether somebody has wanted the motors to stop since this was asked last.
@@ -210,11 +213,7 @@ async fn live(
             failed.pages.fetch_sub(1, Ordering::Relaxed);
         })
         .on_upgrade(move |socket| async move {
-            let number = there.next.fetch_add(1, Ordering::Relaxed);
-            attend(socket, &there, number).await;
-            // Whoever leaves commands no more.
-            let _ =
-                there.commander.compare_exchange(number, 0, Ordering::Relaxed, Ordering::Relaxed);
+            attend(socket, &there).await;
             there.pages.fetch_sub(1, Ordering::Relaxed);
         })
 }
@@ -236,7 +235,8 @@ fn is_local_name(host: &str) -> bool {
 }
 
 /// One page, until it leaves.
-async fn attend(mut socket: WebSocket, hub: &Hub, number: u64) {
+async fn attend(mut socket: WebSocket, hub: &Hub) {
+    let seat = hub.seat();
     let mut news = hub.told.subscribe();
     let mut trusted = false;
     if socket.send(Message::Text(hub.hello.clone().into())).await.is_err() {
@@ -258,7 +258,7 @@ async fn attend(mut socket: WebSocket, hub: &Hub, number: u64) {
             heard = socket.recv() => {
                 let Some(Ok(message)) = heard else { return };
                 let Message::Text(asked) = message else { continue };
-                if let Some(answer) = answer(hub, number, &mut trusted, &asked)
+                if let Some(answer) = answer(hub, &seat, &mut trusted, &asked)
                     && socket.send(Message::Text(text(&answer).into())).await.is_err()
                 {
                     return;
@@ -269,12 +269,11 @@ async fn attend(mut socket: WebSocket, hub: &Hub, number: u64) {
 }
 
 /// What a page is answered; what it asks for goes to the testbed, if it may.
-fn answer(hub: &Hub, number: u64, trusted: &mut bool, asked: &str) -> Option<Tell> {
+fn answer(hub: &Hub, seat: &Seat, trusted: &mut bool, asked: &str) -> Option<Tell> {
     let ask: Ask = match serde_json::from_str(asked) {
         Ok(ask) => ask,
         Err(error) => return Some(Tell::Refused { reason: error.to_string() }),
     };
-    let commands = || hub.commander.load(Ordering::Relaxed) == number;
     match ask {
         Ask::Ping { number } => Some(Tell::Pong { number }),
         Ask::Claim { token, force } => {
@@ -284,27 +283,19 @@ fn answer(hub: &Hub, number: u64, trusted: &mut bool, asked: &str) -> Option<Tel
                     "the token is not that of this server: open the address that it printed";
                 return Some(Tell::Command { granted: false, reason });
             }
-            let free = force
-                || commands()
-                || hub
-                    .commander
-                    .compare_exchange(0, number, Ordering::Relaxed, Ordering::Relaxed)
-                    .is_ok();
-            if force {
-                hub.commander.store(number, Ordering::Relaxed);
-            }
-            let reason = if free { "" } else { "another page commands" };
+            let free = seat.claim(force);
+            let reason = if free { "" } else { "somebody else commands" };
             Some(Tell::Command { granted: free, reason })
         }
         Ask::Release => {
-            let _ = hub.commander.compare_exchange(number, 0, Ordering::Relaxed, Ordering::Relaxed);
+            seat.release();
             Some(Tell::Command { granted: false, reason: "" })
         }
         Ask::Stop if *trusted => {
             hub.stop.store(true, Ordering::Relaxed);
             None
         }
-        ask if commands() => match hub.asked.try_send(ask) {
+        ask if seat.holds() => match hub.asked.try_send(ask) {
             Ok(()) => None,
             Err(TrySendError::Full(_)) => {
                 Some(Tell::Refused { reason: "orders come too fast".into() })

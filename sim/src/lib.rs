@@ -4,7 +4,8 @@
 //! |---|---|
 //! | [`vehicle`] | a multicopter with any number of motors: forces and torques |
 //! | [`plant`] | its motion: twelve states, RK4, a floor |
-//! | [`motors`], [`air`], [`sensors`], [`noise`] | motors that lag, wind, sensors as they are, chance from a seed |
+//! | [`motors`], [`battery`] | motors that lag, and what they draw |
+//! | [`air`], [`sensors`], [`noise`] | wind, sensors as they are, chance from a seed |
 //! | [`world`] | all of these together, one control period at a time |
 //! | [`ground_station`] | the other end of the link |
 //! | [`computer`] | whatever can run the onboard software: the models, their emitted C |
@@ -27,6 +28,7 @@
 //! hide in the other.
 
 pub mod air;
+pub mod battery;
 pub mod campaign;
 pub mod channels;
 pub mod checks;

@@ -2,7 +2,8 @@
 //!
 //! Both hold every signal of [`crate::channels`] at each control period. An MCAP topic is a JSON channel
 //! with its schema. All of its times count from the first period: that is [`LEAD`] before a take-off at 0. `/pose/…`
-//! are what Foxglove's 3D panel shows.
+//! are what Foxglove's 3D panel shows. [`channels`] and [`messages`] are the same topics for whoever hands them on
+//! without a file.
 
 use crate::channels::{TOPICS, Topic};
 use crate::plant::rotation;
@@ -83,8 +84,7 @@ pub fn mcap(voyage: &Voyage, about: &BTreeMap<String, String>) -> Result<Vec<u8>
 /// Writes an MCAP file moment by moment.
 pub struct Writer<W: Write + Seek> {
     writer: mcap::Writer<W>,
-    topics: Vec<u16>,
-    poses: [u16; 2],
+    channels: Vec<u16>,
     raw: BTreeMap<String, u16>,
     sequence: u32,
 }
@@ -100,17 +100,12 @@ impl<W: Write + Seek> Writer<W> {
             .profile("")
             .library("bessemer sim");
         let mut writer = options.create(sink)?;
-        let mut topics = Vec::new();
-        for topic in TOPICS {
-            let schema = writer.add_schema(topic.name, "jsonschema", schema(topic).as_bytes())?;
-            topics.push(writer.add_channel(schema, &format!("/{}", topic.name), "json", about)?);
+        let mut ids = Vec::new();
+        for Channel { topic, schema, text } in channels() {
+            let schema = writer.add_schema(&schema, "jsonschema", text.as_bytes())?;
+            ids.push(writer.add_channel(schema, &topic, "json", about)?);
         }
-        let pose = writer.add_schema("foxglove.PoseInFrame", "jsonschema", POSE.as_bytes())?;
-        let mut poses = [0; 2];
-        for (place, name) in poses.iter_mut().zip(["/pose/true", "/pose/estimated"]) {
-            *place = writer.add_channel(pose, name, "json", about)?;
-        }
-        Ok(Self { writer, topics, poses, raw: BTreeMap::new(), sequence: 0 })
+        Ok(Self { writer, channels: ids, raw: BTreeMap::new(), sequence: 0 })
     }
 
     /// Adds a topic of bytes that nobody but us reads; `about` says what they are.
@@ -129,16 +124,9 @@ impl<W: Write + Seek> Writer<W> {
     /// # Errors
     /// What the writer said.
     pub fn moment(&mut self, moment: &Moment) -> Result<(), mcap::McapError> {
-        for (topic, channel) in TOPICS.iter().zip(&self.topics) {
+        for (channel, message) in self.channels.iter().zip(messages(moment)) {
             let header = header(*channel, self.sequence, moment.time);
-            self.writer.write_to_known_channel(&header, message(topic, moment).as_bytes())?;
-        }
-        let (state, estimate) = (&moment.state, &moment.outputs.estimate);
-        let poses = [(&state.position, &state.angles), (&estimate.position, &estimate.angles)];
-        for (channel, (position, angles)) in self.poses.iter().zip(poses) {
-            let header = header(*channel, self.sequence, moment.time);
-            let pose = pose(header.log_time, position, angles);
-            self.writer.write_to_known_channel(&header, pose.as_bytes())?;
+            self.writer.write_to_known_channel(&header, message.as_bytes())?;
         }
         self.sequence = self.sequence.wrapping_add(1);
         Ok(())
@@ -163,8 +151,48 @@ impl<W: Write + Seek> Writer<W> {
     }
 }
 
+/// A JSON channel.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Channel {
+    /// Its topic.
+    pub topic: String,
+    /// The name of its schema.
+    pub schema: String,
+    /// Its JSON schema.
+    pub text: String,
+}
+
+/// The channels of a flight.
+pub fn channels() -> impl Iterator<Item = Channel> {
+    let signals = TOPICS.iter().map(|topic| Channel {
+        topic: format!("/{}", topic.name),
+        schema: topic.name.to_owned(),
+        text: schema(topic),
+    });
+    let poses = ["/pose/true", "/pose/estimated"].map(|topic| Channel {
+        topic: topic.to_owned(),
+        schema: "foxglove.PoseInFrame".to_owned(),
+        text: POSE.to_owned(),
+    });
+    signals.chain(poses)
+}
+
+/// A moment as JSON: a message for each of the [`channels`], in their order.
+pub fn messages(moment: &Moment) -> impl Iterator<Item = String> + '_ {
+    let (state, estimate) = (&moment.state, &moment.outputs.estimate);
+    let poses = [(&state.position, &state.angles), (&estimate.position, &estimate.angles)];
+    let time = log_time(moment.time);
+    let signals = TOPICS.iter().map(|topic| message(topic, moment));
+    signals.chain(poses.into_iter().map(move |(place, angles)| pose(time, place, angles)))
+}
+
+/// A time of a flight, s, as recordings count it, ns.
+pub fn log_time(time: f64) -> u64 {
+    ((time + LEAD) * 1e9).round() as u64
+}
+
 fn header(channel_id: u16, sequence: u32, time: f64) -> MessageHeader {
-    let log_time = ((time + LEAD) * 1e9).round() as u64;
+    let log_time = log_time(time);
     MessageHeader { channel_id, sequence, log_time, publish_time: log_time }
 }
 

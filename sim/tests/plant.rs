@@ -2,6 +2,7 @@
 
 use models::{Airframe, Layout, Motion, Orientation};
 use nalgebra::{SVector, Vector3, Vector4};
+use sim::battery::Battery;
 use sim::plant::{Body, GRAVITY, Loads, angle_rates, rotation};
 use sim::{State, Vehicle};
 
@@ -112,4 +113,22 @@ fn the_floor_holds_what_the_thrust_does_not() {
     let rest = State::default().after(&body(), &under, 0.005);
     assert_eq!(rest, State::default());
     assert!(rest.after(&body(), &over, 0.005).position.z > 0.0);
+}
+
+#[test]
+fn hovering_empties_the_battery_in_about_ten_minutes() {
+    let vehicle = Vehicle::mambo();
+    let mut battery = Battery::new(&vehicle);
+    let lift = vehicle.mass * GRAVITY / vehicle.motors.len() as f64;
+    let speed = (lift / vehicle.motors[0].thrust_factor).sqrt();
+    let (mut minutes, mut before) = (0, f64::INFINITY);
+    while battery.left() > 0.0 && minutes < 60 {
+        for _ in 0..600 {
+            battery.draw(&SVector::repeat(speed), 0.1);
+        }
+        assert!(battery.voltage() < before && battery.voltage() > 3.0, "{battery:?}");
+        before = battery.voltage();
+        minutes += 1;
+    }
+    assert!((8..=14).contains(&minutes), "{minutes}");
 }

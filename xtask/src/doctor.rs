@@ -93,10 +93,18 @@ pub fn json(findings: &[Finding], plan: Option<&Plan>) -> Value {
 }
 
 fn entry(finding: &Finding) -> Value {
-    let (package, component) = match finding.tool.source {
-        Source::Package(name) => (Some(name), None),
-        Source::Component(name) => (None, Some(name)),
-        Source::Rust => (None, None),
+    let source = &finding.tool.source;
+    let package = match source {
+        Source::Package(name) => Some(name),
+        _ => None,
+    };
+    let component = match source {
+        Source::Component(name) => Some(name),
+        _ => None,
+    };
+    let python = match source {
+        Source::Python(name) => Some(name),
+        _ => None,
     };
     json!({
         "name": finding.tool.name,
@@ -106,6 +114,7 @@ fn entry(finding: &Finding) -> Value {
         "purpose": finding.tool.purpose,
         "package": package,
         "component": component,
+        "python": python,
     })
 }
 

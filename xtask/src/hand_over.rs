@@ -15,20 +15,25 @@ use std::io::IsTerminal;
 use std::path::Path;
 use std::process::ExitStatus;
 
-/// Builds the program of a package, in sight, and runs it with the words of the command line, which have been parsed.
+/// Builds the program of a package, with these of its features, in sight, and runs it with the words of the command
+/// line, which have been parsed.
 ///
 /// # Errors
 /// [`Error::Spawn`] if cargo does not start, [`Error::Stage`] if the program does not build.
 pub fn run(
     root: &Path,
     package: &str,
+    features: &[&str],
     words: impl Iterator<Item = OsString>,
 ) -> Result<Outcome, Error> {
     let stage = match package {
         "sim" => "building the simulation",
         _ => "building the ground station",
     };
-    let mut build = project::cargo(root, &["build", "--release", "--package", package]);
+    let features = features.join(",");
+    let program = ["--release", "--package", package, "--features", &features];
+    let mut build = project::cargo(root, &["build"]);
+    build.args(program);
     let verdict = |status: ExitStatus| match status.success() {
         true => Ok(()),
         false => Err(Error::Stage { stage, status, remedy: None }),
@@ -39,9 +44,8 @@ pub fn run(
         false => Progress::default()
             .closed(stage, |voice| verdict(stages::captured(&mut build, voice)?))?,
     }
-    let run = ["run", "--quiet", "--release", "--package", package, "--"];
-    let mut command = project::cargo(root, &run);
-    command.args(words);
+    let mut command = project::cargo(root, &["run", "--quiet"]);
+    command.args(program).arg("--").args(words);
     let status = stages::attached(&mut command)?;
     Ok(if status.success() { Outcome::Good } else { Outcome::Bad })
 }

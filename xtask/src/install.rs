@@ -9,7 +9,7 @@
 
 use crate::error::Error;
 use crate::stages::{self, Progress};
-use crate::tools::{Machine, Source, Tool};
+use crate::tools::{self, Machine, Source, Tool};
 use std::process::{Command, ExitStatus};
 
 /// How root's rights are got.
@@ -28,6 +28,7 @@ enum Rights {
 pub struct Plan {
     components: Vec<&'static str>,
     packages: Vec<&'static str>,
+    python: Vec<&'static str>,
     rights: Rights,
 }
 
@@ -45,34 +46,34 @@ impl Plan {
     /// How to install `tools` on this machine; none if there is nothing to do or apt-get is needed and absent.
     #[must_use]
     pub fn of(tools: &[&'static Tool], machine: &dyn Machine) -> Option<Self> {
-        let (mut components, mut packages) = (Vec::new(), Vec::new());
+        let (mut components, mut packages, mut python) = (Vec::new(), Vec::new(), Vec::new());
         for tool in tools {
             match tool.source {
                 Source::Component(name) => components.push(name),
                 Source::Package(name) => packages.push(name),
+                Source::Python(name) => python.push(name),
                 Source::Rust => {}
             }
         }
         let possible = packages.is_empty() || machine.version("apt-get").is_some();
-        let needed = !(packages.is_empty() && components.is_empty());
-        (possible && needed).then(|| Self { components, packages, rights: rights(machine) })
+        let needed = !(packages.is_empty() && components.is_empty() && python.is_empty());
+        (possible && needed).then(|| Self { components, packages, python, rights: rights(machine) })
     }
 
     /// The one line that does it, for a shell.
     #[must_use]
     pub fn line(&self) -> String {
+        let joined = |steps: &[Step]| {
+            steps.iter().map(|step| step.words.join(" ")).collect::<Vec<_>>().join(" && ")
+        };
         let steps = self.steps();
-        let join = |as_root: bool| {
-            let chosen = steps.iter().filter(|step| step.as_root == as_root);
-            chosen.map(|step| step.words.join(" ")).collect::<Vec<_>>().join(" && ")
-        };
-        let (own, root) = (join(false), join(true));
-        let root = if self.rights == Rights::None && !root.is_empty() {
-            format!("su -c '{root}'")
-        } else {
-            root
-        };
-        [own, root].into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" && ")
+        let parts = steps.chunk_by(|one, next| one.as_root == next.as_root).map(|part| {
+            match self.rights == Rights::None && part[0].as_root {
+                true => format!("su -c '{}'", joined(part)),
+                false => joined(part),
+            }
+        });
+        parts.collect::<Vec<_>>().join(" && ")
     }
 
     /// Carries it out.
@@ -126,6 +127,14 @@ impl Plan {
                 words(&format!("{quiet} --no-install-recommends -o {WAIT}"), &self.packages);
             steps.push(Step { name: "apt-get update", words: update, as_root: true });
             steps.push(Step { name: "apt-get install", words: install, as_root: true });
+        }
+        if !self.python.is_empty() {
+            let folder = tools::python();
+            let pip = folder.join("bin/pip").display().to_string();
+            let create = words("python3 -m venv", &[&folder.display().to_string()]);
+            let install = [vec![pip], words("install --quiet", &self.python)].concat();
+            steps.push(Step { name: "python3 -m venv", words: create, as_root: false });
+            steps.push(Step { name: "pip install", words: install, as_root: false });
         }
         steps
     }

@@ -7,6 +7,8 @@
 //!
 //! What it must not know: how something is installed (`install`), how it is shown (`doctor`).
 
+use crate::project;
+use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
 /// What cannot be done without the tool.
@@ -51,6 +53,8 @@ pub enum Probe {
     Sanitizers(&'static str),
     /// The file exists.
     File(&'static str),
+    /// The Python of this project, or any without it, finds the module.
+    Module(&'static str),
 }
 
 /// Where the tool comes from.
@@ -62,6 +66,8 @@ pub enum Source {
     Component(&'static str),
     /// A Debian package.
     Package(&'static str),
+    /// A package of Python's, in an environment of this project's own: [`python`].
+    Python(&'static str),
 }
 
 /// A tool.
@@ -236,6 +242,20 @@ pub const TOOLS: &[Tool] = &[
         source: Source::Package("chromium"),
     },
     Tool {
+        name: "Python's venv",
+        purpose: "installs the next below `target`",
+        need: Need::Full,
+        probe: Probe::Module("ensurepip"),
+        source: Source::Package("python3-venv"),
+    },
+    Tool {
+        name: "pymavlink",
+        purpose: "the other end of MAVLink",
+        need: Need::Full,
+        probe: Probe::Module("pymavlink"),
+        source: Source::Python("pymavlink==2.4.50"),
+    },
+    Tool {
         name: "valgrind",
         purpose: "counts instructions on the host",
         need: Need::Bench,
@@ -279,6 +299,12 @@ pub const TOOLS: &[Tool] = &[
     },
 ];
 
+/// Where the packages of Python's are.
+#[must_use]
+pub fn python() -> PathBuf {
+    project::root().join("target/python")
+}
+
 /// What the commands may ask of the machine they run on.
 pub trait Machine {
     /// What the program says to `--version`; none if it is absent or does not work.
@@ -292,6 +318,12 @@ pub trait Machine {
     /// Whether the file exists.
     fn has_file(&self, path: &str) -> bool {
         std::path::Path::new(path).exists()
+    }
+    /// Whether Python finds the module.
+    fn has_module(&self, module: &str) -> bool {
+        let own = python().join("bin/python");
+        let python = if own.exists() { own } else { "python3".into() };
+        answer(Command::new(python).args(["-c", &format!("import {module}")])).is_some()
     }
 }
 
@@ -355,6 +387,7 @@ pub fn survey(machine: &dyn Machine) -> Vec<Finding> {
         Probe::Headers(compiler) => machine.finds_headers(compiler).then(|| "found".to_owned()),
         Probe::Sanitizers(compiler) => machine.has_sanitizers(compiler).then(|| "found".to_owned()),
         Probe::File(path) => machine.has_file(path).then(|| "found".to_owned()),
+        Probe::Module(module) => machine.has_module(module).then(|| "found".to_owned()),
     };
     TOOLS.iter().map(|tool| Finding { tool, found: look(tool) }).collect()
 }

@@ -7,7 +7,7 @@ use xtask::error::Error;
 use xtask::install::Plan;
 use xtask::stages::Progress;
 use xtask::test::prepare;
-use xtask::tools::{Machine, Need, Tool, missing, survey};
+use xtask::tools::{self, Machine, Need, Tool, missing, survey};
 
 /// A machine that has what the test says.
 #[derive(Default)]
@@ -37,6 +37,10 @@ impl Machine for Fake {
     }
 
     fn has_file(&self, _: &str) -> bool {
+        true
+    }
+
+    fn has_module(&self, _: &str) -> bool {
         true
     }
 }
@@ -139,6 +143,20 @@ fn root_installs_with_apt_alone() {
 }
 
 #[test]
+fn packages_of_pythons_come_last_and_below_target() {
+    let wanted: Vec<_> =
+        tools::TOOLS.iter().filter(|tool| tool.name.to_lowercase().starts_with("py")).collect();
+    let plan = Plan::of(&wanted, &Fake::host().rooted()).expect("there is something to install");
+    let own = tools::python().display().to_string();
+    let line = plan.line();
+    let (_, last) = line.split_once("python3-venv && ").expect("apt comes first");
+    assert_eq!(
+        last,
+        format!("python3 -m venv {own} && {own}/bin/pip install --quiet pymavlink==2.4.50")
+    );
+}
+
+#[test]
 fn clang_without_its_run_time_is_not_enough() {
     let machine = Fake { bare: true, ..Fake::full().rooted() };
     assert!(line(&machine).is_some_and(|line| line.ends_with("=900 libclang-rt-dev")));
@@ -220,6 +238,8 @@ s390x-linux-gnu-gcc      12.2.0        test --full        compiles the emitted C
 s390x C library          found         test --full        headers and libraries for the above
 qemu-s390x               7.2.22        test --full        runs it
 chromium                 150.0.1       test --full        shows the page of the ground station
+Python's venv            found         test --full        installs the next below `target`
+pymavlink                found         test --full        the other end of MAVLink
 valgrind                 3.19.0        bench              counts instructions on the host
 arm-linux-gnueabihf-g++  12.2.0        bench              compiles Eigen for the Cortex-A9
 Eigen                    found         bench              a peer

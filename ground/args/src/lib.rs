@@ -5,7 +5,7 @@
 //! Invariant: only data and help texts; nothing is done here.
 
 use clap::{Args, Subcommand, ValueEnum};
-use std::net::{IpAddr, Ipv4Addr};
+use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 use std::path::PathBuf;
 
 /// The commands.
@@ -24,6 +24,8 @@ Examples:
   cargo xtask fly --loss 20%         Over a bad link
   cargo xtask fly --key FILE         Commands are sealed; FILE holds 32 hexadecimal digits
   cargo xtask fly --record FILE      Record from the beginning; `cargo xtask replay FILE` runs the C again
+  cargo xtask fly --foxglove         Foxglove sees the flight at ws://127.0.0.1:8765
+  cargo xtask fly --mavlink          QGroundControl or pymavlink at 127.0.0.1:14550 flies it
   cargo xtask fly --seconds 600      End after that, and say how well the periods were kept";
 
 /// Arguments of `fly`.
@@ -60,6 +62,12 @@ pub struct Fly {
     /// Record from the beginning
     #[arg(long, value_name = "FILE")]
     pub record: Option<PathBuf>,
+    /// Show the flight to Foxglove: it connects to this address
+    #[arg(long, value_name = "ADDRESS", num_args = 0..=1, default_missing_value = "127.0.0.1:8765")]
+    pub foxglove: Option<SocketAddr>,
+    /// Speak MAVLink 2 with the ground station that listens at this address, which may command while no page does
+    #[arg(long, value_name = "ADDRESS", num_args = 0..=1, default_missing_value = "127.0.0.1:14550")]
+    pub mavlink: Option<SocketAddr>,
     /// Where chance begins
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
@@ -76,6 +84,19 @@ pub struct Replay {
     /// Where the onboard software runs
     #[arg(long, value_enum, default_value_t = Machine::Native)]
     pub target: Machine,
+}
+
+impl Task {
+    /// The features that the ground station has to be built with for this.
+    pub fn features(&self) -> Vec<&'static str> {
+        match self {
+            Self::Fly(wanted) => [("foxglove", wanted.foxglove), ("mavlink", wanted.mavlink)]
+                .into_iter()
+                .filter_map(|(feature, asked)| asked.map(|_| feature))
+                .collect(),
+            Self::Replay(_) => Vec::new(),
+        }
+    }
 }
 
 /// Where the onboard software runs.

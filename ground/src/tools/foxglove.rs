@@ -1,0 +1,77 @@
+//! A flight for Foxglove while it is flown: the channels of its recording, over Foxglove's WebSocket protocol.
+//!
+//! Foxglove only watches: it is offered nothing to command with.
+
+use super::Tool;
+use crate::bench::Period;
+use crate::recorder::is_shown;
+use crate::testbed::Testbed;
+use ::foxglove::{
+    Context, FoxgloveError, PartialMetadata, RawChannel, Schema, WebSocketServerHandle,
+};
+use sim::ground_station::News;
+use sim::recording::{channels, log_time, messages};
+use std::net::SocketAddr;
+use std::sync::Arc;
+
+/// Messages that a slow Foxglove may be behind before it misses the oldest: two seconds.
+const BEHIND: usize = 1024;
+
+/// The server for Foxglove.
+pub struct Foxglove {
+    /// What ties channels to the server, neither of which keeps it.
+    _context: Arc<Context>,
+    channels: Vec<Arc<RawChannel>>,
+    /// The server ends with it.
+    server: Option<WebSocketServerHandle>,
+    address: SocketAddr,
+}
+
+impl Foxglove {
+    /// Binds, and serves from threads of its own.
+    ///
+    /// # Errors
+    /// The address is taken.
+    pub fn start(address: SocketAddr) -> Result<Self, FoxgloveError> {
+        let context = Context::new();
+        let channel = |it: sim::recording::Channel| {
+            let schema = Schema::new(it.schema, "jsonschema", it.text.into_bytes());
+            context.channel_builder(it.topic).message_encoding("json").schema(schema).build_raw()
+        };
+        let channels = channels().map(channel).collect::<Result<_, _>>()?;
+        let server = context
+            .websocket_server()
+            .name("bessemer")
+            .bind(address.ip().to_string(), address.port())
+            .message_backlog_size(BEHIND)
+            .start_blocking()?;
+        let address = SocketAddr::new(address.ip(), server.port());
+        Ok(Self { _context: context, channels, server: Some(server), address })
+    }
+
+    /// Where it listens.
+    pub fn address(&self) -> SocketAddr {
+        self.address
+    }
+}
+
+impl Tool for Foxglove {
+    fn tell(&mut self, _testbed: &Testbed, done: &Period, _news: &[News]) {
+        if !is_shown(done) || !self.channels.iter().any(|it| it.has_sinks()) {
+            return;
+        }
+        let time = PartialMetadata::with_log_time(log_time(done.moment.time));
+        for (channel, message) in self.channels.iter().zip(messages(&done.moment)) {
+            channel.log_with_meta(message.as_bytes(), time);
+        }
+    }
+}
+
+impl Drop for Foxglove {
+    fn drop(&mut self) {
+        if let Some(server) = self.server.take() {
+            // It ends by itself; nobody waits for it.
+            let _ = server.stop();
+        }
+    }
+}

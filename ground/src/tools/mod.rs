@@ -1,0 +1,26 @@
+//! The tools that people have: Foxglove, and whatever speaks MAVLink.
+//!
+//! Each is a feature of this package, since what it is built from is larger than the rest of the ground station.
+//! Invariant: none of them makes the testbed wait.
+
+#[cfg(feature = "foxglove")]
+pub mod foxglove;
+#[cfg(feature = "mavlink")]
+pub mod mavlink;
+
+use crate::bench::Period;
+use crate::command::Seat;
+use crate::messages::Ask;
+use crate::testbed::Testbed;
+use sim::ground_station::News;
+
+/// A tool at the testbed's side.
+pub trait Tool {
+    /// What it asks for since it was listened to last; what needs the command is asked for only by whoever has it.
+    fn listen(&mut self, _testbed: &Testbed, _seat: &Seat) -> Vec<Ask> {
+        Vec::new()
+    }
+
+    /// Tells it what a period came to.
+    fn tell(&mut self, testbed: &Testbed, done: &Period, news: &[News]);
+}
