@@ -28,6 +28,9 @@ const TIMES: &str = "xtask/times.tsv";
 /// A quick run leaves out the tests that took longer in the stored run.
 const QUICK: Duration = Duration::from_secs(3);
 
+/// Features of the ground station, each with a test of its name: long to build.
+const TOOLS: &str = "foxglove,mavlink";
+
 /// How many mutants a run tries.
 const MUTANTS: NonZeroUsize = NonZeroUsize::new(2).unwrap();
 
@@ -56,7 +59,13 @@ pub fn run(root: &Path, wanted: &Test, machine: &dyn Machine) -> Result<Outcome,
     // Not `--all-targets`, which checks libraries once more for unit tests that they do not have.
     let lints = cargo(&["clippy", "--workspace", "--bins", "--tests", "--", "-D", "warnings"]);
     check(&mut progress, "lints", lints, None)?;
-    let programs = progress.closed("build of the tests", |voice| programs(root, voice))?;
+    if wanted.full {
+        let lints = ["clippy", "--package", "ground", "--features", TOOLS, "--bins", "--tests"];
+        let mut command = cargo(&lints);
+        command.args(["--", "-D", "warnings"]);
+        check(&mut progress, "lints of what only a full run builds", command, None)?;
+    }
+    let programs = progress.closed("build of the tests", |voice| programs(root, wanted, voice))?;
     if !wanted.quick {
         let documentation = cargo(&["test", "--workspace", "--doc"]);
         check(&mut progress, "documentation tests", documentation, None)?;
@@ -76,8 +85,9 @@ pub fn run(root: &Path, wanted: &Test, machine: &dyn Machine) -> Result<Outcome,
     Ok(if done.iter().all(|test| test.passed) { Outcome::Good } else { Outcome::Bad })
 }
 
-/// Builds the tests: those of the workspace, and those of what a generation build alone has.
-fn programs(root: &Path, voice: &stages::Voice) -> Result<Vec<Program>, Error> {
+/// Builds the tests: those of the workspace, those of what a generation build alone has, and in a full run those of the
+/// ground station's tools.
+fn programs(root: &Path, wanted: &Test, voice: &stages::Voice) -> Result<Vec<Program>, Error> {
     let build = |arguments: &[&str]| {
         let all = ["test", "--no-run", "--message-format", "json-render-diagnostics"];
         let mut command = project::cargo(root, &all);
@@ -94,6 +104,12 @@ fn programs(root: &Path, voice: &stages::Voice) -> Result<Vec<Program>, Error> {
     let mut arguments = vec!["--package", WITNESS, "--features", "generate"];
     arguments.extend(settings.iter().flat_map(|setting| ["--config", setting]));
     programs.extend(build(&arguments)?);
+    if wanted.full {
+        for tool in TOOLS.split(',') {
+            let package = ["--package", "ground", "--features", TOOLS, "--test", tool];
+            programs.extend(build(&package)?);
+        }
+    }
     Ok(programs)
 }
 
