@@ -12,7 +12,7 @@
 //! | [`recorder`], [`replay`] | a flight as a file, and the C run again from it |
 //! | [`live`] | the testbed with the server at its side |
 //! | [`command`] | who commands |
-//! | [`messages`], [`server`], [`page`] | what the browser is told and may ask |
+//! | [`messages`], [`server`], [`limited`], [`page`] | what the browser is told and may ask |
 //! | [`tools`] | the same for Foxglove, and over MAVLink |
 //!
 //! The aircraft depends on none of what listens: the testbed never waits for the server, nor for a disk.
@@ -21,6 +21,7 @@ pub mod bench;
 pub mod catalogue;
 pub mod command;
 pub mod key;
+pub mod limited;
 pub mod live;
 pub mod messages;
 pub mod page;

@@ -3,12 +3,14 @@
 //! * Nothing is commanded by a GET. A page may command that shows the token, and of those one at a time; the
 //!   others watch. To stop, the token is enough.
 //! * A WebSocket is opened only for pages of this server: `Origin` and `Host` must be ours.
+//! * So many connections and pages at most: who comes later is turned away.
 //! * Whoever reads slowly misses frames; nobody waits for it. Orders that come faster than the testbed takes them
 //!   are refused.
 //!
 //! Knows messages, not what is done about them.
 
 use crate::command::{Command, Seat};
+use crate::limited::Limited;
 use crate::messages::{Ask, Tell};
 use crate::page;
 use axum::Router;
@@ -17,7 +19,6 @@ use axum::extract::{Path, State};
 use axum::http::{HeaderMap, StatusCode, Uri, header};
 use axum::response::{IntoResponse, Response};
 use axum::routing::get;
-use axum::serve::ListenerExt;
 use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
@@ -29,8 +30,11 @@ use tokio::sync::broadcast::{self, error::RecvError};
 /// Messages that a slow page may be behind: two seconds of frames.
 const BEHIND: usize = 128;
 
-/// The most pages at once.
-const MOST_PAGES: usize = 1000;
+/// The most connections at once: half of the files that a process may open on most systems.
+const MOST_CONNECTIONS: usize = 512;
+
+/// The most pages among them: the others are for files.
+const MOST_PAGES: usize = 256;
 
 /// The longest message that a page may send, bytes.
 const LONGEST: usize = 16 * 1024;
@@ -126,12 +130,7 @@ impl Hub {
 /// # Errors
 /// The socket failed.
 pub async fn serve(listener: TcpListener, hub: Arc<Hub>) -> std::io::Result<()> {
-    // Small messages go at once: held back until the last was acknowledged, they would be 40 ms late.
-    let listener = listener.tap_io(|stream| {
-        // Where it cannot be had, they are late.
-        let _ = stream.set_nodelay(true);
-    });
-    axum::serve(listener, router(hub)).await
+    axum::serve(Limited::new(listener, MOST_CONNECTIONS), router(hub)).await
 }
 
 /// Binds, and serves from a thread of its own: the address.

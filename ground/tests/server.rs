@@ -8,7 +8,7 @@ use ground::program::{Program, Target};
 use ground::server::{self, Hub};
 use ground::testbed::{Pace, Testbed, Wanted};
 use serde_json::{Value, json};
-use std::io::{Read, Write};
+use std::io::{BufRead, BufReader, Read, Write};
 use std::net::{SocketAddr, TcpStream};
 use std::sync::Arc;
 use tungstenite::client::IntoClientRequest;
@@ -213,6 +213,80 @@ fn a_page_that_reads_nothing_holds_nobody_up() {
     assert_eq!(served.live.timing().missed, 0);
     let mut last = pages.into_iter().next_back().expect("a hundred");
     assert!(last.hear("state")["pages"].as_u64().is_some_and(|pages| pages >= 101));
+}
+
+/// How many come at once.
+const CROWD: usize = 1000;
+
+/// Where the crowd goes; only for the process that is it.
+const THERE: &str = "GROUND_CROWD";
+
+/// A crowd of its own files: this program once more, in which only this test runs.
+fn crowd(address: SocketAddr) -> std::process::Child {
+    let here = std::env::current_exe().expect("this program");
+    std::process::Command::new(here)
+        .args(["--exact", "a_thousand_connections_keep_nobody_from_flying", "--nocapture"])
+        .env(THERE, address.to_string())
+        .stdin(std::process::Stdio::piped())
+        .stdout(std::process::Stdio::piped())
+        .spawn()
+        .expect("it starts")
+}
+
+/// Connects, every second one as a page as far as that is granted, and stays until nobody is interested any more.
+fn be_a_crowd(address: &str) {
+    let address: SocketAddr = address.parse().expect("an address");
+    let mut waiting = Vec::new();
+    for n in 0..CROWD {
+        let mut stream = TcpStream::connect(address).expect("it is let in, or turned away");
+        if n % 2 == 0 {
+            let opening = format!(
+                "GET /live HTTP/1.1\r\nHost: {address}\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n\
+                 Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n"
+            );
+            // Whoever is turned away need not say anything.
+            let _ = stream.write_all(opening.as_bytes());
+        }
+        waiting.push(stream);
+    }
+    println!("\ncrowded");
+    let _ = std::io::stdin().read(&mut [0]);
+}
+
+#[test]
+fn a_thousand_connections_keep_nobody_from_flying() {
+    if let Ok(address) = std::env::var(THERE) {
+        return be_a_crowd(&address);
+    }
+    let mut served = served();
+    let mut page = Page::open(&served);
+    assert!(page.claim(served.hub.token(), false));
+    let mut crowd = crowd(served.address);
+    let mut said = BufReader::new(crowd.stdout.take().expect("it is piped")).lines();
+    assert!(said.any(|line| line.is_ok_and(|line| line == "crowded")));
+    let hub = served.hub.clone();
+    served.until("crowded", |_| hub.pages() > 200);
+
+    let points = json!([{ "time": 0, "x": 0, "y": 0, "z": 1, "yaw": 0 }]);
+    page.ask(&json!({ "type": "fly", "points": points }));
+    page.ask(&json!({ "type": "take_off" }));
+    page.ask(&json!({ "type": "record" }));
+    page.settle();
+    served.until("in the air", |testbed| height(testbed) > 0.9);
+    // The software, too, can be started anew: there are files left for it.
+    page.ask(&json!({ "type": "kill" }));
+    page.settle();
+    let now = served.live.testbed.now();
+    served.until("met again", |testbed| testbed.restarts == 1 && testbed.now() > now + 3.0);
+    assert!(served.live.testbed.bench.is_answered() && served.live.timing().missed == 0);
+    let state = page.hear("state");
+    assert!(state["pages"].as_u64().is_some_and(|pages| pages <= 256), "{state}");
+
+    // They leave; whoever comes now is let in.
+    drop(crowd.stdin.take());
+    crowd.wait().expect("it has left");
+    let mut late = Page::open(&served);
+    late.hear("hello");
 }
 
 #[test]
