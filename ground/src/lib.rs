@@ -10,7 +10,7 @@
 //! | [`catalogue`] | what signals and parameters are called |
 //! | [`testbed`] | all of these, one control period at a time |
 //! | [`recorder`], [`replay`] | a flight as a file, and the C run again from it |
-//! | [`live`] | the testbed with the server at its side |
+//! | [`live`], [`player`] | the testbed, or a recording, with the server at its side |
 //! | [`command`] | who commands |
 //! | [`messages`], [`server`], [`limited`], [`page`] | what the browser is told and may ask |
 //! | [`tools`] | the same for Foxglove, and over MAVLink |
@@ -25,6 +25,7 @@ pub mod limited;
 pub mod live;
 pub mod messages;
 pub mod page;
+pub mod player;
 pub mod program;
 pub mod radio;
 pub mod recorder;

@@ -255,6 +255,10 @@ impl Live {
                 self.record(self.folder.join(name));
             }
             Ask::Save => self.save(),
+            Ask::Play { .. } | Ask::Seek { .. } => {
+                let reason = "a flight that goes on cannot be wound".into();
+                self.hub.tell(&Tell::Refused { reason });
+            }
         }
     }
 }

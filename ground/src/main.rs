@@ -3,6 +3,7 @@
 use clap::Parser;
 use ground::key::Key;
 use ground::live::{self, Live};
+use ground::player::Player;
 use ground::program::{Program, Target};
 use ground::radio::Quality;
 use ground::server::{self, Hub};
@@ -10,8 +11,9 @@ use ground::testbed::{Pace, Testbed, Wanted};
 use ground::{replay, testbed};
 use ground_args::{Fly, Machine, Replay, Task};
 use std::error::Error;
-use std::net::SocketAddr;
+use std::net::{Ipv4Addr, SocketAddr};
 use std::process::{Command, ExitCode, Stdio};
+use std::time::{Duration, Instant};
 
 /// The ground station.
 #[derive(Parser)]
@@ -24,6 +26,7 @@ struct Arguments {
 fn main() -> ExitCode {
     let outcome = match Arguments::parse().task {
         Task::Fly(wanted) => fly(&wanted).map(|()| true),
+        Task::Replay(wanted) if wanted.page => play(&wanted).map(|()| true),
         Task::Replay(wanted) => run_again(&wanted),
     };
     match outcome {
@@ -120,6 +123,28 @@ fn add_tools(wanted: &Fly, live: &mut Live) -> Result<(), Box<dyn Error>> {
 #[cfg(not(all(feature = "foxglove", feature = "mavlink")))]
 fn unbuilt(_: &mut Live, tool: &str, address: SocketAddr) -> Box<dyn Error> {
     format!("this program was built without `{tool}`, for {address}: `cargo xtask fly` builds it with it").into()
+}
+
+/// Shows a recording until the program is ended.
+fn play(wanted: &Replay) -> Result<(), Box<dyn Error>> {
+    let (asked, asks) = live::queue();
+    let hub = Hub::new(asked, &live::hello(false))?;
+    let mut player = Player::open(&wanted.file, hub.clone(), asks)?;
+    let wish = SocketAddr::new(Ipv4Addr::LOCALHOST.into(), wanted.port);
+    let address = server::start(wish, hub.clone())
+        .map_err(|error| format!("`{wish}`: {error}; `--port 0` takes a port that is free"))?;
+    let page = format!("http://{address}/#token={}", hub.token());
+    println!("{page}");
+    if !wanted.headless {
+        show(&page);
+    }
+    let mut before = Instant::now();
+    loop {
+        std::thread::sleep(Duration::from_millis(10));
+        let now = Instant::now();
+        player.step((now - before).as_secs_f64());
+        before = now;
+    }
 }
 
 fn run_again(wanted: &Replay) -> Result<bool, Box<dyn Error>> {

@@ -130,6 +130,16 @@ pub enum Ask {
     Record,
     /// Ends the recording.
     Save,
+    /// Shows a flight that is over so many times as fast; 0 stands still.
+    Play {
+        /// How fast.
+        speed: f64,
+    },
+    /// Goes to a time of it.
+    Seek {
+        /// Since the testbed began, s.
+        time: f64,
+    },
 }
 
 impl Ask {
@@ -173,6 +183,8 @@ pub enum Tell {
     },
     /// How everything is.
     State(Box<State>),
+    /// Where the player of a flight that is over is.
+    Playing(Playing),
     /// Whether this page commands.
     Command {
         /// Whether it does.
@@ -197,6 +209,19 @@ pub enum Tell {
         /// The number that came with it.
         number: f64,
     },
+}
+
+/// Where the player of a flight that is over is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Playing {
+    /// The beginning of the recording, s.
+    pub from: f64,
+    /// Its end, s.
+    pub to: f64,
+    /// What is shown, s.
+    pub time: f64,
+    /// How fast; 0 while it stands still.
+    pub speed: f64,
 }
 
 /// How everything is, four times a second.

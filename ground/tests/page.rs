@@ -8,12 +8,14 @@ mod browser;
 
 use browser::Browser;
 use ground::live::{self, Live};
+use ground::player::Player;
 use ground::program::{Program, Target};
 use ground::server::{self, Hub};
 use ground::testbed::{Pace, Testbed, Wanted};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
 
 /// A testbed in real time with its server, in a thread of its own.
 struct Running {
@@ -126,5 +128,53 @@ fn the_page_flies_the_aircraft() {
     browser.until("document.body.dataset.alarm === 'asked'");
     browser.until("document.body.dataset.phase === 'over'");
 
+    assert_eq!(browser.see("document.body.dataset.failure ?? ''"), "");
+}
+
+/// A recording of two seconds on the ground, played in a thread of its own: the address of its page.
+fn played(path: &std::path::Path) -> String {
+    let program = Program::build(&bessemer_legs::root(), Target::Native)
+        .unwrap_or_else(|error| panic!("{error}"));
+    let wanted = Wanted { pace: Pace::Virtual, ..Wanted::default() };
+    let mut testbed = Testbed::start(&program, &wanted).unwrap_or_else(|error| panic!("{error}"));
+    let mut recorder = ground::recorder::Recorder::start(path.to_owned(), None);
+    let run = testbed.run_until(2.0, |done, _| recorder.take(done));
+    run.unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(recorder.finish().error, None);
+
+    let (asked, asks) = live::queue();
+    let hub = Hub::new(asked, &live::hello(false)).expect("random bytes");
+    let mut player = Player::open(path, hub.clone(), asks).expect("a recording");
+    let served = server::start(([127, 0, 0, 1], 0).into(), hub.clone()).expect("a port");
+    // As the program does, until the test ends.
+    std::thread::spawn(move || {
+        let mut before = Instant::now();
+        loop {
+            std::thread::sleep(Duration::from_millis(10));
+            player.step(before.elapsed().as_secs_f64());
+            before = Instant::now();
+        }
+    });
+    format!("http://{served}/#token={}", hub.token())
+}
+
+#[test]
+fn the_page_shows_a_recording() {
+    if !is_asked_for() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let address = played(&folder.path().join("flight.mcap"));
+    let mut browser = Browser::start();
+    browser.go(&address);
+    browser.until("document.body.dataset.commands === 'true'");
+    browser.until("document.querySelector('#link').innerText === 'recording'");
+    browser.click("#play", (0.5, 0.5));
+    browser.until("document.querySelector('#play').innerText === 'Play'");
+    browser.see("const at = document.querySelector('#at'); at.value = 1.5; at.dispatchEvent(new Event('input'))");
+    browser.until("document.body.dataset.playing === '1.50'");
+    browser.until("document.body.dataset.phase === 'ready'");
+    browser.click("#play", (0.5, 0.5));
+    browser.until("Number(document.body.dataset.playing) > 1.9");
     assert_eq!(browser.see("document.body.dataset.failure ?? ''"), "");
 }

@@ -4,6 +4,7 @@
 //! waits for, or until that is hopeless.
 
 use ground::live::{self, Live};
+use ground::player::Player;
 use ground::program::{Program, Target};
 use ground::server::{self, Hub};
 use ground::testbed::{Pace, Testbed, Wanted};
@@ -13,6 +14,24 @@ use std::net::{SocketAddr, TcpStream};
 use std::sync::Arc;
 use tungstenite::client::IntoClientRequest;
 use tungstenite::{HandshakeError, Message, WebSocket};
+
+#[test]
+fn the_page_is_what_its_sources_give() {
+    let web = bessemer_legs::root().join("ground/web");
+    let told = "build it: `npm ci && npm run build` in ground/web";
+    let checked = std::process::Command::new("sha256sum")
+        .args(["--check", "--strict", "--quiet", "../page/sums.txt"])
+        .current_dir(&web)
+        .output()
+        .expect("coreutils are here");
+    assert!(checked.status.success(), "{}{told}", String::from_utf8_lossy(&checked.stdout));
+    let sums = std::fs::read_to_string(web.join("../page/sums.txt")).expect("the sums");
+    for source in std::fs::read_dir(web.join("src")).expect("the sources") {
+        let name = source.expect("a file").file_name();
+        let line = format!("  src/{}\n", name.to_string_lossy());
+        assert!(sums.contains(&line), "{line}{told}");
+    }
+}
 
 struct Served {
     live: Live,
@@ -43,6 +62,10 @@ fn page_from(address: SocketAddr, origin: Option<&str>) -> Result<Page, u16> {
         request.headers_mut().insert("origin", origin.parse().expect("an origin"));
     }
     let stream = TcpStream::connect(address).expect("the server listens");
+    // It only ends a test that would never end.
+    stream
+        .set_read_timeout(Some(std::time::Duration::from_secs(60)))
+        .expect("a socket has a limit");
     match tungstenite::client(request, stream) {
         Ok((socket, _)) => Ok(Page(socket)),
         Err(HandshakeError::Failure(tungstenite::Error::Http(answer))) => {
@@ -304,6 +327,49 @@ fn a_full_disk_ends_the_recording_and_nothing_else() {
     let error = state["recording"]["error"].as_str().unwrap_or_default().to_owned();
     assert!(error.contains("No space left"), "{state}");
     assert!(served.live.testbed.bench.is_answered());
+}
+
+#[test]
+fn a_flight_that_is_over_is_shown_again() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("flight.mcap");
+    let mut served = served();
+    served.live.record(path.clone());
+    served.until("two seconds", |testbed| testbed.now() > 2.0);
+    served.live.save();
+
+    let (asked, asks) = live::queue();
+    let hub = Hub::new(asked, &live::hello(false)).expect("random bytes");
+    let mut player = Player::open(&path, hub.clone(), asks).expect("a recording");
+    let address = server::start(([127, 0, 0, 1], 0).into(), hub.clone()).expect("a port");
+    let mut page = page_from(address, None).unwrap_or_else(|status| panic!("{status}"));
+    page.hear("hello");
+    assert!(page.claim(hub.token(), false));
+    page.settle();
+    player.step(0.0);
+    assert_eq!(page.hear("frame")["period"], 0);
+    player.step(0.021);
+    let second = page.hear("frame");
+    assert_eq!(second["period"], 4);
+    assert_eq!(second["signals"].as_array().map(Vec::len), Some(57));
+    // Back and forth, and at another pace.
+    page.ask(&json!({ "type": "play", "speed": 0 }));
+    page.ask(&json!({ "type": "seek", "time": 1.501 }));
+    page.settle();
+    player.step(10.0);
+    assert_eq!(page.hear("frame")["period"], 300);
+    let playing = page.hear("playing");
+    assert_eq!((&playing["time"], &playing["speed"]), (&json!(1.501), &json!(0.0)));
+    page.ask(&json!({ "type": "play", "speed": 2 }));
+    page.ask(&json!({ "type": "seek", "time": 0.501 }));
+    page.settle();
+    player.step(0.25);
+    assert_eq!(page.hear("frame")["period"], 100);
+    assert!((player.playing().time - 1.001).abs() < 1e-9);
+    page.ask(&json!({ "type": "take_off" }));
+    page.settle();
+    player.step(0.0);
+    assert_eq!(page.hear("refused")["reason"], "a flight that is over takes no orders");
 }
 
 #[test]

@@ -1,6 +1,7 @@
 // Builds the page into the folder given, or into ../page: the files that the ground station's program carries.
 import { build } from "esbuild";
-import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { createHash } from "node:crypto";
+import { copyFileSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 
 const out = process.argv[2] ?? new URL("../page", import.meta.url).pathname;
 mkdirSync(out, { recursive: true });
@@ -18,3 +19,10 @@ await build({
   legalComments: "eof",
   logLevel: "warning",
 });
+// A test holds sources and page to this, so that neither is committed without the other.
+const here = new URL(".", import.meta.url).pathname;
+const sources = ["build.mjs", "index.html", "package-lock.json", ...readdirSync(`${here}src`).map((name) => `src/${name}`)];
+const built = ["index.html", "licences.txt", "page.css", "page.js"].map((name) => `../page/${name}`);
+const sum = (path) => createHash("sha256").update(readFileSync(path)).digest("hex");
+const lines = [...sources.map((name) => [name, `${here}${name}`]), ...built.map((name) => [name, `${out}/${name.slice(8)}`])];
+writeFileSync(`${out}/sums.txt`, lines.sort().map(([name, path]) => `${sum(path)}  ${name}\n`).join(""));

@@ -256,7 +256,7 @@ impl Onboard {
 /// 26–33 the feed-forward's; 34 its gain; 35 the alarm; 36–43 the motors' commands; 44–46 the wanted
 /// velocity; 47–50 the ages of the measurements; 51–56 the variances of position and angles. The rest is 0.
 #[function]
-fn signals(outputs: &Outputs) -> SVector<f64, 64> {
+pub fn signals(outputs: &Outputs) -> SVector<f64, 64> {
     let mut all = SVector::zeros();
     let estimate = &outputs.estimate;
     let target = &outputs.reference.target;

@@ -13,7 +13,7 @@ use std::path::PathBuf;
 pub enum Task {
     /// Fly live: aircraft, emitted C, link and ground station, with a page in the browser
     Fly(Fly),
-    /// Run the onboard C again from a recording of `fly`, and compare every output by its bits
+    /// Run the onboard C again from a recording of `fly`, and compare every output by its bits; or show it
     Replay(Replay),
 }
 
@@ -81,6 +81,15 @@ pub struct Fly {
 pub struct Replay {
     /// The recording
     pub file: PathBuf,
+    /// Show it in the browser instead
+    #[arg(long)]
+    pub page: bool,
+    /// Open no browser: only print the address of the page
+    #[arg(long, requires = "page")]
+    pub headless: bool,
+    /// Port of the page; 0 for any that is free
+    #[arg(long, default_value_t = 8080, requires = "page")]
+    pub port: u16,
     /// Where the onboard software runs
     #[arg(long, value_enum, default_value_t = Machine::Native)]
     pub target: Machine,

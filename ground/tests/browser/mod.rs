@@ -65,6 +65,9 @@ impl Browser {
         // What else it says is nobody's news, but has to go somewhere.
         std::thread::spawn(move || lines.for_each(drop));
         let (socket, _) = tungstenite::connect(address).expect("chromium answers");
+        if let MaybeTlsStream::Plain(stream) = socket.get_ref() {
+            stream.set_read_timeout(Some(LIMIT)).expect("a socket has a limit");
+        }
         let (session, target) = (String::new(), String::new());
         let mut browser = Self { child, socket, session, target, number: 0, _profile: profile };
         browser.open();
@@ -156,7 +159,8 @@ impl Browser {
         }
         self.socket.send(Message::text(asked.to_string())).expect("chromium listens");
         loop {
-            let heard = self.socket.read().expect("chromium answers");
+            let heard = self.socket.read();
+            let heard = heard.unwrap_or_else(|error| panic!("{method} is not answered: {error}"));
             let Ok(text) = heard.to_text() else { continue };
             let Ok(answer) = serde_json::from_str::<Value>(text) else { continue };
             if answer["id"] == json!(number) {

@@ -12,6 +12,8 @@ export class History {
   private begin = 0;
   private end = 0;
   private last = -1;
+  /** The time between two frames while none is missing, s. */
+  step = Infinity;
   /** What each signal was last. */
   readonly now = new Float64Array(SIGNALS).fill(NaN);
   truth: number[] = [];
@@ -19,7 +21,12 @@ export class History {
   /** Takes a frame in; whether it is the first of another software. */
   take(frame: Frame, period: number): boolean {
     const anew = frame.period < this.last;
-    if (anew) this.begin = this.end = 0;
+    if (anew) {
+      this.begin = this.end = 0;
+      this.step = Infinity;
+    } else if (this.last >= 0 && frame.period > this.last) {
+      this.step = Math.min(this.step, (frame.period - this.last) * period);
+    }
     this.last = frame.period;
     this.truth = frame.truth;
     frame.signals.forEach((signal, place) => { this.now[signal] = frame.values[place] ?? NaN; });
@@ -30,7 +37,9 @@ export class History {
       this.end = SHOWN;
     }
     this.times[this.end] = frame.period * period;
-    this.columns.forEach((column, signal) => { column[this.end] = this.now[signal]!; });
+    // What does not come down is not drawn as if it stood still.
+    for (const column of this.columns) column[this.end] = NaN;
+    for (const signal of frame.signals) this.columns[signal]![this.end] = this.now[signal]!;
     this.end += 1;
     this.begin = Math.max(this.begin, this.end - SHOWN);
     return anew;

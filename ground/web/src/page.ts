@@ -5,8 +5,8 @@ import "./page.css";
 import { History } from "./history";
 import { Plan } from "./plan";
 import { Plots } from "./plots";
-import { ALARM, CLOSED_LOOP, FEED_FORWARD, PHASE, WANTED, X, Y, Z } from "./protocol";
-import type { Ask, Frame, Hello, Point, State, Tell } from "./protocol";
+import { ALARM, CLOSED_LOOP, FEED_FORWARD, PHASE, TAKEN, WANTED, X, Y, Z } from "./protocol";
+import type { Ask, Frame, Hello, Playing, Point, State, Tell } from "./protocol";
 import { Scene } from "./scene";
 import { Socket } from "./socket";
 import { pilot } from "./sticks";
@@ -35,6 +35,8 @@ const plots = new Plots(get("plots"));
 const scene = new Scene(get<HTMLCanvasElement>("scene"));
 let hello: Hello | undefined;
 let commands = false;
+/** Whether this page commands as soon as nobody else does. */
+let waits = false;
 let open = false;
 let fresh = false;
 let mode = "";
@@ -61,6 +63,7 @@ function take(tell: Tell): void {
     case "hello": return begin(tell);
     case "frame": return frame(tell);
     case "state": return state(tell);
+    case "playing": return playing(tell);
     case "command": return granted(tell.granted, tell.reason);
     case "outcome": return say(`${tell.order}: ${{ done: "done", given_up: "nothing shows that it was carried out", refused: "refused" }[tell.outcome]}`, tell.outcome !== "done");
     case "refused": return say(tell.reason, true);
@@ -102,6 +105,10 @@ function frame(tell: Frame): void {
 
 function state(tell: State): void {
   link(tell);
+  if (waits && socket.wants && !tell.commanded) {
+    waits = false;
+    socket.claim(false);
+  }
   mode = tell.mode == null ? "" : MODES[tell.mode] ?? "";
   get("mode").textContent = mode || "–";
   tell.parameters.forEach((value, number) => {
@@ -113,7 +120,7 @@ function state(tell: State): void {
   get("recording").textContent = recording.error ?? (recording.running ? `${fixed(recording.periods * (hello?.period ?? 0), 0)} s` : "");
   get("recording").className = recording.error ? "bad" : "";
   get("download").hidden = !recording.ready;
-  get("claim").textContent = commands ? "Give up command" : tell.commanded ? "Take command from the other page" : "Take command";
+  get("claim").textContent = commands ? "Give up command" : tell.commanded ? "Take command from who has it" : "Take command";
   const rows: [string, string][] = [
     ["up: sent, lost, doubled, overtaken", [up.sent, up.lost, up.doubled, up.overtaken].join(", ")],
     ["down: sent, lost, doubled, overtaken", [down.sent, down.lost, down.doubled, down.overtaken].join(", ")],
@@ -125,6 +132,18 @@ function state(tell: State): void {
     ["software started anew", `${tell.restarts}`],
   ];
   get("counts").replaceChildren(...rows.flatMap(([name, value]) => [make("dt", name), make("dd", value)]));
+}
+
+function playing(tell: Playing): void {
+  document.body.dataset["playing"] = fixed(tell.time, 2);
+  get("player").hidden = false;
+  get("link").textContent = "recording";
+  get("link").className = "";
+  get("play").textContent = tell.speed > 0 ? "Pause" : "Play";
+  const at = get<HTMLInputElement>("at");
+  [at.min, at.max] = [`${tell.from}`, `${tell.to}`];
+  if (!at.matches(":active")) at.value = `${tell.time}`;
+  get("at-is").textContent = `${fixed(tell.time, 1)} of ${fixed(tell.to, 1)} s`;
 }
 
 function link(tell: State | undefined): void {
@@ -153,6 +172,7 @@ function lossOf({ heard }: State): number {
 
 function granted(is: boolean, reason: string): void {
   commands = is;
+  waits = reason === TAKEN;
   document.body.dataset["commands"] = `${is}`;
   if (reason) say(reason, true);
   for (const control of document.querySelectorAll<HTMLButtonElement | HTMLInputElement | HTMLSelectElement>(
@@ -247,7 +267,7 @@ for (const button of document.querySelectorAll<HTMLElement>("[data-mode]")) butt
 get("stop").addEventListener("click", () => ask("stop"));
 get("claim").addEventListener("click", () => {
   if (!socket.trusted) return say("open the address with the token that the program printed", true);
-  if (commands) { socket.wants = false; ask("release"); } else socket.claim(get("claim").textContent?.includes("other") ?? false);
+  if (commands) { socket.wants = false; ask("release"); } else socket.claim(get("claim").textContent?.includes("from") ?? false);
 });
 get("add").addEventListener("click", () => {
   const last = points[points.length - 1] ?? { time: -5, x: 0, y: 0, z: 1, yaw: 0 };
@@ -257,6 +277,10 @@ get("add").addEventListener("click", () => {
 get("fly").addEventListener("click", send);
 get("kill").addEventListener("click", () => ask("kill"));
 get("record").addEventListener("click", () => ask(get("record").textContent === "Record" ? "record" : "save"));
+const speed = get<HTMLSelectElement>("speed");
+get("play").addEventListener("click", () => ask("play", { speed: get("play").textContent === "Play" ? Number(speed.value) : 0 }));
+speed.addEventListener("change", () => ask("play", { speed: Number(speed.value) }));
+get("at").addEventListener("input", (event) => ask("seek", { time: Number((event.target as HTMLInputElement).value) }));
 get("choose").addEventListener("click", () => {
   const chosen = [...document.querySelectorAll<HTMLInputElement>("#signals input:checked")].map((box) => Number(box.value));
   if (chosen.length === 0 || chosen.length > 36) return say("1 to 36 signals", true);

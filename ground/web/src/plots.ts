@@ -41,12 +41,21 @@ const css = (name: string): string => getComputedStyle(document.documentElement)
 class Chart {
   private readonly plot: uPlot;
   private readonly scratch: Float64Array[] = [];
+  private step = Infinity;
 
   constructor(private readonly what: Plot, parent: HTMLElement) {
     const series: uPlot.Series[] = [{ label: "s" }];
+    // Where frames are missing, nothing is drawn.
+    const gaps: uPlot.Series.GapsRefiner = (plot, _, from, to, found) => {
+      const times = plot.data[0];
+      for (let n = from + 1; n <= to; n += 1) {
+        if (times[n]! - times[n - 1]! > 1.5 * this.step) found.push([plot.valToPos(times[n - 1]!, "x", true), plot.valToPos(times[n]!, "x", true)]);
+      }
+      return found;
+    };
     const bands: uPlot.Band[] = [];
     for (const line of what.lines) {
-      series.push({ label: line.name, stroke: () => css(line.colour), width: 1.5,
+      series.push({ label: line.name, gaps, stroke: () => css(line.colour), width: 1.5,
         value: (_, value) => value == null || Number.isNaN(value) ? "–" : (value as number).toFixed(3).replace(/^-(0\.0+)$/, "$1"),
         ...(line.dash ? { dash: [6, 4] } : {}) });
     }
@@ -54,7 +63,7 @@ class Chart {
     for (const line of what.lines) {
       if (line.band === undefined) continue;
       const at = series.length;
-      for (let edge = 0; edge < 2; edge += 1) series.push({ width: 0, points: { show: false }, class: "edge" });
+      for (let edge = 0; edge < 2; edge += 1) series.push({ width: 0, gaps, points: { show: false }, class: "edge" });
       bands.push({ series: [at, at + 1], fill: () => `color-mix(in srgb, ${css(line.colour)} 22%, transparent)` });
     }
     const axis = (): uPlot.Axis => ({ stroke: () => css("--quiet"), grid: { stroke: () => css("--line"), width: 1 },
@@ -70,6 +79,7 @@ class Chart {
   redraw(): void { this.plot.redraw(false, true); }
 
   show(history: History): void {
+    this.step = history.step;
     const data: (Float64Array)[] = [history.time];
     const length = history.time.length;
     let at = 0;

@@ -16,7 +16,8 @@ export interface State {
   pages: number; commanded: boolean; skipped: number;
   recording: { running: boolean; periods: number; error: string | null; ready: boolean };
 }
-export type Tell = Hello | Frame | State
+export interface Playing { type: "playing"; from: number; to: number; time: number; speed: number }
+export type Tell = Hello | Frame | State | Playing
   | { type: "command"; granted: boolean; reason: string }
   | { type: "outcome"; order: string; outcome: "done" | "given_up" | "refused" }
   | { type: "refused"; reason: string }
@@ -24,6 +25,9 @@ export type Tell = Hello | Frame | State
 
 export interface Point { time: number; x: number; y: number; z: number; yaw: number }
 export type Ask = { type: string } & Record<string, unknown>;
+
+/** Why a page may not command that could, if another did not. */
+export const TAKEN = "somebody else commands";
 
 // Numbers of signals on board.
 export const X = 0, Y = 1, Z = 2, ROLL = 3, YAW = 5, WANTED = 12, WANTED_YAW = 15, PHASE = 16, TIME = 17;

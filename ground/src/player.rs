@@ -1,0 +1,143 @@
+//! A flight that is over, shown in the page once more: the frames of its recording, at the pace that is asked for.
+//!
+//! Needs no software and no aircraft: what it said is in the recording, each step whole, so that every signal can be
+//! shown whatever came down then.
+
+use crate::bench::Worked;
+use crate::catalogue::SIGNALS;
+use crate::messages::{Ask, Playing, Tell};
+use crate::recorder::{STEPS, step};
+use crate::replay::Error;
+use crate::server::Hub;
+use models::onboard::signals;
+use serde_json::Value;
+use sim::scenario::LEAD;
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::mpsc::Receiver;
+
+/// One frame in so many periods: at 50 Hz.
+const SHOWN: u64 = 4;
+
+/// The page is told where the player is every so often, s of the clock on the wall.
+const TOLD: f64 = 0.25;
+
+/// The fastest that a flight is shown.
+const FASTEST: f64 = 16.0;
+
+/// A frame of a recording.
+#[derive(Clone, Debug)]
+struct Frame {
+    /// Since the testbed began, s.
+    time: f64,
+    tell: Tell,
+}
+
+/// The player.
+pub struct Player {
+    frames: Vec<Frame>,
+    hub: Arc<Hub>,
+    asked: Receiver<Ask>,
+    /// Where it is, s.
+    time: f64,
+    speed: f64,
+    /// The first frame that has not been shown.
+    next: usize,
+    untold: f64,
+}
+
+impl Player {
+    /// A recording, whose pages ask through `asked`.
+    ///
+    /// # Errors
+    /// The recording cannot be read, or has nothing to show.
+    pub fn open(path: &Path, hub: Arc<Hub>, asked: Receiver<Ask>) -> Result<Self, Error> {
+        let frames = read(path)?;
+        let first = frames.first().ok_or_else(|| Error::Empty { path: path.to_owned() })?;
+        let time = first.time;
+        Ok(Self { frames, hub, asked, time, speed: 1.0, next: 0, untold: TOLD })
+    }
+
+    /// Where it is, s, and whether it goes on.
+    pub fn playing(&self) -> Playing {
+        let from = self.frames.first().map_or(0.0, |frame| frame.time);
+        let to = self.frames.last().map_or(0.0, |frame| frame.time);
+        Playing { from, to, time: self.time, speed: self.speed }
+    }
+
+    /// So much time has passed on the wall, s: shows what is due.
+    pub fn step(&mut self, passed: f64) {
+        while let Ok(ask) = self.asked.try_recv() {
+            self.obey(&ask);
+        }
+        let Playing { to, .. } = self.playing();
+        self.time = (self.time + passed * self.speed).min(to);
+        while let Some(frame) = self.frames.get(self.next).filter(|it| it.time <= self.time) {
+            self.hub.tell(&frame.tell);
+            self.next += 1;
+        }
+        self.untold += passed;
+        if self.untold >= TOLD {
+            self.untold = 0.0;
+            self.hub.tell(&Tell::Playing(self.playing()));
+        }
+    }
+
+    fn obey(&mut self, ask: &Ask) {
+        match *ask {
+            Ask::Play { speed } if speed.is_finite() => self.speed = speed.clamp(0.0, FASTEST),
+            Ask::Seek { time } if time.is_finite() => {
+                let Playing { from, to, .. } = self.playing();
+                self.time = time.clamp(from, to);
+                // The frame there is shown even while it stands still, and the page forgets what came after it.
+                let next = self.frames.partition_point(|frame| frame.time <= self.time);
+                self.next = next.saturating_sub(1);
+                self.untold = TOLD;
+            }
+            _ => {
+                let reason = "a flight that is over takes no orders".into();
+                self.hub.tell(&Tell::Refused { reason });
+            }
+        }
+    }
+}
+
+/// Every frame of a recording.
+fn read(path: &Path) -> Result<Vec<Frame>, Error> {
+    let file =
+        std::fs::read(path).map_err(|source| Error::File { path: path.to_owned(), source })?;
+    let broken = |source| Error::Mcap { path: path.to_owned(), source };
+    let (mut frames, mut truth) = (Vec::new(), [f32::NAN; 6]);
+    for message in mcap::MessageStream::new(&file).map_err(broken)? {
+        let message = message.map_err(|source| Error::Mcap { path: path.to_owned(), source })?;
+        match message.channel.topic.as_str() {
+            "/truth" => truth = seen(&message.data),
+            STEPS => {
+                let worked =
+                    step(&message.data).ok_or_else(|| Error::Empty { path: path.to_owned() })?;
+                if worked.count.is_multiple_of(SHOWN) {
+                    let time = message.log_time as f64 * 1e-9 - LEAD;
+                    frames.push(Frame { time, tell: frame(&worked, truth) });
+                }
+            }
+            _ => {}
+        }
+    }
+    Ok(frames)
+}
+
+/// What the page is told of a step: every signal.
+fn frame(worked: &Worked, truth: [f32; 6]) -> Tell {
+    let all = signals(&worked.outputs);
+    let numbers = SIGNALS.iter().map(|signal| signal.number);
+    let values = numbers.clone().map(|number| all[usize::from(number)] as f32).collect();
+    let period = u32::try_from(worked.count).unwrap_or(u32::MAX);
+    Tell::Frame { period, signals: numbers.collect(), values, truth }
+}
+
+/// Where the aircraft was; no numbers, if that is not said.
+fn seen(message: &[u8]) -> [f32; 6] {
+    let truth: Value = serde_json::from_slice(message).unwrap_or_default();
+    ["x", "y", "z", "roll", "pitch", "yaw"]
+        .map(|name| truth[name].as_f64().map_or(f32::NAN, |value| value as f32))
+}
