@@ -41,6 +41,8 @@ pub enum Pace {
     /// As on the wall.
     #[default]
     Real,
+    /// As on the wall while the software keeps up, and slower where it does not: nothing is missed on a busy machine.
+    Patient,
     /// As fast as the software answers.
     Virtual,
 }
@@ -193,7 +195,7 @@ impl Testbed {
         }
     }
 
-    /// Waits for the beginning of the period; its end.
+    /// Waits for the beginning of the period; its end, where the software has to keep it.
     fn pause(&mut self) -> Option<Instant> {
         if self.pace == Pace::Virtual {
             return None;
@@ -206,7 +208,7 @@ impl Testbed {
         }
         std::thread::sleep(due.saturating_duration_since(now));
         self.periods += 1;
-        Some(due + length)
+        (self.pace == Pace::Real).then(|| due + length)
     }
 
     fn restart(&mut self) -> Result<(), Error> {
@@ -214,8 +216,8 @@ impl Testbed {
         self.restarts += 1;
         self.station.anew();
         self.running = self.program.start(self.bench.port()?, self.key.as_ref())?;
-        // The aircraft does not wait for its computer; virtual time does.
-        if self.pace == Pace::Virtual && !self.bench.wait(START)? {
+        // The aircraft does not wait for its computer; time does, unless it is real.
+        if self.pace != Pace::Real && !self.bench.wait(START)? {
             return Err(Error::Silent);
         }
         Ok(())

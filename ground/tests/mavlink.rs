@@ -1,4 +1,4 @@
-//! The other end of MAVLink is pymavlink: a mission flown by it alone, in real time.
+//! The other end of MAVLink is pymavlink: a mission flown by it alone, in time that waits for the software.
 
 use ground::live::{self, Live};
 use ground::program::{Program, Target};
@@ -18,7 +18,7 @@ const PYTHON: &str = "target/python/bin/python";
 fn flown(seed: u64) -> (Live, Arc<Hub>) {
     let program = Program::build(&bessemer_legs::root(), Target::Native)
         .unwrap_or_else(|error| panic!("{error}"));
-    let wanted = Wanted { pace: Pace::Real, seed, ..Wanted::default() };
+    let wanted = Wanted { pace: Pace::Patient, seed, ..Wanted::default() };
     let testbed = Testbed::start(&program, &wanted).unwrap_or_else(|error| panic!("{error}"));
     let (asked, asks) = live::queue();
     let hub = Hub::new(asked, &live::hello(false)).expect("random bytes");

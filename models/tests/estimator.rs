@@ -3,6 +3,8 @@
 use bessemer::nalgebra::{SMatrix, Vector3, Vector6};
 use models::attitude_filter::AttitudeFilter;
 use models::axis_filter::AxisFilter;
+use models::calibration::{Measured, Vicon};
+use models::estimator::{Estimator, Sensors};
 use models::expectation::{Expectation, Push};
 use models::feed_forward::{Injection, compensation};
 use models::geometry::wrapped;
@@ -161,4 +163,23 @@ fn a_sensor_that_repeats_itself_is_not_believed_once() {
     assert!(stuck.says(&Vector3::new(0.1, 0.2, 0.3)));
     assert!(!stuck.says(&Vector3::new(0.1, 0.2, 0.3)));
     assert!(stuck.says(&Vector3::new(0.1, 0.2, 0.300_001)));
+}
+
+#[test]
+fn vicon_sees_nothing_below_the_ground() {
+    // Not half a box below it, as far as the box goes up: only as far as its own error and the ground's.
+    for (height, taken) in
+        [(4.9, true), (0.0, true), (-0.1, true), (-0.2, false), (-4.9, false), (5.1, false)]
+    {
+        let mut estimator = Estimator::default();
+        let position = Vector3::new(0.01, 0.0, height);
+        let vicon = Vicon { fresh: true, position, angles: Vector3::zeros() };
+        let measured = Measured { vicon, ..Measured::default() };
+        estimator.step(&Sensors::mambo(), &Push::default(), &measured);
+        assert_eq!(
+            (estimator.outliers == 0, estimator.ages.vicon == 0.0),
+            (taken, taken),
+            "{height}"
+        );
+    }
 }
