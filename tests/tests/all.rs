@@ -1,51 +1,55 @@
 //! One program of all tests across the crates: what several of them compile, such as the corpus, is compiled once,
-//! and the test runner keeps every processor busy to the end.
+//! and the test runner keeps every processor busy to the end. The tests of a module run in one process: those that need the
+//! same models stand together.
 //!
 //! `cargo test -p bessemer-tests corpus::` runs one module.
 
 mod asked;
 mod corpus;
-mod coverage;
 mod deep;
 mod delivery;
 mod diagnosed;
 mod edges;
-mod emitted;
 mod ends;
 mod eva;
 mod fast_mode;
 mod flight;
-mod guards;
 mod kernel_options;
-mod kinds;
-mod language;
 mod large;
 mod layouts;
 mod linear;
 mod mathematics;
-mod onboard;
 mod random;
 mod readme;
 mod refused;
 mod self_test;
 mod stability;
 mod target_math;
-mod text;
 mod types;
 mod walks;
 mod work;
 
-/// A file that is dropped in beside this one is run.
+use std::path::Path;
+
+/// A file that is dropped in anywhere below is run.
 #[test]
 fn every_module_is_named() {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests");
-    for entry in std::fs::read_dir(folder).expect("the folder of the tests").flatten() {
+    every_file_is_named(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/tests")), "all.rs");
+}
+
+/// The files and folders of `folder`, in the file there that names them.
+fn every_file_is_named(folder: &Path, naming: &str) {
+    let text = std::fs::read_to_string(folder.join(naming)).expect("what names the modules");
+    for entry in std::fs::read_dir(folder).expect("a folder of tests").flatten() {
         let path = entry.path();
         let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        let named = include_str!("all.rs").contains(&format!("\nmod {name};\n"));
-        assert!(
-            named || ["all", "snapshots"].contains(&name.as_str()),
-            "no `mod {name};` in all.rs"
-        );
+        if path.file_name() == Some(naming.as_ref()) || name == "snapshots" {
+            continue;
+        }
+        let named = text.contains(&format!("\nmod {name};\n"));
+        assert!(named, "no `mod {name};` in {}", folder.join(naming).display());
+        if path.is_dir() {
+            every_file_is_named(&path, "mod.rs");
+        }
     }
 }

@@ -2,16 +2,14 @@
 //! interpreter and in C (gcc and clang, -O0 and -O3, under sanitizers, and on the Cortex-A9 with NEON and without; sizes
 //! between those at which kernels change in one of these, optimised), on random, graded, singular and tied matrices, and on ones with NaN, infinities and zeros in them.
 
-use std::collections::BTreeSet;
 use std::sync::OnceLock;
 use std::thread;
 
-use bessemer_codegen::c::CFile;
 use bessemer_codegen::compile::Compiled;
 use bessemer_interpret::Interpreter;
 use bessemer_ir::{Float, Function, FunctionId, Mode, Module, Scalar, Type};
-use bessemer_tests::process::{Process, at_once};
-use bessemer_tests::toolchain::{self, Toolchain};
+use bessemer_tests::process::{Process, at_once, lay_out};
+use bessemer_tests::toolchain::{self, Toolchain, run};
 use bessemer_tests::{compiled, harness, turn};
 use linear::{CASES, OTHER_SIZES};
 
@@ -227,35 +225,12 @@ fn the_interpreter_agrees() {
     }
 }
 
-/// The files that a program needs: what it includes, and what that includes.
-fn needed(compiled: &Compiled, main: &str) -> Vec<CFile> {
-    let included = |text: &str| -> Vec<String> {
-        let name = |line: &str| {
-            let rest = line.strip_prefix("#include \"")?;
-            Some(rest.strip_suffix(".h\"")?.to_owned())
-        };
-        text.lines().filter_map(name).collect()
-    };
-    let is = |file: &CFile, stem: &str| file.name.rsplit_once('.').is_some_and(|it| it.0 == stem);
-    let mut stems = BTreeSet::new();
-    let mut open = included(main);
-    while let Some(stem) = open.pop() {
-        for file in compiled.files.iter().filter(|file| is(file, &stem)) {
-            open.extend(included(&file.text).into_iter().filter(|name| !stems.contains(name)));
-        }
-        stems.insert(stem);
-    }
-    let wanted = |file: &&CFile| stems.iter().any(|stem| is(file, stem));
-    compiled.files.iter().filter(wanted).cloned().collect()
-}
-
 fn run_c(compiled: &Compiled, cases: &[&Case], toolchain: &Toolchain, flags: &[&str]) {
     let leg = format!("{} {}", toolchain.name(), flags.join(" "));
     let params = |id: FunctionId| compiled.module.functions[id.index()].params;
     let ids: Vec<_> = cases.iter().map(|case| (case.id, params(case.id))).collect();
     let main = harness::programs(&compiled.explicit, &ids);
-    let files = needed(compiled, &main);
-    let mut process = Process::run_files(&files, &main, toolchain, flags)
+    let mut process = Process::run(compiled, &main, toolchain, flags)
         .unwrap_or_else(|error| panic!("{leg}: {error}"));
     for (at, case) in cases.iter().enumerate() {
         let calls: Vec<_> = case.calls.iter().map(|(_, call)| call).collect();
@@ -324,4 +299,41 @@ fn the_c_agrees() {
             }
         }
     });
+}
+
+/// What a compiler for i386 wants to know of the C library, of which Debian has no headers beside those of ARM.
+const LIBRARY: [(&str, &str); 2] = [
+    (
+        "math.h",
+        "#define NAN __builtin_nanf(\"\")\n#define isfinite(x) __builtin_isfinite(x)\n\
+         #define isinf(x) __builtin_isinf_sign(x)\n#define isnan(x) __builtin_isnan(x)\n\
+         double sqrt(double);\ndouble fabs(double);\nfloat sqrtf(float);\nfloat fabsf(float);\n\
+         double copysign(double, double);\nfloat copysignf(float, float);\n",
+    ),
+    ("string.h", "#include <stddef.h>\nvoid *memcpy(void *, const void *, size_t);\n"),
+];
+
+/// The files of the linear algebra, which differ by size, are looked at in so many turns.
+const TURNS: usize = 4;
+
+/// A `double` in a struct or an array stands at a multiple of 4 there: vectors must not claim more.
+#[test]
+fn vectors_ask_for_no_more_than_numbers_have() {
+    let host = toolchain::host();
+    let Some(gcc) = host.iter().find(|it| it.compiler == "gcc") else { return };
+    let folder = lay_out(linear_routines()).expect("the C");
+    for (name, text) in LIBRARY {
+        std::fs::write(folder.path().join(name), text).expect("a header");
+    }
+    // The widest of these is of every run: whatever is wrong with narrower vectors is wrong with those, too.
+    let narrow = turn::one_of(vec!["-msse2", "-mavx2"]);
+    for (number, vectors) in narrow.into_iter().chain(["-mavx512f"]).enumerate() {
+        let part = folder.sources().len().div_ceil(TURNS);
+        let parts: Vec<_> = folder.sources().chunks(part).collect();
+        let sources = turn::some_of_shifted(parts, 1, number);
+        let mut command = gcc.command();
+        command.args(["-m32", vectors, "-mfpmath=sse", "-ffreestanding", "-fsyntax-only"]);
+        command.args(["-Wcast-align=strict", "-I"]).arg(folder.path()).args(sources.concat());
+        run(&mut command).unwrap_or_else(|said| panic!("{said}"));
+    }
 }

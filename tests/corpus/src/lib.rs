@@ -1,7 +1,7 @@
 //! Small programs, one for each construct and each edge of the language, and ported algorithms.
 //!
 //! Every file below `programs/` is a program; its folder says what of. Dropping in a file adds a test:
-//! `tests/tests/corpus.rs` runs each `#[function]` and each `#[entry]` in it natively, in the interpreter
+//! `tests/tests/corpus/mod.rs` runs each `#[function]` and each `#[entry]` in it natively, in the interpreter
 //! and as C. `programs/trouble/` is hard on a compiler and no example to follow; in `programs/kinds/` a file is a kind of
 //! data, and brings the functions that show what each kind can do (`six.in`, `floats.in`).
 

@@ -1,15 +1,17 @@
-//! Runs the test programs that cargo built, a process for each test.
+//! Runs the test programs that cargo built, a process for each group of tests.
 //!
-//! A process of its own gives each test a time of its own, which the standard harness tells only on unstable Rust;
-//! and the tests of all programs share the processors to the end, where cargo runs one program after another.
+//! A group is a module of a program at the top: its tests share what they compile once, and run one after another, so
+//! that each has a time of its own, which the standard harness tells only on unstable Rust. The groups of all programs
+//! share the processors to the end, where cargo runs one program after another.
 //!
 //! Invariants:
 //! - a test runs as `cargo test` would run it: in the folder of its package, with the variables that cargo sets;
-//! - a test that fails is printed whole; one that passes is a line only if it took long;
-//! - tests that took longest in the last stored run begin first, so that no processor waits for a late long one.
+//! - a group that fails is printed whole; a test that passes is a line only if it took long;
+//! - groups that took longest in the last stored run begin first, so that no processor waits for a late long one.
 //!
 //! What it must not know: what the tests test.
 
+mod group;
 mod program;
 mod times;
 
@@ -18,30 +20,16 @@ pub use times::{Times, slowest};
 
 use crate::error::Error;
 use crate::stages::Voice;
+use group::Group;
 use std::collections::VecDeque;
-use std::process::{Command, Stdio};
 use std::sync::Mutex;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-/// Tests at a time for each processor: many wait for cargo, which builds one thing at a time in a target folder.
+/// Groups at a time for each processor: many wait for cargo, which builds one thing at a time in a target folder.
 const WAITING: usize = 2;
 
 /// A passing test is a line of its own from here on.
 const LONG: Duration = Duration::from_secs(5);
-
-/// One test of one program.
-#[derive(Clone, Debug)]
-struct Test<'p> {
-    program: &'p Program,
-    name: String,
-}
-
-impl Test<'_> {
-    /// `package/program::test`, as it is listed.
-    fn title(&self) -> String {
-        format!("{}::{}", self.program.title(), self.name)
-    }
-}
 
 /// A test that has run.
 #[derive(Clone, Debug)]
@@ -65,15 +53,15 @@ pub fn run(
     environment: &[(&str, String)],
     voice: &Voice,
 ) -> Result<Vec<Done>, Error> {
-    let mut tests = Vec::new();
+    let mut groups = Vec::new();
     for program in programs {
         let names = program.tests(environment)?;
-        tests.extend(names.into_iter().map(|name| Test { program, name }));
+        let names = names.into_iter().filter(|name| chosen(&program.title_of(name))).collect();
+        groups.extend(Group::all(program, names));
     }
-    tests.retain(|test| chosen(&test.title()));
-    tests.sort_by_key(|test| std::cmp::Reverse(known.of(&test.title())));
-    let count = tests.len();
-    let queue = Mutex::new(VecDeque::from(tests));
+    groups.sort_by_key(|group| std::cmp::Reverse(group.known(known)));
+    let count: usize = groups.iter().map(Group::len).sum();
+    let queue = Mutex::new(VecDeque::from(groups));
     let done = Mutex::new(Vec::with_capacity(count));
     let processors = std::thread::available_parallelism().map_or(1, usize::from);
     let workers = WAITING * processors;
@@ -81,37 +69,28 @@ pub fn run(
         let work = || -> Result<(), Error> {
             loop {
                 let next = queue.lock().map_or(None, |mut queue| queue.pop_front());
-                let Some(test) = next else { return Ok(()) };
-                let one = one(&test, environment, voice)?;
-                if let Ok(mut done) = done.lock() {
-                    done.push(one);
-                    voice.say(&format!("{} of {count}: {}", done.len(), test.title()));
-                }
+                let Some(group) = next else { return Ok(()) };
+                group.run(
+                    environment,
+                    &|one: Done| {
+                        if one.passed && one.time >= LONG {
+                            voice.print(&format!(
+                                "{:>7.1} s  {}",
+                                one.time.as_secs_f64(),
+                                one.title
+                            ));
+                        }
+                        if let Ok(mut done) = done.lock() {
+                            voice.say(&format!("{} of {count}: {}", done.len() + 1, one.title));
+                            done.push(one);
+                        }
+                    },
+                    &|said| voice.print(said),
+                )?;
             }
         };
         let running: Vec<_> = (0..workers).map(|_| scope.spawn(work)).collect();
         running.into_iter().try_for_each(|worker| worker.join().unwrap_or(Ok(())))
     })?;
     Ok(done.into_inner().unwrap_or_default())
-}
-
-fn one(test: &Test<'_>, environment: &[(&str, String)], voice: &Voice) -> Result<Done, Error> {
-    let start = Instant::now();
-    let mut command = test.program.command(environment);
-    command.args(["--exact", &test.name]);
-    let output =
-        command.stdin(Stdio::null()).output().map_err(|source| spawn_error(&command, source))?;
-    let (time, passed) = (start.elapsed(), output.status.success());
-    let title = test.title();
-    if !passed {
-        let said = [output.stdout, output.stderr].concat();
-        voice.print(&format!("{}\nFAILED {title}", String::from_utf8_lossy(&said).trim_end()));
-    } else if time >= LONG {
-        voice.print(&format!("{:>7.1} s  {title}", time.as_secs_f64()));
-    }
-    Ok(Done { title, passed, time })
-}
-
-fn spawn_error(command: &Command, source: std::io::Error) -> Error {
-    Error::Spawn { program: command.get_program().to_string_lossy().into_owned(), source }
 }

@@ -57,6 +57,12 @@ impl Program {
         }
     }
 
+    /// `package/program::test`, as a test is listed.
+    #[must_use]
+    pub fn title_of(&self, test: &str) -> String {
+        format!("{}::{test}", self.title())
+    }
+
     /// The names of its tests.
     ///
     /// # Errors

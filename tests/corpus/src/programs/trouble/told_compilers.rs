@@ -1,4 +1,4 @@
-//! What a compiler computes otherwise when it is told to be fast, and gcc fuses untold: `tests/tests/guards.rs` compiles it with
+//! What a compiler computes otherwise when it is told to be fast, and gcc fuses untold: `tests/tests/corpus/guards.rs` compiles it with
 //! each such flag.
 
 use bessemer::prelude::*;

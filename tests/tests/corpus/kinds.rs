@@ -74,7 +74,7 @@ fn page(module: &Module, kinds: &[Kind]) -> String {
          data in a struct (layout),\na component begins with it (initial), it is copied, passed by value and by \
          reference (pass), returned (give), and\ncompared with `==` and `!=`; where it holds floats, with NaN and \
          ±0 among them (numbers). Every such program runs as\nRust, in the interpreter, and as C with each compiler, on the \
-         host and on the emulated Cortex-A9 (`tests/tests/corpus.rs`);\n`tests/tests/kinds.rs` fails where one is missing. \
+         host and on the emulated Cortex-A9 (`tests/tests/corpus/mod.rs`);\n`tests/tests/corpus/kinds.rs` fails where one is missing. \
          A kind is a file of `tests/corpus/src/programs/kinds`.\n\n| kind | as Rust writes it | ",
     );
     text.push_str(&PROPERTIES.join(" | "));

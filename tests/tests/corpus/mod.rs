@@ -5,6 +5,11 @@
 //! the changed arguments out. Half of the calls have words drawn from the edges of each type; the other
 //! half are a run, as a component lives: small numbers, and the state that the call before left.
 
+mod coverage;
+mod guards;
+mod kinds;
+mod language;
+
 use std::sync::OnceLock;
 use std::thread;
 
@@ -30,8 +35,8 @@ const RUN: usize = 100;
 const SANITIZED: [&str; 3] = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-w"];
 
 #[derive(Clone)]
-pub(super) struct Case {
-    pub(super) name: String,
+struct Case {
+    name: String,
     id: FunctionId,
     /// The words of each call: of the state, then of each argument.
     calls: Vec<Vec<Vec<u64>>>,
@@ -42,7 +47,7 @@ pub(super) struct Case {
 }
 
 /// What Rust does, found once for every leg.
-pub(super) fn cases() -> &'static [Case] {
+fn cases() -> &'static [Case] {
     static CASES: OnceLock<Vec<Case>> = OnceLock::new();
     CASES.get_or_init(|| lived(corpus()))
 }
@@ -187,7 +192,7 @@ fn interpreted(compiled: &Compiled, module: &Module, interpreter: &mut Interpret
 }
 
 /// Every call in one process, as many at once as its pipes hold.
-pub(super) fn run_c(compiled: &Compiled, cases: &[Case], toolchain: &Toolchain, flags: &[&str]) {
+fn run_c(compiled: &Compiled, cases: &[Case], toolchain: &Toolchain, flags: &[&str]) {
     run_c_with(compiled, cases, toolchain, flags, &Options::default());
 }
 

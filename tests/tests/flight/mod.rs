@@ -2,6 +2,10 @@
 //!
 //! The plant flies with each leg in turn, closed loop; a single differing bit would part the flights.
 
+mod emitted;
+mod onboard;
+mod text;
+
 use std::thread;
 
 use bessemer_codegen::compile::{Compiled, Options};

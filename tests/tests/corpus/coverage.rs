@@ -230,7 +230,7 @@ fn page(wanted: &Cells, filled: &Cells) -> String {
     ];
     let mut text = String::from(
         "# Coverage\n\nEach node of the IR on each type that it takes: ● where a program of the corpus or \
-         of the table of edges\nhas it, ○ for a hole (there are none: `tests/tests/coverage.rs` fails on \
+         of the table of edges\nhas it, ○ for a hole (there are none: `tests/tests/corpus/coverage.rs` fails on \
          one). Every such program runs as Rust, in\nthe interpreter before and after the passes, and as \
          C: gcc and clang at -O0 and -O3, with the address and the\nundefined-behaviour sanitizer, and on \
          the emulated Cortex-A9. Matrices count under the type of their elements.\n\n",

@@ -7,9 +7,9 @@ use std::thread;
 
 use bessemer_tests::process::lay_out;
 use bessemer_tests::toolchain::{self, Toolchain, run};
-use bessemer_tests::{compiled, corpus, turn};
+use bessemer_tests::{corpus, turn};
 
-use super::corpus::{Case, cases, run_c};
+use super::{Case, cases, run_c};
 
 /// What the head of a file says of fast mathematics, and of numbers that are none of IEEE 754.
 const FAST: &str = "-ffast-math and its parts change results";
@@ -117,41 +117,4 @@ fn no_contraction_on_arm() {
         return;
     }
     run_c(corpus(), &sensitive(), &A7, &["-std=gnu99", "-ffp-contract=fast"]);
-}
-
-/// What a compiler for i386 wants to know of the C library, of which Debian has no headers beside those of ARM.
-const LIBRARY: [(&str, &str); 2] = [
-    (
-        "math.h",
-        "#define NAN __builtin_nanf(\"\")\n#define isfinite(x) __builtin_isfinite(x)\n\
-         #define isinf(x) __builtin_isinf_sign(x)\n#define isnan(x) __builtin_isnan(x)\n\
-         double sqrt(double);\ndouble fabs(double);\nfloat sqrtf(float);\nfloat fabsf(float);\n\
-         double copysign(double, double);\nfloat copysignf(float, float);\n",
-    ),
-    ("string.h", "#include <stddef.h>\nvoid *memcpy(void *, const void *, size_t);\n"),
-];
-
-/// The files of the linear algebra, which differ by size, are looked at in so many turns.
-const TURNS: usize = 4;
-
-/// A `double` in a struct or an array stands at a multiple of 4 there: vectors must not claim more.
-#[test]
-fn vectors_ask_for_no_more_than_numbers_have() {
-    let host = toolchain::host();
-    let Some(gcc) = host.iter().find(|it| it.compiler == "gcc") else { return };
-    let folder = lay_out(&compiled("linear")).expect("the C");
-    for (name, text) in LIBRARY {
-        std::fs::write(folder.path().join(name), text).expect("a header");
-    }
-    // The widest of these is of every run: whatever is wrong with narrower vectors is wrong with those, too.
-    let narrow = turn::one_of(vec!["-msse2", "-mavx2"]);
-    for (number, vectors) in narrow.into_iter().chain(["-mavx512f"]).enumerate() {
-        let part = folder.sources().len().div_ceil(TURNS);
-        let parts: Vec<_> = folder.sources().chunks(part).collect();
-        let sources = turn::some_of_shifted(parts, 1, number);
-        let mut command = gcc.command();
-        command.args(["-m32", vectors, "-mfpmath=sse", "-ffreestanding", "-fsyntax-only"]);
-        command.args(["-Wcast-align=strict", "-I"]).arg(folder.path()).args(sources.concat());
-        run(&mut command).unwrap_or_else(|said| panic!("{said}"));
-    }
 }

@@ -1,0 +1,145 @@
+//! Tests of one program that run in one process, one after another: those of one module at the top.
+//!
+//! The standard harness, told to use one thread, writes `test NAME ... ` before a test and its outcome after it. From
+//! these lines each test gets its time.
+//!
+//! Invariants:
+//! - each test of the group is told of once, also where the process dies within one;
+//! - a test whose line does not tell its outcome, since others wrote into it, has passed if the whole process ends well.
+//!
+//! What it must not know: what else runs at the time.
+
+use super::{Done, Program, Times};
+use crate::error::Error;
+use std::collections::{BTreeMap, BTreeSet};
+use std::io::{BufRead as _, BufReader, Read as _};
+use std::process::Stdio;
+use std::time::{Duration, Instant};
+
+/// Tests of one program.
+#[derive(Clone, Debug)]
+pub(super) struct Group<'p> {
+    program: &'p Program,
+    names: Vec<String>,
+}
+
+impl<'p> Group<'p> {
+    /// The groups of these tests.
+    pub(super) fn all(program: &'p Program, names: Vec<String>) -> impl Iterator<Item = Self> {
+        let mut groups = BTreeMap::<String, Vec<String>>::new();
+        for name in names {
+            let module = name.split_once("::").map_or("", |(module, _)| module);
+            groups.entry(module.to_owned()).or_default().push(name);
+        }
+        groups.into_values().map(move |names| Self { program, names })
+    }
+
+    /// How many tests it has.
+    pub(super) fn len(&self) -> usize {
+        self.names.len()
+    }
+
+    /// How long it took before.
+    pub(super) fn known(&self, times: &Times) -> Duration {
+        self.names.iter().map(|name| times.of(&self.program.title_of(name))).sum()
+    }
+
+    /// Runs its tests; each is `told` when it has run, and all that the process said is `shown` if one failed.
+    ///
+    /// # Errors
+    /// [`Error::Spawn`] if the program does not start.
+    pub(super) fn run(
+        &self,
+        environment: &[(&str, String)],
+        told: &dyn Fn(Done),
+        shown: &dyn Fn(&str),
+    ) -> Result<(), Error> {
+        let mut command = self.program.command(environment);
+        command.args(["--test-threads", "1", "--exact"]).args(&self.names);
+        command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        let program = command.get_program().to_string_lossy().into_owned();
+        let failed = |source| Error::Spawn { program: program.clone(), source };
+        let mut child = command.spawn().map_err(failed)?;
+        let (out, mut err) = (child.stdout.take(), child.stderr.take());
+        let (heard, complaints) = std::thread::scope(|scope| {
+            let complaints = scope.spawn(|| {
+                let mut text = Vec::new();
+                // What cannot be read cannot be shown either.
+                let _ = err.as_mut().map(|err| err.read_to_end(&mut text));
+                text
+            });
+            let lines = out.into_iter().flat_map(|out| BufReader::new(out).split(b'\n'));
+            let lines = lines.map_while(Result::ok);
+            let lines = lines.map(|line| String::from_utf8_lossy(&line).into_owned());
+            (self.heard(lines, told), complaints.join().unwrap_or_default())
+        });
+        let good = child.wait().map_err(failed)?.success();
+        for name in &heard.open {
+            told(Done {
+                title: self.program.title_of(name),
+                passed: good,
+                time: heard.since.elapsed(),
+            });
+        }
+        if !good {
+            let said = format!("{}{}", heard.text, String::from_utf8_lossy(&complaints));
+            shown(said.trim_end());
+        }
+        Ok(())
+    }
+
+    /// Goes through the lines that the harness writes while the tests run.
+    fn heard(&self, lines: impl Iterator<Item = String>, told: &dyn Fn(Done)) -> Heard {
+        let mut heard = Heard {
+            text: String::new(),
+            open: self.names.iter().cloned().collect(),
+            since: Instant::now(),
+        };
+        for line in lines {
+            if let Some((name, passed)) = outcome(&line)
+                && heard.open.remove(name)
+            {
+                let (title, time) = (self.program.title_of(name), heard.since.elapsed());
+                told(Done { title, passed, time });
+                heard.since = Instant::now();
+            }
+            heard.text.push_str(&line);
+            heard.text.push('\n');
+        }
+        heard
+    }
+}
+
+/// What came of a process.
+struct Heard {
+    /// All of its lines.
+    text: String,
+    /// The tests of which no line told the outcome.
+    open: BTreeSet<String>,
+    /// When the last test ended whose outcome was told.
+    since: Instant,
+}
+
+/// The test that a line of the harness tells of, and whether it passed; one that is ignored has.
+fn outcome(line: &str) -> Option<(&str, bool)> {
+    let (name, outcome) = line.strip_prefix("test ")?.split_once(" ... ")?;
+    let name = name.strip_suffix(" - should panic").unwrap_or(name);
+    let outcome = outcome.split(',').next()?;
+    matches!(outcome, "ok" | "ignored" | "FAILED").then_some((name, outcome != "FAILED"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn outcomes_are_read_from_the_lines_of_the_harness() {
+        assert_eq!(outcome("test a::b ... ok"), Some(("a::b", true)));
+        assert_eq!(outcome("test a::b - should panic ... ok"), Some(("a::b", true)));
+        assert_eq!(outcome("test a::b ... ignored, takes hours"), Some(("a::b", true)));
+        assert_eq!(outcome("test a::b ... FAILED"), Some(("a::b", false)));
+        for other in ["test a::b ... a child says so", "test result: ok. 1 passed", "ok", ""] {
+            assert_eq!(outcome(other), None, "{other}");
+        }
+    }
+}
