@@ -161,19 +161,22 @@ impl<'a> Lowering<'a, '_> {
         Ok((id, captured))
     }
 
-    /// `bisect_error`, for the closure called `error`; else `bisect_in_step`, for the function that calls it.
+    /// `bisect_error`, for the closure called `error`; else `bisect_in_step`, for the function that calls it. A copy for an
+    /// instance is named for it, so that no other instance moves its name.
     fn copy_name(&self, template: &tree::Function, handed: &HashMap<String, Handed<'a>>) -> String {
         let mut given: Vec<_> =
             handed.values().filter_map(|handed| handed.closure.name.clone()).collect();
         given.sort();
-        let suffix = match given.is_empty() {
+        let purpose = match given.is_empty() {
             true => format!("in_{}", names::snake(&self.source.tree.name)),
             false => given.join("_"),
         };
-        let wanted = format!("{}_{suffix}", template.tree.name);
+        let instance = self.cx.suffix(&self.source.suffix);
+        let wanted = format!("{}_{purpose}{instance}", template.tree.name);
+        let owner = self.owner();
         let taken = |name: &str| {
             let mut all = self.cx.module.functions.iter();
-            all.any(|it| it.module == self.source.module && it.name == name)
+            all.any(|it| it.module == self.source.module && it.owner == owner && it.name == name)
         };
         let numbered = (2..).map(|number| format!("{wanted}_{number}"));
         let mut candidates = std::iter::once(wanted.clone()).chain(numbered);

@@ -9,6 +9,7 @@ mod coverage;
 mod guards;
 mod kinds;
 mod language;
+mod names;
 
 use std::sync::OnceLock;
 use std::thread;
