@@ -38,6 +38,10 @@ impl Lowering<'_, '_> {
     pub(super) fn settle_arguments(&mut self, passed: &mut [Argument], later: &[Stmt]) {
         for argument in passed {
             match value_of(argument) {
+                // A slice is never a local. What it shows stays while it is borrowed; where it begins may not.
+                Ok(Expr { kind: ExprKind::Load(place), ty: Type::Slice(_), .. }) => {
+                    self.settle_place(place, later);
+                }
                 Ok(value) => self.settle(value, "argument", later),
                 Err(place) => self.settle_place(place, later),
             }
