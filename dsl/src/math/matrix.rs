@@ -1,6 +1,6 @@
 //! Methods of matrices that go by the name of one of a scalar, which the attributes redirect.
 
-use nalgebra::SMatrix;
+use nalgebra::{Const, Matrix, RawStorage, SMatrix};
 
 use super::Real;
 
@@ -8,9 +8,11 @@ use super::Real;
 pub trait MatrixMethods {
     /// The type of an element.
     type Element;
+    /// A matrix of the same shape that is nobody's part.
+    type Owned;
     /// The magnitude of each element.
     #[must_use]
-    fn dsl_abs(&self) -> Self;
+    fn dsl_abs(&self) -> Self::Owned;
     /// The smallest element.
     fn dsl_min(&self) -> Self::Element;
     /// The largest element.
@@ -30,9 +32,13 @@ impl<T: Real, const N: usize> SquareMethods for SMatrix<T, N, N> {
     }
 }
 
-impl<T: Real, const R: usize, const C: usize> MatrixMethods for SMatrix<T, R, C> {
+/// Of matrices, and of their rows, columns and blocks.
+impl<T: Real, const R: usize, const C: usize, S: RawStorage<T, Const<R>, Const<C>>> MatrixMethods
+    for Matrix<T, Const<R>, Const<C>, S>
+{
     type Element = T;
-    fn dsl_abs(&self) -> Self {
+    type Owned = SMatrix<T, R, C>;
+    fn dsl_abs(&self) -> SMatrix<T, R, C> {
         self.map(|element| element.dsl_abs())
     }
     fn dsl_min(&self) -> T {

@@ -44,3 +44,10 @@ pub fn changed(m: &mut Matrix3<f64>, column: usize, by: &Vector3<f64>) {
     column_of += by;
     m.set_column(column, &column_of);
 }
+
+/// What a scalar has by the same name, of parts of a matrix.
+#[function]
+pub fn magnitudes_of_parts(m: &Matrix3<f64>) -> [f64; 4] {
+    let block = m.fixed_view::<2, 2>(1, 0);
+    [m.row(0).abs().sum(), m.column(1).max(), m.row(2).min(), block.abs().sum()]
+}
