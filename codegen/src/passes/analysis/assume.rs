@@ -75,10 +75,29 @@ impl<'m> State<'m> {
         };
         if !float {
             self.order(op, a, b);
+            self.assume_of_each(op, a, b);
         }
         let kind = ExprKind::Compare(op, Box::new(a.clone()), Box::new(b.clone()));
         let fact = Expr { kind, ty: Type::BOOL, span: Span::default() };
         self.relations.learn(&fact);
+    }
+
+    /// What is below the smaller of two integers is below each; the larger of two is below what each is below.
+    fn assume_of_each(&mut self, op: CompareOp, a: &Expr, b: &Expr) {
+        let (lower, upper, op) = match op {
+            CompareOp::Lt | CompareOp::Le => (a, b, op),
+            CompareOp::Gt => (b, a, CompareOp::Lt),
+            CompareOp::Ge => (b, a, CompareOp::Le),
+            CompareOp::Eq | CompareOp::Ne => return,
+        };
+        if let ExprKind::Intrinsic(Intrinsic::Max, each) = &lower.kind {
+            Rule::Each.used();
+            each.iter().for_each(|one| self.assume_compare(op, one, upper, true));
+        }
+        if let ExprKind::Intrinsic(Intrinsic::Min, each) = &upper.kind {
+            Rule::Each.used();
+            each.iter().for_each(|one| self.assume_compare(op, lower, one, true));
+        }
     }
 
     /// Narrows both sides of an integer comparison that holds.

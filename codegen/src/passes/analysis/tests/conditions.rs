@@ -84,21 +84,23 @@ impl Numbers {
         ]
     }
 
+    /// Comparisons with the smaller and with the larger of the two.
+    fn of_two(self) -> Vec<Expr> {
+        let (x, y) = (self.x(), self.y());
+        let of = |which| node(ExprKind::Intrinsic(which, vec![x.clone(), y.clone()]), self.ty());
+        let two = [of(Intrinsic::Min), of(Intrinsic::Max)];
+        let others =
+            [x.clone(), self.literal(self.low + 5), binary(BinaryOp::Add, &y, &self.literal(1))];
+        let pairs = two.iter().flat_map(|two| others.iter().map(move |other| (two, other)));
+        pairs.flat_map(|(two, other)| [orders(two, other), orders(other, two)].concat()).collect()
+    }
+
     fn conditions(self) -> Vec<Expr> {
         let terms = self.terms();
         let mut all = Vec::new();
         for a in &terms {
             for b in terms.iter().filter(|b| a.ty == b.ty && a != *b) {
-                for op in [
-                    CompareOp::Lt,
-                    CompareOp::Le,
-                    CompareOp::Eq,
-                    CompareOp::Ne,
-                    CompareOp::Gt,
-                    CompareOp::Ge,
-                ] {
-                    all.push(compare(op, a, b));
-                }
+                all.extend(orders(a, b));
             }
         }
         for number in [self.low, self.low + 4] {
@@ -198,7 +200,10 @@ fn value(expr: &Expr, (x, y): (i128, i128)) -> Option<i128> {
             let exact = if *op == BinaryOp::Add { a + b } else { a - b };
             (int.min() <= exact && exact <= int.max()).then_some(exact)
         }
-        ExprKind::Intrinsic(_, parts) => Some(of(&parts[0])?.max(of(&parts[1])?)),
+        ExprKind::Intrinsic(which, parts) => {
+            let (a, b) = (of(&parts[0])?, of(&parts[1])?);
+            Some(if *which == Intrinsic::Min { a.min(b) } else { a.max(b) })
+        }
         ExprKind::Compare(op, a, b) => {
             let (a, b) = (of(a)?, of(b)?);
             Some(i128::from(match op {
@@ -238,6 +243,12 @@ fn shown(expr: &Expr) -> String {
     }
 }
 
+/// Each comparison of two terms.
+fn orders(a: &Expr, b: &Expr) -> Vec<Expr> {
+    use CompareOp::{Eq, Ge, Gt, Le, Lt, Ne};
+    [Lt, Le, Eq, Ne, Gt, Ge].map(|op| compare(op, a, b)).into()
+}
+
 fn both(a: &Pairs, b: &Pairs) -> Pairs {
     [a[0] & b[0], a[1] & b[1], a[2] & b[2], a[3] & b[3]]
 }
@@ -246,8 +257,11 @@ fn both(a: &Pairs, b: &Pairs) -> Pairs {
 fn what_one_condition_gives_holds() {
     let module = Module::default();
     for numbers in NUMBERS {
-        let asked = numbers.tables([numbers.conditions(), numbers.some()].concat());
-        for (condition, holds, fails) in asked.iter().step_by(2) {
+        let (of_two, others) = (numbers.of_two(), [numbers.conditions(), numbers.some()].concat());
+        let all_of_two = of_two.len();
+        let asked = numbers.tables([of_two, others].concat());
+        let (of_two, others) = asked.split_at(all_of_two);
+        for (condition, holds, fails) in of_two.iter().chain(others.iter().step_by(2)) {
             for (truth, reach) in [(true, holds), (false, fails)] {
                 let state = numbers.start(&module).assuming(condition, truth);
                 let told = || format!("{} is {truth}", shown(condition));
