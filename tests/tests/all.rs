@@ -11,7 +11,6 @@ mod delivery;
 mod diagnosed;
 mod edges;
 mod ends;
-mod eva;
 mod fast_mode;
 mod flight;
 mod kernel_options;

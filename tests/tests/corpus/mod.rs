@@ -6,6 +6,7 @@
 //! half are a run, as a component lives: small numbers, and the state that the call before left.
 
 mod coverage;
+mod eva;
 mod guards;
 mod kinds;
 mod language;
@@ -75,7 +76,7 @@ fn lived(compiled: &Compiled) -> Vec<Case> {
 }
 
 /// The functions and entry points.
-pub(super) fn natives() -> &'static [Entry] {
+fn natives() -> &'static [Entry] {
     corpus::programs::ENTRIES
 }
 
@@ -84,7 +85,7 @@ fn name(native: &Entry) -> String {
 }
 
 /// The function or entry point in the module.
-pub(super) fn callable(compiled: &Compiled, native: &Entry) -> Option<FunctionId> {
+fn callable(compiled: &Compiled, native: &Entry) -> Option<FunctionId> {
     let module = &compiled.module;
     let index = module.functions.iter().position(|function| {
         let owner = match function.owner {
@@ -360,18 +361,27 @@ fn the_c_agrees_in_every_layout() {
     }
 }
 
+fn kept_options() -> Options {
+    Options { keep_checks: true, ..Options::default() }
+}
+
+/// The corpus with the checks that were proved.
+fn kept() -> &'static Compiled {
+    static KEPT: OnceLock<Compiled> = OnceLock::new();
+    KEPT.get_or_init(|| corpus_with(&kept_options()))
+}
+
 /// Checks that were proved stand in the module and in the C all the same, and none of them fails.
 #[test]
 fn what_was_proved_holds() {
-    let options = Options { keep_checks: true, ..Options::default() };
-    let kept = corpus_with(&options);
+    let kept = kept();
     let cases = cases();
     let mut interpreter = Interpreter::new(&kept.explicit);
     for case in cases {
-        interpreted(&kept, &kept.explicit, &mut interpreter, case);
+        interpreted(kept, &kept.explicit, &mut interpreter, case);
     }
     let chosen = toolchain::host().into_iter().find(|it| it.level == 2);
     if let Some(toolchain) = chosen {
-        run_c_with(&kept, &every(2, cases), &toolchain, &["-w"], &options);
+        run_c_with(kept, &every(2, cases), &toolchain, &["-w"], &kept_options());
     }
 }

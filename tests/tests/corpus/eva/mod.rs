@@ -12,12 +12,12 @@ use std::process::Command;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use bessemer_codegen::compile::{Compiled, Options};
+use bessemer_codegen::compile::Compiled;
 use bessemer_ir::FunctionId;
 use bessemer_tests::process::{Folder, lay_out_needed};
-use bessemer_tests::{corpus_with, harness, toolchain, turn};
+use bessemer_tests::{harness, toolchain, turn};
 
-use super::corpus;
+use super::{callable, kept, kept_options, natives};
 
 /// Programs of a run that is not full: one is some three seconds of processor.
 const SOME: usize = 2;
@@ -45,8 +45,8 @@ const MISSING: &str =
 type Entries = Vec<(FunctionId, u32)>;
 
 /// The checks of a program that fail for all that Eva sees: the file, and what is asked of it.
-fn unseen(compiled: &Compiled, entries: &Entries, options: &Options) -> Vec<String> {
-    let main = harness::programs_with(&compiled.explicit, entries, options);
+fn unseen(compiled: &Compiled, entries: &Entries) -> Vec<String> {
+    let main = harness::programs_with(&compiled.explicit, entries, &kept_options());
     let folder = lay_out_needed(&compiled.files, &main).expect("the C");
     let has_checks =
         |path: &Path| std::fs::read_to_string(path).is_ok_and(|text| text.contains("abort();"));
@@ -115,11 +115,10 @@ fn what_was_left_out_cannot_fail() {
     if !toolchain::is_asked_for("frama-c") {
         return;
     }
-    let options = Options { keep_checks: true, ..Options::default() };
-    let kept = corpus_with(&options);
+    let kept = kept();
     let mut programs: BTreeMap<&str, Entries> = BTreeMap::new();
-    for native in corpus::natives() {
-        let id = corpus::callable(&kept, native).expect("it was compiled");
+    for native in natives() {
+        let id = callable(kept, native).expect("it was compiled");
         let params = kept.module.functions[id.index()].params;
         programs.entry(native.module).or_default().push((id, params));
     }
@@ -131,7 +130,7 @@ fn what_was_left_out_cannot_fail() {
     let (next, wrong) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
     let work = || {
         while let Some((name, entries)) = programs.get(next.fetch_add(1, Ordering::Relaxed)) {
-            let unseen = unseen(&kept, entries, &options);
+            let unseen = unseen(kept, entries);
             let known = known.get(name).cloned().unwrap_or_default();
             let mut wrong = wrong.lock().expect("no worker stops");
             wrong.extend(
