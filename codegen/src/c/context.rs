@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use bessemer_ir::{ConstId, Module};
+use bessemer_ir::{ConstId, FunctionId, Module};
 
 use super::analysis::Faults;
 use super::helpers::Helper;
@@ -15,6 +15,8 @@ pub struct Uses {
     pub file: String,
     /// Helper functions.
     pub helpers: BTreeSet<Helper>,
+    /// Functions that the text calls.
+    pub called: BTreeSet<FunctionId>,
     /// Named constants.
     pub consts: BTreeSet<ConstId>,
     /// Emitted headers.

@@ -229,25 +229,32 @@ impl Writer<'_> {
         let mut definitions = Vec::new();
         let mut prototypes = Vec::new();
         let mut asked = BTreeSet::new();
-        let inline: Vec<Callable> = self.inline().collect();
-        for callable in inline.iter().chain(&self.unit.functions) {
+        let callables: Vec<Callable> =
+            self.inline().chain(self.unit.functions.iter().copied()).collect();
+        for (at, callable) in callers_first(&callables) {
             let id = match callable {
                 Callable::Init(id) => {
-                    definitions.push(init::item(self.context, *id, &mut uses));
+                    definitions.push((at, init::item(self.context, id, &mut uses)));
                     continue;
                 }
-                Callable::Function(id) => *id,
+                Callable::Function(id) => id,
             };
             let function = &module.functions[id.index()];
             let signature = names.signature(id);
+            // What called it may be decided without it.
+            let is_own = matches!(signature.storage, Storage::Static | Storage::Inline);
+            if is_own && !uses.called.contains(&id) {
+                continue;
+            }
             if let Some(kernel) = &function.kernel {
-                definitions.extend(self.kernel(kernel, id, &mut uses));
+                let items = self.kernel(kernel, id, &mut uses);
+                definitions.extend(items.into_iter().map(|item| (at, item)));
                 continue;
             }
             let lowered = lower::function(self.context, id, &mut uses);
             match signature.storage {
                 Storage::Extern | Storage::Foreign | Storage::Library => {}
-                Storage::Static => prototypes.push(self.prototype(id, false)),
+                Storage::Static => prototypes.push((at, self.prototype(id, false))),
                 Storage::Inline => includes.signature(self.context, signature),
             }
             if signature.returned == Returned::Status {
@@ -264,13 +271,14 @@ impl Writer<'_> {
                 uses.math = true;
                 body = by_instruction(fast, name, &head, body);
             }
-            definitions.push(Item::Function {
+            let item = Item::Function {
                 docs: if declared { Vec::new() } else { units::of_function(function) },
                 head,
                 body,
                 origin: origin(function.span),
                 function: rust_path(self.context, function),
-            });
+            };
+            definitions.push((at, item));
         }
         let mut items: Vec<Item> = Vec::new();
         asked.extend(uses.unroll.then_some(asked::Macro::Unroll));
@@ -284,8 +292,10 @@ impl Writer<'_> {
             uses.string |= helper.needs_string();
             items.push(Item::Verbatim(helper.text()));
         }
-        items.append(&mut prototypes);
-        items.append(&mut definitions);
+        for mut part in [prototypes, definitions] {
+            part.sort_by_key(|(at, _)| *at);
+            items.extend(part.into_iter().map(|(_, item)| item));
+        }
         includes.system.extend(["stdbool.h", "stdint.h"]);
         includes.own.insert(target::name(self.options));
         includes.system.extend(uses.math.then_some("math.h"));
@@ -560,4 +570,15 @@ fn by_instruction(fast: &str, name: &str, head: &Head, body: Vec<Stmt>) -> Vec<S
     let direct = plain(StmtKind::Verbatim(direct));
     let end = plain(StmtKind::Verbatim("#endif".into()));
     [vec![direct], body, vec![end]].concat()
+}
+
+/// The callables with their places, in an order in which a function comes after those that call it.
+fn callers_first(callables: &[Callable]) -> Vec<(usize, Callable)> {
+    let mut list: Vec<(usize, Callable)> = callables.iter().copied().enumerate().collect();
+    // Callees stand before callers in the module.
+    list.sort_by_key(|(_, callable)| match callable {
+        Callable::Init(_) => None,
+        Callable::Function(id) => Some(std::cmp::Reverse(id.index())),
+    });
+    list
 }

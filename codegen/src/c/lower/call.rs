@@ -130,6 +130,7 @@ impl Lower<'_> {
     }
 
     fn arguments(&mut self, callee: FunctionId, arguments: &[Argument]) -> Vec<Expr> {
+        self.uses.called.insert(callee);
         let signature = self.context.names.signature(callee);
         match signature.storage {
             Storage::Inline => {}

@@ -149,11 +149,12 @@ impl Lower<'_> {
         let root = place.root.index();
         let mentioned = self.mentioned[root];
         let dest = self.place(place);
-        if place.steps.is_empty() && matches!(dest, Expr::Name(_)) {
-            // What is only set is not used.
+        let is_local = place.steps.is_empty() && matches!(dest, Expr::Name(_));
+        self.store(dest, Some(place), value);
+        if is_local {
+            // What is only set is not used, also where it is set to more of itself.
             self.mentioned[root] = mentioned;
         }
-        self.store(dest, Some(place), value);
     }
 
     fn check(&mut self, condition: &Ir, fault: Fault) {

@@ -86,7 +86,7 @@ impl Lower<'_> {
         let narrow = (self.counts(left) || self.counts(right))
             && self.range(left).is_some()
             && self.range(right).is_some();
-        let (mentioned, helpers) = (self.mentioned.clone(), self.uses.helpers.clone());
+        let before = (self.mentioned.clone(), self.uses.helpers.clone(), self.uses.called.clone());
         let (a, b) = if narrow {
             (self.narrow(left, false), self.narrow(right, false))
         } else {
@@ -94,7 +94,7 @@ impl Lower<'_> {
         };
         if a == b && left.ty.as_float().is_none() {
             let equal = matches!(op, CompareOp::Eq | CompareOp::Le | CompareOp::Ge);
-            (self.mentioned, self.uses.helpers) = (mentioned, helpers);
+            (self.mentioned, self.uses.helpers, self.uses.called) = before;
             return Expr::name(if equal { "true" } else { "false" });
         }
         let limit = |value: Expr, ir: &Ir| super::range::limit(ir).map_or(value, Expr::name);

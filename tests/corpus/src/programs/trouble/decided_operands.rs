@@ -68,3 +68,32 @@ pub fn flags(flag: bool, other: bool) -> [bool; 6] {
         ((flag & other) as i32) < -1,
     ]
 }
+
+/// The bits that differ, one after another.
+#[function]
+fn bits_that_differ(x: u32, y: u32) -> u8 {
+    let (mut rest, mut count) = (x ^ y, 0);
+    for _ in 0..32 {
+        count += (rest & 1) as u8;
+        rest >>= 1;
+    }
+    count
+}
+
+/// It calls nobody, since what would be asked is decided.
+#[function]
+pub fn asked_for_nothing(x: u32, y: u32) -> bool {
+    bits_that_differ(x, y) % 1 == 0
+}
+
+/// A number of which only what is decided asks.
+#[function]
+pub fn counted_for_nothing(x: &[u8; 4]) -> bool {
+    let mut count = 0_u32;
+    for it in x {
+        if *it > 3 {
+            count += 1;
+        }
+    }
+    count & 0 == 0
+}
