@@ -207,17 +207,17 @@ impl Aimed<'_> {
             },
             0 | 1 => format!("({one} + {near})"),
             2 | 3 => format!("({one} - {near})"),
-            4 => format!("({one} % {near})"),
-            5 => format!("({one} / {near})"),
-            6 => format!("{one}.min({near})"),
+            4 => format!("({one} % {})", near.max(2)),
+            5 => format!("({one} / {})", near.max(1)),
+            6 => format!("{one}.min({})", near.max(1)),
             7 => format!("{one}.max({near})"),
-            8 => format!("({one} & {near})"),
-            9 => format!("({one} >> {near})"),
+            8 => format!("({one} & {})", near.max(1)),
+            9 => format!("({one} >> {})", near.min(7)),
             10 => format!("{one}.wrapping_add({near})"),
             11 => format!("{one}.wrapping_sub({near})"),
             12 => format!("{one}.saturating_sub({near})"),
-            13 if self.tame => format!("({one}.min(9) * {})", near.min(3)),
-            13 => format!("({one} * {})", near.min(3)),
+            13 if self.tame => format!("({one}.min(9) * {})", near.clamp(1, 3)),
+            13 => format!("({one} * {})", near.clamp(1, 3)),
             14 => format!("{one}.clamp({}, {})", near.min(2), near + 1),
             15 if signed => format!("(-{one}.max(-9))"),
             16 if signed => format!("{one}.max(-9).abs()"),
@@ -315,7 +315,7 @@ impl Aimed<'_> {
             7 => format!("s.x[{}]", self.index(SHORT, 1)),
             8 => {
                 let (from, to) = (self.index(LENGTH, 1), self.number("usize", 1));
-                format!("{}_seek(&x[{from}..], {to})", self.name)
+                format!("{}_seek(&x[{from} % {LENGTH}..], {to})", self.name)
             }
             _ => self.number(ty, 2),
         };
@@ -346,7 +346,7 @@ impl Aimed<'_> {
             8 => format!("s.x[{}] = {};\n", self.index(SHORT, 1), self.number("u8", 1)),
             9 => "core::mem::swap(&mut s.n, &mut s.x[1]);\n".to_owned(),
             10 => "flag = !flag;\n".to_owned(),
-            _ => format!("{name} /= {near};\n"),
+            _ => format!("{name} /= {};\n", near.max(1)),
         }
     }
 
@@ -433,7 +433,7 @@ impl Aimed<'_> {
     fn small(&mut self, ty: &'static str) -> String {
         match self.random.below(4) {
             0 => format!("{}_{ty}", self.near()),
-            1 => format!("({} % {})", self.number(ty, 1), 1 + self.near()),
+            1 => format!("({} % {})", self.number(ty, 1), 2 + self.near()),
             _ => format!("{}.min({})", self.number(ty, 1), self.near()),
         }
     }
