@@ -24,10 +24,13 @@ pub fn place(compiler: &str, flags: &[String], source: &Path) -> Option<PathBuf>
     if std::env::var_os("BESSEMER_FULL").is_some() {
         return None;
     }
-    let texts = texts(source)?;
-    let content = (version(compiler)?, compiler, flags, texts);
-    let folder = root().join("target").join("objects");
-    Some(folder.join(format!("{:016x}{:016x}.o", hash(&content, 0), hash(&content, 1))))
+    Some(root().join("target").join("objects").join(name(compiler, flags, source)?))
+}
+
+/// The name of an object with this content.
+fn name(compiler: &str, flags: &[String], source: &Path) -> Option<String> {
+    let content = (version(compiler)?, compiler, flags, texts(source)?);
+    Some(format!("{:016x}{:016x}.o", hash(&content, 0), hash(&content, 1)))
 }
 
 /// Copies a stored object to `object`; whether there was one.
@@ -99,16 +102,17 @@ mod tests {
         let source = folder.path().join("a.c");
         let of = |flags: &[&str]| {
             let flags: Vec<String> = flags.iter().map(|flag| (*flag).to_owned()).collect();
-            place("gcc", &flags, &source)
+            name("gcc", &flags, &source)
         };
         let first = of(&["-O2"]);
+        assert!(first.is_some());
         assert_eq!(first, of(&["-O2"]));
         assert_ne!(first, of(&["-O3"]));
         write("c.h", "int other;\n")?;
         assert_eq!(first, of(&["-O2"]), "nobody includes it");
         write("b.h", "int other;\n")?;
         assert_ne!(first, of(&["-O2"]), "a file that is included by an included one");
-        assert_eq!(place("no-such-compiler", &[], &source), None);
+        assert_eq!(name("no-such-compiler", &[], &source), None);
         Ok(())
     }
 }
