@@ -12,6 +12,9 @@ use std::path::Path;
 /// The test that takes as many programs as it is told to.
 const TEST: &str = "random::fuzz::as_many_as_asked";
 
+/// The compiler runs for hours: it is worth optimising.
+const OPTIMISED: &str = "profile.dev.package.bessemer-codegen.opt-level=2";
+
 /// Runs the programs.
 ///
 /// # Errors
@@ -21,6 +24,7 @@ pub fn run(root: &Path, wanted: &Fuzz) -> Result<Outcome, Error> {
     let build = ["test", "--no-run", "--message-format", "json-render-diagnostics"];
     let mut build = project::cargo(root, &build);
     build.args(["--package", "bessemer-tests", "--test", "all"]);
+    build.args(["--config", OPTIMISED]);
     let (status, messages) =
         Progress::default().closed(stage, |voice| stages::answered(&mut build, voice))?;
     let programs = Program::of(&messages);

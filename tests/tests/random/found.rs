@@ -48,7 +48,7 @@ fn head(program: &Program) -> Value {
         })
     };
     let entries: Vec<Value> = program.entries.iter().map(entry).collect();
-    json!({ "unit": program.unit, "entries": entries, "aimed": program.aimed })
+    json!({ "unit": program.unit, "entries": entries, "instances": program.instances })
 }
 
 fn program(name: &str, text: &str) -> Option<Program> {
@@ -71,7 +71,7 @@ fn program(name: &str, text: &str) -> Option<Program> {
         text: text.to_owned(),
         unit: head["unit"].as_str().map(str::to_owned),
         entries: head["entries"].as_array()?.iter().map(entry).collect::<Option<_>>()?,
-        aimed: head["aimed"].as_bool()?,
+        instances: head["instances"].as_u64().map(|it| it as usize),
     })
 }
 

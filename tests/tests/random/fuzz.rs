@@ -9,8 +9,9 @@ use bessemer_tests::workspace::Workspace;
 
 use super::{Batch, PROGRAMS, Reached, attack, found, shrink, wrong};
 
-/// Programs of a batch that aims at the proofs: as many as pay for a build and leave it short.
-const AIMED: usize = 250;
+/// Texts of a batch that aims at the proofs, and instances of each: as many as pay for a build and leave it short.
+const AIMED: usize = 16;
+const INSTANCES: usize = 40;
 
 /// One batch of so many is of programs of every kind.
 const OF: u64 = 12;
@@ -28,7 +29,7 @@ fn as_many_as_asked() {
         }
         let mut batch = match seed % OF {
             0 => Batch::new(seed, PROGRAMS),
-            _ => Batch::aimed(seed, AIMED),
+            _ => Batch::aimed(seed, AIMED, INSTANCES),
         };
         let reached = attack(&workspace, seed, &mut batch);
         let wrong = wrong(&batch, &reached.differences);

@@ -20,7 +20,7 @@ use super::native;
 use super::warnings;
 use super::writer::{Entry, Program};
 
-/// Calls of each program; more of one that aims at the proofs, which is small.
+/// Calls of each program; more of each instance of one that aims at the proofs, which is small.
 const CALLS: usize = 48;
 const MORE: usize = 100;
 
@@ -78,9 +78,16 @@ pub fn cases<'b>(
         let entries = program.entries.iter().map(|entry| Target::new(module, program, entry));
         // A smaller variant may have lost its attribute.
         let Some(entries) = entries.collect::<Option<Vec<_>>>() else { continue };
-        let calls: Vec<Call> = (0..if program.aimed { MORE } else { CALLS })
-            .map(|at| call(&mut random, module, &entries, at))
-            .collect();
+        let calls: Vec<Call> = match program.instances {
+            Some(instances) => (0..MORE * instances)
+                .map(|at| {
+                    let mut call = call(&mut random, module, &entries, at / instances);
+                    call.words[0] = vec![(at % instances) as u64];
+                    call
+                })
+                .collect(),
+            None => (0..CALLS).map(|at| call(&mut random, module, &entries, at)).collect(),
+        };
         let place = |call: &Call| {
             let name = &entries[call.entry].entry.name;
             places.iter().position(|it| it == name).expect("it was built")
@@ -150,10 +157,17 @@ impl Case<'_> {
 
 /// What the interpreter makes otherwise.
 pub fn interpreted(leg: &str, module: &Module, cases: &[Case]) -> Vec<Difference> {
-    cases.iter().filter_map(|case| interpreted_case(leg, module, case)).collect()
+    let mut interpreter = Interpreter::new(module);
+    let differs = |case| interpreted_case(leg, module, &mut interpreter, case);
+    cases.iter().filter_map(differs).collect()
 }
 
-fn interpreted_case(leg: &str, module: &Module, case: &Case) -> Option<Difference> {
+fn interpreted_case(
+    leg: &str,
+    module: &Module,
+    interpreter: &mut Interpreter,
+    case: &Case,
+) -> Option<Difference> {
     let mut state = case.initial.clone();
     for (at, call) in case.calls.iter().enumerate() {
         let target = &case.entries[call.entry];
@@ -164,7 +178,7 @@ fn interpreted_case(leg: &str, module: &Module, case: &Case) -> Option<Differenc
         for added in &parameters[given.len()..] {
             arguments.push(vec![0; module.leaves(&added.ty).len()]);
         }
-        let called = Interpreter::new(module).call(target.id, &mut arguments);
+        let called = interpreter.call(target.id, &mut arguments);
         arguments.truncate(given.len());
         let got = match called {
             Ok(mut words) => {

@@ -62,7 +62,7 @@ pub(super) fn named(program: &Program, text: &str, name: &str) -> Program {
         text,
         unit: program.unit.as_deref().map(renamed),
         entries: program.entries.iter().map(|entry| entry.renamed(&renamed)).collect(),
-        aimed: program.aimed,
+        instances: program.instances,
     }
 }
 

@@ -60,8 +60,15 @@ pub struct Program {
     /// The component.
     pub unit: Option<String>,
     pub entries: Vec<Entry>,
-    /// Whether it aims at the proofs.
-    pub aimed: bool,
+    /// If it aims at the proofs: how many instances its text has, of which the first argument chooses one.
+    pub instances: Option<usize>,
+}
+
+impl Program {
+    /// How many programs it counts for.
+    pub fn count(&self) -> usize {
+        self.instances.unwrap_or(1)
+    }
 }
 
 pub struct Entry {
@@ -169,7 +176,7 @@ pub fn program(random: &mut Random, name: &str) -> Program {
     let count = 4 + writer.below(5);
     text += &writer.function(name, Role::Whole, count);
     let entries = vec![writer.entry(false)];
-    Program { name: name.to_owned(), text, unit: None, entries, aimed: false }
+    Program { name: name.to_owned(), text, unit: None, entries, instances: None }
 }
 
 fn passing(kind: &Kind) -> &'static str {
@@ -220,7 +227,7 @@ impl Writer<'_> {
             let _ = writeln!(text, "#[component]\nimpl {unit} {{\n{methods}}}");
         }
         let unit = self.items.units.last().map(|unit| unit.0.clone());
-        Program { name: name.to_owned(), text, unit, entries, aimed: false }
+        Program { name: name.to_owned(), text, unit, entries, instances: None }
     }
 
     /// What makes some of the enums from integers.

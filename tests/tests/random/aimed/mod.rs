@@ -1,8 +1,13 @@
 //! Programs that aim at the proofs: small functions whose checks are nearly needed, or nearly not.
 //!
+//! A text is generic in constants, and each of its instances is a program of its own: the same operations beside other
+//! bounds, steps and lengths, for one look of rustc at the text. An entry with a selector calls them.
+//!
 //! Bounds that move, heads before conditions, steps above one, numbers of enums, casts, wrapping counters, early exits,
 //! and parts that another name or a call writes. Numbers are small and lie about the lengths, so that what is wrong by
 //! one shows. No loop makes many passes: its bound is small, or declared.
+
+mod loops;
 
 use std::fmt::Write as _;
 
@@ -17,6 +22,10 @@ const INTS: [&str; 11] =
 /// The length of the parameter `x`, and of the field `x`.
 const LENGTH: usize = 6;
 const SHORT: usize = 4;
+
+/// The constants of a text: any that are near the lengths, and those that are above zero.
+const ANY: [&str; 3] = ["C0", "C1", "C2"];
+const POSITIVE: [&str; 3] = ["D0", "D1", "D2"];
 
 /// The declarations of each program, with its name in place of `NAME` and `LONG`.
 const ITEMS: &str = "
@@ -59,8 +68,8 @@ struct Aimed<'r> {
     name: String,
 }
 
-/// A program that aims at the proofs.
-pub fn program(random: &mut Random, name: &str) -> Program {
+/// Programs of one text that aim at the proofs, so many as there are instances.
+pub fn program(random: &mut Random, name: &str, instances: usize) -> Program {
     let long = name.to_uppercase();
     let first = random.of(&[-1_i64, 0, 1, -7, 10]);
     let second = first + random.of(&[1, 1, 4]);
@@ -102,14 +111,49 @@ pub fn program(random: &mut Random, name: &str) -> Program {
             by => format!("{name}: {by}{ty}"),
         })
         .collect();
+    let constants = ANY.iter().chain(&POSITIVE).map(|name| format!("const {name}: usize"));
+    let constants: Vec<String> = constants.collect();
     let _ = write!(
         text,
-        "#[function]\npub fn {name}({}) -> i32 {{\n{body}{result}\n}}\n",
+        "#[function]\nfn {name}_of<{}>({}) -> i32 {{\n{body}{result}\n}}\n",
+        constants.join(", "),
         list.join(", ")
     );
+    params.insert(0, ("which", "", "u8".to_owned()));
+    text.push_str(&selector(random, name, &params, instances));
     let params = params.into_iter().map(|(_, by, ty)| (by, ty)).collect();
     let entry = Entry { name: name.to_owned(), params, atomic: false, stops: false };
-    Program { name: name.to_owned(), text, unit: None, entries: vec![entry], aimed: true }
+    Program {
+        name: name.to_owned(),
+        text,
+        unit: None,
+        entries: vec![entry],
+        instances: Some(instances),
+    }
+}
+
+/// The entry: its first argument says which instance is called.
+fn selector(
+    random: &mut Random,
+    name: &str,
+    params: &[(&str, &'static str, String)],
+    instances: usize,
+) -> String {
+    let names: Vec<&str> = params[1..].iter().map(|(name, ..)| *name).collect();
+    let names = names.join(", ");
+    let mut arms = String::new();
+    for at in 0..instances {
+        let any = ANY.map(|_| random.of(&[0, 1, 1, 2, 3, 4, 4, 5, 5, 6, 6, 7, 8, 9]));
+        let positive = POSITIVE.map(|_| 1 + random.below(7));
+        let all = any.iter().chain(&positive).map(usize::to_string).collect::<Vec<_>>();
+        let _ = writeln!(arms, "{at} => {name}_of::<{}>({names}),", all.join(", "));
+    }
+    let list: Vec<String> =
+        params.iter().map(|(name, by, ty)| format!("{name}: {by}{ty}")).collect();
+    format!(
+        "#[function]\npub fn {name}({}) -> i32 {{\nmatch which {{\n{arms}_ => 0,\n}}\n}}\n",
+        list.join(", ")
+    )
 }
 
 /// A function that goes through a slice up to another value, which it has compared with the length.
@@ -138,6 +182,22 @@ impl Aimed<'_> {
     /// A number near the lengths.
     fn near(&mut self) -> usize {
         self.random.of(&[0, 1, 1, 2, 3, 4, 4, 5, 5, 6, 6, 7, 8, 9])
+    }
+
+    /// A constant near the lengths: as often as not one in which the text is generic.
+    fn constant(&mut self, ty: &str) -> String {
+        match self.random.one_in(2) {
+            true => format!("({} as {ty})", self.random.of(&ANY)),
+            false => format!("{}_{ty}", self.near()),
+        }
+    }
+
+    /// A constant between 1 and 7.
+    fn positive(&mut self, ty: &str) -> String {
+        match self.random.one_in(2) {
+            true => format!("({} as {ty})", self.random.of(&POSITIVE)),
+            false => format!("{}_{ty}", 1 + self.random.below(4)),
+        }
     }
 
     fn variable(&mut self, ty: &'static str) -> String {
@@ -170,7 +230,7 @@ impl Aimed<'_> {
                 let index = self.index(SHORT, 0);
                 self.cast(&format!("s.x[{index}]"), "u8", ty)
             }
-            7 | 8 => format!("{}_{ty}", self.near()),
+            7 | 8 => self.constant(ty),
             _ => {
                 let own: Vec<String> = self
                     .vars
@@ -198,7 +258,8 @@ impl Aimed<'_> {
         }
         let signed = ty.starts_with('i');
         let one = self.number(ty, depth - 1);
-        let near = self.near();
+        let near = self.constant(ty);
+        let positive = self.positive(ty);
         match self.random.below(26) {
             0..=3 if self.tame => match self.random.below(3) {
                 0 => format!("({one}.min(99) + {near})"),
@@ -207,18 +268,18 @@ impl Aimed<'_> {
             },
             0 | 1 => format!("({one} + {near})"),
             2 | 3 => format!("({one} - {near})"),
-            4 => format!("({one} % {})", near.max(2)),
-            5 => format!("({one} / {})", near.max(1)),
-            6 => format!("{one}.min({})", near.max(1)),
+            4 => format!("({one} % {})", 2 + self.near()),
+            5 => format!("({one} / {positive})"),
+            6 => format!("{one}.min({near})"),
             7 => format!("{one}.max({near})"),
-            8 => format!("({one} & {})", near.max(1)),
-            9 => format!("({one} >> {})", near.min(7)),
+            8 => format!("({one} & {})", self.near().max(1)),
+            9 => format!("({one} >> {positive})"),
             10 => format!("{one}.wrapping_add({near})"),
             11 => format!("{one}.wrapping_sub({near})"),
             12 => format!("{one}.saturating_sub({near})"),
-            13 if self.tame => format!("({one}.min(9) * {})", near.clamp(1, 3)),
-            13 => format!("({one} * {})", near.clamp(1, 3)),
-            14 => format!("{one}.clamp({}, {})", near.min(2), near + 1),
+            13 if self.tame => format!("({one}.min(9) * {positive})"),
+            13 => format!("({one} * {positive})"),
+            14 => format!("{one}.clamp({}, {near} + 2)", self.random.below(3)),
             15 if signed => format!("(-{one}.max(-9))"),
             16 if signed => format!("{one}.max(-9).abs()"),
             15 | 16 => format!("(!{one})"),
@@ -258,13 +319,14 @@ impl Aimed<'_> {
 
     /// An index into so many elements, mostly in bounds.
     fn index(&mut self, length: usize, depth: usize) -> String {
-        match self.random.below(if self.tame { 5 } else { 8 }) {
+        match self.random.below(if self.tame { 6 } else { 9 }) {
             0 => self.random.below(length).to_string(),
             1 => format!("({} % {length})", self.number("usize", depth)),
             2 => format!("{}.min({})", self.number("usize", depth), length - 1),
             3 if depth > 0 && !self.tame => {
                 format!("({length} - 1 - {})", self.number("usize", depth - 1))
             }
+            4 => self.constant("usize"),
             _ => self.number("usize", depth),
         }
     }
@@ -276,7 +338,7 @@ impl Aimed<'_> {
                 let operator = self.random.of(&["<", "<", "<=", ">", ">=", "==", "!="]);
                 let (one, less) = (self.number(ty, depth.min(1)), depth.saturating_sub(1));
                 let other = if self.random.one_in(2) {
-                    format!("{}", self.near())
+                    self.constant(ty)
                 } else {
                     self.number(ty, less.min(1))
                 };
@@ -328,7 +390,7 @@ impl Aimed<'_> {
     /// A change of what conditions and bounds have looked at.
     fn change(&mut self) -> String {
         let (name, ty) = self.var(true);
-        let near = self.near();
+        let near = self.constant(ty);
         match self.random.below(12) {
             0 if self.tame => format!("if {name} < 99 {{ {name} += {near}; }}\n"),
             1 if self.tame => format!("if {name} > {near} {{ {name} -= {near}; }}\n"),
@@ -337,7 +399,10 @@ impl Aimed<'_> {
             2 => format!("{name} = {name}.wrapping_add({near});\n"),
             3 => format!("{name} = {name}.min({near});\n"),
             4 => format!("{name} = {};\n", self.number(ty, 2)),
-            5 => format!("{}_move(&mut s.i, {near});\n", self.name),
+            5 => {
+                let by = self.constant("usize");
+                format!("{}_move(&mut s.i, {by});\n", self.name)
+            }
             6 => format!("s.n = {};\n", self.number("u8", 1)),
             7 => {
                 let by = self.number("usize", 1);
@@ -346,7 +411,7 @@ impl Aimed<'_> {
             8 => format!("s.x[{}] = {};\n", self.index(SHORT, 1), self.number("u8", 1)),
             9 => "core::mem::swap(&mut s.n, &mut s.x[1]);\n".to_owned(),
             10 => "flag = !flag;\n".to_owned(),
-            _ => format!("{name} /= {};\n", near.max(1)),
+            _ => format!("{name} /= {};\n", self.positive(ty)),
         }
     }
 
@@ -415,144 +480,5 @@ impl Aimed<'_> {
         let text = self.block(depth);
         self.loops -= 1;
         text
-    }
-
-    /// A loop: over a range, behind a condition, or with its condition in its midst.
-    fn repeat(&mut self, depth: usize) -> String {
-        let known = self.vars.len();
-        let text = match self.random.below(3) {
-            0 => self.counted(depth),
-            1 => self.behind_condition(depth),
-            _ => self.before_condition(depth),
-        };
-        self.vars.truncate(known);
-        text
-    }
-
-    /// A number that is small, whatever the arguments.
-    fn small(&mut self, ty: &'static str) -> String {
-        match self.random.below(4) {
-            0 => format!("{}_{ty}", self.near()),
-            1 => format!("({} % {})", self.number(ty, 1), 2 + self.near()),
-            _ => format!("{}.min({})", self.number(ty, 1), self.near()),
-        }
-    }
-
-    fn counted(&mut self, depth: usize) -> String {
-        let ty = self.random.of(&INTS);
-        let (from, to) = match self.random.one_in(3) {
-            true => (format!("({} % 5)", self.number(ty, 1)), self.small(ty)),
-            false => (format!("{}_{ty}", self.random.below(3)), self.small(ty)),
-        };
-        let dots = self.random.of(&["..", "..", "..="]);
-        let range = match self.random.below(6) {
-            0 => format!("({from}{dots}{to}).rev()"),
-            1 => format!("({from}{dots}{to}).step_by({})", 1 + self.random.below(4)),
-            _ => format!("{from}{dots}{to}"),
-        };
-        self.fixed += 1;
-        let name = format!("f{}", self.fixed);
-        self.vars.push(Var { name: name.clone(), ty });
-        format!("for {name} in {range} {{\n{}}}\n", self.body(depth))
-    }
-
-    /// How a counter goes up.
-    fn step(&mut self, name: &str) -> String {
-        let by = 1 + self.random.below(4);
-        match self.random.below(5) {
-            0 => format!("{name} = {name}.wrapping_add({by});\n"),
-            1 => {
-                let condition = self.condition(1);
-                format!("if {condition} {{ {name} += {by}; }} else {{ {name} += 1; }}\n")
-            }
-            _ => format!("{name} += {by};\n"),
-        }
-    }
-
-    /// Passes are declared, unless the step shows that it ends.
-    fn declared(&mut self, step: &str) -> &'static str {
-        match step.contains("wrapping") || self.random.one_in(2) {
-            true => self.random.of(&["#[bound(6)]\n", "#[bound(9)]\n", "#[bound(300)]\n"]),
-            false => "",
-        }
-    }
-
-    fn behind_condition(&mut self, depth: usize) -> String {
-        let ty = self.random.of(&INTS);
-        let (start, value) = (self.small(ty), self.small(ty));
-        let name = self.variable(ty);
-        let mut lead = format!("let mut {name}: {ty} = {start};\n");
-        let limit = match self.random.below(3) {
-            0 => self.near().to_string(),
-            1 => "x.len()".to_owned(),
-            _ => {
-                let limit = self.variable(ty);
-                let _ = writeln!(lead, "let mut {limit}: {ty} = {value};");
-                limit
-            }
-        };
-        let of = if limit.starts_with('x') { format!("({limit} as {ty})") } else { limit.clone() };
-        let operator = self.random.of(&["<", "<", "<="]);
-        let condition = match self.random.below(4) {
-            0 => format!("x[{name} as usize] < 3 && {name} {operator} {of}"),
-            1 => format!("{name} {operator} {of} && {}", self.condition(1)),
-            _ => format!("{name} {operator} {of}"),
-        };
-        let step = self.step(&name);
-        let (bound, body) = self.bounded_body(&[&name, &limit], &step, depth);
-        let uses = format!("*t = t.wrapping_mul(31).wrapping_add(x[{name} as usize] as u64);\n");
-        let inner = match self.random.below(4) {
-            0 => format!("{step}{body}"),
-            1 => format!("{uses}{body}{step}"),
-            2 => format!("{body}{step}{uses}"),
-            _ => format!("{body}{step}"),
-        };
-        format!("{lead}{bound}while {condition} {{\n{inner}}}\n")
-    }
-
-    fn before_condition(&mut self, depth: usize) -> String {
-        let ty = self.random.of(&INTS);
-        let (start, value) = (self.small(ty), self.small(ty));
-        let (name, limit) = (self.variable(ty), self.variable(ty));
-        let step = self.step(&name);
-        let (bound, body) = self.bounded_body(&[&name, &limit], &step, depth);
-        let index = match self.random.below(3) {
-            0 => format!("{name} as usize"),
-            1 => format!("{limit} as usize"),
-            _ => format!("({limit} - {name}) as usize"),
-        };
-        let operator = self.random.of(&[">=", ">=", ">"]);
-        format!(
-            "let mut {name}: {ty} = {start};\nlet mut {limit}: {ty} = {value};\n{bound}loop {{\n\
-             *t = t.wrapping_mul(31).wrapping_add(x[{index}] as u64);\n\
-             if {name} {operator} {limit} {{ break; }}\n{body}{step}}}\n"
-        )
-    }
-
-    /// Takes variables out of scope.
-    /// A body, and what its loop says of its end. In three of four the step alone writes the variables that the condition
-    /// compares, so that the loop may show that it ends.
-    fn bounded_body(
-        &mut self,
-        compared: &[&str],
-        step: &str,
-        depth: usize,
-    ) -> (&'static str, String) {
-        let hidden: Vec<Var> = match self.random.one_in(4) {
-            true => Vec::new(),
-            false => self.hide(compared),
-        };
-        let bound = if hidden.is_empty() { "#[bound(9)]\n" } else { self.declared(step) };
-        let body = self.body(depth);
-        self.vars.extend(hidden);
-        (bound, body)
-    }
-
-    fn hide(&mut self, names: &[&str]) -> Vec<Var> {
-        let (hidden, left) = std::mem::take(&mut self.vars)
-            .into_iter()
-            .partition(|var| names.contains(&var.name.as_str()));
-        self.vars = left;
-        hidden
     }
 }
