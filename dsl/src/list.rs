@@ -101,15 +101,8 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
     }
 
     /// Keeps the elements for which `keep` holds, in their order.
-    pub fn retain(&mut self, mut keep: impl FnMut(&T) -> bool) {
-        let mut kept = 0;
-        for index in 0..self.length {
-            if keep(&self.items[index]) {
-                self.items[kept] = self.items[index];
-                kept += 1;
-            }
-        }
-        self.length = kept;
+    pub fn retain(&mut self, keep: impl FnMut(&T) -> bool) {
+        crate::list_edit::retain(self, keep);
     }
 
     /// Makes the length `length`: new elements are `element`.

@@ -36,6 +36,23 @@ pub fn swap_remove<T: Copy + Default, const N: usize>(list: &mut List<T, N>, ind
     element
 }
 
+/// Keeps the elements for which `keep` holds, in their order.
+#[function(expand)]
+pub fn retain<T: Copy + Default, F: FnMut(&T) -> bool, const N: usize>(
+    list: &mut List<T, N>,
+    mut keep: F,
+) {
+    let mut kept = 0;
+    for at in 0..list.len() {
+        let keeps = keep(&list[at]);
+        if keeps {
+            list[kept] = list[at];
+            kept += 1;
+        }
+    }
+    list.truncate(kept);
+}
+
 /// Adds elements at the end.
 #[function]
 pub fn extend_from_slice<T: Copy + Default, const N: usize>(list: &mut List<T, N>, elements: &[T]) {

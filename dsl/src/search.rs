@@ -48,6 +48,38 @@ pub fn binary_search<T: Copy + Ord>(values: &[T], wanted: T) -> Result<usize, us
     if from < values.len() && values[from] == wanted { Ok(from) } else { Err(from) }
 }
 
+/// The index of an element whose key is `wanted`, or where one would have to be put in.
+///
+/// # Errors
+/// That index, if there is no such element.
+#[function]
+pub fn binary_search_by_key<T: Copy, B: Copy + Ord, F: Fn(&T) -> B>(
+    values: &[T],
+    wanted: B,
+    key: F,
+) -> Result<usize, usize> {
+    let mut from = 0_usize;
+    let mut left = values.len();
+    for _ in 0..64 {
+        let middle = from.wrapping_add(left / 2);
+        if left == 0 || middle >= values.len() {
+            break;
+        }
+        let value = values[middle];
+        let found = key(&value);
+        if found == wanted {
+            return Ok(middle);
+        }
+        if found < wanted {
+            from = middle.wrapping_add(1);
+            left = left.wrapping_sub(left / 2).wrapping_sub(1);
+        } else {
+            left /= 2;
+        }
+    }
+    Err(from)
+}
+
 /// The index of the first element that is not among the first ones.
 #[function]
 pub fn partition_point<T: Copy, F: Fn(&T) -> bool>(values: &[T], is_first: F) -> usize {
@@ -82,6 +114,7 @@ mod tests {
                 let found = part.binary_search(&wanted);
                 assert_eq!(binary_search(part, wanted), found, "{length} {wanted}");
                 assert_eq!(binary_search_by(part, |value| value.cmp(&wanted)), found);
+                assert_eq!(binary_search_by_key(part, wanted, |value| *value), found);
                 let point = part.partition_point(|value| *value < wanted);
                 assert_eq!(partition_point(part, |value| *value < wanted), point);
             }

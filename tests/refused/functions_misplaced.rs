@@ -22,4 +22,13 @@ pub fn thrice(x: f64) -> f64 {
     3.0 * x
 }
 
+/// It would leave its caller.
+#[function(expand)]
+pub fn half(x: f64) -> f64 {
+    if x < 0.0 {
+        return 0.0;
+    }
+    0.5 * x
+}
+
 fn main() {}

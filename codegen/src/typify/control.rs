@@ -16,6 +16,9 @@ impl Lowering<'_, '_> {
         if let Some(other) = self.in_place(expr) {
             return self.into(&other, target);
         }
+        if let Some(expansion) = self.expansion(expr) {
+            return self.expanded_into(expansion, target, expr.site);
+        }
         match &expr.kind {
             tree::ExprKind::If(condition, then, Some(otherwise)) => {
                 let span = self.span(expr.site);
@@ -173,6 +176,9 @@ impl Lowering<'_, '_> {
     pub(super) fn effect(&mut self, expr: &tree::Expr) -> Result<()> {
         if let Some(other) = self.in_place(expr) {
             return self.effect(&other);
+        }
+        if let Some(expansion) = self.expansion(expr) {
+            return self.expanded_effect(expansion, expr.site);
         }
         let span = self.span(expr.site);
         match &expr.kind {
@@ -508,6 +514,15 @@ impl Lowering<'_, '_> {
     /// What to call what goes into a place: its last field, or its variable.
     pub(super) fn name_of(&self, place: &tree::Expr) -> String {
         match &place.kind {
+            // What a function that stands here calls its parameter has the author's name.
+            tree::ExprKind::Local(name) if !self.expanding.is_empty() => {
+                match self.lookup(name, place.site) {
+                    Ok(Binding::Alias(it)) if it.steps.is_empty() => {
+                        self.locals[it.root.index()].name.clone()
+                    }
+                    _ => name.clone(),
+                }
+            }
             tree::ExprKind::Local(name) | tree::ExprKind::Field(_, name) => name.clone(),
             tree::ExprKind::Index(base, _)
             | tree::ExprKind::Deref(base)

@@ -36,7 +36,10 @@ impl Lowering<'_, '_> {
         if let Some(place) = self.lent_place(expr)? {
             return Ok(place.load());
         }
-        let value = self.bare_value(expr, expected)?;
+        let value = match self.expansion(expr) {
+            Some(expansion) => self.expanded_value(expansion, expected, expr.site)?,
+            None => self.bare_value(expr, expected)?,
+        };
         self.cx.typed.expressions += 1;
         if let Some(slot) = expr.slot {
             let rustc = self.seen(slot, expr.site)?;

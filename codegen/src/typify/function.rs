@@ -59,7 +59,7 @@ pub(super) fn lower(
         role: match tree.role {
             tree::Role::Entry { infallible } => Role::Entry { infallible },
             tree::Role::Public => Role::Public,
-            tree::Role::Private => Role::Private,
+            tree::Role::Private | tree::Role::Expanded => Role::Private,
             tree::Role::Inline => Role::Inline,
         },
         attributes: tree.attributes.clone(),

@@ -38,24 +38,41 @@ impl<'a> Lowering<'a, '_> {
 
     /// The closure that an argument is, and what it uses.
     fn handed(&mut self, argument: &tree::Expr) -> Result<Handed<'a>> {
-        let closure = match &argument.kind {
-            tree::ExprKind::Closure(closure) => closure.clone(),
-            tree::ExprKind::Local(name) => match self.handed.get(name) {
-                Some(handed) => return Ok(handed.clone()),
-                None => return problem(argument.site, "this is not a closure", OUR_FAULT),
-            },
-            _ => {
-                return problem(
-                    argument.site,
-                    "a function that takes a closure is given one in the DSL",
-                    "write one that calls the function: `|x| name(x)`",
-                );
-            }
-        };
+        if let tree::ExprKind::Local(name) = &argument.kind
+            && let Some(handed) = self.handed.get(name).cloned()
+        {
+            let Some(scope) = &handed.scope else { return Ok(handed) };
+            // It leaves the function that it was written in: what it uses goes with it.
+            let scopes = std::mem::replace(&mut self.scopes, scope.names.clone());
+            let captured = self.from(handed.source, argument.site, |inner| {
+                inner.captured(handed.closure.clone(), argument.site)
+            });
+            self.scopes = scopes;
+            return captured;
+        }
+        let closure = self.closure_of(argument)?;
+        self.captured(closure, argument.site)
+    }
+
+    /// The closure that is written as an argument.
+    pub(super) fn closure_of(&self, argument: &tree::Expr) -> Result<tree::Closure> {
+        match &argument.kind {
+            tree::ExprKind::Closure(closure) => Ok(closure.clone()),
+            tree::ExprKind::Local(_) => problem(argument.site, "this is not a closure", OUR_FAULT),
+            _ => problem(
+                argument.site,
+                "a function that takes a closure is given one in the DSL",
+                "write one that calls the function: `|x| name(x)`",
+            ),
+        }
+    }
+
+    /// A closure with what it uses, each a place that can be passed.
+    fn captured(&mut self, closure: tree::Closure, site: Site) -> Result<Handed<'a>> {
         let (mut captures, mut nothing) = (Vec::new(), Vec::new());
         for name in names_in(&closure) {
-            let Ok(binding) = self.lookup(&name, argument.site) else { continue };
-            let span = self.span(argument.site);
+            let Ok(binding) = self.lookup(&name, site) else { continue };
+            let span = self.span(site);
             let local = matches!(binding, Binding::Local(_));
             let place = match binding {
                 Binding::Alias(place) => Some(place),
@@ -72,14 +89,14 @@ impl<'a> Lowering<'a, '_> {
             // Neither the parts of an array nor a parameter that is a slice.
             let Some(place) = place.filter(|place| !matches!(place.ty, Type::Slice(_))) else {
                 return problem(
-                    argument.site,
+                    site,
                     "a closure that is handed to a function uses no slice in the DSL",
                     "take what it needs of the slice before: `let first = values[0];`",
                 );
             };
             captures.push(Capture { name, place, local });
         }
-        Ok(Handed { closure, source: self.source, captures, nothing })
+        Ok(Handed { closure, source: self.source, captures, nothing, scope: None })
     }
 
     /// The copy of a function for closures; and what they use, as the arguments for it.
@@ -215,10 +232,13 @@ impl<'a> Lowering<'a, '_> {
             }
             subjects.push(self.value_subject(value, argument.site)?);
         }
-        let scopes = std::mem::take(&mut self.scopes);
-        let outer = std::mem::take(&mut self.handed);
-        let source = std::mem::replace(&mut self.source, handed.source);
-        self.scopes = vec![Vec::new()];
+        let (mut names, mut known) = (Vec::new(), HashMap::new());
+        if let Some(scope) = &handed.scope {
+            (names, known) = (scope.names.clone(), scope.handed.clone());
+        }
+        names.push(Vec::new());
+        let scopes = std::mem::replace(&mut self.scopes, names);
+        let outer = std::mem::replace(&mut self.handed, known);
         handed.nothing.iter().for_each(|name| self.bind(name, Binding::Nothing));
         for Capture { name, place, local } in &handed.captures {
             match local {
@@ -226,8 +246,8 @@ impl<'a> Lowering<'a, '_> {
                 false => self.alias_to(name, place.clone()),
             }
         }
-        let value = self.applied(&handed.closure, &subjects);
-        self.source = source;
+        let value =
+            self.from(handed.source, site, |inner| inner.applied(&handed.closure, &subjects));
         self.scopes = scopes;
         self.handed = outer;
         let value = value?;

@@ -4,12 +4,14 @@
 //! and the place can be written. One that only lends to be read, and chooses between places, is a function that gives
 //! a copy; nothing writes to what is lent while it is.
 
+use std::collections::HashMap;
+
 use bessemer_ir::tree::visit::{self, Locals, Visit, VisitMut};
 use bessemer_ir::tree::{self, ExprKind as Tree, Pattern, Site, Ty};
 use bessemer_ir::{Expr, ExprKind, Place, Type};
 
 use super::lowering::{Binding, Lowering};
-use super::{Context, OUR_FAULT, Problem, Result, diagnostic, problem};
+use super::{Context, OUR_FAULT, Problem, Result, problem};
 
 /// An author's own `[…]`.
 pub(super) struct Indexing<'a> {
@@ -332,34 +334,7 @@ impl<'a> Lowering<'a, '_> {
                 self.given((&param.name, param.mutable), &ty, argument)?,
             ));
         }
-        if self.expanding.contains(&function.path.as_str()) {
-            return problem(site, "this lends by way of itself", "write a loop over a range");
-        }
-        self.expanding.push(&function.path);
-        let scopes = std::mem::replace(&mut self.scopes, vec![bound]);
-        let handed = std::mem::take(&mut self.handed);
-        let source = std::mem::replace(&mut self.source, function);
-        let told = self.cx.told.len();
-        let lent = self.ends_in(function, &body);
-        self.source = source;
-        self.scopes = scopes;
-        self.handed = handed;
-        self.expanding.pop();
-        match lent {
-            Ok(place) => Ok(place),
-            // Its place is in the file of the function that lends, and each call comes to it.
-            Err(Problem { site: at, message, help }) => {
-                let wrong = Problem { site: at, message, help };
-                let known = diagnostic(&function.file, wrong);
-                if told == self.cx.told.len()
-                    && !known.message.is_empty()
-                    && !self.cx.told.contains(&known)
-                {
-                    self.cx.told.push(known);
-                }
-                problem(site, "", "")
-            }
-        }
+        self.inside(function, (bound, HashMap::new()), site, |inner| inner.ends_in(function, &body))
     }
 
     fn ends_in(&mut self, function: &'a tree::Function, body: &tree::Block) -> Result<Place> {
@@ -382,7 +357,7 @@ impl<'a> Lowering<'a, '_> {
     }
 
     /// What a parameter stands for: the place that is lent to it, or a value that stays as it is.
-    fn given(
+    pub(super) fn given(
         &mut self,
         (name, mutable): (&str, bool),
         ty: &Ty,

@@ -4,6 +4,7 @@
 //! [`Lowering`].
 
 use std::collections::{HashMap, HashSet};
+use std::rc::Rc;
 
 use bessemer_ir::tree;
 use bessemer_ir::{Expr, Local, LocalId, Place, Stmt, Type};
@@ -113,6 +114,15 @@ pub(super) struct Handed<'a> {
     pub captures: Vec<Capture>,
     /// The names of what it uses that holds nothing.
     pub nothing: Vec<String>,
+    /// Where it was written, if that is in the function that is being lowered: then all its names mean what they mean
+    /// there, and nothing has to be passed.
+    pub scope: Option<Rc<Scope<'a>>>,
+}
+
+/// What names and closures mean where a closure was written.
+pub(super) struct Scope<'a> {
+    pub names: Vec<Vec<(String, Binding)>>,
+    pub handed: HashMap<String, Handed<'a>>,
 }
 
 /// What a closure uses.

@@ -23,6 +23,7 @@ mod ended;
 mod enums;
 mod equal;
 mod equal_slices;
+mod expand;
 mod expr;
 mod fields;
 mod from_array;
@@ -120,8 +121,11 @@ pub fn typify(
         .partition(|function| function.tree.params.iter().any(|param| param.closure));
     cx.templates = templates.into_iter().map(|it| (it.path.as_str(), it)).collect();
     cx.note_implied(&package.implied);
+    cx.note_expanded(package.functions.iter());
     cx.note_lending(&functions);
-    let functions = functions.into_iter().filter(|it| !cx.lends_place(it)).collect::<Vec<_>>();
+    let in_the_c =
+        |it: &&tree::Function| it.tree.role != tree::Role::Expanded && !cx.lends_place(it);
+    let functions = functions.into_iter().filter(in_the_c).collect::<Vec<_>>();
     cx.waiting = functions.iter().map(|it| (it.path.as_str(), *it)).collect();
     // Of other crates comes what is called, when it is called.
     for function in functions.into_iter().filter(|function| is_own(package, function)) {
@@ -239,6 +243,8 @@ struct Context<'a> {
     functions: HashMap<String, FunctionId>,
     /// The functions that take closures: each call has a copy of its own.
     templates: HashMap<&'a str, &'a tree::Function>,
+    /// The functions that stand where they are called.
+    expanded: HashMap<&'a str, &'a tree::Function>,
     /// All functions that take no closures.
     all: HashMap<&'a str, &'a tree::Function>,
     /// Those of which the place that they lend stands where they are called.
@@ -290,6 +296,7 @@ impl<'a> Context<'a> {
             quaternions: HashMap::new(),
             functions: HashMap::new(),
             templates: HashMap::new(),
+            expanded: HashMap::new(),
             all: HashMap::new(),
             lending: HashMap::new(),
             indexing: Vec::new(),

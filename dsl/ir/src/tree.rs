@@ -216,10 +216,14 @@ pub struct Operator {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[allow(missing_docs)]
 pub enum Role {
-    Entry { infallible: bool },
+    Entry {
+        infallible: bool,
+    },
     Public,
     Private,
     Inline,
+    /// Stands where it is called: nothing in the C.
+    Expanded,
 }
 
 /// A parameter.

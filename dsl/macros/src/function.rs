@@ -7,22 +7,32 @@ use quote::{ToTokens, quote};
 
 use crate::attributes::{self, Asked};
 use crate::builder::{self, Home, Subject};
-use crate::lower::{Refusals, refuse};
+use crate::lower::{self, Refusals, refuse};
 use crate::redirect;
 
-/// `#[function]`.
+/// `#[function]`; `#[function(expand)]` stands where it is called.
 pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
     let mut refusals = Refusals::default();
-    if !arguments.is_empty() {
+    let expands = syn::parse2::<syn::Ident>(arguments.clone()).is_ok_and(|it| it == "expand");
+    if !arguments.is_empty() && !expands {
         refusals.add(syn::spanned::Spanned::span(&arguments), refuse::ARGUMENTS);
     }
-    marked(item, refusals, |_, _| Attributes::default())
+    marked(item, refusals, |function, refusals| {
+        if expands {
+            lower::without_returns(&function.block, refusals);
+        }
+        Asked {
+            role: if expands { Role::Expanded } else { Role::Public },
+            attributes: Attributes::default(),
+        }
+    })
 }
 
 /// `#[external]`.
 pub fn expand_external(arguments: TokenStream, item: TokenStream) -> TokenStream {
-    marked(item, Refusals::default(), |function, refusals| {
-        attributes::external(&arguments, function, refusals)
+    marked(item, Refusals::default(), |function, refusals| Asked {
+        role: Role::Public,
+        attributes: attributes::external(&arguments, function, refusals),
     })
 }
 
@@ -30,7 +40,7 @@ pub fn expand_external(arguments: TokenStream, item: TokenStream) -> TokenStream
 fn marked(
     item: TokenStream,
     mut refusals: Refusals,
-    more: impl FnOnce(&syn::ItemFn, &mut Refusals) -> Attributes,
+    more: impl FnOnce(&syn::ItemFn, &mut Refusals) -> Asked,
 ) -> TokenStream {
     let mut function = match syn::parse2::<syn::Item>(item.clone()) {
         Ok(syn::Item::Fn(function)) => function,
@@ -46,9 +56,12 @@ fn marked(
     }
     let more = more(&function, &mut refusals);
     let mut asked = attributes::of_function(&mut function, &mut refusals);
-    if more.external.is_some() {
+    if more.attributes.external.is_some() {
         let Attributes { parameters, result, .. } = asked.attributes;
-        asked = Asked { role: Role::Public, attributes: Attributes { parameters, result, ..more } };
+        let attributes = Attributes { parameters, result, ..more.attributes };
+        asked = Asked { role: Role::Public, attributes };
+    } else if more.role == Role::Expanded {
+        asked.role = more.role;
     }
     let subject = Subject {
         attributes: &function.attrs,

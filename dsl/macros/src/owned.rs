@@ -1,7 +1,7 @@
-//! Which functions of numbers the DSL owns, and what paths lead to them.
+//! Which methods of numbers and slices the DSL owns, and what paths lead to them.
 
 /// The methods that the DSL owns: their result in the last bits, at ±0 or for NaN depends on the
-/// platform, or they do not exist without std.
+/// platform, they do not exist without std, or core leaves open which of equal elements they find.
 pub const OWNED: &[&str] = &[
     "abs",
     "acos",
@@ -11,6 +11,9 @@ pub const OWNED: &[&str] = &[
     "atan",
     "atan2",
     "atanh",
+    "binary_search",
+    "binary_search_by",
+    "binary_search_by_key",
     "cbrt",
     "ceil",
     "clamp",
@@ -34,6 +37,7 @@ pub const OWNED: &[&str] = &[
     "max",
     "min",
     "mul_add",
+    "partition_point",
     "powf",
     "powi",
     "rem_euclid",

@@ -9,7 +9,7 @@ use proc_macro2::Span;
 use syn::visit_mut::{self, VisitMut};
 
 use crate::lower::macros::{by_rows, matching};
-use crate::lower::{bound, halving, sort, unroll};
+use crate::lower::{bound, sort, unroll};
 use crate::owned::{associated, owned};
 
 /// Rewrites every call in `block`, and brings the DSL's traits into its scope.
@@ -21,8 +21,8 @@ pub fn block(block: &mut syn::Block) {
             #[allow(unused_imports)]
             use ::bessemer::math::{
                 ByteMethods as _, DivisionMethods as _, ElementaryMethods as _, FloatMethods as _, MatrixMethods as _,
-                OrderMethods as _, RankMethods as _, RotationMethods as _, RoundMethods as _, SignMethods as _,
-                SquareMethods as _, TotalMethods as _,
+                OrderMethods as _, RankMethods as _, RotationMethods as _, RoundMethods as _, SearchMethods as _,
+                SignMethods as _, SquareMethods as _, TotalMethods as _,
             };
         };
         block.stmts.insert(0, import);
@@ -54,8 +54,7 @@ impl VisitMut for Redirect {
             *expr = matrix;
         }
         if let syn::Expr::MethodCall(it) = expr
-            && let Some(call) =
-                sort::sorted(it, sort::Leg::Native).or_else(|| halving::searched(it))
+            && let Some(call) = sort::sorted(it, sort::Leg::Native)
         {
             *expr = call;
         }

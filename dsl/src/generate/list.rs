@@ -44,10 +44,6 @@ pub trait ListBuiltins<T>: Sized {
     fn __b_list_extend(&mut self, _element: T) -> Called<Push, ()> {
         unreachable!()
     }
-    /// What `retain` calls in the end; no type of an author's has it.
-    fn __b_list_retain(&mut self, _length: usize) -> Called<Truncate, ()> {
-        unreachable!()
-    }
     fn __b_resize(&mut self, _length: usize, _element: T) -> Called<Resize, ()> {
         unreachable!()
     }
@@ -71,6 +67,7 @@ pub trait ListEdits<T, const N: usize>: Sized {
     fn __b_remove(&mut self, index: usize) -> told!([Self, T, N] => T);
     fn __b_swap_remove(&mut self, index: usize) -> told!([Self, T, N] => T);
     fn __b_extend_from_slice(&mut self, elements: &[T]) -> told!([Self, T, N] => ());
+    fn __b_retain<F: FnMut(&T) -> bool>(&mut self, keep: F) -> told!([Self, T, N] + F => ());
 }
 
 impl<T: Value + Copy + Default, const N: usize> ListEdits<T, N> for List<T, N> {
@@ -85,5 +82,8 @@ impl<T: Value + Copy + Default, const N: usize> ListEdits<T, N> for List<T, N> {
     }
     fn __b_extend_from_slice(&mut self, elements: &[T]) -> told!([T, N] => ()) {
         list_edit::extend_from_slice::__call(self, elements)
+    }
+    fn __b_retain<F: FnMut(&T) -> bool>(&mut self, keep: F) -> told!([T, N] + F => ()) {
+        list_edit::retain::__call(self, keep)
     }
 }

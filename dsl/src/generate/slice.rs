@@ -2,6 +2,7 @@
 
 use alloc::borrow::ToOwned;
 use core::array::TryFromSliceError;
+use core::cmp::Ordering;
 
 use bessemer_ir::tree::{self, Ty};
 use nalgebra::SVector;
@@ -12,7 +13,7 @@ use super::matrices::told;
 use super::numbers::TryFromBuiltin;
 use super::slot::{Called, DslType, Seen, Value};
 use crate::math::Real;
-use crate::{Number, slice_edit, sort};
+use crate::{Number, search, slice_edit, sort};
 
 markers! {
     AsSlice: "as_slice";
@@ -212,6 +213,49 @@ impl<T: Value + Number + Ord> SliceSorts<T> for [T] {
     }
     fn __b_sort_unstable(&mut self) -> told!([T] => ()) {
         sort::ascending::__call(self)
+    }
+}
+
+/// Methods of sorted slices: functions of the DSL in the C.
+#[allow(missing_docs)]
+pub trait SliceSearches<T> {
+    fn __b_binary_search(&self, wanted: &T) -> told!([Self, T] => Result<usize, usize>)
+    where
+        T: Ord;
+    fn __b_binary_search_by<F: Fn(&T) -> Ordering>(
+        &self,
+        order: F,
+    ) -> told!([Self, T] + F => Result<usize, usize>);
+    fn __b_binary_search_by_key<B: Value + Copy + Ord, F: Fn(&T) -> B>(
+        &self,
+        wanted: &B,
+        key: F,
+    ) -> told!([Self, T] + B + F => Result<usize, usize>);
+    fn __b_partition_point<F: Fn(&T) -> bool>(&self, is_first: F) -> told!([Self, T] + F => usize);
+}
+
+impl<T: Value + Copy> SliceSearches<T> for [T] {
+    fn __b_binary_search(&self, wanted: &T) -> told!([T] => Result<usize, usize>)
+    where
+        T: Ord,
+    {
+        search::binary_search::__call(self, *wanted)
+    }
+    fn __b_binary_search_by<F: Fn(&T) -> Ordering>(
+        &self,
+        order: F,
+    ) -> told!([T] + F => Result<usize, usize>) {
+        search::binary_search_by::__call(self, order)
+    }
+    fn __b_binary_search_by_key<B: Value + Copy + Ord, F: Fn(&T) -> B>(
+        &self,
+        wanted: &B,
+        key: F,
+    ) -> told!([T] + B + F => Result<usize, usize>) {
+        search::binary_search_by_key::__call(self, *wanted, key)
+    }
+    fn __b_partition_point<F: Fn(&T) -> bool>(&self, is_first: F) -> told!([T] + F => usize) {
+        search::partition_point::__call(self, is_first)
     }
 }
 

@@ -36,7 +36,7 @@ use core::cmp::Ordering;
 
 #[doc(hidden)]
 pub use crate::rotation::RotationMethods;
-use crate::{comparison, sort};
+use crate::{comparison, search, sort};
 pub use float::{Real, real};
 pub use matrix::{MatrixMethods, SquareMethods};
 pub use methods::ElementaryMethods;
@@ -117,6 +117,55 @@ impl<T: Copy + Ord> RankMethods for T {
     }
     fn dsl_clamp(self, low: T, high: T) -> T {
         comparison::limited(self, low, high)
+    }
+}
+
+/// Searching in a sorted slice: of equal elements the same one is found in the simulation and in the C.
+pub trait SearchMethods<T> {
+    /// The index of the first element that is `wanted`.
+    ///
+    /// # Errors
+    /// Where it would have to be put in, if no element is `wanted`.
+    fn dsl_binary_search(&self, wanted: &T) -> Result<usize, usize>
+    where
+        T: Ord;
+    /// The index of an element that `order` calls `Equal`.
+    ///
+    /// # Errors
+    /// Where one would have to be put in, if there is none.
+    fn dsl_binary_search_by(&self, order: impl Fn(&T) -> Ordering) -> Result<usize, usize>;
+    /// The index of an element with this key.
+    ///
+    /// # Errors
+    /// Where one would have to be put in, if there is none.
+    fn dsl_binary_search_by_key<B: Copy + Ord>(
+        &self,
+        wanted: &B,
+        key: impl Fn(&T) -> B,
+    ) -> Result<usize, usize>;
+    /// The index of the first element for which `is_first` does not hold.
+    fn dsl_partition_point(&self, is_first: impl Fn(&T) -> bool) -> usize;
+}
+
+impl<T: Copy> SearchMethods<T> for [T] {
+    fn dsl_binary_search(&self, wanted: &T) -> Result<usize, usize>
+    where
+        T: Ord,
+    {
+        search::binary_search(self, *wanted)
+    }
+    fn dsl_binary_search_by(&self, order: impl Fn(&T) -> Ordering) -> Result<usize, usize> {
+        search::binary_search_by(self, order)
+    }
+    fn dsl_binary_search_by_key<B: Copy + Ord>(
+        &self,
+        wanted: &B,
+        key: impl Fn(&T) -> B,
+    ) -> Result<usize, usize> {
+        search::binary_search_by_key(self, *wanted, key)
+    }
+    fn dsl_partition_point(&self, is_first: impl Fn(&T) -> bool) -> usize {
+        search::partition_point(self, is_first)
     }
 }
 

@@ -10,6 +10,7 @@ use syn::visit::{self, Visit};
 
 use super::made::plain;
 use super::names::text;
+use super::refuse::Refusals;
 use super::syntax::names;
 use super::walk::{Closure, Lowering};
 use super::{pattern, refuse};
@@ -214,6 +215,15 @@ impl Lowering<'_> {
         for span in returns.0 {
             self.refusals.add(span, refuse::CLOSURE_RETURN);
         }
+    }
+}
+
+/// Refuses what would leave the caller of a function that stands where it is called.
+pub fn without_returns(body: &syn::Block, refusals: &mut Refusals) {
+    let mut returns = Returns(Vec::new());
+    returns.visit_block(body);
+    for span in returns.0 {
+        refusals.add(span, refuse::EXPANDED_RETURN);
     }
 }
 

@@ -20,7 +20,6 @@ mod each;
 mod ends;
 mod expr;
 mod flow;
-pub mod halving;
 mod item;
 mod lines;
 pub mod macros;
@@ -43,6 +42,7 @@ mod view;
 mod walk;
 
 pub use call::companion_name;
+pub use closure::without_returns;
 pub use macros::asked;
 pub use names::{GENERATING, Site, callee_name, own_name, site, slot_name, text};
 pub use pattern::member;

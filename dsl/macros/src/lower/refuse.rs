@@ -137,6 +137,7 @@ reasons! {
     CLOSURE_VALUE: "a closure is called or passed to a function in the DSL, and not kept", "call it, or write a function marked `#[function]`";
     CLOSURE_MOVE: "a closure borrows what it uses in the DSL", "leave `move` out, and copy before: `let k = self.k;`";
     CLOSURE_RETURN: "`return` in a closure is not in the DSL", "let its body end in the value: `if … { a } else { b }`";
+    EXPANDED_RETURN: "this would leave the caller of a function that stands where it is called", "let its body end in the value: `if … { a } else { b }`";
     CLOSURE_PARAMETERS: "this parameter of a closure is not in the DSL", "write a name, or for elements `(i, x)`, `(x, y)`, `&x`";
     CLOSURE_SHADOWED: "a name that the closure uses means something else here", "give the later variable another name";
     STEP_ORDER: "`.step_by(…)` stands behind the range in the DSL", "write `(a..b).step_by(n)`, with `.rev()` after it if need be";

@@ -1,5 +1,4 @@
-//! Methods that stand for other code: `range.contains(&x)`, `items.min_by_key(…)`, `list.extend(…)`,
-//! `list.retain(…)`. In the tree and in the copy that code stands in their place.
+//! Methods that stand for other code: `range.contains(&x)`, `items.min_by_key(…)`, `list.extend(…)`. In the tree and in the copy that code stands in their place.
 //!
 //! What it names is named as nothing in scope is, so that no name of the author's changes its meaning.
 //! Types are not known here: what stands for a method of lists calls methods that lists alone have
@@ -14,7 +13,7 @@ use super::syntax::{
     bare, compared, gives_pairs, gives_references, is_iterator, is_made_of_plain, is_plain, names,
 };
 use super::walk::Lowering;
-use super::{halving, refuse, sort};
+use super::{refuse, sort};
 
 impl Lowering<'_> {
     /// What an expression stands for; none if for itself.
@@ -41,9 +40,6 @@ impl Lowering<'_> {
                 sorted
             }
             ("sort_by_key" | "sort_unstable_by_key", 1) => sort::sorted(it, Leg::Tree),
-            ("partition_point" | "binary_search" | "binary_search_by", 1)
-            | ("binary_search_by_key", 2) => halving::searched(it),
-            ("retain", 1) => self.retained(it),
             _ => None,
         }
     }
@@ -288,34 +284,6 @@ impl Lowering<'_> {
         };
         let extend = syn::Ident::new("list_extend", it.method.span());
         Some(parse_quote! { for #pattern in #items { #list.#extend(#element); } })
-    }
-
-    /// `list.retain(|x| …)`: those that are kept move up, in their order.
-    fn retained(&mut self, it: &syn::ExprMethodCall) -> Option<syn::Expr> {
-        let syn::Expr::Closure(closure) = &it.args[0] else { return None };
-        let list = &it.receiver;
-        if !is_plain(list) || closure.inputs.len() != 1 {
-            return None;
-        }
-        self.check_closure(closure);
-        let fresh = |name: &str| self.fresh_beside(name, it);
-        let (kept, at, keeps) = (fresh("kept"), fresh("at"), fresh("keeps"));
-        let element: syn::Expr = parse_quote! { #list[#at] };
-        let keep = let_in(closure.inputs.first()?, &element, &closure.body);
-        let retain = syn::Ident::new("list_retain", it.method.span());
-        Some(parse_quote! {
-            {
-                let mut #kept = 0;
-                for #at in 0..#list.len() {
-                    let #keeps = #keep;
-                    if #keeps {
-                        #list[#kept] = #list[#at];
-                        #kept += 1;
-                    }
-                }
-                #list.#retain(#kept);
-            }
-        })
     }
 }
 
