@@ -80,7 +80,9 @@ void airframe_drag_factors(const airframe_t *self, double result[8]);
 /**
  * Thrust and torques from the squares of the motor speeds (thesis, eq. (2.49)).
  *
- * Rows: thrust, roll, pitch, yaw. Columns: motors.
+ * Rows: thrust along the body's z; torques about its x (forward), y (left) and z, by the right-hand rule.
+ * Columns: motors, from the forward direction on towards the left. A motor of spin 1 turns the body from x
+ * towards y.
  */
 void airframe_effectiveness(const airframe_t *self, double effect[32]);
 

@@ -6,6 +6,7 @@
  */
 #include "attitude_filter.h"
 
+#include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <string.h>
@@ -102,8 +103,12 @@ bool attitude_filter_correct(attitude_filter_t *self, const double row[6], const
     const double expected = 0.0 + row[0] * spread[0] + row[1] * spread[1] + row[2] * spread[2]
         + row[3] * spread[3] + row[4] * spread[4] + row[5] * spread[5] + variance;
 
-    /* Nothing is left to learn where neither the state nor the measurement can be wrong. */
-    const bool plausible = expected > 0.0 && innovation * innovation <= gate * gate * expected;
+    /*
+     * Nothing is left to learn where neither the state nor the measurement can be wrong, nor from a measurement
+     * that can be anything.
+     */
+    const bool learns = expected > 0.0 && isfinite(expected) != 0;
+    const bool plausible = learns && innovation * innovation <= gate * gate * expected;
     if (!plausible) {
         return false;
     }

@@ -6,6 +6,7 @@
  */
 #include "axis_filter.h"
 
+#include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <string.h>
@@ -65,7 +66,13 @@ bool axis_filter_correct(axis_filter_t *self, const double row[3], double measur
             + self->covariance[2 + 3 * 2] * row[2]
     };
     const double expected = row[0] * spread[0] + row[1] * spread[1] + row[2] * spread[2] + variance;
-    const bool plausible = expected > 0.0 && innovation * innovation <= gate * gate * expected;
+
+    /*
+     * Nothing is left to learn where neither the state nor the measurement can be wrong, nor from a measurement
+     * that can be anything.
+     */
+    const bool learns = expected > 0.0 && isfinite(expected) != 0;
+    const bool plausible = learns && innovation * innovation <= gate * gate * expected;
     if (!plausible) {
         return false;
     }

@@ -11,7 +11,7 @@
 extern "C" {
 #endif
 
-/** Sines and cosines of roll θ1, pitch θ2 and yaw θ3. */
+/** Sines and cosines of roll θ1, pitch θ2 and yaw θ3, the angles of R = C1(θ1) C2(θ2) C3(θ3). */
 typedef struct {
     /** sin θ1. */
     double s1;
@@ -30,7 +30,13 @@ typedef struct {
 /** The orientation at the given roll, pitch and yaw, rad. */
 void orientation_of(const double angles[3], orientation_t *orientation);
 
-/** Rotation from the body frame to the inertial frame (thesis, eq. (2.11)). */
+/**
+ * Rotation from the body frame to the inertial frame: R = C1(roll) C2(pitch) C3(yaw) (thesis, eq. (2.11)).
+ *
+ * Each Ci is the passive rotation about axis i: it turns the axes and not the vector, so that a positive yaw
+ * turns the body's x towards −y. Both frames are right-handed: the inertial one's z points upwards; the
+ * body's x forward, its y to the left, its z along the thrust.
+ */
 void orientation_rotation(const orientation_t *self, double result[9]);
 
 /**
@@ -46,7 +52,8 @@ void orientation_thrust_direction(const orientation_t *self, double result[3]);
 void orientation_upwards(const orientation_t *self, double result[3]);
 
 /**
- * Body rates per rate of the angles: T in ω = T θ̇ (thesis, eq. (2.16)).
+ * Body rates per rate of the angles: T in ω = T θ̇ (thesis, eq. (2.16)), with ω about the body's x, y and z by the
+ * right-hand rule and θ̇ in the order roll, pitch, yaw. Level, T is diag(−1, −1, −1): the angles are passive.
  *
  * Its columns are the axes about which roll, pitch and yaw turn, seen from the body.
  */

@@ -35,7 +35,7 @@ static const uint8_t CHOOSE = 14U;
 /** Bytes of the payload of [`CHOOSE`]: two, and one for each signal. */
 static const uint64_t CHOOSE_BYTES = UINT64_C(38);
 
-/** Flies the collected trajectory: how many points, one byte; what to call it, one byte. */
+/** Flies the collected trajectory: how many points, one byte; what it is called, one byte. */
 static const uint8_t COMMIT = 5U;
 
 /** Bytes of the payload of [`COMMIT`]: how many points, and a name. */
@@ -62,11 +62,11 @@ static const uint64_t MOST_BYTES = UINT64_C(64);
 /** The most set points of a trajectory. */
 static const uint64_t MOST_POINTS = UINT64_C(16);
 
-/** A set point: its index, one byte; time, x, y, z, yaw. */
+/** A set point: what to call its trajectory, one byte; its index, one byte; time, x, y, z, yaw. */
 static const uint8_t POINT = 4U;
 
-/** Bytes of the payload of [`POINT`]: an index and five numbers. */
-static const uint64_t POINT_BYTES = UINT64_C(41);
+/** Bytes of the payload of [`POINT`]: a name, an index and five numbers. */
+static const uint64_t POINT_BYTES = UINT64_C(42);
 
 /** Sets a parameter: its number, one byte; its value. */
 static const uint8_t SET = 13U;
@@ -189,6 +189,7 @@ void receiver_init(receiver_t *self)
         self->collected.points[i].position[2] = 0.0;
         self->collected.points[i].yaw = 0.0;
     }
+    self->collecting = 0U;
     self->received = 0U;
     self->last = 0U;
     self->heard = false;
@@ -285,6 +286,11 @@ static bool receiver_take_word(receiver_t *self, const space_t *space, uint8_t k
     }
     if (kind == HELLO) {
         self->orders.link = true;
+
+        /*
+         * It may be another ground, with names of its own: what the last one left is in no trajectory.
+         */
+        self->received = 0U;
     } else if (kind == GOODBYE) {
         self->orders.link = false;
         self->orders.watched = false;
@@ -321,21 +327,28 @@ static bool receiver_take_mode(receiver_t *self, uint8_t number)
     return true;
 }
 
-/** Puts a set point into the trajectory that is being collected. */
+/**
+ * Puts a set point into the trajectory that is being collected: the first of another one empties it.
+ */
 static bool receiver_collect(receiver_t *self, const space_t *space, const packet_t *packet)
 {
-    const uint64_t index = (uint64_t)packet_byte(packet, UINT64_C(0));
+    const uint8_t name = packet_byte(packet, UINT64_C(0));
+    const uint64_t index = (uint64_t)packet_byte(packet, UINT64_C(1));
     const double place[3] = {
-        packet_number(packet, UINT64_C(9)), packet_number(packet, UINT64_C(17)),
-        packet_number(packet, UINT64_C(25))
+        packet_number(packet, UINT64_C(10)), packet_number(packet, UINT64_C(18)),
+        packet_number(packet, UINT64_C(26))
     };
     const set_point_t point = {
-        .time = packet_number(packet, UINT64_C(1)),
+        .time = packet_number(packet, UINT64_C(2)),
         .position = {place[0], place[1], place[2]},
-        .yaw = packet_number(packet, UINT64_C(33))
+        .yaw = packet_number(packet, UINT64_C(34))
     };
     if (index >= MOST_POINTS || !set_point_is_inside(&point, space)) {
         return false;
+    }
+    if (name != self->collecting) {
+        self->collecting = name;
+        self->received = 0U;
     }
     self->collected.points[index] = point;
     self->received |= 1U << index;
@@ -352,7 +365,8 @@ static bool receiver_commit(receiver_t *self, const space_t *space, const packet
     const uint64_t count = (uint64_t)packet_byte(packet, UINT64_C(0));
     work->wanted = self->collected;
     work->wanted.count = count;
-    if (!trajectory_is_sound(&work->wanted, space)) {
+    if (packet_byte(packet, UINT64_C(1)) != self->collecting
+            || !trajectory_is_sound(&work->wanted, space)) {
         return false;
     }
     for (uint32_t n = 0U; n < MOST_POINTS; n++) {
@@ -361,7 +375,7 @@ static bool receiver_commit(receiver_t *self, const space_t *space, const packet
         }
     }
     self->orders.trajectory = work->wanted;
-    self->orders.tag = packet_byte(packet, UINT64_C(1));
+    self->orders.tag = self->collecting;
     self->received = 0U;
     return true;
 }

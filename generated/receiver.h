@@ -112,6 +112,8 @@ typedef struct {
     tally_t tally;
     /** The trajectory that is being collected. */
     trajectory_t collected;
+    /** What the ground calls it. */
+    uint8_t collecting;
     /** Which of its points have come: a bit for each. */
     uint32_t received;
     /** Number of the last packet that was taken. */

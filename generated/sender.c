@@ -14,8 +14,14 @@
 #include "logger.h"
 #include "packet.h"
 
+/** Counts in the state of the link. */
+static const uint64_t COUNTS = UINT64_C(8);
+
 /** Bytes before the values. */
 static const uint64_t FRONT = UINT64_C(6);
+
+/** The most bytes of a payload: the rest is header and checksum. */
+static const uint64_t MOST_PAYLOAD = UINT64_C(56);
 
 /** A parameter: its number, one byte; its value, or no number if there is no such parameter. */
 static const uint8_t PARAMETER = 66U;
@@ -156,12 +162,12 @@ void sender_state(uint16_t sequence, const sender_status_t *status, packet_t *pa
         status->refused.unsealed, status->refused.forged, status->refused.replayed, status->lost
     };
     uint8_t payload[56] = {0U};
-    for (uint32_t n = 0U; n < 8U; n++) {
+    for (uint32_t n = 0U; n < COUNTS; n++) {
         sender_put(payload, (uint64_t)(4U * n), counts[n]);
     }
-    payload[32] = (uint8_t)status->mode;
-    payload[33] = status->tag;
-    payload[34] = u8_from_bool(&status->watched);
+    payload[4 * COUNTS] = (uint8_t)status->mode;
+    payload[4 * COUNTS + 1] = status->tag;
+    payload[4 * COUNTS + 2] = u8_from_bool(&status->watched);
     packet_around(STATUS, sequence, payload, STATUS_BYTES, packet);
 }
 
@@ -183,7 +189,7 @@ void sender_parameter(uint16_t sequence, const reply_t *reply, packet_t *packet)
 
 void sender_put(uint8_t payload[56], uint64_t at, uint32_t word)
 {
-    const uint64_t start = min_u64(at, UINT64_C(52));
+    const uint64_t start = min_u64(at, MOST_PAYLOAD - UINT64_C(4));
     const uint8_t bytes[4] = {
         (uint8_t)word, (uint8_t)(word >> 8U), (uint8_t)(word >> 16U), (uint8_t)(word >> 24U)
     };

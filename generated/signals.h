@@ -17,11 +17,11 @@ extern "C" {
 typedef struct {
     /** Position in the inertial frame, z upwards, m. */
     double position[3];
-    /** Euler angles: roll, pitch, yaw, rad. */
+    /** Euler angles: roll, pitch, yaw of R = C1 C2 C3, passive: see [`crate::geometry`], rad. */
     double angles[3];
     /** Velocity in the inertial frame, m/s. */
     double velocity[3];
-    /** Angular velocity in the body frame, rad/s. */
+    /** Angular velocity about the body's x, y and z, by the right-hand rule, rad/s. */
     double rates[3];
 } estimate_t;
 

@@ -136,7 +136,9 @@ impl Airframe {
 
     /// Thrust and torques from the squares of the motor speeds (thesis, eq. (2.49)).
     ///
-    /// Rows: thrust, roll, pitch, yaw. Columns: motors.
+    /// Rows: thrust along the body's z; torques about its x (forward), y (left) and z, by the right-hand rule.
+    /// Columns: motors, from the forward direction on towards the left. A motor of spin 1 turns the body from x
+    /// towards y.
     pub fn effectiveness(&self) -> SMatrix<f64, 4, 8> {
         let thrust = self.thrust_factors();
         let drag = self.drag_factors();

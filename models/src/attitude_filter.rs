@@ -95,8 +95,10 @@ impl AttitudeFilter {
     ) -> bool {
         let spread = self.covariance * row;
         let expected = row.dot(&spread) + variance;
-        // Nothing is left to learn where neither the state nor the measurement can be wrong.
-        let plausible = expected > 0.0 && innovation * innovation <= gate * gate * expected;
+        // Nothing is left to learn where neither the state nor the measurement can be wrong, nor from a measurement
+        // that can be anything.
+        let learns = expected > 0.0 && expected.is_finite();
+        let plausible = learns && innovation * innovation <= gate * gate * expected;
         if !plausible {
             return false;
         }

@@ -52,7 +52,10 @@ impl AxisFilter {
         let innovation = measured - row.dot(&self.state);
         let spread = self.covariance * row;
         let expected = row.dot(&spread) + variance;
-        let plausible = expected > 0.0 && innovation * innovation <= gate * gate * expected;
+        // Nothing is left to learn where neither the state nor the measurement can be wrong, nor from a measurement
+        // that can be anything.
+        let learns = expected > 0.0 && expected.is_finite();
+        let plausible = learns && innovation * innovation <= gate * gate * expected;
         if !plausible {
             return false;
         }

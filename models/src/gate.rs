@@ -72,7 +72,7 @@ impl Gate {
             return Packet::none();
         }
         self.counter = self.counter.max(counter);
-        let mut payload = [0; 56];
+        let mut payload = [0; MOST_PAYLOAD];
         for n in 0..MOST_PAYLOAD {
             if n < size {
                 payload[n] = packet.byte(n);

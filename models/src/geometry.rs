@@ -11,7 +11,7 @@ use core::f64::consts::PI;
 #[data]
 pub const STEEP: f64 = 0.01;
 
-/// Sines and cosines of roll θ1, pitch θ2 and yaw θ3.
+/// Sines and cosines of roll θ1, pitch θ2 and yaw θ3, the angles of R = C1(θ1) C2(θ2) C3(θ3).
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Orientation {
@@ -43,7 +43,11 @@ impl Orientation {
         }
     }
 
-    /// Rotation from the body frame to the inertial frame (thesis, eq. (2.11)).
+    /// Rotation from the body frame to the inertial frame: R = C1(roll) C2(pitch) C3(yaw) (thesis, eq. (2.11)).
+    ///
+    /// Each Ci is the passive rotation about axis i: it turns the axes and not the vector, so that a positive yaw
+    /// turns the body's x towards −y. Both frames are right-handed: the inertial one's z points upwards; the
+    /// body's x forward, its y to the left, its z along the thrust.
     #[rustfmt::skip]
     pub fn rotation(&self) -> Matrix3<f64> {
         let s1 = self.s1;
@@ -75,7 +79,8 @@ impl Orientation {
         )
     }
 
-    /// Body rates per rate of the angles: T in ω = T θ̇ (thesis, eq. (2.16)).
+    /// Body rates per rate of the angles: T in ω = T θ̇ (thesis, eq. (2.16)), with ω about the body's x, y and z by the
+    /// right-hand rule and θ̇ in the order roll, pitch, yaw. Level, T is diag(−1, −1, −1): the angles are passive.
     ///
     /// Its columns are the axes about which roll, pitch and yaw turn, seen from the body.
     #[rustfmt::skip]

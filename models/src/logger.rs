@@ -26,7 +26,7 @@ pub struct Record {
     /// The choice of signals that it holds.
     pub tag: u8,
     /// The chosen signals.
-    pub values: [f64; 36],
+    pub values: [f64; WIDTH],
 }
 
 impl Default for Record {
@@ -44,7 +44,7 @@ pub struct Choice {
     /// Every so many periods; 0 for never.
     pub every: u32,
     /// The numbers of the signals.
-    pub signals: [u8; 36],
+    pub signals: [u8; WIDTH],
 }
 
 impl Default for Choice {
@@ -57,7 +57,7 @@ impl Default for Choice {
 impl Choice {
     /// The first signals, at 20 Hz.
     pub fn usual() -> Choice {
-        let mut signals = [0; 36];
+        let mut signals = [0; WIDTH];
         for n in 0..WIDTH {
             signals[n] = n as u8;
         }
@@ -70,7 +70,7 @@ impl Choice {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Logger {
     /// The ring.
-    pub records: [Record; 16],
+    pub records: [Record; DEPTH],
     /// Where the oldest record is.
     pub first: usize,
     /// How many there are.
@@ -88,7 +88,7 @@ impl Logger {
     pub fn step(&mut self, choice: &Choice, signals: &SVector<f64, 64>) {
         let due = choice.every != 0 && self.period % choice.every.max(1) == 0;
         if due {
-            let mut record = Record { period: self.period, tag: choice.tag, values: [0.0; 36] };
+            let mut record = Record { period: self.period, tag: choice.tag, values: [0.0; WIDTH] };
             for n in 0..WIDTH {
                 let number = choice.signals[n] as usize;
                 record.values[n] = signals[number % SIGNALS];

@@ -44,7 +44,7 @@ pub struct Packet {
     /// How many of the bytes there are; 0 is no packet.
     pub length: usize,
     /// The bytes.
-    pub bytes: [u8; 64],
+    pub bytes: [u8; MOST_BYTES],
 }
 
 impl Default for Packet {
@@ -57,11 +57,11 @@ impl Default for Packet {
 impl Packet {
     /// No packet.
     pub fn none() -> Packet {
-        Packet { length: 0, bytes: [0; 64] }
+        Packet { length: 0, bytes: [0; MOST_BYTES] }
     }
 
     /// A packet of a kind around the first `length` bytes of a payload.
-    pub fn around(kind: u8, sequence: u16, payload: &[u8; 56], length: usize) -> Packet {
+    pub fn around(kind: u8, sequence: u16, payload: &[u8; MOST_PAYLOAD], length: usize) -> Packet {
         let mut packet = Packet::none();
         let size = length.min(MOST_PAYLOAD);
         packet.length = HEADER + size + SUM;
@@ -148,7 +148,7 @@ impl Packet {
 
 /// CRC-16/CCITT (polynomial 0x1021, from 0xFFFF) over the bytes from the third to before `end`.
 #[function]
-fn checksum(bytes: &[u8; 64], end: usize) -> u16 {
+fn checksum(bytes: &[u8; MOST_BYTES], end: usize) -> u16 {
     let mut sum: u16 = 0xFFFF;
     for n in START..MOST_BYTES {
         if n < end {

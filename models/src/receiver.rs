@@ -18,10 +18,10 @@ pub const GOODBYE: u8 = 2;
 /// A [`Mode`], one byte.
 #[data]
 pub const MODE: u8 = 3;
-/// A set point: its index, one byte; time, x, y, z, yaw.
+/// A set point: what to call its trajectory, one byte; its index, one byte; time, x, y, z, yaw.
 #[data]
 pub const POINT: u8 = 4;
-/// Flies the collected trajectory: how many points, one byte; what to call it, one byte.
+/// Flies the collected trajectory: how many points, one byte; what it is called, one byte.
 #[data]
 pub const COMMIT: u8 = 5;
 /// Takes off.
@@ -61,9 +61,9 @@ pub const COMMIT_BYTES: usize = 2;
 /// Bytes of the payload of [`ASK`]: a parameter.
 #[data]
 pub const ASK_BYTES: usize = 1;
-/// Bytes of the payload of [`POINT`]: an index and five numbers.
+/// Bytes of the payload of [`POINT`]: a name, an index and five numbers.
 #[data]
-pub const POINT_BYTES: usize = 41;
+pub const POINT_BYTES: usize = 42;
 /// Bytes of the payload of [`STICKS`]: four numbers.
 #[data]
 pub const STICKS_BYTES: usize = 32;
@@ -220,6 +220,8 @@ pub struct Receiver {
     pub tally: Tally,
     /// The trajectory that is being collected.
     pub collected: Trajectory,
+    /// What the ground calls it.
+    pub collecting: u8,
     /// Which of its points have come: a bit for each.
     pub received: u32,
     /// Number of the last packet that was taken.
@@ -317,6 +319,8 @@ impl Receiver {
         }
         if kind == HELLO {
             self.orders.link = true;
+            // It may be another ground, with names of its own: what the last one left is in no trajectory.
+            self.received = 0;
         } else if kind == GOODBYE {
             self.orders.link = false;
             self.orders.watched = false;
@@ -345,13 +349,18 @@ impl Receiver {
         true
     }
 
-    /// Puts a set point into the trajectory that is being collected.
+    /// Puts a set point into the trajectory that is being collected: the first of another one empties it.
     fn collect(&mut self, space: &Space, packet: &Packet) -> bool {
-        let index = packet.byte(0) as usize;
-        let place = Vector3::new(packet.number(9), packet.number(17), packet.number(25));
-        let point = SetPoint { time: packet.number(1), position: place, yaw: packet.number(33) };
+        let name = packet.byte(0);
+        let index = packet.byte(1) as usize;
+        let place = Vector3::new(packet.number(10), packet.number(18), packet.number(26));
+        let point = SetPoint { time: packet.number(2), position: place, yaw: packet.number(34) };
         if index >= MOST_POINTS || !point.is_inside(space) {
             return false;
+        }
+        if name != self.collecting {
+            self.collecting = name;
+            self.received = 0;
         }
         self.collected.points[index] = point;
         self.received |= 1 << index;
@@ -364,7 +373,7 @@ impl Receiver {
         let count = packet.byte(0) as usize;
         let mut wanted = self.collected;
         wanted.count = count;
-        if !wanted.is_sound(space) {
+        if packet.byte(1) != self.collecting || !wanted.is_sound(space) {
             return false;
         }
         for n in 0..MOST_POINTS {
@@ -373,7 +382,7 @@ impl Receiver {
             }
         }
         self.orders.trajectory = wanted;
-        self.orders.tag = packet.byte(1);
+        self.orders.tag = self.collecting;
         self.received = 0;
         true
     }

@@ -7,7 +7,7 @@
 
 use crate::gate::Refused;
 use crate::logger::{Logger, Record, WIDTH};
-use crate::packet::Packet;
+use crate::packet::{MOST_PAYLOAD, Packet};
 use crate::receiver::{Mode, Tally};
 use bessemer::prelude::*;
 
@@ -38,6 +38,10 @@ const FRONT: usize = 6;
 /// Bytes of a part of a record.
 #[data]
 const RECORD_BYTES: usize = 54;
+
+/// Counts in the state of the link.
+#[data]
+const COUNTS: usize = 8;
 
 /// Bytes of the state of the link.
 #[data]
@@ -131,7 +135,7 @@ impl Sender {
 
     /// A part of the record, framed.
     fn packet(&self, part: usize) -> Packet {
-        let mut payload = [0; 56];
+        let mut payload = [0; MOST_PAYLOAD];
         put(&mut payload, 0, self.record.period);
         payload[4] = self.record.tag;
         payload[5] = part as u8;
@@ -156,20 +160,20 @@ fn state(sequence: u16, status: &Status) -> Packet {
         status.refused.replayed,
         status.lost,
     ];
-    let mut payload = [0; 56];
-    for n in 0..8 {
+    let mut payload = [0; MOST_PAYLOAD];
+    for n in 0..COUNTS {
         put(&mut payload, 4 * n, counts[n]);
     }
-    payload[32] = status.mode as u8;
-    payload[33] = status.tag;
-    payload[34] = status.watched as u8;
+    payload[4 * COUNTS] = status.mode as u8;
+    payload[4 * COUNTS + 1] = status.tag;
+    payload[4 * COUNTS + 2] = status.watched as u8;
     Packet::around(STATUS, sequence, &payload, STATUS_BYTES)
 }
 
 /// A parameter, framed.
 #[function]
 fn parameter(sequence: u16, reply: &Reply) -> Packet {
-    let mut payload = [0; 56];
+    let mut payload = [0; MOST_PAYLOAD];
     payload[0] = reply.number;
     let bytes = reply.value.to_le_bytes();
     for n in 0..8 {
@@ -180,8 +184,8 @@ fn parameter(sequence: u16, reply: &Reply) -> Packet {
 
 /// Puts a word at `at`, least significant byte first; at the end, if it would not fit behind that.
 #[function]
-fn put(payload: &mut [u8; 56], at: usize, word: u32) {
-    let start = at.min(52);
+fn put(payload: &mut [u8; MOST_PAYLOAD], at: usize, word: u32) {
+    let start = at.min(MOST_PAYLOAD - 4);
     let bytes = word.to_le_bytes();
     for n in 0..4 {
         payload[start + n] = bytes[n];

@@ -10,11 +10,11 @@ use bessemer::prelude::*;
 pub struct Estimate {
     /// Position in the inertial frame, z upwards, m.
     pub position: Vector3<f64>,
-    /// Euler angles: roll, pitch, yaw, rad.
+    /// Euler angles: roll, pitch, yaw of R = C1 C2 C3, passive: see [`crate::geometry`], rad.
     pub angles: Vector3<f64>,
     /// Velocity in the inertial frame, m/s.
     pub velocity: Vector3<f64>,
-    /// Angular velocity in the body frame, rad/s.
+    /// Angular velocity about the body's x, y and z, by the right-hand rule, rad/s.
     pub rates: Vector3<f64>,
 }
 

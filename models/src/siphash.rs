@@ -77,7 +77,7 @@ impl Sip {
 
 /// The sum over the bytes from `from` to before `end`.
 #[function]
-pub fn sip_hash(key: &Key, bytes: &[u8; 64], from: usize, end: usize) -> u64 {
+pub fn sip_hash(key: &Key, bytes: &[u8; MOST_BYTES], from: usize, end: usize) -> u64 {
     let mut sip = Sip::keyed(key);
     let mut word: u64 = 0;
     let mut count: u64 = 0;

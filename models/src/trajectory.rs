@@ -28,7 +28,7 @@ pub struct Trajectory {
     /// How many there are.
     pub count: usize,
     /// They, and unused ones behind them.
-    pub points: [SetPoint; 16],
+    pub points: [SetPoint; MOST_POINTS],
 }
 
 /// Where the aircraft may be.

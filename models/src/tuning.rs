@@ -18,14 +18,14 @@ pub const GROUNDED: usize = 18;
 
 /// The least values, in the order of [`values`].
 #[data]
-pub const LEAST: [f64; 20] = [
+pub const LEAST: [f64; TUNABLE] = [
     0.5, 0.0, 0.1, 0.004, 0.0, 0.001, 0.005, 0.0, 0.001, 0.001, 0.0004, -0.4, -0.2, -0.4, -0.2,
     0.0, -0.05, 0.1, 0.1, 0.0,
 ];
 
 /// The largest values.
 #[data]
-pub const MOST: [f64; 20] = [
+pub const MOST: [f64; TUNABLE] = [
     3.0, 0.2, 0.8, 0.02, 0.02, 0.005, 0.025, 0.02, 0.004, 0.01, 0.0025, -0.1, -0.04, -0.1, -0.04,
     0.8, 0.05, 0.5, 0.4, 2.0,
 ];
@@ -35,7 +35,7 @@ pub const MOST: [f64; 20] = [
 /// friction that it takes away (N·s/m); the rate of the landing (m/s); and, on the ground only, the excess of the
 /// take-off's thrust and the number of the candidate.
 #[function]
-pub fn values(settings: &Settings) -> [f64; 20] {
+pub fn values(settings: &Settings) -> [f64; TUNABLE] {
     let all = &settings.parameters;
     [
         all.height.p,
@@ -106,7 +106,7 @@ impl Settings {
     }
 
     /// The gains, in the order of [`values`].
-    fn take_gains(&mut self, all: &[f64; 20]) {
+    fn take_gains(&mut self, all: &[f64; TUNABLE]) {
         let mine = &mut self.parameters;
         mine.height.p = all[0];
         mine.height.i = all[1];

@@ -21,7 +21,12 @@ fn packet(kind: u8, sequence: u16, bytes: &[u8]) -> Packet {
 }
 
 fn set_point(index: u8, values: [f64; 5]) -> Vec<u8> {
-    let mut bytes = vec![index];
+    named_point(0, index, values)
+}
+
+/// A set point of a trajectory by its name.
+fn named_point(name: u8, index: u8, values: [f64; 5]) -> Vec<u8> {
+    let mut bytes = vec![name, index];
     bytes.extend(values.iter().flat_map(|value| value.to_le_bytes()));
     bytes
 }
@@ -159,17 +164,36 @@ fn what_makes_no_sense_moves_no_number() {
 #[test]
 fn points_of_an_earlier_trajectory_are_in_no_later_one() {
     let mut receiver = Receiver::default();
-    take(&mut receiver, &packet(POINT, 1, &set_point(0, [0.0, 0.0, 0.0, 1.0, 0.0])));
-    take(&mut receiver, &packet(POINT, 2, &set_point(1, [5.0, 1.0, 0.0, 1.0, 0.0])));
+    let at = |name, index, height| {
+        named_point(name, index, [5.0 * f64::from(index), 0.0, 0.0, height, 0.0])
+    };
+    take(&mut receiver, &packet(POINT, 1, &at(7, 0, 1.0)));
+    take(&mut receiver, &packet(POINT, 2, &at(7, 1, 1.0)));
     take(&mut receiver, &packet(COMMIT, 3, &[2, 7]));
     assert_eq!((receiver.orders.trajectory.count, receiver.orders.tag), (2, 7));
-    // The second point of the new one was lost on the way.
-    take(&mut receiver, &packet(POINT, 4, &set_point(0, [0.0, 0.0, 0.0, 2.0, 0.0])));
+    // Of the next, one point is lost on the way; so is the word to fly it, whatever it is called.
+    take(&mut receiver, &packet(POINT, 4, &at(8, 1, 1.5)));
     take(&mut receiver, &packet(COMMIT, 5, &[2, 8]));
-    assert_eq!((receiver.orders.tag, receiver.tally.senseless), (7, 1));
-    take(&mut receiver, &packet(POINT, 6, &set_point(1, [5.0, 0.0, 0.0, 2.0, 0.0])));
-    take(&mut receiver, &packet(COMMIT, 7, &[2, 8]));
-    assert_eq!((receiver.orders.tag, receiver.orders.trajectory.points[1].position.z), (8, 2.0));
+    // And of the one after that, the other point.
+    take(&mut receiver, &packet(POINT, 6, &at(9, 0, 2.0)));
+    take(&mut receiver, &packet(COMMIT, 7, &[2, 9]));
+    take(&mut receiver, &packet(COMMIT, 8, &[1, 8]));
+    assert_eq!((receiver.orders.tag, receiver.tally.senseless), (7, 3));
+    take(&mut receiver, &packet(POINT, 9, &at(9, 1, 2.0)));
+    take(&mut receiver, &packet(COMMIT, 10, &[2, 9]));
+    let heights = [0, 1].map(|n| receiver.orders.trajectory.points[n].position.z);
+    assert_eq!((receiver.orders.tag, heights), (9, [2.0, 2.0]));
+}
+
+#[test]
+fn points_of_an_earlier_ground_are_in_no_trajectory() {
+    let mut receiver = Receiver::default();
+    take(&mut receiver, &packet(POINT, 1, &named_point(1, 1, [5.0, 1.0, 0.0, 1.0, 0.0])));
+    // Another begins to number anew, and with the same names.
+    take(&mut receiver, &packet(HELLO, 1, &[]));
+    take(&mut receiver, &packet(POINT, 2, &named_point(1, 0, [0.0, 0.0, 0.0, 2.0, 0.0])));
+    take(&mut receiver, &packet(COMMIT, 3, &[2, 1]));
+    assert_eq!((receiver.orders.trajectory.count, receiver.tally.senseless), (0, 1));
 }
 
 #[test]

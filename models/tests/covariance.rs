@@ -61,6 +61,19 @@ fn where_nothing_is_uncertain_nothing_is_learnt() {
 }
 
 #[test]
+fn from_what_can_be_anything_nothing_is_learnt() {
+    let mut attitude = AttitudeFilter::level(1.0, 0.05);
+    let mut axis = AxisFilter::at_rest(3.0, 0.3);
+    let before = (attitude, axis);
+    let row = Vector6::new(1.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    for variance in [f64::INFINITY, f64::NAN, -f64::INFINITY, f64::MAX * 4.0] {
+        assert!(!attitude.correct(&row, &Vector6::repeat(1.0), 0.1, variance, 5.0), "{variance}");
+        assert!(!axis.correct(&Vector3::new(1.0, 0.0, 0.0), 0.1, variance, 5.0), "{variance}");
+    }
+    assert_eq!((attitude, axis), before);
+}
+
+#[test]
 fn nothing_is_divided_by_a_cosine_of_zero() {
     for pitch in [FRAC_PI_2, -FRAC_PI_2, 1.57, FRAC_PI_2 + 4e-6, 3.0 * FRAC_PI_2] {
         let orientation = Orientation::of(&Vector3::new(0.3, pitch, -0.2));

@@ -1,6 +1,6 @@
 //! SipHash-2-4 against its paper and against another implementation, and what the gate keeps out.
 
-use models::gate::{Gate, Refused};
+use models::gate::{Gate, Refused, SEAL};
 use models::packet::{HEADER, Packet, START};
 use models::receiver::{LAND, MODE, POINT, STOP};
 use models::siphash::{Key, sip_hash};
@@ -79,7 +79,7 @@ fn plain(kind: u8, sequence: u16, payload: &[u8]) -> Packet {
 fn what_is_sealed_comes_through_without_its_seal() {
     let mut gate = Gate::default();
     // The longest packet that the ground sends is a set point.
-    for (counter, payload) in [(1, &[][..]), (2, &[1][..]), (1 << 47, &[9; 41][..])] {
+    for (counter, payload) in [(1, &[][..]), (2, &[1][..]), (1 << 47, &[9; 42][..])] {
         let through = gate.step(&key(), &sealed(&key(), POINT, 7, payload, counter));
         assert_eq!(through, plain(POINT, 7, payload));
     }
@@ -129,6 +129,25 @@ fn forged_replayed_and_unsealed_packets_are_counted() {
     let cut = Packet { length: first.length - 5, ..first };
     assert_eq!(refused(&cut, false).unsealed, 2);
     refused(&sealed(&key(), MODE, 2, &[1], 5001), true);
+}
+
+#[test]
+fn no_part_of_a_sealed_packet_passes() {
+    // A STOP, which would be taken however late: no beginning of it is one.
+    let whole = sealed(&key(), STOP, 3, &[], 1000);
+    let mut gate = Gate::default();
+    for length in 1..whole.length {
+        let mut cut = Packet { length, ..Packet::none() };
+        cut.bytes[..length].copy_from_slice(&whole.bytes[..length]);
+        assert_eq!(gate.step(&key(), &cut), Packet::none(), "{length} bytes");
+        // Nor a shorter packet around what is left, with a checksum of its own.
+        let kept = length.saturating_sub(HEADER).min(SEAL - 1);
+        let around = plain(STOP, 3, &whole.bytes[HEADER..HEADER + kept]);
+        assert_eq!(gate.step(&key(), &around), Packet::none(), "{kept} bytes of its payload");
+    }
+    let cut = 2 * (whole.length as u32 - 1);
+    assert_eq!(gate.refused, Refused { unsealed: cut, ..Refused::default() });
+    assert_ne!(gate.step(&key(), &whole).length, 0);
 }
 
 #[test]

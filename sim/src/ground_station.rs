@@ -89,7 +89,7 @@ impl Framer {
         let mut packets = Vec::new();
         for (index, point) in points.iter().enumerate() {
             let SetPoint { time, position, yaw } = point;
-            let mut bytes = vec![index as u8];
+            let mut bytes = vec![tag, index as u8];
             bytes.extend(numbers(&[*time, position.x, position.y, position.z, *yaw]));
             packets.push(self.packet(POINT, &bytes));
         }
