@@ -52,6 +52,11 @@ impl Seat {
         self.command.holder.load(Ordering::Relaxed) == self.number
     }
 
+    /// Whether somebody else holds it.
+    pub fn is_taken(&self) -> bool {
+        self.command.is_held() && !self.holds()
+    }
+
     fn change(&self, from: u64, to: u64) -> bool {
         let holder = &self.command.holder;
         holder.compare_exchange(from, to, Ordering::Relaxed, Ordering::Relaxed).is_ok()

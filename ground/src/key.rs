@@ -32,12 +32,36 @@ pub enum Error {
     },
     /// It holds something else.
     #[error(
-        "`{path}` holds no key: it takes 32 hexadecimal digits, such as `openssl rand -hex 16` prints"
+        "`{path}` holds no key: it takes {} hexadecimal digits, such as `openssl rand -hex {bytes}` prints",
+        2 * bytes
     )]
     Content {
         /// The file.
         path: PathBuf,
+        /// How long a key is.
+        bytes: usize,
     },
+}
+
+/// Reads a secret of `N` bytes from a file of hexadecimal digits.
+///
+/// # Errors
+/// The file cannot be read, or holds something else.
+pub fn secret<const N: usize>(path: &Path) -> Result<[u8; N], Error> {
+    let text = std::fs::read_to_string(path)
+        .map_err(|source| Error::File { path: path.to_owned(), source })?;
+    digits(text.trim()).ok_or_else(|| Error::Content { path: path.to_owned(), bytes: N })
+}
+
+fn digits<const N: usize>(text: &str) -> Option<[u8; N]> {
+    if text.len() != 2 * N || !text.bytes().all(|it| it.is_ascii_hexdigit()) {
+        return None;
+    }
+    let mut bytes = [0; N];
+    for (n, byte) in bytes.iter_mut().enumerate() {
+        *byte = u8::from_str_radix(&text[2 * n..2 * n + 2], 16).ok()?;
+    }
+    Some(bytes)
 }
 
 impl Key {
@@ -51,20 +75,7 @@ impl Key {
     /// # Errors
     /// The file cannot be read, or holds something else.
     pub fn read(path: &Path) -> Result<Self, Error> {
-        let text = std::fs::read_to_string(path)
-            .map_err(|source| Error::File { path: path.to_owned(), source })?;
-        Self::parse(text.trim()).ok_or_else(|| Error::Content { path: path.to_owned() })
-    }
-
-    fn parse(text: &str) -> Option<Self> {
-        if text.len() != 32 || !text.bytes().all(|it| it.is_ascii_hexdigit()) {
-            return None;
-        }
-        let mut bytes = [0; 16];
-        for (n, byte) in bytes.iter_mut().enumerate() {
-            *byte = u8::from_str_radix(&text[2 * n..2 * n + 2], 16).ok()?;
-        }
-        Some(Self(bytes))
+        secret(path).map(Self)
     }
 
     /// The key as the onboard program reads it: only for its standard input.

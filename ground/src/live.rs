@@ -200,6 +200,7 @@ impl Live {
             pages: self.hub.pages(),
             commanded: self.hub.is_commanded(),
             skipped: self.hub.skipped(),
+            refused: self.tools.iter().map(|(tool, _)| tool.refused()).sum(),
             recording: match &self.recorder {
                 Some(recorder) => recorder.state(),
                 None => self.recorded.clone(),

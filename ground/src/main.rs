@@ -110,7 +110,12 @@ fn add_tools(wanted: &Fly, live: &mut Live) -> Result<(), Box<dyn Error>> {
     if let Some(address) = wanted.mavlink {
         #[cfg(feature = "mavlink")]
         {
-            live.add(ground::tools::mavlink::Mavlink::start(address)?);
+            use ground::tools::mavlink::{Mavlink, Signature};
+            let signed = wanted.mavlink_key.as_deref().map(Signature::read).transpose()?;
+            if signed.is_none() {
+                eprintln!("MAVLink is not signed: `--mavlink-key FILE` signs it");
+            }
+            live.add(Mavlink::start(address, signed.unwrap_or_default())?);
             println!("mavlink: udp to {address}");
         }
         #[cfg(not(feature = "mavlink"))]

@@ -255,6 +255,8 @@ pub struct State {
     pub commanded: bool,
     /// Messages that were left out for pages that read too slowly.
     pub skipped: u64,
+    /// Messages that tools kept out: over MAVLink, unsigned, forged, or said once more.
+    pub refused: u64,
     /// How the recording goes.
     pub recording: Recording,
 }

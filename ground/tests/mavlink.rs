@@ -4,7 +4,7 @@ use ground::live::{self, Live};
 use ground::program::{Program, Target};
 use ground::server::Hub;
 use ground::testbed::{Pace, Testbed, Wanted};
-use ground::tools::mavlink::Mavlink;
+use ground::tools::mavlink::{Mavlink, Signature};
 use models::Alarm;
 use std::io::{BufRead, BufReader, Lines};
 use std::path::Path;
@@ -14,6 +14,9 @@ use std::sync::mpsc::{Receiver, TryRecvError, channel};
 
 /// Where `cargo xtask test --full --install` puts it.
 const PYTHON: &str = "target/python/bin/python";
+
+/// What both ends sign with.
+const SECRET: [u8; 32] = *b"a secret of thirty-two bytes, eh";
 
 fn flown(seed: u64) -> (Live, Arc<Hub>) {
     let program = Program::build(&bessemer_legs::root(), Target::Native)
@@ -34,6 +37,7 @@ fn pymavlink(root: &Path) -> Option<(Child, u16, Lines<BufReader<ChildStdout>>)>
     }
     let mut child = Command::new(python)
         .arg(root.join("ground/tests/pymavlink/mission.py"))
+        .arg(SECRET.map(|byte| format!("{byte:02x}")).concat())
         .stdout(Stdio::piped())
         .spawn()
         .expect("python starts");
@@ -56,7 +60,8 @@ fn pymavlink_alone_flies_a_mission() {
     let root = bessemer_legs::root();
     let Some((mut child, port, lines)) = pymavlink(&root) else { return };
     let (mut live, hub) = flown(1);
-    live.add(Mavlink::start(([127, 0, 0, 1], port).into()).expect("a port"));
+    let signature = Signature::new(SECRET);
+    live.add(Mavlink::start(([127, 0, 0, 1], port).into(), signature).expect("a port"));
     let lines = said(lines);
     let mut seen = Vec::new();
     loop {

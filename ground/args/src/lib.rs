@@ -25,7 +25,7 @@ Examples:
   cargo xtask fly --key FILE         Commands are sealed; FILE holds 32 hexadecimal digits
   cargo xtask fly --record FILE      Record from the beginning; `cargo xtask replay FILE` runs the C again
   cargo xtask fly --foxglove         Foxglove sees the flight at ws://127.0.0.1:8765
-  cargo xtask fly --mavlink          QGroundControl or pymavlink at 127.0.0.1:14550 flies it
+  cargo xtask fly --mavlink          QGroundControl or pymavlink at 127.0.0.1:14550 flies it: commands, missions, sticks
   cargo xtask fly --seconds 600      End after that, and say how well the periods were kept";
 
 /// Arguments of `fly`.
@@ -68,6 +68,9 @@ pub struct Fly {
     /// Speak MAVLink 2 with the ground station that listens at this address, which may command while no page does
     #[arg(long, value_name = "ADDRESS", num_args = 0..=1, default_missing_value = "127.0.0.1:14550")]
     pub mavlink: Option<SocketAddr>,
+    /// File with the key that signs MAVLink: 64 hexadecimal digits; what is not signed with it is kept out
+    #[arg(long, value_name = "FILE", requires = "mavlink")]
+    pub mavlink_key: Option<PathBuf>,
     /// Where chance begins
     #[arg(long, default_value_t = 1)]
     pub seed: u64,

@@ -21,6 +21,11 @@ pub trait Tool {
         Vec::new()
     }
 
+    /// How many messages it has kept out.
+    fn refused(&self) -> u64 {
+        0
+    }
+
     /// Tells it what a period came to.
     fn tell(&mut self, testbed: &Testbed, done: &Period, news: &[News]);
 }

@@ -1,4 +1,8 @@
-"""A mission flown over MAVLink alone: prints the port that it listens at, then what it has seen."""
+"""A mission flown over MAVLink alone, signed with the key in the first argument, 64 hexadecimal digits: prints the port that it
+listens at, then what it has seen."""
+
+import math
+import sys
 
 import time
 
@@ -9,6 +13,7 @@ from pymavlink.dialects.v20 import common as mavlink
 LIMIT = 60.0
 
 link = mavutil.mavlink_connection("udpin:127.0.0.1:0", source_system=255, dialect="common")
+KEY = bytes.fromhex(sys.argv[1])
 print(link.port.getsockname()[1], flush=True)
 next_beat = 0.0
 
@@ -54,7 +59,18 @@ def on(state):
 
 
 heart = seen("a heart beats", "HEARTBEAT")
-link.target_system, link.target_component = heart.get_srcSystem(), heart.get_srcComponent()
+us = (heart.get_srcSystem(), heart.get_srcComponent())
+link.target_system, link.target_component = us
+assert heart.get_header().incompat_flags & mavlink.MAVLINK_IFLAG_SIGNED, "what comes is signed"
+# Nobody listens to what is not signed, or signed with another key.
+for other in [None, bytes(32)]:
+    if other:
+        link.setup_signing(other, sign_outgoing=True, allow_unsigned_callback=lambda *_: True)
+    link.mav.command_long_send(*us, mavlink.MAV_CMD_NAV_TAKEOFF, 0, 0, 0, 0, 0, 0, 0, 1.0)
+    assert hear("COMMAND_ACK", limit=1.5) is None, "it took what was not signed"
+print("nothing is taken unsigned", flush=True)
+link.setup_signing(KEY, sign_outgoing=True)
+assert seen("a signed heart beats", "HEARTBEAT").get_signed()
 assert (heart.type, heart.mavlink_version) == (mavlink.MAV_TYPE_QUADROTOR, 3)
 assert heart.get_msgbuf()[0] == 0xFD, "MAVLink 2"
 
@@ -100,10 +116,105 @@ seen("it is there", "LOCAL_POSITION_NED", there(0.8, 0.4, -1.2))
 seen("it has turned", "ATTITUDE", lambda it: abs(it.yaw - 0.5) < 0.1 and abs(it.roll) < 0.1 and abs(it.pitch) < 0.1)
 seen("the battery drains", "BATTERY_STATUS", lambda it: 3000 < it.voltages[0] < 4200 and it.battery_remaining < 100)
 
+
+
+def stick(x, y, z, r):
+    link.mav.manual_control_send(link.target_system, x, y, z, r, 0)
+
+
+# By hand: forward, then left and up, turning clockwise; nothing of it counts in another mode.
+stick(1000, 0, 1000, 0)
+assert order(mavlink.MAV_CMD_DO_SET_MODE, 1.0, 2.0) == mavlink.MAV_RESULT_ACCEPTED
+seen("by hand", "HEARTBEAT", lambda it: it.custom_mode == 2)
+
+
+def held(what, axes, holds):
+    """Holds the sticks until something is so; the message that showed it."""
+    for _ in range(600):
+        stick(*axes)
+        message = hear("LOCAL_POSITION_NED", limit=0.1)
+        if message is not None and holds(message):
+            print(what, flush=True)
+            return message
+    raise AssertionError(f"{what}: never")
+
+
+held("forward", (600, 0, 500, 0), lambda it: it.vx > 0.2)
+held("back", (-600, 0, 500, 0), lambda it: it.vx < 0.0)
+held("left and up", (0, -600, 900, 0), lambda it: it.vy < -0.2 and it.vz < -0.1)
+held("right", (0, 600, 500, 0), lambda it: it.vy > 0.0)
+stick(0, 0, 500, -800)
+before = hear("ATTITUDE").yaw
+held("clockwise", (0, 0, 500, -800), lambda _: hear("ATTITUDE").yaw > before + 0.3)
+assert order(mavlink.MAV_CMD_DO_SET_MODE, 1.0, 0.0) == mavlink.MAV_RESULT_ACCEPTED
+seen("closed loop again", "HEARTBEAT", lambda it: it.custom_mode == 0)
+
 assert order(mavlink.MAV_CMD_NAV_LAND) == mavlink.MAV_RESULT_ACCEPTED
 seen("it lands", "EXTENDED_SYS_STATE", on(mavlink.MAV_LANDED_STATE_LANDING))
 seen("it has landed", "EXTENDED_SYS_STATE", on(mavlink.MAV_LANDED_STATE_ON_GROUND))
 seen("it rests", "HEARTBEAT", lambda it: it.system_status == mavlink.MAV_STATE_STANDBY)
+
+
+
+def item(number, command, x, y, z, hold=0.0, yaw=math.nan, frame=mavlink.MAV_FRAME_LOCAL_NED):
+    return mavlink.MAVLink_mission_item_int_message(
+        *us, number, frame, command, 0, 1, hold, 0, 0, yaw, round(1e4 * x), round(1e4 * y), z
+    )
+
+
+def handed_in(items, wanted=mavlink.MAV_MISSION_ACCEPTED):
+    """Hands a mission in, as the protocol wants it: each item when it is asked for."""
+    link.mav.mission_count_send(*us, len(items))
+    while True:
+        it = hear(["MISSION_REQUEST_INT", "MISSION_ACK"])
+        assert it is not None, "the mission is not asked for"
+        if it.get_type() == "MISSION_ACK":
+            assert it.type == wanted, it
+            return
+        link.mav.send(items[it.seq])
+
+
+TO, UP, DOWN = mavlink.MAV_CMD_NAV_WAYPOINT, mavlink.MAV_CMD_NAV_TAKEOFF, mavlink.MAV_CMD_NAV_LAND
+far = [item(0, UP, 0, 0, -1.0), item(1, TO, 99.0, 0, -1.0)]
+handed_in(far, mavlink.MAV_MISSION_INVALID_PARAM5_X)
+elsewhere = [item(0, TO, 0.1, 0.1, -1.0, frame=mavlink.MAV_FRAME_GLOBAL_RELATIVE_ALT_INT)]
+handed_in(elsewhere, mavlink.MAV_MISSION_UNSUPPORTED_FRAME)
+handed_in([item(0, DOWN, 0, 0, 0), item(1, TO, 0, 0, -1.0)], mavlink.MAV_MISSION_INVALID)
+link.mav.mission_count_send(*us, 99)
+assert hear("MISSION_ACK").type == mavlink.MAV_MISSION_NO_SPACE
+assert order(mavlink.MAV_CMD_MISSION_START) == mavlink.MAV_RESULT_DENIED, "there is none"
+mission = [
+    item(0, UP, 0.0, 0.0, -1.0),
+    item(1, TO, 0.6, 0.0, -1.2, hold=1.0, yaw=20.0),
+    item(2, TO, 0.6, -0.6, -0.8),
+    item(3, DOWN, 0.6, -0.6, 0.0),
+]
+handed_in(mission)
+# And read back.
+link.mav.mission_request_list_send(*us)
+assert hear("MISSION_COUNT").count == len(mission)
+for number, wanted in enumerate(mission):
+    link.mav.mission_request_int_send(*us, number)
+    it = hear("MISSION_ITEM_INT", lambda it: it.seq == number)
+    assert (it.command, it.x, it.y, it.frame) == (wanted.command, wanted.x, wanted.y, wanted.frame), it
+    assert abs(it.z - wanted.z) < 1e-6 and abs(it.param1 - wanted.param1) < 1e-6
+link.mav.mission_request_int_send(*us, len(mission))
+assert hear("MISSION_ACK").type == mavlink.MAV_MISSION_INVALID_SEQUENCE
+print("a mission is on board", flush=True)
+
+assert order(mavlink.MAV_CMD_MISSION_START) == mavlink.MAV_RESULT_DENIED, "it is not armed"
+assert order(mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 1.0) == mavlink.MAV_RESULT_ACCEPTED
+seen("it is armed for it", "HEARTBEAT", lambda it: it.base_mode & mavlink.MAV_MODE_FLAG_SAFETY_ARMED)
+assert order(mavlink.MAV_CMD_MISSION_START) == mavlink.MAV_RESULT_ACCEPTED
+assert order(mavlink.MAV_CMD_MISSION_START) == mavlink.MAV_RESULT_DENIED, "it is being flown"
+link.mav.mission_clear_all_send(*us)
+assert hear("MISSION_ACK").type == mavlink.MAV_MISSION_DENIED
+for number in range(4):
+    seen(f"item {number} is reached", "MISSION_ITEM_REACHED", lambda it: it.seq == number)
+seen("the mission is complete", "MISSION_CURRENT", lambda it: it.mission_state == mavlink.MISSION_STATE_COMPLETE)
+link.mav.mission_clear_all_send(*us)
+assert hear("MISSION_ACK").type == mavlink.MAV_MISSION_ACCEPTED
+seen("and forgotten", "MISSION_CURRENT", lambda it: it.mission_state == mavlink.MISSION_STATE_NO_MISSION)
 
 assert order(mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 1.0) == mavlink.MAV_RESULT_ACCEPTED
 seen("it is armed", "HEARTBEAT", lambda it: it.base_mode & mavlink.MAV_MODE_FLAG_SAFETY_ARMED)
@@ -111,4 +222,5 @@ assert order(mavlink.MAV_CMD_NAV_TAKEOFF, 0, 0, 0, 0, 0, 0, 0.6) == mavlink.MAV_
 seen("it is in the air again", "LOCAL_POSITION_NED", lambda it: it.z < -0.3)
 assert order(mavlink.MAV_CMD_DO_FLIGHTTERMINATION, 1.0) == mavlink.MAV_RESULT_ACCEPTED
 seen("it has stopped", "HEARTBEAT", lambda it: it.system_status == mavlink.MAV_STATE_EMERGENCY)
+link.mav.heartbeat_send(mavlink.MAV_TYPE_GCS, mavlink.MAV_AUTOPILOT_INVALID, 0, 0, 0)
 print("flown", flush=True)

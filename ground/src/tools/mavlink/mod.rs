@@ -4,24 +4,31 @@
 //! command if nobody has it, and loses it when it is silent; to stop, it need not have it. A command is acknowledged
 //! when it has been sent to the aircraft.
 //!
-//! Frames: MAVLink's north, east and down are the room's x, -y and -z; its angles are those of the turns about body
-//! axes forward, right, down, in the order yaw, pitch, roll. Knows messages, not what is done about them.
+//! Frames: [`telemetry`]. Knows messages, not what is done about them.
+
+mod mission;
+mod parameters;
+mod signature;
+mod telemetry;
+
+pub use signature::Signature;
 
 use super::Tool;
 use crate::bench::Period;
 use crate::command::Seat;
 use crate::messages::{Ask, Flown, Point};
-use crate::testbed::{Testbed, period};
+use crate::testbed::Testbed;
 use ::mavlink::dialects::common::*;
 use ::mavlink::error::MessageReadError;
-use ::mavlink::{MAVLinkV2MessageRaw, MavHeader, MavlinkReader, MavlinkVersion};
+use ::mavlink::{MAVLinkMessageRaw, MavHeader, MavlinkReader, MavlinkVersion, Message};
+use mission::{Mission, Peer, Seen};
+use models::receiver::Mode;
 use models::tuning::TUNABLE;
-use models::{Alarm, Phase};
-use nalgebra::{Rotation3, Vector3};
-use sim::ground_station::{News, Record};
-use sim::plant::rotation;
+use parameters::{decimal, number_of, parameter};
+use sim::ground_station::News;
 use std::io;
 use std::net::{IpAddr, Ipv4Addr, SocketAddr, UdpSocket};
+use telemetry::is_flying;
 
 /// Our system and component.
 const SYSTEM: u8 = 1;
@@ -36,37 +43,17 @@ const LOST: f64 = 3.0;
 /// Datagrams that are taken in a period: more wait in the socket, and are lost there.
 const MOST: usize = 16;
 
-/// Heartbeats, battery and phase go out every so many periods; the position with every fifth record.
+/// Heartbeats, battery, mission and phase go out every so many periods.
 const BEAT: u64 = 200;
 const PHASE: u64 = 40;
-const PLACE: u32 = 5;
+
+/// What sticks at their ends ask for: lean, rad, rate of yaw, rad/s, rate of climb, m/s. As on the page.
+const LEAN: f64 = 0.12;
+const TURN: f64 = 1.0;
+const RISE: f64 = 0.4;
 
 /// With this, a disarming in the air is meant (MAV_CMD_COMPONENT_ARM_DISARM).
 const FORCE: f32 = 21196.0;
-
-/// What the parameters are called, at most 16 letters, in the order of `models::tuning`.
-const NAMES: [&str; TUNABLE] = [
-    "HEIGHT_P",
-    "HEIGHT_I",
-    "HEIGHT_D",
-    "ROLL_P",
-    "ROLL_I",
-    "ROLL_D",
-    "PITCH_P",
-    "PITCH_I",
-    "PITCH_D",
-    "YAW_P",
-    "YAW_D",
-    "X_P",
-    "X_D",
-    "Y_P",
-    "Y_D",
-    "FF_GAIN",
-    "FF_FRICTION",
-    "LAND_RATE",
-    "TAKEOFF_EXCESS",
-    "CANDIDATE",
-];
 
 /// The link to a MAVLink ground station.
 #[derive(Debug)]
@@ -76,17 +63,19 @@ pub struct Mavlink {
     heard: Option<f64>,
     records: u32,
     wanted: Vec<MavMessage>,
+    mission: Mission,
+    signature: Signature,
 }
 
 /// What a command comes to.
 type Verdict = Result<Vec<Ask>, MavResult>;
 
 impl Mavlink {
-    /// A link to the ground station that listens at an address.
+    /// A link to the ground station that listens at an address, with or without a key.
     ///
     /// # Errors
     /// There is no port.
-    pub fn start(station: SocketAddr) -> io::Result<Self> {
+    pub fn start(station: SocketAddr, signature: Signature) -> io::Result<Self> {
         let own: IpAddr = match station.ip().is_loopback() && station.is_ipv4() {
             true => Ipv4Addr::LOCALHOST.into(),
             false if station.is_ipv4() => Ipv4Addr::UNSPECIFIED.into(),
@@ -95,7 +84,15 @@ impl Mavlink {
         let socket = UdpSocket::bind((own, 0))?;
         socket.connect(station)?;
         socket.set_nonblocking(true)?;
-        Ok(Self { socket, sequence: 0, heard: None, records: 0, wanted: Vec::new() })
+        Ok(Self {
+            socket,
+            sequence: 0,
+            heard: None,
+            records: 0,
+            wanted: Vec::new(),
+            mission: Mission::default(),
+            signature,
+        })
     }
 
     fn send(&mut self, message: &MavMessage) {
@@ -105,43 +102,52 @@ impl Mavlink {
             sequence: self.sequence,
         };
         self.sequence = self.sequence.wrapping_add(1);
-        let mut raw = MAVLinkV2MessageRaw::new();
-        raw.serialize_message(header, message);
+        let raw = self.signature.sealed(header, message);
         // Nobody there, or no room: lost, as datagrams are.
         let _ = self.socket.send(raw.raw_bytes());
     }
 
     /// What a message asks for.
-    fn take(&mut self, testbed: &Testbed, seat: &Seat, message: &MavMessage) -> Vec<Ask> {
+    fn take(
+        &mut self,
+        testbed: &Testbed,
+        seat: &Seat,
+        from: Peer,
+        message: &MavMessage,
+    ) -> Vec<Ask> {
         match message {
-            MavMessage::COMMAND_LONG(it) if is_ours(it.target_system, it.target_component) => {
-                let verdict = command(testbed, it).and_then(|asks| allowed(seat, asks));
+            MavMessage::COMMAND_LONG(it) => {
+                let verdict = self.command(testbed, seat, it);
                 let result = verdict.as_ref().err().copied();
                 let result = result.unwrap_or(MavResult::MAV_RESULT_ACCEPTED);
-                let ack = COMMAND_ACK_DATA { command: it.command, result };
+                let ack =
+                    COMMAND_ACK_DATA { command: it.command, result, ..COMMAND_ACK_DATA::DEFAULT };
                 self.send(&MavMessage::COMMAND_ACK(ack));
                 verdict.unwrap_or_default()
             }
-            MavMessage::SET_POSITION_TARGET_LOCAL_NED(it)
-                if is_ours(it.target_system, it.target_component) =>
-            {
-                place(testbed, it).and_then(|ask| allowed(seat, vec![ask])).unwrap_or_default()
+            MavMessage::SET_POSITION_TARGET_LOCAL_NED(it) => {
+                let asks = place(testbed, it).and_then(|ask| allowed(seat, vec![ask]));
+                self.instead(asks).unwrap_or_default()
             }
-            MavMessage::PARAM_REQUEST_LIST(it)
-                if is_ours(it.target_system, it.target_component) =>
-            {
+            MavMessage::MANUAL_CONTROL(it) => {
+                let flown = testbed.station.status.as_ref().map(|status| status.mode);
+                let asks = match flown == Some(Mode::Manual as u8) {
+                    true => allowed(seat, vec![sticks(it)]),
+                    false => Err(MavResult::MAV_RESULT_DENIED),
+                };
+                asks.unwrap_or_default()
+            }
+            MavMessage::PARAM_REQUEST_LIST(_) => {
                 self.wanted.extend((0..TUNABLE).map(|n| parameter(testbed, n)));
                 Vec::new()
             }
-            MavMessage::PARAM_REQUEST_READ(it)
-                if is_ours(it.target_system, it.target_component) =>
-            {
+            MavMessage::PARAM_REQUEST_READ(it) => {
                 let named = it.param_id.to_str().ok().and_then(number_of);
                 let number = usize::try_from(it.param_index).ok().or(named);
                 self.wanted.extend(number.filter(|n| *n < TUNABLE).map(|n| parameter(testbed, n)));
                 Vec::new()
             }
-            MavMessage::PARAM_SET(it) if is_ours(it.target_system, it.target_component) => {
+            MavMessage::PARAM_SET(it) => {
                 let Some(number) = it.param_id.to_str().ok().and_then(number_of) else {
                     return Vec::new();
                 };
@@ -152,47 +158,40 @@ impl Mavlink {
                     Vec::new()
                 })
             }
-            _ => Vec::new(),
+            message => {
+                let answers = self.mission.take(testbed.now(), from, message, || seat.claim(false));
+                answers.iter().for_each(|answer| self.send(answer));
+                Vec::new()
+            }
         }
     }
 
-    fn tell_record(&mut self, testbed: &Testbed, record: &Record) {
-        let time_boot_ms = (f64::from(record.period) * 1000.0 * period()) as u32;
-        let read = |signals: [u8; 3]| {
-            let known = signals.iter().all(|it| testbed.station.chosen().contains(it));
-            known.then(|| Vector3::from(signals.map(|it| f64::from(testbed.station.signal(it)))))
-        };
-        // What is not chosen to come down is not known.
-        if let (Some(angles), Some(rates)) = (read([3, 4, 5]), read([9, 10, 11])) {
-            let (roll, pitch, yaw) = turned(&angles);
-            self.send(&MavMessage::ATTITUDE(ATTITUDE_DATA {
-                time_boot_ms,
-                roll: roll as f32,
-                pitch: pitch as f32,
-                yaw: yaw as f32,
-                rollspeed: rates.x as f32,
-                pitchspeed: -rates.y as f32,
-                yawspeed: -rates.z as f32,
-            }));
+    /// What a command asks for.
+    fn command(&mut self, testbed: &Testbed, seat: &Seat, it: &COMMAND_LONG_DATA) -> Verdict {
+        if it.command != MavCmd::MAV_CMD_MISSION_START {
+            let asks = command(testbed, it).and_then(|asks| allowed(seat, asks));
+            return self.instead(asks);
         }
-        self.records = self.records.wrapping_add(1);
-        if let (true, Some(place), Some(velocity)) =
-            (self.records.is_multiple_of(PLACE), read([0, 1, 2]), read([6, 7, 8]))
-        {
-            self.send(&MavMessage::LOCAL_POSITION_NED(LOCAL_POSITION_NED_DATA {
-                time_boot_ms,
-                x: place.x as f32,
-                y: -place.y as f32,
-                z: -place.z as f32,
-                vx: velocity.x as f32,
-                vy: -velocity.y as f32,
-                vz: -velocity.z as f32,
-            }));
+        if !seat.claim(false) {
+            return Err(MavResult::MAV_RESULT_TEMPORARILY_REJECTED);
         }
+        self.mission.start(testbed.now(), &seen(testbed))
+    }
+
+    /// What is asked for in place of the mission, if one is being flown.
+    fn instead(&mut self, asks: Verdict) -> Verdict {
+        if asks.as_ref().is_ok_and(|asks| !asks.is_empty()) {
+            self.mission.leave();
+        }
+        asks
     }
 }
 
 impl Tool for Mavlink {
+    fn refused(&self) -> u64 {
+        self.signature.refused
+    }
+
     fn listen(&mut self, testbed: &Testbed, seat: &Seat) -> Vec<Ask> {
         let now = testbed.now();
         let mut asks = Vec::new();
@@ -202,16 +201,33 @@ impl Tool for Mavlink {
             let Ok(length) = self.socket.recv(&mut datagram) else { break };
             let mut reader = MavlinkReader::new(&datagram[..length]);
             loop {
-                match reader.read_message::<MavMessage>(MavlinkVersion::V2) {
-                    Ok((_, message)) => {
+                match reader.read_raw_message::<MavMessage>(MavlinkVersion::V2) {
+                    Ok(MAVLinkMessageRaw::V2(raw)) if self.signature.admits(&raw) => {
+                        // Of a kind that `common` does not have.
+                        let Ok(message) =
+                            MavMessage::parse(MavlinkVersion::V2, raw.message_id(), raw.payload())
+                        else {
+                            continue;
+                        };
                         self.heard = Some(now);
-                        asks.extend(self.take(testbed, seat, &message));
+                        if addressed(&message).is_none_or(is_ours) {
+                            let from = (raw.system_id() as u8, raw.component_id());
+                            asks.extend(self.take(testbed, seat, from, &message));
+                        }
                     }
-                    // Of a kind that `common` does not have.
-                    Err(MessageReadError::Parse(_)) => {}
+                    Ok(_) | Err(MessageReadError::Parse(_)) => {}
                     Err(MessageReadError::Io(_)) => break,
                 }
             }
+        }
+        if seat.is_taken() {
+            self.mission.leave();
+        }
+        let (told, land) = self.mission.watch(now, &seen(testbed));
+        let again = self.mission.tick(now);
+        told.iter().chain(&again).for_each(|message| self.send(message));
+        if land && seat.claim(false) {
+            asks.push(Ask::Land);
         }
         if self.heard.is_none_or(|heard| now - heard > SILENT) {
             seat.release();
@@ -225,7 +241,11 @@ impl Tool for Mavlink {
         }
         for it in news {
             match it {
-                News::Record(record) => self.tell_record(testbed, record),
+                News::Record(record) => {
+                    self.records = self.records.wrapping_add(1);
+                    let told = telemetry::record(testbed, record, self.records);
+                    told.iter().for_each(|message| self.send(message));
+                }
                 News::Parameter(number, _) if usize::from(*number) < TUNABLE => {
                     self.send(&parameter(testbed, usize::from(*number)));
                 }
@@ -235,18 +255,63 @@ impl Tool for Mavlink {
         // What has not been heard of does not live.
         let heard = testbed.station.silence(testbed.now()).is_some_and(|since| since < LOST);
         if heard && done.number.is_multiple_of(PHASE) {
-            self.send(&landed(testbed));
+            self.send(&telemetry::landed(testbed));
         }
         if heard && done.number.is_multiple_of(BEAT) {
-            self.send(&heartbeat(testbed));
-            self.send(&battery(testbed));
+            self.send(&telemetry::heartbeat(testbed));
+            self.send(&telemetry::battery(testbed));
+            self.send(&self.mission.current());
         }
     }
 }
 
+/// To whom a message goes; none for those that go to nobody in particular.
+fn addressed(message: &MavMessage) -> Option<Peer> {
+    Some(match message {
+        MavMessage::COMMAND_LONG(it) => (it.target_system, it.target_component),
+        MavMessage::SET_POSITION_TARGET_LOCAL_NED(it) => (it.target_system, it.target_component),
+        MavMessage::MANUAL_CONTROL(it) => (it.target, COMPONENT),
+        MavMessage::PARAM_REQUEST_LIST(it) => (it.target_system, it.target_component),
+        MavMessage::PARAM_REQUEST_READ(it) => (it.target_system, it.target_component),
+        MavMessage::PARAM_SET(it) => (it.target_system, it.target_component),
+        MavMessage::MISSION_COUNT(it) => (it.target_system, it.target_component),
+        MavMessage::MISSION_ITEM_INT(it) => (it.target_system, it.target_component),
+        MavMessage::MISSION_REQUEST_LIST(it) => (it.target_system, it.target_component),
+        MavMessage::MISSION_REQUEST_INT(it) => (it.target_system, it.target_component),
+        MavMessage::MISSION_CLEAR_ALL(it) => (it.target_system, it.target_component),
+        _ => return None,
+    })
+}
+
 /// Whether a message goes to us; 0 stands for all.
-fn is_ours(system: u8, component: u8) -> bool {
+fn is_ours((system, component): Peer) -> bool {
     [0, SYSTEM].contains(&system) && [0, COMPONENT].contains(&component)
+}
+
+/// What the mission has to know.
+fn seen(testbed: &Testbed) -> Seen {
+    Seen {
+        phase: testbed.station.phase(),
+        time: telemetry::flight_time(testbed),
+        place: telemetry::place(testbed),
+    }
+}
+
+/// Sticks: forward, right and clockwise, each from -1000 to 1000; thrust from 0 to 1000, in whose middle it stays at its height.
+fn sticks(it: &MANUAL_CONTROL_DATA) -> Ask {
+    // The largest number stands for an axis that there is not.
+    let axis = |value: i16, middle: i16| match value {
+        i16::MAX => 0.0,
+        value => (f64::from(value.clamp(-1000, 1000)) - f64::from(middle)) / 1000.0,
+    };
+    Ask::Sticks {
+        // A positive roll flies along y, to the left, and a negative pitch along x: the angles are passive.
+        roll: -LEAN * axis(it.y, 0),
+        pitch: -LEAN * axis(it.x, 0),
+        // Counter-clockwise is positive here and negative there.
+        yaw_rate: -TURN * axis(it.r, 0),
+        climb: RISE * (2.0 * axis(it.z, 500)).clamp(-1.0, 1.0),
+    }
 }
 
 /// Lets through what needs no command, or whoever has it.
@@ -315,94 +380,4 @@ fn place(testbed: &Testbed, it: &SET_POSITION_TARGET_LOCAL_NED_DATA) -> Result<A
 
 fn point(x: f64, y: f64, z: f64, yaw: f64) -> Point {
     Point { time: 0.0, x, y, z, yaw }
-}
-
-/// Roll, pitch and yaw as MAVLink has them, rad, from the thesis' angles.
-fn turned(angles: &Vector3<f64>) -> (f64, f64, f64) {
-    let flipped = nalgebra::Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, -1.0));
-    Rotation3::from_matrix_unchecked(flipped * rotation(angles) * flipped).euler_angles()
-}
-
-fn is_flying(phase: u8) -> bool {
-    phase != Phase::Ready as u8 && phase != Phase::Over as u8
-}
-
-fn heartbeat(testbed: &Testbed) -> MavMessage {
-    let phase = testbed.station.phase();
-    let mut base_mode = MavModeFlag::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED;
-    // Ready for take-off is armed: nothing but the take-off is missing.
-    if phase != Phase::Over as u8 {
-        base_mode |= MavModeFlag::MAV_MODE_FLAG_SAFETY_ARMED;
-    }
-    let alarmed = testbed.station.signal(35) != f32::from(Alarm::Clear as u8);
-    let system_status = if alarmed {
-        MavState::MAV_STATE_EMERGENCY
-    } else if is_flying(phase) {
-        MavState::MAV_STATE_ACTIVE
-    } else {
-        MavState::MAV_STATE_STANDBY
-    };
-    MavMessage::HEARTBEAT(HEARTBEAT_DATA {
-        custom_mode: testbed.station.status.as_ref().map_or(0, |status| status.mode.into()),
-        mavtype: MavType::MAV_TYPE_QUADROTOR,
-        autopilot: MavAutopilot::MAV_AUTOPILOT_GENERIC,
-        base_mode,
-        system_status,
-        mavlink_version: 3,
-    })
-}
-
-fn landed(testbed: &Testbed) -> MavMessage {
-    let phase = testbed.station.phase();
-    let landed_state = if phase == Phase::TakeOff as u8 {
-        MavLandedState::MAV_LANDED_STATE_TAKEOFF
-    } else if phase == Phase::Landing as u8 {
-        MavLandedState::MAV_LANDED_STATE_LANDING
-    } else if is_flying(phase) {
-        MavLandedState::MAV_LANDED_STATE_IN_AIR
-    } else {
-        MavLandedState::MAV_LANDED_STATE_ON_GROUND
-    };
-    let vtol_state = MavVtolState::MAV_VTOL_STATE_UNDEFINED;
-    MavMessage::EXTENDED_SYS_STATE(EXTENDED_SYS_STATE_DATA { vtol_state, landed_state })
-}
-
-/// The battery of the simulated aircraft, which has no word for it on its link.
-fn battery(testbed: &Testbed) -> MavMessage {
-    let it = testbed.bench.battery();
-    let mut voltages = [u16::MAX; 10];
-    voltages[0] = (1000.0 * it.voltage()) as u16;
-    MavMessage::BATTERY_STATUS(BATTERY_STATUS_DATA {
-        // mA·h, and not measured.
-        current_consumed: (it.drawn() / 3.6) as i32,
-        energy_consumed: -1,
-        temperature: i16::MAX,
-        voltages,
-        // 10 mA.
-        current_battery: (100.0 * it.current()) as i16,
-        id: 0,
-        battery_function: MavBatteryFunction::MAV_BATTERY_FUNCTION_ALL,
-        mavtype: MavBatteryType::MAV_BATTERY_TYPE_LIPO,
-        battery_remaining: (100.0 * it.left()).ceil() as i8,
-    })
-}
-
-fn number_of(name: &str) -> Option<usize> {
-    NAMES.iter().position(|it| *it == name)
-}
-
-/// A parameter; what is not known yet is no number.
-fn parameter(testbed: &Testbed, number: usize) -> MavMessage {
-    MavMessage::PARAM_VALUE(PARAM_VALUE_DATA {
-        param_value: testbed.station.parameters[number].map_or(f32::NAN, |value| value as f32),
-        param_count: TUNABLE as u16,
-        param_index: number as u16,
-        param_id: NAMES[number].into(),
-        param_type: MavParamType::MAV_PARAM_TYPE_REAL32,
-    })
-}
-
-/// The number that was written with the fewest digits: 0.1 became an `f32` on its way, and its bound is an `f64`.
-fn decimal(value: f32) -> f64 {
-    value.to_string().parse().unwrap_or(f64::NAN)
 }

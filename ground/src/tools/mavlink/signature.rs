@@ -1,0 +1,62 @@
+//! MAVLink 2's signature: with a key, what goes out is signed, and what comes in unsigned, forged or once more is kept out.
+//!
+//! The key is never shown.
+
+use crate::key::{self, secret};
+use ::mavlink::dialects::common::MavMessage;
+use ::mavlink::{MAVLinkV2MessageRaw, MavHeader, SigningConfig, SigningData};
+use std::fmt;
+use std::path::Path;
+
+/// The link on which we sign: there is one.
+const LINK: u8 = 0;
+
+/// The signature of one link.
+#[derive(Default)]
+pub struct Signature {
+    signing: Option<SigningData>,
+    /// How many messages were kept out.
+    pub refused: u64,
+}
+
+impl fmt::Debug for Signature {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Signature({}, {} refused)", self.signing.is_some(), self.refused)
+    }
+}
+
+impl Signature {
+    /// With a secret of 32 bytes, as both ends have it.
+    pub fn new(secret: [u8; 32]) -> Self {
+        let signing = SigningData::from_config(SigningConfig::new(secret, LINK, true, false));
+        Self { signing: Some(signing), refused: 0 }
+    }
+
+    /// Reads a file of 64 hexadecimal digits.
+    ///
+    /// # Errors
+    /// The file cannot be read, or holds something else.
+    pub fn read(path: &Path) -> Result<Self, key::Error> {
+        secret(path).map(Self::new)
+    }
+
+    /// A message as it goes out.
+    pub fn sealed(&self, header: MavHeader, message: &MavMessage) -> MAVLinkV2MessageRaw {
+        let mut raw = MAVLinkV2MessageRaw::new();
+        match &self.signing {
+            Some(signing) => {
+                raw.serialize_message_for_signing(header, message);
+                signing.sign_message(&mut raw);
+            }
+            None => raw.serialize_message(header, message),
+        }
+        raw
+    }
+
+    /// Whether a message that came in is let through.
+    pub fn admits(&mut self, raw: &MAVLinkV2MessageRaw) -> bool {
+        let good = self.signing.as_ref().is_none_or(|signing| signing.verify_signature(raw));
+        self.refused += u64::from(!good);
+        good
+    }
+}
