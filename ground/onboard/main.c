@@ -149,6 +149,10 @@ static void listen_to(ground_t *ground)
         memcpy(packet.bytes, bytes, sizeof packet.bytes < (size_t)length ? sizeof packet.bytes : (size_t)length);
         const bool stranger = ground->known && ground->silent < DESERTED && !same(&from, &ground->station);
         if (stranger && packet_kind(&packet) != KIND_STOP) {
+            /* It is looked at only so that it is counted: whoever it comes from, nothing moves by it. */
+            gate_t other = ground->gate;
+            gate_step(&other, &ground->key, &packet, &inner);
+            ground->gate.refused = other.refused;
             continue;
         }
         gate_step(&ground->gate, &ground->key, &packet, &inner);

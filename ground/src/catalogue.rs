@@ -67,6 +67,8 @@ pub struct Parameter {
     pub most: f64,
     /// Whether it changes in flight.
     pub in_flight: bool,
+    /// What its values are called, if they are names: 0, 1 …
+    pub choices: &'static [&'static str],
 }
 
 /// Name and unit of each parameter, in the order of `models::tuning`.
@@ -90,8 +92,12 @@ const NAMED: [(&str, &str); models::tuning::TUNABLE] = [
     ("friction taken away", "N·s/m"),
     ("rate of landing", "m/s"),
     ("take-off excess", ""),
-    ("candidate", ""),
+    (CANDIDATE, ""),
 ];
+
+/// The parameter whose values are the laws that close the loop, by the numbers of `models::Candidate`.
+const CANDIDATE: &str = "candidate";
+const CANDIDATES: [&str; 3] = ["cascade", "as printed", "geometric"];
 
 /// Every parameter.
 pub fn parameters() -> Vec<Parameter> {
@@ -104,6 +110,7 @@ pub fn parameters() -> Vec<Parameter> {
             least: LEAST[n],
             most: MOST[n],
             in_flight: n < GROUNDED,
+            choices: if *name == CANDIDATE { &CANDIDATES } else { &[] },
         })
         .collect()
 }

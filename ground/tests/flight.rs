@@ -281,9 +281,61 @@ fn the_c_runs_again_from_a_recording_to_the_bit() {
         .unwrap_or_else(|error| panic!("{error}"));
     let report = ground::replay::replay(&program, &path).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!((report.steps, report.difference), (600, None));
-    let bytes = std::fs::read(&path).expect("the recording");
-    let secret = |place: &[u8]| place == KEY.as_slice();
-    assert!(!bytes.windows(16).any(secret), "the key is in no recording");
+}
+
+#[test]
+fn the_key_is_in_no_log() {
+    const SECRET: [u8; 16] = *b"Bessemer's flame";
+    let digits = SECRET.map(|byte| format!("{byte:02x}")).concat();
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("flight.mcap");
+    let key = Key::new(SECRET);
+    let mut testbed = testbed(Wanted { key: Some(key.clone()), ..Wanted::default() });
+    let image = testbed.bench.image().expect("the bus").expect("it answers");
+    let mut recorder = ground::recorder::Recorder::start(path.clone(), Some(image));
+    testbed.run_until(2.0, |done, _| recorder.take(done)).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(recorder.finish().error, None);
+
+    // What is printed of it, what others can see of the software's process, and what a recording holds uncompressed.
+    let mut seen = vec![format!("{key:?} {:?}", testbed.station).into_bytes()];
+    let process = testbed.process();
+    let told = ["cmdline", "environ"].map(|file| std::fs::read(format!("/proc/{process}/{file}")));
+    seen.extend(told.map(|it| it.expect("it runs")));
+    let recording = std::fs::read(&path).expect("the recording");
+    let messages = mcap::MessageStream::new(&recording).expect("a recording");
+    seen.extend(messages.map(|message| message.expect("it is whole").data.to_vec()));
+    assert!(seen.len() > 1000, "{}", seen.len());
+    // And what is said of a file with a key that lacks a digit.
+    let short = folder.path().join("key");
+    std::fs::write(&short, &digits[1..]).expect("a file");
+    seen.push(Key::read(&short).expect_err("it is too short").to_string().into_bytes());
+    let numbers = format!("{SECRET:?}").replace(['[', ']'], "");
+    for bytes in seen {
+        let text = String::from_utf8_lossy(&bytes).to_lowercase();
+        let told = text.contains(&digits[1..]) || text.contains(&numbers);
+        assert!(!told && !bytes.windows(16).any(|it| it == SECRET), "{text}");
+    }
+}
+
+#[test]
+fn what_is_forged_or_cut_off_is_counted_wherever_it_comes_from() {
+    let mut testbed = taken_off(Wanted { key: key(), ..Wanted::default() });
+    let other = std::net::UdpSocket::bind("127.0.0.1:0").expect("a port");
+    let link = testbed.link().expect("it listens");
+    let stop = &sim::ground_station::Framer::default().frame(&Order::Stop)[0];
+    let whole = Key::new(KEY).seal(stop, u64::from(u32::MAX) << 10).expect("it has room");
+    let forged = Key::new([8; 16]).seal(stop, u64::from(u32::MAX) << 10).expect("it has room");
+    for length in 1..whole.length {
+        other.send_to(&whole.bytes[..length], link).expect("loopback takes it");
+    }
+    other.send_to(&forged.bytes[..forged.length], link).expect("loopback takes it");
+    let land = &sim::ground_station::Framer::default().frame(&Order::Land)[0];
+    let land = Key::new([8; 16]).seal(land, 7).expect("it has room");
+    other.send_to(&land.bytes[..land.length], link).expect("loopback takes it");
+    until(&mut testbed, 13.0);
+    let counts = testbed.station.status.as_ref().expect("the link is open").counts;
+    assert_eq!(counts[4..6], [whole.length as u32 - 1, 2], "{counts:?}");
+    assert_eq!(testbed.station.phase(), Phase::Flight as u8);
 }
 
 /// A recording of the first two seconds; in one of its periods a bit is another, if that is wanted.

@@ -1,5 +1,8 @@
 //! The page in a real Chromium: only where `BESSEMER_FULL` is 1 (`cargo xtask test --full`), since a browser is long to install.
 //!
+//! `BESSEMER_REACH=600 cargo test --release -p ground --test page -- smooth --nocapture` flies it for so many seconds,
+//! and writes how many messages and pictures there were to `docs/results/smooth.md`.
+//!
 //! `BESSEMER_PICTURES=docs/figures` writes the pictures that README and results show.
 //!
 //! The testbed runs in real time, as the program does, but waits for the software: on a busy machine an aircraft whose
@@ -27,12 +30,11 @@ struct Running {
 }
 
 impl Running {
-    fn start() -> Self {
+    fn start(pace: Pace) -> Self {
         let program = Program::build(&bessemer_legs::root(), Target::Native)
             .unwrap_or_else(|error| panic!("{error}"));
-        let testbed =
-            Testbed::start(&program, &Wanted { pace: Pace::Patient, ..Wanted::default() })
-                .unwrap_or_else(|error| panic!("{error}"));
+        let testbed = Testbed::start(&program, &Wanted { pace, ..Wanted::default() })
+            .unwrap_or_else(|error| panic!("{error}"));
         let (asked, asks) = live::queue();
         let hub = Hub::new(asked, &live::hello(false)).expect("random bytes");
         let served = server::start(([127, 0, 0, 1], 0).into(), hub.clone()).expect("a port");
@@ -85,7 +87,7 @@ fn the_page_flies_the_aircraft() {
     if !is_asked_for() {
         return;
     }
-    let running = Running::start();
+    let running = Running::start(Pace::Patient);
     let mut browser = Browser::start();
     browser.prefer("light");
     browser.go(&running.address);
@@ -131,6 +133,166 @@ fn the_page_flies_the_aircraft() {
     browser.until("document.body.dataset.phase === 'over'");
 
     assert_eq!(browser.see("document.body.dataset.failure ?? ''"), "");
+}
+
+/// What the tabulator should come to.
+const CONTROLS: &str = "[...document.querySelectorAll('button, input, select, summary, a[href], [tabindex]')]\
+    .filter((it) => !it.disabled && it.checkVisibility())";
+
+#[test]
+fn the_page_is_used_by_keys_alone() {
+    if !is_asked_for() {
+        return;
+    }
+    let running = Running::start(Pace::Patient);
+    let mut browser = Browser::start();
+    browser.go(&running.address);
+    browser.until("document.body.dataset.commands === 'true'");
+    browser.until("document.body.dataset.phase === 'ready'");
+
+    // The tabulator comes to everything.
+    for part in ["#tuning", "#logging"] {
+        assert!(browser.tab_to(&format!("{part} summary")), "{part}");
+        browser.press("Enter");
+        browser.until(&format!("document.querySelector('{part}').open"));
+    }
+    let count = browser.see(&format!("{CONTROLS}.length")).as_u64().expect("a number");
+    assert!(count > 100, "{count}");
+    browser.see(
+        "addEventListener('focusin', (event) => { event.target.dataset.focused = 1; }); document.activeElement.blur()",
+    );
+    for _ in 0..count + 5 {
+        browser.press("Tab");
+    }
+    let left = browser.see(&format!(
+        "{CONTROLS}.filter((it) => !it.dataset.focused).map((it) => it.outerHTML.slice(0, 80)).join('\\n')"
+    ));
+    assert_eq!(left, "", "out of reach");
+
+    // A parameter, within its range and out of it; another law, which is changed on the ground.
+    assert!(browser.tab_to("#parameter-0"));
+    browser.write("2");
+    browser.press("Enter");
+    browser.until("document.querySelector('#log').innerText.includes('set parameter 0: done')");
+    browser.write("99");
+    browser.press("Enter");
+    browser.until("document.querySelector('#log').innerText.includes('height P: 0.5 to 3')");
+    assert!(browser.tab_to("#parameter-19"));
+    browser.press("ArrowDown");
+    browser.press("ArrowDown");
+    browser.until("document.querySelector('#parameter-19').value === '2'");
+    browser.until("document.querySelector('#log').innerText.includes('set parameter 19: done')");
+
+    // Into the air, and to a point of the plan: eleven steps of 10 cm along x.
+    assert!(browser.tab_to("[data-order=arm]"));
+    browser.press("Enter");
+    browser.until("document.querySelector('#log').innerText.includes('trajectory: done')");
+    assert!(browser.tab_to("[data-order=take_off]"));
+    browser.press(" ");
+    browser.until("Number(document.body.dataset.height) > 0.9");
+    assert!(browser.tab_to("#plan"));
+    for _ in 0..11 {
+        browser.press("ArrowRight");
+    }
+    browser.press("Enter");
+    browser.until("Number(document.body.dataset.place.split(',')[0]) > 0.9");
+
+    // By hand, to the left: y grows.
+    browser.see("document.activeElement.blur()");
+    browser.press("5");
+    browser.until("document.querySelector('#mode').innerText === 'manual'");
+    browser.hold("a", "Number(document.body.dataset.place.split(',')[1]) > 0.2");
+    browser.press("1");
+    browser.until("document.querySelector('#mode').innerText === 'closed loop'");
+
+    // Other signals come down.
+    assert!(browser.tab_to("#signals input[value=\"47\"]"));
+    browser.press(" ");
+    for signal in [0, 1, 2, 16, 35] {
+        browser.see(&format!(
+            "document.querySelector('#signals input[value=\"{signal}\"]').checked = true"
+        ));
+    }
+    assert!(browser.tab_to("#choose"));
+    browser.press("Enter");
+    browser.until("document.querySelector('#log').innerText.includes('signals: done')");
+    // What is missing is told as missing.
+    let gaps = "Number(document.body.dataset.gaps)";
+    let before = browser.see(gaps).as_f64().expect("a number");
+    assert!(browser.tab_to("#loss"));
+    for _ in 0..20 {
+        browser.press("ArrowRight");
+    }
+    browser.until(&format!("{gaps} > {before} + 5"));
+    assert_eq!(browser.see("document.body.dataset.failure ?? ''"), "");
+    browser.press("Escape");
+    browser.until("document.body.dataset.alarm === 'asked'");
+}
+
+/// Counts the pictures that a page draws, second by second, and how long each stands.
+const COUNT: &str = "
+    window.smooth = { begun: performance.now(), frames: Number(document.body.dataset.frames), pictures: 0, last: 0, longest: 0, late: 0,
+        seconds: {}, heap: performance.memory?.usedJSHeapSize ?? 0 };
+    new MutationObserver(() => {
+        const it = window.smooth, now = performance.now(), stood = it.last ? now - it.last : 0;
+        it.pictures += 1; it.last = now; it.longest = Math.max(it.longest, stood); it.late += Number(stood > 100);
+        const second = Math.floor((now - it.begun) / 1000);
+        it.seconds[second] = (it.seconds[second] ?? 0) + 1;
+    }).observe(document.body, { attributeFilter: ['data-pictures'] })";
+
+/// What became of it: seconds, messages, pictures, the fewest in a whole second, those that stood longer than 0.1 s, the longest, ms,
+/// and the memory at its beginning and now, MB.
+const COUNTED: &str = "(() => {
+    const it = window.smooth, whole = Object.entries(it.seconds).filter(([second]) => Number(second) < Math.floor((it.last - it.begun) / 1000));
+    return [(performance.now() - it.begun) / 1000, Number(document.body.dataset.frames) - it.frames, it.pictures,
+        Math.min(...whole.map(([, count]) => count)), it.late, it.longest, it.heap / 1e6, (performance.memory?.usedJSHeapSize ?? 0) / 1e6];
+})()";
+
+#[test]
+fn the_page_is_smooth() {
+    let asked = std::env::var("BESSEMER_REACH").ok().and_then(|it| it.parse::<f64>().ok());
+    let Some(seconds) = asked.filter(|_| Browser::is_there()) else {
+        println!("left out: BESSEMER_REACH says for how many seconds it is measured, in chromium");
+        return;
+    };
+    let running = Running::start(Pace::Patient);
+    let mut browser = Browser::start();
+    browser.go(&running.address);
+    browser.until("document.body.dataset.commands === 'true'");
+    browser.until("document.body.dataset.phase === 'ready'");
+    browser.press("m");
+    browser.until("document.querySelector('#log').innerText.includes('trajectory: done')");
+    browser.press("t");
+    browser.until("Number(document.body.dataset.height) > 0.9");
+    browser.see(COUNT);
+    let idle = browser.busy();
+    let begun = Instant::now();
+    let mut turn = 0;
+    while begun.elapsed().as_secs_f64() < seconds {
+        // It flies to and fro, so that there is something to draw.
+        turn += 1;
+        browser.click("#plan", if turn % 2 == 0 { (0.35, 0.5) } else { (0.65, 0.4) });
+        std::thread::sleep(Duration::from_secs_f64(seconds.min(5.0)));
+    }
+    let counted = browser.see(COUNTED);
+    let busy = browser.busy();
+    assert_eq!(browser.see("document.body.dataset.failure ?? ''"), "");
+    assert_eq!(browser.see("document.body.dataset.phase"), "flight");
+    let [time, messages, pictures, fewest, late, longest, before, after] =
+        std::array::from_fn(|n| counted[n].as_f64().expect("a number"));
+    let text = format!(
+        "{time:.0} s of flight in Chromium without a window: {:.1} messages and {:.1} pictures a second\n\
+         the fewest pictures in a second: {fewest}; {late} stood longer than 0.1 s, the longest {longest:.0} ms\n\
+         the page's thread was busy for {:.0} % of the time, with scripts for {:.0} %\n\
+         memory of the page: {before:.1} MB at the beginning, {after:.1} MB at the end\n",
+        messages / time,
+        pictures / time,
+        100.0 * (busy[0] - idle[0]) / time,
+        100.0 * (busy[1] - idle[1]) / time,
+    );
+    print!("{text}");
+    let path = bessemer_legs::root().join("docs/results/smooth.md");
+    std::fs::write(path, text).expect("docs/results is there");
 }
 
 /// A recording of two seconds on the ground, played in a thread of its own: the address of its page.

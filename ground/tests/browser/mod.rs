@@ -11,6 +11,9 @@ use tempfile::TempDir;
 use tungstenite::stream::MaybeTlsStream;
 use tungstenite::{Message, WebSocket};
 
+/// More than a page has controls.
+const CONTROLS: usize = 300;
+
 /// So long a test waits for what has to come.
 const LIMIT: Duration = Duration::from_secs(120);
 
@@ -123,11 +126,52 @@ impl Browser {
 
     /// Presses a key, wherever the focus is.
     pub fn press(&mut self, key: &str) {
-        let code = if key == "Escape" { 27 } else { i64::from(key.to_uppercase().as_bytes()[0]) };
-        for kind in ["rawKeyDown", "keyUp"] {
-            let event = json!({ "type": kind, "key": key, "windowsVirtualKeyCode": code });
+        let code = match key {
+            "Tab" => 9,
+            "Enter" => 13,
+            "Escape" => 27,
+            "ArrowRight" => 39,
+            "ArrowDown" => 40,
+            letter => i64::from(letter.to_uppercase().as_bytes()[0]),
+        };
+        // What a key writes is what makes it press a button.
+        let text = match key {
+            "Enter" => "\r",
+            " " => " ",
+            _ => "",
+        };
+        let down = if text.is_empty() { "rawKeyDown" } else { "keyDown" };
+        for kind in [down, "keyUp"] {
+            let mut event = json!({ "type": kind, "key": key, "windowsVirtualKeyCode": code });
+            if kind == "keyDown" {
+                event["text"] = json!(text);
+            }
             self.ask("Input.dispatchKeyEvent", &event);
         }
+    }
+
+    /// Holds a key until an expression is true.
+    pub fn hold(&mut self, key: &str, expression: &str) {
+        let code = i64::from(key.to_uppercase().as_bytes()[0]);
+        let event = |kind: &str| json!({ "type": kind, "key": key, "windowsVirtualKeyCode": code });
+        self.ask("Input.dispatchKeyEvent", &event("rawKeyDown"));
+        self.until(expression);
+        self.ask("Input.dispatchKeyEvent", &event("keyUp"));
+    }
+
+    /// Goes from control to control by the tabulator until the focus is on an element; whether it came there.
+    pub fn tab_to(&mut self, selector: &str) -> bool {
+        let there = format!("document.activeElement === document.querySelector('{selector}')");
+        (0..CONTROLS).any(|_| {
+            self.press("Tab");
+            self.see(&there) == json!(true)
+        })
+    }
+
+    /// Writes in place of what a field holds.
+    pub fn write(&mut self, text: &str) {
+        self.see("document.activeElement.select()");
+        self.ask("Input.insertText", &json!({ "text": text }));
     }
 
     /// Clicks in an element: where, as shares of its width and height.
@@ -142,6 +186,17 @@ impl Browser {
             let event = json!({ "type": kind, "x": x, "y": y, "button": "left", "clickCount": 1 });
             self.ask("Input.dispatchMouseEvent", &event);
         }
+    }
+
+    /// For how long the page's thread was busy since it began, and with scripts, s.
+    pub fn busy(&mut self) -> [f64; 2] {
+        self.ask("Performance.enable", &json!({}));
+        let told = self.ask("Performance.getMetrics", &json!({}));
+        let metrics = told["metrics"].as_array().cloned().unwrap_or_default();
+        ["TaskDuration", "ScriptDuration"].map(|name| {
+            let found = metrics.iter().find(|it| it["name"] == name);
+            found.and_then(|it| it["value"].as_f64()).expect("chromium counts it")
+        })
     }
 
     /// A picture of the page, as PNG.

@@ -14,6 +14,8 @@ export class History {
   private last = -1;
   /** The time between two frames while none is missing, s. */
   step = Infinity;
+  /** How often frames were missing. */
+  gaps = 0;
   /** What each signal was last. */
   readonly now = new Float64Array(SIGNALS).fill(NaN);
   truth: number[] = [];
@@ -25,7 +27,9 @@ export class History {
       this.begin = this.end = 0;
       this.step = Infinity;
     } else if (this.last >= 0 && frame.period > this.last) {
-      this.step = Math.min(this.step, (frame.period - this.last) * period);
+      const step = (frame.period - this.last) * period;
+      this.gaps += Number(step > 1.5 * this.step);
+      this.step = Math.min(this.step, step);
     }
     this.last = frame.period;
     this.truth = frame.truth;

@@ -79,14 +79,17 @@ function begin(tell: Hello): void {
   seal.className = tell.authenticated ? "good" : "poor";
   const parameters = get("parameters");
   parameters.replaceChildren(...tell.parameters.map((it) => {
-    const row = make("tr"), input = make("input", "", { type: "number", min: `${it.least}`, max: `${it.most}`, step: "any", "aria-label": it.name, id: `parameter-${it.number}` });
+    const row = make("tr"), named = { "aria-label": it.name, id: `parameter-${it.number}` };
+    const input = it.choices.length > 0 ? make("select", "", named)
+      : make("input", "", { type: "number", min: `${it.least}`, max: `${it.most}`, step: "any", ...named });
+    input.append(...it.choices.map((choice, number) => make("option", choice, { value: `${number}` })));
     input.addEventListener("change", () => {
       if (input.checkValidity() && input.value !== "") ask("set", { number: it.number, value: Number(input.value) });
       else say(`${it.name}: ${it.least} to ${it.most}`, true);
     });
     const cell = make("td");
     cell.append(input);
-    row.append(make("th", it.name), cell, make("td", it.unit), make("td", `${it.least} … ${it.most}${it.in_flight ? "" : ", on the ground"}`, { class: "hint" }));
+    row.append(make("th", it.name), cell, make("td", it.unit), make("td", [it.choices.length > 0 ? "" : `${it.least} … ${it.most}`, it.in_flight ? "" : "on the ground"].filter(Boolean).join(", "), { class: "hint" }));
     return row;
   }));
   get("signals").replaceChildren(...tell.signals.map((it) => {
@@ -100,6 +103,7 @@ function frame(tell: Frame): void {
   if (!hello) return;
   if (history.take(tell, hello.period)) scene.forget();
   document.body.dataset["frames"] = `${Number(document.body.dataset["frames"] ?? 0) + 1}`;
+  document.body.dataset["gaps"] = `${history.gaps}`;
   fresh = true;
 }
 
@@ -112,7 +116,7 @@ function state(tell: State): void {
   mode = tell.mode == null ? "" : MODES[tell.mode] ?? "";
   get("mode").textContent = mode || "–";
   tell.parameters.forEach((value, number) => {
-    const input = document.getElementById(`parameter-${number}`) as HTMLInputElement | null;
+    const input = document.getElementById(`parameter-${number}`) as HTMLInputElement | HTMLSelectElement | null;
     if (input && value != null && document.activeElement !== input) input.value = `${Number(value.toPrecision(6))}`;
   });
   const { recording, timing, up, down, heard, counts } = tell;
@@ -129,6 +133,7 @@ function state(tell: State): void {
     ["unsealed, forged, replayed", counts?.slice(4, 7).join(", ") ?? "–"],
     ["periods, missed, slowest", `${timing.periods}, ${timing.missed}, ${timing.slowest} µs`],
     ["pages, frames they missed", `${tell.pages}, ${tell.skipped}`],
+    ["MAVLink: unsigned, forged, repeated", `${tell.refused}`],
     ["software started anew", `${tell.restarts}`],
   ];
   get("counts").replaceChildren(...rows.flatMap(([name, value]) => [make("dt", name), make("dd", value)]));
@@ -200,6 +205,7 @@ function draw(): void {
   requestAnimationFrame(draw);
   if (!fresh) return;
   fresh = false;
+  document.body.dataset["pictures"] = `${Number(document.body.dataset["pictures"] ?? 0) + 1}`;
   const { now } = history;
   const phase = hello?.phases[now[PHASE] ?? 0] ?? "–", alarm = hello?.alarms[now[ALARM] ?? 0] ?? "–";
   document.body.dataset["phase"] = phase;

@@ -1,8 +1,7 @@
 // The plan: the room from above, and where the aircraft is to go. A click or Enter sets a point.
 
+import { css } from "./colours";
 import { onResize } from "./resize";
-
-const css = (name: string): string => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 export class Plan {
   private reach = 3;

@@ -2,6 +2,7 @@
 
 import uPlot from "uplot";
 import type { History } from "./history";
+import { css } from "./colours";
 import { onResize } from "./resize";
 import { CLOSED_LOOP, FEED_FORWARD, GAIN, ROLL, VARIANCE, WANTED, WANTED_YAW, X, Y, YAW, Z } from "./protocol";
 
@@ -35,8 +36,6 @@ const PLOTS: Plot[] = [
   { title: "Motors, feed-forward, rad/s", lines: [...motors(FEED_FORWARD),
     { name: "gain × 1000", signal: GAIN, colour: "--wanted", scale: 1000, dash: true }] },
 ];
-
-const css = (name: string): string => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 class Chart {
   private readonly plot: uPlot;

@@ -6,12 +6,11 @@ import {
   SphereGeometry, TorusGeometry, Vector3, WebGLRenderer,
 } from "three";
 
+import { css } from "./colours";
 import { onResize } from "./resize";
 
 /** Where the camera stands from what it looks at, m. */
 const STAND = new Vector3(2.6, -3.4, 1.7);
-
-const css = (name: string): string => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 /** Rotation from the body to the room at roll, pitch and yaw: R = C1 C2 C3 of passive turns (thesis, eq. (2.11)). */
 function attitude(roll: number, pitch: number, yaw: number): Quaternion {

@@ -22,7 +22,8 @@ export function pilot(flies: () => boolean, move: (sticks: Sticks) => void): voi
       // A positive roll flies along y, a negative pitch along x: the angles are passive.
       roll: LEAN * limit(key("a", "d") - axis(2)),
       pitch: LEAN * limit(key("s", "w") + axis(3)),
-      yaw_rate: TURN * limit(key("q", "e") - axis(0)),
+      // A positive yaw turns to the right, for the same reason.
+      yaw_rate: TURN * limit(key("e", "q") + axis(0)),
       climb: RISE * limit(key("r", "f") - axis(1)),
     });
   }, 50);
