@@ -245,6 +245,34 @@ fn it_flies_again_after_a_stop_and_a_new_arming() {
 }
 
 #[test]
+fn whatever_is_injected_is_noticed() {
+    let mut testbed = taken_off(Wanted::default());
+    testbed.inject(Injection::Vicon { away: true });
+    until(&mut testbed, 14.0);
+    assert!(testbed.station.signal(48) > 1.5, "Vicon is {} s old", testbed.station.signal(48));
+    testbed.inject(Injection::Vicon { away: false });
+    until(&mut testbed, 15.0);
+    assert!(testbed.station.signal(48) < 0.1);
+
+    let calm = testbed.bench.state().position.x;
+    testbed.inject(Injection::Wind { force: [0.03, 0.0], gusts: 0.0 });
+    until(&mut testbed, 18.0);
+    let blown = testbed.bench.state().position.x - calm;
+    assert!(blown > 0.1, "{blown} m");
+    testbed.inject(Injection::Wind { force: [0.0, 0.0], gusts: 0.0 });
+    until(&mut testbed, 20.0);
+    assert_eq!(testbed.station.phase(), Phase::Flight as u8);
+
+    testbed.inject(Injection::Gyroscope { stuck: true });
+    until(&mut testbed, 20.2);
+    assert_eq!(testbed.station.phase(), Phase::Landing as u8);
+    testbed.inject(Injection::Motor { number: Some(2) });
+    until(&mut testbed, 21.2);
+    assert_ne!(testbed.station.signal(35), f32::from(Alarm::Clear as u8));
+    assert_eq!(testbed.station.phase(), Phase::Over as u8);
+}
+
+#[test]
 fn parameters_and_signals_change_in_flight_within_their_bounds() {
     let mut testbed = taken_off(Wanted::default());
     assert!(testbed.station.parameters.iter().all(Option::is_some));

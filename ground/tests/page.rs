@@ -9,6 +9,7 @@
 //! periods are missed falls, and the test is not about that. It waits for what the page shows.
 
 mod browser;
+mod conditions;
 
 use browser::Browser;
 use ground::live::{self, Live};
@@ -255,6 +256,7 @@ fn the_page_is_smooth() {
         println!("left out: BESSEMER_REACH says for how many seconds it is measured, in chromium");
         return;
     };
+    let conditions = conditions::conditions();
     let running = Running::start(Pace::Patient);
     let mut browser = Browser::start();
     browser.go(&running.address);
@@ -281,7 +283,7 @@ fn the_page_is_smooth() {
     let [time, messages, pictures, fewest, late, longest, before, after] =
         std::array::from_fn(|n| counted[n].as_f64().expect("a number"));
     let text = format!(
-        "{time:.0} s of flight in Chromium without a window: {:.1} messages and {:.1} pictures a second\n\
+        "{conditions}{time:.0} s of flight in Chromium without a window: {:.1} messages and {:.1} pictures a second\n\
          the fewest pictures in a second: {fewest}; {late} stood longer than 0.1 s, the longest {longest:.0} ms\n\
          the page's thread was busy for {:.0} % of the time, with scripts for {:.0} %\n\
          memory of the page: {before:.1} MB at the beginning, {after:.1} MB at the end\n",
