@@ -37,7 +37,7 @@
 /** After so many periods without a word, another ground station is listened to. */
 #define DESERTED 400U
 
-/** STOP, as in receiver.h. */
+/** STOP of models::receiver. */
 #define KIND_STOP 9U
 
 /** The ground, as this side of the link sees it. */

@@ -119,8 +119,15 @@ function wide(low: number, high: number): [number, number] {
   return [middle - half, middle + half];
 }
 
+/** Between two pictures, ms, at 50 Hz: while they take longer, plots take turns, up to so many. */
+const PACE = 20, TURNS = 3;
+
 export class Plots {
   private readonly charts: Chart[];
+  private pictures = 0;
+  private last = 0;
+  /** How long a picture takes of late, ms. */
+  private pace = 0;
 
   constructor(parent: HTMLElement) {
     this.charts = PLOTS.map((plot) => new Chart(plot, parent));
@@ -128,5 +135,13 @@ export class Plots {
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.charts.forEach((chart) => chart.redraw()));
   }
 
-  show(history: History): void { this.charts.forEach((chart) => chart.show(history)); }
+  /** What moves in space shows a stutter sooner than a curve: where not everything can be drawn in time, curves wait. */
+  show(history: History): void {
+    const now = performance.now();
+    this.pace += 0.05 * (Math.min(now - this.last, 10 * PACE) - this.pace);
+    this.last = now;
+    this.pictures += 1;
+    const turns = Math.min(TURNS, Math.max(1, Math.round(this.pace / PACE)));
+    this.charts.forEach((chart, n) => { if (n % turns === this.pictures % turns) chart.show(history); });
+  }
 }

@@ -2,7 +2,7 @@
 
 import {
   AmbientLight, BoxGeometry, Color, CylinderGeometry, DirectionalLight, Euler, GridHelper, Group, Line,
-  BufferGeometry, LineBasicMaterial, Matrix4, Mesh, MeshBasicMaterial, MeshStandardMaterial, PerspectiveCamera, Quaternion, Scene as World,
+  BufferGeometry, LineBasicMaterial, Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, PerspectiveCamera, Quaternion, Scene as World,
   SphereGeometry, TorusGeometry, Vector3, WebGLRenderer,
 } from "three";
 
@@ -32,7 +32,8 @@ export class Scene {
 
   constructor(private readonly canvas: HTMLCanvasElement) {
     try {
-      this.renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: false });
+      // Smooth edges, unless the processor has to draw them.
+      this.renderer = new WebGLRenderer({ canvas, antialias: !drawnBySoftware(), preserveDrawingBuffer: false });
     } catch {
       // No WebGL: plan and plots say the same.
       canvas.hidden = true;
@@ -45,7 +46,7 @@ export class Scene {
     sun.position.set(2, -3, 6);
     this.aircraft = craft(false);
     this.ghost = craft(true);
-    this.wanted = new Mesh(new SphereGeometry(0.05, 16, 12), new MeshBasicMaterial());
+    this.wanted = new Mesh(new SphereGeometry(0.05, 12, 8), new MeshBasicMaterial());
     this.world.add(new AmbientLight(0xffffff, 1.4), sun, this.grid, this.aircraft, this.ghost, this.wanted, this.line);
     onResize(canvas.parentElement ?? canvas, () => this.resize());
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.colour());
@@ -100,20 +101,29 @@ export class Scene {
   }
 }
 
+/** Whether there is no graphics processor behind WebGL. */
+function drawnBySoftware(): boolean {
+  const probe = document.createElement("canvas").getContext("webgl2");
+  const told = probe?.getExtension("WEBGL_debug_renderer_info");
+  const name = told ? String(probe?.getParameter(told.UNMASKED_RENDERER_WEBGL)) : "";
+  probe?.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|software/i.test(name);
+}
+
 /** A quadcopter, larger than it is so that its attitude can be seen; its front is the red pair of arms. */
 function craft(ghost: boolean): Group {
   const group = new Group();
-  const paint = (colour: number) => new MeshStandardMaterial(
-    { color: colour, roughness: 0.6, transparent: ghost, opacity: ghost ? 0.25 : 1 });
+  const paint = (colour: number) => new MeshLambertMaterial(
+    { color: colour, transparent: ghost, opacity: ghost ? 0.25 : 1 });
   group.add(new Mesh(new BoxGeometry(0.16, 0.1, 0.05), paint(0x6a7280)));
   for (let n = 0; n < 4; n += 1) {
     const angle = Math.PI / 4 + n * Math.PI / 2;
     const front = Math.cos(angle) > 0;
     const colour = front ? 0xd1453b : 0x4b5563;
-    const arm = new Mesh(new CylinderGeometry(0.012, 0.012, 0.22), paint(colour));
+    const arm = new Mesh(new CylinderGeometry(0.012, 0.012, 0.22, 8), paint(colour));
     arm.position.set(Math.cos(angle) * 0.12, Math.sin(angle) * 0.12, 0);
     arm.rotation.z = angle - Math.PI / 2;
-    const ring = new Mesh(new TorusGeometry(0.085, 0.008, 8, 32), paint(colour));
+    const ring = new Mesh(new TorusGeometry(0.085, 0.008, 5, 24), paint(colour));
     ring.position.set(Math.cos(angle) * 0.23, Math.sin(angle) * 0.23, 0.02);
     group.add(arm, ring);
   }
