@@ -16,15 +16,16 @@
 #include "geometry.h"
 #include "product_f64_6x6_6x1.h"
 
-void attitude_filter_level(double angle, double bias, attitude_filter_level_work_t *work,
+void attitude_filter_level(double angle, double bias, double work[36],
     attitude_filter_t *attitude_filter)
 {
+    double *const covariance = work;
     for (uint32_t i = 0U; i < 36U; i++) {
-        work->covariance[i] = 0.0;
+        covariance[i] = 0.0;
     }
     for (uint32_t n = 0U; n < 3U; n++) {
-        work->covariance[n + 6 * n] = angle * angle;
-        work->covariance[n + 3 + 6 * (n + 3)] = bias * bias;
+        covariance[n + 6 * n] = angle * angle;
+        covariance[n + 3 + 6 * (n + 3)] = bias * bias;
     }
     attitude_filter->angles[0] = 0.0;
     attitude_filter->angles[1] = 0.0;
@@ -32,11 +33,11 @@ void attitude_filter_level(double angle, double bias, attitude_filter_level_work
     attitude_filter->bias[0] = 0.0;
     attitude_filter->bias[1] = 0.0;
     attitude_filter->bias[2] = 0.0;
-    memcpy(attitude_filter->covariance, work->covariance, sizeof(double[36]));
+    memcpy(attitude_filter->covariance, covariance, sizeof(double[36]));
 }
 
 void attitude_filter_predict(attitude_filter_t *self, const double measured[3], double period,
-    double noise, double drift, attitude_filter_predict_work_t *work)
+    double noise, double drift, double work[180])
 {
     orientation_t orientation;
     orientation_of(self->angles, &orientation);
@@ -45,7 +46,8 @@ void attitude_filter_predict(attitude_filter_t *self, const double measured[3], 
         measured[1] - self->bias[1],
         measured[2] - self->bias[2]
     };
-    attitude_filter_advance(self, &orientation, rates, period, work->advance);
+    double *const advance = work;
+    attitude_filter_advance(self, &orientation, rates, period, advance);
     double angles_angle_rates[3];
     orientation_angle_rates(&orientation, rates, angles_angle_rates);
     self->angles[0] += angles_angle_rates[0] * period;
@@ -58,10 +60,11 @@ void attitude_filter_predict(attitude_filter_t *self, const double measured[3], 
         growth[n] = turn * turn;
         growth[n + 3] = wander;
     }
-    covariance_diagonal_6(growth, work->covariance_growth);
-    covariance_grown_6(self->covariance, work->advance, work->covariance_growth,
-        &work->grown_6_work, work->covariance_next);
-    memcpy(self->covariance, work->covariance_next, sizeof(double[36]));
+    double *const covariance_growth = &work[36];
+    covariance_diagonal_6(growth, covariance_growth);
+    double *const covariance_next = &work[72];
+    covariance_grown_6(self->covariance, advance, covariance_growth, &work[108], covariance_next);
+    memcpy(self->covariance, covariance_next, sizeof(double[36]));
 }
 
 void attitude_filter_advance(const attitude_filter_t *self, const orientation_t *orientation,
@@ -96,7 +99,7 @@ void attitude_filter_advance(const attitude_filter_t *self, const orientation_t 
 }
 
 bool attitude_filter_correct(attitude_filter_t *self, const double row[6], const double moves[6],
-    double innovation, double variance, double gate, attitude_filter_correct_work_t *work)
+    double innovation, double variance, double gate, double work[180])
 {
     double spread[6];
     product_f64_6x6_6x1(self->covariance, row, spread);
@@ -121,8 +124,8 @@ bool attitude_filter_correct(attitude_filter_t *self, const double row[6], const
         const double bias_operand = gain[n + 3] * innovation;
         self->bias[n] += bias_operand;
     }
-    covariance_corrected_6(self->covariance, row, gain, variance, &work->corrected_6_work,
-        work->covariance_next);
-    memcpy(self->covariance, work->covariance_next, sizeof(double[36]));
+    double *const covariance_next = work;
+    covariance_corrected_6(self->covariance, row, gain, variance, &work[36], covariance_next);
+    memcpy(self->covariance, covariance_next, sizeof(double[36]));
     return true;
 }

@@ -9,7 +9,6 @@
 
 #include <stdbool.h>
 
-#include "covariance.h"
 #include "geometry.h"
 
 #ifdef __cplusplus
@@ -29,29 +28,8 @@ typedef struct {
     double covariance[36];
 } attitude_filter_t;
 
-/** What `AttitudeFilter::level` works with; its content means nothing between calls. */
-typedef struct {
-    double covariance[36];
-} attitude_filter_level_work_t;
-
-/** What `AttitudeFilter::predict` works with; its content means nothing between calls. */
-typedef struct {
-    double advance[36];
-    double covariance_growth[36];
-    double covariance_next[36];
-    /** What `grown_6` works with. */
-    covariance_grown_6_work_t grown_6_work;
-} attitude_filter_predict_work_t;
-
-/** What `AttitudeFilter::correct` works with; its content means nothing between calls. */
-typedef struct {
-    double covariance_next[36];
-    /** What `corrected_6` works with. */
-    covariance_corrected_6_work_t corrected_6_work;
-} attitude_filter_correct_work_t;
-
 /** Level, known to within `angle`, rad, and `bias`, rad/s. */
-void attitude_filter_level(double angle, double bias, attitude_filter_level_work_t *work,
+void attitude_filter_level(double angle, double bias, double work[36],
     attitude_filter_t *attitude_filter);
 
 /**
@@ -59,7 +37,7 @@ void attitude_filter_level(double angle, double bias, attitude_filter_level_work
  * wander by `drift`, rad/s in a second.
  */
 void attitude_filter_predict(attitude_filter_t *self, const double measured[3], double period,
-    double noise, double drift, attitude_filter_predict_work_t *work);
+    double noise, double drift, double work[180]);
 
 /** How errors of the angles and biases grow over one period: the derivative of (2.17). */
 void attitude_filter_advance(const attitude_filter_t *self, const orientation_t *orientation,
@@ -74,7 +52,7 @@ void attitude_filter_advance(const attitude_filter_t *self, const orientation_t 
  * for any gain.
  */
 bool attitude_filter_correct(attitude_filter_t *self, const double row[6], const double moves[6],
-    double innovation, double variance, double gate, attitude_filter_correct_work_t *work);
+    double innovation, double variance, double gate, double work[180]);
 
 #ifdef __cplusplus
 }

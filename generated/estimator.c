@@ -85,29 +85,27 @@ static void estimator_grow_older(estimator_t *self, double period);
 static void estimator_listen(estimator_t *self, const sensors_t *sensors, const push_t *told,
     const measured_t *measured);
 static double estimator_patience(const estimator_t *self);
-static void estimator_advance(estimator_t *self, const sensors_t *sensors,
-    estimator_advance_work_t *work);
+static void estimator_advance(estimator_t *self, const sensors_t *sensors, double work[180]);
 static void estimator_see_vicon(estimator_t *self, const sensors_t *sensors,
-    const measured_t *measured, estimator_see_vicon_work_t *work);
+    const measured_t *measured, double work[180]);
 static bool estimator_see_angles(estimator_t *self, const sensors_t *sensors,
-    const double angles[3], estimator_see_angles_work_t *work);
+    const double angles[3], double work[180]);
 static bool estimator_see_place(estimator_t *self, const sensors_t *sensors, const double place[3]);
 static void estimator_doubt(estimator_t *self);
 static void estimator_do_without(estimator_t *self, const sensors_t *sensors,
-    const measured_t *measured, bool heard, bool seen, estimator_do_without_work_t *work);
+    const measured_t *measured, bool heard, bool seen, double work[180]);
 static bool estimator_see_echo(estimator_t *self, const sensors_t *sensors, double distance,
     const orientation_t *orientation);
 static bool estimator_see_flow(estimator_t *self, const sensors_t *sensors, const double flow[2],
-    const orientation_t *orientation, estimator_see_flow_work_t *work);
-static void estimator_level(estimator_t *self, const sensors_t *sensors,
-    estimator_level_work_t *work);
+    const orientation_t *orientation, double work[180]);
+static void estimator_level(estimator_t *self, const sensors_t *sensors, double work[180]);
 static void estimator_lean(estimator_t *self, const sensors_t *sensors,
-    const double acceleration[3], estimator_lean_work_t *work);
+    const double acceleration[3], double work[180]);
 static void estimator_see_lean(estimator_t *self, double roll, double pitch, double variance,
-    double gate, estimator_see_lean_work_t *work);
+    double gate, double work[180]);
 static void estimator_velocity(const estimator_t *self, double result[3]);
-static void estimator_state(estimator_t *self, const sensors_t *sensors,
-    estimator_state_work_t *work, estimate_t *estimate);
+static void estimator_state(estimator_t *self, const sensors_t *sensors, axis_filter_t work[3],
+    estimate_t *estimate);
 
 void sensors_mambo(sensors_t *sensors)
 {
@@ -214,9 +212,9 @@ void estimator_step(estimator_t *self, const sensors_t *sensors, const push_t *t
 {
     estimator_grow_older(self, sensors->period);
     estimator_listen(self, sensors, told, measured);
-    estimator_advance(self, sensors, &work->advance_work);
+    estimator_advance(self, sensors, work->numbers);
     if (measured->vicon.fresh) {
-        estimator_see_vicon(self, sensors, measured, &work->see_vicon_work);
+        estimator_see_vicon(self, sensors, measured, work->numbers);
     }
     const double distance[3] = {measured->distance, 0.0, 0.0};
     bool heard_condition = false;
@@ -233,9 +231,9 @@ void estimator_step(estimator_t *self, const sensors_t *sensors, const push_t *t
     }
     const bool seen = seen_condition;
     if (self->ages.vicon > sensors->vicon_patience || estimator_is_deaf(self)) {
-        estimator_do_without(self, sensors, measured, heard, seen, &work->do_without_work);
+        estimator_do_without(self, sensors, measured, heard, seen, work->numbers);
     }
-    estimator_state(self, sensors, &work->state_work, estimate);
+    estimator_state(self, sensors, work->axis_filter, estimate);
 }
 
 /** Everything is one period older until it is measured. */
@@ -301,8 +299,7 @@ static double estimator_patience(const estimator_t *self)
 }
 
 /** Carries the state over one period. */
-static void estimator_advance(estimator_t *self, const sensors_t *sensors,
-    estimator_advance_work_t *work)
+static void estimator_advance(estimator_t *self, const sensors_t *sensors, double work[180])
 {
     double noise[2] = {sensors->gyroscope[0], sensors->gyroscope[1]};
     if (estimator_is_deaf(self)) {
@@ -310,7 +307,7 @@ static void estimator_advance(estimator_t *self, const sensors_t *sensors,
         noise[1] = DEAF_RATES[1];
     }
     attitude_filter_predict(&self->attitude, self->rates, sensors->period, noise[0], noise[1],
-        &work->predict_work);
+        work);
     double noise_2[2] = {sensors->accelerometer[0], sensors->accelerometer[1]};
     if (estimator_is_deaf(self)) {
         noise_2[0] = DEAF_PUSH[0];
@@ -353,7 +350,7 @@ static void estimator_advance(estimator_t *self, const sensors_t *sensors,
 
 /** Takes in Vicon's reading, if it can be one. */
 static void estimator_see_vicon(estimator_t *self, const sensors_t *sensors,
-    const measured_t *measured, estimator_see_vicon_work_t *work)
+    const measured_t *measured, double work[180])
 {
     const vicon_t vicon = measured->vicon;
     const double space[3] = {
@@ -369,7 +366,7 @@ static void estimator_see_vicon(estimator_t *self, const sensors_t *sensors,
         self->outliers = saturating_add_u32(self->outliers, 1U);
         return;
     }
-    const bool turned = estimator_see_angles(self, sensors, vicon.angles, &work->see_angles_work);
+    const bool turned = estimator_see_angles(self, sensors, vicon.angles, work);
     const bool moved = estimator_see_place(self, sensors, place);
     if (turned && moved) {
         self->ages.vicon = 0.0;
@@ -385,7 +382,7 @@ static void estimator_see_vicon(estimator_t *self, const sensors_t *sensors,
 
 /** Vicon's angles, one after another. */
 static bool estimator_see_angles(estimator_t *self, const sensors_t *sensors,
-    const double angles[3], estimator_see_angles_work_t *work)
+    const double angles[3], double work[180])
 {
     orientation_t orientation;
     orientation_of(self->attitude.angles, &orientation);
@@ -405,7 +402,7 @@ static bool estimator_see_angles(estimator_t *self, const sensors_t *sensors,
         row[n] = 1.0;
         const double innovation = geometry_wrapped(angles[n] - then);
         const bool good_correct = attitude_filter_correct(&self->attitude, row, everything,
-            innovation, variance, sensors->gate, &work->correct_work);
+            innovation, variance, sensors->gate, work);
         good = good_correct && good;
     }
     return good;
@@ -439,10 +436,10 @@ static void estimator_doubt(estimator_t *self)
  * new and alive.
  */
 static void estimator_do_without(estimator_t *self, const sensors_t *sensors,
-    const measured_t *measured, bool heard, bool seen, estimator_do_without_work_t *work)
+    const measured_t *measured, bool heard, bool seen, double work[180])
 {
     if (self->felt && !estimator_is_deaf(self)) {
-        estimator_level(self, sensors, &work->level_work);
+        estimator_level(self, sensors, work);
     }
     orientation_t orientation;
     orientation_of(self->attitude.angles, &orientation);
@@ -457,7 +454,7 @@ static void estimator_do_without(estimator_t *self, const sensors_t *sensors,
     bool condition_2 = false;
     if (seen) {
         const bool see_flow = estimator_see_flow(self, sensors, measured->flow_velocity,
-            &orientation, &work->see_flow_work);
+            &orientation, work);
         condition_2 = !see_flow;
     }
     if (condition_2) {
@@ -492,7 +489,7 @@ static bool estimator_see_echo(estimator_t *self, const sensors_t *sensors, doub
  * whether it was taken.
  */
 static bool estimator_see_flow(estimator_t *self, const sensors_t *sensors, const double flow[2],
-    const orientation_t *orientation, estimator_see_flow_work_t *work)
+    const orientation_t *orientation, double work[180])
 {
     double rotation[9];
     orientation_rotation(orientation, rotation);
@@ -521,7 +518,7 @@ static bool estimator_see_flow(estimator_t *self, const sensors_t *sensors, cons
             (seen[1] - self->drift[1]) / self->drift_age,
             (seen[2] - self->drift[2]) / self->drift_age
         };
-        estimator_lean(self, sensors, acceleration, &work->lean_work);
+        estimator_lean(self, sensors, acceleration, work);
     }
     self->drift[0] = seen[0];
     self->drift[1] = seen[1];
@@ -545,8 +542,7 @@ static bool estimator_see_flow(estimator_t *self, const sensors_t *sensors, cons
 }
 
 /** Takes the specific force for upwards: right on average while the aircraft stays in one place. */
-static void estimator_level(estimator_t *self, const sensors_t *sensors,
-    estimator_level_work_t *work)
+static void estimator_level(estimator_t *self, const sensors_t *sensors, double work[180])
 {
     orientation_t orientation;
     orientation_of(self->attitude.angles, &orientation);
@@ -556,7 +552,7 @@ static void estimator_level(estimator_t *self, const sensors_t *sensors,
     const double pitch = arctangent_atan2(along, force[2]);
     const double roll = arctangent_atan2(across, roots_hypot(along, force[2]));
     const double variance = sensors->level * sensors->level;
-    estimator_see_lean(self, roll, pitch, variance, sensors->gate, &work->see_lean_work);
+    estimator_see_lean(self, roll, pitch, variance, sensors->gate, work);
 }
 
 /**
@@ -564,18 +560,18 @@ static void estimator_level(estimator_t *self, const sensors_t *sensors,
  * the plane, m/s², says of roll and pitch while no gyroscope does.
  */
 static void estimator_lean(estimator_t *self, const sensors_t *sensors,
-    const double acceleration[3], estimator_lean_work_t *work)
+    const double acceleration[3], double work[180])
 {
     const double roll = arctangent_atan2(acceleration[1], GRAVITY);
     const double pitch = arctangent_atan2(-acceleration[0], roots_hypot(acceleration[1], GRAVITY));
     const double deviation = 1.5 * sensors->camera / (self->drift_age * GRAVITY);
     const double variance = deviation * deviation;
-    estimator_see_lean(self, roll, pitch, variance, sensors->gate, &work->see_lean_work);
+    estimator_see_lean(self, roll, pitch, variance, sensors->gate, work);
 }
 
 /** A measurement of roll and pitch, rad. Of the yaw it says nothing, however uncertain that is. */
 static void estimator_see_lean(estimator_t *self, double roll, double pitch, double variance,
-    double gate, estimator_see_lean_work_t *work)
+    double gate, double work[180])
 {
     const double seen[2] = {roll, pitch};
     const double moves[6] = {1.0, 1.0, 0.0, 1.0, 1.0, 0.0};
@@ -584,7 +580,7 @@ static void estimator_see_lean(estimator_t *self, double roll, double pitch, dou
         row[n] = 1.0;
         const double innovation = seen[n] - self->attitude.angles[n];
         (void)attitude_filter_correct(&self->attitude, row, moves, innovation, variance, gate,
-            &work->correct_work);
+            work);
     }
 }
 
@@ -608,20 +604,21 @@ void estimator_spread(const estimator_t *self, double spread[6])
 }
 
 /** Everything in one vector. */
-static void estimator_state(estimator_t *self, const sensors_t *sensors,
-    estimator_state_work_t *work, estimate_t *estimate)
+static void estimator_state(estimator_t *self, const sensors_t *sensors, axis_filter_t work[3],
+    estimate_t *estimate)
 {
     const double rates[3] = {
         self->rates[0] - self->attitude.bias[0],
         self->rates[1] - self->attitude.bias[1],
         self->rates[2] - self->attitude.bias[2]
     };
-    memcpy(work->axes, self->axes, sizeof(axis_filter_t[3]));
+    axis_filter_t *const axes = work;
+    memcpy(axes, self->axes, sizeof(axis_filter_t[3]));
     estimator_velocity(self, estimate->velocity);
     low_pass_step(&self->smooth, sensors->smoothing, rates, estimate->rates);
-    estimate->position[0] = work->axes[0].state[0];
-    estimate->position[1] = work->axes[1].state[0];
-    estimate->position[2] = work->axes[2].state[0];
+    estimate->position[0] = axes[0].state[0];
+    estimate->position[1] = axes[1].state[0];
+    estimate->position[2] = axes[2].state[0];
     estimate->angles[0] = self->attitude.angles[0];
     estimate->angles[1] = self->attitude.angles[1];
     estimate->angles[2] = self->attitude.angles[2];

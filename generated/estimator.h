@@ -106,71 +106,13 @@ typedef struct {
     uint32_t outliers;
 } estimator_t;
 
-/** What `Estimator::advance` works with; its content means nothing between calls. */
-typedef struct {
-    /** What `predict` works with. */
-    attitude_filter_predict_work_t predict_work;
-} estimator_advance_work_t;
-
-/** What `Estimator::see_angles` works with; its content means nothing between calls. */
-typedef struct {
-    /** What `correct` works with. */
-    attitude_filter_correct_work_t correct_work;
-} estimator_see_angles_work_t;
-
-/** What `Estimator::see_vicon` works with; its content means nothing between calls. */
-typedef struct {
-    /** What `see_angles` works with. */
-    estimator_see_angles_work_t see_angles_work;
-} estimator_see_vicon_work_t;
-
-/** What `Estimator::see_lean` works with; its content means nothing between calls. */
-typedef struct {
-    /** What `correct` works with. */
-    attitude_filter_correct_work_t correct_work;
-} estimator_see_lean_work_t;
-
-/** What `Estimator::level` works with; its content means nothing between calls. */
-typedef struct {
-    /** What `see_lean` works with. */
-    estimator_see_lean_work_t see_lean_work;
-} estimator_level_work_t;
-
-/** What `Estimator::lean` works with; its content means nothing between calls. */
-typedef struct {
-    /** What `see_lean` works with. */
-    estimator_see_lean_work_t see_lean_work;
-} estimator_lean_work_t;
-
-/** What `Estimator::see_flow` works with; its content means nothing between calls. */
-typedef struct {
-    /** What `lean` works with. */
-    estimator_lean_work_t lean_work;
-} estimator_see_flow_work_t;
-
-/** What `Estimator::do_without` works with; its content means nothing between calls. */
-typedef struct {
-    /** What `level` works with. */
-    estimator_level_work_t level_work;
-    /** What `see_flow` works with. */
-    estimator_see_flow_work_t see_flow_work;
-} estimator_do_without_work_t;
-
-/** What `Estimator::state` works with; its content means nothing between calls. */
-typedef struct {
-    axis_filter_t axes[3];
-} estimator_state_work_t;
-
-/** What `Estimator::step` works with; its content means nothing between calls. */
-typedef struct {
-    /** What `advance` works with. */
-    estimator_advance_work_t advance_work;
-    /** What `see_vicon` works with. */
-    estimator_see_vicon_work_t see_vicon_work;
-    /** What `do_without` works with. */
-    estimator_do_without_work_t do_without_work;
-    /** What `state` works with. */
-    estimator_state_work_t state_work;
+/**
+ * What `Estimator::step` works with; its content means nothing between calls.
+ * No two of its fields are in use at one time.
+ */
+typedef union {
+    double numbers[180];
+    axis_filter_t axis_filter[3];
 } estimator_step_work_t;
 
 /** The Mambo's, and a Vicon of 100 Hz. */

@@ -73,16 +73,17 @@ void logger_step(logger_t *self, const choice_t *choice, const double signals[64
 {
     const bool due = choice->every != 0U && self->period % max_u32(choice->every, 1U) == 0U;
     if (due) {
-        work->record.period = self->period;
-        work->record.tag = choice->tag;
+        record_t *const record = &work->record;
+        record->period = self->period;
+        record->tag = choice->tag;
         for (uint32_t i = 0U; i < 36U; i++) {
-            work->record.values[i] = 0.0;
+            record->values[i] = 0.0;
         }
         for (uint32_t n = 0U; n < WIDTH; n++) {
             const uint64_t number = (uint64_t)choice->signals[n];
-            work->record.values[n] = signals[number % SIGNALS];
+            record->values[n] = signals[number % SIGNALS];
         }
-        logger_push(self, &work->record);
+        logger_push(self, record);
     }
     self->period += 1U;
 }

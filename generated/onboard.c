@@ -83,21 +83,20 @@ static void onboard_swell(onboard_t *self, const settings_t *settings,
 static void onboard_send(onboard_t *self, const settings_t *settings, const refused_t *refused,
     packet_t *packet);
 
-void settings_mambo(settings_mambo_work_t *work, settings_t *settings)
+void settings_mambo(settings_t *settings)
 {
     airframe_mambo(&settings->airframe);
     calibration_mambo(&settings->calibration);
     sensors_mambo(&settings->sensors);
     course_mambo(&settings->course);
     limits_room(&settings->limits);
-    parameters_mambo(&work->mambo_work, &work->settings_parameters);
+    parameters_mambo(&settings->parameters);
     injection_none(&settings->injection);
     choice_usual(&settings->choice);
     settings->space.reach = 3.0;
     settings->space.heights[0] = 0.0;
     settings->space.heights[1] = 3.0;
     settings->space.latest = 3600.0;
-    settings->parameters = work->settings_parameters;
 }
 
 void onboard_init(onboard_t *self)
@@ -124,12 +123,12 @@ void onboard_step(onboard_t *self, const settings_t *settings, const inputs_t *i
     onboard_step_work_t *work, outputs_t *outputs)
 {
     const double period = settings->parameters.period;
-    receiver_step(&self->receiver, period, &settings->space, &inputs->uplink, &work->step_work_3);
+    receiver_step(&self->receiver, period, &settings->space, &inputs->uplink, &work->receiver_step);
     measured_t measured;
     calibration_measured(&settings->calibration, &inputs->readings, &measured);
     estimate_t estimate;
-    estimator_step(&self->estimator, &settings->sensors, &self->pushed, &measured, &work->step_work,
-        &estimate);
+    estimator_step(&self->estimator, &settings->sensors, &self->pushed, &measured,
+        &work->estimator_step, &estimate);
     if (self->receiver.orders.arm) {
         onboard_arm(self, &estimate);
     }
@@ -170,8 +169,9 @@ void onboard_step(onboard_t *self, const settings_t *settings, const inputs_t *i
     outputs->wish = self->receiver.wish;
     outputs->alarm = alarm;
     outputs->downlink = outputs_downlink;
-    onboard_signals(outputs, work->signals);
-    logger_step(&self->logger, &settings->choice, work->signals, &work->step_work_2);
+    double *const signals = work->with_signals.signals;
+    onboard_signals(outputs, signals);
+    logger_step(&self->logger, &settings->choice, signals, &work->with_signals.logger_step);
     if (self->receiver.orders.link) {
         onboard_send(self, settings, &inputs->refused, &outputs->downlink);
     }

@@ -53,13 +53,6 @@ typedef struct {
     choice_t choice;
 } settings_t;
 
-/** What `Settings::mambo` works with; its content means nothing between calls. */
-typedef struct {
-    parameters_t settings_parameters;
-    /** What `mambo` works with. */
-    parameters_mambo_work_t mambo_work;
-} settings_mambo_work_t;
-
 /** What comes in in one period. */
 typedef struct {
     /** The processor's clock, µs. */
@@ -120,19 +113,24 @@ typedef struct {
     reply_t reply;
 } onboard_t;
 
-/** What `Onboard::step` works with; its content means nothing between calls. */
+/** What `Onboard::step` works with at one time. */
 typedef struct {
     double signals[64];
-    /** What `step` works with. */
-    estimator_step_work_t step_work;
-    /** What `step` works with. */
-    logger_step_work_t step_work_2;
-    /** What `step` works with. */
-    receiver_step_work_t step_work_3;
+    logger_step_work_t logger_step;
+} onboard_step_with_signals_work_t;
+
+/**
+ * What `Onboard::step` works with; its content means nothing between calls.
+ * No two of its fields are in use at one time.
+ */
+typedef union {
+    onboard_step_with_signals_work_t with_signals;
+    receiver_step_work_t receiver_step;
+    estimator_step_work_t estimator_step;
 } onboard_step_work_t;
 
 /** The Mambo, in a room. */
-void settings_mambo(settings_mambo_work_t *work, settings_t *settings);
+void settings_mambo(settings_t *settings);
 
 /** Sets the initial state; call it before anything else. */
 void onboard_init(onboard_t *self);

@@ -38,11 +38,11 @@ void parameters_push(const parameters_t *self, const command_t *command, push_t 
     push->turn[2] = turn[2];
 }
 
-void parameters_mambo(parameters_mambo_work_t *work, parameters_t *parameters)
+void parameters_mambo(parameters_t *parameters)
 {
     airframe_t airframe;
     airframe_mambo(&airframe);
-    mixer_new(&airframe, 13840.8, 500.0, &work->parameters_mixer);
+    mixer_new(&airframe, 13840.8, 500.0, &parameters->mixer);
     parameters->period = 0.005;
     parameters->mass = airframe.mass;
     parameters->inertia[0] = airframe.inertia[0];
@@ -70,10 +70,9 @@ void parameters_mambo(parameters_mambo_work_t *work, parameters_t *parameters)
     parameters->geometric.place.d = 2.5;
     parameters->geometric.attitude.p = 150.0;
     parameters->geometric.attitude.d = 22.0;
-    parameters->mixer = work->parameters_mixer;
 }
 
-void parameters_hexacopter(parameters_hexacopter_work_t *work, parameters_t *parameters)
+void parameters_hexacopter(parameters_t *work, parameters_t *parameters)
 {
     airframe_t airframe;
     airframe_hexacopter(&airframe);
@@ -83,21 +82,21 @@ void parameters_hexacopter(parameters_hexacopter_work_t *work, parameters_t *par
     const gains_t result_roll = {.p = 2.0, .i = 0.4, .d = 0.4};
     const gains_t result_pitch = {.p = 2.0, .i = 0.4, .d = 0.4};
     const gains_t result_yaw = {.p = 0.15, .i = 0.0, .d = 0.12};
-    mixer_new(&airframe, 2000.0, 500.0, &work->result_mixer);
-    parameters_mambo(&work->mambo_work, &work->parameters);
-    parameters->period = work->parameters.period;
+    mixer_new(&airframe, 2000.0, 500.0, &parameters->mixer);
+    parameters_t *const parameters_value = work;
+    parameters_mambo(parameters_value);
+    parameters->period = parameters_value->period;
     parameters->mass = airframe.mass;
     parameters->inertia[0] = airframe.inertia[0];
     parameters->inertia[1] = airframe.inertia[1];
     parameters->inertia[2] = airframe.inertia[2];
-    parameters->candidate = work->parameters.candidate;
-    parameters->takeoff_gain = work->parameters.takeoff_gain;
+    parameters->candidate = parameters_value->candidate;
+    parameters->takeoff_gain = parameters_value->takeoff_gain;
     parameters->height = result_height;
     parameters->x = result_x;
     parameters->y = result_y;
     parameters->roll = result_roll;
     parameters->pitch = result_pitch;
     parameters->yaw = result_yaw;
-    parameters->geometric = work->parameters.geometric;
-    parameters->mixer = work->result_mixer;
+    parameters->geometric = parameters_value->geometric;
 }

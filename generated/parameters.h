@@ -81,19 +81,6 @@ typedef struct {
     mixer_t mixer;
 } parameters_t;
 
-/** What `Parameters::mambo` works with; its content means nothing between calls. */
-typedef struct {
-    mixer_t parameters_mixer;
-} parameters_mambo_work_t;
-
-/** What `Parameters::hexacopter` works with; its content means nothing between calls. */
-typedef struct {
-    parameters_t parameters;
-    mixer_t result_mixer;
-    /** What `mambo` works with. */
-    parameters_mambo_work_t mambo_work;
-} parameters_hexacopter_work_t;
-
 /** The PID law: what to do about an error, its integral over time and its rate. */
 double gains_respond(const gains_t *self, double error, double integral, double error_rate);
 
@@ -104,13 +91,13 @@ double damped_respond(const damped_t *self, double error, double error_rate);
 void parameters_push(const parameters_t *self, const command_t *command, push_t *push);
 
 /** The Parrot Mambo at 200 Hz (thesis, tables 3.1 and A.1). */
-void parameters_mambo(parameters_mambo_work_t *work, parameters_t *parameters);
+void parameters_mambo(parameters_t *parameters);
 
 /**
  * The hexacopter at 200 Hz: the Mambo's gains per mass and per inertia, slower in attitude, as a
  * larger aircraft is.
  */
-void parameters_hexacopter(parameters_hexacopter_work_t *work, parameters_t *parameters);
+void parameters_hexacopter(parameters_t *work, parameters_t *parameters);
 
 #ifdef __cplusplus
 }

@@ -125,12 +125,12 @@ static uint32_t saturating_add_u32(uint32_t a, uint32_t b)
 
 static bool receiver_is_newer(const receiver_t *self, uint16_t number);
 static bool receiver_take(receiver_t *self, const space_t *space, const packet_t *packet,
-    receiver_take_work_t *work);
+    trajectory_t *work);
 static bool receiver_take_word(receiver_t *self, const space_t *space, uint8_t kind);
 static bool receiver_take_mode(receiver_t *self, uint8_t number);
 static bool receiver_collect(receiver_t *self, const space_t *space, const packet_t *packet);
 static bool receiver_commit(receiver_t *self, const space_t *space, const packet_t *packet,
-    receiver_commit_work_t *work);
+    trajectory_t *work);
 static bool receiver_take_sticks(receiver_t *self, const packet_t *packet);
 static bool receiver_wish_for(receiver_t *self, request_t request, const packet_t *packet);
 static bool receiver_choose(receiver_t *self, const packet_t *packet);
@@ -216,7 +216,7 @@ void receiver_step(receiver_t *self, double period, const space_t *space, const 
         self->tally.old = saturating_add_u32(self->tally.old, 1U);
         return;
     }
-    const bool take = receiver_take(self, space, packet, &work->take_work);
+    const bool take = receiver_take(self, space, packet, &work->trajectory);
     if (!take) {
         self->tally.senseless = saturating_add_u32(self->tally.senseless, 1U);
         return;
@@ -245,7 +245,7 @@ static bool receiver_is_newer(const receiver_t *self, uint16_t number)
 
 /** Does what the packet asks for; whether it made sense. */
 static bool receiver_take(receiver_t *self, const space_t *space, const packet_t *packet,
-    receiver_take_work_t *work)
+    trajectory_t *work)
 {
     const uint8_t kind = packet_kind(packet);
     const uint64_t size = packet_size(packet);
@@ -259,7 +259,7 @@ static bool receiver_take(receiver_t *self, const space_t *space, const packet_t
         return receiver_collect(self, space, packet);
     }
     if (kind == COMMIT && size == COMMIT_BYTES) {
-        return receiver_commit(self, space, packet, &work->commit_work);
+        return receiver_commit(self, space, packet, work);
     }
     if (kind == STICKS && size == STICKS_BYTES) {
         return receiver_take_sticks(self, packet);
@@ -360,13 +360,14 @@ static bool receiver_collect(receiver_t *self, const space_t *space, const packe
  * collected anew.
  */
 static bool receiver_commit(receiver_t *self, const space_t *space, const packet_t *packet,
-    receiver_commit_work_t *work)
+    trajectory_t *work)
 {
     const uint64_t count = (uint64_t)packet_byte(packet, UINT64_C(0));
-    work->wanted = self->collected;
-    work->wanted.count = count;
+    trajectory_t *const wanted = work;
+    *wanted = self->collected;
+    wanted->count = count;
     if (packet_byte(packet, UINT64_C(1)) != self->collecting
-            || !trajectory_is_sound(&work->wanted, space)) {
+            || !trajectory_is_sound(wanted, space)) {
         return false;
     }
     for (uint32_t n = 0U; n < MOST_POINTS; n++) {
@@ -374,7 +375,7 @@ static bool receiver_commit(receiver_t *self, const space_t *space, const packet
             return false;
         }
     }
-    self->orders.trajectory = work->wanted;
+    self->orders.trajectory = *wanted;
     self->orders.tag = self->collecting;
     self->received = 0U;
     return true;

@@ -122,21 +122,9 @@ typedef struct {
     bool heard;
 } receiver_t;
 
-/** What `Receiver::commit` works with; its content means nothing between calls. */
-typedef struct {
-    trajectory_t wanted;
-} receiver_commit_work_t;
-
-/** What `Receiver::take` works with; its content means nothing between calls. */
-typedef struct {
-    /** What `commit` works with. */
-    receiver_commit_work_t commit_work;
-} receiver_take_work_t;
-
 /** What `Receiver::step` works with; its content means nothing between calls. */
 typedef struct {
-    /** What `take` works with. */
-    receiver_take_work_t take_work;
+    trajectory_t trajectory;
 } receiver_step_work_t;
 
 /** Nobody's hands on them. */

@@ -80,7 +80,10 @@ fn write(folder: &Path) -> Result<Vec<PathBuf>, String> {
     let module = Module { name: "bench".into(), functions, ..Module::default() };
     let options = Options::default();
     let mut sources = vec![bessemer_tests::root().join("bench/c/threads.c")];
-    for file in c::emit(&passes::lend(module, &options.kernels), &options) {
+    for file in c::emit(
+        &passes::lend(module, &options.kernels, options.layout != c::Layout::Array),
+        &options,
+    ) {
         let path = folder.join(&file.name);
         std::fs::write(&path, &file.text).map_err(|error| error.to_string())?;
         if file.name.ends_with(".c") {

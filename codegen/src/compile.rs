@@ -63,7 +63,7 @@ fn whole(
         passes::explicit_with(module.clone(), options.keep_checks).map_err(|errors| {
             errors.iter().map(|error| unproved(&module, error)).collect::<Vec<_>>()
         })?;
-    let explicit = passes::lend(explicit, &options.kernels);
+    let explicit = passes::lend(explicit, &options.kernels, options.layout != Layout::Array);
     gate(&explicit)?;
     let taken: Vec<_> = c::given::taken(&explicit, options)
         .iter()

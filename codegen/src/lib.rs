@@ -2,8 +2,9 @@
 //!
 //! [`compile`] is the whole way, stage by stage; [`generate`] is the command line's work around it.
 //! Each stage takes the form before it and gives the form behind it; none imports another. What all of them ask of
-//! the IR is in [`effects`].
+//! the IR is in [`effects`] and [`built`].
 
+mod built;
 pub mod c;
 pub mod compile;
 pub mod deep;

@@ -204,7 +204,6 @@ static void say_ready(int bus, int link)
 int main(int argc, char **argv)
 {
     static image_t image;
-    static settings_mambo_work_t mambo_work;
     static onboard_step_work_t step_work;
     static inputs_t inputs;
     static outputs_t outputs;
@@ -221,7 +220,7 @@ int main(int argc, char **argv)
     reach(bus, port(argv[1]));
     gate_init(&ground.gate);
     onboard_init(&image.onboard);
-    settings_mambo(&mambo_work, &image.settings);
+    settings_mambo(&image.settings);
     say_ready(bus, ground.socket);
 
     for (;;) {

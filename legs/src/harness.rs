@@ -172,7 +172,11 @@ impl Call {
             // What the compiler added is no argument, and its content means nothing.
             let added = index >= params as usize && param.passing != Passing::Output;
             match param.passing {
-                _ if added => {}
+                // So nothing can rest on it.
+                _ if added => {
+                    let _ =
+                        writeln!(reads, "        (void)memset(&{local}, 0xa5, sizeof({local}));");
+                }
                 Passing::Output => walk.writes(&param.ty, &local, writes),
                 _ => walk.reads(&param.ty, &local, reads),
             }

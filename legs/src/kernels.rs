@@ -25,7 +25,8 @@ impl Program {
         let functions: Vec<_> = kernels.iter().map(Kernel::function).collect();
         let options = Options { kernels: tuning, ..Options::default() };
         let module = Module { name: "kernels".into(), functions, ..Module::default() };
-        let files = c::emit(&passes::lend(module, &tuning), &options);
+        let files =
+            c::emit(&passes::lend(module, &tuning, options.layout != c::Layout::Array), &options);
         let process = Process::run_files(&files, &main(kernels, &tuning), toolchain, &[])
             .unwrap_or_else(|error| panic!("{}: {error}", toolchain.name()));
         Program { kernels: kernels.to_vec(), process }

@@ -5,6 +5,7 @@
 //! and the target is one more program. What carries a model out is in `bessemer-legs`, which the
 //! simulation uses too.
 
+pub mod alive;
 pub mod arguments;
 pub mod batch;
 pub mod edge_values;

@@ -19,7 +19,10 @@ fn words(kernels: &[Kernel], program: &str, options: &Options, flags: &[&str]) -
     };
     let own = bessemer_tests::root().join("tests/kernels");
     let mut sources = vec![own.join(program), own.join("own_product.c")];
-    for file in c::emit(&passes::lend(module, &options.kernels), options) {
+    for file in c::emit(
+        &passes::lend(module, &options.kernels, options.layout != c::Layout::Array),
+        options,
+    ) {
         let path = folder.path().join(&file.name);
         std::fs::write(&path, &file.text).expect("a folder of ours");
         if file.name.ends_with(".c") {
@@ -163,7 +166,10 @@ fn object_bytes(kernel: &Kernel, tuning: Tuning) -> Option<u64> {
     let functions = vec![kernel.function()];
     let module = Module { name: "options".into(), functions, ..Module::default() };
     let options = Options { kernels: tuning, ..Options::default() };
-    for file in c::emit(&passes::lend(module, &options.kernels), &options) {
+    for file in c::emit(
+        &passes::lend(module, &options.kernels, options.layout != c::Layout::Array),
+        &options,
+    ) {
         std::fs::write(folder.path().join(&file.name), &file.text).expect("a folder of ours");
     }
     let mut command = Command::new("gcc");

@@ -43,7 +43,10 @@ pub fn write(cases: &[Case], folder: &Path, tuning: Tuning) -> Result<Vec<PathBu
         ..Module::default()
     };
     let options = c::Options { kernels: tuning, ..c::Options::default() };
-    let files = c::emit(&passes::lend(module, &options.kernels), &options);
+    let files = c::emit(
+        &passes::lend(module, &options.kernels, options.layout != c::Layout::Array),
+        &options,
+    );
     let mut sources = Vec::new();
     for file in files {
         // The object is named by the case, whatever the kernel's file is called.

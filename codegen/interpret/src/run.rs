@@ -144,9 +144,13 @@ impl<'m, 'r> Run<'m, 'r> {
     fn stmt(&mut self, frame: Frame<'m, 'r>, stmt: &'m Stmt) -> Result<Flow, Stop> {
         match &stmt.kind {
             StmtKind::Let { local, value } => {
-                if let Some(value) = value {
-                    let slot = frame.base + frame.offsets[local.index()];
-                    self.value(frame, value, slot)?;
+                let slot = frame.base + frame.offsets[local.index()];
+                match (frame.function.local(*local).mode, value) {
+                    (_, None) => {}
+                    (Mode::RefMut, Some(Expr { kind: ExprKind::Load(place), .. })) => {
+                        self.memory[slot] = self.address(frame, place)? as u64;
+                    }
+                    (_, Some(value)) => self.value(frame, value, slot)?,
                 }
             }
             StmtKind::Assign { place, value } if value.ty.is_word() => {

@@ -9,7 +9,9 @@ mod kernel;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use bessemer_ir::{ConstId, EnumId, Function, FunctionId, Owner, Scalar, Span, StructId, Type};
+use bessemer_ir::{
+    ConstId, EnumId, Form, Function, FunctionId, Owner, Scalar, Span, StructId, Type,
+};
 
 use super::analysis::{inline_callees, reachable};
 use super::assemble::assemble;
@@ -438,6 +440,7 @@ impl Writer<'_> {
             (docs, field)
         });
         Item::Struct {
+            shared: item.form == Form::Shared,
             docs: item.docs.clone(),
             name: names.ty.clone(),
             overlaid: overlaid.collect(),

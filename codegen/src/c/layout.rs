@@ -1,6 +1,6 @@
 //! Sizes in memory, as the usual ABIs lay things out: for the report only, never for the C.
 
-use bessemer_ir::{Scalar, StructId, Type};
+use bessemer_ir::{Form, Scalar, StructId, Type};
 
 use super::context::Context;
 
@@ -37,9 +37,10 @@ fn size_and_align(context: Context<'_>, ty: &Type) -> (u64, u64) {
             let fault = context.names.structs[id.index()].fault.is_some();
             let mut fields: Vec<_> =
                 item.fields.iter().map(|field| size_and_align(context, &field.ty)).collect();
-            if item.overlaid() {
+            let own = if item.overlaid() { 1 } else { 0 };
+            if item.overlaid() || item.form == Form::Shared {
                 // One of them at a time.
-                let most = fields.drain(1..).fold((0, 1), |(most, strictest), (size, align)| {
+                let most = fields.drain(own..).fold((0, 1), |(most, strictest), (size, align)| {
                     (u64::max(most, size), u64::max(strictest, align))
                 });
                 fields.push((most.0.next_multiple_of(most.1), most.1));

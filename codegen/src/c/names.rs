@@ -117,6 +117,18 @@ impl Names {
         Declarator { ty, name: name.to_owned(), dimensions }
     }
 
+    /// A pointer to a value that stays where it points; of an array, to its first element.
+    pub fn pointer(&self, ty: &Type, name: &str) -> Declarator {
+        let (ty, dimensions) = self.type_parts(ty);
+        let inner = dimensions.find(']').map(|end| dimensions[end + 1..].to_owned());
+        match inner.unwrap_or_default() {
+            none if none.is_empty() => {
+                Declarator { ty: format!("{ty} *const"), name: name.to_owned(), dimensions: none }
+            }
+            inner => Declarator { ty, name: format!("(*const {name})"), dimensions: inner },
+        }
+    }
+
     /// The type of the innermost element, and the dimensions around it.
     pub fn type_parts(&self, ty: &Type) -> (String, String) {
         match ty {

@@ -91,10 +91,10 @@ impl<'a> Printer<'a> {
         }
         self.function.clear();
         match item {
-            Item::Struct { docs, name, fields, overlaid, origin } => {
+            Item::Struct { shared, docs, name, fields, overlaid, origin } => {
                 self.docs(docs);
                 self.mark(Some(*origin));
-                self.put("typedef struct {");
+                self.put(if *shared { "typedef union {" } else { "typedef struct {" });
                 self.level += 1;
                 self.fields(fields);
                 if !overlaid.is_empty() {

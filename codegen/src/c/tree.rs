@@ -289,8 +289,10 @@ pub struct Head {
 /// What stands at the top level of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Item {
-    /// `typedef struct { … } name;`
+    /// `typedef struct { … } name;`, or `typedef union`.
     Struct {
+        /// Whether all fields share their memory.
+        shared: bool,
         /// The author's doc comment.
         docs: Vec<String>,
         /// The name of the type.

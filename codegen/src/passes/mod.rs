@@ -22,6 +22,7 @@ mod declare;
 mod explicit;
 mod faults;
 mod flatten;
+mod lend;
 mod lowering;
 mod names;
 mod places;
@@ -30,12 +31,11 @@ mod proof;
 mod remaining;
 mod sites;
 mod statements;
-mod work;
 
 pub use callees::{fallible, reached};
 pub use explicit::{Problem, Rule, check};
+pub use lend::lend;
 pub use remaining::Remaining;
-pub use work::lend;
 
 use bessemer_ir::visit::{VisitMut, walk_block_mut};
 use bessemer_ir::{Block, Fault, Module, Role, Span, StmtKind};

@@ -6,7 +6,8 @@ use std::collections::BTreeSet;
 
 use bessemer_ir::visit::{Visit, Walk, walk_block, walk_expr, walk_stmt};
 use bessemer_ir::{
-    Arm, Block, Expr, ExprKind, Function, FunctionId, LocalId, Module, Span, Stmt, StmtKind, Type,
+    Arm, Block, Expr, ExprKind, Function, FunctionId, LocalId, Mode, Module, Span, Stmt, StmtKind,
+    Type,
 };
 
 use super::flow::{Flow, join};
@@ -154,6 +155,9 @@ impl Body<'_> {
                         self.expect(value.span, &declared.ty, &value.ty);
                     }
                 }
+                let is_place =
+                    value.as_ref().is_some_and(|it| matches!(it.kind, ExprKind::Load(_)));
+                self.name(stmt.span, *local, is_place);
                 self.declare(stmt.span, *local, value.is_some(), false);
             }
             StmtKind::Assign { place, value } => {
@@ -211,6 +215,14 @@ impl Body<'_> {
             }
         }
         true
+    }
+
+    /// A local that is a name for a place needs one.
+    fn name(&mut self, span: Span, local: LocalId, is_place: bool) {
+        let mode = self.function.locals.get(local.index()).map(|local| local.mode);
+        if mode == Some(Mode::RefMut) && !is_place {
+            self.note(span, Err(Problem::ReferenceLocal(local)));
+        }
     }
 
     fn declare(&mut self, span: Span, local: LocalId, assigned: bool, counter: bool) {
@@ -281,6 +293,7 @@ impl Body<'_> {
         }
         let before = self.flow.assigned();
         let outer = core::mem::take(&mut self.declared);
+        self.name(span, variable, false);
         self.declare(span, variable, true, true);
         self.loops += 1;
         self.block(body);

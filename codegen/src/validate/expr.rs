@@ -223,16 +223,19 @@ impl Body<'_> {
             return false;
         };
         let mut ty = root.ty.clone();
+        let mut whole = ty.clone();
         for (index, step) in place.steps.iter().enumerate() {
             match self.step(step, &ty) {
-                Some(inner) => ty = inner,
+                Some(inner) => whole = std::mem::replace(&mut ty, inner),
                 None => {
                     self.note(place.span, Err(Problem::Step { step: index, ty }));
                     return true;
                 }
             }
         }
-        self.expect(place.span, &ty, &place.ty);
+        if !is_part(place, &whole) {
+            self.expect(place.span, &ty, &place.ty);
+        }
         true
     }
 
@@ -269,6 +272,20 @@ impl Body<'_> {
             _ => None,
         }
     }
+}
+
+/// Whether a place is an array or a matrix that lies within an array, `whole`, from a fixed element on.
+fn is_part(place: &Place, whole: &Type) -> bool {
+    let (Type::Array { element, len }, Some(Step::From(from))) = (whole, place.steps.last()) else {
+        return false;
+    };
+    let (alike, own) = match &place.ty {
+        Type::Array { element: own, len } => (own == element, *len),
+        Type::Matrix { element: own, rows, cols } => (Type::Scalar(*own) == **element, rows * cols),
+        _ => return false,
+    };
+    let end = |from: u64| from.saturating_add(own.into());
+    alike && matches!(from.kind, ExprKind::Literal(word) if end(word) <= u64::from(*len))
 }
 
 fn same(expected: &Type, found: &Type) -> Checked {

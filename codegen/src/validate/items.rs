@@ -141,7 +141,7 @@ impl Items<'_> {
     fn form(&self, definition: &Struct) -> Result<(), Problem> {
         let first = definition.fields.first().map(|field| &field.ty);
         match &definition.form {
-            Form::Record => Ok(()),
+            Form::Record | Form::Shared => Ok(()),
             Form::Choice(chosen) => {
                 let cases = match first {
                     Some(&Type::BOOL) => 2,
@@ -225,7 +225,7 @@ impl Items<'_> {
                 ty => self.sizes.of(ty),
             };
             self.note(subject, local.span, size.map(|_| ()));
-            if local.mode != Mode::Value && index >= params as usize {
+            if local.mode == Mode::Ref && index >= params as usize {
                 let problem = Problem::ReferenceLocal(LocalId(index as u32));
                 self.note(subject, local.span, Err(problem));
             }

@@ -67,7 +67,7 @@ pub enum Problem {
     Words(#[from] WordsError),
     #[error("{params} parameters among {locals} locals")]
     ParameterCount { params: u32, locals: usize },
-    #[error("local {} is a reference, but no parameter", .0.0)]
+    #[error("local {} is a reference, but no parameter, and no name for a place", .0.0)]
     ReferenceLocal(LocalId),
     #[error("a kernel with another face or a body")]
     Kernel,

@@ -106,6 +106,8 @@ pub enum Form {
     Choice(Vec<Option<u32>>),
     /// The first field, a `usize`, says how many elements of the second, an array, hold one.
     Sequence,
+    /// No two of them at one time, which no word says: memory that is lent.
+    Shared,
 }
 
 /// A field of a [`Struct`].
@@ -299,7 +301,7 @@ pub struct Stmt {
 /// What a statement does.
 #[derive(Clone, Debug, PartialEq)]
 pub enum StmtKind {
-    /// Declares a local (mode `Value`), with its first value unless later statements assign it.
+    /// Declares a local, with its first value unless later ones assign it; of mode `RefMut`: a name for that place.
     Let {
         /// The local.
         local: LocalId,

@@ -25,7 +25,7 @@ use bessemer_tests::panics::caught;
 use bessemer_tests::process::{Error, Process, at_once, lay_out};
 use bessemer_tests::random::Random;
 use bessemer_tests::toolchain::{self, Toolchain, run};
-use bessemer_tests::{corpus, corpus_with, harness, turn};
+use bessemer_tests::{alive, corpus, corpus_with, harness, turn};
 use corpus::Entry;
 
 /// Calls of each entry point with words from the edges.
@@ -384,4 +384,15 @@ fn what_was_proved_holds() {
     if let Some(toolchain) = chosen {
         run_c_with(kept, &every(2, cases), &toolchain, &["-w"], &kept_options());
     }
+}
+
+#[test]
+fn work_is_little_more_than_what_is_alive_at_once() {
+    let mut wide: Vec<String> = Vec::new();
+    for (name, bytes, alive) in alive::lent(corpus()) {
+        if 10 * bytes > 11 * alive {
+            wide.push(format!("{name} is lent {bytes} bytes, and needs {alive}"));
+        }
+    }
+    assert!(wide.is_empty(), "{}", wide.join("\n"));
 }

@@ -5,7 +5,7 @@ use std::sync::Mutex;
 
 use bessemer_tests::process::Process;
 use bessemer_tests::toolchain::{self, Toolchain};
-use bessemer_tests::{entry, flight_models, turn, words};
+use bessemer_tests::{alive, entry, flight_models, turn, words};
 use models::plant::Plant;
 use sim::computer::{Computer, Emitted, Native};
 use sim::flights::{FLIGHTS, Flight, find};
@@ -117,5 +117,14 @@ fn the_plant_model_moves_to_the_same_bits_in_every_flight() {
                 );
             }
         }
+    }
+}
+
+#[test]
+fn work_is_little_more_than_what_is_alive_at_once() {
+    let lent = alive::lent(flight_models());
+    assert!(lent.iter().any(|(name, bytes, _)| name.ends_with("onboard::step") && *bytes < 2700));
+    for (name, bytes, alive) in lent {
+        assert!(10 * bytes <= 11 * alive, "{name} is lent {bytes} bytes, and needs {alive}");
     }
 }

@@ -11,7 +11,6 @@
 mod call;
 mod compare;
 mod copy;
-mod direct;
 mod fill;
 mod loops;
 mod numbers;
@@ -26,8 +25,7 @@ use std::collections::BTreeMap;
 
 use bessemer_ir::visit::Walk;
 use bessemer_ir::{
-    Block, ConstId, ExprKind, Function, FunctionId, LocalId, Mode, Owner, Role, Span,
-    StmtKind as IrKind, Type,
+    Block, ConstId, ExprKind, Function, FunctionId, LocalId, Mode, Owner, Role, Span, Type,
 };
 
 use super::analysis::Usage;
@@ -38,6 +36,7 @@ use super::names::local_name;
 use super::signature::{Returned, Signature};
 use super::spelling::unique;
 use super::tree::{Declarator, Expr, Init, Lines, Origin, Stmt, StmtKind, Storage, plain};
+use crate::built;
 
 /// A lowered function.
 pub struct Lowered {
@@ -80,7 +79,7 @@ pub(super) struct Lower<'a> {
     /// The local that is the result, and stands in the caller's storage from the start.
     in_place: Option<LocalId>,
     /// The locals that are parts of the result from the start.
-    parts: BTreeMap<LocalId, direct::Path>,
+    parts: BTreeMap<LocalId, built::Path>,
     bytes: u64,
     /// How far the author wants the next loop written out.
     unroll: Option<u32>,
@@ -142,9 +141,9 @@ impl<'a> Lower<'a> {
         }
         self.check_latch();
         self.check_variants();
-        self.in_place = self.result_local();
+        self.in_place = if self.is_fallible() { None } else { built::whole(function) };
         if !self.is_fallible() && self.result_storage().is_some() {
-            self.parts = direct::parts(function, self.context.module);
+            self.parts = built::parts(function, self.context.module);
         }
         for (index, local) in function.parameters().iter().enumerate() {
             let own =
@@ -203,31 +202,6 @@ impl<'a> Lower<'a> {
         // An entry that rolls back can be called again.
         let latches = first.mode == Mode::RefMut && !self.function.attributes.atomic;
         self.latch = latches.then_some(fault);
-    }
-
-    /// The local that every `return` gives back, if it can be built where the caller wants it: a
-    /// fault would leave it half done there, so only without any.
-    fn result_local(&self) -> Option<LocalId> {
-        if self.is_fallible() || !self.function.result.is_aggregate() {
-            return None;
-        }
-        let declared = self.function.body.0.iter().filter_map(|stmt| match stmt.kind {
-            IrKind::Let { local, .. } => Some(local),
-            _ => None,
-        });
-        let declared: Vec<LocalId> = declared.collect();
-        let mut returned: Vec<Option<LocalId>> = Vec::new();
-        self.function.body.each_stmt(|stmt| {
-            if let IrKind::Return(value) = &stmt.kind {
-                returned.push(value.as_ref().and_then(|value| match &value.kind {
-                    ExprKind::Load(place) if place.steps.is_empty() => Some(place.root),
-                    _ => None,
-                }));
-            }
-        });
-        let first = returned.first().copied().flatten()?;
-        let same = returned.iter().all(|other| *other == Some(first));
-        (same && declared.contains(&first)).then_some(first)
     }
 
     fn calls_fallible(&self) -> bool {

@@ -1,11 +1,23 @@
 //! Places, indices, and elements of matrices.
 
-use bessemer_ir::{Expr as Ir, ExprKind, Int, Place, Scalar, Step, Type};
+use bessemer_ir::{Expr as Ir, ExprKind, Int, LocalId, Place, Scalar, Step, Type};
 
 use super::super::tree::Expr;
 use super::{Lower, bound};
 
 impl Lower<'_> {
+    /// Where a local stands that is a part of the result.
+    pub(super) fn part_of_result(&self, local: LocalId) -> Option<Expr> {
+        let (path, mut value) = (self.parts.get(&local)?, self.result_storage()?);
+        let mut ty = &self.function.result;
+        for field in path {
+            let Type::Struct(id) = ty else { return None };
+            value = value.field(&self.context.names.structs[id.index()].fields[*field]);
+            ty = &self.context.module.structs[id.index()].fields[*field].ty;
+        }
+        Some(value)
+    }
+
     /// A place as an lvalue.
     pub(super) fn place(&mut self, place: &Place) -> Expr {
         let function = self.function;

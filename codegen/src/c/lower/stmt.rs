@@ -1,8 +1,8 @@
 //! Statements, save loops and calls.
 
 use bessemer_ir::{
-    Arm, Block, Expr as Ir, ExprKind, Fault, LocalId, Place, Stmt as IrStmt, StmtKind as IrKind,
-    Type,
+    Arm, Block, Expr as Ir, ExprKind, Fault, LocalId, Mode, Place, Stmt as IrStmt,
+    StmtKind as IrKind, Type,
 };
 
 use super::super::literal;
@@ -69,6 +69,12 @@ impl Lower<'_> {
             self.store(part, None, value);
             return;
         }
+        if let (Mode::RefMut, Some(Ir { kind: ExprKind::Load(place), .. })) =
+            (self.function.local(local).mode, value)
+        {
+            self.name_part(local, place);
+            return;
+        }
         let constant = value.is_some() && !self.usage.assigned[local.index()];
         match value {
             None => {
@@ -98,6 +104,20 @@ impl Lower<'_> {
             let name = self.bindings[local.index()].as_ref().expect("just bound").name.clone();
             self.emit(StmtKind::Expr(Expr::cast("void", Expr::name(name))));
         }
+    }
+
+    /// A name for a part of what the function is lent: `double *const gain = &work[36];`.
+    fn name_part(&mut self, local: LocalId, place: &Place) {
+        let part = self.place(place);
+        let name = self.bind(local);
+        let array = place.ty.is_array();
+        let declarator = self.context.names.pointer(&place.ty, &name);
+        self.include_type(&place.ty);
+        self.emit(StmtKind::Declare(
+            declarator,
+            Some(Init::Value(Lower::address(part, &place.ty))),
+        ));
+        self.bindings[local.index()] = Some(super::Binding { name, pointer: !array });
     }
 
     /// The local that is the result stands where the caller wants it.

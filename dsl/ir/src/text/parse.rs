@@ -314,6 +314,9 @@ impl Parser {
         if self.eat_word("sequence") {
             return Ok(Form::Sequence);
         }
+        if self.eat_word("shared") {
+            return Ok(Form::Shared);
+        }
         if !self.eat_word("choice") {
             return Ok(Form::Record);
         }

@@ -190,6 +190,7 @@ impl Source<'_> {
             form: match self.below(3) {
                 0 => Form::Record,
                 1 => Form::Sequence,
+                2 => Form::Shared,
                 _ => {
                     Form::Choice(self.some(3, |source| {
                         if source.chance(2) { None } else { Some(source.below(3)) }

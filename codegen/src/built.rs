@@ -1,22 +1,44 @@
-//! Parts of a result that are built where the caller wants them.
+//! What of a result is built where the caller wants it.
 //!
-//! A local that a call fills, and that a `return` moves into the struct that it gives, is that struct's field from the
+//! A local that every `return` gives back is the result from the start; a local that a call fills, and that a `return` moves into the struct that it gives, is that struct's field from the
 //! start. Until then its words may be read, and nothing writes it.
+//!
+//! Of functions without a fault alone: a caller would see what was written before it.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use bessemer_ir::visit::{self, Access, Visit};
+use bessemer_ir::visit::{self, Access, Visit, Walk as _};
 use bessemer_ir::{Expr as Ir, ExprKind, Function, LocalId, Module, Place, Stmt, StmtKind, Type};
 
-use super::super::tree::Expr;
-use super::Lower;
-
 /// The fields that lead from the result to a part.
-pub(super) type Path = Vec<usize>;
+pub(crate) type Path = Vec<usize>;
 
-/// The locals that are parts of the result, and where. The function must have no fault: its caller would see
-/// what was written before.
-pub(super) fn parts(function: &Function, module: &Module) -> BTreeMap<LocalId, Path> {
+/// The local that every `return` gives back.
+pub(crate) fn whole(function: &Function) -> Option<LocalId> {
+    if !function.result.is_aggregate() {
+        return None;
+    }
+    let declared = function.body.0.iter().filter_map(|stmt| match stmt.kind {
+        StmtKind::Let { local, .. } => Some(local),
+        _ => None,
+    });
+    let declared: Vec<LocalId> = declared.collect();
+    let mut returned: Vec<Option<LocalId>> = Vec::new();
+    function.body.each_stmt(|stmt| {
+        if let StmtKind::Return(value) = &stmt.kind {
+            returned.push(value.as_ref().and_then(|value| match &value.kind {
+                ExprKind::Load(place) if place.steps.is_empty() => Some(place.root),
+                _ => None,
+            }));
+        }
+    });
+    let first = returned.first().copied().flatten()?;
+    let same = returned.iter().all(|other| *other == Some(first));
+    (same && declared.contains(&first)).then_some(first)
+}
+
+/// The locals that are parts of the result, and where.
+pub(crate) fn parts(function: &Function, module: &Module) -> BTreeMap<LocalId, Path> {
     let mut uses = Uses { module, moved: BTreeMap::new(), others: BTreeSet::new(), whole: true };
     uses.block(&function.body);
     if !uses.whole {
@@ -99,19 +121,5 @@ impl Visit for Within<'_, '_> {
     fn place(&mut self, place: &Place, _: Access) {
         self.0.others.insert(place.root);
         visit::walk_place(self, place);
-    }
-}
-
-impl Lower<'_> {
-    /// Where a local stands that is a part of the result.
-    pub(super) fn part_of_result(&self, local: LocalId) -> Option<Expr> {
-        let (path, mut value) = (self.parts.get(&local)?, self.result_storage()?);
-        let mut ty = &self.function.result;
-        for field in path {
-            let Type::Struct(id) = ty else { return None };
-            value = value.field(&self.context.names.structs[id.index()].fields[*field]);
-            ty = &self.context.module.structs[id.index()].fields[*field].ty;
-        }
-        Some(value)
     }
 }

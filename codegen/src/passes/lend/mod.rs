@@ -1,0 +1,207 @@
+//! Large temporaries become the caller's, laid out by their lives.
+//!
+//! Precondition: a valid, explicit module. Postcondition: no local of more than [`LARGEST`] bytes is left, save one
+//! that is built where the caller wants the result, and a constant that is only read. Memory for the others is lent:
+//!
+//! * a function takes, of each type that its temporaries are made of, so many elements in a row, as its last
+//!   parameters; an entry point takes one struct of its own, whose content means nothing between calls;
+//! * a large local becomes a name for its part of that (a `let` of mode `RefMut`);
+//! * two that are never alive together have the same memory, and so have what is lent to calls: see [`lives`] for
+//!   when they are, and [`rows`] for where they lie.
+//!
+//! The lives are looked at statement by statement, a loop as one where something outlives a pass. What it must not
+//! know: how the C of any of it looks.
+
+mod entry;
+mod lives;
+mod rewrite;
+mod row;
+mod rows;
+
+use bessemer_ir::visit::{self, Access, Visit};
+use bessemer_ir::{
+    ExprKind, Field, Float, Function, Given, Kernel, Local, LocalId, Mode, Module, Place, Role,
+    Scalar, Span, Stmt, StmtKind, Struct, StructId, Type,
+};
+use std::collections::BTreeSet;
+
+use super::callees::fallible;
+use crate::built;
+use crate::kernels::{self, Buffer, Tuning};
+use lives::Life;
+use row::{Need, Row, noun};
+use rows::Laid;
+
+/// Bytes that a local may take on the stack.
+pub const LARGEST: u64 = 256;
+
+/// Lends large temporaries from the caller; what kernels need follows from how they are made. `flat`: in C, matrices are
+/// arrays of numbers.
+pub fn lend(mut module: Module, tuning: &Tuning, flat: bool) -> Module {
+    let mut needs: Vec<Need> = Vec::new();
+    for (index, fallible) in fallible(&module).into_iter().enumerate() {
+        let need = match &module.functions[index].kernel {
+            Some(kernel) => match scratch(kernel, tuning) {
+                Some(definition) => lend_struct(&mut module, index, definition).1,
+                None => Need::new(),
+            },
+            None => lend_body(&mut module, index, fallible, &needs, flat),
+        };
+        needs.push(need);
+    }
+    module
+}
+
+/// Takes the large temporaries out of a function; what it is lent for them.
+fn lend_body(
+    module: &mut Module,
+    index: usize,
+    fallible: bool,
+    needs: &[Need],
+    flat: bool,
+) -> Need {
+    let function = &module.functions[index];
+    let large = large_locals(module, function, fallible);
+    let lives = Life::of(function, &large, needs, flat);
+    if lives.is_empty() {
+        return Need::new();
+    }
+    if let Role::Entry { .. } = function.role {
+        let plan = entry::plan(&lives, &|ty| bytes(module, ty));
+        let (mut definitions, at) = entry::structs(module, function, &lives, &plan);
+        let Some(own) = definitions.pop() else { return Need::new() };
+        module.structs.append(&mut definitions);
+        let (work, need) = lend_struct(module, index, own);
+        let row = |laid: &Laid| entry::place(laid, &at, work);
+        rewrite::rewrite(&mut module.functions[index], 1, &lives, &plan.laid, &row);
+        return need;
+    }
+    let (need, laid) = rows::lay(&lives);
+    let names = row_names(module, &need);
+    let function = &mut module.functions[index];
+    let taken: Vec<LocalId> =
+        need.iter().zip(names).map(|(row, name)| take(function, name, row.ty())).collect();
+    let row = |laid: &Laid| Place {
+        root: taken[laid.row],
+        steps: Vec::new(),
+        ty: need[laid.row].ty(),
+        span: Default::default(),
+    };
+    rewrite::rewrite(function, need.len() as u32, &lives, &laid, &row);
+    need
+}
+
+/// Lends a function a struct of its own.
+fn lend_struct(module: &mut Module, index: usize, definition: Struct) -> (LocalId, Need) {
+    let work = StructId(module.structs.len() as u32);
+    module.structs.push(definition);
+    let row = Row { element: Type::Struct(work), len: 1 };
+    (take(&mut module.functions[index], "work".into(), row.ty()), vec![row])
+}
+
+/// Gives a function another parameter, the last one; the locals behind it move by one.
+fn take(function: &mut Function, name: String, ty: Type) -> LocalId {
+    let parameter = LocalId(function.params);
+    let local = Local { name, ty, mode: Mode::RefMut, span: function.span };
+    function.locals.insert(parameter.index(), local);
+    function.params += 1;
+    parameter
+}
+
+/// What the rows that a function is lent are called.
+fn row_names(module: &Module, need: &[Row]) -> Vec<String> {
+    match need {
+        [_] => vec!["work".into()],
+        rows => rows.iter().map(|row| format!("work_{}", noun(module, &row.element))).collect(),
+    }
+}
+
+/// Bytes of a value in C, without padding.
+fn bytes(module: &Module, ty: &Type) -> u64 {
+    match ty {
+        Type::Unit | Type::Slice(_) => 0,
+        Type::Scalar(scalar) => scalar_bytes(*scalar),
+        Type::Enum(_) => 4,
+        Type::Array { element, len } => bytes(module, element) * u64::from(*len),
+        Type::Matrix { element, rows, cols } => {
+            scalar_bytes(*element) * u64::from(*rows) * u64::from(*cols)
+        }
+        Type::Struct(id) => {
+            let item = &module.structs[id.index()];
+            let fields = item.fields.iter().map(|field| bytes(module, &field.ty));
+            if item.form == bessemer_ir::Form::Shared {
+                fields.max().unwrap_or_default()
+            } else {
+                fields.sum()
+            }
+        }
+    }
+}
+
+fn scalar_bytes(scalar: Scalar) -> u64 {
+    match scalar {
+        Scalar::Bool => 1,
+        Scalar::Int(int) => u64::from(int.bits() / 8),
+        Scalar::Float(Float::F32) => 4,
+        Scalar::Float(Float::F64) => 8,
+    }
+}
+
+/// The locals that are too large for the stack, in the order of their declaration.
+fn large_locals(module: &Module, function: &Function, fallible: bool) -> Vec<LocalId> {
+    let mut uses = Uses::default();
+    uses.block(&function.body);
+    let whole = if fallible { None } else { built::whole(function) };
+    let parts = if fallible { Default::default() } else { built::parts(function, module) };
+    let stays = |id: &LocalId| {
+        whole == Some(*id)
+            || parts.contains_key(id)
+            || (uses.constant.contains(id) && !uses.written.contains(id))
+    };
+    (function.params..function.locals.len() as u32)
+        .map(LocalId)
+        .filter(|id| bytes(module, &function.local(*id).ty) > LARGEST && !stays(id))
+        .collect()
+}
+
+/// How a function uses its locals.
+#[derive(Default)]
+struct Uses {
+    written: BTreeSet<LocalId>,
+    constant: BTreeSet<LocalId>,
+}
+
+impl Visit for Uses {
+    fn stmt(&mut self, stmt: &Stmt) {
+        if let StmtKind::Let { local, value: Some(value) } = &stmt.kind
+            && matches!(value.kind, ExprKind::Const(_))
+        {
+            self.constant.insert(*local);
+        }
+        visit::walk_stmt(self, stmt);
+    }
+
+    fn place(&mut self, place: &Place, access: Access) {
+        if access != Access::Read {
+            self.written.insert(place.root);
+        }
+        visit::walk_place(self, place);
+    }
+}
+
+/// The work of a kernel that needs more memory than a function may take for itself.
+fn scratch(kernel: &Kernel, tuning: &Tuning) -> Option<Struct> {
+    let name = kernel.name();
+    let lent = kernels::lent(kernel, tuning);
+    let field = |buffer: &Buffer| Field {
+        name: buffer.name.into(),
+        docs: vec![buffer.holds.to_owned()],
+        ty: Type::Array { element: Box::new(Type::Scalar(buffer.element)), len: buffer.len },
+        given: Given::default(),
+    };
+    let fields: Vec<Field> = lent.iter().map(field).collect();
+    let docs = vec![format!("What `{name}` works with; its content means nothing between calls.")];
+    let module = kernel.function().module;
+    (!fields.is_empty())
+        .then(|| entry::record((format!("{name}_work"), module, Span::default()), docs, fields))
+}

@@ -1,0 +1,119 @@
+//! Gives each large local a name for its memory, and each call what it is lent.
+//!
+//! A declaration becomes the name, with the first value assigned behind it, so that what is alive begins where its
+//! author declared it.
+
+use std::collections::BTreeMap;
+
+use bessemer_ir::visit::{self, Access, VisitMut};
+use bessemer_ir::{
+    Argument, Block, Expr, ExprKind, Function, LocalId, Mode, Place, Span, Step, Stmt, StmtKind,
+    Type,
+};
+
+use super::lives::{Life, What};
+use super::row::Row;
+use super::rows::Laid;
+
+/// Rewrites a function that was given `taken` parameters; `row` tells where a row is.
+pub(super) fn rewrite(
+    function: &mut Function,
+    taken: u32,
+    lives: &[Life],
+    laid: &[Laid],
+    row: &dyn Fn(&Laid) -> Place,
+) {
+    let first = function.params - taken;
+    let mut rewrite =
+        Rewrite { first, taken, locals: BTreeMap::new(), calls: BTreeMap::new(), call: 0 };
+    for (life, laid) in lives.iter().zip(laid) {
+        match life.what {
+            What::Local(id) => {
+                let id = LocalId(id.0 + taken);
+                let local = &mut function.locals[id.index()];
+                local.mode = Mode::RefMut;
+                let place = part(row(laid), laid.offset, &local.ty, &life.row);
+                rewrite.locals.insert(id, place);
+            }
+            What::Call { call, .. } => {
+                let place = part(row(laid), laid.offset, &life.row.ty(), &life.row);
+                rewrite.calls.entry(call).or_default().push(place);
+            }
+        }
+    }
+    rewrite.block(&mut function.body);
+}
+
+/// The part of a row that begins so far from its start.
+fn part(mut row: Place, offset: u32, ty: &Type, own: &Row) -> Place {
+    if row.ty == *ty {
+        return row;
+    }
+    let at =
+        Expr { kind: ExprKind::Literal(u64::from(offset)), ty: Type::USIZE, span: Span::default() };
+    // One element is a value of its own.
+    row.steps.push(if own.element == *ty { Step::Index(at) } else { Step::From(at) });
+    Place { ty: ty.clone(), ..row }
+}
+
+struct Rewrite {
+    /// The first parameter that the function was given.
+    first: u32,
+    taken: u32,
+    /// Where each large local lies.
+    locals: BTreeMap<LocalId, Place>,
+    /// What each call is lent.
+    calls: BTreeMap<usize, Vec<Place>>,
+    /// How many calls were met.
+    call: usize,
+}
+
+impl Rewrite {
+    fn renumbered(&self, local: LocalId) -> LocalId {
+        if local.0 >= self.first { LocalId(local.0 + self.taken) } else { local }
+    }
+}
+
+impl VisitMut for Rewrite {
+    fn block(&mut self, block: &mut Block) {
+        visit::walk_block_mut(self, block);
+        let stmts = std::mem::take(&mut block.0);
+        for mut stmt in stmts {
+            let mut behind = None;
+            if let StmtKind::Let { local, value } = &mut stmt.kind
+                && let Some(place) = self.locals.get(local)
+            {
+                let span = stmt.span;
+                let place = Place { span, ..place.clone() };
+                let (id, ty) = (*local, place.ty.clone());
+                let kind = ExprKind::Load(place);
+                behind = value.replace(Expr { kind, ty: ty.clone(), span }).map(|value| {
+                    let place = Place { root: id, steps: Vec::new(), ty, span };
+                    Stmt { kind: StmtKind::Assign { place, value }, span, comments: Vec::new() }
+                });
+            }
+            block.0.push(stmt);
+            block.0.extend(behind);
+        }
+    }
+
+    fn expr(&mut self, expr: &mut Expr) {
+        visit::walk_expr_mut(self, expr);
+        if let ExprKind::Call(_, arguments) = &mut expr.kind {
+            let lent = self.calls.get(&self.call).into_iter().flatten();
+            arguments.extend(
+                lent.map(|place| Argument::RefMut(Place { span: expr.span, ..place.clone() })),
+            );
+            self.call += 1;
+        }
+    }
+
+    fn place(&mut self, place: &mut Place, _: Access) {
+        visit::walk_place_mut(self, place);
+        place.root = self.renumbered(place.root);
+    }
+
+    fn declaration(&mut self, local: &mut LocalId) {
+        *local = self.renumbered(*local);
+    }
+}

@@ -1,0 +1,67 @@
+//! What memory is made of: rows of elements.
+
+use bessemer_ir::{Module, Scalar, Type};
+
+/// Elements of one type, one behind the other.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Row {
+    pub element: Type,
+    pub len: u32,
+}
+
+impl Row {
+    /// What a value is made of; `flat`: matrices are arrays of numbers.
+    pub fn of(ty: &Type, flat: bool) -> Row {
+        match ty {
+            Type::Matrix { rows, cols, .. } if !flat && *rows > 1 && *cols > 1 => {
+                Row { element: ty.clone(), len: 1 }
+            }
+            Type::Array { element, len } => Row { element: (**element).clone(), len: *len },
+            Type::Matrix { element, rows, cols } => {
+                Row { element: Type::Scalar(*element), len: rows * cols }
+            }
+            other => Row { element: other.clone(), len: 1 },
+        }
+    }
+
+    /// The type of the whole.
+    pub fn ty(&self) -> Type {
+        match (&self.element, self.len) {
+            // A struct is lent as itself.
+            (Type::Struct(_), 1) => self.element.clone(),
+            (element, len) => Type::Array { element: Box::new(element.clone()), len },
+        }
+    }
+}
+
+/// What a function is lent: the rows, in the order of its last parameters.
+pub(super) type Need = Vec<Row>;
+
+/// What elements of a type are called.
+pub(super) fn noun(module: &Module, element: &Type) -> String {
+    match element {
+        Type::Scalar(Scalar::Bool) => "flags".into(),
+        Type::Scalar(Scalar::Float(_)) => "numbers".into(),
+        Type::Scalar(Scalar::Int(int)) if int.bits() == 8 => "bytes".into(),
+        Type::Scalar(Scalar::Int(_)) => "words".into(),
+        Type::Enum(id) => snake(&module.enums[id.index()].name),
+        Type::Struct(id) => snake(&module.structs[id.index()].name),
+        Type::Array { element, .. } | Type::Slice(element) => {
+            format!("{}_rows", noun(module, element))
+        }
+        Type::Matrix { .. } => "matrices".into(),
+        Type::Unit => "nothing".into(),
+    }
+}
+
+/// `record_of_it` for `RecordOfIt`.
+fn snake(name: &str) -> String {
+    let mut text = String::new();
+    for letter in name.chars() {
+        if letter.is_ascii_uppercase() && !text.is_empty() && !text.ends_with('_') {
+            text.push('_');
+        }
+        text.extend(letter.to_lowercase());
+    }
+    text
+}
