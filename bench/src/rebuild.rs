@@ -90,7 +90,7 @@ pub fn measure(runs: usize, mut tick: impl FnMut()) -> Result<Rebuild, String> {
         workspaces.push((workspace, modules));
     }
     // As `cargo xtask gen` builds it.
-    let mut generating = vec!["--features".to_owned(), "generate".to_owned()];
+    let mut generating = vec!["--features".to_owned(), "bessemer/generate".to_owned()];
     generating.extend(settings("models").flat_map(|it| ["--config".to_owned(), it]));
     let variants: [(usize, &[String]); 3] = [(0, &[]), (1, &[]), (1, &generating)];
     let mut times = [Vec::new(), Vec::new(), Vec::new()];

@@ -117,7 +117,7 @@ macro_rules! __between {
     };
 }
 
-/// The whole of a package's `src/bin/tree.rs`: prints the tree that the generator reads.
+/// The whole of the program that the generator links with a package: prints the tree that it reads.
 ///
 /// ```ignore
 /// bessemer::print_tree!(models);
@@ -133,9 +133,9 @@ macro_rules! print_tree {
             // Whose tree it is: where workspaces share a target folder, cargo may mix packages of one name.
             println!("{}", $crate::generate::folders());
             // Initial values of large components pass through the stack, and trees nest deep.
-            let tree = ::std::thread::Builder::new()
-                .stack_size(1 << 30)
-                .spawn(move || println!("{}", $crate::generate::package(name, license)));
+            let tree = ::std::thread::Builder::new().stack_size(1 << 30).spawn(move || {
+                println!("{}", $crate::generate::package(name, stringify!($models), license))
+            });
             if tree.map_or(true, |tree| tree.join().is_err()) {
                 ::std::process::exit(1);
             }

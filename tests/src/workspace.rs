@@ -44,9 +44,7 @@ impl Workspace {
         let workspace = Workspace::bare()?;
         let models = root().canonicalize()?.join("models");
         fs::create_dir_all(workspace.folder().join("src/bin"))?;
-        for name in ["Cargo.toml", "src/bin/tree.rs"] {
-            fs::copy(models.join(name), workspace.folder().join(name))?;
-        }
+        fs::copy(models.join("Cargo.toml"), workspace.folder().join("Cargo.toml"))?;
         workspace.set_source(text)?;
         Ok(workspace)
     }

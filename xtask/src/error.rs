@@ -4,7 +4,6 @@
 //! a sentence when no such line exists.
 
 use anstyle::{AnsiColor, Style};
-use bessemer_codegen::generate;
 use std::path::PathBuf;
 use std::process::ExitStatus;
 
@@ -70,7 +69,7 @@ pub enum Error {
     },
     /// The generator could not do its work.
     #[error(transparent)]
-    Generate(#[from] bessemer_codegen::generate::Error),
+    Generate(#[from] bessemer_project::Error),
     /// A patch of a mutant does not say what it should.
     #[error("{}: {problem}", file.display())]
     Mutant {
@@ -138,7 +137,7 @@ impl Error {
                     .to_owned(),
             ),
             Self::Stage { remedy, .. } => remedy.map(str::to_owned),
-            Self::Generate(error) => error.remedy().map(str::to_owned),
+            Self::Generate(error) => error.remedy(),
             Self::StillMissing { .. } => Some("cargo xtask doctor".to_owned()),
             Self::NoMutant { known, .. } => Some(format!("choose from {}", known.join(", "))),
             Self::NoTurn { of, .. } => Some(format!("turns go from 1 to {of}")),
@@ -167,18 +166,10 @@ impl Error {
     pub fn print(&self) {
         let red = Style::new().bold().fg_color(Some(AnsiColor::Red.into()));
         let cyan = Style::new().bold().fg_color(Some(AnsiColor::Cyan.into()));
-        match self {
-            // Diagnostics and differences stand as they are.
-            Self::Generate(generate::Error::Models(said) | generate::Error::Refused(said)) => {
-                anstream::eprint!("{said}");
-                anstream::eprintln!("{red}error{red:#}: the models do not compile");
-            }
-            Self::Generate(generate::Error::Stale(difference)) => {
-                anstream::eprint!("{difference}");
-                anstream::eprintln!("{red}error{red:#}: generated/ is stale");
-            }
-            _ => anstream::eprintln!("{red}error{red:#}: {self}"),
+        if let Self::Generate(error) = self {
+            return error.print();
         }
+        anstream::eprintln!("{red}error{red:#}: {self}");
         if let Some(remedy) = self.remedy() {
             anstream::eprintln!("{cyan}to do{cyan:#}: {remedy}");
         }

@@ -1,4 +1,4 @@
-//! `cargo xtask gen`: hands over to the generator's own command-line library.
+//! `cargo xtask gen`: what `cargo bessemer gen` does, for this repository's models.
 //!
 //! Invariant: the one place that calls it. (`gen` is a reserved word, hence the module's name.)
 //!
@@ -6,7 +6,7 @@
 
 use crate::args::Mode;
 use crate::error::{Error, Outcome};
-use bessemer_codegen::generate::{self, Job};
+use bessemer_project::Wanted;
 use std::io::IsTerminal;
 use std::path::Path;
 
@@ -16,26 +16,11 @@ const MODELS: &str = "models";
 /// Writes generated/ anew, or compares it, for the workspace at `root`; `explain`: says which checks are left.
 ///
 /// # Errors
-/// What the models, the compiler or the file system said; [`generate::Error::Stale`] when comparing finds a
-/// difference.
+/// What the models, the compiler or the file system said, and that generated/ is stale, when comparing.
 pub fn run(root: &Path, mode: Mode, explain: bool) -> Result<Outcome, Error> {
-    let mut job = Job::new(root, MODELS);
-    job.check = mode == Mode::Check;
-    job.colour = std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
-    let summary = generate::generate(&job)?;
-    if !job.check {
-        anstream::print!("{}", generate::table(&summary.compiled));
-        let files = summary.compiled.files.len();
-        match summary.changed.len() {
-            0 => anstream::println!("\n{files} files in generated/, all up to date"),
-            changed => anstream::println!(
-                "\n{files} files in generated/, {changed} changed: {}",
-                summary.changed.join(" ")
-            ),
-        }
-    }
-    if explain {
-        anstream::print!("\n{}", generate::explanation(&summary.compiled));
-    }
+    let colour = std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
+    let (package, check) = (Some(MODELS), mode == Mode::Check);
+    let wanted = Wanted { package, check, explain, colour };
+    anstream::print!("{}", bessemer_project::generate(root, wanted)?);
     Ok(Outcome::Good)
 }

@@ -48,6 +48,7 @@ pub use library::Math;
 pub use matrices::Layout;
 pub use options::Options;
 pub use report::{EntryReport, report};
+pub use reserved::is_reserved_globally as is_reserved;
 pub use units::Measured;
 
 use analysis::Faults;

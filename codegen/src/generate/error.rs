@@ -1,5 +1,6 @@
 //! Why nothing was generated, and what to do about it.
 
+use std::io::ErrorKind;
 use std::path::PathBuf;
 
 /// Why nothing was generated.
@@ -21,6 +22,66 @@ pub enum Error {
         folder: PathBuf,
         /// The first such file.
         file: String,
+    },
+    /// Where the folder should be is a file.
+    #[error("`{path}` is a file, not a folder")]
+    NotAFolder {
+        /// Where.
+        path: PathBuf,
+    },
+    /// The folder holds the C of another package.
+    #[error("`{folder}` holds the C of the package `{package}`")]
+    Other {
+        /// The folder.
+        folder: PathBuf,
+        /// Whose it is.
+        package: String,
+    },
+    /// There is no workspace, or cargo cannot read it.
+    #[error("`{folder}`: {said}")]
+    Workspace {
+        /// Where it was looked for.
+        folder: PathBuf,
+        /// What cargo said.
+        said: String,
+    },
+    /// The workspace has no package of this name.
+    #[error("the workspace has no package `{package}`")]
+    NoPackage {
+        /// As it was asked for.
+        package: String,
+        /// Those that there are.
+        known: Vec<String>,
+    },
+    /// The package has no library.
+    #[error("the package `{package}` has no library")]
+    NoLibrary {
+        /// Which.
+        package: String,
+    },
+    /// No Rust can be linked with the package's library.
+    #[error("nothing can be linked with the library of `{package}`")]
+    NotLinked {
+        /// Which.
+        package: String,
+    },
+    /// The package does not name the DSL among its dependencies.
+    #[error("the package `{package}` does not depend on `bessemer`")]
+    NotOfTheDsl {
+        /// Which.
+        package: String,
+    },
+    /// The package has no licence to write into the C.
+    #[error("the package `{package}` names no licence, which stands in each file of the C")]
+    NoLicense {
+        /// Which.
+        package: String,
+    },
+    /// Nothing in the package is marked.
+    #[error("nothing in the package `{package}` is marked for C")]
+    NoModels {
+        /// Which.
+        package: String,
     },
     /// A program could not be run.
     #[error("cannot run `{program}`: {source}")]
@@ -50,14 +111,45 @@ pub enum Error {
 
 impl Error {
     /// What to do about it.
-    pub fn remedy(&self) -> Option<&'static str> {
-        match self {
-            Error::Stale(_) => Some("cargo xtask gen"),
-            Error::Foreign { .. } => Some("move it elsewhere, or generate into another folder"),
-            Error::Tree { .. } => {
-                Some("use the same version of `bessemer` and of `bessemer-codegen`")
+    pub fn remedy(&self) -> Option<String> {
+        Some(match self {
+            Error::Stale(_) => "generate again, without `--check`".to_owned(),
+            Error::Foreign { .. } => "move it elsewhere, or generate into another folder".to_owned(),
+            Error::NotAFolder { .. } => {
+                "move it elsewhere, or generate into another folder".to_owned()
             }
-            _ => None,
-        }
+            Error::File { source, .. } => match source.kind() {
+                ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem => {
+                    "make it writable, or generate into another folder: `output = \"…\"` in bessemer.toml".to_owned()
+                }
+                ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
+                    "make room there; what was generated before is untouched".to_owned()
+                }
+                _ => return None,
+            },
+            Error::Other { .. } => "give each package a folder of its own: `output = \"…\"` in its bessemer.toml".to_owned(),
+            Error::Workspace { said, .. } if said.starts_with("could not find") => {
+                "go into the folder of a package, or begin one: `cargo bessemer new motor`".to_owned()
+            }
+            Error::NoPackage { known, .. } if known.is_empty() => return None,
+            Error::NoPackage { known, .. } => format!("choose from {}", known.join(", ")),
+            Error::NoLibrary { .. } => "put the models into `src/lib.rs`".to_owned(),
+            Error::NotLinked { .. } => {
+                "add \"rlib\" to `crate-type` in the `[lib]` section of its Cargo.toml".to_owned()
+            }
+            Error::NotOfTheDsl { .. } => {
+                "name it under `[dependencies]` in its Cargo.toml, by that name".to_owned()
+            }
+            Error::NoLicense { .. } => {
+                "write `license = \"MIT OR Apache-2.0\"`, or yours, into the `[package]` section of its Cargo.toml".to_owned()
+            }
+            Error::NoModels { .. } => {
+                "mark a struct and its `impl` `#[component]`, or a function `#[function]`; and name its file with `mod` in `src/lib.rs`".to_owned()
+            }
+            Error::Tree { .. } => {
+                "use the same version of `bessemer` and of `bessemer-codegen`".to_owned()
+            }
+            _ => return None,
+        })
     }
 }

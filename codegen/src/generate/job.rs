@@ -17,6 +17,8 @@ pub struct Job {
     pub check: bool,
     /// What the user decides about the C.
     pub options: Options,
+    /// The licence of the C, as an SPDX expression, if it is not the package's.
+    pub license: Option<String>,
     /// Colour in diagnostics and differences.
     pub colour: bool,
     /// The version that the manifest names: the tool's.
@@ -30,6 +32,6 @@ impl Job {
         let output = root.join("generated");
         let version = env!("CARGO_PKG_VERSION").to_owned();
         let (package, options) = (package.to_owned(), Options::default());
-        Job { root, package, output, check: false, options, colour: false, version }
+        Job { root, package, output, check: false, options, license: None, colour: false, version }
     }
 }

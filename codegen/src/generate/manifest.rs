@@ -64,6 +64,11 @@ impl Manifest {
         Manifest { content }
     }
 
+    /// The package that the folder is made of.
+    pub fn package(&self) -> &str {
+        self.content["package"].as_str().unwrap_or_default()
+    }
+
     /// The manifest as JSON, made on `date`.
     pub fn text(&self, date: &str) -> String {
         let mut content = self.content.clone();
@@ -82,6 +87,12 @@ impl Manifest {
 
 fn measured(it: &Measured) -> Value {
     json!({ "port": it.port.word(), "place": it.place, "unit": it.unit })
+}
+
+/// The package that a manifest names.
+pub fn package_of(manifest: &str) -> Option<String> {
+    let manifest = serde_json::from_str::<Value>(manifest).ok()?;
+    manifest["package"].as_str().map(str::to_owned)
 }
 
 /// The files that a manifest names.

@@ -1,7 +1,7 @@
 //! The command line's work: a package of models in, a folder of C out.
 //!
 //! Builds the package in a generation build, runs it for its tree, compiles that, and writes the
-//! folder whole or not at all. A user's own `xtask` calls [`generate`] and prints what it returns.
+//! folder whole or not at all. `cargo bessemer` and an `xtask` call [`generate`] and print what it returns.
 //!
 //! Must not know: how C is made, or what a terminal looks like.
 
@@ -13,8 +13,12 @@ mod output;
 mod package;
 mod program;
 mod report;
+mod workspace;
 
+use std::fs::{self, File};
 use std::path::Path;
+
+use bessemer_ir::tree;
 
 use crate::compile::{self, Compiled};
 use crate::diagnostic::{self, Diagnostic};
@@ -25,6 +29,7 @@ pub use job::Job;
 pub use manifest::Manifest;
 pub use package::settings;
 pub use report::{explanation, table};
+pub use workspace::{Member, Workspace};
 
 /// What was generated.
 pub struct Summary {
@@ -39,10 +44,31 @@ pub struct Summary {
 /// # Errors
 /// See [`Error`]; on any of them the folder is as it was.
 pub fn generate(job: &Job) -> Result<Summary, Error> {
+    let compiled = compiled(job)?;
+    let changed = deliver(job, &compiled)?;
+    Ok(Summary { compiled, changed })
+}
+
+/// Compiles the job's package, and writes nothing.
+///
+/// # Errors
+/// See [`Error`].
+pub fn compiled(job: &Job) -> Result<Compiled, Error> {
     let sources = Sources::new(&job.root);
-    let package = package::tree(job, &sources)?;
-    let compiled = compile::compile(&package, &sources, &job.options)
-        .map_err(|diagnostics| refused(job, &diagnostics, &sources))?;
+    let workspace = Workspace::of(&job.root)?;
+    let package = built(job, &workspace, &sources)?;
+    if package.types.is_empty() && package.functions.is_empty() && package.errors.is_empty() {
+        return Err(Error::NoModels { package: job.package.clone() });
+    }
+    compile::compile(&package, &sources, &job.options)
+        .map_err(|diagnostics| refused(job, &diagnostics, &sources))
+}
+
+/// Writes what was compiled to the job's folder, or compares it; gives the names of the files that changed.
+///
+/// # Errors
+/// See [`Error`]; on any of them the folder is as it was.
+pub fn deliver(job: &Job, compiled: &Compiled) -> Result<Vec<String>, Error> {
     let mut files = files::Files::default();
     for file in &compiled.files {
         files.add(&file.name, file.text.clone());
@@ -50,22 +76,39 @@ pub fn generate(job: &Job) -> Result<Summary, Error> {
             files.add(&name, text);
         }
     }
-    let manifest = Manifest::new(&compiled, &files, &job.version);
-    let changed = if job.check {
+    let manifest = Manifest::new(compiled, &files, &job.version);
+    let _alone = alone(&Workspace::of(&job.root)?.target)?;
+    if job.check {
         output::check(&job.output, &files, &manifest, job.colour)?;
-        Vec::new()
-    } else {
-        output::write(&job.output, files, &manifest)?
-    };
-    Ok(Summary { compiled, changed })
+        return Ok(Vec::new());
+    }
+    output::write(&job.output, files, &manifest)
+}
+
+/// The tree of the job's package.
+fn built(job: &Job, workspace: &Workspace, sources: &Sources) -> Result<tree::Package, Error> {
+    let member = workspace.member(&job.package)?;
+    // What is built must still be there when it is linked.
+    let _alone = alone(&workspace.target)?;
+    package::tree(job, member, sources)
+}
+
+/// Waits until no other run builds into this target folder or writes what it made; until what it gives is dropped, none
+/// does.
+fn alone(target: &Path) -> Result<File, Error> {
+    let path = target.join(".bessemer-lock");
+    let locked = fs::create_dir_all(target)
+        .and_then(|()| File::create(&path))
+        .and_then(|file| file.lock().map(|()| file));
+    locked.map_err(|source| Error::File { path, source })
 }
 
 /// Builds the package and gives its tree; for tools that go on from there.
 ///
 /// # Errors
 /// See [`Error`].
-pub fn tree(root: &Path, package: &str) -> Result<bessemer_ir::tree::Package, Error> {
-    package::tree(&Job::new(root, package), &Sources::new(root))
+pub fn tree(root: &Path, package: &str) -> Result<tree::Package, Error> {
+    built(&Job::new(root, package), &Workspace::of(root)?, &Sources::new(root))
 }
 
 fn refused(job: &Job, diagnostics: &[Diagnostic], sources: &Sources) -> Error {

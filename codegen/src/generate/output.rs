@@ -1,10 +1,12 @@
 //! The folder of the C: compared, or replaced whole.
 //!
 //! A new folder is laid out beside the old one and takes its name in one step; until then nothing of
-//! the old one has changed. Files whose bytes stay keep their time stamps.
+//! the old one has changed. Files whose bytes stay keep their time stamps. What a run that was killed
+//! left behind, the next one takes up.
 
 use std::collections::BTreeMap;
 use std::fs;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use similar::TextDiff;
@@ -70,8 +72,10 @@ pub(super) fn write(
     files: Files,
     manifest: &Manifest,
 ) -> Result<Vec<String>, Error> {
+    recover(folder)?;
     let present = read(folder)?;
     refuse_foreign(folder, &present)?;
+    refuse_other(folder, &present, manifest)?;
     let mut changed: Vec<String> = files
         .0
         .iter()
@@ -99,12 +103,18 @@ fn read(folder: &Path) -> Result<BTreeMap<String, String>, Error> {
     let mut files = BTreeMap::new();
     let entries = match fs::read_dir(folder) {
         Ok(entries) => entries,
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(files),
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(files),
+        Err(error) if error.kind() == ErrorKind::NotADirectory => {
+            return Err(Error::NotAFolder { path: folder.to_owned() });
+        }
         Err(source) => return Err(Error::File { path: folder.to_owned(), source }),
     };
     for entry in entries {
         let path = entry.map_err(|source| Error::File { path: folder.to_owned(), source })?.path();
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        if path.is_dir() {
+            return Err(Error::Foreign { folder: folder.to_owned(), file: name });
+        }
         let bytes = fs::read(&path).map_err(|source| Error::File { path, source })?;
         files.insert(name, String::from_utf8_lossy(&bytes).into_owned());
     }
@@ -121,6 +131,50 @@ fn refuse_foreign(folder: &Path, present: &BTreeMap<String, String>) -> Result<(
     }
 }
 
+/// Two packages that generate into one folder would take each other's C away.
+fn refuse_other(
+    folder: &Path,
+    present: &BTreeMap<String, String>,
+    manifest: &Manifest,
+) -> Result<(), Error> {
+    let other = present.get(manifest::NAME).and_then(|text| manifest::package_of(text));
+    match other.filter(|other| other != manifest.package()) {
+        Some(package) => Err(Error::Other { folder: folder.to_owned(), package }),
+        None => Ok(()),
+    }
+}
+
+/// What the names of the stages of a folder begin with.
+fn stages(folder: &Path) -> String {
+    format!(".bessemer-{}-", folder.file_name().unwrap_or_default().to_string_lossy())
+}
+
+/// The folder that `folder` stands in.
+fn parent(folder: &Path) -> PathBuf {
+    folder.parent().map_or_else(|| PathBuf::from("."), Path::to_path_buf)
+}
+
+/// Takes away the stages of runs that were killed; if one was between its two steps, the old folder gets its name back.
+fn recover(folder: &Path) -> Result<(), Error> {
+    let failed = |path: &Path| {
+        let path = path.to_owned();
+        move |source| Error::File { path, source }
+    };
+    let parent = parent(folder);
+    for entry in fs::read_dir(&parent).into_iter().flatten().flatten() {
+        let (stage, name) = (entry.path(), entry.file_name());
+        if !name.to_string_lossy().starts_with(&stages(folder)) {
+            continue;
+        }
+        let old = stage.join("old");
+        if old.exists() && !folder.exists() {
+            fs::rename(&old, folder).map_err(failed(folder))?;
+        }
+        fs::remove_dir_all(&stage).map_err(failed(&stage))?;
+    }
+    Ok(())
+}
+
 /// Lays the folder out anew beside the old one, then swaps the two.
 fn replace(
     folder: &Path,
@@ -131,10 +185,10 @@ fn replace(
         let path = path.to_owned();
         move |source| Error::File { path: path.clone(), source }
     };
-    let parent = folder.parent().map_or_else(|| PathBuf::from("."), Path::to_path_buf);
+    let parent = parent(folder);
     fs::create_dir_all(&parent).map_err(failed(&parent))?;
     let stage = tempfile::Builder::new()
-        .prefix(".bessemer-")
+        .prefix(&stages(folder))
         .tempdir_in(&parent)
         .map_err(failed(&parent))?;
     let fresh = stage.path().join("new");
@@ -170,6 +224,26 @@ mod tests {
         let present = BTreeMap::from([("notes.txt".to_owned(), String::new())]);
         let error = refuse_foreign(Path::new("out"), &present);
         assert!(matches!(error, Err(Error::Foreign { file, .. }) if file == "notes.txt"));
+    }
+
+    /// Killed between the two steps, and before them.
+    #[test]
+    fn what_a_killed_run_left_is_taken_up() -> Result<(), Box<dyn std::error::Error>> {
+        let dir = tempfile::tempdir()?;
+        let folder = dir.path().join("generated");
+        let old = dir.path().join(".bessemer-generated-abc/old");
+        fs::create_dir_all(&old)?;
+        fs::write(old.join("a.c"), "old")?;
+        fs::create_dir_all(dir.path().join(".bessemer-generated-def/new"))?;
+        fs::create_dir_all(dir.path().join(".bessemer-other-ghi/new"))?;
+        recover(&folder)?;
+        assert_eq!(read(&folder)?, BTreeMap::from([("a.c".to_owned(), "old".to_owned())]));
+        assert_eq!(
+            fs::read_dir(dir.path())?.count(),
+            2,
+            "another folder's stage is its own affair"
+        );
+        Ok(())
     }
 
     #[test]

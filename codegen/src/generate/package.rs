@@ -1,17 +1,18 @@
 //! Runs the generation build of a package, and the program that prints its tree.
 //!
-//! The build is cargo's own, of the binary `<package>-tree` with the feature `generate`; what rustc
-//! says about the builders is told in the author's terms.
+//! The build is cargo's own, of the package's library with the DSL's feature `generate`, so that the package itself
+//! needs neither a feature nor a program for it; what rustc says about the builders is told in the author's terms.
 
 use std::collections::BTreeSet;
-use std::process::{Command, Stdio};
+use std::process::Stdio;
 
 use bessemer_ir::tree::Package;
 use serde_json::Value;
 
 use super::error::Error;
 use super::job::Job;
-use super::program::{self, Program};
+use super::program::{self, Built};
+use super::workspace::{Member, cargo, program as cargo_program};
 use crate::deep;
 use crate::diagnostic::{self, Diagnostic};
 use crate::source::Sources;
@@ -19,11 +20,23 @@ use crate::source::Sources;
 /// How often what was built may turn out to be another workspace's.
 const TRIES: usize = 10;
 
-/// The tree of the job's package.
-pub(super) fn tree(job: &Job, sources: &Sources) -> Result<Package, Error> {
+/// The tree of a package.
+pub(super) fn tree(job: &Job, member: &Member, sources: &Sources) -> Result<Package, Error> {
+    let library = member.models()?;
+    let license = job.license.as_ref().or(member.license.as_ref());
+    let license = license.ok_or_else(|| Error::NoLicense { package: job.package.clone() })?;
     let failed = |reason: String| Error::Tree { package: job.package.clone(), reason };
+    let mut why = "another workspace keeps building into the same target folder".to_owned();
     for _ in 0..TRIES {
-        let Some(printed) = build(job, sources)?.run()? else { continue };
+        let built = build(job, sources)?;
+        let program = match built.link(&job.root, library, &job.package, license)? {
+            Ok(program) => program,
+            Err(said) => {
+                why = said;
+                continue;
+            }
+        };
+        let printed = program.run()?;
         if !printed.success {
             return Err(failed(printed.error));
         }
@@ -35,7 +48,7 @@ pub(super) fn tree(job: &Job, sources: &Sources) -> Result<Package, Error> {
             program::touch(source)?;
         }
     }
-    Err(failed("another workspace keeps building into the same target folder".to_owned()))
+    Err(failed(why))
 }
 
 /// What cargo is told with `--config` for a generation build of a package. Its program runs once, for its tree: the builders are
@@ -44,21 +57,19 @@ pub fn settings(package: &str) -> impl Iterator<Item = String> {
     let of = |package: &str| {
         ["opt-level=0", "debug=false"].map(|it| format!("profile.dev.package.{package}.{it}"))
     };
-    of(package).into_iter().chain(of("bessemer"))
+    let whole = "profile.dev.panic=\"unwind\"".to_owned();
+    of(package).into_iter().chain(of("bessemer")).chain([whole])
 }
 
 /// Bytes of rustc's stack in a generation build. In the witness copy each value of an expression stands in a call, so
 /// what nests as deep as an author's Rust may nests three times as deep there. Only what is used of it is memory.
 const RUSTC_STACK: usize = 1 << 30;
 
-/// Builds the program that prints the tree.
-fn build(job: &Job, sources: &Sources) -> Result<Program, Error> {
-    let cargo = program::cargo();
-    let binary = format!("{}-tree", job.package);
-    let mut command = Command::new(&cargo);
+/// Builds the package and what it is made of with their builders.
+fn build(job: &Job, sources: &Sources) -> Result<Built, Error> {
+    let mut command = cargo(&["build", "--quiet", "--lib", "--features", "bessemer/generate"]);
     command
-        .args(["build", "--quiet", "--message-format=json-diagnostic-rendered-ansi"])
-        .args(["--package", &job.package, "--features", "generate", "--bin", &binary])
+        .args(["--message-format=json-diagnostic-rendered-ansi", "--package", &job.package])
         .current_dir(&job.root)
         .stderr(Stdio::piped());
     if std::env::var_os("RUST_MIN_STACK").is_none() {
@@ -67,22 +78,13 @@ fn build(job: &Job, sources: &Sources) -> Result<Program, Error> {
     for setting in settings(&job.package) {
         command.args(["--config", &setting]);
     }
-    for (name, _) in std::env::vars() {
-        // Set by `cargo run` for the caller; they would make cargo rebuild.
-        if name.starts_with("CARGO_PKG_") || name.starts_with("CARGO_MANIFEST_") {
-            command.env_remove(name);
-        }
-    }
-    let output = command
-        .output()
-        .map_err(|source| Error::Run { program: cargo.to_string_lossy().into_owned(), source })?;
+    let output =
+        command.output().map_err(|source| Error::Run { program: cargo_program(), source })?;
     let text = String::from_utf8_lossy(&output.stdout);
     let messages: Vec<Value> =
         text.lines().filter_map(|line| serde_json::from_str(line).ok()).collect();
-    if output.status.success()
-        && let Some(program) = Program::of(&messages, &binary)
-    {
-        return Ok(program);
+    if output.status.success() {
+        return Ok(Built::of(&messages));
     }
     let mut said = errors(&messages, job, sources);
     if said.is_empty() {

@@ -1,4 +1,5 @@
-//! The program that prints a package's tree, as cargo built it, and whether it is this workspace's.
+//! The program that prints a package's tree: written here, linked with what cargo built, and whether that is this
+//! workspace's.
 //!
 //! Where workspaces share a target folder, cargo takes what was built of another's package of the same
 //! name for this one's if that is newer than the sources. So the program says first in which folder each
@@ -7,18 +8,23 @@
 use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::fs::File;
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::SystemTime;
 
 use serde_json::Value;
+use tempfile::TempDir;
 
 use super::error::Error;
 
-/// The program, and the crates that it is made of.
+/// What cargo built.
+pub(super) struct Built {
+    artifacts: Vec<Artifact>,
+}
+
+/// The program, in a folder of its own, and the crates that it is made of.
 pub(super) struct Program {
-    path: PathBuf,
+    folder: TempDir,
     artifacts: Vec<Artifact>,
 }
 
@@ -30,6 +36,8 @@ struct Artifact {
     folder: PathBuf,
     /// Its first source file.
     source: PathBuf,
+    /// The library, if other Rust can be linked with it.
+    library: Option<PathBuf>,
 }
 
 /// What the program printed.
@@ -44,30 +52,74 @@ pub(super) struct Printed {
     pub strangers: Vec<PathBuf>,
 }
 
-impl Program {
-    /// The program `binary`, by cargo's messages; none if it is not among them.
-    pub fn of(messages: &[Value], binary: &str) -> Option<Program> {
-        let path = messages.iter().find_map(|message| executable(message, binary))?;
-        Some(Program { path, artifacts: messages.iter().filter_map(Artifact::of).collect() })
+impl Built {
+    /// What was built, by cargo's messages.
+    pub fn of(messages: &[Value]) -> Built {
+        Built { artifacts: messages.iter().filter_map(Artifact::of).collect() }
     }
 
-    /// Runs it; nothing if another workspace has removed it since.
-    pub fn run(&self) -> Result<Option<Printed>, Error> {
-        let output = match Command::new(&self.path).output() {
-            Ok(output) => output,
-            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
-            Err(source) => {
-                return Err(Error::Run { program: self.path.display().to_string(), source });
+    /// Links the program of a package's `library`; or what rustc said, where another workspace has built into the same
+    /// folder meanwhile.
+    pub fn link(
+        self,
+        root: &Path,
+        library: &str,
+        package: &str,
+        license: &str,
+    ) -> Result<Result<Program, String>, Error> {
+        let folder = tempfile::tempdir()
+            .map_err(|source| Error::File { path: std::env::temp_dir(), source })?;
+        let source = folder.path().join("tree.rs");
+        std::fs::write(&source, format!("bessemer::print_tree!({library});\n"))
+            .map_err(|error| Error::File { path: source.clone(), source: error })?;
+        let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
+        let mut command = Command::new(&rustc);
+        command
+            .args(["--edition", "2024", "--crate-name", "tree", "-o"])
+            .arg(folder.path().join("tree"))
+            .arg(&source)
+            .current_dir(root)
+            .env("CARGO_PKG_NAME", package)
+            .env("CARGO_PKG_LICENSE", license);
+        for name in [library, "bessemer"] {
+            let found = self.artifacts.iter().find(|it| it.krate == name && it.library.is_some());
+            let Some(built) = found.and_then(|it| it.library.as_deref()) else {
+                return Ok(Err(format!("cargo built no library `{name}`")));
+            };
+            let parts = [name.as_ref(), "=".as_ref(), built.as_os_str()];
+            command.arg("--extern").arg(OsString::from_iter(parts));
+            let beside = built.parent().unwrap_or(built);
+            for folder in [beside.to_owned(), beside.join("deps")] {
+                let parts = ["dependency=".as_ref(), folder.as_os_str()];
+                command.arg("-L").arg(OsString::from_iter(parts));
             }
-        };
+        }
+        let output = command.output().map_err(|source| Error::Run {
+            program: rustc.to_string_lossy().into_owned(),
+            source,
+        })?;
+        Ok(match output.status.success() {
+            true => Ok(Program { folder, artifacts: self.artifacts }),
+            false => Err(String::from_utf8_lossy(&output.stderr).trim().to_owned()),
+        })
+    }
+}
+
+impl Program {
+    /// Runs it.
+    pub fn run(&self) -> Result<Printed, Error> {
+        let path = self.folder.path().join("tree");
+        let output = Command::new(&path)
+            .output()
+            .map_err(|source| Error::Run { program: path.display().to_string(), source })?;
         let text = String::from_utf8_lossy(&output.stdout);
         let (folders, tree) = text.split_once('\n').unwrap_or_default();
-        Ok(Some(Printed {
+        Ok(Printed {
             success: output.status.success(),
             tree: tree.to_owned(),
             error: String::from_utf8_lossy(&output.stderr).trim().to_owned(),
             strangers: self.strangers(folders),
-        }))
+        })
     }
 
     /// The sources of the crates that were compiled in other folders than cargo says.
@@ -90,9 +142,17 @@ impl Program {
 impl Artifact {
     fn of(message: &Value) -> Option<Artifact> {
         let folder = Path::new(message.get("manifest_path")?.as_str()?).parent()?.to_owned();
-        let krate = message.get("target")?.get("name")?.as_str()?.replace('-', "_");
-        let source = PathBuf::from(message.get("target")?.get("src_path")?.as_str()?);
-        (message["reason"] == "compiler-artifact").then_some(Artifact { krate, folder, source })
+        let target = message.get("target")?;
+        let krate = target.get("name")?.as_str()?.replace('-', "_");
+        let source = PathBuf::from(target.get("src_path")?.as_str()?);
+        let files = message["filenames"].as_array().into_iter().flatten();
+        let files: Vec<PathBuf> = files.filter_map(Value::as_str).map(PathBuf::from).collect();
+        let of = |kind: &str| files.iter().find(|it| it.extension().is_some_and(|it| it == kind));
+        // Beside the metadata it has a name of its own; its other name, packages of one name share.
+        let own = of("rmeta").map(|it| it.with_extension("rlib")).filter(|it| it.exists());
+        let library = of("rlib").cloned().map(|shared| own.unwrap_or(shared));
+        let built = message["reason"] == "compiler-artifact";
+        built.then_some(Artifact { krate, folder, source, library })
     }
 }
 
@@ -102,21 +162,10 @@ fn is_same(one: &Path, other: &Path) -> bool {
     one == other || real(one).is_some_and(|one| real(other) == Some(one))
 }
 
-fn executable(message: &Value, binary: &str) -> Option<PathBuf> {
-    let target = message.get("target")?.get("name")?.as_str()?;
-    let program = message.get("executable")?.as_str()?;
-    (target == binary).then(|| PathBuf::from(program))
-}
-
 /// Makes cargo compile a crate anew, by the time of its first source file: cleaning would also take away
 /// what others have built.
 pub(super) fn touch(source: &Path) -> Result<(), Error> {
     let now = SystemTime::now();
     let touched = File::options().append(true).open(source).and_then(|file| file.set_modified(now));
     touched.map_err(|error| Error::File { path: source.to_owned(), source: error })
-}
-
-/// The cargo that runs this, or the one on the path.
-pub(super) fn cargo() -> OsString {
-    std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
 }

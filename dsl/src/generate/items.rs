@@ -124,7 +124,7 @@ pub fn number<T: Plain + ScalarType>(name: &str, value: T) -> (String, Argument)
 /// Everything that the items of the package `name` registered, as JSON.
 ///
 /// Items of other crates are part of it as far as they are used.
-pub fn package(name: &str, license: &str) -> String {
+pub fn package(name: &str, library: &str, license: &str) -> String {
     let mut builder = Builder::default();
     builder.package.name = name.to_owned();
     builder.package.license = license.to_owned();
@@ -132,7 +132,7 @@ pub fn package(name: &str, license: &str) -> String {
     // The linker's order differs from build to build; the author's does not.
     items.sort_by_key(|item| (item.module(), item.site));
     for item in items {
-        if item.everywhere || item.root() == name.replace('-', "_") {
+        if item.everywhere || item.root() == library {
             (item.build)(&mut builder);
         }
     }

@@ -21,8 +21,9 @@ fn int(int: Int) -> Ty {
 
 /// What the items of this crate registered.
 fn package() -> Package {
-    let package: Package = serde_json::from_str(&bessemer::generate::package("witness", "MIT"))
-        .expect("a package is JSON");
+    let package: Package =
+        serde_json::from_str(&bessemer::generate::package("witness", "witness", "MIT"))
+            .expect("a package is JSON");
     assert_eq!(package.errors, []);
     package
 }

@@ -1,0 +1,101 @@
+//! What can go wrong in a user's workspace, and how it is said.
+//!
+//! Invariant: what is wrong at a line of a file is printed as rustc would print it.
+
+use std::fmt::Write as _;
+use std::path::PathBuf;
+
+use anstyle::{AnsiColor, Style};
+use bessemer_codegen::generate;
+
+/// Why a command could not do its work.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// What the generator said.
+    #[error(transparent)]
+    Generate(#[from] generate::Error),
+    /// `bessemer.toml` is wrong; the diagnostics.
+    #[error("{0}")]
+    Settings(String),
+    /// What was generated is beyond a limit of `bessemer.toml`; the diagnostics.
+    #[error("{0}")]
+    Limit(String),
+    /// No package of the workspace has models.
+    #[error("no package of the workspace at `{root}` depends on `bessemer`")]
+    NoModels {
+        /// Its root.
+        root: PathBuf,
+    },
+    /// More than one may be meant.
+    #[error("several packages may have models: {}", known.join(", "))]
+    WhichPackage {
+        /// Which.
+        known: Vec<String>,
+    },
+    /// A file or folder could not be read or written.
+    #[error("`{path}`: {source}")]
+    File {
+        /// Which.
+        path: PathBuf,
+        /// The system's reason.
+        source: std::io::Error,
+    },
+}
+
+impl Error {
+    /// What to do about it.
+    pub fn remedy(&self) -> Option<String> {
+        match self {
+            Error::Generate(error) => error.remedy(),
+            Error::NoModels { .. } => {
+                Some("begin a package of models: `cargo bessemer new motor`".to_owned())
+            }
+            Error::WhichPackage { known } => {
+                Some(format!("choose one: `--package {}`", known.first().map_or("", |it| it)))
+            }
+            Error::Settings(_) | Error::Limit(_) | Error::File { .. } => None,
+        }
+    }
+
+    /// Its text, in colours, which a stream drops where they are not wanted.
+    pub fn text(&self) -> String {
+        use generate::Error as Of;
+        // Diagnostics and differences stand as they are.
+        let (before, title) = match self {
+            Error::Generate(Of::Models(said) | Of::Refused(said)) => {
+                (said.as_str(), "the models do not compile".to_owned())
+            }
+            Error::Generate(Of::Stale(difference)) => {
+                (difference.as_str(), "the C is stale".to_owned())
+            }
+            Error::Settings(said) => (said.as_str(), "bessemer.toml cannot be used".to_owned()),
+            Error::Limit(said) => {
+                (said.as_str(), "the C is beyond the limits of bessemer.toml".to_owned())
+            }
+            _ => ("", self.to_string()),
+        };
+        format!("{before}{}", told(&title, self.remedy().as_deref()))
+    }
+
+    /// Says it on standard error.
+    pub fn print(&self) {
+        anstream::eprint!("{}", self.text());
+    }
+}
+
+/// An error and what to do about it, in colours.
+fn told(title: &str, remedy: Option<&str>) -> String {
+    let red = Style::new().bold().fg_color(Some(AnsiColor::Red.into()));
+    let cyan = Style::new().bold().fg_color(Some(AnsiColor::Cyan.into()));
+    let mut text = format!("{red}error{red:#}: {title}\n");
+    if let Some(remedy) = remedy {
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{cyan}to do{cyan:#}: {remedy}");
+    }
+    text
+}
+
+/// Says an error and what to do about it on standard error.
+pub fn say(title: &str, remedy: Option<&str>) {
+    anstream::eprint!("{}", told(title, remedy));
+}

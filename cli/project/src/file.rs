@@ -1,0 +1,267 @@
+//! Reads `bessemer.toml`: what it does not know, or what means nothing, is told at its line and column.
+
+use bessemer_codegen::diagnostic::Diagnostic;
+use bessemer_codegen::kernels::replace;
+use serde_json::Value;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use crate::keys::{KEYS, Key, Kind};
+use crate::settings::{Limit, Settings};
+
+/// What the file is called.
+pub const NAME: &str = "bessemer.toml";
+
+/// The settings in `text`; `name`: what the file is called in diagnostics.
+///
+/// # Errors
+/// All that is wrong with it.
+pub fn read(name: &str, text: &str) -> Result<Settings, Vec<Diagnostic>> {
+    let mut reader = Reader { name, text, settings: Settings::default(), wrong: Vec::new() };
+    match DeTable::parse(text) {
+        Ok(table) => reader.table(table.get_ref(), ""),
+        Err(error) => {
+            let at = error.span().map_or(text.len(), |span| span.start);
+            reader.tell(at, error.message().replace('\n', ", "), "write TOML: `key = value`");
+        }
+    }
+    reader.wrong.sort_by_key(|it| (it.line, it.column));
+    if reader.wrong.is_empty() { Ok(reader.settings) } else { Err(reader.wrong) }
+}
+
+struct Reader<'a> {
+    name: &'a str,
+    text: &'a str,
+    settings: Settings,
+    wrong: Vec<Diagnostic>,
+}
+
+impl Reader<'_> {
+    fn table(&mut self, table: &DeTable<'_>, section: &str) {
+        for (key, value) in table {
+            let name = format!("{section}{}", key.get_ref());
+            let within = format!("{name}.");
+            let known = KEYS.iter().find(|it| it.name == name);
+            match (known, value.get_ref()) {
+                (Some(known), _) => self.value(known, value),
+                (None, found) if KEYS.iter().any(|it| it.name.starts_with(&within)) => {
+                    match found.as_table() {
+                        Some(inner) => self.table(inner, &within),
+                        None => self.tell(
+                            value.span().start,
+                            format!("`{name}` is a section"),
+                            &format!("begin it with `[{name}]`, its keys below"),
+                        ),
+                    }
+                }
+                _ => {
+                    let nearest = nearest(&name, KEYS.iter().map(|it| it.name));
+                    let help = match nearest {
+                        Some(nearest) => format!("write `{nearest}`"),
+                        None => {
+                            let all: Vec<&str> = KEYS.iter().map(|it| it.name).collect();
+                            format!("choose from {}", all.join(", "))
+                        }
+                    };
+                    self.tell(key.span().start, format!("there is no key `{name}`"), &help);
+                }
+            }
+        }
+    }
+
+    fn value(&mut self, key: &Key, value: &Spanned<DeValue<'_>>) {
+        let at = value.span().start;
+        match (&key.kind, value.get_ref()) {
+            (Kind::Text(form, set), DeValue::String(text)) if form.fits(text) => {
+                set(&mut self.settings, text.to_string());
+            }
+            (Kind::Text(form, _), _) => self.unfit(key, at, form.expected()),
+            (Kind::Choice(words, set), found) => {
+                let found = found.as_str().unwrap_or_default();
+                match words.iter().position(|word| *word == found) {
+                    Some(which) => set(&mut self.settings, which),
+                    None => {
+                        let quoted: Vec<String> =
+                            words.iter().map(|word| format!("\"{word}\"")).collect();
+                        self.unfit(key, at, &quoted.join(" or "));
+                    }
+                }
+            }
+            (Kind::Flag(set), DeValue::Boolean(flag)) => set(&mut self.settings, *flag),
+            (Kind::Flag(_), _) => self.unfit(key, at, "true or false"),
+            (Kind::Number(set), found) => {
+                let number = found
+                    .as_integer()
+                    .and_then(|it| u32::from_str_radix(it.as_str(), it.radix()).ok());
+                match number {
+                    Some(most) => {
+                        let (line, column) = self.place(at);
+                        set(&mut self.settings, Limit { most, line, column });
+                    }
+                    None => self.unfit(key, at, "a whole number from 0 to 4294967295"),
+                }
+            }
+            (Kind::Replacements, found) => self.replacements(found, at),
+        }
+    }
+
+    /// Each entry as the compiler reads it, so that what it says can be told at the entry's field.
+    fn replacements(&mut self, found: &DeValue<'_>, at: usize) {
+        let Some(entries) = found.as_array() else {
+            return self.tell(
+                at,
+                "`replacements` takes a list of tables".to_owned(),
+                "begin each with `[[replacements]]`",
+            );
+        };
+        for entry in entries {
+            let text = Value::Array(vec![json(entry.get_ref())]).to_string();
+            match replace::parse(&text) {
+                Ok(read) => self.settings.options.replacements.extend(read),
+                Err(replace::Error::Field { field, expected, .. }) => {
+                    let table = entry.get_ref().as_table().into_iter().flatten();
+                    let mut fields = table.filter(|(key, _)| *key.get_ref() == field.as_str());
+                    let at = fields.next().map_or(entry.span().start, |(key, _)| key.span().start);
+                    self.tell(
+                        at,
+                        format!("`{field}` of a replacement takes {expected}"),
+                        "docs/kernels.md has an example",
+                    );
+                }
+                Err(other) => {
+                    self.tell(
+                        entry.span().start,
+                        other.to_string(),
+                        "docs/kernels.md has an example",
+                    );
+                }
+            }
+        }
+    }
+
+    fn unfit(&mut self, key: &Key, at: usize, expected: &str) {
+        self.tell(at, format!("`{}` takes {expected}", key.name), key.says);
+    }
+
+    fn tell(&mut self, at: usize, message: String, help: &str) {
+        let (line, column) = self.place(at);
+        self.wrong.push(Diagnostic {
+            file: self.name.to_owned(),
+            line,
+            column,
+            message,
+            help: help.to_owned(),
+        });
+    }
+
+    /// Line and column, from 1, of a place in the text.
+    fn place(&self, at: usize) -> (u32, u32) {
+        let before = self.text.get(..at).unwrap_or(self.text);
+        let line = before.matches('\n').count() + 1;
+        let column = before.rsplit('\n').next().unwrap_or_default().chars().count() + 1;
+        (line as u32, column as u32)
+    }
+}
+
+fn json(value: &DeValue<'_>) -> Value {
+    match value {
+        DeValue::String(text) => Value::from(text.as_ref()),
+        DeValue::Boolean(flag) => Value::from(*flag),
+        DeValue::Integer(it) => {
+            i64::from_str_radix(it.as_str(), it.radix()).map_or(Value::Null, Value::from)
+        }
+        DeValue::Array(list) => list.iter().map(|it| json(it.get_ref())).collect(),
+        DeValue::Table(table) => {
+            let fields =
+                table.iter().map(|(key, it)| (key.get_ref().to_string(), json(it.get_ref())));
+            Value::Object(fields.collect())
+        }
+        DeValue::Float(_) | DeValue::Datetime(_) => Value::Null,
+    }
+}
+
+/// The name nearest to what was written, if one is near: by its last part too, where the section was forgotten.
+fn nearest<'k>(written: &str, known: impl Iterator<Item = &'k str>) -> Option<&'k str> {
+    let last = |name: &str| name.rsplit('.').next().unwrap_or_default().to_owned();
+    let far = |name: &str| {
+        let whole = strsim::damerau_levenshtein(written, name);
+        whole.min(strsim::damerau_levenshtein(&last(written), &last(name)) + 1)
+    };
+    let nearest = known.map(|name| (far(name), name)).min()?;
+    (nearest.0 <= 1 + written.len() / 4).then_some(nearest.1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use bessemer_codegen::compile::Layout;
+
+    #[test]
+    fn what_is_there_is_set() {
+        let text = "prefix = \"acme_\"\nlayout = \"rows\"\n[kernels]\ncode_bytes = 0x400\n[limits]\nstack_bytes = 512\n\
+            [[replacements]]\nroutine = \"product\"\nlibrary = \"CBLAS\"\ninclude = \"<cblas.h>\"\nbody = [\"x();\"]\n";
+        let settings = read(NAME, text).expect("it is sound");
+        assert_eq!(settings.options.prefix, "acme_");
+        assert_eq!(settings.options.layout, Layout::Rows);
+        assert_eq!(settings.options.kernels.code_bytes, 1024);
+        assert_eq!(settings.limits.stack_bytes, Some(Limit { most: 512, line: 6, column: 15 }));
+        assert_eq!(settings.options.replacements.len(), 1);
+        assert_eq!(read(NAME, "").expect("empty"), Settings::default());
+    }
+
+    /// Text, line and column, what is said, and the remedy.
+    #[test]
+    fn what_is_wrong_is_told_at_its_place() {
+        let cases = [
+            ("prefix = ", 1, 10, "", "write TOML"),
+            ("prefix = \"a\"\nprefix = \"b\"", 2, 1, "duplicate key", "write TOML"),
+            ("prefx = \"a\"", 1, 1, "there is no key `prefx`", "write `prefix`"),
+            ("code_bytes = 1", 1, 1, "there is no key", "write `kernels.code_bytes`"),
+            ("[kernel]\nmode = \"fast\"", 1, 2, "there is no key `kernel`", ""),
+            ("[kernels]\nmodus = \"fast\"", 2, 1, "no key `kernels.modus`", "write `kernels.mode`"),
+            ("kernels = 3", 1, 11, "`kernels` is a section", "begin it with `[kernels]`"),
+            ("zzz = 3", 1, 1, "no key `zzz`", "choose from output, license"),
+            ("prefix = 3", 1, 10, "`prefix` takes letters", "Stands before"),
+            ("prefix = \"3d\"", 1, 10, "`prefix` takes letters", ""),
+            ("prefix = \"_a\"", 1, 10, "`prefix` takes letters", ""),
+            ("prefix = \"a-b\"", 1, 10, "`prefix` takes letters", ""),
+            ("hook = \"int\"", 1, 8, "`hook` takes a name of C", ""),
+            ("hook = \"exit\"", 1, 8, "`hook` takes a name of C", ""),
+            ("status = \"\"", 1, 10, "`status` takes a name of C", ""),
+            ("layout = \"row\"", 1, 10, "`layout` takes \"columns\" or \"rows\" or \"array\"", ""),
+            ("layout = true", 1, 10, "`layout` takes", ""),
+            ("math = \"libm\"", 1, 8, "`math` takes \"portable\" or \"target\"", ""),
+            ("self_test = \"yes\"", 1, 13, "`self_test` takes true or false", ""),
+            ("output = \"\"", 1, 10, "`output` takes a folder", ""),
+            ("output = \".\"", 1, 10, "`output` takes a folder", ""),
+            ("output = \"../\"", 1, 10, "`output` takes a folder", ""),
+            ("license = \"*/ evil\"", 1, 11, "`license` takes an SPDX", ""),
+            ("license = \"\"", 1, 11, "`license` takes an SPDX", ""),
+            ("limits.stack_bytes = -1", 1, 22, "takes a whole number", ""),
+            ("limits.stack_bytes = 1.5", 1, 22, "takes a whole number", ""),
+            ("limits.checks = 4294967296", 1, 17, "takes a whole number", ""),
+            ("replacements = 3", 1, 16, "takes a list of tables", "[[replacements]]"),
+            ("[[replacements]]\nroutine = \"product\"", 1, 1, "`body`", "kernels.md"),
+            (
+                "[[replacements]]\nrutine = \"product\"",
+                2,
+                1,
+                "`rutine` of a replacement takes one of",
+                "",
+            ),
+        ];
+        for (text, line, column, said, remedy) in cases {
+            let wrong = read(NAME, text).expect_err(text);
+            let first = &wrong[0];
+            assert_eq!((first.line, first.column), (line, column), "{text}: {wrong:?}");
+            assert!(first.message.contains(said), "{text}: {}", first.message);
+            assert!(first.help.contains(remedy), "{text}: {}", first.help);
+        }
+    }
+
+    #[test]
+    fn everything_that_is_wrong_is_told_at_once() {
+        let wrong = read(NAME, "prefx = 1\nmath = 1\n").expect_err("two things are wrong");
+        assert_eq!(wrong.len(), 2);
+    }
+}

@@ -1,0 +1,183 @@
+//! The keys of `bessemer.toml`: one table, which the reader, the JSON Schema and the page of the documentation follow.
+
+use bessemer_codegen::compile::{Layout, Math};
+use bessemer_codegen::kernels::Mode;
+
+use crate::settings::{Limit, Settings};
+
+/// A key.
+pub struct Key {
+    /// Its name, with the section that it is in: `kernels.mode`.
+    pub name: &'static str,
+    /// What its value may be.
+    pub kind: Kind,
+    /// What holds without it, in words where that is no value.
+    pub default: &'static str,
+    /// What it decides.
+    pub says: &'static str,
+}
+
+/// What a value may be, and where it goes.
+pub enum Kind {
+    /// Text of a form.
+    Text(Form, fn(&mut Settings, String)),
+    /// One of these words; told is its place among them.
+    Choice(&'static [&'static str], fn(&mut Settings, usize)),
+    /// `true` or `false`.
+    Flag(fn(&mut Settings, bool)),
+    /// A whole number of at most 32 bits.
+    Number(fn(&mut Settings, Limit)),
+    /// A list of tables, read by the compiler's own reader of replacements.
+    Replacements,
+}
+
+/// What a text has to look like.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// A folder, below that of the file or above it.
+    Folder,
+    /// What C takes for the beginning of a name.
+    Prefix,
+    /// A name of C's that nobody has reserved.
+    Name,
+    /// An SPDX expression.
+    License,
+}
+
+impl Form {
+    /// What it is, for who wrote something else.
+    pub fn expected(self) -> &'static str {
+        match self {
+            Form::Folder => "a folder of its own, such as \"generated\" or \"../firmware/models\"",
+            Form::Prefix => {
+                "letters, digits and `_`, with a letter first and no reserved name, such as \"acme_\""
+            }
+            Form::Name => "a name of C that is not reserved, such as \"motor_fault\"",
+            Form::License => {
+                "an SPDX expression, such as \"MIT OR Apache-2.0\" or \"LicenseRef-Acme\""
+            }
+        }
+    }
+
+    /// The same as a regular expression.
+    pub fn pattern(self) -> &'static str {
+        match self {
+            Form::Folder => r"^.*[^./].*$",
+            Form::Prefix => "^([A-Za-z][A-Za-z0-9_]*)?$",
+            Form::Name => "^[A-Za-z][A-Za-z0-9_]*$",
+            Form::License => r"^[A-Za-z0-9.+:()\- ]+$",
+        }
+    }
+
+    /// Whether a text has it.
+    pub fn fits(self, text: &str) -> bool {
+        let word = |it: char| it.is_ascii_alphanumeric() || it == '_';
+        let named = text.starts_with(|it: char| it.is_ascii_alphabetic()) && text.chars().all(word);
+        match self {
+            Form::Folder => {
+                text.split('/').any(|part| !matches!(part, "" | "." | ".."))
+                    && !text.contains(['\0', '\n'])
+            }
+            Form::Prefix => text.is_empty() || named,
+            Form::Name => named && !bessemer_codegen::c::is_reserved(text),
+            Form::License => {
+                let taken = |it: char| it.is_ascii_alphanumeric() || "().+-: ".contains(it);
+                !text.trim().is_empty() && text.chars().all(taken)
+            }
+        }
+    }
+}
+
+/// Each key, in the order of the documentation.
+pub const KEYS: &[Key] = &[
+    Key {
+        name: "output",
+        kind: Kind::Text(Form::Folder, |to, text| to.output = Some(text.into())),
+        default: "`generated` at the root of the workspace",
+        says: "The folder of the C, from the folder of this file. It belongs to the generator.",
+    },
+    Key {
+        name: "license",
+        kind: Kind::Text(Form::License, |to, text| to.license = Some(text)),
+        default: "the package's, from its Cargo.toml",
+        says: "The licence at the head of each file, as an SPDX expression.",
+    },
+    Key {
+        name: "prefix",
+        kind: Kind::Text(Form::Prefix, |to, text| to.options.prefix = text),
+        default: "\"\"",
+        says: "Stands before the name of every type and function.",
+    },
+    Key {
+        name: "status",
+        kind: Kind::Text(Form::Name, |to, text| to.options.status = text),
+        default: "\"bessemer\"",
+        says: "The stem of the status type: `bessemer` gives `bessemer_status_t`.",
+    },
+    Key {
+        name: "hook",
+        kind: Kind::Text(Form::Name, |to, text| to.options.hook = Some(text)),
+        default: "none: functions that can fault return a status",
+        says: "A function of the firmware that a fault calls and that does not return; then no function returns a status.",
+    },
+    Key {
+        name: "layout",
+        kind: Kind::Choice(&["columns", "rows", "array"], |to, which| {
+            to.options.layout = [Layout::Columns, Layout::Rows, Layout::Array][which];
+        }),
+        default: "\"columns\"",
+        says: "How matrices lie in memory: `double m[6]` by columns or by rows, or `double m[2][3]`.",
+    },
+    Key {
+        name: "math",
+        kind: Kind::Choice(&["portable", "target"], |to, which| {
+            to.options.math = [Math::Portable, Math::Target][which];
+        }),
+        default: "\"portable\"",
+        says: "Whose elementary functions are called: Bessemer's, with the same bits everywhere, or those of the target's `math.h`, whose bits need not be the Rust's.",
+    },
+    Key {
+        name: "self_test",
+        kind: Kind::Flag(|to, flag| to.options.self_test = flag),
+        default: "false",
+        says: "Whether `bessemer_self_test()` comes along, which tells on the target whether its arithmetic is as the C needs it.",
+    },
+    Key {
+        name: "kernels.mode",
+        kind: Kind::Choice(&["exact", "fast"], |to, which| {
+            to.options.kernels.mode = [Mode::Exact, Mode::Fast][which];
+        }),
+        default: "\"exact\"",
+        says: "How kernels of linear algebra round: as the Rust does, or faster within stated bounds.",
+    },
+    Key {
+        name: "kernels.code_bytes",
+        kind: Kind::Number(|to, it| to.options.kernels.code_bytes = it.most),
+        default: "8192",
+        says: "Bytes of code that one kernel may take, by an estimate.",
+    },
+    Key {
+        name: "limits.stack_bytes",
+        kind: Kind::Number(|to, it| to.limits.stack_bytes = Some(it)),
+        default: "none",
+        says: "The most stack that an entry point may need, by the estimate that `gen` prints: more is an error.",
+    },
+    Key {
+        name: "limits.state_bytes",
+        kind: Kind::Number(|to, it| to.limits.state_bytes = Some(it)),
+        default: "none",
+        says: "The most memory that a component's state may need: more is an error.",
+    },
+    Key {
+        name: "limits.checks",
+        kind: Kind::Number(|to, it| to.limits.checks = Some(it)),
+        default: "none",
+        says: "The most checks for faults that may be left in an entry point: more is an error.",
+    },
+    Key {
+        name: "replacements",
+        kind: Kind::Replacements,
+        default: "none",
+        says: "Functions of a library of yours in place of kernels, each a table: `routine`, `element`, `at_least`, `at_most`, `library`, `include`, `body` (docs/kernels.md).",
+    },
+];

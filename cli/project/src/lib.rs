@@ -1,0 +1,22 @@
+//! A user's workspace: found from any folder in it, its `bessemer.toml` read, its C generated.
+//!
+//! What `cargo bessemer` and `cargo xtask` share, so that both do the same and say it alike.
+//!
+//! Invariants:
+//! - a failure is one [`Error`], with what to do about it where that is known;
+//! - each key of `bessemer.toml` stands in one table, [`keys::KEYS`], which reader, schema and documentation follow.
+//!
+//! What it must not know: how C is made; what else the commands do.
+
+mod error;
+pub mod file;
+mod generation;
+pub mod keys;
+mod project;
+pub mod schema;
+mod settings;
+
+pub use error::{Error, say};
+pub use generation::{Wanted, compile, generate};
+pub use project::Project;
+pub use settings::{Limit, Limits, Settings};

@@ -1,0 +1,188 @@
+//! The command line: what can be asked, and the help that teaches it.
+//!
+//! Invariant: only data and help texts; nothing is done here.
+
+use std::path::PathBuf;
+
+use clap::builder::styling::{AnsiColor, Styles};
+use clap::{Args, Parser, Subcommand};
+
+const STYLES: Styles = Styles::styled()
+    .header(AnsiColor::Green.on_default().bold())
+    .usage(AnsiColor::Green.on_default().bold())
+    .literal(AnsiColor::Cyan.on_default().bold())
+    .placeholder(AnsiColor::Cyan.on_default());
+
+/// As cargo calls a command of its own: with the command's name first.
+#[derive(Debug, Parser)]
+#[command(name = "cargo", bin_name = "cargo", styles = STYLES)]
+pub struct Arguments {
+    #[command(subcommand)]
+    cargo: Cargo,
+}
+
+#[derive(Debug, Subcommand)]
+enum Cargo {
+    /// Bessemer: controllers written in Rust, delivered as readable C99 that computes the same bits
+    #[command(
+        version,
+        after_help = "\
+First steps:
+  cargo bessemer new motor    Begin a package with a small model, its test and a firmware stub
+  cd motor
+  cargo test                  Simulate it
+  cargo bessemer gen          Write its C into generated/
+
+It finds the package of models from any folder of the workspace. What it can be told about the C stands in
+bessemer.toml, beside the package's Cargo.toml."
+    )]
+    Bessemer {
+        #[command(subcommand)]
+        task: Task,
+    },
+}
+
+impl Arguments {
+    /// What is asked.
+    pub fn task(self) -> Task {
+        let Cargo::Bessemer { task } = self.cargo;
+        task
+    }
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub enum Task {
+    /// Begin a package: a model, a closed-loop test, bessemer.toml, a firmware stub
+    New(New),
+    /// Compile the package's models to C
+    Gen(Gen),
+    /// List the checks for faults that are left in each entry point, and why
+    Explain(Explain),
+    /// Say whether this machine and this workspace have what is needed
+    Doctor(Doctor),
+}
+
+/// Which package is meant.
+#[derive(Args, Debug, Default)]
+pub struct Package {
+    /// The package of models, where the workspace has several
+    #[arg(short, long, value_name = "NAME")]
+    package: Option<String>,
+}
+
+impl Package {
+    /// Its name, if it is given.
+    pub fn name(&self) -> Option<&str> {
+        self.package.as_deref()
+    }
+}
+
+/// Arguments of `new`.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo bessemer new motor                     A folder motor/, which depends on Bessemer's repository
+  cargo bessemer new motor --path ../bessemer  The same, on a checkout of it")]
+pub struct New {
+    /// The name of the package and of its folder
+    pub name: String,
+    /// A checkout of Bessemer to depend on, in place of its repository
+    #[arg(long, value_name = "FOLDER")]
+    pub path: Option<PathBuf>,
+    /// Another repository to depend on
+    #[arg(long, value_name = "URL", conflicts_with = "path")]
+    pub git: Option<String>,
+}
+
+/// Arguments of `gen`.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo bessemer gen            Bring the C up to date
+  cargo bessemer gen --check    Fail, with a diff, if it is stale; for your CI
+  cargo bessemer gen --explain  Also list the checks that are left in each entry point, and why
+
+Needs Rust, nothing else. The output is written whole or not at all.")]
+pub struct Gen {
+    /// Which package
+    #[command(flatten)]
+    pub package: Package,
+    /// Compare instead of writing
+    #[arg(long)]
+    pub check: bool,
+    /// Also list the checks that are left in each entry point, and why
+    #[arg(long)]
+    pub explain: bool,
+}
+
+/// Arguments of `explain`.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo bessemer explain              Each entry point
+  cargo bessemer explain motor_step   One, by its name in the C or in the Rust")]
+pub struct Explain {
+    /// Which package
+    #[command(flatten)]
+    pub package: Package,
+    /// An entry point: `motor_step` or `Motor::step`
+    pub entry: Option<String>,
+}
+
+/// Arguments of `doctor`.
+#[derive(Args, Debug)]
+pub struct Doctor {
+    /// Which package
+    #[command(flatten)]
+    pub package: Package,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+    use clap::error::ErrorKind;
+
+    fn parse(line: &[&str]) -> Result<Task, ErrorKind> {
+        let words = ["cargo", "bessemer"].iter().chain(line);
+        Arguments::try_parse_from(words).map(Arguments::task).map_err(|error| error.kind())
+    }
+
+    #[test]
+    fn the_definition_is_sound() {
+        Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn what_is_asked_is_read() {
+        assert!(matches!(parse(&["gen"]), Ok(Task::Gen(Gen { check: false, .. }))));
+        let gen_ = parse(&["gen", "--check", "-p", "models"]);
+        assert!(
+            matches!(gen_, Ok(Task::Gen(it)) if it.check && it.package.name() == Some("models"))
+        );
+        assert!(matches!(parse(&["new", "motor"]), Ok(Task::New(it)) if it.name == "motor"));
+        assert!(
+            matches!(parse(&["explain", "motor_step"]), Ok(Task::Explain(it)) if it.entry.is_some())
+        );
+        assert!(matches!(parse(&["doctor"]), Ok(Task::Doctor(_))));
+    }
+
+    #[test]
+    fn nonsense_is_refused() {
+        assert_eq!(parse(&["gne"]).err(), Some(ErrorKind::InvalidSubcommand));
+        assert_eq!(parse(&["new"]).err(), Some(ErrorKind::MissingRequiredArgument));
+        assert_eq!(parse(&["gen", "--chekc"]).err(), Some(ErrorKind::UnknownArgument));
+        let both = ["new", "m", "--path", "a", "--git", "b"];
+        assert_eq!(parse(&both).err(), Some(ErrorKind::ArgumentConflict));
+    }
+
+    #[test]
+    fn every_command_has_help() {
+        let mut command = Arguments::command();
+        let bessemer = command.find_subcommand_mut("bessemer").expect("the command");
+        for command in bessemer.get_subcommands() {
+            assert!(command.get_about().is_some(), "{} has no help", command.get_name());
+        }
+    }
+}

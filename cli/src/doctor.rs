@@ -1,0 +1,210 @@
+//! `cargo bessemer doctor`: what this machine and this workspace have, what is missing, and what to do about it.
+//!
+//! Invariants: it changes nothing; the text is made by a function of the findings alone.
+
+use std::fmt::Write as _;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use anstyle::{AnsiColor, Color, Style};
+use bessemer_project::Project;
+
+const RED: Style = Style::new().bold().fg_color(Some(Color::Ansi(AnsiColor::Red)));
+const GREEN: Style = Style::new().fg_color(Some(Color::Ansi(AnsiColor::Green)));
+const YELLOW: Style = Style::new().fg_color(Some(Color::Ansi(AnsiColor::Yellow)));
+
+/// What is asked of the machine.
+pub trait Machine {
+    /// The first line that a program says of its version; none if it does not run.
+    fn version(&self, program: &str) -> Option<String>;
+}
+
+/// The machine that this runs on.
+pub struct ThisMachine;
+
+impl Machine for ThisMachine {
+    fn version(&self, program: &str) -> Option<String> {
+        let output = Command::new(program).arg("--version").stdin(Stdio::null()).output().ok()?;
+        let text = String::from_utf8_lossy(&output.stdout).into_owned();
+        output.status.success().then(|| text.lines().next().unwrap_or_default().to_owned())
+    }
+}
+
+/// A program that some command runs.
+struct Tool {
+    program: &'static str,
+    purpose: &'static str,
+    /// The line that installs it on Debian and what is made of it.
+    install: &'static str,
+    /// Whether nothing can be done without it.
+    needed: bool,
+}
+
+const TOOLS: [Tool; 4] = [
+    Tool {
+        program: "rustc",
+        purpose: "builds the models",
+        install: "https://rustup.rs",
+        needed: true,
+    },
+    Tool {
+        program: "gcc",
+        purpose: "compiles the C on this machine",
+        install: "apt-get install gcc libc6-dev",
+        needed: false,
+    },
+    Tool {
+        program: "clang",
+        purpose: "compiles the C a second time",
+        install: "apt-get install clang",
+        needed: false,
+    },
+    Tool {
+        program: "cmake",
+        purpose: "builds the firmware stub",
+        install: "apt-get install cmake",
+        needed: false,
+    },
+];
+
+/// One thing that was looked at.
+struct Finding {
+    name: String,
+    state: State,
+    said: String,
+    remedy: Option<String>,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum State {
+    Good,
+    /// Something cannot be done.
+    Lacking,
+    /// Nothing can be done.
+    Bad,
+}
+
+/// What is there and what is not, and whether models can be generated.
+pub fn run(folder: &Path, package: Option<&str>, machine: &dyn Machine) -> (String, bool) {
+    let mut findings: Vec<Finding> = TOOLS.iter().map(|tool| tool.found(machine)).collect();
+    findings.extend(of_project(folder, package));
+    (table(&findings), findings.iter().all(|it| it.state != State::Bad))
+}
+
+impl Tool {
+    fn found(&self, machine: &dyn Machine) -> Finding {
+        let version = machine.version(self.program);
+        let state = match (&version, self.needed) {
+            (Some(_), _) => State::Good,
+            (None, false) => State::Lacking,
+            (None, true) => State::Bad,
+        };
+        let said = version.unwrap_or_else(|| format!("missing: it {}", self.purpose));
+        let remedy = (state != State::Good).then(|| self.install.to_owned());
+        Finding { name: self.program.to_owned(), state, said, remedy }
+    }
+}
+
+fn of_project(folder: &Path, package: Option<&str>) -> Vec<Finding> {
+    let good = |name: &str, said: String| Finding {
+        name: name.to_owned(),
+        state: State::Good,
+        said,
+        remedy: None,
+    };
+    let project = match Project::find(folder, package, false) {
+        Ok(project) => project,
+        Err(error) => {
+            let (said, remedy) = (error.to_string().trim().to_owned(), error.remedy());
+            return vec![Finding { name: "package".to_owned(), state: State::Bad, said, remedy }];
+        }
+    };
+    let name = &project.package.name;
+    let mut findings = vec![match project.package.models() {
+        Ok(_) => good("package", format!("`{name}` at {}", project.package.folder.display())),
+        Err(error) => Finding {
+            name: "package".to_owned(),
+            state: State::Bad,
+            said: error.to_string(),
+            remedy: error.remedy(),
+        },
+    }];
+    findings.push(match &project.file {
+        Some(path) => good("bessemer.toml", path.display().to_string()),
+        None => good("bessemer.toml", "none: everything is as it is without one".to_owned()),
+    });
+    let license = project.settings.license.as_ref().or(project.package.license.as_ref());
+    findings.push(match license {
+        Some(license) => good("licence", license.clone()),
+        None => Finding {
+            name: "licence".to_owned(),
+            state: State::Bad,
+            said: format!("`{name}` names none, and it stands in each file of the C"),
+            remedy: Some(
+                "write `license = \"…\"` into the `[package]` section of its Cargo.toml".to_owned(),
+            ),
+        },
+    });
+    findings.push(match project.checks_overflow() {
+        true => good("overflow", "checked in optimised builds, too".to_owned()),
+        false => Finding {
+            name: "overflow".to_owned(),
+            state: State::Lacking,
+            said: "optimised builds of the Rust wrap where the C faults".to_owned(),
+            remedy: Some(
+                "write `overflow-checks = true` into `[profile.release]` of the workspace's Cargo.toml".to_owned(),
+            ),
+        },
+    });
+    findings
+}
+
+fn table(findings: &[Finding]) -> String {
+    let width = findings.iter().map(|it| it.name.len()).max().unwrap_or_default();
+    let mut text = String::new();
+    for it in findings {
+        let style = match it.state {
+            State::Good => GREEN,
+            State::Lacking => YELLOW,
+            State::Bad => RED,
+        };
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{:width$}  {style}{}{style:#}", it.name, it.said);
+        if let Some(remedy) = &it.remedy {
+            let _ = writeln!(text, "{:width$}  to do: {remedy}", "");
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A machine with these programs.
+    struct With(&'static [&'static str]);
+
+    impl Machine for With {
+        fn version(&self, program: &str) -> Option<String> {
+            self.0.contains(&program).then(|| format!("{program} 1.2"))
+        }
+    }
+
+    #[test]
+    fn what_is_missing_comes_with_its_line() {
+        let empty = tempfile::tempdir().expect("a folder");
+        let (text, good) = run(empty.path(), None, &With(&["rustc", "gcc"]));
+        assert!(!good, "there is no workspace");
+        let text = anstream::adapter::strip_str(&text).to_string();
+        assert!(text.contains("gcc 1.2"), "{text}");
+        assert!(text.contains("to do: apt-get install clang"), "{text}");
+        assert!(text.contains("cargo bessemer new motor"), "{text}");
+    }
+
+    #[test]
+    fn compilers_of_c_may_be_missing() {
+        let found = |programs| TOOLS.map(|tool| tool.found(&With(programs)).state == State::Bad);
+        assert_eq!(found(&["rustc"]), [false; 4]);
+        assert_eq!(found(&[]), [true, false, false, false]);
+    }
+}

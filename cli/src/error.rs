@@ -1,0 +1,69 @@
+//! What can go wrong, in the user's terms, with the remedy where one is known.
+
+use std::path::PathBuf;
+
+/// Why a command could not do its work.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// Of the user's workspace.
+    #[error(transparent)]
+    Project(#[from] bessemer_project::Error),
+    /// The name of a new package means something already, or nothing.
+    #[error("a package cannot be called `{name}`: {why}")]
+    Name {
+        /// As it was asked for.
+        name: String,
+        /// Why not.
+        why: &'static str,
+    },
+    /// The folder of a new package is there already.
+    #[error("`{folder}` is there already")]
+    Exists {
+        /// Which.
+        folder: PathBuf,
+    },
+    /// There is no Bessemer to depend on.
+    #[error("`{folder}` is no checkout of Bessemer: it has no `dsl/Cargo.toml`")]
+    NoCheckout {
+        /// Where it was looked for.
+        folder: PathBuf,
+    },
+    /// There is no such entry point.
+    #[error("there is no entry point `{name}`")]
+    NoEntry {
+        /// As it was asked for.
+        name: String,
+        /// Those that there are.
+        known: Vec<String>,
+    },
+    /// A file or folder could not be read or written.
+    #[error("`{path}`: {source}")]
+    File {
+        /// Which.
+        path: PathBuf,
+        /// The system's reason.
+        source: std::io::Error,
+    },
+}
+
+impl Error {
+    /// What to do about it.
+    pub fn remedy(&self) -> Option<String> {
+        Some(match self {
+            Error::Project(error) => return error.remedy(),
+            Error::Name { .. } => "choose another, such as `motor` or `height_loop`".to_owned(),
+            Error::Exists { .. } => "choose another name, or take that folder away".to_owned(),
+            Error::NoCheckout { .. } => "give the folder that you have cloned".to_owned(),
+            Error::NoEntry { known, .. } => format!("choose from {}", known.join(", ")),
+            Error::File { .. } => return None,
+        })
+    }
+
+    /// Says it on standard error.
+    pub fn print(&self) {
+        match self {
+            Error::Project(error) => error.print(),
+            other => bessemer_project::say(&other.to_string(), other.remedy().as_deref()),
+        }
+    }
+}

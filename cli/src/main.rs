@@ -1,0 +1,42 @@
+//! Entry of `cargo bessemer`: reads the arguments, hands over, turns the outcome into an exit code.
+//!
+//! Invariant: no decision is taken here; everything else is in the library, where tests reach it.
+
+use std::io::IsTerminal;
+use std::path::Path;
+use std::process::ExitCode;
+
+use bessemer_project::{Wanted, generate};
+use cargo_bessemer::args::{Arguments, Task};
+use cargo_bessemer::error::Error;
+use cargo_bessemer::{doctor, explain, new};
+use clap::Parser;
+
+fn main() -> ExitCode {
+    match perform(Arguments::parse().task()) {
+        Ok((text, good)) => {
+            anstream::print!("{text}");
+            if good { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+        }
+        Err(error) => {
+            error.print();
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// What there is to say, and whether all is well.
+fn perform(task: Task) -> Result<(String, bool), Error> {
+    let here = Path::new(".");
+    let colour = std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
+    match task {
+        Task::Gen(it) => {
+            let wanted =
+                Wanted { package: it.package.name(), check: it.check, explain: it.explain, colour };
+            Ok((generate(here, wanted)?, true))
+        }
+        Task::Explain(it) => Ok((explain::run(here, &it, colour)?, true)),
+        Task::New(it) => Ok((new::run(here, &it)?, true)),
+        Task::Doctor(it) => Ok(doctor::run(here, it.package.name(), &doctor::ThisMachine)),
+    }
+}

@@ -1,0 +1,244 @@
+//! `cargo bessemer new`: a package with one small model, its closed-loop test and a firmware stub.
+//!
+//! The files are those of `cli/templates/`, with the name in place of `motor`.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use bessemer_codegen::c::is_reserved;
+use bessemer_codegen::generate::Workspace;
+
+use crate::args::New;
+use crate::error::Error;
+
+/// Path in the package, and text.
+const FILES: &[(&str, &str)] = &[
+    ("Cargo.toml", include_str!("../templates/Cargo.toml.in")),
+    ("bessemer.toml", include_str!("../templates/bessemer.toml")),
+    ("README.md", include_str!("../templates/README.md")),
+    (".gitignore", "/target\n/build\n"),
+    ("src/lib.rs", include_str!("../templates/src/lib.rs.in")),
+    ("tests/closed_loop.rs", include_str!("../templates/tests/closed_loop.rs.in")),
+    ("firmware/CMakeLists.txt", include_str!("../templates/firmware/CMakeLists.txt")),
+    ("firmware/main.c", include_str!("../templates/firmware/main.c")),
+];
+
+/// What a workspace says in its own manifest.
+const PROFILE: &str = "
+# The C faults on overflow, so the Rust must, too, in every profile that simulates.
+[profile.release]
+overflow-checks = true
+";
+
+/// Names that Rust, cargo or the templates have taken.
+const TAKEN: &[&str] = &[
+    "abstract",
+    "alloc",
+    "as",
+    "async",
+    "await",
+    "become",
+    "bessemer",
+    "box",
+    "break",
+    "build",
+    "const",
+    "continue",
+    "core",
+    "crate",
+    "deps",
+    "do",
+    "dyn",
+    "else",
+    "enum",
+    "examples",
+    "extern",
+    "false",
+    "final",
+    "fn",
+    "for",
+    "gen",
+    "if",
+    "impl",
+    "in",
+    "incremental",
+    "let",
+    "loop",
+    "macro",
+    "main",
+    "match",
+    "mod",
+    "move",
+    "mut",
+    "nalgebra",
+    "override",
+    "priv",
+    "proc_macro",
+    "pub",
+    "ref",
+    "return",
+    "self",
+    "static",
+    "std",
+    "struct",
+    "super",
+    "test",
+    "trait",
+    "true",
+    "try",
+    "type",
+    "typeof",
+    "unsafe",
+    "unsized",
+    "use",
+    "virtual",
+    "where",
+    "while",
+    "yield",
+    "gains",
+];
+
+/// Writes the package; what to do next.
+///
+/// # Errors
+/// A name that is none, a folder that is there, and what the file system said: nothing is left then.
+pub fn run(folder: &Path, wanted: &New) -> Result<String, Error> {
+    let name = wanted.name.as_str();
+    named(name)?;
+    let package = folder.join(name);
+    if package.symlink_metadata().is_ok() {
+        return Err(Error::Exists { folder: package });
+    }
+    // Inside of a workspace, its manifest says what holds for all.
+    let profile = if Workspace::of(folder).is_ok() { "" } else { PROFILE };
+    let dependency = dependency(folder, wanted)?;
+    let written = FILES.iter().try_for_each(|(path, text)| {
+        let path = package.join(path);
+        let text = text.replace("@DEPENDENCY@", &dependency).replace("@PROFILE@", profile);
+        write(&path, &renamed(&text, name)).map_err(|source| Error::File { path, source })
+    });
+    if let Err(error) = written {
+        // What was begun here is ours alone.
+        let _ = fs::remove_dir_all(&package);
+        return Err(error);
+    }
+    let mut text = format!(
+        "{name}/ is there. Next:\n  cd {name}\n  cargo test             # simulates it\n  \
+         cargo bessemer gen     # writes its C into generated/\n"
+    );
+    if Workspace::of(&package).is_err() {
+        text += &format!("First, add \"{name}\" to `members` in the workspace's Cargo.toml.\n");
+    }
+    Ok(text)
+}
+
+fn write(path: &Path, text: &str) -> std::io::Result<()> {
+    fs::create_dir_all(path.parent().unwrap_or(path))?;
+    fs::write(path, text)
+}
+
+/// Whether Rust and C can both use the name.
+fn named(name: &str) -> Result<(), Error> {
+    let wrong = |why| Err(Error::Name { name: name.to_owned(), why });
+    let small = |it: char| it.is_ascii_lowercase() || it.is_ascii_digit() || it == '_' || it == '-';
+    if !name.starts_with(|it: char| it.is_ascii_lowercase()) || !name.chars().all(small) {
+        return wrong("it takes small letters, digits, `_` and `-`, and begins with a letter");
+    }
+    if name.ends_with(['_', '-']) || name.contains("--") || name.contains("__") {
+        return wrong("each `_` and `-` stands between two words");
+    }
+    let word = name.replace('-', "_");
+    if TAKEN.contains(&word.as_str()) {
+        return wrong("Rust, cargo or the model itself has taken the name");
+    }
+    if is_reserved(&word) || is_reserved(&format!("{word}_t")) {
+        return wrong("C or POSIX has taken the name");
+    }
+    Ok(())
+}
+
+/// The text of a template, with the name in place of `motor`, in each of its spellings.
+fn renamed(text: &str, name: &str) -> String {
+    let word = name.replace('-', "_");
+    let camel: String = word
+        .split('_')
+        .flat_map(|part| {
+            let mut letters = part.chars();
+            letters.next().map(|it| it.to_ascii_uppercase()).into_iter().chain(letters)
+        })
+        .collect();
+    text.replace("@PACKAGE@", name).replace("@NAME@", &word).replace("@Name@", &camel)
+}
+
+/// The line of the manifest that names the DSL.
+fn dependency(folder: &Path, wanted: &New) -> Result<String, Error> {
+    let repository = env!("CARGO_PKG_REPOSITORY");
+    if let Some(url) = &wanted.git {
+        return Ok(format!("bessemer = {{ git = \"{url}\" }}"));
+    }
+    let given = match &wanted.path {
+        Some(path) => folder.join(path),
+        None if !repository.is_empty() => {
+            return Ok(format!("bessemer = {{ git = \"{repository}\" }}"));
+        }
+        // Built from a checkout that nobody has published.
+        None => PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(".."),
+    };
+    if !given.join("dsl/Cargo.toml").is_file() {
+        return Err(Error::NoCheckout { folder: given });
+    }
+    let dsl = match wanted.path.as_deref().filter(|path| path.is_relative()) {
+        // As it was given, so that the two can be moved together.
+        Some(path) => Path::new("..").join(path).join("dsl"),
+        None => given.canonicalize().unwrap_or(given).join("dsl"),
+    };
+    Ok(format!("bessemer = {{ path = \"{}\" }}", dsl.display()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_that_rust_or_c_has_taken_are_refused() {
+        for name in ["motor", "height_loop", "pid2", "a-b"] {
+            assert!(named(name).is_ok(), "{name}");
+        }
+        let wrong = [
+            "", "Motor", "2motor", "_motor", "motor_", "-motor", "mo tor", "mo/tor", "..", "möbel",
+            "a--b", "fn", "self", "test", "core", "bessemer", "int", "size", "time", "double",
+            "printf", "exit", "gains",
+        ];
+        for name in wrong {
+            assert!(matches!(named(name), Err(Error::Name { .. })), "{name}");
+        }
+    }
+
+    #[test]
+    fn the_name_is_spelled_as_each_place_wants_it() {
+        assert_eq!(
+            renamed("@PACKAGE@ @NAME@ @Name@", "height-loop2"),
+            "height-loop2 height_loop2 HeightLoop2"
+        );
+    }
+
+    #[test]
+    fn a_relative_checkout_stays_relative() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let new = |path: &str| New { name: "m".to_owned(), path: Some(path.into()), git: None };
+        assert!(matches!(dependency(folder.path(), &new("b")), Err(Error::NoCheckout { .. })));
+        fs::create_dir_all(folder.path().join("b/dsl")).expect("a folder");
+        fs::write(folder.path().join("b/dsl/Cargo.toml"), "").expect("a file");
+        let line = dependency(folder.path(), &new("b")).expect("it is there");
+        assert_eq!(line, "bessemer = { path = \"../b/dsl\" }");
+    }
+
+    #[test]
+    fn what_is_there_stays() {
+        let folder = tempfile::tempdir().expect("a folder");
+        fs::write(folder.path().join("motor"), "mine").expect("a file");
+        let wanted = New { name: "motor".to_owned(), path: None, git: Some("u".to_owned()) };
+        assert!(matches!(run(folder.path(), &wanted), Err(Error::Exists { .. })));
+        assert_eq!(fs::read_to_string(folder.path().join("motor")).expect("there"), "mine");
+    }
+}

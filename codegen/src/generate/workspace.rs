@@ -1,0 +1,137 @@
+//! What cargo says of the workspace that a folder is in: where it lies, and its packages.
+//!
+//! Must not know: what is generated of them.
+
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use serde_json::Value;
+
+use super::error::Error;
+
+/// The crate that models are written in.
+const DSL: &str = "bessemer";
+
+/// A workspace of cargo's.
+#[derive(Clone, Debug)]
+pub struct Workspace {
+    /// Its root.
+    pub root: PathBuf,
+    /// Where cargo builds.
+    pub target: PathBuf,
+    /// Its packages.
+    pub members: Vec<Member>,
+}
+
+/// A package of a workspace.
+#[derive(Clone, Debug)]
+pub struct Member {
+    /// Its name.
+    pub name: String,
+    /// Its folder.
+    pub folder: PathBuf,
+    /// Its licence, if its manifest names one.
+    pub license: Option<String>,
+    /// What its library is called in Rust, if it has one.
+    pub library: Option<String>,
+    /// Whether other Rust can be linked with that library.
+    pub linked: bool,
+    /// Whether it is written in the DSL, as far as its dependencies tell.
+    pub uses_dsl: bool,
+}
+
+impl Workspace {
+    /// The workspace that `folder` is in.
+    ///
+    /// # Errors
+    /// [`Error::Workspace`] if it is in none, or if cargo cannot read a manifest of it.
+    pub fn of(folder: &Path) -> Result<Workspace, Error> {
+        let mut command = cargo(&["metadata", "--no-deps", "--format-version", "1"]);
+        let output = command.current_dir(folder).stdin(Stdio::null()).output();
+        let output = output.map_err(|source| Error::Run { program: program(), source })?;
+        let failed = |said: &str| {
+            let said = said.trim().trim_start_matches("error: ").to_owned();
+            Error::Workspace { folder: folder.to_owned(), said }
+        };
+        if !output.status.success() {
+            return Err(failed(&String::from_utf8_lossy(&output.stderr)));
+        }
+        let metadata: Value =
+            serde_json::from_slice(&output.stdout).map_err(|error| failed(&error.to_string()))?;
+        let path = |key: &str| metadata[key].as_str().map(PathBuf::from);
+        let (Some(root), Some(target)) = (path("workspace_root"), path("target_directory")) else {
+            return Err(failed("`cargo metadata` names no root"));
+        };
+        let packages = metadata["packages"].as_array().into_iter().flatten();
+        Ok(Workspace { root, target, members: packages.filter_map(Member::of).collect() })
+    }
+
+    /// The member of this name.
+    ///
+    /// # Errors
+    /// [`Error::NoPackage`] if there is none.
+    pub fn member(&self, name: &str) -> Result<&Member, Error> {
+        let found = self.members.iter().find(|member| member.name == name);
+        found.ok_or_else(|| Error::NoPackage {
+            package: name.to_owned(),
+            known: self.members.iter().map(|member| member.name.clone()).collect(),
+        })
+    }
+}
+
+impl Member {
+    fn of(package: &Value) -> Option<Member> {
+        let list = |key: &str| package[key].as_array().into_iter().flatten();
+        let has = |of: &Value, words: &[&str]| {
+            let all = of.as_array().into_iter().flatten().filter_map(Value::as_str);
+            all.into_iter().any(|word| words.contains(&word))
+        };
+        let kinds = ["lib", "rlib", "dylib", "cdylib", "staticlib"];
+        let library = list("targets").find(|target| has(&target["kind"], &kinds));
+        Some(Member {
+            name: package["name"].as_str()?.to_owned(),
+            folder: Path::new(package["manifest_path"].as_str()?).parent()?.to_owned(),
+            license: package["license"].as_str().map(str::to_owned),
+            library: library
+                .and_then(|library| library["name"].as_str())
+                .map(|it| it.replace('-', "_")),
+            linked: library.is_some_and(|library| has(&library["crate_types"], &["lib", "rlib"])),
+            uses_dsl: list("dependencies")
+                .any(|it| it["name"] == DSL && it["kind"].is_null() && it["rename"].is_null()),
+        })
+    }
+
+    /// The name of the library, if C can be made of the package.
+    ///
+    /// # Errors
+    /// What it lacks.
+    pub fn models(&self) -> Result<&str, Error> {
+        let package = self.name.clone();
+        match &self.library {
+            None => Err(Error::NoLibrary { package }),
+            Some(_) if !self.linked => Err(Error::NotLinked { package }),
+            Some(_) if !self.uses_dsl => Err(Error::NotOfTheDsl { package }),
+            Some(library) => Ok(library),
+        }
+    }
+}
+
+/// The cargo that runs this, or the one on the path, without what `cargo run` sets for its caller: that would describe
+/// the wrong package to it, and make it rebuild.
+pub(super) fn cargo(arguments: &[&str]) -> Command {
+    let mut command = Command::new(program());
+    command.args(arguments);
+    for (name, _) in std::env::vars_os() {
+        let name = name.to_string_lossy();
+        if name.starts_with("CARGO_PKG_") || name.starts_with("CARGO_MANIFEST_") {
+            command.env_remove(&*name);
+        }
+    }
+    command
+}
+
+/// What it is called.
+pub(super) fn program() -> String {
+    std::env::var_os("CARGO").unwrap_or_else(|| OsString::from("cargo")).to_string_lossy().into()
+}

@@ -1,3 +1,0 @@
-//! Prints the tree of every function in this package.
-
-bessemer::print_tree!(edges);
