@@ -49,6 +49,18 @@ impl Workspace {
         Ok(workspace)
     }
 
+    /// Without a package yet: one whose folder is called so, or begins so, belongs to it.
+    ///
+    /// # Errors
+    /// What the file system said.
+    pub fn for_package(name: &str) -> std::io::Result<Workspace> {
+        let workspace = Workspace::bare()?;
+        let manifest = workspace.path("Cargo.toml");
+        let text = fs::read_to_string(&manifest)?;
+        fs::write(manifest, text.replace(&format!("[\"{FOLDER}\"]"), &format!("[\"{name}*\"]")))?;
+        Ok(workspace)
+    }
+
     /// Replaces the one source file.
     ///
     /// # Errors

@@ -5,6 +5,7 @@
 //! `cargo test -p bessemer-tests corpus::` runs one module.
 
 mod asked;
+mod command;
 mod corpus;
 mod deep;
 mod delivery;

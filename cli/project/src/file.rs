@@ -1,5 +1,6 @@
 //! Reads `bessemer.toml`: what it does not know, or what means nothing, is told at its line and column.
 
+use bessemer_codegen::compile::Options;
 use bessemer_codegen::diagnostic::Diagnostic;
 use bessemer_codegen::kernels::replace;
 use serde_json::Value;
@@ -26,7 +27,16 @@ pub fn read(name: &str, text: &str) -> Result<Settings, Vec<Diagnostic>> {
         }
     }
     reader.wrong.sort_by_key(|it| (it.line, it.column));
-    if reader.wrong.is_empty() { Ok(reader.settings) } else { Err(reader.wrong) }
+    if !reader.wrong.is_empty() {
+        return Err(reader.wrong);
+    }
+    // Two packages with prefixes of their own share nothing.
+    let options = &mut reader.settings.options;
+    let stem = options.prefix.trim_end_matches('_');
+    if options.status == Options::default().status && !stem.is_empty() {
+        options.status = stem.to_owned();
+    }
+    Ok(reader.settings)
 }
 
 struct Reader<'a> {
@@ -182,13 +192,16 @@ fn json(value: &DeValue<'_>) -> Value {
 
 /// The name nearest to what was written, if one is near: by its last part too, where the section was forgotten.
 fn nearest<'k>(written: &str, known: impl Iterator<Item = &'k str>) -> Option<&'k str> {
+    /// From 0 to 1: below it, a guess would mislead.
+    const NEAR: f64 = 0.8;
     let last = |name: &str| name.rsplit('.').next().unwrap_or_default().to_owned();
-    let far = |name: &str| {
-        let whole = strsim::damerau_levenshtein(written, name);
-        whole.min(strsim::damerau_levenshtein(&last(written), &last(name)) + 1)
+    let likeness = |name: &str| {
+        let whole = strsim::jaro_winkler(written, name);
+        whole.max(strsim::jaro_winkler(&last(written), &last(name)) - 0.05)
     };
-    let nearest = known.map(|name| (far(name), name)).min()?;
-    (nearest.0 <= 1 + written.len() / 4).then_some(nearest.1)
+    let all = known.map(|name| (likeness(name), name));
+    let (likeness, name) = all.max_by(|(one, _), (other, _)| one.total_cmp(other))?;
+    (likeness >= NEAR).then_some(name)
 }
 
 #[cfg(test)]
@@ -202,6 +215,7 @@ mod tests {
             [[replacements]]\nroutine = \"product\"\nlibrary = \"CBLAS\"\ninclude = \"<cblas.h>\"\nbody = [\"x();\"]\n";
         let settings = read(NAME, text).expect("it is sound");
         assert_eq!(settings.options.prefix, "acme_");
+        assert_eq!(settings.options.status, "acme");
         assert_eq!(settings.options.layout, Layout::Rows);
         assert_eq!(settings.options.kernels.code_bytes, 1024);
         assert_eq!(settings.limits.stack_bytes, Some(Limit { most: 512, line: 6, column: 15 }));

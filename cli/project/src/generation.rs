@@ -33,6 +33,9 @@ pub fn generate(folder: &Path, wanted: Wanted<'_>) -> Result<String, Error> {
     let project = Project::find(folder, wanted.package, wanted.colour)?;
     let mut job = project.job(wanted.colour);
     job.check = wanted.check;
+    if !job.check {
+        generate::ready(&job)?;
+    }
     let compiled = limited(&project, &job)?;
     let changed = generate::deliver(&job, &compiled)?;
     let mut text = String::new();

@@ -106,13 +106,13 @@ pub const KEYS: &[Key] = &[
         name: "prefix",
         kind: Kind::Text(Form::Prefix, |to, text| to.options.prefix = text),
         default: "\"\"",
-        says: "Stands before the name of every type and function.",
+        says: "Stands before the name of every type, function and file, and so of every include guard.",
     },
     Key {
         name: "status",
         kind: Kind::Text(Form::Name, |to, text| to.options.status = text),
-        default: "\"bessemer\"",
-        says: "The stem of the status type: `bessemer` gives `bessemer_status_t`.",
+        default: "the prefix without its last `_`, or `\"bessemer\"`",
+        says: "The stem of the status type and of the files that belong to no model: `bessemer` gives `bessemer_status_t` and `bessemer_target.h`.",
     },
     Key {
         name: "hook",

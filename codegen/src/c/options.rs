@@ -8,7 +8,7 @@ use crate::kernels::replace::Replacement;
 /// What the user decides about the C.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Options {
-    /// Stands before the name of every type and function.
+    /// Stands before the name of every type, function and file, and so of every include guard.
     pub prefix: String,
     /// The stem of the status type: `bessemer` gives `bessemer_status_t`.
     pub status: String,

@@ -3,6 +3,7 @@
 //! * A component has files of its own; whatever else names a component stands beside the last that it names, since
 //!   that component's header may need the module's, which must then not need the component's.
 //! * The rest of a Rust module shares another pair.
+//! * The project's prefix stands before each, so that two packages can share a folder of headers.
 //! * Rust's modules may need each other; headers of C may not: files that do are one, which has the first one's name.
 //!
 //! What it must not know: what the C of a definition looks like.
@@ -45,7 +46,13 @@ impl Placing {
         let functions = module.functions.iter();
         placing.functions = functions.map(|item| placing.of_function(module, item)).collect();
         placing.join(&placing.needs(module, options));
+        placing.all().for_each(|file| file.insert_str(0, &options.prefix));
         placing
+    }
+
+    /// The file of each definition.
+    fn all(&mut self) -> impl Iterator<Item = &mut String> {
+        self.structs.iter_mut().chain(&mut self.enums).chain(&mut self.functions)
     }
 
     /// What a Rust module's names begin with; its file, unless that became one with another.
@@ -165,8 +172,7 @@ impl Placing {
                 Some(((*file).to_owned(), (*first).to_owned()))
             })
             .collect();
-        let all = self.structs.iter_mut().chain(&mut self.enums).chain(&mut self.functions);
-        for file in all {
+        for file in self.all() {
             if let Some(first) = first.get(file) {
                 file.clone_from(first);
             }

@@ -49,6 +49,14 @@ pub fn generate(job: &Job) -> Result<Summary, Error> {
     Ok(Summary { compiled, changed })
 }
 
+/// Whether the job's folder may be replaced, as far as what is in it tells: to know before a build of a minute.
+///
+/// # Errors
+/// [`Error::Foreign`], [`Error::Other`], [`Error::NotAFolder`] or [`Error::File`].
+pub fn ready(job: &Job) -> Result<(), Error> {
+    output::ready(&job.output, &job.package)
+}
+
 /// Compiles the job's package, and writes nothing.
 ///
 /// # Errors

@@ -66,6 +66,13 @@ fn diff(name: &str, old: Option<&String>, new: Option<&String>, colour: bool, ou
     }
 }
 
+/// Whether the folder could be replaced by the C of `package`, as far as what is in it tells.
+pub(super) fn ready(folder: &Path, package: &str) -> Result<(), Error> {
+    let present = read(folder)?;
+    refuse_foreign(folder, &present)?;
+    refuse_other(folder, &present, package)
+}
+
 /// Makes the folder hold `files` and the manifest; gives the names of those that changed.
 pub(super) fn write(
     folder: &Path,
@@ -75,7 +82,7 @@ pub(super) fn write(
     recover(folder)?;
     let present = read(folder)?;
     refuse_foreign(folder, &present)?;
-    refuse_other(folder, &present, manifest)?;
+    refuse_other(folder, &present, manifest.package())?;
     let mut changed: Vec<String> = files
         .0
         .iter()
@@ -135,10 +142,10 @@ fn refuse_foreign(folder: &Path, present: &BTreeMap<String, String>) -> Result<(
 fn refuse_other(
     folder: &Path,
     present: &BTreeMap<String, String>,
-    manifest: &Manifest,
+    package: &str,
 ) -> Result<(), Error> {
     let other = present.get(manifest::NAME).and_then(|text| manifest::package_of(text));
-    match other.filter(|other| other != manifest.package()) {
+    match other.filter(|other| other != package) {
         Some(package) => Err(Error::Other { folder: folder.to_owned(), package }),
         None => Ok(()),
     }

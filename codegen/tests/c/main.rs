@@ -6,6 +6,7 @@ mod compilers;
 #[path = "../passes_random/generate.rs"]
 mod generate;
 mod hostile;
+mod packages;
 mod run;
 
 use std::fmt::Write as _;
@@ -156,11 +157,22 @@ fn options_name_things() {
     };
     let files = emit(&module, &options);
     compilers::check("options", &files);
-    let header = files.iter().find(|file| file.name == "mixer.h").expect("it has a component");
-    for wanted in
-        ["acme_status_t acme_mixer_step(acme_mixer_t *self", "SPDX-License-Identifier: Apache-2.0"]
-    {
+    let header = files.iter().find(|file| file.name == "acme_mixer.h").expect("it has a component");
+    for wanted in [
+        "acme_status_t acme_mixer_step(acme_mixer_t *self",
+        "SPDX-License-Identifier: Apache-2.0",
+        "#ifndef ACME_MIXER_H",
+    ] {
         assert!(header.text.contains(wanted), "{wanted} in\n{}", header.text);
+    }
+}
+
+#[test]
+fn it_gets_on_with_others() {
+    for name in ["faults.ir", "kernels.ir", "height.ir"] {
+        let module = example(name);
+        packages::link_together(name, &module);
+        packages::stand_beside_a_vendors(name, &module);
     }
 }
 

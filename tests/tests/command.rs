@@ -1,0 +1,108 @@
+//! `cargo bessemer` as its users meet it: a package begun, simulated, generated, built into a firmware; and what
+//! only a build of models shows to be wrong.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use bessemer_project::{Wanted, generate};
+use bessemer_tests::toolchain;
+use bessemer_tests::workspace::Workspace;
+use cargo_bessemer::args::New;
+use cargo_bessemer::new;
+
+/// What `gen` says in a folder, without colours; none if it was refused.
+fn generated(folder: &Path, check: bool) -> Result<String, String> {
+    let outcome = generate(folder, Wanted { check, ..Wanted::default() });
+    outcome.map_err(|error| anstream::adapter::strip_str(&error.text()).to_string())
+}
+
+/// One test, since all of it is one package, built once.
+#[test]
+fn a_new_package_is_simulated_and_generated() {
+    let workspace = Workspace::for_package("motor").expect("a workspace");
+    let wanted = New { name: "motor".to_owned(), path: Some(".".into()), git: None };
+    let said = new::run(&workspace.path(""), &wanted).expect("it is new");
+    assert!(said.contains("cargo bessemer gen") && !said.contains("`members`"), "{said}");
+    let package = workspace.path("motor");
+
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let mut test = Command::new(cargo);
+    test.args(["test", "--quiet", "--offline", "--test", "closed_loop"]).current_dir(&package);
+    toolchain::run(&mut test).unwrap_or_else(|said| panic!("{said}"));
+
+    // From a folder in it, and to where its own settings say.
+    let said = generated(&package.join("src"), false).expect("it is sound");
+    assert!(said.contains("motor_step"), "{said}");
+    assert!(package.join("generated/motor.h").is_file());
+    assert!(!workspace.path("generated").exists());
+    assert_eq!(generated(&package, true).as_deref(), Ok(""));
+
+    // The stub around it computes what the closed loop begins with: 0.05 · 100 V, and 2 · 100 · 1 ms more each period.
+    for gcc in toolchain::host().into_iter().filter(|it| it.level == 2) {
+        let program = package.join("stub");
+        let sources = fs::read_dir(package.join("generated")).expect("the C").flatten();
+        let sources =
+            sources.map(|it| it.path()).filter(|it| it.extension().is_some_and(|it| it == "c"));
+        let mut compile = gcc.command();
+        compile.arg("-Igenerated").arg("firmware/main.c").args(sources).args(["-lm", "-o"]);
+        toolchain::run(compile.arg(&program).current_dir(&package))
+            .unwrap_or_else(|said| panic!("{said}"));
+        let output = Command::new(&program).output().expect("it runs");
+        let text = String::from_utf8_lossy(&output.stdout).into_owned();
+        assert_eq!(text, "5\n5.2000000000000002\n5.4000000000000004\n", "{}", gcc.name());
+    }
+
+    refusals(&package);
+}
+
+/// What is wrong, and what is said of it; then all is as it was.
+fn refusals(package: &Path) {
+    let settings = package.join("bessemer.toml");
+    let sound = fs::read_to_string(&settings).expect("the settings");
+    let header = || fs::read_to_string(package.join("generated/motor.h")).expect("the C");
+    let before = header();
+    let cases = [
+        ("[limits]\nstack_bytes = 8\n", "`motor_step` has ", "--> motor/bessemer.toml:2:15"),
+        (
+            "[limits]\nstate_bytes = 7\n",
+            "`motor_step` has 8 bytes of state, more than 7",
+            "or raise the limit",
+        ),
+        ("output = \"/proc/generated\"\n", "`/proc", "error: "),
+    ];
+    for (text, said, also) in cases {
+        let text = if text.starts_with("output") {
+            text.to_owned()
+        } else {
+            format!("output = \"generated\"\n{text}")
+        };
+        fs::write(&settings, &text).expect("the settings");
+        let told = generated(package, false).expect_err(&text);
+        let also = also.replace(":2:15", ":3:15");
+        assert!(told.contains(said) && told.contains(&also), "{text}{told}");
+        assert_eq!(header(), before);
+    }
+    fs::write(&settings, &sound).expect("the settings");
+
+    // Names that are its own, in a folder of its own.
+    fs::write(
+        &settings,
+        "output = \"generated\"\nprefix = \"acme_\"\nlicense = \"LicenseRef-Acme\"\n",
+    )
+    .expect("the settings");
+    generated(package, false).expect("it is sound");
+    let prefixed = fs::read_to_string(package.join("generated/acme_motor.h")).expect("the C");
+    for wanted in ["#ifndef ACME_MOTOR_H", "acme_motor_step(acme_motor_t *self", "LicenseRef-Acme"]
+    {
+        assert!(prefixed.contains(wanted), "{prefixed}");
+    }
+    assert!(!package.join("generated/motor.h").exists());
+
+    // Nothing that is marked.
+    fs::write(package.join("src/lib.rs"), "//! Nothing.\n#![no_std]\n").expect("the source");
+    let told = generated(package, false).expect_err("nothing is marked");
+    assert!(told.contains("nothing in the package `motor` is marked for C"), "{told}");
+    assert!(told.contains("#[component]"), "{told}");
+    assert!(package.join("generated/acme_motor.h").is_file());
+}
