@@ -5,7 +5,7 @@
 use std::path::PathBuf;
 
 use clap::builder::styling::{AnsiColor, Styles};
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 
 const STYLES: Styles = Styles::styled()
     .header(AnsiColor::Green.on_default().bold())
@@ -57,6 +57,8 @@ pub enum Task {
     New(New),
     /// Compile the package's models to C
     Gen(Gen),
+    /// Compare Rust, interpreter and C of each entry point, bit for bit
+    Verify(Verify),
     /// List the checks for faults that are left in each entry point, and why
     Explain(Explain),
     /// Say whether this machine and this workspace have what is needed
@@ -116,6 +118,40 @@ pub struct Gen {
     pub explain: bool,
 }
 
+/// Arguments of `verify`.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo bessemer verify                     Edge values, and a life of small numbers, on each leg
+  cargo bessemer verify --seed 7            Others
+  cargo bessemer verify --target cortex-a9  Also the C on an emulated processor
+
+The C is compiled by gcc and clang at -O0, -O2 and -O3, whichever are there. Exit code 1 if a word differs.")]
+pub struct Verify {
+    /// Which package
+    #[command(flatten)]
+    pub package: Package,
+    /// Which values
+    #[arg(long, value_name = "S", default_value_t = 0)]
+    pub seed: u64,
+    /// Also on this processor, emulated by QEMU
+    #[arg(long, value_enum)]
+    pub target: Vec<Target>,
+}
+
+/// A processor that QEMU emulates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Target {
+    /// ARM of 32 bits, as in a Zynq, with VFPv3
+    CortexA9,
+    /// ARM of 64 bits
+    Aarch64,
+    /// RISC-V of 64 bits
+    Riscv64,
+    /// Big-endian
+    S390x,
+}
+
 /// Arguments of `explain`.
 #[derive(Args, Debug)]
 #[command(after_help = "\
@@ -165,12 +201,16 @@ mod tests {
         assert!(
             matches!(parse(&["explain", "motor_step"]), Ok(Task::Explain(it)) if it.entry.is_some())
         );
+        assert!(matches!(parse(&["verify", "--seed", "7"]), Ok(Task::Verify(it)) if it.seed == 7));
+        let arm = parse(&["verify", "--target", "cortex-a9"]);
+        assert!(matches!(arm, Ok(Task::Verify(it)) if it.target == [Target::CortexA9]));
         assert!(matches!(parse(&["doctor"]), Ok(Task::Doctor(_))));
     }
 
     #[test]
     fn nonsense_is_refused() {
         assert_eq!(parse(&["gne"]).err(), Some(ErrorKind::InvalidSubcommand));
+        assert_eq!(parse(&["verify", "--target", "z80"]).err(), Some(ErrorKind::InvalidValue));
         assert_eq!(parse(&["new"]).err(), Some(ErrorKind::MissingRequiredArgument));
         assert_eq!(parse(&["gen", "--chekc"]).err(), Some(ErrorKind::UnknownArgument));
         let both = ["new", "m", "--path", "a", "--git", "b"];

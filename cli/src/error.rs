@@ -36,6 +36,31 @@ pub enum Error {
         /// Those that there are.
         known: Vec<String>,
     },
+    /// There is no compiler of C to compare with.
+    #[error("neither gcc nor clang runs here")]
+    NoCompiler,
+    /// What makes or runs the programs of an emulated processor is missing.
+    #[error("`{program}` does not run here")]
+    NoTarget {
+        /// The compiler.
+        program: &'static str,
+        /// The line that installs it on Debian, with the emulator.
+        install: &'static str,
+    },
+    /// A compiler of C refused what was emitted.
+    #[error("{name} refuses the C: {said}")]
+    Compiler {
+        /// Which.
+        name: String,
+        /// What it said.
+        said: String,
+    },
+    /// The program around the Rust could not be made.
+    #[error("the program around the Rust cannot be made: {said}")]
+    Native {
+        /// What rustc said.
+        said: String,
+    },
     /// A file or folder could not be read or written.
     #[error("`{path}`: {source}")]
     File {
@@ -55,7 +80,9 @@ impl Error {
             Error::Exists { .. } => "choose another name, or take that folder away".to_owned(),
             Error::NoCheckout { .. } => "give the folder that you have cloned".to_owned(),
             Error::NoEntry { known, .. } => format!("choose from {}", known.join(", ")),
-            Error::File { .. } => return None,
+            Error::NoCompiler => "apt-get install gcc libc6-dev clang".to_owned(),
+            Error::NoTarget { install, .. } => (*install).to_owned(),
+            Error::File { .. } | Error::Compiler { .. } | Error::Native { .. } => return None,
         })
     }
 

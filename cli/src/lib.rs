@@ -11,3 +11,4 @@ pub mod doctor;
 pub mod error;
 pub mod explain;
 pub mod new;
+pub mod verify;

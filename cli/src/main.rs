@@ -9,7 +9,7 @@ use std::process::ExitCode;
 use bessemer_project::{Wanted, generate};
 use cargo_bessemer::args::{Arguments, Task};
 use cargo_bessemer::error::Error;
-use cargo_bessemer::{doctor, explain, new};
+use cargo_bessemer::{doctor, explain, new, verify};
 use clap::Parser;
 
 fn main() -> ExitCode {
@@ -36,6 +36,7 @@ fn perform(task: Task) -> Result<(String, bool), Error> {
             Ok((generate(here, wanted)?, true))
         }
         Task::Explain(it) => Ok((explain::run(here, &it, colour)?, true)),
+        Task::Verify(it) => verify::run(here, &it, colour),
         Task::New(it) => Ok((new::run(here, &it)?, true)),
         Task::Doctor(it) => Ok(doctor::run(here, it.package.name(), &doctor::ThisMachine)),
     }

@@ -6,12 +6,15 @@
 //!
 //! What it must not know: any model, any test.
 
+pub mod arguments;
 pub mod harness;
 pub mod interpreter;
 pub mod kernels;
 mod objects;
+pub mod outcome;
 pub mod panics;
 pub mod process;
+pub mod random;
 pub mod toolchain;
 mod units;
 

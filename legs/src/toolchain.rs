@@ -90,7 +90,7 @@ fn tool(compiler: &'static str, level: u32) -> Option<cc::Tool> {
 
 impl Toolchain {
     /// Whether programs can be made and run with it here.
-    fn is_there(&self) -> bool {
+    pub fn is_there(&self) -> bool {
         there(self.compiler) && self.emulator.is_none_or(|emulator| there(emulator[0]))
     }
 

@@ -6,18 +6,15 @@
 //! simulation uses too.
 
 pub mod alive;
-pub mod arguments;
 pub mod batch;
 pub mod edge_values;
-pub mod outcome;
 pub mod pilot;
-pub mod random;
 pub mod turn;
 pub mod workspace;
 
 pub use bessemer_legs::{
-    compiled, compiled_with, entry, harness, interpreter, kernels, overflow_is_checked, panics,
-    process, root, toolchain, value, words,
+    arguments, compiled, compiled_with, entry, harness, interpreter, kernels, outcome,
+    overflow_is_checked, panics, process, random, root, toolchain, value, words,
 };
 
 use bessemer_codegen::c::CFile;

@@ -8,8 +8,8 @@ use std::process::Command;
 use bessemer_project::{Wanted, generate};
 use bessemer_tests::toolchain;
 use bessemer_tests::workspace::Workspace;
-use cargo_bessemer::args::New;
-use cargo_bessemer::new;
+use cargo_bessemer::args::{New, Package, Verify};
+use cargo_bessemer::{new, verify};
 
 /// What `gen` says in a folder, without colours; none if it was refused.
 fn generated(folder: &Path, check: bool) -> Result<String, String> {
@@ -53,7 +53,27 @@ fn a_new_package_is_simulated_and_generated() {
         assert_eq!(text, "5\n5.2000000000000002\n5.4000000000000004\n", "{}", gcc.name());
     }
 
+    verified(&package);
     refusals(&package);
+}
+
+/// On each leg the same bits; what cannot be called is named.
+fn verified(package: &Path) {
+    let source = package.join("src/lib.rs");
+    let sound = fs::read_to_string(&source).expect("the model");
+    let hidden = "mod hidden {\n    use bessemer::prelude::*;\n    /// Counts.\n    #[component]\n    \
+        #[derive(Clone, Debug, Default, PartialEq)]\n    pub struct Count {\n        n: u8,\n    }\n    #[component]\n    \
+        impl Count {\n        /// One more.\n        #[entry]\n        pub fn more(&mut self) {\n            self.n += 1;\n        }\n    }\n}\n";
+    fs::write(&source, format!("{sound}\n{hidden}")).expect("the model");
+    let wanted = Verify { package: Package::default(), seed: 1, target: Vec::new() };
+    let (text, agree) =
+        verify::run(package, &wanted, false).unwrap_or_else(|error| panic!("{error}"));
+    assert!(agree, "{text}");
+    let legs = 2 + toolchain::host().len();
+    assert_eq!(text.lines().count(), legs + 1, "{text}");
+    assert_eq!(text.matches(" 0 differ").count(), legs - 1, "{text}");
+    assert!(text.contains("  Rust ") && text.contains("Count::more: not called"), "{text}");
+    fs::write(&source, sound).expect("the model");
 }
 
 /// What is wrong, and what is said of it; then all is as it was.

@@ -28,6 +28,7 @@ pub use error::Error;
 pub use job::Job;
 pub use manifest::Manifest;
 pub use package::settings;
+pub use program::Program;
 pub use report::{explanation, table};
 pub use workspace::{Member, Workspace};
 
@@ -91,6 +92,17 @@ pub fn deliver(job: &Job, compiled: &Compiled) -> Result<Vec<String>, Error> {
         return Ok(Vec::new());
     }
     output::write(&job.output, files, &manifest)
+}
+
+/// A program around the job's package as rustc makes it, linked from `text`; or what rustc said of the text, in a line
+/// each.
+///
+/// # Errors
+/// See [`Error`].
+pub fn native(job: &Job, text: &str) -> Result<Result<Program, String>, Error> {
+    let (workspace, sources) = (Workspace::of(&job.root)?, Sources::new(&job.root));
+    let _alone = alone(&workspace.target)?;
+    package::native(job, workspace.member(&job.package)?, &sources, text)
 }
 
 /// The tree of the job's package.

@@ -11,7 +11,7 @@ use serde_json::Value;
 
 use super::error::Error;
 use super::job::Job;
-use super::program::{self, Built};
+use super::program::{self, Built, Program};
 use super::workspace::{Member, cargo, program as cargo_program};
 use crate::deep;
 use crate::diagnostic::{self, Diagnostic};
@@ -28,8 +28,10 @@ pub(super) fn tree(job: &Job, member: &Member, sources: &Sources) -> Result<Pack
     let failed = |reason: String| Error::Tree { package: job.package.clone(), reason };
     let mut why = "another workspace keeps building into the same target folder".to_owned();
     for _ in 0..TRIES {
-        let built = build(job, sources)?;
-        let program = match built.link(&job.root, library, &job.package, license)? {
+        let built = build(job, sources, true)?;
+        let variables = [("CARGO_PKG_NAME", job.package.as_str()), ("CARGO_PKG_LICENSE", license)];
+        let text = format!("bessemer::print_tree!({library});\n");
+        let program = match built.link(&job.root, library, &text, &variables)? {
             Ok(program) => program,
             Err(said) => {
                 why = said;
@@ -65,18 +67,29 @@ pub fn settings(package: &str) -> impl Iterator<Item = String> {
 /// what nests as deep as an author's Rust may nests three times as deep there. Only what is used of it is memory.
 const RUSTC_STACK: usize = 1 << 30;
 
-/// Builds the package and what it is made of with their builders.
-fn build(job: &Job, sources: &Sources) -> Result<Built, Error> {
-    let mut command = cargo(&["build", "--quiet", "--lib", "--features", "bessemer/generate"]);
+/// A program around the package as rustc makes it, without builders; or what rustc said of the text, in a line each.
+pub(super) fn native(
+    job: &Job,
+    member: &Member,
+    sources: &Sources,
+    text: &str,
+) -> Result<Result<Program, String>, Error> {
+    build(job, sources, false)?.link(&job.root, member.models()?, text, &[])
+}
+
+/// Builds the package and what it is made of; in a generation build, with their builders.
+fn build(job: &Job, sources: &Sources, generating: bool) -> Result<Built, Error> {
+    let mut command = cargo(&["build", "--quiet", "--lib"]);
     command
         .args(["--message-format=json-diagnostic-rendered-ansi", "--package", &job.package])
         .current_dir(&job.root)
         .stderr(Stdio::piped());
-    if std::env::var_os("RUST_MIN_STACK").is_none() {
-        command.env("RUST_MIN_STACK", RUSTC_STACK.to_string());
-    }
-    for setting in settings(&job.package) {
-        command.args(["--config", &setting]);
+    if generating {
+        command.args(["--features", "bessemer/generate"]);
+        if std::env::var_os("RUST_MIN_STACK").is_none() {
+            command.env("RUST_MIN_STACK", RUSTC_STACK.to_string());
+        }
+        settings(&job.package).for_each(|it| _ = command.args(["--config", &it]));
     }
     let output =
         command.output().map_err(|source| Error::Run { program: cargo_program(), source })?;

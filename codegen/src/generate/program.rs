@@ -1,5 +1,5 @@
-//! The program that prints a package's tree: written here, linked with what cargo built, and whether that is this
-//! workspace's.
+//! A program around a package, such as that which prints its tree: linked with what cargo built, and whether that is
+//! this workspace's.
 //!
 //! Where workspaces share a target folder, cargo takes what was built of another's package of the same
 //! name for this one's if that is newer than the sources. So the program says first in which folder each
@@ -23,7 +23,7 @@ pub(super) struct Built {
 }
 
 /// The program, in a folder of its own, and the crates that it is made of.
-pub(super) struct Program {
+pub struct Program {
     folder: TempDir,
     artifacts: Vec<Artifact>,
 }
@@ -58,29 +58,29 @@ impl Built {
         Built { artifacts: messages.iter().filter_map(Artifact::of).collect() }
     }
 
-    /// Links the program of a package's `library`; or what rustc said, where another workspace has built into the same
-    /// folder meanwhile.
+    /// Links a program with a package's `library` and the DSL: `text`, with the variables that it reads when it is
+    /// compiled. Or what rustc said, in a line each: where another workspace has built into the same folder meanwhile, or
+    /// where the text is at fault.
     pub fn link(
         self,
         root: &Path,
         library: &str,
-        package: &str,
-        license: &str,
+        text: &str,
+        variables: &[(&str, &str)],
     ) -> Result<Result<Program, String>, Error> {
         let folder = tempfile::tempdir()
             .map_err(|source| Error::File { path: std::env::temp_dir(), source })?;
-        let source = folder.path().join("tree.rs");
-        std::fs::write(&source, format!("bessemer::print_tree!({library});\n"))
+        let source = folder.path().join("program.rs");
+        std::fs::write(&source, text)
             .map_err(|error| Error::File { path: source.clone(), source: error })?;
         let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
         let mut command = Command::new(&rustc);
         command
-            .args(["--edition", "2024", "--crate-name", "tree", "-o"])
-            .arg(folder.path().join("tree"))
+            .args(["--edition", "2024", "--crate-name", "program", "--error-format", "short", "-o"])
+            .arg(folder.path().join("program"))
             .arg(&source)
             .current_dir(root)
-            .env("CARGO_PKG_NAME", package)
-            .env("CARGO_PKG_LICENSE", license);
+            .envs(variables.iter().copied());
         for name in [library, "bessemer"] {
             let found = self.artifacts.iter().find(|it| it.krate == name && it.library.is_some());
             let Some(built) = found.and_then(|it| it.library.as_deref()) else {
@@ -106,9 +106,14 @@ impl Built {
 }
 
 impl Program {
+    /// Where it is.
+    pub fn path(&self) -> PathBuf {
+        self.folder.path().join("program")
+    }
+
     /// Runs it.
-    pub fn run(&self) -> Result<Printed, Error> {
-        let path = self.folder.path().join("tree");
+    pub(super) fn run(&self) -> Result<Printed, Error> {
+        let path = self.path();
         let output = Command::new(&path)
             .output()
             .map_err(|source| Error::Run { program: path.display().to_string(), source })?;

@@ -1,0 +1,335 @@
+//! `cargo bessemer verify`: each entry point called with edge values and with a life of small numbers, on each leg;
+//! Rust, interpreter and C have to give the same words.
+//!
+//! Invariant: a leg that is missing is named; what was not called is named.
+
+mod native;
+
+use std::fmt::Write as _;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use bessemer_codegen::c::names::FAULTS;
+use bessemer_codegen::compile::{Compiled, Options};
+use bessemer_codegen::generate::{self, Program};
+use bessemer_interpret::{Interpreter, Stop};
+use bessemer_ir::{Fault, Function, FunctionId, Mode, Module, Role, Type};
+use bessemer_legs::arguments::{Size, words};
+use bessemer_legs::outcome::{self, Outcome};
+use bessemer_legs::random::Random;
+use bessemer_legs::toolchain::{self, Toolchain};
+use bessemer_legs::{harness, process};
+use bessemer_project::Project;
+
+use crate::args::{Target, Verify};
+use crate::error::Error;
+
+/// Calls of each entry point with edge values, and as many in its life.
+const CALLS: usize = 100;
+
+/// An entry point, and what the interpreter makes of each call.
+struct Case {
+    id: FunctionId,
+    name: String,
+    /// Of the result, the component and what else changes.
+    types: Vec<Type>,
+    leaves: Vec<Type>,
+    /// The words of each argument.
+    calls: Vec<Vec<Vec<u64>>>,
+    expected: Vec<Outcome>,
+}
+
+/// Compares the legs; the table of what was seen, and whether they agree.
+///
+/// # Errors
+/// What the models or the system said; [`Error::NoCompiler`] if there is no leg of C.
+pub fn run(folder: &Path, wanted: &Verify, colour: bool) -> Result<(String, bool), Error> {
+    let project = Project::find(folder, wanted.package.name(), colour)?;
+    let mut job = project.job(colour);
+    // What calls the firmware's own function at a fault does not come back to tell of it.
+    job.options.hook = None;
+    let compiled = generate::compiled(&job).map_err(bessemer_project::Error::from)?;
+    let module = &compiled.module;
+    let mut cases = cases(module, wanted.seed);
+    let mut legs = Vec::new();
+    let (program, left) = rust(&job, module, &mut cases)?;
+    if let Some(program) = program {
+        legs.push(("Rust".to_owned(), of_rust(&cases, &program.path())?));
+    }
+    let mut compilers = toolchain::host();
+    if compilers.is_empty() {
+        return Err(Error::NoCompiler);
+    }
+    for target in &wanted.target {
+        compilers.push(emulated(*target)?);
+    }
+    for toolchain in compilers {
+        legs.push((toolchain.name(), of_c(&compiled, &cases, &job.options, &toolchain)?));
+    }
+    let mut text = String::new();
+    let calls: usize = cases.iter().map(|case| case.calls.len()).sum();
+    // Writing to a string cannot fail.
+    let _ = writeln!(text, "{} entry points, {calls} calls; against the interpreter:", cases.len());
+    let mut all = true;
+    for (leg, outcomes) in &legs {
+        let differing = differing(module, &cases, outcomes);
+        let _ = writeln!(text, "  {leg:<27}  {} differ", differing.len());
+        all &= differing.is_empty();
+        if let Some((case, index)) = differing.first() {
+            let (case, index) = (&cases[*case], *index);
+            let _ = writeln!(text, "    {} of {:x?}", case.name, case.calls[index]);
+        }
+    }
+    for name in left {
+        let _ = writeln!(text, "{name}: not called, since its Rust is not public or takes a slice");
+    }
+    Ok((text, all && !cases.is_empty()))
+}
+
+/// The compiler of an emulated processor, optimising.
+fn emulated(target: Target) -> Result<Toolchain, Error> {
+    let (toolchain, install) = match target {
+        Target::CortexA9 => (toolchain::ARM, "apt-get install gcc-arm-linux-gnueabihf qemu-user"),
+        Target::Aarch64 => (toolchain::AARCH64, "apt-get install gcc-aarch64-linux-gnu qemu-user"),
+        Target::Riscv64 => (toolchain::RISCV64, "apt-get install gcc-riscv64-linux-gnu qemu-user"),
+        Target::S390x => (toolchain::S390X, "apt-get install gcc-s390x-linux-gnu qemu-user"),
+    };
+    if toolchain.is_there() {
+        return Ok(toolchain);
+    }
+    Err(Error::NoTarget { program: toolchain.compiler, install })
+}
+
+/// The calls of each entry point, and what the interpreter makes of them.
+fn cases(module: &Module, seed: u64) -> Vec<Case> {
+    let mut random = Random(seed);
+    let mut interpreter = Interpreter::new(module);
+    let ids = (0..module.functions.len()).map(|index| FunctionId(index as u32));
+    let entries = ids.filter(|id| matches!(module.functions[id.index()].role, Role::Entry { .. }));
+    let mut cases = Vec::new();
+    for id in entries {
+        let function = &module.functions[id.index()];
+        let parameters = function.parameters();
+        let mut types = vec![function.result.clone()];
+        let changes = |index: usize| index == 0 || parameters[index].mode == Mode::RefMut;
+        let changed = (0..parameters.len()).filter(|index| changes(*index));
+        types.extend(changed.map(|index| parameters[index].ty.clone()));
+        let leaves = types.iter().flat_map(|ty| module.leaves(ty)).collect();
+        let name = named(module, function);
+        let mut case = Case { id, name, types, leaves, calls: Vec::new(), expected: Vec::new() };
+        if native::can_call(function) {
+            let initial = match &parameters[0].ty {
+                Type::Struct(id) => module.structs[id.index()].initial.clone().unwrap_or_default(),
+                _ => Vec::new(),
+            };
+            let mut state = initial.clone();
+            for index in 0..2 * CALLS {
+                let size = if index < CALLS { Size::Edges } else { Size::Tame };
+                let make = |local: &bessemer_ir::Local| words(&mut random, module, &local.ty, size);
+                let mut call: Vec<Vec<u64>> = parameters.iter().map(make).collect();
+                if size == Size::Tame {
+                    call[0].clone_from(&state);
+                }
+                let outcome =
+                    interpreted(&mut interpreter, &case, parameters.len(), &call, &changes);
+                if let Ok((_, after)) = &outcome {
+                    state.clone_from(after);
+                } else {
+                    state.clone_from(&initial);
+                }
+                case.calls.push(call);
+                case.expected.push(outcome.map(|(words, _)| words));
+            }
+        }
+        cases.push(case);
+    }
+    cases
+}
+
+/// The words that come out, and the component's among them.
+fn interpreted(
+    interpreter: &mut Interpreter<'_>,
+    case: &Case,
+    count: usize,
+    call: &[Vec<u64>],
+    changes: &dyn Fn(usize) -> bool,
+) -> Result<(Vec<u64>, Vec<u64>), Fault> {
+    let mut arguments = call.to_vec();
+    match interpreter.call(case.id, &mut arguments) {
+        Ok(mut words) => {
+            let changed = (0..count).filter(|index| changes(*index));
+            changed.for_each(|index| words.extend(&arguments[index]));
+            Ok((words, arguments[0].clone()))
+        }
+        Err(Stop::Fault { fault, .. }) => Err(fault),
+        // A program that runs too long for the interpreter, or words that fit no type: no leg agrees with it.
+        Err(_) => Err(Fault::LeftOut),
+    }
+}
+
+fn named(module: &Module, function: &Function) -> String {
+    match function.owner {
+        Some(bessemer_ir::Owner::Struct(id)) => {
+            format!("{}::{}", module.structs[id.index()].name, function.name)
+        }
+        _ => function.name.clone(),
+    }
+}
+
+/// The program of the Rust, and those of the cases that it cannot call, which leave the list.
+fn rust(
+    job: &generate::Job,
+    module: &Module,
+    cases: &mut Vec<Case>,
+) -> Result<(Option<Program>, Vec<String>), Error> {
+    let mut left = Vec::new();
+    cases.retain(|case| {
+        let called = !case.calls.is_empty();
+        if !called {
+            left.push(case.name.clone());
+        }
+        called
+    });
+    loop {
+        let functions: Vec<&Function> =
+            cases.iter().map(|case| &module.functions[case.id.index()]).collect();
+        if functions.is_empty() {
+            return Ok((None, left));
+        }
+        let (text, first) = native::program(module, &functions);
+        let said = match generate::native(job, &text).map_err(bessemer_project::Error::from)? {
+            Ok(program) => return Ok((Some(program), left)),
+            Err(said) => said,
+        };
+        // `program.rs:57:13: error[E0603]: module `inner` is private`
+        let errors = said.lines().filter(|line| line.contains(": error"));
+        let lines = errors.filter_map(|line| line.split(':').nth(1)?.parse::<usize>().ok());
+        let wrong: Vec<usize> = lines
+            .filter_map(|line| line.checked_sub(first))
+            .filter(|index| *index < cases.len())
+            .collect();
+        if wrong.is_empty() {
+            return Err(Error::Native { said });
+        }
+        let mut index = 0;
+        cases.retain(|case| {
+            let kept = !wrong.contains(&index);
+            if !kept {
+                left.push(case.name.clone());
+            }
+            index += 1;
+            kept
+        });
+    }
+}
+
+/// All words of all calls, as both programs read them.
+fn input(cases: &[Case]) -> Result<std::fs::File, Error> {
+    use std::io::{Seek, Write};
+    let failed = |source| Error::File { path: std::env::temp_dir(), source };
+    let mut bytes = Vec::new();
+    for (place, case) in cases.iter().enumerate() {
+        for call in &case.calls {
+            bytes.extend((place as u64).to_le_bytes());
+            call.iter().flatten().for_each(|word| bytes.extend(word.to_le_bytes()));
+        }
+    }
+    let mut file = tempfile::tempfile().map_err(failed)?;
+    file.write_all(&bytes).and_then(|()| file.rewind()).map_err(failed)?;
+    Ok(file)
+}
+
+/// The words that a program writes of all calls.
+fn output(mut command: Command, cases: &[Case]) -> Result<Vec<u64>, Error> {
+    let output = command.stdin(Stdio::from(input(cases)?)).output();
+    let output = output.map_err(|source| {
+        let path = Path::new(command.get_program()).to_owned();
+        Error::File { path, source }
+    })?;
+    let word = |bytes: &[u8]| bytes.iter().rev().fold(0, |word, byte| word << 8 | u64::from(*byte));
+    Ok(output.stdout.chunks_exact(8).map(word).collect())
+}
+
+/// What came of each call of each case; `fault`: reads the rest of one, by its first word.
+fn outcomes(
+    cases: &[Case],
+    words: &[u64],
+    fault: impl Fn(u64, &mut dyn FnMut() -> u64) -> Fault,
+) -> Vec<Vec<Outcome>> {
+    let mut words = words.iter().copied();
+    // What a program that died has not written agrees with nothing.
+    let mut next = || words.next().unwrap_or(u64::MAX - 7);
+    let one = |case: &Case, next: &mut dyn FnMut() -> u64| match next() {
+        0 => Ok(case.leaves.iter().map(|_| next()).collect()),
+        status => Err(fault(status, next)),
+    };
+    cases.iter().map(|case| case.calls.iter().map(|_| one(case, &mut next)).collect()).collect()
+}
+
+fn of_rust(cases: &[Case], program: &Path) -> Result<Vec<Vec<Outcome>>, Error> {
+    let words = output(Command::new(program), cases)?;
+    Ok(outcomes(cases, &words, |status, next| {
+        let length = (status - 1).min(1 << 16) as usize;
+        let mut text: Vec<u8> =
+            (0..length.div_ceil(8)).flat_map(|_| next().to_le_bytes()).collect();
+        text.truncate(length);
+        outcome::fault(&String::from_utf8_lossy(&text))
+    }))
+}
+
+fn of_c(
+    compiled: &Compiled,
+    cases: &[Case],
+    options: &Options,
+    toolchain: &Toolchain,
+) -> Result<Vec<Vec<Outcome>>, Error> {
+    let failed = |said: String| Error::Compiler { name: toolchain.name(), said };
+    let module = &compiled.explicit;
+    let entry = |case: &Case| (case.id, compiled.module.functions[case.id.index()].params);
+    let entries: Vec<(FunctionId, u32)> = cases.iter().map(entry).collect();
+    let folder = process::lay_out(compiled).map_err(|error| failed(error.to_string()))?;
+    let main = folder.path().join("verify_main.c");
+    std::fs::write(&main, harness::programs_with(module, &entries, options))
+        .map_err(|source| Error::File { path: main.clone(), source })?;
+    let program = folder.path().join("verify");
+    toolchain.around(&main, folder.sources(), &program, &[]).map_err(failed)?;
+    let words = output(toolchain.runner(&program), cases)?;
+    Ok(outcomes(cases, &words, |status, _| {
+        let index = (status as usize).wrapping_sub(1);
+        FAULTS.get(index).copied().unwrap_or(Fault::LeftOut)
+    }))
+}
+
+/// Case and call of each that is not what the interpreter says.
+fn differing(module: &Module, cases: &[Case], outcomes: &[Vec<Outcome>]) -> Vec<(usize, usize)> {
+    let mut list = Vec::new();
+    for (place, (case, outcomes)) in cases.iter().zip(outcomes).enumerate() {
+        for (index, (expected, got)) in case.expected.iter().zip(outcomes).enumerate() {
+            let meant = |it: &Outcome| outcome::meant(module, &case.types, it);
+            if !outcome::same(&meant(expected), &meant(got), &case.leaves) {
+                list.push((place, index));
+            }
+        }
+    }
+    list
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_word_that_differs_is_found() {
+        let text = include_str!("../../../codegen/tests/c/height.ir");
+        let module = bessemer_ir::text::parse(text).expect("it is a module");
+        let cases = cases(&module, 0);
+        let mut got: Vec<Vec<Outcome>> = cases.iter().map(|case| case.expected.clone()).collect();
+        assert!(got.iter().flatten().any(|outcome| outcome.is_ok()), "nothing ran to its end");
+        assert!(differing(&module, &cases, &got).is_empty());
+        let last = got[0].iter_mut().rev().find_map(|it| it.as_mut().ok()).expect("one that ran");
+        last[0] ^= 1;
+        assert_eq!(differing(&module, &cases, &got).len(), 1);
+        got[0][0] = Err(Fault::Index);
+        assert_eq!(differing(&module, &cases, &got).first(), Some(&(0, 0)));
+    }
+}

@@ -1,0 +1,90 @@
+//! The Rust of a package as a leg: the text of a program around its entry points, words in, words out.
+//!
+//! It reads which entry, the words of the component and of the arguments; it writes 0 and the words of the result, of the
+//! component and of each argument that the call may change, or, of a panic, one more than the bytes of its message, and
+//! these in words. It ends with its input.
+
+use std::fmt::Write as _;
+
+use bessemer_ir::{Function, Mode, Module, Owner, Type};
+
+/// What stands before the calls.
+const SUPPORT: &str = r#"//! A program around a package's entry points.
+#![allow(warnings)]
+use std::cell::RefCell;
+use std::io::{Read, Write};
+use bessemer::Plain;
+thread_local! {
+    static OUT: RefCell<std::io::BufWriter<std::io::Stdout>> = RefCell::new(std::io::BufWriter::new(std::io::stdout()));
+    static IN: RefCell<std::io::BufReader<std::io::Stdin>> = RefCell::new(std::io::BufReader::new(std::io::stdin()));
+}
+fn end() -> ! { OUT.with_borrow_mut(|out| out.flush()).expect("somebody reads"); std::process::exit(0) }
+fn get() -> u64 {
+    let mut bytes = [0; 8];
+    if IN.with_borrow_mut(|from| from.read_exact(&mut bytes)).is_err() { end() }
+    u64::from_le_bytes(bytes)
+}
+fn put(word: u64) { OUT.with_borrow_mut(|out| out.write_all(&word.to_le_bytes())).expect("somebody reads"); }
+fn load<T: Plain>() -> T { T::load(&mut get) }
+fn store(value: &impl Plain) { value.store(&mut put); }
+fn call<T: Plain>(call: impl FnOnce() -> T) -> Option<T> {
+    match std::panic::catch_unwind(std::panic::AssertUnwindSafe(call)) {
+        Ok(result) => { put(0); store(&result); Some(result) }
+        Err(panic) => {
+            let text = panic.downcast_ref::<String>().map(String::as_str);
+            let text = text.or(panic.downcast_ref::<&str>().copied()).unwrap_or_default();
+            put(text.len() as u64 + 1);
+            for part in text.as_bytes().chunks(8) {
+                let mut word = [0; 8];
+                word[..part.len()].copy_from_slice(part);
+                put(u64::from_le_bytes(word));
+            }
+            None
+        }
+    }
+}
+"#;
+
+/// The program, a line for each of these entry points: the lines count from that of the first.
+pub fn program(module: &Module, entries: &[&Function]) -> (String, usize) {
+    let mut text = SUPPORT.to_owned();
+    let first = text.lines().count() + 1;
+    for (index, function) in entries.iter().enumerate() {
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "fn call_{index}() {{ {} }}", call(module, function));
+    }
+    text += "fn main() {\n    std::panic::set_hook(Box::new(|_| {}));\n    loop {\n        match get() {\n";
+    for index in 0..entries.len() {
+        let _ = writeln!(text, "            {index} => call_{index}(),");
+    }
+    text += "            _ => end(),\n        }\n    }\n}\n";
+    (text, first)
+}
+
+/// Loads, calls, stores.
+fn call(module: &Module, function: &Function) -> String {
+    let Some(Owner::Struct(id)) = function.owner else { return String::new() };
+    let owner = &module.structs[id.index()];
+    let (mut loads, mut arguments, mut stores) = (String::new(), Vec::new(), String::new());
+    for (index, local) in function.parameters().iter().enumerate() {
+        let name = format!("a{index}");
+        let _ = write!(loads, "let mut {name} = load(); ");
+        arguments.push(match local.mode {
+            Mode::Value => name.clone(),
+            Mode::Ref => format!("&{name}"),
+            Mode::RefMut => format!("&mut {name}"),
+        });
+        if index == 0 || local.mode == Mode::RefMut {
+            let _ = write!(stores, "store(&{name}); ");
+        }
+    }
+    let path = format!("{}::{}::{}", owner.module, owner.name, function.name);
+    format!("{loads}if call(|| {path}({})).is_some() {{ {stores}}}", arguments.join(", "))
+}
+
+/// Whether such a program can call it: with a component, and nothing borrowed whose length is open.
+pub fn can_call(function: &Function) -> bool {
+    let parameters = function.parameters();
+    let slice = parameters.iter().any(|local| matches!(local.ty, Type::Slice(_)));
+    parameters.first().is_some_and(|local| local.name == "self") && !slice
+}
