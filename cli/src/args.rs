@@ -116,6 +116,18 @@ pub struct Gen {
     /// Also list the checks that are left in each entry point, and why
     #[arg(long)]
     pub explain: bool,
+    /// How errors and warnings are told: for people, or one JSON object a line, as rustc writes them, for editors
+    #[arg(long, value_enum, default_value_t = MessageFormat::Human, value_name = "FORMAT")]
+    pub message_format: MessageFormat,
+}
+
+/// For whom errors and warnings are told.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum MessageFormat {
+    /// For people, on standard error.
+    Human,
+    /// For editors, on standard output.
+    Json,
 }
 
 /// Arguments of `verify`.

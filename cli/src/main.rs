@@ -6,8 +6,8 @@ use std::io::IsTerminal;
 use std::path::Path;
 use std::process::ExitCode;
 
-use bessemer_project::{Wanted, generate};
-use cargo_bessemer::args::{Arguments, Task};
+use bessemer_project::{Wanted, generate, said};
+use cargo_bessemer::args::{Arguments, MessageFormat, Task};
 use cargo_bessemer::error::Error;
 use cargo_bessemer::{doctor, explain, new, verify};
 use clap::Parser;
@@ -33,7 +33,10 @@ fn perform(task: Task) -> Result<(String, bool), Error> {
         Task::Gen(it) => {
             let wanted =
                 Wanted { package: it.package.name(), check: it.check, explain: it.explain, colour };
-            Ok((generate(here, wanted)?, true))
+            let for_tools = it.message_format == MessageFormat::Json;
+            let said = said(generate(here, wanted), for_tools)?;
+            anstream::eprint!("{}", said.remarks);
+            Ok((said.text, said.good))
         }
         Task::Explain(it) => Ok((explain::run(here, &it, colour)?, true)),
         Task::Verify(it) => verify::run(here, &it, colour),

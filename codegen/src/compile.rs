@@ -3,8 +3,8 @@
 //! Validation is the only gate, and stands before and after the passes: what comes behind it may
 //! assume what it checks.
 
-use bessemer_ir::Module;
 use bessemer_ir::tree::Package;
+use bessemer_ir::{Fault, Module};
 
 use crate::c::{self, CFile, EntryReport};
 use crate::deep::deep;
@@ -121,18 +121,53 @@ fn gate(module: &Module) -> Result<(), Vec<Diagnostic>> {
 
 /// A claim of the author's that could not be proved; anything else is a fault of the tool.
 fn unproved(module: &Module, error: &passes::Error) -> Diagnostic {
-    let (span, help) = match error {
-        passes::Error::Fallible { check, claim, .. } if *claim == passes::STAND_IN => (
-            check.span,
-            "rule the fault out: the firmware's function has no status that could tell of it",
-        ),
-        passes::Error::Fallible { check, .. } => (
-            check.span,
-            "rule the fault out (a constant index, a smaller type, a comparison before), or write `#[entry]`",
-        ),
-        passes::Error::Tool(_) => (Default::default(), OUR_FAULT),
+    let passes::Error::Fallible { entry, claim, function, fault, check } = error else {
+        return Diagnostic {
+            help: OUR_FAULT.to_owned(),
+            ..place(module, Default::default(), error)
+        };
     };
-    Diagnostic { help: help.to_owned(), ..place(module, span, error) }
+    let within = if entry == function { String::new() } else { format!("in `{function}`, ") };
+    let reason = match fault {
+        Fault::Index => format!("an index may be out of bounds ({})", check.reason),
+        Fault::Shift => format!("a shift may be as wide as its type ({})", check.reason),
+        _ => check.reason.clone(),
+    };
+    let message = format!("`{entry}` {claim}: {within}{reason}");
+    let help = match *claim == passes::STAND_IN {
+        true => "rule the fault out: the firmware's function has no status that could tell of it"
+            .to_owned(),
+        false => format!(
+            "{}; or write `#[entry]`, which returns a status",
+            ruled_out(*fault, &check.reason)
+        ),
+    };
+    Diagnostic { help, ..place(module, check.span, &message) }
+}
+
+/// How an author rules a fault out.
+fn ruled_out(fault: Fault, reason: &str) -> String {
+    let operations = [(" + ", "add"), (" - ", "sub"), (" * ", "mul")];
+    let operation = operations.iter().find(|(sign, _)| reason.contains(sign));
+    match (fault, operation) {
+        (Fault::Overflow, Some((_, name))) => format!(
+            "`saturating_{name}` stays at the limit, `wrapping_{name}` goes on from the other end; or compare before"
+        ),
+        (Fault::Overflow, None) => {
+            "compare with the limits before, or compute in a wider type".to_owned()
+        }
+        (Fault::DivisionByZero, _) => {
+            "compare before: `if n != 0 { sum / n } else { 0 }`".to_owned()
+        }
+        (Fault::Shift, _) => "mask what it is shifted by: `1 << (bit & 31)`".to_owned(),
+        (Fault::Index, _) => {
+            "compare before: `if i < values.len() { values[i] } else { 0.0 }`".to_owned()
+        }
+        (Fault::Absent, _) => {
+            "say what holds otherwise: `.unwrap_or(0.0)`, `if let Some(x) = …`".to_owned()
+        }
+        _ => "rule the fault out by a comparison before".to_owned(),
+    }
 }
 
 fn place(module: &Module, span: bessemer_ir::Span, message: &dyn std::fmt::Display) -> Diagnostic {
@@ -141,6 +176,6 @@ fn place(module: &Module, span: bessemer_ir::Span, message: &dyn std::fmt::Displ
         line: span.line,
         column: span.column,
         message: message.to_string(),
-        help: String::new(),
+        ..Diagnostic::default()
     }
 }

@@ -13,6 +13,7 @@ mod effects;
 pub mod generate;
 pub mod kernels;
 pub mod passes;
+pub mod remarks;
 pub mod source;
 pub mod typify;
 pub mod used;

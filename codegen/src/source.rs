@@ -34,6 +34,18 @@ impl Sources {
         self.lines(file).get((line as usize).checked_sub(1)?).cloned()
     }
 
+    /// A whole file; empty if it cannot be read.
+    pub fn text(&self, file: &str) -> String {
+        std::fs::read_to_string(self.root.join(file)).unwrap_or_default()
+    }
+
+    /// The bytes before a line, counted from 1.
+    pub fn offset(&self, file: &str, line: u32) -> usize {
+        let text = self.text(file);
+        let lines = text.split_inclusive('\n').take((line as usize).saturating_sub(1));
+        lines.map(str::len).sum()
+    }
+
     /// The `//` lines right above `line`, without the slashes.
     pub fn comments_above(&self, file: &str, line: u32) -> Vec<String> {
         let lines = self.lines(file);

@@ -19,6 +19,7 @@ mod large;
 mod layouts;
 mod linear;
 mod mathematics;
+mod newcomers;
 mod random;
 mod readme;
 mod refused;

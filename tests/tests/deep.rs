@@ -148,7 +148,7 @@ pub fn all(n: u32) -> bool {{
     };
     let workspace = Workspace::with_source(&source(&all(0, TOO_MANY))).expect("a workspace");
     let said = match workspace.generate("0") {
-        Err(Error::Refused(said)) => said,
+        Err(Error::Refused(said)) => said.to_string(),
         Err(other) => panic!("{other}"),
         Ok(_) => panic!("it was generated"),
     };

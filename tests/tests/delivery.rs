@@ -52,7 +52,7 @@ fn the_folder_is_whole_or_as_it_was() {
     // A model that does not compile leaves the folder as it was.
     let before = fs::read_to_string(&source).expect("the C");
     workspace.set_source(&MODEL.replace("x + x", "x + y")).expect("a source file");
-    assert!(matches!(run(&job), Err(Error::Models(said)) if said.contains("`y`")));
+    assert!(matches!(run(&job), Err(Error::Models(said)) if said.to_string().contains("`y`")));
     assert_eq!(fs::read_to_string(&source).expect("the C"), before);
     let left = fs::read_dir(workspace.path("")).expect("the workspace").flatten();
     let stages = left.filter(|entry| entry.file_name().to_string_lossy().starts_with(".bessemer"));

@@ -22,7 +22,7 @@ fn each_is_told_in_its_authors_terms() {
         let text = fs::read_to_string(&case).expect("a case");
         workspace.set_source(&text).expect("a source file");
         let said = match workspace.generate("0") {
-            Err(Error::Models(said) | Error::Refused(said)) => said,
+            Err(Error::Models(said) | Error::Refused(said)) => said.to_string(),
             Err(other) => panic!("{}: {other}", case.display()),
             Ok(_) => panic!("{} was generated", case.display()),
         };

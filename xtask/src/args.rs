@@ -66,6 +66,8 @@ Examples:
   cargo xtask gen            Bring generated/ up to date
   cargo xtask gen --check    Fail, with a diff, if generated/ is stale
   cargo xtask gen --explain  Also list the checks that are left in each entry point, and why
+  cargo xtask gen --check --message-format json
+                             What an editor runs to show mistakes where one types (docs/workspace.md)
 
 Needs Rust, nothing else. The output is written whole or not at all.")]
 pub struct Gen {
@@ -75,6 +77,18 @@ pub struct Gen {
     /// List the checks that are left in each entry point: line, fault, and why it could not be ruled out
     #[arg(long, conflicts_with = "check")]
     pub explain: bool,
+    /// How errors and warnings are told: for people, or one JSON object a line, as rustc writes them, for editors
+    #[arg(long, value_enum, default_value_t = MessageFormat::Human, value_name = "FORMAT")]
+    pub message_format: MessageFormat,
+}
+
+/// For whom errors and warnings are told.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum MessageFormat {
+    /// For people, on standard error.
+    Human,
+    /// For editors, on standard output.
+    Json,
 }
 
 /// Whether generation writes or only compares.
@@ -87,6 +101,10 @@ pub enum Mode {
 }
 
 impl Gen {
+    /// What a run of the tests asks for.
+    pub const CHECK: Gen =
+        Gen { check: true, explain: false, message_format: MessageFormat::Human };
+
     /// What the flags ask for.
     #[must_use]
     pub fn mode(&self) -> Mode {
@@ -252,6 +270,18 @@ mod tests {
         assert!(
             matches!(parse(&["gen", "--check"]), Ok(Task::Gen(wanted)) if wanted.mode() == Mode::Check)
         );
+    }
+
+    #[test]
+    fn gen_tells_people_unless_told_otherwise() {
+        let format = |line: &[&str]| match parse(line) {
+            Ok(Task::Gen(wanted)) => Some(wanted.message_format),
+            _ => None,
+        };
+        assert_eq!(format(&["gen"]), Some(MessageFormat::Human));
+        let json = ["gen", "--check", "--message-format", "json"];
+        assert_eq!(format(&json), Some(MessageFormat::Json));
+        assert_eq!(format(&["gen", "--message-format", "xml"]), None);
     }
 
     #[test]

@@ -4,7 +4,7 @@
 //!
 //! What it must not know: how C is made.
 
-use crate::args::Mode;
+use crate::args::{Gen, MessageFormat, Mode};
 use crate::error::{Error, Outcome};
 use bessemer_project::Wanted;
 use std::io::IsTerminal;
@@ -13,14 +13,19 @@ use std::path::Path;
 /// The package whose C is committed.
 const MODELS: &str = "models";
 
-/// Writes generated/ anew, or compares it, for the workspace at `root`; `explain`: says which checks are left.
+/// Writes generated/ anew, or compares it, for the workspace at `root`.
 ///
 /// # Errors
-/// What the models, the compiler or the file system said, and that generated/ is stale, when comparing.
-pub fn run(root: &Path, mode: Mode, explain: bool) -> Result<Outcome, Error> {
-    let colour = std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
-    let (package, check) = (Some(MODELS), mode == Mode::Check);
-    let wanted = Wanted { package, check, explain, colour };
-    anstream::print!("{}", bessemer_project::generate(root, wanted)?);
-    Ok(Outcome::Good)
+/// What the models, the compiler or the file system said, and that generated/ is stale, when comparing. For an editor,
+/// what the models are told is no error of the command's: it is printed.
+pub fn run(root: &Path, wanted: &Gen) -> Result<Outcome, Error> {
+    let for_tools = wanted.message_format == MessageFormat::Json;
+    let colour =
+        !for_tools && std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
+    let (package, check) = (Some(MODELS), wanted.mode() == Mode::Check);
+    let asked = Wanted { package, check, explain: wanted.explain, colour };
+    let said = bessemer_project::said(bessemer_project::generate(root, asked), for_tools)?;
+    anstream::eprint!("{}", said.remarks);
+    anstream::print!("{}", said.text);
+    Ok(if said.good { Outcome::Good } else { Outcome::Bad })
 }

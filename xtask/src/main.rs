@@ -25,7 +25,7 @@ fn main() -> ExitCode {
 fn perform(task: &Task) -> Result<Outcome, Error> {
     let root = project::root();
     match task {
-        Task::Gen(wanted) => generate::run(&root, wanted.mode(), wanted.explain),
+        Task::Gen(wanted) => generate::run(&root, wanted),
         Task::Test(wanted) => test::run(&root, wanted, &ThisMachine),
         Task::Mutate(wanted) => mutate::run(&root, wanted),
         Task::Fuzz(wanted) => fuzz::run(&root, wanted),

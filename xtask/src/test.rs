@@ -10,7 +10,7 @@
 //!
 //! What it must not know: what the tests test.
 
-use crate::args::{Mode, Test};
+use crate::args::{Gen, Test};
 use crate::error::{Error, Outcome};
 use crate::install::Plan;
 use crate::runner::{self, Done, Program, Times};
@@ -55,7 +55,7 @@ pub fn run(root: &Path, wanted: &Test, machine: &dyn Machine) -> Result<Outcome,
     let cargo = |arguments: &[&str]| project::cargo(root, arguments);
 
     check(&mut progress, "format", cargo(&["fmt", "--all", "--check"]), Some("cargo fmt --all"))?;
-    progress.open("gen --check", || generate::run(root, Mode::Check, false))?;
+    progress.open("gen --check", || generate::run(root, &Gen::CHECK))?;
     // Not `--all-targets`, which checks libraries once more for unit tests that they do not have.
     let lints = cargo(&["clippy", "--workspace", "--bins", "--tests", "--", "-D", "warnings"]);
     check(&mut progress, "lints", lints, None)?;

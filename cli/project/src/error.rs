@@ -63,16 +63,16 @@ impl Error {
         // Diagnostics and differences stand as they are.
         let (before, title) = match self {
             Error::Generate(Of::Models(said) | Of::Refused(said)) => {
-                (said.as_str(), "the models do not compile".to_owned())
+                (said.to_string(), "the models do not compile".to_owned())
             }
             Error::Generate(Of::Stale(difference)) => {
-                (difference.as_str(), "the C is stale".to_owned())
+                (difference.clone(), "the C is stale".to_owned())
             }
-            Error::Settings(said) => (said.as_str(), "bessemer.toml cannot be used".to_owned()),
+            Error::Settings(said) => (said.clone(), "bessemer.toml cannot be used".to_owned()),
             Error::Limit(said) => {
-                (said.as_str(), "the C is beyond the limits of bessemer.toml".to_owned())
+                (said.clone(), "the C is beyond the limits of bessemer.toml".to_owned())
             }
-            _ => ("", self.to_string()),
+            _ => (String::new(), self.to_string()),
         };
         format!("{before}{}", told(&title, self.remedy().as_deref()))
     }

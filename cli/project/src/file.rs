@@ -161,6 +161,7 @@ impl Reader<'_> {
             column,
             message,
             help: help.to_owned(),
+            ..Diagnostic::default()
         });
     }
 

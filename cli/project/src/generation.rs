@@ -4,8 +4,8 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use bessemer_codegen::compile::Compiled;
-use bessemer_codegen::diagnostic::{self, Diagnostic};
-use bessemer_codegen::generate::{self, Job};
+use bessemer_codegen::diagnostic::{self, Diagnostic, Told};
+use bessemer_codegen::generate::{self, Job, Made};
 use bessemer_codegen::source::Sources;
 
 use crate::error::Error;
@@ -25,18 +25,61 @@ pub struct Wanted<'a> {
     pub colour: bool,
 }
 
-/// Generates the package that is meant in `folder`; what there is to say of it.
+/// What was generated, for its user.
+#[derive(Debug)]
+pub struct Generated {
+    /// What there is to say of it.
+    pub text: String,
+    /// What the author of the models may not expect of the C.
+    pub remarks: Told,
+}
+
+/// What a generation prints.
+pub struct Said {
+    /// On standard output.
+    pub text: String,
+    /// On standard error.
+    pub remarks: String,
+    /// Whether the C is as it should be.
+    pub good: bool,
+}
+
+/// What there is to print. `for_tools`: what the models are told is no error then, but a JSON object a line.
+///
+/// # Errors
+/// That of `done`, as far as it is not about the models.
+pub fn said(done: Result<Generated, Error>, for_tools: bool) -> Result<Said, Error> {
+    use generate::Error as Of;
+    let lines = |told: &Told, good| Said {
+        text: told.json_lines().to_owned(),
+        remarks: String::new(),
+        good,
+    };
+    match done {
+        Err(Error::Generate(Of::Models(told) | Of::Refused(told))) if for_tools => {
+            Ok(lines(&told, false))
+        }
+        Ok(done) if for_tools => Ok(lines(&done.remarks, true)),
+        done => done.map(|Generated { text, remarks }| Said {
+            text,
+            remarks: remarks.to_string(),
+            good: true,
+        }),
+    }
+}
+
+/// Generates the package that is meant in `folder`.
 ///
 /// # Errors
 /// What the models, the settings or the file system said: the folder of the C is as it was then.
-pub fn generate(folder: &Path, wanted: Wanted<'_>) -> Result<String, Error> {
+pub fn generate(folder: &Path, wanted: Wanted<'_>) -> Result<Generated, Error> {
     let project = Project::find(folder, wanted.package, wanted.colour)?;
     let mut job = project.job(wanted.colour);
     job.check = wanted.check;
     if !job.check {
         generate::ready(&job)?;
     }
-    let compiled = limited(&project, &job)?;
+    let Made { compiled, remarks } = limited(&project, &job)?;
     let changed = generate::deliver(&job, &compiled)?;
     let mut text = String::new();
     if !wanted.check {
@@ -57,7 +100,7 @@ pub fn generate(folder: &Path, wanted: Wanted<'_>) -> Result<String, Error> {
     if wanted.explain {
         let _ = write!(text, "\n{}", generate::explanation(&compiled));
     }
-    Ok(text)
+    Ok(Generated { text, remarks })
 }
 
 /// Compiles the package that is meant in `folder`, and writes nothing.
@@ -66,15 +109,15 @@ pub fn generate(folder: &Path, wanted: Wanted<'_>) -> Result<String, Error> {
 /// What the models or the settings said.
 pub fn compile(folder: &Path, wanted: Wanted<'_>) -> Result<(Project, Compiled), Error> {
     let project = Project::find(folder, wanted.package, wanted.colour)?;
-    let compiled = generate::compiled(&project.job(wanted.colour))?;
-    Ok((project, compiled))
+    let made = generate::compiled(&project.job(wanted.colour))?;
+    Ok((project, made.compiled))
 }
 
-fn limited(project: &Project, job: &Job) -> Result<Compiled, Error> {
-    let compiled = generate::compiled(job)?;
+fn limited(project: &Project, job: &Job) -> Result<Made, Error> {
+    let made = generate::compiled(job)?;
     let limits = &project.settings.limits;
     let mut beyond = Vec::new();
-    for entry in &compiled.entries {
+    for entry in &made.compiled.entries {
         let held = [
             (limits.stack_bytes, entry.stack_bytes, "bytes of stack"),
             (limits.state_bytes, entry.state_bytes, "bytes of state"),
@@ -89,12 +132,13 @@ fn limited(project: &Project, job: &Job) -> Result<Compiled, Error> {
                     column,
                     message: format!("`{}` has {found} {what}, more than {most}", entry.entry),
                     help: "make it smaller, or raise the limit".to_owned(),
+                    ..Diagnostic::default()
                 });
             }
         }
     }
     if beyond.is_empty() {
-        return Ok(compiled);
+        return Ok(made);
     }
     Err(Error::Limit(diagnostic::render(&beyond, &Sources::new(&job.root), job.colour)))
 }

@@ -17,6 +17,6 @@ pub mod schema;
 mod settings;
 
 pub use error::{Error, say};
-pub use generation::{Wanted, compile, generate};
+pub use generation::{Generated, Said, Wanted, compile, generate, said};
 pub use project::Project;
 pub use settings::{Limit, Limits, Settings};

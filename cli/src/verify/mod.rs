@@ -48,7 +48,7 @@ pub fn run(folder: &Path, wanted: &Verify, colour: bool) -> Result<(String, bool
     let mut job = project.job(colour);
     // What calls the firmware's own function at a fault does not come back to tell of it.
     job.options.hook = None;
-    let compiled = generate::compiled(&job).map_err(bessemer_project::Error::from)?;
+    let compiled = generate::compiled(&job).map_err(bessemer_project::Error::from)?.compiled;
     let module = &compiled.module;
     let mut cases = cases(module, wanted.seed);
     let mut legs = Vec::new();

@@ -3,15 +3,17 @@
 use std::io::ErrorKind;
 use std::path::PathBuf;
 
+use crate::diagnostic::Told;
+
 /// Why nothing was generated.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// The models do not compile; what rustc said, in the author's terms.
     #[error("{0}")]
-    Models(String),
+    Models(Told),
     /// The models compile, but are not what C can be made of.
     #[error("{0}")]
-    Refused(String),
+    Refused(Told),
     /// The committed C is not what the models give; the differences.
     #[error("{0}")]
     Stale(String),

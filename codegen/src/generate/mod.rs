@@ -13,6 +13,7 @@ mod output;
 mod package;
 mod program;
 mod report;
+mod told;
 mod workspace;
 
 use std::fs::{self, File};
@@ -21,7 +22,8 @@ use std::path::Path;
 use bessemer_ir::tree;
 
 use crate::compile::{self, Compiled};
-use crate::diagnostic::{self, Diagnostic};
+use crate::diagnostic::{Diagnostic, Told};
+use crate::remarks;
 use crate::source::Sources;
 
 pub use error::Error;
@@ -38,6 +40,16 @@ pub struct Summary {
     pub compiled: Compiled,
     /// Files written, or that would be: empty when everything was up to date.
     pub changed: Vec<String>,
+    /// What the author may not expect of the C.
+    pub remarks: Told,
+}
+
+/// What was compiled, and not written yet.
+pub struct Made {
+    /// The models and their C.
+    pub compiled: Compiled,
+    /// What the author may not expect of the C.
+    pub remarks: Told,
 }
 
 /// Does the job.
@@ -45,9 +57,9 @@ pub struct Summary {
 /// # Errors
 /// See [`Error`]; on any of them the folder is as it was.
 pub fn generate(job: &Job) -> Result<Summary, Error> {
-    let compiled = compiled(job)?;
+    let Made { compiled, remarks } = compiled(job)?;
     let changed = deliver(job, &compiled)?;
-    Ok(Summary { compiled, changed })
+    Ok(Summary { compiled, changed, remarks })
 }
 
 /// Whether the job's folder may be replaced, as far as what is in it tells: to know before a build of a minute.
@@ -62,15 +74,17 @@ pub fn ready(job: &Job) -> Result<(), Error> {
 ///
 /// # Errors
 /// See [`Error`].
-pub fn compiled(job: &Job) -> Result<Compiled, Error> {
+pub fn compiled(job: &Job) -> Result<Made, Error> {
     let sources = Sources::new(&job.root);
     let workspace = Workspace::of(&job.root)?;
-    let package = built(job, &workspace, &sources)?;
+    let (package, warnings) = built(job, &workspace, &sources)?;
     if package.types.is_empty() && package.functions.is_empty() && package.errors.is_empty() {
         return Err(Error::NoModels { package: job.package.clone() });
     }
-    compile::compile(&package, &sources, &job.options)
-        .map_err(|diagnostics| refused(job, &diagnostics, &sources))
+    let compiled = compile::compile(&package, &sources, &job.options)
+        .map_err(|diagnostics| refused(job, diagnostics, &sources))?;
+    let remarks = warnings.into_iter().chain(remarks::of(&package, &compiled.module)).collect();
+    Ok(Made { compiled, remarks: Told::new(remarks, &sources, job.colour) })
 }
 
 /// Writes what was compiled to the job's folder, or compares it; gives the names of the files that changed.
@@ -105,8 +119,12 @@ pub fn native(job: &Job, text: &str) -> Result<Result<Program, String>, Error> {
     package::native(job, workspace.member(&job.package)?, &sources, text)
 }
 
-/// The tree of the job's package.
-fn built(job: &Job, workspace: &Workspace, sources: &Sources) -> Result<tree::Package, Error> {
+/// The tree of the job's package, and what rustc warns of.
+fn built(
+    job: &Job,
+    workspace: &Workspace,
+    sources: &Sources,
+) -> Result<(tree::Package, Vec<Diagnostic>), Error> {
     let member = workspace.member(&job.package)?;
     // What is built must still be there when it is linked.
     let _alone = alone(&workspace.target)?;
@@ -128,9 +146,10 @@ fn alone(target: &Path) -> Result<File, Error> {
 /// # Errors
 /// See [`Error`].
 pub fn tree(root: &Path, package: &str) -> Result<tree::Package, Error> {
-    built(&Job::new(root, package), &Workspace::of(root)?, &Sources::new(root))
+    let job = Job::new(root, package);
+    built(&job, &Workspace::of(root)?, &Sources::new(root)).map(|(package, _)| package)
 }
 
-fn refused(job: &Job, diagnostics: &[Diagnostic], sources: &Sources) -> Error {
-    Error::Refused(diagnostic::render(diagnostics, sources, job.colour))
+fn refused(job: &Job, diagnostics: Vec<Diagnostic>, sources: &Sources) -> Error {
+    Error::Refused(Told::new(diagnostics, sources, job.colour))
 }

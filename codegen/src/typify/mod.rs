@@ -162,7 +162,7 @@ fn is_own(package: &Package, function: &tree::Function) -> bool {
 
 fn diagnostic(file: &str, problem: Problem) -> Diagnostic {
     let Problem { site: Site(line, column), message, help } = problem;
-    Diagnostic { file: file.to_owned(), line, column, message, help }
+    Diagnostic { file: file.to_owned(), line, column, message, help, ..Diagnostic::default() }
 }
 
 fn refusal(refusal: &tree::Refusal) -> Diagnostic {
@@ -173,6 +173,7 @@ fn refusal(refusal: &tree::Refusal) -> Diagnostic {
         column,
         message: refusal.message.clone(),
         help: refusal.remedy.clone(),
+        ..Diagnostic::default()
     }
 }
 

@@ -55,8 +55,24 @@ pub struct Package {
     /// Functions that no call names: the types that they take say where they are called.
     #[serde(default)]
     pub implied: Vec<Implied>,
+    /// The generic components of its author's: each has C by its instances alone.
+    #[serde(default)]
+    pub templates: Vec<Template>,
     /// What the builder itself had to refuse.
     pub errors: Vec<Refusal>,
+}
+
+/// A generic component.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Template {
+    /// The module that it stands in.
+    pub module: String,
+    /// The author's name.
+    pub name: String,
+    /// The source file, as rustc names it.
+    pub file: String,
+    /// Where its name stands.
+    pub site: Site,
 }
 
 /// An implementation of a trait that something else than its name calls: `PartialEq` by `==`, also of what the type

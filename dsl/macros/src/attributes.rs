@@ -7,7 +7,6 @@
 use bessemer_ir::attributes::{Attributes, Inlining};
 use bessemer_ir::tree::Role;
 use proc_macro2::TokenStream;
-use syn::spanned::Spanned;
 
 use crate::given::{self, check_name, check_section};
 use crate::kind::Kind;
@@ -77,13 +76,13 @@ impl Asked {
         if !(words.is_empty() || infallible || self.attributes.atomic) {
             let both = words.contains("infallible") && words.contains("atomic");
             let reason = if both { refuse::ENTRY_BOTH } else { refuse::ENTRY_ARGUMENT };
-            refusals.add(attribute.path().span(), reason);
+            refusals.add(&attribute.meta, reason);
         }
         if kind == Kind::Data {
-            refusals.add(attribute.path().span(), refuse::ENTRY_OF_DATA);
+            refusals.add(attribute.path(), refuse::ENTRY_OF_DATA);
         }
         if self.attributes.inlining == Inlining::Always {
-            refusals.add(attribute.path().span(), refuse::ENTRY_INLINE);
+            refusals.add(attribute.path(), refuse::ENTRY_INLINE);
         }
         self.role = Role::Entry { infallible };
     }
@@ -107,7 +106,7 @@ impl Asked {
                 } else if meta.path.is_ident("section") {
                     check_section(&text, refusals);
                     if role == Role::Inline {
-                        refusals.add(text.span(), refuse::INLINE_SECTION);
+                        refusals.add(&text, refuse::INLINE_SECTION);
                     }
                     self.attributes.section = Some(text.value());
                 } else if meta.path.is_ident("result") {
@@ -115,12 +114,12 @@ impl Asked {
                     self.attributes.result.name = Some(text.value());
                     self.attributes.result.site = lower::site(&text);
                 } else {
-                    refusals.add(meta.path.span(), refuse::C_ARGUMENT);
+                    refusals.add(&meta.path, refuse::C_ARGUMENT);
                 }
                 Ok(())
             });
             if parsed.is_err() {
-                refusals.add(attribute.path().span(), refuse::C_ARGUMENT);
+                refusals.add(attribute.path(), refuse::C_ARGUMENT);
             }
             false
         });
@@ -143,7 +142,7 @@ pub fn external(
         } else if meta.path.is_ident("header") && is_header(&text.value()) {
             attributes.external = Some(text.value());
         } else {
-            refusals.add(meta.path.span(), refuse::EXTERNAL_ARGUMENT);
+            refusals.add(&meta.path, refuse::EXTERNAL_ARGUMENT);
         }
         Ok(())
     });

@@ -6,8 +6,7 @@
 
 use bessemer_ir::tree::{FunctionTree, Param, Role};
 use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
-use syn::spanned::Spanned;
+use quote::{format_ident, quote, quote_spanned};
 
 use crate::attributes::{self, Asked};
 use crate::closures;
@@ -187,13 +186,18 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
     if let (true, Some(reason)) =
         (scope.is_generic(), attributes::of_one_instance(&subject.asked.attributes))
     {
-        refusals.add(subject.signature.ident.span(), reason);
+        refusals.add(&subject.signature.ident, reason);
     }
     let mut copy = subject.body.clone();
     let mut signature = subject.signature.clone();
     lower::strip(&mut signature, &mut copy, refusals);
     lower::name_parts(&mut signature, &mut copy);
     let signature = &signature;
+    let before = refusals.len();
+    let is_entry = matches!(subject.asked.role, Role::Entry { .. });
+    if is_entry && scope.own().is_generic() {
+        refusals.add(&subject.signature.generics, refuse::ENTRY_GENERIC);
+    }
     let parameters = lower::parameters(signature, refusals);
     let mut walk = Lowering::new(&signature.ident, subject.is_method(), refusals);
     walk.optional = lower::gives_option(signature);
@@ -201,7 +205,10 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
     let open = matches!(subject.home, Home::Interface(_) | Home::Implementation(_));
     for parameter in &parameters {
         if open && parameter.closure {
-            walk.refusals.add(parameter.ident.span(), refuse::INTERFACE_CLOSURE);
+            walk.refusals.add(&parameter.ident, refuse::INTERFACE_CLOSURE);
+        }
+        if is_entry && parameter.closure {
+            walk.refusals.add(parameter.place, refuse::ENTRY_CLOSURE);
         }
         walk.bind(&parameter.name);
         walk.called.extend(parameter.closure.then(|| parameter.name.clone()));
@@ -217,7 +224,12 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
         check_lending(subject, &parameters, &copy, walk.refusals);
     }
     let result = walk.slot();
+    let signature_refused = walk.refusals.len();
     let body = walk.block(&mut copy);
+    if signature_refused > before {
+        // What the signature does not take, the body goes on with.
+        walk.refusals.forget_since(signature_refused);
+    }
     if !walk.refusals.is_empty() || !lower::GENERATING {
         return None;
     }
@@ -248,10 +260,10 @@ fn check_lending(
     let syn::ReturnType::Type(_, ty) = &subject.signature.output else { return };
     let outside = matches!(subject.asked.role, Role::Entry { .. });
     if outside || subject.asked.attributes.external.is_some() {
-        refusals.add(ty.span(), refuse::RETURNED_REFERENCE);
+        refusals.add(ty, refuse::RETURNED_REFERENCE);
     }
     if parameters.iter().any(|parameter| parameter.closure) {
-        refusals.add(ty.span(), refuse::LENT_CLOSURE);
+        refusals.add(ty, refuse::LENT_CLOSURE);
     }
     lower::refuse_leaving(body, refusals);
 }
@@ -280,7 +292,8 @@ fn builder(
         let (slot, name) = (lower::slot_name(param.slot), &parameter.ident);
         match param.closure {
             true => quote! { __result::<()>(&#slot); },
-            false => quote! { __look(&#slot, &#name); },
+            // A type that is none of the DSL's is told there.
+            false => quote_spanned! { parameter.place => __look(&#slot, &#name); },
         }
     });
     let constants = walk.constants.iter().map(|(slot, path)| {
@@ -309,6 +322,8 @@ fn builder(
         },
     };
     let result_slot = lower::slot_name(tree.result);
+    let told_result =
+        quote_spanned! { result_place(signature) => __result::<#result>(&#result_slot); };
     // The tree is plain data: writing it cannot fail.
     let text = serde_json::to_string(tree).unwrap_or_default();
     let build = build_name(&subject.signature.ident);
@@ -334,7 +349,7 @@ fn builder(
             #(let #callees = [];)*
             #(let #owned = [];)*
             #witness
-            __result::<#result>(&#result_slot);
+            #told_result
             let owner = #owner;
             let generics = ::bessemer::generate::Generics { scope: #told, own: #own, interface: #interface };
             cx.function(
@@ -420,5 +435,13 @@ pub fn result_type(signature: &syn::Signature) -> TokenStream {
     match &signature.output {
         syn::ReturnType::Default => quote! { () },
         syn::ReturnType::Type(_, ty) => quote! { #ty },
+    }
+}
+
+/// Where the type of a function's result stands.
+fn result_place(signature: &syn::Signature) -> proc_macro2::Span {
+    match &signature.output {
+        syn::ReturnType::Default => proc_macro2::Span::call_site(),
+        syn::ReturnType::Type(_, ty) => lower::named_part(ty),
     }
 }

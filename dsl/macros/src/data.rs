@@ -29,7 +29,7 @@ pub fn expand(kind: Kind, arguments: TokenStream, item: TokenStream) -> TokenStr
     // The library's own: methods that a named instance brings only where they are called.
     let more = arguments.to_string() == "more";
     if !arguments.is_empty() && !more {
-        refusals.add(arguments.span(), refuse::ARGUMENTS);
+        refusals.add(&arguments, refuse::ARGUMENTS);
     }
     let (native, beside) = match syn::parse2::<syn::Item>(item.clone()) {
         Ok(syn::Item::Struct(mut it)) => {
@@ -79,18 +79,21 @@ pub fn expand(kind: Kind, arguments: TokenStream, item: TokenStream) -> TokenStr
 fn refuse_lifetimes(generics: &syn::Generics, refusals: &mut Refusals) {
     for parameter in &generics.params {
         if let syn::GenericParam::Lifetime(it) = parameter {
-            refusals.add(it.span(), refuse::REFERENCE_FIELD);
+            refusals.add(it, refuse::REFERENCE_FIELD);
         }
     }
 }
 
 fn data_struct(kind: Kind, it: &syn::ItemStruct, refusals: &mut Refusals) -> TokenStream {
-    refuse_lifetimes(&it.generics, refusals);
     check_type(&it.attrs, &it.generics, refusals);
     if it.fields.is_empty() {
         check_empty(kind, it, refusals);
     }
     check_fields(&it.fields, refusals);
+    // What is lent is told at the field that holds it.
+    if refusals.is_empty() {
+        refuse_lifetimes(&it.generics, refusals);
+    }
     if !refusals.is_empty() {
         return TokenStream::new();
     }
@@ -150,17 +153,17 @@ fn check_type(attributes: &[syn::Attribute], generics: &syn::Generics, refusals:
     let given = given::read(attributes, On::Type, refusals);
     let named = attributes.iter().find(|it| it.path().is_ident("c"));
     if let (true, Some(_), Some(at)) = (Scope::of_type(generics).is_generic(), given.name, named) {
-        refusals.add(at.path().span(), refuse::GENERIC_NAME);
+        refusals.add(at.path(), refuse::GENERIC_NAME);
     }
 }
 
 /// What holds nothing has no type in the C: no state to keep, and no name.
 fn check_empty(kind: Kind, it: &syn::ItemStruct, refusals: &mut Refusals) {
     if kind == Kind::Component {
-        refusals.add(it.ident.span(), refuse::EMPTY_COMPONENT);
+        refusals.add(&it.ident, refuse::EMPTY_COMPONENT);
     }
     if let Some(at) = it.attrs.iter().find(|it| it.path().is_ident("c")) {
-        refusals.add(at.path().span(), refuse::EMPTY_NAME);
+        refusals.add(at.path(), refuse::EMPTY_NAME);
     }
 }
 
@@ -195,7 +198,26 @@ fn struct_definition(kind: Kind, it: &syn::ItemStruct) -> TokenStream {
     }
     let ranked = derives("PartialOrd", &it.attrs).then(|| ranked(name, scope));
     let definition = definition(name, scope, &scope.bounds(bounds), &it.attrs, body);
-    quote! { #definition #ranked }
+    let template = (scope.is_generic() && kind == Kind::Component).then(|| template(name));
+    quote! { #definition #ranked #template }
+}
+
+/// A generic component announces itself: without an instance it has no C, of which its author is told.
+fn template(name: &syn::Ident) -> TokenStream {
+    let lower::Site(line, column) = lower::site(name);
+    let text = lower::text(name);
+    quote! {
+        ::bessemer::generate::register! {
+            ::bessemer::generate::Registered::new(
+                ::bessemer::generate::place!(),
+                (#line, #column),
+                |cx: &mut ::bessemer::generate::Builder| cx.template(
+                    ::bessemer::generate::Named { module: ::core::module_path!(), file: ::core::file!(), name: #text },
+                    (#line, #column),
+                ),
+            )
+        }
+    }
 }
 
 /// What has an order by its parts, or by its number.
@@ -295,7 +317,7 @@ fn data_enum(kind: Kind, it: &syn::ItemEnum, refusals: &mut Refusals) -> TokenSt
         refusals.add(it.enum_token.span, refuse::COMPONENT_ENUM);
     }
     if it.variants.is_empty() {
-        refusals.add(it.ident.span(), refuse::EMPTY_ENUM);
+        refusals.add(&it.ident, refuse::EMPTY_ENUM);
     }
     let payload = it.variants.iter().any(|variant| !variant.fields.is_empty());
     for variant in &it.variants {
@@ -303,7 +325,7 @@ fn data_enum(kind: Kind, it: &syn::ItemEnum, refusals: &mut Refusals) -> TokenSt
         given::read(&variant.attrs, On::Variant, refusals);
         check_fields(&variant.fields, refusals);
         if let (Some((_, value)), true) = (&variant.discriminant, payload) {
-            refusals.add(value.span(), refuse::DISCRIMINANT);
+            refusals.add(value, refuse::DISCRIMINANT);
         }
     }
     if !refusals.is_empty() {

@@ -15,7 +15,7 @@ pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
     let mut refusals = Refusals::default();
     let expands = syn::parse2::<syn::Ident>(arguments.clone()).is_ok_and(|it| it == "expand");
     if !arguments.is_empty() && !expands {
-        refusals.add(syn::spanned::Spanned::span(&arguments), refuse::ARGUMENTS);
+        refusals.add(&arguments, refuse::ARGUMENTS);
     }
     marked(item, refusals, |function, refusals| {
         if expands {

@@ -7,7 +7,6 @@
 use bessemer_ir::attributes::{Attributes, Given};
 use proc_macro2::TokenStream;
 use quote::quote;
-use syn::spanned::Spanned;
 
 use crate::lower::{self, Refusals, refuse};
 
@@ -42,7 +41,7 @@ pub fn read(attributes: &[syn::Attribute], on: On, refusals: &mut Refusals) -> G
             match on {
                 On::Value | On::Table => given.unit = unit(attribute, refusals),
                 On::Type | On::Variant => {
-                    refusals.add(attribute.path().span(), refuse::UNIT_PLACE);
+                    refusals.add(attribute.path(), refuse::UNIT_PLACE);
                 }
             }
             continue;
@@ -57,14 +56,14 @@ pub fn read(attributes: &[syn::Attribute], on: On, refusals: &mut Refusals) -> G
                 check_section(&text, refusals);
                 given.section = Some(text.value());
             } else if meta.path.is_ident("section") {
-                refusals.add(meta.path.span(), refuse::SECTION_PLACE);
+                refusals.add(&meta.path, refuse::SECTION_PLACE);
             } else {
-                refusals.add(meta.path.span(), refuse::C_ARGUMENT);
+                refusals.add(&meta.path, refuse::C_ARGUMENT);
             }
             Ok(())
         });
         if parsed.is_err() {
-            refusals.add(attribute.path().span(), refuse::C_ARGUMENT);
+            refusals.add(attribute.path(), refuse::C_ARGUMENT);
         }
     }
     given
@@ -74,7 +73,7 @@ pub fn read(attributes: &[syn::Attribute], on: On, refusals: &mut Refusals) -> G
 pub fn unit(attribute: &syn::Attribute, refusals: &mut Refusals) -> Option<String> {
     let unit = attribute.parse_args::<syn::LitStr>().map(|unit| unit.value()).unwrap_or_default();
     if unit.trim().is_empty() || unit.contains("*/") || unit.contains(char::is_control) {
-        refusals.add(attribute.path().span(), refuse::UNIT);
+        refusals.add(attribute.path(), refuse::UNIT);
         return None;
     }
     Some(unit)
@@ -126,13 +125,13 @@ pub fn check_name(text: &syn::LitStr, refusals: &mut Refusals) {
     let mut letters = name.chars();
     let starts = letters.next().is_some_and(|first| first.is_ascii_alphabetic());
     if !starts || !letters.all(|letter| letter.is_ascii_alphanumeric() || letter == '_') {
-        refusals.add(text.span(), refuse::C_NAME);
+        refusals.add(text, refuse::C_NAME);
     }
 }
 
 pub fn check_section(text: &syn::LitStr, refusals: &mut Refusals) {
     let allowed = |c: char| c.is_ascii_alphanumeric() || "_.$-,".contains(c);
     if text.value().is_empty() || !text.value().chars().all(allowed) {
-        refusals.add(text.span(), refuse::C_SECTION);
+        refusals.add(text, refuse::C_SECTION);
     }
 }

@@ -2,7 +2,6 @@
 
 use proc_macro2::TokenStream;
 use quote::quote;
-use syn::spanned::Spanned;
 
 use crate::builder;
 use crate::docs;
@@ -42,7 +41,7 @@ pub fn is_public(visibility: &syn::Visibility) -> bool {
 /// `#[data] pub type PidF32 = Pid<f32>;`: the name of an instance, which makes it part of the C.
 pub fn named(it: &syn::ItemType, refusals: &mut Refusals) -> TokenStream {
     for parameter in &it.generics.params {
-        refusals.add(parameter.span(), refuse::GENERIC_ALIAS);
+        refusals.add(parameter, refuse::GENERIC_ALIAS);
     }
     lower::check_attributes(&it.attrs, refusals);
     lower::check_field(&it.ty, refusals);

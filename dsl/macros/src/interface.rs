@@ -23,7 +23,7 @@ use crate::redirect;
 pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
     let mut refusals = Refusals::default();
     if !arguments.is_empty() {
-        refusals.add(arguments.span(), refuse::ARGUMENTS);
+        refusals.add(&arguments, refuse::ARGUMENTS);
     }
     let mut it = match syn::parse2::<syn::ItemTrait>(item.clone()) {
         Ok(it) => it,
@@ -48,7 +48,7 @@ fn interface(it: &mut syn::ItemTrait, refusals: &mut Refusals) -> TokenStream {
             syn::TraitItem::Fn(method) => {
                 let mut refusals = Refusals::default();
                 if owned::owned(&method.sig.ident).is_some() {
-                    refusals.add(method.sig.ident.span(), refuse::OWNED_NAME);
+                    refusals.add(&method.sig.ident, refuse::OWNED_NAME);
                 }
                 let asked = attributes::of_interface(method, &mut refusals);
                 let parts = Method { interface: &name, generics: &generics, method, asked };
@@ -184,11 +184,11 @@ pub fn implementation(
         return operators::implementation(kind, known, it, refusals);
     }
     if let Some(reason) = refuse::known_trait(&path) {
-        refusals.add(path.span(), reason);
+        refusals.add(&path, reason);
         return (it.into_token_stream(), TokenStream::new());
     }
     if operators::is_composed(&it.self_ty) {
-        refusals.add(it.self_ty.span(), refuse::FOREIGN_IMPLEMENTATION);
+        refusals.add(&it.self_ty, refuse::FOREIGN_IMPLEMENTATION);
         return (it.into_token_stream(), TokenStream::new());
     }
     let mut hidden: Vec<syn::ImplItem> = Vec::new();

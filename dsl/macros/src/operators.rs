@@ -6,7 +6,6 @@
 
 use proc_macro2::{Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
-use syn::spanned::Spanned;
 use syn::visit_mut::{self, VisitMut};
 
 use crate::attributes;
@@ -52,7 +51,7 @@ pub fn implementation(
     let Some((path, _)) = it.trait_.clone() else { return Default::default() };
     let by_type = ["PartialEq", "Index", "IndexMut"].contains(&last(&path).as_str());
     if by_type && Scope::of_type(&it.generics).is_generic() {
-        refusals.add(it.generics.span(), refuse::GENERIC_OPERATOR);
+        refusals.add(&it.generics, refuse::GENERIC_OPERATOR);
     }
     let other = argument(&path).unwrap_or_else(|| (*it.self_ty).clone());
     if last(&path) == "PartialEq" {
@@ -60,11 +59,11 @@ pub fn implementation(
     }
     for ty in [&*it.self_ty, &other] {
         if matches!(ty, syn::Type::Reference(_)) {
-            refusals.add(ty.span(), refuse::BORROWED_OPERAND);
+            refusals.add(ty, refuse::BORROWED_OPERAND);
         }
     }
     if is_composed(&it.self_ty) {
-        refusals.add(it.self_ty.span(), refuse::FOREIGN_OPERAND);
+        refusals.add(&it.self_ty, refuse::FOREIGN_OPERAND);
     }
     let mut named = associated(&it);
     if last(&path) == "IndexMut" {
@@ -109,13 +108,13 @@ pub fn implementation(
 fn check_equality(it: &syn::ItemImpl, other: &syn::Type, refusals: &mut Refusals) {
     let text = |ty: &syn::Type| ty.to_token_stream().to_string();
     if text(other) != text(&it.self_ty) {
-        refusals.add(other.span(), refuse::TWO_TYPES_EQUAL);
+        refusals.add(other, refuse::TWO_TYPES_EQUAL);
     }
     for item in &it.items {
         if let syn::ImplItem::Fn(method) = item
             && method.sig.ident == "ne"
         {
-            refusals.add(method.sig.ident.span(), refuse::OWN_UNEQUAL);
+            refusals.add(&method.sig.ident, refuse::OWN_UNEQUAL);
         }
     }
 }

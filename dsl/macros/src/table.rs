@@ -5,7 +5,6 @@
 
 use proc_macro2::TokenStream;
 use quote::quote;
-use syn::spanned::Spanned;
 
 use crate::docs;
 use crate::given::{self, On};
@@ -14,7 +13,7 @@ use crate::lower::{self, Refusals, refuse};
 /// What stands beside a `const`.
 pub fn constant(it: &mut syn::ItemConst, refusals: &mut Refusals) -> TokenStream {
     if it.ident == "_" {
-        refusals.add(it.ident.span(), refuse::TABLE_UNNAMED);
+        refusals.add(&it.ident, refuse::TABLE_UNNAMED);
     }
     announced(&it.ident, &mut it.attrs, refusals)
 }
@@ -22,7 +21,7 @@ pub fn constant(it: &mut syn::ItemConst, refusals: &mut Refusals) -> TokenStream
 /// What stands beside a `static`.
 pub fn fixed(it: &mut syn::ItemStatic, refusals: &mut Refusals) -> TokenStream {
     if let syn::StaticMutability::Mut(token) = &it.mutability {
-        refusals.add(token.span(), refuse::STATIC);
+        refusals.add(token, refuse::STATIC);
     }
     announced(&it.ident, &mut it.attrs, refusals)
 }

@@ -163,6 +163,16 @@ impl Builder {
         Ty::Named(path)
     }
 
+    /// A generic component.
+    pub fn template(&mut self, named: Named, site: (u32, u32)) {
+        self.package.templates.push(tree::Template {
+            module: named.module.to_owned(),
+            name: named.name.to_owned(),
+            file: named.file.to_owned(),
+            site: Site(site.0, site.1),
+        });
+    }
+
     /// How a function comes back to itself.
     pub(super) fn round_trip(&self, path: &str) -> String {
         let from = self.stack.iter().position(|known| known == path).unwrap_or_default();

@@ -254,7 +254,7 @@ fn tree(workspace: &Workspace, batch: &mut Batch) -> Package {
         batch.write(workspace);
         let said = match generation::tree(&workspace.path(""), "models") {
             Ok(package) => return package,
-            Err(Error::Models(said) | Error::Refused(said)) => said,
+            Err(Error::Models(said) | Error::Refused(said)) => said.to_string(),
             Err(error) => panic!("{error}"),
         };
         let told = batch.told(&said, workspace);

@@ -65,7 +65,8 @@ const REASONS: &[(&str, usize, Reason)] = &[
     // What follows them in a chain needs no word of its own.
     ("iter iter_mut into_iter", 0, refuse::ITERATOR),
     ("windows chunks chunks_exact rchunks step_by skip", 1, refuse::ITERATOR),
-    ("to_vec to_string to_owned", 0, refuse::HEAP),
+    ("to_vec into_vec", 0, refuse::LIST),
+    ("to_string to_owned", 0, refuse::TEXT),
     ("euler_angles axis_angle scaled_axis", 0, refuse::NALGEBRA_ANGLES),
     ("slerp", 2, refuse::NALGEBRA_ANGLES),
 ];

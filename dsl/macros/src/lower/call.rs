@@ -26,7 +26,7 @@ impl Lowering<'_> {
         let arguments: Vec<_> =
             it.args.iter_mut().map(|argument| self.argument(argument)).collect();
         let syn::Expr::Path(function) = &mut *it.func else {
-            self.refusals.add(it.func.span(), refuse::FUNCTION_VALUE);
+            self.refusals.add(&it.func, refuse::FUNCTION_VALUE);
             return UNIT;
         };
         if arguments.is_empty() && is_default(function) {
@@ -51,7 +51,7 @@ impl Lowering<'_> {
             absent::function(function, arguments.len())
         };
         if let Some(reason) = reason {
-            self.refusals.add(function.span(), reason);
+            self.refusals.add(&function, reason);
             return UNIT;
         }
         let Some(companion) = companion(function) else {
@@ -92,7 +92,7 @@ impl Lowering<'_> {
             false => absent::method(it),
         };
         if let Some(reason) = reason {
-            self.refusals.add(it.method.span(), reason);
+            self.refusals.add(&it.method, reason);
             return UNIT;
         }
         it.method = companion_name(&it.method);

@@ -4,7 +4,6 @@
 //! stays a chain, and the closures look at what they are given.
 
 use bessemer_ir::tree::{self, BinaryOp, ExprKind, Order, Start, UnaryOp};
-use syn::spanned::Spanned;
 
 use super::closure::{closure_of, closure_parameter};
 use super::each::Way;
@@ -50,7 +49,7 @@ impl Lowering<'_> {
         if search::ENDS.contains(&end.as_str()) {
             let kind = self.scoped(|walk| walk.search(it, &end));
             if kind.is_none() && self.refusals.len() == before {
-                self.refusals.add(node.span(), refuse::CHAIN);
+                self.refusals.add(&node, refuse::CHAIN);
             }
             return Some(kind.unwrap_or(UNIT));
         }
@@ -76,7 +75,7 @@ impl Lowering<'_> {
             Some(ExprKind::Fold { name, start, each })
         });
         if kind.is_none() && self.refusals.len() == before {
-            self.refusals.add(node.span(), refuse::CHAIN);
+            self.refusals.add(&node, refuse::CHAIN);
         }
         Some(kind.unwrap_or(UNIT))
     }
@@ -98,7 +97,7 @@ impl Lowering<'_> {
             Some(flow.into_loop(last, label))
         });
         if kind.is_none() && self.refusals.len() == before {
-            self.refusals.add(it.expr.span(), refuse::CHAIN);
+            self.refusals.add(&it.expr, refuse::CHAIN);
         }
         kind
     }
@@ -266,7 +265,7 @@ impl Lowering<'_> {
         let mut flow = self.flow(&mut it.receiver)?;
         if !is_made_of_plain(&it.args[0]) {
             // It would be computed before what the chain begins with.
-            self.refusals.add(it.args[0].span(), refuse::SCAN);
+            self.refusals.add(&it.args[0], refuse::SCAN);
             return None;
         }
         let start = self.value(&mut it.args[0]);

@@ -133,14 +133,14 @@ impl Lowering<'_> {
             syn::Expr::MethodCall(it) if it.method == "step_by" && it.args.len() == 1 => {
                 let range = self.range(&mut it.receiver)?;
                 if range.reversed || range.step.is_some() {
-                    self.refusals.add(it.method.span(), refuse::STEP_ORDER);
+                    self.refusals.add(&it.method, refuse::STEP_ORDER);
                 }
                 let step = Some(self.value(&mut it.args[0]));
                 Some(tree::Range { step, ..range })
             }
             syn::Expr::Range(it) => {
                 let (Some(from), Some(to)) = (&mut it.start, &mut it.end) else {
-                    self.refusals.add(it.limits.span(), refuse::OPEN_RANGE);
+                    self.refusals.add(&it.limits, refuse::OPEN_RANGE);
                     return None;
                 };
                 let inclusive = matches!(it.limits, syn::RangeLimits::Closed(_));
@@ -148,7 +148,7 @@ impl Lowering<'_> {
                 Some(tree::Range { from, to, inclusive, reversed: false, step: None })
             }
             other => {
-                self.refusals.add(other.span(), refuse::ITERATOR);
+                self.refusals.add(&other, refuse::ITERATOR);
                 None
             }
         }

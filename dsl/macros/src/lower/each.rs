@@ -3,7 +3,6 @@
 //! The adaptors stay as they are in the witness copy; the names look at the types that they are given.
 
 use bessemer_ir::tree::{self, ExprKind, Order};
-use syn::spanned::Spanned;
 
 use super::flow::Source;
 use super::names::{site, text};
@@ -48,13 +47,13 @@ impl Lowering<'_> {
                 }
                 None | Some(syn::Pat::Wild(_)) => None,
                 Some(other) => {
-                    walk.refusals.add(other.span(), refuse::DESTRUCTURING);
+                    walk.refusals.add(other, refuse::DESTRUCTURING);
                     None
                 }
             };
             match elements {
                 Some(pattern) => walk.elements(pattern, source, &mut parts, &mut looks),
-                None => walk.refusals.add(it.pat.span(), refuse::DESTRUCTURING),
+                None => walk.refusals.add(&it.pat, refuse::DESTRUCTURING),
             }
             if refused > before {
                 // What does not go through anything has no elements to tell about.
@@ -76,7 +75,7 @@ impl Lowering<'_> {
                 ("enumerate", 0) => {
                     let mut way = self.way(&mut it.receiver);
                     if way.indexed || !way.cuts.is_empty() {
-                        self.refusals.add(it.method.span(), refuse::ITERATOR);
+                        self.refusals.add(&it.method, refuse::ITERATOR);
                     }
                     if way.order == Order::Down {
                         way.order = Order::Mirrored;
@@ -89,7 +88,7 @@ impl Lowering<'_> {
                         Order::Up => Order::Down,
                         Order::Down => Order::Up,
                         Order::Mirrored => {
-                            self.refusals.add(it.method.span(), refuse::ITERATOR);
+                            self.refusals.add(&it.method, refuse::ITERATOR);
                             Order::Mirrored
                         }
                     };
@@ -148,7 +147,7 @@ impl Lowering<'_> {
                         Source::One { array, owned, group: None, reversed: !reversed }
                     }
                     other => {
-                        self.refusals.add(it.method.span(), refuse::ITERATOR);
+                        self.refusals.add(&it.method, refuse::ITERATOR);
                         other
                     }
                 }
@@ -160,7 +159,7 @@ impl Lowering<'_> {
                         Source::One { array, owned: owned && into, group, reversed }
                     }
                     zip => {
-                        self.refusals.add(it.method.span(), refuse::ITERATOR);
+                        self.refusals.add(&it.method, refuse::ITERATOR);
                         zip
                     }
                 }
@@ -178,7 +177,7 @@ impl Lowering<'_> {
                         Source::One { array, owned, group, reversed }
                     }
                     other => {
-                        self.refusals.add(it.method.span(), refuse::ITERATOR);
+                        self.refusals.add(&it.method, refuse::ITERATOR);
                         other
                     }
                 }
@@ -192,7 +191,7 @@ impl Lowering<'_> {
             syn::Expr::MethodCall(it) if is_cut(it) => {
                 let Way { source, indexed, order, cuts } = self.way(expr);
                 if indexed || order != Order::Up || !cuts.is_empty() {
-                    self.refusals.add(expr.span(), refuse::ITERATOR);
+                    self.refusals.add(&expr, refuse::ITERATOR);
                 }
                 source
             }
@@ -202,7 +201,7 @@ impl Lowering<'_> {
                 let array = Box::new(self.value(other));
                 if is_range(other) {
                     self.refusals.forget_since(before);
-                    self.refusals.add(other.span(), refuse::LINKED_RANGE);
+                    self.refusals.add(&other, refuse::LINKED_RANGE);
                 }
                 Source::One { array, owned, group: None, reversed: false }
             }
@@ -224,7 +223,7 @@ impl Lowering<'_> {
                 Source::One { array, owned: false, group: None, reversed: false }
             }
             (other, _) => {
-                self.refusals.add(it.method.span(), refuse::CHAINED);
+                self.refusals.add(&it.method, refuse::CHAINED);
                 other
             }
         }
@@ -246,7 +245,7 @@ impl Lowering<'_> {
                 let pattern = self.pattern(pattern, looks);
                 parts.push(tree::Part { pattern, array: *array, owned, group, reversed });
             }
-            (other, _) => self.refusals.add(other.span(), refuse::DESTRUCTURING),
+            (other, _) => self.refusals.add(other, refuse::DESTRUCTURING),
         }
     }
 }

@@ -3,7 +3,6 @@
 use bessemer_ir::Scalar;
 use bessemer_ir::tree::{self, BinaryOp, ExprKind, UnaryOp};
 use quote::ToTokens;
-use syn::spanned::Spanned;
 
 use super::made::UNIT;
 use super::names::{place, site, text};
@@ -158,7 +157,7 @@ impl Lowering<'_> {
                         self.kind(expr, value)
                     }
                     None => {
-                        self.refusals.add(it.mac.path.span(), refuse::SYNTAX);
+                        self.refusals.add(&it.mac.path, refuse::SYNTAX);
                         (UNIT, false)
                     }
                 }
@@ -171,8 +170,8 @@ impl Lowering<'_> {
                 None => (self.macro_call(&mut it.mac).map_or(UNIT, |expr| expr.kind), false),
             },
             other => {
-                let (span, reason) = refuse::expression(other);
-                self.refusals.add(span, reason);
+                let (place, reason) = refuse::expression(other);
+                self.refusals.add(&place, reason);
                 self.inside(other);
                 (UNIT, false)
             }
@@ -207,7 +206,7 @@ impl Lowering<'_> {
                 tree::Places::Each(elems.iter_mut().map(|it| self.places(it)).collect())
             }
             syn::Expr::Struct(_) | syn::Expr::Call(_) | syn::Expr::Range(_) => {
-                self.refusals.add(expr.span(), refuse::SEVERAL_PLACES);
+                self.refusals.add(&expr, refuse::SEVERAL_PLACES);
                 tree::Places::None
             }
             other => tree::Places::One(self.value(other)),
@@ -242,7 +241,7 @@ impl Lowering<'_> {
                         _ => ExprKind::Int(it.base10_digits().into(), suffix),
                     };
                 }
-                self.refusals.add(it.span(), refuse::WIDE_INTEGER);
+                self.refusals.add(it, refuse::WIDE_INTEGER);
             }
             syn::Lit::Float(it) => {
                 return ExprKind::Float(it.base10_digits().into(), Scalar::from_name(it.suffix()));
@@ -254,8 +253,8 @@ impl Lowering<'_> {
                 );
             }
             syn::Lit::ByteStr(it) => return ExprKind::Bytes(it.value()),
-            syn::Lit::Char(it) => self.refusals.add(it.span(), refuse::CHAR),
-            other => self.refusals.add(other.span(), refuse::STRING),
+            syn::Lit::Char(it) => self.refusals.add(it, refuse::CHAR),
+            other => self.refusals.add(other, refuse::STRING),
         }
         UNIT
     }
@@ -267,7 +266,7 @@ impl Lowering<'_> {
         {
             let name = self.local_name(&text(ident)).unwrap_or_default().to_owned();
             if self.is_closure(&name) {
-                self.refusals.add(ident.span(), refuse::CLOSURE_VALUE);
+                self.refusals.add(ident, refuse::CLOSURE_VALUE);
             }
             if name == "self" {
                 // In the copy, which is a closure, the receiver is an ordinary parameter.
@@ -300,7 +299,7 @@ impl Lowering<'_> {
             return (ExprKind::Assign(Some(op), Box::new(place), Box::new(value)), false);
         }
         let Some(op) = operator::infix(&it.op) else {
-            self.refusals.add(it.op.span(), refuse::SYNTAX);
+            self.refusals.add(&it.op, refuse::SYNTAX);
             return (UNIT, false);
         };
         self.chained = operator::sign(op).is_some() && operator::is_operator(&it.left);

@@ -5,7 +5,6 @@
 use bessemer_ir::tree;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
-use syn::spanned::Spanned;
 
 use super::names::{site, text};
 use super::refuse;
@@ -36,7 +35,6 @@ impl Lowering<'_> {
     /// Lowers `assert!(condition)` and the like, `panic!()` and the like; every other macro is refused.
     pub(super) fn macro_call(&mut self, mac: &mut syn::Macro) -> Option<tree::Expr> {
         use syn::punctuated::Punctuated;
-        let span = mac.path.span();
         let name =
             mac.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default();
         let compared = match name.as_str() {
@@ -44,7 +42,7 @@ impl Lowering<'_> {
             | "unimplemented"
                 if !self.is_rusts(&mac.path) =>
             {
-                self.refusals.add(span, refuse::MACRO);
+                self.refusals.add(&mac.path, refuse::MACRO);
                 return None;
             }
             "assert" | "__inside" | "__room" | "__between" => None,
@@ -60,13 +58,13 @@ impl Lowering<'_> {
                 return Some(tree::Expr { kind, site, slot: None });
             }
             _ => {
-                self.refusals.add(span, refuse::macro_call(&name));
+                self.refusals.add(&mac.path, refuse::macro_call(&name));
                 return None;
             }
         };
         let parser = Punctuated::<syn::Expr, syn::Token![,]>::parse_terminated;
         let Ok(mut arguments) = mac.parse_body_with(parser) else {
-            self.refusals.add(span, refuse::SYNTAX);
+            self.refusals.add(&mac.path, refuse::SYNTAX);
             return None;
         };
         let site = site(&mac.path);

@@ -91,7 +91,7 @@ impl Lowering<'_> {
 
     fn or_refused(&mut self, kind: Option<ExprKind>, node: &syn::Ident) -> ExprKind {
         kind.unwrap_or_else(|| {
-            self.refusals.add(node.span(), refuse::CLOSURE_PARAMETERS);
+            self.refusals.add(node, refuse::CLOSURE_PARAMETERS);
             UNIT
         })
     }

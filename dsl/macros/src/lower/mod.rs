@@ -48,7 +48,7 @@ pub use names::{GENERATING, Site, callee_name, own_name, site, slot_name, text};
 pub use pattern::member;
 pub use refuse::Refusals;
 pub use signature::{
-    Parameter, check_field, gives_option, lends, name_parts, parameters, refuse_leaving,
+    Parameter, check_field, gives_option, lends, name_parts, named_part, parameters, refuse_leaving,
 };
 pub use strip::{check_attributes, strip};
 pub use walk::Lowering;

@@ -19,7 +19,7 @@ pub fn simple_name(pattern: &syn::Pat, refusals: &mut Refusals) -> Option<syn::I
         syn::Pat::Type(it) => simple_name(&it.pat, refusals),
         syn::Pat::Wild(it) => Some(syn::Ident::new("_unused", it.underscore_token.span)),
         other => {
-            refusals.add(other.span(), refuse::DESTRUCTURING);
+            refusals.add(other, refuse::DESTRUCTURING);
             None
         }
     }
@@ -156,7 +156,7 @@ impl Lowering<'_> {
             other => {
                 let reference = matches!(other, syn::Pat::Ident(_));
                 let reason = if reference { refuse::BINDING_PATTERN } else { refuse::PATTERN };
-                self.refusals.add(other.span(), reason);
+                self.refusals.add(other, reason);
                 tree::Pattern::Any
             }
         }

@@ -8,7 +8,6 @@ use std::fmt::{self, Display, Formatter};
 
 use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::ToTokens;
-use syn::spanned::Spanned;
 
 /// Why something is refused.
 #[derive(Clone)]
@@ -37,6 +36,24 @@ impl Display for Reason {
     }
 }
 
+/// Where something is refused: a token, or syntax from its first to its last one.
+pub trait Place {
+    /// The error there.
+    fn error(self, reason: Reason) -> syn::Error;
+}
+
+impl Place for Span {
+    fn error(self, reason: Reason) -> syn::Error {
+        syn::Error::new(self, reason)
+    }
+}
+
+impl<T: ToTokens> Place for &T {
+    fn error(self, reason: Reason) -> syn::Error {
+        syn::Error::new_spanned(self, reason)
+    }
+}
+
 /// Everything refused in one item, in the order of the source.
 #[derive(Default)]
 pub struct Refusals {
@@ -44,9 +61,9 @@ pub struct Refusals {
 }
 
 impl Refusals {
-    /// Refuses what stands at `span`.
-    pub fn add(&mut self, span: Span, reason: Reason) {
-        self.errors.push(syn::Error::new(span, reason));
+    /// Refuses what stands at `place`.
+    pub fn add(&mut self, place: impl Place, reason: Reason) {
+        self.errors.push(place.error(reason));
     }
 
     /// How much was refused.
@@ -126,7 +143,7 @@ reasons! {
     CHAR: "`char` is not in the DSL", "use `u8` for bytes: `b'A'` as a number";
     STRING: "text is not in the DSL yet", "use an enum for a choice; bytes are `*b\"abc\"`, or `Text::of(b\"abc\")` of any length up to that of a `Text<8>`";
     WIDE_INTEGER: "C99 has no 128-bit integer", "use `u64` or `i64`";
-    FUNCTION_VALUE: "functions are not values in the DSL", "call the function by its name";
+    FUNCTION_VALUE: "functions are not values in the DSL", "call the function by its name; what is exchanged is an `#[interface]`, or an `enum` with a `match`";
     FUNCTION_POINTER: "function pointers hide what is called from the stack analysis", "choose with an `enum` and a `match`";
     RECURSION: "recursion has no bound that the C could promise", "write a loop over a range";
     OPEN_RANGE: "this range is open, so the loop has no bound", "write both ends: `for i in 0..n`";
@@ -145,7 +162,7 @@ reasons! {
     SCAN: "this is computed before the chain begins in the DSL", "write a number or a name: `let start = …;` before it";
     SORTING: "this comparison is not in the DSL here", "write `|a, b| a.total_cmp(b)`, or `a.cmp(b)`, of parts of both if need be; or `sort_by_key`";
     ASYNC: "there is no executor in firmware that a model could await", "write a component whose `step` is called once per period";
-    UNSAFE: "`unsafe` has no meaning that the C could keep", "use indices and `to_bits`/`from_bits`";
+    UNSAFE: "`unsafe` has no meaning that the C could keep", "state is a field of the component; the firmware's functions are `#[external(header = \"board.h\")]`; elements have indices, floats `to_bits`";
     RAW_BORROW: "raw pointers are not in the DSL", "pass `&` or `&mut`";
     POINTER: "raw pointers are not in the DSL", "pass `&T` or `&mut T`";
     EXTERN: "an external function needs a stand-in that the simulation can run", "write `#[external(header = \"board.h\")]` above a function of Rust that does the same";
@@ -160,7 +177,7 @@ reasons! {
     REFERENCE_FIELD: "a reference in a struct would let two owners share memory in the C", "hold the value, or pass the reference to the method";
     NEVER: "a function that never returns would hang the firmware", "return a value";
     RECEIVER: "this receiver is not in the DSL", "write `self`, `&self` or `&mut self`";
-    STATIC: "a `static mut` is a global that anybody changes", "use a field of the component; a table that nobody changes is a `const` or a `static`";
+    STATIC: "a `static mut` is a global that anybody changes", "state belongs into the component: a field, which its methods change through `&mut self`; a table that nobody changes is a `const`";
     NESTED_ITEM: "items inside a function are not in the DSL", "move it out, next to the function";
     YIELD: "generators are not in the DSL", "keep the state in a component, and step it";
     LINKED_RANGE: "of a range the DSL takes `.rev()` and `.step_by(n)`, then closures: `.map(…)`, `.filter(…)` and the like", "change its ends, `1..n` for `(0..n).skip(1)`; beside elements, number them with `.enumerate()`";
@@ -176,16 +193,22 @@ reasons! {
     NOT_A_TRAIT: "`#[interface]` stands on a trait", "a struct, an enum and an `impl` block take `#[data]` or `#[component]`, a function `#[function]`";
     INTERFACE_ITEM: "this is not part of an interface of the DSL", "write methods, constants and types";
     OWNED_NAME: "a method of this name belongs to numbers in the DSL", "give it a name of its own";
-    HEAP: "a model has no heap", "use an array of fixed length: `[T; N]`";
+    LIST: "a model has no heap, on which a `Vec` grows", "use `List<T, N>`, a list of at most `N` elements, or an array `[T; N]`";
+    TEXT: "a model has no heap, on which a `String` grows", "use `Text<N>`, a text of at most `N` bytes; for a choice an enum";
+    QUEUE: "a model has no heap, on which a queue grows", "use an array `[T; N]` and the index of the oldest element, or `List<T, N>`";
+    MAP: "a model has no heap, on which a map grows", "use a `List<(K, V), N>` that is searched, or an array with the key as index";
+    HEAP: "a model has no heap", "hold the value itself; of several kinds make an `enum`";
     DYNAMIC_MATRIX: "the size of a dynamic matrix is not known when the C is written", "use `SMatrix<f64, R, C>` or `SVector<f64, N>`";
     NALGEBRA_ANGLES: "nalgebra takes sine and cosine from the platform here, so the bits would depend on the target", "call the function of `bessemer::rotation` for it: `from_euler_angles(roll, pitch, yaw)`, `from_axis_angle(&axis, angle)`, `from_scaled_axis(v)`, `euler_angles(&q)`, `slerp(&a, &b, t)`, `matrix_from_euler_angles(…)` and the like";
     STD: "std is not there on the target", "use `core`, and pass what the platform provides as an input";
-    SHARED_CELL: "shared mutable state is not in the DSL", "keep it in a field of the component, behind `&mut self`";
+    SHARED_CELL: "shared mutable state is not in the DSL", "state belongs into the component: a field, which its methods change through `&mut self`";
     FORMAT: "text is not formatted on the target", "return the numbers, and format them where they are shown";
     ASSERT: "a debug assertion would not be in every build", "write `assert!`, `assert_eq!` or `assert_ne!`: it becomes a fault of the entry point";
     ENTRY_ARGUMENT: "`#[entry]` takes nothing, `infallible` or `atomic`", "write `#[entry]`, `#[entry(infallible)]` or `#[entry(atomic)]`";
     ENTRY_BOTH: "an infallible entry has nothing to roll back", "leave out `atomic`, or `infallible`";
     ENTRY_INLINE: "an entry point is called by the firmware, and stands by itself", "leave `#[inline(always)]` out";
+    ENTRY_GENERIC: "the firmware calls functions of fixed types: an entry point is not generic", "name the types; for several make the component generic, and name its instances";
+    ENTRY_CLOSURE: "the firmware has no closure to pass to an entry point", "choose with an `enum` and a `match`, or make the component generic over an `#[interface]`";
     UNROLL: "this does not say how far a loop is written out", "write `#[unroll(4)]`, at most 64, or `#[keep]`";
     UNIT: "this is no unit", "write `#[unit(\"m/s\")]`";
     FOREIGN_IMPLEMENTATION: "an interface is implemented by numbers and by types of the author's own in the DSL", "wrap the value: `#[data] struct Gain(f64);`, and implement the interface for that";
@@ -201,37 +224,39 @@ reasons! {
     GENERIC_NAME: "each instance of what is generic needs a name of its own in the C", "leave the name out, and name the instance with `type`";
     EXTERNAL_ARGUMENT: "an external function names its header", "write `#[external(header = \"board.h\")]`, with `name = \"…\"` if it is called otherwise in the C";
     EXTERNAL_GENERIC: "an external function has one type", "write one function for each type";
-    ENTRY_ALONE: "`#[entry]` stands on a method inside an `impl` block marked `#[component]`", "mark the `impl` block, or call a free function from an entry point";
+    ENTRY_ALONE: "`#[entry]` stands on a method inside an `impl` block marked `#[component]`", "write `#[component]` above the `impl` block; a free function is called from an entry point";
     ENTRY_OF_DATA: "plain data has no entry points", "mark the struct and this block `#[component]`";
     MACRO: "this macro is not part of the DSL", "write the expression out, or a function marked `#[function]`";
 }
 
+/// Macros that show something to a reader.
+const SHOWING: &str =
+    "format print println eprint eprintln write writeln dbg trace debug info warn error log";
+
 /// The reason for a macro that is not taken.
 pub fn macro_call(name: &str) -> Reason {
     match name {
-        "format" | "print" | "println" | "eprint" | "eprintln" | "write" | "writeln" | "dbg" => {
-            FORMAT
-        }
+        _ if SHOWING.split(' ').any(|it| it == name) => FORMAT,
         "debug_assert" | "debug_assert_eq" | "debug_assert_ne" => ASSERT,
-        "vec" => HEAP,
+        "vec" => LIST,
         _ => MACRO,
     }
 }
 
 /// The reason for an expression that is not taken, and where to say it.
-pub fn expression(expr: &syn::Expr) -> (Span, Reason) {
+pub fn expression(expr: &syn::Expr) -> (TokenStream, Reason) {
     match expr {
-        syn::Expr::Closure(it) => (first_token(it), CLOSURE),
-        syn::Expr::Async(it) => (it.async_token.span, ASYNC),
-        syn::Expr::Await(it) => (it.await_token.span, ASYNC),
-        syn::Expr::Unsafe(it) => (it.unsafe_token.span, UNSAFE),
-        syn::Expr::RawAddr(it) => (first_token(it), RAW_BORROW),
-        syn::Expr::Range(it) => (it.limits.span(), RANGE_VALUE),
-        syn::Expr::Yield(it) => (it.yield_token.span, YIELD),
-        syn::Expr::Const(it) => (it.const_token.span, CONST_BLOCK),
-        syn::Expr::Infer(it) => (it.underscore_token.span, IGNORED),
-        syn::Expr::Let(it) => (it.let_token.span, SYNTAX),
-        other => (other.span(), SYNTAX),
+        syn::Expr::Closure(it) => (it.to_token_stream(), CLOSURE),
+        syn::Expr::Async(it) => (it.async_token.to_token_stream(), ASYNC),
+        syn::Expr::Await(it) => (it.await_token.to_token_stream(), ASYNC),
+        syn::Expr::Unsafe(it) => (it.unsafe_token.to_token_stream(), UNSAFE),
+        syn::Expr::RawAddr(it) => (it.to_token_stream(), RAW_BORROW),
+        syn::Expr::Range(it) => (it.to_token_stream(), RANGE_VALUE),
+        syn::Expr::Yield(it) => (it.yield_token.to_token_stream(), YIELD),
+        syn::Expr::Const(it) => (it.const_token.to_token_stream(), CONST_BLOCK),
+        syn::Expr::Infer(it) => (it.underscore_token.to_token_stream(), IGNORED),
+        syn::Expr::Let(it) => (it.let_token.to_token_stream(), SYNTAX),
+        other => (other.to_token_stream(), SYNTAX),
     }
 }
 
@@ -255,8 +280,11 @@ pub fn named_type(path: &syn::Path) -> Option<Reason> {
     let bare = path.segments.len() == 1 && last.arguments.is_empty();
     Some(match name.as_str() {
         "Cell" | "RefCell" | "Mutex" | "RwLock" if bare => return None,
-        "Vec" | "Box" | "String" | "Rc" | "Arc" | "VecDeque" | "HashMap" | "BTreeMap"
-        | "HashSet" | "BTreeSet" | "BinaryHeap" => HEAP,
+        "Vec" => LIST,
+        "String" => TEXT,
+        "VecDeque" => QUEUE,
+        "HashMap" | "BTreeMap" | "HashSet" | "BTreeSet" | "BinaryHeap" => MAP,
+        "Box" | "Rc" | "Arc" => HEAP,
         "DMatrix" | "DVector" | "RowDVector" | "MatrixXx1" | "Matrix1xX" | "OMatrix"
         | "DMatrixView" | "Dyn" => DYNAMIC_MATRIX,
         "Cell" | "RefCell" | "Mutex" | "RwLock" | "AtomicBool" | "AtomicU32" | "AtomicUsize" => {

@@ -35,7 +35,7 @@ impl Lowering<'_> {
             _ if sort::sorts(it) => {
                 let sorted = sort::sorted(it, Leg::Tree);
                 if sorted.is_none() {
-                    self.refusals.add(it.method.span(), refuse::SORTING);
+                    self.refusals.add(&it.method, refuse::SORTING);
                 }
                 sorted
             }

@@ -101,7 +101,7 @@ impl Lowering<'_> {
     fn passed_over(&mut self, flow: &mut Flow, it: &mut syn::ExprMethodCall) -> Option<String> {
         if !is_made_of_plain(&it.args[0]) {
             // It would be computed before what the chain begins with.
-            self.refusals.add(syn::spanned::Spanned::span(&it.args[0]), refuse::SCAN);
+            self.refusals.add(&it.args[0], refuse::SCAN);
             return None;
         }
         let mut count = self.value(&mut it.args[0]);

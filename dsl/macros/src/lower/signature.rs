@@ -1,6 +1,7 @@
 //! Signatures and types, as far as syntax can tell what the DSL does not take.
 
 use bessemer_ir::tree::Site;
+use proc_macro2::Span;
 use quote::{ToTokens, quote};
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
@@ -25,6 +26,8 @@ pub struct Parameter {
     pub ty: proc_macro2::TokenStream,
     /// Where it stands.
     pub site: Site,
+    /// Where its type stands.
+    pub place: Span,
     /// Whether its author may assign it.
     pub mutable: bool,
     /// Whether it takes a closure; then `ty` is the function pointer that stands for one.
@@ -64,6 +67,7 @@ fn parameter(
                 ident: receiver,
                 ty,
                 site: site(&it.self_token),
+                place: Span::call_site(),
                 mutable: mutability.is_some(),
                 closure: false,
             })
@@ -81,9 +85,23 @@ fn parameter(
                 closure: closure.is_some(),
                 ty: closure.unwrap_or_else(|| it.ty.to_token_stream()),
                 site: site(&ident),
+                place: named_part(&it.ty),
                 ident,
             })
         }
+    }
+}
+
+/// Where the name in a type stands, behind references and brackets.
+pub fn named_part(ty: &syn::Type) -> Span {
+    match ty {
+        syn::Type::Reference(it) => named_part(&it.elem),
+        syn::Type::Array(it) => named_part(&it.elem),
+        syn::Type::Slice(it) => named_part(&it.elem),
+        syn::Type::Path(it) => {
+            it.path.segments.last().map_or_else(|| ty.span(), |it| it.ident.span())
+        }
+        _ => ty.span(),
     }
 }
 
@@ -169,7 +187,7 @@ fn check_signature(signature: &syn::Signature, refusals: &mut Refusals) {
         match &**ty {
             // What is lent; which function may do so says the walk.
             syn::Type::Reference(it) => match &*it.elem {
-                syn::Type::Slice(_) => refusals.add(it.and_token.span, refuse::RETURNED_SLICE),
+                syn::Type::Slice(_) => refusals.add(it, refuse::RETURNED_SLICE),
                 inner => check_type(inner, refusals),
             },
             syn::Type::Never(it) => refusals.add(it.bang_token.span, refuse::NEVER),
@@ -218,13 +236,7 @@ impl<'ast> Visit<'ast> for Types<'_> {
             },
             _ => return visit::visit_type(self, ty),
         };
-        let place = match ty {
-            syn::Type::Path(it) => {
-                it.path.segments.last().map_or_else(|| ty.span(), |last| last.ident.span())
-            }
-            _ => ty.span(),
-        };
-        self.refusals.add(place, reason);
+        self.refusals.add(ty, reason);
     }
 
     /// Lengths of arrays are rustc's to evaluate.

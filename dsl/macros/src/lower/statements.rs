@@ -2,7 +2,6 @@
 
 use bessemer_ir::tree;
 use quote::quote;
-use syn::spanned::Spanned;
 
 use super::expr::is_unit_control;
 use super::made::UNIT;
@@ -30,7 +29,7 @@ impl Lowering<'_> {
                         continue;
                     }
                     if takes_apart(local) && local.init.is_none() {
-                        self.refusals.add(local.pat.span(), refuse::LATER);
+                        self.refusals.add(&local.pat, refuse::LATER);
                         continue;
                     }
                     if takes_apart(local) {

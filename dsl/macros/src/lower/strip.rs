@@ -2,7 +2,6 @@
 //!
 //! Attributes that would make the C differ from the Rust are refused here.
 
-use syn::spanned::Spanned;
 use syn::visit_mut::{self, VisitMut};
 
 use super::refuse::Refusals;
@@ -14,7 +13,7 @@ use super::{bound, refuse, unroll};
 pub fn check_attributes(attributes: &[syn::Attribute], refusals: &mut Refusals) {
     for attribute in attributes {
         if attribute.path().is_ident("cfg") || attribute.path().is_ident("cfg_attr") {
-            refusals.add(attribute.path().span(), refuse::CFG);
+            refusals.add(attribute.path(), refuse::CFG);
         }
     }
 }
@@ -45,7 +44,7 @@ impl VisitMut for Strip<'_> {
                 path.segments.first().map(|first| first.ident.to_string()).unwrap_or_default();
             let tool = ["rustfmt", "clippy"].contains(&name.as_str());
             if !tool && !name.starts_with("cfg") && !HARMLESS.contains(&name.as_str()) {
-                self.refusals.add(path.span(), refuse::ATTRIBUTE);
+                self.refusals.add(path, refuse::ATTRIBUTE);
             }
         }
     }

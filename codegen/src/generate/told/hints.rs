@@ -1,0 +1,202 @@
+//! Remedies for what rustc says of plain Rust, where the usual one does not fit a model, or where rustc has none for
+//! who comes from another language.
+
+use super::rustc::Message;
+use super::types;
+
+/// What to write instead; none where rustc says it better.
+pub fn of(message: &Message<'_>) -> Option<String> {
+    let (title, quoted) = (message.title, message.quoted());
+    let marked = message.mark().map(super::rustc::Mark::text).unwrap_or_default();
+    let help = match message.code {
+        "E0277" if title.starts_with("cannot ") => operands(&quoted)?,
+        "E0277" if title.contains("f64: Ord") || title.contains("f32: Ord") => match &*marked {
+            "max" => "floats have no greatest with NaN among them: `.fold(f64::NEG_INFINITY, |a, b| a.max(b))`",
+            "min" => "floats have no least with NaN among them: `.fold(f64::INFINITY, |a, b| a.min(b))`",
+            _ => "order floats by `total_cmp`: `values.sort_unstable_by(|a, b| a.total_cmp(b))`",
+        }
+        .to_owned(),
+        "E0308" => converted(message.mark()?.label)?,
+        "E0599" if quoted.first() == Some(&"clone") && title.contains("struct") => COPY.to_owned(),
+        "E0277" if title.ends_with(": Copy` is not satisfied") => COPY.to_owned(),
+        "E0382" | "E0507" if message.rendered.contains("does not implement the `Copy` trait") => {
+            format!("{COPY}; or lend it: `&{marked}`")
+        }
+        "E0277"
+            if title.ends_with(": Default` is not satisfied")
+                && message.marked_below().any(|it| it.line.contains("enum ")) =>
+        {
+            "derive it, `#[derive(Default)]` below `#[data]`, and write `#[default]` above a variant".to_owned()
+        }
+        "E0608" if message.mark()?.before().ends_with(']') => {
+            "an element of a matrix is `m[(row, column)]`, counted from 0".to_owned()
+        }
+        "E0277" if title.contains("Range<{float}>") => {
+            "count with integers: `for i in 0..10 { let x = 0.1 * f64::from(i); … }`".to_owned()
+        }
+        "E0277" if title.contains("cannot be indexed by") => {
+            "an index is a `usize`: `values[i as usize]`, or declare it as one".to_owned()
+        }
+        "E0277" if title.starts_with("`?` couldn't convert") => {
+            let from = message.mark()?.label.split('`').nth(1).unwrap_or("From<…>").to_owned();
+            let target = quoted.get(1)?;
+            format!("say how: `#[data] impl {from} for {target} {{ … }}`, or map it: `.map_err(|_| …)?`")
+        }
+        "E0277" if title.starts_with("the `?` operator can only") => {
+            "let the function give a `Result` or an `Option`, or take the value out: `.unwrap_or(0.0)`".to_owned()
+        }
+        "E0369" if title.contains("f64 ^") || title.contains("f32 ^") => POWER.to_owned(),
+        "E0614" if marked.starts_with('*') && message.mark()?.before().ends_with("* ") => POWER.to_owned(),
+        "E0614" if marked.starts_with("**") || marked.starts_with("* ") => POWER.to_owned(),
+        "E0369" => operator(message, &quoted)?,
+        "E0605" => {
+            let [from, to] = quoted.get(..2)? else { return None };
+            format!("take the value apart with `match`, or say how: `#[data] impl TryFrom<{from}> for {to} {{ … }}`")
+        }
+        "E0425" => match *quoted.first()? {
+            "M_PI" | "PI" | "pi" => "write `core::f64::consts::PI`".to_owned(),
+            _ => return None,
+        },
+        "E0433" => match *quoted.first()? {
+            "rand" | "fastrand" | "getrandom" => {
+                "what is random comes from outside: pass it to the entry point".to_owned()
+            }
+            "libm" => "call the method: `x.sin()`; its bits are the same in Rust and C".to_owned(),
+            _ => return None,
+        },
+        "E0435" => {
+            "the length of an array is a constant, `[0.0; 16]`; of elements whose number varies make a `List<f64, 16>`".to_owned()
+        }
+        "E0599" if quoted.get(1).is_some_and(|it| matches!(*it, "f64" | "f32")) => match *quoted.first()? {
+            "saturating_add" | "saturating_sub" | "saturating_mul" => {
+                "floats do not overflow: add, and keep the sum within limits with `.clamp(low, high)`".to_owned()
+            }
+            _ if message.own_help().is_none() => {
+                "floats have no such method: write a function marked `#[function]`".to_owned()
+            }
+            _ => return None,
+        },
+        "E0658" if title.contains("unstable library feature") => {
+            "it is not in stable Rust: write it out in a function marked `#[function]`".to_owned()
+        }
+        _ => return None,
+    };
+    Some(help)
+}
+
+const COPY: &str = "let the value copy itself: `#[derive(Clone, Copy)]` below `#[data]`";
+
+/// For a number of another type than the one that is wanted.
+fn converted(label: &str) -> Option<String> {
+    let mut quoted = label.split('`').skip(1).step_by(2);
+    let (to, from) = (quoted.next()?, quoted.next()?);
+    let bits = |it: &str| match it {
+        "usize" | "isize" => Some(64),
+        _ => it.get(1..)?.parse::<u32>().ok().filter(|_| it.starts_with(['i', 'u', 'f'])),
+    };
+    let (wanted, given) = (bits(to)?, bits(from)?);
+    let is_float = |it: &str| it.starts_with('f');
+    // A float holds integers of fewer bits than its own; a signed type holds those of fewer bits.
+    let fits = match (is_float(to), is_float(from)) {
+        (false, true) => false,
+        _ => given < wanted && !(from.starts_with('i') && to.starts_with('u')),
+    };
+    Some(if fits && !to.ends_with("size") {
+        format!("convert it: `{to}::from(…)`")
+    } else if is_float(from) && !is_float(to) {
+        format!(
+            "convert it: `… as {to}`, which goes toward 0 and stays within the limits of `{to}`"
+        )
+    } else if is_float(to) {
+        format!("convert it: `… as {to}`, which rounds")
+    } else {
+        format!(
+            "convert the narrower one with `from`; or `{to}::try_from(…)`, which tells of what does not fit, or `… as {to}`, which cuts bits off"
+        )
+    })
+}
+
+const POWER: &str = "a power is `x.powi(2)` or `x.powf(y)`, a square `x * x`";
+
+/// For an operator of two types of numbers, or of a number and a matrix.
+fn operands(quoted: &[&str]) -> Option<String> {
+    let [one, other] = quoted.get(..2)? else { return None };
+    let is_float = |it: &&&str| matches!(**it, "f64" | "f32" | "{float}");
+    let is_integer = |it: &&&str| it.len() < 6 && it.starts_with(['i', 'u']);
+    let both = [one, other];
+    let float = both.iter().find(|it| is_float(it));
+    let integer = both.iter().find(|it| is_integer(it));
+    if float.is_some() && both.contains(&&"{integer}") {
+        return Some("write the number with a point: `2.0`".to_owned());
+    }
+    if let (Some(float), Some(integer)) = (float, integer) {
+        let float = if **float == "{float}" { "f64" } else { float };
+        return Some(match **integer {
+            "i64" | "u64" | "isize" | "usize" => {
+                format!("convert it: `count as {float}`, which rounds what is above 2^53")
+            }
+            _ => format!("convert it: `{float}::from(count)`"),
+        });
+    }
+    if both.iter().any(|it| it.contains("Matrix<")) && float.is_some() {
+        return Some("of each element: `m.add_scalar(x)`, or `m.map(|e| e + x)`".to_owned());
+    }
+    None
+}
+
+/// For an operator that a type of the author's does not have, or of what may not be there.
+fn operator(message: &Message<'_>, quoted: &[&str]) -> Option<String> {
+    let absent = quoted.iter().find(|it| it.starts_with("Option<") || it.starts_with("Result<"));
+    if absent.is_some() {
+        return Some(
+            "take the value out first: `if let Some(value) = … { … }`, or `.unwrap_or(other)`"
+                .to_owned(),
+        );
+    }
+    let missing = message.below().find_map(|it| it.strip_prefix("an implementation of `"))?;
+    let (of, ty) = missing.split_once("` might be missing for `")?;
+    let ty = ty.trim_end_matches('`');
+    (of != "PartialEq" && of != "PartialOrd").then(|| {
+        format!("say what it is: `#[data] impl {of} for {ty} {{ … }}`, on values of a `Copy` type")
+    })
+}
+
+/// What a mismatch of matrices is, for [`super::wording`]: rustc tells it of the traits by which nalgebra compares
+/// dimensions.
+pub fn dimensions(message: &Message<'_>) -> Option<(String, String)> {
+    if !message.title.contains("ShapeConstraint") {
+        return None;
+    }
+    let notes: Vec<String> = message.below().map(types::shown).collect();
+    let (left, operation) = notes.iter().find_map(|note| {
+        note.strip_prefix("required for `")?
+            .split_once("` to implement `")
+            .filter(|(_, it)| it.contains('<'))
+            .filter(|(left, _)| !left.contains("ShapeConstraint"))
+    })?;
+    let (of, right) = operation.trim_end_matches('`').split_once('<')?;
+    let right = right.strip_suffix('>')?;
+    let (left, right) = (types::written(left), types::written(right));
+    let of_left = types::dimensions(&left)?;
+    let of_right = types::dimensions(&right)?;
+    let size = |(rows, columns): (&str, &str)| format!("{rows}×{columns}");
+    let (left, right) = (size(of_left), size(of_right));
+    Some(match of {
+        "Mul" | "MulAssign" => (
+            format!("a {left} matrix is not multiplied by a {right} one"),
+            format!(
+                "the left one needs as many columns as the right one has rows: {} are not {}; `a.transpose()` or `a.tr_mul(&b)` turn it",
+                of_left.1, of_right.0
+            ),
+        ),
+        "Add" | "AddAssign" => {
+            (format!("a {right} matrix is not added to a {left} one"), SAME.to_owned())
+        }
+        "Sub" | "SubAssign" => {
+            (format!("a {right} matrix is not subtracted from a {left} one"), SAME.to_owned())
+        }
+        _ => (format!("the dimensions {left} and {right} do not fit"), SAME.to_owned()),
+    })
+}
+
+const SAME: &str = "both need the same numbers of rows and columns: look at the types of the two";

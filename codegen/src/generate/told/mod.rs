@@ -1,0 +1,70 @@
+//! What rustc says of a generation build, told in the author's terms: each thing once, at the author's own line.
+//!
+//! A generation build compiles more than the author wrote: a witness copy of each function and the builders of the
+//! tree. What is wrong in the model is wrong there, too, and is said in names that no author has seen. Each
+//! message of rustc's is read ([`rustc`]), reworded if it speaks of the DSL ([`wording`]) or gets a remedy that
+//! fits a model ([`hints`]), with types as authors write them ([`types`]), and left out where another one tells
+//! its cause ([`causes`]). A type that the DSL does not take is told where its author names it ([`place`]).
+//!
+//! Must not know: how cargo is called.
+
+mod causes;
+mod hints;
+mod place;
+mod remedies;
+mod rustc;
+mod types;
+mod wording;
+
+use serde_json::Value;
+
+use crate::diagnostic::{Diagnostic, Level, Place};
+use crate::source::Sources;
+use rustc::Message;
+use wording::Words;
+
+/// What rustc said, as cargo's messages have it.
+pub fn told(messages: &[Value], sources: &Sources) -> Vec<Diagnostic> {
+    let all: Vec<Message<'_>> = messages.iter().filter_map(Message::of).collect();
+    let worded = all.iter().map(|message| (message, wording::of(message))).collect();
+    let told = causes::once(worded, sources);
+    told.into_iter().map(|(message, words)| diagnostic(message, words, sources)).collect()
+}
+
+fn diagnostic(message: &Message<'_>, words: Option<Words>, sources: &Sources) -> Diagnostic {
+    let level = if message.is_error { Level::Error } else { Level::Warning };
+    let mark = message.mark();
+    let (line, column) = mark.map_or((0, 0), |mark| mark.start);
+    let place = Diagnostic {
+        level,
+        file: mark.map_or("", |mark| mark.file).to_owned(),
+        line,
+        column,
+        end: mark.map(|mark| mark.end),
+        ..Diagnostic::default()
+    };
+    if let Some(words) = words {
+        let told =
+            Diagnostic { message: words.title, help: words.help, notes: words.notes, ..place };
+        return match (words.of_type, mark) {
+            (Some(name), Some(mark)) => place::of_type(told, &name, mark, sources),
+            _ => told,
+        };
+    }
+    let help = hints::of(message);
+    if help.is_none() && !message.shows_internals() {
+        let rustc = Some(Box::new(message.value.clone()));
+        return Diagnostic { message: message.title.to_owned(), rustc, ..place };
+    }
+    let own = message.marks.iter().filter(|it| !it.is_primary && it.is_short_in(&place.file));
+    let also = own.map(|it| Place { start: it.start, end: it.end, label: types::shown(it.label) });
+    Diagnostic {
+        code: message.code.to_owned(),
+        message: types::shown(message.title),
+        label: types::shown(mark.map_or("", |mark| mark.label)),
+        also: also.collect(),
+        help: help.or_else(|| message.own_help()).unwrap_or_default(),
+        notes: message.own_notes(),
+        ..place
+    }
+}

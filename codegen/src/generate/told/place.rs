@@ -1,0 +1,54 @@
+//! Where a type that the DSL does not take is told: rustc tells it at the attribute, or at the variable that has it, and
+//! its author wrote its name near there.
+
+use super::causes::Item;
+use super::rustc::Mark;
+use crate::diagnostic::{Diagnostic, Place};
+use crate::source::Sources;
+
+/// A diagnostic about the type `name`, told at `mark`, at the name; with the place where it is declared, if that is in the
+/// same file.
+pub fn of_type(told: Diagnostic, name: &str, mark: &Mark<'_>, sources: &Sources) -> Diagnostic {
+    let lines = match mark.is_attribute() {
+        true => Item::below(mark, sources).lines(),
+        false => mark.start.0..=mark.start.0,
+    };
+    let named = lines
+        .filter_map(|line| Some((line, sources.line(mark.file, line)?)))
+        .find_map(|(line, text)| Some((line, column(&text, name)?, text)));
+    let declared = declaration(name, mark.file, sources);
+    let mut told = told;
+    if let Some((line, column, text)) = named {
+        let end = column + name.chars().count() as u32;
+        told = Diagnostic { line, column, end: Some((line, end)), ..told };
+        // The state of a component, rather than something that it holds.
+        if text.trim_start().starts_with("impl") && mark.line.contains("component") {
+            told.help = told.help.replace("`#[data]`", "`#[component]`");
+        }
+    }
+    told.also.extend(declared.filter(|it| it.start.0 != told.line));
+    told
+}
+
+/// Where a struct or an enum of this name is declared in a file.
+fn declaration(name: &str, file: &str, sources: &Sources) -> Option<Place> {
+    let lines = (1..).map_while(|line| Some((line, sources.line(file, line)?)));
+    let is_declaration = |text: &str| {
+        let mut words = text.split(|it: char| !it.is_alphanumeric() && it != '_');
+        words.any(|word| word == "struct" || word == "enum") && words.any(|word| word == name)
+    };
+    let (line, text) = lines.into_iter().find(|(_, text)| is_declaration(text))?;
+    let start = column(&text, name)?;
+    let end = (line, start + name.chars().count() as u32);
+    Some(Place { start: (line, start), end, label: "declared here".to_owned() })
+}
+
+/// The column of a whole word in a line, from 1.
+fn column(text: &str, word: &str) -> Option<u32> {
+    let is_part = |it: char| it.is_alphanumeric() || it == '_';
+    let (at, _) = text.match_indices(word).find(|(at, _)| {
+        let (before, behind) = (&text[..*at], &text[at + word.len()..]);
+        !before.ends_with(is_part) && !behind.starts_with(is_part)
+    })?;
+    (!word.is_empty()).then(|| text[..at].chars().count() as u32 + 1)
+}

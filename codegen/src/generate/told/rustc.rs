@@ -1,0 +1,186 @@
+//! What rustc says, read from its JSON.
+//!
+//! Must not know: what the DSL is.
+
+use serde_json::Value;
+
+/// One message of rustc's about the author's code.
+pub struct Message<'a> {
+    /// As rustc wrote it.
+    pub value: &'a Value,
+    /// Its first line.
+    pub title: &'a str,
+    /// `E0599`, or the name of a lint; empty for an attribute macro's.
+    pub code: &'a str,
+    /// Whether it is an error; else it is a warning.
+    pub is_error: bool,
+    /// What it marks, the primary places first.
+    pub marks: Vec<Mark<'a>>,
+    /// As rustc would print it.
+    pub rendered: &'a str,
+}
+
+/// A place that a message marks.
+#[derive(Clone)]
+pub struct Mark<'a> {
+    /// The file, relative to the workspace.
+    pub file: &'a str,
+    /// Line and column, from 1.
+    pub start: (u32, u32),
+    /// Those behind it.
+    pub end: (u32, u32),
+    /// Whether the message is about this place.
+    pub is_primary: bool,
+    /// What rustc writes there; empty if nothing.
+    pub label: &'a str,
+    /// Its first line.
+    pub line: &'a str,
+}
+
+impl<'a> Message<'a> {
+    /// An error or a warning of rustc's among cargo's messages, if it has a place or is no mere summary.
+    pub fn of(message: &'a Value) -> Option<Message<'a>> {
+        let value = message.get("message").filter(|message| message.is_object())?;
+        let title = value["message"].as_str()?;
+        let mut marks: Vec<Mark<'a>> =
+            value["spans"].as_array().into_iter().flatten().map(Mark::of).collect();
+        marks.sort_by_key(|mark| !mark.is_primary);
+        let level = value["level"].as_str().unwrap_or_default();
+        let is_summary =
+            marks.is_empty() && (title.starts_with("aborting") || title.ends_with(" emitted"));
+        (matches!(level, "error" | "warning") && !is_summary).then(|| Message {
+            value,
+            title,
+            code: value["code"]["code"].as_str().unwrap_or_default(),
+            is_error: level == "error",
+            marks,
+            rendered: value["rendered"].as_str().unwrap_or(title),
+        })
+    }
+
+    /// The first primary place.
+    pub fn mark(&self) -> Option<&Mark<'a>> {
+        self.marks.first().filter(|mark| mark.is_primary)
+    }
+
+    /// What stands between backquotes in the title.
+    pub fn quoted(&self) -> Vec<&'a str> {
+        self.title.split('`').skip(1).step_by(2).collect()
+    }
+
+    /// The texts below it.
+    pub fn below(&self) -> impl Iterator<Item = &'a str> {
+        self.children().filter_map(|child| child["message"].as_str())
+    }
+
+    /// The places that the texts below it mark.
+    pub fn marked_below(&self) -> impl Iterator<Item = Mark<'a>> {
+        self.children()
+            .flat_map(|child| child["spans"].as_array().into_iter().flatten())
+            .map(Mark::of)
+    }
+
+    fn children(&self) -> impl Iterator<Item = &'a Value> {
+        self.value["children"].as_array().into_iter().flatten()
+    }
+
+    /// Whether it shows what no author of a model has written: sources of libraries, and lists of their types.
+    pub fn shows_internals(&self) -> bool {
+        let foreign = |mark: &Mark<'_>| !mark.is_authors();
+        let lists = |text: &str| {
+            text.contains("other types implement") || text.contains("has been written to")
+        };
+        self.marks.iter().any(foreign)
+            || self.marked_below().any(|mark| foreign(&mark))
+            || self.below().any(lists)
+    }
+
+    /// What a trait of the DSL's has to say of a type that does not implement it.
+    pub fn own_notes(&self) -> Vec<String> {
+        const OTHERS: [&str; 5] =
+            ["required ", "the full name ", "consider using ", "this error ", "the following "];
+        if !self.below().any(|it| it.contains("bessemer::generate")) {
+            return Vec::new();
+        }
+        let notes = self.children().filter(|child| child["level"] == "note");
+        let notes = notes.filter_map(|child| child["message"].as_str());
+        notes
+            .filter(|it| !OTHERS.iter().any(|other| it.starts_with(other)))
+            .map(str::to_owned)
+            .collect()
+    }
+
+    /// A help that is a sentence about the author's code, without a place of its own or with one there.
+    pub fn own_help(&self) -> Option<String> {
+        let is_own = |child: &&Value| {
+            child["level"] == "help"
+                && child["spans"]
+                    .as_array()
+                    .into_iter()
+                    .flatten()
+                    .all(|it| Mark::of(it).is_authors())
+        };
+        let suggested = |child: &Value| {
+            child["spans"][0]["suggested_replacement"].as_str().map(|it| it.trim().to_owned())
+        };
+        let told = |child: &Value| {
+            let text = child["message"].as_str()?;
+            if text.contains("trait `") || text.contains("other types") || text.contains('\n') {
+                return None;
+            }
+            Some(match suggested(child).filter(|it| !it.is_empty()) {
+                Some(code) => format!("{text}: `{code}`"),
+                None => text.to_owned(),
+            })
+        };
+        self.children().filter(is_own).find_map(told)
+    }
+}
+
+impl<'a> Mark<'a> {
+    fn of(span: &'a Value) -> Mark<'a> {
+        let number = |key: &str| span[key].as_u64().unwrap_or_default() as u32;
+        Mark {
+            file: span["file_name"].as_str().unwrap_or_default(),
+            start: (number("line_start"), number("column_start")),
+            end: (number("line_end"), number("column_end")),
+            is_primary: span["is_primary"] == true,
+            label: span["label"].as_str().unwrap_or_default(),
+            line: span["text"][0]["text"].as_str().unwrap_or_default(),
+        }
+    }
+
+    /// Whether it is in the author's own workspace, as rustc names files; the DSL's sources and those of
+    /// dependencies are not.
+    pub fn is_authors(&self) -> bool {
+        !self.file.starts_with(['/', '<']) && !self.file.starts_with("dsl/")
+    }
+
+    /// Whether it is a part of a line of `file`.
+    pub fn is_short_in(&self, file: &str) -> bool {
+        self.file == file && self.start.0 == self.end.0
+    }
+
+    /// Whether it is an attribute, which stands for code that no author wrote.
+    pub fn is_attribute(&self) -> bool {
+        self.line.trim_start().starts_with("#[")
+    }
+
+    /// The source that it marks, as far as its first line goes.
+    pub fn text(&self) -> String {
+        let start = self.start.1.saturating_sub(1) as usize;
+        let all = self.line.chars().count();
+        let end = if self.end.0 == self.start.0 { self.end.1 as usize - 1 } else { all };
+        self.line.chars().skip(start).take(end.saturating_sub(start)).collect()
+    }
+
+    /// What stands before it in its line.
+    pub fn before(&self) -> String {
+        self.line.chars().take(self.start.1.saturating_sub(1) as usize).collect()
+    }
+
+    /// What stands behind it in its line.
+    pub fn rest(&self) -> String {
+        self.line.chars().skip(self.end.1.saturating_sub(1) as usize).collect()
+    }
+}

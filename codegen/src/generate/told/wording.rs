@@ -1,0 +1,261 @@
+//! What rustc says of the builders' own names, in the author's terms, and a remedy.
+
+use super::hints;
+use super::remedies::instead;
+use super::rustc::{Mark, Message};
+use super::types;
+
+/// What is told in place of rustc's words.
+pub struct Words {
+    /// What is wrong.
+    pub title: String,
+    /// What to write instead.
+    pub help: String,
+    /// What else there is to know.
+    pub notes: Vec<String>,
+    /// The name of the type that it is about.
+    pub of_type: Option<String>,
+    /// In what it is told once.
+    pub once: Once,
+    /// Whether an attribute says it, of what it stands on; else the builders and the witness copy do.
+    pub is_refusal: bool,
+}
+
+/// In what something is told once, however often it is found there.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Once {
+    /// In a line.
+    Line,
+    /// In a function or a type.
+    Item,
+    /// In a file.
+    File,
+}
+
+fn words(title: impl Into<String>, help: impl Into<String>) -> Option<Words> {
+    let (title, help) = (title.into(), help.into());
+    Some(Words {
+        title,
+        help,
+        notes: Vec::new(),
+        of_type: None,
+        once: Once::Item,
+        is_refusal: false,
+    })
+}
+
+/// The words for a message that speaks of the DSL; none for rustc's own.
+pub fn of(message: &Message<'_>) -> Option<Words> {
+    if !message.is_error {
+        return None;
+    }
+    const EACH: [fn(&Message<'_>) -> Option<Words>; 9] =
+        [refused, attribute, function, pattern, interface, ty, builders, dimensions, global];
+    EACH.iter().find_map(|it| it(message)).or_else(|| unnamed(message))
+}
+
+/// What an attribute refused: its remedies stand in lines of their own.
+fn refused(message: &Message<'_>) -> Option<Words> {
+    let (title, rest) = message.title.split_once("\nhelp: ")?;
+    let mut lines = rest.split("\nnote: ");
+    let mut told = words(title, lines.next().unwrap_or_default())?;
+    told.notes = lines.map(str::to_owned).collect();
+    told.is_refusal = true;
+    Some(told)
+}
+
+/// The attributes of the DSL.
+const ATTRIBUTES: [&str; 11] = [
+    "component",
+    "data",
+    "entry",
+    "function",
+    "interface",
+    "bound",
+    "unroll",
+    "keep",
+    "unit",
+    "external",
+    "c",
+];
+
+/// An attribute of the DSL's that was not imported.
+fn attribute(message: &Message<'_>) -> Option<Words> {
+    let name = message.title.strip_prefix("cannot find attribute `")?.split('`').next()?;
+    if !ATTRIBUTES.contains(&name) {
+        return None;
+    }
+    let told = words(
+        "the attributes of the DSL are not in scope",
+        "write `use bessemer::prelude::*;` at the head of the file",
+    )?;
+    Some(Words { once: Once::File, ..told })
+}
+
+/// An implementation of a trait that is no interface: its companions are not in the trait.
+fn interface(message: &Message<'_>) -> Option<Words> {
+    let quoted = message.quoted();
+    let of = match (message.code, quoted.as_slice()) {
+        ("E0407" | "E0576", [method, of, ..]) if method.starts_with("__") => of,
+        _ => return None,
+    };
+    words(format!("the trait `{of}` is not part of the DSL"), "mark the trait `#[interface]`")
+}
+
+/// A type that the DSL does not have.
+fn ty(message: &Message<'_>) -> Option<Words> {
+    let is_ours = message.title.ends_with("is not a type of the DSL")
+        || message.title.ends_with("is not a type that a model can hold");
+    if !is_ours {
+        return None;
+    }
+    let full = *message.quoted().first()?;
+    let inner = types::innermost(full);
+    let name = types::name(inner);
+    let declared = message.marked_below().find(|it| it.is_authors());
+    let help = match (types::instead(inner), &declared) {
+        (Some(help), _) => help.to_owned(),
+        (None, Some(_)) => format!("mark `{name}` `#[data]`"),
+        _ if full.starts_with("{closure") || full.contains(" {") || full.starts_with("fn(") => {
+            "call it, or pass it to a function that takes `impl Fn(f64) -> f64`".to_owned()
+        }
+        _ => "the DSL has scalars, arrays, nalgebra's `SMatrix` and `SVector`, and types marked `#[data]` or `#[component]`".to_owned(),
+    };
+    let written = types::written(inner);
+    let shown = if declared.is_some() { name } else { types::within_modules(&written) };
+    let mut told = words(format!("`{shown}` is not a type of the DSL"), help)?;
+    told.of_type = Some(name.to_owned());
+    Some(told)
+}
+
+/// Matrices that do not fit.
+fn dimensions(message: &Message<'_>) -> Option<Words> {
+    let (title, help) = hints::dimensions(message)?;
+    Some(Words { once: Once::Line, ..words(title, help)? })
+}
+
+/// A `static mut`.
+fn global(message: &Message<'_>) -> Option<Words> {
+    let is_static = message.code == "E0133" && message.title.starts_with("use of mutable static");
+    let name = message.mark()?.text();
+    is_static.then(|| words(format!("`{name}` is a global that anybody changes"), types::STATE))?
+}
+
+/// What else speaks of names that no author has written.
+fn unnamed(message: &Message<'_>) -> Option<Words> {
+    const INTERNAL: [&str; 4] = ["__", "dsl_", "bessemer::generate", "ScalarType"];
+    let label = message.mark().map_or("", |mark| mark.label);
+    let shows = |text: &str| INTERNAL.iter().any(|it| text.contains(it));
+    (shows(message.title) || shows(label)).then(|| {
+        words(
+            "this is not part of the DSL",
+            "write it out with the operations that the DSL has: see docs/language.md",
+        )
+    })?
+}
+
+/// A function that is not marked has no builder of its name.
+fn function(message: &Message<'_>) -> Option<Words> {
+    let label = message.mark()?.label.strip_suffix(" is not a crate or module")?;
+    let name = label.strip_prefix("function ")?;
+    let help = match name {
+        "`swap`" | "`replace`" | "`take`" => MEM,
+        "`max`" | "`min`" => CMP,
+        _ => "mark the function `#[function]`",
+    };
+    words(format!("{name} is not part of the DSL"), help)
+}
+
+/// For functions that may be `core::mem`'s.
+const MEM: &str =
+    "write `core::mem::swap(&mut a, &mut b)` whole, or mark a function of your own `#[function]`";
+
+/// For functions that may be `core::cmp`'s.
+const CMP: &str = "write `core::cmp::max(a, b)` whole, or `a.max(b)`; or mark a function of your own `#[function]`";
+
+/// What looks like a variant or an associated function, and is none.
+fn pattern(message: &Message<'_>) -> Option<Words> {
+    if ["E0223", "E0599"].contains(&message.code)
+        && message.rendered.contains("__b_")
+        && !message.title.contains("__")
+    {
+        return words(
+            "a function of an alias of small letters is not in the DSL",
+            "give the alias a name with a capital, `type Real32 = f32;`, or call the method",
+        );
+    }
+    if message.code == "E0223" && message.mark().is_some_and(is_pattern) {
+        return words(
+            "this is not a variant of the type before it",
+            "give a constant in a pattern a name in capitals: `Preset::IDLE`",
+        );
+    }
+    None
+}
+
+/// Whether an error is told at a pattern of a `match`, as far as its line shows.
+fn is_pattern(mark: &Mark<'_>) -> bool {
+    ["=>", "|", "if "].iter().any(|next| mark.rest().trim_start().starts_with(next))
+}
+
+/// The macros that a model may call: the builders ask rustc whether they are Rust's.
+const TAKEN_MACROS: [&str; 8] = [
+    "assert",
+    "assert_eq",
+    "assert_ne",
+    "matches",
+    "panic",
+    "todo",
+    "unimplemented",
+    "unreachable",
+];
+
+/// What rustc says of the builders' own names.
+fn builders(message: &Message<'_>) -> Option<Words> {
+    let (title, quoted) = (message.title, message.quoted());
+    let method = quoted.iter().find_map(|name| name.strip_prefix("__b_"));
+    let owner = types::written(quoted.last().copied().unwrap_or_default());
+    if let Some(method) = method.and_then(|name| name.strip_prefix("list_")) {
+        return words(
+            format!("`{method}` of `{owner}` would be taken for the method of lists"),
+            "call it by its path, `Type::method(&mut value, …)`, or give it another name",
+        );
+    }
+    if let Some(method) = method {
+        let help = if let Some(help) = instead(method, &owner).or_else(|| types::instead(&owner)) {
+            help
+        } else if types::is_parameter(&owner) {
+            "mark the trait that has it `#[interface]`, and the `impl` blocks of it `#[data]` or `#[component]`"
+        } else if method == "clone" {
+            "derive `Copy` too: then the value copies itself"
+        } else if types::is_known(&owner) {
+            "write it out with the operations that the DSL has: see docs/language.md"
+        } else {
+            "mark the `impl` block that has it `#[data]` or `#[component]`"
+        };
+        let owner = types::within_modules(&owner);
+        return words(format!("`{method}` of `{owner}` is not part of the DSL"), help);
+    }
+    if title.starts_with("`core::cmp::max` and") {
+        return words(title, "write `a.max(b)`, of references `*a.max(b)`");
+    }
+    if title.contains("`__call`") {
+        return words(
+            format!("`{owner}` is not part of the DSL"),
+            "mark the function `#[function]`",
+        );
+    }
+    if let ([name], true) = (quoted.as_slice(), title.ends_with("` is ambiguous")) {
+        let help = "give it another name: by this one the DSL means Rust's";
+        if TAKEN_MACROS.contains(name) {
+            return words(
+                format!("a macro of the author's own is named as Rust's `{name}!`"),
+                help,
+            );
+        }
+        if *name == "mem" {
+            return words("a module of the author's own is named as Rust's `mem`", help);
+        }
+    }
+    None
+}

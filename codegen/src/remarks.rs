@@ -1,0 +1,137 @@
+//! What an author may not expect of the C: what was written and is not in it.
+//!
+//! The C is made all the same. Must not know: how C is made.
+
+use std::collections::HashSet;
+
+use bessemer_ir::tree::{self, DefinitionKind, Package, Site, Ty};
+use bessemer_ir::{Function, Module, Owner, Role, Type};
+
+use crate::diagnostic::{Diagnostic, Level};
+use crate::passes;
+
+/// The remarks on a package that became `module`, in the order of the source.
+pub fn of(package: &Package, module: &Module) -> Vec<Diagnostic> {
+    let mut told: Vec<Diagnostic> = templates(package).collect();
+    let idle: Vec<&tree::Definition> = idle(package).collect();
+    told.extend(idle.iter().map(|it| {
+        warning(
+            &it.file,
+            it.site,
+            format!("the component `{}` has no entry point: the firmware cannot call it", it.name),
+            "write `#[entry]` above the method that is called once per period; what is only part of others is `#[data]`",
+        )
+    }));
+    told.extend(uncalled(module, &idle));
+    told.sort_by(|one, other| (&one.file, one.line).cmp(&(&other.file, other.line)));
+    told
+}
+
+fn warning(file: &str, Site(line, column): Site, message: String, help: &str) -> Diagnostic {
+    let (file, help) = (file.to_owned(), help.to_owned());
+    Diagnostic { level: Level::Warning, file, line, column, message, help, ..Diagnostic::default() }
+}
+
+/// Generic components of which nothing is made.
+fn templates(package: &Package) -> impl Iterator<Item = Diagnostic> {
+    let is_made = |template: &tree::Template| {
+        let same = |it: &tree::Definition| it.name == template.name && it.module == template.module;
+        package.types.iter().any(same)
+    };
+    package.templates.iter().filter(move |it| !is_made(it)).map(|it| {
+        let name = &it.name;
+        let help = format!("name an instance: `#[component] pub type {name}F32 = {name}<f32>;`");
+        let message =
+            format!("the component `{name}` is generic and has no instance: it is not in the C");
+        warning(&it.file, it.site, message, &help)
+    })
+}
+
+/// Components of this package that nobody calls.
+fn idle(package: &Package) -> impl Iterator<Item = &tree::Definition> {
+    let mut held = HashSet::new();
+    for definition in &package.types {
+        match &definition.kind {
+            DefinitionKind::Struct { fields, .. } => {
+                fields.iter().for_each(|it| hold(&it.ty, &mut held))
+            }
+            DefinitionKind::Enum(variants) => {
+                let fields = variants.iter().flat_map(|variant| &variant.fields);
+                fields.for_each(|it| hold(&it.ty, &mut held));
+            }
+        }
+    }
+    let root = package.name.replace('-', "_");
+    let is_own = move |it: &&tree::Definition| it.module.split("::").next() == Some(&*root);
+    let is_entered = |it: &tree::Definition| {
+        package.functions.iter().any(|function| {
+            function.owner.as_ref() == Some(&it.path)
+                && matches!(function.tree.role, tree::Role::Entry { .. })
+        })
+    };
+    package.types.iter().filter(is_own).filter(move |it| {
+        let is_component = matches!(it.kind, DefinitionKind::Struct { initial: Some(_), .. });
+        is_component && !held.contains(&it.path) && !is_entered(it)
+    })
+}
+
+/// The named types that a value of a type holds.
+fn hold(ty: &Ty, held: &mut HashSet<String>) {
+    match ty {
+        Ty::Named(path) => _ = held.insert(path.clone()),
+        Ty::Tuple(parts) => parts.iter().for_each(|it| hold(it, held)),
+        Ty::Array(inner, _)
+        | Ty::List(inner, _)
+        | Ty::Option(inner)
+        | Ty::Slice(inner)
+        | Ty::Ref(inner, _)
+        | Ty::Known(_, inner) => hold(inner, held),
+        Ty::Result(value, error) => {
+            hold(value, held);
+            hold(error, held);
+        }
+        Ty::Unit | Ty::Scalar(_) | Ty::Matrix(..) => {}
+    }
+}
+
+/// Methods of components that nothing of the C calls.
+fn uncalled<'a>(
+    module: &'a Module,
+    idle: &'a [&tree::Definition],
+) -> impl Iterator<Item = Diagnostic> + 'a {
+    let mut called = HashSet::new();
+    for (index, function) in module.functions.iter().enumerate() {
+        if !matches!(function.role, Role::Private) {
+            called.extend(passes::reached(module, index));
+        }
+    }
+    let functions = module.functions.iter().enumerate();
+    functions.filter(move |(index, _)| !called.contains(index)).filter_map(move |(_, function)| {
+        let Some(Owner::Struct(owner)) = function.owner else { return None };
+        let owner_name = &module.structs[owner.index()].name;
+        if idle.iter().any(|it| it.name == *owner_name) {
+            return None;
+        }
+        let file = module.files.get(function.span.file as usize)?;
+        let site = Site(function.span.line, function.span.column);
+        let name = &function.name;
+        let (message, help) = match makes(function, owner) {
+            true => (
+                format!("`{name}` is not in the C, where the state of `{owner_name}` begins as `Default` says"),
+                "write these values into `impl Default`, and pass what changes to the entry point; what the simulation alone calls stands in an `impl` block without `#[component]`",
+            ),
+            false => (
+                format!("`{name}` is not in the C: no entry point of `{owner_name}` calls it"),
+                "write `#[entry]` above it if the firmware calls it; what the simulation alone calls stands in an `impl` block without `#[component]`",
+            ),
+        };
+        Some(warning(file, site, message, help))
+    })
+}
+
+/// Whether a function makes a value of its owner.
+fn makes(function: &Function, owner: bessemer_ir::StructId) -> bool {
+    let has_receiver =
+        function.locals.first().is_some_and(|it| it.name == "self") && function.params > 0;
+    function.result == Type::Struct(owner) && !has_receiver
+}

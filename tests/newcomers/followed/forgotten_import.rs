@@ -1,0 +1,18 @@
+//! The prelude that was forgotten.
+
+use bessemer::prelude::*;
+
+#[component]
+#[derive(Default)]
+pub struct ForgottenImport {
+    pub last: f64,
+}
+
+#[component]
+impl ForgottenImport {
+    #[entry]
+    pub fn step(&mut self, x: f64) -> f64 {
+        self.last = x;
+        self.last
+    }
+}

@@ -1,0 +1,32 @@
+//! A sum of two structs.
+use bessemer::prelude::*;
+
+#[data]
+#[derive(Clone, Copy, Default)]
+pub struct Offset {
+    pub x: f64,
+}
+
+#[data]
+impl core::ops::Add for Offset {
+    type Output = Offset;
+
+    fn add(self, other: Offset) -> Offset {
+        Offset { x: self.x + other.x }
+    }
+}
+
+#[component]
+#[derive(Default)]
+pub struct MissingOperator {
+    pub sum: Offset,
+}
+
+#[component]
+impl MissingOperator {
+    #[entry]
+    pub fn step(&mut self, x: &Offset) -> f64 {
+        self.sum = self.sum + *x;
+        self.sum.x
+    }
+}

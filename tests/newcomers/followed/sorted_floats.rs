@@ -1,0 +1,19 @@
+//! A median.
+use bessemer::prelude::*;
+
+#[component]
+#[derive(Default)]
+pub struct SortedFloats {
+    pub last: f64,
+}
+
+#[component]
+impl SortedFloats {
+    #[entry]
+    pub fn step(&mut self, samples: &[f64; 5]) -> f64 {
+        let mut sorted = *samples;
+        sorted.sort_unstable_by(|a, b| a.total_cmp(b));
+        self.last = sorted[2];
+        self.last
+    }
+}

@@ -1,0 +1,19 @@
+//! Samples handed over.
+use bessemer::prelude::*;
+
+#[component]
+#[derive(Default)]
+pub struct VecParameter {
+    pub sum: f64,
+}
+
+#[component]
+impl VecParameter {
+    #[entry]
+    pub fn step(&mut self, samples: &List<f64, 16>) -> f64 {
+        for x in samples {
+            self.sum += x;
+        }
+        self.sum
+    }
+}

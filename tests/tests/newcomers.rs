@@ -1,0 +1,135 @@
+//! Mistakes of newcomers: each file of `tests/newcomers/` is a module with one, its first line says what its author
+//! wanted, and its snapshot is what `cargo xtask gen` tells.
+//!
+//! All of them stand in one package. rustc and the generator tell everything that they find in a step; the modules
+//! that are told of are taken out, and what is left is generated again, until it becomes C: then the warnings are
+//! told. So a step costs as much as one model, and no mistake hides another.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use bessemer_codegen::diagnostic::{self, Diagnostic, Level};
+use bessemer_codegen::generate::{self, Error, Job};
+use bessemer_codegen::source::Sources;
+use bessemer_tests::turn;
+use bessemer_tests::workspace::Workspace;
+
+/// How many a run takes.
+const AT_ONCE: usize = 60;
+
+/// How many of those that follow a remedy.
+const FOLLOWED_AT_ONCE: usize = 16;
+
+/// Names that no author has written.
+const INTERNAL: [&str; 4] = ["__", "dsl_", "ScalarType", "bessemer::generate"];
+
+#[test]
+fn each_is_told_at_its_line() {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("newcomers");
+    let mut untold = turn::some_of(modules_of(&folder), AT_ONCE);
+    let workspace = Workspace::with_source("").expect("a workspace");
+    copy(&untold, &folder, &workspace);
+    let sources = Sources::new(workspace.path(""));
+    let mut internals = Vec::new();
+    while !untold.is_empty() {
+        let (told, is_last) = step(&workspace, &untold);
+        for (name, told) in &told {
+            let said = diagnostic::render(told, &sources, false);
+            told.iter().for_each(|it| an_editor_finds(it, &workspace, &sources));
+            let shown = INTERNAL.iter().filter(|it| said.contains(*it));
+            internals.extend(shown.map(|it| format!("{name}: {it}")));
+            insta::with_settings!({ prepend_module_to_snapshot => false, snapshot_path => "../newcomers", omit_expression => true }, {
+                insta::assert_snapshot!(name.as_str(), said);
+            });
+        }
+        let before = untold.len();
+        untold.retain(|name| !told.contains_key(name));
+        assert!(untold.is_empty() || !is_last, "nothing is told of {untold:?}");
+        assert!(untold.len() < before, "what is told has no place");
+    }
+    assert!(internals.is_empty(), "names of the tool's own show: {internals:#?}");
+}
+
+/// Who does what a `help:` says has a model: nothing is told any more.
+#[test]
+fn remedies_work_when_they_are_followed() {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("newcomers/followed");
+    let names = turn::some_of(modules_of(&folder), FOLLOWED_AT_ONCE);
+    let workspace = Workspace::with_source("").expect("a workspace");
+    copy(&names, &folder, &workspace);
+    let (told, is_last) = step(&workspace, &names);
+    let said: Vec<Diagnostic> = told.into_values().flatten().collect();
+    let said = diagnostic::render(&said, &Sources::new(workspace.path("")), false);
+    assert!(is_last && said.is_empty(), "{said}");
+}
+
+/// The modules of a folder, by their names.
+fn modules_of(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).expect("the mistakes").flatten().map(|entry| entry.path());
+    let mut names: Vec<String> = entries
+        .filter(|path| path.extension().is_some_and(|extension| extension == "rs"))
+        .map(|path| path.file_stem().unwrap_or_default().to_string_lossy().into_owned())
+        .collect();
+    names.sort();
+    names
+}
+
+fn copy(names: &[String], folder: &Path, workspace: &Workspace) {
+    for name in names {
+        let file = format!("{name}.rs");
+        fs::copy(folder.join(&file), workspace.folder().join("src").join(file)).expect("a module");
+    }
+}
+
+/// What is told of each of the modules, and whether they became C.
+fn step(workspace: &Workspace, names: &[String]) -> (BTreeMap<String, Vec<Diagnostic>>, bool) {
+    let modules: String = names.iter().map(|name| format!("pub mod {name};\n")).collect();
+    workspace
+        .set_source(&format!("//! Mistakes.\n#![allow(missing_docs)]\n{modules}"))
+        .expect("a source file");
+    let job = Job::new(workspace.path(""), "models");
+    let (all, is_last) = match generate::generate(&job) {
+        Ok(summary) => (summary.remarks.diagnostics, true),
+        Err(Error::Models(told) | Error::Refused(told)) => {
+            assert!(!told.diagnostics.is_empty(), "{told}");
+            (told.diagnostics, false)
+        }
+        Err(other) => panic!("{other}"),
+    };
+    let mut told = BTreeMap::<String, Vec<Diagnostic>>::new();
+    for one in all.into_iter().filter(|it| is_last || it.level == Level::Error) {
+        let name = one.file.rsplit('/').next().and_then(|file| file.strip_suffix(".rs"));
+        let name = name.filter(|name| names.iter().any(|it| it == name));
+        let name = name
+            .unwrap_or_else(|| panic!("{}: {} is no place in a mistake", one.message, one.file));
+        told.entry(name.to_owned()).or_default().push(one);
+    }
+    (told, is_last)
+}
+
+/// What an editor reads of a diagnostic is the same, at the same place, by lines and by bytes.
+fn an_editor_finds(told: &Diagnostic, workspace: &Workspace, sources: &Sources) {
+    let json = diagnostic::json(told, sources);
+    assert_eq!(json["level"], told.level.word(), "{json}");
+    assert!(json["message"].as_str().is_some_and(|it| !it.is_empty()), "{json}");
+    assert!(json["rendered"].as_str().is_some_and(|it| it.contains("-->")), "{json}");
+    if told.rustc.is_some() {
+        // As rustc wrote it.
+        return;
+    }
+    let spans = json["spans"].as_array().expect("spans");
+    let span = spans.iter().find(|span| span["is_primary"] == true).expect("a primary span");
+    let text = fs::read_to_string(workspace.path(&told.file)).expect("the file");
+    let number = |key: &str| span[key].as_u64().expect("a number") as usize;
+    let marked = &text[number("byte_start")..number("byte_end")];
+    let before = &text[..number("byte_start")];
+    assert_eq!(before.matches('\n').count() + 1, number("line_start"), "{json}");
+    let line = &span["text"][0];
+    let column = |key: &str| line[key].as_u64().expect("a column") as usize - 1;
+    let shown: String = line["text"].as_str().expect("a line").chars().collect::<Vec<_>>()
+        [column("highlight_start")..column("highlight_end")]
+        .iter()
+        .collect();
+    assert_eq!(marked.lines().next().unwrap_or_default(), shown, "{json}");
+}
