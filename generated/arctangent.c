@@ -116,7 +116,7 @@ static double f64_from_bits(uint64_t bits)
 /* The size of one number with the sign of another; a NaN counts as positive. */
 static double copysign_f64(double size, double sign)
 {
-    return sign != sign ? fabs(size) : copysign(size, sign);
+    return isnan(sign) ? fabs(size) : copysign(size, sign);
 }
 
 /** `a + b` without loss, where `a` is zero or not the smaller in magnitude (Dekker). */

@@ -65,13 +65,13 @@ static const double UNFELT[2] = {1.0, 0.3};
 /* The larger of two numbers: -0 < +0, and a NaN gives the other. */
 static double max_f64(double a, double b)
 {
-    if (a > b || b != b) {
+    if (a > b || isnan(b)) {
         return a;
     }
-    if (a == b) {
-        return !signbit(a) ? a : b;
+    if (b > a || isnan(a)) {
+        return b;
     }
-    return b;
+    return !signbit(a) ? a : b;
 }
 
 /* a + b, or the limit of the type beyond which it lies. */
@@ -298,7 +298,10 @@ static double estimator_patience(const estimator_t *self)
     }
 }
 
-/** Carries the state over one period. */
+/**
+ * Carries the state over one period.
+ * `work` is lent to work with: what it holds means nothing between calls.
+ */
 static void estimator_advance(estimator_t *self, const sensors_t *sensors, double work[180])
 {
     double noise[2] = {sensors->gyroscope[0], sensors->gyroscope[1]};
@@ -348,7 +351,10 @@ static void estimator_advance(estimator_t *self, const sensors_t *sensors, doubl
     }
 }
 
-/** Takes in Vicon's reading, if it can be one. */
+/**
+ * Takes in Vicon's reading, if it can be one.
+ * `work` is lent to work with: what it holds means nothing between calls.
+ */
 static void estimator_see_vicon(estimator_t *self, const sensors_t *sensors,
     const measured_t *measured, double work[180])
 {
@@ -380,7 +386,10 @@ static void estimator_see_vicon(estimator_t *self, const sensors_t *sensors,
     }
 }
 
-/** Vicon's angles, one after another. */
+/**
+ * Vicon's angles, one after another.
+ * `work` is lent to work with: what it holds means nothing between calls.
+ */
 static bool estimator_see_angles(estimator_t *self, const sensors_t *sensors,
     const double angles[3], double work[180])
 {
@@ -434,6 +443,7 @@ static void estimator_doubt(estimator_t *self)
 /**
  * The other sources, in Vicon's absence; `heard` and `seen`: whether the altimeter and the camera are
  * new and alive.
+ * `work` is lent to work with: what it holds means nothing between calls.
  */
 static void estimator_do_without(estimator_t *self, const sensors_t *sensors,
     const measured_t *measured, bool heard, bool seen, double work[180])
@@ -487,6 +497,7 @@ static bool estimator_see_echo(estimator_t *self, const sensors_t *sensors, doub
 /**
  * The camera's velocity along the body's axes, m/s, with what it does not see taken as believed:
  * whether it was taken.
+ * `work` is lent to work with: what it holds means nothing between calls.
  */
 static bool estimator_see_flow(estimator_t *self, const sensors_t *sensors, const double flow[2],
     const orientation_t *orientation, double work[180])
@@ -541,7 +552,10 @@ static bool estimator_see_flow(estimator_t *self, const sensors_t *sensors, cons
     return good;
 }
 
-/** Takes the specific force for upwards: right on average while the aircraft stays in one place. */
+/**
+ * Takes the specific force for upwards: right on average while the aircraft stays in one place.
+ * `work` is lent to work with: what it holds means nothing between calls.
+ */
 static void estimator_level(estimator_t *self, const sensors_t *sensors, double work[180])
 {
     orientation_t orientation;
@@ -558,6 +572,7 @@ static void estimator_level(estimator_t *self, const sensors_t *sensors, double 
 /**
  * Takes the direction in which the aircraft is pulled for that of its thrust: what its acceleration in
  * the plane, m/s², says of roll and pitch while no gyroscope does.
+ * `work` is lent to work with: what it holds means nothing between calls.
  */
 static void estimator_lean(estimator_t *self, const sensors_t *sensors,
     const double acceleration[3], double work[180])
@@ -569,7 +584,10 @@ static void estimator_lean(estimator_t *self, const sensors_t *sensors,
     estimator_see_lean(self, roll, pitch, variance, sensors->gate, work);
 }
 
-/** A measurement of roll and pitch, rad. Of the yaw it says nothing, however uncertain that is. */
+/**
+ * A measurement of roll and pitch, rad. Of the yaw it says nothing, however uncertain that is.
+ * `work` is lent to work with: what it holds means nothing between calls.
+ */
 static void estimator_see_lean(estimator_t *self, double roll, double pitch, double variance,
     double gate, double work[180])
 {
@@ -603,7 +621,10 @@ void estimator_spread(const estimator_t *self, double spread[6])
     }
 }
 
-/** Everything in one vector. */
+/**
+ * Everything in one vector.
+ * `work` is lent to work with: what it holds means nothing between calls.
+ */
 static void estimator_state(estimator_t *self, const sensors_t *sensors, axis_filter_t work[3],
     estimate_t *estimate)
 {

@@ -189,7 +189,7 @@ static inline double exponential_power_of_two(int32_t exponent)
     return f64_from_bits((uint64_t)(uint32_t)wrap_i32((uint32_t)exponent + 1023U) << 52);
 }
 
-/** What [`step`] leaves out, as a fraction. */
+/** What `step` leaves out, as a fraction. */
 static inline double exponential_step_rest(uint64_t steps)
 {
     return f64_from_bits(POWERS[steps & UINT64_C(127)][0]);

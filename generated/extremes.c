@@ -20,7 +20,7 @@ static const double F64_NAN = (double)NAN;
 /* The size of one number with the sign of another; a NaN counts as positive. */
 static double copysign_f64(double size, double sign)
 {
-    return sign != sign ? fabs(size) : copysign(size, sign);
+    return isnan(sign) ? fabs(size) : copysign(size, sign);
 }
 
 double extremes_power_of_negative(double value, double y)

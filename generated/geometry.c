@@ -21,7 +21,7 @@ static const double STEEP = 0.01;
 /* The size of one number with the sign of another; a NaN counts as positive. */
 static double copysign_f64(double size, double sign)
 {
-    return sign != sign ? fabs(size) : copysign(size, sign);
+    return isnan(sign) ? fabs(size) : copysign(size, sign);
 }
 
 /* The remainder of a / b, from 0 to the size of b. */

@@ -54,25 +54,25 @@ static const double SWELL = 0.1;
 /* The smaller of two numbers: -0 < +0, and a NaN gives the other. */
 static double min_f64(double a, double b)
 {
-    if (a < b || b != b) {
+    if (a < b || isnan(b)) {
         return a;
     }
-    if (a == b) {
-        return signbit(a) ? a : b;
+    if (b < a || isnan(a)) {
+        return b;
     }
-    return b;
+    return signbit(a) ? a : b;
 }
 
 /* The larger of two numbers: -0 < +0, and a NaN gives the other. */
 static double max_f64(double a, double b)
 {
-    if (a > b || b != b) {
+    if (a > b || isnan(b)) {
         return a;
     }
-    if (a == b) {
-        return !signbit(a) ? a : b;
+    if (b > a || isnan(a)) {
+        return b;
     }
-    return b;
+    return !signbit(a) ? a : b;
 }
 
 static void onboard_arm(onboard_t *self, const estimate_t *estimate);

@@ -5,8 +5,9 @@
  * SPDX-License-Identifier: MIT OR Apache-2.0
  *
  * Compile as C99 with -ffp-contract=off, and without -ffast-math or its parts.
- * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid, and no two
- * arguments share storage.
+ * The processor rounds to nearest and keeps subnormal numbers. Pointers are valid and lead to as many
+ * elements as are declared; no two arguments share storage. A bool is 0 or 1, an enum one of its
+ * enumerators.
  */
 #ifndef PRODUCT_TR_F64_3X3_3X3_H
 #define PRODUCT_TR_F64_3X3_3X3_H

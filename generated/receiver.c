@@ -21,7 +21,7 @@ static const uint8_t ARM = 11U;
 /** Asks for a parameter: its number, one byte. */
 static const uint8_t ASK = 12U;
 
-/** Bytes of the payload of [`ASK`]: a parameter. */
+/** Bytes of the payload of `ASK`: a parameter. */
 static const uint64_t ASK_BYTES = UINT64_C(1);
 
 /** Says that the ground is there. From the first one on, it is missed when it is silent. */
@@ -32,13 +32,13 @@ static const uint8_t BEAT = 10U;
  */
 static const uint8_t CHOOSE = 14U;
 
-/** Bytes of the payload of [`CHOOSE`]: two, and one for each signal. */
+/** Bytes of the payload of `CHOOSE`: two, and one for each signal. */
 static const uint64_t CHOOSE_BYTES = UINT64_C(38);
 
 /** Flies the collected trajectory: how many points, one byte; what it is called, one byte. */
 static const uint8_t COMMIT = 5U;
 
-/** Bytes of the payload of [`COMMIT`]: how many points, and a name. */
+/** Bytes of the payload of `COMMIT`: how many points, and a name. */
 static const uint64_t COMMIT_BYTES = UINT64_C(2);
 
 /** Closes the link: nothing is sent down any more. */
@@ -50,10 +50,10 @@ static const uint8_t HELLO = 1U;
 /** Lands. */
 static const uint8_t LAND = 7U;
 
-/** A [`Mode`], one byte. */
+/** A `Mode`, one byte. */
 static const uint8_t MODE = 3U;
 
-/** Bytes of the payload of [`MODE`]. */
+/** Bytes of the payload of `MODE`. */
 static const uint64_t MODE_BYTES = UINT64_C(1);
 
 /** The most bytes of a packet. */
@@ -65,19 +65,19 @@ static const uint64_t MOST_POINTS = UINT64_C(16);
 /** A set point: what to call its trajectory, one byte; its index, one byte; time, x, y, z, yaw. */
 static const uint8_t POINT = 4U;
 
-/** Bytes of the payload of [`POINT`]: a name, an index and five numbers. */
+/** Bytes of the payload of `POINT`: a name, an index and five numbers. */
 static const uint64_t POINT_BYTES = UINT64_C(42);
 
 /** Sets a parameter: its number, one byte; its value. */
 static const uint8_t SET = 13U;
 
-/** Bytes of the payload of [`SET`]: a parameter and a number. */
+/** Bytes of the payload of `SET`: a parameter and a number. */
 static const uint64_t SET_BYTES = UINT64_C(9);
 
 /** Sticks: roll, pitch, rate of yaw, rate of climb. */
 static const uint8_t STICKS = 8U;
 
-/** Bytes of the payload of [`STICKS`]: four numbers. */
+/** Bytes of the payload of `STICKS`: four numbers. */
 static const uint64_t STICKS_BYTES = UINT64_C(32);
 
 /** The largest lean, rad, rate of yaw, rad/s, and rate of climb, m/s, that sticks can ask for. */
@@ -95,25 +95,25 @@ static const uint64_t WIDTH = UINT64_C(36);
 /* The smaller of two numbers: -0 < +0, and a NaN gives the other. */
 static double min_f64(double a, double b)
 {
-    if (a < b || b != b) {
+    if (a < b || isnan(b)) {
         return a;
     }
-    if (a == b) {
-        return signbit(a) ? a : b;
+    if (b < a || isnan(a)) {
+        return b;
     }
-    return b;
+    return signbit(a) ? a : b;
 }
 
 /* The larger of two numbers: -0 < +0, and a NaN gives the other. */
 static double max_f64(double a, double b)
 {
-    if (a > b || b != b) {
+    if (a > b || isnan(b)) {
         return a;
     }
-    if (a == b) {
-        return !signbit(a) ? a : b;
+    if (b > a || isnan(a)) {
+        return b;
     }
-    return b;
+    return !signbit(a) ? a : b;
 }
 
 /* a + b, or the limit of the type beyond which it lies. */
@@ -243,7 +243,10 @@ static bool receiver_is_newer(const receiver_t *self, uint16_t number)
     return !self->heard || (ahead > 0U && ahead < 32768U);
 }
 
-/** Does what the packet asks for; whether it made sense. */
+/**
+ * Does what the packet asks for; whether it made sense.
+ * `work` is lent to work with: what it holds means nothing between calls.
+ */
 static bool receiver_take(receiver_t *self, const space_t *space, const packet_t *packet,
     trajectory_t *work)
 {
@@ -358,6 +361,7 @@ static bool receiver_collect(receiver_t *self, const space_t *space, const packe
 /**
  * Flies the collected trajectory from now on, if it is sound and all of it has come. The next one is
  * collected anew.
+ * `work` is lent to work with: what it holds means nothing between calls.
  */
 static bool receiver_commit(receiver_t *self, const space_t *space, const packet_t *packet,
     trajectory_t *work)

@@ -22,31 +22,31 @@ static const double CLEAR = 0.1;
 /* The smaller of two numbers: -0 < +0, and a NaN gives the other. */
 static double min_f64(double a, double b)
 {
-    if (a < b || b != b) {
+    if (a < b || isnan(b)) {
         return a;
     }
-    if (a == b) {
-        return signbit(a) ? a : b;
+    if (b < a || isnan(a)) {
+        return b;
     }
-    return b;
+    return signbit(a) ? a : b;
 }
 
 /* The larger of two numbers: -0 < +0, and a NaN gives the other. */
 static double max_f64(double a, double b)
 {
-    if (a > b || b != b) {
+    if (a > b || isnan(b)) {
         return a;
     }
-    if (a == b) {
-        return !signbit(a) ? a : b;
+    if (b > a || isnan(a)) {
+        return b;
     }
-    return b;
+    return !signbit(a) ? a : b;
 }
 
 /* The size of one number with the sign of another; a NaN counts as positive. */
 static double copysign_f64(double size, double sign)
 {
-    return sign != sign ? fabs(size) : copysign(size, sign);
+    return isnan(sign) ? fabs(size) : copysign(size, sign);
 }
 
 static void reference_generator_change_phase(reference_generator_t *self, const course_t *course,

@@ -6,6 +6,7 @@
  */
 #include "sender.h"
 
+#include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <string.h>
@@ -38,7 +39,7 @@ static const uint8_t RECORD = 64U;
 /** Bytes of a part of a record. */
 static const uint64_t RECORD_BYTES = UINT64_C(54);
 
-/** The state of the link: see [`Status`]. */
+/** The state of the link: see `Status`. */
 static const uint8_t STATUS = 65U;
 
 /** Bytes of the state of the link. */
@@ -60,7 +61,7 @@ static uint64_t min_u64(uint64_t a, uint64_t b)
 static uint32_t bits_of_f32(float value)
 {
     uint32_t bits = 0x7FC00000U;
-    if (value == value) {
+    if (!isnan(value)) {
         memcpy(&bits, &value, sizeof bits);
     }
     return bits;
@@ -70,7 +71,7 @@ static uint32_t bits_of_f32(float value)
 static uint64_t bits_of_f64(double value)
 {
     uint64_t bits = UINT64_C(0x7FF8000000000000);
-    if (value == value) {
+    if (!isnan(value)) {
         memcpy(&bits, &value, sizeof bits);
     }
     return bits;

@@ -38,8 +38,8 @@ bool touch_down_step(touch_down_t *self, double period, const target_t *target,
         self->landed = false;
         return false;
     }
-    const bool near = estimate->position[2] < NEAR && target->position[2] < -PUSHED;
-    if (near && fabs(estimate->velocity[2]) < STILL) {
+    const bool near_ = estimate->position[2] < NEAR && target->position[2] < -PUSHED;
+    if (near_ && fabs(estimate->velocity[2]) < STILL) {
         self->still += period;
     } else {
         self->still = 0.0;

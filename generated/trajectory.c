@@ -45,7 +45,7 @@ void trajectory_at(const trajectory_t *self, double time, set_point_t *wanted)
 bool set_point_is_inside(const set_point_t *self, const space_t *space)
 {
     const double place[3] = {self->position[0], self->position[1], self->position[2]};
-    const bool near = fabs(place[0]) <= space->reach && fabs(place[1]) <= space->reach;
+    const bool near_ = fabs(place[0]) <= space->reach && fabs(place[1]) <= space->reach;
     const bool between = place[2] >= space->heights[0] && place[2] <= space->heights[1];
-    return near && between && fabs(self->yaw) <= 2.0 * PI;
+    return near_ && between && fabs(self->yaw) <= 2.0 * PI;
 }

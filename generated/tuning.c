@@ -17,7 +17,7 @@ static const double F64_NAN = (double)NAN;
 /** From this number on they change on the ground only. */
 static const uint64_t GROUNDED = UINT64_C(18);
 
-/** The least values, in the order of [`values`]. */
+/** The least values, in the order of `values`. */
 static const double LEAST[20] = {
     0.5, 0.0, 0.1, 0.004, 0.0, 0.001, 0.005, 0.0, 0.001, 0.001, 0.0004, -0.4, -0.2, -0.4, -0.2, 0.0,
     -0.05, 0.1, 0.1, 0.0

@@ -5,13 +5,12 @@
 //! * Inside a file everything stands in the order of the Rust source, save that C wants types before
 //!   their uses; static functions are declared at the top instead of being moved.
 
+mod constants;
 mod kernel;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use bessemer_ir::{
-    ConstId, EnumId, Form, Function, FunctionId, Owner, Scalar, Span, StructId, Type,
-};
+use bessemer_ir::{EnumId, Form, Function, FunctionId, Owner, Scalar, Span, StructId, Type};
 
 use super::analysis::{inline_callees, reachable};
 use super::assemble::assemble;
@@ -23,8 +22,8 @@ use super::names::OVERLAY;
 use super::options::Options;
 use super::shell::Shell;
 use super::signature::{Returned, Signature};
-use super::tree::{Declarator, Head, Init, Item, Lines, Origin, Stmt, StmtKind, Storage, plain};
-use super::{asked, init, literal, lower, self_test, status_header, target, units};
+use super::tree::{Declarator, Head, Item, Origin, Stmt, StmtKind, Storage, plain};
+use super::{asked, described, init, lower, self_test, status_header, target};
 use crate::kernels;
 
 /// What one pair of files holds.
@@ -274,7 +273,11 @@ impl Writer<'_> {
                 body = by_instruction(fast, name, &head, body);
             }
             let item = Item::Function {
-                docs: if declared { Vec::new() } else { units::of_function(function) },
+                docs: if declared {
+                    Vec::new()
+                } else {
+                    described::function(self.context.names, function, signature)
+                },
                 head,
                 body,
                 origin: origin(function.span),
@@ -317,40 +320,11 @@ impl Writer<'_> {
         inline_callees(self.context.module, own, is_inline).into_iter().map(Callable::Function)
     }
 
-    fn constants(&self, uses: &Uses, includes: &mut Includes) -> Vec<Item> {
-        let module = self.context.module;
-        let mut list: Vec<Item> = Vec::new();
-        let mut ids: Vec<_> = uses.consts.iter().copied().collect();
-        let header = format!("{}.h", self.name);
-        let name = |id: &ConstId| self.context.names.constant(&header, *id);
-        ids.sort_by_key(name);
-        ids.dedup_by_key(|id| name(id));
-        for id in ids {
-            let item = &module.consts[id.index()];
-            includes.ty(self.context, &item.ty);
-            let mut declarator = self.context.names.declarator(&item.ty, name(&id));
-            declarator.ty.insert_str(0, "const ");
-            let mut words = item.words.as_slice();
-            let init = constant_init(self.context, &item.ty, &mut words);
-            let leaves = module.leaves(&item.ty);
-            if leaves.iter().zip(&item.words).any(|(ty, word)| literal::needs_math(ty, *word)) {
-                includes.system.insert("math.h");
-            }
-            let section = item.given.section.as_ref();
-            list.push(Item::Constant {
-                docs: units::docs(&item.docs, item.given.unit.as_deref()),
-                asked: section.map(|section| asked::section(section, self.options)),
-                declarator,
-                init,
-            });
-        }
-        list
-    }
-
     fn prototype(&self, id: FunctionId, documented: bool) -> Item {
         let function = &self.context.module.functions[id.index()];
         let docs = || {
-            let mut docs = units::of_function(function);
+            let mut docs =
+                described::function(self.context.names, function, self.context.names.signature(id));
             if let Some(kernel) = &function.kernel
                 && kernels::is_fast(kernel, &self.options.kernels)
             {
@@ -417,7 +391,8 @@ impl Writer<'_> {
             item.fields.iter().zip(&names.fields).filter(|(field, _)| field.ty != Type::Unit);
         let mut fields: Vec<(Vec<String>, Declarator)> = held
             .map(|(field, name)| {
-                let docs = units::docs(&field.docs, field.given.unit.as_deref());
+                let unit = field.given.unit.as_deref();
+                let docs = described::value(self.context.names, &field.docs, unit, &field.ty);
                 (docs, self.context.names.declarator(&field.ty, name))
             })
             .collect();
@@ -469,9 +444,19 @@ impl Writer<'_> {
             license: &self.options.license,
             system_includes: includes.system.into_iter().map(str::to_owned).collect(),
             own_includes: includes.own.into_iter().collect(),
+            calls: items.iter().any(declares),
             refuses: true,
         };
         assemble(self.context, &name, &shell, extension == "h", items)
+    }
+}
+
+/// Whether it is a function that other files may call.
+fn declares(item: &Item) -> bool {
+    match item {
+        Item::Prototype { .. } => true,
+        Item::Function { head, .. } => head.storage == Storage::Inline,
+        _ => false,
     }
 }
 
@@ -482,42 +467,6 @@ fn named(ty: &Type) -> Option<TypeId> {
         Type::Enum(id) => Some(TypeId::Enum(*id)),
         Type::Array { element, .. } | Type::Slice(element) => named(element),
         _ => None,
-    }
-}
-
-fn constant_init(context: Context<'_>, ty: &Type, words: &mut &[u64]) -> Init {
-    let list = |items: Vec<(Option<String>, Init)>, lines| Init::List { items, lines };
-    match ty {
-        Type::Struct(id) => {
-            let names = &context.names.structs[id.index()].fields;
-            let item = &context.module.structs[id.index()];
-            let first = words.first().copied().unwrap_or_default();
-            let mut items = Vec::new();
-            for (index, (field, name)) in item.fields.iter().zip(names).enumerate() {
-                let init = constant_init(context, &field.ty, words);
-                if field.ty != Type::Unit && (!item.overlaid() || item.holds(index, first)) {
-                    items.push((Some(name.clone()), init));
-                }
-            }
-            list(items, Lines::Fill)
-        }
-        Type::Array { element, len } => {
-            let items = (0..*len).map(|_| (None, constant_init(context, element, words)));
-            list(items.collect(), Lines::Fill)
-        }
-        Type::Matrix { element, rows, cols } => {
-            let element = Type::Scalar(*element);
-            let items: Vec<_> =
-                (0..rows * cols).map(|_| constant_init(context, &element, words)).collect();
-            let groups = *rows > 1 && *cols > 1;
-            let lines = if groups { Lines::Groups(*rows as usize) } else { Lines::Fill };
-            context.names.layout.list(&items, (*rows, *cols), lines)
-        }
-        _ => {
-            let (word, rest) = words.split_first().expect("the validator counts words");
-            *words = rest;
-            Init::Value(literal::word(context.names, ty, *word))
-        }
     }
 }
 

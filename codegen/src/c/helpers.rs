@@ -179,6 +179,7 @@ impl Helper {
             Helper::Min(ty) | Helper::Max(ty) => matches!(ty, Scalar::Float(_)),
             Helper::DivEuclid(ty) | Helper::RemEuclid(ty) => matches!(ty, Scalar::Float(_)),
             Helper::Copysign(_) | Helper::Signum(_) => true,
+            Helper::FromFloat(..) | Helper::Bits(_) => true,
             _ => false,
         }
     }
@@ -331,13 +332,13 @@ fn extreme(name: &str, float: Float, word: &str, op: &str, not: &str) -> String 
         "/* The {word} of two numbers: -0 < +0, and a NaN gives the other. */
 static {ty} {name}({ty} a, {ty} b)
 {{
-    if (a {op} b || b != b) {{
+    if (a {op} b || isnan(b)) {{
         return a;
     }}
-    if (a == b) {{
-        return {not}signbit(a) ? a : b;
+    if (b {op} a || isnan(a)) {{
+        return b;
     }}
-    return b;
+    return {not}signbit(a) ? a : b;
 }}"
     )
 }
@@ -427,7 +428,7 @@ fn from_float(name: &str, int: Int, float: Float) -> String {
         "/* The integer nearest to value towards zero, within its type; 0 for a NaN. */
 static {ty} {name}({value} value)
 {{
-    if (value != value) {{
+    if (isnan(value)) {{
         return 0;
     }}
     if (value <= {below}) {{
@@ -452,7 +453,7 @@ fn bits(name: &str, float: Float) -> String {
 static uint{bits}_t {name}({ty} value)
 {{
     uint{bits}_t bits = {nan};
-    if (value == value) {{
+    if (!isnan(value)) {{
         memcpy(&bits, &value, sizeof bits);
     }}
     return bits;
@@ -510,7 +511,7 @@ fn copysign(name: &str, float: Float) -> String {
         "/* The size of one number with the sign of another; a NaN counts as positive. */
 static {ty} {name}({ty} size, {ty} sign)
 {{
-    return sign != sign ? fabs{f}(size) : copysign{f}(size, sign);
+    return isnan(sign) ? fabs{f}(size) : copysign{f}(size, sign);
 }}"
     )
 }

@@ -13,6 +13,8 @@ mod asked;
 mod assemble;
 mod const_names;
 mod context;
+mod described;
+
 mod file;
 mod files;
 pub mod given;

@@ -462,10 +462,36 @@ fn flat_init(init: &Init) -> String {
     }
 }
 
+/// A line without what only rustdoc understands: a link is its text, of `[text](path)` or of `` [`name`] ``.
+fn without_links(line: &str) -> String {
+    let (mut text, mut rest) = (String::new(), line);
+    while let Some(start) = rest.find('[') {
+        let (before, link) = rest.split_at(start);
+        text.push_str(before);
+        let end = link.find(']').map(|end| (&link[1..end], &link[end + 1..]));
+        let is_code =
+            |inner: &str| inner.len() > 2 && inner.starts_with('`') && inner.ends_with('`');
+        match end {
+            Some((inner, behind)) if behind.starts_with('(') && behind.contains(')') => {
+                text.push_str(inner);
+                rest = behind.split_once(')').map_or("", |(_, rest)| rest);
+            }
+            Some((inner, behind)) if is_code(inner) => {
+                text.push_str(inner);
+                rest = behind;
+            }
+            _ => {
+                text.push('[');
+                rest = &link[1..];
+            }
+        }
+    }
+    text + rest
+}
+
 /// The author's comment, with what would end or upset a C comment taken apart.
 fn comment_text(line: &str) -> String {
-    line.strip_prefix(' ')
-        .unwrap_or(line)
+    without_links(line.strip_prefix(' ').unwrap_or(line))
         .trim_end()
         .replace("*/", "* /")
         .replace("/*", "/ *")
@@ -473,4 +499,23 @@ fn comment_text(line: &str) -> String {
         .replace("??", "? ?")
         .replace("??", "? ?")
         .replace('\t', "    ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::without_links;
+
+    #[test]
+    fn comments_have_no_links_of_rustdoc() {
+        for (line, text) in [
+            (
+                "see [`LowPass`], and [`rotation`](Orientation::rotation).",
+                "see `LowPass`, and `rotation`.",
+            ),
+            ("[the page](https://a.b/c) says", "the page says"),
+            ("from [0, 1) on, a[3] of `b[i]` [and", "from [0, 1) on, a[3] of `b[i]` [and"),
+        ] {
+            assert_eq!(without_links(line), text);
+        }
+    }
 }

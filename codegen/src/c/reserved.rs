@@ -186,6 +186,26 @@ const KEYWORDS: &[&str] = &[
     "EBUSY",
     "ENOMEM",
     "EPERM",
+    // Those of compilers for microcontrollers (TI, Renesas, Cosmic, Tasking, Keil, XC16).
+    "near",
+    "far",
+    "huge",
+    "interrupt",
+    "cregister",
+    "ioport",
+    "cdecl",
+    "pascal",
+    "fastcall",
+    "stdcall",
+    "sfr",
+    "sbit",
+    "idata",
+    "pdata",
+    "xdata",
+    "bdata",
+    "saddr",
+    "eeprom",
+    "reentrant",
 ];
 
 /// Functions of the standard library, and of POSIX in the same headers.

@@ -32,6 +32,7 @@ pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {
             license: &options.license,
             system_includes: system.iter().map(|&it| it.to_owned()).collect(),
             own_includes: Vec::new(),
+            calls: false,
             refuses: false,
         };
         let (before, after) = frame(&shell, extension == "h");

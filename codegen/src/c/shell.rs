@@ -25,6 +25,8 @@ pub struct Shell<'a> {
     pub system_includes: Vec<String>,
     /// `"…"`, sorted.
     pub own_includes: Vec<String>,
+    /// Whether it declares functions: then it says what they ask of their callers.
+    pub calls: bool,
     /// Whether it refuses compilers that would compute other bits.
     pub refuses: bool,
 }
@@ -57,6 +59,7 @@ fn rendered(shell: &Shell<'_>, is_header: bool, template: &str) -> String {
     context.insert("system_includes", &shell.system_includes);
     context.insert("own_includes", &shell.own_includes);
     context.insert("is_header", &is_header);
+    context.insert("calls", &shell.calls);
     context.insert("refuses", &shell.refuses);
     context.insert("body", BODY);
     let mut tera = Tera::default();

@@ -65,6 +65,7 @@ pub fn header(context: Context<'_>, options: &Options) -> CFile {
         license: &options.license,
         system_includes: Vec::new(),
         own_includes: Vec::new(),
+        calls: false,
         refuses: true,
     };
     assemble(context, &status.header, &shell, true, &items)

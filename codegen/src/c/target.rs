@@ -26,6 +26,7 @@ pub fn header(context: Context<'_>, options: &Options) -> CFile {
         license: &options.license,
         system_includes: Vec::new(),
         own_includes: Vec::new(),
+        calls: false,
         refuses: true,
     };
     let text = whole(&shell, include_str!("../../templates/target.h.tera"));

@@ -1,4 +1,4 @@
-//! The units that authors give: in the comments of the C, and for the report of an entry point.
+//! The units that authors give, for the report of an entry point.
 
 use bessemer_ir::{Function, Module, Type};
 
@@ -39,38 +39,6 @@ pub struct Measured {
     pub place: String,
     /// Its unit.
     pub unit: String,
-}
-
-/// A doc comment with a unit at its end.
-pub fn docs(docs: &[String], unit: Option<&str>) -> Vec<String> {
-    let mut lines = docs.to_vec();
-    if let Some(unit) = unit {
-        add(&mut lines, format!("Unit: {unit}."));
-    }
-    lines
-}
-
-/// The doc comment of a function, with the units of its parameters and of what it gives.
-pub fn of_function(function: &Function) -> Vec<String> {
-    let mut lines = function.docs.clone();
-    let attributes = &function.attributes;
-    let of = |(name, given): &(String, bessemer_ir::Given)| {
-        let name = given.name.as_ref().unwrap_or(name);
-        Some(format!("`{name}` {}", given.unit.as_ref()?))
-    };
-    let mut units: Vec<String> = attributes.parameters.iter().filter_map(of).collect();
-    units.extend(attributes.result.unit.iter().map(|unit| format!("the result {unit}")));
-    if !units.is_empty() {
-        add(&mut lines, format!("Units: {}.", units.join(", ")));
-    }
-    lines
-}
-
-fn add(lines: &mut Vec<String>, said: String) {
-    match lines.last_mut().filter(|last| !last.is_empty()) {
-        Some(last) => *last = format!("{last} {said}"),
-        None => lines.push(said),
-    }
 }
 
 /// Everything with a unit at the face of an entry point, in the order of its parameters.
