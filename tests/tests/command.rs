@@ -14,7 +14,9 @@ use cargo_bessemer::{new, verify};
 /// What `gen` says in a folder, without colours; none if it was refused.
 fn generated(folder: &Path, check: bool) -> Result<String, String> {
     let outcome = generate(folder, Wanted { check, ..Wanted::default() });
-    outcome.map(|done| done.text).map_err(|error| anstream::adapter::strip_str(&error.text()).to_string())
+    outcome
+        .map(|done| done.text)
+        .map_err(|error| anstream::adapter::strip_str(&error.text()).to_string())
 }
 
 /// One test, since all of it is one package, built once.

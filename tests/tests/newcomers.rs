@@ -16,10 +16,10 @@ use bessemer_tests::turn;
 use bessemer_tests::workspace::Workspace;
 
 /// How many a run takes.
-const AT_ONCE: usize = 60;
+const AT_ONCE: usize = 40;
 
 /// How many of those that follow a remedy.
-const FOLLOWED_AT_ONCE: usize = 16;
+const FOLLOWED_AT_ONCE: usize = 10;
 
 /// Names that no author has written.
 const INTERNAL: [&str; 4] = ["__", "dsl_", "ScalarType", "bessemer::generate"];

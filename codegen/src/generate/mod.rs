@@ -16,7 +16,6 @@ mod report;
 mod told;
 mod workspace;
 
-use std::fs::{self, File};
 use std::path::Path;
 
 use bessemer_ir::tree;
@@ -100,11 +99,12 @@ pub fn deliver(job: &Job, compiled: &Compiled) -> Result<Vec<String>, Error> {
         }
     }
     let manifest = Manifest::new(compiled, &files, &job.version);
-    let _alone = alone(&Workspace::of(&job.root)?.target)?;
     if job.check {
         output::check(&job.output, &files, &manifest, job.colour)?;
         return Ok(Vec::new());
     }
+    // Beside the lock of builds, which take longer than this.
+    let _alone = Workspace::of(&job.root)?.alone(".bessemer-written")?;
     output::write(&job.output, files, &manifest)
 }
 
@@ -115,8 +115,7 @@ pub fn deliver(job: &Job, compiled: &Compiled) -> Result<Vec<String>, Error> {
 /// See [`Error`].
 pub fn native(job: &Job, text: &str) -> Result<Result<Program, String>, Error> {
     let (workspace, sources) = (Workspace::of(&job.root)?, Sources::new(&job.root));
-    let _alone = alone(&workspace.target)?;
-    package::native(job, workspace.member(&job.package)?, &sources, text)
+    package::native(job, &workspace, &sources, text)
 }
 
 /// The tree of the job's package, and what rustc warns of.
@@ -125,20 +124,7 @@ fn built(
     workspace: &Workspace,
     sources: &Sources,
 ) -> Result<(tree::Package, Vec<Diagnostic>), Error> {
-    let member = workspace.member(&job.package)?;
-    // What is built must still be there when it is linked.
-    let _alone = alone(&workspace.target)?;
-    package::tree(job, member, sources)
-}
-
-/// Waits until no other run builds into this target folder or writes what it made; until what it gives is dropped, none
-/// does.
-fn alone(target: &Path) -> Result<File, Error> {
-    let path = target.join(".bessemer-lock");
-    let locked = fs::create_dir_all(target)
-        .and_then(|()| File::create(&path))
-        .and_then(|file| file.lock().map(|()| file));
-    locked.map_err(|source| Error::File { path, source })
+    package::tree(job, workspace, sources)
 }
 
 /// Builds the package and gives its tree; for tools that go on from there.

@@ -12,10 +12,13 @@ use super::error::Error;
 use super::job::Job;
 use super::program::{self, Built, Program};
 use super::told;
-use super::workspace::{Member, cargo, program as cargo_program};
+use super::workspace::{Workspace, cargo, program as cargo_program};
 use crate::deep;
 use crate::diagnostic::{Diagnostic, Level, Told};
 use crate::source::Sources;
+
+/// What is locked while something is built: it must still be there when it is linked.
+const BUILDS: &str = ".bessemer-lock";
 
 /// How often what was built may turn out to be another workspace's.
 const TRIES: usize = 10;
@@ -23,15 +26,17 @@ const TRIES: usize = 10;
 /// The tree of a package, and what rustc warns of.
 pub(super) fn tree(
     job: &Job,
-    member: &Member,
+    workspace: &Workspace,
     sources: &Sources,
 ) -> Result<(Package, Vec<Diagnostic>), Error> {
+    let member = workspace.member(&job.package)?;
     let library = member.models()?;
     let license = job.license.as_ref().or(member.license.as_ref());
     let license = license.ok_or_else(|| Error::NoLicense { package: job.package.clone() })?;
     let failed = |reason: String| Error::Tree { package: job.package.clone(), reason };
     let mut why = "another workspace keeps building into the same target folder".to_owned();
     for _ in 0..TRIES {
+        let alone = workspace.alone(BUILDS)?;
         let (built, warnings) = build(job, sources, true)?;
         let variables = [("CARGO_PKG_NAME", job.package.as_str()), ("CARGO_PKG_LICENSE", license)];
         let text = format!("bessemer::print_tree!({library});\n");
@@ -42,6 +47,8 @@ pub(super) fn tree(
                 continue;
             }
         };
+        // It runs as long as the models are large; nothing that it needs is built over.
+        drop(alone);
         let printed = program.run()?;
         if !printed.success {
             return Err(failed(printed.error));
@@ -75,11 +82,13 @@ const RUSTC_STACK: usize = 1 << 30;
 /// A program around the package as rustc makes it, without builders; or what rustc said of the text, in a line each.
 pub(super) fn native(
     job: &Job,
-    member: &Member,
+    workspace: &Workspace,
     sources: &Sources,
     text: &str,
 ) -> Result<Result<Program, String>, Error> {
-    build(job, sources, false)?.0.link(&job.root, member.models()?, text, &[])
+    let library = workspace.member(&job.package)?.models()?;
+    let _alone = workspace.alone(BUILDS)?;
+    build(job, sources, false)?.0.link(&job.root, library, text, &[])
 }
 
 /// Builds the package and what it is made of; in a generation build, with their builders. Gives what rustc warns of, too.

@@ -3,6 +3,7 @@
 //! Must not know: what is generated of them.
 
 use std::ffi::OsString;
+use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -65,6 +66,16 @@ impl Workspace {
         };
         let packages = metadata["packages"].as_array().into_iter().flatten();
         Ok(Workspace { root, target, members: packages.filter_map(Member::of).collect() })
+    }
+
+    /// Waits until no other run holds the lock of this name in the target folder; until what it gives is dropped, none
+    /// does.
+    pub(super) fn alone(&self, name: &str) -> Result<File, Error> {
+        let path = self.target.join(name);
+        let locked = fs::create_dir_all(&self.target)
+            .and_then(|()| File::create(&path))
+            .and_then(|file| file.lock().map(|()| file));
+        locked.map_err(|source| Error::File { path, source })
     }
 
     /// The member of this name.

@@ -48,7 +48,7 @@ use writer::Program;
 const PROGRAMS: usize = 36;
 const FEWER: usize = 20;
 /// Texts that aim at the proofs, of a seed that stays and of one that does not, and the instances of each.
-const AIMED: usize = 8;
+const AIMED: usize = 4;
 const INSTANCES: usize = 4;
 
 const SANITIZED: [&str; 3] = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-w"];
