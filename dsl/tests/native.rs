@@ -145,6 +145,32 @@ fn what_rust_leaves_open_is_settled() {
     assert_eq!(bits(-0.0, -0.0), [1 << 63, 1 << 31]);
 }
 
+/// The elements of D in U D Uᵀ.
+#[function]
+pub fn variances(p: &Matrix3<f64>) -> Option<Vector3<f64>> {
+    Some(p.udu()?.d)
+}
+
+/// nalgebra squares by `powi`: with std a product, and without it `libm`'s `pow`, which rounds otherwise (to a first element
+/// that ends in 80). So its bits hang on what else is linked.
+#[test]
+fn factors_of_a_covariance_are_of_products() {
+    let words: [u64; 9] = [
+        0x400c_d400_0000_0000,
+        0xc002_d800_0000_0000,
+        0xbfff_0800_0000_0000,
+        0xc005_7400_0000_0000,
+        0x400a_2400_0000_0000,
+        0x400c_7400_0000_0000,
+        0xc006_6c00_0000_0000,
+        0x3fda_c000_0000_0000,
+        0x3ffc_0000_0000_0000,
+    ];
+    let p = Matrix3::from_column_slice(&words.map(f64::from_bits));
+    let first = variances(&p).map(|d| d[0].to_bits());
+    assert_eq!(first, Some(0xc001_4ec6_509a_bd82));
+}
+
 #[test]
 fn integers_are_as_in_rust() {
     assert_eq!(integers(-5, 3), [5, -5, 7, -1]);

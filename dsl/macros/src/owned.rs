@@ -56,6 +56,7 @@ pub const OWNED: &[&str] = &[
     "to_radians",
     "total_cmp",
     "trunc",
+    "udu",
 ];
 
 /// The DSL's name of an owned method.

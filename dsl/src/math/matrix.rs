@@ -1,8 +1,10 @@
 //! Methods of matrices that go by the name of one of a scalar, which the attributes redirect.
 
+use nalgebra::linalg::UDU;
 use nalgebra::{Const, Matrix, RawStorage, SMatrix};
 
 use super::Real;
+use crate::linear::factored::udu::Udu;
 
 /// What `abs`, `min` and `max` of a matrix mean: what they mean in nalgebra.
 pub trait MatrixMethods {
@@ -19,16 +21,25 @@ pub trait MatrixMethods {
     fn dsl_max(&self) -> Self::Element;
 }
 
-/// What `exp` of a square matrix means: its exponential, in the DSL's own order.
-pub trait SquareMethods {
+/// Methods of square matrices that are the DSL's in the simulation, too.
+pub trait SquareMethods: Sized {
+    /// The type of U D Uᵀ.
+    type Udu;
     /// The exponential: see [`exp`](crate::linear::matrix_powers::exp).
     #[must_use]
     fn dsl_exp(&self) -> Self;
+    /// U D Uᵀ. nalgebra squares by a product with std, and without it by `pow`, which rounds otherwise.
+    fn dsl_udu(self) -> Option<Self::Udu>;
 }
 
 impl<T: Real, const N: usize> SquareMethods for SMatrix<T, N, N> {
+    type Udu = UDU<T, Const<N>>;
     fn dsl_exp(&self) -> Self {
         crate::linear::matrix_powers::exp(self)
+    }
+    fn dsl_udu(self) -> Option<UDU<T, Const<N>>> {
+        let Udu { u, d } = crate::linear::factored::udu::factored(&self)?;
+        Some(UDU { u, d })
     }
 }
 
