@@ -6,6 +6,7 @@ use std::path::Path;
 use std::process::Command;
 
 use bessemer_project::{Wanted, generate};
+use bessemer_tests::golden;
 use bessemer_tests::toolchain;
 use bessemer_tests::workspace::Workspace;
 use cargo_bessemer::args::{New, Package, Verify};
@@ -36,7 +37,7 @@ fn a_new_package_is_simulated_and_generated() {
     // From a folder in it, and to where its own settings say.
     let said = generated(&package.join("src"), false).expect("it is sound");
     assert!(said.contains("motor_step"), "{said}");
-    assert!(package.join("generated/motor.h").is_file());
+    the_tutorial_shows_it(&package, &said);
     assert!(!workspace.path("generated").exists());
     assert_eq!(generated(&package, true).as_deref(), Ok(""));
 
@@ -57,6 +58,21 @@ fn a_new_package_is_simulated_and_generated() {
 
     verified(&package);
     refusals(&package);
+}
+
+/// The tutorial and the README quote these files.
+fn the_tutorial_shows_it(package: &Path, report: &str) {
+    let read = |name| fs::read_to_string(package.join("generated").join(name)).expect("the C");
+    let files = [
+        ("motor.h", read("motor.h")),
+        ("motor.c", read("motor.c")),
+        ("report.txt", report.to_owned()),
+    ];
+    let folder = Path::new("tests/corpus/golden/tutorial");
+    let stale = files.iter().filter(|(name, text)| !golden::holds(&folder.join(name), text));
+    let names: Vec<&str> = stale.map(|(name, _)| *name).collect();
+    let asked = "UPDATE_DOCS=1 cargo test -p bessemer-tests command::";
+    assert!(names.is_empty(), "{}: stale: {names:?}; {asked}", folder.display());
 }
 
 /// On each leg the same bits; what cannot be called is named.

@@ -23,6 +23,7 @@ What needs what:
             arm-linux-gnueabihf-gcc and qemu-arm; to look at the C again frama-c
   test --host
             the same without the ARM part and frama-c
+  book      mdBook: `cargo install mdbook`
   doctor    nothing: it tells what is there and what is missing
 
 Plain `cargo test` works too: it runs what needs no cross tools.";
@@ -51,6 +52,8 @@ pub enum Task {
     Doctor(Doctor),
     /// Measure the generated C against its peers
     Bench(Bench),
+    /// Make searchable pages of the book, by mdBook, into target/book/
+    Book,
     /// What the simulation does: `sim`, `identify`, `campaign`
     #[command(flatten)]
     Simulation(sim_args::Task),
@@ -301,6 +304,7 @@ mod tests {
     fn the_rest_is_read() {
         assert!(matches!(parse(&["doctor", "--json"]), Ok(Task::Doctor(Doctor { json: true }))));
         assert!(matches!(parse(&["bench", "--quick"]), Ok(Task::Bench(Bench { quick: true, .. }))));
+        assert!(matches!(parse(&["book"]), Ok(Task::Book)));
         assert!(matches!(parse(&["sim"]), Ok(Task::Simulation(_))));
         assert!(matches!(parse(&["sim", "hover", "--c"]), Ok(Task::Simulation(_))));
         assert!(matches!(parse(&["fly", "--headless"]), Ok(Task::Ground(_))));

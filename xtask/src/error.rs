@@ -1,4 +1,4 @@
-//! What can go wrong, in the user's terms, with the remedy where one is known.
+//! The errors of the commands, in the user's terms, with a remedy where one is known.
 //!
 //! Invariant: every failure of a command is an [`Error`]; the remedy is one line that can be pasted into a shell, or
 //! a sentence when no such line exists.
@@ -114,6 +114,9 @@ pub enum Error {
         /// The system's reason.
         source: std::io::Error,
     },
+    /// The book is asked for without the tool that makes it.
+    #[error("mdBook is missing, which makes the pages")]
+    NoBookTool,
     /// A program could not be started or listened to.
     #[error("cannot run `{program}`: {source}")]
     Spawn {
@@ -142,6 +145,7 @@ impl Error {
             Self::NoMutant { known, .. } => Some(format!("choose from {}", known.join(", "))),
             Self::NoTurn { of, .. } => Some(format!("turns go from 1 to {of}")),
             Self::Busy { .. } => Some("wait until it has ended".to_owned()),
+            Self::NoBookTool => Some(crate::book::INSTALL.to_owned()),
             Self::NoCheckout { .. } => {
                 Some("run it in a clone of the repository, with at least one commit".to_owned())
             }

@@ -13,6 +13,7 @@
 
 pub mod args;
 pub mod bench;
+pub mod book;
 pub mod doctor;
 pub mod error;
 pub mod fuzz;

@@ -8,7 +8,7 @@ use clap::Parser;
 use xtask::args::{Arguments, Task};
 use xtask::error::{Error, Outcome};
 use xtask::tools::ThisMachine;
-use xtask::{bench, doctor, fuzz, generate, hand_over, mutate, project, test};
+use xtask::{bench, book, doctor, fuzz, generate, hand_over, mutate, project, test};
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
@@ -31,6 +31,7 @@ fn perform(task: &Task) -> Result<Outcome, Error> {
         Task::Fuzz(wanted) => fuzz::run(&root, wanted),
         Task::Doctor(wanted) => doctor::run(wanted, &ThisMachine),
         Task::Bench(wanted) => bench::run(&root, wanted, &ThisMachine),
+        Task::Book => book::run(&root, &ThisMachine),
         Task::Simulation(_) => hand_over::run(&root, "sim", &[], std::env::args_os().skip(1)),
         Task::Ground(task) => {
             hand_over::run(&root, "ground", &task.features(), std::env::args_os().skip(1))

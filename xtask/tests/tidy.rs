@@ -2,81 +2,16 @@
 //!
 //! Each test collects every offence before it fails, so that one run shows them all.
 
+mod shared;
+
 use proc_macro2::{TokenStream, TokenTree};
 use serde_json::Value;
+use shared::{File, files, none, root};
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::path::Path;
 
 /// The longest that a Rust file written by hand may be.
 const LONGEST: usize = 600;
-
-/// A file of the repository: its path from the root, with `/`, and its text.
-struct File {
-    path: String,
-    text: String,
-}
-
-impl File {
-    fn is_rust(&self) -> bool {
-        self.path.ends_with(".rs") && !self.path.starts_with("generated/")
-    }
-
-    /// Whether it is part of a crate's own code, not of its tests, examples or benchmarks.
-    fn is_source(&self) -> bool {
-        self.is_rust() && self.path.split('/').any(|folder| folder == "src")
-    }
-}
-
-fn root() -> PathBuf {
-    xtask::project::root()
-}
-
-/// The text files of the repository, those not yet added included.
-fn files() -> Vec<File> {
-    let root = root();
-    let paths = listed(&root).unwrap_or_else(|| walked(&root));
-    let read = |path: String| {
-        std::fs::read_to_string(root.join(&path)).ok().map(|text| File { path, text })
-    };
-    let files: Vec<File> = paths.into_iter().filter_map(read).collect();
-    assert!(
-        files.iter().any(|file| file.path == "xtask/tests/tidy.rs"),
-        "the files were not found"
-    );
-    files
-}
-
-/// What git knows or would add; none if this is no git checkout.
-fn listed(root: &Path) -> Option<Vec<String>> {
-    let arguments = ["ls-files", "-z", "--cached", "--others", "--exclude-standard"];
-    let output = Command::new("git").args(arguments).current_dir(root).output().ok()?;
-    let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    output.status.success().then(|| text.split_terminator('\0').map(str::to_owned).collect())
-}
-
-/// Every file below `root`, for a source archive without git: build products and hidden state aside.
-fn walked(root: &Path) -> Vec<String> {
-    let (mut found, mut folders) = (Vec::new(), vec![root.to_owned()]);
-    while let Some(folder) = folders.pop() {
-        for entry in std::fs::read_dir(&folder).into_iter().flatten().flatten() {
-            let (path, name) = (entry.path(), entry.file_name());
-            if path.is_dir() {
-                if name != "target" && name != ".git" {
-                    folders.push(path);
-                }
-            } else if let Ok(path) = path.strip_prefix(root) {
-                found.push(path.to_string_lossy().replace('\\', "/"));
-            }
-        }
-    }
-    found
-}
-
-#[track_caller]
-fn none(rule: &str, offences: &[String]) {
-    assert!(offences.is_empty(), "{rule}:\n  {}\n", offences.join("\n  "));
-}
 
 #[test]
 fn no_rust_file_is_long() {

@@ -92,7 +92,7 @@ impl Lowering<'_, '_> {
             tree::ExprKind::Closure(_) => problem(
                 site,
                 "a closure is no argument of this in the DSL",
-                "what takes closures is listed in docs/language.md; elsewhere call it, and pass its value",
+                "what takes closures is listed in docs/book/reference/statements.md; elsewhere call it, and pass its value",
             ),
             tree::ExprKind::Struct(name, fields, rest) => {
                 self.struct_value(name, fields, rest.as_deref(), expr)

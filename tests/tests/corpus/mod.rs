@@ -5,11 +5,13 @@
 //! the changed arguments out. Half of the calls have words drawn from the edges of each type; the other
 //! half are a run, as a component lives: small numbers, and the state that the call before left.
 
+mod book;
+mod cookbook;
 mod coverage;
 mod eva;
 mod guards;
 mod kinds;
-mod language;
+mod mistakes;
 mod names;
 
 use std::sync::OnceLock;

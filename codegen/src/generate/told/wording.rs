@@ -149,7 +149,7 @@ fn unnamed(message: &Message<'_>) -> Option<Words> {
     (shows(message.title) || shows(label)).then(|| {
         words(
             "this is not part of the DSL",
-            "write it out with the operations that the DSL has: see docs/language.md",
+            "write it out with the operations that the DSL has: see docs/book/reference/methods.md",
         )
     })?
 }
@@ -229,7 +229,7 @@ fn builders(message: &Message<'_>) -> Option<Words> {
         } else if method == "clone" {
             "derive `Copy` too: then the value copies itself"
         } else if types::is_known(&owner) {
-            "write it out with the operations that the DSL has: see docs/language.md"
+            "write it out with the operations that the DSL has: see docs/book/reference/methods.md"
         } else {
             "mark the `impl` block that has it `#[data]` or `#[component]`"
         };

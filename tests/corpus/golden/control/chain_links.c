@@ -1,0 +1,124 @@
+/* The C of tests/corpus/src/programs/control/chain_links.rs. Written by a test. */
+
+/* chain_links.c */
+
+double chain_links_energy(const double samples[8], double threshold)
+{
+    double sum = -0.0;
+    bool skipping = true;
+    for (uint32_t i = 0U; i < 8U; i++) {
+        if (skipping) {
+            skipping = fabs(samples[i]) < threshold;
+        }
+        if (!skipping) {
+            sum += samples[i] * samples[i];
+        }
+    }
+    return sum;
+}
+
+bessemer_status_t chain_links_leading_number(const uint8_t text[6], uint32_t *result)
+{
+    uint32_t value = 0U;
+    for (uint32_t i = 0U; i < 6U; i++) {
+        option_u8_t result_choice;
+        if (ascii_is_digit(text[i])) {
+            if (text[i] < 48U) {
+                return BESSEMER_STATUS_OVERFLOW;
+            }
+            result_choice.is_some = true;
+            result_choice.value = (uint8_t)(text[i] - 48U);
+        } else {
+            result_choice.is_some = false;
+            result_choice.value = 0U;
+        }
+        if (result_choice.is_some) {
+            const uint8_t digit = result_choice.value;
+            if (value > 0x19999999U) {
+                return BESSEMER_STATUS_OVERFLOW;
+            }
+            if ((int64_t)(10U * value) + (int64_t)(uint32_t)digit > UINT32_MAX) {
+                return BESSEMER_STATUS_OVERFLOW;
+            }
+            value = 10U * value + (uint32_t)digit;
+        } else {
+            break;
+        }
+    }
+    *result = value;
+    return BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t chain_links_highest(const int32_t flows[6], int32_t start, option_i32_t *result)
+{
+    option_i32_t max = {.is_some = false, .value = 0};
+    int32_t level = start;
+    for (uint32_t i = 0U; i < 6U; i++) {
+        option_i32_t result_choice;
+        if ((int64_t)level + (int64_t)flows[i] < INT32_MIN
+                || (int64_t)level + (int64_t)flows[i] > INT32_MAX) {
+            return BESSEMER_STATUS_OVERFLOW;
+        }
+        level += flows[i];
+        if (level >= 0) {
+            result_choice.is_some = true;
+            result_choice.value = level;
+        } else {
+            result_choice.is_some = false;
+            result_choice.value = 0;
+        }
+        if (result_choice.is_some) {
+            const int32_t value = result_choice.value;
+            if (max.is_some) {
+                const int32_t best = max.value;
+                if (value > best) {
+                    max.is_some = true;
+                    max.value = value;
+                }
+            } else {
+                max.is_some = true;
+                max.value = value;
+            }
+        } else {
+            break;
+        }
+    }
+    *result = max;
+    return BESSEMER_STATUS_OK;
+}
+
+float chain_links_folded(const float samples[4], const float coefficients[4])
+{
+    float sum = -0.0F;
+    for (uint32_t i = 0U; i < 4U; i++) {
+        sum += samples[i] * coefficients[3 - i];
+    }
+    return sum;
+}
+
+void chain_links_places(const uint16_t readings[6], pair_option_u16_option_usize_t *result)
+{
+    option_u16_t second = {.is_some = false, .value = 0U};
+    uint64_t left = UINT64_C(1);
+    for (uint32_t i = 0U; i < 6U; i++) {
+        if (readings[i] < 4096U) {
+            if (left == UINT64_C(0)) {
+                second.is_some = true;
+                second.value = readings[i];
+                break;
+            } else {
+                left -= UINT64_C(1);
+            }
+        }
+    }
+    option_usize_t rposition = {.is_some = false, .value = UINT64_C(0)};
+    for (uint32_t i = 6U; i-- > 0U;) {
+        if (readings[i] == 0U) {
+            rposition.is_some = true;
+            rposition.value = (uint64_t)i;
+            break;
+        }
+    }
+    result->first = second;
+    result->second = rposition;
+}

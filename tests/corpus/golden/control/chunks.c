@@ -1,0 +1,118 @@
+/* The C of tests/corpus/src/programs/control/chunks.rs. Written by a test. */
+
+/* chunks.c */
+
+static const double F64_MIN = -1.7976931348623157e308;
+
+/* The smaller of two integers. */
+static uint64_t min_u64(uint64_t a, uint64_t b)
+{
+    return a < b ? a : b;
+}
+
+/* The larger of two numbers: -0 < +0, and a NaN gives the other. */
+static double max_f64(double a, double b)
+{
+    if (a > b || isnan(b)) {
+        return a;
+    }
+    if (b > a || isnan(a)) {
+        return b;
+    }
+    return !signbit(a) ? a : b;
+}
+
+double chunks_busiest(const double values[8])
+{
+    double most = F64_MIN;
+    for (uint32_t i = 0U; i < 3U; i++) {
+        const uint64_t value_end = min_u64((uint64_t)(i * 3U + 3U), UINT64_C(8));
+        double sum = -0.0;
+        for (uint64_t j = (uint64_t)(i * 3U); j < value_end; j++) {
+            sum += values[j];
+        }
+        most = max_f64(most, sum);
+    }
+    return most;
+}
+
+bessemer_status_t chunks_passed(const uint8_t bytes[10], uint64_t used, uint32_t limit,
+    option_usize_t *result)
+{
+    const uint64_t used_2 = min_u64(used, UINT64_C(10));
+    uint32_t sum = 0U;
+    const uint64_t value_end = used_2;
+    for (uint64_t block = UINT64_C(0); block < (value_end + UINT64_C(3)) / UINT64_C(4); block++) {
+        if (block * UINT64_C(4) > value_end) {
+            return BESSEMER_STATUS_OVERFLOW;
+        }
+        const uint64_t value_length = min_u64(UINT64_C(4), value_end - block * UINT64_C(4));
+        for (uint64_t i = block * UINT64_C(4); i < block * UINT64_C(4) + value_length; i++) {
+            if (i >= UINT64_C(10)) {
+                return BESSEMER_STATUS_INDEX;
+            }
+            if ((int64_t)sum + (int64_t)(uint32_t)bytes[i] > UINT32_MAX) {
+                return BESSEMER_STATUS_OVERFLOW;
+            }
+            sum += (uint32_t)bytes[i];
+        }
+        if (sum > limit) {
+            result->is_some = true;
+            result->value = block;
+            return BESSEMER_STATUS_OK;
+        }
+    }
+    result->is_some = false;
+    result->value = UINT64_C(0);
+    return BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t chunks_leading_number(const uint8_t text[6], option_u16_t *result)
+{
+    uint16_t number = 0U;
+    for (uint32_t i = 0U; i < 6U; i++) {
+        if (!ascii_is_digit(text[i])) {
+            break;
+        }
+        option_u16_t option;
+        math_checked_mul_u16(number, 10U, &option);
+        if (!option.is_some) {
+            result->is_some = false;
+            result->value = 0U;
+            return BESSEMER_STATUS_OK;
+        }
+        if (text[i] < 48U) {
+            return BESSEMER_STATUS_OVERFLOW;
+        }
+        option_u16_t option_2;
+        math_checked_add_u16(option.value, (uint16_t)(uint8_t)(text[i] - 48U), &option_2);
+        if (!option_2.is_some) {
+            result->is_some = false;
+            result->value = 0U;
+            return BESSEMER_STATUS_OK;
+        }
+        number = option_2.value;
+    }
+    result->is_some = true;
+    result->value = number;
+    return BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t chunks_first_run(const int32_t values[8], int32_t limit, int32_t *result)
+{
+    int32_t sum = 0;
+    for (uint32_t i = 0U; i < 8U; i++) {
+        if (!(values[i] > limit)) {
+            break;
+        }
+        if (values[i] <= 100) {
+            if ((int64_t)sum + (int64_t)values[i] < INT32_MIN
+                    || (int64_t)sum + (int64_t)values[i] > INT32_MAX) {
+                return BESSEMER_STATUS_OVERFLOW;
+            }
+            sum += values[i];
+        }
+    }
+    *result = sum;
+    return BESSEMER_STATUS_OK;
+}

@@ -1,0 +1,152 @@
+/* The C of tests/corpus/src/programs/control/closure_patterns.rs. Written by a test. */
+
+/* closure_patterns.c */
+
+static const int32_t I32_MAX = INT32_MAX;
+static const int32_t I32_MIN = INT32_MIN;
+
+/* The signed integer with these bits. */
+static int32_t wrap_i32(uint32_t bits)
+{
+    return bits <= (uint32_t)INT32_MAX ? (int32_t)bits : -1 - (int32_t)(UINT32_MAX - bits);
+}
+
+/* The smaller of two integers. */
+static int32_t min_i32(int32_t a, int32_t b)
+{
+    return a < b ? a : b;
+}
+
+/* The larger of two integers. */
+static int32_t max_i32(int32_t a, int32_t b)
+{
+    return a > b ? a : b;
+}
+
+/* The bits of value shifted left by count, which is less than 32. */
+static int32_t shift_left_i32(int32_t value, uint32_t count)
+{
+    return wrap_i32((uint32_t)value << count);
+}
+
+uint8_t closure_patterns_good(const closure_patterns_track_t tracks[6], float limit)
+{
+    uint8_t bits = 0U;
+    for (uint32_t i = 0U; i < 6U; i++) {
+        if (tracks[i].score > limit) {
+            bits = (uint8_t)(bits | (uint8_t)(1U << (uint64_t)i));
+            if (tracks[i].id == 0U) {
+                break;
+            }
+        }
+    }
+    return bits;
+}
+
+void closure_patterns_next(const closure_patterns_track_t tracks[6], uint64_t after, float limit,
+    option_usize_t *result)
+{
+    option_pair_usize_closure_patterns_track_t find = {
+        .is_some = false,
+        .value = {.first = UINT64_C(0), .second = {.id = 0U, .score = 0.0F}}
+    };
+    for (uint32_t i = 0U; i < 6U; i++) {
+        if ((uint64_t)i > after && tracks[i].score > limit) {
+            find.is_some = true;
+            find.value.first = (uint64_t)i;
+            find.value.second = tracks[i];
+            break;
+        }
+    }
+    if (find.is_some) {
+        const uint64_t i = find.value.first;
+        result->is_some = true;
+        result->value = i;
+    } else {
+        result->is_some = false;
+        result->value = UINT64_C(0);
+    }
+}
+
+int64_t closure_patterns_together(const int32_t a[4], const int32_t b[4])
+{
+    int64_t sum = INT64_C(0);
+    for (uint32_t i = 0U; i < 4U; i++) {
+        if (a[i] > 0 && b[i] > 0) {
+            const int64_t product = (int64_t)a[i] * (int64_t)b[i];
+            sum ^= product;
+        }
+    }
+    return sum;
+}
+
+void closure_patterns_ends(const int32_t values[5], pair_i32_i32_t *result)
+{
+    result->first = I32_MAX;
+    result->second = I32_MIN;
+    for (uint32_t i = 0U; i < 5U; i++) {
+        const int32_t least = result->first;
+        const int32_t greatest = result->second;
+        result->first = min_i32(least, values[i]);
+        result->second = max_i32(greatest, values[i]);
+    }
+}
+
+int32_t closure_patterns_scaled(const pair_i32_i32_t *pair, const pair_i32_i32_t *other)
+{
+    const int32_t a = pair->first;
+    const int32_t b = pair->second;
+    const int32_t result_choice = a ^ shift_left_i32(b, 1U);
+    const int32_t a_2 = other->first;
+    const int32_t b_2 = other->second;
+    const int32_t result_choice_2 = a_2 ^ shift_left_i32(b_2, 1U);
+    const int32_t result_left = result_choice ^ result_choice_2;
+    (void)pair->first;
+    const int32_t result_choice_3 = 7;
+    return result_left ^ result_choice_3;
+}
+
+void closure_patterns_counted(const option_u8_t *value, uint8_t n, triple_u8_u32_u8x3_t *result)
+{
+    uint8_t result_choice;
+    if (value->is_some) {
+        result_choice = 1U;
+    } else {
+        result_choice = 0U;
+    }
+    uint32_t sum = 0U;
+    for (uint8_t i = 0U; i < n; i++) {
+        sum += 2U;
+    }
+    uint8_t elements[3];
+    for (uint32_t i = 0U; i < 3U; i++) {
+        elements[i] = n;
+    }
+    result->first = result_choice;
+    result->second = sum;
+    result->third[0] = elements[0];
+    result->third[1] = elements[1];
+    result->third[2] = elements[2];
+}
+
+/* closure_patterns.h */
+
+/** A candidate. */
+typedef struct {
+    uint16_t id;
+    float score;
+} closure_patterns_track_t;
+
+/** `(usize, Track)`. */
+typedef struct {
+    uint64_t first;
+    closure_patterns_track_t second;
+} pair_usize_closure_patterns_track_t;
+
+/** `Option<(usize, Track)>`: a value, or none. */
+typedef struct {
+    /** Whether there is a value. */
+    bool is_some;
+    /** The value, if there is one. */
+    pair_usize_closure_patterns_track_t value;
+} option_pair_usize_closure_patterns_track_t;

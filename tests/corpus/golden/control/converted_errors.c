@@ -1,0 +1,169 @@
+/* The C of tests/corpus/src/programs/control/converted_errors.rs. Written by a test. */
+
+/* converted_errors.c */
+
+void drive_fault_from_frame_fault(const frame_fault_t *fault, drive_fault_t *drive_fault)
+{
+    drive_fault->tag = DRIVE_FAULT_TAG_LINK;
+    drive_fault->link = *fault;
+}
+
+void fault_code_from_drive_fault(const drive_fault_t *fault, fault_code_t *fault_code)
+{
+    if (fault->tag == DRIVE_FAULT_TAG_OVERLOAD) {
+        fault_code->value = 1U;
+    } else if (fault->tag == DRIVE_FAULT_TAG_LINK && fault->link.tag == FRAME_FAULT_TAG_SHORT) {
+        fault_code->value = 2U;
+    } else {
+        const uint8_t byte = fault->link.start;
+        fault_code->value = (uint16_t)(256U + (uint16_t)byte);
+    }
+}
+
+void converted_errors_payload(const uint8_t frame[3], result_u16_frame_fault_t *result)
+{
+    if (frame[0] == 85U) {
+        const uint8_t low = frame[1];
+        const uint8_t high = frame[2];
+        const uint8_t result_bytes[2] = {low, high};
+        result->is_ok = true;
+        result->value = (uint16_t)((uint16_t)result_bytes[0]
+            | (uint16_t)((uint32_t)(uint16_t)result_bytes[1] << 8U));
+        result->error.tag = FRAME_FAULT_TAG_SHORT;
+        result->error.start = 0U;
+    } else if (frame[0] == 0U && frame[1] == 0U && frame[2] == 0U) {
+        result->is_ok = false;
+        result->value = 0U;
+        result->error.tag = FRAME_FAULT_TAG_SHORT;
+        result->error.start = 0U;
+    } else {
+        const uint8_t start = frame[0];
+        result->is_ok = false;
+        result->value = 0U;
+        result->error.tag = FRAME_FAULT_TAG_START;
+        result->error.start = start;
+    }
+}
+
+void converted_errors_current(const uint8_t frame[3], float limit, result_f32_drive_fault_t *result)
+{
+    result_u16_frame_fault_t outcome;
+    converted_errors_payload(frame, &outcome);
+    if (!outcome.is_ok) {
+        drive_fault_t result_error;
+        drive_fault_from_frame_fault(&outcome.error, &result_error);
+        result->is_ok = false;
+        result->value = 0.0F;
+        result->error = result_error;
+        return;
+    }
+    const float current = (float)outcome.value * 0.01F;
+    if (current > limit) {
+        result->is_ok = false;
+        result->value = 0.0F;
+        result->error.tag = DRIVE_FAULT_TAG_OVERLOAD;
+        result->error.link.tag = FRAME_FAULT_TAG_SHORT;
+        result->error.link.start = 0U;
+        return;
+    }
+    result->is_ok = true;
+    result->value = current;
+    result->error.tag = DRIVE_FAULT_TAG_OVERLOAD;
+    result->error.link.tag = FRAME_FAULT_TAG_SHORT;
+    result->error.link.start = 0U;
+}
+
+void converted_errors_total(const uint8_t one[3], const uint8_t other[3], float limit,
+    result_f32_fault_code_t *result)
+{
+    result_f32_drive_fault_t outcome;
+    converted_errors_current(one, limit, &outcome);
+    if (!outcome.is_ok) {
+        fault_code_t result_error;
+        fault_code_from_drive_fault(&outcome.error, &result_error);
+        result->is_ok = false;
+        result->value = 0.0F;
+        result->error = result_error;
+        return;
+    }
+    result_f32_drive_fault_t outcome_2;
+    converted_errors_current(other, limit, &outcome_2);
+    if (!outcome_2.is_ok) {
+        fault_code_t result_error_2;
+        fault_code_from_drive_fault(&outcome_2.error, &result_error_2);
+        result->is_ok = false;
+        result->value = 0.0F;
+        result->error = result_error_2;
+        return;
+    }
+    result->is_ok = true;
+    result->value = outcome.value + outcome_2.value;
+    result->error.value = 0U;
+}
+
+/* converted_errors.h */
+
+/** Which variant of `FrameFault`. */
+typedef enum {
+    FRAME_FAULT_TAG_SHORT = 0,
+    /** The byte that should have begun it. */
+    FRAME_FAULT_TAG_START = 1
+} frame_fault_tag_t;
+
+/** What is wrong with a frame. */
+typedef struct {
+    /** Which variant it is. */
+    frame_fault_tag_t tag;
+    /** The byte that should have begun it. */
+    uint8_t start;
+} frame_fault_t;
+
+/** `Result<u16, FrameFault>`: a value, or why there is none. */
+typedef struct {
+    /** Whether there is a value. */
+    bool is_ok;
+    /** The value, if there is one. */
+    uint16_t value;
+    /** Why there is none. */
+    frame_fault_t error;
+} result_u16_frame_fault_t;
+
+/** Which variant of `DriveFault`. */
+typedef enum {
+    DRIVE_FAULT_TAG_OVERLOAD = 0,
+    /** It was told something that is no frame. */
+    DRIVE_FAULT_TAG_LINK = 1
+} drive_fault_tag_t;
+
+/** What is wrong with a drive. */
+typedef struct {
+    /** Which variant it is. */
+    drive_fault_tag_t tag;
+    /** It was told something that is no frame. */
+    frame_fault_t link;
+} drive_fault_t;
+
+/** `Result<f32, DriveFault>`: a value, or why there is none. */
+typedef struct {
+    /** Whether there is a value. */
+    bool is_ok;
+    /** The value, if there is one. */
+    float value;
+    /** Why there is none. */
+    drive_fault_t error;
+} result_f32_drive_fault_t;
+
+/** A number for the display. */
+typedef struct {
+    uint16_t value;
+} fault_code_t;
+
+/** `Result<f32, FaultCode>`: a value, or why there is none. */
+typedef struct {
+    /** Whether there is a value. */
+    bool is_ok;
+    /** The value, if there is one. */
+    float value;
+    /** Why there is none. */
+    fault_code_t error;
+} result_f32_fault_code_t;

@@ -1,0 +1,306 @@
+/* The C of tests/corpus/src/programs/control/for_steps.rs. Written by a test. */
+
+/* for_steps.c */
+
+static const uint64_t U64_MAX = UINT64_MAX;
+
+/* The signed integer with these bits. */
+static int8_t wrap_i8(uint8_t bits)
+{
+    return bits <= (uint8_t)INT8_MAX ? (int8_t)bits : (int8_t)(-1 - (int8_t)(UINT8_MAX - bits));
+}
+
+/* The signed integer with these bits. */
+static int32_t wrap_i32(uint32_t bits)
+{
+    return bits <= (uint32_t)INT32_MAX ? (int32_t)bits : -1 - (int32_t)(UINT32_MAX - bits);
+}
+
+/* The signed integer with these bits. */
+static int64_t wrap_i64(uint64_t bits)
+{
+    return bits <= (uint64_t)INT64_MAX ? (int64_t)bits : -1 - (int64_t)(UINT64_MAX - bits);
+}
+
+/* The smaller of two integers. */
+static uint64_t min_u64(uint64_t a, uint64_t b)
+{
+    return a < b ? a : b;
+}
+
+/* The larger of two integers. */
+static int64_t max_i64(int64_t a, int64_t b)
+{
+    return a > b ? a : b;
+}
+
+/* The number nearest to value from low to high. */
+static int32_t clamp_i32(int32_t value, int32_t low, int32_t high)
+{
+    if (value < low) {
+        return low;
+    }
+    return value > high ? high : value;
+}
+
+/* a + b, or the limit of the type beyond which it lies. */
+static uint64_t saturating_add_u64(uint64_t a, uint64_t b)
+{
+    return a > UINT64_MAX - b ? UINT64_MAX : a + b;
+}
+
+/* a - b, or the limit of the type beyond which it lies. */
+static uint8_t saturating_sub_u8(uint8_t a, uint8_t b)
+{
+    const int32_t exact = (int32_t)a - (int32_t)b;
+    if (exact < 0) {
+        return 0;
+    }
+    return (uint8_t)exact;
+}
+
+/* a - b, or 0 where b is larger. */
+static uint64_t saturating_sub_u64(uint64_t a, uint64_t b)
+{
+    return a > b ? a - b : 0U;
+}
+
+double for_steps_interleaved(const double values[10])
+{
+    double sum = 0.0;
+    for (uint32_t pass = 0U; pass < 5U; pass++) {
+        const uint64_t i = (uint64_t)(pass * 2U);
+        sum += values[i];
+    }
+    for (uint32_t pass = 5U; pass-- > 0U;) {
+        const uint64_t i = (uint64_t)(1U + pass * 2U);
+        sum = 0.5 * sum + values[i];
+    }
+    return sum;
+}
+
+bessemer_status_t for_steps_thirds(uint8_t from, uint8_t to, uint32_t *sum)
+{
+    uint32_t sum_value = 0U;
+    const uint8_t n_start = from;
+    const uint8_t n_length = saturating_sub_u8(to, n_start);
+    const uint8_t n_passes = (uint8_t)((uint32_t)(uint8_t)(n_length / 3U)
+        + (uint32_t)(uint8_t)((uint8_t)(n_length % 3U) != 0U));
+    for (uint8_t pass = 0U; pass < n_passes; pass++) {
+        const uint8_t n = (uint8_t)((uint32_t)n_start + (uint32_t)(uint8_t)((uint32_t)pass * 3U));
+        if ((int64_t)sum_value + (int64_t)(uint32_t)n > UINT32_MAX) {
+            return BESSEMER_STATUS_OVERFLOW;
+        }
+        sum_value += (uint32_t)n;
+    }
+    *sum = sum_value;
+    return BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t for_steps_every(const double values[10], uint64_t count, uint64_t step,
+    double *sum)
+{
+    double sum_value = 0.0;
+    const uint64_t i_end = min_u64(count, UINT64_C(10));
+    const uint64_t i_step = step;
+    if (i_step == UINT64_C(0)) {
+        return BESSEMER_STATUS_ASSERTION;
+    }
+    const uint64_t i_passes = i_end / i_step + (uint64_t)(i_end % i_step != UINT64_C(0));
+    for (uint64_t pass = UINT64_C(0); pass < i_passes; pass++) {
+        const uint64_t i = pass * i_step;
+        if (i >= UINT64_C(10)) {
+            return BESSEMER_STATUS_INDEX;
+        }
+        sum_value += values[i];
+    }
+    *sum = sum_value;
+    return BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t for_steps_signed(int8_t low, int8_t high, uint64_t step, int32_t *sum)
+{
+    int32_t sum_value = 0;
+    const int8_t x_start = low;
+    const int8_t x_end = high;
+    const uint64_t x_step = step;
+    if (x_step == UINT64_C(0)) {
+        return BESSEMER_STATUS_ASSERTION;
+    }
+    const uint64_t x_length = (uint64_t)max_i64((int64_t)x_end - (int64_t)x_start, INT64_C(0));
+    const uint64_t x_passes = x_length / x_step + (uint64_t)(x_start <= x_end);
+    for (uint64_t pass = UINT64_C(0); pass < x_passes; pass++) {
+        const int8_t x = wrap_i8((uint8_t)((uint64_t)x_start + pass * x_step));
+        sum_value = sum_value / 2 + (int32_t)x;
+    }
+    const int8_t x_start_2 = low;
+    const int8_t x_end_2 = high;
+    const uint64_t x_length_2 = (uint64_t)max_i64((int64_t)x_end_2 - (int64_t)x_start_2,
+        INT64_C(0));
+    const uint64_t x_passes_2 = x_length_2 / UINT64_C(3)
+        + (uint64_t)(x_length_2 % UINT64_C(3) != UINT64_C(0));
+    for (uint64_t pass = x_passes_2; pass-- > UINT64_C(0);) {
+        const int8_t x = wrap_i8((uint8_t)((uint64_t)x_start_2 + pass * UINT64_C(3)));
+        sum_value = sum_value / 2 - (int32_t)x;
+    }
+    *sum = sum_value;
+    return BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t for_steps_late(uint64_t from, uint64_t step, uint64_t *last)
+{
+    uint64_t last_value = UINT64_C(0);
+    const uint64_t n_start = from;
+    const uint64_t n_end = saturating_add_u64(from, UINT64_C(9));
+    const uint64_t n_step = step;
+    if (n_step == UINT64_C(0)) {
+        return BESSEMER_STATUS_ASSERTION;
+    }
+    const uint64_t n_length = saturating_sub_u64(n_end, n_start);
+    const uint64_t n_passes = saturating_add_u64(n_length / n_step, (uint64_t)(n_start <= n_end));
+    for (uint64_t pass = UINT64_C(0); pass < n_passes; pass++) {
+        const uint64_t n = n_start + pass * n_step;
+        last_value = n;
+    }
+    const uint64_t n_start_2 = from;
+    const uint64_t n_end_2 = saturating_add_u64(from, UINT64_C(9));
+    const uint64_t n_step_2 = step;
+    if (n_step_2 == UINT64_C(0)) {
+        return BESSEMER_STATUS_ASSERTION;
+    }
+    const uint64_t n_length_2 = saturating_sub_u64(n_end_2, n_start_2);
+    const uint64_t n_passes_2 = n_length_2 / n_step_2
+        + (uint64_t)(n_length_2 % n_step_2 != UINT64_C(0));
+    for (uint64_t pass = UINT64_C(0); pass < n_passes_2; pass++) {
+        const uint64_t n = n_start_2 + pass * n_step_2;
+        last_value ^= n;
+    }
+    *last = last_value;
+    return BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t for_steps_negative(int32_t from, uint8_t width, int32_t *result)
+{
+    const int32_t from_2 = clamp_i32(from, -1000, 1000);
+    int32_t sum = 0;
+    for (uint32_t pass = 0U; pass < 5U; pass++) {
+        const int32_t x = wrap_i32((uint32_t)((uint64_t)(-9) + (uint64_t)pass * UINT64_C(4)));
+        if ((int64_t)sum + (int64_t)x < INT32_MIN || (int64_t)sum + (int64_t)x > INT32_MAX) {
+            return BESSEMER_STATUS_OVERFLOW;
+        }
+        sum += x;
+    }
+    int32_t sum_2 = 0;
+    const int32_t x_start = from_2;
+    const int32_t x_end = from_2 + (int32_t)width;
+    const uint64_t x_length = (uint64_t)max_i64((int64_t)x_end - (int64_t)x_start, INT64_C(0));
+    const uint64_t x_passes = x_length / UINT64_C(5)
+        + (uint64_t)(x_length % UINT64_C(5) != UINT64_C(0));
+    for (uint64_t pass = UINT64_C(0); pass < x_passes; pass++) {
+        const int32_t x = wrap_i32((uint32_t)((uint64_t)x_start + pass * UINT64_C(5)));
+        if ((int64_t)sum_2 + (int64_t)(x % 7) < INT32_MIN
+                || (int64_t)sum_2 + (int64_t)(x % 7) > INT32_MAX) {
+            return BESSEMER_STATUS_OVERFLOW;
+        }
+        sum_2 += x % 7;
+    }
+    if ((int64_t)sum + (int64_t)sum_2 < INT32_MIN || (int64_t)sum + (int64_t)sum_2 > INT32_MAX) {
+        return BESSEMER_STATUS_OVERFLOW;
+    }
+    *result = sum + sum_2;
+    return BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t for_steps_moved(uint8_t start, uint32_t *result)
+{
+    uint8_t end = 20U;
+    uint32_t sum = 0U;
+    const uint8_t n_start = start;
+    const uint8_t n_end = end;
+    end = 3U;
+    const uint64_t n_choice = (uint64_t)end;
+    const uint8_t n_start_2 = n_start;
+    const uint8_t n_end_2 = n_end;
+    const uint64_t n_step = n_choice;
+    const uint64_t n_length = (uint64_t)max_i64((int64_t)n_end_2 - (int64_t)n_start_2, INT64_C(0));
+    const uint64_t n_passes = n_length / n_step + (uint64_t)(n_length % n_step != UINT64_C(0));
+    for (uint64_t pass = UINT64_C(0); pass < n_passes; pass++) {
+        const uint8_t n = (uint8_t)((uint64_t)n_start_2 + pass * n_step);
+        if ((int64_t)sum + (int64_t)(uint32_t)n > UINT32_MAX) {
+            return BESSEMER_STATUS_OVERFLOW;
+        }
+        sum += (uint32_t)n;
+    }
+    if ((int64_t)sum + (int64_t)(uint32_t)end > UINT32_MAX) {
+        return BESSEMER_STATUS_OVERFLOW;
+    }
+    *result = sum + (uint32_t)end;
+    return BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t for_steps_farthest(int64_t from, int64_t to, uint64_t step,
+    pair_i64_u32_t *result)
+{
+    uint32_t passes = 0U;
+    int64_t last = INT64_C(0);
+    const int64_t n_start = from;
+    const int64_t n_end = to;
+    const uint64_t n_step = step;
+    if (n_step == UINT64_C(0)) {
+        return BESSEMER_STATUS_ASSERTION;
+    }
+    const uint64_t n_length = (uint64_t)max_i64(n_start, n_end) - (uint64_t)n_start;
+    const uint64_t n_passes = saturating_add_u64(n_length / n_step, (uint64_t)(n_start <= n_end));
+    for (uint64_t pass = UINT64_C(0); pass < n_passes; pass++) {
+        const int64_t n = wrap_i64((uint64_t)((uint64_t)n_start + pass * n_step));
+        last = n;
+        if (passes > 0xFFFFFFFEU) {
+            return BESSEMER_STATUS_OVERFLOW;
+        }
+        passes += 1U;
+        if (passes == 50U) {
+            break;
+        }
+    }
+    const int64_t n_start_2 = from;
+    const int64_t n_end_2 = to;
+    const uint64_t n_step_2 = step;
+    if (n_step_2 == UINT64_C(0)) {
+        return BESSEMER_STATUS_ASSERTION;
+    }
+    const uint64_t n_length_2 = (uint64_t)max_i64(n_start_2, n_end_2) - (uint64_t)n_start_2;
+    const uint64_t n_passes_2 = n_length_2 / n_step_2
+        + (uint64_t)(n_length_2 % n_step_2 != UINT64_C(0));
+    for (uint64_t pass = UINT64_C(0); pass < n_passes_2; pass++) {
+        const int64_t n = wrap_i64((uint64_t)((uint64_t)n_start_2 + pass * n_step_2));
+        last ^= n;
+        if (passes > 0xFFFFFFFEU) {
+            return BESSEMER_STATUS_OVERFLOW;
+        }
+        passes += 1U;
+        if (passes >= 100U) {
+            break;
+        }
+    }
+    result->first = last;
+    result->second = passes;
+    return BESSEMER_STATUS_OK;
+}
+
+uint64_t for_steps_all(uint64_t start)
+{
+    uint64_t sum = UINT64_C(0);
+    const uint64_t n_start = start;
+    const uint64_t n_end = U64_MAX;
+    const uint64_t n_length = saturating_sub_u64(n_end, n_start);
+    const uint64_t n_passes = saturating_add_u64(n_length / UINT64_C(1),
+        (uint64_t)(n_start <= n_end));
+    for (uint64_t pass = UINT64_C(0); pass < n_passes; pass++) {
+        const uint64_t n = n_start + pass * UINT64_C(1);
+        sum += n;
+        if (n % UINT64_C(16) == UINT64_C(7)) {
+            break;
+        }
+    }
+    return sum;
+}

@@ -1,0 +1,164 @@
+/* The C of tests/corpus/src/programs/control/gathered.rs. Written by a test. */
+
+/* gathered.c */
+
+/* The smaller of two integers. */
+static int16_t min_i16(int16_t a, int16_t b)
+{
+    return a < b ? a : b;
+}
+
+/* The smaller of two integers. */
+static int32_t min_i32(int32_t a, int32_t b)
+{
+    return a < b ? a : b;
+}
+
+/* The smaller of two integers. */
+static uint64_t min_u64(uint64_t a, uint64_t b)
+{
+    return a < b ? a : b;
+}
+
+/* The larger of two integers. */
+static int16_t max_i16(int16_t a, int16_t b)
+{
+    return a > b ? a : b;
+}
+
+/* The larger of two integers. */
+static int32_t max_i32(int32_t a, int32_t b)
+{
+    return a > b ? a : b;
+}
+
+/* The larger of two numbers: -0 < +0, and a NaN gives the other. */
+static double max_f64(double a, double b)
+{
+    if (a > b || isnan(b)) {
+        return a;
+    }
+    if (b > a || isnan(a)) {
+        return b;
+    }
+    return !signbit(a) ? a : b;
+}
+
+void gathered_halve(double samples[5])
+{
+    for (uint32_t i = 0U; i < 5U; i++) {
+        samples[i] *= 0.5;
+    }
+}
+
+double gathered_moment(const double samples[5])
+{
+    double sum = 0.0;
+    for (uint32_t place = 0U; place < 5U; place++) {
+        if ((uint64_t)place % UINT64_C(2) == UINT64_C(0)) {
+            const double weight = (double)place;
+            sum += weight * samples[place];
+        }
+    }
+    return sum;
+}
+
+bessemer_status_t gathered_added(uint16_t sums[4], const uint8_t parts[3])
+{
+    for (uint32_t i = 0U; i < 3U; i++) {
+        if ((int64_t)sums[i] + (int64_t)(uint16_t)parts[i] > INT64_C(65535)) {
+            return BESSEMER_STATUS_OVERFLOW;
+        }
+        sums[i] = (uint16_t)(sums[i] + (uint16_t)parts[i]);
+    }
+    return BESSEMER_STATUS_OK;
+}
+
+void gathered_largest(const double values[4], uint64_t count, option_f64_t *result)
+{
+    result->is_some = false;
+    result->value = 0.0;
+    const uint64_t result_count = min_u64(count, UINT64_C(4));
+    for (uint64_t i = UINT64_C(0); i < result_count; i++) {
+        double reduced_choice;
+        if (result->is_some) {
+            const double before = result->value;
+            const double gathered = before;
+            const double value = values[i];
+            reduced_choice = max_f64(gathered, value);
+        } else {
+            reduced_choice = values[i];
+        }
+        result->is_some = true;
+        result->value = reduced_choice;
+    }
+}
+
+bessemer_status_t gathered_balance(const int32_t values[5], int32_t *result)
+{
+    option_i32_t reduced = {.is_some = false, .value = 0};
+    for (uint32_t i = 0U; i < 5U; i++) {
+        const int32_t item = values[i] / 2;
+        int32_t reduced_choice;
+        if (reduced.is_some) {
+            const int32_t before = reduced.value;
+            const int32_t so_far = before;
+            const int32_t x = item;
+            if (so_far > x) {
+                if ((int64_t)so_far - (int64_t)x > INT32_MAX) {
+                    return BESSEMER_STATUS_OVERFLOW;
+                }
+                reduced_choice = so_far - x;
+            } else {
+                if ((int64_t)so_far + (int64_t)x < INT32_MIN) {
+                    return BESSEMER_STATUS_OVERFLOW;
+                }
+                reduced_choice = so_far + x;
+            }
+        } else {
+            reduced_choice = item;
+        }
+        reduced.is_some = true;
+        reduced.value = reduced_choice;
+    }
+    const option_i32_t result_choice = reduced;
+    int32_t result_choice_2 = 0;
+    if (result_choice.is_some) {
+        result_choice_2 = result_choice.value;
+    }
+    *result = result_choice_2;
+    return BESSEMER_STATUS_OK;
+}
+
+void gathered_parity(uint8_t end, option_u8_t *result)
+{
+    result->is_some = false;
+    result->value = 0U;
+    for (uint8_t x = 0U; x < end; x++) {
+        if ((uint8_t)(x % 3U) == 1U) {
+            uint8_t reduced_choice;
+            if (result->is_some) {
+                const uint8_t before = result->value;
+                const uint8_t a = before;
+                const uint8_t b = x;
+                reduced_choice = (uint8_t)(a ^ b);
+            } else {
+                reduced_choice = x;
+            }
+            result->is_some = true;
+            result->value = reduced_choice;
+        }
+    }
+}
+
+int32_t gathered_within(int32_t value, int32_t low, uint8_t high)
+{
+    return max_i32(low, min_i32(value, (int32_t)high));
+}
+
+int16_t gathered_positive(int16_t value)
+{
+    int16_t least = 0;
+    least = max_i16(least, value);
+    return min_i16(1000, least);
+}

@@ -1,0 +1,49 @@
+/* The C of tests/corpus/src/programs/control/labelled_blocks.rs. Written by a test. */
+
+/* labelled_blocks.c */
+
+uint64_t labelled_blocks_first_above(const double readings[6], double limit)
+{
+    uint64_t at = UINT64_C(0);
+    bool found_done = false;
+    for (uint32_t i = 0U; i < 6U; i++) {
+        if (readings[i] > limit) {
+            at = (uint64_t)i;
+            found_done = true;
+            break;
+        }
+    }
+    if (!found_done) {
+        at = UINT64_C(6);
+    }
+    return at;
+}
+
+uint8_t labelled_blocks_level(float temperature, float rise)
+{
+    if (temperature > 90.0F) {
+        return 3U;
+    }
+    const float soon = temperature + 10.0F * rise;
+    if (soon > 90.0F) {
+        return 2U;
+    }
+    if (soon > 70.0F) {
+        return 1U;
+    } else {
+        return 0U;
+    }
+}
+
+bessemer_status_t labelled_blocks_arm(bool ready, float voltage, bool *armed, uint8_t *refusals)
+{
+    if (!ready) {
+        if (*refusals > 254U) {
+            return BESSEMER_STATUS_OVERFLOW;
+        }
+        *refusals = (uint8_t)(*refusals + 1U);
+    } else if (!(voltage < 14.0F)) {
+        *armed = true;
+    }
+    return BESSEMER_STATUS_OK;
+}

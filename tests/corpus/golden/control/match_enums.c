@@ -1,0 +1,50 @@
+/* The C of tests/corpus/src/programs/control/match_enums.rs. Written by a test. */
+
+/* match_enums.h */
+
+/** Phases of a flight. */
+typedef enum {
+    MATCH_ENUMS_PHASE_GROUND = 0,
+    MATCH_ENUMS_PHASE_CLIMB = 1,
+    MATCH_ENUMS_PHASE_CRUISE = 2,
+    MATCH_ENUMS_PHASE_LANDING = 3
+} match_enums_phase_t;
+
+/* sequence.c */
+
+void sequence_init(sequence_t *self)
+{
+    self->phase = MATCH_ENUMS_PHASE_GROUND;
+    self->ticks = 0U;
+}
+
+match_enums_phase_t sequence_step(sequence_t *self, double height, bool land)
+{
+    self->ticks = (uint16_t)((uint32_t)self->ticks + 1U);
+    match_enums_phase_t next;
+    const match_enums_phase_t same = self->phase;
+    if (same == MATCH_ENUMS_PHASE_GROUND && !land) {
+        next = MATCH_ENUMS_PHASE_CLIMB;
+    } else if (same == MATCH_ENUMS_PHASE_CLIMB && height > 10.0) {
+        next = MATCH_ENUMS_PHASE_CRUISE;
+    } else if ((same == MATCH_ENUMS_PHASE_CLIMB || same == MATCH_ENUMS_PHASE_CRUISE) && land) {
+        next = MATCH_ENUMS_PHASE_LANDING;
+    } else if (same == MATCH_ENUMS_PHASE_LANDING && height < 0.05) {
+        next = MATCH_ENUMS_PHASE_GROUND;
+    } else {
+        next = same;
+    }
+    if (next != self->phase) {
+        self->ticks = 0U;
+        self->phase = next;
+    }
+    return next;
+}
+
+/* sequence.h */
+
+/** The phases one after another. */
+typedef struct {
+    match_enums_phase_t phase;
+    uint16_t ticks;
+} sequence_t;

@@ -1,0 +1,129 @@
+/* The C of tests/corpus/src/programs/control/one_after_another.rs. Written by a test. */
+
+/* one_after_another.c */
+
+/* The signed integer with these bits. */
+static int32_t wrap_i32(uint32_t bits)
+{
+    return bits <= (uint32_t)INT32_MAX ? (int32_t)bits : -1 - (int32_t)(UINT32_MAX - bits);
+}
+
+/* The smaller of two integers. */
+static uint64_t min_u64(uint64_t a, uint64_t b)
+{
+    return a < b ? a : b;
+}
+
+uint64_t one_after_another_low(const one_after_another_cell_t own[4],
+    const one_after_another_cell_t added[3], float limit)
+{
+    uint64_t count = UINT64_C(0);
+    for (uint32_t i = 0U; i < 7U; i++) {
+        one_after_another_cell_t cell;
+        if (i < 4U) {
+            cell = own[i];
+        } else {
+            cell = added[(uint64_t)i - UINT64_C(4)];
+        }
+        if (cell.valid && cell.voltage < limit) {
+            count += UINT64_C(1);
+        }
+    }
+    return count;
+}
+
+uint8_t one_after_another_checksum(const uint8_t header[3], const list6_u8_t *payload)
+{
+    uint8_t sum = 255U;
+    {
+        const uint64_t end = min_u64(payload->length, UINT64_C(6)) + UINT64_C(3);
+        for (uint64_t i = UINT64_C(0); i < end; i++) {
+            uint8_t byte;
+            if (i < UINT64_C(3)) {
+                byte = header[i];
+            } else {
+                byte = payload->items[i - UINT64_C(3)];
+            }
+            sum = (uint8_t)((uint8_t)((uint8_t)((uint32_t)sum << 1U) | (uint8_t)(sum >> 7U))
+                ^ byte);
+        }
+    }
+    return sum;
+}
+
+void one_after_another_first_zero(const int16_t before[3], const int16_t now[2],
+    option_usize_t *result)
+{
+    result->is_some = false;
+    result->value = UINT64_C(0);
+    for (uint32_t i = 0U; i < 5U; i++) {
+        int16_t x;
+        if (i < 3U) {
+            x = before[i];
+        } else {
+            x = now[(uint64_t)i - UINT64_C(3)];
+        }
+        if (x == 0) {
+            result->is_some = true;
+            result->value = (uint64_t)i;
+            break;
+        }
+    }
+}
+
+bessemer_status_t one_after_another_left(const int16_t samples[7], int32_t *result)
+{
+    int32_t sum = 0;
+    for (uint32_t i = 0U; i < 4U; i++) {
+        const int32_t sum_samples = (int32_t)samples[i * 2];
+        if ((int64_t)sum + (int64_t)sum_samples < INT32_MIN
+                || (int64_t)sum + (int64_t)sum_samples > INT32_MAX) {
+            return BESSEMER_STATUS_OVERFLOW;
+        }
+        sum += sum_samples;
+    }
+    *result = sum;
+    return BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t one_after_another_right(const int16_t samples[7], int32_t *sum)
+{
+    int32_t sum_value = 0;
+    for (uint32_t i = 0U; i < 3U; i++) {
+        const int32_t sum_product = (int32_t)samples[i * 2 + 1] * (wrap_i32((uint32_t)i) + 1);
+        if ((int64_t)sum_value + (int64_t)sum_product < INT32_MIN
+                || (int64_t)sum_value + (int64_t)sum_product > INT32_MAX) {
+            return BESSEMER_STATUS_OVERFLOW;
+        }
+        sum_value += sum_product;
+    }
+    *sum = sum_value;
+    return BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t one_after_another_marks(uint8_t length, pair_u8_u32_t *result)
+{
+    uint8_t count = 0U;
+    uint32_t sum = 0U;
+    const uint8_t place_last = length;
+    const uint8_t place_passes = (uint8_t)((uint32_t)(uint8_t)(place_last / 5U) + 1U);
+    for (uint8_t pass = 0U; pass < place_passes; pass++) {
+        const uint8_t place = (uint8_t)((uint32_t)pass * 5U);
+        count = (uint8_t)(count + 1U);
+        if ((int64_t)sum + (int64_t)(uint32_t)place > UINT32_MAX) {
+            return BESSEMER_STATUS_OVERFLOW;
+        }
+        sum += (uint32_t)place;
+    }
+    result->first = count;
+    result->second = sum;
+    return BESSEMER_STATUS_OK;
+}
+
+/* one_after_another.h */
+
+/** A reading of a cell. */
+typedef struct {
+    float voltage;
+    bool valid;
+} one_after_another_cell_t;

@@ -1,0 +1,48 @@
+/* The C of tests/corpus/src/programs/control/optional_elements.rs. Written by a test. */
+
+/* optional_elements.c */
+
+bessemer_status_t optional_elements_total(const option_u8_t readings[5], uint32_t *sum)
+{
+    uint32_t sum_value = 0U;
+    for (uint32_t i = 0U; i < 5U; i++) {
+        const uint64_t value_index = (uint64_t)i;
+        if (readings[value_index].is_some) {
+            if ((int64_t)sum_value + (int64_t)(uint32_t)readings[value_index].value > UINT32_MAX) {
+                return BESSEMER_STATUS_OVERFLOW;
+            }
+            sum_value += (uint32_t)readings[value_index].value;
+        }
+    }
+    *sum = sum_value;
+    return BESSEMER_STATUS_OK;
+}
+
+void optional_elements_largest_half(const int32_t values[5], option_i32_t *result)
+{
+    result->is_some = false;
+    result->value = 0;
+    for (uint32_t i = 0U; i < 5U; i++) {
+        option_i32_t result_choice;
+        if (values[i] % 2 == 0) {
+            result_choice.is_some = true;
+            result_choice.value = values[i] / 2;
+        } else {
+            result_choice.is_some = false;
+            result_choice.value = 0;
+        }
+        if (result_choice.is_some) {
+            const int32_t value = result_choice.value;
+            if (result->is_some) {
+                const int32_t best = result->value;
+                if (value > best) {
+                    result->is_some = true;
+                    result->value = value;
+                }
+            } else {
+                result->is_some = true;
+                result->value = value;
+            }
+        }
+    }
+}

@@ -1,0 +1,64 @@
+/* The C of tests/corpus/src/programs/control/parts_of_arrays.rs. Written by a test. */
+
+/* parts_of_arrays.c */
+
+/* The larger of two numbers: -0 < +0, and a NaN gives the other. */
+static double max_f64(double a, double b)
+{
+    if (a > b || isnan(b)) {
+        return a;
+    }
+    if (b > a || isnan(a)) {
+        return b;
+    }
+    return !signbit(a) ? a : b;
+}
+
+double parts_of_arrays_steepest(const double values[8])
+{
+    double steepest = 0.0;
+    for (uint32_t i = 0U; i < 7U; i++) {
+        const double steepest_left = values[i + 1];
+        steepest = max_f64(steepest, fabs(steepest_left - values[i]));
+    }
+    return steepest;
+}
+
+bessemer_status_t parts_of_arrays_sums(const uint16_t samples[9], uint32_t sums[3])
+{
+    uint32_t sums_value[3];
+    for (uint32_t i = 0U; i < 3U; i++) {
+        uint32_t sum = 0U;
+        for (uint32_t j = i * 3U; j < i * 3U + 3U; j++) {
+            if ((int64_t)sum + (int64_t)(uint32_t)samples[j] > UINT32_MAX) {
+                return BESSEMER_STATUS_OVERFLOW;
+            }
+            sum += (uint32_t)samples[j];
+        }
+        sums_value[i] = sum;
+    }
+    sums[0] = sums_value[0];
+    sums[1] = sums_value[1];
+    sums[2] = sums_value[2];
+    return BESSEMER_STATUS_OK;
+}
+
+float parts_of_arrays_settled(const float values[10])
+{
+    float sum = -0.0F;
+    for (uint32_t i = 2U; i < 10U; i++) {
+        sum += values[i];
+    }
+    return sum / 8.0F;
+}
+
+uint64_t parts_of_arrays_recent(const bool flags[12])
+{
+    uint64_t count = UINT64_C(0);
+    for (uint32_t i = 12U; i-- > 8U;) {
+        if (flags[i]) {
+            count += UINT64_C(1);
+        }
+    }
+    return count;
+}

@@ -1,0 +1,63 @@
+/* The C of tests/corpus/src/programs/control/question_mark.rs. Written by a test. */
+
+/* question_mark.c */
+
+void question_mark_voltage(uint16_t count, result_f64_failure_t *result)
+{
+    if (count <= 9U) {
+        result->is_ok = false;
+        result->value = 0.0;
+        result->error = FAILURE_SHORT;
+    } else if (count >= 4000U) {
+        result->is_ok = false;
+        result->value = 0.0;
+        result->error = FAILURE_OPEN;
+    } else {
+        result->is_ok = true;
+        result->value = (double)count / 1000.0;
+        result->error = FAILURE_OPEN;
+    }
+}
+
+void question_mark_power(uint16_t volts, uint16_t amperes, result_f64_failure_t *result)
+{
+    result_f64_failure_t outcome;
+    question_mark_voltage(volts, &outcome);
+    if (!outcome.is_ok) {
+        result->is_ok = false;
+        result->value = 0.0;
+        result->error = outcome.error;
+        return;
+    }
+    const double u = outcome.value;
+    result_f64_failure_t outcome_2;
+    question_mark_voltage(amperes, &outcome_2);
+    if (!outcome_2.is_ok) {
+        result->is_ok = false;
+        result->value = 0.0;
+        result->error = outcome_2.error;
+        return;
+    }
+    const double i = outcome_2.value;
+    result->is_ok = true;
+    result->value = u * i;
+    result->error = FAILURE_OPEN;
+}
+
+/* question_mark.h */
+
+/** Why there is no voltage. */
+typedef enum {
+    FAILURE_OPEN = 0,
+    FAILURE_SHORT = 1
+} failure_t;
+
+/** `Result<f64, Failure>`: a value, or why there is none. */
+typedef struct {
+    /** Whether there is a value. */
+    bool is_ok;
+    /** The value, if there is one. */
+    double value;
+    /** Why there is none. */
+    failure_t error;
+} result_f64_failure_t;

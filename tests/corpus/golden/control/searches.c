@@ -1,0 +1,84 @@
+/* The C of tests/corpus/src/programs/control/searches.rs. Written by a test. */
+
+/* searches.c */
+
+/* The larger of two numbers: -0 < +0, and a NaN gives the other. */
+static double max_f64(double a, double b)
+{
+    if (a > b || isnan(b)) {
+        return a;
+    }
+    if (b > a || isnan(a)) {
+        return b;
+    }
+    return !signbit(a) ? a : b;
+}
+
+void searches_largest(const int32_t counts[6], option_i32_t *result)
+{
+    result->is_some = false;
+    result->value = 0;
+    for (uint32_t i = 0U; i < 6U; i++) {
+        if (counts[i] > 0) {
+            if (result->is_some) {
+                if (counts[i] > result->value) {
+                    result->is_some = true;
+                    result->value = counts[i];
+                }
+            } else {
+                result->is_some = true;
+                result->value = counts[i];
+            }
+        }
+    }
+}
+
+void searches_over(const double channels[5], const double limits[5], option_usize_t *result)
+{
+    result->is_some = false;
+    result->value = UINT64_C(0);
+    for (uint32_t i = 0U; i < 5U; i++) {
+        if (channels[i] > limits[i]) {
+            result->is_some = true;
+            result->value = (uint64_t)i;
+            break;
+        }
+    }
+}
+
+void searches_empty(const float cells[8], option_f32_t *result)
+{
+    result->is_some = false;
+    result->value = 0.0F;
+    for (uint32_t i = 0U; i < 8U; i++) {
+        if (cells[i] < 3.0F) {
+            result->is_some = true;
+            result->value = cells[i];
+            break;
+        }
+    }
+}
+
+double searches_finite(const double values[4], double most)
+{
+    double sum = 0.0;
+    for (uint32_t i = 0U; i < 4U; i++) {
+        if (isfinite(values[i]) != 0) {
+            sum += values[i];
+            if (sum > most) {
+                break;
+            }
+        }
+    }
+    return sum;
+}
+
+double searches_peak(const double values[8])
+{
+    double gathered = 0.0;
+    for (uint32_t i = 0U; i < 8U; i++) {
+        const double value = fabs(values[i]);
+        gathered = max_f64(gathered, value);
+    }
+    return gathered;
+}

@@ -1,0 +1,139 @@
+/* The C of tests/corpus/src/programs/control/tried_folds.rs. Written by a test. */
+
+/* tried_folds.c */
+
+static const float F32_INFINITY = INFINITY;
+static const float F32_NEG_INFINITY = -INFINITY;
+
+/* The smaller of two numbers: -0 < +0, and a NaN gives the other. */
+static float min_f32(float a, float b)
+{
+    if (a < b || isnan(b)) {
+        return a;
+    }
+    if (b < a || isnan(a)) {
+        return b;
+    }
+    return signbit(a) ? a : b;
+}
+
+/* The larger of two numbers: -0 < +0, and a NaN gives the other. */
+static float max_f32(float a, float b)
+{
+    if (a > b || isnan(b)) {
+        return a;
+    }
+    if (b > a || isnan(a)) {
+        return b;
+    }
+    return !signbit(a) ? a : b;
+}
+
+void tried_folds_total(const uint8_t values[5], option_u8_t *result)
+{
+    result->is_some = true;
+    result->value = 0U;
+    for (uint32_t i = 0U; i < 5U; i++) {
+        const uint8_t sum = result->value;
+        math_checked_add_u8(sum, values[i], result);
+        if (!result->is_some) {
+            break;
+        }
+    }
+}
+
+bessemer_status_t tried_folds_number(const uint8_t digits[4],
+    result_u16_tried_folds_trouble_t *result)
+{
+    result_u16_tried_folds_trouble_t tried = {
+        .is_ok = true,
+        .value = 0U,
+        .error = TRIED_FOLDS_TROUBLE_LETTER
+    };
+    for (uint32_t i = 0U; i < 4U; i++) {
+        const uint16_t value = tried.value;
+        if (!ascii_is_digit(digits[i])) {
+            tried_folds_return_letter(&tried);
+        } else {
+            option_u16_t tried_choice;
+            option_u16_t option;
+            math_checked_mul_u16(value, 10U, &option);
+            if (option.is_some) {
+                if (digits[i] < 48U) {
+                    return BESSEMER_STATUS_OVERFLOW;
+                }
+                math_checked_add_u16(option.value, (uint16_t)(uint8_t)(digits[i] - 48U),
+                    &tried_choice);
+            } else {
+                tried_choice.is_some = false;
+                tried_choice.value = 0U;
+            }
+            result_u16_tried_folds_trouble_t tried_choice_2 = {
+                .is_ok = false,
+                .value = 0U,
+                .error = TRIED_FOLDS_TROUBLE_BEYOND
+            };
+            if (tried_choice.is_some) {
+                tried_choice_2.is_ok = true;
+                tried_choice_2.value = tried_choice.value;
+                tried_choice_2.error = TRIED_FOLDS_TROUBLE_LETTER;
+            }
+            tried = tried_choice_2;
+        }
+        if (!tried.is_ok) {
+            break;
+        }
+    }
+    *result = tried;
+    return BESSEMER_STATUS_OK;
+}
+
+void tried_folds_return_letter(result_u16_tried_folds_trouble_t *result)
+{
+    result->is_ok = false;
+    result->value = 0U;
+    result->error = TRIED_FOLDS_TROUBLE_LETTER;
+}
+
+void tried_folds_span(const float readings[4], option_pair_f32_f32_t *result)
+{
+    result->is_some = true;
+    result->value.first = F32_INFINITY;
+    result->value.second = F32_NEG_INFINITY;
+    for (uint32_t i = 0U; i < 4U; i++) {
+        const float least = result->value.first;
+        const float greatest = result->value.second;
+        if (isnan(readings[i]) != 0) {
+            result->is_some = false;
+            result->value.first = 0.0F;
+            result->value.second = 0.0F;
+        } else {
+            result->is_some = true;
+            result->value.first = min_f32(least, readings[i]);
+            result->value.second = max_f32(greatest, readings[i]);
+        }
+        if (!result->is_some) {
+            break;
+        }
+    }
+}
+
+/* tried_folds.h */
+
+/** Why a text is no number. */
+typedef enum {
+    /** A letter. */
+    TRIED_FOLDS_TROUBLE_LETTER = 0,
+    /** More than fits. */
+    TRIED_FOLDS_TROUBLE_BEYOND = 1
+} tried_folds_trouble_t;
+
+/** `Result<u16, Trouble>`: a value, or why there is none. */
+typedef struct {
+    /** Whether there is a value. */
+    bool is_ok;
+    /** The value, if there is one. */
+    uint16_t value;
+    /** Why there is none. */
+    tried_folds_trouble_t error;
+} result_u16_tried_folds_trouble_t;

@@ -1,0 +1,64 @@
+/* The C of tests/corpus/src/programs/cookbook/debounce.rs. Written by a test. */
+
+/* debounce.h */
+
+/** What happened at a sample. */
+typedef enum {
+    /** The level is what it was. */
+    BUTTON_EDGE_STEADY = 0,
+    /** It was pressed. */
+    BUTTON_EDGE_PRESSED = 1,
+    /** It was released. */
+    BUTTON_EDGE_RELEASED = 2
+} button_edge_t;
+
+/* push_button.c */
+
+static const uint8_t STABLE_SAMPLES = 5U;
+
+/* a + b, or the limit of the type beyond which it lies. */
+static uint8_t saturating_add_u8(uint8_t a, uint8_t b)
+{
+    const int32_t exact = (int32_t)a + (int32_t)b;
+    return exact > UINT8_MAX ? UINT8_MAX : (uint8_t)exact;
+}
+
+void push_button_init(push_button_t *self)
+{
+    self->pressed = false;
+    self->differing = 0U;
+}
+
+button_edge_t push_button_sample(push_button_t *self, bool closed)
+{
+    if (closed == self->pressed) {
+        self->differing = 0U;
+        return BUTTON_EDGE_STEADY;
+    }
+    self->differing = saturating_add_u8(self->differing, 1U);
+    if (self->differing < STABLE_SAMPLES) {
+        return BUTTON_EDGE_STEADY;
+    }
+    self->differing = 0U;
+    self->pressed = closed;
+    if (closed) {
+        return BUTTON_EDGE_PRESSED;
+    } else {
+        return BUTTON_EDGE_RELEASED;
+    }
+}
+
+bool push_button_is_pressed(const push_button_t *self)
+{
+    return self->pressed;
+}
+
+/* push_button.h */
+
+/** A push button. */
+typedef struct {
+    /** Whether it is held to be pressed. */
+    bool pressed;
+    /** Samples in a row that said otherwise, below `STABLE_SAMPLES`. */
+    uint8_t differing;
+} push_button_t;

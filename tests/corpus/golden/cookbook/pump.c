@@ -1,0 +1,118 @@
+/* The C of tests/corpus/src/programs/cookbook/pump.rs. Written by a test. */
+
+/* pump.h */
+
+/** What a `PumpState::Priming` holds. */
+typedef struct {
+    uint16_t left;
+} pump_state_priming_t;
+
+/** What a `PumpState::Running` holds. */
+typedef struct {
+    uint16_t dry;
+} pump_state_running_t;
+
+/** Which variant of `PumpState`. */
+typedef enum {
+    /** It stands still. */
+    PUMP_STATE_TAG_OFF = 0,
+    /** It fills the pipe, for so many milliseconds more. */
+    PUMP_STATE_TAG_PRIMING = 1,
+    /** It runs; milliseconds since flow was last seen. */
+    PUMP_STATE_TAG_RUNNING = 2,
+    /** It ran dry, and stays off until that is acknowledged. */
+    PUMP_STATE_TAG_LOCKED_OUT = 3
+} pump_state_tag_t;
+
+/** What the pump is doing. */
+typedef struct {
+    /** Which variant it is. */
+    pump_state_tag_t tag;
+    /** What it holds. */
+    union {
+        /** It fills the pipe, for so many milliseconds more. */
+        pump_state_priming_t priming;
+        /** It runs; milliseconds since flow was last seen. */
+        pump_state_running_t running;
+    } as;
+} pump_state_t;
+
+/** What a period sees. */
+typedef struct {
+    /** Whether it is to run. */
+    bool demand;
+    /** Whether the flow switch is closed. */
+    bool flow;
+    /** Whether the operator acknowledges the lock-out. */
+    bool acknowledge;
+} pump_inputs_t;
+
+/* pump_control.c */
+
+static const uint16_t DRY_MS = 500U;
+static const uint16_t PRIMING_MS = 3000U;
+
+/* a + b, or the limit of the type beyond which it lies. */
+static uint16_t saturating_add_u16(uint16_t a, uint16_t b)
+{
+    const int32_t exact = (int32_t)a + (int32_t)b;
+    return exact > UINT16_MAX ? UINT16_MAX : (uint16_t)exact;
+}
+
+/* a - b, or the limit of the type beyond which it lies. */
+static uint16_t saturating_sub_u16(uint16_t a, uint16_t b)
+{
+    const int32_t exact = (int32_t)a - (int32_t)b;
+    if (exact < 0) {
+        return 0;
+    }
+    return (uint16_t)exact;
+}
+
+void pump_control_init(pump_control_t *self)
+{
+    self->state.tag = PUMP_STATE_TAG_OFF;
+}
+
+bool pump_control_step(pump_control_t *self, const pump_inputs_t *inputs)
+{
+    if (self->state.tag == PUMP_STATE_TAG_LOCKED_OUT && (inputs->acknowledge && !inputs->demand)) {
+        self->state.tag = PUMP_STATE_TAG_OFF;
+    } else if (self->state.tag == PUMP_STATE_TAG_LOCKED_OUT) {
+        self->state.tag = PUMP_STATE_TAG_LOCKED_OUT;
+    } else if (!inputs->demand) {
+        self->state.tag = PUMP_STATE_TAG_OFF;
+    } else if (self->state.tag == PUMP_STATE_TAG_OFF) {
+        self->state.tag = PUMP_STATE_TAG_PRIMING;
+        self->state.as.priming.left = PRIMING_MS;
+    } else if (self->state.tag == PUMP_STATE_TAG_PRIMING && self->state.as.priming.left == 0U) {
+        self->state.tag = PUMP_STATE_TAG_RUNNING;
+        self->state.as.running.dry = 0U;
+    } else if (self->state.tag == PUMP_STATE_TAG_PRIMING) {
+        const uint16_t left = self->state.as.priming.left;
+        self->state.tag = PUMP_STATE_TAG_PRIMING;
+        self->state.as.priming.left = saturating_sub_u16(left, 1U);
+    } else if (self->state.tag == PUMP_STATE_TAG_RUNNING && inputs->flow) {
+        self->state.tag = PUMP_STATE_TAG_RUNNING;
+        self->state.as.running.dry = 0U;
+    } else if (self->state.tag == PUMP_STATE_TAG_RUNNING && self->state.as.running.dry >= DRY_MS) {
+        self->state.tag = PUMP_STATE_TAG_LOCKED_OUT;
+    } else {
+        const uint16_t dry = self->state.as.running.dry;
+        self->state.tag = PUMP_STATE_TAG_RUNNING;
+        self->state.as.running.dry = saturating_add_u16(dry, 1U);
+    }
+    return self->state.tag == PUMP_STATE_TAG_PRIMING || self->state.tag == PUMP_STATE_TAG_RUNNING;
+}
+
+void pump_control_state(const pump_control_t *self, pump_state_t *pump_state)
+{
+    *pump_state = self->state;
+}
+
+/* pump_control.h */
+
+/** Runs a pump. */
+typedef struct {
+    pump_state_t state;
+} pump_control_t;

@@ -1,0 +1,45 @@
+/* The C of tests/corpus/src/programs/cookbook/rate_limiter.rs. Written by a test. */
+
+/* rate_limiter.c */
+
+void rate_limiter_init(rate_limiter_t *self)
+{
+    self->output = 0.0F;
+}
+
+float rate_limiter_step(rate_limiter_t *self, const slew_limits_t *limits, float target)
+{
+    const float highest = self->output + limits->rise * limits->period;
+    const float lowest = self->output - limits->fall * limits->period;
+    if (target > highest) {
+        self->output = highest;
+    } else if (target < lowest) {
+        self->output = lowest;
+    } else if (isfinite(target) != 0) {
+        self->output = target;
+    }
+    return self->output;
+}
+
+void rate_limiter_preset(rate_limiter_t *self, float output)
+{
+    self->output = output;
+}
+
+/* rate_limiter.h */
+
+/** How fast a set point may move. */
+typedef struct {
+    /** Fastest rise, 0 or more. Unit: 1/s. */
+    float rise;
+    /** Fastest fall, 0 or more. Unit: 1/s. */
+    float fall;
+    /** Control period, above 0. Unit: s. */
+    float period;
+} slew_limits_t;
+
+/** Follows a set point at limited rates. */
+typedef struct {
+    /** What was given last. */
+    float output;
+} rate_limiter_t;

@@ -1,0 +1,99 @@
+/* The C of tests/corpus/src/programs/data/bounded_texts.rs. Written by a test. */
+
+/* log_channel.c */
+
+/** Whether the two are equal, part by part. */
+static inline bool text_4_equal(const text_4_t *one, const text_4_t *other)
+{
+    return one->length == other->length
+        && (one->bytes[0] == other->bytes[0] && one->bytes[1] == other->bytes[1]
+        && one->bytes[2] == other->bytes[2] && one->bytes[3] == other->bytes[3]);
+}
+
+void log_channel_init(log_channel_t *self)
+{
+    self->name.length = UINT64_C(6);
+    self->name.bytes[0] = 104U;
+    self->name.bytes[1] = 101U;
+    self->name.bytes[2] = 105U;
+    self->name.bytes[3] = 103U;
+    self->name.bytes[4] = 104U;
+    self->name.bytes[5] = 116U;
+    self->name.bytes[6] = 0U;
+    self->name.bytes[7] = 0U;
+    self->unit.length = UINT64_C(1);
+    self->unit.bytes[0] = 109U;
+    self->unit.bytes[1] = 0U;
+    self->unit.bytes[2] = 0U;
+    self->unit.bytes[3] = 0U;
+    self->fault = BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t log_channel_rename(log_channel_t *self, const text_12_t *name)
+{
+    bessemer_status_t status;
+    if (self->fault != BESSEMER_STATUS_OK) {
+        return self->fault;
+    }
+    text_8_clear(&self->name);
+    uint8_t letters[12];
+    text_12_bytes(name, letters);
+    const uint64_t value_end = text_12_len(name);
+    if (value_end > UINT64_C(12)) {
+        self->fault = BESSEMER_STATUS_INDEX;
+        return BESSEMER_STATUS_INDEX;
+    }
+    status = text_8_append(&self->name, letters, value_end);
+    if (status != BESSEMER_STATUS_OK) {
+        self->fault = status;
+        return status;
+    }
+    return BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t log_channel_number(log_channel_t *self, uint8_t number, text_8_t *text_8)
+{
+    bessemer_status_t status;
+    if (self->fault != BESSEMER_STATUS_OK) {
+        return self->fault;
+    }
+    status = text_8_push(&self->name, (uint8_t)(48U + (uint8_t)(number % 10U)));
+    if (status != BESSEMER_STATUS_OK) {
+        self->fault = status;
+        return status;
+    }
+    *text_8 = self->name;
+    return BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t log_channel_is_length(log_channel_t *self, bool *result)
+{
+    bessemer_status_t status;
+    if (self->fault != BESSEMER_STATUS_OK) {
+        return self->fault;
+    }
+    const uint8_t elements[1] = {109U};
+    bool result_holds = text_4_is(&self->unit, elements, UINT64_C(1));
+    if (!result_holds) {
+        const uint8_t elements_2[2] = {99U, 109U};
+        text_4_t text_4;
+        status = text_4_of(elements_2, UINT64_C(2), &text_4);
+        if (status != BESSEMER_STATUS_OK) {
+            self->fault = status;
+            return status;
+        }
+        result_holds = text_4_equal(&self->unit, &text_4);
+    }
+    *result = result_holds;
+    return BESSEMER_STATUS_OK;
+}
+
+/* log_channel.h */
+
+/** A channel of the log. */
+typedef struct {
+    text_8_t name;
+    text_4_t unit;
+    /** The fault that stopped the component; BESSEMER_STATUS_OK while it runs. */
+    bessemer_status_t fault;
+} log_channel_t;

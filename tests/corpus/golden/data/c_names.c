@@ -1,0 +1,136 @@
+/* The C of tests/corpus/src/programs/data/c_names.rs. Written by a test. */
+
+/* c_names.h */
+
+/** What a `Order::Slam` holds. */
+typedef struct {
+    bool open;
+} ValveOrder_slam_t;
+
+/** Which variant of `Order`. */
+typedef enum {
+    VALVE_HOLD = 0,
+    /** To a share of its way. */
+    VALVE_ORDER_TAG_MOVE = 1,
+    /** As fast as it can. */
+    VALVE_SLAM = 2
+} ValveOrder_tag_t;
+
+/** What the valve is asked to do. */
+typedef struct {
+    /** Which variant it is. */
+    ValveOrder_tag_t tag;
+    /** What it holds. */
+    union {
+        /** To a share of its way. */
+        float wanted;
+        /** As fast as it can. */
+        ValveOrder_slam_t slam;
+    } as;
+} ValveOrder_t;
+
+/* motor_valve.c */
+
+/* Stands in a section of its own. Nothing where the compiler is not known. */
+#ifndef BESSEMER_SECTION
+#if defined(__GNUC__)
+#define BESSEMER_SECTION(name) __attribute__((section(name)))
+#else
+#define BESSEMER_SECTION(name)
+#endif
+#endif
+
+/** The flow at each eighth of the way, l/min. */
+BESSEMER_SECTION(".rodata.curves")
+static const float kValveFlow[9] = {0.0F, 0.5F, 1.75F, 3.5F, 5.5F, 7.25F, 8.5F, 9.25F, 9.5F};
+
+/** The share of the way that it moves in a period. */
+static const float kValveStep = 0.125F;
+
+/* The number nearest to value from low to high; NaN stays NaN. */
+static float clamp_f32(float value, float low, float high)
+{
+    if (value < low) {
+        return low;
+    }
+    return value > high ? high : value;
+}
+
+/* The integer nearest to value towards zero, within its type; 0 for a NaN. */
+static uint64_t u64_from_f32(float value)
+{
+    if (isnan(value)) {
+        return 0;
+    }
+    if (value <= 0.0F) {
+        return 0;
+    }
+    return value >= 18446744073709551616.0F ? UINT64_MAX : (uint64_t)value;
+}
+
+void Valve_init(Valve_t *self)
+{
+    self->fPosition = 0.0F;
+    self->u32Moves = 0U;
+    self->fault = BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t Valve_step(Valve_t *pThis, const ValveOrder_t *pOrder, float *pFlow)
+{
+    if (pThis->fault != BESSEMER_STATUS_OK) {
+        return pThis->fault;
+    }
+    if ((uint32_t)pOrder->tag >= 3U) {
+        pThis->fault = BESSEMER_STATUS_VARIANT;
+        return BESSEMER_STATUS_VARIANT;
+    }
+    float target;
+    switch (pOrder->tag) {
+    case VALVE_HOLD:
+        target = pThis->fPosition;
+        break;
+    case VALVE_ORDER_TAG_MOVE: {
+        const float share = pOrder->as.wanted;
+        target = clamp_f32(share, 0.0F, 1.0F);
+        break;
+    }
+    case VALVE_SLAM:
+    default: {
+        const bool open = pOrder->as.slam.open;
+        target = (float)(uint8_t)open;
+        break;
+    }
+    }
+    const float change = clamp_f32(target - pThis->fPosition, -kValveStep, kValveStep);
+    if (change != 0.0F) {
+        if (pThis->u32Moves > 0xFFFFFFFEU) {
+            pThis->fault = BESSEMER_STATUS_OVERFLOW;
+            return BESSEMER_STATUS_OVERFLOW;
+        }
+        pThis->u32Moves += 1U;
+    }
+    pThis->fPosition = clamp_f32(pThis->fPosition + change, 0.0F, 1.0F);
+    if (u64_from_f32(pThis->fPosition * 8.0F) >= UINT64_C(9)) {
+        pThis->fault = BESSEMER_STATUS_INDEX;
+        return BESSEMER_STATUS_INDEX;
+    }
+    *pFlow = kValveFlow[u64_from_f32(pThis->fPosition * 8.0F)];
+    return BESSEMER_STATUS_OK;
+}
+
+bool Valve_closed(const Valve_t *self)
+{
+    return self->fPosition <= 0.0F;
+}
+
+/* motor_valve.h */
+
+/** A valve that moves in steps. */
+typedef struct {
+    /** How far it is open, 0 to 1. */
+    float fPosition;
+    /** How often it was moved. */
+    uint32_t u32Moves;
+    /** The fault that stopped the component; BESSEMER_STATUS_OK while it runs. */
+    bessemer_status_t fault;
+} Valve_t;

@@ -1,0 +1,243 @@
+/* The C of tests/corpus/src/programs/data/checked_parts.rs. Written by a test. */
+
+/* checked_parts.c */
+
+/* The smaller of two integers. */
+static uint64_t min_u64(uint64_t a, uint64_t b)
+{
+    return a < b ? a : b;
+}
+
+/* a + b, or the limit of the type beyond which it lies. */
+static uint64_t saturating_add_u64(uint64_t a, uint64_t b)
+{
+    return a > UINT64_MAX - b ? UINT64_MAX : a + b;
+}
+
+void checked_parts_parity(const uint8_t line[8], uint64_t from, uint64_t to, option_u8_t *result)
+{
+    if (!(from <= to && to <= UINT64_C(8))) {
+        result->is_some = false;
+        result->value = 0U;
+        return;
+    }
+    uint8_t sum = 0U;
+    for (uint64_t i = from; i < to; i++) {
+        sum = (uint8_t)(sum ^ line[i]);
+    }
+    result->is_some = true;
+    result->value = sum;
+}
+
+bessemer_status_t checked_parts_payload_sum(const uint8_t frame[8], uint32_t *result)
+{
+    const uint64_t value_to = UINT64_C(2) + (uint64_t)frame[1];
+    if (!(UINT64_C(2) <= value_to && value_to <= UINT64_C(8))) {
+        *result = 0U;
+        return BESSEMER_STATUS_OK;
+    }
+    uint32_t sum = 0U;
+    for (uint64_t i = UINT64_C(2); i < value_to; i++) {
+        if ((int64_t)sum + (int64_t)(uint32_t)frame[i] > UINT32_MAX) {
+            return BESSEMER_STATUS_OVERFLOW;
+        }
+        sum += (uint32_t)frame[i];
+    }
+    *result = sum;
+    return BESSEMER_STATUS_OK;
+}
+
+void checked_parts_behind(const uint8_t line[8], uint64_t from, option_usize_t *result)
+{
+    (void)line;
+    if (from > UINT64_C(8)) {
+        result->is_some = false;
+        result->value = UINT64_C(0);
+        return;
+    }
+    result->is_some = true;
+    result->value = UINT64_C(8) - from;
+}
+
+bool checked_parts_clear_up_to(uint8_t line[8], uint64_t last)
+{
+    const uint64_t result_to = saturating_add_u64(last, UINT64_C(1));
+    if (result_to <= UINT64_C(8)) {
+        for (uint64_t i = UINT64_C(0); i < result_to; i++) {
+            line[i] = 0U;
+        }
+        return true;
+    } else {
+        return false;
+    }
+}
+
+void checked_parts_count_up(uint8_t line[8], uint64_t index, option_u8_t *result)
+{
+    if (index >= UINT64_C(8)) {
+        result->is_some = false;
+        result->value = 0U;
+        return;
+    }
+    line[index] = (uint8_t)((uint32_t)line[index] + 1U);
+    result->is_some = true;
+    result->value = line[index];
+}
+
+uint16_t checked_parts_few(const list4_u8_t *values)
+{
+    if (min_u64(values->length, UINT64_C(4)) == UINT64_C(1)) {
+        return (uint16_t)values->items[0];
+    } else if (min_u64(values->length, UINT64_C(4)) == UINT64_C(2)) {
+        return (uint16_t)((uint16_t)((uint16_t)values->items[0] * 256U)
+            + (uint16_t)values->items[1]);
+    } else {
+        return 0U;
+    }
+}
+
+bessemer_status_t checked_parts_number(const uint8_t frame[6], uint64_t at,
+    result_u16_checked_parts_missing_t *result)
+{
+    if (at > UINT64_C(0xFFFFFFFFFFFFFFFD)) {
+        return BESSEMER_STATUS_OVERFLOW;
+    }
+    const uint64_t value_to = at + UINT64_C(2);
+    if (!(at <= value_to && value_to <= UINT64_C(6))) {
+        result->is_ok = false;
+        result->value = 0U;
+        result->error.tag = MISSING_TAG_SHORT;
+        result->error.beyond = UINT64_C(0);
+        return BESSEMER_STATUS_OK;
+    }
+    if (UINT64_C(0) >= value_to - at) {
+        return BESSEMER_STATUS_INDEX;
+    }
+    if (at >= UINT64_C(6)) {
+        return BESSEMER_STATUS_INDEX;
+    }
+    const uint8_t result_element = frame[at];
+    if (UINT64_C(1) >= value_to - at) {
+        return BESSEMER_STATUS_INDEX;
+    }
+    if (at + UINT64_C(1) >= UINT64_C(6)) {
+        return BESSEMER_STATUS_INDEX;
+    }
+    const uint8_t result_bytes[2] = {result_element, frame[at + UINT64_C(1)]};
+    result->is_ok = true;
+    result->value = (uint16_t)((uint16_t)result_bytes[0]
+        | (uint16_t)((uint32_t)(uint16_t)result_bytes[1] << 8U));
+    result->error.tag = MISSING_TAG_SHORT;
+    result->error.beyond = UINT64_C(0);
+    return BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t checked_parts_sum_up_to(const uint8_t frame[6], uint64_t end,
+    result_u16_checked_parts_missing_t *result)
+{
+    if (end > UINT64_C(6)) {
+        result->is_ok = false;
+        result->value = 0U;
+        result->error.tag = MISSING_TAG_BEYOND;
+        result->error.beyond = end;
+        return BESSEMER_STATUS_OK;
+    }
+    uint16_t sum = 0U;
+    for (uint64_t i = UINT64_C(0); i < end; i++) {
+        if ((int64_t)sum + (int64_t)(uint16_t)frame[i] > INT64_C(65535)) {
+            return BESSEMER_STATUS_OVERFLOW;
+        }
+        sum = (uint16_t)(sum + (uint16_t)frame[i]);
+    }
+    result->is_ok = true;
+    result->value = sum;
+    result->error.tag = MISSING_TAG_SHORT;
+    result->error.beyond = UINT64_C(0);
+    return BESSEMER_STATUS_OK;
+}
+
+void checked_parts_speed_on(const list4_checked_parts_leg_t *route, uint64_t index,
+    option_f64_t *result)
+{
+    if (index >= min_u64(route->length, UINT64_C(4))) {
+        result->is_some = false;
+        result->value = 0.0;
+        return;
+    }
+    result->is_some = true;
+    result->value = route->items[index].way / route->items[index].time;
+}
+
+bessemer_status_t checked_parts_last_time(const checked_parts_leg_t route[2], uint64_t count,
+    result_f64_checked_parts_missing_t *result)
+{
+    if (count > UINT64_C(2)) {
+        return BESSEMER_STATUS_INDEX;
+    }
+    if (count <= UINT64_C(0)) {
+        result->is_ok = false;
+        result->value = 0.0;
+        result->error.tag = MISSING_TAG_SHORT;
+        result->error.beyond = UINT64_C(0);
+        return BESSEMER_STATUS_OK;
+    }
+    result->is_ok = true;
+    result->value = route[count - UINT64_C(1)].time;
+    result->error.tag = MISSING_TAG_SHORT;
+    result->error.beyond = UINT64_C(0);
+    return BESSEMER_STATUS_OK;
+}
+
+/* checked_parts.h */
+
+/** Which variant of `Missing`. */
+typedef enum {
+    /** The frame ends before it. */
+    MISSING_TAG_SHORT = 0,
+    /** It has no such place. */
+    MISSING_TAG_BEYOND = 1
+} missing_tag_t;
+
+/** Why a field is not there. */
+typedef struct {
+    /** Which variant it is. */
+    missing_tag_t tag;
+    /** It has no such place. */
+    uint64_t beyond;
+} checked_parts_missing_t;
+
+/** `Result<f64, Missing>`: a value, or why there is none. */
+typedef struct {
+    /** Whether there is a value. */
+    bool is_ok;
+    /** The value, if there is one. */
+    double value;
+    /** Why there is none. */
+    checked_parts_missing_t error;
+} result_f64_checked_parts_missing_t;
+
+/** `Result<u16, Missing>`: a value, or why there is none. */
+typedef struct {
+    /** Whether there is a value. */
+    bool is_ok;
+    /** The value, if there is one. */
+    uint16_t value;
+    /** Why there is none. */
+    checked_parts_missing_t error;
+} result_u16_checked_parts_missing_t;
+
+/** A way, and the time that it takes. */
+typedef struct {
+    /** m. */
+    double way;
+    /** s. */
+    double time;
+} checked_parts_leg_t;
+
+/** `List<Leg, 4>`: elements, and how many. */
+typedef struct {
+    /** How many elements there are. */
+    uint64_t length;
+    /** The elements; those behind the length mean nothing. */
+    checked_parts_leg_t items[4];
+} list4_checked_parts_leg_t;

@@ -1,0 +1,35 @@
+/* The C of tests/corpus/src/programs/data/comparisons.rs. Written by a test. */
+
+/* comparisons.c */
+
+/** Whether the two are equal, part by part. */
+static inline bool target_equal(const target_t *one, const target_t *other)
+{
+    return one->position[0] == other->position[0] && one->position[1] == other->position[1]
+        && one->position[2] == other->position[2] && one->land == other->land;
+}
+
+bool comparisons_is_new(const target_t *before, const target_t *now)
+{
+    return !target_equal(before, now);
+}
+
+bool comparisons_same_plan(const target_t one[6], const target_t other[6])
+{
+    bool result_equal = true;
+    for (uint32_t i = 0U; i < 6U; i++) {
+        if (!target_equal(&one[i], &other[i])) {
+            result_equal = false;
+            break;
+        }
+    }
+    return result_equal;
+}
+
+/* comparisons.h */
+
+/** Where to go. */
+typedef struct {
+    double position[3];
+    bool land;
+} target_t;

@@ -1,0 +1,269 @@
+/* The C of tests/corpus/src/programs/data/derived_order.rs. Written by a test. */
+
+/* derived_order.c */
+
+static const uint8_t U8_MAX = 255U;
+
+static void derived_order_sort_by_in_sorted(derived_order_key_t values[], uint64_t values_length);
+
+/**
+ * The nearest value from `low` to `high`.
+ *
+ * # Panics
+ * Unless `low <= high`.
+ */
+static inline bessemer_status_t comparison_limited_version(const derived_order_version_t *value,
+    const derived_order_version_t *low, const derived_order_version_t *high,
+    derived_order_version_t *version)
+{
+    if (low->major >= high->major && (low->major != high->major
+            || (low->minor >= high->minor
+            && (low->minor != high->minor || low->patch > high->patch)))) {
+        return BESSEMER_STATUS_CLAMP;
+    }
+    if (value->major < low->major || (value->major == low->major
+            && (value->minor < low->minor
+            || (value->minor == low->minor && value->patch < low->patch)))) {
+        *version = *low;
+        return BESSEMER_STATUS_OK;
+    }
+    if (value->major > high->major || (value->major == high->major
+            && (value->minor > high->minor
+            || (value->minor == high->minor && value->patch > high->patch)))) {
+        *version = *high;
+        return BESSEMER_STATUS_OK;
+    } else {
+        *version = *value;
+        return BESSEMER_STATUS_OK;
+    }
+}
+
+/** The greater of two; of equal ones the second. */
+static inline void comparison_greater_version(const derived_order_version_t *one,
+    const derived_order_version_t *other, derived_order_version_t *version)
+{
+    if (other->major < one->major || (other->major == one->major
+            && (other->minor < one->minor
+            || (other->minor == one->minor && other->patch < one->patch)))) {
+        *version = *one;
+    } else {
+        *version = *other;
+    }
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool derived_order_version_equal(const derived_order_version_t *one,
+    const derived_order_version_t *other)
+{
+    return one->major == other->major && one->minor == other->minor && one->patch == other->patch;
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool derived_order_key_equal(const derived_order_key_t *one,
+    const derived_order_key_t *other)
+{
+    return one->source == other->source
+        && derived_order_version_equal(&one->version, &other->version)
+        && (one->numbers[0] == other->numbers[0] && one->numbers[1] == other->numbers[1]);
+}
+
+/**
+ * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
+ */
+static inline ordering_t comparison_compare_key(const derived_order_key_t *one,
+    const derived_order_key_t *other)
+{
+    if (one->source < other->source || (one->source == other->source
+            && (one->version.major < other->version.major
+            || (one->version.major == other->version.major
+            && (one->version.minor < other->version.minor
+            || (one->version.minor == other->version.minor && one->version.patch < other->version.patch)))
+            || (one->version.major == other->version.major
+            && one->version.minor == other->version.minor
+            && one->version.patch == other->version.patch
+            && (one->numbers[0] < other->numbers[0]
+            || (one->numbers[0] == other->numbers[0] && one->numbers[1] < other->numbers[1])))))) {
+        return ORDERING_LESS;
+    } else if (derived_order_key_equal(one, other)) {
+        return ORDERING_EQUAL;
+    } else {
+        return ORDERING_GREATER;
+    }
+}
+
+/** The same of numbers that may have no order: a NaN is before, behind and at no number. */
+static inline void comparison_partial_height(const height_t *one, const height_t *other,
+    option_ordering_t *result)
+{
+    if (one->value < other->value) {
+        result->is_some = true;
+        result->value = ORDERING_LESS;
+        return;
+    }
+    if (one->value == other->value) {
+        result->is_some = true;
+        result->value = ORDERING_EQUAL;
+        return;
+    }
+    if (one->value > other->value) {
+        result->is_some = true;
+        result->value = ORDERING_GREATER;
+    } else {
+        result->is_some = false;
+        result->value = ORDERING_LESS;
+    }
+}
+
+bool derived_order_is_low(const height_t *height, const height_t *limit)
+{
+    bool result_holds = height->value < limit->value;
+    if (!result_holds) {
+        const height_t height_2 = {.value = 0.0};
+        result_holds = !(limit->value >= height_2.value);
+    }
+    return result_holds;
+}
+
+void derived_order_lowest(const height_t heights[3], height_t *least)
+{
+    *least = heights[0];
+    for (uint32_t i = 0U; i < 3U; i++) {
+        const height_t height = heights[i];
+        if (height.value < least->value) {
+            *least = height;
+        }
+    }
+}
+
+bool derived_order_is_read(const derived_order_version_t *one, const derived_order_version_t *by)
+{
+    return (one->major < by->major || (one->major == by->major
+        && (one->minor < by->minor || (one->minor == by->minor && one->patch <= by->patch))))
+        && one->major == by->major;
+}
+
+bessemer_status_t derived_order_newer(const derived_order_version_t *one,
+    const derived_order_version_t *other, derived_order_version_t *version)
+{
+    bessemer_status_t status;
+    const derived_order_version_t first = {.major = 1U, .minor = 2U, .patch = 0U};
+    derived_order_version_t version_value;
+    comparison_greater_version(one, other, &version_value);
+    const derived_order_version_t version_high = {
+        .major = U8_MAX,
+        .minor = first.minor,
+        .patch = first.patch
+    };
+    status = comparison_limited_version(&version_value, &first, &version_high, version);
+    if (status != BESSEMER_STATUS_OK) {
+        return status;
+    }
+    return BESSEMER_STATUS_OK;
+}
+
+ordering_t derived_order_order(const derived_order_key_t *one, const derived_order_key_t *other)
+{
+    const ordering_t ordering_order = comparison_compare_key(one, other);
+    return comparison_reversed(ordering_order);
+}
+
+void derived_order_sorted(const derived_order_key_t keys[4], derived_order_key_t sorted[4])
+{
+    memcpy(sorted, keys, sizeof(derived_order_key_t[4]));
+    derived_order_sort_by_in_sorted(sorted, UINT64_C(4));
+}
+
+/** Sorts `values` so that none is `below` the one before it; equal ones keep their order. */
+static void derived_order_sort_by_in_sorted(derived_order_key_t values[], uint64_t values_length)
+{
+    for (uint64_t i = UINT64_C(1); i < values_length; i++) {
+        for (uint64_t at = i; at-- > UINT64_C(0);) {
+            const derived_order_key_t one = values[at];
+            const derived_order_key_t next = values[at + UINT64_C(1)];
+            const bool below = next.source < one.source
+                || (next.source == one.source
+                && (next.version.major < one.version.major
+                || (next.version.major == one.version.major
+                && (next.version.minor < one.version.minor
+                || (next.version.minor == one.version.minor && next.version.patch < one.version.patch)))
+                || (next.version.major == one.version.major
+                && next.version.minor == one.version.minor
+                && next.version.patch == one.version.patch
+                && (next.numbers[0] < one.numbers[0]
+                || (next.numbers[0] == one.numbers[0] && next.numbers[1] < one.numbers[1])))));
+            if (!below) {
+                break;
+            }
+            values[at] = next;
+            values[at + UINT64_C(1)] = one;
+        }
+    }
+}
+
+void derived_order_place_of(const derived_order_key_t keys[4], const derived_order_key_t *limit,
+    option_usize_t *result)
+{
+    result->is_some = false;
+    result->value = UINT64_C(0);
+    for (uint32_t i = 4U; i-- > 0U;) {
+        const uint64_t result_index = (uint64_t)i;
+        const uint64_t result_index_2 = result_index;
+        const uint64_t result_index_3 = result_index;
+        const uint64_t result_index_4 = result_index;
+        if (keys[result_index].source < limit->source
+                || (keys[result_index].source == limit->source
+                && (keys[result_index_3].version.major < limit->version.major
+                || (keys[result_index_3].version.major == limit->version.major
+                && (keys[result_index_3].version.minor < limit->version.minor
+                || (keys[result_index_3].version.minor == limit->version.minor && keys[result_index_3].version.patch < limit->version.patch)))
+                || (keys[result_index_4].version.major == limit->version.major
+                && keys[result_index_4].version.minor == limit->version.minor
+                && keys[result_index_4].version.patch == limit->version.patch
+                && (keys[result_index_2].numbers[0] < limit->numbers[0]
+                || (keys[result_index_2].numbers[0] == limit->numbers[0] && keys[result_index_2].numbers[1] <= limit->numbers[1])))))) {
+            result->is_some = true;
+            result->value = (uint64_t)i;
+            break;
+        }
+    }
+}
+
+void derived_order_compared(const height_t *one, const height_t *other, option_ordering_t *result)
+{
+    comparison_partial_height(one, other, result);
+}
+
+/* derived_order.h */
+
+/** A height above the ground, m. */
+typedef struct {
+    double value;
+} height_t;
+
+/** A version of the firmware. */
+typedef struct {
+    /** Not compatible with another. */
+    uint8_t major;
+    /** Adds to the last. */
+    uint8_t minor;
+    /** Mends the last. */
+    uint16_t patch;
+} derived_order_version_t;
+
+/** Where a message came from. */
+typedef enum {
+    /** The pilot. */
+    SOURCE_PILOT = 0,
+    /** The ground. */
+    SOURCE_GROUND = 1
+} source_t;
+
+/** What decides which message is first. */
+typedef struct {
+    /** The pilot's before the ground's. */
+    source_t source;
+    /** Then by version. */
+    derived_order_version_t version;
+    /** Then by two numbers. */
+    int16_t numbers[2];
+} derived_order_key_t;

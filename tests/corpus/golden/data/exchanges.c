@@ -1,0 +1,60 @@
+/* The C of tests/corpus/src/programs/data/exchanges.rs. Written by a test. */
+
+/* exchanges.c */
+
+void exchanges_put_in_order(limits_t *limits)
+{
+    if (limits->low > limits->high) {
+        const double kept = limits->low;
+        limits->low = limits->high;
+        limits->high = kept;
+    }
+}
+
+void exchanges_flip(uint8_t front[6], uint8_t back[6])
+{
+    uint8_t kept[6];
+    memcpy(kept, front, sizeof(uint8_t[6]));
+    memcpy(front, back, sizeof(uint8_t[6]));
+    memcpy(back, kept, sizeof(uint8_t[6]));
+}
+
+double exchanges_moved(double *last, double now)
+{
+    const double kept = *last;
+    *last = now;
+    const double result_choice = kept;
+    return now - result_choice;
+}
+
+void exchanges_noted(option_limits_t *note, option_limits_t *result)
+{
+    *result = *note;
+    note->is_some = false;
+    note->value.low = 0.0;
+    note->value.high = 0.0;
+}
+
+float exchanges_oldest(float ring[4], uint64_t count, float sample)
+{
+    const uint64_t place_index = count % UINT64_C(4);
+    const float kept = ring[place_index];
+    ring[place_index] = sample;
+    return kept;
+}
+
+/* exchanges.h */
+
+/** Limits of a range. */
+typedef struct {
+    double low;
+    double high;
+} limits_t;
+
+/** `Option<Limits>`: a value, or none. */
+typedef struct {
+    /** Whether there is a value. */
+    bool is_some;
+    /** The value, if there is one. */
+    limits_t value;
+} option_limits_t;

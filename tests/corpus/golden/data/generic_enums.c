@@ -1,0 +1,96 @@
+/* The C of tests/corpus/src/programs/data/generic_enums.rs. Written by a test. */
+
+/* generic_enums.c */
+
+float received_f32_value_or(const received_f32_t *self, float other)
+{
+    switch (self->tag) {
+    case RECEIVED_F32_TAG_NEW:
+        return self->as.new_;
+    case RECEIVED_F32_TAG_AGAIN:
+        return self->as.again.value;
+    case RECEIVED_F32_TAG_NOTHING:
+    default:
+        return other;
+    }
+}
+
+float generic_enums_middle(const received_f32_t *low, const received_f32_t *high, float otherwise)
+{
+    return (received_f32_value_or(low, otherwise) + received_f32_value_or(high, otherwise)) / 2.0F;
+}
+
+void generic_enums_aged(const received_f64_t *last, received_f64_t *received)
+{
+    if (last->tag == RECEIVED_F64_TAG_NEW) {
+        received->tag = RECEIVED_F64_TAG_AGAIN;
+        received->as.again.value = last->as.new_;
+        received->as.again.age = 1U;
+    } else if (last->tag == RECEIVED_F64_TAG_AGAIN && last->as.again.age < 5U) {
+        received->tag = RECEIVED_F64_TAG_AGAIN;
+        received->as.again.value = last->as.again.value;
+        received->as.again.age = last->as.again.age + 1U;
+    } else {
+        received->tag = RECEIVED_F64_TAG_NOTHING;
+    }
+}
+
+/* generic_enums.h */
+
+/** What a `Received_f32::Again` holds. */
+typedef struct {
+    float value;
+    uint32_t age;
+} received_f32_again_t;
+
+/** Which variant of `Received_f32`. */
+typedef enum {
+    /** For the first time. */
+    RECEIVED_F32_TAG_NEW = 0,
+    /** Once more, so many periods later. */
+    RECEIVED_F32_TAG_AGAIN = 1,
+    /** Nothing came. */
+    RECEIVED_F32_TAG_NOTHING = 2
+} received_f32_tag_t;
+
+/** A value as it came: new, repeated, or not at all. */
+typedef struct {
+    /** Which variant it is. */
+    received_f32_tag_t tag;
+    /** What it holds. */
+    union {
+        /** For the first time. */
+        float new_;
+        /** Once more, so many periods later. */
+        received_f32_again_t again;
+    } as;
+} received_f32_t;
+
+/** What a `Received_f64::Again` holds. */
+typedef struct {
+    double value;
+    uint32_t age;
+} received_f64_again_t;
+
+/** Which variant of `Received_f64`. */
+typedef enum {
+    /** For the first time. */
+    RECEIVED_F64_TAG_NEW = 0,
+    /** Once more, so many periods later. */
+    RECEIVED_F64_TAG_AGAIN = 1,
+    /** Nothing came. */
+    RECEIVED_F64_TAG_NOTHING = 2
+} received_f64_tag_t;
+
+/** A value as it came: new, repeated, or not at all. */
+typedef struct {
+    /** Which variant it is. */
+    received_f64_tag_t tag;
+    /** What it holds. */
+    union {
+        /** For the first time. */
+        double new_;
+        /** Once more, so many periods later. */
+        received_f64_again_t again;
+    } as;
+} received_f64_t;

@@ -1,0 +1,60 @@
+/* The C of tests/corpus/src/programs/data/in_order.rs. Written by a test. */
+
+/* in_order.c */
+
+/* The smaller of two integers. */
+static uint64_t min_u64(uint64_t a, uint64_t b)
+{
+    return a < b ? a : b;
+}
+
+/* The number nearest to value from low to high. */
+static uint64_t clamp_u64(uint64_t value, uint64_t low, uint64_t high)
+{
+    if (value < low) {
+        return low;
+    }
+    return value > high ? high : value;
+}
+
+bool in_order_is_usable(const breakpoints_t *table)
+{
+    const uint64_t count = clamp_u64((uint64_t)table->count, UINT64_C(2), UINT64_C(6));
+    const uint64_t result_end = count;
+    return sort_is_sorted_f64(table->at, result_end);
+}
+
+bessemer_status_t in_order_ordered(uint8_t n, const pair_u8_f32_t pairs[3], bool result[3])
+{
+    bessemer_status_t status;
+    list4_u8_t list = {.length = UINT64_C(0), .items = {0U}};
+    for (uint8_t k = 0U; k < (uint8_t)(n % 4U); k++) {
+        const uint8_t value_element = (uint8_t)(k ^ 2U);
+        if (list.length >= UINT64_C(4)) {
+            return BESSEMER_STATUS_CAPACITY;
+        }
+        list.items[list.length] = value_element;
+        list.length += UINT64_C(1);
+    }
+    const bool result_element = sort_is_sorted_u8(list.items, min_u64(list.length, UINT64_C(4)));
+    bool result_element_2;
+    status = sort_is_sorted_pair_u8_f32(pairs, UINT64_C(3), &result_element_2);
+    if (status != BESSEMER_STATUS_OK) {
+        return status;
+    }
+    const uint8_t elements[1] = {n};
+    result[0] = result_element;
+    result[1] = result_element_2;
+    result[2] = sort_is_sorted_u8(elements, UINT64_C(1));
+    return BESSEMER_STATUS_OK;
+}
+
+/* in_order.h */
+
+/** The breakpoints of a table, and how many of them there are. */
+typedef struct {
+    /** The breakpoints. */
+    double at[6];
+    /** How many there are. */
+    uint8_t count;
+} breakpoints_t;

@@ -1,0 +1,102 @@
+/* The C of tests/corpus/src/programs/data/lent_elements.rs. Written by a test. */
+
+/* lent_elements.c */
+
+/* a + b, or the limit of the type beyond which it lies. */
+static uint32_t saturating_add_u32(uint32_t a, uint32_t b)
+{
+    const int64_t exact = (int64_t)a + (int64_t)b;
+    return exact > UINT32_MAX ? UINT32_MAX : (uint32_t)exact;
+}
+
+bool lent_elements_count(uint32_t counters[6], uint64_t number, uint32_t by)
+{
+    if (number >= UINT64_C(6)) {
+        return false;
+    }
+    counters[number] = saturating_add_u32(counters[number], by);
+    return true;
+}
+
+bessemer_status_t lent_elements_halve_ends(float values[], uint64_t values_length)
+{
+    if (values_length > UINT64_C(0)) {
+        values[0] /= 2.0F;
+    }
+    if (values_length > UINT64_C(0)) {
+        if (values_length - UINT64_C(1) >= values_length) {
+            return BESSEMER_STATUS_INDEX;
+        }
+        values[values_length - UINT64_C(1)] /= 2.0F;
+    }
+    return BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t lent_elements_tapered(const float values[5], uint64_t end, float result[5])
+{
+    bessemer_status_t status;
+    float own_values[5];
+    memcpy(own_values, values, sizeof(float[5]));
+    if (end > UINT64_C(5)) {
+        return BESSEMER_STATUS_INDEX;
+    }
+    status = lent_elements_halve_ends(own_values, end);
+    if (status != BESSEMER_STATUS_OK) {
+        return status;
+    }
+    memcpy(result, own_values, sizeof(float[5]));
+    return BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t lent_elements_balance(const int16_t values[8], uint64_t middle, int32_t *balance)
+{
+    if (middle > UINT64_C(8)) {
+        return BESSEMER_STATUS_INDEX;
+    }
+    int32_t balance_value = 0;
+    for (uint64_t i = middle; i < UINT64_C(8); i++) {
+        if ((int64_t)balance_value + (int64_t)(int32_t)values[i] < INT32_MIN
+                || (int64_t)balance_value + (int64_t)(int32_t)values[i] > INT32_MAX) {
+            return BESSEMER_STATUS_OVERFLOW;
+        }
+        balance_value += (int32_t)values[i];
+    }
+    for (uint64_t i = UINT64_C(0); i < middle; i++) {
+        if ((int64_t)balance_value - (int64_t)(int32_t)values[i] < INT32_MIN
+                || (int64_t)balance_value - (int64_t)(int32_t)values[i] > INT32_MAX) {
+            return BESSEMER_STATUS_OVERFLOW;
+        }
+        balance_value -= (int32_t)values[i];
+    }
+    *balance = balance_value;
+    return BESSEMER_STATUS_OK;
+}
+
+void lent_elements_mirror(uint8_t values[8])
+{
+    for (uint32_t i = 0U; i < 4U; i++) {
+        values[i + 4] = (uint8_t)((uint32_t)values[i] * 2U);
+    }
+}
+
+double lent_elements_above(const double values[], uint64_t values_length)
+{
+    if (values_length > UINT64_C(0)) {
+        double sum = 0.0;
+        for (uint64_t i = UINT64_C(1); i < values_length; i++) {
+            sum += values[i] - values[0];
+        }
+        return sum;
+    } else {
+        return 0.0;
+    }
+}
+
+bessemer_status_t lent_elements_above_from(const double values[6], uint64_t start, double *result)
+{
+    if (start > UINT64_C(5)) {
+        return BESSEMER_STATUS_INDEX;
+    }
+    *result = lent_elements_above(&values[start], UINT64_C(5) - start);
+    return BESSEMER_STATUS_OK;
+}

@@ -1,0 +1,170 @@
+/* The C of tests/corpus/src/programs/data/lexical_order.rs. Written by a test. */
+
+/* lexical_order.c */
+
+static void lexical_order_sort_by_in_queue(message_t values[], uint64_t values_length);
+static void lexical_order_sort_by_in_archive(message_t values[], uint64_t values_length);
+
+/**
+ * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
+ */
+static inline ordering_t comparison_compare_u8_3(const uint8_t one[3], const uint8_t other[3])
+{
+    if (one[0] < other[0] || (one[0] == other[0]
+            && (one[1] < other[1] || (one[1] == other[1] && one[2] < other[2])))) {
+        return ORDERING_LESS;
+    } else if (one[0] == other[0] && one[1] == other[1] && one[2] == other[2]) {
+        return ORDERING_EQUAL;
+    } else {
+        return ORDERING_GREATER;
+    }
+}
+
+/** Whether the first comes before the second. */
+static inline bool comparison_is_less(ordering_t order)
+{
+    return order == ORDERING_LESS;
+}
+
+/**
+ * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
+ */
+static inline ordering_t comparison_compare_urgency(urgency_t one, urgency_t other)
+{
+    if (one < other) {
+        return ORDERING_LESS;
+    } else if (one == other) {
+        return ORDERING_EQUAL;
+    } else {
+        return ORDERING_GREATER;
+    }
+}
+
+/**
+ * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
+ */
+static inline ordering_t comparison_compare_u16(uint16_t one, uint16_t other)
+{
+    if (one < other) {
+        return ORDERING_LESS;
+    } else if (one == other) {
+        return ORDERING_EQUAL;
+    } else {
+        return ORDERING_GREATER;
+    }
+}
+
+bool lexical_order_is_older(const triple_u8_u8_u16_t *version, const triple_u8_u8_u16_t *other)
+{
+    return version->first < other->first
+        || (version->first == other->first
+        && (version->second < other->second
+        || (version->second == other->second && version->third < other->third)));
+}
+
+ordering_t lexical_order_order(const uint8_t one[3], const uint8_t other[3])
+{
+    return comparison_compare_u8_3(one, other);
+}
+
+void lexical_order_queue(message_t messages[4])
+{
+    lexical_order_sort_by_in_queue(messages, UINT64_C(4));
+}
+
+/** Sorts `values` so that none is `below` the one before it; equal ones keep their order. */
+static void lexical_order_sort_by_in_queue(message_t values[], uint64_t values_length)
+{
+    for (uint64_t i = UINT64_C(1); i < values_length; i++) {
+        for (uint64_t at = i; at-- > UINT64_C(0);) {
+            const message_t one = values[at];
+            const message_t next = values[at + UINT64_C(1)];
+            const ordering_t value_choice = comparison_then(
+                comparison_compare_urgency(one.urgency, next.urgency),
+                comparison_compare_u16(next.sequence, one.sequence));
+            const bool below = comparison_is_less(value_choice);
+            if (!below) {
+                break;
+            }
+            values[at] = next;
+            values[at + UINT64_C(1)] = one;
+        }
+    }
+}
+
+void lexical_order_archive(message_t messages[4])
+{
+    lexical_order_sort_by_in_archive(messages, UINT64_C(4));
+}
+
+/** Sorts `values` so that none is `below` the one before it; equal ones keep their order. */
+static void lexical_order_sort_by_in_archive(message_t values[], uint64_t values_length)
+{
+    for (uint64_t i = UINT64_C(1); i < values_length; i++) {
+        for (uint64_t at = i; at-- > UINT64_C(0);) {
+            const message_t one = values[at];
+            const message_t next = values[at + UINT64_C(1)];
+            const pair_u16_urgency_t value_choice = {
+                .first = next.sequence,
+                .second = next.urgency
+            };
+            const pair_u16_urgency_t value_choice_2 = {
+                .first = one.sequence,
+                .second = one.urgency
+            };
+            const bool below = value_choice.first < value_choice_2.first
+                || (value_choice.first == value_choice_2.first
+                && value_choice.second < value_choice_2.second);
+            if (!below) {
+                break;
+            }
+            values[at] = next;
+            values[at + UINT64_C(1)] = one;
+        }
+    }
+}
+
+void lexical_order_before(const pair_f64_f64_t *one, const pair_f64_f64_t *other,
+    pair_bool_bool_t *result)
+{
+    result->first = one->first < other->first
+        || (one->first == other->first && one->second < other->second);
+    result->second = one->first > other->first
+        || (one->first == other->first && one->second >= other->second);
+}
+
+uint16_t lexical_order_matched(uint8_t row, uint8_t column)
+{
+    const pair_u8_u8_t pair = {.first = row, .second = column};
+    if (pair.first == 0U) {
+        return 0U;
+    } else if (pair.first == 1U && pair.second == 1U) {
+        return (uint16_t)((uint16_t)pair.first + 100U);
+    } else {
+        return (uint16_t)((uint16_t)((uint16_t)pair.first * 16U) + (uint16_t)pair.second);
+    }
+}
+
+/* lexical_order.h */
+
+/** How urgent a message is. */
+typedef enum {
+    /** It may wait. */
+    URGENCY_LOW = 0,
+    /** It is next. */
+    URGENCY_HIGH = 1,
+    /** It is now. */
+    URGENCY_ALARM = 2
+} urgency_t;
+
+/** `(u16, Urgency)`. */
+typedef struct {
+    uint16_t first;
+    urgency_t second;
+} pair_u16_urgency_t;
+
+/** A message. */
+typedef struct {
+    urgency_t urgency;
+    uint16_t sequence;
+} message_t;

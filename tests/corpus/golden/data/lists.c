@@ -1,0 +1,71 @@
+/* The C of tests/corpus/src/programs/data/lists.rs. Written by a test. */
+
+/* lists.c */
+
+/* The smaller of two integers. */
+static uint64_t min_u64(uint64_t a, uint64_t b)
+{
+    return a < b ? a : b;
+}
+
+void lists_init(lists_t *self)
+{
+    self->values.length = UINT64_C(0);
+    self->values.items[0] = 0.0;
+    self->values.items[1] = 0.0;
+    self->values.items[2] = 0.0;
+    self->values.items[3] = 0.0;
+    self->fault = BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t lists_keep(lists_t *self, double value)
+{
+    if (self->fault != BESSEMER_STATUS_OK) {
+        return self->fault;
+    }
+    if (self->values.length >= UINT64_C(4)) {
+        self->fault = BESSEMER_STATUS_CAPACITY;
+        return BESSEMER_STATUS_CAPACITY;
+    }
+    self->values.items[self->values.length] = value;
+    self->values.length += UINT64_C(1);
+    return BESSEMER_STATUS_OK;
+}
+
+void lists_mean(lists_t *self, option_f64_t *result)
+{
+    double sum = 0.0;
+    {
+        const uint64_t end = min_u64(self->values.length, UINT64_C(4));
+        for (uint64_t i = UINT64_C(0); i < end; i++) {
+            sum += self->values.items[i];
+        }
+    }
+    if (self->values.length == UINT64_C(0)) {
+        result->is_some = false;
+        result->value = 0.0;
+    } else {
+        result->is_some = true;
+        result->value = sum / (double)self->values.length;
+    }
+}
+
+void lists_last(lists_t *self, option_f64_t *result)
+{
+    result->is_some = false;
+    result->value = 0.0;
+    if (self->values.length > UINT64_C(0) && self->values.length <= UINT64_C(4)) {
+        self->values.length -= UINT64_C(1);
+        result->is_some = true;
+        result->value = self->values.items[self->values.length];
+    }
+}
+
+/* lists.h */
+
+/** The values of the last periods. */
+typedef struct {
+    list4_f64_t values;
+    /** The fault that stopped the component; BESSEMER_STATUS_OK while it runs. */
+    bessemer_status_t fault;
+} lists_t;

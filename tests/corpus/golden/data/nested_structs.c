@@ -1,0 +1,26 @@
+/* The C of tests/corpus/src/programs/data/nested_structs.rs. Written by a test. */
+
+/* nested_structs.c */
+
+void nested_structs_widened(const servo_t *servo, const span_t *margin, servo_t *wide)
+{
+    *wide = *servo;
+    wide->angle.low -= margin->low;
+    wide->angle.high += margin->high;
+    wide->rate.low = servo->rate.low * 2.0F;
+    wide->rate.high = servo->rate.high * 2.0F;
+}
+
+/* nested_structs.h */
+
+/** A range of values. */
+typedef struct {
+    float low;
+    float high;
+} span_t;
+
+/** What a servo may do. */
+typedef struct {
+    span_t angle;
+    span_t rate;
+} servo_t;

@@ -1,0 +1,49 @@
+/* The C of tests/corpus/src/programs/data/options.rs. Written by a test. */
+
+/* programs_data_options.c */
+
+/* The larger of two integers. */
+static uint8_t max_u8(uint8_t a, uint8_t b)
+{
+    return a > b ? a : b;
+}
+
+void programs_data_options_slope(const double from[2], const double to[2], option_f64_t *result)
+{
+    const double run = to[0] - from[0];
+    if (run == 0.0) {
+        result->is_some = false;
+        result->value = 0.0;
+    } else {
+        result->is_some = true;
+        result->value = (to[1] - from[1]) / run;
+    }
+}
+
+double programs_data_options_slope_or(const double from[2], const double to[2], double other)
+{
+    option_f64_t option;
+    programs_data_options_slope(from, to, &option);
+    double result_choice = other;
+    if (option.is_some) {
+        result_choice = option.value;
+    }
+    return result_choice;
+}
+
+void programs_data_options_better(const option_u8_t *one, const option_u8_t *other,
+    option_u8_t *result)
+{
+    if (one->is_some && other->is_some) {
+        const uint8_t a = one->value;
+        const uint8_t b = other->value;
+        result->is_some = true;
+        result->value = max_u8(a, b);
+    } else if (!other->is_some) {
+        const option_u8_t one_2 = *one;
+        *result = one_2;
+    } else {
+        const option_u8_t other_2 = *other;
+        *result = other_2;
+    }
+}

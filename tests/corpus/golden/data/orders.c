@@ -1,0 +1,199 @@
+/* The C of tests/corpus/src/programs/data/orders.rs. Written by a test. */
+
+/* orders.c */
+
+static void orders_sort_by_in_scheduled(orders_task_t values[], uint64_t values_length);
+
+/** Whether the first comes before the second. */
+static inline bool comparison_is_less(ordering_t order)
+{
+    return order == ORDERING_LESS;
+}
+
+/**
+ * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
+ */
+static inline ordering_t comparison_compare_i16(int16_t one, int16_t other)
+{
+    if (one < other) {
+        return ORDERING_LESS;
+    } else if (one == other) {
+        return ORDERING_EQUAL;
+    } else {
+        return ORDERING_GREATER;
+    }
+}
+
+/**
+ * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
+ */
+static inline ordering_t comparison_compare_u8(uint8_t one, uint8_t other)
+{
+    if (one < other) {
+        return ORDERING_LESS;
+    } else if (one == other) {
+        return ORDERING_EQUAL;
+    } else {
+        return ORDERING_GREATER;
+    }
+}
+
+/**
+ * How one value stands to another. Inline, so that it stands beside the type, which may be an author's.
+ */
+static inline ordering_t comparison_compare_u32(uint32_t one, uint32_t other)
+{
+    if (one < other) {
+        return ORDERING_LESS;
+    } else if (one == other) {
+        return ORDERING_EQUAL;
+    } else {
+        return ORDERING_GREATER;
+    }
+}
+
+/** The same of numbers that may have no order: a NaN is before, behind and at no number. */
+static inline void comparison_partial_f64(double one, double other, option_ordering_t *result)
+{
+    if (one < other) {
+        result->is_some = true;
+        result->value = ORDERING_LESS;
+        return;
+    }
+    if (one == other) {
+        result->is_some = true;
+        result->value = ORDERING_EQUAL;
+        return;
+    }
+    if (one > other) {
+        result->is_some = true;
+        result->value = ORDERING_GREATER;
+    } else {
+        result->is_some = false;
+        result->value = ORDERING_LESS;
+    }
+}
+
+/** Whether the first comes behind the second. */
+static inline bool comparison_is_greater(ordering_t order)
+{
+    return order == ORDERING_GREATER;
+}
+
+bessemer_status_t orders_towards(int16_t position, int16_t target, int16_t *result)
+{
+    switch (comparison_compare_i16(position, target)) {
+    case ORDERING_LESS:
+        if (position > 32766) {
+            return BESSEMER_STATUS_OVERFLOW;
+        }
+        *result = (int16_t)(position + 1);
+        return BESSEMER_STATUS_OK;
+    case ORDERING_EQUAL:
+        *result = position;
+        return BESSEMER_STATUS_OK;
+    case ORDERING_GREATER:
+    default:
+        if (position < -32767) {
+            return BESSEMER_STATUS_OVERFLOW;
+        }
+        *result = (int16_t)(position - 1);
+        return BESSEMER_STATUS_OK;
+    }
+}
+
+ordering_t orders_first(const orders_task_t *one, const orders_task_t *other)
+{
+    const ordering_t value = comparison_then(comparison_compare_u8(one->priority, other->priority),
+        comparison_compare_u32(one->deadline, other->deadline));
+    if (value == ORDERING_EQUAL) {
+        return comparison_total_f32(one->effort, other->effort);
+    } else {
+        return value;
+    }
+}
+
+void orders_scheduled(const orders_task_t tasks[4], orders_task_t sorted[4])
+{
+    memcpy(sorted, tasks, sizeof(orders_task_t[4]));
+    orders_sort_by_in_scheduled(sorted, UINT64_C(4));
+}
+
+/** Sorts `values` so that none is `below` the one before it; equal ones keep their order. */
+static void orders_sort_by_in_scheduled(orders_task_t values[], uint64_t values_length)
+{
+    for (uint64_t i = UINT64_C(1); i < values_length; i++) {
+        for (uint64_t at = i; at-- > UINT64_C(0);) {
+            const orders_task_t one = values[at];
+            const orders_task_t next = values[at + UINT64_C(1)];
+            const ordering_t value_choice = orders_first(&next, &one);
+            const bool below = comparison_is_less(value_choice);
+            if (!below) {
+                break;
+            }
+            values[at] = next;
+            values[at + UINT64_C(1)] = one;
+        }
+    }
+}
+
+bool orders_is_beyond(double reading, double limit)
+{
+    option_ordering_t option;
+    comparison_partial_f64(reading, limit, &option);
+    if (option.is_some) {
+        return comparison_is_greater(option.value);
+    } else {
+        return false;
+    }
+}
+
+void orders_longest(const orders_task_t tasks[4], option_task_t *result)
+{
+    result->is_some = false;
+    result->value.priority = 0U;
+    result->value.deadline = 0U;
+    result->value.effort = 0.0F;
+    for (uint32_t i = 0U; i < 4U; i++) {
+        const option_task_t before = *result;
+        result->is_some = true;
+        result->value = tasks[i];
+        bool result_choice = false;
+        uint64_t b_index = UINT64_C(0);
+        ordering_t result_choice_2 = ORDERING_LESS;
+        bool result_holds = before.is_some;
+        if (result_holds) {
+            b_index = (uint64_t)i;
+            result_choice_2 = comparison_then(
+                comparison_total_f32(before.value.effort, tasks[b_index].effort),
+                comparison_compare_u32(before.value.deadline, tasks[b_index].deadline));
+            result_choice = comparison_is_greater(result_choice_2);
+            result_holds = !(!result_choice);
+        }
+        if (result_holds) {
+            const orders_task_t best = before.value;
+            (void)best;
+            *result = before;
+        }
+    }
+}
+
+/* orders.h */
+
+/** A task, and how urgent it is. */
+typedef struct {
+    /** The least is first. */
+    uint8_t priority;
+    /** When it is due, ms. */
+    uint32_t deadline;
+    /** How long it takes, s. */
+    float effort;
+} orders_task_t;
+
+/** `Option<Task>`: a value, or none. */
+typedef struct {
+    /** Whether there is a value. */
+    bool is_some;
+    /** The value, if there is one. */
+    orders_task_t value;
+} option_task_t;

@@ -1,0 +1,151 @@
+/* The C of tests/corpus/src/programs/data/own_equality.rs. Written by a test. */
+
+/* own_equality.c */
+
+static const float TAU = 6.2831855F;
+
+/* The smaller of two numbers: -0 < +0, and a NaN gives the other. */
+static float min_f32(float a, float b)
+{
+    if (a < b || isnan(b)) {
+        return a;
+    }
+    if (b < a || isnan(a)) {
+        return b;
+    }
+    return signbit(a) ? a : b;
+}
+
+/* The remainder of a / b, from 0 to the size of b. */
+static float rem_euclid_f32(float a, float b)
+{
+    const float remainder = fmodf(a, b);
+    return remainder < 0.0F ? remainder + fabsf(b) : remainder;
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool option_lever_equal(const option_lever_t *one, const option_lever_t *other)
+{
+    return one->is_some == other->is_some && (!one->is_some || lever_eq(one->value, other->value));
+}
+
+/** Whether the two are equal, part by part. */
+static inline bool heading_equal(const heading_t *one, const heading_t *other)
+{
+    bool all_equal = false;
+    bool all_holds = bearing_eq(&one->to, &other->to) && lever_eq(one->lever, other->lever);
+    if (all_holds) {
+        all_equal = true;
+        for (uint32_t i = 0U; i < 2U; i++) {
+            if (!bearing_eq(&one->turns[i], &other->turns[i])) {
+                all_equal = false;
+                break;
+            }
+        }
+        all_holds = all_equal;
+    }
+    return all_holds && option_lever_equal(&one->next, &other->next);
+}
+
+bool bearing_eq(const bearing_t *self, const bearing_t *other)
+{
+    return own_equality_difference(self, other) < 0.001F;
+}
+
+float own_equality_difference(const bearing_t *one, const bearing_t *other)
+{
+    const float turn = TAU;
+    const float apart = rem_euclid_f32(one->radians - other->radians, turn);
+    return min_f32(apart, turn - apart);
+}
+
+bool lever_eq(lever_t self, lever_t other)
+{
+    return lever_direction(self) == lever_direction(other);
+}
+
+int8_t lever_direction(lever_t self)
+{
+    switch (self) {
+    case LEVER_PARKED:
+    case LEVER_NEUTRAL:
+        return 0;
+    case LEVER_FORWARD:
+        return 1;
+    case LEVER_BACK:
+    default:
+        return -1;
+    }
+}
+
+bool own_equality_is_new(const bearing_t *now, const bearing_t *before)
+{
+    return !bearing_eq(now, before);
+}
+
+bool own_equality_same_way(lever_t one, lever_t other)
+{
+    bool result_condition_2 = true;
+    if (!lever_eq(one, other)) {
+        const lever_t result_other = LEVER_NEUTRAL;
+        bool result_condition = false;
+        if (lever_eq(one, result_other)) {
+            const lever_t result_other_2 = LEVER_BACK;
+            result_condition = !lever_eq(other, result_other_2);
+        }
+        result_condition_2 = result_condition;
+    }
+    return result_condition_2;
+}
+
+bool own_equality_same_heading(const heading_t *one, const heading_t *other)
+{
+    return heading_equal(one, other);
+}
+
+void own_equality_place_of(const bearing_t bearings[3], const bearing_t *wanted,
+    option_usize_t *result)
+{
+    result->is_some = false;
+    result->value = UINT64_C(0);
+    for (uint32_t i = 0U; i < 3U; i++) {
+        const uint64_t result_index = (uint64_t)i;
+        if (bearing_eq(&bearings[result_index], wanted)) {
+            result->is_some = true;
+            result->value = (uint64_t)i;
+            break;
+        }
+    }
+}
+
+/* own_equality.h */
+
+/** An angle, rad; a turn more is the same. */
+typedef struct {
+    /** From north to east. */
+    float radians;
+} bearing_t;
+
+/** How a gear is told: all ways to say that nothing is driven are one. */
+typedef enum {
+    LEVER_PARKED = 0,
+    LEVER_NEUTRAL = 1,
+    LEVER_FORWARD = 2,
+    LEVER_BACK = 3
+} lever_t;
+
+/** `Option<Lever>`: a value, or none. */
+typedef struct {
+    /** Whether there is a value. */
+    bool is_some;
+    /** The value, if there is one. */
+    lever_t value;
+} option_lever_t;
+
+/** A leg of a voyage, compared part by part: by what each part says. */
+typedef struct {
+    bearing_t to;
+    lever_t lever;
+    bearing_t turns[2];
+    option_lever_t next;
+} heading_t;

@@ -1,0 +1,166 @@
+/* The C of tests/corpus/src/programs/data/result_methods.rs. Written by a test. */
+
+/* result_methods.c */
+
+void result_methods_value(const uint8_t frame[4], result_u16_frame_error_t *result)
+{
+    if (frame[0] < 2U) {
+        result->is_ok = false;
+        result->value = 0U;
+        result->error = FRAME_ERROR_SHORT;
+        return;
+    }
+    if ((uint8_t)(frame[1] ^ frame[2]) != frame[3]) {
+        result->is_ok = false;
+        result->value = 0U;
+        result->error = FRAME_ERROR_CHECKSUM;
+        return;
+    }
+    const uint8_t result_bytes[2] = {frame[1], frame[2]};
+    result->is_ok = true;
+    result->value = (uint16_t)((uint16_t)((uint32_t)(uint16_t)result_bytes[0] << 8U)
+        | (uint16_t)result_bytes[1]);
+    result->error = FRAME_ERROR_SHORT;
+}
+
+void result_methods_volts(const uint8_t frame[4], result_f32_link_error_t *result)
+{
+    result_f32_frame_error_t result_choice;
+    result_u16_frame_error_t outcome;
+    result_methods_value(frame, &outcome);
+    if (outcome.is_ok) {
+        result_choice.is_ok = true;
+        result_choice.value = (float)outcome.value * 0.001F;
+        result_choice.error = FRAME_ERROR_SHORT;
+    } else {
+        result_choice.is_ok = false;
+        result_choice.value = 0.0F;
+        result_choice.error = outcome.error;
+    }
+    if (result_choice.is_ok) {
+        result->is_ok = true;
+        result->value = result_choice.value;
+        result->error.tag = LINK_ERROR_TAG_SILENT;
+        result->error.damaged = 0U;
+    } else {
+        const frame_error_t error = result_choice.error;
+        link_error_t result_choice_2;
+        switch (error) {
+        case FRAME_ERROR_SHORT:
+            result_choice_2.tag = LINK_ERROR_TAG_SILENT;
+            result_choice_2.damaged = 0U;
+            break;
+        case FRAME_ERROR_CHECKSUM:
+        default:
+            result_choice_2.tag = LINK_ERROR_TAG_DAMAGED;
+            result_choice_2.damaged = frame[0];
+            break;
+        }
+        result->is_ok = false;
+        result->value = 0.0F;
+        result->error = result_choice_2;
+    }
+}
+
+void result_methods_total(const uint8_t one[4], const uint8_t other[4],
+    result_u16_frame_error_t *result)
+{
+    result_u16_frame_error_t outcome;
+    result_methods_value(one, &outcome);
+    if (!outcome.is_ok) {
+        result->is_ok = false;
+        result->value = 0U;
+        result->error = outcome.error;
+        return;
+    }
+    const uint16_t one_2 = outcome.value;
+    result_u16_frame_error_t outcome_2;
+    result_methods_value(other, &outcome_2);
+    if (outcome_2.is_ok) {
+        option_u16_t option;
+        math_checked_add_u16(one_2, outcome_2.value, &option);
+        if (option.is_some) {
+            result->is_ok = true;
+            result->value = option.value;
+            result->error = FRAME_ERROR_SHORT;
+        } else {
+            result->is_ok = false;
+            result->value = 0U;
+            result->error = FRAME_ERROR_CHECKSUM;
+        }
+    } else {
+        result->is_ok = false;
+        result->value = 0U;
+        result->error = outcome_2.error;
+    }
+}
+
+uint16_t result_methods_shown(const uint8_t frame[4])
+{
+    result_u16_frame_error_t outcome;
+    result_methods_value(frame, &outcome);
+    if (outcome.is_ok) {
+        return outcome.value;
+    } else {
+        switch (outcome.error) {
+        case FRAME_ERROR_SHORT:
+            return 1U;
+        case FRAME_ERROR_CHECKSUM:
+        default:
+            return 2U;
+        }
+    }
+}
+
+/* result_methods.h */
+
+/** What can be wrong with a frame. */
+typedef enum {
+    FRAME_ERROR_SHORT = 0,
+    FRAME_ERROR_CHECKSUM = 1
+} frame_error_t;
+
+/** `Result<f32, FrameError>`: a value, or why there is none. */
+typedef struct {
+    /** Whether there is a value. */
+    bool is_ok;
+    /** The value, if there is one. */
+    float value;
+    /** Why there is none. */
+    frame_error_t error;
+} result_f32_frame_error_t;
+
+/** `Result<u16, FrameError>`: a value, or why there is none. */
+typedef struct {
+    /** Whether there is a value. */
+    bool is_ok;
+    /** The value, if there is one. */
+    uint16_t value;
+    /** Why there is none. */
+    frame_error_t error;
+} result_u16_frame_error_t;
+
+/** Which variant of `LinkError`. */
+typedef enum {
+    LINK_ERROR_TAG_SILENT = 0,
+    /** The number of the frame. */
+    LINK_ERROR_TAG_DAMAGED = 1
+} link_error_tag_t;
+
+/** What is told to the ground. */
+typedef struct {
+    /** Which variant it is. */
+    link_error_tag_t tag;
+    /** The number of the frame. */
+    uint8_t damaged;
+} link_error_t;
+
+/** `Result<f32, LinkError>`: a value, or why there is none. */
+typedef struct {
+    /** Whether there is a value. */
+    bool is_ok;
+    /** The value, if there is one. */
+    float value;
+    /** Why there is none. */
+    link_error_t error;
+} result_f32_link_error_t;

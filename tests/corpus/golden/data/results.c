@@ -1,0 +1,44 @@
+/* The C of tests/corpus/src/programs/data/results.rs. Written by a test. */
+
+/* results.c */
+
+void results_payload(const uint8_t frame[3], uint8_t len, result_u16_refused_t *result)
+{
+    if (len < 3U) {
+        result->is_ok = false;
+        result->value = 0U;
+        result->error = REFUSED_SHORT;
+        return;
+    }
+    if ((uint8_t)((uint32_t)frame[0] + (uint32_t)frame[1]) != frame[2]) {
+        result->is_ok = false;
+        result->value = 0U;
+        result->error = REFUSED_CHECKSUM;
+        return;
+    }
+    const uint8_t result_bytes[2] = {frame[0], frame[1]};
+    result->is_ok = true;
+    result->value = (uint16_t)((uint16_t)result_bytes[0]
+        | (uint16_t)((uint32_t)(uint16_t)result_bytes[1] << 8U));
+    result->error = REFUSED_SHORT;
+}
+
+/* results.h */
+
+/** Why a frame is refused. */
+typedef enum {
+    /** Too few bytes. */
+    REFUSED_SHORT = 0,
+    /** The sum is another. */
+    REFUSED_CHECKSUM = 1
+} refused_t;
+
+/** `Result<u16, Refused>`: a value, or why there is none. */
+typedef struct {
+    /** Whether there is a value. */
+    bool is_ok;
+    /** The value, if there is one. */
+    uint16_t value;
+    /** Why there is none. */
+    refused_t error;
+} result_u16_refused_t;

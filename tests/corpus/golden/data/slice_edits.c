@@ -1,0 +1,107 @@
+/* The C of tests/corpus/src/programs/data/slice_edits.rs. Written by a test. */
+
+/* slice_edits.c */
+
+/* The signed integer with these bits. */
+static int16_t wrap_i16(uint16_t bits)
+{
+    return bits <= (uint16_t)INT16_MAX ? (int16_t)bits : (int16_t)(-1 - (int16_t)(UINT16_MAX - bits));
+}
+
+/* The smaller of two integers. */
+static uint64_t min_u64(uint64_t a, uint64_t b)
+{
+    return a < b ? a : b;
+}
+
+bessemer_status_t slice_edits_record(float samples[5], float sample)
+{
+    bessemer_status_t status;
+    status = slice_edit_rotate_right_f32(samples, UINT64_C(5), UINT64_C(1));
+    if (status != BESSEMER_STATUS_OK) {
+        return status;
+    }
+    samples[0] = sample;
+    return BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t slice_edits_consume(uint8_t buffer[8], uint64_t read)
+{
+    bessemer_status_t status;
+    status = slice_edit_copy_behind_within_u8(buffer, UINT64_C(8), read, UINT64_C(0));
+    if (status != BESSEMER_STATUS_OK) {
+        return status;
+    }
+    return BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t slice_edits_is_sentence(const uint8_t text[12], bool *result)
+{
+    bessemer_status_t status;
+    const uint8_t elements[3] = {36U, 71U, 80U};
+    bool result_holds;
+    status = slice_edit_starts_with_u8(text, UINT64_C(12), elements, UINT64_C(3), &result_holds);
+    if (status != BESSEMER_STATUS_OK) {
+        return status;
+    }
+    if (result_holds) {
+        const uint8_t elements_2[2] = {13U, 10U};
+        status = slice_edit_ends_with_u8(text, UINT64_C(12), elements_2, UINT64_C(2),
+            &result_holds);
+        if (status != BESSEMER_STATUS_OK) {
+            return status;
+        }
+    }
+    *result = result_holds;
+    return BESSEMER_STATUS_OK;
+}
+
+void slice_edits_fields(const uint8_t frame[10], pair_u32_i16_t *result)
+{
+    const uint8_t count_bytes[4] = {frame[2], frame[3], frame[4], frame[5]};
+    const uint32_t count = ((uint32_t)count_bytes[0] << 24U) | ((uint32_t)count_bytes[1] << 16U)
+        | ((uint32_t)count_bytes[2] << 8U) | (uint32_t)count_bytes[3];
+    const uint8_t result_bytes[2] = {frame[6], frame[7]};
+    result->first = count;
+    result->second = wrap_i16((uint16_t)((uint16_t)((uint32_t)(uint16_t)result_bytes[0] << 8U)
+        | (uint16_t)result_bytes[1]));
+}
+
+bessemer_status_t slice_edits_field(const list16_u8_t *frame, uint64_t at, option_u32_t *result)
+{
+    if (at > min_u64(frame->length, UINT64_C(16))) {
+        result->is_some = false;
+        result->value = 0U;
+        return BESSEMER_STATUS_OK;
+    }
+    option_u8x4_t result_part = {.is_some = false, .value = {0U}};
+    if (min_u64(frame->length, UINT64_C(16)) - at >= UINT64_C(4)) {
+        if (at >= UINT64_C(16)) {
+            return BESSEMER_STATUS_INDEX;
+        }
+        if (at + UINT64_C(1) >= UINT64_C(16)) {
+            return BESSEMER_STATUS_INDEX;
+        }
+        if (at + UINT64_C(2) >= UINT64_C(16)) {
+            return BESSEMER_STATUS_INDEX;
+        }
+        if (at + UINT64_C(3) >= UINT64_C(16)) {
+            return BESSEMER_STATUS_INDEX;
+        }
+        result_part.is_some = true;
+        result_part.value[0] = frame->items[at];
+        result_part.value[1] = frame->items[at + UINT64_C(1)];
+        result_part.value[2] = frame->items[at + UINT64_C(2)];
+        result_part.value[3] = frame->items[at + UINT64_C(3)];
+    }
+    if (result_part.is_some) {
+        result->is_some = true;
+        result->value = (uint32_t)result_part.value[0] | ((uint32_t)result_part.value[1] << 8U)
+            | ((uint32_t)result_part.value[2] << 16U) | ((uint32_t)result_part.value[3] << 24U);
+        return BESSEMER_STATUS_OK;
+    } else {
+        result->is_some = false;
+        result->value = 0U;
+        return BESSEMER_STATUS_OK;
+    }
+}

@@ -1,0 +1,109 @@
+/* The C of tests/corpus/src/programs/data/slice_patterns.rs. Written by a test. */
+
+/* slice_patterns.c */
+
+/* The larger of two integers. */
+static int16_t max_i16(int16_t a, int16_t b)
+{
+    return a > b ? a : b;
+}
+
+bessemer_status_t slice_patterns_decoded(const uint8_t bytes[6], pair_u8_u32_t *result)
+{
+    uint32_t sum = 0U;
+    for (uint32_t i = 1U; i < 6U; i++) {
+        if ((int64_t)sum + (int64_t)(uint32_t)bytes[i] > UINT32_MAX) {
+            return BESSEMER_STATUS_OVERFLOW;
+        }
+        sum += (uint32_t)bytes[i];
+    }
+    result->first = bytes[0];
+    result->second = sum;
+    return BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t slice_patterns_span_of(const float values[], uint64_t values_length,
+    option_f32_t *result)
+{
+    if (values_length == UINT64_C(0)) {
+        result->is_some = false;
+        result->value = 0.0F;
+        return BESSEMER_STATUS_OK;
+    } else if (values_length == UINT64_C(1)) {
+        result->is_some = true;
+        result->value = 0.0F;
+        return BESSEMER_STATUS_OK;
+    } else {
+        if (values_length - UINT64_C(1) >= values_length) {
+            return BESSEMER_STATUS_INDEX;
+        }
+        result->is_some = true;
+        result->value = values[values_length - UINT64_C(1)] - values[0];
+        return BESSEMER_STATUS_OK;
+    }
+}
+
+bessemer_status_t slice_patterns_span(const float values[4], uint64_t end, option_f32_t *result)
+{
+    bessemer_status_t status;
+    if (end > UINT64_C(4)) {
+        return BESSEMER_STATUS_INDEX;
+    }
+    status = slice_patterns_span_of(values, end, result);
+    if (status != BESSEMER_STATUS_OK) {
+        return status;
+    }
+    return BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t slice_patterns_largest(const int16_t values[], uint64_t values_length,
+    int16_t *result)
+{
+    if (values_length >= UINT64_C(2)) {
+        if (values_length - UINT64_C(1) >= values_length) {
+            return BESSEMER_STATUS_INDEX;
+        }
+        int16_t most = max_i16(values[0], values[values_length - UINT64_C(1)]);
+        for (uint64_t i = UINT64_C(1); i < values_length - UINT64_C(1) - UINT64_C(1) + UINT64_C(1);
+                i++) {
+            if (i >= values_length) {
+                return BESSEMER_STATUS_INDEX;
+            }
+            most = max_i16(most, values[i]);
+        }
+        *result = most;
+        return BESSEMER_STATUS_OK;
+    }
+    option_i16_t result_found = {.is_some = false, .value = 0};
+    if (UINT64_C(0) < values_length) {
+        result_found.is_some = true;
+        result_found.value = values[0];
+    }
+    int16_t result_choice = 0;
+    if (result_found.is_some) {
+        result_choice = result_found.value;
+    }
+    *result = result_choice;
+    return BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t slice_patterns_largest_from(const int16_t values[5], uint64_t start,
+    int16_t *result)
+{
+    bessemer_status_t status;
+    if (start > UINT64_C(5)) {
+        return BESSEMER_STATUS_INDEX;
+    }
+    status = slice_patterns_largest(&values[start], UINT64_C(5) - start, result);
+    if (status != BESSEMER_STATUS_OK) {
+        return status;
+    }
+    return BESSEMER_STATUS_OK;
+}
+
+void slice_patterns_tail(const int32_t values[4], int32_t rest[3])
+{
+    rest[0] = values[1];
+    rest[1] = values[2];
+    rest[2] = values[3];
+}

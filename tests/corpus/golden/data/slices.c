@@ -1,0 +1,92 @@
+/* The C of tests/corpus/src/programs/data/slices.rs. Written by a test. */
+
+/* programs_data_slices.c */
+
+/* The smaller of two integers. */
+static uint64_t min_u64(uint64_t a, uint64_t b)
+{
+    return a < b ? a : b;
+}
+
+/* The larger of two numbers: -0 < +0, and a NaN gives the other. */
+static double max_f64(double a, double b)
+{
+    if (a > b || isnan(b)) {
+        return a;
+    }
+    if (b > a || isnan(a)) {
+        return b;
+    }
+    return !signbit(a) ? a : b;
+}
+
+double programs_data_slices_mean(const double values[], uint64_t values_length)
+{
+    if (values_length == UINT64_C(0)) {
+        return 0.0;
+    }
+    double sum = 0.0;
+    for (uint64_t i = UINT64_C(0); i < values_length; i++) {
+        sum += values[i];
+    }
+    return sum / (double)values_length;
+}
+
+void programs_data_slices_centre(double values[], uint64_t values_length)
+{
+    const double mean = programs_data_slices_mean(values, values_length);
+    for (uint64_t i = UINT64_C(0); i < values_length; i++) {
+        values[i] -= mean;
+    }
+}
+
+double programs_data_slices_trend(const double values[8])
+{
+    const double result_left = programs_data_slices_mean(&values[4], UINT64_C(4));
+    return result_left - programs_data_slices_mean(values, UINT64_C(4));
+}
+
+bessemer_status_t programs_data_slices_window(const double values[8], uint64_t from, double *result)
+{
+    double part[4];
+    if (from > UINT64_C(0xFFFFFFFFFFFFFFFB)) {
+        return BESSEMER_STATUS_OVERFLOW;
+    }
+    if (from + UINT64_C(4) > UINT64_C(8)) {
+        return BESSEMER_STATUS_INDEX;
+    }
+    for (uint32_t i = 0U; i < 4U; i++) {
+        part[i] = values[from + (uint64_t)i];
+    }
+    programs_data_slices_centre(part, UINT64_C(4));
+    *result = max_f64(fabs(part[0]), fabs(part[3]));
+    return BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t programs_data_slices_peak(const list6_f64_t *values, uint64_t end,
+    option_f64_t *result)
+{
+    if (end > min_u64(values->length, UINT64_C(6))) {
+        return BESSEMER_STATUS_INDEX;
+    }
+    option_f64_t peak_found = {.is_some = false, .value = 0.0};
+    if (UINT64_C(0) < end) {
+        peak_found.is_some = true;
+        peak_found.value = values->items[0];
+    }
+    if (!peak_found.is_some) {
+        result->is_some = false;
+        result->value = 0.0;
+        return BESSEMER_STATUS_OK;
+    }
+    double peak = peak_found.value;
+    if (UINT64_C(1) > end) {
+        return BESSEMER_STATUS_INDEX;
+    }
+    for (uint64_t i = UINT64_C(1); i < end; i++) {
+        peak = max_f64(peak, values->items[i]);
+    }
+    result->is_some = true;
+    result->value = peak;
+    return BESSEMER_STATUS_OK;
+}

@@ -1,0 +1,193 @@
+/* The C of tests/corpus/src/programs/data/sorted.rs. Written by a test. */
+
+/* sorted.c */
+
+/* The smaller of two integers. */
+static uint64_t min_u64(uint64_t a, uint64_t b)
+{
+    return a < b ? a : b;
+}
+
+/* The size of one number with the sign of another; a NaN counts as positive. */
+static float copysign_f32(float size, float sign)
+{
+    return isnan(sign) ? fabsf(size) : copysignf(size, sign);
+}
+
+/* The size of one number with the sign of another; a NaN counts as positive. */
+static double copysign_f64(double size, double sign)
+{
+    return isnan(sign) ? fabs(size) : copysign(size, sign);
+}
+
+static void sorted_sort_by_in_median(double values[], uint64_t values_length);
+static void sorted_sort_by_in_schedule(switching_t values[], uint64_t values_length);
+static void sorted_sort_by_in_latest_first(switching_t values[], uint64_t values_length);
+static void sorted_sort_by_in_downwards(float values[], uint64_t values_length);
+
+/** Whether `one` comes before `other` in `total_cmp`: −0 before +0, NaN behind all others. */
+static inline bool sort_below_f64(double one, double other)
+{
+    if (one == other) {
+        return copysign_f64(1.0, one) < 0.0 && !(copysign_f64(1.0, other) < 0.0);
+    }
+    return one < other || (!(isnan(one) != 0) && isnan(other) != 0);
+}
+
+/** Whether `one` comes before `other` in `total_cmp`: −0 before +0, NaN behind all others. */
+static inline bool sort_below_f32(float one, float other)
+{
+    if (one == other) {
+        return copysign_f32(1.0F, one) < 0.0F && !(copysign_f32(1.0F, other) < 0.0F);
+    }
+    return one < other || (!(isnan(one) != 0) && isnan(other) != 0);
+}
+
+double sorted_median(const double values[9])
+{
+    double sorted[9];
+    memcpy(sorted, values, sizeof(double[9]));
+    sorted_sort_by_in_median(sorted, UINT64_C(9));
+    return sorted[4];
+}
+
+/** Sorts `values` so that none is `below` the one before it; equal ones keep their order. */
+static void sorted_sort_by_in_median(double values[], uint64_t values_length)
+{
+    for (uint64_t i = UINT64_C(1); i < values_length; i++) {
+        for (uint64_t at = i; at-- > UINT64_C(0);) {
+            const double one = values[at];
+            const double next = values[at + UINT64_C(1)];
+            const bool below = sort_below_f64(next, one);
+            if (!below) {
+                break;
+            }
+            values[at] = next;
+            values[at + UINT64_C(1)] = one;
+        }
+    }
+}
+
+void sorted_middle(const list8_u16_t *values, option_u16_t *result)
+{
+    list8_u16_t sorted = *values;
+    sort_ascending_u16(sorted.items, min_u64(sorted.length, UINT64_C(8)));
+    const uint64_t result_index = sorted.length / UINT64_C(2);
+    result->is_some = false;
+    result->value = 0U;
+    if (result_index < min_u64(sorted.length, UINT64_C(8))) {
+        result->is_some = true;
+        result->value = sorted.items[result_index];
+    }
+}
+
+void sorted_schedule(list5_switching_t *edges)
+{
+    sorted_sort_by_in_schedule(edges->items, min_u64(edges->length, UINT64_C(5)));
+}
+
+/** Sorts `values` so that none is `below` the one before it; equal ones keep their order. */
+static void sorted_sort_by_in_schedule(switching_t values[], uint64_t values_length)
+{
+    for (uint64_t i = UINT64_C(1); i < values_length; i++) {
+        for (uint64_t at = i; at-- > UINT64_C(0);) {
+            const switching_t one = values[at];
+            const switching_t next = values[at + UINT64_C(1)];
+            const uint16_t value_choice = next.at;
+            const uint16_t value_choice_2 = one.at;
+            const bool below = value_choice < value_choice_2;
+            if (!below) {
+                break;
+            }
+            values[at] = next;
+            values[at + UINT64_C(1)] = one;
+        }
+    }
+}
+
+void sorted_latest_first(switching_t edges[6])
+{
+    sorted_sort_by_in_latest_first(edges, UINT64_C(6));
+}
+
+/** Sorts `values` so that none is `below` the one before it; equal ones keep their order. */
+static void sorted_sort_by_in_latest_first(switching_t values[], uint64_t values_length)
+{
+    for (uint64_t i = UINT64_C(1); i < values_length; i++) {
+        for (uint64_t at = i; at-- > UINT64_C(0);) {
+            const switching_t one = values[at];
+            const switching_t next = values[at + UINT64_C(1)];
+            const bool below = one.at < next.at;
+            if (!below) {
+                break;
+            }
+            values[at] = next;
+            values[at + UINT64_C(1)] = one;
+        }
+    }
+}
+
+void sorted_downwards(float values[5])
+{
+    sorted_sort_by_in_downwards(&values[1], UINT64_C(4));
+}
+
+/** Sorts `values` so that none is `below` the one before it; equal ones keep their order. */
+static void sorted_sort_by_in_downwards(float values[], uint64_t values_length)
+{
+    for (uint64_t i = UINT64_C(1); i < values_length; i++) {
+        for (uint64_t at = i; at-- > UINT64_C(0);) {
+            const float one = values[at];
+            const float next = values[at + UINT64_C(1)];
+            const bool below = sort_below_f32(one, next);
+            if (!below) {
+                break;
+            }
+            values[at] = next;
+            values[at + UINT64_C(1)] = one;
+        }
+    }
+}
+
+void sorted_nearest(const double values[5], double guess, option_f64_t *result)
+{
+    result->is_some = false;
+    result->value = 0.0;
+    for (uint32_t i = 0U; i < 5U; i++) {
+        const option_f64_t before = *result;
+        result->is_some = true;
+        result->value = values[i];
+        bool result_choice = false;
+        uint64_t b_index = UINT64_C(0);
+        bool result_holds = before.is_some;
+        if (result_holds) {
+            b_index = (uint64_t)i;
+            result_choice = sort_below_f64(fabs(values[b_index] - guess),
+                fabs(before.value - guess));
+            result_holds = !result_choice;
+        }
+        if (result_holds) {
+            const double best = before.value;
+            (void)best;
+            *result = before;
+        }
+    }
+}
+
+/* sorted.h */
+
+/** A change of outputs. */
+typedef struct {
+    /** When, ticks. */
+    uint16_t at;
+    /** Which outputs. */
+    uint8_t outputs;
+} switching_t;
+
+/** `List<Switching, 5>`: elements, and how many. */
+typedef struct {
+    /** How many elements there are. */
+    uint64_t length;
+    /** The elements; those behind the length mean nothing. */
+    switching_t items[5];
+} list5_switching_t;

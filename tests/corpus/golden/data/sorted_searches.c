@@ -1,0 +1,232 @@
+/* The C of tests/corpus/src/programs/data/sorted_searches.rs. Written by a test. */
+
+/* sorted_searches.c */
+
+/* The smaller of two integers. */
+static uint64_t min_u64(uint64_t a, uint64_t b)
+{
+    return a < b ? a : b;
+}
+
+static uint64_t sorted_searches_partition_point_in_below(const double values[],
+    uint64_t values_length, double x);
+static void sorted_searches_binary_search_by_key_in_value(const sorted_searches_point_t values[],
+    uint64_t values_length, uint16_t wanted, result_usize_usize_t *result);
+static void sorted_searches_binary_search_by_in_nearest(const float values[],
+    uint64_t values_length, float x, result_usize_usize_t *result);
+
+/** The index of the first element that is not among the first ones. */
+static inline uint64_t bessemer_search_partition_point_in_binary_search_u8(const uint8_t values[],
+    uint64_t values_length, uint8_t wanted)
+{
+    uint64_t from = UINT64_C(0);
+    uint64_t left = values_length;
+    for (int32_t pass = 0; pass < 64; pass++) {
+        const uint64_t middle = from + left / UINT64_C(2);
+        if (left == UINT64_C(0) || middle >= values_length) {
+            break;
+        }
+        const uint8_t value = values[middle];
+        const bool is_first = value < wanted;
+        if (is_first) {
+            from = middle + UINT64_C(1);
+            left = left - left / UINT64_C(2) - UINT64_C(1);
+        } else {
+            left /= UINT64_C(2);
+        }
+    }
+    return from;
+}
+
+/**
+ * The index of an element that is `wanted`, or where it would have to be put in. Inline, so that it stands beside the
+ * type, which may be an author's.
+ *
+ * # Errors
+ * That index, if no element is `wanted`.
+ */
+static inline void bessemer_search_binary_search_u8(const uint8_t values[], uint64_t values_length,
+    uint8_t wanted, result_usize_usize_t *result)
+{
+    const uint64_t from = bessemer_search_partition_point_in_binary_search_u8(values, values_length,
+        wanted);
+    if (from < values_length && values[from] == wanted) {
+        result->is_ok = true;
+        result->value = from;
+        result->error = UINT64_C(0);
+    } else {
+        result->is_ok = false;
+        result->value = UINT64_C(0);
+        result->error = from;
+    }
+}
+
+uint64_t sorted_searches_below(const double steps[6], double x)
+{
+    return sorted_searches_partition_point_in_below(steps, UINT64_C(6), x);
+}
+
+/** The index of the first element that is not among the first ones. */
+static uint64_t sorted_searches_partition_point_in_below(const double values[],
+    uint64_t values_length, double x)
+{
+    uint64_t from = UINT64_C(0);
+    uint64_t left = values_length;
+    for (int32_t pass = 0; pass < 64; pass++) {
+        const uint64_t middle = from + left / UINT64_C(2);
+        if (left == UINT64_C(0) || middle >= values_length) {
+            break;
+        }
+        const double value = values[middle];
+        const bool is_first = value < x;
+        if (is_first) {
+            from = middle + UINT64_C(1);
+            left = left - left / UINT64_C(2) - UINT64_C(1);
+        } else {
+            left /= UINT64_C(2);
+        }
+    }
+    return from;
+}
+
+void sorted_searches_place(const uint8_t codes[7], uint8_t code, result_usize_usize_t *result)
+{
+    bessemer_search_binary_search_u8(codes, UINT64_C(7), code, result);
+}
+
+bessemer_status_t sorted_searches_value(const list5_sorted_searches_point_t *points, uint16_t code,
+    option_f64_t *result)
+{
+    result_usize_usize_t outcome;
+    sorted_searches_binary_search_by_key_in_value(points->items,
+        min_u64(points->length, UINT64_C(5)), code, &outcome);
+    option_usize_t at_choice = {.is_some = false, .value = UINT64_C(0)};
+    if (outcome.is_ok) {
+        at_choice.is_some = true;
+        at_choice.value = outcome.value;
+    }
+    if (!at_choice.is_some) {
+        result->is_some = false;
+        result->value = 0.0;
+        return BESSEMER_STATUS_OK;
+    }
+    const uint64_t at = at_choice.value;
+    if (points->length > UINT64_C(5) || at >= points->length) {
+        return BESSEMER_STATUS_INDEX;
+    }
+    result->is_some = true;
+    result->value = points->items[at].value;
+    return BESSEMER_STATUS_OK;
+}
+
+/**
+ * The index of an element whose key is `wanted`, or where one would have to be put in.
+ *
+ * # Errors
+ * That index, if there is no such element.
+ */
+static void sorted_searches_binary_search_by_key_in_value(const sorted_searches_point_t values[],
+    uint64_t values_length, uint16_t wanted, result_usize_usize_t *result)
+{
+    uint64_t from = UINT64_C(0);
+    uint64_t left = values_length;
+    for (int32_t pass = 0; pass < 64; pass++) {
+        const uint64_t middle = from + left / UINT64_C(2);
+        if (left == UINT64_C(0) || middle >= values_length) {
+            break;
+        }
+        const sorted_searches_point_t value = values[middle];
+        const uint16_t found = value.code;
+        if (found == wanted) {
+            result->is_ok = true;
+            result->value = middle;
+            result->error = UINT64_C(0);
+            return;
+        }
+        if (found < wanted) {
+            from = middle + UINT64_C(1);
+            left = left - left / UINT64_C(2) - UINT64_C(1);
+        } else {
+            left /= UINT64_C(2);
+        }
+    }
+    result->is_ok = false;
+    result->value = UINT64_C(0);
+    result->error = from;
+}
+
+bessemer_status_t sorted_searches_nearest(const float sorted[5], float x, uint64_t *result)
+{
+    result_usize_usize_t outcome;
+    sorted_searches_binary_search_by_in_nearest(sorted, UINT64_C(5), x, &outcome);
+    if (outcome.is_ok) {
+        *result = outcome.value;
+        return BESSEMER_STATUS_OK;
+    } else if (!outcome.is_ok && outcome.error == UINT64_C(0)) {
+        *result = UINT64_C(0);
+        return BESSEMER_STATUS_OK;
+    } else {
+        if (outcome.error < UINT64_C(1)) {
+            return BESSEMER_STATUS_OVERFLOW;
+        }
+        *result = outcome.error - UINT64_C(1);
+        return BESSEMER_STATUS_OK;
+    }
+}
+
+/**
+ * The index of an element that is `Equal`, or where one would have to be put in.
+ *
+ * # Errors
+ * That index, if no element is `Equal`.
+ */
+static void sorted_searches_binary_search_by_in_nearest(const float values[],
+    uint64_t values_length, float x, result_usize_usize_t *result)
+{
+    uint64_t from = UINT64_C(0);
+    uint64_t left = values_length;
+
+    /* No more can be halved than there are bits. */
+    for (int32_t pass = 0; pass < 64; pass++) {
+        const uint64_t middle = from + left / UINT64_C(2);
+        if (left == UINT64_C(0) || middle >= values_length) {
+            break;
+        }
+        const float value = values[middle];
+        const ordering_t order = comparison_total_f32(value, x);
+        switch (order) {
+        case ORDERING_EQUAL:
+            result->is_ok = true;
+            result->value = middle;
+            result->error = UINT64_C(0);
+            return;
+        case ORDERING_LESS:
+            from = middle + UINT64_C(1);
+            left = left - left / UINT64_C(2) - UINT64_C(1);
+            break;
+        case ORDERING_GREATER:
+        default:
+            left /= UINT64_C(2);
+            break;
+        }
+    }
+    result->is_ok = false;
+    result->value = UINT64_C(0);
+    result->error = from;
+}
+
+/* sorted_searches.h */
+
+/** A point of a curve. */
+typedef struct {
+    uint16_t code;
+    double value;
+} sorted_searches_point_t;
+
+/** `List<Point, 5>`: elements, and how many. */
+typedef struct {
+    /** How many elements there are. */
+    uint64_t length;
+    /** The elements; those behind the length mean nothing. */
+    sorted_searches_point_t items[5];
+} list5_sorted_searches_point_t;

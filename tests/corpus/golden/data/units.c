@@ -1,0 +1,42 @@
+/* The C of tests/corpus/src/programs/data/units.rs. Written by a test. */
+
+/* air_density.c */
+
+void air_density_init(air_density_t *self)
+{
+    self->density = 0.0F;
+}
+
+float air_density_step(air_density_t *self, const barometer_t *reading, float rate, float period)
+{
+    self->density += (units_density(reading) - self->density) * rate * period;
+    return self->density;
+}
+
+/* air_density.h */
+
+/** Smooths the density of the air. */
+typedef struct {
+    /** What it is by now. Unit: kg/m³. */
+    float density;
+} air_density_t;
+
+/* units.c */
+
+/** Of dry air. Unit: J/(kg·K). */
+static const float GAS = 287.05F;
+
+float units_density(const barometer_t *reading)
+{
+    return reading->pressure / (GAS * (reading->temperature + 273.15F));
+}
+
+/* units.h */
+
+/** What the barometer says. */
+typedef struct {
+    /** Pressure of the air. Unit: Pa. */
+    float pressure;
+    /** Unit: °C. */
+    float temperature;
+} barometer_t;

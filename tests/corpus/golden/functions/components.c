@@ -1,0 +1,53 @@
+/* The C of tests/corpus/src/programs/functions/components.rs. Written by a test. */
+
+/* contact.c */
+
+static const uint8_t CONTACT_STABLE = 3U;
+
+/* a + b, or the limit of the type beyond which it lies. */
+static uint8_t saturating_add_u8(uint8_t a, uint8_t b)
+{
+    const int32_t exact = (int32_t)a + (int32_t)b;
+    return exact > UINT8_MAX ? UINT8_MAX : (uint8_t)exact;
+}
+
+static void contact_count(contact_t *self, bool level);
+
+void contact_init(contact_t *self)
+{
+    self->closed = false;
+    self->agreeing = 0U;
+}
+
+bool contact_sample(contact_t *self, bool level)
+{
+    contact_count(self, level);
+    if (self->agreeing >= CONTACT_STABLE) {
+        self->closed = level;
+        self->agreeing = 0U;
+    }
+    return self->closed;
+}
+
+void contact_reset(contact_t *self, bool closed)
+{
+    self->closed = closed;
+    self->agreeing = 0U;
+}
+
+static void contact_count(contact_t *self, bool level)
+{
+    if (level == self->closed) {
+        self->agreeing = 0U;
+    } else {
+        self->agreeing = saturating_add_u8(self->agreeing, 1U);
+    }
+}
+
+/* contact.h */
+
+/** Tells whether a contact is closed, once it has been stable. */
+typedef struct {
+    bool closed;
+    uint8_t agreeing;
+} contact_t;

@@ -1,0 +1,124 @@
+/* The C of tests/corpus/src/programs/functions/other_crates.rs. Written by a test. */
+
+/* gain.c */
+
+/** A sensor's curve. */
+static const double CURVE[4] = {0.0, 1.0, 4.0, 9.0};
+
+void other_crates_gain_init(other_crates_gain_t *self)
+{
+    self->factor = 0.0;
+}
+
+double other_crates_gain_step(other_crates_gain_t *self, double input)
+{
+    return self->factor * input + CURVE[2];
+}
+
+/* gain.h */
+
+/** The other crate's interface for a component of one's own. */
+typedef struct {
+    double factor;
+} other_crates_gain_t;
+
+/* reading.c */
+
+static const double LIMIT = 50.0;
+
+/* a + b, or the limit of the type beyond which it lies. */
+static uint8_t saturating_add_u8(uint8_t a, uint8_t b)
+{
+    const int32_t exact = (int32_t)a + (int32_t)b;
+    return exact > UINT8_MAX ? UINT8_MAX : (uint8_t)exact;
+}
+
+void other_crates_reading_init(other_crates_reading_t *self)
+{
+    filters_low_pass_init(&self->low);
+    delay_f64_3_init(&self->delay);
+    self->health.tag = HEALTH_TAG_GOOD;
+    self->health.stale = 0U;
+    self->height.value = 0.0;
+    self->fault = BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t other_crates_reading_step(other_crates_reading_t *self, double input, bool valid,
+    double *result)
+{
+    bessemer_status_t status;
+    if (self->fault != BESSEMER_STATUS_OK) {
+        return self->fault;
+    }
+    if (valid) {
+        self->health.tag = HEALTH_TAG_GOOD;
+        self->health.stale = 0U;
+    } else if (self->health.tag == HEALTH_TAG_GOOD) {
+        self->health.tag = HEALTH_TAG_STALE;
+        self->health.stale = 1U;
+    } else {
+        const uint8_t steps = self->health.stale;
+        self->health.tag = HEALTH_TAG_STALE;
+        self->health.stale = saturating_add_u8(steps, 1U);
+    }
+    double smooth_input;
+    status = filters_interpolate(input, &smooth_input);
+    if (status != BESSEMER_STATUS_OK) {
+        self->fault = status;
+        return status;
+    }
+    const double smooth = filters_low_pass_step(&self->low, smooth_input);
+    const quantities_metres_t height_other = {.value = 1.0};
+    quantities_metres_t height_next;
+    quantities_metres_add(&self->height, &height_other, &height_next);
+    self->height = height_next;
+    double result_a;
+    status = delay_f64_3_push(&self->delay, smooth, &result_a);
+    if (status != BESSEMER_STATUS_OK) {
+        self->fault = status;
+        return status;
+    }
+    *result = filters_larger_f64(result_a, quantities_metres_number(&self->height) * LIMIT);
+    return BESSEMER_STATUS_OK;
+}
+
+/* reading.h */
+
+/** A sensor's reading on its way. */
+typedef struct {
+    filters_low_pass_t low;
+    delay_f64_3_t delay;
+    filters_health_t health;
+    quantities_metres_t height;
+    /** The fault that stopped the component; BESSEMER_STATUS_OK while it runs. */
+    bessemer_status_t fault;
+} other_crates_reading_t;
+
+/* smooth_gain.c */
+
+void smooth_gain_init(smooth_gain_t *self)
+{
+    filters_low_pass_init(&self->first);
+    other_crates_gain_init(&self->second);
+    self->fault = BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t smooth_gain_step(smooth_gain_t *self, double input, double *result)
+{
+    if (self->fault != BESSEMER_STATUS_OK) {
+        return self->fault;
+    }
+    const double between = filters_low_pass_step(&self->first, input);
+    *result = other_crates_gain_step(&self->second, between);
+    return BESSEMER_STATUS_OK;
+}
+
+/* smooth_gain.h */
+
+/** The other crate's, then one's own. */
+typedef struct {
+    filters_low_pass_t first;
+    other_crates_gain_t second;
+    /** The fault that stopped the component; BESSEMER_STATUS_OK while it runs. */
+    bessemer_status_t fault;
+} smooth_gain_t;

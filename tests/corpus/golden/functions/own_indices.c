@@ -1,0 +1,79 @@
+/* The C of tests/corpus/src/programs/functions/own_indices.rs. Written by a test. */
+
+/* own_indices.c */
+
+/* The signed integer with these bits. */
+static int32_t wrap_i32(uint32_t bits)
+{
+    return bits <= (uint32_t)INT32_MAX ? (int32_t)bits : -1 - (int32_t)(UINT32_MAX - bits);
+}
+
+int32_t sides_index_side(const sides_t *self, side_t side)
+{
+    switch (side) {
+    case SIDE_LEFT:
+        return self->left;
+    case SIDE_RIGHT:
+    default:
+        return self->right;
+    }
+}
+
+bessemer_status_t own_indices_levelled(grid_t *grid, uint64_t row, uint64_t column, double *mean)
+{
+    if (column >= UINT64_C(4)) {
+        return BESSEMER_STATUS_ASSERTION;
+    }
+    if (row > UINT64_C(0x3FFFFFFFFFFFFFFF)) {
+        return BESSEMER_STATUS_OVERFLOW;
+    }
+    const uint64_t mean_index = UINT64_C(4) * row + column;
+    if (mean_index >= UINT64_C(12)) {
+        return BESSEMER_STATUS_INDEX;
+    }
+    const double mean_left = grid->heights[mean_index];
+    const uint64_t column_2 = column + UINT64_C(1);
+    if (column_2 >= UINT64_C(4)) {
+        return BESSEMER_STATUS_ASSERTION;
+    }
+    const uint64_t mean_index_2 = UINT64_C(4) * row + column_2;
+    if (mean_index_2 >= UINT64_C(12)) {
+        return BESSEMER_STATUS_INDEX;
+    }
+    const double mean_value = 0.5 * (mean_left + grid->heights[mean_index_2]);
+    const uint64_t grid_index = UINT64_C(4) * row + column;
+    if (grid_index >= UINT64_C(12)) {
+        return BESSEMER_STATUS_INDEX;
+    }
+    grid->heights[grid_index] = mean_value;
+    const uint64_t grid_index_2 = UINT64_C(4) * UINT64_C(0) + UINT64_C(3);
+    grid->heights[grid_index_2] += mean_value;
+    *mean = mean_value;
+    return BESSEMER_STATUS_OK;
+}
+
+int32_t own_indices_difference(const sides_t *sides)
+{
+    const int32_t selector = sides_index_side(sides, SIDE_LEFT);
+    const int32_t selector_2 = sides_index_side(sides, SIDE_RIGHT);
+    return wrap_i32((uint32_t)selector - (uint32_t)selector_2);
+}
+
+/* own_indices.h */
+
+/** Heights on a grid, row by row. */
+typedef struct {
+    double heights[12];
+} grid_t;
+
+/** A side of something. */
+typedef enum {
+    SIDE_LEFT = 0,
+    SIDE_RIGHT = 1
+} side_t;
+
+/** What there is of either side. */
+typedef struct {
+    int32_t left;
+    int32_t right;
+} sides_t;

@@ -1,0 +1,138 @@
+/* The C of tests/corpus/src/programs/functions/own_names.rs. Written by a test. */
+
+/* own_names.c */
+
+void own_names_bank_get_mut(own_names_bank_t *self, uint8_t index,
+    result_u8_own_names_missing_t *result)
+{
+    if (index >= 4U) {
+        result->is_ok = false;
+        result->value = 0U;
+        result->error.index = index;
+        return;
+    }
+    const uint64_t cell = (uint64_t)index;
+    self->cells[cell] = (uint8_t)((uint32_t)self->cells[cell] + 1U);
+    result->is_ok = true;
+    result->value = self->cells[cell];
+    result->error.index = 0U;
+}
+
+void own_names_bank_first_mut(const own_names_bank_t *self, option_u8_t *result)
+{
+    const bool condition = self->cells[0] > 7U;
+    const uint8_t value = self->cells[0];
+    if (condition) {
+        result->is_some = true;
+        result->value = value;
+    } else {
+        result->is_some = false;
+        result->value = 0U;
+    }
+}
+
+uint8_t own_names_bank_swap(own_names_bank_t *self, uint8_t by)
+{
+    self->cells[0] = (uint8_t)(self->cells[0] ^ by);
+    return self->cells[0];
+}
+
+uint8_t own_names_bank_sort(const own_names_bank_t *self)
+{
+    return self->cells[3];
+}
+
+uint8_t own_names_bank_chunks(const own_names_bank_t *self, uint8_t size)
+{
+    return (uint8_t)((uint32_t)self->cells[1] * (uint32_t)size);
+}
+
+bool own_names_bank_total_cmp(const own_names_bank_t *self, const own_names_bank_t *other)
+{
+    return self->cells[2] > other->cells[2];
+}
+
+void own_names_use_all(own_names_bank_t *bank, uint8_t index, result_u8_own_names_missing_t *result)
+{
+    result_u8_own_names_missing_t outcome;
+    own_names_bank_get_mut(bank, index, &outcome);
+    if (!outcome.is_ok) {
+        result->is_ok = false;
+        result->value = 0U;
+        result->error = outcome.error;
+        return;
+    }
+    const uint8_t cell = outcome.value;
+    const own_names_bank_t other = *bank;
+    const uint8_t sum_swap = own_names_bank_swap(bank, 3U);
+    uint8_t sum = (uint8_t)((uint32_t)(uint8_t)((uint32_t)cell + (uint32_t)sum_swap)
+        + (uint32_t)own_names_bank_sort(bank));
+    if (own_names_bank_total_cmp(bank, &other)) {
+        sum = (uint8_t)((uint32_t)sum + (uint32_t)own_names_bank_chunks(bank, 5U));
+    }
+    result->is_ok = true;
+    result->value = sum;
+    result->error.index = 0U;
+}
+
+void own_names_much(const own_names_bank_t *bank, option_u8_t *result)
+{
+    option_u8_t option;
+    own_names_bank_first_mut(bank, &option);
+    if (!option.is_some) {
+        result->is_some = false;
+        result->value = 0U;
+        return;
+    }
+    result->is_some = true;
+    result->value = (uint8_t)((uint32_t)option.value + 1U);
+}
+
+uint8_t own_names_turn(double x_y[2], const pair_u8_f64_t *turns_by)
+{
+    uint8_t turns = turns_by->first;
+    const double by = turns_by->second;
+    const double kept = x_y[0];
+    x_y[0] = x_y[1];
+    x_y[1] = kept;
+    x_y[1] = by - x_y[1];
+    turns = (uint8_t)((uint32_t)turns + 1U);
+    return turns;
+}
+
+bessemer_status_t own_names_taken(uint8_t ring[4], uint64_t at, uint8_t by, uint8_t *result)
+{
+    if (at >= UINT64_C(4)) {
+        return BESSEMER_STATUS_INDEX;
+    }
+    const uint8_t kept = ring[at];
+    if (by == 0U) {
+        return BESSEMER_STATUS_DIVISION_BY_ZERO;
+    }
+    const uint8_t next = (uint8_t)(200U / by);
+    ring[at] = next;
+    *result = kept;
+    return BESSEMER_STATUS_OK;
+}
+
+/* own_names.h */
+
+/** A few numbers. */
+typedef struct {
+    uint8_t cells[4];
+} own_names_bank_t;
+
+/** What is not there. */
+typedef struct {
+    uint8_t index;
+} own_names_missing_t;
+
+/** `Result<u8, Missing>`: a value, or why there is none. */
+typedef struct {
+    /** Whether there is a value. */
+    bool is_ok;
+    /** The value, if there is one. */
+    uint8_t value;
+    /** Why there is none. */
+    own_names_missing_t error;
+} result_u8_own_names_missing_t;

@@ -1,0 +1,40 @@
+/* The C of tests/corpus/src/programs/functions/several_entries.rs. Written by a test. */
+
+/* events.c */
+
+/* a + b, or the limit of the type beyond which it lies. */
+static uint32_t saturating_add_u32(uint32_t a, uint32_t b)
+{
+    const int64_t exact = (int64_t)a + (int64_t)b;
+    return exact > UINT32_MAX ? UINT32_MAX : (uint32_t)exact;
+}
+
+void events_init(events_t *self)
+{
+    self->count = 0U;
+}
+
+bool events_happened(events_t *self, uint32_t limit)
+{
+    self->count = saturating_add_u32(self->count, 1U);
+    return self->count >= limit;
+}
+
+uint32_t events_count(const events_t *self)
+{
+    return self->count;
+}
+
+uint32_t events_clear(events_t *self)
+{
+    const uint32_t count = self->count;
+    self->count = 0U;
+    return count;
+}
+
+/* events.h */
+
+/** A counter of events with a limit. */
+typedef struct {
+    uint32_t count;
+} events_t;

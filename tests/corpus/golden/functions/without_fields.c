@@ -1,0 +1,121 @@
+/* The C of tests/corpus/src/programs/functions/without_fields.rs. Written by a test. */
+
+/* trapezoid_integral.c */
+
+void trapezoid_integral_init(trapezoid_integral_t *self)
+{
+    self->last = 0.0;
+    self->sum = 0.0;
+}
+
+double trapezoid_integral_step(trapezoid_integral_t *self, double sample)
+{
+    self->sum += without_fields_trapezoid_area(self->last, sample, 0.01);
+    self->last = sample;
+    return self->sum;
+}
+
+/* trapezoid_integral.h */
+
+/** The one that is flown. */
+typedef struct {
+    double last;
+    double sum;
+} trapezoid_integral_t;
+
+/* without_fields.c */
+
+double without_fields_trapezoid_area(double left, double right, double step)
+{
+    return 0.5 * (left + right) * step;
+}
+
+double without_fields_rectangle_area(double left, double right, double step)
+{
+    (void)right;
+    return left * step;
+}
+
+without_fields_trouble_t without_fields_trouble_from_saturated(void)
+{
+    return WITHOUT_FIELDS_TROUBLE_HIGH;
+}
+
+void without_fields_commanded(double torque, result_f64_saturated_t *result)
+{
+    if (torque > 2.0) {
+        result->is_ok = false;
+        result->value = 0.0;
+    } else {
+        result->is_ok = true;
+        result->value = torque;
+    }
+}
+
+void without_fields_limited(double torque, result_f64_without_fields_trouble_t *result)
+{
+    result_f64_saturated_t outcome;
+    without_fields_commanded(torque, &outcome);
+    if (!outcome.is_ok) {
+        result->is_ok = false;
+        result->value = 0.0;
+        result->error = without_fields_trouble_from_saturated();
+        return;
+    }
+    const double torque_2 = outcome.value;
+    if (torque_2 < -2.0) {
+        result->is_ok = false;
+        result->value = 0.0;
+        result->error = WITHOUT_FIELDS_TROUBLE_LOW;
+    } else {
+        result->is_ok = true;
+        result->value = torque_2;
+        result->error = WITHOUT_FIELDS_TROUBLE_HIGH;
+    }
+}
+
+double without_fields_areas_rectangle(const double samples[4])
+{
+    double sum = -0.0;
+    for (uint32_t i = 0U; i < 3U; i++) {
+        const double sum_argument = samples[i];
+        sum += without_fields_rectangle_area(sum_argument, samples[i + 1], 0.5);
+    }
+    return sum;
+}
+
+double without_fields_areas_trapezoid(const double samples[4])
+{
+    double sum = -0.0;
+    for (uint32_t i = 0U; i < 3U; i++) {
+        const double sum_argument = samples[i];
+        sum += without_fields_trapezoid_area(sum_argument, samples[i + 1], 0.5);
+    }
+    return sum;
+}
+
+void without_fields_compared(const double samples[4], double result[2])
+{
+    result[0] = without_fields_areas_trapezoid(samples);
+    result[1] = without_fields_areas_rectangle(samples);
+}
+
+/* without_fields.h */
+
+/** What else may be wrong. */
+typedef enum {
+    /** Above. */
+    WITHOUT_FIELDS_TROUBLE_HIGH = 0,
+    /** Below. */
+    WITHOUT_FIELDS_TROUBLE_LOW = 1
+} without_fields_trouble_t;
+
+/** `Result<f64, Trouble>`: a value, or why there is none. */
+typedef struct {
+    /** Whether there is a value. */
+    bool is_ok;
+    /** The value, if there is one. */
+    double value;
+    /** Why there is none. */
+    without_fields_trouble_t error;
+} result_f64_without_fields_trouble_t;

@@ -1,0 +1,36 @@
+/* The C of tests/corpus/src/programs/matrices/cholesky_factor.rs. Written by a test. */
+
+/* cholesky_factor.c */
+
+double cholesky_factor_surprise(const double s[9], const double difference[3])
+{
+    option_cholesky_factor_f64_3_t option;
+    cholesky_factored_f64_3(s, &option);
+    if (option.is_some) {
+        double result_solve_1[3];
+        cholesky_factor_f64_3_solve_1(&option.value, difference, result_solve_1);
+        return difference[0] * result_solve_1[0] + difference[1] * result_solve_1[1]
+            + difference[2] * result_solve_1[2];
+    } else {
+        return -1.0;
+    }
+}
+
+void cholesky_factor_updated(const double p[4], const double x[2], double weight,
+    option_matrix2x2_f64_t *result)
+{
+    option_cholesky_factor_f64_2_t option;
+    cholesky_factored_f64_2(p, &option);
+    if (!option.is_some) {
+        result->is_some = false;
+        result->value[0] = 0.0;
+        result->value[1] = 0.0;
+        result->value[2] = 0.0;
+        result->value[3] = 0.0;
+        return;
+    }
+    cholesky_factor_f64_2_t factor = option.value;
+    cholesky_factor_f64_2_rank_one_update(&factor, x, weight);
+    cholesky_factor_f64_2_l(&factor, result->value);
+    result->is_some = true;
+}

@@ -1,0 +1,113 @@
+/* The C of tests/corpus/src/programs/matrices/covariance_factors.rs. Written by a test. */
+
+/* covariance_factors.c */
+
+void covariance_factors_variances(const double p[9], option_vector3_f64_t *result)
+{
+    option_udu_f64_3_t option;
+    udu_factored_f64_3(p, &option);
+    if (!option.is_some) {
+        result->is_some = false;
+        result->value[0] = 0.0;
+        result->value[1] = 0.0;
+        result->value[2] = 0.0;
+        return;
+    }
+    const udu_f64_3_t factors = option.value;
+    result->is_some = true;
+    result->value[0] = factors.d[0];
+    result->value[1] = factors.d[1];
+    result->value[2] = factors.d[2];
+}
+
+void covariance_factors_composed(const double p[4], double result[4])
+{
+    option_udu_f64_2_t option;
+    udu_factored_f64_2(p, &option);
+    if (option.is_some) {
+        double result_d_matrix[4];
+        udu_f64_2_d_matrix(&option.value, result_d_matrix);
+        const double result_product[4] = {
+            option.value.u[0 + 2 * 0] * result_d_matrix[0 + 2 * 0]
+                + option.value.u[0 + 2 * 1] * result_d_matrix[1 + 2 * 0],
+            option.value.u[1 + 2 * 0] * result_d_matrix[0 + 2 * 0]
+                + option.value.u[1 + 2 * 1] * result_d_matrix[1 + 2 * 0],
+            option.value.u[0 + 2 * 0] * result_d_matrix[0 + 2 * 1]
+                + option.value.u[0 + 2 * 1] * result_d_matrix[1 + 2 * 1],
+            option.value.u[1 + 2 * 0] * result_d_matrix[0 + 2 * 1]
+                + option.value.u[1 + 2 * 1] * result_d_matrix[1 + 2 * 1]
+        };
+        {
+            const double product[4] = {
+                result_product[0 + 2 * 0] * option.value.u[0 + 2 * 0]
+                    + result_product[0 + 2 * 1] * option.value.u[0 + 2 * 1],
+                result_product[1 + 2 * 0] * option.value.u[0 + 2 * 0]
+                    + result_product[1 + 2 * 1] * option.value.u[0 + 2 * 1],
+                result_product[0 + 2 * 0] * option.value.u[1 + 2 * 0]
+                    + result_product[0 + 2 * 1] * option.value.u[1 + 2 * 1],
+                result_product[1 + 2 * 0] * option.value.u[1 + 2 * 0]
+                    + result_product[1 + 2 * 1] * option.value.u[1 + 2 * 1]
+            };
+            result[0] = product[0];
+            result[1] = product[1];
+            result[2] = product[2];
+            result[3] = product[3];
+        }
+    } else {
+        result[0] = 0.0;
+        result[1] = 0.0;
+        result[2] = 0.0;
+        result[3] = 0.0;
+    }
+}
+
+void covariance_factors_gain(const double p[9], const double h[6], const double s[4],
+    double result[6])
+{
+    option_ldl_f64_2_t option;
+    ldl_factored_f64_2(s, &option);
+    if (option.is_some) {
+        const double result_b[6] = {
+            h[0 + 2 * 0] * p[0 + 3 * 0] + h[0 + 2 * 1] * p[1 + 3 * 0] + h[0 + 2 * 2] * p[2 + 3 * 0],
+            h[1 + 2 * 0] * p[0 + 3 * 0] + h[1 + 2 * 1] * p[1 + 3 * 0] + h[1 + 2 * 2] * p[2 + 3 * 0],
+            h[0 + 2 * 0] * p[0 + 3 * 1] + h[0 + 2 * 1] * p[1 + 3 * 1] + h[0 + 2 * 2] * p[2 + 3 * 1],
+            h[1 + 2 * 0] * p[0 + 3 * 1] + h[1 + 2 * 1] * p[1 + 3 * 1] + h[1 + 2 * 2] * p[2 + 3 * 1],
+            h[0 + 2 * 0] * p[0 + 3 * 2] + h[0 + 2 * 1] * p[1 + 3 * 2] + h[0 + 2 * 2] * p[2 + 3 * 2],
+            h[1 + 2 * 0] * p[0 + 3 * 2] + h[1 + 2 * 1] * p[1 + 3 * 2] + h[1 + 2 * 2] * p[2 + 3 * 2]
+        };
+        double result_solve_3[6];
+        ldl_f64_2_solve_3(&option.value, result_b, result_solve_3);
+        result[0 + 3 * 0] = result_solve_3[0 + 2 * 0];
+        result[1 + 3 * 0] = result_solve_3[0 + 2 * 1];
+        result[2 + 3 * 0] = result_solve_3[0 + 2 * 2];
+        result[0 + 3 * 1] = result_solve_3[1 + 2 * 0];
+        result[1 + 3 * 1] = result_solve_3[1 + 2 * 1];
+        result[2 + 3 * 1] = result_solve_3[1 + 2 * 2];
+    } else {
+        for (uint32_t i = 0U; i < 6U; i++) {
+            result[i] = 0.0;
+        }
+    }
+}
+
+void covariance_factors_full_rank(const float p[9], pair_bool_f32_t *result)
+{
+    option_ldl_f32_3_t factors;
+    ldl_factored_f32_3(p, &factors);
+    bool result_choice;
+    if (factors.is_some) {
+        const ldl_f32_3_t it = factors.value;
+        result_choice = ldl_f32_3_is_positive(&it);
+    } else {
+        result_choice = false;
+    }
+    float result_choice_2;
+    if (factors.is_some) {
+        const ldl_f32_3_t it = factors.value;
+        result_choice_2 = ldl_f32_3_determinant(&it);
+    } else {
+        result_choice_2 = 0.0F;
+    }
+    result->first = result_choice;
+    result->second = result_choice_2;
+}

@@ -1,0 +1,63 @@
+/* The C of tests/corpus/src/programs/matrices/lu_factors.rs. Written by a test. */
+
+/* lu_factors.c */
+
+void lu_factors_refined(const double a[9], const double b[3], option_vector3_f64_t *result)
+{
+    lu_f64_3_t lu;
+    lu_factored_f64_3(a, &lu);
+    option_vector3_f64_t option;
+    lu_f64_3_solve_1(&lu, b, &option);
+    if (!option.is_some) {
+        result->is_some = false;
+        result->value[0] = 0.0;
+        result->value[1] = 0.0;
+        result->value[2] = 0.0;
+        return;
+    }
+    const double x[3] = {option.value[0], option.value[1], option.value[2]};
+    const double residual_product[3] = {
+        a[0 + 3 * 0] * x[0] + a[0 + 3 * 1] * x[1] + a[0 + 3 * 2] * x[2],
+        a[1 + 3 * 0] * x[0] + a[1 + 3 * 1] * x[1] + a[1 + 3 * 2] * x[2],
+        a[2 + 3 * 0] * x[0] + a[2 + 3 * 1] * x[1] + a[2 + 3 * 2] * x[2]
+    };
+    const double residual[3] = {
+        b[0] - residual_product[0],
+        b[1] - residual_product[1],
+        b[2] - residual_product[2]
+    };
+    option_vector3_f64_t option_2;
+    lu_f64_3_solve_1(&lu, residual, &option_2);
+    if (!option_2.is_some) {
+        result->is_some = false;
+        result->value[0] = 0.0;
+        result->value[1] = 0.0;
+        result->value[2] = 0.0;
+        return;
+    }
+    const double correction[3] = {option_2.value[0], option_2.value[1], option_2.value[2]};
+    const double result_value[3] = {
+        x[0] + correction[0],
+        x[1] + correction[1],
+        x[2] + correction[2]
+    };
+    result->is_some = true;
+    result->value[0] = result_value[0];
+    result->value[1] = result_value[1];
+    result->value[2] = result_value[2];
+}
+
+void lu_factors_both(const float a[16], pair_f32_matrix4x4_f32_t *result)
+{
+    lu_f32_4_t lu;
+    lu_factored_f32_4(a, &lu);
+    const float result_part = lu_f32_4_determinant(&lu);
+    option_matrix4x4_f32_t option;
+    lu_f32_4_try_inverse(&lu, &option);
+    float result_choice[16] = {0.0F};
+    if (option.is_some) {
+        memcpy(result_choice, option.value, sizeof(float[16]));
+    }
+    result->first = result_part;
+    memcpy(result->second, result_choice, sizeof(float[16]));
+}

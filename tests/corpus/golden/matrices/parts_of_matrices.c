@@ -1,0 +1,23 @@
+/* The C of tests/corpus/src/programs/matrices/parts_of_matrices.rs. Written by a test. */
+
+/* parts_of_matrices.c */
+
+void parts_of_matrices_off(const double turn[9], double result[2])
+{
+    result[0] = parts_trace_f64_3(turn) - 3.0;
+    result[1] = matrix_extremes_amax_f64_3_3(turn);
+}
+
+void parts_of_matrices_learn(double information[9], const double x[3], double forgetting)
+{
+    blas_ger_f64_3_3(information, 1.0, x, x, forgetting);
+}
+
+void parts_of_matrices_weights(const float raw[4], float result[4])
+{
+    const float result_sum_f32_4_1 = matrix_statistics_sum_f32_4_1(raw);
+    result[0] = raw[0] / result_sum_f32_4_1;
+    result[1] = raw[1] / result_sum_f32_4_1;
+    result[2] = raw[2] / result_sum_f32_4_1;
+    result[3] = raw[3] / result_sum_f32_4_1;
+}

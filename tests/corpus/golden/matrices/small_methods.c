@@ -1,0 +1,123 @@
+/* The C of tests/corpus/src/programs/matrices/small_methods.rs. Written by a test. */
+
+/* small_methods.c */
+
+void small_methods_quadratic(const double v[3], const double a[9], triple_f64_f64_f64_t *result)
+{
+    const double row[3] = {
+        v[0] * a[0 + 3 * 0] + v[1] * a[1 + 3 * 0] + v[2] * a[2 + 3 * 0],
+        v[0] * a[0 + 3 * 1] + v[1] * a[1 + 3 * 1] + v[2] * a[2 + 3 * 1],
+        v[0] * a[0 + 3 * 2] + v[1] * a[1 + 3 * 2] + v[2] * a[2 + 3 * 2]
+    };
+    const double result_part_a[1] = {row[0] * v[0] + row[1] * v[1] + row[2] * v[2]};
+    const double result_part = parts_to_scalar_f64(result_part_a);
+    const double result_left_a[1] = {row[0] * v[0] + row[1] * v[1] + row[2] * v[2]};
+    const double result_left = parts_to_scalar_f64(result_left_a);
+    const double vector[1] = {row[0] * v[0] + row[1] * v[1] + row[2] * v[2]};
+    result->first = result_part;
+    result->second = result_left + vector[0];
+    result->third = row[0] - row[2];
+}
+
+float small_methods_turn(const float a[2], const float b[2])
+{
+    return blas_perp_f32(a, b);
+}
+
+bessemer_status_t small_methods_shapes(const double a[6], pair_usize_bool_t *result)
+{
+    pair_usize_usize_t pair;
+    parts_shape_f64_2_3(a, &pair);
+    if (pair.first > UINT64_C(0x1999999999999999)) {
+        return BESSEMER_STATUS_OVERFLOW;
+    }
+    if (UINT64_C(10) * pair.first > UINT64_MAX - pair.second) {
+        return BESSEMER_STATUS_OVERFLOW;
+    }
+    result->first = UINT64_C(10) * pair.first + pair.second;
+    result->second = parts_is_square_f64_2_3(a);
+    return BESSEMER_STATUS_OK;
+}
+
+void small_methods_squared(const double a[4], double result[4])
+{
+    const double copy[4] = {a[0], a[1], a[2], a[3]};
+    {
+        const double product[4] = {
+            copy[0 + 2 * 0] * copy[0 + 2 * 0] + copy[0 + 2 * 1] * copy[1 + 2 * 0],
+            copy[1 + 2 * 0] * copy[0 + 2 * 0] + copy[1 + 2 * 1] * copy[1 + 2 * 0],
+            copy[0 + 2 * 0] * copy[0 + 2 * 1] + copy[0 + 2 * 1] * copy[1 + 2 * 1],
+            copy[1 + 2 * 0] * copy[0 + 2 * 1] + copy[1 + 2 * 1] * copy[1 + 2 * 1]
+        };
+        result[0] = product[0];
+        result[1] = product[1];
+        result[2] = product[2];
+        result[3] = product[3];
+    }
+}
+
+void small_methods_rounded(const double a[6], pair_matrix2x3_f32_matrix2x3_f64_t *result)
+{
+    float single[6];
+    elementwise_cast_f64_f32_2_3(a, single);
+    double result_cast_f32_f64_2_3[6];
+    elementwise_cast_f32_f64_2_3(single, result_cast_f32_f64_2_3);
+    double result_second[6];
+    for (uint32_t i = 0U; i < 6U; i++) {
+        result_second[i] = result_cast_f32_f64_2_3[i] - a[i];
+    }
+    memcpy(result->first, single, sizeof(float[6]));
+    memcpy(result->second, result_second, sizeof(double[6]));
+}
+
+void small_methods_centre(const double points[4][3], pair_vector3_f64_vector3_f64_t *result)
+{
+    double sum[3] = {0.0};
+    for (uint32_t i = 0U; i < 4U; i++) {
+        sum[0] += points[i][0];
+        sum[1] += points[i][1];
+        sum[2] += points[i][2];
+    }
+    const double result_part[3] = {sum[0] / 4.0, sum[1] / 4.0, sum[2] / 4.0};
+    double sum_2[3] = {0.0};
+    for (uint32_t i = 0U; i < 4U; i++) {
+        sum_2[0] += points[i][0] * 0.5;
+        sum_2[1] += points[i][1] * 0.5;
+        sum_2[2] += points[i][2] * 0.5;
+    }
+    result->first[0] = result_part[0];
+    result->first[1] = result_part[1];
+    result->first[2] = result_part[2];
+    result->second[0] = sum_2[0];
+    result->second[1] = sum_2[1];
+    result->second[2] = sum_2[2];
+}
+
+void small_methods_into_places(const double a[6], const double b[6], double product[4],
+    double other[9])
+{
+    blas_mul_to_f64_2_3_2(a, b, product);
+    blas_tr_mul_to_f64_2_3_3(a, a, other);
+}
+
+void small_methods_parts(const double state[6],
+    triple_vector3_f64_vector3_f64_vector3_f64_t *result)
+{
+    const double position[3] = {state[0], state[1], state[2]};
+    const double velocity[3] = {state[3], state[4], state[5]};
+    double mapped[3];
+    for (uint32_t column = 0U; column < 1U; column++) {
+        for (uint32_t row = 0U; row < 3U; row++) {
+            mapped[row] = position[row] + (double)row;
+        }
+    }
+    result->first[0] = position[0];
+    result->first[1] = position[1];
+    result->first[2] = position[2];
+    result->second[0] = velocity[0];
+    result->second[1] = velocity[1];
+    result->second[2] = velocity[2];
+    result->third[0] = mapped[0];
+    result->third[1] = mapped[1];
+    result->third[2] = mapped[2];
+}

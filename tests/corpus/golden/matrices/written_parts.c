@@ -1,0 +1,106 @@
+/* The C of tests/corpus/src/programs/matrices/written_parts.rs. Written by a test. */
+
+/* written_parts_blocks.c */
+
+void blocks_init(blocks_t *self)
+{
+    for (uint32_t i = 0U; i < 36U; i++) {
+        self->p[i] = 0.0;
+    }
+    self->fault = BESSEMER_STATUS_OK;
+}
+
+void blocks_reset(blocks_t *self, const double cross[9], double noise)
+{
+    for (uint32_t column = 0U; column < 3U; column++) {
+        for (uint32_t row = 0U; row < 3U; row++) {
+            self->p[row + 6 * (column + 3)] = cross[row + 3 * column];
+        }
+    }
+    double part[9] = {
+        self->p[3 + 6 * 3], self->p[4 + 6 * 3], self->p[5 + 6 * 3],
+        self->p[3 + 6 * 4], self->p[4 + 6 * 4], self->p[5 + 6 * 4],
+        self->p[3 + 6 * 5], self->p[4 + 6 * 5], self->p[5 + 6 * 5]
+    };
+    matrix_edit_fill_diagonal_f64_3_3(part, noise);
+    for (uint32_t column = 0U; column < 3U; column++) {
+        for (uint32_t row = 0U; row < 3U; row++) {
+            self->p[row + 3 + 6 * (column + 3)] = part[row + 3 * column];
+        }
+    }
+    double part_2[4] = {
+        self->p[3 + 6 * 4], self->p[4 + 6 * 4],
+        self->p[3 + 6 * 5], self->p[4 + 6 * 5]
+    };
+    matrix_edit_fill_f64_2_2(part_2, 0.5);
+    for (uint32_t column = 0U; column < 2U; column++) {
+        for (uint32_t row = 0U; row < 2U; row++) {
+            self->p[row + 3 + 6 * (column + 4)] = part_2[row + 2 * column];
+        }
+    }
+}
+
+void blocks_exchange(blocks_t *self)
+{
+    for (uint32_t column = 0U; column < 6U; column++) {
+        const double held = self->p[0 + 6 * column];
+        self->p[0 + 6 * column] = self->p[1 + 6 * column];
+        self->p[1 + 6 * column] = held;
+    }
+    for (uint32_t row = 0U; row < 6U; row++) {
+        const double held = self->p[row + 6 * 0];
+        self->p[row + 6 * 0] = self->p[row + 6 * 1];
+        self->p[row + 6 * 1] = held;
+    }
+}
+
+void blocks_update(blocks_t *self, const double gain[6], const double row[6])
+{
+    for (uint32_t i = 0U; i < 3U; i++) {
+        for (uint32_t row_2 = 0U; row_2 < 6U; row_2++) {
+            self->p[row_2 + 6 * i] = gain[row_2];
+        }
+    }
+    double vector[6];
+    for (uint32_t i = 0U; i < 6U; i++) {
+        vector[i] = gain[i] * 2.0;
+    }
+    for (uint32_t row_2 = 0U; row_2 < 6U; row_2++) {
+        self->p[row_2 + 6 * 4] = vector[row_2];
+    }
+    for (uint32_t column = 0U; column < 6U; column++) {
+        self->p[5 + 6 * column] = row[column];
+    }
+    for (uint32_t row_2 = 0U; row_2 < 6U; row_2++) {
+        self->p[row_2 + 6 * 3] = 0.0;
+    }
+}
+
+bessemer_status_t blocks_set(blocks_t *self, uint64_t at, const double part[3])
+{
+    if (self->fault != BESSEMER_STATUS_OK) {
+        return self->fault;
+    }
+    if (at > UINT64_C(0xFFFFFFFFFFFFFFFC)) {
+        self->fault = BESSEMER_STATUS_OVERFLOW;
+        return BESSEMER_STATUS_OVERFLOW;
+    }
+    if (at + UINT64_C(3) > UINT64_C(6)) {
+        self->fault = BESSEMER_STATUS_INDEX;
+        return BESSEMER_STATUS_INDEX;
+    }
+    for (uint32_t row = 0U; row < 3U; row++) {
+        self->p[at + (uint64_t)row + 6 * at] = part[row];
+    }
+    return BESSEMER_STATUS_OK;
+}
+
+/* written_parts_blocks.h */
+
+/** A covariance, its blocks set one by one. */
+typedef struct {
+    /** A matrix by columns: [row + 6 * column]. */
+    double p[36];
+    /** The fault that stopped the component; BESSEMER_STATUS_OK while it runs. */
+    bessemer_status_t fault;
+} blocks_t;

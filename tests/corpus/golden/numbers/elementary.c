@@ -1,0 +1,26 @@
+/* The C of tests/corpus/src/programs/numbers/elementary.rs. Written by a test. */
+
+/* elementary.c */
+
+/* The smaller of two numbers: -0 < +0, and a NaN gives the other. */
+static double min_f64(double a, double b)
+{
+    if (a < b || isnan(b)) {
+        return a;
+    }
+    if (b < a || isnan(a)) {
+        return b;
+    }
+    return signbit(a) ? a : b;
+}
+
+double elementary_arc(double radius, double one, double other)
+{
+    const double half = sine_sin((one - other) / 2.0);
+    return 2.0 * radius * arctangent_asin(min_f64(fabs(half), 1.0));
+}
+
+float elementary_heading(float east, float north)
+{
+    return math_single_atan2f(east, north);
+}

@@ -1,0 +1,100 @@
+/* The C of tests/corpus/src/programs/numbers/narrowing.rs. Written by a test. */
+
+/* narrowing.c */
+
+static const uint8_t U8_MAX = 255U;
+
+/* The signed integer with these bits. */
+static int16_t wrap_i16(uint16_t bits)
+{
+    return bits <= (uint16_t)INT16_MAX ? (int16_t)bits : (int16_t)(-1 - (int16_t)(UINT16_MAX - bits));
+}
+
+/* The signed integer with these bits. */
+static int32_t wrap_i32(uint32_t bits)
+{
+    return bits <= (uint32_t)INT32_MAX ? (int32_t)bits : -1 - (int32_t)(UINT32_MAX - bits);
+}
+
+uint8_t narrowing_level(int32_t x)
+{
+    result_u8_unit_t result_narrowed = {.is_ok = false, .value = 0U};
+    if (x >= 0 && x <= 255) {
+        result_narrowed.is_ok = true;
+        result_narrowed.value = (uint8_t)x;
+    }
+    uint8_t result_choice;
+    if (x < 0) {
+        result_choice = 0U;
+    } else {
+        result_choice = U8_MAX;
+    }
+    uint8_t result_choice_2 = result_choice;
+    if (result_narrowed.is_ok) {
+        result_choice_2 = result_narrowed.value;
+    }
+    return result_choice_2;
+}
+
+void narrowing_steps(int64_t x, option_i16_t *result)
+{
+    result_i16_unit_t result_narrowed = {.is_ok = false, .value = 0};
+    if (x >= -INT64_C(32768) && x <= INT64_C(32767)) {
+        result_narrowed.is_ok = true;
+        result_narrowed.value = wrap_i16((uint16_t)x);
+    }
+    result->is_some = false;
+    result->value = 0;
+    if (result_narrowed.is_ok) {
+        result->is_some = true;
+        result->value = result_narrowed.value;
+    }
+}
+
+void narrowing_index(int8_t x, option_usize_t *result)
+{
+    result_usize_unit_t value_narrowed = {.is_ok = false, .value = UINT64_C(0)};
+    if (x >= 0) {
+        value_narrowed.is_ok = true;
+        value_narrowed.value = (uint64_t)x;
+    }
+    if (!value_narrowed.is_ok) {
+        result->is_some = false;
+        result->value = UINT64_C(0);
+        return;
+    }
+    if (value_narrowed.value < UINT64_C(12)) {
+        result->is_some = true;
+        result->value = value_narrowed.value;
+    } else {
+        result->is_some = false;
+        result->value = UINT64_C(0);
+    }
+}
+
+bool narrowing_fits(uint32_t count)
+{
+    result_u8_unit_t narrow = {.is_ok = false, .value = 0U};
+    if (count <= 255U) {
+        narrow.is_ok = true;
+        narrow.value = (uint8_t)count;
+    }
+    return narrow.is_ok;
+}
+
+bessemer_status_t narrowing_difference(uint32_t now, uint32_t before, int32_t *result)
+{
+    const int64_t now_2 = (int64_t)now;
+    const int64_t before_2 = (int64_t)before;
+    const int64_t selector = now_2 - before_2;
+    result_i32_unit_t result_narrowed = {.is_ok = false, .value = 0};
+    if (selector >= INT32_MIN && selector <= INT32_MAX) {
+        result_narrowed.is_ok = true;
+        result_narrowed.value = wrap_i32((uint32_t)selector);
+    }
+    if (!result_narrowed.is_ok) {
+        return BESSEMER_STATUS_ABSENT;
+    }
+    *result = result_narrowed.value;
+    return BESSEMER_STATUS_OK;
+}

@@ -1,0 +1,31 @@
+/* The C of tests/corpus/src/programs/numbers/shifts.rs. Written by a test. */
+
+/* shifts.c */
+
+/* value divided by 2^count and rounded down; count is less than 16. */
+static int16_t shift_right_i16(int16_t value, uint32_t count)
+{
+    return value < 0 ? (int16_t)~(~value >> count) : (int16_t)(value >> count);
+}
+
+bessemer_status_t shifts_field(uint32_t word, uint32_t first, uint32_t width, uint32_t *result)
+{
+    if (first >= 32U) {
+        return BESSEMER_STATUS_SHIFT;
+    }
+    if (width >= 32U) {
+        return BESSEMER_STATUS_SHIFT;
+    }
+    *result = (word >> first) & ((1U << width) - 1U);
+    return BESSEMER_STATUS_OK;
+}
+
+uint16_t shifts_middle(uint32_t word)
+{
+    return (uint16_t)(word >> 8);
+}
+
+int16_t shifts_halved(int16_t n)
+{
+    return shift_right_i16(n, 1U);
+}

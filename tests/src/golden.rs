@@ -1,0 +1,26 @@
+//! Files of the repository that tests write: pages, and C that is to stay as it is.
+//!
+//! Invariant: nothing is written without `UPDATE_DOCS`.
+
+use std::fs;
+use std::path::Path;
+
+use crate::root;
+
+/// Whether a file, named from the root, has this text. With `UPDATE_DOCS` it has it afterwards.
+///
+/// # Panics
+/// If it is to be written and cannot be.
+pub fn holds(path: &Path, text: &str) -> bool {
+    let full = root().join(path);
+    if fs::read_to_string(&full).is_ok_and(|old| old == text) {
+        return true;
+    }
+    if std::env::var_os("UPDATE_DOCS").is_none() {
+        return false;
+    }
+    let folder = full.parent().unwrap_or(&full);
+    fs::create_dir_all(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    fs::write(&full, text).unwrap_or_else(|error| panic!("{}: {error}", full.display()));
+    true
+}

@@ -1,0 +1,175 @@
+//! The programs of the book's cookbook do what their pages say: loops are closed, and properties hold for many inputs.
+//!
+//! That their C has the same bits is the corpus' to show, as of any other program.
+
+use corpus::programs::cookbook::debounce::{ButtonEdge, PushButton, STABLE_SAMPLES};
+use corpus::programs::cookbook::lookup_table::{
+    BROKEN, NTC_COUNTS, NTC_TEMPERATURES, SHORTED, thermistor,
+};
+use corpus::programs::cookbook::low_pass::{BiquadFilter, butterworth};
+use corpus::programs::cookbook::pi::{PiController, PiParameters};
+use corpus::programs::cookbook::position_servo::{PositionServo, SPEED_PERIODS, ServoParameters};
+use corpus::programs::cookbook::pump::{DRY_MS, PRIMING_MS, PumpControl, PumpInputs, PumpState};
+use corpus::programs::cookbook::q15_filter::{Q15, Q15LowPass};
+use corpus::programs::cookbook::rate_limiter::{RateLimiter, SlewLimits};
+
+/// A small motor: 20 rad/s for each volt, with a time constant of 50 ms.
+#[derive(Default)]
+struct Motor {
+    position: f32,
+    speed: f32,
+}
+
+impl Motor {
+    fn step(&mut self, voltage: f32, period: f32) {
+        self.speed += (20.0 * voltage - self.speed) / 0.05 * period;
+        self.position += self.speed * period;
+    }
+}
+
+const SPEED_LOOP: PiParameters =
+    PiParameters { proportional: 0.1, integral: 2.0, period: 1e-3, low: -12.0, high: 12.0 };
+
+#[test]
+fn the_pi_loop_does_not_wind_up() {
+    let (mut controller, mut motor) = (PiController::default(), Motor::default());
+    let mut run = |target: f32| {
+        let mut voltages = (0..1000).map(|_| {
+            let voltage = controller.step(&SPEED_LOOP, target, motor.speed);
+            motor.step(voltage, SPEED_LOOP.period);
+            (voltage, motor.speed)
+        });
+        let (first, _) = voltages.next().unwrap_or_default();
+        let (highest, last) =
+            voltages.fold((0.0_f32, 0.0), |(most, _), (_, speed)| (most.max(speed), speed));
+        (first, highest, last)
+    };
+    // From rest the output is at its limit for a while, and the speed does not overshoot.
+    let (first, highest, last) = run(200.0);
+    assert!(first == 12.0 && highest < 201.0 && (last - 200.0).abs() < 0.1, "{highest}, {last}");
+    // A second at a target that cannot be reached; then the output leaves its limit at once.
+    let (_, _, last) = run(400.0);
+    assert!((last - 240.0).abs() < 0.1, "{last}");
+    let (first, _, last) = run(200.0);
+    assert!(first < 12.0 && (last - 200.0).abs() < 0.1, "{first}, {last}");
+}
+
+#[test]
+fn the_pi_loop_takes_over_where_it_was_left_and_lets_no_nan_in() {
+    let mut controller = PiController::default();
+    controller.preset(&SPEED_LOOP, 5.0);
+    assert_eq!(controller.step(&SPEED_LOOP, 100.0, 100.0), 5.0);
+    assert_eq!(controller.step(&SPEED_LOOP, 100.0, f32::NAN), -12.0);
+    assert_eq!(controller.step(&SPEED_LOOP, 100.0, 100.0), 5.0);
+}
+
+#[test]
+fn the_thermistor_is_monotone_and_right_at_its_points() {
+    let mut before = f32::INFINITY;
+    for counts in 0..=u16::MAX {
+        let Some(temperature) = thermistor(counts) else {
+            assert!(!(SHORTED..=BROKEN).contains(&counts));
+            continue;
+        };
+        assert!(temperature <= before && (0.0..=120.0).contains(&temperature), "{counts}");
+        before = temperature;
+        // The law that the table stands for, between its ends.
+        let resistance = 10e3 * f64::from(counts) / (4096.0 - f64::from(counts));
+        let law = 1.0 / (1.0 / 298.15 + (resistance / 10e3).ln() / 3950.0) - 273.15;
+        if (0.0..=120.0).contains(&law) {
+            assert!((f64::from(temperature) - law).abs() < 1.6, "{counts}: {temperature} °C");
+        }
+    }
+    assert_eq!((NTC_COUNTS.len(), NTC_TEMPERATURES[0]), (NTC_TEMPERATURES.len(), 120.0));
+}
+
+#[test]
+fn the_set_point_keeps_its_rates_and_arrives() {
+    let limits = SlewLimits { rise: 2.0, fall: 5.0, period: 0.01 };
+    let (mut limiter, mut before) = (RateLimiter::default(), 0.0);
+    for period in 0..600 {
+        let target = [1.0, -1.0, 0.3, f32::NAN][period / 150];
+        let output = limiter.step(&limits, target);
+        assert!((-0.0501..=0.0201).contains(&(output - before)), "{before} to {output}");
+        before = output;
+        if period % 150 == 149 && period < 450 {
+            assert_eq!(output, target);
+        }
+    }
+    assert_eq!(before, 0.3);
+}
+
+#[test]
+fn the_low_pass_passes_what_is_slow_and_halves_the_power_at_its_cutoff() {
+    let (cutoff, rate) = (50.0, 1000.0);
+    let coefficients = butterworth(cutoff, rate);
+    let gain = |frequency: f32| {
+        let mut filter = BiquadFilter::default();
+        let wave = |n: i32| (core::f32::consts::TAU * frequency / rate * n as f32).sin();
+        let settled = (0..2000).map(|n| filter.step(&coefficients, wave(n))).skip(1000);
+        settled.fold(0.0_f32, |most, sample| most.max(sample.abs()))
+    };
+    assert!((gain(1.0) - 1.0).abs() < 0.01);
+    assert!((gain(cutoff) - core::f32::consts::FRAC_1_SQRT_2).abs() < 0.01);
+    assert!(gain(400.0) < 0.01);
+    let mut filter = BiquadFilter::default();
+    filter.preset(&coefficients, 3.0);
+    assert!((0..100).all(|_| (filter.step(&coefficients, 3.0) - 3.0).abs() < 1e-5));
+}
+
+#[test]
+fn a_button_that_bounces_is_pressed_once() {
+    let mut button = PushButton::default();
+    let bouncing = [true, false, true, true, false].into_iter().cycle().take(20);
+    let pressed = [true].into_iter().cycle().take(20);
+    let edges = bouncing.chain(pressed).map(|closed| button.sample(closed));
+    assert_eq!(edges.filter(|edge| *edge == ButtonEdge::Pressed).count(), 1);
+    assert!(button.is_pressed());
+    let released = (0..STABLE_SAMPLES).map(|_| button.sample(false));
+    assert_eq!(released.last(), Some(ButtonEdge::Released));
+}
+
+#[test]
+fn a_dry_pump_stays_off_until_it_is_acknowledged() {
+    let mut pump = PumpControl::default();
+    let mut run = |demand, flow, acknowledge, periods: u16| {
+        let inputs = PumpInputs { demand, flow, acknowledge };
+        let on = (0..periods).filter(|_| pump.step(&inputs)).count();
+        (on, pump.state())
+    };
+    assert_eq!(run(true, false, false, PRIMING_MS + 1).1, PumpState::Priming { left: 0 });
+    assert_eq!(run(true, true, false, 1000), (1000, PumpState::Running { dry: 0 }));
+    assert_eq!(run(true, false, false, DRY_MS).1, PumpState::Running { dry: DRY_MS });
+    assert_eq!(run(true, false, false, 1), (0, PumpState::LockedOut));
+    assert_eq!(run(true, true, true, 100), (0, PumpState::LockedOut));
+    assert_eq!(run(false, true, false, 100), (0, PumpState::LockedOut));
+    assert_eq!(run(false, false, true, 1), (0, PumpState::Off));
+}
+
+#[test]
+fn the_servo_arrives_at_its_position_and_asks_for_no_more_than_its_speed() {
+    let parameters = ServoParameters { stiffness: 8.0, speed_limit: 50.0, speed: SPEED_LOOP };
+    let (mut servo, mut motor) = (PositionServo::default(), Motor::default());
+    let mut fastest = 0.0_f32;
+    for _ in 0..200 * u16::from(SPEED_PERIODS) {
+        let voltage = servo.step(&parameters, 10.0, motor.position, motor.speed);
+        motor.step(voltage, SPEED_LOOP.period);
+        fastest = fastest.max(motor.speed);
+    }
+    assert!((motor.position - 10.0).abs() < 0.01, "{} rad", motor.position);
+    assert!((45.0..60.0).contains(&fastest), "{fastest} rad/s");
+}
+
+#[test]
+fn the_fixed_point_filter_is_its_floating_one_to_a_step() {
+    let (mut filter, mut level) = (Q15LowPass::default(), 0.0_f64);
+    let (gain, share) = (Q15(0x4000), Q15(0x0147));
+    for n in 0..5000_i32 {
+        let sample = Q15(((n * 7919) % 65536 - 32768) as i16);
+        let output = filter.step(gain, share, sample);
+        let target = f64::from((gain * sample).0) / 32768.0;
+        level += f64::from(share.0) / 32768.0 * (target - level);
+        assert!((f64::from(output.0) / 32768.0 - level).abs() < 1.0 / 32768.0, "{n}");
+    }
+    assert_eq!(Q15(i16::MIN) * Q15(i16::MIN), Q15(i16::MAX));
+}
