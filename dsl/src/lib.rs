@@ -1,8 +1,21 @@
-//! What the author of a model imports: the attributes, the prelude and the elementary functions.
+//! The author of a model imports this crate: the attributes, the prelude and the elementary functions.
 //!
 //! A model is ordinary Rust over scalars, arrays, nalgebra's fixed matrices and its own plain data.
 //! The attributes leave it as written, save that scalar methods (`x.sin()`, `x.min(y)`) go to
 //! [`math`], which computes the same bits on every target.
+//!
+//! **Where to go on.** The book, `docs/book/README.md` of the repository, goes from nothing to firmware
+//! (`tutorial.md`), has recipes (`cookbook/`) and a reference of types, statements, methods, faults and
+//! messages (`reference/`). Here each attribute has a page with an example that runs:
+//!
+//! | mark | a |
+//! |---|---|
+//! | [`#[component]`](macro@component) | state with its methods; [`#[entry]`](macro@entry) those that firmware calls |
+//! | [`#[data]`](macro@data) | struct or enum of plain data, its methods, a table |
+//! | [`#[function]`](macro@function) | free function |
+//! | [`#[interface]`](macro@interface) | trait that several components implement |
+//! | [`#[external]`](macro@external) | function that firmware brings |
+//! | [`#[c]`](macro@c) | name or a section in the C |
 //!
 //! ```
 //! use bessemer::prelude::*;
@@ -38,6 +51,7 @@
 extern crate alloc;
 extern crate self as bessemer;
 
+#[doc(inline)]
 pub use bessemer_macros::{c, component, data, entry, external, function, interface};
 pub use bounded::BoundedMatrix;
 pub use element::{Element, Number};

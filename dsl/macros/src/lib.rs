@@ -41,6 +41,40 @@ fn deep(expand: impl FnOnce() -> proc_macro2::TokenStream) -> TokenStream {
 ///
 /// The struct or enum becomes a C `typedef`; its methods become C functions, `pid_torque(…)` for
 /// `Pid::torque`. Derives are the author's: `Clone`, `Copy`, `Debug`, `Default`, `PartialEq`.
+///
+/// # Example
+///
+/// ```
+/// use bessemer::prelude::*;
+///
+/// /// Gains of one axis.
+/// #[data]
+/// #[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// pub struct Gains {
+///     /// Torque for each rad of error, N·m/rad.
+///     pub proportional: f64,
+///     /// Torque for each rad/s of its rate, N·m·s/rad.
+///     pub derivative: f64,
+/// }
+///
+/// #[data]
+/// impl Gains {
+///     /// The torque that answers an error of `error` rad and its rate of `rate` rad/s, N·m.
+///     pub fn respond(&self, error: f64, rate: f64) -> f64 {
+///         self.proportional * error + self.derivative * rate
+///     }
+/// }
+///
+/// /// A curve in flash, with a name in the C.
+/// #[data]
+/// pub static FLOW: [f32; 3] = [0.0, 0.4, 1.0];
+///
+/// let gains = Gains { proportional: 2.0, derivative: 0.5 };
+/// assert_eq!(gains.respond(1.0, -2.0), 1.0);
+/// assert_eq!(FLOW[1], 0.4);
+/// ```
+///
+/// In the C: `typedef struct { … } gains_t;`, `gains_respond(const gains_t *self, …)`, and `FLOW`.
 #[proc_macro_attribute]
 pub fn data(arguments: TokenStream, item: TokenStream) -> TokenStream {
     deep(|| data::expand(Kind::Data, arguments.into(), item.into()))
@@ -50,12 +84,69 @@ pub fn data(arguments: TokenStream, item: TokenStream) -> TokenStream {
 ///
 /// `Default` gives the initial state, which the C's `…_init` sets. In the `impl` block, methods marked
 /// `#[entry]` are what the firmware calls; the others stay private to the component's C file.
+///
+/// # Example
+///
+/// ```
+/// use bessemer::prelude::*;
+///
+/// /// Counts revolutions.
+/// #[component]
+/// #[derive(Clone, Debug, Default, PartialEq)]
+/// pub struct Revolutions {
+///     /// Whole revolutions since the start.
+///     count: u32,
+/// }
+///
+/// #[component]
+/// impl Revolutions {
+///     /// The index mark was seen: how often so far.
+///     #[entry(infallible)]
+///     pub fn mark(&mut self) -> u32 {
+///         self.count = self.count.wrapping_add(1);
+///         self.count
+///     }
+/// }
+///
+/// let mut revolutions = Revolutions::default();
+/// assert_eq!(revolutions.mark(), 1);
+/// assert_eq!(revolutions.mark(), 2);
+/// ```
+///
+/// In the C: `revolutions_t`, `revolutions_init(revolutions_t *self)` and `revolutions_mark(revolutions_t *self)`.
 #[proc_macro_attribute]
 pub fn component(arguments: TokenStream, item: TokenStream) -> TokenStream {
     deep(|| data::expand(Kind::Component, arguments.into(), item.into()))
 }
 
 /// A free function.
+///
+/// # Example
+///
+/// ```
+/// use bessemer::prelude::*;
+///
+/// /// The angle between -π and π that points where `angle` does, rad.
+/// #[function]
+/// pub fn wrapped(angle: f64) -> f64 {
+///     angle - (angle / f64::TAU).round() * f64::TAU
+/// }
+///
+/// /// The mean; 0 of nothing. Generic over the length, and over `f32` and `f64`.
+/// #[function]
+/// pub fn mean<T: Real, const N: usize>(values: &[T; N]) -> T {
+///     let mut sum = T::ZERO;
+///     for value in values {
+///         sum += *value;
+///     }
+///     if N == 0 { sum } else { sum / real(N as f64) }
+/// }
+///
+/// assert!((wrapped(4.0) - (4.0 - f64::TAU)).abs() < 1e-12);
+/// assert_eq!(mean(&[1.0_f32, 2.0, 6.0]), 3.0);
+/// ```
+///
+/// In the C a function of its module's file; a generic one for each way in which it is called.
 #[proc_macro_attribute]
 pub fn function(arguments: TokenStream, item: TokenStream) -> TokenStream {
     deep(|| function::expand(arguments.into(), item.into()))
@@ -66,17 +157,58 @@ pub fn function(arguments: TokenStream, item: TokenStream) -> TokenStream {
 /// `#[external(header = "board.h")]` includes the header and calls the function by its name, or by that of
 /// `name = "…"`. The body must not fault. What the C then computes is the firmware's own: that it gives the
 /// same bits as the stand-in rests on whoever wrote it, and the report says so.
+///
+/// # Example
+///
+/// ```
+/// use bessemer::prelude::*;
+///
+/// /// Linearises a sensor's counts; `sensor_linear` of the board's library in the firmware.
+/// #[external(header = "sensor.h", name = "sensor_linear")]
+/// pub fn linear(counts: u16) -> f32 {
+///     f32::from(counts) * 0.25
+/// }
+///
+/// assert_eq!(linear(8), 2.0);
+/// ```
 #[proc_macro_attribute]
 pub fn external(arguments: TokenStream, item: TokenStream) -> TokenStream {
     deep(|| function::expand_external(arguments.into(), item.into()))
 }
 
-/// What an item is called in the C, and where it is placed: `#[c(name = "pid_step", section = ".fast")]`.
+/// The name of an item in the C, and the section that it is placed in: `#[c(name = "pid_step", section = ".fast")]`.
 ///
 /// It stands below `#[function]`, `#[data]` or `#[component]`: on a function, a type, a named instance, a
 /// `const` or a `static`, and within these on methods, parameters, fields and variants. Functions and
 /// constants have storage, and so sections; `result = "thrust"` names what a function gives through a
 /// pointer. On its own it is an error.
+///
+/// # Example
+///
+/// ```
+/// use bessemer::prelude::*;
+///
+/// /// What the valve is told.
+/// #[data]
+/// #[c(name = "Valve_t")]
+/// #[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// pub struct Valve {
+///     /// From 0 to 1.
+///     #[c(name = "fOpening")]
+///     pub opening: f32,
+/// }
+///
+/// /// Opens a valve by half of what is left; placed in fast memory.
+/// #[function]
+/// #[c(name = "Valve_Open", section = ".ramfunc")]
+/// pub fn open(valve: &mut Valve) {
+///     valve.opening += 0.5 * (1.0 - valve.opening);
+/// }
+///
+/// let mut valve = Valve::default();
+/// open(&mut valve);
+/// assert_eq!(valve.opening, 0.5);
+/// ```
 #[proc_macro_attribute]
 pub fn c(_arguments: TokenStream, item: TokenStream) -> TokenStream {
     alone(item.into(), lower::refuse::C_ALONE)
@@ -87,6 +219,63 @@ pub fn c(_arguments: TokenStream, item: TokenStream) -> TokenStream {
 ///
 /// A component or a function that is generic over `C: Controller` becomes C for each controller that it is
 /// used with. Implementations are marked as their type is: `#[component] impl Controller for Pid`.
+///
+/// # Example
+///
+/// ```
+/// use bessemer::prelude::*;
+///
+/// /// Any law that answers an error.
+/// #[interface]
+/// pub trait Law {
+///     /// The answer to an error.
+///     fn respond(&mut self, error: f64) -> f64;
+/// }
+///
+/// /// Answers in proportion.
+/// #[component]
+/// #[derive(Clone, Debug, PartialEq)]
+/// pub struct Proportional {
+///     gain: f64,
+/// }
+///
+/// impl Default for Proportional {
+///     fn default() -> Self {
+///         Proportional { gain: 2.0 }
+///     }
+/// }
+///
+/// #[component]
+/// impl Law for Proportional {
+///     fn respond(&mut self, error: f64) -> f64 {
+///         self.gain * error
+///     }
+/// }
+///
+/// /// A loop around any law.
+/// #[component]
+/// #[derive(Clone, Debug, Default, PartialEq)]
+/// pub struct Around<L> {
+///     law: L,
+/// }
+///
+/// #[component]
+/// impl<L: Law> Around<L> {
+///     /// One control period.
+///     #[entry(infallible)]
+///     pub fn step(&mut self, target: f64, measured: f64) -> f64 {
+///         self.law.respond(target - measured)
+///     }
+/// }
+///
+/// /// The loop that firmware calls: `proportional_loop_t` in the C.
+/// #[component]
+/// pub type ProportionalLoop = Around<Proportional>;
+///
+/// assert_eq!(ProportionalLoop::default().step(3.0, 1.0), 4.0);
+/// ```
+///
+/// In the C the calls are direct: there is no table of functions and no pointer to one.
 #[proc_macro_attribute]
 pub fn interface(arguments: TokenStream, item: TokenStream) -> TokenStream {
     deep(|| interface::expand(arguments.into(), item.into()))
@@ -96,6 +285,57 @@ pub fn interface(arguments: TokenStream, item: TokenStream) -> TokenStream {
 /// is left in it, which generation then proves.
 ///
 /// Its meaning is the component's: on its own it is an error.
+///
+/// # Arguments
+///
+/// | written | the C | after a fault |
+/// |---|---|---|
+/// | `#[entry]` | returns a status, its result goes through a pointer | every entry point returns the fault until `…_init` |
+/// | `#[entry(atomic)]` | the same | what was written is put back, and the next call goes on |
+/// | `#[entry(infallible)]` | returns its result plainly | there is none: generation proves it, or says what stands against it |
+///
+/// # Example
+///
+/// ```
+/// use bessemer::prelude::*;
+///
+/// /// The last four samples.
+/// #[component]
+/// #[derive(Clone, Debug, Default, PartialEq)]
+/// pub struct Window {
+///     samples: [i16; 4],
+///     next: usize,
+/// }
+///
+/// #[component]
+/// impl Window {
+///     /// Takes a sample.
+///     #[entry(infallible)]
+///     pub fn push(&mut self, sample: i16) {
+///         self.samples[self.next % 4] = sample;
+///         self.next = self.next.wrapping_add(1);
+///     }
+///
+///     /// One of the samples: `INDEX` for any beyond the fourth, where Rust panics.
+///     #[entry]
+///     pub fn sample(&self, index: usize) -> i16 {
+///         self.samples[index]
+///     }
+///
+///     /// Adds to all of them, or to none if one would overflow.
+///     #[entry(atomic)]
+///     pub fn shift(&mut self, by: i16) {
+///         for sample in &mut self.samples {
+///             *sample += by;
+///         }
+///     }
+/// }
+///
+/// let mut window = Window::default();
+/// window.push(7);
+/// window.shift(1);
+/// assert_eq!(window.sample(0), 8);
+/// ```
 #[proc_macro_attribute]
 pub fn entry(_arguments: TokenStream, item: TokenStream) -> TokenStream {
     alone(item.into(), lower::refuse::ENTRY_ALONE)
