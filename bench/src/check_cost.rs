@@ -1,4 +1,4 @@
-//! What the attributes add to `cargo check` of a model.
+//! Measures what the attributes add to `cargo check` of a model.
 //!
 //! Two packages of the same functions, one with attributes and one without, are checked in turn, each
 //! after a change of its source; dependencies are built before. The time is that of the processors

@@ -1,4 +1,4 @@
-//! What a control period of the onboard software takes on the Cortex-A9: executed instructions, counted
+//! Measures a control period of the onboard software on the Cortex-A9: executed instructions, counted
 //! exactly under QEMU, over whole flights.
 //!
 //! A flight is flown by the models first; then the C gets the same inputs. It counts only if every output and

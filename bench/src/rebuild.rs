@@ -1,4 +1,4 @@
-//! What the attributes add to a rebuild of the corpus, outside and inside generation builds.
+//! Measures what the attributes add to a rebuild of the corpus, outside and inside generation builds.
 //!
 //! The same sources three times: without the attributes, with them, and with them in a generation build.
 //! Each is built anew after a change of its source, in turn; dependencies are built before. The time is

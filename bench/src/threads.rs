@@ -1,4 +1,4 @@
-//! What threads bring: large kernels on one and on two, in turns; their results are compared before the times count.
+//! Measures the gain of threads: large kernels on one and on two, in turns; their results are compared before the times count.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};

@@ -43,7 +43,7 @@ bessemer.toml, beside the package's Cargo.toml."
 }
 
 impl Arguments {
-    /// What is asked.
+    /// The command that the user asked for.
     pub fn task(self) -> Task {
         let Cargo::Bessemer { task } = self.cargo;
         task

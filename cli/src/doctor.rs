@@ -13,7 +13,7 @@ const RED: Style = Style::new().bold().fg_color(Some(Color::Ansi(AnsiColor::Red)
 const GREEN: Style = Style::new().fg_color(Some(Color::Ansi(AnsiColor::Green)));
 const YELLOW: Style = Style::new().fg_color(Some(Color::Ansi(AnsiColor::Yellow)));
 
-/// What is asked of the machine.
+/// The questions that `doctor` asks a machine.
 pub trait Machine {
     /// The first line that a program says of its version; none if it does not run.
     fn version(&self, program: &str) -> Option<String>;
@@ -84,7 +84,7 @@ enum State {
     Bad,
 }
 
-/// What is there and what is not, and whether models can be generated.
+/// Lists what the machine has and lacks, and tells whether models can be generated.
 pub fn run(folder: &Path, package: Option<&str>, machine: &dyn Machine) -> (String, bool) {
     let mut findings: Vec<Finding> = TOOLS.iter().map(|tool| tool.found(machine)).collect();
     findings.extend(of_project(folder, package));

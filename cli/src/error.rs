@@ -1,45 +1,45 @@
-//! What can go wrong, in the user's terms, with the remedy where one is known.
+//! The errors of the commands, in the user's terms, with a remedy where one is known.
 
 use std::path::PathBuf;
 
 /// Why a command could not do its work.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// Of the user's workspace.
+    /// An error of the user's workspace.
     #[error(transparent)]
     Project(#[from] bessemer_project::Error),
     /// The name of a new package means something already, or nothing.
     #[error("a package cannot be called `{name}`: {why}")]
     Name {
-        /// As it was asked for.
+        /// The name that the user gave.
         name: String,
-        /// Why not.
+        /// The reason.
         why: &'static str,
     },
-    /// The folder of a new package is there already.
+    /// The folder of a new package exists already.
     #[error("`{folder}` is there already")]
     Exists {
         /// Which.
         folder: PathBuf,
     },
-    /// There is no Bessemer to depend on.
+    /// No checkout of Bessemer is at the given place.
     #[error("`{folder}` is no checkout of Bessemer: it has no `dsl/Cargo.toml`")]
     NoCheckout {
-        /// Where it was looked for.
+        /// The place.
         folder: PathBuf,
     },
-    /// There is no such entry point.
+    /// No entry point has the name.
     #[error("there is no entry point `{name}`")]
     NoEntry {
         /// As it was asked for.
         name: String,
-        /// Those that there are.
+        /// The names that exist.
         known: Vec<String>,
     },
     /// There is no compiler of C to compare with.
     #[error("neither gcc nor clang runs here")]
     NoCompiler,
-    /// What makes or runs the programs of an emulated processor is missing.
+    /// The compiler or the emulator of another processor is missing.
     #[error("`{program}` does not run here")]
     NoTarget {
         /// The compiler.
@@ -52,13 +52,13 @@ pub enum Error {
     Compiler {
         /// Which.
         name: String,
-        /// What it said.
+        /// The compiler's message.
         said: String,
     },
     /// The program around the Rust could not be made.
     #[error("the program around the Rust cannot be made: {said}")]
     Native {
-        /// What rustc said.
+        /// rustc's message.
         said: String,
     },
     /// A file or folder could not be read or written.
@@ -72,7 +72,7 @@ pub enum Error {
 }
 
 impl Error {
-    /// What to do about it.
+    /// A step that resolves the error, if there is one.
     pub fn remedy(&self) -> Option<String> {
         Some(match self {
             Error::Project(error) => return error.remedy(),
@@ -86,7 +86,7 @@ impl Error {
         })
     }
 
-    /// Says it on standard error.
+    /// Prints the error on standard error.
     pub fn print(&self) {
         match self {
             Error::Project(error) => error.print(),

@@ -8,10 +8,10 @@ use bessemer_project::{Wanted, compile};
 use crate::args::Explain;
 use crate::error::Error;
 
-/// What is left in the entry point that is asked for, or in each.
+/// Lists the checks that are left in the chosen entry point, or in each.
 ///
 /// # Errors
-/// What the models said, and an entry point that there is not.
+/// Errors of the models, or an entry point that does not exist.
 pub fn run(folder: &Path, wanted: &Explain, colour: bool) -> Result<String, Error> {
     let package = wanted.package.name();
     let (_, compiled) = compile(folder, Wanted { package, colour, ..Wanted::default() })?;

@@ -4,7 +4,7 @@
 //! - it works from any folder of the user's workspace, and changes nothing there but what it says;
 //! - a failure is one [`error::Error`], with what to do about it where that is known.
 //!
-//! What it must not know: how C is made; how a workspace is found (`bessemer-project`).
+//! It must not know how C is made, nor how a workspace is found (`bessemer-project`).
 
 pub mod args;
 pub mod doctor;

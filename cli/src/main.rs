@@ -25,7 +25,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// What there is to say, and whether all is well.
+/// The text to print, and whether all is well.
 fn perform(task: Task) -> Result<(String, bool), Error> {
     let here = Path::new(".");
     let colour = std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();

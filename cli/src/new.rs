@@ -23,7 +23,7 @@ const FILES: &[(&str, &str)] = &[
     ("firmware/main.c", include_str!("../templates/firmware/main.c")),
 ];
 
-/// What a workspace says in its own manifest.
+/// The lines that a workspace needs in its own manifest.
 const PROFILE: &str = "
 # The C faults on overflow, so the Rust must, too, in every profile that simulates.
 [profile.release]

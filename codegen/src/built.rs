@@ -1,4 +1,4 @@
-//! What of a result is built where the caller wants it.
+//! Finds the parts of a result that are built where the caller wants them.
 //!
 //! A local that every `return` gives back is the result from the start; a local that a call fills, and that a `return` moves into the struct that it gives, is that struct's field from the
 //! start. Until then its words may be read, and nothing writes it.

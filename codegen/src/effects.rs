@@ -1,4 +1,4 @@
-//! What expressions read, what statements write, and which places may be the same memory.
+//! Finds what expressions read and statements write, and which places may be the same memory.
 //!
 //! Two different locals never share memory: references are exclusive, as in Rust. The validator holds every call to
 //! that, and asks here itself.

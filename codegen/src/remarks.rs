@@ -1,4 +1,4 @@
-//! What an author may not expect of the C: what was written and is not in it.
+//! Warns the author of what was written and is not in the C.
 //!
 //! The C is made all the same. Must not know: how C is made.
 

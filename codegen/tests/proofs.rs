@@ -1,4 +1,4 @@
-//! What is proved holds: small functions in which a check must not be left out, and beside them others in which it
+//! The proofs hold: small functions in which a check must not be left out, and beside them others in which it
 //! may. Each is run on every combination of its arguments' edges, before and after the passes.
 
 use bessemer_codegen::passes::{Rule, check, explicit, explicit_with};

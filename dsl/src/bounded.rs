@@ -2,7 +2,7 @@
 //!
 //! Written in the DSL itself, so that the C is made of the Rust that the simulation runs. What has no room,
 //! and an index beyond the size, is a panic, as it is a fault in the C. Elements beyond the size are zero.
-//! What is computed with them stands in `bounded_arithmetic`.
+//! Their arithmetic is in `bounded_arithmetic`.
 
 // The checks of indices are proved of loops over them.
 #![allow(clippy::manual_memcpy, clippy::needless_range_loop)]

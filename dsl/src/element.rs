@@ -1,4 +1,4 @@
-//! What the elements of a bounded matrix may be: scalars, and of some operations numbers.
+//! The element types of a bounded matrix: scalars, and for some operations numbers.
 
 use core::ops::{Add, AddAssign, Mul, MulAssign, Sub, SubAssign};
 

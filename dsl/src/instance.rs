@@ -1,4 +1,4 @@
-//! What a generic type shows to C once an instance of it has a name.
+//! The traits by which an instance of a generic type, once it has a name, shows itself to the generator.
 
 /// A generic type whose methods an instance with a name of its own shows to C:
 /// `#[component] pub type PidF32 = Pid<f32>;`.

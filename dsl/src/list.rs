@@ -1,6 +1,6 @@
 //! A list of a bounded length: what a heap's vector is elsewhere, with its memory inside.
 //!
-//! What has no room is a panic, as it is a fault in the C: nothing is ever written beyond the end.
+//! A push into a full list panics, as it faults in the C: nothing is ever written beyond the end.
 
 use core::borrow::Borrow;
 use core::ops::{Deref, DerefMut, Index, IndexMut};

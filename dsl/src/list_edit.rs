@@ -1,4 +1,4 @@
-//! What puts elements into lists and takes them out at any place, written in the DSL itself.
+//! Functions of the DSL that insert elements into lists and remove them, at any place.
 
 // The checks of indices are proved of loops over them.
 #![allow(clippy::needless_range_loop)]

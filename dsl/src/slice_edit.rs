@@ -1,4 +1,4 @@
-//! What moves the elements of slices and compares their ends, written in the DSL itself.
+//! Functions of the DSL that move the elements of slices and compare their ends.
 
 use crate::function;
 

@@ -1,4 +1,4 @@
-//! What the DSL computes in an order of its own: eigenvalues, singular values and exponentials, against
+//! Eigenvalues, singular values and exponentials, which the DSL computes in an order of its own, against
 //! what defines them and against nalgebra's, within a stated error.
 
 use bessemer::linear::{ldl, svd, symmetric_eigen};

@@ -1,4 +1,4 @@
-//! What an annotated item means when Rust runs it: as written, save that the methods that the DSL owns
+//! An annotated item, run by Rust, does as written, save that the methods that the DSL owns
 //! are the DSL's, in every spelling. This crate links std, so a method that slips past is std's.
 
 use bessemer::math::{arctangent, sine, single, tangent};

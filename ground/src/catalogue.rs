@@ -1,4 +1,4 @@
-//! What signals and parameters are called, in which unit they are, and how far parameters go.
+//! The names and units of signals and parameters, and the ranges of parameters.
 //!
 //! The numbers are the models'; the names are only for people.
 

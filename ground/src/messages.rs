@@ -1,4 +1,4 @@
-//! What the browser is told and may ask: JSON over a WebSocket, each message an object with a `type`.
+//! The messages to and from the browser: JSON over a WebSocket, each an object with a `type`.
 //!
 //! Only data. Whoever reads a message has checked who sent it.
 

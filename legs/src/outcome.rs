@@ -1,4 +1,4 @@
-//! What a call comes to on a leg, and whether two legs agree.
+//! The outcome of a call on a leg, and whether two legs agree.
 
 use bessemer_ir::{Fault, Float, Module, Type};
 

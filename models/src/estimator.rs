@@ -1,4 +1,4 @@
-//! What is known of the aircraft, from all that is sensed (thesis, §6.1): which source to believe, what
+//! The state of the aircraft, from all sensors (thesis, §6.1): which source to believe, what
 //! to throw away, and one state vector.
 //!
 //! * Vicon is the source of place and attitude while it is there. Without it: the altimeter for the

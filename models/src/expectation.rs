@@ -1,4 +1,4 @@
-//! What the inertial sensors should say, by what the motors were told: it stands in for them while they
+//! The expected readings of the inertial sensors, by what the motors were told: they stand in for them while they
 //! are silent.
 //!
 //! Mass, inertia and propellers are known to within a tenth, and sensors have biases: so what was felt

@@ -2,7 +2,7 @@
 //!
 //! A sealed packet has two things behind its payload: a counter of six bytes, the sender's milliseconds
 //! since 1970 or one more than the last, and the [`sip_hash`] over everything from the kind to the counter.
-//! What is let through is the packet without them, as it would be on a link without a key. Knows neither
+//! It lets the packet through without them, as it would be on a link without a key. Knows neither
 //! what the packets say nor where they come from.
 
 use crate::packet::{HEADER, MOST_PAYLOAD, Packet, START};

@@ -1,4 +1,4 @@
-//! What is written down of a flight (thesis, §6.1, data logger): a ring of records of fixed size.
+//! The log of a flight (thesis, §6.1, data logger): a ring of records of fixed size.
 //!
 //! States, references, closed-loop and feed-forward commands unless others are chosen. When the ring is
 //! full the oldest record makes room, and is counted. Knows signals by their numbers, not what they mean.

@@ -1,4 +1,4 @@
-//! What each motor contributes to thrust and torques (thesis, eqs. (3.9), (3.10)), on top of what the
+//! The contribution of each motor to thrust and torques (thesis, eqs. (3.9), (3.10)), on top of what the
 //! feed-forward has them do already.
 //!
 //! When the motors cannot do all that is wanted, roll and pitch are kept before yaw, and yaw before

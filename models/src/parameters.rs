@@ -1,4 +1,4 @@
-//! What the controller can be tuned by, and the values that fly the Mambo (thesis, table 3.1).
+//! The controller's parameters, and their values for the Mambo (thesis, table 3.1).
 //!
 //! Parameters never change in flight: nothing here is state.
 

@@ -1,4 +1,4 @@
-//! What the ground asks for, packet by packet (thesis, §6.1, command receiver).
+//! The orders of the ground, packet by packet (thesis, §6.1, command receiver).
 //!
 //! A packet that is not sound, not new, not known or not sensible is dropped and counted; what was asked
 //! before stays. One is taken however old it is: to stop. A new trajectory is collected beside the one that

@@ -1,4 +1,4 @@
-//! What goes down (thesis, §6.1, data sender): one packet a period, records in several packets.
+//! The downlink (thesis, §6.1, data sender): one packet a period, records in several packets.
 //!
 //! Payload of a part of a record: the record's period, four bytes; the choice of signals, one byte; which
 //! part, one byte; its twelve values, in single precision. Twice a second the state of the link goes down in

@@ -1,4 +1,4 @@
-//! What goes into a control period, and what comes out of it.
+//! The inputs and outputs of a control period.
 //!
 //! Plain data only: nothing here knows who fills it in, or who acts on it.
 

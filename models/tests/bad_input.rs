@@ -1,4 +1,4 @@
-//! What must not hurt: packets that are none, sensors that are not numbers, clocks that run backwards,
+//! Bad input does no harm: packets that are none, sensors that are not numbers, clocks that run backwards,
 //! trajectories that lead nowhere. Each has one answer, and the motors are safe.
 
 use bessemer::nalgebra::Vector3;

@@ -1,4 +1,4 @@
-//! What the reference generator makes of orders: the first step, the way round, the link that is lost; and what the
+//! The reference generator follows orders: the first step, the way round, the link that is lost; and what the
 //! loops remember.
 
 use bessemer::nalgebra::Vector3;

@@ -1,4 +1,4 @@
-//! What the filters believe of their errors stays a covariance: symmetric, without negative variances, for a million
+//! The filters' belief of their errors stays a covariance: symmetric, without negative variances, for a million
 //! periods; and where nothing is uncertain, nothing is divided by it.
 
 use bessemer::nalgebra::{Matrix6, Vector3, Vector6};

@@ -1,4 +1,4 @@
-//! What the people on the ground send up, and what they make of what comes down.
+//! The people on the ground: they send orders up, and read what comes down.
 //!
 //! The other end of the link: it frames orders into packets, one a period, in the order of their times,
 //! and puts the records of the onboard logger together again. Written against the description of the

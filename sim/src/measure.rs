@@ -1,4 +1,4 @@
-//! What a flight came to, in figures: errors, overshoot, settling, touch-down, commands.
+//! The figures of a flight: errors, overshoot, settling, touch-down, commands.
 //!
 //! All of it is measured on the aircraft as it was, not on what the software believed.
 

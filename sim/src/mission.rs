@@ -1,4 +1,4 @@
-//! What is asked of the pilot, when, and what air the aircraft meets.
+//! A mission: the pilot's orders with their times, and the air that the aircraft meets.
 //!
 //! Knows nothing of how well it is done: that is for [`crate::verdict`].
 

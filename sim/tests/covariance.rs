@@ -1,4 +1,4 @@
-//! What the estimator believes of its errors stays a covariance in flight, for a million periods: an hour and a half.
+//! The estimator's belief of its errors stays a covariance in flight, for a million periods: an hour and a half.
 //!
 //! The onboard software flies between set points and turns, and Vicon is away for 15 s of every minute and a half, so
 //! that every filter works with each of its sources. A run that leaves something out flies a twentieth of it.

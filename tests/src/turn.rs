@@ -1,4 +1,4 @@
-//! What a run takes of a list that is dear to go through whole.
+//! Chooses what a run takes of a list that is dear to go through whole.
 //!
 //! `cargo xtask test --full` goes through everything. A run without it takes turns: the commit gives a number, by
 //! which some of the list is chosen, so that a few commits go through all of it and one commit is always tested

@@ -1,4 +1,4 @@
-//! What authors ask of the C beside what the code does: names, sections, inlining, entry points that roll
+//! Authors' requests to the C beside what the code does: names, sections, inlining, entry points that roll
 //! back, functions that the firmware brings, a hook in place of a status. Each through gcc and clang.
 
 use std::path::PathBuf;

@@ -1,4 +1,4 @@
-//! What only a generation sees, told at the author's line: each file of `tests/diagnosed/` is a
+//! Mistakes that only a generation sees are told at the author's line: each file of `tests/diagnosed/` is a
 //! package of models, and its snapshot is what `cargo xtask gen` prints.
 
 use std::fs;

@@ -1,4 +1,4 @@
-//! What the DSL does not take: each file of `tests/refused/` is a program that must not compile, and its snapshot is
+//! Programs that the DSL does not take: each file of `tests/refused/` must not compile, and its snapshot is
 //! what rustc tells its author.
 //!
 //! Drop a file there and get a test. `INSTA_UPDATE=always cargo test -p bessemer-tests refused::` writes the snapshots anew:

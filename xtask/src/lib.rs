@@ -1,7 +1,7 @@
 //! The project's commands, as `cargo xtask …`.
 //!
 //! A thin face: it finds the tools that a command needs, runs the stages one after another and says what it does.
-//! What a stage computes lives elsewhere (`codegen`, `sim`, the tests).
+//! The computation of a stage lives elsewhere (`codegen`, `sim`, the tests).
 //!
 //! Invariants:
 //! - nothing is installed unless `--install` was given;

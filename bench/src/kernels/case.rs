@@ -1,4 +1,4 @@
-//! What is measured, and the numbers it is measured on.
+//! The cases of the measurement, and the numbers that they run on.
 
 /// A routine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

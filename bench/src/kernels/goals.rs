@@ -1,4 +1,4 @@
-//! What the generated C is to reach, and what a run reached.
+//! The goals of the generated C, and what a run reached.
 
 use std::fmt::Write as _;
 

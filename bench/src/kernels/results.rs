@@ -1,4 +1,4 @@
-//! What was measured.
+//! The results of the measurement.
 
 use serde_json::{Value, json};
 

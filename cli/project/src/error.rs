@@ -1,6 +1,6 @@
-//! What can go wrong in a user's workspace, and how it is said.
+//! The errors of a user's workspace, each with its text and a remedy.
 //!
-//! Invariant: what is wrong at a line of a file is printed as rustc would print it.
+//! Invariant: an error at a line of a file is printed as rustc prints its own.
 
 use std::fmt::Write as _;
 use std::path::PathBuf;
@@ -11,31 +11,31 @@ use bessemer_codegen::generate;
 /// Why a command could not do its work.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// What the generator said.
+    /// The generator failed.
     #[error(transparent)]
     Generate(#[from] generate::Error),
     /// `bessemer.toml` is wrong; the diagnostics.
     #[error("{0}")]
     Settings(String),
-    /// What was generated is beyond a limit of `bessemer.toml`; the diagnostics.
+    /// An entry point exceeds a limit of `bessemer.toml`; the diagnostics.
     #[error("{0}")]
     Limit(String),
     /// No package of the workspace has models.
     #[error("no package of the workspace at `{root}` depends on `bessemer`")]
     NoModels {
-        /// Its root.
+        /// The root of the workspace.
         root: PathBuf,
     },
-    /// More than one may be meant.
+    /// Several packages have models, and none was chosen.
     #[error("several packages may have models: {}", known.join(", "))]
     WhichPackage {
-        /// Which.
+        /// Their names.
         known: Vec<String>,
     },
     /// A file or folder could not be read or written.
     #[error("`{path}`: {source}")]
     File {
-        /// Which.
+        /// The file or folder.
         path: PathBuf,
         /// The system's reason.
         source: std::io::Error,
@@ -43,7 +43,7 @@ pub enum Error {
 }
 
 impl Error {
-    /// What to do about it.
+    /// A step that resolves the error, if there is one.
     pub fn remedy(&self) -> Option<String> {
         match self {
             Error::Generate(error) => error.remedy(),
@@ -57,7 +57,7 @@ impl Error {
         }
     }
 
-    /// Its text, in colours, which a stream drops where they are not wanted.
+    /// The error and its remedy as text in colours; a stream drops the colours where they are not wanted.
     pub fn text(&self) -> String {
         use generate::Error as Of;
         // Diagnostics and differences stand as they are.
@@ -77,13 +77,13 @@ impl Error {
         format!("{before}{}", told(&title, self.remedy().as_deref()))
     }
 
-    /// Says it on standard error.
+    /// Prints the error on standard error.
     pub fn print(&self) {
         anstream::eprint!("{}", self.text());
     }
 }
 
-/// An error and what to do about it, in colours.
+/// An error and its remedy, in colours.
 fn told(title: &str, remedy: Option<&str>) -> String {
     let red = Style::new().bold().fg_color(Some(AnsiColor::Red.into()));
     let cyan = Style::new().bold().fg_color(Some(AnsiColor::Cyan.into()));
@@ -95,7 +95,7 @@ fn told(title: &str, remedy: Option<&str>) -> String {
     text
 }
 
-/// Says an error and what to do about it on standard error.
+/// Prints an error and its remedy on standard error.
 pub fn say(title: &str, remedy: Option<&str>) {
     anstream::eprint!("{}", told(title, remedy));
 }

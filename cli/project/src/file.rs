@@ -1,4 +1,4 @@
-//! Reads `bessemer.toml`: what it does not know, or what means nothing, is told at its line and column.
+//! Reads `bessemer.toml`. Unknown keys and values that mean nothing are reported at their line and column.
 
 use bessemer_codegen::compile::Options;
 use bessemer_codegen::diagnostic::Diagnostic;
@@ -10,13 +10,13 @@ use toml::de::{DeTable, DeValue};
 use crate::keys::{KEYS, Key, Kind};
 use crate::settings::{Limit, Settings};
 
-/// What the file is called.
+/// The name of the file.
 pub const NAME: &str = "bessemer.toml";
 
-/// The settings in `text`; `name`: what the file is called in diagnostics.
+/// Reads the settings in `text`; diagnostics call the file `name`.
 ///
 /// # Errors
-/// All that is wrong with it.
+/// A diagnostic for each mistake in the file.
 pub fn read(name: &str, text: &str) -> Result<Settings, Vec<Diagnostic>> {
     let mut reader = Reader { name, text, settings: Settings::default(), wrong: Vec::new() };
     match DeTable::parse(text) {

@@ -12,42 +12,42 @@ use crate::error::Error;
 use crate::project::Project;
 use crate::settings::Limit;
 
-/// What is asked of a generation.
+/// The choices of one generation.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Wanted<'a> {
-    /// The package, if its name is given.
+    /// The name of the package, if the user gave one.
     pub package: Option<&'a str>,
-    /// Compare instead of writing.
+    /// Compares instead of writing.
     pub check: bool,
-    /// Also list the checks that are left.
+    /// Also lists the checks that are left.
     pub explain: bool,
-    /// Colour in diagnostics and differences.
+    /// Colours diagnostics and differences.
     pub colour: bool,
 }
 
-/// What was generated, for its user.
+/// The outcome of a generation, for the user.
 #[derive(Debug)]
 pub struct Generated {
-    /// What there is to say of it.
+    /// The report.
     pub text: String,
-    /// What the author of the models may not expect of the C.
+    /// Warnings for the author of the models.
     pub remarks: Told,
 }
 
-/// What a generation prints.
+/// The texts that a generation prints.
 pub struct Said {
-    /// On standard output.
+    /// Goes to standard output.
     pub text: String,
-    /// On standard error.
+    /// Goes to standard error.
     pub remarks: String,
-    /// Whether the C is as it should be.
+    /// Tells whether the C is as it should be.
     pub good: bool,
 }
 
-/// What there is to print. `for_tools`: what the models are told is no error then, but a JSON object a line.
+/// The texts to print. With `for_tools`, errors in the models are no failure, but one JSON object a line.
 ///
 /// # Errors
-/// That of `done`, as far as it is not about the models.
+/// The error of `done`, unless it is about the models and `for_tools` is set.
 pub fn said(done: Result<Generated, Error>, for_tools: bool) -> Result<Said, Error> {
     use generate::Error as Of;
     let lines = |told: &Told, good| Said {
@@ -68,10 +68,10 @@ pub fn said(done: Result<Generated, Error>, for_tools: bool) -> Result<Said, Err
     }
 }
 
-/// Generates the package that is meant in `folder`.
+/// Generates the C of the package that `folder` belongs to.
 ///
 /// # Errors
-/// What the models, the settings or the file system said: the folder of the C is as it was then.
+/// Errors of the models, the settings or the file system. The folder of the C is then as it was before.
 pub fn generate(folder: &Path, wanted: Wanted<'_>) -> Result<Generated, Error> {
     let project = Project::find(folder, wanted.package, wanted.colour)?;
     let mut job = project.job(wanted.colour);
@@ -103,10 +103,10 @@ pub fn generate(folder: &Path, wanted: Wanted<'_>) -> Result<Generated, Error> {
     Ok(Generated { text, remarks })
 }
 
-/// Compiles the package that is meant in `folder`, and writes nothing.
+/// Compiles the package that `folder` belongs to, and writes nothing.
 ///
 /// # Errors
-/// What the models or the settings said.
+/// Errors of the models or the settings.
 pub fn compile(folder: &Path, wanted: Wanted<'_>) -> Result<(Project, Compiled), Error> {
     let project = Project::find(folder, wanted.package, wanted.colour)?;
     let made = generate::compiled(&project.job(wanted.colour))?;

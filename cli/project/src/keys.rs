@@ -9,15 +9,15 @@ use crate::settings::{Limit, Settings};
 pub struct Key {
     /// Its name, with the section that it is in: `kernels.mode`.
     pub name: &'static str,
-    /// What its value may be.
+    /// The values that it takes.
     pub kind: Kind,
-    /// What holds without it, in words where that is no value.
+    /// The value that holds without it, or words where there is none.
     pub default: &'static str,
-    /// What it decides.
+    /// The effect, for the documentation.
     pub says: &'static str,
 }
 
-/// What a value may be, and where it goes.
+/// The form of a value, and the setting that it goes to.
 pub enum Kind {
     /// Text of a form.
     Text(Form, fn(&mut Settings, String)),
@@ -31,12 +31,12 @@ pub enum Kind {
     Replacements,
 }
 
-/// What a text has to look like.
+/// The form of a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
     /// A folder, below that of the file or above it.
     Folder,
-    /// What C takes for the beginning of a name.
+    /// The beginning of a name of C.
     Prefix,
     /// A name of C's that nobody has reserved.
     Name,
@@ -45,7 +45,7 @@ pub enum Form {
 }
 
 impl Form {
-    /// What it is, for who wrote something else.
+    /// A description, for an author who wrote something else.
     pub fn expected(self) -> &'static str {
         match self {
             Form::Folder => "a folder of its own, such as \"generated\" or \"../firmware/models\"",

@@ -1,12 +1,12 @@
 //! A user's workspace: found from any folder in it, its `bessemer.toml` read, its C generated.
 //!
-//! What `cargo bessemer` and `cargo xtask` share, so that both do the same and say it alike.
+//! `cargo bessemer` and `cargo xtask` share this crate, so that both do the same and report it alike.
 //!
 //! Invariants:
-//! - a failure is one [`Error`], with what to do about it where that is known;
+//! - a failure is one [`Error`], with a remedy where one is known;
 //! - each key of `bessemer.toml` stands in one table, [`keys::KEYS`], which reader, schema and documentation follow.
 //!
-//! What it must not know: how C is made; what else the commands do.
+//! It must not know how C is made, nor what else the commands do.
 
 mod error;
 pub mod file;

@@ -23,7 +23,7 @@ pub struct Project {
     pub package: Member,
     /// The `bessemer.toml` that holds for it, if there is one.
     pub file: Option<PathBuf>,
-    /// What it says.
+    /// Its settings.
     pub settings: Settings,
 }
 
@@ -31,7 +31,7 @@ impl Project {
     /// The package called `package`, or the one that a user in `folder` means.
     ///
     /// # Errors
-    /// What cannot be found, and what is wrong with its `bessemer.toml`.
+    /// The workspace or package is not found, or its `bessemer.toml` is wrong.
     pub fn find(folder: &Path, package: Option<&str>, colour: bool) -> Result<Project, Error> {
         let workspace = Workspace::of(folder)?;
         let package = match package {
@@ -47,7 +47,7 @@ impl Project {
         Ok(Project { workspace, package, file, settings })
     }
 
-    /// What the generator is told.
+    /// The job for the generator.
     pub fn job(&self, colour: bool) -> Job {
         let mut job = Job::new(&self.workspace.root, &self.package.name);
         let folder = self.file.as_deref().and_then(Path::parent);
@@ -71,7 +71,7 @@ impl Project {
         checks.and_then(|it| it.get_ref().as_bool()) == Some(true)
     }
 
-    /// What `bessemer.toml` is called in diagnostics: its path from the workspace.
+    /// The name of `bessemer.toml` in diagnostics: its path from the workspace.
     pub fn file_name(&self) -> String {
         self.file.as_deref().map_or_else(String::new, |path| shown(&self.workspace, path))
     }

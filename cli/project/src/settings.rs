@@ -1,23 +1,23 @@
-//! What a user decides about the C of a package.
+//! The settings of `bessemer.toml`: a user's decisions about the C of a package.
 
 use std::path::PathBuf;
 
 use bessemer_codegen::compile::Options;
 
-/// What a user decides about the C of a package.
+/// A user's decisions about the C of a package.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Settings {
     /// The folder of the C, from that of the file; none: `generated` of the workspace.
     pub output: Option<PathBuf>,
     /// The licence of the C, if it is not the package's.
     pub license: Option<String>,
-    /// What the compiler is told.
+    /// The options of the compiler.
     pub options: Options,
-    /// What must not be exceeded.
+    /// The limits.
     pub limits: Limits,
 }
 
-/// What must not be exceeded.
+/// Limits that no entry point may exceed.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Limits {
     /// Bytes of stack of an entry point.

@@ -1,4 +1,4 @@
-//! What a user can have wrong before anything is built: each is told, with what to do about it.
+//! A user's mistakes that show before anything is built. Each is reported with a remedy.
 
 use std::fs;
 use std::path::Path;

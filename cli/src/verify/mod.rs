@@ -42,7 +42,7 @@ struct Case {
 /// Compares the legs; the table of what was seen, and whether they agree.
 ///
 /// # Errors
-/// What the models or the system said; [`Error::NoCompiler`] if there is no leg of C.
+/// Errors of the models or the system; [`Error::NoCompiler`] if there is no leg of C.
 pub fn run(folder: &Path, wanted: &Verify, colour: bool) -> Result<(String, bool), Error> {
     let project = Project::find(folder, wanted.package.name(), colour)?;
     let mut job = project.job(colour);
@@ -250,7 +250,7 @@ fn output(mut command: Command, cases: &[Case]) -> Result<Vec<u64>, Error> {
     Ok(output.stdout.chunks_exact(8).map(word).collect())
 }
 
-/// What came of each call of each case; `fault`: reads the rest of one, by its first word.
+/// The outcome of each call of each case; `fault` reads the rest of an answer, by its first word.
 fn outcomes(
     cases: &[Case],
     words: &[u64],

@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 
 use bessemer_ir::{Function, Mode, Module, Owner, Type};
 
-/// What stands before the calls.
+/// The head of the program, before the calls.
 const SUPPORT: &str = r#"//! A program around a package's entry points.
 #![allow(warnings)]
 use std::cell::RefCell;

@@ -1,4 +1,4 @@
-//! What authors ask of compilers that C99 has no word for: sections, and what is put where it is called.
+//! Requests to compilers for which C99 has no word: sections, and inlining.
 //!
 //! Each is a macro that is empty where the compiler knows no such attribute, defined in the file that uses
 //! it; a firmware for another compiler defines it on the command line.

@@ -1,4 +1,4 @@
-//! What comments say beyond the author's words: units, and how a matrix lies in its array.
+//! Additions to the author's comments: units, and how a matrix lies in its array.
 
 use bessemer_ir::{Function, Type};
 

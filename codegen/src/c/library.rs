@@ -1,6 +1,6 @@
 //! The functions of the target's own `math.h`, for those who want these instead of the DSL's.
 //!
-//! What rounds once (`mul_add`), what is defined as an expansion (`powi`), and `sin_cos`, which C99 has
+//! A function that rounds once (`mul_add`), one that is defined as an expansion (`powi`), and `sin_cos`, which C99 has
 //! not, stay the DSL's.
 
 use bessemer_ir::Function;

@@ -1,4 +1,4 @@
-//! What the user decides about the C.
+//! The user's decisions about the C.
 
 use super::library::Math;
 use super::matrices::Layout;

@@ -1,4 +1,4 @@
-//! What a function takes and gives in C: its parameters, their names, and what it returns.
+//! The signature of a function in C: its parameters, their names, and its result.
 //!
 //! A parameter yields its name to whatever has a meaning of its own in a file: functions, types, variants
 //! and constants. So these are named first.

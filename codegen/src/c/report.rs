@@ -1,4 +1,4 @@
-//! What there is to say about each entry point: sizes, checks, stack.
+//! The figures of each entry point: sizes, checks, stack.
 
 use bessemer_ir::visit::Walk;
 use bessemer_ir::{FunctionId, Module, Owner, Role};

@@ -1,4 +1,4 @@
-//! What stands around the body of a file: banner, guards, includes. The text is in
+//! The frame around the body of a file: banner, guards, includes. The text is in
 //! `codegen/templates/`. A header that includes `float.h` computes: it states and checks what a source does.
 
 use tera::{Context, Tera};

@@ -1,4 +1,4 @@
-//! What every source asks of its compiler and of the processor: a header of its own, which each of them includes.
+//! The demands of every source on its compiler and on the processor: a header of its own, which each of them includes.
 //!
 //! It refuses what would compute other bits and takes back what a compiler does to floats unasked. Its text is in
 //! `codegen/templates/`, and depends on names alone. A header that computes says the same for its own lines instead:

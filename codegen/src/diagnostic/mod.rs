@@ -1,4 +1,4 @@
-//! What the compiler tells the author: a message at a place in the source, and a remedy.
+//! A message of the compiler to the author: a place in the source, a text, and a remedy.
 //!
 //! Every stage that refuses something gives these, and what rustc says of a model becomes one, too; only [`render`]
 //! knows how they look, and [`json`] what tools read. Both are rustc's own forms.

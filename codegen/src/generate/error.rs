@@ -44,7 +44,7 @@ pub enum Error {
     Workspace {
         /// Where it was looked for.
         folder: PathBuf,
-        /// What cargo said.
+        /// cargo's message.
         said: String,
     },
     /// The workspace has no package of this name.
@@ -112,7 +112,7 @@ pub enum Error {
 }
 
 impl Error {
-    /// What to do about it.
+    /// A step that resolves the error, if there is one.
     pub fn remedy(&self) -> Option<String> {
         Some(match self {
             Error::Stale(_) => "generate again, without `--check`".to_owned(),

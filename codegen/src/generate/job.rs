@@ -1,10 +1,10 @@
-//! What to generate, and where to.
+//! The job of a generation: its package, its output folder, its options.
 
 use std::path::PathBuf;
 
 use crate::compile::Options;
 
-/// What to generate, and where to.
+/// The job of a generation: its package, its output folder, its options.
 #[derive(Clone, Debug)]
 pub struct Job {
     /// The root of the workspace.
@@ -15,7 +15,7 @@ pub struct Job {
     pub output: PathBuf,
     /// Compare instead of writing.
     pub check: bool,
-    /// What the user decides about the C.
+    /// The user's decisions about the C.
     pub options: Options,
     /// The licence of the C, as an SPDX expression, if it is not the package's.
     pub license: Option<String>,

@@ -1,4 +1,4 @@
-//! What stands beside the C: the manifest of the folder, and a map for each file.
+//! The files beside the C: the manifest of the folder, and a map for each file.
 //!
 //! Versions, dates and line numbers live here, so that they need not live in the C.
 

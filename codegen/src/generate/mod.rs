@@ -33,21 +33,21 @@ pub use program::Program;
 pub use report::{explanation, table};
 pub use workspace::{Member, Workspace};
 
-/// What was generated.
+/// The outcome of a generation.
 pub struct Summary {
     /// The models and their C.
     pub compiled: Compiled,
     /// Files written, or that would be: empty when everything was up to date.
     pub changed: Vec<String>,
-    /// What the author may not expect of the C.
+    /// Warnings for the author of the models.
     pub remarks: Told,
 }
 
-/// What was compiled, and not written yet.
+/// A package that is compiled and not written yet.
 pub struct Made {
     /// The models and their C.
     pub compiled: Compiled,
-    /// What the author may not expect of the C.
+    /// Warnings for the author of the models.
     pub remarks: Told,
 }
 

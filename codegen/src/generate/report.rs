@@ -1,4 +1,4 @@
-//! What a generation made: an aligned table, the checks that are left and why, and what rests on stand-ins.
+//! The report of a generation: an aligned table, the checks that are left and why, and what rests on stand-ins.
 
 use std::fmt::Write as _;
 

@@ -1,4 +1,4 @@
-//! What cargo says of the workspace that a folder is in: where it lies, and its packages.
+//! The workspace that a folder belongs to, as cargo describes it: its root and its packages.
 //!
 //! Must not know: what is generated of them.
 
@@ -34,7 +34,7 @@ pub struct Member {
     pub folder: PathBuf,
     /// Its licence, if its manifest names one.
     pub license: Option<String>,
-    /// What its library is called in Rust, if it has one.
+    /// The name of its library in Rust, if it has one.
     pub library: Option<String>,
     /// Whether other Rust can be linked with that library.
     pub linked: bool,
@@ -116,7 +116,7 @@ impl Member {
     /// The name of the library, if C can be made of the package.
     ///
     /// # Errors
-    /// What it lacks.
+    /// The condition that it does not meet.
     pub fn models(&self) -> Result<&str, Error> {
         let package = self.name.clone();
         match &self.library {
@@ -142,7 +142,7 @@ pub(super) fn cargo(arguments: &[&str]) -> Command {
     command
 }
 
-/// What it is called.
+/// The cargo to run: the one that runs this, or the one on the path.
 pub(super) fn program() -> String {
     std::env::var_os("CARGO").unwrap_or_else(|| OsString::from("cargo")).to_string_lossy().into()
 }

@@ -1,4 +1,4 @@
-//! What the fast mode promises: the order of a sum is free and steps may be fused, so the bits are not the Rust's, but
+//! The promise of the fast mode: the order of a sum is free and steps may be fused, so the bits are not the Rust's, but
 //! the error has a bound that holds for any order, fused or not.
 //!
 //! The bounds are Higham's (*Accuracy and Stability of Numerical Algorithms*, second edition). With `u` half a unit in the

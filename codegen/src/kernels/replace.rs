@@ -4,7 +4,7 @@
 //! fits counts; a kernel that none fits stays as it is. The C keeps the kernel as well:
 //! `BESSEMER_OWN_KERNELS` brings it back.
 //!
-//! What a replacement returns is its library's affair: the same bits as the Rust only if it computes in the
+//! The result of a replacement is its library's affair: the same bits as the Rust only if it computes in the
 //! kernel's order.
 
 use bessemer_ir::{Float, Kernel, KernelRoutine};

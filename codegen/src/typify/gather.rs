@@ -1,4 +1,4 @@
-//! What a loop gathers: sums, products and folds, and arrays that are filled element by element.
+//! Loops that gather: sums, products and folds, and arrays that are filled element by element.
 
 use bessemer_ir::tree::{self, Start};
 use bessemer_ir::{Expr, ExprKind, Float, Local, LocalId, Mode, Scalar, Stmt, StmtKind, Type};

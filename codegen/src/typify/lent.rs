@@ -1,4 +1,4 @@
-//! What methods of slices lend (`get`, `split_at` and the like), and patterns of slices.
+//! Methods of slices that return references (`get`, `split_at` and the like), and patterns of slices.
 //!
 //! Nothing is copied: what is lent is another name for its place, behind the test that it is there, where it is
 //! taken apart where it is called, by `let`, `if let`, `let … else` or `match`. Elsewhere `get`, `first` and `last` give

@@ -1,6 +1,6 @@
 //! The methods of `List`: its length, and the elements below it.
 //!
-//! What has no room, and an index beyond the length, is checked before anything is written.
+//! Room and indices are checked before anything is written.
 
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{

@@ -1,4 +1,4 @@
-//! What lowering one function knows: its locals, what names mean, and what it stands in.
+//! The state of lowering one function: its locals, the meaning of names, and the enclosing constructs.
 //!
 //! Must not know: how anything is lowered. Each form of the tree is lowered in a file of its own, as a method of
 //! [`Lowering`].

@@ -1,5 +1,5 @@
-//! What holds nothing: structs without fields, `PhantomData`, `()`. C has no such types, so their values vanish
-//! from structs, variants, parameters and results; what computes one runs for its effect.
+//! Zero-sized types: structs without fields, `PhantomData`, `()`. C has no such types, so their values vanish
+//! from structs, variants, parameters and results; an expression that computes one runs for its effect.
 
 use std::collections::HashMap;
 

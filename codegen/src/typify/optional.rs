@@ -1,5 +1,5 @@
-//! What methods of `Option` lend: `insert`, `get_or_insert`, `as_mut`. Nothing is copied: what is lent is
-//! another name for what is in it.
+//! Methods of `Option` that return references: `insert`, `get_or_insert`, `as_mut`. Nothing is copied: the reference is
+//! another name for the content.
 
 use bessemer_ir::tree;
 use bessemer_ir::{Block, Fault, Place, Stmt, StmtKind, StructId, Type};

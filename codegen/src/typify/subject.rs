@@ -1,4 +1,4 @@
-//! What patterns are held against, and what their names stand for.
+//! The values that patterns are matched against, and the meaning of their names.
 
 use bessemer_ir::tree::Site;
 use bessemer_ir::{Expr, Place};

@@ -1,4 +1,4 @@
-//! What the author's syntax shows by itself.
+//! Properties that the author's syntax shows by itself.
 
 use bessemer_ir::tree;
 

@@ -1,4 +1,4 @@
-//! What an author asks of the C of an item, beside what it is.
+//! The author's wishes for the C of an item.
 //!
 //! Invariant: none of it changes what is computed.
 

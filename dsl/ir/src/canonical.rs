@@ -1,4 +1,4 @@
-//! What the words of a value mean, and which of them mean nothing.
+//! The meaning of a value's words, and which of them have none.
 
 use crate::ir::{Form, Module, Struct, Type};
 

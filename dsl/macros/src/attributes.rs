@@ -1,4 +1,4 @@
-//! What an author asks of the C of a function beside what the code does: `#[c(name = "…", section = "…")]`,
+//! The author's wishes for the C of a function: `#[c(name = "…", section = "…")]`,
 //! `#[inline(never)]`, `#[entry(atomic)]`, `#[external(header = "…")]`.
 //!
 //! The attributes are the DSL's alone: the native item goes without them. What they ask for reaches the

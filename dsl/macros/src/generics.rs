@@ -1,4 +1,4 @@
-//! What something generic is generic over, as the expansions write it.
+//! Generic parameters, as the expansions write them.
 //!
 //! The parameters of an `impl` block or a type come first, the function's own after them. In a
 //! generation build each type among them is a value of the DSL besides what its author asks of it.

@@ -1,4 +1,4 @@
-//! What an author says of a type, a variant, a field, a parameter or a table beside what it is:
+//! The author's names, units and sections for types, variants, fields, parameters and tables:
 //! `#[c(name = "…", section = "…")]`, `#[unit("…")]`.
 //!
 //! The attributes are the DSL's alone: the native item goes without them. What they say travels as

@@ -1,4 +1,4 @@
-//! What the attributes change in the native item: the closed set of scalar methods goes to the DSL,
+//! The attributes' changes to the native item: a closed set of scalar methods goes to the DSL,
 //! and loops with a declared bound count their passes.
 //!
 //! `x.sin()` becomes `x.dsl_sin()`, `f64::sin(x)` becomes `f64::dsl_sin(x)` (and so for every type,

@@ -1,6 +1,6 @@
 //! `#[data]` on a `const` or a `static`: a constant of which its author says more than its value.
 //!
-//! What reads it needs no mark: a constant is told by its name, its type and its value. So the mark only
+//! A reader of it needs no mark: a constant is told by its name, its type and its value. So the mark only
 //! announces what is said of these.
 
 use proc_macro2::TokenStream;

@@ -1,4 +1,4 @@
-//! What a package is made of, so far: definitions, each after what it is made of, and what was refused.
+//! The package while it is built: definitions, each after those that it uses, and refusals.
 //!
 //! Must not know: slots, companions and operators, which build on it.
 

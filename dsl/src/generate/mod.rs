@@ -1,4 +1,4 @@
-//! What the expansions of the attributes call in a generation build; nothing for authors.
+//! The expansions of the attributes call this module in a generation build; authors never do.
 //!
 //! A builder's slots tell what rustc decided ([`slot`]); companions tell which function a call means,
 //! the DSL's own operations among them ([`builtin`]); [`Builder`] collects the package.

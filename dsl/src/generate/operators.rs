@@ -1,4 +1,4 @@
-//! What the operators of a function mean, as far as they are functions: of nalgebra's rotations and poses, and of
+//! Operators that are functions: those of nalgebra's rotations and poses, and of
 //! authors' own types.
 //!
 //! The types of the operands decide, as rustc put them into slots. An author's own it finds itself, as the function of

@@ -1,4 +1,4 @@
-//! What is done to each element: what nalgebra's methods of these names compute, in its order, written in
+//! Operations on each element: nalgebra's methods of these names, in its order of operations, written in
 //! the DSL for the C.
 
 use nalgebra::{SMatrix, SVector};

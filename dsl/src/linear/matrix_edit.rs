@@ -1,4 +1,4 @@
-//! What fills, copies and exchanges parts of matrices, as nalgebra's methods of these names do, written in
+//! Functions that fill, copy and exchange parts of matrices, as nalgebra's methods of these names do, written in
 //! the DSL for the C.
 
 use nalgebra::{SMatrix, SVector};

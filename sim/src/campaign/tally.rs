@@ -1,4 +1,4 @@
-//! What a campaign comes to: percentiles, and how many flights were as they must not be.
+//! The outcome of a campaign: percentiles, and how many flights were as they must not be.
 
 use super::Kind;
 use super::outcome::Outcome;

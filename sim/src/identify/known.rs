@@ -1,4 +1,4 @@
-//! What is known of an aircraft before it flies a trajectory: its data sheet, and what a hover showed.
+//! Prior knowledge of an aircraft before it flies a trajectory: its data sheet, and the findings of a hover.
 //!
 //! The way of a user: hover, keep the log, identify, and give the software the coefficients that were found.
 

@@ -1,4 +1,4 @@
-//! What the programs that run on every leg consist of: each node of the IR on each type that it takes.
+//! The programs that run on every leg have each node of the IR on each type that it takes.
 //!
 //! The rows are the IR's own: an operation that is added without a program that uses it on each of its
 //! types is a hole, and fails. `UPDATE_DOCS=1 cargo test -p bessemer-tests coverage::` writes

@@ -1,4 +1,4 @@
-//! What each kind of data can do: stand beside other data, be an initial value, be copied, passed, returned and
+//! Each kind of data can stand beside other data, be an initial value, be copied, passed, returned and
 //! compared.
 //!
 //! A kind is a file of `tests/corpus/src/programs/kinds`; its properties are read off the functions that the

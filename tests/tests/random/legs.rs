@@ -1,4 +1,4 @@
-//! What rustc, the interpreter and the C make of the calls of a batch, and where they differ.
+//! Runs the calls of a batch by rustc, the interpreter and the C, and finds where they differ.
 //!
 //! A component lives through its calls. A fault of an entry that rolls back leaves everything as it was; one of an
 //! entry that changes nothing leaves the state; any other stops the component: its C answers each call with that fault until it begins anew.

@@ -1,4 +1,4 @@
-//! What a C compiler warns of in the C of random programs: each is a fault of ours, since no emitted C raises a warning.
+//! Warnings of a C compiler in the C of random programs: each is a fault of ours, since no emitted C raises a warning.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,4 +1,4 @@
-//! What the copy of the work tree need not build: packages of the registry that the work tree has built.
+//! Saves the copy of the work tree some builds: those of packages of the registry that the work tree has built.
 //!
 //! Cargo knows a package of the registry by its name, version, features and profile, wherever it is built. So its files
 //! may be hard links: whoever builds it anew writes the same again. Packages of the workspace are never linked, for

@@ -1,11 +1,11 @@
 //! From a function of the explicit IR to statements of the C tree.
 //!
-//! What it relies on (the passes establish it, the validator checks it):
+//! It relies on this (the passes establish it, the validator checks it):
 //! * aggregates stand only as the whole value of `Let`, `Assign`, `Return`, or are lent as arguments;
 //! * calls stand only as the whole value of a statement, save pure ones of words;
 //! * no operation faults: `Check` statements stand before them.
 //!
-//! What it adds: conversions where C's promotions differ from Rust's types; a name for every local; a
+//! It adds conversions where C's promotions differ from Rust's types; a name for every local; a
 //! temporary wherever a result would be written over an operand.
 
 mod call;

@@ -1,4 +1,4 @@
-//! What is done with an enum that comes from outside and holds none of its variants.
+//! Handles an enum that comes from outside and holds none of its variants.
 //!
 //! Where a proof rests on it ([`Intrinsic::Variant`](bessemer_ir::Intrinsic::Variant)), the last variant stands for it.
 //! One that returns a status says so before it does anything; one that is claimed to be infallible has no way to,

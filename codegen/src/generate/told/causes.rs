@@ -1,7 +1,7 @@
 //! One error for one cause: which messages are left out, since another one tells why.
 //!
-//! What stands below an attribute is compiled up to three times: as its author wrote it, as the witness copy, and as
-//! builders. And what an attribute refuses is missing wherever it is used.
+//! An item below an attribute is compiled up to three times: as its author wrote it, as the witness copy, and as
+//! builders. And an item that an attribute refuses is missing wherever it is used.
 
 use std::collections::BTreeSet;
 use std::ops::RangeInclusive;

@@ -1,4 +1,4 @@
-//! What rustc says of a generation build, told in the author's terms: each thing once, at the author's own line.
+//! Tells rustc's errors of a generation build in the author's terms: each mistake once, at the author's own line.
 //!
 //! A generation build compiles more than the author wrote: a witness copy of each function and the builders of the
 //! tree. What is wrong in the model is wrong there, too, and is said in names that no author has seen. Each

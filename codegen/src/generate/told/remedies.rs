@@ -1,4 +1,4 @@
-//! What to write in place of what the DSL does not have.
+//! Remedies: something to write in place of what the DSL does not have.
 
 use super::types::{is_known, is_parameter};
 

@@ -1,4 +1,4 @@
-//! What rustc says, read from its JSON.
+//! Reads rustc's messages from its JSON.
 //!
 //! Must not know: what the DSL is.
 

@@ -1,4 +1,4 @@
-//! What rustc says of the builders' own names, in the author's terms, and a remedy.
+//! Rewords rustc's messages about the builders' own names in the author's terms, with a remedy.
 
 use super::hints;
 use super::remedies::instead;

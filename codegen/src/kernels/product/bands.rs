@@ -1,6 +1,6 @@
 //! Which blocks a product goes by: bands of rows, each cut into blocks of columns.
 //!
-//! What a block takes is counted: a vector of rows and a number in each lane is loaded once for each term, and a
+//! The instructions of a block are counted: a vector of rows and a number in each lane is loaded once for each term, and a
 //! product and a sum follow for each pair. Three vectors by three columns, or two by five, are best with 16 registers; the
 //! last band may have fewer vectors, and the last block of a band fewer columns. A single row below whole vectors goes
 //! by numbers, which need not be spread.

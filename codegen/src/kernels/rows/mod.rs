@@ -6,7 +6,7 @@
 //! matrix has become zero: each step is whole rows, and no lane is idle. The order of each element is nalgebra's: steps
 //! ascending, then back from the last.
 //!
-//! What is left out, zeros of the identity times multipliers, is zero only if the multipliers are finite. One that is
+//! The products that are left out, zeros of the identity times multipliers, are zero only if the multipliers are finite. One that is
 //! not leaves its trace in the result; then the form of the other targets, which stands in the same file, does it again.
 //!
 //! Absent: ARM, where exact arithmetic is the VFP's.

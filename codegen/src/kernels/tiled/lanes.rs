@@ -1,4 +1,4 @@
-//! What a row of a panel is on each target.
+//! A row of a panel, as each target holds it.
 
 use bessemer_ir::Float;
 

@@ -1,4 +1,4 @@
-//! What follows where a condition is true, or false.
+//! Consequences of a condition that is true, or false.
 //!
 //! The meaning: the executions of the state in which the condition has that truth are kept, others may go. A condition
 //! is assumed only behind its evaluation, so that it did not fault.

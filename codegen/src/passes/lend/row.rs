@@ -1,4 +1,4 @@
-//! What memory is made of: rows of elements.
+//! Memory as rows of elements.
 
 use bessemer_ir::{Module, Scalar, Type};
 

@@ -10,7 +10,7 @@
 //! A goal `form >= 0` is shown by arithmetic alone: bounds of its symbols, after forms that are known to be 0 or more
 //! are subtracted; or from each alternative of a clause.
 //!
-//! What an operation needs is stated in exact numbers ([`values`]): a sum lies within its type, an index is 0 or more
+//! The condition of an operation is stated in exact numbers ([`values`]): a sum lies within its type, an index is 0 or more
 //! and less than the length. A loop ([`walk`]) is looked at twice: bounds are *guessed* from a pass, and kept if a pass
 //! that begins with them ends with them.
 //!

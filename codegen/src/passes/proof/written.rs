@@ -1,4 +1,4 @@
-//! What statements and expressions may write, as the proof sees it.
+//! The places that statements and expressions may write, as the proof sees them.
 //!
 //! The meaning: in each execution, all memory that changes lies in one of the targets. An index that is no literal may
 //! be any, as may a row and a column; what is given the value that it has is written, too.

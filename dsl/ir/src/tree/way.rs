@@ -1,4 +1,4 @@
-//! What loops go through and how, what an assignment writes, and what an assertion claims.
+//! The ranges and sequences of loops, the targets of assignments, and the claims of assertions.
 
 use alloc::vec::Vec;
 

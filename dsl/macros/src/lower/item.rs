@@ -1,6 +1,6 @@
 //! Names for what flows through a chain of iterators, and patterns that take it apart.
 //!
-//! What the author has no name for keeps one that no author can write, so that the next closure can name it again.
+//! A value without a name of the author's gets one that no author can write, so that the next closure can use it.
 
 use bessemer_ir::tree::{self, ExprKind};
 use quote::{format_ident, quote};

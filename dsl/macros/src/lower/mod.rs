@@ -4,7 +4,7 @@
 //! form: the same code with every value passed through a slot, so that rustc's inference can be read
 //! off. Spans, parentheses and the author's own `&` survive; an error in the copy is the original's.
 //!
-//! What the DSL does not take is refused at its own token, all of it at once ([`refuse`]).
+//! Rust that the DSL does not take is refused at its own token, all of it at once ([`refuse`]).
 //!
 //! Each file lowers the forms that it is named for, as methods of the walk ([`Lowering`]).
 //!

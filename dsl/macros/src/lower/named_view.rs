@@ -5,7 +5,7 @@
 //! may leave in between, every statement that names the view writes it. A view that is handed on, or named beside its matrix in
 //! one branch of a statement, keeps its refusal.
 //!
-//! What is written to a view without a name is said by one: `m.column_mut(j)[i] = x`, `for x in m.row_mut(i).iter_mut()`.
+//! A write to a view without a name gives it one first: `m.column_mut(j)[i] = x`, `for x in m.row_mut(i).iter_mut()`.
 
 use proc_macro2::{TokenStream, TokenTree};
 use quote::{ToTokens, format_ident};

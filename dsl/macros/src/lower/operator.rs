@@ -1,6 +1,6 @@
 //! Operators that may be functions: `+ - * / %`, those of bits, `!` and the sign.
 //!
-//! What `q * v` means depends on the types of both. So a slot sees each operand. Which function of the library is
+//! The meaning of `q * v` depends on the types of both. So a slot sees each operand. Which function of the library is
 //! meant, if any, the builder says, which knows the types ([`tree::Operator`]); which of an author's, rustc: the witness
 //! copy asks it whether the two have one.
 //!

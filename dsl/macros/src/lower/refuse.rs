@@ -1,4 +1,4 @@
-//! What the DSL does not take, and what to write instead.
+//! The refusals: Rust that the DSL does not take, each with something to write instead.
 //!
 //! Every reason says what is wrong in the author's terms, then the remedy. A construct that is absent
 //! here and from the lowering is refused as [`SYNTAX`]: never a panic, never wrong C.

@@ -1,6 +1,6 @@
 //! Methods that stand for other code: `range.contains(&x)`, `items.min_by_key(…)`, `list.extend(…)`. In the tree and in the copy that code stands in their place.
 //!
-//! What it names is named as nothing in scope is, so that no name of the author's changes its meaning.
+//! Its names are those of nothing in scope, so that no name of the author's changes their meaning.
 //! Types are not known here: what stands for a method of lists calls methods that lists alone have
 //! (`list_extend`), so that rustc refuses another type's method of the same name.
 

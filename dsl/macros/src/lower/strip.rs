@@ -1,4 +1,4 @@
-//! What a copy of the author's code cannot keep: attributes and lifetimes.
+//! Takes out of a copy of the author's code what it cannot keep: attributes and lifetimes.
 //!
 //! Attributes that would make the C differ from the Rust are refused here.
 

@@ -1,4 +1,4 @@
-//! What expressions show by their syntax alone.
+//! Properties of expressions that show by their syntax alone.
 
 use quote::{ToTokens, quote};
 

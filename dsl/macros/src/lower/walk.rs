@@ -1,4 +1,4 @@
-//! What a walk over one function knows: the locals in scope, the slots so far, and what the builder has to emit beside.
+//! The state of a walk over one function: the locals in scope, the slots so far, and the builder's further items.
 //!
 //! Must not know: syntax. Each form is lowered in a file of its own.
 

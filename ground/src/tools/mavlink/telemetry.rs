@@ -1,4 +1,4 @@
-//! What the ground knows of the aircraft, as MAVLink's telemetry.
+//! The ground's knowledge of the aircraft, as MAVLink's telemetry.
 //!
 //! Frames: MAVLink's north, east and down are the room's x, -y and -z; its angles are those of the turns about body
 //! axes forward, right, down, in the order yaw, pitch, roll.

@@ -1,7 +1,7 @@
 //! Somebody else's analysis of what was left out: Frama-C's Eva over the corpus' C in which each check that was proved
 //! stands all the same, with any words as arguments. One of which Eva does not see that it holds fails.
 //!
-//! What Eva cannot see stands in `unseen.tsv`, each with the reason: it knows intervals and few relations of two values.
+//! `unseen.tsv` lists what Eva cannot see, each with the reason: it knows intervals and few relations of two values.
 //! The list may only shrink: a row that is not needed fails, too.
 //!
 //! A full run takes every program, any other a few by turns. None where Frama-C is not asked for: see `BESSEMER_LEGS`.

@@ -1,6 +1,6 @@
 //! Loops: what is known at the head of a pass, and behind the loop, holds in every execution from every start.
 //!
-//! What is known is written down as checks, at the head and behind the loop, and the interpreter runs it.
+//! The test writes down what is known as checks, at the head and behind the loop, and the interpreter runs them.
 
 use bessemer_interpret::{Interpreter, Stop};
 use bessemer_ir::text::parse;

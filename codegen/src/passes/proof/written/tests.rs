@@ -1,4 +1,4 @@
-//! What is written: one by one for each form of the IR, and beside the account of `effects` on all programs in text.
+//! The places that are written: one by one for each form of the IR, and beside the account of `effects` on all programs in text.
 
 use std::collections::BTreeSet;
 use std::path::Path;
