@@ -87,7 +87,7 @@ mod text;
 
 /// What a model imports with one line: `use bessemer::prelude::*;`.
 pub mod prelude {
-    pub use crate::math::{Real, real};
+    pub use crate::math::{Integer, Real, real};
     pub use crate::{
         BoundedMatrix, List, Text, c, component, data, entry, external, function, interface,
         matrix, vector,

@@ -71,6 +71,9 @@ fn native(case: &Case, operands: &[u64]) -> Outcome {
         Ok(word) => (0, word),
         Err(message) => {
             let fault = match message.as_str() {
+                text if text.contains("square root") || text.contains("logarithm") => {
+                    Fault::Assertion
+                }
                 text if text.contains("zero") => Fault::DivisionByZero,
                 text if text.contains("shift") => Fault::Shift,
                 text if text.contains("overflow") => Fault::Overflow,

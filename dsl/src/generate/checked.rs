@@ -90,3 +90,28 @@ magnitudes! {
     i64 abs_i64;
     isize abs_isize;
 }
+
+/// The sum of what has no sign and what has one.
+#[allow(missing_docs)]
+pub trait CheckedSignedBuiltin<S>: Sized {
+    type AddSigned: Callee;
+    fn __b_checked_add_signed(self, _other: S) -> Called<Self::AddSigned, Option<Self>> {
+        unreachable!()
+    }
+}
+
+macro_rules! signed_operands {
+    ($($int:ident $signed:ident $function:ident;)*) => {$(
+        impl CheckedSignedBuiltin<$signed> for $int {
+            type AddSigned = checked::$function;
+        }
+    )*};
+}
+
+signed_operands! {
+    u8 i8 add_signed_u8;
+    u16 i16 add_signed_u16;
+    u32 i32 add_signed_u32;
+    u64 i64 add_signed_u64;
+    usize isize add_signed_usize;
+}

@@ -23,6 +23,7 @@ mod slot;
 pub mod spatial;
 pub mod swizzles;
 pub mod views;
+pub mod whole;
 
 pub use alloc::string::String;
 pub use bessemer_ir::tree;
@@ -50,7 +51,9 @@ pub mod prelude {
         New2 as _, New3 as _, New4 as _, New5 as _, New6 as _, New8 as _, New9 as _, New12 as _,
         New16 as _,
     };
-    pub use super::checked::{CheckedAbsBuiltin as _, CheckedBuiltins as _};
+    pub use super::checked::{
+        CheckedAbsBuiltin as _, CheckedBuiltins as _, CheckedSignedBuiltin as _,
+    };
     pub use super::comparison::{
         CompareBuiltins as _, OrderingBuiltins as _, PartialCompareBuiltins as _,
         RankedBuiltins as _, RankedOrderBuiltins as _, ReferredOrderBuiltins as _,
@@ -98,6 +101,7 @@ pub mod prelude {
     };
     pub use super::swizzles::SwizzleBuiltins as _;
     pub use super::views::{CopyBuiltin as _, ViewBuiltins as _};
+    pub use super::whole::WholeBuiltins as _;
 }
 
 /// Registers an item with the package; expanded by the attributes.

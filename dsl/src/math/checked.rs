@@ -96,7 +96,14 @@ macro_rules! signed {
 }
 
 macro_rules! unsigned {
-    ($($int:ident: $add:ident $sub:ident $mul:ident $div:ident $rem:ident $neg:ident $shl:ident $shr:ident $pow:ident;)*) => {$(
+    ($($int:ident $signed:ident: $add:ident $sub:ident $mul:ident $div:ident $rem:ident $neg:ident $shl:ident $shr:ident $pow:ident $add_signed:ident;)*) => {$(
+        /// `a + b`; `b` has a sign.
+        #[function]
+        pub fn $add_signed(a: $int, b: $signed) -> Option<$int> {
+            let sum = a.wrapping_add(b as $int);
+            if (b < 0) == (sum < a) { Some(sum) } else { None }
+        }
+
         /// `a + b`.
         #[function]
         pub fn $add(a: $int, b: $int) -> Option<$int> {
@@ -176,11 +183,11 @@ signed! {
 }
 
 unsigned! {
-    u8: add_u8 sub_u8 mul_u8 div_u8 rem_u8 neg_u8 shl_u8 shr_u8 pow_u8;
-    u16: add_u16 sub_u16 mul_u16 div_u16 rem_u16 neg_u16 shl_u16 shr_u16 pow_u16;
-    u32: add_u32 sub_u32 mul_u32 div_u32 rem_u32 neg_u32 shl_u32 shr_u32 pow_u32;
-    u64: add_u64 sub_u64 mul_u64 div_u64 rem_u64 neg_u64 shl_u64 shr_u64 pow_u64;
-    usize: add_usize sub_usize mul_usize div_usize rem_usize neg_usize shl_usize shr_usize pow_usize;
+    u8 i8: add_u8 sub_u8 mul_u8 div_u8 rem_u8 neg_u8 shl_u8 shr_u8 pow_u8 add_signed_u8;
+    u16 i16: add_u16 sub_u16 mul_u16 div_u16 rem_u16 neg_u16 shl_u16 shr_u16 pow_u16 add_signed_u16;
+    u32 i32: add_u32 sub_u32 mul_u32 div_u32 rem_u32 neg_u32 shl_u32 shr_u32 pow_u32 add_signed_u32;
+    u64 i64: add_u64 sub_u64 mul_u64 div_u64 rem_u64 neg_u64 shl_u64 shr_u64 pow_u64 add_signed_u64;
+    usize isize: add_usize sub_usize mul_usize div_usize rem_usize neg_usize shl_usize shr_usize pow_usize add_signed_usize;
 }
 
 narrow_products! {

@@ -19,6 +19,7 @@ mod float;
 pub mod fused;
 pub mod hyperbolic;
 pub mod integer;
+mod integral;
 pub mod logarithm;
 mod matrix;
 mod methods;
@@ -31,6 +32,7 @@ pub mod sine;
 pub mod single;
 pub mod tables;
 pub mod tangent;
+pub mod whole;
 
 use core::cmp::Ordering;
 
@@ -38,6 +40,7 @@ use core::cmp::Ordering;
 pub use crate::rotation::RotationMethods;
 use crate::{comparison, search, sort};
 pub use float::{Real, real};
+pub use integral::Integer;
 pub use matrix::{MatrixMethods, SquareMethods};
 pub use methods::ElementaryMethods;
 pub use number::{DivisionMethods, RoundMethods, SignMethods};

@@ -133,6 +133,14 @@ macro_rules! integers {
                 complements_equal(a: $t, b: $t) -> bool { !a == !b }
                 exclusive_below(a: $t, b: $t) -> bool { a ^ <$t>::MAX < b }
                 left_below(a: $t, b: $t) -> bool { <$t>::MAX - a < b }
+                reverse_bits(a: $t) -> $t { a.reverse_bits() }
+                isqrt(a: $t) -> $t { a.isqrt() }
+                ilog2(a: $t) -> u32 { a.ilog2() }
+                checked_ilog2(a: $t) -> u32 { a.checked_ilog2().unwrap_or(99) }
+                midpoint(a: $t, b: $t) -> $t { a.midpoint(b) }
+                overflowing_add(a: $t, b: $t) -> $t { match a.overflowing_add(b) { (sum, true) => sum ^ 1, (sum, false) => sum } }
+                overflowing_sub(a: $t, b: $t) -> $t { match a.overflowing_sub(b) { (less, true) => less ^ 1, (less, false) => less } }
+                overflowing_mul(a: $t, b: $t) -> $t { match a.overflowing_mul(b) { (much, true) => much ^ 1, (much, false) => much } }
                 wrapped_below(a: $t, b: $t) -> bool { <$t>::MAX.wrapping_sub(a) < b }
             }
         }
@@ -157,9 +165,15 @@ macro_rules! signed {
 }
 
 macro_rules! unsigned {
-    ($($module:ident, $t:ident;)*) => {$(
+    ($($module:ident, $t:ident, $signed:ident;)*) => {$(
         pub mod $module {
             cases! {
+                div_ceil(a: $t, b: $t) -> $t { a.div_ceil(b) }
+                next_multiple_of(a: $t, b: $t) -> $t { a.next_multiple_of(b) }
+                is_multiple_of(a: $t, b: $t) -> bool { a.is_multiple_of(b) }
+                next_power_of_two(a: $t) -> $t { a.next_power_of_two() }
+                checked_next_power_of_two(a: $t) -> $t { a.checked_next_power_of_two().unwrap_or(3) }
+                checked_add_signed(a: $t, b: $signed) -> $t { a.checked_add_signed(b).unwrap_or(a ^ 1) }
                 is_power_of_two(a: $t) -> bool { a.is_power_of_two() }
             }
         }
@@ -347,11 +361,11 @@ signed! {
 }
 
 unsigned! {
-    unsigned_u8, u8;
-    unsigned_u16, u16;
-    unsigned_u32, u32;
-    unsigned_u64, u64;
-    unsigned_usize, usize;
+    unsigned_u8, u8, i8;
+    unsigned_u16, u16, i16;
+    unsigned_u32, u32, i32;
+    unsigned_u64, u64, i64;
+    unsigned_usize, usize, isize;
 }
 
 floats! {

@@ -26,7 +26,6 @@ const ABSENT: &[(&str, usize, &str)] = &[
         1,
         "write `values.windows(2).all(|pair| pair[0] <= pair[1])`",
     ),
-    ("overflowing_add overflowing_sub overflowing_mul", 1, WIDER),
     ("to_be to_le to_ne_bytes", 0, BYTES),
     ("from_be from_le from_ne_bytes", 0, BYTES),
     ("inspect inspect_err", 1, "look at the value with `if let`"),
@@ -58,7 +57,6 @@ const ABSENT: &[(&str, usize, &str)] = &[
 
 const BYTES: &str = "write `to_be_bytes`, `from_le_bytes` and the like: the same on every target";
 const VIEW: &str = "write what it is to become: `m.column_mut(j).copy_from(&part)`, or `.fill(x)`, `.scale_mut(x)`";
-const WIDER: &str = "write `(a.wrapping_add(b), a.checked_add(b).is_none())`";
 
 /// Those that are absent for a reason of their own, with their arguments.
 const REASONS: &[(&str, usize, Reason)] = &[

@@ -1,0 +1,127 @@
+//! Methods of integers that are functions of the DSL in the C, once for all types.
+//!
+//! Each gives what core's method gives, and faults where that panics.
+
+use crate::prelude::*;
+
+/// `a / b`, rounded up.
+#[function]
+pub fn div_ceil<T: Integer>(a: T, b: T) -> T {
+    let quotient = a / b;
+    if a % b == T::ZERO { quotient } else { quotient + T::ONE }
+}
+
+/// The smallest multiple of `b` that is not below `a`.
+#[function]
+pub fn next_multiple_of<T: Integer>(a: T, b: T) -> T {
+    let rest = a % b;
+    if rest == T::ZERO { a } else { a + (b - rest) }
+}
+
+/// Whether `a` is a multiple of `b`; of 0, only 0 is.
+#[function]
+pub fn is_multiple_of<T: Integer>(a: T, b: T) -> bool {
+    if b == T::ZERO { a == T::ZERO } else { a % b == T::ZERO }
+}
+
+/// The smallest power of two that is not below `a`.
+#[function]
+pub fn next_power_of_two<T: Integer>(a: T) -> T {
+    filled(a) + T::ONE
+}
+
+/// The same; none where the type does not hold it.
+#[function]
+pub fn checked_next_power_of_two<T: Integer>(a: T) -> Option<T> {
+    let below = filled(a);
+    if below == T::MAX { None } else { Some(below.wrapping_add(T::ONE)) }
+}
+
+/// Ones in each place that `a - 1` reaches.
+#[function]
+pub fn filled<T: Integer>(a: T) -> T {
+    if a <= T::ONE {
+        T::ZERO
+    } else {
+        T::MAX.wrapping_shr((a.wrapping_sub(T::ONE)).leading_zeros())
+    }
+}
+
+/// The position of the highest bit.
+#[function]
+pub fn ilog2<T: Integer>(a: T) -> u32 {
+    assert!(a > T::ZERO);
+    T::BITS - 1 - a.leading_zeros()
+}
+
+/// The same; none of 0 and what is below.
+#[function]
+pub fn checked_ilog2<T: Integer>(a: T) -> Option<u32> {
+    if a > T::ZERO { Some(T::BITS - 1 - a.leading_zeros()) } else { None }
+}
+
+/// The square root, rounded down: a bit of it after another, from the highest.
+#[function]
+pub fn isqrt<T: Integer>(a: T) -> T {
+    assert!(a >= T::ZERO);
+    let mut rest = a;
+    let mut root = T::ZERO;
+    for step in 1..=T::BITS / 2 {
+        let bit = T::ONE.wrapping_shl(T::BITS - 2 * step);
+        let tried = root.wrapping_add(bit);
+        root = root.wrapping_shr(1);
+        if rest >= tried {
+            rest = rest.wrapping_sub(tried);
+            root = root.wrapping_add(bit);
+        }
+    }
+    root
+}
+
+/// Half of `a + b`, which may leave the type; rounded towards zero.
+#[function]
+pub fn midpoint<T: Integer>(a: T, b: T) -> T {
+    let differing = a ^ b;
+    let middle = (a & b).wrapping_add(differing >> 1);
+    if middle < T::ZERO { middle.wrapping_add(differing & T::ONE) } else { middle }
+}
+
+/// The bits from the last to the first: bytes, then halves, quarters and eighths of each.
+#[function]
+pub fn reverse_bits<T: Integer>(a: T) -> T {
+    let bytes = a.swap_bytes();
+    let halves = exchanged(bytes, T::NIBBLES, 4);
+    exchanged(exchanged(halves, T::PAIRS, 2), T::ODDS, 1)
+}
+
+/// Each group of `by` bits of `a` in the place of its neighbour; `low` has those of each lower one.
+#[function]
+pub fn exchanged<T: Integer>(a: T, low: T, by: u32) -> T {
+    ((a & low).wrapping_shl(by)) | (a.wrapping_shr(by) & low)
+}
+
+/// `a + b` modulo what the type holds, and whether the sum is another.
+#[function]
+pub fn overflowing_add<T: Integer>(a: T, b: T) -> (T, bool) {
+    let sum = a.wrapping_add(b);
+    (sum, (b < T::ZERO) != (sum < a))
+}
+
+/// `a - b` modulo what the type holds, and whether the difference is another.
+#[function]
+pub fn overflowing_sub<T: Integer>(a: T, b: T) -> (T, bool) {
+    let difference = a.wrapping_sub(b);
+    (difference, (b > T::ZERO) != (difference < a))
+}
+
+/// `a * b` modulo what the type holds, and whether the product is another.
+#[function]
+pub fn overflowing_mul<T: Integer>(a: T, b: T) -> (T, bool) {
+    let product = a.wrapping_mul(b);
+    if a == T::ZERO {
+        return (product, false);
+    }
+    // The least number of a signed type is its own negative, and so hides that the product is another.
+    let hidden = b < T::ZERO && b == T::MIN && a == T::ZERO.wrapping_sub(T::ONE);
+    (product, hidden || product.wrapping_div(a) != b)
+}
