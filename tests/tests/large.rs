@@ -168,7 +168,7 @@ fn all() -> Vec<Call> {
         || solves::<f64, 150>(Float::F64),
         || calls::<f64, 150>(Float::F64),
     ];
-    turn::some_of(sizes, 3).into_iter().flat_map(|calls| calls()).collect()
+    turn::some_of(sizes, 2).into_iter().flat_map(|calls| calls()).collect()
 }
 
 fn agree(leg: &str, call: &Call, found: &[u64]) {

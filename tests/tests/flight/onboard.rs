@@ -55,7 +55,7 @@ fn the_c_flies_every_flight_to_the_same_bits() {
         println!("left out: the compilers are not installed");
         return;
     };
-    let flights = turn::some_of(FLIGHTS.iter().collect(), FLIGHTS.len().div_ceil(2));
+    let flights = turn::some_of(FLIGHTS.iter().collect(), FLIGHTS.len().div_ceil(3));
     let left = Mutex::new(flights.into_iter());
     std::thread::scope(|scope| {
         for _ in 0..2 {
