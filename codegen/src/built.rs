@@ -62,7 +62,7 @@ pub(crate) fn parts(function: &Function, module: &Module) -> BTreeMap<LocalId, P
     parts
 }
 
-/// What becomes of locals.
+/// The fate of each local.
 struct Uses<'m> {
     module: &'m Module,
     /// The parts of what is returned that each becomes.
@@ -114,7 +114,7 @@ impl Visit for Uses<'_> {
     }
 }
 
-/// What is computed as it is returned, when parts of the result are written already.
+/// An expression that is computed as it is returned, when parts of the result are written already.
 struct Within<'u, 'm>(&'u mut Uses<'m>);
 
 impl Visit for Within<'_, '_> {

@@ -27,7 +27,7 @@ pub struct Compiled {
     pub typed: Typed,
     /// The C.
     pub files: Vec<CFile>,
-    /// What there is to call, and what it costs.
+    /// The entry points, with their costs.
     pub entries: Vec<EntryReport>,
     /// The checks that are left in each function, and why.
     pub checks: passes::Report,

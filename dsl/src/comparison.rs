@@ -5,7 +5,7 @@ use core::cmp::Ordering as Native;
 use crate::math::Real;
 use crate::{data, function, sort};
 
-/// What `core::cmp::Ordering` is in the C.
+/// `core::cmp::Ordering` in the C.
 #[data]
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
 pub enum Ordering {

@@ -53,7 +53,7 @@ elements! {
 }
 numbers!(f32, f64, i8, i16, i32, i64, isize, u8, u16, u32, u64, usize);
 
-/// What a generation build asks of a scalar besides.
+/// Further demands of a generation build on a scalar.
 #[cfg(feature = "generate")]
 mod generated {
     use crate::generate::{ScalarType, Value};
@@ -64,7 +64,7 @@ mod generated {
     impl<T: Value + ScalarType> Generated for T {}
 }
 
-/// What a generation build asks of a scalar besides: nothing here.
+/// Outside generation builds nothing more is asked of a scalar.
 #[cfg(not(feature = "generate"))]
 mod generated {
     /// Nothing.

@@ -85,7 +85,7 @@ pub mod sort;
 mod spatial;
 mod text;
 
-/// What a model imports with one line: `use bessemer::prelude::*;`.
+/// A model imports all of this with one line: `use bessemer::prelude::*;`.
 pub mod prelude {
     pub use crate::math::{Integer, Real, real};
     pub use crate::{
@@ -104,7 +104,7 @@ pub mod prelude {
     };
 }
 
-/// What the library's own containers claim of an index: a fault of its own name in the C.
+/// The claim of the library's containers on an index: a fault of its own name in the C.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __inside {
@@ -113,7 +113,7 @@ macro_rules! __inside {
     };
 }
 
-/// What they claim of their room.
+/// Their claim on their room.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __room {
@@ -122,7 +122,7 @@ macro_rules! __room {
     };
 }
 
-/// What they claim of the bounds of `clamp`.
+/// The claim on the bounds of `clamp`.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __between {

@@ -203,7 +203,7 @@ pub fn matrix_euler_angles<T: Real>(m: &Rotation3<T>) -> (T, T, T) {
     }
 }
 
-/// What the attributes call in place of nalgebra's methods of the names of scalar ones.
+/// The attributes call these in place of nalgebra's methods that have the name of a scalar one.
 #[doc(hidden)]
 pub trait RotationMethods<T> {
     /// [`powf`].

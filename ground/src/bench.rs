@@ -160,7 +160,7 @@ impl Bench {
     /// Where the computer reaches the bus.
     ///
     /// # Errors
-    /// What the system said.
+    /// An error of the system.
     pub fn port(&self) -> io::Result<u16> {
         Ok(self.bus.local_addr()?.port())
     }
@@ -168,7 +168,7 @@ impl Bench {
     /// Waits until a computer is there; whether one came.
     ///
     /// # Errors
-    /// What the system said.
+    /// An error of the system.
     pub fn wait(&mut self, patience: Duration) -> io::Result<bool> {
         let deadline = Instant::now() + patience;
         while self.computer.is_none() {
@@ -219,7 +219,7 @@ impl Bench {
     /// One period, whose answer is waited for until `deadline`; without one, as long as it takes.
     ///
     /// # Errors
-    /// What the system said.
+    /// An error of the system.
     pub fn step(&mut self, deadline: Option<Instant>) -> io::Result<Period> {
         let number = self.timing.periods;
         self.timing.periods += 1;
@@ -291,7 +291,7 @@ impl Bench {
     /// The software's memory between two periods: bytes for the same program only. None, if it does not answer.
     ///
     /// # Errors
-    /// What the system said.
+    /// An error of the system.
     pub fn image(&mut self) -> io::Result<Option<Vec<u8>>> {
         let Some(computer) = self.computer else { return Ok(None) };
         self.bus.send_to(b"image", computer)?;

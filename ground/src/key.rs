@@ -27,7 +27,7 @@ pub enum Error {
     File {
         /// The file.
         path: PathBuf,
-        /// What the system said.
+        /// An error of the system.
         source: std::io::Error,
     },
     /// It holds something else.

@@ -34,7 +34,7 @@ pub enum Error {
     File {
         /// The file.
         path: PathBuf,
-        /// What the system said.
+        /// An error of the system.
         source: std::io::Error,
     },
     /// The program does not start.
@@ -44,7 +44,7 @@ pub enum Error {
     Start {
         /// The program.
         program: String,
-        /// What the system said.
+        /// An error of the system.
         source: std::io::Error,
     },
 }
@@ -61,7 +61,7 @@ impl Program {
     /// they changed.
     ///
     /// # Errors
-    /// What the compiler or the system said.
+    /// An error of the compiler or of the system.
     pub fn build(root: &Path, target: Target) -> Result<Self, Error> {
         let (toolchain, name) = match target {
             Target::Native => (GCC, "onboard"),

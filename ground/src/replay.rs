@@ -23,7 +23,7 @@ pub enum Error {
     File {
         /// The file.
         path: PathBuf,
-        /// What the system said.
+        /// An error of the system.
         source: io::Error,
     },
     /// It is no MCAP file, or one that was cut off.

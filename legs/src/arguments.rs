@@ -4,7 +4,7 @@ use bessemer_ir::{Float, Form, Int, Module, Scalar, Type};
 
 use crate::random::Random;
 
-/// What the words are like.
+/// The size of the words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Size {
     /// The limits of the types, odd floats, and any bits.

@@ -23,7 +23,7 @@ pub fn marked(module: &Module, entry: FunctionId, params: u32) -> String {
     around(module, entry, params, MARKS, "        bench_begin();\n", "        bench_end();\n")
 }
 
-/// What a counter looks for. Of external linkage and never inlined, so that they have addresses.
+/// A counter looks for these. They are of external linkage and never inlined, so that they have addresses.
 const MARKS: &str = "
 void bench_begin(void);
 void bench_end(void);

@@ -45,7 +45,7 @@ impl Program {
         self.process.receive(count).expect("it lives")
     }
 
-    /// What a solve or an inverse makes of the arguments that it changes, `count` numbers in all.
+    /// The arguments that a solve or an inverse changes, as it leaves them: `count` numbers in all.
     ///
     /// # Panics
     /// If it finds the matrix singular.

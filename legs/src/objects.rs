@@ -41,7 +41,7 @@ pub fn fetch(stored: &Path, object: &Path) -> bool {
 /// Stores an object.
 ///
 /// # Errors
-/// What the file system said.
+/// An error of the file system.
 pub fn store(object: &Path, stored: &Path) -> std::io::Result<()> {
     let folder = stored.parent().unwrap_or(Path::new("."));
     std::fs::create_dir_all(folder)?;
@@ -68,7 +68,7 @@ fn texts(source: &Path) -> Option<BTreeMap<String, String>> {
     Some(texts)
 }
 
-/// What a compiler says of itself, asked once.
+/// A compiler's version, asked once.
 fn version(compiler: &str) -> Option<String> {
     static VERSIONS: LazyLock<Mutex<BTreeMap<String, Option<String>>>> =
         LazyLock::new(Mutex::default);

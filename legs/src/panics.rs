@@ -12,7 +12,7 @@ thread_local! {
     static LOOKED_FOR: Cell<bool> = const { Cell::new(false) };
 }
 
-/// What `call` gives, or the message of its panic.
+/// The result of `call`, or the message of its panic.
 ///
 /// # Errors
 /// The message; empty if it is no text.

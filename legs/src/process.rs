@@ -45,7 +45,7 @@ pub struct Process {
 /// Writes the C of `compiled` to a folder.
 ///
 /// # Errors
-/// What the file system said.
+/// An error of the file system.
 pub fn lay_out(compiled: &Compiled) -> Result<Folder, Error> {
     lay_out_files(&compiled.files)
 }
@@ -66,7 +66,7 @@ fn lay_out_files(files: &[CFile]) -> Result<Folder, Error> {
 /// The same, with the sources that a program needs.
 ///
 /// # Errors
-/// What the file system said.
+/// An error of the file system.
 pub fn lay_out_needed(files: &[CFile], main: &str) -> Result<Folder, Error> {
     let mut folder = lay_out_files(files)?;
     let needed = needed(files, main);
@@ -92,7 +92,7 @@ impl Process {
     /// Compiles the C of `compiled` with a program around `entry`, and starts it.
     ///
     /// # Errors
-    /// What the compiler or the system said.
+    /// An error of the compiler or of the system.
     pub fn start(
         compiled: &Compiled,
         entry: FunctionId,
@@ -116,7 +116,7 @@ impl Process {
     /// Compiles the C of `compiled` with the text of a program around it, and starts it.
     ///
     /// # Errors
-    /// What the compiler or the system said.
+    /// An error of the compiler or of the system.
     pub fn run(
         compiled: &Compiled,
         main: &str,
@@ -129,7 +129,7 @@ impl Process {
     /// The same of some files: of those that the program includes, and what these need.
     ///
     /// # Errors
-    /// What the compiler or the system said.
+    /// An error of the compiler or of the system.
     pub fn run_files(
         files: &[CFile],
         main: &str,
@@ -143,7 +143,7 @@ impl Process {
     /// The same as [`run`](Process::run), with several files in a translation unit: see [`units`].
     ///
     /// # Errors
-    /// What the compiler or the system said.
+    /// An error of the compiler or of the system.
     pub fn run_in_units(
         compiled: &Compiled,
         main: &str,
@@ -170,7 +170,7 @@ impl Process {
         Ok(Process { child, input, output, results: 0, said, folder })
     }
 
-    /// What the compiler warned of, where flags kept its warnings from being errors.
+    /// The compiler's warnings, where flags kept them from being errors.
     pub fn said(&self) -> &str {
         &self.said
     }
@@ -178,7 +178,7 @@ impl Process {
     /// Starts the program anew: the component is in its initial state again.
     ///
     /// # Errors
-    /// What the system said.
+    /// An error of the system.
     pub fn restart(&mut self, toolchain: &Toolchain) -> Result<(), Error> {
         self.child.kill()?;
         self.child.wait()?;

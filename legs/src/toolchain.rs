@@ -23,11 +23,11 @@ pub struct Toolchain {
     pub compiler: &'static str,
     /// `0` to `3`.
     pub level: u32,
-    /// What it is told of the machine that its programs run on.
+    /// Flags for the machine that its programs run on.
     pub machine: &'static [&'static str],
-    /// What runs its programs, for another machine than this.
+    /// The emulator that runs its programs, for another machine than this.
     pub emulator: Option<&'static [&'static str]>,
-    /// What it is told besides, such as that the processor has an instruction that not every one has.
+    /// Further flags, such as one for an instruction that not every processor has.
     pub more: &'static [&'static str],
 }
 
@@ -119,7 +119,7 @@ impl Toolchain {
     /// Compiles and links `sources` into `program`, with more flags if there are any.
     ///
     /// # Errors
-    /// What the compiler said.
+    /// The compiler's message.
     pub fn link(&self, sources: &[PathBuf], program: &Path, flags: &[&str]) -> Result<(), String> {
         run(&mut self.linking(sources, program, flags))
     }
@@ -137,7 +137,7 @@ impl Toolchain {
     /// where there are thousands of calls.
     ///
     /// # Errors
-    /// What the compiler said.
+    /// The compiler's message.
     pub fn around(
         &self,
         main: &Path,
@@ -186,7 +186,7 @@ impl Toolchain {
     /// Compiles a source to an object beside it, unless the same was compiled before; and what the compiler said.
     ///
     /// # Errors
-    /// What the compiler said.
+    /// The compiler's message.
     pub fn object(&self, source: &Path, flags: &[&str]) -> Result<(PathBuf, String), String> {
         let object = source.with_extension(format!("{}-{}.o", self.compiler, self.level));
         let mut command = self.command();
@@ -307,7 +307,7 @@ pub fn all() -> Vec<Toolchain> {
     all
 }
 
-/// What tells compilers that they may fuse a multiplication with an addition, in vectors of each width that this processor has.
+/// Flags by which compilers may fuse a multiplication with an addition, in vectors of each width that this processor has.
 pub fn with_fma() -> Vec<&'static [&'static str]> {
     let mut list: Vec<&'static [&'static str]> = Vec::new();
     #[cfg(target_arch = "x86_64")]

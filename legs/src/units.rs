@@ -24,7 +24,7 @@ struct Unit {
 /// Writes units that hold these sources to the folder; what is to be compiled in place of the sources.
 ///
 /// # Errors
-/// What the file system said.
+/// An error of the file system.
 pub fn write(folder: &Path, sources: &[PathBuf]) -> std::io::Result<Vec<PathBuf>> {
     let (mut units, mut all): (Vec<Unit>, _) = (Vec::new(), Vec::new());
     for source in sources {
@@ -70,7 +70,7 @@ fn words(text: &str) -> BTreeSet<String> {
     text.split(|it| !letter(it)).filter(|word| !word.is_empty()).map(str::to_owned).collect()
 }
 
-/// What a file declares for itself: the last word before the parameters, the dimensions or the value.
+/// The names that a file declares for itself: the last word before the parameters, the dimensions or the value.
 fn own(text: &str) -> BTreeSet<String> {
     let name = |line: &str| {
         let head = line.split(['(', '[', '=', ';']).next().unwrap_or_default();

@@ -52,7 +52,7 @@ impl Emitted {
     /// Back to the initial state, for another flight.
     ///
     /// # Errors
-    /// What the system said.
+    /// An error of the system.
     pub fn restart(&mut self, toolchain: &Toolchain) -> Result<(), Error> {
         self.process.restart(toolchain)
     }

@@ -25,7 +25,7 @@ pub enum Error {
     File {
         /// The file.
         path: String,
-        /// What the system said.
+        /// An error of the system.
         source: std::io::Error,
     },
     /// It is no MCAP file, or one that was cut off.

@@ -22,7 +22,7 @@ pub type Outcome = (u64, u64);
 /// Builds the program for `functions` and runs it on the words in the file `input`.
 ///
 /// # Errors
-/// What the compiler or the system said.
+/// An error of the compiler or of the system.
 pub fn run(
     compiled: &Compiled,
     functions: &[FunctionId],

@@ -33,7 +33,7 @@ impl<'m> Wired<'m> {
     /// The controller as C.
     ///
     /// # Errors
-    /// What the compiler or the system said.
+    /// An error of the compiler or of the system.
     pub fn c(
         compiled: &Compiled,
         entry: FunctionId,

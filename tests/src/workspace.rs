@@ -29,7 +29,7 @@ impl Workspace {
     /// With a copy of the flight models.
     ///
     /// # Errors
-    /// What the file system said.
+    /// An error of the file system.
     pub fn with_flight_models() -> std::io::Result<Workspace> {
         let workspace = Workspace::bare()?;
         copy_folder(&root().canonicalize()?.join("models"), &workspace.folder())?;
@@ -39,7 +39,7 @@ impl Workspace {
     /// With one source file.
     ///
     /// # Errors
-    /// What the file system said.
+    /// An error of the file system.
     pub fn with_source(text: &str) -> std::io::Result<Workspace> {
         let workspace = Workspace::bare()?;
         let models = root().canonicalize()?.join("models");
@@ -52,7 +52,7 @@ impl Workspace {
     /// Without a package yet: one whose folder is called so, or begins so, belongs to it.
     ///
     /// # Errors
-    /// What the file system said.
+    /// An error of the file system.
     pub fn for_package(name: &str) -> std::io::Result<Workspace> {
         let workspace = Workspace::bare()?;
         let manifest = workspace.path("Cargo.toml");
@@ -64,7 +64,7 @@ impl Workspace {
     /// Replaces the one source file.
     ///
     /// # Errors
-    /// What the file system said.
+    /// An error of the file system.
     pub fn set_source(&self, text: &str) -> std::io::Result<()> {
         fs::write(self.folder().join("src/lib.rs"), text)
     }
@@ -104,7 +104,7 @@ impl Workspace {
     /// If none has it: the test would test nothing.
     ///
     /// # Errors
-    /// What the file system said.
+    /// An error of the file system.
     pub fn replace(&self, old: &str, new: &str) -> std::io::Result<()> {
         let mut found = false;
         for entry in fs::read_dir(self.folder().join("src"))? {

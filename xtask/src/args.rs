@@ -32,7 +32,7 @@ Plain `cargo test` works too: it runs what needs no cross tools.";
 #[derive(Debug, Parser)]
 #[command(name = "cargo xtask", bin_name = "cargo xtask", version, styles = STYLES, after_help = EXAMPLES)]
 pub struct Arguments {
-    /// What to do.
+    /// The command.
     #[command(subcommand)]
     pub task: Task,
 }
@@ -54,10 +54,10 @@ pub enum Task {
     Bench(Bench),
     /// Make searchable pages of the book, by mdBook, into target/book/
     Book,
-    /// What the simulation does: `sim`, `identify`, `campaign`
+    /// The simulation's commands: `sim`, `identify`, `campaign`
     #[command(flatten)]
     Simulation(sim_args::Task),
-    /// What the ground station does: `fly`, `replay`
+    /// The ground station's commands: `fly`, `replay`
     #[command(flatten)]
     Ground(ground_args::Task),
 }
@@ -104,11 +104,11 @@ pub enum Mode {
 }
 
 impl Gen {
-    /// What a run of the tests asks for.
+    /// The choice of a run of the tests.
     pub const CHECK: Gen =
         Gen { check: true, explain: false, message_format: MessageFormat::Human };
 
-    /// What the flags ask for.
+    /// The mode that the flags choose.
     #[must_use]
     pub fn mode(&self) -> Mode {
         if self.check { Mode::Check } else { Mode::Write }

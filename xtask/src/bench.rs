@@ -10,7 +10,7 @@ use crate::tools::{self, Machine, Need, Tool};
 use crate::{project, stages};
 use std::path::Path;
 
-/// What a part cannot do without; the others need Rust alone, or leave out what is not there.
+/// The tools that a part needs; the others need Rust alone, or leave out what is not there.
 fn needs(only: Option<&str>) -> &'static [Need] {
     match only {
         None | Some("kernels") => &[Need::Everything, Need::Host, Need::Target, Need::Bench],

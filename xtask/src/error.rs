@@ -64,7 +64,7 @@ pub enum Error {
         stage: &'static str,
         /// How its program ended.
         status: ExitStatus,
-        /// What puts it right, where one line does.
+        /// A line that puts it right, if there is one.
         remedy: Option<&'static str>,
     },
     /// The generator could not do its work.
@@ -75,7 +75,7 @@ pub enum Error {
     Mutant {
         /// The patch.
         file: PathBuf,
-        /// What is wrong, and what to write.
+        /// The mistake, and a remedy.
         problem: String,
     },
     /// There is no mutant of this name.
@@ -97,13 +97,13 @@ pub enum Error {
     /// Another run has what this one needs for itself.
     #[error("another run is at work in {}", folder.display())]
     Busy {
-        /// What it has.
+        /// The folder that it has.
         folder: PathBuf,
     },
-    /// What needs the work tree of a git repository is asked for elsewhere.
+    /// The command needs the work tree of a git repository, and there is none.
     #[error("this is no checkout of git: {said}")]
     NoCheckout {
-        /// What git said.
+        /// git's message.
         said: String,
     },
     /// A file or folder could not be read or written.
@@ -128,7 +128,7 @@ pub enum Error {
 }
 
 impl Error {
-    /// What the user can do about it.
+    /// A step that resolves the error, if there is one.
     #[must_use]
     pub fn remedy(&self) -> Option<String> {
         match self {

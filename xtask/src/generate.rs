@@ -16,7 +16,7 @@ const MODELS: &str = "models";
 /// Writes generated/ anew, or compares it, for the workspace at `root`.
 ///
 /// # Errors
-/// What the models, the compiler or the file system said, and that generated/ is stale, when comparing. For an editor,
+/// Errors of the models, the compiler or the file system, and a stale generated/ when comparing. For an editor,
 /// what the models are told is no error of the command's: it is printed.
 pub fn run(root: &Path, wanted: &Gen) -> Result<Outcome, Error> {
     let for_tools = wanted.message_format == MessageFormat::Json;

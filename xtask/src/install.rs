@@ -23,7 +23,7 @@ enum Rights {
     None,
 }
 
-/// What has to be installed, and how.
+/// A plan of what has to be installed, and how.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Plan {
     components: Vec<&'static str>,

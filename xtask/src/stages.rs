@@ -93,7 +93,7 @@ impl Progress {
     }
 }
 
-/// What a stage says on its moving line.
+/// The moving line of a stage.
 #[derive(Debug)]
 pub struct Voice {
     bar: ProgressBar,

@@ -138,7 +138,7 @@ fn store(root: &Path, times: &Times) -> Result<(), Error> {
     std::fs::write(&path, times.text()).map_err(|source| Error::File { path, source })
 }
 
-/// What took how long, what grew, what failed; the summary last.
+/// Prints times, growth and failures; the summary last.
 fn report(progress: &Progress, done: &[Done], grown: &[(String, f64)]) {
     anstream::println!("\nstages");
     for (name, time) in progress.done() {
@@ -158,7 +158,7 @@ fn report(progress: &Progress, done: &[Done], grown: &[(String, f64)]) {
     anstream::println!("\n{} passed, {} failed", done.len() - failed.len(), failed.len());
 }
 
-/// What the tests read.
+/// The environment that the tests read.
 fn environment(root: &Path, wanted: &Test) -> Vec<(&'static str, String)> {
     let legs = if wanted.host { "host" } else { "all" };
     let mut list = vec![("BESSEMER_LEGS", legs.to_owned())];

@@ -11,7 +11,7 @@ use crate::project;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
-/// What cannot be done without the tool.
+/// The commands that need the tool.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Need {
     /// Everything, `gen` included.
@@ -75,9 +75,9 @@ pub enum Source {
 pub struct Tool {
     /// Its name, as the user knows it.
     pub name: &'static str,
-    /// What it is used for.
+    /// Its purpose.
     pub purpose: &'static str,
-    /// What cannot be done without it.
+    /// The commands that need it.
     pub need: Need,
     /// How to see whether it is there.
     pub probe: Probe,
@@ -305,9 +305,9 @@ pub fn python() -> PathBuf {
     project::root().join("target/python")
 }
 
-/// What the commands may ask of the machine they run on.
+/// The questions that commands may ask the machine that they run on.
 pub trait Machine {
-    /// What the program says to `--version`; none if it is absent or does not work.
+    /// The program's answer to `--version`; none if it is absent or does not work.
     fn version(&self, program: &str) -> Option<String>;
     /// Whether the compiler can preprocess a file that includes headers of the C library.
     fn finds_headers(&self, compiler: &str) -> bool;
@@ -356,13 +356,13 @@ impl Machine for ThisMachine {
     }
 }
 
-/// What the command prints, if it starts and succeeds.
+/// The output of the command, if it starts and succeeds.
 fn answer(command: &mut Command) -> Option<String> {
     let output = command.stdin(Stdio::null()).stderr(Stdio::null()).output().ok()?;
     output.status.success().then(|| String::from_utf8_lossy(&output.stdout).into_owned())
 }
 
-/// What was found out about one tool.
+/// The finding about one tool.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Finding {
     /// The tool.

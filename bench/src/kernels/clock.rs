@@ -17,7 +17,7 @@ impl Server {
     /// Starts a program.
     ///
     /// # Errors
-    /// What the system said.
+    /// An error of the system.
     pub fn start(program: &Path, environment: &[(&str, &str)]) -> Result<Server, String> {
         Server::spawn(Command::new(program).envs(environment.iter().copied()))
     }
@@ -25,7 +25,7 @@ impl Server {
     /// Starts a program of the Cortex-A9.
     ///
     /// # Errors
-    /// What the system said.
+    /// An error of the system.
     pub fn emulated(program: &Path) -> Result<Server, String> {
         Server::spawn(Command::new("qemu-arm").args(["-cpu", "cortex-a9"]).arg(program))
     }

@@ -96,7 +96,7 @@ impl Contender {
     /// Builds its program for these cases.
     ///
     /// # Errors
-    /// What the compiler said.
+    /// The compiler's message.
     pub fn build(
         self,
         machine: &Machine,

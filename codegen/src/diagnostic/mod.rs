@@ -50,13 +50,13 @@ pub struct Diagnostic {
     pub end: Option<(u32, u32)>,
     /// rustc's number of the error, where it is one of rustc's.
     pub code: String,
-    /// What is wrong.
+    /// The mistake.
     pub message: String,
-    /// What is written below the place that is marked.
+    /// The label below the place that is marked.
     pub label: String,
-    /// What to write instead.
+    /// The remedy.
     pub help: String,
-    /// What else there is to know.
+    /// A note.
     pub notes: Vec<String>,
     /// Other places of the same file that have to do with it.
     pub also: Vec<Place>,
@@ -71,11 +71,11 @@ pub struct Place {
     pub start: (u32, u32),
     /// Those behind it, in the same line.
     pub end: (u32, u32),
-    /// What is written below it.
+    /// The label below it.
     pub label: String,
 }
 
-/// What an author is told, in the order of telling, and how it looks.
+/// The diagnostics for an author, in order, and their look.
 #[derive(Clone, Default)]
 pub struct Told {
     /// One by one.
@@ -94,7 +94,7 @@ impl Told {
         Told { diagnostics, text, lines }
     }
 
-    /// What has no place: said by cargo or by a program.
+    /// A message without a place: from cargo or from a program.
     pub fn plain(text: String) -> Told {
         let said = Diagnostic { message: text.clone(), ..Diagnostic::default() };
         let lines = format!("{}\n", json(&said, &Sources::new("")));
@@ -203,7 +203,7 @@ pub fn json(diagnostic: &Diagnostic, sources: &Sources) -> Value {
     })
 }
 
-/// What a diagnostic marks, in bytes of its file.
+/// The range that a diagnostic marks, in bytes of its file.
 struct Extent {
     start: usize,
     end: usize,

@@ -13,7 +13,7 @@ use crate::compile::Compiled;
 /// The name of the manifest.
 pub const NAME: &str = "manifest.json";
 
-/// What the folder holds and what made it.
+/// The contents of the folder, and what made it.
 pub struct Manifest {
     content: Value,
 }

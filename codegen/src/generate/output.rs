@@ -151,7 +151,7 @@ fn refuse_other(
     }
 }
 
-/// What the names of the stages of a folder begin with.
+/// The prefix of the names of a folder's stages.
 fn stages(folder: &Path) -> String {
     format!(".bessemer-{}-", folder.file_name().unwrap_or_default().to_string_lossy())
 }

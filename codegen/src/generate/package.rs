@@ -17,7 +17,7 @@ use crate::deep;
 use crate::diagnostic::{Diagnostic, Level, Told};
 use crate::source::Sources;
 
-/// What is locked while something is built: it must still be there when it is linked.
+/// The lock that is held while something is built: the build must still be there when it is linked.
 const BUILDS: &str = ".bessemer-lock";
 
 /// How often what was built may turn out to be another workspace's.
@@ -65,7 +65,7 @@ pub(super) fn tree(
     Err(failed(why))
 }
 
-/// What cargo is told with `--config` for a generation build of a package. Its program runs once, for its tree: the builders are
+/// The settings that `--config` passes to cargo for a generation build of a package. Its program runs once, for its tree: the builders are
 /// not worth optimising, and nobody steps through them.
 pub fn settings(package: &str) -> impl Iterator<Item = String> {
     let of = |package: &str| {

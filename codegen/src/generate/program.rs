@@ -17,7 +17,7 @@ use tempfile::TempDir;
 
 use super::error::Error;
 
-/// What cargo built.
+/// The program that cargo built.
 pub(super) struct Built {
     artifacts: Vec<Artifact>,
 }
@@ -28,7 +28,7 @@ pub struct Program {
     artifacts: Vec<Artifact>,
 }
 
-/// What cargo said that it built.
+/// The artifacts that cargo's messages name.
 struct Artifact {
     /// The name of the crate.
     krate: String,
@@ -40,20 +40,20 @@ struct Artifact {
     library: Option<PathBuf>,
 }
 
-/// What the program printed.
+/// The output of the program.
 pub(super) struct Printed {
     /// Whether it came to its end.
     pub success: bool,
     /// The tree.
     pub tree: String,
-    /// What it said of an error.
+    /// Its error output.
     pub error: String,
     /// The first source files of the crates that were compiled in another workspace instead.
     pub strangers: Vec<PathBuf>,
 }
 
 impl Built {
-    /// What was built, by cargo's messages.
+    /// The artifacts, by cargo's messages.
     pub fn of(messages: &[Value]) -> Built {
         Built { artifacts: messages.iter().filter_map(Artifact::of).collect() }
     }

@@ -66,7 +66,7 @@ pub fn table(compiled: &Compiled) -> String {
     text
 }
 
-/// What has a unit at each entry point, by its names in the C.
+/// The units at each entry point, by names in the C.
 fn units(compiled: &Compiled) -> String {
     let mut text = String::new();
     for entry in compiled.entries.iter().filter(|entry| !entry.units.is_empty()) {

@@ -6,7 +6,7 @@ use super::builder::Callee;
 use super::slot::Called;
 use crate::math::ascii;
 
-/// What a companion that is a function of the DSL returns.
+/// The result of a companion that is a function of the DSL.
 macro_rules! told {
     ([$($kept:ident)?] $result:ty) => { Called<impl Callee + use<$($kept)?>, $result> };
 }

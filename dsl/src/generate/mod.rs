@@ -40,7 +40,7 @@ pub use slot::{
     list, types,
 };
 
-/// What a builder imports; the names begin with `__` so that they never meet an author's.
+/// The imports of a builder; their names begin with `__` so that they never meet an author's.
 pub mod prelude {
     pub use super::ascii::ByteBuiltins as _;
     pub use super::builtin::{AxisBuiltins as _, CrossBuiltin as _, IdentityBuiltin as _};

@@ -259,7 +259,7 @@ impl<T: Value + Copy> SliceSearches<T> for [T] {
     }
 }
 
-/// What slices have of what has `<`.
+/// Methods of slices whose elements have `<`.
 #[allow(missing_docs)]
 pub trait SliceOrder<T> {
     fn __b_is_sorted(&self) -> told!([Self, T] => bool);

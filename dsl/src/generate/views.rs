@@ -18,7 +18,7 @@ markers! {
     Owned: "owned";
 }
 
-/// What a companion that is a function of the DSL returns: it names no reference.
+/// The result of a companion that is a function of the DSL: it names no reference.
 macro_rules! told {
     (use<$($kept:ident),*> $result:ty) => { Called<impl Callee + use<$($kept),*>, $result> };
 }

@@ -128,7 +128,7 @@ macro_rules! floats {
 
 floats! { f32 f64 }
 
-/// What a float has besides in a generation build.
+/// Further properties of a float in a generation build.
 #[cfg(feature = "generate")]
 mod generated {
     use crate::generate::ScalarType;

@@ -6,7 +6,7 @@ use nalgebra::{Const, Matrix, RawStorage, SMatrix};
 use super::Real;
 use crate::linear::factored::udu::Udu;
 
-/// What `abs`, `min` and `max` of a matrix mean: what they mean in nalgebra.
+/// `abs`, `min` and `max` of a matrix, with nalgebra's meaning.
 pub trait MatrixMethods {
     /// The type of an element.
     type Element;

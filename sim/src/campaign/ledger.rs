@@ -44,7 +44,7 @@ impl Ledger {
     /// Writes a flight down.
     ///
     /// # Errors
-    /// What the file system said.
+    /// An error of the file system.
     pub fn add(&mut self, outcome: &Outcome) -> io::Result<()> {
         self.file.write_all(format!("{}\n", outcome.line()).as_bytes())?;
         self.file.flush()

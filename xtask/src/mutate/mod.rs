@@ -43,26 +43,26 @@ const TESTS: [&str; 9] = [
 const GREEN: Style = Style::new().fg_color(Some(anstyle::Color::Ansi(AnsiColor::Green)));
 const RED: Style = Style::new().bold().fg_color(Some(anstyle::Color::Ansi(AnsiColor::Red)));
 
-/// What became of a mutant.
+/// The fate of a mutant.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Fate {
     /// A test found it.
     Killed {
-        /// What failed.
+        /// The tests that failed.
         by: String,
         /// The command that failed.
         command: String,
     },
     /// A test found it, but not that of its header.
     Elsewhere {
-        /// What failed.
+        /// The tests that failed.
         by: String,
         /// The command that failed.
         command: String,
     },
     /// No test found it.
     Survived,
-    /// What it changes does not compile.
+    /// The changed source does not compile.
     Uncompiled,
     /// Its patch does not apply; what git said.
     Unapplied(String),
@@ -104,7 +104,7 @@ impl Fate {
 /// Tries the mutants that are asked for, and prints a line for each.
 ///
 /// # Errors
-/// What keeps it from trying them; that one survives is an [`Outcome::Bad`].
+/// An error that keeps it from trying them; a mutant that survives is an [`Outcome::Bad`].
 pub fn run(root: &Path, wanted: &Mutate) -> Result<Outcome, Error> {
     let chosen = chosen(Mutant::all(root)?, wanted)?;
     let width = chosen.iter().map(|mutant| mutant.name.len()).max().unwrap_or(0);
@@ -145,7 +145,7 @@ fn chosen(all: Vec<Mutant>, wanted: &Mutate) -> Result<Vec<Mutant>, Error> {
     })
 }
 
-/// What a run by turns asks for: `count` mutants, or fewer, that a number chooses, such as that of a commit.
+/// The mutants of a run by turns: `count` of them, or fewer, chosen by a number such as that of a commit.
 ///
 /// # Errors
 /// If the mutants cannot be read.
@@ -180,7 +180,7 @@ fn fate(root: &Path, sandbox: &Sandbox, mutant: &Mutant, voice: &Voice) -> Resul
     Ok(Fate::Survived)
 }
 
-/// What failed, in a command that may name no test.
+/// The test that failed, in a command that may name none.
 fn killer(by: &str, command: &str) -> String {
     if by.is_empty() { format!("cargo {command}") } else { format!("{by} of cargo {command}") }
 }

@@ -24,7 +24,7 @@ pub struct Mutant {
     pub name: String,
     /// The file.
     pub patch: PathBuf,
-    /// What is broken, in a sentence.
+    /// A sentence that says what is broken.
     pub what: String,
     /// The command that finds it, without `cargo`; none if all tests are to be tried.
     pub killed_by: Option<String>,
@@ -36,7 +36,7 @@ impl Mutant {
     /// Every mutant of the project, by name.
     ///
     /// # Errors
-    /// What the file system said; [`Error::Mutant`] for a file that does not say what is broken.
+    /// An error of the file system; [`Error::Mutant`] for a file that does not say what is broken.
     pub fn all(root: &Path) -> Result<Vec<Mutant>, Error> {
         let folder = root.join(FOLDER);
         let failed = |source| Error::File { path: folder.clone(), source };
@@ -61,7 +61,7 @@ impl Mutant {
     /// The mutant of a file's text.
     ///
     /// # Errors
-    /// What is wrong with the text, and what to write.
+    /// The mistake in the text, and a remedy.
     pub fn parse(patch: &Path, text: &str) -> Result<Mutant, String> {
         let header = |line: &&str| !line.starts_with("diff ") && !line.starts_with("--- ");
         let what = text.lines().take_while(header).next().unwrap_or_default().trim();

@@ -51,7 +51,7 @@ impl Sandbox {
     /// Makes the copy what the work tree is now, what is not committed included.
     ///
     /// # Errors
-    /// What git or the file system said.
+    /// An error of git or of the file system.
     pub fn restore(&self) -> Result<(), Error> {
         let wanted = listed(&self.root)?;
         for name in &wanted {

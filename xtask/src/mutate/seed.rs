@@ -17,7 +17,7 @@ const FOLDERS: [&str; 3] = [".fingerprint", "build", "deps"];
 /// Links what was built of the registry's packages for the work tree at `root` into `target`, if nothing is there yet.
 ///
 /// # Errors
-/// What the file system said.
+/// An error of the file system.
 pub fn seed(root: &Path, target: &Path) -> io::Result<()> {
     let (built, target) = (root.join("target/debug"), target.join("debug"));
     if target.exists() || !built.exists() {

@@ -16,7 +16,7 @@ use crate::stages::{self, Voice};
 /// How long a command may print nothing. The slowest test, or the longest compilation, takes less on a busy machine.
 const SILENCE: Duration = Duration::from_secs(600);
 
-/// What a command found.
+/// The finding of a command.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Found {
     /// Nothing.

@@ -110,7 +110,7 @@ impl<'p> Group<'p> {
     }
 }
 
-/// What came of a process.
+/// The outcome of a process.
 struct Heard {
     /// All of its lines.
     text: String,

@@ -64,7 +64,7 @@ pub fn once<'m, 'a>(all: Vec<Worded<'m, 'a>>, sources: &Sources) -> Vec<Worded<'
     told
 }
 
-/// What is told once: of rustc's own errors one a line, since the witness copy repeats them, with other words at times;
+/// Keeps one of rustc's own errors a line, since the witness copy repeats them, with other words at times;
 /// of ours one in an item, since a type that is not there is not there in each line.
 fn key(one: &Worded<'_, '_>, sources: &Sources) -> (String, u32, String) {
     let Some(mark) = one.0.mark() else { return (String::new(), 0, one.0.title.to_owned()) };
@@ -111,7 +111,7 @@ fn line<'a>(message: &Message<'a>) -> Option<(&'a str, u32)> {
     message.mark().map(|mark| (mark.file, mark.start.0))
 }
 
-/// What others follow from.
+/// The errors that others follow from.
 struct Causes {
     /// Files that are no Rust: what an attribute makes of their rest means nothing.
     unread: BTreeSet<String>,
@@ -251,7 +251,7 @@ pub struct Item {
 }
 
 impl Item {
-    /// What stands below an attribute: up to the first line that closes it.
+    /// The item below an attribute: up to the first line that closes it.
     pub fn below(mark: &Mark<'_>, sources: &Sources) -> Item {
         let (file, first) = (mark.file.to_owned(), mark.start.0);
         let indent = |line: &str| line.len() - line.trim_start().len();

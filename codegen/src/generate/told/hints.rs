@@ -4,7 +4,7 @@
 use super::rustc::Message;
 use super::types;
 
-/// What to write instead; none where rustc says it better.
+/// A remedy; none where rustc says it better.
 pub fn of(message: &Message<'_>) -> Option<String> {
     let (title, quoted) = (message.title, message.quoted());
     let marked = message.mark().map(super::rustc::Mark::text).unwrap_or_default();
@@ -161,7 +161,7 @@ fn operator(message: &Message<'_>, quoted: &[&str]) -> Option<String> {
     })
 }
 
-/// What a mismatch of matrices is, for [`super::wording`]: rustc tells it of the traits by which nalgebra compares
+/// Recognizes a mismatch of matrices, for [`super::wording`]: rustc tells it of the traits by which nalgebra compares
 /// dimensions.
 pub fn dimensions(message: &Message<'_>) -> Option<(String, String)> {
     if !message.title.contains("ShapeConstraint") {

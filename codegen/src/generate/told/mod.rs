@@ -23,7 +23,7 @@ use crate::source::Sources;
 use rustc::Message;
 use wording::Words;
 
-/// What rustc said, as cargo's messages have it.
+/// rustc's messages, as cargo hands them on.
 pub fn told(messages: &[Value], sources: &Sources) -> Vec<Diagnostic> {
     let all: Vec<Message<'_>> = messages.iter().filter_map(Message::of).collect();
     let worded = all.iter().map(|message| (message, wording::of(message))).collect();

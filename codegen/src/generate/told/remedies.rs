@@ -2,7 +2,7 @@
 
 use super::types::{is_known, is_parameter};
 
-/// What to write in place of a method that this kind of type has in Rust.
+/// A remedy for a method that this kind of type has in Rust.
 pub fn instead(method: &str, owner: &str) -> Option<&'static str> {
     let generic = is_parameter(owner);
     Some(match method {

@@ -14,7 +14,7 @@ pub struct Message<'a> {
     pub code: &'a str,
     /// Whether it is an error; else it is a warning.
     pub is_error: bool,
-    /// What it marks, the primary places first.
+    /// The places that it marks, the primary ones first.
     pub marks: Vec<Mark<'a>>,
     /// As rustc would print it.
     pub rendered: &'a str,
@@ -31,7 +31,7 @@ pub struct Mark<'a> {
     pub end: (u32, u32),
     /// Whether the message is about this place.
     pub is_primary: bool,
-    /// What rustc writes there; empty if nothing.
+    /// rustc's label; empty if there is none.
     pub label: &'a str,
     /// Its first line.
     pub line: &'a str,
@@ -63,7 +63,7 @@ impl<'a> Message<'a> {
         self.marks.first().filter(|mark| mark.is_primary)
     }
 
-    /// What stands between backquotes in the title.
+    /// The words between backquotes in the title.
     pub fn quoted(&self) -> Vec<&'a str> {
         self.title.split('`').skip(1).step_by(2).collect()
     }
@@ -95,7 +95,7 @@ impl<'a> Message<'a> {
             || self.below().any(lists)
     }
 
-    /// What a trait of the DSL's has to say of a type that does not implement it.
+    /// The text that a trait of the DSL's has for a type that does not implement it.
     pub fn own_notes(&self) -> Vec<String> {
         const OTHERS: [&str; 5] =
             ["required ", "the full name ", "consider using ", "this error ", "the following "];
@@ -174,12 +174,12 @@ impl<'a> Mark<'a> {
         self.line.chars().skip(start).take(end.saturating_sub(start)).collect()
     }
 
-    /// What stands before it in its line.
+    /// The text before it in its line.
     pub fn before(&self) -> String {
         self.line.chars().take(self.start.1.saturating_sub(1) as usize).collect()
     }
 
-    /// What stands behind it in its line.
+    /// The text behind it in its line.
     pub fn rest(&self) -> String {
         self.line.chars().skip(self.end.1.saturating_sub(1) as usize).collect()
     }

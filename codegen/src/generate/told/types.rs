@@ -53,7 +53,7 @@ pub fn is_parameter(ty: &str) -> bool {
     !ty.is_empty() && !ty.contains(|it: char| !it.is_ascii_uppercase() && !it.is_ascii_digit())
 }
 
-/// What a model has in place of a type of Rust's, nalgebra's or another library's.
+/// The model's replacement for a type of Rust's, nalgebra's or another library's.
 pub fn instead(ty: &str) -> Option<&'static str> {
     Some(match name(ty) {
         "Vec" => "write `List<T, N>`, a list of at most `N` elements, or an array `[T; N]`",

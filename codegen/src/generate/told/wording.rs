@@ -5,13 +5,13 @@ use super::remedies::instead;
 use super::rustc::{Mark, Message};
 use super::types;
 
-/// What is told in place of rustc's words.
+/// The text in place of rustc's words.
 pub struct Words {
-    /// What is wrong.
+    /// The mistake.
     pub title: String,
-    /// What to write instead.
+    /// The remedy.
     pub help: String,
-    /// What else there is to know.
+    /// A note.
     pub notes: Vec<String>,
     /// The name of the type that it is about.
     pub of_type: Option<String>,
@@ -54,7 +54,7 @@ pub fn of(message: &Message<'_>) -> Option<Words> {
     EACH.iter().find_map(|it| it(message)).or_else(|| unnamed(message))
 }
 
-/// What an attribute refused: its remedies stand in lines of their own.
+/// A refusal by an attribute: its remedies stand in lines of their own.
 fn refused(message: &Message<'_>) -> Option<Words> {
     let (title, rest) = message.title.split_once("\nhelp: ")?;
     let mut lines = rest.split("\nnote: ");
@@ -141,7 +141,7 @@ fn global(message: &Message<'_>) -> Option<Words> {
     is_static.then(|| words(format!("`{name}` is a global that anybody changes"), types::STATE))?
 }
 
-/// What else speaks of names that no author has written.
+/// Other messages with names that no author has written.
 fn unnamed(message: &Message<'_>) -> Option<Words> {
     const INTERNAL: [&str; 4] = ["__", "dsl_", "bessemer::generate", "ScalarType"];
     let label = message.mark().map_or("", |mark| mark.label);
@@ -173,7 +173,7 @@ const MEM: &str =
 /// For functions that may be `core::cmp`'s.
 const CMP: &str = "write `core::cmp::max(a, b)` whole, or `a.max(b)`; or mark a function of your own `#[function]`";
 
-/// What looks like a variant or an associated function, and is none.
+/// A name that looks like a variant or an associated function, and is none.
 fn pattern(message: &Message<'_>) -> Option<Words> {
     if ["E0223", "E0599"].contains(&message.code)
         && message.rendered.contains("__b_")
@@ -210,7 +210,7 @@ const TAKEN_MACROS: [&str; 8] = [
     "unreachable",
 ];
 
-/// What rustc says of the builders' own names.
+/// rustc's messages about the builders' own names.
 fn builders(message: &Message<'_>) -> Option<Words> {
     let (title, quoted) = (message.title, message.quoted());
     let method = quoted.iter().find_map(|name| name.strip_prefix("__b_"));
