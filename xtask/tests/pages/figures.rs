@@ -2,7 +2,7 @@
 //!
 //! Behind a figure stands, for no reader to see, where it comes from: `70 ms<!-- = FILE / KEY / … × 1000 -->`. The file
 //! is named from the root. What a key means depends on the file:
-//! - `.json`: a key of an object, an index of an array, `key=value` for the element of an array that has it, `*` for each;
+//! - `.json`: a key of an object, an index of an array, `*` for each element, `key=value` for those that have it;
 //! - `.csv`: a column;
 //! - `.md`: the begin of a heading `## …` (if there are several tables), then the first cell of a row, then, unless it is
 //!   the second, the head of a column;
@@ -152,7 +152,12 @@ fn of_json(text: &str, keys: &[&str]) -> Result<Vec<f64>, String> {
             (Value::Array(all), None) if *key == "*" => all.iter().collect(),
             (Value::Object(all), None) if *key == "*" => all.values().collect(),
             (Value::Array(all), Some((key, wanted))) => {
-                all.iter().filter(|it| it[key] == wanted).collect()
+                let is = |it: &Value| it == wanted || it.to_string() == wanted;
+                all.iter().filter(|it| is(&it[key])).collect()
+            }
+            (Value::Object(all), Some((key, wanted))) => {
+                let is = |it: &Value| it == wanted || it.to_string() == wanted;
+                all.get(key).filter(|it| is(it)).map(|_| value).into_iter().collect()
             }
             (Value::Array(all), None) => {
                 key.parse().ok().and_then(|index: usize| all.get(index)).into_iter().collect()
