@@ -152,12 +152,10 @@ fn of_json(text: &str, keys: &[&str]) -> Result<Vec<f64>, String> {
             (Value::Array(all), None) if *key == "*" => all.iter().collect(),
             (Value::Object(all), None) if *key == "*" => all.values().collect(),
             (Value::Array(all), Some((key, wanted))) => {
-                let is = |it: &Value| it == wanted || it.to_string() == wanted;
-                all.iter().filter(|it| is(&it[key])).collect()
+                all.iter().filter(|it| is(&it[key], wanted)).collect()
             }
             (Value::Object(all), Some((key, wanted))) => {
-                let is = |it: &Value| it == wanted || it.to_string() == wanted;
-                all.get(key).filter(|it| is(it)).map(|_| value).into_iter().collect()
+                all.get(key).filter(|it| is(it, wanted)).map(|_| value).into_iter().collect()
             }
             (Value::Array(all), None) => {
                 key.parse().ok().and_then(|index: usize| all.get(index)).into_iter().collect()
@@ -167,6 +165,11 @@ fn of_json(text: &str, keys: &[&str]) -> Result<Vec<f64>, String> {
         here = steps.collect();
     }
     Ok(here.into_iter().filter_map(Value::as_f64).collect())
+}
+
+/// Whether a value of JSON is the one that a mark names.
+fn is(value: &Value, wanted: &str) -> bool {
+    value == wanted || value.is_number() && value.as_f64() == wanted.parse().ok()
 }
 
 fn of_csv(text: &str, keys: &[&str]) -> Result<Vec<f64>, String> {
