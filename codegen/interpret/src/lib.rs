@@ -28,7 +28,7 @@ pub enum Stop {
     /// Rust would have panicked.
     #[error("{fault:?} in function {} at {}:{}:{}", function.0, span.file, span.line, span.column)]
     Fault {
-        /// What happened.
+        /// The event.
         fault: Fault,
         /// The function in which it happened, which a called function may be.
         function: FunctionId,
@@ -46,7 +46,7 @@ pub enum Stop {
     Arguments {
         /// Its parameters.
         expected: usize,
-        /// What was given.
+        /// The words that were given.
         found: usize,
     },
     /// An argument is no value of its parameter's type.
@@ -54,7 +54,7 @@ pub enum Stop {
     Argument {
         /// Which one.
         index: usize,
-        /// What is wrong with it.
+        /// The mistake in it.
         problem: WordsError,
     },
 }

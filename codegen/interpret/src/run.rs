@@ -47,7 +47,7 @@ impl Frame<'_, '_> {
     }
 }
 
-/// What a statement leads to.
+/// The consequence of a statement.
 enum Flow {
     Next,
     Break,

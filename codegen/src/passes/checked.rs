@@ -77,7 +77,7 @@ struct Found {
 /// A condition that an operation needed and found checked.
 struct Needed {
     condition: Expr,
-    /// What may fault of the operation's operands.
+    /// The operands of the operation that may fault.
     operands: Vec<Expr>,
 }
 

@@ -25,7 +25,7 @@ pub(super) struct Lowering<'m> {
     pub(super) brings: bool,
     /// Operations whose proof is not believed.
     pub(super) doubted: &'m Doubted,
-    /// What the value of the statement writes, which comes before what is emitted meanwhile and is not in `out`.
+    /// The places that the value of the statement writes, before what is emitted meanwhile; it is not in `out`.
     pub(super) pending: Vec<Place>,
     /// The conditions of checks that operations behind them need.
     pub(super) needed: Vec<Expr>,

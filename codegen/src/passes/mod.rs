@@ -143,7 +143,7 @@ impl VisitMut for Proved {
     }
 }
 
-/// What an external function must not do: its C has no status to tell of it.
+/// An external function must not fault: its C has no status to tell of it.
 pub const STAND_IN: &str = "is external, and its stand-in may fault";
 
 /// An error for each check that an infallible entry point can reach.

@@ -76,7 +76,7 @@ fn commit(copies: &[(Place, Place)], span: Span) -> impl Iterator<Item = Stmt> {
     })
 }
 
-/// What is written to the copies in place of the references.
+/// The writes that go to the copies in place of the references.
 struct Moved<'c>(&'c [(Place, Place)]);
 
 impl VisitMut for Moved<'_> {

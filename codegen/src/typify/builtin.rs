@@ -7,7 +7,7 @@ use super::expr::Operand;
 use super::lowering::Lowering;
 use super::{OUR_FAULT, Result, problem};
 
-/// What a builtin lowers to.
+/// The lowered form of a builtin.
 enum Meaning {
     Scalar(Intrinsic),
     Linear(Routine),

@@ -170,7 +170,7 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// What must hold for an arm; none if nothing must.
+    /// The condition of an arm, if there is one.
     fn condition(
         &mut self,
         value: &Expr,

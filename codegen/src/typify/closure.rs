@@ -6,7 +6,7 @@ use bessemer_ir::tree::{self, Arm, Block, Expr, ExprKind, NO_SLOT, Pattern, Site
 
 use super::lowering::Lowering;
 
-/// What an arm makes of the value that it takes.
+/// The value that an arm makes of the one it takes.
 enum Body<'t> {
     /// The value of a closure, its parameter the payload.
     Of(&'t Expr),
@@ -36,7 +36,7 @@ const PAYLOAD: &str = "%value";
 const KEPT: &str = "%kept";
 
 impl Lowering<'_, '_> {
-    /// What a call that takes closures stands for; none if `expr` is something else.
+    /// The expansion of a call that takes closures; none if `expr` is something else.
     pub(super) fn in_place(&self, expr: &Expr) -> Option<Expr> {
         let ExprKind::Call(callee, arguments) = &expr.kind else { return None };
         let Some(tree::Callee::Builtin(name)) = self.source.callees.get(*callee as usize) else {
@@ -84,7 +84,7 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// What is made of a call.
+/// The expansion of a call.
 struct Made {
     site: Site,
     slot: Option<u32>,

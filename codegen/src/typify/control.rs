@@ -305,7 +305,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// What a condition comes to in this instance: `if N == 0` is none of the C's business.
+    /// The value of a condition in this instance: `if N == 0` is none of the C's business.
     fn decided(&self, condition: &Expr) -> Option<bool> {
         if self.source.generics.is_empty() {
             return None;
@@ -511,7 +511,7 @@ impl Lowering<'_, '_> {
         Ok((place, value))
     }
 
-    /// What to call what goes into a place: its last field, or its variable.
+    /// The name for a value that goes into a place: its last field, or its variable.
     pub(super) fn name_of(&self, place: &tree::Expr) -> String {
         match &place.kind {
             // What a function that stands here calls its parameter has the author's name.

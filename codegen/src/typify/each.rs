@@ -155,7 +155,7 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// What a loop goes through, one after the other.
+    /// The sequences of a loop, one after the other.
     fn chained(&mut self, array: &tree::Expr) -> Result<Vec<Slice>> {
         if let tree::ExprKind::Chain(one, other) = &array.kind {
             let mut slices = self.chained(one)?;
@@ -248,7 +248,7 @@ impl Lowering<'_, '_> {
             if place.steps.is_empty() && self.counters.contains(&place.root))
     }
 
-    /// What to call the counter of a loop whose author has no name for it.
+    /// The name for the counter of a loop whose author has none.
     fn next_index(&self) -> &'static str {
         let names = ["i", "j", "k"];
         let taken =
@@ -411,14 +411,14 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// What a loop goes through: elements, or so many of them at a time.
+/// The items of a loop: elements, or so many of them at a time.
 struct Passed {
     slice: Slice,
     /// How, and how many elements.
     group: Option<(Grouping, u64)>,
     /// How many passes that makes.
     count: Expr,
-    /// What it goes through then.
+    /// The sequence that it goes through then.
     behind: Vec<Slice>,
 }
 
@@ -462,7 +462,7 @@ impl Passed {
         Passed { slice, group, count, behind: Vec::new() }
     }
 
-    /// What follows it.
+    /// The continuation.
     fn and(self, behind: Vec<Slice>) -> Passed {
         let count = behind.iter().fold(self.count, |count, it| plus(count, it.length.clone()));
         Passed { count, behind, ..self }

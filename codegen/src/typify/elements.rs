@@ -69,7 +69,7 @@ impl Slice {
         Slice { from: plus(self.from.clone(), begin), length, whole: false, ..self.clone() }
     }
 
-    /// What a call passes for it.
+    /// The argument that a call passes for it.
     pub fn passed(self, mode: Mode) -> [Argument; 2] {
         let place = self.place();
         let first = match mode {

@@ -32,11 +32,11 @@ pub(super) struct Proof {
 
 /// A loop that is left where `condition` is not `truth`.
 pub(super) struct Loop<'a> {
-    /// What leads to the condition.
+    /// The statements before the condition.
     pub before: &'a [Stmt],
     pub condition: &'a Expr,
     pub truth: bool,
-    /// What follows if it goes on.
+    /// The statements behind it.
     pub rest: &'a [Stmt],
     /// The statements that lead to the loop.
     pub lead: &'a [Stmt],
@@ -128,7 +128,7 @@ fn continues(stmt: &Stmt) -> bool {
     }
 }
 
-/// What a number is at least where a loop begins: the last that is written to it before, if that shows.
+/// A lower bound of a number where a loop begins: the last write to it before, if that shows.
 fn least_at(module: &Module, number: &Expr, lead: &[Stmt]) -> Option<i128> {
     let ours = place(number)?;
     let touches = |stmt: &&Stmt| reads(number, &writes([*stmt]));
@@ -177,7 +177,7 @@ enum Far {
     Further,
 }
 
-/// What is known on a path through the body.
+/// The knowledge on a path through the body.
 #[derive(Clone, Default)]
 struct Path {
     /// Whether low has gone up, or high down.
@@ -198,7 +198,7 @@ impl Path {
         });
     }
 
-    /// What is known where two paths meet.
+    /// The knowledge where two paths meet.
     fn join(self, other: Option<Path>) -> Path {
         let Some(other) = other else { return self };
         let locals = self.locals.into_iter().filter_map(|(local, sides)| {
@@ -221,7 +221,7 @@ struct Looked<'a> {
     low: &'a Expr,
     high: &'a Expr,
     inclusive: bool,
-    /// What low is at least at first, and so ever.
+    /// A lower bound of `low` at first, and so ever.
     least: Option<i128>,
     name: &'a dyn Fn(&Place) -> String,
     /// Those of the two that the loop changes.
@@ -389,7 +389,7 @@ impl Looked<'_> {
         Ok(())
     }
 
-    /// What a call may write.
+    /// The places that a call may write.
     fn lent(&self, expr: &Expr, path: &mut Path) -> Result<(), Reason> {
         let lent = lent(expr);
         path.forget(&lent);

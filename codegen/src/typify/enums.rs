@@ -9,7 +9,7 @@ use super::lowering::Lowering;
 use super::{Result, problem};
 
 impl Lowering<'_, '_> {
-    /// What `<` compares of an enum.
+    /// The number of an enum that `<` compares.
     pub(super) fn rank(&self, id: EnumId, value: Expr, site: Site) -> Result<Expr> {
         let definition = &self.cx.module.enums[id.index()];
         if !self.cx.ordered.contains(&Type::Enum(id)) {

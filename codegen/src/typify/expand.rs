@@ -65,7 +65,7 @@ impl<'a> Lowering<'a, '_> {
         })
     }
 
-    /// What it does, without its value.
+    /// Its statements, without its value.
     pub(super) fn expanded_effect(
         &mut self,
         (function, arguments): (&'a tree::Function, &[tree::Expr]),

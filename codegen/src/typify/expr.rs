@@ -17,7 +17,7 @@ pub(super) struct Operand<'e> {
     pub role: &'static str,
 }
 
-/// What to write where an operator is a function that the DSL does not find.
+/// The remedy where an operator is a function that the DSL does not find.
 const OPERATOR: &str = "of a type of your own: mark the `impl` block of the operator `#[data]`; of a type parameter: call the operator where the type is known";
 
 impl Lowering<'_, '_> {
@@ -237,7 +237,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// What a literal on one side of a comparison is compared with.
+    /// The other side of a comparison with a literal.
     fn literal_partner(&mut self, left: &tree::Expr, right: &tree::Expr) -> Result<Option<Type>> {
         for (one, other) in [(left, right), (right, left)] {
             if is_unsuffixed(one) && !is_unsuffixed(other) {
@@ -256,7 +256,7 @@ impl Lowering<'_, '_> {
         ty
     }
 
-    /// What the right operand of an arithmetic operator is expected to be.
+    /// The expected type of the right operand of an arithmetic operator.
     pub(super) fn compound_operand(&self, op: Op, result: &Type) -> Option<Type> {
         match (op, result) {
             (Op::Shl | Op::Shr, _) => None,

@@ -238,7 +238,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// What the reference in a slot refers to.
+    /// The referent of the reference in a slot.
     pub(super) fn refers_to(&mut self, slot: u32, site: Site) -> Result<Type> {
         self.cx.pointee(slot_type(self.source, slot, site)?, site)
     }
@@ -263,7 +263,7 @@ impl Lowering<'_, '_> {
         id
     }
 
-    /// What a name means, as a value.
+    /// The meaning of a name, as a value.
     pub(super) fn named(&mut self, name: &str, site: Site) -> Result<Expr> {
         let span = self.span(site);
         let place = match self.lookup(name, site)? {

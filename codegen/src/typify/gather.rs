@@ -105,7 +105,7 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// What a fold begins with, if that is one value.
+/// The initial value of a fold, if that is one value.
 fn beginning(begun: &[Stmt]) -> Option<&Expr> {
     match begun {
         [Stmt { kind: StmtKind::Let { value: Some(value), .. }, .. }] => Some(value),

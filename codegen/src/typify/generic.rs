@@ -10,7 +10,7 @@ use bessemer_ir::{Enum, EnumId, Field, Form, Given, Scalar, Span, Struct, Struct
 use super::names::snake;
 use super::{Context, OUR_FAULT, Result, problem};
 
-/// What the C calls the parts of a tuple.
+/// The names of a tuple's parts in the C.
 const PARTS: [&str; 8] =
     ["first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth"];
 
@@ -78,7 +78,7 @@ pub(super) fn position(fields: &[Field], name: &str) -> Option<usize> {
     }
 }
 
-/// What a tuple of so many parts is called.
+/// The name of a tuple of so many parts.
 pub(super) fn arity(count: usize) -> String {
     match count {
         1 => "single".into(),
@@ -227,7 +227,7 @@ impl Context<'_> {
         }
     }
 
-    /// What an `Option` or a `Result` holds, as part of its name.
+    /// The content of an `Option` or a `Result`, as part of its name.
     fn content(&self, ty: &Ty, lowered: &Type) -> String {
         match self.called(ty) {
             Some((name, module)) => self.qualified(name, module),
@@ -331,7 +331,7 @@ impl Context<'_> {
         Ok(Type::Struct(id))
     }
 
-    /// What a variant holds, and whether that is one part itself.
+    /// The content of a variant, and whether that is one part itself.
     fn payload(
         &mut self,
         named: &Enum,

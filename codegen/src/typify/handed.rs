@@ -264,7 +264,7 @@ impl<'a> Lowering<'a, '_> {
         Ok(held)
     }
 
-    /// What a closure is given, called as the closure calls it.
+    /// The arguments of a closure, under the closure's names.
     fn named_argument(&mut self, parameter: Option<&tree::Pattern>, value: Expr) -> Expr {
         let Some(tree::Pattern::Name { name, .. }) = parameter else {
             return self.temporary("argument", value);

@@ -59,7 +59,7 @@ impl<'a> Context<'a> {
 }
 
 impl Lowering<'_, '_> {
-    /// What is called at a path, or why there is nothing.
+    /// The callee at a path, or why there is none.
     pub(super) fn function_at(&mut self, path: &str, site: Site) -> Result<FunctionId> {
         match self.cx.function(path) {
             Some(id) => Ok(id),
@@ -87,7 +87,7 @@ impl Lowering<'_, '_> {
         self.node(ExprKind::Call(id, arguments), Type::BOOL, site).map(Some)
     }
 
-    /// What a `?` leaves with, in a `Result` of the second type: the error, or nothing where it holds nothing.
+    /// The value that a `?` leaves with, in a `Result` of the second type: the error, or nothing where it is zero-sized.
     pub(super) fn converted_error(
         &mut self,
         error: Option<Expr>,

@@ -15,7 +15,7 @@ use super::lowering::Lowering;
 use super::written_views::{counted, local};
 use super::{OUR_FAULT, Result, problem};
 
-/// What a routine does with two elements, with an element and a number, or with one.
+/// The operation of a routine on two elements, on an element and a number, or on one.
 enum Each {
     Negated,
     Joined(BinaryOp),

@@ -10,7 +10,7 @@ use super::lowering::Lowering;
 use super::written_views::counted;
 use super::{Context, OUR_FAULT, Result, problem};
 
-/// What the DSL calls its kernels.
+/// The DSL's names of its kernels.
 fn routine(name: &str) -> Option<KernelRoutine> {
     Some(match name {
         "solve_mut" => KernelRoutine::LuSolve,

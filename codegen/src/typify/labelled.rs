@@ -9,7 +9,7 @@ use bessemer_ir::{Arm, Block, Expr, Local, LocalId, Mode, Place, Span, Stmt, Stm
 use super::Result;
 use super::lowering::{Frame, Lowering, Target};
 
-/// What stands for the `break` of a block until all of the block is known.
+/// A stand-in for the `break` of a block until all of the block is known.
 pub(super) fn left(mark: LocalId) -> StmtKind {
     StmtKind::Let { local: mark, value: None }
 }

@@ -310,7 +310,7 @@ impl<'a> Lowering<'a, '_> {
         }
     }
 
-    /// What a function does before it lends, and the place.
+    /// The statements of a function before the place that it returns, and the place.
     fn placed(
         &mut self,
         function: &'a tree::Function,
@@ -356,7 +356,7 @@ impl<'a> Lowering<'a, '_> {
         }
     }
 
-    /// What a parameter stands for: the place that is lent to it, or a value that stays as it is.
+    /// The meaning of a parameter: the place that is lent to it, or a value that stays as it is.
     pub(super) fn given(
         &mut self,
         (name, mutable): (&str, bool),

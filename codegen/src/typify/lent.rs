@@ -15,7 +15,7 @@ use super::syntax::is_rest;
 use super::{Result, problem};
 
 impl Lowering<'_, '_> {
-    /// What a method of slices lends, or the slice that an expression is; none if it is neither.
+    /// The slice that a method of slices lends or that an expression is; none if it is neither.
     pub(super) fn lent(&mut self, expr: &tree::Expr) -> Result<Option<Subject>> {
         if let Some(option) = self.option_lent(expr)? {
             return Ok(Some(Subject::Place(option)));
@@ -112,7 +112,7 @@ impl Lowering<'_, '_> {
         }))
     }
 
-    /// What must hold for `pattern` to take what may not be there.
+    /// The condition for `pattern` to take what may be absent.
     pub(super) fn test_maybe(
         &mut self,
         pattern: &tree::Pattern,
@@ -137,7 +137,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// What must hold for `pattern` to take a slice.
+    /// The condition for `pattern` to take a slice.
     pub(super) fn test_slice(
         &mut self,
         pattern: &tree::Pattern,
@@ -224,6 +224,6 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// What is said of a lent value that is held.
+/// The refusal of a reference that is kept.
 pub(super) const LENT: &str = "what this lends is no value in the DSL";
 pub(super) const TAKE_APART: &str = "take it apart where it is called: `if let Some(x) = values.get_mut(i) { … }`, `let (a, b) = values.split_at(n);`";

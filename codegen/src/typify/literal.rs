@@ -77,7 +77,7 @@ pub(super) fn float_type(suffix: Option<Scalar>, expected: Option<&Type>) -> Sca
     }
 }
 
-/// What the size of a matrix is asked with.
+/// The methods that ask for the size of a matrix.
 const SIZES: [&str; 3] = ["matrix_rows", "matrix_cols", "matrix_elements"];
 
 impl Lowering<'_, '_> {

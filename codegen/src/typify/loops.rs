@@ -149,7 +149,7 @@ impl Lowering<'_, '_> {
         Ok(self.list_items(&list).map(|(length, _)| length.load()))
     }
 
-    /// What shows of a loop that the `if` at `head` of its body ends.
+    /// The bound that shows of a loop which the `if` at `head` of its body ends.
     fn shown(&self, body: &Block, head: usize) -> Result<Proof, ended::Reason> {
         let name = |place: &Place| self.place_name(place);
         let of = left_at(&body.0, head, &self.out).ok_or_else(no_end)?;
@@ -226,7 +226,7 @@ impl Lowering<'_, '_> {
         name
     }
 
-    /// What counts the passes of a loop with a bound; the author has no name for it.
+    /// The counter of the passes of a loop with a bound; the author has no name for it.
     fn pass(&mut self, bound: &Expr, span: Span) -> LocalId {
         let id = LocalId(self.locals.len() as u32);
         let (name, ty) = ("pass".into(), bound.ty.clone());
@@ -412,7 +412,7 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// What a loop does before the one `break` that it begins with: as well behind it.
+/// The statements of a loop before the one `break` that it begins with: they stand behind it as well.
 fn last_breath(body: &mut Block) -> Vec<Stmt> {
     let Some((head, rest)) = body.0.split_first_mut() else { return Vec::new() };
     match &mut head.kind {

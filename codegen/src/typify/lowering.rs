@@ -12,7 +12,7 @@ use bessemer_ir::{Expr, Local, LocalId, Place, Stmt, Type};
 use super::Context;
 use super::elements::Slice;
 
-/// What temporaries are part of where nothing has a name.
+/// The owner of temporaries where nothing has a name.
 pub(super) const UNNAMED: &str = "value";
 
 /// A function being lowered.
@@ -24,7 +24,7 @@ pub(super) struct Lowering<'a, 'c> {
     pub scopes: Vec<Vec<(String, Binding)>>,
     /// The statements of the block being lowered, so far.
     pub out: Vec<Stmt>,
-    /// What to call a value that the author left unnamed here.
+    /// A name for a value that the author left unnamed here.
     pub naming: String,
     pub result: Type,
     /// The locals that the author has no name for: nothing writes to them again.
@@ -45,7 +45,7 @@ pub(super) struct Lowering<'a, 'c> {
     pub expanding: Vec<&'a str>,
 }
 
-/// What a name means.
+/// The meaning of a name.
 #[derive(Clone)]
 pub(super) enum Binding {
     /// A local of its own.
@@ -56,7 +56,7 @@ pub(super) enum Binding {
     Slice(Box<Slice>),
     /// A literal or a constant.
     Value(Box<Expr>),
-    /// What holds nothing.
+    /// A zero-sized value.
     Nothing,
 }
 
@@ -78,7 +78,7 @@ pub(super) struct Frame {
     pub mark: Option<LocalId>,
     /// Whether it is one loop with the one around it: what leaves it leaves both.
     pub joined: bool,
-    /// What is looked at behind the loop.
+    /// The flags that are tested behind the loop.
     pub behind: Vec<Behind>,
 }
 
@@ -119,13 +119,13 @@ pub(super) struct Handed<'a> {
     pub scope: Option<Rc<Scope<'a>>>,
 }
 
-/// What names and closures mean where a closure was written.
+/// The meaning of names and closures where a closure was written.
 pub(super) struct Scope<'a> {
     pub names: Vec<Vec<(String, Binding)>>,
     pub handed: HashMap<String, Handed<'a>>,
 }
 
-/// What a closure uses.
+/// The captures of a closure.
 #[derive(Clone)]
 pub(super) struct Capture {
     pub name: String,

@@ -73,7 +73,7 @@ use bessemer_ir::{FunctionId, Module, Span, StructId};
 use crate::diagnostic::{Diagnostic, OUR_FAULT};
 use crate::source::Sources;
 
-/// What was wrong, where, and what to write instead.
+/// A mistake, its place, and the remedy.
 struct Problem {
     site: Site,
     /// Empty where the problem has been told elsewhere.
@@ -189,7 +189,7 @@ fn authored(package: &Package) -> HashSet<String> {
         .collect()
 }
 
-/// What a method would be called, and how many of its owner would.
+/// The name that a method would have, and how many methods of its owner would have it.
 type Claims<'a> = HashMap<(Option<&'a str>, &'a str, &'a [tree::Argument]), u32>;
 
 fn claim(function: &tree::Function) -> (Option<&str>, &str, &[tree::Argument]) {
@@ -204,7 +204,7 @@ struct Context<'a> {
     sources: &'a Sources,
     files: HashMap<String, u32>,
     types: HashMap<String, bessemer_ir::Type>,
-    /// What holds nothing, and is not in the C.
+    /// Zero-sized types, which are not in the C.
     nothings: nothing::Nothings,
     /// The authors' types with which something is wrong, which has been told.
     undefined: HashSet<&'a str>,
@@ -219,7 +219,7 @@ struct Context<'a> {
     declared: Vec<(String, String)>,
     /// The structs that stand for types of Rust's own.
     generics: HashMap<tree::Ty, bessemer_ir::Type>,
-    /// What they are in Rust.
+    /// Their types in Rust.
     shown: HashMap<StructId, String>,
     /// The variants of the structs that stand for `Option`, `Result` and enums with payload.
     cases: HashMap<StructId, Vec<generic::Case>>,
@@ -256,7 +256,7 @@ struct Context<'a> {
     waiting: HashMap<&'a str, &'a tree::Function>,
     /// Functions that are being made, each for the one before.
     underway: Vec<&'a str>,
-    /// What is wrong so far.
+    /// The mistakes so far.
     told: Vec<Diagnostic>,
     /// Whether the builder found something wrong.
     refused: bool,

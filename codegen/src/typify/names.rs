@@ -16,7 +16,7 @@ pub(super) fn snake(name: &str) -> String {
     snake
 }
 
-/// What a value of a type is called where its author has no name: an instance as what it is one of.
+/// The name of a value of a type where its author has none: an instance is named as its generic type.
 pub(super) fn role(name: &str) -> String {
     let snake = snake(name);
     let bare = snake.strip_suffix("_f64").or_else(|| snake.strip_suffix("_f32"));

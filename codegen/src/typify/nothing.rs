@@ -11,11 +11,11 @@ use super::lowering::{Binding, Lowering};
 use super::subject::Named;
 use super::{Context, Result, problem};
 
-/// What is said of slices of what holds nothing.
+/// The refusal of slices of zero-sized elements.
 pub(super) const EMPTY_SLICE: &str = "a slice of what holds nothing is not in the DSL";
 pub(super) const COUNT: &str = "keep the count, or an array of `bool`";
 
-/// What holds nothing, and where it was left out.
+/// A zero-sized value, and where it was left out.
 #[derive(Default)]
 pub(super) struct Nothings {
     /// The names of authors' types and their modules, by their paths.

@@ -58,7 +58,7 @@ enum Two {
     RotateRight,
 }
 
-/// What a name means; none if it is no method that is put together here.
+/// The meaning of a name; none if it is no method that is put together here.
 fn named(name: &str) -> Option<Method> {
     use Method::{One as O, Two as T};
     Some(match name {
@@ -233,7 +233,7 @@ fn of(int: Int) -> Type {
     Type::Scalar(Scalar::Int(int))
 }
 
-/// What temporaries for the operands are called.
+/// The names of the operands' temporaries.
 const ROLES: [&str; 2] = ["value", "by"];
 
 const U32: Type = Type::Scalar(Scalar::Int(Int::U32));

@@ -7,7 +7,7 @@ use super::expr::Operand;
 use super::lowering::Lowering;
 use super::{OUR_FAULT, Result, problem};
 
-/// What to write where what an `Option` lends would be held.
+/// The remedy where a reference into an `Option` would be kept.
 const LENT_BY_OPTION: &str =
     "take it apart where it is called: `if let Some(x) = self.last.as_mut() { … }`";
 

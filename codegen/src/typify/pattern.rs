@@ -35,7 +35,7 @@ impl Named {
 }
 
 impl Lowering<'_, '_> {
-    /// What a `match` or a `let` looks at, computed once.
+    /// The subject of a `match` or a `let`, computed once.
     pub(super) fn subject(&mut self, expr: &tree::Expr) -> Result<Subject> {
         // One that rustc saw as a whole is matched by a name.
         if let (tree::ExprKind::Tuple(parts), None) = (&expr.kind, expr.slot)
@@ -93,7 +93,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// What must hold for `pattern` to take the subject, none if nothing must; its names go to `names`.
+    /// The condition for `pattern` to take the subject, if there is one; its names go to `names`.
     pub(super) fn test(
         &mut self,
         pattern: &tree::Pattern,
@@ -343,7 +343,7 @@ impl Lowering<'_, '_> {
         case.field.is_none().then_some(word)
     }
 
-    /// What `Name(…)` looks into, whether that is the one part itself, and what must hold for it.
+    /// The content that `Name(…)` takes apart, whether that is the one part itself, and the condition for it.
     fn taken(
         &mut self,
         place: &Place,

@@ -66,7 +66,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// What is taken apart: a place, or a value held in a temporary.
+    /// The subject that is taken apart: a place, or a value held in a temporary.
     pub(super) fn base(&mut self, expr: &tree::Expr) -> Result<Place> {
         if let Some(place) = self.place(expr)? {
             return Ok(place);

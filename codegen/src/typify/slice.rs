@@ -52,7 +52,7 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// What is lent: a slice, or all elements of an array or a list.
+    /// The slice that is lent, or all elements of an array or a list.
     pub(super) fn sliced(&mut self, expr: &tree::Expr) -> Result<Slice> {
         if let Some(slice) = self.slice(expr)? {
             return Ok(slice);

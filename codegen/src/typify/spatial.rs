@@ -21,7 +21,7 @@ pub(super) fn quaternion(path: &str) -> Option<bool> {
 }
 
 impl Lowering<'_, '_> {
-    /// What an operator calls, if it is a function; `slot` is that of its value, or of its place.
+    /// The callee of an operator, if it is a function; `slot` is that of its value, or of its place.
     pub(super) fn operator(&self, slot: Option<u32>) -> Option<&tree::Callee> {
         let mut operators = self.source.operators.iter();
         operators.find(|(at, _)| Some(*at) == slot).map(|(_, callee)| callee)

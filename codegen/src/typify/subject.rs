@@ -5,7 +5,7 @@ use bessemer_ir::{Expr, Place};
 
 use super::elements::Slice;
 
-/// What is matched: a place, or several side by side that are written as a tuple.
+/// The subject of a match: a place, or several side by side that are written as a tuple.
 #[derive(Clone)]
 pub(super) enum Subject {
     /// A value in its place.
@@ -14,9 +14,9 @@ pub(super) enum Subject {
     Parts(Vec<Subject>),
     /// Elements in a row.
     Slice(Box<Slice>),
-    /// What is lent if the condition holds.
+    /// The place that is lent if the condition holds.
     Maybe(Expr, Box<Subject>),
-    /// What holds nothing.
+    /// A zero-sized value.
     Nothing,
 }
 
@@ -30,13 +30,13 @@ pub(super) struct Named {
     pub site: Site,
 }
 
-/// What a name stands for.
+/// The meaning of a name.
 #[derive(Clone)]
 pub(super) enum Stands {
     /// A place.
     Place(Place),
     /// Several elements.
     Part(Box<Slice>),
-    /// What holds nothing.
+    /// A zero-sized value.
     Nothing,
 }

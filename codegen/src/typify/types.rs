@@ -109,7 +109,7 @@ impl<'a> Context<'a> {
         if taken { format!("{name}_of{suffix}") } else { own }
     }
 
-    /// What tells an instance from others, readably: `_f32_4`. Empty without arguments.
+    /// A readable suffix that tells an instance from others: `_f32_4`. Empty without arguments.
     pub(super) fn suffix(&self, arguments: &[Argument]) -> String {
         arguments.iter().map(|argument| format!("_{}", self.argument_name(argument))).collect()
     }
@@ -254,7 +254,7 @@ impl<'a> Context<'a> {
         ConstId(index as u32)
     }
 
-    /// What an author says of the constant with this name and value.
+    /// The author's attributes of the constant with this name and value.
     fn table(&mut self, name: &str, ty: &Type, words: &[u64]) -> Option<&'a Table> {
         let mut tables = self.tables.iter().filter(|it| it.name == name && it.value.words == words);
         tables.find(|it| self.value_type(&it.value.ty, it.site).is_ok_and(|its| its == *ty))

@@ -11,7 +11,7 @@ use super::{OUR_FAULT, Result, problem};
 const SMALL: u32 = 16;
 
 impl Lowering<'_, '_> {
-    /// What a call of the library is without the call; none if it stays one.
+    /// The inlined form of a call of the library; none if it stays a call.
     pub(super) fn shorter(
         &mut self,
         path: &str,

@@ -9,13 +9,13 @@ use serde::{Deserialize, Serialize};
 
 use crate::tree::Site;
 
-/// What an author says of a type, a variant, a field, a parameter or a table: `#[c(…)]`, `#[unit("…")]`.
+/// The author's attributes of a type, a variant, a field, a parameter or a table: `#[c(…)]`, `#[unit("…")]`.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Given {
     /// Its name in the C, in place of the one that the tool would choose.
     pub name: Option<String>,
-    /// What its numbers are measured in.
+    /// The unit of its numbers.
     pub unit: Option<String>,
     /// The section of the object file in which it stands.
     pub section: Option<String>,
@@ -23,7 +23,7 @@ pub struct Given {
     pub site: Site,
 }
 
-/// What an author asks of the C of a function.
+/// The author's wishes for the C of a function.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Attributes {
     /// Its name in the C, in place of the one that the tool would choose.
@@ -36,16 +36,16 @@ pub struct Attributes {
     pub atomic: bool,
     /// The header of a function that the firmware brings; what stands in the Rust stands in for it.
     pub external: Option<String>,
-    /// What is said of its parameters, each by its name in the Rust.
+    /// The attributes of its parameters, each by its name in the Rust.
     #[serde(default)]
     pub parameters: Vec<(String, Given)>,
-    /// What is said of its result.
+    /// The attributes of its result.
     #[serde(default)]
     pub result: Given,
 }
 
 impl Attributes {
-    /// What is said of a parameter, if anything.
+    /// The attributes of a parameter, if it has any.
     pub fn parameter(&self, name: &str) -> Option<&Given> {
         self.parameters.iter().find(|(known, _)| known == name).map(|(_, given)| given)
     }

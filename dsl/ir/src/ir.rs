@@ -89,7 +89,7 @@ pub struct Struct {
     pub form: Form,
     /// For a component: its initial state as words, in the order of [`Module::leaves`].
     pub initial: Option<Vec<u64>>,
-    /// What its author asks of the C.
+    /// The author's wishes for its C.
     pub given: Given,
     /// Where its name stands.
     pub span: Span,
@@ -119,7 +119,7 @@ pub struct Field {
     pub docs: Vec<String>,
     /// Its type.
     pub ty: Type,
-    /// What its author asks of the C.
+    /// The author's wishes for its C.
     pub given: Given,
 }
 
@@ -134,7 +134,7 @@ pub struct Enum {
     pub docs: Vec<String>,
     /// Variants, in the author's order.
     pub variants: Vec<Variant>,
-    /// What its author asks of the C.
+    /// The author's wishes for its C.
     pub given: Given,
     /// Where its name stands.
     pub span: Span,
@@ -147,9 +147,9 @@ pub struct Variant {
     pub name: String,
     /// The author's doc comment, a line each.
     pub docs: Vec<String>,
-    /// What it is as a number (`mode as u8`), and its value in the C: its index, unless the author says otherwise.
+    /// Its number (`mode as u8`), and its value in the C: its index, unless the author says otherwise.
     pub value: i32,
-    /// What its author asks of the C.
+    /// The author's wishes for its C.
     pub given: Given,
 }
 
@@ -166,7 +166,7 @@ pub struct Const {
     pub words: Vec<u64>,
     /// The author's doc comment, a line each, of one that the DSL sees.
     pub docs: Vec<String>,
-    /// What its author asks of the C.
+    /// The author's wishes for its C.
     pub given: Given,
     /// Where its name stands, if the DSL sees it.
     pub span: Span,
@@ -213,9 +213,9 @@ pub struct Function {
     pub module: String,
     /// The type whose method or associated function it is.
     pub owner: Option<Owner>,
-    /// What it is to its callers.
+    /// Its role for its callers.
     pub role: Role,
-    /// What its author asks of the C.
+    /// The author's wishes for its C.
     pub attributes: Attributes,
     /// The author's doc comment, a line each.
     pub docs: Vec<String>,
@@ -227,7 +227,7 @@ pub struct Function {
     pub result: Type,
     /// The name to give to the result where C needs one (an output pointer).
     pub result_name: String,
-    /// What it does. Every path ends in `Return` unless the result is `Unit`.
+    /// Its statements. Every path ends in `Return` unless the result is `Unit`.
     pub body: Block,
     /// For a function without a body of its own: what it computes (see [`Kernel::function`]).
     pub kernel: Option<Kernel>,
@@ -243,7 +243,7 @@ pub enum Owner {
     Enum(EnumId),
 }
 
-/// What a function is to its callers.
+/// The role of a function for its callers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
     /// Called by the firmware; the author's claim that no fault is left, if any.
@@ -290,7 +290,7 @@ pub struct Block(pub Vec<Stmt>);
 /// A statement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stmt {
-    /// What it does.
+    /// Its kind.
     pub kind: StmtKind,
     /// Where it starts.
     pub span: Span,
@@ -298,7 +298,7 @@ pub struct Stmt {
     pub comments: Vec<String>,
 }
 
-/// What a statement does.
+/// The kinds of statements.
 #[derive(Clone, Debug, PartialEq)]
 pub enum StmtKind {
     /// Declares a local, with its first value unless later ones assign it; of mode `RefMut`: a name for that place.
@@ -353,7 +353,7 @@ pub enum StmtKind {
         /// author's whose passes are bounded by what it counts. Its first pass begins even if the range is
         /// empty, and comes to the condition.
         ended: bool,
-        /// What is repeated.
+        /// The body.
         body: Block,
     },
     /// Ends the function with `fault` unless `condition` holds. Written by the pass that makes faults
@@ -361,7 +361,7 @@ pub enum StmtKind {
     Check {
         /// A `bool` that cannot fault.
         condition: Expr,
-        /// What to report.
+        /// The fault to report.
         fault: Fault,
     },
     /// Ends the function.
@@ -395,7 +395,7 @@ pub enum Fault {
     Absent,
     /// A bounded container that is full.
     Capacity,
-    /// What was proved does not hold: a mistake of the compiler's, told by a check that is left out otherwise.
+    /// A proved condition does not hold: a mistake of the compiler's, told by a check that is left out otherwise.
     LeftOut,
 }
 
@@ -404,14 +404,14 @@ pub enum Fault {
 pub struct Arm {
     /// Integers, or indices of variants; at least one.
     pub values: Vec<i128>,
-    /// What it does.
+    /// Its statements.
     pub body: Block,
 }
 
 /// An expression.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expr {
-    /// What it computes.
+    /// Its computation.
     pub kind: ExprKind,
     /// The type of its value.
     pub ty: Type,
@@ -419,7 +419,7 @@ pub struct Expr {
     pub span: Span,
 }
 
-/// What an expression computes.
+/// The kinds of expressions.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ExprKind {
     /// A scalar or an enum, as a word.
@@ -454,7 +454,7 @@ pub enum ExprKind {
     Routine(Routine, Vec<Expr>),
 }
 
-/// What a call passes.
+/// The arguments of a call.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Argument {
     /// To a parameter of mode `Value`.

@@ -18,7 +18,7 @@ use alloc::vec::Vec;
 use crate::ir::{Function, Local, Mode, Role, Type};
 use crate::number::{Float, Scalar};
 
-/// What a kernel computes, and what its dimensions are.
+/// The computation of a kernel, and its dimensions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum KernelRoutine {
     /// `a * b`; rows of `a`, columns of `a`, columns of `b`. Per output the first product, then k
@@ -64,7 +64,7 @@ pub enum KernelRoutine {
 /// A routine of linear algebra with its element type and its shape.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Kernel {
-    /// What it computes.
+    /// Its computation.
     pub routine: KernelRoutine,
     /// The type of every element.
     pub element: Float,
@@ -291,7 +291,7 @@ impl Kernel {
         }
     }
 
-    /// What it does, as the header of the C says it.
+    /// A description, for the header of the C.
     fn docs(&self) -> Vec<String> {
         let lines: &[&str] = match (self.routine, self.dims.as_slice()) {
             (KernelRoutine::Product, _) => &[

@@ -125,7 +125,7 @@ pub enum Intrinsic {
 }
 
 impl CompareOp {
-    /// What holds of two integers where this does not.
+    /// The comparison that holds of two integers where this one does not.
     #[must_use]
     pub const fn opposite(self) -> CompareOp {
         match self {

@@ -26,7 +26,7 @@ pub use way::*;
 /// stack that is large enough.
 ///
 /// # Errors
-/// What is no such part.
+/// Anything that is no such part.
 pub fn read<'t, T: Deserialize<'t>>(text: &'t str) -> serde_json::Result<T> {
     let mut reader = serde_json::Deserializer::from_str(text);
     reader.disable_recursion_limit();
@@ -35,7 +35,7 @@ pub fn read<'t, T: Deserialize<'t>>(text: &'t str) -> serde_json::Result<T> {
     Ok(part)
 }
 
-/// What a package of models hands to the compiler.
+/// A package of models, as the compiler gets it.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Package {
     /// The Rust package.
@@ -58,7 +58,7 @@ pub struct Package {
     /// The generic components of its author's: each has C by its instances alone.
     #[serde(default)]
     pub templates: Vec<Template>,
-    /// What the builder itself had to refuse.
+    /// The refusals of the builder itself.
     pub errors: Vec<Refusal>,
 }
 
@@ -83,7 +83,7 @@ pub struct Implied {
     pub of: String,
     /// The type that it is implemented for.
     pub owner: Ty,
-    /// What it is compared with, or made from.
+    /// The type that it is compared with, or made from.
     pub other: Ty,
     /// The path of the function.
     pub function: String,
@@ -100,9 +100,9 @@ pub struct Refusal {
     pub file: String,
     /// Where.
     pub site: Site,
-    /// What is wrong.
+    /// The mistake.
     pub message: String,
-    /// What to write instead.
+    /// The remedy.
     pub remedy: String,
 }
 
@@ -135,7 +135,7 @@ pub enum Ty {
     Known(String, Box<Ty>),
 }
 
-/// What stands for a parameter of something generic.
+/// The argument for a parameter of something generic.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Argument {
     /// A type.
@@ -155,26 +155,26 @@ pub struct Function {
     pub file: String,
     /// The path of the type whose method it is.
     pub owner: Option<String>,
-    /// What stands for the parameters in scope, by name.
+    /// The arguments for the parameters in scope, by name.
     pub generics: Vec<(String, Argument)>,
     /// The interface that it is part of.
     pub interface: Option<String>,
-    /// What tells it from other functions of its name and owner.
+    /// The suffix that tells it from other functions of its name and owner.
     pub suffix: Vec<Argument>,
-    /// What the author wrote.
+    /// The author's text.
     pub tree: FunctionTree,
     /// The types of the slots.
     pub slots: Vec<Ty>,
-    /// What the calls of the tree call.
+    /// The callees of the tree's calls.
     pub callees: Vec<Callee>,
     /// The values of the paths that are constants.
     pub constants: Vec<Constant>,
-    /// What its operators call, by [`Operator::at`], where they are functions.
+    /// The callees of its operators, by [`Operator::at`], where they are functions.
     #[serde(default)]
     pub operators: Vec<(u32, Callee)>,
 }
 
-/// What a call calls.
+/// The callee of a call.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Callee {
     /// A function of the package, by its path.
@@ -192,7 +192,7 @@ pub struct Constant {
     pub words: Vec<u64>,
 }
 
-/// What the author wrote: signature and body.
+/// The author's text: signature and body.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FunctionTree {
     /// The author's name.
@@ -201,9 +201,9 @@ pub struct FunctionTree {
     pub site: Site,
     /// The author's doc comment, a line each.
     pub docs: Vec<String>,
-    /// What it is to its callers.
+    /// Its role for its callers.
     pub role: Role,
-    /// What its author asks of the C.
+    /// The author's wishes for its C.
     #[serde(default)]
     pub attributes: Attributes,
     /// Parameters, `self` included.
@@ -228,7 +228,7 @@ pub struct Operator {
     pub operands: Vec<Option<u32>>,
 }
 
-/// What a function is to its callers.
+/// The role of a function for its callers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[allow(missing_docs)]
 pub enum Role {
@@ -284,7 +284,7 @@ pub enum Stmt {
     },
     /// `let (a, b) = value;` and the like.
     Apart {
-        /// What is taken from the value.
+        /// The part that is taken from the value.
         pattern: Box<Pattern>,
         /// The value.
         value: Expr,
@@ -300,7 +300,7 @@ pub enum Stmt {
 /// An expression.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Expr {
-    /// What it is.
+    /// Its kind.
     pub kind: ExprKind,
     /// Where it stands.
     pub site: Site,
@@ -385,7 +385,7 @@ pub enum ExprKind {
         slot: u32,
         /// The range.
         range: Box<Range>,
-        /// What is repeated.
+        /// The body.
         body: Block,
     },
     /// `for name in &array`, `for (i, name) in array.iter().enumerate()` and the like.
@@ -394,13 +394,13 @@ pub enum ExprKind {
         label: Option<String>,
         /// The name of the index.
         index: Option<String>,
-        /// What is gone through side by side, as far as the shortest.
+        /// The sequences of a zip, as far as the shortest.
         parts: Vec<Part>,
         /// Which way.
         order: Order,
-        /// What is left out at the ends, one after the other.
+        /// The elements that are left out at the ends, one after the other.
         cuts: Vec<Cut>,
-        /// What is repeated.
+        /// The body.
         body: Block,
     },
     /// `from_fn(|row, column| …)` and the like: through a matrix by columns.
@@ -413,14 +413,14 @@ pub enum ExprKind {
         of: Box<Expr>,
         /// Matrices of the same shape that are gone through beside it.
         parts: Vec<Part>,
-        /// What is repeated.
+        /// The body.
         body: Block,
     },
-    /// What a loop gathers: `values.iter().sum()`, `values.map(…)` and the like.
+    /// The result that a loop gathers: `values.iter().sum()`, `values.map(…)` and the like.
     Fold {
         /// The name of what is gathered.
         name: String,
-        /// What it is before the loop.
+        /// Its value before the loop.
         start: Start,
         /// The loop, which assigns it.
         each: Box<Expr>,
@@ -429,11 +429,11 @@ pub enum ExprKind {
     While {
         /// The author's label, without the apostrophe.
         label: Option<String>,
-        /// What has to hold for another pass.
+        /// The condition for another pass.
         condition: Option<Box<Expr>>,
         /// How many passes there may be: a literal, or a constant. Without one it has to show.
         bound: Option<Box<Expr>>,
-        /// What is repeated.
+        /// The body.
         body: Block,
     },
     /// `#[unroll(4)]` above a `for`; 1: `#[keep]`.
@@ -448,7 +448,7 @@ pub enum ExprKind {
     Assert(Box<Expr>, Claim),
 }
 
-/// What is gathered before the first pass of a loop.
+/// The result before the first pass of a loop.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Start {
     /// An empty sum: 0, of floats −0.
@@ -480,7 +480,7 @@ pub struct Range {
 pub struct Arm {
     /// Which values it takes.
     pub pattern: Pattern,
-    /// What must hold besides.
+    /// A further condition.
     pub guard: Option<Expr>,
     /// Its value.
     pub body: Expr,
@@ -520,7 +520,7 @@ pub enum Pattern {
         slot: u32,
         /// Whether it may be assigned.
         mutable: bool,
-        /// What it stands for.
+        /// The pattern behind `@`, if there is one.
         inner: Option<Box<Pattern>>,
     },
     /// A literal or a path.

@@ -11,7 +11,7 @@
 
 use crate::ir::{Argument, Block, Expr, ExprKind, LocalId, Place, Step, Stmt, StmtKind};
 
-/// What is done with a place.
+/// The access to a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Access {
     /// Its value is loaded.

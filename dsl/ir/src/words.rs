@@ -7,21 +7,21 @@ use core::fmt;
 
 use crate::{Float, Module, Scalar, Type};
 
-/// What is wrong with words that should be a value.
+/// The mistake in words that should be a value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum WordsError {
     /// Too few or too many.
     Count {
-        /// What the type takes.
+        /// The number of words that the type takes.
         expected: usize,
-        /// What there is.
+        /// The number of words that are there.
         found: usize,
     },
     /// One of them is no value of its leaf's type.
     Value {
         /// Which one.
         index: usize,
-        /// What it is.
+        /// The word.
         word: u64,
     },
 }

@@ -13,11 +13,11 @@ use crate::kind::Kind;
 use crate::lower::refuse::{self, Reason};
 use crate::lower::{self, Refusals};
 
-/// What a function is to its callers, and what its author asks of its C. Takes the DSL's attributes off it.
+/// The role of a function for its callers, and the author's wishes for its C. Takes the DSL's attributes off it.
 pub struct Asked {
-    /// What it is to its callers.
+    /// Its role for its callers.
     pub role: Role,
-    /// What is asked.
+    /// The wishes.
     pub attributes: Attributes,
 }
 
@@ -177,7 +177,7 @@ fn inlining(attributes: &[syn::Attribute]) -> Inlining {
     }
 }
 
-/// What something generic cannot ask for: each of its instances would.
+/// A wish that something generic cannot have: each of its instances would have it.
 pub fn of_one_instance(attributes: &Attributes) -> Option<Reason> {
     match attributes {
         Attributes { external: Some(_), .. } => Some(refuse::EXTERNAL_GENERIC),

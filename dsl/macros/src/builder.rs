@@ -24,7 +24,7 @@ pub struct Subject<'a> {
     pub signature: &'a syn::Signature,
     /// Its body.
     pub body: &'a syn::Block,
-    /// What it is to its callers, and what its author asks of the C.
+    /// Its role for its callers, and the author's wishes for the C.
     pub asked: Asked,
     /// Where it stands.
     pub home: Home<'a>,
@@ -114,7 +114,7 @@ fn declare_marker(marker: &syn::Ident, scope: Scope<'_>) -> TokenStream {
     }
 }
 
-/// What callers' witness copies call.
+/// The companion that callers' witness copies call.
 fn companion(
     subject: &Subject<'_>,
     name: &syn::Ident,
@@ -157,7 +157,7 @@ fn callee(
     }
 }
 
-/// What announces a function to its package; of something generic, its instances are built where
+/// The item that announces a function to its package; of something generic, its instances are built where
 /// they are called.
 fn register(name: &syn::Ident, marker: &syn::Ident, scope: Scope<'_>) -> TokenStream {
     if scope.is_generic() {
@@ -171,7 +171,7 @@ fn register(name: &syn::Ident, marker: &syn::Ident, scope: Scope<'_>) -> TokenSt
     }
 }
 
-/// What companions are made of.
+/// The parts of a companion.
 pub struct Parts {
     /// The parameters, each with a name of its own.
     pub parameters: Vec<TokenStream>,
@@ -250,7 +250,8 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
     Some(Parts { parameters: companion_parameters(told), result: result_type(told), builder })
 }
 
-/// What the firmware calls gives a value, and what takes a closure; what lends ends with the place.
+/// An entry point ends in a value, and so does a function that takes a closure; a function that returns a reference
+/// ends in its place.
 fn check_lending(
     subject: &Subject<'_>,
     parameters: &[Parameter],
@@ -366,7 +367,7 @@ fn builder(
     }
 }
 
-/// What a builder asks of the types in its scope; what an `impl` block asks for stands there.
+/// The bounds of a builder on the types in its scope; those of an `impl` block stand there.
 pub fn build_bounds(subject: &Subject<'_>, scope: Scope<'_>) -> TokenStream {
     let value = |name: TokenStream| quote! { #name: ::bessemer::generate::Value };
     match subject.home {

@@ -44,7 +44,7 @@ pub fn without(generics: &syn::Generics) -> syn::Generics {
     rest
 }
 
-/// What is asked of the type called `name`.
+/// The bounds on the type called `name`.
 fn bounds_of<'g>(
     generics: &'g syn::Generics,
     name: &'g syn::Ident,

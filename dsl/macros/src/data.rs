@@ -137,7 +137,7 @@ fn data_struct(kind: Kind, it: &syn::ItemStruct, refusals: &mut Refusals) -> Tok
     quote! { #plain #initial #definition }
 }
 
-/// What a generic type asks of the fields that depend on its parameters.
+/// The bounds of a generic type on the fields that depend on its parameters.
 fn field_bounds(scope: Scope<'_>, fields: &syn::Fields, of: &TokenStream) -> TokenStream {
     let types = fields.iter().map(|field| &field.ty).filter(|ty| scope.is_named_in(ty));
     scope.bounds(types.map(|ty| quote! { #ty: #of }))
@@ -147,7 +147,7 @@ fn strip_fields(fields: &mut syn::Fields) {
     fields.iter_mut().for_each(|field| given::strip(&mut field.attrs));
 }
 
-/// What is said of a type itself: of something generic each instance would have the name.
+/// The attributes of a type itself: of something generic each instance would have the name.
 fn check_type(attributes: &[syn::Attribute], generics: &syn::Generics, refusals: &mut Refusals) {
     lower::check_attributes(attributes, refusals);
     let given = given::read(attributes, On::Type, refusals);
@@ -157,7 +157,7 @@ fn check_type(attributes: &[syn::Attribute], generics: &syn::Generics, refusals:
     }
 }
 
-/// What holds nothing has no type in the C: no state to keep, and no name.
+/// A zero-sized type is not in the C: it has no state to keep, and no name.
 fn check_empty(kind: Kind, it: &syn::ItemStruct, refusals: &mut Refusals) {
     if kind == Kind::Component {
         refusals.add(&it.ident, refuse::EMPTY_COMPONENT);
@@ -220,7 +220,7 @@ fn template(name: &syn::Ident) -> TokenStream {
     }
 }
 
-/// What has an order by its parts, or by its number.
+/// A type that has an order by its parts, or by its number.
 fn ranked(name: &syn::Ident, scope: Scope<'_>) -> TokenStream {
     let (declared, arguments) = (scope.declared(), scope.arguments());
     let bounds = scope.bounds([quote! { #name #arguments: ::bessemer::generate::Value }]);
@@ -229,7 +229,7 @@ fn ranked(name: &syn::Ident, scope: Scope<'_>) -> TokenStream {
     }
 }
 
-/// What the definition of a generic type asks of its parameters, and of the fields that depend on them.
+/// The bounds of a generic type's definition on its parameters, and on the fields that depend on them.
 fn definition_bounds<'a>(
     scope: Scope<'_>,
     fields: impl IntoIterator<Item = &'a syn::Fields>,
@@ -251,7 +251,7 @@ fn field_definitions(fields: &syn::Fields) -> TokenStream {
     quote! { ::bessemer::generate::list([#(#fields),*]) }
 }
 
-/// What is said of an item, which was checked before.
+/// The attributes of an item, which were checked before.
 fn said(attributes: &[syn::Attribute], on: On) -> TokenStream {
     given::tokens(&given::read(attributes, on, &mut Refusals::default()))
 }

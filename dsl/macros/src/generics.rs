@@ -12,7 +12,7 @@ use crate::lower;
 /// The parameters in the scope of a function, or of a type.
 #[derive(Clone, Copy)]
 pub struct Scope<'a> {
-    /// What implements an interface, where that is open.
+    /// The type that implements an interface, where that is open.
     this: Option<&'a GenericParam>,
     outer: Option<&'a syn::Generics>,
     own: Option<&'a syn::Generics>,
@@ -137,7 +137,7 @@ impl<'a> Scope<'a> {
         self.bounds(values.chain(more))
     }
 
-    /// What the parameters stand for, as a builder tells it: a list of names and arguments.
+    /// The arguments for the parameters, as a builder tells them: a list of names and arguments.
     pub fn told(self) -> TokenStream {
         let told = self.params().map(|param| {
             let text = lower::text(match param {
@@ -154,7 +154,7 @@ impl<'a> Scope<'a> {
         quote! { ::bessemer::generate::list([#(#told),*]) }
     }
 
-    /// What stands for the parameters of an interface, as its implementation writes it.
+    /// The arguments for the parameters of an interface, as its implementation writes them.
     pub fn told_of(self, path: &syn::Path) -> TokenStream {
         let arguments = path.segments.last().map(|last| &last.arguments);
         let Some(syn::PathArguments::AngleBracketed(arguments)) = arguments else {

@@ -10,7 +10,7 @@ use quote::quote;
 
 use crate::lower::{self, Refusals, refuse};
 
-/// What the attributes stand on, which decides what they may say.
+/// The item below the attributes, which decides what they may say.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum On {
     /// A struct or an enum: a name.
@@ -33,7 +33,7 @@ pub fn strip(attributes: &mut Vec<syn::Attribute>) {
     attributes.retain(|attribute| !is_ours(attribute));
 }
 
-/// What the attributes say.
+/// The content of the attributes.
 pub fn read(attributes: &[syn::Attribute], on: On, refusals: &mut Refusals) -> Given {
     let mut given = Given::default();
     for attribute in attributes.iter().filter(|attribute| is_ours(attribute)) {
@@ -101,7 +101,7 @@ pub fn parameters(
     }
 }
 
-/// What is said, as the builder takes it.
+/// The attributes, as the builder takes them.
 pub fn tokens(given: &Given) -> TokenStream {
     let none = quote! { ::core::option::Option::None };
     if *given == Given::default() {

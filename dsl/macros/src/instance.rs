@@ -9,7 +9,7 @@ use crate::generics::Scope;
 use crate::given::{self, On};
 use crate::lower::{self, Refusals, refuse};
 
-/// What an instance with a name of its own shows to C: the methods of a generic block, by the names of
+/// The methods that an instance with a name of its own shows to C: those of a generic block, by the names of
 /// their builders. Two such blocks would leave open which.
 pub fn one_block(it: &syn::ItemImpl, faces: &[syn::Ident]) -> TokenStream {
     let scope = Scope::of_type(&it.generics);

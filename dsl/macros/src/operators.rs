@@ -202,7 +202,7 @@ impl Beside<'_> {
         })
     }
 
-    /// What announces it to its package, and to those who know the types only in the end; of something generic, its
+    /// The item that announces it to its package, and to those who know the types only in the end; of something generic, its
     /// instances are built where they are called.
     fn registered(&self, name: &str, implements: &TokenStream) -> TokenStream {
         let Beside { owner, other, method, .. } = self;
@@ -224,7 +224,7 @@ impl Beside<'_> {
         }
     }
 
-    /// What callers' witness copies call in place of `from` and `try_from`.
+    /// The companions that callers' witness copies call in place of `from` and `try_from`.
     fn companion(&self, of: &str, marker: &TokenStream, named: &Named<'_>) -> TokenStream {
         let Beside { owner, other, generics, .. } = self;
         let scope = Scope::of_type(generics);

@@ -10,7 +10,7 @@ use crate::docs;
 use crate::given::{self, On};
 use crate::lower::{self, Refusals, refuse};
 
-/// What stands beside a `const`.
+/// The items beside a `const`.
 pub fn constant(it: &mut syn::ItemConst, refusals: &mut Refusals) -> TokenStream {
     if it.ident == "_" {
         refusals.add(&it.ident, refuse::TABLE_UNNAMED);
@@ -18,7 +18,7 @@ pub fn constant(it: &mut syn::ItemConst, refusals: &mut Refusals) -> TokenStream
     announced(&it.ident, &mut it.attrs, refusals)
 }
 
-/// What stands beside a `static`.
+/// The items beside a `static`.
 pub fn fixed(it: &mut syn::ItemStatic, refusals: &mut Refusals) -> TokenStream {
     if let syn::StaticMutability::Mut(token) = &it.mutability {
         refusals.add(token, refuse::STATIC);

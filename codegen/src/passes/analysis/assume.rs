@@ -82,7 +82,7 @@ impl<'m> State<'m> {
         self.relations.learn(&fact);
     }
 
-    /// What is below the smaller of two integers is below each; the larger of two is below what each is below.
+    /// A number below the smaller of two integers is below each; the larger of two is below what each is below.
     fn assume_of_each(&mut self, op: CompareOp, a: &Expr, b: &Expr) {
         let (lower, upper, op) = match op {
             CompareOp::Lt | CompareOp::Le => (a, b, op),

@@ -62,7 +62,7 @@ impl State<'_> {
         brought_key(x).and_then(|key| self.at(&key)).map_or(range, |known| range.meet(known))
     }
 
-    /// What a word type is as a number: an enum has those of its variants, if it is one of them.
+    /// The numbers of a word type: an enum has those of its variants, if it is one of them.
     pub(super) fn number(&self, expr: &Expr) -> Option<Interval> {
         self.all(&expr.ty)?;
         let range = self.range(expr);

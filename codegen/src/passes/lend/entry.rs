@@ -11,7 +11,7 @@ use super::lives::{Life, What};
 use super::row::{Row, noun};
 use super::rows::{self, Laid};
 
-/// What an entry point is lent.
+/// The memory that an entry point is lent.
 pub(super) struct Plan {
     /// The rows, group by group; one group: a struct, several: a union of groups.
     groups: Vec<Vec<Row>>,
@@ -158,7 +158,7 @@ pub(super) fn place(laid: &Laid, at: &[(Vec<Step>, Type)], work: LocalId) -> Pla
     Place { root: work, steps, ty, span: Default::default() }
 }
 
-/// What a row is called: as what lies there, if that is one thing.
+/// The name of a row: that of its content, if this is one thing.
 fn name_of(module: &Module, function: &Function, what: &[What], row: &Row) -> String {
     match what {
         [What::Local(id)] => function.local(*id).name.clone(),
@@ -198,7 +198,7 @@ pub(super) fn record(
     }
 }
 
-/// What a function is called for its type or its module, in C and in words.
+/// The name of a function for its type or its module, in C and in words.
 pub(super) fn called(module: &Module, function: &Function) -> (String, String) {
     let owner = match function.owner {
         Some(Owner::Struct(id)) => Some(module.structs[id.index()].name.as_str()),

@@ -10,7 +10,7 @@ use bessemer_ir::{Expr, ExprKind, Function, FunctionId, LocalId, Place, Stmt, St
 
 use super::row::{Need, Row};
 
-/// What has to lie somewhere.
+/// The values that need memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum What {
     /// A large local.

@@ -113,7 +113,7 @@ fn take(function: &mut Function, name: String, ty: Type) -> LocalId {
     parameter
 }
 
-/// What the rows that a function is lent are called.
+/// The names of the rows that a function is lent.
 fn row_names(module: &Module, need: &[Row]) -> Vec<String> {
     match need {
         [_] => vec!["work".into()],

@@ -62,7 +62,7 @@ struct Rewrite {
     taken: u32,
     /// Where each large local lies.
     locals: BTreeMap<LocalId, Place>,
-    /// What each call is lent.
+    /// The memory that each call is lent.
     calls: BTreeMap<usize, Vec<Place>>,
     /// How many calls were met.
     call: usize,

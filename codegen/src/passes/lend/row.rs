@@ -10,7 +10,7 @@ pub(super) struct Row {
 }
 
 impl Row {
-    /// What a value is made of; `flat`: matrices are arrays of numbers.
+    /// The parts of a value; `flat`: matrices are arrays of numbers.
     pub fn of(ty: &Type, flat: bool) -> Row {
         match ty {
             Type::Matrix { rows, cols, .. } if !flat && *rows > 1 && *cols > 1 => {
@@ -34,10 +34,10 @@ impl Row {
     }
 }
 
-/// What a function is lent: the rows, in the order of its last parameters.
+/// The rows that a function is lent, in the order of its last parameters.
 pub(super) type Need = Vec<Row>;
 
-/// What elements of a type are called.
+/// The name of a type's elements.
 pub(super) fn noun(module: &Module, element: &Type) -> String {
     match element {
         Type::Scalar(Scalar::Bool) => "flags".into(),

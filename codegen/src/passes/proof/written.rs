@@ -33,14 +33,14 @@ impl Target {
     }
 }
 
-/// What statements may write, the locals that they declare among it.
+/// The places that statements may write, including the locals that they declare.
 pub(crate) fn by_stmts<'a>(stmts: impl IntoIterator<Item = &'a Stmt>) -> Vec<Target> {
     let mut targets = Vec::new();
     stmts.into_iter().for_each(|stmt| by_stmt(stmt, &mut targets));
     targets
 }
 
-/// What an expression may write: what it lends to calls.
+/// The places that an expression may write: those that it lends to calls.
 pub(super) fn by_expr(expr: &Expr) -> Vec<Target> {
     let lent = named(expr).into_iter().filter(|(_, lent)| *lent);
     lent.map(|(place, _)| Target::of(place)).collect()

@@ -14,7 +14,7 @@ pub struct ParseError {
     pub line: u32,
     /// Column in characters, from 1.
     pub column: u32,
-    /// What is wrong.
+    /// The mistake.
     pub message: String,
 }
 
@@ -153,7 +153,7 @@ impl<'t> Lexer<'t> {
         self.fail(format!("unexpected character {first:?}"))
     }
 
-    /// What follows the slashes: a quoted string, or the line less one space.
+    /// The text behind the slashes: a quoted string, or the line less one space.
     fn remark(&mut self) -> Result<String, ParseError> {
         if self.peek() == Some('"') {
             return self.quoted();

@@ -110,14 +110,14 @@ macro_rules! table {
         /// Every one that there is, with what the text calls it.
         pub const $all: &[(&str, $kind)] = &[$(($text, $value),)*];
 
-        /// What the text calls it.
+        /// Its name in the text.
         pub(super) const fn $name(value: $kind) -> &'static str {
             match value {
                 $($value => $text,)*
             }
         }
 
-        /// What the text calls so.
+        /// The item of this name in the text.
         pub(super) fn $find(name: &str) -> Option<$kind> {
             match name {
                 $($text => Some($value),)*

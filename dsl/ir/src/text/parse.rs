@@ -44,7 +44,7 @@ pub fn parse(text: &str) -> Parsed<Module> {
     Ok(parser.module)
 }
 
-/// What a bare name stands for.
+/// The meaning of a bare name.
 #[derive(Clone, Copy)]
 pub(super) enum Found<T> {
     One(T),

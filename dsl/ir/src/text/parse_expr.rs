@@ -278,7 +278,7 @@ impl Parser {
         }
     }
 
-    /// What starts with a name of the author's: a call, a path, a local, a constant.
+    /// An expression that starts with a name of the author's: a call, a path, a local, a constant.
     fn named(&mut self, base: Span) -> Parsed<Draft> {
         match self.ahead(1) {
             Token::Mark("::") => return self.path(base),
@@ -345,7 +345,7 @@ impl Parser {
         Ok(Draft { plain: true, ..draft })
     }
 
-    /// What stands in the brackets of a place, behind the first: `index]`, `row, column]`, `from..]`.
+    /// The inside of the brackets of a place, behind the first: `index]`, `row, column]`, `from..]`.
     fn step(&mut self, base: Span) -> Parsed<(Step, u32)> {
         let index = |parser: &mut Parser| {
             let draft = parser.nested(|parser| parser.draft(base))?;

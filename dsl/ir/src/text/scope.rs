@@ -10,7 +10,7 @@ use alloc::boxed::Box;
 
 use crate::ir::{ExprKind, Intrinsic, Module, Place, Routine, Step, Type};
 
-/// What has been defined above the place where one stands.
+/// The definitions above the current place.
 pub(super) struct Scope<'a> {
     pub module: &'a Module,
     /// How many functions are complete.

@@ -23,7 +23,7 @@ pub struct Alias {
     pub file: String,
     /// Where the name stands.
     pub site: Site,
-    /// What its author asks of the C.
+    /// The author's wishes for its C.
     #[serde(default)]
     pub given: Given,
 }
@@ -41,7 +41,7 @@ pub struct Table {
     pub site: Site,
     /// Its type and its value.
     pub value: Constant,
-    /// What its author asks of the C.
+    /// The author's wishes for its C.
     pub given: Given,
 }
 
@@ -54,7 +54,7 @@ pub struct Definition {
     pub module: String,
     /// The author's name.
     pub name: String,
-    /// What stands for its parameters.
+    /// The arguments for its parameters.
     pub arguments: Vec<Argument>,
     /// The author's doc comment, a line each.
     pub docs: Vec<String>,
@@ -67,7 +67,7 @@ pub struct Definition {
     /// Whether it derives `PartialOrd`, so that `<` compares the variants of an enum, the parts of a struct.
     #[serde(default)]
     pub ordered: bool,
-    /// What its author asks of the C.
+    /// The author's wishes for its C.
     #[serde(default)]
     pub given: Given,
     /// Which of the two.
@@ -100,7 +100,7 @@ pub struct Variant {
     /// Its number, where the author numbers the variants: `Armed = 5`.
     #[serde(default)]
     pub value: Option<i64>,
-    /// What its author asks of the C.
+    /// The author's wishes for its C.
     #[serde(default)]
     pub given: Given,
 }
@@ -114,7 +114,7 @@ pub struct Field {
     pub docs: Vec<String>,
     /// Its type.
     pub ty: Ty,
-    /// What its author asks of the C.
+    /// The author's wishes for its C.
     #[serde(default)]
     pub given: Given,
 }

@@ -42,7 +42,7 @@ pub enum Grouping {
     First,
 }
 
-/// What takes the place of single elements.
+/// Groups that take the place of single elements.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Group {
     /// How.
@@ -54,20 +54,20 @@ pub struct Group {
 /// An array that a loop goes through.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Part {
-    /// What is taken from each element.
+    /// The part that is taken from each element.
     pub pattern: Pattern,
     /// The array.
     pub array: Expr,
     /// Whether the loop goes through a copy.
     pub owned: bool,
-    /// What takes the place of single elements.
+    /// Groups that take the place of single elements.
     pub group: Option<Group>,
     /// Whether it is gone through from its end, beside others that are not.
     #[serde(default)]
     pub reversed: bool,
 }
 
-/// What stands on the left of an assignment.
+/// The left side of an assignment.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Places {
     /// `_`.
@@ -78,7 +78,7 @@ pub enum Places {
     Each(Vec<Places>),
 }
 
-/// What is wrong where an assertion does not hold.
+/// The fault where an assertion does not hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Claim {
     /// Whatever the author says.

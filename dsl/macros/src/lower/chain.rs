@@ -15,7 +15,7 @@ use super::syntax::{is_iterator, is_linked, is_made_of_plain};
 use super::walk::Lowering;
 use super::{each, refuse, search};
 
-/// What a chain may end with, and how many arguments that takes.
+/// The ends of a chain, and how many arguments each takes.
 const ENDS: [(&str, usize); 15] = [
     ("sum", 0),
     ("product", 0),
@@ -132,7 +132,7 @@ impl Lowering<'_> {
         self.through_with(flow, closure, (1, Takes::Items), looks)
     }
 
-    /// What the last link does in each pass.
+    /// The work of the last link in each pass.
     fn last(
         &mut self,
         it: &mut syn::ExprMethodCall,
@@ -284,7 +284,7 @@ impl Lowering<'_> {
         Some(flow)
     }
 
-    /// What a closure makes of the items of a chain; `at`: which of its parameters takes them, and how.
+    /// The items that a closure makes of those of a chain; `at`: which of its parameters takes them, and how.
     pub(super) fn through(
         &mut self,
         flow: &mut Flow,

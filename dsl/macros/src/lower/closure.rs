@@ -193,7 +193,7 @@ impl Lowering<'_> {
         body
     }
 
-    /// What a closure without a value does; `looks` at its parameters come first in the copy.
+    /// The statements of a closure without a value; `looks` at its parameters come first in the copy.
     pub(super) fn closure_effect(
         &mut self,
         closure: &mut syn::ExprClosure,
@@ -244,7 +244,7 @@ pub(super) fn closure_of(argument: &mut syn::Expr) -> Option<&mut syn::ExprClosu
     }
 }
 
-/// What would leave a closure early.
+/// The expressions that would leave a closure early.
 struct Returns(Vec<Span>);
 
 impl<'ast> Visit<'ast> for Returns {

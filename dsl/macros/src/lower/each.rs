@@ -10,7 +10,7 @@ use super::syntax::{gives_references, is_linked};
 use super::walk::Lowering;
 use super::{item, refuse};
 
-/// What a loop goes through, and how.
+/// The sequence of a loop, and how it goes through it.
 pub(super) struct Way {
     pub source: Source,
     pub indexed: bool,

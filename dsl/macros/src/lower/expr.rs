@@ -185,7 +185,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// What stands in brackets: an index, or the row and column of a matrix.
+    /// The inside of brackets: an index, or the row and column of a matrix.
     fn index(&mut self, index: &mut syn::Expr) -> tree::Expr {
         match index {
             syn::Expr::Tuple(it) if it.elems.len() == 2 => {
@@ -196,7 +196,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// What stands on the left of an assignment.
+    /// The left side of an assignment.
     fn places(&mut self, expr: &mut syn::Expr) -> tree::Places {
         match expr {
             syn::Expr::Infer(_) => tree::Places::None,

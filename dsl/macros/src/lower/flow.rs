@@ -2,7 +2,7 @@
 
 use bessemer_ir::tree::{self, ExprKind, Order, UnaryOp};
 
-/// What a loop goes through.
+/// The sequence of a loop.
 pub(super) enum Source {
     One { array: Box<tree::Expr>, owned: bool, group: Option<tree::Group>, reversed: bool },
     Zip(Box<Source>, Box<Source>),
@@ -10,13 +10,13 @@ pub(super) enum Source {
 
 /// A chain so far.
 pub(super) struct Flow {
-    /// What the loop goes through.
+    /// The sequence of the loop.
     pub over: Over,
-    /// What is declared before it.
+    /// The declarations before it.
     pub before: Vec<tree::Stmt>,
-    /// What each pass does before the end, in order.
+    /// The work of each pass before the end, in order.
     pub steps: Vec<Step>,
-    /// What flows out of it.
+    /// Its items.
     pub item: Item,
 }
 
@@ -59,7 +59,7 @@ pub(super) enum Item {
     Pair(Box<Item>, Box<Item>),
     /// A value.
     Value(tree::Expr),
-    /// What is in this, if anything is.
+    /// The content, if there is one.
     Optional(tree::Expr),
     /// The same, up to the first in which nothing is.
     Leading(tree::Expr),

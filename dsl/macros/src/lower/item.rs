@@ -205,7 +205,7 @@ impl Lowering<'_> {
         Some(Item::Named(in_tree))
     }
 
-    /// What has a name, by those of another pattern.
+    /// A name, by those of another pattern.
     fn name_again(
         &mut self,
         flow: &mut Flow,
@@ -242,7 +242,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// What has names, as a value.
+    /// Names, as a value.
     pub(super) fn named_value(item: &Item, node: &syn::Ident) -> Option<tree::Expr> {
         Some(match item {
             Item::Named(name) => plain(ExprKind::Local(name.clone()), node),
@@ -271,7 +271,7 @@ impl Lowering<'_> {
         (name, slot)
     }
 
-    /// What flows out of a chain, where nothing is asked of it but to be there.
+    /// The items of a chain, of which nothing is asked but to be there.
     pub(super) fn passed_by(&mut self, flow: &mut Flow, receiver: &mut syn::Expr) -> Option<()> {
         match &flow.item {
             Item::Number => self.item_value(flow, receiver).map(drop),
@@ -284,7 +284,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// What flows out of a chain, as a value.
+    /// The items of a chain, as a value.
     pub(super) fn item_value(
         &mut self,
         flow: &mut Flow,

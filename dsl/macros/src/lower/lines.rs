@@ -10,13 +10,13 @@ use super::names::text;
 use super::view::may_repeat;
 use super::walk::Lowering;
 
-/// What may stand between the lines and what takes them.
+/// The links that may stand between the lines and their consumer.
 const LINKS: [(&str, usize); 3] = [("enumerate", 0), ("rev", 0), ("step_by", 1)];
 
-/// What makes something else of them than closures can take.
+/// The links that make something else of them than closures can take.
 const OTHER_LINKS: [&str; 5] = ["zip", "chain", "skip", "take", "enumerate"];
 
-/// What hands a closure each line, and which argument the closure is; the line is its last parameter.
+/// The methods that hand a closure each line, and which argument the closure is; the line is its last parameter.
 const TAKING: [(&str, usize); 9] = [
     ("map", 0),
     ("for_each", 0),

@@ -5,7 +5,7 @@ use syn::spanned::Spanned;
 
 use super::names::site;
 
-/// What stands for an expression that was refused.
+/// The stand-in for an expression that was refused.
 pub(super) const UNIT: ExprKind = ExprKind::Tuple(Vec::new());
 
 /// An expression of the tree that rustc is not asked about.

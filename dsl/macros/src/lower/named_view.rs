@@ -31,7 +31,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// What stands for the statements up to the last that names the view which the first declares; and how many these are.
+    /// The expansion of the statements up to the last that names the view which the first declares; and how many these are.
     fn view_with_name(&self, stmts: &[syn::Stmt]) -> Option<(usize, Vec<syn::Stmt>)> {
         let (syn::Stmt::Local(local), rest) = stmts.split_first()? else { return None };
         let syn::Pat::Ident(name) = &local.pat else { return None };
@@ -104,7 +104,7 @@ impl Lowering<'_> {
         Some((last + 2, replaced))
     }
 
-    /// What is written to a view that has no name, said by one; none if it is something else.
+    /// The write to a view without a name, by one that has a name; none if it is something else.
     pub(super) fn view_without_name(&self, expr: &syn::Expr) -> Option<syn::Expr> {
         match expr {
             syn::Expr::ForLoop(it) => {

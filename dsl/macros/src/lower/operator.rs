@@ -163,7 +163,7 @@ pub(super) fn sign(op: BinaryOp) -> Option<&'static str> {
     })
 }
 
-/// What stands between two operands.
+/// The operator between two operands.
 pub(super) fn infix(op: &syn::BinOp) -> Option<BinaryOp> {
     Some(match op {
         syn::BinOp::Add(_) => BinaryOp::Add,

@@ -16,7 +16,7 @@ use super::walk::Lowering;
 use super::{refuse, sort};
 
 impl Lowering<'_> {
-    /// What an expression stands for; none if for itself.
+    /// The expansion of an expression; none if it stands for itself.
     pub(super) fn rewritten(&mut self, expr: &syn::Expr) -> Option<syn::Expr> {
         let it = match expr {
             syn::Expr::MethodCall(it) => it,

@@ -13,7 +13,7 @@ use super::refuse;
 use super::syntax::is_made_of_plain;
 use super::walk::Lowering;
 
-/// What such a chain may end with.
+/// The ends of such a chain.
 pub(super) const ENDS: [&str; 8] =
     ["min", "max", "last", "find", "position", "rposition", "next", "nth"];
 

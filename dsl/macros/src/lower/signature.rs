@@ -11,7 +11,7 @@ use super::refuse::Refusals;
 use super::{pattern, refuse};
 use crate::closures;
 
-/// What the witness copy calls `self`.
+/// The name of `self` in the witness copy.
 pub const RECEIVER: &str = "__self";
 
 /// A parameter as the tree and the companions need it.

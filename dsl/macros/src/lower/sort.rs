@@ -16,7 +16,7 @@ pub enum Leg {
     Tree,
 }
 
-/// What a call stands for; none if it sorts nothing, or by no comparison that the DSL knows.
+/// The expansion of a call; none if it sorts nothing, or by no comparison that the DSL knows.
 pub fn sorted(it: &syn::ExprMethodCall, leg: Leg) -> Option<syn::Expr> {
     let (method, arguments) = (text(&it.method), it.args.len());
     let closure = &comparison(it.args.first()?)?;

@@ -37,7 +37,7 @@ const CHANGES: [&str; 8] = [
 ];
 
 impl Lowering<'_> {
-    /// What an expression that writes a view stands for.
+    /// The expansion of an expression that writes a view.
     pub(super) fn written_view(&self, expr: &syn::Expr) -> Option<syn::Expr> {
         let syn::Expr::MethodCall(it) = expr else { return None };
         let (method, arguments) = (text(&it.method), it.args.clone());

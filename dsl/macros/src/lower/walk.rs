@@ -11,7 +11,7 @@ use super::refuse::Refusals;
 
 /// The walk over one function.
 pub struct Lowering<'a> {
-    /// What was refused so far.
+    /// The refusals so far.
     pub refusals: &'a mut Refusals,
     /// The locals in scope: the author's name, and that in the tree.
     pub(super) scopes: Vec<Vec<(String, String)>>,

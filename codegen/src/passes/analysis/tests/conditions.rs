@@ -64,7 +64,7 @@ impl Numbers {
         Expr::local(Y, &self.ty(), Span::default())
     }
 
-    /// What conditions compare.
+    /// The operands of conditions.
     fn terms(self) -> Vec<Expr> {
         let (x, y, one) = (self.x(), self.y(), self.literal(1));
         let three = self.literal(3);
@@ -188,7 +188,7 @@ fn logic(op: LogicOp, a: &Expr, b: &Expr) -> Expr {
     node(ExprKind::Logic(op, Box::new(a.clone()), Box::new(b.clone())), Type::BOOL)
 }
 
-/// What Rust makes of an expression; nothing if it panics.
+/// Rust's result of an expression; nothing if it panics.
 fn value(expr: &Expr, (x, y): (i128, i128)) -> Option<i128> {
     let of = |expr: &Expr| value(expr, (x, y));
     match &expr.kind {

@@ -66,7 +66,7 @@ fn number(byte: i8, brought: bool, numbers: &[i8]) -> i8 {
     if brought && !numbers.contains(&byte) { numbers[numbers.len() - 1] } else { byte }
 }
 
-/// What the C makes of it: no variant equals a byte that is none.
+/// The C's result: no variant equals a byte that is none.
 fn value(expr: &Expr, byte: i8, numbers: &[i8]) -> i128 {
     match &expr.kind {
         ExprKind::Literal(word) => match expr.ty {
@@ -119,7 +119,7 @@ fn conditions() -> Vec<Expr> {
     all
 }
 
-/// What is proved, and known of numbers, holds of every byte that satisfies the state.
+/// The proofs, and the knowledge of numbers, hold of every byte that satisfies the state.
 fn confirm(state: &State, numbers: &[i8], reach: &[i8], told: &dyn Fn() -> String) {
     for condition in conditions() {
         let wrong = reach.iter().find(|byte| value(&condition, **byte, numbers) == 0);

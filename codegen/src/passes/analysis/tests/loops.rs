@@ -83,7 +83,7 @@ fn known(state: &State, locals: &[LocalId]) -> Vec<Stmt> {
     all.into_iter().map(check).collect()
 }
 
-/// What is known holds; how many starts did not fault.
+/// The knowledge holds; gives how many starts did not fault.
 fn holds(head: &str, body: &str) -> usize {
     STARTS.iter().map(|starts| holds_from(head, body, starts)).sum()
 }

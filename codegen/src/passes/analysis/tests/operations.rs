@@ -72,7 +72,7 @@ const SINGLES: [Intrinsic; 6] = [
     Intrinsic::SwapBytes,
 ];
 
-/// What Rust computes; nothing where it panics.
+/// Rust's result; nothing where it panics.
 fn binary(op: BinaryOp, width: Width, a: i128, b: i128) -> Option<i128> {
     let shift = || u32::try_from(b).ok().filter(|by| *by < width.bits);
     match op {

@@ -24,7 +24,7 @@ fn fill in demo(t: &mut [u8], t_len: usize) {
 }
 ";
 
-/// What stands above the programs of the proofs.
+/// The head of the proofs' programs.
 const ENUMS: &str = "module demo
 
 enum Trim in demo { Down = -1, Level = 0, Up = 1 }
@@ -52,7 +52,7 @@ fn shown(function: &Function, target: &Target) -> String {
     format!("{}{steps}", function.local(target.local).name)
 }
 
-/// What the statements of a body write.
+/// The places that the statements of a body write.
 fn written(body: &str) -> BTreeSet<String> {
     let function = function(body);
     by_stmts(&function.body.0).iter().map(|target| shown(&function, target)).collect()

@@ -1,4 +1,4 @@
-//! What a closure is given is taken apart as in any other place: pairs, structs, references, `_`.
+//! The arguments of a closure are taken apart as in any other place: pairs, structs, references, `_`.
 
 use bessemer::prelude::*;
 

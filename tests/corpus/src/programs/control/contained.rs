@@ -1,4 +1,4 @@
-//! Whether a range contains a value: two comparisons. `then` gives something where a condition holds.
+//! `contains` of a range is two comparisons. `then` gives something where a condition holds.
 
 use bessemer::prelude::*;
 

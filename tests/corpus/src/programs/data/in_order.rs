@@ -1,4 +1,4 @@
-//! Whether the elements of a slice stand in order.
+//! `is_sorted` tells whether the elements of a slice stand in order.
 
 use bessemer::prelude::*;
 

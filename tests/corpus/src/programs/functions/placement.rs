@@ -1,4 +1,4 @@
-//! What is asked of the C: a name, a section, and whether a function is put where it is called.
+//! Requests to the C: a name, a section, and whether a function is inlined.
 
 use bessemer::prelude::*;
 

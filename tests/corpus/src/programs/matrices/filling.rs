@@ -1,4 +1,4 @@
-//! What fills, copies and exchanges parts of matrices. An index beyond the end is a fault.
+//! Methods that fill, copy and exchange parts of matrices. An index beyond the end is a fault.
 
 use bessemer::prelude::*;
 

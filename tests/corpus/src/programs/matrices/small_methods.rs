@@ -1,4 +1,4 @@
-//! What is small and often written: shapes, single elements, copies, other types, sums of vectors.
+//! Small things that are often written: shapes, single elements, copies, other types, sums of vectors.
 
 use bessemer::prelude::*;
 
