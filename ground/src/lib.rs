@@ -26,6 +26,7 @@ pub mod live;
 pub mod messages;
 pub mod page;
 pub mod player;
+pub mod priority;
 pub mod program;
 pub mod radio;
 pub mod recorder;

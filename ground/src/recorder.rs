@@ -7,6 +7,7 @@
 
 use crate::bench::{Period, Worked};
 use crate::messages::Recording;
+use crate::priority;
 use bessemer_legs::{value, words};
 use models::{Inputs, Outputs};
 use sim::recording::Writer;
@@ -55,6 +56,7 @@ impl Recorder {
         let (error, broken) = (Arc::new(Mutex::new(None)), Arc::new(AtomicBool::new(false)));
         let (said, there, place) = (error.clone(), broken.clone(), path.clone());
         let writer = std::thread::spawn(move || {
+            priority::lower();
             if let Err(reason) = write(&place, image.as_deref(), &waiting) {
                 there.store(true, Ordering::Relaxed);
                 if let Ok(mut said) = said.lock() {

@@ -6,6 +6,7 @@
 
 use crate::bench::{Bench, Injection, Period};
 use crate::key::Key;
+use crate::priority;
 use crate::program::{self, Program, Running};
 use crate::radio::{Counts, Quality, Way};
 use crate::station::Station;
@@ -93,7 +94,11 @@ impl Testbed {
         let socket = UdpSocket::bind((Ipv4Addr::LOCALHOST, 0))?;
         socket.set_nonblocking(true)?;
         let key = wanted.other_key.clone().or_else(|| wanted.key.clone());
-        let running = program.start(bench.port()?, key.as_ref())?;
+        let bus = bench.port()?;
+        let running = match wanted.pace {
+            Pace::Real => priority::raised(|| program.start(bus, key.as_ref()))?,
+            _ => program.start(bus, key.as_ref())?,
+        };
         if !bench.wait(START)? {
             return Err(Error::Silent);
         }
@@ -205,6 +210,9 @@ impl Testbed {
         let now = Instant::now();
         if now > due + length * STALLED {
             (self.begun, self.periods, due) = (now, 0, now);
+        }
+        if self.pace == Pace::Real && self.periods == 0 {
+            priority::raise();
         }
         std::thread::sleep(due.saturating_duration_since(now));
         self.periods += 1;
