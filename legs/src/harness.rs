@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 
 use bessemer_codegen::c::Options;
 use bessemer_codegen::c::names::{Names, Passing, Returned};
-use bessemer_ir::{Float, FunctionId, Module, Owner, Scalar, Type};
+use bessemer_ir::{Float, FunctionId, Module, Owner, Scalar, StructId, Type};
 
 /// The text of the program for `entry`, a method of a component; `params`: how many parameters the
 /// author gave it. What the compiler added, a work struct, is no argument.
@@ -213,78 +213,59 @@ impl Call {
 }
 
 /// The C that every such program begins with: how words come in and go out.
-pub const SUPPORT: &str = "\
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
+pub const SUPPORT: &str = concat!(include_str!("../c/stdio.c"), include_str!("../c/numbers.c"));
 
-static uint64_t get(void)
-{
-    unsigned char bytes[8];
-    uint64_t word = 0;
-    int i;
-    if (fread(bytes, 1, 8, stdin) != 8) {
-        exit(0);
-    }
-    for (i = 7; i >= 0; --i) {
-        word = (word << 8) | bytes[i];
-    }
-    return word;
+/// A function of C that moves a value of a struct's type word by word, by functions `get` and `put`.
+pub struct Mover {
+    /// What it is called.
+    pub name: &'static str,
+    /// The struct, as its author called it.
+    pub ty: &'static str,
+    /// Which way.
+    pub way: Way,
 }
 
-static void put(uint64_t word)
-{
-    unsigned char bytes[8];
-    int i;
-    for (i = 0; i < 8; ++i) {
-        bytes[i] = (unsigned char)(word >> (8 * i));
-    }
-    if (fwrite(bytes, 1, 8, stdout) != 8) {
-        exit(1);
-    }
+/// Which way words move.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Way {
+    /// `get` gives them.
+    In,
+    /// `put` takes them.
+    Out,
 }
 
-/* Where the lowest bytes of a word stand in it, so many of them. */
-__attribute__((unused)) static size_t lowest(size_t size)
-{
-    const uint16_t one = 1;
-    unsigned char first;
-    memcpy(&first, &one, 1);
-    return first == 1 ? 0 : 8 - size;
+/// The text of a C file with such functions; `head` declares them, `get` and `put`. None, if the models lack a struct.
+pub fn movers(module: &Module, head: &str, movers: &[Mover]) -> Option<String> {
+    let names = Names::new(module, &Options::default());
+    let walk = Walk { module, names: &names };
+    let mut text = format!("{head}{}", include_str!("../c/numbers.c"));
+    for Mover { name, ty, way } in movers {
+        let id = structure(module, ty)?;
+        let (c, ty) = (&names.structs[id.index()].ty, Type::Struct(id));
+        let (constant, mut body) = (if *way == Way::In { "" } else { "const " }, String::new());
+        match way {
+            Way::In => walk.reads(&ty, "(*value)", &mut body),
+            Way::Out => walk.writes(&ty, "(*value)", &mut body),
+        }
+        let _ = write!(text, "\nvoid {name}({constant}{c} *value)\n{{\n{body}}}\n");
+    }
+    Some(text)
 }
 
-/* Numbers of so many bytes that lie one behind the other. */
-__attribute__((unused)) static void get_numbers(void *place, size_t size, uint32_t count)
-{
-    unsigned char *to = place;
-    for (; count > 0; --count, to += size) {
-        const uint64_t word = get();
-        memcpy(to, (const unsigned char *)&word + lowest(size), size);
+/// What tells the words of these structs from those of others. None, if the models lack one.
+pub fn identity<'t>(module: &Module, types: impl Iterator<Item = &'t str>) -> Option<u64> {
+    let mut letters = Vec::new();
+    for ty in types {
+        let leaves = module.leaves(&Type::Struct(structure(module, ty)?));
+        letters.extend(format!("{leaves:?}").bytes().map(u64::from));
     }
+    Some(crate::digest(&letters))
 }
 
-__attribute__((unused)) static void put_numbers(const void *place, size_t size, uint32_t count)
-{
-    const unsigned char *from = place;
-    for (; count > 0; --count, from += size) {
-        uint64_t word = 0;
-        memcpy((unsigned char *)&word + lowest(size), from, size);
-        put(word);
-    }
+fn structure(module: &Module, name: &str) -> Option<StructId> {
+    let index = module.structs.iter().position(|it| it.name == name)?;
+    Some(StructId(index as u32))
 }
-
-/* The same of signed ones: what is above their bytes is their sign. */
-__attribute__((unused)) static void put_signed(const void *place, size_t size, uint32_t count)
-{
-    const unsigned char *from = place;
-    for (; count > 0; --count, from += size) {
-        uint64_t word = from[lowest(size) == 0 ? size - 1 : 0] >= 128 ? UINT64_MAX : 0;
-        memcpy((unsigned char *)&word + lowest(size), from, size);
-        put(word);
-    }
-}
-";
 
 struct Walk<'a> {
     module: &'a Module,

@@ -7,14 +7,17 @@
 //! What it must not know: any model, any test.
 
 pub mod arguments;
+pub mod firmware;
 pub mod harness;
 pub mod interpreter;
 pub mod kernels;
+pub mod lockstep;
 mod objects;
 pub mod outcome;
 pub mod panics;
 pub mod process;
 pub mod random;
+pub mod serial;
 pub mod toolchain;
 mod units;
 
@@ -38,6 +41,14 @@ pub fn words(value: &impl Plain) -> Vec<u64> {
 pub fn value<T: Plain>(words: &[u64]) -> T {
     let mut words = words.iter().copied();
     T::load(&mut || words.next().unwrap_or_default())
+}
+
+/// Many words as one (FNV-1a), to compare what is too much to keep. Any NaN counts as any other.
+pub fn digest(words: &[u64]) -> u64 {
+    let plain = |word: &u64| if f64::from_bits(*word).is_nan() { u64::MAX } else { *word };
+    words.iter().fold(0xCBF2_9CE4_8422_2325, |sum, word| {
+        (sum ^ plain(word)).wrapping_mul(0x0000_0100_0000_01B3)
+    })
 }
 
 use bessemer_codegen::compile::{self, Compiled};

@@ -86,6 +86,11 @@ impl Folder {
     pub fn sources(&self) -> &[PathBuf] {
         &self.sources
     }
+
+    /// The folder itself, for whoever goes on with it.
+    pub fn into_folder(self) -> TempDir {
+        self.folder
+    }
 }
 
 impl Process {

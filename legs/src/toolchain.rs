@@ -46,6 +46,36 @@ pub const ARM: Toolchain = Toolchain {
     ..GCC
 };
 
+/// The target without an operating system: a whole Zynq, emulated, whose second serial port is the emulator's
+/// standard input and output. Nothing on it is aligned to less than its size, since memory is not cached at first.
+pub const ZYNQ: Toolchain = Toolchain {
+    compiler: "arm-none-eabi-gcc",
+    machine: &[
+        "-mcpu=cortex-a9",
+        "-mfpu=vfpv3",
+        "-mfloat-abi=hard",
+        "-marm",
+        "-mno-unaligned-access",
+    ],
+    emulator: Some(&[
+        "qemu-system-arm",
+        "-machine",
+        "xilinx-zynq-a9",
+        "-m",
+        "128M",
+        "-display",
+        "none",
+        "-monitor",
+        "none",
+        "-serial",
+        "null",
+        "-serial",
+        "stdio",
+        "-kernel",
+    ]),
+    ..GCC
+};
+
 /// ARM of 64 bits.
 pub const AARCH64: Toolchain = Toolchain {
     compiler: "aarch64-linux-gnu-gcc",
@@ -151,6 +181,20 @@ impl Toolchain {
         let all: Vec<PathBuf> = objects.into_iter().chain([main.0]).collect();
         run(&mut self.linking(&all, program, flags))?;
         Ok(said)
+    }
+
+    /// Compiles `sources` and links them into firmware, which has its own start, with more flags for the linker.
+    ///
+    /// # Errors
+    /// What the compiler said.
+    pub fn firmware(
+        &self,
+        sources: &[PathBuf],
+        program: &Path,
+        flags: &[&str],
+    ) -> Result<(), String> {
+        let (objects, _) = self.objects(sources, &[])?;
+        run(self.linking(&objects, program, flags).arg("-nostartfiles"))
     }
 
     /// Compiles each of the sources, on all processors; the objects in their order, and what the compiler said.

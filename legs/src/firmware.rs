@@ -1,0 +1,137 @@
+//! Emitted C as the firmware of a board: built around a program of the board's own, run by an emulator of the whole
+//! machine whose serial line is a socket of this process.
+//!
+//! What it must not know: any model, any board; a board is a folder with C, a start and a linker script.
+
+use std::collections::BTreeSet;
+use std::os::fd::OwnedFd;
+use std::os::unix::net::UnixStream;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::time::Duration;
+
+use bessemer_codegen::c::CFile;
+use tempfile::TempDir;
+
+use crate::process::{Error, lay_out_needed};
+use crate::toolchain::Toolchain;
+
+/// Firmware, built.
+pub struct Firmware {
+    program: PathBuf,
+    toolchain: Toolchain,
+    // Holds the program.
+    _folder: TempDir,
+}
+
+/// Bytes of a program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sizes {
+    /// Of instructions and constants.
+    pub text: u64,
+    /// Of memory that begins with a value.
+    pub data: u64,
+    /// Of memory that begins as zero, stacks included.
+    pub bss: u64,
+}
+
+impl Firmware {
+    /// Compiles the sources of a board's folder, sources made for it, and of the emitted files what these include; links
+    /// them by the folder's linker script.
+    ///
+    /// # Errors
+    /// What the compiler or the system said.
+    pub fn build(
+        board: &Path,
+        made: &[(&str, String)],
+        files: &[CFile],
+        toolchain: &Toolchain,
+    ) -> Result<Self, Error> {
+        let (mut own, mut scripts, mut texts) = (Vec::new(), Vec::new(), String::new());
+        for entry in std::fs::read_dir(board)? {
+            let path = entry?.path();
+            let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            match path.extension().and_then(|it| it.to_str()) {
+                Some("c" | "h" | "S") => own.push((name, std::fs::read_to_string(&path)?)),
+                Some("ld") => scripts.push(path),
+                _ => {}
+            }
+        }
+        own.extend(made.iter().map(|(name, text)| ((*name).to_owned(), text.clone())));
+        own.sort();
+        own.iter().for_each(|(_, text)| texts.push_str(text));
+        let emitted = lay_out_needed(files, &texts)?;
+        let (mut sources, mut all) = (emitted.sources().to_vec(), BTreeSet::new());
+        for (name, text) in own {
+            let path = emitted.path().join(&name);
+            if emitted.path().join(&name).exists() || !all.insert(name.clone()) {
+                let text = format!("`{name}` is a file of the board and one of the emitted C");
+                return Err(Error::Compile(text));
+            }
+            std::fs::write(&path, text)?;
+            if !name.ends_with(".h") {
+                sources.push(path);
+            }
+        }
+        let folder = emitted.into_folder();
+        let program = folder.path().join("firmware.elf");
+        let script: Vec<String> =
+            scripts.iter().flat_map(|path| ["-T".to_owned(), path.display().to_string()]).collect();
+        let script: Vec<&str> = script.iter().map(String::as_str).collect();
+        toolchain.firmware(&sources, &program, &script).map_err(Error::Compile)?;
+        Ok(Self { program, toolchain: toolchain.clone(), _folder: folder })
+    }
+
+    /// The program, for whoever loads it onto a board.
+    pub fn program(&self) -> &Path {
+        &self.program
+    }
+
+    /// How large it is.
+    ///
+    /// # Errors
+    /// What the system said, or that the program which tells it said nothing.
+    pub fn sizes(&self) -> Result<Sizes, Error> {
+        let size = self.toolchain.compiler.replace("gcc", "size");
+        let output = Command::new(&size).arg(&self.program).output()?;
+        let text = String::from_utf8_lossy(&output.stdout);
+        let line = text.lines().nth(1).unwrap_or_default();
+        let numbers: Vec<u64> = line.split_whitespace().map_while(|it| it.parse().ok()).collect();
+        match numbers[..] {
+            [text, data, bss, ..] => Ok(Sizes { text, data, bss }),
+            _ => Err(Error::Compile(format!("`{size}` says nothing of the program"))),
+        }
+    }
+
+    /// Starts it in the emulator: the machine, and its serial line, on which reads wait for so long at most.
+    ///
+    /// # Errors
+    /// What the system said.
+    pub fn start(&self, patience: Duration) -> Result<(Machine, UnixStream), Error> {
+        let (here, there) = UnixStream::pair()?;
+        here.set_read_timeout(Some(patience))?;
+        here.set_write_timeout(Some(patience))?;
+        let mut command = self.toolchain.runner(&self.program);
+        command.stdin(Stdio::from(OwnedFd::from(there.try_clone()?)));
+        command.stdout(Stdio::from(OwnedFd::from(there)));
+        Ok((Machine(command.spawn()?), here))
+    }
+}
+
+/// A machine that runs: it ends when this is dropped.
+#[derive(Debug)]
+pub struct Machine(Child);
+
+impl Machine {
+    /// Turns it off.
+    pub fn kill(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
+impl Drop for Machine {
+    fn drop(&mut self) {
+        self.kill();
+    }
+}

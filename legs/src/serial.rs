@@ -1,0 +1,242 @@
+//! Frames of words over a serial line: what comes is whole, or it is said what is wrong with it.
+//!
+//! A word goes as the number of its bytes that count and these, least significant first. A frame is words and a CRC-32
+//! of their bytes, stuffed (COBS) so that no zero is in it, and ended by one. `examples/zynq/link.c` is the other end.
+//!
+//! Invariant: it never waits for longer than the line does. What it must not know: what the words mean.
+
+use std::io::{self, Read, Write};
+
+/// Bytes of a frame at most: room for what no board sends.
+const MOST: usize = 1 << 16;
+
+/// Bytes in a block of byte stuffing at most.
+const BLOCK: usize = 254;
+
+/// Why no frame came, or went.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// The other end is gone.
+    #[error("the line is closed: the other end is gone")]
+    Closed,
+    /// It says nothing.
+    #[error("nothing comes over the line: the other end does not run, or at another speed")]
+    Silent,
+    /// What came is no frame.
+    #[error("what came over the line is garbled: {0}")]
+    Garbled(&'static str),
+    /// The system's word.
+    #[error("the line: {0}")]
+    System(io::Error),
+}
+
+impl From<io::Error> for Error {
+    fn from(error: io::Error) -> Self {
+        use io::ErrorKind::{BrokenPipe, ConnectionReset, TimedOut, UnexpectedEof, WouldBlock};
+        match error.kind() {
+            BrokenPipe | ConnectionReset | UnexpectedEof => Self::Closed,
+            TimedOut | WouldBlock => Self::Silent,
+            _ => Self::System(error),
+        }
+    }
+}
+
+/// A serial line, on which frames go both ways. It waits for as long as the line's own reads do.
+#[derive(Debug)]
+pub struct Serial<L> {
+    line: L,
+    buffer: Vec<u8>,
+}
+
+impl<L: Read + Write> Serial<L> {
+    /// Frames on this line.
+    pub fn new(line: L) -> Self {
+        Self { line, buffer: Vec::new() }
+    }
+
+    /// The line itself.
+    pub fn line(&mut self) -> &mut L {
+        &mut self.line
+    }
+
+    /// Sends a frame.
+    ///
+    /// # Errors
+    /// The line took no more.
+    pub fn send(&mut self, words: &[u64]) -> Result<(), Error> {
+        self.line.write_all(&framed(words))?;
+        Ok(self.line.flush()?)
+    }
+
+    /// Waits for a frame.
+    ///
+    /// # Errors
+    /// None came, or what came is none.
+    pub fn receive(&mut self) -> Result<Vec<u64>, Error> {
+        loop {
+            while let Some(end) = self.buffer.iter().position(|byte| *byte == 0) {
+                let frame: Vec<u8> = self.buffer.drain(..=end).take(end).collect();
+                // Zeros before a frame say nothing.
+                if !frame.is_empty() {
+                    return words(&frame);
+                }
+            }
+            if self.buffer.len() > MOST {
+                return Err(Error::Garbled("it does not end"));
+            }
+            let mut some = [0; 4096];
+            match self.line.read(&mut some) {
+                Ok(0) => return Err(Error::Closed),
+                Ok(count) => self.buffer.extend_from_slice(&some[..count]),
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
+                Err(error) => return Err(error.into()),
+            }
+        }
+    }
+}
+
+/// CRC-32 of IEEE 802.3.
+fn checksum(bytes: &[u8]) -> u32 {
+    let bit = |sum: u32, _| if sum & 1 == 1 { (sum >> 1) ^ 0xEDB8_8320 } else { sum >> 1 };
+    !bytes.iter().fold(u32::MAX, |sum, byte| (0..8).fold(sum ^ u32::from(*byte), bit))
+}
+
+/// The bytes of a frame.
+fn framed(words: &[u64]) -> Vec<u8> {
+    let mut bytes = Vec::with_capacity(2 * words.len());
+    for word in words {
+        let count = 8 - word.leading_zeros() as usize / 8;
+        bytes.push(count as u8);
+        bytes.extend_from_slice(&word.to_le_bytes()[..count]);
+    }
+    bytes.extend(checksum(&bytes).to_le_bytes());
+    let mut stuffed = Vec::with_capacity(bytes.len() + bytes.len() / BLOCK + 2);
+    for part in bytes.split(|byte| *byte == 0) {
+        for block in part.chunks(BLOCK) {
+            stuffed.push(block.len() as u8 + 1);
+            stuffed.extend_from_slice(block);
+        }
+        // A full block has no zero behind it: an empty one brings it.
+        if part.len().is_multiple_of(BLOCK) {
+            stuffed.push(1);
+        }
+    }
+    stuffed.push(0);
+    stuffed
+}
+
+/// The words of a frame without the zero at its end.
+fn words(frame: &[u8]) -> Result<Vec<u64>, Error> {
+    let mut bytes = Vec::with_capacity(frame.len());
+    let mut rest = frame;
+    while let Some((code, behind)) = rest.split_first() {
+        let length = usize::from(*code) - 1;
+        let (block, after) =
+            behind.split_at_checked(length).ok_or(Error::Garbled("it is cut short"))?;
+        bytes.extend_from_slice(block);
+        if length < BLOCK && !after.is_empty() {
+            bytes.push(0);
+        }
+        rest = after;
+    }
+    let (content, sum) = bytes.split_last_chunk().ok_or(Error::Garbled("it is cut short"))?;
+    if u32::from_le_bytes(*sum) != checksum(content) {
+        return Err(Error::Garbled("its checksum is wrong"));
+    }
+    let (mut words, mut rest) = (Vec::new(), content);
+    while let Some((count, behind)) = rest.split_first() {
+        let count = usize::from(*count);
+        let word = behind.get(..count).filter(|_| count <= 8);
+        let word = word.ok_or(Error::Garbled("it holds what is no word"))?;
+        words.push(word.iter().rev().fold(0, |all, byte| all << 8 | u64::from(*byte)));
+        rest = &behind[count..];
+    }
+    Ok(words)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::random::Random;
+
+    /// What is read from, and what was written to it.
+    struct Line(Vec<u8>, Vec<u8>);
+
+    impl Read for Line {
+        fn read(&mut self, to: &mut [u8]) -> io::Result<usize> {
+            let count = to.len().min(self.0.len()).min(7);
+            to[..count].copy_from_slice(&self.0[..count]);
+            self.0.drain(..count);
+            Ok(count)
+        }
+    }
+
+    impl Write for Line {
+        fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+            self.1.extend_from_slice(bytes);
+            Ok(bytes.len())
+        }
+
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+
+    fn received(bytes: Vec<u8>) -> Result<Vec<u64>, Error> {
+        Serial::new(Line(bytes, Vec::new())).receive()
+    }
+
+    #[test]
+    fn the_checksum_is_that_of_the_standard() {
+        assert_eq!(checksum(b"123456789"), 0xCBF4_3926);
+    }
+
+    #[test]
+    fn what_goes_in_comes_out() {
+        let mut random = Random(7);
+        for length in (0..40).chain([61, 62, 63, 64, 300]) {
+            for shift in [0, 8, 31, 56, 63] {
+                let sent: Vec<u64> = (0..length).map(|_| random.bits() >> shift).collect();
+                let bytes = framed(&sent);
+                assert!(!bytes[..bytes.len() - 1].contains(&0));
+                let noise = [vec![0, 0], bytes, vec![9]].concat();
+                assert_eq!(received(noise).expect("a frame"), sent);
+            }
+        }
+    }
+
+    /// The end of a full block is no zero, wherever zeros stand around it.
+    #[test]
+    fn full_blocks_are_taken_apart() {
+        for before in 25..36 {
+            for zeros in 0..3 {
+                let mut sent = vec![u64::MAX; before];
+                sent.extend(vec![0; zeros]);
+                sent.extend(vec![u64::MAX; 32]);
+                assert_eq!(received(framed(&sent)).expect("a frame"), sent);
+            }
+        }
+    }
+
+    #[test]
+    fn no_bit_is_lost_in_silence() {
+        let sent = [0, 1, 0x1234_5678, u64::MAX, 0x00FF_0000_0000_00FF];
+        let bytes = framed(&sent);
+        for place in 0..8 * bytes.len() {
+            let mut garbled = bytes.clone();
+            garbled[place / 8] ^= 1 << (place % 8);
+            let wrong = received(garbled);
+            assert!(matches!(wrong, Err(Error::Garbled(_) | Error::Closed)), "{place}: {wrong:?}");
+        }
+    }
+
+    #[test]
+    fn the_end_is_told() {
+        let cut = framed(&[5; 9])[..7].to_vec();
+        assert!(matches!(received(cut), Err(Error::Closed)));
+        assert!(matches!(received(vec![3; MOST + 8192]), Err(Error::Garbled(_))));
+        let error = |kind: io::ErrorKind| Error::from(io::Error::from(kind)).to_string();
+        assert!(error(io::ErrorKind::WouldBlock).starts_with("nothing comes"));
+        assert!(error(io::ErrorKind::BrokenPipe).starts_with("the line is closed"));
+    }
+}
