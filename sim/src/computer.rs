@@ -6,7 +6,7 @@ use bessemer::Plain;
 use bessemer_codegen::compile::Compiled;
 use bessemer_legs::process::{Error, Process};
 use bessemer_legs::toolchain::Toolchain;
-use bessemer_legs::{entry, value, words};
+use bessemer_legs::{digest, entry, value, words};
 use models::{Inputs, Onboard, Outputs, Settings};
 
 /// An onboard computer.
@@ -14,28 +14,40 @@ pub trait Computer {
     /// One control period.
     fn step(&mut self, settings: &Settings, inputs: &Inputs) -> Outputs;
 
-    /// Everything that the software remembers, as words, in the order in which the models declare it.
-    fn state(&self) -> Vec<u64>;
+    /// Everything that the software said in the last period and remembers after it, as a [`digest`] of the words in the
+    /// order in which the models declare them.
+    fn digest(&self) -> u64;
 }
 
 /// The models, as rustc compiles them.
 #[derive(Clone, Debug, Default)]
-pub struct Native(Onboard);
+pub struct Native {
+    onboard: Onboard,
+    outputs: Outputs,
+}
+
+impl Native {
+    /// The words of what it said in the last period and of what it remembers after it.
+    pub fn words(&self) -> Vec<u64> {
+        [words(&self.outputs), words(&self.onboard)].concat()
+    }
+}
 
 impl Computer for Native {
     fn step(&mut self, settings: &Settings, inputs: &Inputs) -> Outputs {
-        self.0.step(settings, inputs)
+        self.outputs = self.onboard.step(settings, inputs);
+        self.outputs
     }
 
-    fn state(&self) -> Vec<u64> {
-        words(&self.0)
+    fn digest(&self) -> u64 {
+        digest(&self.words())
     }
 }
 
 /// The emitted C, as a process.
 pub struct Emitted {
     process: Process,
-    state: Vec<u64>,
+    words: Vec<u64>,
 }
 
 impl Emitted {
@@ -46,7 +58,7 @@ impl Emitted {
     pub fn start(compiled: &Compiled, toolchain: &Toolchain) -> Result<Self, Error> {
         let step = entry(compiled, "Onboard", "step")
             .ok_or_else(|| Error::Compile("the models have no `Onboard::step`".into()))?;
-        Ok(Self { process: Process::start(compiled, step, toolchain)?, state: Vec::new() })
+        Ok(Self { process: Process::start(compiled, step, toolchain)?, words: Vec::new() })
     }
 
     /// Back to the initial state, for another flight.
@@ -70,12 +82,11 @@ impl Computer for Emitted {
             Ok(results) => panic!("the C reports fault {}", results[0]),
             Err(error) => panic!("the C stopped: {error}"),
         };
-        let outputs: Outputs = value(&results[1..]);
-        self.state = results[1 + words(&outputs).len()..].to_vec();
-        outputs
+        self.words = results[1..].to_vec();
+        value(&self.words)
     }
 
-    fn state(&self) -> Vec<u64> {
-        self.state.clone()
+    fn digest(&self) -> u64 {
+        digest(&self.words)
     }
 }

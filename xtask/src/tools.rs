@@ -165,6 +165,27 @@ pub const TOOLS: &[Tool] = &[
         source: Source::Package("qemu-user"),
     },
     Tool {
+        name: "arm-none-eabi-gcc",
+        purpose: "compiles firmware around the emitted C",
+        need: Need::Target,
+        probe: Probe::Version("arm-none-eabi-gcc"),
+        source: Source::Package("gcc-arm-none-eabi"),
+    },
+    Tool {
+        name: "newlib",
+        purpose: "headers and libraries for the above",
+        need: Need::Target,
+        probe: Probe::Headers("arm-none-eabi-gcc"),
+        source: Source::Package("libnewlib-arm-none-eabi"),
+    },
+    Tool {
+        name: "qemu-system-arm",
+        purpose: "runs it on an emulated Zynq, without an operating system",
+        need: Need::Target,
+        probe: Probe::Version("qemu-system-arm"),
+        source: Source::Package("qemu-system-arm"),
+    },
+    Tool {
         name: "frama-c",
         purpose: "shows anew what was proved of the emitted C",
         need: Need::Analysis,

@@ -70,6 +70,8 @@ impl Fake {
         let mut fake = Self::host()
             .with("arm-linux-gnueabihf-gcc", "arm-linux-gnueabihf-gcc (Debian 12.2.0-14) 12.2.0")
             .with("qemu-arm", "qemu-arm version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)")
+            .with("arm-none-eabi-gcc", "arm-none-eabi-gcc (15:12.2.rel1-1) 12.2.1 20221205")
+            .with("qemu-system-arm", "QEMU emulator version 7.2.22 (Debian 1:7.2+dfsg-7)")
             .with("valgrind", "valgrind-3.19.0")
             .with("arm-linux-gnueabihf-g++", "arm-linux-gnueabihf-g++ (Debian 12.2.0-14) 12.2.0");
         for (compiler, answer) in [
@@ -90,6 +92,7 @@ impl Fake {
             fake = fake.with(emulator, answer);
         }
         fake.headers.insert("arm-linux-gnueabihf-gcc");
+        fake.headers.insert("arm-none-eabi-gcc");
         fake
     }
 
@@ -137,7 +140,8 @@ fn root_installs_with_apt_alone() {
         Some(
             "apt-get update -o DPkg::Lock::Timeout=900 && \
              env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends \
-             -o DPkg::Lock::Timeout=900 gcc-arm-linux-gnueabihf libc6-dev-armhf-cross qemu-user frama-c-base"
+             -o DPkg::Lock::Timeout=900 gcc-arm-linux-gnueabihf libc6-dev-armhf-cross qemu-user gcc-arm-none-eabi \
+             libnewlib-arm-none-eabi qemu-system-arm frama-c-base"
         )
     );
 }
@@ -227,6 +231,9 @@ C library                found         test               headers and libraries 
 arm-linux-gnueabihf-gcc  12.2.0        test (not --host)  compiles the emitted C for a Cortex-A9
 ARM C library            found         test (not --host)  headers and libraries for the above
 qemu-arm                 7.2.22        test (not --host)  runs it on an emulated Cortex-A9
+arm-none-eabi-gcc        12.2.1        test (not --host)  compiles firmware around the emitted C
+newlib                   found         test (not --host)  headers and libraries for the above
+qemu-system-arm          7.2.22        test (not --host)  runs it on an emulated Zynq, without an operating system
 frama-c                  25.0-beta     test (not --host)  shows anew what was proved of the emitted C
 aarch64-linux-gnu-gcc    12.2.0        test --full        compiles the emitted C for ARM of 64 bits
 aarch64 C library        found         test --full        headers and libraries for the above
@@ -259,11 +266,13 @@ fn the_conclusion_says_what_can_run_and_what_to_do() {
     assert_eq!(
         conclusion(&Fake::host().rooted()).as_deref(),
         Some(
-            "Missing: arm-linux-gnueabihf-gcc, ARM C library, qemu-arm, frama-c. `cargo xtask test --host` can run.\n\
+            "Missing: arm-linux-gnueabihf-gcc, ARM C library, qemu-arm, arm-none-eabi-gcc, newlib, \
+             qemu-system-arm, frama-c. `cargo xtask test --host` can run.\n\
              To install, run this line, or `cargo xtask test --install`:\n  \
              apt-get update -o DPkg::Lock::Timeout=900 && env DEBIAN_FRONTEND=noninteractive apt-get install -y \
              --no-install-recommends -o DPkg::Lock::Timeout=900 \
-             gcc-arm-linux-gnueabihf libc6-dev-armhf-cross qemu-user frama-c-base\n"
+             gcc-arm-linux-gnueabihf libc6-dev-armhf-cross qemu-user gcc-arm-none-eabi \
+             libnewlib-arm-none-eabi qemu-system-arm frama-c-base\n"
         )
     );
     assert_eq!(
@@ -301,7 +310,8 @@ fn test_refuses_to_start_and_prints_one_line() {
     let error = outcome.expect_err("tools are missing");
     assert_eq!(
         error.to_string(),
-        "missing: g++, clang, clang's run time, arm-linux-gnueabihf-gcc, ARM C library, qemu-arm, frama-c"
+        "missing: g++, clang, clang's run time, arm-linux-gnueabihf-gcc, ARM C library, qemu-arm, arm-none-eabi-gcc, newlib, \
+             qemu-system-arm, frama-c"
     );
     let remedy = error.remedy().expect("there is apt-get");
     assert_eq!(remedy.lines().count(), 1);

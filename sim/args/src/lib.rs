@@ -23,6 +23,7 @@ Examples:
   cargo xtask sim --list                  The flights, and what each shows
   cargo xtask sim hover                   Fly one with the Rust models
   cargo xtask sim hover --c               The same with their C, to the same bits
+  cargo xtask sim hover --c --target zynq The same on an emulated Zynq, over its serial line (examples/zynq)
   cargo xtask sim hover --out target/hover
                                           Also write CSV, MCAP (Foxglove, PlotJuggler) and pictures
   cargo xtask sim all                     Fly them all";
@@ -45,6 +46,18 @@ pub struct Fly {
     /// Also fly the emitted C (gcc), and compare every output and every state by its bits
     #[arg(long)]
     pub c: bool,
+    /// Where the C runs
+    #[arg(long, value_enum, default_value_t = Machine::Native, requires = "c")]
+    pub target: Machine,
+}
+
+/// Where the C runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Machine {
+    /// This machine
+    Native,
+    /// An emulated Zynq without an operating system (qemu-system-arm)
+    Zynq,
 }
 
 const IDENTIFY: &str = "\

@@ -1,17 +1,19 @@
 //! `cargo xtask sim`: flies one flight, or all, and says how it went.
 
 use super::{Outcome, write};
-use bessemer_legs::toolchain::{self, Toolchain};
+use bessemer_legs::toolchain::{GCC, ZYNQ};
 use indicatif::{ProgressBar, ProgressStyle};
 use models::Parameters;
+use sim::board::Loaded;
 use sim::computer::{Computer, Emitted, Native};
 use sim::flights::{FLIGHTS, Flight, find};
 use sim::scenario::{LEAD, Scenario};
 use sim::voyage::{Voyage, follow};
 use sim::{Mission, Tolerance, Vehicle, recording, report, summary, verdict};
-use sim_args::Fly;
+use sim_args::{Fly, Machine};
 use std::collections::BTreeMap;
 use std::path::Path;
+use std::time::Instant;
 
 /// The flight of the closed loop alone, with a perfect estimator.
 const CLOSED_LOOP: (&str, &str) =
@@ -40,7 +42,7 @@ pub fn run(wanted: &Fly) -> Outcome {
         }
     };
     let mut carried = match wanted.c {
-        true => Some(CLeg::start()?),
+        true => Some(CLeg::start(wanted.target)?),
         false => None,
     };
     let mut good = true;
@@ -60,22 +62,24 @@ fn list() {
 fn one(wanted: &Fly, flight: &Flight, carried: Option<&mut CLeg>) -> Outcome {
     let scenario = Scenario { seed: wanted.seed, ..(flight.scenario)(wanted.seed) };
     println!("## {}: {}\n", flight.name, flight.about);
-    let mut memories = Vec::new();
-    let voyage = flown(flight.name, &scenario, &mut Native::default(), &mut memories);
+    let mut digests = Vec::new();
+    let voyage = flown(flight.name, &scenario, &mut Native::default(), &mut digests);
     let checks = (flight.checks)(&scenario, &voyage);
     println!("{}", summary::table(&checks));
     let mut good = checks.iter().all(|check| check.passes());
     if let Some(leg) = carried {
-        leg.emitted.restart(&leg.toolchain)?;
         let mut others = Vec::new();
-        let other = flown("its C", &scenario, &mut leg.emitted, &mut others);
-        let parted = parting(&voyage, &other, &memories, &others);
+        leg.fly(&scenario, &mut others)?;
+        let parted = parting(&digests, &others).map(|period| voyage.moments.get(period));
         match parted {
             None => println!(
                 "the C: {} periods, each output and state the same bits\n",
                 voyage.moments.len()
             ),
-            Some(time) => println!("the C parts from the Rust at {time:.3} s\n"),
+            Some(moment) => {
+                let time = moment.map_or(scenario.duration, |moment| moment.time);
+                println!("the C parts from the Rust at {time:.3} s\n");
+            }
         }
         good &= parted.is_none();
     }
@@ -86,26 +90,72 @@ fn one(wanted: &Fly, flight: &Flight, carried: Option<&mut CLeg>) -> Outcome {
 }
 
 /// The emitted C, compiled once for all flights.
-struct CLeg {
-    emitted: Emitted,
-    toolchain: Toolchain,
+enum CLeg {
+    Native(Emitted),
+    Zynq { firmware: Loaded, bound: u64 },
 }
 
 impl CLeg {
-    fn start() -> Result<Self, Box<dyn std::error::Error>> {
+    fn start(machine: Machine) -> Result<Self, Box<dyn std::error::Error>> {
         eprintln!("compiling the models to C …");
-        let toolchain = toolchain::GCC;
         let compiled = bessemer_legs::compiled("models");
-        Ok(Self { emitted: Emitted::start(&compiled, &toolchain)?, toolchain })
+        Ok(match machine {
+            Machine::Native => Self::Native(Emitted::start(&compiled, &GCC)?),
+            Machine::Zynq => {
+                let entry = compiled.entries.iter().find(|it| it.entry == "onboard_step");
+                let bound = entry.map_or(0, |it| it.stack_bytes);
+                let firmware = Loaded::zynq(&compiled, &ZYNQ).map_err(|error| {
+                    format!("{error}\n`cargo xtask doctor` tells which tools are missing")
+                })?;
+                Self::Zynq { firmware, bound }
+            }
+        })
+    }
+
+    /// Flies, and keeps the digest of each period.
+    fn fly(
+        &mut self,
+        scenario: &Scenario,
+        digests: &mut Vec<u64>,
+    ) -> Result<(), Box<dyn std::error::Error>> {
+        match self {
+            Self::Native(emitted) => {
+                emitted.restart(&GCC)?;
+                flown("its C", scenario, emitted, digests);
+            }
+            Self::Zynq { firmware, bound } => {
+                let mut board = firmware.start(|line| line)?;
+                let begun = Instant::now();
+                flown("its C on a Zynq", scenario, &mut board, digests);
+                let took = begun.elapsed().as_secs_f64();
+                if let Some(failure) = board.failure() {
+                    return Err(failure.to_string().into());
+                }
+                let (sizes, stack) = (firmware.sizes()?, board.stack()?);
+                println!(
+                    "the Zynq: {:.1} s of flight in {took:.1} s\n\
+                     firmware: {} bytes of text, {} of data, {} of bss\n\
+                     stack: {} bytes by `onboard_step`, of {bound} that `gen` reports; {} of {} by all",
+                    scenario.duration + LEAD,
+                    sizes.text,
+                    sizes.data,
+                    sizes.bss,
+                    stack.step,
+                    stack.all,
+                    stack.size
+                );
+            }
+        }
+        Ok(())
     }
 }
 
-/// Flies with a progress bar, and keeps what the software remembered after each period, as one word.
+/// Flies with a progress bar, and keeps what the software said and remembered in each period, as one word.
 fn flown(
     name: &str,
     scenario: &Scenario,
     computer: &mut impl Computer,
-    memories: &mut Vec<u64>,
+    digests: &mut Vec<u64>,
 ) -> Voyage {
     let periods = (scenario.duration + LEAD) / scenario.settings.parameters.period;
     let bar = ProgressBar::new(periods.round() as u64);
@@ -116,7 +166,7 @@ fn flown(
     let mut moments = Vec::new();
     let records = follow(scenario, computer, |moment, computer| {
         bar.inc(1);
-        memories.push(digest(&computer.state()));
+        digests.push(computer.digest());
         moments.push(moment.clone());
         true
     });
@@ -124,24 +174,11 @@ fn flown(
     Voyage { moments, records }
 }
 
-/// FNV-1a over words: any NaN counts as any other.
-fn digest(words: &[u64]) -> u64 {
-    let plain = |word: &u64| if f64::from_bits(*word).is_nan() { u64::MAX } else { *word };
-    words.iter().fold(0xCBF2_9CE4_8422_2325, |sum, word| {
-        (sum ^ plain(word)).wrapping_mul(0x0000_0100_0000_01B3)
-    })
-}
-
-/// When two flights part, s.
-fn parting(one: &Voyage, other: &Voyage, memory: &[u64], others: &[u64]) -> Option<f64> {
-    let pairs = one.moments.iter().zip(&other.moments).zip(memory.iter().zip(others));
-    for ((here, there), (state, other)) in pairs {
-        let outputs = |moment: &sim::voyage::Moment| digest(&bessemer_legs::words(&moment.outputs));
-        if outputs(here) != outputs(there) || state != other {
-            return Some(here.time);
-        }
-    }
-    (one.moments.len() != other.moments.len()).then_some(0.0)
+/// The period in which two flights part.
+fn parting(one: &[u64], other: &[u64]) -> Option<usize> {
+    let common = one.len().min(other.len());
+    let parted = one.iter().zip(other).position(|(here, there)| here != there);
+    parted.or((one.len() != other.len()).then_some(common))
 }
 
 fn record(
