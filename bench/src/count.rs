@@ -1,16 +1,13 @@
 //! Counts the instructions that a program executes on the emulated Cortex-A9.
 //!
 //! The program calls `bench_begin` and `bench_end` around what is to be counted, functions that stay
-//! functions; a plugin of QEMU's (`c/count.c`) counts between them. The count is exact and the same in every
+//! functions; a plugin of QEMU's (`watch`) counts between them. The count is exact and the same in every
 //! run. Instructions are not cycles: there is no cache and no pipeline.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Stdio};
 
-use bessemer_tests::toolchain::run;
-
-/// The plugin's source.
-const PLUGIN: &str = include_str!("../c/count.c");
+use bessemer_tests::watch::plugin;
 
 /// The counts that a run of `program` comes to, in the order of its calls of `bench_end`. `folder` is
 /// for the plugin.
@@ -42,17 +39,4 @@ pub fn fed(
     let number = |line: &str| line.parse().map_err(|_| format!("QEMU said `{line}`"));
     let counts = said.lines().map(number).collect::<Result<_, _>>()?;
     Ok((counts, output.stdout))
-}
-
-/// Compiles the plugin, unless it is there.
-fn plugin(folder: &Path) -> Result<PathBuf, String> {
-    let failed = |error: std::io::Error| error.to_string();
-    let (source, plugin) = (folder.join("count.c"), folder.join("count.so"));
-    let known = std::fs::read_to_string(&source).is_ok_and(|text| text == PLUGIN);
-    if !known || !plugin.exists() {
-        std::fs::write(&source, PLUGIN).map_err(failed)?;
-        let mut command = Command::new("gcc");
-        run(command.args(["-O2", "-shared", "-fPIC"]).arg(&source).arg("-o").arg(&plugin))?;
-    }
-    Ok(plugin)
 }

@@ -136,7 +136,9 @@ pub enum MessageFormat {
 Examples:
   cargo bessemer verify                     Edge values, and a life of small numbers, on each leg
   cargo bessemer verify --seed 7            Others
-  cargo bessemer verify --target cortex-a9  Also the C on an emulated processor
+  cargo bessemer verify --target zynq --target cortex-m4f
+                                            Also the C on emulated processors, and what it costs there:
+                                            instructions, stack, size, held to the limits of bessemer.toml
 
 The C is compiled by gcc and clang at -O0, -O2 and -O3, whichever are there. Exit code 1 if a word differs.")]
 pub struct Verify {
@@ -154,8 +156,14 @@ pub struct Verify {
 /// A processor that QEMU emulates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Target {
-    /// ARM of 32 bits, as in a Zynq, with VFPv3
+    /// ARM of 32 bits, as in a Zynq, with VFPv3, under Linux
     CortexA9,
+    /// A Zynq (Cortex-A9) without an operating system
+    Zynq,
+    /// A microcontroller with single precision in hardware
+    CortexM4f,
+    /// A microcontroller with double precision in hardware
+    CortexM7,
     /// ARM of 64 bits
     Aarch64,
     /// RISC-V of 64 bits

@@ -7,14 +7,14 @@ use std::collections::BTreeSet;
 use std::os::fd::OwnedFd;
 use std::os::unix::net::UnixStream;
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Stdio};
+use std::process::{Child, Stdio};
 use std::time::Duration;
 
 use bessemer_codegen::c::CFile;
 use tempfile::TempDir;
 
 use crate::process::{Error, lay_out_needed};
-use crate::toolchain::Toolchain;
+use crate::toolchain::{Sizes, Toolchain};
 
 /// Firmware, built.
 pub struct Firmware {
@@ -22,17 +22,6 @@ pub struct Firmware {
     toolchain: Toolchain,
     // Holds the program.
     _folder: TempDir,
-}
-
-/// Bytes of a program.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Sizes {
-    /// Of instructions and constants.
-    pub text: u64,
-    /// Of memory that begins with a value.
-    pub data: u64,
-    /// Of memory that begins as zero, stacks included.
-    pub bss: u64,
 }
 
 impl Firmware {
@@ -92,15 +81,7 @@ impl Firmware {
     /// # Errors
     /// What the system said, or that the program which tells it said nothing.
     pub fn sizes(&self) -> Result<Sizes, Error> {
-        let size = self.toolchain.compiler.replace("gcc", "size");
-        let output = Command::new(&size).arg(&self.program).output()?;
-        let text = String::from_utf8_lossy(&output.stdout);
-        let line = text.lines().nth(1).unwrap_or_default();
-        let numbers: Vec<u64> = line.split_whitespace().map_while(|it| it.parse().ok()).collect();
-        match numbers[..] {
-            [text, data, bss, ..] => Ok(Sizes { text, data, bss }),
-            _ => Err(Error::Compile(format!("`{size}` says nothing of the program"))),
-        }
+        self.toolchain.sizes(std::slice::from_ref(&self.program)).map_err(Error::Compile)
     }
 
     /// Starts it in the emulator: the machine, and its serial line, on which reads wait for so long at most.

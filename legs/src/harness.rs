@@ -23,13 +23,8 @@ pub fn marked(module: &Module, entry: FunctionId, params: u32) -> String {
     around(module, entry, params, MARKS, "        bench_begin();\n", "        bench_end();\n")
 }
 
-/// A counter looks for these. They are of external linkage and never inlined, so that they have addresses.
-const MARKS: &str = "
-void bench_begin(void);
-void bench_end(void);
-__attribute__((noinline)) void bench_begin(void) { __asm__ volatile(\"\"); }
-__attribute__((noinline)) void bench_end(void) { __asm__ volatile(\"\"); }
-";
+/// A counter looks for these, of external linkage and never inlined, so that they have addresses; and the stack, painted.
+const MARKS: &str = include_str!("../c/watch.c");
 
 fn around(
     module: &Module,
@@ -66,6 +61,21 @@ pub fn programs_with(module: &Module, entries: &[(FunctionId, u32)], options: &O
              {sets}{reads}{call}        put(status);\n    if (status == 0) {{\n{writes}{state}{changed}    }}\n}}\n\n"
         );
         (String::new(), text)
+    })
+}
+
+/// The same, where each call is counted by its instructions, as in [`marked`], and the status is followed by the bytes of
+/// stack that it took.
+pub fn watched(module: &Module, entries: &[(FunctionId, u32)], options: &Options) -> String {
+    several(module, entries, options, |call, index| {
+        let Call { own, declarations, init, sets, reads, call, writes, state, changed, .. } = call;
+        let text = format!(
+            "static void call_{index}(void)\n{{\n    uint64_t status;\n{own}{declarations}{init}\
+             {sets}{reads}        stack_paint();\n        bench_begin();\n{call}        bench_end();\n        \
+             {{ const uint64_t stack = stack_used(); put(status); put(stack); }}\n    \
+             if (status == 0) {{\n{writes}{state}{changed}    }}\n}}\n\n"
+        );
+        (MARKS.to_owned(), text)
     })
 }
 

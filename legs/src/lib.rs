@@ -20,6 +20,7 @@ pub mod random;
 pub mod serial;
 pub mod toolchain;
 mod units;
+pub mod watch;
 
 use std::path::PathBuf;
 

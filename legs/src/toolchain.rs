@@ -27,13 +27,15 @@ pub struct Toolchain {
     pub machine: &'static [&'static str],
     /// The emulator that runs its programs, for another machine than this.
     pub emulator: Option<&'static [&'static str]>,
+    /// Whether that machine has no operating system: see `watch`.
+    pub bare: bool,
     /// Further flags, such as one for an instruction that not every processor has.
     pub more: &'static [&'static str],
 }
 
 /// This machine, by gcc.
 pub const GCC: Toolchain =
-    Toolchain { compiler: "gcc", level: 2, machine: &[], emulator: None, more: &[] };
+    Toolchain { compiler: "gcc", level: 2, machine: &[], emulator: None, bare: false, more: &[] };
 
 /// This machine, by clang.
 pub const CLANG: Toolchain = Toolchain { compiler: "clang", ..GCC };
@@ -74,6 +76,92 @@ pub const ZYNQ: Toolchain = Toolchain {
         "-kernel",
     ]),
     ..GCC
+};
+
+/// The same for a program that reads and writes its emulator's files (semihosting).
+pub const BARE_A9: Toolchain = Toolchain {
+    machine: &[
+        "-mcpu=cortex-a9",
+        "-mfpu=vfpv3",
+        "-mfloat-abi=hard",
+        "-marm",
+        "-mno-unaligned-access",
+        "--specs=rdimon.specs",
+    ],
+    emulator: Some(&[
+        "qemu-system-arm",
+        "-machine",
+        "xilinx-zynq-a9",
+        "-m",
+        "128M",
+        "-display",
+        "none",
+        "-monitor",
+        "none",
+        "-serial",
+        "none",
+        "-semihosting-config",
+        "enable=on,target=native",
+        "-kernel",
+    ]),
+    bare: true,
+    ..ZYNQ
+};
+
+/// A microcontroller whose floating-point unit has single precision alone.
+pub const CORTEX_M4F: Toolchain = Toolchain {
+    machine: &[
+        "-mcpu=cortex-m4",
+        "-mthumb",
+        "-mfpu=fpv4-sp-d16",
+        "-mfloat-abi=hard",
+        "--specs=rdimon.specs",
+        "-Wl,--section-start=.vectors=0",
+    ],
+    emulator: Some(&[
+        "qemu-system-arm",
+        "-machine",
+        "mps2-an386",
+        "-display",
+        "none",
+        "-monitor",
+        "none",
+        "-serial",
+        "none",
+        "-semihosting-config",
+        "enable=on,target=native",
+        "-kernel",
+    ]),
+    bare: true,
+    ..ZYNQ
+};
+
+/// A microcontroller whose floating-point unit has double precision.
+pub const CORTEX_M7: Toolchain = Toolchain {
+    machine: &[
+        "-mcpu=cortex-m7",
+        "-mthumb",
+        "-mfpu=fpv5-d16",
+        "-mfloat-abi=hard",
+        "--specs=rdimon.specs",
+        "-Wl,--section-start=.vectors=0",
+    ],
+    emulator: Some(&[
+        "qemu-system-arm",
+        "-machine",
+        "mps2-an500",
+        "-display",
+        "none",
+        "-monitor",
+        "none",
+        "-serial",
+        "none",
+        "-semihosting-config",
+        "enable=on,target=native",
+        "-kernel",
+    ]),
+    bare: true,
+    ..ZYNQ
 };
 
 /// ARM of 64 bits.
@@ -198,7 +286,10 @@ impl Toolchain {
     }
 
     /// Compiles each of the sources, on all processors; the objects in their order, and what the compiler said.
-    fn objects(
+    ///
+    /// # Errors
+    /// What the compiler said.
+    pub fn objects(
         &self,
         sources: &[PathBuf],
         flags: &[&str],
@@ -253,15 +344,51 @@ impl Toolchain {
 
     /// A command that runs `program`.
     pub fn runner(&self, program: &Path) -> Command {
+        self.runner_with(program, &[])
+    }
+
+    /// The same, with more words for the emulator.
+    pub fn runner_with(&self, program: &Path, more: &[&str]) -> Command {
         match self.emulator {
             Some([emulator, arguments @ ..]) => {
                 let mut command = Command::new(emulator);
-                command.args(arguments).arg(program);
+                command.args(more).args(arguments).arg(program);
                 command
             }
             _ => Command::new(program),
         }
     }
+
+    /// How large programs or objects of this toolchain are together.
+    ///
+    /// # Errors
+    /// What the system said, or that the program which tells it said nothing.
+    pub fn sizes(&self, files: &[PathBuf]) -> Result<Sizes, String> {
+        let size = self.compiler.replace("gcc", "size").replace("clang", "size");
+        let output = Command::new(&size).args(files).output();
+        let output = output.map_err(|error| format!("{size}: {error}"))?;
+        let text = String::from_utf8_lossy(&output.stdout);
+        let mut all = Sizes::default();
+        for line in text.lines().skip(1) {
+            let mut numbers = line.split_whitespace().map_while(|it| it.parse::<u64>().ok());
+            let mut next = || numbers.next().ok_or_else(|| format!("`{size}` says `{line}`"));
+            all.text += next()?;
+            all.data += next()?;
+            all.bss += next()?;
+        }
+        Ok(all)
+    }
+}
+
+/// Bytes of programs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Sizes {
+    /// Of instructions and constants.
+    pub text: u64,
+    /// Of memory that begins with a value.
+    pub data: u64,
+    /// Of memory that begins as zero, stacks included.
+    pub bss: u64,
 }
 
 const HOST: &str = "x86_64-unknown-linux-gnu";

@@ -10,11 +10,11 @@ use std::os::unix::net::UnixStream;
 use std::time::Duration;
 
 use bessemer_codegen::compile::Compiled;
-use bessemer_legs::firmware::{Firmware, Machine, Sizes};
+use bessemer_legs::firmware::{Firmware, Machine};
 use bessemer_legs::harness::{self, Mover, Way};
 use bessemer_legs::lockstep::{self, Lockstep, Stack};
 use bessemer_legs::process::Error;
-use bessemer_legs::toolchain::Toolchain;
+use bessemer_legs::toolchain::{Sizes, Toolchain};
 use bessemer_legs::{root, value, words};
 use models::{Inputs, Outputs, Settings};
 

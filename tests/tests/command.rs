@@ -9,7 +9,7 @@ use bessemer_project::{Wanted, generate};
 use bessemer_tests::golden;
 use bessemer_tests::toolchain;
 use bessemer_tests::workspace::Workspace;
-use cargo_bessemer::args::{New, Package, Verify};
+use cargo_bessemer::args::{New, Package, Target, Verify};
 use cargo_bessemer::{new, verify};
 
 /// What `gen` says in a folder, without colours; none if it was refused.
@@ -83,13 +83,26 @@ fn verified(package: &Path) {
         #[derive(Clone, Debug, Default, PartialEq)]\n    pub struct Count {\n        n: u8,\n    }\n    #[component]\n    \
         impl Count {\n        /// One more.\n        #[entry]\n        pub fn more(&mut self) {\n            self.n += 1;\n        }\n    }\n}\n";
     fs::write(&source, format!("{sound}\n{hidden}")).expect("the model");
-    let wanted = Verify { package: Package::default(), seed: 1, target: Vec::new() };
+    // One without an operating system and with the smallest of processors: others differ in their table's row alone.
+    let bare = toolchain::is_asked_for("qemu-system-arm");
+    let target = if bare { vec![Target::CortexM4f] } else { Vec::new() };
+    let wanted = Verify { package: Package::default(), seed: 1, target };
     let (text, agree) =
         verify::run(package, &wanted, false).unwrap_or_else(|error| panic!("{error}"));
     assert!(agree, "{text}");
-    let legs = 2 + toolchain::host().len();
-    assert_eq!(text.lines().count(), legs + 1, "{text}");
+    let legs = 2 + toolchain::host().len() + usize::from(bare);
+    let (legs_told, costs) = text.split_once("\n\n").unwrap_or((&text, ""));
+    assert_eq!(legs_told.lines().count(), legs + 1, "{text}");
     assert_eq!(text.matches(" 0 differ").count(), legs - 1, "{text}");
+    if bare {
+        assert!(costs.starts_with("on cortex-m4f: "), "{text}");
+        let row = costs.lines().find(|line| line.contains("Motor::step")).unwrap_or_default();
+        let figures: Vec<u32> =
+            row.split_whitespace().filter_map(|word| word.parse().ok()).collect();
+        // Double precision is in software there.
+        let [instructions, stack] = figures[..] else { panic!("{text}") };
+        assert!(instructions >= 100 && (8..512).contains(&stack), "{text}");
+    }
     assert!(text.contains("  Rust ") && text.contains("Count::more: not called"), "{text}");
     fs::write(&source, sound).expect("the model");
 }

@@ -116,29 +116,56 @@ pub fn compile(folder: &Path, wanted: Wanted<'_>) -> Result<(Project, Compiled),
 fn limited(project: &Project, job: &Job) -> Result<Made, Error> {
     let made = generate::compiled(job)?;
     let limits = &project.settings.limits;
-    let mut beyond = Vec::new();
-    for entry in &made.compiled.entries {
-        let held = [
+    let figures = made.compiled.entries.iter().flat_map(|entry| {
+        let whose = format!("`{}`", entry.entry);
+        [
             (limits.stack_bytes, entry.stack_bytes, "bytes of stack"),
             (limits.state_bytes, entry.state_bytes, "bytes of state"),
             (limits.checks, u64::from(entry.checks), "checks"),
-        ];
-        for (limit, found, what) in held {
-            let Some(Limit { most, line, column }) = limit else { continue };
-            if found > u64::from(most) {
-                beyond.push(Diagnostic {
-                    file: project.file_name(),
-                    line,
-                    column,
-                    message: format!("`{}` has {found} {what}, more than {most}", entry.entry),
-                    help: "make it smaller, or raise the limit".to_owned(),
-                    ..Diagnostic::default()
-                });
-            }
+        ]
+        .map(|(limit, found, what)| Figure { limit, whose: whose.clone(), found, what })
+    });
+    hold(project, figures, job.colour)?;
+    Ok(made)
+}
+
+/// What was found out about the C, and what it may be at most.
+pub struct Figure {
+    /// The most, if there is a limit.
+    pub limit: Option<Limit>,
+    /// What has it, as it begins a sentence: `` `motor_step` ``.
+    pub whose: String,
+    /// How much.
+    pub found: u64,
+    /// Of what: `bytes of stack`.
+    pub what: &'static str,
+}
+
+/// Holds figures to the limits of a project.
+///
+/// # Errors
+/// [`Error::Limit`] with all that are exceeded, each at its place in `bessemer.toml`.
+pub fn hold(
+    project: &Project,
+    figures: impl Iterator<Item = Figure>,
+    colour: bool,
+) -> Result<(), Error> {
+    let mut beyond = Vec::new();
+    for Figure { limit, whose, found, what } in figures {
+        let Some(Limit { most, line, column }) = limit else { continue };
+        if found > u64::from(most) {
+            beyond.push(Diagnostic {
+                file: project.file_name(),
+                line,
+                column,
+                message: format!("{whose} has {found} {what}, more than {most}"),
+                help: "make it smaller, or raise the limit".to_owned(),
+                ..Diagnostic::default()
+            });
         }
     }
     if beyond.is_empty() {
-        return Ok(made);
+        return Ok(());
     }
-    Err(Error::Limit(diagnostic::render(&beyond, &Sources::new(&job.root), job.colour)))
+    Err(Error::Limit(diagnostic::render(&beyond, &Sources::new(&project.workspace.root), colour)))
 }

@@ -160,7 +160,7 @@ pub const KEYS: &[Key] = &[
         name: "limits.stack_bytes",
         kind: Kind::Number(|to, it| to.limits.stack_bytes = Some(it)),
         default: "none",
-        says: "The most stack that an entry point may need, by the estimate that `gen` prints: more is an error.",
+        says: "The most stack that an entry point may need, by the estimate that `gen` prints and as `verify --target` measures it: more is an error.",
     },
     Key {
         name: "limits.state_bytes",
@@ -173,6 +173,18 @@ pub const KEYS: &[Key] = &[
         kind: Kind::Number(|to, it| to.limits.checks = Some(it)),
         default: "none",
         says: "The most checks for faults that may be left in an entry point: more is an error.",
+    },
+    Key {
+        name: "limits.instructions",
+        kind: Kind::Number(|to, it| to.limits.instructions = Some(it)),
+        default: "none",
+        says: "The most instructions that a call of an entry point may take, as `verify --target` counts them: more is an error.",
+    },
+    Key {
+        name: "limits.text_bytes",
+        kind: Kind::Number(|to, it| to.limits.text_bytes = Some(it)),
+        default: "none",
+        says: "The most bytes of instructions and constants that all the C may have on a processor that `verify --target` names: more is an error.",
     },
     Key {
         name: "replacements",

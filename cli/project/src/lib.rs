@@ -17,6 +17,6 @@ pub mod schema;
 mod settings;
 
 pub use error::{Error, say};
-pub use generation::{Generated, Said, Wanted, compile, generate, said};
+pub use generation::{Figure, Generated, Said, Wanted, compile, generate, hold, said};
 pub use project::Project;
 pub use settings::{Limit, Limits, Settings};

@@ -26,6 +26,10 @@ pub struct Limits {
     pub state_bytes: Option<Limit>,
     /// Checks that are left in an entry point.
     pub checks: Option<Limit>,
+    /// Instructions of a call of an entry point on an emulated processor.
+    pub instructions: Option<Limit>,
+    /// Bytes of instructions and constants of all the C on such a processor.
+    pub text_bytes: Option<Limit>,
 }
 
 /// A limit and where it is set, from 1.

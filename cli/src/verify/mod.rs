@@ -3,6 +3,7 @@
 //!
 //! Invariant: a leg that is missing is named; what was not called is named.
 
+mod emulated;
 mod native;
 
 use std::fmt::Write as _;
@@ -21,7 +22,7 @@ use bessemer_legs::toolchain::{self, Toolchain};
 use bessemer_legs::{harness, process};
 use bessemer_project::Project;
 
-use crate::args::{Target, Verify};
+use crate::args::Verify;
 use crate::error::Error;
 
 /// Calls of each entry point with edge values, and as many in its life.
@@ -56,15 +57,21 @@ pub fn run(folder: &Path, wanted: &Verify, colour: bool) -> Result<(String, bool
     if let Some(program) = program {
         legs.push(("Rust".to_owned(), of_rust(&cases, &program.path())?));
     }
-    let mut compilers = toolchain::host();
+    let compilers = toolchain::host();
     if compilers.is_empty() {
         return Err(Error::NoCompiler);
     }
-    for target in &wanted.target {
-        compilers.push(emulated(*target)?);
-    }
+    let targets = wanted.target.iter().map(|target| emulated::processor(*target));
+    let targets = targets.collect::<Result<Vec<_>, _>>()?;
     for toolchain in compilers {
         legs.push((toolchain.name(), of_c(&compiled, &cases, &job.options, &toolchain)?));
+    }
+    let (mut costs, mut figures) = (String::new(), Vec::new());
+    for target in targets {
+        let seen = emulated::seen(&compiled, &cases, &job.options, &target)?;
+        costs += &emulated::table(&target, &cases, &seen);
+        figures.extend(emulated::figures(&target, &cases, &seen, &project.settings.limits));
+        legs.push((target.name.to_owned(), seen.outcomes));
     }
     let mut text = String::new();
     let calls: usize = cases.iter().map(|case| case.calls.len()).sum();
@@ -83,21 +90,9 @@ pub fn run(folder: &Path, wanted: &Verify, colour: bool) -> Result<(String, bool
     for name in left {
         let _ = writeln!(text, "{name}: not called, since its Rust is not public or takes a slice");
     }
+    text += &costs;
+    bessemer_project::hold(&project, figures.into_iter(), colour)?;
     Ok((text, all && !cases.is_empty()))
-}
-
-/// The compiler of an emulated processor, optimising.
-fn emulated(target: Target) -> Result<Toolchain, Error> {
-    let (toolchain, install) = match target {
-        Target::CortexA9 => (toolchain::ARM, "apt-get install gcc-arm-linux-gnueabihf qemu-user"),
-        Target::Aarch64 => (toolchain::AARCH64, "apt-get install gcc-aarch64-linux-gnu qemu-user"),
-        Target::Riscv64 => (toolchain::RISCV64, "apt-get install gcc-riscv64-linux-gnu qemu-user"),
-        Target::S390x => (toolchain::S390X, "apt-get install gcc-s390x-linux-gnu qemu-user"),
-    };
-    if toolchain.is_there() {
-        return Ok(toolchain);
-    }
-    Err(Error::NoTarget { program: toolchain.compiler, install })
 }
 
 /// The calls of each entry point, and what the interpreter makes of them.
@@ -223,10 +218,8 @@ fn rust(
     }
 }
 
-/// All words of all calls, as both programs read them.
-fn input(cases: &[Case]) -> Result<std::fs::File, Error> {
-    use std::io::{Seek, Write};
-    let failed = |source| Error::File { path: std::env::temp_dir(), source };
+/// All words of all calls, as the programs read them.
+fn input(cases: &[Case]) -> Vec<u8> {
     let mut bytes = Vec::new();
     for (place, case) in cases.iter().enumerate() {
         for call in &case.calls {
@@ -234,20 +227,28 @@ fn input(cases: &[Case]) -> Result<std::fs::File, Error> {
             call.iter().flatten().for_each(|word| bytes.extend(word.to_le_bytes()));
         }
     }
-    let mut file = tempfile::tempfile().map_err(failed)?;
-    file.write_all(&bytes).and_then(|()| file.rewind()).map_err(failed)?;
-    Ok(file)
+    bytes
 }
 
 /// The words that a program writes of all calls.
 fn output(mut command: Command, cases: &[Case]) -> Result<Vec<u64>, Error> {
-    let output = command.stdin(Stdio::from(input(cases)?)).output();
+    use std::io::{Seek, Write};
+    let failed = |source| Error::File { path: std::env::temp_dir(), source };
+    let mut file = tempfile::tempfile().map_err(failed)?;
+    file.write_all(&input(cases)).and_then(|()| file.rewind()).map_err(failed)?;
+    let output = command.stdin(Stdio::from(file)).output();
     let output = output.map_err(|source| {
         let path = Path::new(command.get_program()).to_owned();
         Error::File { path, source }
     })?;
     let word = |bytes: &[u8]| bytes.iter().rev().fold(0, |word, byte| word << 8 | u64::from(*byte));
     Ok(output.stdout.chunks_exact(8).map(word).collect())
+}
+
+/// The cases as the harness takes them.
+fn entries(compiled: &Compiled, cases: &[Case]) -> Vec<(FunctionId, u32)> {
+    let entry = |case: &Case| (case.id, compiled.module.functions[case.id.index()].params);
+    cases.iter().map(entry).collect()
 }
 
 /// The outcome of each call of each case; `fault` reads the rest of an answer, by its first word.
@@ -284,12 +285,10 @@ fn of_c(
     toolchain: &Toolchain,
 ) -> Result<Vec<Vec<Outcome>>, Error> {
     let failed = |said: String| Error::Compiler { name: toolchain.name(), said };
-    let module = &compiled.explicit;
-    let entry = |case: &Case| (case.id, compiled.module.functions[case.id.index()].params);
-    let entries: Vec<(FunctionId, u32)> = cases.iter().map(entry).collect();
+    let entries = entries(compiled, cases);
     let folder = process::lay_out(compiled).map_err(|error| failed(error.to_string()))?;
     let main = folder.path().join("verify_main.c");
-    std::fs::write(&main, harness::programs_with(module, &entries, options))
+    std::fs::write(&main, harness::programs_with(&compiled.explicit, &entries, options))
         .map_err(|source| Error::File { path: main.clone(), source })?;
     let program = folder.path().join("verify");
     toolchain.around(&main, folder.sources(), &program, &[]).map_err(failed)?;

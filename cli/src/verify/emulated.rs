@@ -1,0 +1,205 @@
+//! The C on an emulated processor: what it computes there, and what that costs.
+//!
+//! Instructions and stack are the most of any call; the size is that of all the C, whatever calls it.
+
+use std::fmt::Write as _;
+
+use bessemer_codegen::c::names::FAULTS;
+use bessemer_codegen::compile::{Compiled, Options};
+use bessemer_ir::Fault;
+use bessemer_legs::toolchain::{self, Sizes, Toolchain};
+use bessemer_legs::{harness, process, watch};
+use bessemer_project::{Figure, Limits};
+
+use super::{Case, entries, input};
+use crate::args::Target;
+use crate::error::Error;
+use bessemer_legs::outcome::Outcome;
+
+/// A processor, and what makes and runs programs for it.
+pub struct Processor {
+    /// What it is called here.
+    pub name: &'static str,
+    /// Its compiler and emulator.
+    pub toolchain: Toolchain,
+}
+
+/// What an entry point costs at most.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Cost {
+    /// Instructions of a call.
+    pub instructions: u64,
+    /// Bytes of stack.
+    pub stack: u64,
+}
+
+/// What was seen on a processor.
+pub struct Seen {
+    /// What came of each call of each case.
+    pub outcomes: Vec<Vec<Outcome>>,
+    /// What each case costs.
+    pub costs: Vec<Cost>,
+    /// How large the C is.
+    pub sizes: Sizes,
+}
+
+/// The processor that is meant.
+///
+/// # Errors
+/// What is missing, and how it is installed.
+pub fn processor(target: Target) -> Result<Processor, Error> {
+    const BARE: &str =
+        "apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm gcc";
+    let (name, toolchain, install) = match target {
+        Target::CortexA9 => {
+            ("cortex-a9", toolchain::ARM, "apt-get install gcc-arm-linux-gnueabihf qemu-user gcc")
+        }
+        Target::Zynq => ("zynq", toolchain::BARE_A9, BARE),
+        Target::CortexM4f => ("cortex-m4f", toolchain::CORTEX_M4F, BARE),
+        Target::CortexM7 => ("cortex-m7", toolchain::CORTEX_M7, BARE),
+        Target::Aarch64 => {
+            ("aarch64", toolchain::AARCH64, "apt-get install gcc-aarch64-linux-gnu qemu-user gcc")
+        }
+        Target::Riscv64 => {
+            ("riscv64", toolchain::RISCV64, "apt-get install gcc-riscv64-linux-gnu qemu-user gcc")
+        }
+        Target::S390x => {
+            ("s390x", toolchain::S390X, "apt-get install gcc-s390x-linux-gnu qemu-user gcc")
+        }
+    };
+    // gcc makes the plugin that counts.
+    let missing = [&toolchain, &toolchain::GCC].into_iter().find(|it| !it.is_there());
+    match missing {
+        Some(toolchain) => Err(Error::NoTarget { program: toolchain.compiler, install }),
+        None => Ok(Processor { name, toolchain }),
+    }
+}
+
+/// Calls each case on the processor.
+///
+/// # Errors
+/// What compiler, emulator or system said.
+pub fn seen(
+    compiled: &Compiled,
+    cases: &[Case],
+    options: &Options,
+    processor: &Processor,
+) -> Result<Seen, Error> {
+    let toolchain = &processor.toolchain;
+    let failed = |said: String| Error::Compiler { name: processor.name.to_owned(), said };
+    let folder = process::lay_out(compiled).map_err(|error| failed(error.to_string()))?;
+    let main = folder.path().join("verify_main.c");
+    let text = harness::watched(&compiled.explicit, &entries(compiled, cases), options);
+    std::fs::write(&main, text).map_err(|source| Error::File { path: main.clone(), source })?;
+    let watched = watch::watched(toolchain, folder.path(), &main, folder.sources(), &input(cases));
+    let watched = watched.map_err(failed)?;
+    let (objects, _) = toolchain.objects(folder.sources(), &[]).map_err(failed)?;
+    let sizes = toolchain.sizes(&objects).map_err(failed)?;
+    let (outcomes, costs) = told(cases, &watched);
+    Ok(Seen { outcomes, costs, sizes })
+}
+
+/// Outcomes and costs of what a program said.
+fn told(cases: &[Case], watched: &watch::Watched) -> (Vec<Vec<Outcome>>, Vec<Cost>) {
+    let (mut words, mut counts) = (watched.words.iter().copied(), watched.counts.iter().copied());
+    let (mut outcomes, mut costs) = (Vec::new(), Vec::new());
+    for case in cases {
+        let mut cost = Cost::default();
+        let mut one = || {
+            // What a program that died has not written agrees with nothing.
+            let status = words.next().unwrap_or(u64::MAX);
+            cost.stack = cost.stack.max(words.next().unwrap_or(0));
+            cost.instructions = cost.instructions.max(counts.next().unwrap_or(0));
+            match status {
+                0 => Ok(case.leaves.iter().map(|_| words.next().unwrap_or(u64::MAX - 7)).collect()),
+                status => {
+                    let index = (status as usize).wrapping_sub(1);
+                    Err(FAULTS.get(index).copied().unwrap_or(Fault::LeftOut))
+                }
+            }
+        };
+        outcomes.push(case.calls.iter().map(|_| one()).collect());
+        costs.push(cost);
+    }
+    (outcomes, costs)
+}
+
+/// The table of what the cases cost on a processor.
+pub fn table(processor: &Processor, cases: &[Case], seen: &Seen) -> String {
+    let width = cases.iter().map(|case| case.name.len()).max().unwrap_or(0).max(11);
+    let Sizes { text, data, bss } = seen.sizes;
+    let mut table = format!(
+        "\non {}: {text} bytes of text, {} of data; of any call the most:\n  {:width$}  instructions  stack\n",
+        processor.name,
+        data + bss,
+        "entry point"
+    );
+    for (case, cost) in cases.iter().zip(&seen.costs) {
+        // Writing to a string cannot fail.
+        let _ =
+            writeln!(table, "  {:width$}  {:>12}  {:>5}", case.name, cost.instructions, cost.stack);
+    }
+    table
+}
+
+/// What is held to limits.
+pub fn figures(processor: &Processor, cases: &[Case], seen: &Seen, limits: &Limits) -> Vec<Figure> {
+    let on = processor.name;
+    let figure = |limit, whose, found, what| Figure { limit, whose, found, what };
+    let size =
+        figure(limits.text_bytes, format!("the C for {on}"), seen.sizes.text, "bytes of text");
+    let each = cases.iter().zip(&seen.costs).flat_map(|(case, cost)| {
+        let whose = format!("`{}` on {on}", case.name);
+        [
+            figure(limits.instructions, whose.clone(), cost.instructions, "instructions"),
+            figure(limits.stack_bytes, whose, cost.stack, "bytes of stack"),
+        ]
+    });
+    std::iter::once(size).chain(each).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use bessemer_ir::{FunctionId, Type};
+    use bessemer_project::Limit;
+
+    fn case(calls: usize) -> Case {
+        Case {
+            id: FunctionId(0),
+            name: "Motor::step".into(),
+            types: Vec::new(),
+            leaves: vec![Type::Unit; 2],
+            calls: vec![Vec::new(); calls],
+            expected: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn the_most_of_any_call_is_told_and_held() {
+        let cases = [case(2), case(1)];
+        let watched = watch::Watched {
+            words: [&[0, 40, 7, 8][..], &[1, 48], &[0, 4, 9, 9]].concat(),
+            counts: vec![100, 30, 5],
+        };
+        let (outcomes, costs) = told(&cases, &watched);
+        assert_eq!(outcomes[0], [Ok(vec![7, 8]), Err(FAULTS[0])]);
+        assert_eq!(outcomes[1], [Ok(vec![9, 9])]);
+        assert_eq!(costs[0], Cost { instructions: 100, stack: 48 });
+        assert_eq!(costs[1], Cost { instructions: 5, stack: 4 });
+
+        let limit = |most| Some(Limit { most, line: 1, column: 1 });
+        let limits = Limits { instructions: limit(99), text_bytes: limit(9), ..Limits::default() };
+        let sizes = Sizes { text: 10, data: 0, bss: 0 };
+        let seen = Seen { outcomes, costs, sizes };
+        let processor = Processor { name: "zynq", toolchain: toolchain::BARE_A9 };
+        let beyond = figures(&processor, &cases, &seen, &limits)
+            .into_iter()
+            .filter(|it| it.limit.is_some_and(|limit| it.found > u64::from(limit.most)));
+        let told: Vec<String> =
+            beyond.map(|it| format!("{} has {} {}", it.whose, it.found, it.what)).collect();
+        let expected =
+            ["the C for zynq has 10 bytes of text", "`Motor::step` on zynq has 100 instructions"];
+        assert_eq!(told, expected);
+    }
+}

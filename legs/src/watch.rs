@@ -1,0 +1,117 @@
+//! Programs of words on an emulated processor, watched: what they say, and how many instructions each call takes.
+//!
+//! A plugin of QEMU's (`c/count.c`) counts between `bench_begin` and `bench_end`, functions that stay functions. The count is
+//! exact and the same in every run; instructions are not cycles. On a machine without an operating system the program
+//! reads and writes files by semihosting (`c/semihosting.c`).
+//!
+//! What it must not know: what the words mean.
+
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+use crate::toolchain::{Toolchain, run};
+
+/// The plugin's source.
+const PLUGIN: &str = include_str!("../c/count.c");
+
+/// What begins a program without an operating system.
+const SEMIHOSTING: &str = include_str!("../c/semihosting.c");
+
+/// How long a program may run.
+const PATIENCE: Duration = Duration::from_secs(300);
+
+/// What a program said.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Watched {
+    /// The words that it wrote.
+    pub words: Vec<u64>,
+    /// Instructions of each call, in order.
+    pub counts: Vec<u64>,
+}
+
+/// Compiles the plugin into a folder, unless it is there.
+///
+/// # Errors
+/// What the compiler or the system said.
+pub fn plugin(folder: &Path) -> Result<PathBuf, String> {
+    let failed = |error: io::Error| error.to_string();
+    let (source, plugin) = (folder.join("count.c"), folder.join("count.so"));
+    let known = std::fs::read_to_string(&source).is_ok_and(|text| text == PLUGIN);
+    if !known || !plugin.exists() {
+        std::fs::write(&source, PLUGIN).map_err(failed)?;
+        let mut command = Command::new("gcc");
+        run(command.args(["-O2", "-shared", "-fPIC"]).arg(&source).arg("-o").arg(&plugin))?;
+    }
+    Ok(plugin)
+}
+
+/// Compiles `sources` and the program `main` around them in `folder`, runs it on these bytes, and watches it.
+///
+/// # Errors
+/// What the compiler, the emulator or the system said, or that the program does not end.
+pub fn watched(
+    toolchain: &Toolchain,
+    folder: &Path,
+    main: &Path,
+    sources: &[PathBuf],
+    input: &[u8],
+) -> Result<Watched, String> {
+    let failed = |error: io::Error| error.to_string();
+    // Emitted files can be called anything.
+    let own = folder.join("watch");
+    std::fs::create_dir_all(&own).map_err(failed)?;
+    let file = |name: &str| own.join(name);
+    let mut sources = sources.to_vec();
+    if toolchain.bare {
+        let start = file("semihosting.c");
+        std::fs::write(&start, SEMIHOSTING).map_err(failed)?;
+        sources.push(start);
+    }
+    let program = file("watched");
+    toolchain.around(main, &sources, &program, &[])?;
+    std::fs::write(file("words.in"), input).map_err(failed)?;
+    let plugin = plugin(&own)?.display().to_string();
+    let mut command = toolchain.runner_with(&program, &["-plugin", &plugin]);
+    command.current_dir(&own);
+    if toolchain.bare {
+        command.stdin(Stdio::null()).stdout(Stdio::null());
+    } else {
+        command.stdin(std::fs::File::open(file("words.in")).map_err(failed)?);
+        command.stdout(std::fs::File::create(file("words.out")).map_err(failed)?);
+    }
+    command.stderr(std::fs::File::create(file("said")).map_err(failed)?);
+    let ended = ended(&mut command);
+    let said = std::fs::read_to_string(file("said")).map_err(failed)?;
+    ended.map_err(|why| {
+        let last: Vec<&str> = said.lines().rev().take(3).collect();
+        format!("{why}\n{}", last.join("\n"))
+    })?;
+    let bytes = std::fs::read(file("words.out")).map_err(failed)?;
+    let word = |bytes: &[u8]| bytes.iter().rev().fold(0, |word, byte| word << 8 | u64::from(*byte));
+    let words = bytes.chunks_exact(8).map(word).collect();
+    let counts = said.lines().filter_map(|line| line.parse().ok()).collect();
+    Ok(Watched { words, counts })
+}
+
+/// Waits for its end, but not for ever.
+fn ended(command: &mut Command) -> Result<(), String> {
+    let mut child = command.spawn().map_err(|error| format!("{command:?}: {error}"))?;
+    let begun = Instant::now();
+    loop {
+        match child.try_wait() {
+            Ok(Some(status)) if status.success() => return Ok(()),
+            Ok(Some(status)) => return Err(format!("{command:?}: {status}")),
+            Ok(None) if begun.elapsed() < PATIENCE => {
+                std::thread::sleep(Duration::from_millis(10));
+            }
+            Ok(None) => {
+                let _ = child.kill();
+                let _ = child.wait();
+                return Err(format!("{command:?} does not end"));
+            }
+            Err(error) => return Err(format!("{command:?}: {error}")),
+        }
+    }
+}
