@@ -12,6 +12,7 @@ mod delivery;
 mod diagnosed;
 mod edges;
 mod ends;
+mod examples;
 mod fast_mode;
 mod flight;
 mod kernel_options;

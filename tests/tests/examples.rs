@@ -1,0 +1,108 @@
+//! The programs of `examples/` that need no firmware of their own: built as their pages say, and compared with the models
+//! as rustc compiles them, line by line, to the bit. The bare Zynq has `flight::zynq`.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use bessemer::nalgebra::{SVector, Vector3};
+use bessemer_tests::process::lay_out_needed;
+use bessemer_tests::toolchain::{self, Toolchain, run};
+use bessemer_tests::{flight_models, root};
+use models::plant::Plant;
+use models::{Airframe, Controller, Estimate, Inputs, Onboard, Parameters, Settings, Target};
+
+/// The objects of the emitted C that a program needs, in a folder.
+fn objects(main: &Path, toolchain: &Toolchain) -> (bessemer_tests::process::Folder, Vec<PathBuf>) {
+    let text = std::fs::read_to_string(main).expect("the program");
+    let folder = lay_out_needed(&flight_models().files, &text).expect("the C");
+    let objects = toolchain.objects(folder.sources(), &[]);
+    let (objects, _) = objects.unwrap_or_else(|said| panic!("{said}"));
+    (folder, objects)
+}
+
+fn printed(command: &mut Command) -> String {
+    let output = command.output().expect("the program");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8_lossy(&output.stdout).into_owned()
+}
+
+/// What `examples/cpp` prints, of the Rust.
+fn held_height() -> String {
+    let (parameters, airframe) = (Parameters::mambo(), Airframe::mambo());
+    let (mut controller, mut plant) = (Controller::default(), Plant::default());
+    let mut target = Target::default();
+    target.position.z = 1.0;
+    let (mut estimate, mut text) = (Estimate::default(), String::new());
+    for n in 1..=(10.0 / parameters.period) as u32 {
+        let command = controller.step(&parameters, &estimate, &target, &SVector::zeros());
+        let motion = plant.step(&airframe, &command.speeds, parameters.period);
+        estimate = Estimate {
+            position: motion.position,
+            angles: motion.angles,
+            velocity: motion.velocity,
+            rates: motion.rates,
+        };
+        if n % 200 == 0 {
+            let height = motion.position.z;
+            text += &format!("{:016x} {height:8.4} m\n", height.to_bits());
+        }
+    }
+    text
+}
+
+#[test]
+fn a_program_in_cpp_holds_its_height_to_the_bit() {
+    let main = root().join("examples/cpp/main.cpp");
+    let expected = held_height();
+    assert_eq!(expected.lines().count(), 10);
+    for compiler in toolchain::host().iter().filter(|it| it.level == 2) {
+        let (folder, objects) = objects(&main, compiler);
+        let program = folder.path().join("drone");
+        let cpp = compiler.compiler.replace("gcc", "g++").replace("clang", "clang++");
+        let mut command = Command::new(&cpp);
+        command.args(["-std=c++17", "-O2", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion"]);
+        command.arg("-Werror").arg("-I").arg(folder.path()).arg(&main).args(&objects);
+        run(command.arg("-o").arg(&program).arg("-lm")).unwrap_or_else(|said| panic!("{said}"));
+        assert_eq!(printed(&mut Command::new(&program)), expected, "{cpp}");
+    }
+}
+
+/// What `examples/linux-a9` prints after so many periods, of the Rust.
+fn at_rest(periods: u64) -> String {
+    let (mut onboard, mut settings) = (Onboard::default(), Settings::mambo());
+    let (mut position, mut angles) = (String::new(), String::new());
+    for n in 0..periods {
+        let mut inputs = Inputs { time: 1_000_000 + n * 5000, ..Inputs::default() };
+        inputs.readings.inertial.fresh = true;
+        inputs.readings.inertial.gyroscope[0] = (n % 7) as i16 - 3;
+        inputs.readings.inertial.accelerometer[0] = (n % 5) as i16 - 2;
+        inputs.readings.inertial.accelerometer[2] = 4096;
+        inputs.readings.vicon.fresh = n % 2 == 0;
+        inputs.readings.echo.fresh = n % 10 == 0;
+        inputs.readings.echo.delay = 100;
+        let outputs = onboard.step(&settings, &inputs);
+        settings.grant(&outputs.wish, outputs.reference.motors);
+        let bits = |it: &Vector3<f64>| {
+            it.iter().map(|number| format!(" {:016x}", number.to_bits())).collect::<String>()
+        };
+        position = bits(&outputs.estimate.position);
+        angles = bits(&outputs.estimate.angles);
+    }
+    format!("position{position}\nangles{angles}\n")
+}
+
+#[test]
+fn a_process_on_a_cortex_a9_keeps_its_periods_and_its_bits() {
+    let main = root().join("examples/linux-a9/main.c");
+    for compiler in toolchain::target().iter().filter(|it| it.level == 2) {
+        let (folder, _) = objects(&main, compiler);
+        // Where its object may lie, too.
+        let (copy, program) = (folder.path().join("main.c"), folder.path().join("onboard"));
+        std::fs::copy(&main, &copy).expect("a copy");
+        let made = compiler.around(&copy, folder.sources(), &program, &[]);
+        made.unwrap_or_else(|said| panic!("{said}"));
+        let begun = std::time::Instant::now();
+        assert_eq!(printed(compiler.runner(&program).arg("200")), at_rest(200));
+        assert!(begun.elapsed().as_secs_f64() >= 199.0 * 0.005, "periods are too short");
+    }
+}
