@@ -18,8 +18,22 @@ const CALLS: usize = 500;
 /// A function and its arguments as words.
 type Call = (FunctionId, Vec<Vec<u64>>);
 
+/// The compilers that the C goes through.
+pub const COMPILERS: [&str; 2] = ["gcc", "clang"];
+
 /// Compares every function that other files can call.
 pub fn compare(name: &str, module: &Module, explicit: &Module, files: &[CFile]) {
+    compare_with(&COMPILERS, name, module, explicit, files);
+}
+
+/// The same with some compilers.
+pub fn compare_with(
+    compilers: &[&str],
+    name: &str,
+    module: &Module,
+    explicit: &Module,
+    files: &[CFile],
+) {
     let names = Names::new(explicit, &Options::default());
     let (calls, expected): (Vec<_>, Vec<_>) =
         expected(module, calls(module, &names)).into_iter().unzip();
@@ -37,7 +51,7 @@ pub fn compare(name: &str, module: &Module, explicit: &Module, files: &[CFile]) 
     }
     let sanitized =
         ["-O1", "-fsanitize=undefined,float-cast-overflow", "-fno-sanitize-recover=all"];
-    let compilers = ["gcc", "clang"].into_iter().enumerate();
+    let compilers = compilers.iter().copied().enumerate();
     for (index, compiler) in compilers.filter(|(_, compiler)| is_there(compiler)) {
         for flags in by_turn(&[&["-O3"][..], &sanitized, &["-O0"]], 1, index) {
             let found = run(compiler, flags, &folder, &input);
