@@ -1,7 +1,7 @@
 //! `cargo xtask book`: the book, and the pages that its contents list, as pages with a search, by mdBook.
 //!
 //! The pages read well as they are; mdBook wants those of a book in one folder. So they are copied below
-//! `target/book/`, with links between them as they are and links to anything else leading to this checkout.
+//! `target/book/`, with links that lead there, and links to anything else that lead to this checkout.
 //!
 //! Invariant: nothing below `docs/` changes.
 //!
@@ -18,6 +18,8 @@ use std::process::Command;
 const SUMMARY: &str = "book/SUMMARY.md";
 const PAGES: &str = "docs";
 const PICTURES: &str = "docs/figures";
+/// Their folder, from that of the pages.
+const FIGURES: &str = "figures";
 const TARGET: &str = "target/book";
 const SETTINGS: &str = "[book]\ntitle = \"Bessemer\"\nlanguage = \"en\"\nsrc = \"pages\"\n\n[build]\nbuild-dir = \"html\"\n";
 /// Installs mdBook.
@@ -52,17 +54,12 @@ fn copy(root: &Path, to: &Path) -> Result<(), Error> {
     let listed: BTreeSet<String> = targets(&summary).map(|it| resolved(SUMMARY, it)).collect();
     for page in &listed {
         let text = relinked(&read(&pages.join(page))?, page, &listed, root);
-        write(&to.join(page), &text)?;
+        write(&to.join(placed(page)), &text)?;
     }
-    // The contents stand at the top there, and lead to each page from there.
-    let mut contents = summary.clone();
-    for target in targets(&summary).collect::<BTreeSet<_>>() {
-        let (link, moved) = (format!("]({target})"), format!("]({})", resolved(SUMMARY, target)));
-        contents = contents.replace(&link, &moved);
-    }
+    let contents = replaced(&summary, |target| placed(&resolved(SUMMARY, target)).to_owned());
     write(&to.join("SUMMARY.md"), &contents)?;
     for picture in std::fs::read_dir(root.join(PICTURES)).into_iter().flatten().flatten() {
-        let (from, to) = (picture.path(), to.join("figures").join(picture.file_name()));
+        let (from, to) = (picture.path(), to.join(FIGURES).join(picture.file_name()));
         std::fs::create_dir_all(to.parent().unwrap_or(&to))
             .and_then(|()| std::fs::copy(&from, to))
             .map_err(|source| Error::File { path: from, source })?;
@@ -70,19 +67,46 @@ fn copy(root: &Path, to: &Path) -> Result<(), Error> {
     Ok(())
 }
 
-/// A page whose links to what is not copied lead to the checkout.
+/// Where a page goes: the book's own stand at the top, since the first of them is the front page.
+fn placed(page: &str) -> &str {
+    page.strip_prefix("book/").unwrap_or(page)
+}
+
+/// A page whose links lead to where the pages go, and those to what is not copied to the checkout.
 fn relinked(text: &str, page: &str, listed: &BTreeSet<String>, root: &Path) -> String {
-    let mut text = text.to_owned();
-    for target in targets(&text.clone()).collect::<BTreeSet<_>>() {
-        let path = target.split('#').next().unwrap_or_default();
-        let meant = resolved(page, path);
-        let is_here = path.is_empty() || target.contains("://");
-        if !is_here && !listed.contains(&meant) && !meant.starts_with("figures/") {
-            let there = format!("]({}", root.join(PAGES).join(&meant).display());
-            text = text.replace(&format!("]({path}"), &there.replace("](", "](file://"));
+    replaced(text, |target| {
+        let (path, anchor) = target.find('#').map_or((target, ""), |at| target.split_at(at));
+        if path.is_empty() || path.contains("://") {
+            return target.to_owned();
         }
+        let meant = resolved(page, path);
+        if !listed.contains(&meant) && !meant.starts_with(FIGURES) {
+            return format!("file://{}{anchor}", root.join(PAGES).join(&meant).display());
+        }
+        let up = "../".repeat(placed(page).matches('/').count());
+        // mdBook calls the page of a folder so.
+        let there = match placed(&meant).strip_suffix("README.md") {
+            Some(folder) => format!("{folder}index.md"),
+            None => placed(&meant).to_owned(),
+        };
+        format!("{up}{there}{anchor}")
+    })
+}
+
+/// A page with other targets of its links.
+fn replaced(text: &str, target: impl Fn(&str) -> String) -> String {
+    let mut parts = text.split("](");
+    let mut whole = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let end = part.find([')', '\n']).unwrap_or(part.len());
+        let (old, rest) = part.split_at(end);
+        // Code has brackets, too: what is no path stays.
+        let is_path = old.contains(['/', '.', '#']) && !old.contains([' ', '"', ',', '|', '&']);
+        whole += "](";
+        whole += &if is_path && rest.starts_with(')') { target(old) } else { old.to_owned() };
+        whole += rest;
     }
-    text
+    whole
 }
 
 /// The targets of the links in a page.
@@ -119,10 +143,14 @@ mod tests {
 
     #[test]
     fn links_between_pages_stay_and_others_lead_to_the_checkout() {
-        let listed = ["book/README.md", "kernels.md"].map(str::to_owned).into();
-        let page = "[a](../kernels.md#x) [b](../../README.md) [c](#y) [d](https://e.org) ![f](../figures/f.svg)";
-        let expected = "[a](../kernels.md#x) [b](file:///here/docs/../README.md) [c](#y) [d](https://e.org) ![f](../figures/f.svg)";
-        assert_eq!(relinked(page, "book/README.md", &listed, Path::new("/here")), expected);
+        let listed = ["book/README.md", "book/cookbook/README.md", "kernels.md"];
+        let listed = listed.map(str::to_owned).into();
+        let page = "[a](../../kernels.md#x) [b](../../../README.md) [c](#y) [d](https://e.org) [e](../README.md) ![f](../../figures/f.svg)";
+        let expected = "[a](../kernels.md#x) [b](file:///here/docs/../README.md) [c](#y) [d](https://e.org) [e](../index.md) ![f](../figures/f.svg)";
+        assert_eq!(
+            relinked(page, "book/cookbook/README.md", &listed, Path::new("/here")),
+            expected
+        );
     }
 
     #[test]
@@ -130,7 +158,7 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         copy(&crate::project::root(), folder.path()).expect("the pages are there");
         let contents = read(&folder.path().join("SUMMARY.md")).expect("the contents");
-        assert!(contents.contains("](book/tutorial.md)") && contents.contains("](kernels.md)"));
+        assert!(contents.contains("](tutorial.md)") && contents.contains("](kernels.md)"));
         for target in targets(&contents) {
             assert!(folder.path().join(target).is_file(), "{target}");
         }
