@@ -131,11 +131,13 @@ pub enum MessageFormat {
 }
 
 /// Arguments of `verify`.
-#[derive(Args, Debug)]
+#[derive(Args, Debug, Default)]
 #[command(after_help = "\
 Examples:
   cargo bessemer verify                     Edge values, and a life of small numbers, on each leg
   cargo bessemer verify --seed 7            Others
+  cargo bessemer verify --inputs flight.csv --entry Motor::step
+                                            What was recorded, through a life of one entry point
   cargo bessemer verify --target zynq --target cortex-m4f
                                             Also the C on emulated processors, and what it costs there:
                                             instructions, stack, size, held to the limits of bessemer.toml
@@ -151,6 +153,12 @@ pub struct Verify {
     /// Also on this processor, emulated by QEMU
     #[arg(long, value_enum)]
     pub target: Vec<Target>,
+    /// Recorded inputs in place of made ones: CSV with a column for each number that goes in, such as `gains.p`
+    #[arg(long, value_name = "FILE")]
+    pub inputs: Option<PathBuf>,
+    /// The entry point that was recorded, where there are several: `Motor::step`
+    #[arg(long, value_name = "NAME", requires = "inputs")]
+    pub entry: Option<String>,
 }
 
 /// A processor that QEMU emulates.

@@ -36,6 +36,20 @@ pub enum Error {
         /// The names that exist.
         known: Vec<String>,
     },
+    /// A recording is of one entry point, and there are several.
+    #[error("the package has several entry points")]
+    WhichEntry {
+        /// Those that there are.
+        known: Vec<String>,
+    },
+    /// A recording cannot be read.
+    #[error("`{path}`: {wrong}")]
+    Recording {
+        /// Which.
+        path: PathBuf,
+        /// What is wrong with it.
+        wrong: crate::verify::recording::Wrong,
+    },
     /// There is no compiler of C to compare with.
     #[error("neither gcc nor clang runs here")]
     NoCompiler,
@@ -80,6 +94,13 @@ impl Error {
             Error::Exists { .. } => "choose another name, or take that folder away".to_owned(),
             Error::NoCheckout { .. } => "give the folder that you have cloned".to_owned(),
             Error::NoEntry { known, .. } => format!("choose from {}", known.join(", ")),
+            Error::WhichEntry { known } => {
+                format!("say which with `--entry`: {}", known.join(", "))
+            }
+            Error::Recording { .. } => {
+                "the first line names the columns as the Rust does: `target`, `gains.p`, `place[2]`"
+                    .to_owned()
+            }
             Error::NoCompiler => "apt-get install gcc libc6-dev clang".to_owned(),
             Error::NoTarget { install, .. } => (*install).to_owned(),
             Error::File { .. } | Error::Compiler { .. } | Error::Native { .. } => return None,

@@ -9,7 +9,7 @@ use bessemer_project::{Wanted, generate};
 use bessemer_tests::golden;
 use bessemer_tests::toolchain;
 use bessemer_tests::workspace::Workspace;
-use cargo_bessemer::args::{New, Package, Target, Verify};
+use cargo_bessemer::args::{New, Target, Verify};
 use cargo_bessemer::{new, verify};
 
 /// What `gen` says in a folder, without colours; none if it was refused.
@@ -57,6 +57,7 @@ fn a_new_package_is_simulated_and_generated() {
     }
 
     verified(&package);
+    verified_by_a_recording(&package);
     refusals(&package);
 }
 
@@ -86,7 +87,7 @@ fn verified(package: &Path) {
     // One without an operating system and with the smallest of processors: others differ in their table's row alone.
     let bare = toolchain::is_asked_for("qemu-system-arm");
     let target = if bare { vec![Target::CortexM4f] } else { Vec::new() };
-    let wanted = Verify { package: Package::default(), seed: 1, target };
+    let wanted = Verify { seed: 1, target, ..Verify::default() };
     let (text, agree) =
         verify::run(package, &wanted, false).unwrap_or_else(|error| panic!("{error}"));
     assert!(agree, "{text}");
@@ -105,6 +106,23 @@ fn verified(package: &Path) {
     }
     assert!(text.contains("  Rust ") && text.contains("Count::more: not called"), "{text}");
     fs::write(&source, sound).expect("the model");
+}
+
+/// A log becomes the life of an entry point on each leg; what is wrong in it is told at its line.
+fn verified_by_a_recording(package: &Path) {
+    let log = package.join("log.csv");
+    let recorded = |speed: &str| {
+        let head = "time,speed,gains.proportional,gains.integral,gains.period,target";
+        let rows = format!("0,0,0.1,0.5,0.005,100\n0.005,{speed},0.1,0.5,0.005,100\n");
+        fs::write(&log, format!("{head}\n{rows}")).expect("the log");
+        let wanted = Verify { inputs: Some(log.clone()), ..Verify::default() };
+        verify::run(package, &wanted, false).map_err(|error| error.to_string())
+    };
+    let (text, agree) = recorded("12.5").unwrap_or_else(|error| panic!("{error}"));
+    assert!(agree && text.starts_with("1 entry points, 2 calls; "), "{text}");
+    let said = recorded("fast").expect_err("that is no number");
+    assert!(said.ends_with("line 3: `fast` is no number, as `speed` has to be"), "{said}");
+    fs::remove_file(&log).expect("the log");
 }
 
 /// What is wrong, and what is said of it; then all is as it was.

@@ -5,6 +5,7 @@
 
 mod emulated;
 mod native;
+pub mod recording;
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -51,7 +52,11 @@ pub fn run(folder: &Path, wanted: &Verify, colour: bool) -> Result<(String, bool
     job.options.hook = None;
     let compiled = generate::compiled(&job).map_err(bessemer_project::Error::from)?.compiled;
     let module = &compiled.module;
-    let mut cases = cases(module, wanted.seed);
+    let inputs = match &wanted.inputs {
+        Some(path) => recorded(module, path, wanted.entry.as_deref())?,
+        None => Inputs::Made { seed: wanted.seed },
+    };
+    let mut cases = cases(module, &inputs);
     let mut legs = Vec::new();
     let (program, left) = rust(&job, module, &mut cases)?;
     if let Some(program) = program {
@@ -95,14 +100,48 @@ pub fn run(folder: &Path, wanted: &Verify, colour: bool) -> Result<(String, bool
     Ok((text, all && !cases.is_empty()))
 }
 
-/// The calls of each entry point, and what the interpreter makes of them.
-fn cases(module: &Module, seed: u64) -> Vec<Case> {
-    let mut random = Random(seed);
-    let mut interpreter = Interpreter::new(module);
+/// What goes in.
+enum Inputs {
+    /// Edge values, and a life of small numbers, of each entry point.
+    Made { seed: u64 },
+    /// What was recorded of one: the words of each argument but the component, for each call.
+    Recorded { entry: FunctionId, calls: Vec<Vec<Vec<u64>>> },
+}
+
+/// The entry points of a module.
+fn all(module: &Module) -> impl Iterator<Item = FunctionId> + '_ {
     let ids = (0..module.functions.len()).map(|index| FunctionId(index as u32));
-    let entries = ids.filter(|id| matches!(module.functions[id.index()].role, Role::Entry { .. }));
+    ids.filter(|id| matches!(module.functions[id.index()].role, Role::Entry { .. }))
+}
+
+/// The recording of the entry point called `entry`, or of the only one.
+fn recorded(module: &Module, path: &Path, entry: Option<&str>) -> Result<Inputs, Error> {
+    let name = |id: &FunctionId| named(module, &module.functions[id.index()]);
+    let chosen: Vec<FunctionId> =
+        all(module).filter(|id| entry.is_none_or(|entry| name(id) == entry)).collect();
+    let [entry] = chosen[..] else {
+        let known = all(module).map(|id| name(&id)).collect();
+        return Err(match entry {
+            Some(entry) => Error::NoEntry { name: entry.to_owned(), known },
+            None => Error::WhichEntry { known },
+        });
+    };
+    let text = std::fs::read_to_string(path)
+        .map_err(|source| Error::File { path: path.to_owned(), source })?;
+    let calls = recording::calls(module, &module.functions[entry.index()], &text);
+    let calls = calls.map_err(|wrong| Error::Recording { path: path.to_owned(), wrong })?;
+    Ok(Inputs::Recorded { entry, calls })
+}
+
+/// The calls of each entry point, and what the interpreter makes of them.
+fn cases(module: &Module, inputs: &Inputs) -> Vec<Case> {
+    let (mut random, only, count) = match inputs {
+        Inputs::Made { seed } => (Random(*seed), None, 2 * CALLS),
+        Inputs::Recorded { entry, calls } => (Random(0), Some(*entry), calls.len()),
+    };
+    let mut interpreter = Interpreter::new(module);
     let mut cases = Vec::new();
-    for id in entries {
+    for id in all(module).filter(|id| only.is_none_or(|only| only == *id)) {
         let function = &module.functions[id.index()];
         let parameters = function.parameters();
         let mut types = vec![function.result.clone()];
@@ -118,11 +157,19 @@ fn cases(module: &Module, seed: u64) -> Vec<Case> {
                 _ => Vec::new(),
             };
             let mut state = initial.clone();
-            for index in 0..2 * CALLS {
+            for index in 0..count {
                 let size = if index < CALLS { Size::Edges } else { Size::Tame };
-                let make = |local: &bessemer_ir::Local| words(&mut random, module, &local.ty, size);
-                let mut call: Vec<Vec<u64>> = parameters.iter().map(make).collect();
-                if size == Size::Tame {
+                let mut call: Vec<Vec<u64>> = match inputs {
+                    Inputs::Made { .. } => {
+                        let make =
+                            |it: &bessemer_ir::Local| words(&mut random, module, &it.ty, size);
+                        parameters.iter().map(make).collect()
+                    }
+                    Inputs::Recorded { calls, .. } => {
+                        std::iter::once(Vec::new()).chain(calls[index].iter().cloned()).collect()
+                    }
+                };
+                if only.is_some() || size == Size::Tame {
                     call[0].clone_from(&state);
                 }
                 let outcome =
@@ -321,7 +368,7 @@ mod tests {
     fn a_word_that_differs_is_found() {
         let text = include_str!("../../../codegen/tests/c/height.ir");
         let module = bessemer_ir::text::parse(text).expect("it is a module");
-        let cases = cases(&module, 0);
+        let cases = cases(&module, &Inputs::Made { seed: 0 });
         let mut got: Vec<Vec<Outcome>> = cases.iter().map(|case| case.expected.clone()).collect();
         assert!(got.iter().flatten().any(|outcome| outcome.is_ok()), "nothing ran to its end");
         assert!(differing(&module, &cases, &got).is_empty());
