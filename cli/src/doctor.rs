@@ -40,7 +40,7 @@ struct Tool {
     needed: bool,
 }
 
-const TOOLS: [Tool; 4] = [
+const TOOLS: [Tool; 8] = [
     Tool {
         program: "rustc",
         purpose: "builds the models",
@@ -63,6 +63,30 @@ const TOOLS: [Tool; 4] = [
         program: "cmake",
         purpose: "builds the firmware stub",
         install: "apt-get install cmake",
+        needed: false,
+    },
+    Tool {
+        program: "arm-linux-gnueabihf-gcc",
+        purpose: "compiles the C for `verify --target cortex-a9`",
+        install: "apt-get install gcc-arm-linux-gnueabihf",
+        needed: false,
+    },
+    Tool {
+        program: "qemu-arm",
+        purpose: "runs it",
+        install: "apt-get install qemu-user",
+        needed: false,
+    },
+    Tool {
+        program: "arm-none-eabi-gcc",
+        purpose: "compiles the C for `verify --target zynq`, `cortex-m4f` and `cortex-m7`",
+        install: "apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi",
+        needed: false,
+    },
+    Tool {
+        program: "qemu-system-arm",
+        purpose: "runs it",
+        install: "apt-get install qemu-system-arm",
         needed: false,
     },
 ];
@@ -203,8 +227,11 @@ mod tests {
 
     #[test]
     fn compilers_of_c_may_be_missing() {
-        let found = |programs| TOOLS.map(|tool| tool.found(&With(programs)).state == State::Bad);
-        assert_eq!(found(&["rustc"]), [false; 4]);
-        assert_eq!(found(&[]), [true, false, false, false]);
+        let bad = |programs| {
+            let bad = TOOLS.iter().filter(|it| it.found(&With(programs)).state == State::Bad);
+            bad.map(|it| it.program).collect::<Vec<_>>()
+        };
+        assert_eq!(bad(&["rustc"]), [""; 0]);
+        assert_eq!(bad(&[]), ["rustc"]);
     }
 }
