@@ -12,6 +12,7 @@ mod browser;
 mod conditions;
 
 use browser::Browser;
+use conditions::Conditions;
 use ground::live::{self, Live};
 use ground::player::Player;
 use ground::program::{Program, Target};
@@ -256,7 +257,7 @@ fn the_page_is_smooth() {
         println!("left out: BESSEMER_REACH says for how many seconds it is measured, in chromium");
         return;
     };
-    let conditions = conditions::conditions();
+    let conditions = Conditions::begin();
     let running = Running::start(Pace::Patient);
     let mut browser = Browser::start();
     browser.go(&running.address);
@@ -283,10 +284,11 @@ fn the_page_is_smooth() {
     let [time, messages, pictures, fewest, late, longest, before, after] =
         std::array::from_fn(|n| counted[n].as_f64().expect("a number"));
     let text = format!(
-        "{conditions}{time:.0} s of flight in Chromium without a window: {:.1} messages and {:.1} pictures a second\n\
+        "{}{time:.0} s of flight in Chromium without a window: {:.1} messages and {:.1} pictures a second\n\
          the fewest pictures in a second: {fewest}; {late} stood longer than 0.1 s, the longest {longest:.0} ms\n\
          the page's thread was busy for {:.0} % of the time, with scripts for {:.0} %\n\
          memory of the page: {before:.1} MB at the beginning, {after:.1} MB at the end\n",
+        conditions.told(),
         messages / time,
         pictures / time,
         100.0 * (busy[0] - idle[0]) / time,

@@ -6,6 +6,7 @@
 
 mod conditions;
 
+use conditions::Conditions;
 use ground::live::{self, Live};
 use ground::program::{Program, Target};
 use ground::server::{self, Hub};
@@ -62,7 +63,7 @@ fn the_reach_is_measured() {
         println!("left out: BESSEMER_REACH says for how many seconds it is measured");
         return;
     };
-    let conditions = conditions::conditions();
+    let conditions = Conditions::begin();
     let a9 = std::env::var("BESSEMER_REACH_TARGET").is_ok_and(|it| it == "a9");
     let target = if a9 { Target::A9 } else { Target::Native };
     let root = bessemer_legs::root();
@@ -97,8 +98,9 @@ fn the_reach_is_measured() {
         |share: f64| 1e3 * took[((took.len() - 1) as f64 * share).round() as usize].as_secs_f64();
     let timing = live.timing();
     let text = format!(
-        "{conditions}{} periods of 5 ms, {} missed, slowest answer {} µs\n{} movements of a stick from page to motor command: \
+        "{}{} periods of 5 ms, {} missed, slowest answer {} µs\n{} movements of a stick from page to motor command: \
          median {:.1} ms, 99 of 100 below {:.1} ms, longest {:.1} ms\nprocessor: {:.1} % of one\n",
+        conditions.told(),
         timing.periods,
         timing.missed,
         timing.slowest,
