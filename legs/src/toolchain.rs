@@ -48,6 +48,15 @@ pub const ARM: Toolchain = Toolchain {
     ..GCC
 };
 
+/// A whole machine, emulated, with more words for the emulator.
+macro_rules! machine {
+    ($name:literal, $($more:literal),+) => {
+        Some(&[
+            "qemu-system-arm", "-machine", $name, "-display", "none", "-monitor", "none", $($more),+, "-kernel",
+        ])
+    };
+}
+
 /// The target without an operating system: a whole Zynq, emulated, whose second serial port is the emulator's
 /// standard input and output. Nothing on it is aligned to less than its size, since memory is not cached at first.
 pub const ZYNQ: Toolchain = Toolchain {
@@ -59,22 +68,7 @@ pub const ZYNQ: Toolchain = Toolchain {
         "-marm",
         "-mno-unaligned-access",
     ],
-    emulator: Some(&[
-        "qemu-system-arm",
-        "-machine",
-        "xilinx-zynq-a9",
-        "-m",
-        "128M",
-        "-display",
-        "none",
-        "-monitor",
-        "none",
-        "-serial",
-        "null",
-        "-serial",
-        "stdio",
-        "-kernel",
-    ]),
+    emulator: machine!("xilinx-zynq-a9", "-m", "128M", "-serial", "null", "-serial", "stdio"),
     ..GCC
 };
 
@@ -88,22 +82,13 @@ pub const BARE_A9: Toolchain = Toolchain {
         "-mno-unaligned-access",
         "--specs=rdimon.specs",
     ],
-    emulator: Some(&[
-        "qemu-system-arm",
-        "-machine",
+    emulator: machine!(
         "xilinx-zynq-a9",
         "-m",
         "128M",
-        "-display",
-        "none",
-        "-monitor",
-        "none",
-        "-serial",
-        "none",
         "-semihosting-config",
-        "enable=on,target=native",
-        "-kernel",
-    ]),
+        "enable=on,target=native"
+    ),
     bare: true,
     ..ZYNQ
 };
@@ -118,20 +103,7 @@ pub const CORTEX_M4F: Toolchain = Toolchain {
         "--specs=rdimon.specs",
         "-Wl,--section-start=.vectors=0",
     ],
-    emulator: Some(&[
-        "qemu-system-arm",
-        "-machine",
-        "mps2-an386",
-        "-display",
-        "none",
-        "-monitor",
-        "none",
-        "-serial",
-        "none",
-        "-semihosting-config",
-        "enable=on,target=native",
-        "-kernel",
-    ]),
+    emulator: machine!("mps2-an386", "-semihosting-config", "enable=on,target=native"),
     bare: true,
     ..ZYNQ
 };
@@ -146,20 +118,7 @@ pub const CORTEX_M7: Toolchain = Toolchain {
         "--specs=rdimon.specs",
         "-Wl,--section-start=.vectors=0",
     ],
-    emulator: Some(&[
-        "qemu-system-arm",
-        "-machine",
-        "mps2-an500",
-        "-display",
-        "none",
-        "-monitor",
-        "none",
-        "-serial",
-        "none",
-        "-semihosting-config",
-        "enable=on,target=native",
-        "-kernel",
-    ]),
+    emulator: machine!("mps2-an500", "-semihosting-config", "enable=on,target=native"),
     bare: true,
     ..ZYNQ
 };
