@@ -9,11 +9,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_constants.h"
 #include "bessemer_target.h"
 #include "sine.h"
 
-/** Places for motors: quad-, hexa- and octocopters run the same code. */
-static const uint64_t MOST_MOTORS = UINT64_C(8);
 static const double PI = 3.141592653589793;
 
 void airframe_mambo(airframe_t *airframe)
@@ -53,7 +52,7 @@ void airframe_for_each(uint64_t count, double value, double all[8])
     for (uint32_t i = 0U; i < 8U; i++) {
         all[i] = 0.0;
     }
-    for (uint32_t n = 0U; n < MOST_MOTORS; n++) {
+    for (uint32_t n = 0U; n < AIRFRAME_MOST_MOTORS; n++) {
         if ((uint64_t)n < count) {
             all[n] = value;
         }
@@ -63,7 +62,7 @@ void airframe_for_each(uint64_t count, double value, double all[8])
 void airframe_spins(const airframe_t *self, double spins[8])
 {
     airframe_for_each(self->motors, 1.0, spins);
-    for (uint32_t n = 0U; n < MOST_MOTORS; n++) {
+    for (uint32_t n = 0U; n < AIRFRAME_MOST_MOTORS; n++) {
         if ((uint64_t)n % UINT64_C(2) == UINT64_C(1)) {
             spins[n] = -spins[n];
         }
@@ -100,7 +99,7 @@ void airframe_effectiveness(const airframe_t *self, double effect[32])
     for (uint32_t i = 0U; i < 32U; i++) {
         effect[i] = 0.0;
     }
-    for (uint32_t n = 0U; n < MOST_MOTORS; n++) {
+    for (uint32_t n = 0U; n < AIRFRAME_MOST_MOTORS; n++) {
         const double angle = airframe_arm_angle(self->layout, self->motors, (uint64_t)n);
         effect[0 + 4 * n] = thrust[n];
         effect[1 + 4 * n] = thrust[n] * self->arm * sine_sin(angle);
@@ -121,7 +120,7 @@ void airframe_allocation(const airframe_t *self, double share[32])
     for (uint32_t i = 0U; i < 32U; i++) {
         share[i] = 0.0;
     }
-    for (uint32_t n = 0U; n < MOST_MOTORS; n++) {
+    for (uint32_t n = 0U; n < AIRFRAME_MOST_MOTORS; n++) {
         if (thrust[n] > 0.0 && drag[n] > 0.0) {
             const double angle = airframe_arm_angle(self->layout, self->motors, (uint64_t)n);
             const double leverage = 2.0 / (count * thrust[n] * self->arm);

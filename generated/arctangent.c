@@ -9,8 +9,8 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
-#include <string.h>
 
+#include "bessemer_helpers.h"
 #include "bessemer_target.h"
 #include "pair.h"
 
@@ -96,28 +96,6 @@ static const double SPLITTER = 134217729.0;
 static const uint64_t UPPER = UINT64_C(0xFFFFFFFF00000000);
 static const double WHOLE_PI_HIGH = 3.141592653589793;
 static const double WHOLE_PI_LOW = 1.2246467991473532e-16;
-
-/* The bits of a number that is not a NaN. */
-static uint64_t raw_bits_of_f64(double value)
-{
-    uint64_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    return bits;
-}
-
-/* The number with these bits. */
-static double f64_from_bits(uint64_t bits)
-{
-    double value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
-
-/* The size of one number with the sign of another; a NaN counts as positive. */
-static double copysign_f64(double size, double sign)
-{
-    return isnan(sign) ? fabs(size) : copysign(size, sign);
-}
 
 /** `a + b` without loss, where `a` is zero or not the smaller in magnitude (Dekker). */
 static inline void pair_ordered_sum(double a, double b, pair_t *pair)

@@ -9,6 +9,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_helpers.h"
 #include "bessemer_target.h"
 #include "parameters.h"
 
@@ -16,15 +17,6 @@
  * Largest integral of the error of an angle, rad·s: at the Mambo's gain as much torque as 0.5 rad.
  */
 static const double MOST = 0.5;
-
-/* The number nearest to value from low to high; NaN stays NaN. */
-static double clamp_f64(double value, double low, double high)
-{
-    if (value < low) {
-        return low;
-    }
-    return value > high ? high : value;
-}
 
 void attitude_init(attitude_t *self)
 {

@@ -16,16 +16,14 @@
 #include "geometry.h"
 #include "product_f64_6x6_6x1.h"
 
-void attitude_filter_level(double angle, double bias, double work[36],
-    attitude_filter_t *attitude_filter)
+void attitude_filter_level(double angle, double bias, attitude_filter_t *attitude_filter)
 {
-    double *const covariance = work;
     for (uint32_t i = 0U; i < 36U; i++) {
-        covariance[i] = 0.0;
+        attitude_filter->covariance[i] = 0.0;
     }
     for (uint32_t n = 0U; n < 3U; n++) {
-        covariance[n + 6 * n] = angle * angle;
-        covariance[n + 3 + 6 * (n + 3)] = bias * bias;
+        attitude_filter->covariance[n + 6 * n] = angle * angle;
+        attitude_filter->covariance[n + 3 + 6 * (n + 3)] = bias * bias;
     }
     attitude_filter->angles[0] = 0.0;
     attitude_filter->angles[1] = 0.0;
@@ -33,7 +31,6 @@ void attitude_filter_level(double angle, double bias, double work[36],
     attitude_filter->bias[0] = 0.0;
     attitude_filter->bias[1] = 0.0;
     attitude_filter->bias[2] = 0.0;
-    memcpy(attitude_filter->covariance, covariance, sizeof(double[36]));
 }
 
 void attitude_filter_predict(attitude_filter_t *self, const double measured[3], double period,
@@ -55,7 +52,7 @@ void attitude_filter_predict(attitude_filter_t *self, const double measured[3], 
     self->angles[2] += angles_angle_rates[2] * period;
     const double turn = noise * period;
     const double wander = drift * drift * period;
-    double growth[6] = {0.0};
+    double growth[6];
     for (uint32_t n = 0U; n < 3U; n++) {
         growth[n] = turn * turn;
         growth[n + 3] = wander;
@@ -75,15 +72,17 @@ void attitude_filter_advance(const attitude_filter_t *self, const orientation_t 
     const double along = orientation->c3 * rates[0] + orientation->s3 * rates[1];
     const double across = orientation->s3 * rates[0] - orientation->c3 * rates[1];
     const double lean = orientation->s2 / c2;
-    for (uint32_t i = 0U; i < 36U; i++) {
-        advance[i] = 0.0;
+    {
+        static const double advance_value[36] = {
+            1.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            0.0, 1.0, 0.0, 0.0, 0.0, 0.0,
+            0.0, 0.0, 1.0, 0.0, 0.0, 0.0,
+            0.0, 0.0, 0.0, 1.0, 0.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 1.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 1.0
+        };
+        memcpy(advance, advance_value, sizeof(double[36]));
     }
-    advance[0 + 6 * 0] = 1.0;
-    advance[1 + 6 * 1] = 1.0;
-    advance[2 + 6 * 2] = 1.0;
-    advance[3 + 6 * 3] = 1.0;
-    advance[4 + 6 * 4] = 1.0;
-    advance[5 + 6 * 5] = 1.0;
     advance[0 + 6 * 1] = -period * along * lean / c2;
     advance[0 + 6 * 2] = period * across / c2;
     advance[1 + 6 * 2] = period * along;
@@ -99,7 +98,7 @@ void attitude_filter_advance(const attitude_filter_t *self, const orientation_t 
 }
 
 bool attitude_filter_correct(attitude_filter_t *self, const double row[6], const double moves[6],
-    double innovation, double variance, double gate, double work[180])
+    double innovation, double variance, double gate, double work[144])
 {
     double spread[6];
     product_f64_6x6_6x1(self->covariance, row, spread);

@@ -33,12 +33,8 @@ typedef struct {
     double covariance[36];
 } attitude_filter_t;
 
-/**
- * Level, known to within `angle`, rad, and `bias`, rad/s.
- * `work` is lent to work with: what it holds means nothing between calls.
- */
-void attitude_filter_level(double angle, double bias, double work[36],
-    attitude_filter_t *attitude_filter);
+/** Level, known to within `angle`, rad, and `bias`, rad/s. */
+void attitude_filter_level(double angle, double bias, attitude_filter_t *attitude_filter);
 
 /**
  * One period, s, at the measured rates, rad/s, which are uncertain by `noise`, rad/s, and whose biases
@@ -66,7 +62,7 @@ void attitude_filter_advance(const attitude_filter_t *self, const orientation_t 
  * `work` is lent to work with: what it holds means nothing between calls.
  */
 bool attitude_filter_correct(attitude_filter_t *self, const double row[6], const double moves[6],
-    double innovation, double variance, double gate, double work[180]);
+    double innovation, double variance, double gate, double work[144]);
 
 #ifdef __cplusplus
 }

@@ -31,53 +31,39 @@ void calibration_mambo(calibration_t *calibration)
 void calibration_measured(const calibration_t *self, const readings_t *readings,
     measured_t *measured)
 {
-    const inertial_t inertial = readings->inertial;
+    const inertial_t *const inertial = &readings->inertial;
     const flow_t flow = readings->flow;
     double rates_vector[3];
-    calibration_vector(inertial.gyroscope, rates_vector);
+    calibration_vector(inertial->gyroscope, rates_vector);
     const double rates[3] = {
         rates_vector[0] * self->gyroscope_scale,
         rates_vector[1] * self->gyroscope_scale,
         rates_vector[2] * self->gyroscope_scale
     };
     double force_vector[3];
-    calibration_vector(inertial.accelerometer, force_vector);
+    calibration_vector(inertial->accelerometer, force_vector);
     const double force[3] = {
         force_vector[0] * self->accelerometer_scale,
         force_vector[1] * self->accelerometer_scale,
         force_vector[2] * self->accelerometer_scale
     };
-    const bool in_range = calibration_within(inertial.gyroscope)
-        && calibration_within(inertial.accelerometer);
+    const bool in_range = calibration_within(inertial->gyroscope)
+        && calibration_within(inertial->accelerometer);
     const int16_t forward = flow.velocity[0];
     const int16_t sideways = flow.velocity[1];
-    const double measured_rates[3] = {
-        rates[0] - self->gyroscope_offset[0],
-        rates[1] - self->gyroscope_offset[1],
-        rates[2] - self->gyroscope_offset[2]
-    };
-    const double measured_force[3] = {
-        force[0] - self->accelerometer_offset[0],
-        force[1] - self->accelerometer_offset[1],
-        force[2] - self->accelerometer_offset[2]
-    };
+    measured->rates[0] = rates[0] - self->gyroscope_offset[0];
+    measured->rates[1] = rates[1] - self->gyroscope_offset[1];
+    measured->rates[2] = rates[2] - self->gyroscope_offset[2];
+    measured->force[0] = force[0] - self->accelerometer_offset[0];
+    measured->force[1] = force[1] - self->accelerometer_offset[1];
+    measured->force[2] = force[2] - self->accelerometer_offset[2];
     const double measured_matrix[2] = {(double)forward, (double)sideways};
-    const double measured_flow_velocity[2] = {
-        measured_matrix[0] * self->flow_scale,
-        measured_matrix[1] * self->flow_scale
-    };
-    measured->inertial = inertial.fresh && in_range;
-    measured->rates[0] = measured_rates[0];
-    measured->rates[1] = measured_rates[1];
-    measured->rates[2] = measured_rates[2];
-    measured->force[0] = measured_force[0];
-    measured->force[1] = measured_force[1];
-    measured->force[2] = measured_force[2];
+    measured->flow_velocity[0] = measured_matrix[0] * self->flow_scale;
+    measured->flow_velocity[1] = measured_matrix[1] * self->flow_scale;
+    measured->inertial = inertial->fresh && in_range;
     measured->echo = readings->echo.fresh;
     measured->distance = (double)readings->echo.delay * 1e-6 * self->sound / 2.0;
     measured->flow = flow.fresh && calibration_inside(forward) && calibration_inside(sideways);
-    measured->flow_velocity[0] = measured_flow_velocity[0];
-    measured->flow_velocity[1] = measured_flow_velocity[1];
     measured->vicon = readings->vicon;
 }
 

@@ -9,17 +9,11 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_helpers.h"
 #include "bessemer_target.h"
 
 /** So many wrong steps of the clock in a row are too many. */
 static const uint32_t MOST_WRONG = 20U;
-
-/* a + b, or the limit of the type beyond which it lies. */
-static uint32_t saturating_add_u32(uint32_t a, uint32_t b)
-{
-    const int64_t exact = (int64_t)a + (int64_t)b;
-    return exact > UINT32_MAX ? UINT32_MAX : (uint32_t)exact;
-}
 
 void clock_monitor_init(clock_monitor_t *self)
 {

@@ -66,7 +66,7 @@ void covariance_grown_6(const double covariance[36], const double advance[36],
 void covariance_corrected_3(const double covariance[9], const double row[3], const double gain[3],
     double variance, double result[9])
 {
-    const double kept_matrix[9] = {
+    static const double kept_matrix[9] = {
         1.0, 0.0, 0.0,
         0.0, 1.0, 0.0,
         0.0, 0.0, 1.0
@@ -77,55 +77,47 @@ void covariance_corrected_3(const double covariance[9], const double row[3], con
             kept[row_2 + 3 * column] = kept_matrix[row_2 + 3 * column] - gain[row_2] * row[column];
         }
     }
-    double noise[9];
-    for (uint32_t column = 0U; column < 3U; column++) {
-        for (uint32_t row_2 = 0U; row_2 < 3U; row_2++) {
-            noise[row_2 + 3 * column] = gain[row_2] * gain[column] * variance;
-        }
-    }
     double result_product[9];
     product_f64_3x3_3x3(kept, covariance, result_product);
     double result_product_2[9];
     product_tr_f64_3x3_3x3(result_product, kept, result_product_2);
     double result_matrix[9];
-    for (uint32_t i = 0U; i < 9U; i++) {
-        result_matrix[i] = result_product_2[i] + noise[i];
+    for (uint32_t column = 0U; column < 3U; column++) {
+        for (uint32_t row_2 = 0U; row_2 < 3U; row_2++) {
+            result_matrix[row_2 + 3 * column] = result_product_2[row_2 + 3 * column]
+                + gain[row_2] * gain[column] * variance;
+        }
     }
     covariance_symmetric_3(result_matrix, result);
 }
 
 void covariance_corrected_6(const double covariance[36], const double row[6], const double gain[6],
-    double variance, double work[144], double result[36])
+    double variance, double work[108], double result[36])
 {
-    double *const kept_matrix = &work[36];
-    for (uint32_t i = 0U; i < 36U; i++) {
-        kept_matrix[i] = 0.0;
-    }
-    kept_matrix[0 + 6 * 0] = 1.0;
-    kept_matrix[1 + 6 * 1] = 1.0;
-    kept_matrix[2 + 6 * 2] = 1.0;
-    kept_matrix[3 + 6 * 3] = 1.0;
-    kept_matrix[4 + 6 * 4] = 1.0;
-    kept_matrix[5 + 6 * 5] = 1.0;
+    static const double kept_matrix[36] = {
+        1.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+        0.0, 1.0, 0.0, 0.0, 0.0, 0.0,
+        0.0, 0.0, 1.0, 0.0, 0.0, 0.0,
+        0.0, 0.0, 0.0, 1.0, 0.0, 0.0,
+        0.0, 0.0, 0.0, 0.0, 1.0, 0.0,
+        0.0, 0.0, 0.0, 0.0, 0.0, 1.0
+    };
     double *const kept = work;
     for (uint32_t column = 0U; column < 6U; column++) {
         for (uint32_t row_2 = 0U; row_2 < 6U; row_2++) {
             kept[row_2 + 6 * column] = kept_matrix[row_2 + 6 * column] - gain[row_2] * row[column];
         }
     }
-    double *const noise = &work[36];
-    for (uint32_t column = 0U; column < 6U; column++) {
-        for (uint32_t row_2 = 0U; row_2 < 6U; row_2++) {
-            noise[row_2 + 6 * column] = gain[row_2] * gain[column] * variance;
-        }
-    }
-    double *const result_product = &work[72];
+    double *const result_product = &work[36];
     product_f64_6x6_6x6(kept, covariance, result_product);
-    double *const result_product_2 = &work[108];
+    double *const result_product_2 = &work[72];
     product_tr_f64_6x6_6x6(result_product, kept, result_product_2);
     double *const result_matrix = work;
-    for (uint32_t i = 0U; i < 36U; i++) {
-        result_matrix[i] = result_product_2[i] + noise[i];
+    for (uint32_t column = 0U; column < 6U; column++) {
+        for (uint32_t row_2 = 0U; row_2 < 6U; row_2++) {
+            result_matrix[row_2 + 6 * column] = result_product_2[row_2 + 6 * column]
+                + gain[row_2] * gain[column] * variance;
+        }
     }
     covariance_symmetric_6(result_matrix, result);
 }

@@ -64,7 +64,7 @@ void covariance_corrected_3(const double covariance[9], const double row[3], con
  * `covariance`, `result` by columns: [row + 6 * column].
  */
 void covariance_corrected_6(const double covariance[36], const double row[6], const double gain[6],
-    double variance, double work[144], double result[36]);
+    double variance, double work[108], double result[36]);
 
 /**
  * The symmetric part.

@@ -10,26 +10,18 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_constants.h"
+#include "bessemer_helpers.h"
 #include "bessemer_target.h"
 #include "geometry.h"
 #include "roots.h"
 #include "sine.h"
-
-/** Acceleration of gravity, m/s². */
-static const double GRAVITY = 9.81;
 
 /** Below this height, m, an aircraft that does not know how it leans had better go on landing. */
 static const double LOW = 0.2;
 
 /** For so many periods something has to look wrong: one reading proves nothing. */
 static const uint32_t PROOF = 3U;
-
-/* a + b, or the limit of the type beyond which it lies. */
-static uint32_t saturating_add_u32(uint32_t a, uint32_t b)
-{
-    const int64_t exact = (int64_t)a + (int64_t)b;
-    return exact > UINT32_MAX ? UINT32_MAX : (uint32_t)exact;
-}
 
 static alarm_t crash_predictor_find(const crash_predictor_t *self, const limits_t *limits,
     const estimate_t *now, const ages_t *ages, double climb);
@@ -38,17 +30,19 @@ static alarm_t crash_predictor_find_in_motion(const crash_predictor_t *self, con
 
 void limits_room(limits_t *limits)
 {
-    limits->tilt = 0.9;
-    limits->rates[0] = 12.0;
-    limits->rates[1] = 12.0;
-    limits->speed = 4.0;
-    limits->ceiling = 4.0;
-    limits->reach = 4.0;
-    limits->impact = 0.7;
-    limits->blind = 20.0;
-    limits->dizzy = 0.1;
-    limits->horizon = 0.1;
-    limits->armed = true;
+    static const limits_t room = {
+        .tilt = 0.9,
+        .rates = {12.0, 12.0},
+        .speed = 4.0,
+        .ceiling = 4.0,
+        .reach = 4.0,
+        .impact = 0.7,
+        .blind = 20.0,
+        .dizzy = 0.1,
+        .horizon = 0.1,
+        .armed = true
+    };
+    *limits = room;
 }
 
 void crash_predictor_init(crash_predictor_t *self)
@@ -142,9 +136,9 @@ static alarm_t crash_predictor_find_in_motion(const crash_predictor_t *self, con
     orientation_thrust_direction(orientation, direction);
     const double pull_matrix[3] = {direction[0], direction[1], 0.0};
     const double pull[3] = {
-        pull_matrix[0] * GRAVITY,
-        pull_matrix[1] * GRAVITY,
-        pull_matrix[2] * GRAVITY
+        pull_matrix[0] * AIRFRAME_GRAVITY,
+        pull_matrix[1] * AIRFRAME_GRAVITY,
+        pull_matrix[2] * AIRFRAME_GRAVITY
     };
     const double velocity[3] = {
         now->velocity[0] + pull[0] * horizon,

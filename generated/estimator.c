@@ -14,6 +14,8 @@
 #include "arctangent.h"
 #include "attitude_filter.h"
 #include "axis_filter.h"
+#include "bessemer_constants.h"
+#include "bessemer_helpers.h"
 #include "bessemer_target.h"
 #include "calibration.h"
 #include "expectation.h"
@@ -39,9 +41,6 @@ static const double DEAF_RATES[2] = {0.1, 1.0};
  */
 static const double DOUBT = 0.25;
 
-/** Acceleration of gravity, m/s². */
-static const double GRAVITY = 9.81;
-
 /**
  * How near the ground, m, it may be the ground that holds the aircraft: nothing is expected to fall there.
  */
@@ -62,73 +61,50 @@ static const double SUNK = 0.15;
 /** How uncertain the expected acceleration is, m/s², and how it wanders, m/s² in a second. */
 static const double UNFELT[2] = {1.0, 0.3};
 
-/* The larger of two numbers: -0 < +0, and a NaN gives the other. */
-static double max_f64(double a, double b)
-{
-    if (a > b || isnan(b)) {
-        return a;
-    }
-    if (b > a || isnan(a)) {
-        return b;
-    }
-    return !signbit(a) ? a : b;
-}
-
-/* a + b, or the limit of the type beyond which it lies. */
-static uint32_t saturating_add_u32(uint32_t a, uint32_t b)
-{
-    const int64_t exact = (int64_t)a + (int64_t)b;
-    return exact > UINT32_MAX ? UINT32_MAX : (uint32_t)exact;
-}
-
 static void estimator_grow_older(estimator_t *self, double period);
 static void estimator_listen(estimator_t *self, const sensors_t *sensors, const push_t *told,
     const measured_t *measured);
 static double estimator_patience(const estimator_t *self);
 static void estimator_advance(estimator_t *self, const sensors_t *sensors, double work[180]);
 static void estimator_see_vicon(estimator_t *self, const sensors_t *sensors,
-    const measured_t *measured, double work[180]);
+    const measured_t *measured, double work[144]);
 static bool estimator_see_angles(estimator_t *self, const sensors_t *sensors,
-    const double angles[3], double work[180]);
+    const double angles[3], double work[144]);
 static bool estimator_see_place(estimator_t *self, const sensors_t *sensors, const double place[3]);
 static void estimator_doubt(estimator_t *self);
 static void estimator_do_without(estimator_t *self, const sensors_t *sensors,
-    const measured_t *measured, bool heard, bool seen, double work[180]);
+    const measured_t *measured, bool heard, bool seen, double work[144]);
 static bool estimator_see_echo(estimator_t *self, const sensors_t *sensors, double distance,
     const orientation_t *orientation);
 static bool estimator_see_flow(estimator_t *self, const sensors_t *sensors, const double flow[2],
-    const orientation_t *orientation, double work[180]);
-static void estimator_level(estimator_t *self, const sensors_t *sensors, double work[180]);
+    const orientation_t *orientation, double work[144]);
+static void estimator_level(estimator_t *self, const sensors_t *sensors, double work[144]);
 static void estimator_lean(estimator_t *self, const sensors_t *sensors,
-    const double acceleration[3], double work[180]);
+    const double acceleration[3], double work[144]);
 static void estimator_see_lean(estimator_t *self, double roll, double pitch, double variance,
-    double gate, double work[180]);
+    double gate, double work[144]);
 static void estimator_velocity(const estimator_t *self, double result[3]);
-static void estimator_state(estimator_t *self, const sensors_t *sensors, axis_filter_t work[3],
-    estimate_t *estimate);
+static void estimator_state(estimator_t *self, const sensors_t *sensors, estimate_t *estimate);
 
 void sensors_mambo(sensors_t *sensors)
 {
-    sensors->period = 0.005;
-    sensors->gyroscope[0] = 0.01;
-    sensors->gyroscope[1] = 0.0005;
-    sensors->accelerometer[0] = 0.15;
-    sensors->accelerometer[1] = 0.01;
-    sensors->level = 1.0;
-    sensors->vicon[0] = 0.002;
-    sensors->vicon[1] = 0.005;
-    sensors->vicon_delay = 0.01;
-    sensors->vicon_patience = 0.1;
-    sensors->vicon_space[0] = 5.0;
-    sensors->vicon_space[1] = 5.0;
-    sensors->vicon_space[2] = 5.0;
-    sensors->altimeter = 0.012;
-    sensors->altimeter_range[0] = 0.03;
-    sensors->altimeter_range[1] = 4.0;
-    sensors->altimeter_upright = 0.85;
-    sensors->camera = 0.04;
-    sensors->gate = 5.0;
-    sensors->smoothing = 0.9;
+    static const sensors_t mambo = {
+        .period = 0.005,
+        .gyroscope = {0.01, 0.0005},
+        .accelerometer = {0.15, 0.01},
+        .level = 1.0,
+        .vicon = {0.002, 0.005},
+        .vicon_delay = 0.01,
+        .vicon_patience = 0.1,
+        .vicon_space = {5.0, 5.0, 5.0},
+        .altimeter = 0.012,
+        .altimeter_range = {0.03, 4.0},
+        .altimeter_upright = 0.85,
+        .camera = 0.04,
+        .gate = 5.0,
+        .smoothing = 0.9
+    };
+    *sensors = mambo;
 }
 
 void estimator_init(estimator_t *self)
@@ -217,23 +193,19 @@ void estimator_step(estimator_t *self, const sensors_t *sensors, const push_t *t
         estimator_see_vicon(self, sensors, measured, work->numbers);
     }
     const double distance[3] = {measured->distance, 0.0, 0.0};
-    bool heard_condition = false;
+    bool heard = false;
     if (measured->echo) {
-        const bool heard_says = stuck_says(&self->altimeter, distance);
-        heard_condition = heard_says;
+        heard = stuck_says(&self->altimeter, distance);
     }
-    const bool heard = heard_condition;
     const double flow[3] = {measured->flow_velocity[0], measured->flow_velocity[1], 0.0};
-    bool seen_condition = false;
+    bool seen = false;
     if (measured->flow) {
-        const bool seen_says = stuck_says(&self->camera, flow);
-        seen_condition = seen_says;
+        seen = stuck_says(&self->camera, flow);
     }
-    const bool seen = seen_condition;
     if (self->ages.vicon > sensors->vicon_patience || estimator_is_deaf(self)) {
         estimator_do_without(self, sensors, measured, heard, seen, work->numbers);
     }
-    estimator_state(self, sensors, work->axis_filter, estimate);
+    estimator_state(self, sensors, estimate);
 }
 
 /** Everything is one period older until it is measured. */
@@ -253,8 +225,7 @@ static void estimator_listen(estimator_t *self, const sensors_t *sensors, const 
     expectation_step(&self->expectation, sensors->period, told);
     bool felt_condition = false;
     if (measured->inertial) {
-        const bool felt_says = stuck_says(&self->accelerometer, measured->force);
-        felt_condition = felt_says;
+        felt_condition = stuck_says(&self->accelerometer, measured->force);
     }
     self->felt = felt_condition;
     if (self->felt) {
@@ -267,8 +238,7 @@ static void estimator_listen(estimator_t *self, const sensors_t *sensors, const 
     }
     bool condition = false;
     if (measured->inertial) {
-        const bool says = stuck_says(&self->gyroscope, measured->rates);
-        condition = says;
+        condition = stuck_says(&self->gyroscope, measured->rates);
     }
     if (condition) {
         expectation_turned(&self->expectation, measured->rates);
@@ -331,7 +301,7 @@ static void estimator_advance(estimator_t *self, const sensors_t *sensors, doubl
         push_rotation[2 + 3 * 0] * self->force[0] + push_rotation[2 + 3 * 1] * self->force[1]
             + push_rotation[2 + 3 * 2] * self->force[2]
     };
-    const double push_matrix[3] = {0.0, 0.0, GRAVITY};
+    const double push_matrix[3] = {0.0, 0.0, AIRFRAME_GRAVITY};
     double push[3] = {
         push_product[0] - push_matrix[0],
         push_product[1] - push_matrix[1],
@@ -356,15 +326,15 @@ static void estimator_advance(estimator_t *self, const sensors_t *sensors, doubl
  * `work` is lent to work with: what it holds means nothing between calls.
  */
 static void estimator_see_vicon(estimator_t *self, const sensors_t *sensors,
-    const measured_t *measured, double work[180])
+    const measured_t *measured, double work[144])
 {
-    const vicon_t vicon = measured->vicon;
+    const vicon_t *const vicon = &measured->vicon;
     const double space[3] = {
         sensors->vicon_space[0],
         sensors->vicon_space[1],
         sensors->vicon_space[2]
     };
-    const double place[3] = {vicon.position[0], vicon.position[1], vicon.position[2]};
+    const double place[3] = {vicon->position[0], vicon->position[1], vicon->position[2]};
     const bool above = fabs(place[0]) <= space[0] && fabs(place[1]) <= space[1];
     const bool inside = above && place[2] >= -SUNK && place[2] <= space[2];
     const bool new_ = stuck_says(&self->vicon, place);
@@ -372,7 +342,7 @@ static void estimator_see_vicon(estimator_t *self, const sensors_t *sensors,
         self->outliers = saturating_add_u32(self->outliers, 1U);
         return;
     }
-    const bool turned = estimator_see_angles(self, sensors, vicon.angles, work);
+    const bool turned = estimator_see_angles(self, sensors, vicon->angles, work);
     const bool moved = estimator_see_place(self, sensors, place);
     if (turned && moved) {
         self->ages.vicon = 0.0;
@@ -391,7 +361,7 @@ static void estimator_see_vicon(estimator_t *self, const sensors_t *sensors,
  * `work` is lent to work with: what it holds means nothing between calls.
  */
 static bool estimator_see_angles(estimator_t *self, const sensors_t *sensors,
-    const double angles[3], double work[180])
+    const double angles[3], double work[144])
 {
     orientation_t orientation;
     orientation_of(self->attitude.angles, &orientation);
@@ -403,7 +373,7 @@ static bool estimator_see_angles(estimator_t *self, const sensors_t *sensors,
     double rates[3];
     orientation_angle_rates(&orientation, rates_body_rates, rates);
     const double variance = sensors->vicon[1] * sensors->vicon[1];
-    const double everything[6] = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
+    static const double everything[6] = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
     bool good = true;
     for (uint32_t n = 0U; n < 3U; n++) {
         const double then = self->attitude.angles[n] - rates[n] * sensors->vicon_delay;
@@ -446,7 +416,7 @@ static void estimator_doubt(estimator_t *self)
  * `work` is lent to work with: what it holds means nothing between calls.
  */
 static void estimator_do_without(estimator_t *self, const sensors_t *sensors,
-    const measured_t *measured, bool heard, bool seen, double work[180])
+    const measured_t *measured, bool heard, bool seen, double work[144])
 {
     if (self->felt && !estimator_is_deaf(self)) {
         estimator_level(self, sensors, work);
@@ -500,7 +470,7 @@ static bool estimator_see_echo(estimator_t *self, const sensors_t *sensors, doub
  * `work` is lent to work with: what it holds means nothing between calls.
  */
 static bool estimator_see_flow(estimator_t *self, const sensors_t *sensors, const double flow[2],
-    const orientation_t *orientation, double work[180])
+    const orientation_t *orientation, double work[144])
 {
     double rotation[9];
     orientation_rotation(orientation, rotation);
@@ -556,7 +526,7 @@ static bool estimator_see_flow(estimator_t *self, const sensors_t *sensors, cons
  * Takes the specific force for upwards: right on average while the aircraft stays in one place.
  * `work` is lent to work with: what it holds means nothing between calls.
  */
-static void estimator_level(estimator_t *self, const sensors_t *sensors, double work[180])
+static void estimator_level(estimator_t *self, const sensors_t *sensors, double work[144])
 {
     orientation_t orientation;
     orientation_of(self->attitude.angles, &orientation);
@@ -575,11 +545,12 @@ static void estimator_level(estimator_t *self, const sensors_t *sensors, double 
  * `work` is lent to work with: what it holds means nothing between calls.
  */
 static void estimator_lean(estimator_t *self, const sensors_t *sensors,
-    const double acceleration[3], double work[180])
+    const double acceleration[3], double work[144])
 {
-    const double roll = arctangent_atan2(acceleration[1], GRAVITY);
-    const double pitch = arctangent_atan2(-acceleration[0], roots_hypot(acceleration[1], GRAVITY));
-    const double deviation = 1.5 * sensors->camera / (self->drift_age * GRAVITY);
+    const double roll = arctangent_atan2(acceleration[1], AIRFRAME_GRAVITY);
+    const double pitch = arctangent_atan2(-acceleration[0],
+        roots_hypot(acceleration[1], AIRFRAME_GRAVITY));
+    const double deviation = 1.5 * sensors->camera / (self->drift_age * AIRFRAME_GRAVITY);
     const double variance = deviation * deviation;
     estimator_see_lean(self, roll, pitch, variance, sensors->gate, work);
 }
@@ -589,10 +560,10 @@ static void estimator_lean(estimator_t *self, const sensors_t *sensors,
  * `work` is lent to work with: what it holds means nothing between calls.
  */
 static void estimator_see_lean(estimator_t *self, double roll, double pitch, double variance,
-    double gate, double work[180])
+    double gate, double work[144])
 {
     const double seen[2] = {roll, pitch};
-    const double moves[6] = {1.0, 1.0, 0.0, 1.0, 1.0, 0.0};
+    static const double moves[6] = {1.0, 1.0, 0.0, 1.0, 1.0, 0.0};
     for (uint32_t n = 0U; n < 2U; n++) {
         double row[6] = {0.0};
         row[n] = 1.0;
@@ -612,29 +583,21 @@ static void estimator_velocity(const estimator_t *self, double result[3])
 
 void estimator_spread(const estimator_t *self, double spread[6])
 {
-    for (uint32_t i = 0U; i < 6U; i++) {
-        spread[i] = 0.0;
-    }
     for (uint32_t n = 0U; n < 3U; n++) {
         spread[n] = self->axes[n].covariance[0 + 3 * 0];
         spread[n + 3] = self->attitude.covariance[n + 6 * n];
     }
 }
 
-/**
- * Everything in one vector.
- * `work` is lent to work with: what it holds means nothing between calls.
- */
-static void estimator_state(estimator_t *self, const sensors_t *sensors, axis_filter_t work[3],
-    estimate_t *estimate)
+/** Everything in one vector. */
+static void estimator_state(estimator_t *self, const sensors_t *sensors, estimate_t *estimate)
 {
     const double rates[3] = {
         self->rates[0] - self->attitude.bias[0],
         self->rates[1] - self->attitude.bias[1],
         self->rates[2] - self->attitude.bias[2]
     };
-    axis_filter_t *const axes = work;
-    memcpy(axes, self->axes, sizeof(axis_filter_t[3]));
+    const axis_filter_t *const axes = self->axes;
     estimator_velocity(self, estimate->velocity);
     low_pass_step(&self->smooth, sensors->smoothing, rates, estimate->rates);
     estimate->position[0] = axes[0].state[0];

@@ -111,13 +111,9 @@ typedef struct {
     uint32_t outliers;
 } estimator_t;
 
-/**
- * What `Estimator::step` works with; its content means nothing between calls.
- * No two of its fields are in use at one time.
- */
-typedef union {
+/** What `Estimator::step` works with; its content means nothing between calls. */
+typedef struct {
     double numbers[180];
-    axis_filter_t axis_filter[3];
 } estimator_step_work_t;
 
 /** The Mambo's, and a Vicon of 100 Hz. */

@@ -10,18 +10,13 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_helpers.h"
 #include "bessemer_target.h"
 #include "exponential.h"
 
 static const double F64_INFINITY = (double)INFINITY;
 static const double F64_MAX = 1.7976931348623157e308;
 static const double F64_NAN = (double)NAN;
-
-/* The size of one number with the sign of another; a NaN counts as positive. */
-static double copysign_f64(double size, double sign)
-{
-    return isnan(sign) ? fabs(size) : copysign(size, sign);
-}
 
 double extremes_power_of_negative(double value, double y)
 {

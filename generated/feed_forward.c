@@ -11,51 +11,26 @@
 #include <stdint.h>
 
 #include "airframe.h"
+#include "bessemer_constants.h"
+#include "bessemer_helpers.h"
 #include "bessemer_target.h"
 #include "exponential.h"
 #include "geometry.h"
 #include "power.h"
 
-/** Acceleration of gravity, m/s². */
-static const double GRAVITY = 9.81;
-
-/** Places for motors: quad-, hexa- and octocopters run the same code. */
-static const uint64_t MOST_MOTORS = UINT64_C(8);
-
-/* The smaller of two numbers: -0 < +0, and a NaN gives the other. */
-static double min_f64(double a, double b)
-{
-    if (a < b || isnan(b)) {
-        return a;
-    }
-    if (b < a || isnan(a)) {
-        return b;
-    }
-    return signbit(a) ? a : b;
-}
-
-/* The larger of two numbers: -0 < +0, and a NaN gives the other. */
-static double max_f64(double a, double b)
-{
-    if (a > b || isnan(b)) {
-        return a;
-    }
-    if (b > a || isnan(a)) {
-        return b;
-    }
-    return !signbit(a) ? a : b;
-}
-
 void injection_none(injection_t *injection)
 {
-    injection->profile = PROFILE_CONSTANT;
-    injection->begins = 0.0;
-    injection->slope = 0.0;
-    injection->rate = 0.0;
-    injection->offset = 0.0;
-    injection->power = 1.0;
-    injection->most = 0.0;
-    injection->friction = 0.0;
+    static const injection_t none = {
+        .profile = PROFILE_CONSTANT,
+        .begins = 0.0,
+        .slope = 0.0,
+        .rate = 0.0,
+        .offset = 0.0,
+        .power = 1.0,
+        .most = 0.0,
+        .friction = 0.0
+    };
+    *injection = none;
 }
 
 void injection_constant(double most, injection_t *injection)
@@ -74,7 +49,7 @@ void injection_constant(double most, injection_t *injection)
 
 double injection_gain_for(double gravity)
 {
-    return sqrt(max_f64(1.0 - gravity / GRAVITY, 0.0));
+    return sqrt(max_f64(1.0 - gravity / AIRFRAME_GRAVITY, 0.0));
 }
 
 void injection_linear(double most, injection_t *injection)
@@ -147,7 +122,7 @@ void feed_forward_compensation(const airframe_t *airframe, const estimate_t *est
     orientation_of(estimate->angles, &orientation);
     double vector[3];
     orientation_upwards(&orientation, vector);
-    const double weight = vector[2] * airframe->mass * GRAVITY;
+    const double weight = vector[2] * airframe->mass * AIRFRAME_GRAVITY;
     double drag_thrust_direction[3];
     orientation_thrust_direction(&orientation, drag_thrust_direction);
     const double drag = (drag_thrust_direction[0] * estimate->velocity[0]
@@ -159,7 +134,7 @@ void feed_forward_compensation(const airframe_t *airframe, const estimate_t *est
     for (uint32_t i = 0U; i < 8U; i++) {
         speeds[i] = 0.0;
     }
-    for (uint32_t n = 0U; n < MOST_MOTORS; n++) {
+    for (uint32_t n = 0U; n < AIRFRAME_MOST_MOTORS; n++) {
         if (factors[n] > 0.0) {
             speeds[n] = sqrt(each / factors[n]);
         }

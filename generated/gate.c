@@ -9,58 +9,11 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_constants.h"
+#include "bessemer_helpers.h"
 #include "bessemer_target.h"
 #include "packet.h"
 #include "siphash.h"
-
-/** Bytes of the counter. */
-static const uint64_t COUNTER = UINT64_C(6);
-
-/** Bytes before the payload: two marks, kind, sequence (2), length. */
-static const uint64_t HEADER = UINT64_C(6);
-
-/** The most bytes of a payload: the rest is header and checksum. */
-static const uint64_t MOST_PAYLOAD = UINT64_C(56);
-
-/**
- * So much older than the last packet, ms, a STOP is still taken: it may have been overtaken. Whoever
- * repeats one within that time stops what has been stopped.
- */
-static const uint64_t OVERTAKEN = UINT64_C(2000);
-
-/** Bytes of the counter and of the sum. */
-static const uint64_t SEAL = UINT64_C(14);
-
-/** Where what is summed up begins: behind the two marks, with the kind. */
-static const uint64_t START = UINT64_C(2);
-
-/** Stops the motors at once. */
-static const uint8_t STOP = 9U;
-
-/* The smaller of two integers. */
-static uint64_t min_u64(uint64_t a, uint64_t b)
-{
-    return a < b ? a : b;
-}
-
-/* The larger of two integers. */
-static uint64_t max_u64(uint64_t a, uint64_t b)
-{
-    return a > b ? a : b;
-}
-
-/* a + b, or the limit of the type beyond which it lies. */
-static uint32_t saturating_add_u32(uint32_t a, uint32_t b)
-{
-    const int64_t exact = (int64_t)a + (int64_t)b;
-    return exact > UINT32_MAX ? UINT32_MAX : (uint32_t)exact;
-}
-
-/* a + b, or the limit of the type beyond which it lies. */
-static uint64_t saturating_add_u64(uint64_t a, uint64_t b)
-{
-    return a > UINT64_MAX - b ? UINT64_MAX : a + b;
-}
 
 void gate_init(gate_t *self)
 {
@@ -76,15 +29,16 @@ void gate_step(gate_t *self, const siphash_key_t *key, const packet_t *packet, p
         *result = *packet;
         return;
     }
-    const uint64_t whole = min_u64(packet_size(packet), MOST_PAYLOAD);
-    if (!packet_is_sound(packet) || whole < SEAL) {
+    const uint64_t whole = min_u64(packet_size(packet), PACKET_MOST_PAYLOAD);
+    if (!packet_is_sound(packet) || whole < GATE_SEAL) {
         self->refused.unsealed = saturating_add_u32(self->refused.unsealed, 1U);
         packet_none(result);
         return;
     }
-    const uint64_t size = whole - SEAL;
-    const uint64_t sum = packet_word(packet, size + COUNTER);
-    if (siphash_sip_hash(key, packet->bytes, START, HEADER + size + COUNTER) != sum) {
+    const uint64_t size = whole - GATE_SEAL;
+    const uint64_t sum = packet_word(packet, size + GATE_COUNTER);
+    if (siphash_sip_hash(key, packet->bytes, PACKET_START, PACKET_HEADER + size + GATE_COUNTER)
+            != sum) {
         self->refused.forged = saturating_add_u32(self->refused.forged, 1U);
         packet_none(result);
         return;
@@ -92,8 +46,8 @@ void gate_step(gate_t *self, const siphash_key_t *key, const packet_t *packet, p
 
     /* The two bytes above the counter are the sum's. */
     const uint64_t counter = packet_word(packet, size) & UINT64_C(0xFFFFFFFFFFFF);
-    const bool late = packet_kind(packet) == STOP
-        && saturating_add_u64(counter, OVERTAKEN) > self->counter;
+    const bool late = packet_kind(packet) == RECEIVER_STOP
+        && saturating_add_u64(counter, GATE_OVERTAKEN) > self->counter;
     if (counter <= self->counter && !late) {
         self->refused.replayed = saturating_add_u32(self->refused.replayed, 1U);
         packet_none(result);
@@ -101,7 +55,7 @@ void gate_step(gate_t *self, const siphash_key_t *key, const packet_t *packet, p
     }
     self->counter = max_u64(self->counter, counter);
     uint8_t payload[56] = {0U};
-    for (uint32_t n = 0U; n < MOST_PAYLOAD; n++) {
+    for (uint32_t n = 0U; n < PACKET_MOST_PAYLOAD; n++) {
         if ((uint64_t)n < size) {
             payload[n] = packet_byte(packet, (uint64_t)n);
         }

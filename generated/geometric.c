@@ -10,26 +10,16 @@
 #include <stdint.h>
 
 #include "arctangent.h"
+#include "bessemer_constants.h"
+#include "bessemer_helpers.h"
 #include "bessemer_target.h"
 #include "geometry.h"
 #include "parameters.h"
 #include "roots.h"
 #include "tr_product_f64_3x3_3x3.h"
 
-/** Acceleration of gravity, m/s². */
-static const double GRAVITY = 9.81;
-
 /** Steepest lean that is asked for, rad. */
 static const double STEEPEST = 0.6;
-
-/* The number nearest to value from low to high; NaN stays NaN. */
-static double clamp_f64(double value, double low, double high)
-{
-    if (value < low) {
-        return low;
-    }
-    return value > high ? high : value;
-}
 
 void geometric_track(const parameters_t *parameters, const estimate_t *estimate,
     const target_t *target, wrench_t *wrench)
@@ -90,21 +80,16 @@ void geometric_track(const parameters_t *parameters, const estimate_t *estimate,
         estimate->rates[0] * gyroscopic_product[1] - estimate->rates[1] * gyroscopic_product[0]
     };
     const double upwards[3] = {rotation[0 + 3 * 2], rotation[1 + 3 * 2], rotation[2 + 3 * 2]};
-    const double wrench_torque[3] = {
-        inertia[0] * turn[0] + gyroscopic[0],
-        inertia[1] * turn[1] + gyroscopic[1],
-        inertia[2] * turn[2] + gyroscopic[2]
-    };
+    wrench->torque[0] = inertia[0] * turn[0] + gyroscopic[0];
+    wrench->torque[1] = inertia[1] * turn[1] + gyroscopic[1];
+    wrench->torque[2] = inertia[2] * turn[2] + gyroscopic[2];
     wrench->thrust = force[0] * upwards[0] + force[1] * upwards[1] + force[2] * upwards[2];
-    wrench->torque[0] = wrench_torque[0];
-    wrench->torque[1] = wrench_torque[1];
-    wrench->torque[2] = wrench_torque[2];
 }
 
 void geometric_push(const parameters_t *parameters, const estimate_t *estimate,
     const target_t *target, double result[3])
 {
-    const double weight[3] = {0.0, 0.0, parameters->mass * GRAVITY};
+    const double weight[3] = {0.0, 0.0, parameters->mass * AIRFRAME_GRAVITY};
     if (target->take_off) {
         const double result_sum = 1.0 + parameters->takeoff_gain;
         result[0] = weight[0] * result_sum;

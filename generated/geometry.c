@@ -10,26 +10,12 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_constants.h"
+#include "bessemer_helpers.h"
 #include "bessemer_target.h"
 #include "sine.h"
 
 static const double PI = 3.141592653589793;
-
-/** Least cosine of the pitch that is divided by: 89.4°. */
-static const double STEEP = 0.01;
-
-/* The size of one number with the sign of another; a NaN counts as positive. */
-static double copysign_f64(double size, double sign)
-{
-    return isnan(sign) ? fabs(size) : copysign(size, sign);
-}
-
-/* The remainder of a / b, from 0 to the size of b. */
-static double rem_euclid_f64(double a, double b)
-{
-    const double remainder = fmod(a, b);
-    return remainder < 0.0 ? remainder + fabs(b) : remainder;
-}
 
 void orientation_of(const double angles[3], orientation_t *orientation)
 {
@@ -89,8 +75,8 @@ void orientation_rate_matrix(const orientation_t *self, double result[9])
 
 double orientation_divisor(const orientation_t *self)
 {
-    if (fabs(self->c2) < STEEP) {
-        return copysign_f64(STEEP, self->c2);
+    if (fabs(self->c2) < GEOMETRY_STEEP) {
+        return copysign_f64(GEOMETRY_STEEP, self->c2);
     }
     return self->c2;
 }

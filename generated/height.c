@@ -9,25 +9,15 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_constants.h"
+#include "bessemer_helpers.h"
 #include "bessemer_target.h"
 #include "parameters.h"
-
-/** Acceleration of gravity, m/s². */
-static const double GRAVITY = 9.81;
 
 /**
  * Largest integral of the height error, m·s: at the Mambo's gain its whole weight, most of which a feed-forward takes over.
  */
 static const double MOST = 14.0;
-
-/* The number nearest to value from low to high; NaN stays NaN. */
-static double clamp_f64(double value, double low, double high)
-{
-    if (value < low) {
-        return low;
-    }
-    return value > high ? high : value;
-}
 
 void height_init(height_t *self)
 {
@@ -37,7 +27,7 @@ void height_init(height_t *self)
 double height_step(height_t *self, const parameters_t *parameters, const target_t *target,
     double height, double climb)
 {
-    const double weight = parameters->mass * GRAVITY;
+    const double weight = parameters->mass * AIRFRAME_GRAVITY;
     if (target->take_off) {
         return weight + parameters->takeoff_gain * weight;
     }

@@ -8,49 +8,20 @@
 
 #include <stdbool.h>
 #include <stdint.h>
-#include <string.h>
 
+#include "bessemer_constants.h"
+#include "bessemer_helpers.h"
 #include "bessemer_target.h"
-
-/** How many records the ring holds. */
-static const uint64_t DEPTH = UINT64_C(16);
-
-/** How many signals there are to choose from. */
-static const uint64_t SIGNALS = UINT64_C(64);
-
-/** How many signals a record holds. */
-static const uint64_t WIDTH = UINT64_C(36);
-
-/* The smaller of two integers. */
-static uint64_t min_u64(uint64_t a, uint64_t b)
-{
-    return a < b ? a : b;
-}
-
-/* The larger of two integers. */
-static uint32_t max_u32(uint32_t a, uint32_t b)
-{
-    return a > b ? a : b;
-}
-
-/* a + b, or the limit of the type beyond which it lies. */
-static uint32_t saturating_add_u32(uint32_t a, uint32_t b)
-{
-    const int64_t exact = (int64_t)a + (int64_t)b;
-    return exact > UINT32_MAX ? UINT32_MAX : (uint32_t)exact;
-}
 
 static void logger_push(logger_t *self, const record_t *record);
 
 void choice_usual(choice_t *choice)
 {
-    uint8_t signals[36] = {0U};
-    for (uint32_t n = 0U; n < WIDTH; n++) {
-        signals[n] = (uint8_t)n;
+    for (uint32_t n = 0U; n < LOGGER_WIDTH; n++) {
+        choice->signals[n] = (uint8_t)n;
     }
     choice->tag = 0U;
     choice->every = 10U;
-    memcpy(choice->signals, signals, sizeof(uint8_t[36]));
 }
 
 void logger_init(logger_t *self)
@@ -79,9 +50,9 @@ void logger_step(logger_t *self, const choice_t *choice, const double signals[64
         for (uint32_t i = 0U; i < 36U; i++) {
             record->values[i] = 0.0;
         }
-        for (uint32_t n = 0U; n < WIDTH; n++) {
+        for (uint32_t n = 0U; n < LOGGER_WIDTH; n++) {
             const uint64_t number = (uint64_t)choice->signals[n];
-            record->values[n] = signals[number % SIGNALS];
+            record->values[n] = signals[number % LOGGER_SIGNALS];
         }
         logger_push(self, record);
     }
@@ -91,13 +62,13 @@ void logger_step(logger_t *self, const choice_t *choice, const double signals[64
 /** Puts a record behind the others. */
 static void logger_push(logger_t *self, const record_t *record)
 {
-    const uint64_t first = self->first % DEPTH;
-    const uint64_t count = min_u64(self->count, DEPTH);
-    self->records[(first + count) % DEPTH] = *record;
-    if (count < DEPTH) {
+    const uint64_t first = self->first % LOGGER_DEPTH;
+    const uint64_t count = min_u64(self->count, LOGGER_DEPTH);
+    self->records[(first + count) % LOGGER_DEPTH] = *record;
+    if (count < LOGGER_DEPTH) {
         self->count = count + UINT64_C(1);
     } else {
-        self->first = (first + UINT64_C(1)) % DEPTH;
+        self->first = (first + UINT64_C(1)) % LOGGER_DEPTH;
         self->lost = saturating_add_u32(self->lost, 1U);
     }
 }
@@ -109,10 +80,10 @@ bool logger_has_one(const logger_t *self)
 
 void logger_take(logger_t *self, record_t *record)
 {
-    const uint64_t first = self->first % DEPTH;
+    const uint64_t first = self->first % LOGGER_DEPTH;
     if (self->count > UINT64_C(0)) {
-        self->first = (first + UINT64_C(1)) % DEPTH;
-        self->count = min_u64(self->count, DEPTH) - UINT64_C(1);
+        self->first = (first + UINT64_C(1)) % LOGGER_DEPTH;
+        self->count = min_u64(self->count, LOGGER_DEPTH) - UINT64_C(1);
     }
     *record = self->records[first];
 }

@@ -11,36 +11,11 @@
 #include <stdint.h>
 
 #include "airframe.h"
+#include "bessemer_constants.h"
+#include "bessemer_helpers.h"
 #include "bessemer_target.h"
 #include "product_f64_4x8_8x1.h"
 #include "signals.h"
-
-/** Places for motors: quad-, hexa- and octocopters run the same code. */
-static const uint64_t MOST_MOTORS = UINT64_C(8);
-
-/* The smaller of two numbers: -0 < +0, and a NaN gives the other. */
-static double min_f64(double a, double b)
-{
-    if (a < b || isnan(b)) {
-        return a;
-    }
-    if (b < a || isnan(a)) {
-        return b;
-    }
-    return signbit(a) ? a : b;
-}
-
-/* The larger of two numbers: -0 < +0, and a NaN gives the other. */
-static double max_f64(double a, double b)
-{
-    if (a > b || isnan(b)) {
-        return a;
-    }
-    if (b > a || isnan(a)) {
-        return b;
-    }
-    return !signbit(a) ? a : b;
-}
 
 void mixer_new(const airframe_t *airframe, double square_per_command, double largest_command,
     mixer_t *mixer)
@@ -56,10 +31,10 @@ void mixer_mix(const mixer_t *self, const wrench_t *wanted, const double feed_fo
     command_t *command)
 {
     const double torque[3] = {wanted->torque[0], wanted->torque[1], wanted->torque[2]};
-    double lift[8] = {0.0};
-    double tilt[8] = {0.0};
-    double twist[8] = {0.0};
-    for (uint32_t n = 0U; n < MOST_MOTORS; n++) {
+    double lift[8];
+    double tilt[8];
+    double twist[8];
+    for (uint32_t n = 0U; n < AIRFRAME_MOST_MOTORS; n++) {
         const double own = sqrt(max_f64(self->allocation[n + 8 * 0] * wanted->thrust, 0.0));
         const double speed = own + feed_forward[n];
         lift[n] = speed * speed;
@@ -70,7 +45,7 @@ void mixer_mix(const mixer_t *self, const wrench_t *wanted, const double feed_fo
     double squares[8];
     mixer_fit(self, lift, tilt, twist, largest, squares);
     command_still(command);
-    for (uint32_t n = 0U; n < MOST_MOTORS; n++) {
+    for (uint32_t n = 0U; n < AIRFRAME_MOST_MOTORS; n++) {
         const double square = min_f64(max_f64(squares[n], 0.0), largest);
         const double speed = sqrt(square);
         command->motors[n] = square / self->square_per_command;
@@ -97,26 +72,22 @@ void mixer_wrench(const mixer_t *self, const command_t *command, wrench_t *wrenc
 void mixer_fit(const mixer_t *self, const double lift[8], const double tilt[8],
     const double twist[8], double largest, double squares[8])
 {
-    const double kept_base[8] = {0.0};
+    static const double kept_base[8] = {0.0};
     const double kept_share = mixer_share(self, kept_base, tilt, largest);
     double kept[8];
     for (uint32_t i = 0U; i < 8U; i++) {
         kept[i] = tilt[i] * kept_share;
     }
     const double turn_share = mixer_share(self, kept, twist, largest);
-    double turn[8];
-    for (uint32_t i = 0U; i < 8U; i++) {
-        turn[i] = kept[i] + twist[i] * turn_share;
-    }
 
     /* How far the lift has to go up or down so that every motor stays within its limits. */
     double wanted[8];
     for (uint32_t i = 0U; i < 8U; i++) {
-        wanted[i] = lift[i] + turn[i];
+        wanted[i] = lift[i] + (kept[i] + twist[i] * turn_share);
     }
     double least = largest;
     double most = 0.0;
-    for (uint32_t n = 0U; n < MOST_MOTORS; n++) {
+    for (uint32_t n = 0U; n < AIRFRAME_MOST_MOTORS; n++) {
         if (self->spins[n] != 0.0) {
             least = min_f64(wanted[n], least);
             most = max_f64(wanted[n], most);
@@ -126,7 +97,7 @@ void mixer_fit(const mixer_t *self, const double lift[8], const double tilt[8],
     for (uint32_t i = 0U; i < 8U; i++) {
         squares[i] = 0.0;
     }
-    for (uint32_t n = 0U; n < MOST_MOTORS; n++) {
+    for (uint32_t n = 0U; n < AIRFRAME_MOST_MOTORS; n++) {
         if (self->spins[n] != 0.0) {
             squares[n] = wanted[n] + shift;
         }
@@ -137,8 +108,8 @@ double mixer_share(const mixer_t *self, const double base[8], const double more[
 {
     (void)self;
     double share = 1.0;
-    for (uint32_t i = 0U; i < MOST_MOTORS; i++) {
-        for (uint32_t j = 0U; j < MOST_MOTORS; j++) {
+    for (uint32_t i = 0U; i < AIRFRAME_MOST_MOTORS; i++) {
+        for (uint32_t j = 0U; j < AIRFRAME_MOST_MOTORS; j++) {
             const double apart = more[i] - more[j];
             const double room = largest - (base[i] - base[j]);
             if (apart * share > room) {

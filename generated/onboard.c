@@ -9,9 +9,9 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
-#include <string.h>
 
 #include "airframe.h"
+#include "bessemer_helpers.h"
 #include "bessemer_target.h"
 #include "calibration.h"
 #include "clock_monitor.h"
@@ -26,6 +26,7 @@
 #include "reference_generator.h"
 #include "sender.h"
 #include "signals.h"
+#include "trajectory.h"
 #include "tuning.h"
 
 static const controller_t CONTROLLER_DEFAULT = {
@@ -51,30 +52,6 @@ static const double STANDING[2] = {0.1, 0.1};
  */
 static const double SWELL = 0.1;
 
-/* The smaller of two numbers: -0 < +0, and a NaN gives the other. */
-static double min_f64(double a, double b)
-{
-    if (a < b || isnan(b)) {
-        return a;
-    }
-    if (b < a || isnan(a)) {
-        return b;
-    }
-    return signbit(a) ? a : b;
-}
-
-/* The larger of two numbers: -0 < +0, and a NaN gives the other. */
-static double max_f64(double a, double b)
-{
-    if (a > b || isnan(b)) {
-        return a;
-    }
-    if (b > a || isnan(a)) {
-        return b;
-    }
-    return !signbit(a) ? a : b;
-}
-
 static void onboard_arm(onboard_t *self, const estimate_t *estimate);
 static alarm_t onboard_watch(onboard_t *self, const settings_t *settings, uint64_t time,
     const estimate_t *estimate);
@@ -93,10 +70,10 @@ void settings_mambo(settings_t *settings)
     parameters_mambo(&settings->parameters);
     injection_none(&settings->injection);
     choice_usual(&settings->choice);
-    settings->space.reach = 3.0;
-    settings->space.heights[0] = 0.0;
-    settings->space.heights[1] = 3.0;
-    settings->space.latest = 3600.0;
+    {
+        static const space_t constants = {.reach = 3.0, .heights = {0.0, 3.0}, .latest = 3600.0};
+        settings->space = constants;
+    }
 }
 
 void onboard_init(onboard_t *self)
@@ -126,49 +103,39 @@ void onboard_step(onboard_t *self, const settings_t *settings, const inputs_t *i
     receiver_step(&self->receiver, period, &settings->space, &inputs->uplink, &work->receiver_step);
     measured_t measured;
     calibration_measured(&settings->calibration, &inputs->readings, &measured);
-    estimate_t estimate;
     estimator_step(&self->estimator, &settings->sensors, &self->pushed, &measured,
-        &work->estimator_step, &estimate);
+        &work->estimator_step, &outputs->estimate);
     if (self->receiver.orders.arm) {
-        onboard_arm(self, &estimate);
+        onboard_arm(self, &outputs->estimate);
     }
-    const alarm_t alarm = onboard_watch(self, settings, inputs->time, &estimate);
+    const alarm_t alarm = onboard_watch(self, settings, inputs->time, &outputs->estimate);
     if (alarm != ALARM_CLEAR) {
         reference_generator_end(&self->reference);
     }
     const bool landed = self->controller.touch_down.landed;
     const bool limp = estimator_is_deaf(&self->estimator);
-    reference_t reference;
-    reference_generator_step(&self->reference, &settings->course, &self->receiver.orders, &estimate,
-        landed, limp, &reference);
-    onboard_swell(self, settings, &reference);
-    command_t command;
-    command_still(&command);
-    if (reference.motors) {
+    reference_generator_step(&self->reference, &settings->course, &self->receiver.orders,
+        &outputs->estimate, landed, limp, &outputs->reference);
+    onboard_swell(self, settings, &outputs->reference);
+    command_still(&outputs->command);
+    if (outputs->reference.motors) {
         double whole[8];
-        feed_forward_compensation(&settings->airframe, &estimate, settings->injection.friction,
-            whole);
+        feed_forward_compensation(&settings->airframe, &outputs->estimate,
+            settings->injection.friction, whole);
         double share[8];
         for (uint32_t i = 0U; i < 8U; i++) {
             share[i] = whole[i] * self->gain;
         }
-        controller_step(&self->controller, &settings->parameters, &estimate, &reference.target,
-            share, &command);
+        controller_step(&self->controller, &settings->parameters, &outputs->estimate,
+            &outputs->reference.target, share, &outputs->command);
     }
-    parameters_push(&settings->parameters, &command, &self->pushed);
-    double outputs_spread[6];
-    estimator_spread(&self->estimator, outputs_spread);
-    packet_t outputs_downlink;
-    packet_none(&outputs_downlink);
-    outputs->command = command;
-    outputs->estimate = estimate;
+    parameters_push(&settings->parameters, &outputs->command, &self->pushed);
+    estimator_spread(&self->estimator, outputs->spread);
+    packet_none(&outputs->downlink);
     outputs->ages = self->estimator.ages;
-    outputs->reference = reference;
-    memcpy(outputs->spread, outputs_spread, sizeof(double[6]));
     outputs->gain = self->gain;
     outputs->wish = self->receiver.wish;
     outputs->alarm = alarm;
-    outputs->downlink = outputs_downlink;
     double *const signals = work->with_signals.signals;
     onboard_signals(outputs, signals);
     logger_step(&self->logger, &settings->choice, signals, &work->with_signals.logger_step);
@@ -249,7 +216,7 @@ static void onboard_send(onboard_t *self, const settings_t *settings, const refu
 
 void onboard_signals(const outputs_t *outputs, double all[64])
 {
-    for (uint32_t i = 0U; i < 64U; i++) {
+    for (uint32_t i = 57U; i < 64U; i++) {
         all[i] = 0.0;
     }
     for (uint32_t n = 0U; n < 3U; n++) {

@@ -8,47 +8,16 @@
 
 #include <stdbool.h>
 #include <stdint.h>
-#include <string.h>
 
+#include "bessemer_constants.h"
+#include "bessemer_helpers.h"
 #include "bessemer_target.h"
 
 /** The first byte of every packet. */
 static const uint8_t FIRST = 165U;
 
-/** Bytes before the payload: two marks, kind, sequence (2), length. */
-static const uint64_t HEADER = UINT64_C(6);
-
-/** The most bytes of a packet. */
-static const uint64_t MOST_BYTES = UINT64_C(64);
-
-/** The most bytes of a payload: the rest is header and checksum. */
-static const uint64_t MOST_PAYLOAD = UINT64_C(56);
-
 /** The second byte of every packet. */
 static const uint8_t SECOND = 90U;
-
-/** Where the length of the payload stands. */
-static const uint64_t SIZE_AT = UINT64_C(5);
-
-/** Where what is summed up begins: behind the two marks, with the kind. */
-static const uint64_t START = UINT64_C(2);
-
-/** Bytes of the checksum behind the payload. */
-static const uint64_t SUM = UINT64_C(2);
-
-/* The smaller of two integers. */
-static uint64_t min_u64(uint64_t a, uint64_t b)
-{
-    return a < b ? a : b;
-}
-
-/* The number with these bits. */
-static double f64_from_bits(uint64_t bits)
-{
-    double value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
 
 void packet_none(packet_t *packet)
 {
@@ -62,25 +31,25 @@ void packet_around(uint8_t kind, uint16_t sequence, const uint8_t payload[56], u
     packet_t *packet)
 {
     packet_none(packet);
-    const uint64_t size = min_u64(length, MOST_PAYLOAD);
-    packet->length = HEADER + size + SUM;
+    const uint64_t size = min_u64(length, PACKET_MOST_PAYLOAD);
+    packet->length = PACKET_HEADER + size + PACKET_SUM;
     packet->bytes[0] = FIRST;
     packet->bytes[1] = SECOND;
     packet->bytes[2] = kind;
     packet->bytes[3] = (uint8_t)(uint16_t)(sequence & 255U);
     packet->bytes[4] = (uint8_t)(uint16_t)(sequence >> 8);
-    packet->bytes[SIZE_AT] = (uint8_t)size;
-    for (uint32_t n = 0U; n < MOST_PAYLOAD; n++) {
-        if ((uint64_t)n < size) {
-            packet->bytes[HEADER + n] = payload[n];
+    packet->bytes[PACKET_SIZE_AT] = (uint8_t)size;
+    for (uint32_t n = 0U; n < PACKET_MOST_PAYLOAD; n++) {
+        if (n < (uint32_t)size) {
+            packet->bytes[PACKET_HEADER + n] = payload[n];
         }
     }
-    const uint16_t sum = packet_checksum(packet->bytes, HEADER + size);
-    for (uint32_t n = (uint32_t)HEADER; n < MOST_BYTES; n++) {
-        if ((uint64_t)n == HEADER + size) {
+    const uint16_t sum = packet_checksum(packet->bytes, PACKET_HEADER + size);
+    for (uint32_t n = (uint32_t)PACKET_HEADER; n < PACKET_MOST_BYTES; n++) {
+        if (n == (uint32_t)(PACKET_HEADER + size)) {
             packet->bytes[n] = (uint8_t)(uint16_t)(sum & 255U);
         }
-        if ((uint64_t)n == HEADER + size + UINT64_C(1)) {
+        if (n == (uint32_t)(PACKET_HEADER + size + 1U)) {
             packet->bytes[n] = (uint8_t)(uint16_t)(sum >> 8);
         }
     }
@@ -88,23 +57,23 @@ void packet_around(uint8_t kind, uint16_t sequence, const uint8_t payload[56], u
 
 bool packet_is_sound(const packet_t *self)
 {
-    const uint64_t size = (uint64_t)self->bytes[SIZE_AT];
-    if (self->bytes[0] != FIRST || self->bytes[1] != SECOND || size > MOST_PAYLOAD) {
+    const uint64_t size = (uint64_t)self->bytes[PACKET_SIZE_AT];
+    if (self->bytes[0] != FIRST || self->bytes[1] != SECOND || size > PACKET_MOST_PAYLOAD) {
         return false;
     }
-    if (self->length != HEADER + size + SUM) {
+    if (self->length != PACKET_HEADER + size + PACKET_SUM) {
         return false;
     }
     uint16_t sent = 0U;
-    for (uint32_t n = (uint32_t)HEADER; n < MOST_BYTES; n++) {
-        if ((uint64_t)n == HEADER + size) {
+    for (uint32_t n = (uint32_t)PACKET_HEADER; n < PACKET_MOST_BYTES; n++) {
+        if ((uint64_t)n == PACKET_HEADER + size) {
             sent = (uint16_t)(sent | (uint16_t)self->bytes[n]);
         }
-        if ((uint64_t)n == HEADER + size + UINT64_C(1)) {
+        if ((uint64_t)n == PACKET_HEADER + size + UINT64_C(1)) {
             sent = (uint16_t)(sent | (uint16_t)((uint32_t)(uint16_t)self->bytes[n] << 8));
         }
     }
-    return packet_checksum(self->bytes, HEADER + size) == sent;
+    return packet_checksum(self->bytes, PACKET_HEADER + size) == sent;
 }
 
 uint8_t packet_kind(const packet_t *self)
@@ -121,13 +90,13 @@ uint16_t packet_sequence(const packet_t *self)
 
 uint64_t packet_size(const packet_t *self)
 {
-    return (uint64_t)self->bytes[SIZE_AT];
+    return (uint64_t)self->bytes[PACKET_SIZE_AT];
 }
 
 uint8_t packet_byte(const packet_t *self, uint64_t at)
 {
-    const uint64_t place = min_u64(at, MOST_PAYLOAD - UINT64_C(1));
-    return self->bytes[HEADER + place];
+    const uint64_t place = min_u64(at, PACKET_MOST_PAYLOAD - UINT64_C(1));
+    return self->bytes[PACKET_HEADER + place];
 }
 
 double packet_number(const packet_t *self, uint64_t at)
@@ -137,10 +106,10 @@ double packet_number(const packet_t *self, uint64_t at)
 
 uint64_t packet_word(const packet_t *self, uint64_t at)
 {
-    const uint64_t start = min_u64(at, MOST_PAYLOAD - UINT64_C(8));
+    const uint64_t start = min_u64(at, PACKET_MOST_PAYLOAD - UINT64_C(8));
     uint8_t eight[8];
     for (uint32_t n = 0U; n < 8U; n++) {
-        eight[n] = self->bytes[HEADER + start + (uint64_t)n];
+        eight[n] = self->bytes[PACKET_HEADER + start + n];
     }
     return (uint64_t)eight[0] | ((uint64_t)eight[1] << 8U) | ((uint64_t)eight[2] << 16U)
         | ((uint64_t)eight[3] << 24U) | ((uint64_t)eight[4] << 32U) | ((uint64_t)eight[5] << 40U)
@@ -150,7 +119,7 @@ uint64_t packet_word(const packet_t *self, uint64_t at)
 uint16_t packet_checksum(const uint8_t bytes[64], uint64_t end)
 {
     uint16_t sum = UINT16_MAX;
-    for (uint32_t n = (uint32_t)START; n < MOST_BYTES; n++) {
+    for (uint32_t n = (uint32_t)PACKET_START; n < PACKET_MOST_BYTES; n++) {
         if ((uint64_t)n < end) {
             sum = (uint16_t)(sum ^ (uint16_t)((uint32_t)(uint16_t)bytes[n] << 8));
             for (int32_t pass = 0; pass < 8; pass++) {

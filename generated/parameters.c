@@ -27,15 +27,10 @@ void parameters_push(const parameters_t *self, const command_t *command, push_t 
 {
     wrench_t wrench;
     mixer_wrench(&self->mixer, command, &wrench);
-    const double turn[3] = {
-        wrench.torque[0] / self->inertia[0],
-        wrench.torque[1] / self->inertia[1],
-        wrench.torque[2] / self->inertia[2]
-    };
+    push->turn[0] = wrench.torque[0] / self->inertia[0];
+    push->turn[1] = wrench.torque[1] / self->inertia[1];
+    push->turn[2] = wrench.torque[2] / self->inertia[2];
     push->force = wrench.thrust / self->mass;
-    push->turn[0] = turn[0];
-    push->turn[1] = turn[1];
-    push->turn[2] = turn[2];
 }
 
 void parameters_mambo(parameters_t *parameters)
@@ -66,22 +61,35 @@ void parameters_mambo(parameters_t *parameters)
     parameters->yaw.p = 0.005;
     parameters->yaw.i = 0.0;
     parameters->yaw.d = 0.0012;
-    parameters->geometric.place.p = 2.5;
-    parameters->geometric.place.d = 2.5;
-    parameters->geometric.attitude.p = 150.0;
-    parameters->geometric.attitude.d = 22.0;
+    {
+        static const geometric_t constants = {
+            .place = {.p = 2.5, .d = 2.5},
+            .attitude = {.p = 150.0, .d = 22.0}
+        };
+        parameters->geometric = constants;
+    }
 }
 
 void parameters_hexacopter(parameters_t *work, parameters_t *parameters)
 {
     airframe_t airframe;
     airframe_hexacopter(&airframe);
-    const gains_t result_height = {.p = 16.0, .i = 1.6, .d = 7.0};
-    const damped_t result_x = {.p = -0.2, .d = -0.17};
-    const damped_t result_y = {.p = -0.2, .d = -0.17};
-    const gains_t result_roll = {.p = 2.0, .i = 0.4, .d = 0.4};
-    const gains_t result_pitch = {.p = 2.0, .i = 0.4, .d = 0.4};
-    const gains_t result_yaw = {.p = 0.15, .i = 0.0, .d = 0.12};
+    parameters->height.p = 16.0;
+    parameters->height.i = 1.6;
+    parameters->height.d = 7.0;
+    parameters->x.p = -0.2;
+    parameters->x.d = -0.17;
+    parameters->y.p = -0.2;
+    parameters->y.d = -0.17;
+    parameters->roll.p = 2.0;
+    parameters->roll.i = 0.4;
+    parameters->roll.d = 0.4;
+    parameters->pitch.p = 2.0;
+    parameters->pitch.i = 0.4;
+    parameters->pitch.d = 0.4;
+    parameters->yaw.p = 0.15;
+    parameters->yaw.i = 0.0;
+    parameters->yaw.d = 0.12;
     mixer_new(&airframe, 2000.0, 500.0, &parameters->mixer);
     parameters_t *const parameters_value = work;
     parameters_mambo(parameters_value);
@@ -92,11 +100,5 @@ void parameters_hexacopter(parameters_t *work, parameters_t *parameters)
     parameters->inertia[2] = airframe.inertia[2];
     parameters->candidate = parameters_value->candidate;
     parameters->takeoff_gain = parameters_value->takeoff_gain;
-    parameters->height = result_height;
-    parameters->x = result_x;
-    parameters->y = result_y;
-    parameters->roll = result_roll;
-    parameters->pitch = result_pitch;
-    parameters->yaw = result_yaw;
     parameters->geometric = parameters_value->geometric;
 }

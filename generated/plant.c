@@ -10,50 +10,25 @@
 #include <stdint.h>
 
 #include "airframe.h"
+#include "bessemer_constants.h"
 #include "bessemer_target.h"
 #include "geometry.h"
 #include "product_f64_4x8_8x1.h"
 
-/** Acceleration of gravity, m/s². */
-static const double GRAVITY = 9.81;
-
-/** Places for motors: quad-, hexa- and octocopters run the same code. */
-static const uint64_t MOST_MOTORS = UINT64_C(8);
-
 void motion_plus(const motion_t *self, const motion_t *slope, double time, motion_t *motion)
 {
-    const double motion_position[3] = {
-        self->position[0] + slope->position[0] * time,
-        self->position[1] + slope->position[1] * time,
-        self->position[2] + slope->position[2] * time
-    };
-    const double motion_angles[3] = {
-        self->angles[0] + slope->angles[0] * time,
-        self->angles[1] + slope->angles[1] * time,
-        self->angles[2] + slope->angles[2] * time
-    };
-    const double motion_velocity[3] = {
-        self->velocity[0] + slope->velocity[0] * time,
-        self->velocity[1] + slope->velocity[1] * time,
-        self->velocity[2] + slope->velocity[2] * time
-    };
-    const double motion_rates[3] = {
-        self->rates[0] + slope->rates[0] * time,
-        self->rates[1] + slope->rates[1] * time,
-        self->rates[2] + slope->rates[2] * time
-    };
-    motion->position[0] = motion_position[0];
-    motion->position[1] = motion_position[1];
-    motion->position[2] = motion_position[2];
-    motion->angles[0] = motion_angles[0];
-    motion->angles[1] = motion_angles[1];
-    motion->angles[2] = motion_angles[2];
-    motion->velocity[0] = motion_velocity[0];
-    motion->velocity[1] = motion_velocity[1];
-    motion->velocity[2] = motion_velocity[2];
-    motion->rates[0] = motion_rates[0];
-    motion->rates[1] = motion_rates[1];
-    motion->rates[2] = motion_rates[2];
+    motion->position[0] = self->position[0] + slope->position[0] * time;
+    motion->position[1] = self->position[1] + slope->position[1] * time;
+    motion->position[2] = self->position[2] + slope->position[2] * time;
+    motion->angles[0] = self->angles[0] + slope->angles[0] * time;
+    motion->angles[1] = self->angles[1] + slope->angles[1] * time;
+    motion->angles[2] = self->angles[2] + slope->angles[2] * time;
+    motion->velocity[0] = self->velocity[0] + slope->velocity[0] * time;
+    motion->velocity[1] = self->velocity[1] + slope->velocity[1] * time;
+    motion->velocity[2] = self->velocity[2] + slope->velocity[2] * time;
+    motion->rates[0] = self->rates[0] + slope->rates[0] * time;
+    motion->rates[1] = self->rates[1] + slope->rates[1] * time;
+    motion->rates[2] = self->rates[2] + slope->rates[2] * time;
 }
 
 void motion_slope(const motion_t *self, const airframe_t *airframe, const wrench_t *wrench,
@@ -85,26 +60,16 @@ void motion_slope(const motion_t *self, const airframe_t *airframe, const wrench
         wrench->torque[2] - turn_cross[2]
     };
     orientation_angle_rates(&orientation, self->rates, motion->angles);
-    const double motion_matrix[3] = {0.0, 0.0, GRAVITY};
-    const double motion_velocity[3] = {
-        push[0] - motion_matrix[0],
-        push[1] - motion_matrix[1],
-        push[2] - motion_matrix[2]
-    };
-    const double motion_rates[3] = {
-        turn[0] / airframe->inertia[0],
-        turn[1] / airframe->inertia[1],
-        turn[2] / airframe->inertia[2]
-    };
+    const double motion_matrix[3] = {0.0, 0.0, AIRFRAME_GRAVITY};
+    motion->velocity[0] = push[0] - motion_matrix[0];
+    motion->velocity[1] = push[1] - motion_matrix[1];
+    motion->velocity[2] = push[2] - motion_matrix[2];
+    motion->rates[0] = turn[0] / airframe->inertia[0];
+    motion->rates[1] = turn[1] / airframe->inertia[1];
+    motion->rates[2] = turn[2] / airframe->inertia[2];
     motion->position[0] = self->velocity[0];
     motion->position[1] = self->velocity[1];
     motion->position[2] = self->velocity[2];
-    motion->velocity[0] = motion_velocity[0];
-    motion->velocity[1] = motion_velocity[1];
-    motion->velocity[2] = motion_velocity[2];
-    motion->rates[0] = motion_rates[0];
-    motion->rates[1] = motion_rates[1];
-    motion->rates[2] = motion_rates[2];
 }
 
 void motion_after(const motion_t *self, const airframe_t *airframe, const wrench_t *wrench,
@@ -135,8 +100,8 @@ void motion_after(const motion_t *self, const airframe_t *airframe, const wrench
 
 void airframe_wrench(const airframe_t *self, const double speeds[8], wrench_t *wrench)
 {
-    double squares[8] = {0.0};
-    for (uint32_t n = 0U; n < MOST_MOTORS; n++) {
+    double squares[8];
+    for (uint32_t n = 0U; n < AIRFRAME_MOST_MOTORS; n++) {
         squares[n] = speeds[n] * speeds[n];
     }
     double effect_effectiveness[32];

@@ -47,14 +47,13 @@ void printed_step(printed_t *self, const parameters_t *parameters, const estimat
     /* The torques go to the body's axes as they are: minus the PID, without the axes of (2.16). */
     double torque_step[3];
     attitude_step(&self->attitude, parameters, error, error_rate, target->grounded, torque_step);
-    const double torque[3] = {-torque_step[0], -torque_step[1], -torque_step[2]};
+    wrench->torque[0] = -torque_step[0];
+    wrench->torque[1] = -torque_step[1];
+    wrench->torque[2] = -torque_step[2];
     const double climb = estimate->velocity[2];
     const double thrust = height_step(&self->height, parameters, target, estimate->position[2],
         climb);
     wrench->thrust = thrust;
-    wrench->torque[0] = torque[0];
-    wrench->torque[1] = torque[1];
-    wrench->torque[2] = torque[2];
 }
 
 void printed_lean(const parameters_t *parameters, const target_t *target,

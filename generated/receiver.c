@@ -11,117 +11,14 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "bessemer_constants.h"
+#include "bessemer_helpers.h"
 #include "bessemer_target.h"
 #include "packet.h"
 #include "trajectory.h"
 
-/** Makes ready for another flight; nothing happens unless the aircraft stands on the ground. */
-static const uint8_t ARM = 11U;
-
-/** Asks for a parameter: its number, one byte. */
-static const uint8_t ASK = 12U;
-
-/** Bytes of the payload of `ASK`: a parameter. */
-static const uint64_t ASK_BYTES = UINT64_C(1);
-
-/** Says that the ground is there. From the first one on, it is missed when it is silent. */
-static const uint8_t BEAT = 10U;
-
-/**
- * Chooses what to write down: what to call the choice, every so many periods, and each signal, one byte each.
- */
-static const uint8_t CHOOSE = 14U;
-
-/** Bytes of the payload of `CHOOSE`: two, and one for each signal. */
-static const uint64_t CHOOSE_BYTES = UINT64_C(38);
-
-/** Flies the collected trajectory: how many points, one byte; what it is called, one byte. */
-static const uint8_t COMMIT = 5U;
-
-/** Bytes of the payload of `COMMIT`: how many points, and a name. */
-static const uint64_t COMMIT_BYTES = UINT64_C(2);
-
-/** Closes the link: nothing is sent down any more. */
-static const uint8_t GOODBYE = 2U;
-
-/** Opens the link: always taken, and the numbering begins with it. */
-static const uint8_t HELLO = 1U;
-
-/** Lands. */
-static const uint8_t LAND = 7U;
-
-/** A `Mode`, one byte. */
-static const uint8_t MODE = 3U;
-
-/** Bytes of the payload of `MODE`. */
-static const uint64_t MODE_BYTES = UINT64_C(1);
-
-/** The most bytes of a packet. */
-static const uint64_t MOST_BYTES = UINT64_C(64);
-
-/** The most set points of a trajectory. */
-static const uint64_t MOST_POINTS = UINT64_C(16);
-
-/** A set point: what to call its trajectory, one byte; its index, one byte; time, x, y, z, yaw. */
-static const uint8_t POINT = 4U;
-
-/** Bytes of the payload of `POINT`: a name, an index and five numbers. */
-static const uint64_t POINT_BYTES = UINT64_C(42);
-
-/** Sets a parameter: its number, one byte; its value. */
-static const uint8_t SET = 13U;
-
-/** Bytes of the payload of `SET`: a parameter and a number. */
-static const uint64_t SET_BYTES = UINT64_C(9);
-
-/** Sticks: roll, pitch, rate of yaw, rate of climb. */
-static const uint8_t STICKS = 8U;
-
-/** Bytes of the payload of `STICKS`: four numbers. */
-static const uint64_t STICKS_BYTES = UINT64_C(32);
-
 /** The largest lean, rad, rate of yaw, rad/s, and rate of climb, m/s, that sticks can ask for. */
 static const double STICK_LIMITS[3] = {0.35, 2.0, 0.5};
-
-/** Stops the motors at once. */
-static const uint8_t STOP = 9U;
-
-/** Takes off. */
-static const uint8_t TAKE_OFF = 6U;
-
-/** How many signals a record holds. */
-static const uint64_t WIDTH = UINT64_C(36);
-
-/* The smaller of two numbers: -0 < +0, and a NaN gives the other. */
-static double min_f64(double a, double b)
-{
-    if (a < b || isnan(b)) {
-        return a;
-    }
-    if (b < a || isnan(a)) {
-        return b;
-    }
-    return signbit(a) ? a : b;
-}
-
-/* The larger of two numbers: -0 < +0, and a NaN gives the other. */
-static double max_f64(double a, double b)
-{
-    if (a > b || isnan(b)) {
-        return a;
-    }
-    if (b > a || isnan(a)) {
-        return b;
-    }
-    return !signbit(a) ? a : b;
-}
-
-/* a + b, or the limit of the type beyond which it lies. */
-static uint32_t saturating_add_u32(uint32_t a, uint32_t b)
-{
-    const int64_t exact = (int64_t)a + (int64_t)b;
-    return exact > UINT32_MAX ? UINT32_MAX : (uint32_t)exact;
-}
 
 static bool receiver_is_newer(const receiver_t *self, uint16_t number);
 static bool receiver_take(receiver_t *self, const space_t *space, const packet_t *packet,
@@ -205,12 +102,12 @@ void receiver_step(receiver_t *self, double period, const space_t *space, const 
     if (packet->length == UINT64_C(0)) {
         return;
     }
-    if (packet->length > MOST_BYTES || !packet_is_sound(packet)) {
+    if (packet->length > PACKET_MOST_BYTES || !packet_is_sound(packet)) {
         self->tally.broken = saturating_add_u32(self->tally.broken, 1U);
         return;
     }
-    const bool hello = packet_kind(packet) == HELLO && packet_size(packet) == UINT64_C(0);
-    const bool stop = packet_kind(packet) == STOP && packet_size(packet) == UINT64_C(0);
+    const bool hello = packet_kind(packet) == RECEIVER_HELLO && packet_size(packet) == UINT64_C(0);
+    const bool stop = packet_kind(packet) == RECEIVER_STOP && packet_size(packet) == UINT64_C(0);
     const bool newer = receiver_is_newer(self, packet_sequence(packet));
     if (!newer && !hello && !stop) {
         self->tally.old = saturating_add_u32(self->tally.old, 1U);
@@ -255,25 +152,25 @@ static bool receiver_take(receiver_t *self, const space_t *space, const packet_t
     if (size == UINT64_C(0)) {
         return receiver_take_word(self, space, kind);
     }
-    if (kind == MODE && size == MODE_BYTES) {
+    if (kind == RECEIVER_MODE && size == RECEIVER_MODE_BYTES) {
         return receiver_take_mode(self, packet_byte(packet, UINT64_C(0)));
     }
-    if (kind == POINT && size == POINT_BYTES) {
+    if (kind == RECEIVER_POINT && size == RECEIVER_POINT_BYTES) {
         return receiver_collect(self, space, packet);
     }
-    if (kind == COMMIT && size == COMMIT_BYTES) {
+    if (kind == RECEIVER_COMMIT && size == RECEIVER_COMMIT_BYTES) {
         return receiver_commit(self, space, packet, work);
     }
-    if (kind == STICKS && size == STICKS_BYTES) {
+    if (kind == RECEIVER_STICKS && size == RECEIVER_STICKS_BYTES) {
         return receiver_take_sticks(self, packet);
     }
-    if (kind == ASK && size == ASK_BYTES) {
+    if (kind == RECEIVER_ASK && size == RECEIVER_ASK_BYTES) {
         return receiver_wish_for(self, REQUEST_ASK, packet);
     }
-    if (kind == SET && size == SET_BYTES) {
+    if (kind == RECEIVER_SET && size == RECEIVER_SET_BYTES) {
         return receiver_wish_for(self, REQUEST_SET, packet);
     }
-    if (kind == CHOOSE && size == CHOOSE_BYTES) {
+    if (kind == RECEIVER_CHOOSE && size == RECEIVER_CHOOSE_BYTES) {
         return receiver_choose(self, packet);
     }
     return false;
@@ -282,28 +179,28 @@ static bool receiver_take(receiver_t *self, const space_t *space, const packet_t
 /** What needs no more than the kind of the packet. */
 static bool receiver_take_word(receiver_t *self, const space_t *space, uint8_t kind)
 {
-    if (kind == TAKE_OFF) {
+    if (kind == RECEIVER_TAKE_OFF) {
         const bool ready = trajectory_is_sound(&self->orders.trajectory, space);
         self->orders.take_off = self->orders.take_off || ready;
         return ready;
     }
-    if (kind == HELLO) {
+    if (kind == RECEIVER_HELLO) {
         self->orders.link = true;
 
         /*
          * It may be another ground, with names of its own: what the last one left is in no trajectory.
          */
         self->received = 0U;
-    } else if (kind == GOODBYE) {
+    } else if (kind == RECEIVER_GOODBYE) {
         self->orders.link = false;
         self->orders.watched = false;
-    } else if (kind == LAND) {
+    } else if (kind == RECEIVER_LAND) {
         self->orders.land = true;
-    } else if (kind == STOP) {
+    } else if (kind == RECEIVER_STOP) {
         self->orders.stop = true;
-    } else if (kind == BEAT) {
+    } else if (kind == RECEIVER_BEAT) {
         self->orders.watched = true;
-    } else if (kind == ARM) {
+    } else if (kind == RECEIVER_ARM) {
         self->orders.arm = true;
     } else {
         return false;
@@ -346,7 +243,7 @@ static bool receiver_collect(receiver_t *self, const space_t *space, const packe
         .position = {place[0], place[1], place[2]},
         .yaw = packet_number(packet, UINT64_C(34))
     };
-    if (index >= MOST_POINTS || !set_point_is_inside(&point, space)) {
+    if (index >= TRAJECTORY_MOST_POINTS || !set_point_is_inside(&point, space)) {
         return false;
     }
     if (name != self->collecting) {
@@ -374,7 +271,7 @@ static bool receiver_commit(receiver_t *self, const space_t *space, const packet
             || !trajectory_is_sound(wanted, space)) {
         return false;
     }
-    for (uint32_t n = 0U; n < MOST_POINTS; n++) {
+    for (uint32_t n = 0U; n < TRAJECTORY_MOST_POINTS; n++) {
         if ((uint64_t)n < count && (self->received & (1U << (uint64_t)n)) == 0U) {
             return false;
         }
@@ -418,7 +315,7 @@ static bool receiver_choose(receiver_t *self, const packet_t *packet)
     self->wish.request = REQUEST_CHOOSE;
     self->wish.choice.tag = packet_byte(packet, UINT64_C(0));
     self->wish.choice.every = (uint32_t)packet_byte(packet, UINT64_C(1));
-    for (uint32_t n = 0U; n < WIDTH; n++) {
+    for (uint32_t n = 0U; n < LOGGER_WIDTH; n++) {
         self->wish.choice.signals[n] = packet_byte(packet, (uint64_t)(2U + n));
     }
     return true;

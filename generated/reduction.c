@@ -9,8 +9,8 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
-#include <string.h>
 
+#include "bessemer_helpers.h"
 #include "bessemer_target.h"
 #include "pair.h"
 
@@ -40,14 +40,6 @@ static const uint64_t TWO_OVER_PI[36] = {
     UINT64_C(0x32C2DE4F98327DBB), UINT64_C(0xC33D26EF6B1E5EF8), UINT64_C(0x9F3A1F35CAF27F1D),
     UINT64_C(0x87F121907C7C246A), UINT64_C(0xFA6ED5772D30433B), UINT64_C(0x15C614B59D19C3C2)
 };
-
-/* The bits of a number that is not a NaN. */
-static uint64_t raw_bits_of_f64(double value)
-{
-    uint64_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    return bits;
-}
 
 /** 64 bits of 2/π from bit `shift` of a word on; the next word follows. */
 static inline uint64_t reduction_window(uint64_t word, uint64_t next, uint64_t shift)

@@ -10,6 +10,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_helpers.h"
 #include "bessemer_target.h"
 #include "geometry.h"
 #include "receiver.h"
@@ -18,36 +19,6 @@
 
 /** Height above which the aircraft has left the ground, m. */
 static const double CLEAR = 0.1;
-
-/* The smaller of two numbers: -0 < +0, and a NaN gives the other. */
-static double min_f64(double a, double b)
-{
-    if (a < b || isnan(b)) {
-        return a;
-    }
-    if (b < a || isnan(a)) {
-        return b;
-    }
-    return signbit(a) ? a : b;
-}
-
-/* The larger of two numbers: -0 < +0, and a NaN gives the other. */
-static double max_f64(double a, double b)
-{
-    if (a > b || isnan(b)) {
-        return a;
-    }
-    if (b > a || isnan(a)) {
-        return b;
-    }
-    return !signbit(a) ? a : b;
-}
-
-/* The size of one number with the sign of another; a NaN counts as positive. */
-static double copysign_f64(double size, double sign)
-{
-    return isnan(sign) ? fabs(size) : copysign(size, sign);
-}
 
 static void reference_generator_change_phase(reference_generator_t *self, const course_t *course,
     const orders_t *orders, const estimate_t *estimate, bool landed, bool limp);
@@ -58,14 +29,17 @@ static void reference_generator_follow_sticks(reference_generator_t *self, const
 
 void course_mambo(course_t *course)
 {
-    course->period = 0.005;
-    course->burn = 1.0;
-    course->sink = 0.25;
-    course->patience = 0.5;
-    course->ceiling = 2.5;
-    course->turn = 1.0;
-    course->silence = 1.0;
-    course->farewell = 6.0;
+    static const course_t mambo = {
+        .period = 0.005,
+        .burn = 1.0,
+        .sink = 0.25,
+        .patience = 0.5,
+        .ceiling = 2.5,
+        .turn = 1.0,
+        .silence = 1.0,
+        .farewell = 6.0
+    };
+    *course = mambo;
 }
 
 void reference_generator_init(reference_generator_t *self)
@@ -91,32 +65,30 @@ void reference_generator_step(reference_generator_t *self, const course_t *cours
     }
     reference_generator_change_phase(self, course, orders, estimate, landed, limp);
     self->airborne = self->airborne || estimate->position[2] > CLEAR;
-    target_t target;
-    target_idle(&target);
-    target.grounded = !self->airborne;
+    target_idle(&reference->target);
+    reference->target.grounded = !self->airborne;
     if (self->phase == PHASE_READY || self->phase == PHASE_OVER || self->phase == PHASE_HOLD) {
     } else if (self->phase == PHASE_TAKE_OFF) {
-        target.take_off = true;
+        reference->target.take_off = true;
     } else if (self->phase == PHASE_FLIGHT && orders->mode == RECEIVER_MODE_MANUAL) {
-        reference_generator_follow_sticks(self, course, orders, estimate, &target);
+        reference_generator_follow_sticks(self, course, orders, estimate, &reference->target);
     } else if (self->phase == PHASE_FLIGHT) {
         trajectory_at(&orders->trajectory, self->time, &self->wanted);
     } else {
         /* (3.20): from the last height that was wanted, down and on into the ground. */
         self->landing += course->period;
-        target.land = true;
-        target.velocity[2] = -course->sink;
+        reference->target.land = true;
+        reference->target.velocity[2] = -course->sink;
     }
-    target.position[0] = self->wanted.position[0];
-    target.position[1] = self->wanted.position[1];
-    target.position[2] = self->wanted.position[2];
-    target.position[2] -= course->sink * self->landing;
-    reference_generator_turn(self, course, estimate, &target);
+    reference->target.position[0] = self->wanted.position[0];
+    reference->target.position[1] = self->wanted.position[1];
+    reference->target.position[2] = self->wanted.position[2];
+    reference->target.position[2] -= course->sink * self->landing;
+    reference_generator_turn(self, course, estimate, &reference->target);
     const bool motors = reference_generator_is_flying(self);
     if (motors) {
         self->time += course->period;
     }
-    reference->target = target;
     reference->phase = self->phase;
     reference->motors = motors;
     reference->time = self->time;

@@ -6,11 +6,11 @@
  */
 #include "sender.h"
 
-#include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
-#include <string.h>
 
+#include "bessemer_constants.h"
+#include "bessemer_helpers.h"
 #include "bessemer_target.h"
 #include "logger.h"
 #include "packet.h"
@@ -21,26 +21,14 @@ static const uint64_t COUNTS = UINT64_C(8);
 /** Bytes before the values. */
 static const uint64_t FRONT = UINT64_C(6);
 
-/** The most bytes of a payload: the rest is header and checksum. */
-static const uint64_t MOST_PAYLOAD = UINT64_C(56);
-
-/** A parameter: its number, one byte; its value, or no number if there is no such parameter. */
-static const uint8_t PARAMETER = 66U;
-
 /** Bytes of a parameter. */
 static const uint64_t PARAMETER_BYTES = UINT64_C(9);
 
 /** Packets of a record. */
 static const uint64_t PARTS = UINT64_C(3);
 
-/** A part of a record. */
-static const uint8_t RECORD = 64U;
-
 /** Bytes of a part of a record. */
 static const uint64_t RECORD_BYTES = UINT64_C(54);
-
-/** The state of the link: see `Status`. */
-static const uint8_t STATUS = 65U;
 
 /** Bytes of the state of the link. */
 static const uint64_t STATUS_BYTES = UINT64_C(35);
@@ -50,47 +38,6 @@ static const uint32_t STATUS_EVERY = 100U;
 
 /** Values in a packet. */
 static const uint64_t VALUES = UINT64_C(12);
-
-/* The smaller of two integers. */
-static uint64_t min_u64(uint64_t a, uint64_t b)
-{
-    return a < b ? a : b;
-}
-
-/* The bits of a number; every NaN has the same. */
-static uint32_t bits_of_f32(float value)
-{
-    uint32_t bits = 0x7FC00000U;
-    if (!isnan(value)) {
-        memcpy(&bits, &value, sizeof bits);
-    }
-    return bits;
-}
-
-/* The bits of a number; every NaN has the same. */
-static uint64_t bits_of_f64(double value)
-{
-    uint64_t bits = UINT64_C(0x7FF8000000000000);
-    if (!isnan(value)) {
-        memcpy(&bits, &value, sizeof bits);
-    }
-    return bits;
-}
-
-/* a + b, or the limit of the type beyond which it lies. */
-static uint32_t saturating_add_u32(uint32_t a, uint32_t b)
-{
-    const int64_t exact = (int64_t)a + (int64_t)b;
-    return exact > UINT32_MAX ? UINT32_MAX : (uint32_t)exact;
-}
-
-/* 1 for true and 0 for false; read as a byte, which may be any. */
-static uint8_t u8_from_bool(const bool *flag)
-{
-    uint8_t byte = 0U;
-    memcpy(&byte, flag, sizeof byte);
-    return (byte != 0U) ? 1U : 0U;
-}
 
 static void sender_packet(const sender_t *self, uint64_t part, packet_t *packet);
 
@@ -150,10 +97,10 @@ static void sender_packet(const sender_t *self, uint64_t part, packet_t *packet)
     payload[5] = (uint8_t)part;
     for (uint32_t value = 0U; value < VALUES; value++) {
         const float single = (float)self->record.values[VALUES * min_u64(part,
-            PARTS - UINT64_C(1)) + (uint64_t)value];
+            PARTS - UINT64_C(1)) + value];
         sender_put(payload, FRONT + 4U * value, bits_of_f32(single));
     }
-    packet_around(RECORD, self->sequence, payload, RECORD_BYTES, packet);
+    packet_around(SENDER_RECORD, self->sequence, payload, RECORD_BYTES, packet);
 }
 
 void sender_state(uint16_t sequence, const sender_status_t *status, packet_t *packet)
@@ -169,7 +116,7 @@ void sender_state(uint16_t sequence, const sender_status_t *status, packet_t *pa
     payload[4 * COUNTS] = (uint8_t)status->mode;
     payload[4 * COUNTS + 1] = status->tag;
     payload[4 * COUNTS + 2] = u8_from_bool(&status->watched);
-    packet_around(STATUS, sequence, payload, STATUS_BYTES, packet);
+    packet_around(SENDER_STATUS, sequence, payload, STATUS_BYTES, packet);
 }
 
 void sender_parameter(uint16_t sequence, const reply_t *reply, packet_t *packet)
@@ -185,16 +132,16 @@ void sender_parameter(uint16_t sequence, const reply_t *reply, packet_t *packet)
     for (uint32_t n = 0U; n < 8U; n++) {
         payload[1 + n] = bytes[n];
     }
-    packet_around(PARAMETER, sequence, payload, PARAMETER_BYTES, packet);
+    packet_around(SENDER_PARAMETER, sequence, payload, PARAMETER_BYTES, packet);
 }
 
 void sender_put(uint8_t payload[56], uint64_t at, uint32_t word)
 {
-    const uint64_t start = min_u64(at, MOST_PAYLOAD - UINT64_C(4));
+    const uint64_t start = min_u64(at, PACKET_MOST_PAYLOAD - UINT64_C(4));
     const uint8_t bytes[4] = {
         (uint8_t)word, (uint8_t)(word >> 8U), (uint8_t)(word >> 16U), (uint8_t)(word >> 24U)
     };
     for (uint32_t n = 0U; n < 4U; n++) {
-        payload[start + (uint64_t)n] = bytes[n];
+        payload[start + n] = bytes[n];
     }
 }

@@ -8,34 +8,33 @@
 
 #include <stdbool.h>
 #include <stdint.h>
-#include <string.h>
 
 #include "bessemer_target.h"
 
 void target_idle(target_t *target)
 {
-    target->position[0] = 0.0;
-    target->position[1] = 0.0;
-    target->position[2] = 0.0;
-    target->velocity[0] = 0.0;
-    target->velocity[1] = 0.0;
-    target->velocity[2] = 0.0;
-    target->climb_acceleration = 0.0;
-    target->yaw = 0.0;
-    target->yaw_rate = 0.0;
-    target->take_off = false;
-    target->grounded = false;
-    target->land = false;
-    target->manual = false;
-    target->lean[0] = 0.0;
-    target->lean[1] = 0.0;
+    static const target_t idle = {
+        .position = {0.0},
+        .velocity = {0.0},
+        .climb_acceleration = 0.0,
+        .yaw = 0.0,
+        .yaw_rate = 0.0,
+        .take_off = false,
+        .grounded = false,
+        .land = false,
+        .manual = false,
+        .lean = {0.0}
+    };
+    *target = idle;
 }
 
 void command_still(command_t *command)
 {
-    const double zeros[8] = {0.0};
-    memcpy(command->motors, zeros, sizeof(double[8]));
-    memcpy(command->speeds, zeros, sizeof(double[8]));
-    memcpy(command->closed_loop, zeros, sizeof(double[8]));
-    memcpy(command->feed_forward, zeros, sizeof(double[8]));
+    static const command_t still = {
+        .motors = {0.0},
+        .speeds = {0.0},
+        .closed_loop = {0.0},
+        .feed_forward = {0.0}
+    };
+    *command = still;
 }

@@ -9,8 +9,8 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
-#include <string.h>
 
+#include "bessemer_helpers.h"
 #include "bessemer_target.h"
 #include "reduction.h"
 
@@ -160,14 +160,6 @@ static const double STEP_HIGH = 0.049087385210441425;
 static const double STEP_LOW = 1.899093908283185e-12;
 static const double TINY = 7.450580596923828e-9;
 static const double TO_INTEGER = 6755399441055744.0;
-
-/* The bits of a number that is not a NaN. */
-static uint64_t raw_bits_of_f64(double value)
-{
-    uint64_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    return bits;
-}
 
 /** Sine of `row`·π/64 + `rest` for |rest| ≤ π/128 and a sine of 1/4 or more. */
 static inline double sine_sine_from_row(uint64_t row, double rest)

@@ -9,10 +9,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_constants.h"
 #include "bessemer_target.h"
-
-/** The most bytes of a packet. */
-static const uint64_t MOST_BYTES = UINT64_C(64);
 
 void sip_keyed(const siphash_key_t *key, sip_t *sip)
 {
@@ -61,7 +59,7 @@ uint64_t siphash_sip_hash(const siphash_key_t *key, const uint8_t bytes[64], uin
     sip_keyed(key, &sip);
     uint64_t word = UINT64_C(0);
     uint64_t count = UINT64_C(0);
-    for (uint32_t n = 0U; n < MOST_BYTES; n++) {
+    for (uint32_t n = 0U; n < PACKET_MOST_BYTES; n++) {
         if ((uint64_t)n >= from && (uint64_t)n < end) {
             word |= (uint64_t)bytes[n] << (UINT64_C(8) * (count % UINT64_C(8)));
             count += UINT64_C(1);

@@ -10,17 +10,16 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_constants.h"
 #include "bessemer_target.h"
 
-/** The most set points of a trajectory. */
-static const uint64_t MOST_POINTS = UINT64_C(16);
 static const double PI = 3.141592653589793;
 
 bool trajectory_is_sound(const trajectory_t *self, const space_t *space)
 {
-    bool sound = self->count >= UINT64_C(1) && self->count <= MOST_POINTS;
+    bool sound = self->count >= UINT64_C(1) && self->count <= TRAJECTORY_MOST_POINTS;
     double before = -1.0;
-    for (uint32_t n = 0U; n < MOST_POINTS; n++) {
+    for (uint32_t n = 0U; n < TRAJECTORY_MOST_POINTS; n++) {
         if ((uint64_t)n < self->count) {
             const set_point_t point = self->points[n];
             const bool later = point.time > before && point.time >= 0.0
@@ -35,7 +34,7 @@ bool trajectory_is_sound(const trajectory_t *self, const space_t *space)
 void trajectory_at(const trajectory_t *self, double time, set_point_t *wanted)
 {
     *wanted = self->points[0];
-    for (uint32_t n = 1U; n < MOST_POINTS; n++) {
+    for (uint32_t n = 1U; n < TRAJECTORY_MOST_POINTS; n++) {
         if ((uint64_t)n < self->count && self->points[n].time <= time) {
             *wanted = self->points[n];
         }

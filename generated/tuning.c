@@ -10,27 +10,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_constants.h"
 #include "bessemer_target.h"
 
 static const double F64_NAN = (double)NAN;
-
-/** From this number on they change on the ground only. */
-static const uint64_t GROUNDED = UINT64_C(18);
-
-/** The least values, in the order of `values`. */
-static const double LEAST[20] = {
-    0.5, 0.0, 0.1, 0.004, 0.0, 0.001, 0.005, 0.0, 0.001, 0.001, 0.0004, -0.4, -0.2, -0.4, -0.2, 0.0,
-    -0.05, 0.1, 0.1, 0.0
-};
-
-/** The largest values. */
-static const double MOST[20] = {
-    3.0, 0.2, 0.8, 0.02, 0.02, 0.005, 0.025, 0.02, 0.004, 0.01, 0.0025, -0.1, -0.04, -0.1, -0.04,
-    0.8, 0.05, 0.5, 0.4, 2.0
-};
-
-/** How many parameters there are. */
-static const uint64_t TUNABLE = UINT64_C(20);
 
 void tuning_values(const settings_t *settings, double result[20])
 {
@@ -59,7 +42,7 @@ void tuning_values(const settings_t *settings, double result[20])
 double settings_parameter(const settings_t *self, uint8_t number)
 {
     const uint64_t n = (uint64_t)number;
-    if (n >= TUNABLE) {
+    if (n >= TUNING_TUNABLE) {
         return F64_NAN;
     }
     double elements[20];
@@ -85,12 +68,12 @@ bool settings_grant(settings_t *self, const wish_t *wish, bool flying)
 bool settings_set(settings_t *self, uint8_t number, double value, bool flying)
 {
     const uint64_t n = (uint64_t)number;
-    if (n >= TUNABLE || (flying && n >= GROUNDED)) {
+    if (n >= TUNING_TUNABLE || (flying && n >= TUNING_GROUNDED)) {
         return false;
     }
-    bool good = value >= LEAST[n];
+    bool good = value >= TUNING_LEAST[n];
     if (good) {
-        good = value <= MOST[n];
+        good = value <= TUNING_MOST[n];
     }
     if (!good) {
         return false;

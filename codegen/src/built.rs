@@ -1,14 +1,17 @@
 //! Finds the parts of a result that are built where the caller wants them.
 //!
-//! A local that every `return` gives back is the result from the start; a local that a call fills, and that a `return` moves into the struct that it gives, is that struct's field from the
-//! start. Until then its words may be read, and nothing writes it.
+//! A local that every `return` gives back is the result from the start. A local that is moved into the struct that a
+//! `return` gives, or that such a local begins as, is that struct's field from the start: nothing else reads the field before,
+//! and nothing the local behind.
 //!
 //! Of functions without a fault alone: a caller would see what was written before it.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use bessemer_ir::visit::{self, Access, Visit, Walk as _};
-use bessemer_ir::{Expr as Ir, ExprKind, Function, LocalId, Module, Place, Stmt, StmtKind, Type};
+use bessemer_ir::{
+    Expr as Ir, ExprKind, Function, LocalId, Mode, Module, Place, Stmt, StmtKind, Type,
+};
 
 /// The fields that lead from the result to a part.
 pub(crate) type Path = Vec<usize>;
@@ -39,19 +42,29 @@ pub(crate) fn whole(function: &Function) -> Option<LocalId> {
 
 /// The locals that are parts of the result, and where.
 pub(crate) fn parts(function: &Function, module: &Module) -> BTreeMap<LocalId, Path> {
-    let mut uses = Uses { module, moved: BTreeMap::new(), others: BTreeSet::new(), whole: true };
+    let whole = whole(function);
+    let mut uses = Uses {
+        module,
+        whole,
+        moved: BTreeMap::new(),
+        others: BTreeSet::new(),
+        built: false,
+        by_parts: true,
+    };
     uses.block(&function.body);
-    if !uses.whole {
+    if !uses.by_parts {
         return BTreeMap::new();
     }
-    let filled = function.body.0.iter().filter_map(|stmt| match &stmt.kind {
-        StmtKind::Let { local, value: Some(value) } if !value.ty.is_word() => {
-            matches!(value.kind, ExprKind::Call(..)).then_some(*local)
-        }
+    let declared = function.body.0.iter().filter_map(|stmt| match &stmt.kind {
+        StmtKind::Let { local, .. } => Some(*local),
         _ => None,
     });
+    let is_own = |local: &LocalId| {
+        let local = function.local(*local);
+        local.mode == Mode::Value && local.ty.is_aggregate()
+    };
     let mut parts: BTreeMap<LocalId, Path> = BTreeMap::new();
-    for local in filled {
+    for local in declared.filter(is_own) {
         let Some([path]) = uses.moved.get(&local).map(Vec::as_slice) else { continue };
         // Two that would share memory: the first has it.
         let shared = |other: &Path| other.starts_with(path) || path.starts_with(other);
@@ -65,12 +78,16 @@ pub(crate) fn parts(function: &Function, module: &Module) -> BTreeMap<LocalId, P
 /// The fate of each local.
 struct Uses<'m> {
     module: &'m Module,
+    /// The local that is the result.
+    whole: Option<LocalId>,
     /// The parts of what is returned that each becomes.
     moved: BTreeMap<LocalId, Vec<Path>>,
-    /// Those of which more than words is used before, or anything in what is returned.
+    /// Those that are used while the result is written, or behind.
     others: BTreeSet<LocalId>,
-    /// Whether each `return` gives a struct part by part.
-    whole: bool,
+    /// Whether the local that is the result has its first value.
+    built: bool,
+    /// Whether each `return` gives a struct part by part, or the one local begins so.
+    by_parts: bool,
 }
 
 impl Uses<'_> {
@@ -100,14 +117,19 @@ impl Uses<'_> {
 impl Visit for Uses<'_> {
     fn stmt(&mut self, stmt: &Stmt) {
         match &stmt.kind {
-            StmtKind::Return(Some(value)) => self.whole &= self.returned(value, &mut Vec::new()),
-            StmtKind::Return(None) => self.whole = false,
+            StmtKind::Let { local, value } if self.whole == Some(*local) => {
+                self.built = true;
+                self.by_parts = value.as_ref().is_some_and(|it| self.returned(it, &mut Vec::new()));
+            }
+            StmtKind::Return(Some(_)) if self.whole.is_some() => {}
+            StmtKind::Return(Some(value)) => self.by_parts &= self.returned(value, &mut Vec::new()),
+            StmtKind::Return(None) => self.by_parts = false,
             _ => visit::walk_stmt(self, stmt),
         }
     }
 
-    fn place(&mut self, place: &Place, access: Access) {
-        if access != Access::Read || !place.ty.is_word() {
+    fn place(&mut self, place: &Place, _: Access) {
+        if self.built {
             self.others.insert(place.root);
         }
         visit::walk_place(self, place);

@@ -16,5 +16,6 @@ pub mod passes;
 pub mod remarks;
 pub mod source;
 pub mod typify;
+mod uncopied;
 pub mod used;
 pub mod validate;

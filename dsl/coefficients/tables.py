@@ -87,9 +87,10 @@ def module(name, title):
     print()
 
 
-def rows(name, values, text, ty="f64"):
-    """A table of tuples."""
-    print(f"/// {text}\npub const {name}: [[{ty}; {len(values[0])}]; {len(values)}] = [")
+def rows(name, values, text, ty="f64", shared=False):
+    """A table of tuples; shared: several modules read it, and the C has it once."""
+    mark = "#[crate::data]\n" if shared else ""
+    print(f"/// {text}\n{mark}pub const {name}: [[{ty}; {len(values[0])}]; {len(values)}] = [")
     for row in values:
         items = ", ".join(literal(v) if ty == "f64" else f"0x{v:016x}" for v in row)
         print(f"    [{items}],")
@@ -207,7 +208,7 @@ constant("STEPS_PER_UNIT", double(128 / two), "128/ln 2.")
 constant("UNIT_STEP_HIGH", cut(two / 128, 36), "The leading 36 bits of (ln 2)/128: a multiple by up to 2¹⁷ is exact.")
 constant("UNIT_STEP_LOW", double(two / 128 - cut(two / 128, 36)), "The rest of (ln 2)/128.")
 rows("POWERS", [(bits((v - double(v)) / v), (bits(double(v)) - (k << 45)) % 2**64) for k, v in enumerate(steps)],
-     "2^(k/128): what the double leaves out, as a fraction; its bits less k·2⁴⁵.", "u64")
+     "2^(k/128): what the double leaves out, as a fraction; its bits less k·2⁴⁵.", "u64", shared=True)
 polynomial("EXPONENTIAL_F32", lambda r: expm1(r * two) / r, 2, mpf(-1) / 256, mpf(1) / 256,
            "(2^r − 1)/r in powers of r, −1/256 to 1/256.")
 polynomial("EXP_M1", lambda x: (exp(x) - 1 - x - x * x / 2) / x**3, 11, mpf("-0.30"), mpf("0.3000001"),

@@ -1,7 +1,8 @@
-//! The names of constants, file by file.
+//! The names of constants, and which of them stand beside all sources.
 //!
-//! A constant is `static` in each file that uses it, under the author's own name; it is qualified where
-//! two in one file differ in value, or where a type, a variant or a function has the name. So what another
+//! A constant that its author marked, and that other modules may read, stands once, with its module's name before it, as a function has; so where it stands and
+//! what it is called follow from it alone. Any other is `static` in each file that uses it, under the author's own name; it is
+//! qualified where two in one file differ in value, or where a type, a variant or a function has the name. So what another
 //! file uses changes nothing.
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -12,19 +13,25 @@ use bessemer_ir::{Const, ConstId, ExprKind, FunctionId, Module};
 use super::analysis::inline_callees;
 use super::reserved::is_reserved_globally;
 use super::signature::Signature;
-use super::spelling::{identifier, relative, screaming, unique};
+use super::spelling::{identifier, last_segment, relative, screaming, unique};
 use super::tree::Storage;
 
 /// The names, by file (its header) and constant.
 #[derive(Clone, Debug, Default)]
 pub struct ConstNames {
     files: BTreeMap<String, BTreeMap<ConstId, String>>,
+    shared: BTreeMap<ConstId, String>,
     all: BTreeSet<String>,
 }
 
 impl ConstNames {
     /// Names the constants that the functions use; `globals` are the names of everything else.
-    pub fn new(module: &Module, functions: &[Signature], globals: &BTreeSet<String>) -> ConstNames {
+    pub fn new(
+        module: &Module,
+        functions: &[Signature],
+        globals: &BTreeSet<String>,
+        prefix: &str,
+    ) -> ConstNames {
         let mut used: BTreeMap<&str, BTreeSet<ConstId>> = BTreeMap::new();
         let inline = |id: FunctionId| functions[id.index()].storage == Storage::Inline;
         for (index, signature) in functions.iter().enumerate() {
@@ -41,21 +48,36 @@ impl ConstNames {
                 });
             }
         }
-        let files = used.into_iter();
-        let files = files.map(|(file, ids)| (file.to_owned(), of_file(module, &ids, globals)));
+        let everything: BTreeSet<ConstId> = used.values().flatten().copied().collect();
+        let marked: BTreeSet<ConstId> =
+            everything.into_iter().filter(|id| module.consts[id.index()].given.public).collect();
+        let shared = beside_all(module, &marked, globals, prefix);
+        let taken: BTreeSet<String> = globals.iter().chain(shared.values()).cloned().collect();
+        let own = |ids: &BTreeSet<ConstId>| {
+            let ids: BTreeSet<ConstId> = ids.difference(&marked).copied().collect();
+            of_file(module, &ids, &taken)
+        };
+        let files = used.iter().map(|(file, ids)| ((*file).to_owned(), own(ids)));
         let files: BTreeMap<_, BTreeMap<_, String>> = files.collect();
-        let all = files.values().flat_map(BTreeMap::values).cloned().collect();
-        ConstNames { files, all }
+        let all = files.values().chain([&shared]).flat_map(BTreeMap::values).cloned().collect();
+        ConstNames { files, shared, all }
+    }
+
+    /// The name of a constant that stands beside all sources.
+    pub fn shared(&self, id: ConstId) -> Option<&str> {
+        self.shared.get(&id).map(String::as_str)
     }
 
     /// The name of a constant in a file.
     pub fn get(&self, file: &str, id: ConstId) -> &str {
-        self.files.get(file).and_then(|names| names.get(&id)).map_or("", String::as_str)
+        let own = || self.files.get(file)?.get(&id).map(String::as_str);
+        self.shared(id).or_else(own).unwrap_or_default()
     }
 
     /// Whether a constant has another name than this in some file.
     pub fn renamed(&self, id: ConstId, name: &str) -> bool {
-        self.files.values().filter_map(|names| names.get(&id)).any(|own| own != name)
+        let files = self.files.values().chain([&self.shared]);
+        files.filter_map(|names| names.get(&id)).any(|own| own != name)
     }
 
     /// Whether any constant has this name.
@@ -64,6 +86,31 @@ impl ConstNames {
     }
 }
 
+/// The names of those that stand beside all sources.
+fn beside_all(
+    module: &Module,
+    ids: &BTreeSet<ConstId>,
+    globals: &BTreeSet<String>,
+    prefix: &str,
+) -> BTreeMap<ConstId, String> {
+    let mut names: BTreeMap<ConstId, String> = BTreeMap::new();
+    for id in ids {
+        let Const { name, module: path, given, .. } = &module.consts[id.index()];
+        let wanted = given.name.clone().unwrap_or_else(|| {
+            screaming(&format!(
+                "{prefix}{}_{}",
+                last_segment(path),
+                identifier(name).to_lowercase()
+            ))
+        });
+        let taken = |name: &str| globals.contains(name) || names.values().any(|it| it == name);
+        let name = if given.name.is_some() { wanted } else { unique(&wanted, taken) };
+        names.insert(*id, name);
+    }
+    names
+}
+
+/// The names of those of one file.
 fn of_file(
     module: &Module,
     ids: &BTreeSet<ConstId>,

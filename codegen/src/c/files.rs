@@ -16,14 +16,13 @@ use super::analysis::{inline_callees, reachable};
 use super::assemble::assemble;
 use super::context::{Context, Uses};
 use super::file::CFile;
-use super::helpers::closure;
 use super::library::{self, is_mathematics};
 use super::names::OVERLAY;
 use super::options::Options;
 use super::shell::Shell;
 use super::signature::{Returned, Signature};
 use super::tree::{Declarator, Head, Item, Origin, Stmt, StmtKind, Storage, plain};
-use super::{asked, described, init, lower, self_test, status_header, target};
+use super::{asked, described, helpers_header, init, lower, self_test, status_header, target};
 use crate::kernels;
 
 /// What one pair of files holds.
@@ -51,6 +50,7 @@ enum Callable {
 /// All files, by name.
 pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {
     let mut list = Vec::new();
+    let (mut helpers, mut consts) = (BTreeSet::new(), BTreeSet::new());
     if context.faults.any() {
         list.push(status_header::header(context, options));
     }
@@ -58,9 +58,14 @@ pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {
         let writer = Writer { context, options, name, unit };
         list.push(writer.header());
         if writer.unit.functions.iter().any(|callable| writer.in_header(callable).is_none()) {
-            list.push(writer.source());
+            let (source, mut uses) = writer.source();
+            list.push(source);
+            helpers.append(&mut uses.helpers);
+            consts.append(&mut uses.consts);
         }
     }
+    list.extend(helpers_header::header(context, options, &helpers));
+    list.extend(constants::shared(context, options, &consts));
     if list.iter().any(|file| file.name.ends_with(".c")) {
         list.push(target::header(context, options));
     }
@@ -223,7 +228,8 @@ impl Writer<'_> {
         self.file("h", &items, includes)
     }
 
-    fn source(&self) -> CFile {
+    /// The source, and what it uses of what several share.
+    fn source(&self) -> (CFile, Uses) {
         let (module, names) = (self.context.module, self.context.names);
         let mut uses = Uses { file: format!("{}.h", self.name), ..Uses::default() };
         let mut includes = Includes::default();
@@ -287,16 +293,11 @@ impl Writer<'_> {
         }
         let mut items: Vec<Item> = Vec::new();
         asked.extend(uses.unroll.then_some(asked::Macro::Unroll));
-        let constants = self.constants(&uses, &mut includes);
+        let constants = self.constants(&uses.consts, &mut includes);
         let placed = |it: &Item| matches!(it, Item::Constant { asked: Some(_), .. });
         asked.extend(constants.iter().any(placed).then_some(asked::Macro::Section));
         items.extend(asked.iter().map(|asked| Item::Verbatim(asked.text(self.options))));
         items.extend(constants);
-        for helper in closure(&uses.helpers) {
-            uses.math |= helper.needs_math();
-            uses.string |= helper.needs_string();
-            items.push(Item::Verbatim(helper.text()));
-        }
         for mut part in [prototypes, definitions] {
             part.sort_by_key(|(at, _)| *at);
             items.extend(part.into_iter().map(|(_, item)| item));
@@ -307,7 +308,11 @@ impl Writer<'_> {
         includes.system.extend(uses.string.then_some("string.h"));
         includes.system.extend(uses.library.then_some("stdlib.h"));
         includes.own.append(&mut uses.headers);
-        self.file("c", &items, includes)
+        let calls_helpers = !uses.helpers.is_empty();
+        includes.own.extend(calls_helpers.then(|| helpers_header::name(self.options)));
+        let shares = uses.consts.iter().any(|id| names.shared_constant(*id).is_some());
+        includes.own.extend(shares.then(|| constants::header(self.options)));
+        (self.file("c", &items, includes), uses)
     }
 
     /// The inline functions that this file calls, callees first.

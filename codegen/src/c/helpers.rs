@@ -1,8 +1,8 @@
-//! Small functions that a file carries with it where C has no operator that means what Rust means.
+//! Small functions where C has no operator that means what Rust means.
 //!
-//! Each is `static`, has no state and no undefined behaviour for any operand, and is emitted only in
-//! the files that use it. Its name says what it does and on what type; its text depends on nothing
-//! else, so that it never changes in one file for the sake of another.
+//! Each is `static inline`, has no state and no undefined behaviour for any operand, and stands once, in the header of
+//! helpers, if any source calls it. Its name says what it does and on what type; its text depends on nothing
+//! else, so that it never changes for the sake of another.
 
 mod floats;
 mod integers;
@@ -14,7 +14,7 @@ use bessemer_ir::{Float, Int, Scalar};
 
 use super::spelling::scalar_type;
 
-/// A helper; the order is the order in a file: what another calls comes first.
+/// A helper; the order is the order in their header: what another calls comes first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Helper {
     /// The signed integer with the bits of an unsigned one.
@@ -308,7 +308,7 @@ fn wrap(name: &str, int: Int) -> String {
     };
     format!(
         "/* The signed integer with these bits. */
-static {ty} {name}(uint{bits}_t bits)
+static inline {ty} {name}(uint{bits}_t bits)
 {{
     return bits <= (uint{bits}_t)INT{bits}_MAX ? ({ty})bits : {negative};
 }}"
@@ -319,7 +319,7 @@ fn extend(name: &str, int: Int) -> String {
     let ty = int_type(int);
     format!(
         "/* The value modulo 2^32. */
-static uint32_t {name}({ty} value)
+static inline uint32_t {name}({ty} value)
 {{
     return (uint32_t)value;
 }}"
@@ -330,7 +330,7 @@ fn extreme(name: &str, float: Float, word: &str, op: &str, not: &str) -> String 
     let ty = float_type(float);
     format!(
         "/* The {word} of two numbers: -0 < +0, and a NaN gives the other. */
-static {ty} {name}({ty} a, {ty} b)
+static inline {ty} {name}({ty} a, {ty} b)
 {{
     if (a {op} b || isnan(b)) {{
         return a;
@@ -347,7 +347,7 @@ fn choose(name: &str, scalar: Scalar, word: &str, op: &str) -> String {
     let ty = scalar_type(scalar);
     format!(
         "/* The {word} of two integers. */
-static {ty} {name}({ty} a, {ty} b)
+static inline {ty} {name}({ty} a, {ty} b)
 {{
     return a {op} b ? a : b;
 }}"
@@ -359,7 +359,7 @@ fn clamp(name: &str, scalar: Scalar) -> String {
     let nan = if matches!(scalar, Scalar::Float(_)) { "; NaN stays NaN" } else { "" };
     format!(
         "/* The number nearest to value from low to high{nan}. */
-static {ty} {name}({ty} value, {ty} low, {ty} high)
+static inline {ty} {name}({ty} value, {ty} low, {ty} high)
 {{
     if (value < low) {{
         return low;
@@ -374,7 +374,7 @@ fn absolute(name: &str, int: Int) -> String {
     let negated = if int.bits() < 32 { format!("({ty})-value") } else { "-value".to_owned() };
     format!(
         "/* The absolute value; value is not the smallest of its type. */
-static {ty} {name}({ty} value)
+static inline {ty} {name}({ty} value)
 {{
     return value < 0 ? {negated} : value;
 }}"
@@ -391,7 +391,7 @@ fn shift_left(name: &str, int: Int) -> String {
     };
     format!(
         "/* The bits of value shifted left by count, which is less than {bits}. */
-static {ty} {name}({ty} value, uint32_t count)
+static inline {ty} {name}({ty} value, uint32_t count)
 {{
     return {wrap}({shifted});
 }}"
@@ -407,7 +407,7 @@ fn shift_right(name: &str, int: Int) -> String {
     };
     format!(
         "/* value divided by 2^count and rounded down; count is less than {bits}. */
-static {ty} {name}({ty} value, uint32_t count)
+static inline {ty} {name}({ty} value, uint32_t count)
 {{
     return value < 0 ? {negative} : {positive};
 }}"
@@ -426,7 +426,7 @@ fn from_float(name: &str, int: Int, float: Float) -> String {
     };
     format!(
         "/* The integer nearest to value towards zero, within its type; 0 for a NaN. */
-static {ty} {name}({value} value)
+static inline {ty} {name}({value} value)
 {{
     if (isnan(value)) {{
         return 0;
@@ -450,7 +450,7 @@ fn bits(name: &str, float: Float) -> String {
     };
     format!(
         "/* The bits of a number; every NaN has the same. */
-static uint{bits}_t {name}({ty} value)
+static inline uint{bits}_t {name}({ty} value)
 {{
     uint{bits}_t bits = {nan};
     if (!isnan(value)) {{
@@ -464,7 +464,7 @@ static uint{bits}_t {name}({ty} value)
 fn flag(name: &str) -> String {
     format!(
         "/* 1 for true and 0 for false; read as a byte, which may be any. */
-static uint8_t {name}(const bool *flag)
+static inline uint8_t {name}(const bool *flag)
 {{
     uint8_t byte = 0U;
     memcpy(&byte, flag, sizeof byte);
@@ -480,7 +480,7 @@ fn raw_bits(name: &str, float: Float) -> String {
     };
     format!(
         "/* The bits of a number that is not a NaN. */
-static uint{bits}_t {name}({ty} value)
+static inline uint{bits}_t {name}({ty} value)
 {{
     uint{bits}_t bits;
     memcpy(&bits, &value, sizeof bits);
@@ -496,7 +496,7 @@ fn from_bits(name: &str, float: Float) -> String {
     };
     format!(
         "/* The number with these bits. */
-static {ty} {name}(uint{bits}_t bits)
+static inline {ty} {name}(uint{bits}_t bits)
 {{
     {ty} value;
     memcpy(&value, &bits, sizeof value);
@@ -509,7 +509,7 @@ fn copysign(name: &str, float: Float) -> String {
     let (ty, f) = if float == Float::F32 { ("float", "f") } else { ("double", "") };
     format!(
         "/* The size of one number with the sign of another; a NaN counts as positive. */
-static {ty} {name}({ty} size, {ty} sign)
+static inline {ty} {name}({ty} size, {ty} sign)
 {{
     return isnan(sign) ? fabs{f}(size) : copysign{f}(size, sign);
 }}"
@@ -526,7 +526,7 @@ fn dot(name: &str, float: Float) -> String {
     let zeros = [zero; 8].join(", ");
     format!(
         "/* The scalar product of two matrices by columns, in eight lanes and in nalgebra's order. */
-static {ty} {name}(const {ty} *a, const {ty} *b, uint32_t rows, uint32_t columns)
+static inline {ty} {name}(const {ty} *a, const {ty} *b, uint32_t rows, uint32_t columns)
 {{
     {ty} sum = {zero};
     for (uint32_t column = 0U; column < columns; column++) {{
@@ -555,7 +555,7 @@ fn norm_squared(name: &str, float: Float) -> String {
     let dot = Helper::Dot(float).name();
     format!(
         "/* The sum of the squares of a matrix, column by column and in nalgebra's order. */
-static {ty} {name}(const {ty} *a, uint32_t rows, uint32_t columns)
+static inline {ty} {name}(const {ty} *a, uint32_t rows, uint32_t columns)
 {{
     {ty} sum = {zero};
     for (uint32_t column = 0U; column < columns; column++) {{

@@ -19,6 +19,7 @@ mod file;
 mod files;
 pub mod given;
 mod helpers;
+mod helpers_header;
 mod init;
 mod layout;
 mod layout_text;

@@ -97,7 +97,7 @@ impl Names {
         };
         names.name_types(module, options, faults);
         names.name_functions(module, options);
-        names.consts = ConstNames::new(module, &names.functions, &names.globals);
+        names.consts = ConstNames::new(module, &names.functions, &names.globals, &options.prefix);
         names.name_parameters(module, faults);
         names
     }
@@ -373,6 +373,11 @@ impl Names {
     /// The name of a constant in the file of this header.
     pub fn constant(&self, header: &str, id: ConstId) -> &str {
         self.consts.get(header, id)
+    }
+
+    /// The name of a constant that several files use.
+    pub fn shared_constant(&self, id: ConstId) -> Option<&str> {
+        self.consts.shared(id)
     }
 
     /// Whether a constant could not have its name in some file that uses it.

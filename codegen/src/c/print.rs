@@ -121,10 +121,15 @@ impl<'a> Printer<'a> {
                 self.level -= 1;
                 self.put(&format!("}} {name};"));
             }
-            Item::Constant { docs, asked, declarator, init } => {
+            Item::Constant { storage, docs, asked, declarator, init } => {
                 self.docs(docs);
                 asked.iter().for_each(|asked| self.put(asked));
-                self.declare("static ", declarator, Some(init));
+                let storage = match (storage, init) {
+                    (Storage::Extern, None) => "extern ",
+                    (Storage::Extern, Some(_)) => "",
+                    _ => "static ",
+                };
+                self.declare(storage, declarator, init.as_ref());
             }
             Item::Prototype { docs, head, origin, function } => {
                 self.docs(docs);

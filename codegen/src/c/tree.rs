@@ -315,16 +315,18 @@ pub enum Item {
         /// Where it comes from.
         origin: Origin,
     },
-    /// `static const …;` at the top of a source.
+    /// `static const …;` at the top of a file, or one that several files see.
     Constant {
+        /// Who sees it.
+        storage: Storage,
         /// The author's doc comment.
         docs: Vec<String>,
         /// What is asked of the compiler: a line before it.
         asked: Option<String>,
         /// Its name and type.
         declarator: Declarator,
-        /// Its value.
-        init: Init,
+        /// Its value, unless another file gives it.
+        init: Option<Init>,
     },
     /// A function's declaration.
     Prototype {

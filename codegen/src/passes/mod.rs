@@ -31,6 +31,7 @@ mod proof;
 mod remaining;
 mod sites;
 mod statements;
+mod tidy;
 
 pub use callees::{fallible, reached};
 pub use explicit::{Problem, Rule, check};

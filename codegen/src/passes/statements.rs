@@ -55,6 +55,7 @@ fn lowered(
     let needed = if doubted.is_empty() { Vec::new() } else { checked::needed(module, &function) };
     let body = std::mem::take(&mut function.body);
     let names = Names::of(&function);
+    let own = function.locals.len();
     let facts = State::new(module);
     let (out, base, remaining, pending) = (Vec::new(), String::new(), Vec::new(), Vec::new());
     let mut lowering = Lowering {
@@ -77,6 +78,7 @@ fn lowered(
     let Lowering { mut function, remaining, .. } = lowering;
     function.body = body;
     super::declare::late(&mut function);
+    super::tidy::tidy(&mut function, own, callees);
     (function, remaining)
 }
 

@@ -1,7 +1,7 @@
 //! Definitions and types: from paths to handles.
 
 use bessemer_ir::tree::{Argument, Definition, DefinitionKind, Field, Site, Table, Ty};
-use bessemer_ir::{Const, ConstId, Enum, Form, Scalar, Span, Struct, StructId, Type};
+use bessemer_ir::{Const, ConstId, Enum, Form, Given, Scalar, Span, Struct, StructId, Type};
 
 use super::generic::Home;
 use super::names::{snake, split};
@@ -228,7 +228,8 @@ impl<'a> Context<'a> {
         ty: &Type,
         words: &[u64],
     ) -> ConstId {
-        let said = self.table(name, ty, words);
+        let said = self.table(module, name, ty, words);
+        let module = said.map_or(module, |table| &table.module);
         let consts = &mut self.module.consts;
         let same = |constant: &Const| {
             constant.module == module
@@ -237,13 +238,14 @@ impl<'a> Context<'a> {
                 && constant.words == words
         };
         let index = consts.iter().position(same).unwrap_or_else(|| {
+            let given = |table: &Table| Given { public: table.public, ..table.given.clone() };
             consts.push(Const {
                 name: name.to_owned(),
                 module: module.to_owned(),
                 ty: ty.clone(),
                 words: words.to_vec(),
                 docs: said.map(|table| table.docs.clone()).unwrap_or_default(),
-                given: said.map(|table| table.given.clone()).unwrap_or_default(),
+                given: said.map(given).unwrap_or_default(),
                 span: Span::default(),
             });
             consts.len() - 1
@@ -254,9 +256,13 @@ impl<'a> Context<'a> {
         ConstId(index as u32)
     }
 
-    /// The author's attributes of the constant with this name and value.
-    fn table(&mut self, name: &str, ty: &Type, words: &[u64]) -> Option<&'a Table> {
-        let mut tables = self.tables.iter().filter(|it| it.name == name && it.value.words == words);
-        tables.find(|it| self.value_type(&it.value.ty, it.site).is_ok_and(|its| its == *ty))
+    /// The author's attributes of the constant with this name and value: first, of the one in this module.
+    fn table(&mut self, module: &str, name: &str, ty: &Type, words: &[u64]) -> Option<&'a Table> {
+        let same = |it: &&Table| it.name == name && it.value.words == words;
+        let mut tables: Vec<&'a Table> = self.tables.iter().filter(same).collect();
+        tables.sort_by_key(|it| it.module != module);
+        tables
+            .into_iter()
+            .find(|it| self.value_type(&it.value.ty, it.site).is_ok_and(|its| its == *ty))
     }
 }

@@ -17,6 +17,12 @@ fn named<'f>(files: &'f [CFile], end: &str) -> Vec<&'f str> {
     files.iter().map(|file| file.name.as_str()).filter(|name| name.ends_with(end)).collect()
 }
 
+/// The headers for firmware: what sources share is theirs alone.
+fn public(files: &[CFile]) -> impl Iterator<Item = &str> {
+    let internal = |name: &&str| name.ends_with("_helpers.h") || name.ends_with("_constants.h");
+    named(files, ".h").into_iter().filter(move |name| !internal(name))
+}
+
 /// Two packages with prefixes of their own share a folder, a translation unit and a firmware, with mathematics, kernels and status.
 #[track_caller]
 pub fn link_together(name: &str, module: &Module) {
@@ -24,8 +30,7 @@ pub fn link_together(name: &str, module: &Module) {
         return;
     }
     let (mut files, other) = (emitted(module, "acme"), emitted(module, "umbrella"));
-    let headers: String =
-        named(&files, ".h").into_iter().chain(named(&other, ".h")).map(include).collect();
+    let headers: String = public(&files).chain(public(&other)).map(include).collect();
     files.extend(other);
     files.push(CFile { name: "both.c".to_owned(), text: headers, map: Vec::new() });
     let count = files.len();

@@ -19,6 +19,8 @@ pub struct Given {
     pub unit: Option<String>,
     /// The section of the object file in which it stands.
     pub section: Option<String>,
+    /// Of a constant: whether other modules may read it.
+    pub public: bool,
     /// Where the name stands, in the file of the item.
     pub site: Site,
 }

@@ -15,7 +15,7 @@ pub fn constant(it: &mut syn::ItemConst, refusals: &mut Refusals) -> TokenStream
     if it.ident == "_" {
         refusals.add(&it.ident, refuse::TABLE_UNNAMED);
     }
-    announced(&it.ident, &mut it.attrs, refusals)
+    announced(&it.ident, &it.vis, &mut it.attrs, refusals)
 }
 
 /// The items beside a `static`.
@@ -23,11 +23,12 @@ pub fn fixed(it: &mut syn::ItemStatic, refusals: &mut Refusals) -> TokenStream {
     if let syn::StaticMutability::Mut(token) = &it.mutability {
         refusals.add(token, refuse::STATIC);
     }
-    announced(&it.ident, &mut it.attrs, refusals)
+    announced(&it.ident, &it.vis, &mut it.attrs, refusals)
 }
 
 fn announced(
     name: &syn::Ident,
+    visibility: &syn::Visibility,
     attributes: &mut Vec<syn::Attribute>,
     refusals: &mut Refusals,
 ) -> TokenStream {
@@ -39,13 +40,14 @@ fn announced(
     }
     let (docs, text, given) = (docs::lines(attributes), lower::text(name), given::tokens(&given));
     let lower::Site(line, column) = lower::site(name);
+    let public = !matches!(visibility, syn::Visibility::Inherited);
     quote! {
         const _: () = {
             ::bessemer::generate::register! {
                 ::bessemer::generate::Registered::table(::bessemer::generate::place!(), (#line, #column), |cx| {
                     cx.table(
                         ::bessemer::generate::Named { module: ::core::module_path!(), file: ::core::file!(), name: #text },
-                        &[#(#docs),*], (#line, #column), &#name, #given,
+                        &[#(#docs),*], (#line, #column), &#name, #public, #given,
                     );
                 })
             }

@@ -73,7 +73,7 @@ pub(super) fn said(said: Option<Said>) -> Given {
     let Some(Said { name, unit, section, site }) = said else { return Given::default() };
     let owned = |text: Option<&'static str>| text.map(ToOwned::to_owned);
     let site = Site(site.0, site.1);
-    Given { name: owned(name), unit: owned(unit), section: owned(section), site }
+    Given { name: owned(name), unit: owned(unit), section: owned(section), public: false, site }
 }
 
 /// The words of a value.

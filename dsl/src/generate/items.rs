@@ -185,15 +185,18 @@ impl Builder {
         docs: &[&str],
         site: (u32, u32),
         value: &T,
+        public: bool,
         given: Option<Said>,
     ) {
         let value = tree::Constant { ty: T::ty(self), words: words(value) };
         self.package.tables.push(tree::Table {
+            module: named.module.to_owned(),
             name: named.name.to_owned(),
             docs: owned(docs),
             file: named.file.to_owned(),
             site: Site(site.0, site.1),
             value,
+            public,
             given: said(given),
         });
     }

@@ -41,6 +41,7 @@ fn check_cpp(toolchain: &Toolchain, header: &PathBuf) {
     command
         .arg("-fsyntax-only")
         .args(["-Wno-pragma-once-outside-header", "-Wno-unused-function"])
+        .arg("-Wno-unused-const-variable")
         .arg(header);
     run(&mut command).unwrap_or_else(|said| panic!("{said}"));
 }
@@ -62,8 +63,9 @@ fn it_has_no_heap_and_no_memory_of_its_own() {
             match kind {
                 "T" | "t" => defined.push(name.to_owned()),
                 "U" => called.push(name.to_owned()),
-                // Constants.
-                "r" | "R" => {}
+                // Constants, some of which other files use.
+                "r" => {}
+                "R" => defined.push(name.to_owned()),
                 _ => panic!("{}: `{name}` is a {kind}: written memory", source.display()),
             }
         }
@@ -132,7 +134,7 @@ fn the_controller_keeps_its_authors_words() {
     );
     assert!(header.contains("/** Integral of the height error, m·s. */"));
     for line in [
-        "const double weight = parameters->mass * GRAVITY;",
+        "const double weight = parameters->mass * AIRFRAME_GRAVITY;",
         "if (target->take_off) {",
         "return weight + parameters->takeoff_gain * weight;",
         "const double error = target->position[2] - height;",

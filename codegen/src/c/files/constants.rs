@@ -1,46 +1,134 @@
-//! The constants of a source: those that its functions use, by their names.
+//! Constants in files: of one source, those that its functions use; and those that other modules may read, once.
+//!
+//! Of these, words stand in the header, for C's compilers to compute with; of tables it says that they are, and a source
+//! beside it holds them.
+
+use std::collections::BTreeSet;
 
 use bessemer_ir::{ConstId, Type};
 
 use super::{Includes, Writer};
-use crate::c::context::{Context, Uses};
-use crate::c::tree::{Init, Item, Lines};
-use crate::c::{asked, described, literal};
+use crate::c::assemble::assemble;
+use crate::c::context::Context;
+use crate::c::file::CFile;
+use crate::c::options::Options;
+use crate::c::shell::Shell;
+use crate::c::spelling::identifier;
+use crate::c::tree::{Init, Item, Lines, Storage};
+use crate::c::{asked, described, literal, target};
+
+/// The header's name.
+pub(super) fn header(options: &Options) -> String {
+    format!("{}_constants.h", identifier(&options.status))
+}
 
 impl Writer<'_> {
-    pub(super) fn constants(&self, uses: &Uses, includes: &mut Includes) -> Vec<Item> {
-        let module = self.context.module;
-        let mut list: Vec<Item> = Vec::new();
-        let mut ids: Vec<_> = uses.consts.iter().copied().collect();
-        let header = format!("{}.h", self.name);
-        let name = |id: &ConstId| self.context.names.constant(&header, *id);
-        ids.sort_by_key(name);
-        ids.dedup_by_key(|id| name(id));
-        for id in ids {
-            let item = &module.consts[id.index()];
-            includes.ty(self.context, &item.ty);
-            let mut declarator = self.context.names.declarator(&item.ty, name(&id));
-            declarator.ty.insert_str(0, "const ");
-            let mut words = item.words.as_slice();
-            let init = constant_init(self.context, &item.ty, &mut words);
-            let leaves = module.leaves(&item.ty);
-            if leaves.iter().zip(&item.words).any(|(ty, word)| literal::needs_math(ty, *word)) {
-                includes.system.insert("math.h");
-            }
-            let section = item.given.section.as_ref();
-            list.push(Item::Constant {
-                docs: described::value(
-                    self.context.names,
-                    &item.docs,
-                    item.given.unit.as_deref(),
-                    &item.ty,
-                ),
-                asked: section.map(|section| asked::section(section, self.options)),
-                declarator,
-                init,
+    /// The constants of a source's own.
+    pub(super) fn constants(&self, used: &BTreeSet<ConstId>, includes: &mut Includes) -> Vec<Item> {
+        let names = self.context.names;
+        let own: Vec<ConstId> =
+            used.iter().copied().filter(|id| names.shared_constant(*id).is_none()).collect();
+        let file = format!("{}.h", self.name);
+        let list = by_name(&own, |id| names.constant(&file, id));
+        let item = |(name, id)| constant(self.context, self.options, id, name, includes);
+        list.into_iter().map(item).collect()
+    }
+}
+
+/// The constants that stand beside all sources: a header, and a source if there are tables among them.
+pub(super) fn shared(
+    context: Context<'_>,
+    options: &Options,
+    used: &BTreeSet<ConstId>,
+) -> Vec<CFile> {
+    let name = |id| context.names.shared_constant(id).unwrap_or_default();
+    let ids: Vec<ConstId> = used.iter().copied().filter(|id| !name(*id).is_empty()).collect();
+    let (mut declared, mut defined) = (Vec::new(), Vec::new());
+    let (mut of_header, mut of_source) = (Includes::default(), Includes::default());
+    for (name, id) in by_name(&ids, name) {
+        let item = &context.module.consts[id.index()];
+        if item.ty.is_word() && item.given.section.is_none() {
+            declared.push(constant(context, options, id, name, &mut of_header));
+            continue;
+        }
+        let mut table = constant(context, options, id, name, &mut of_source);
+        of_header.ty(context, &item.ty);
+        if let Item::Constant { storage, docs, declarator, .. } = &mut table {
+            *storage = Storage::Extern;
+            declared.push(Item::Constant {
+                storage: Storage::Extern,
+                docs: std::mem::take(docs),
+                asked: None,
+                declarator: declarator.clone(),
+                init: None,
             });
         }
-        list
+        defined.push(table);
+    }
+    if defined.iter().any(|it| matches!(it, Item::Constant { asked: Some(_), .. })) {
+        defined.insert(0, Item::Verbatim(asked::Macro::Section.text(options)));
+    }
+    let header = header(options);
+    let file = |name: &str, items: &[Item], mut includes: Includes| {
+        includes.own.remove(&header);
+        let shell = Shell {
+            file: name,
+            header: &header,
+            summary: "constants, for the sources beside it alone.",
+            source: &context.module.name,
+            license: &options.license,
+            system_includes: includes.system.into_iter().map(str::to_owned).collect(),
+            own_includes: includes.own.into_iter().collect(),
+            calls: false,
+            refuses: true,
+        };
+        assemble(context, name, &shell, name.ends_with(".h"), items)
+    };
+    let mut files = Vec::new();
+    if !declared.is_empty() {
+        files.push(file(&header, &declared, of_header));
+    }
+    if !defined.is_empty() {
+        of_source.own.insert(target::name(options));
+        files.push(file(&header.replace(".h", ".c"), &defined, of_source));
+    }
+    files
+}
+
+/// Constants in the order of their names; those that are one, once.
+fn by_name<'n>(ids: &[ConstId], name: impl Fn(ConstId) -> &'n str) -> Vec<(&'n str, ConstId)> {
+    let mut list: Vec<(&str, ConstId)> = ids.iter().map(|id| (name(*id), *id)).collect();
+    list.sort();
+    list.dedup_by_key(|(name, _)| *name);
+    list
+}
+
+fn constant(
+    context: Context<'_>,
+    options: &Options,
+    id: ConstId,
+    name: &str,
+    includes: &mut Includes,
+) -> Item {
+    let module = context.module;
+    let item = &module.consts[id.index()];
+    includes.ty(context, &item.ty);
+    let mut declarator = context.names.declarator(&item.ty, name);
+    declarator.ty.insert_str(0, "const ");
+    let mut words = item.words.as_slice();
+    let init = constant_init(context, &item.ty, &mut words);
+    let leaves = module.leaves(&item.ty);
+    if leaves.iter().zip(&item.words).any(|(ty, word)| literal::needs_math(ty, *word)) {
+        includes.system.insert("math.h");
+    }
+    let section = item.given.section.as_ref();
+    let unit = item.given.unit.as_deref();
+    Item::Constant {
+        storage: Storage::Static,
+        docs: described::value(context.names, &item.docs, unit, &item.ty),
+        asked: section.map(|section| asked::section(section, options)),
+        declarator,
+        init: Some(init),
     }
 }
 

@@ -14,7 +14,7 @@ pub(super) fn signum(name: &str, float: Float) -> String {
     let (ty, f, l) = names(float);
     format!(
         "/* 1 with the sign of value, its zero included; NaN for a NaN. */
-static {ty} {name}({ty} value)
+static inline {ty} {name}({ty} value)
 {{
     return isnan(value) ? value : copysign{f}(1.0{l}, value);
 }}"
@@ -25,7 +25,7 @@ pub(super) fn rem_euclid(name: &str, float: Float) -> String {
     let (ty, f, l) = names(float);
     format!(
         "/* The remainder of a / b, from 0 to the size of b. */
-static {ty} {name}({ty} a, {ty} b)
+static inline {ty} {name}({ty} a, {ty} b)
 {{
     const {ty} remainder = fmod{f}(a, b);
     return remainder < 0.0{l} ? remainder + fabs{f}(b) : remainder;
@@ -37,7 +37,7 @@ pub(super) fn div_euclid(name: &str, float: Float) -> String {
     let (ty, f, l) = names(float);
     format!(
         "/* The whole number of times that b goes into a, leaving a remainder of 0 or more. */
-static {ty} {name}({ty} a, {ty} b)
+static inline {ty} {name}({ty} a, {ty} b)
 {{
     const {ty} quotient = trunc{f}(a / b);
     if (fmod{f}(a, b) < 0.0{l}) {{

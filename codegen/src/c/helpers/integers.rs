@@ -25,7 +25,7 @@ pub(super) fn wrapping_div(name: &str, int: Int) -> String {
     let quotient = narrowed(int, "a / b");
     format!(
         "/* a / b modulo 2^{bits}; b is not 0. */
-static {ty} {name}({ty} a, {ty} b)
+static inline {ty} {name}({ty} a, {ty} b)
 {{
     return b == -1 ? {wrap}({negated}) : {quotient};
 }}",
@@ -37,7 +37,7 @@ pub(super) fn wrapping_rem(name: &str, int: Int) -> String {
     let (ty, remainder) = (int_type(int), narrowed(int, "a % b"));
     format!(
         "/* The remainder of a / b, 0 for every a / -1; b is not 0. */
-static {ty} {name}({ty} a, {ty} b)
+static inline {ty} {name}({ty} a, {ty} b)
 {{
     return b == -1 ? 0 : {remainder};
 }}"
@@ -76,7 +76,7 @@ fn saturated(name: &str, int: Int, what: &str, op: char) -> String {
     };
     format!(
         "/* {what}, or the limit of the type beyond which it lies. */
-static {ty} {name}({ty} a, {ty} b)
+static inline {ty} {name}({ty} a, {ty} b)
 {{
     const {wide} exact = ({wide})a {op} ({wide})b;
 {lower}    return {upper};
@@ -88,14 +88,14 @@ pub(super) fn saturating_add(name: &str, int: Int) -> String {
     match int {
         Int::U64 => format!(
             "/* a + b, or the limit of the type beyond which it lies. */
-static uint64_t {name}(uint64_t a, uint64_t b)
+static inline uint64_t {name}(uint64_t a, uint64_t b)
 {{
     return a > UINT64_MAX - b ? UINT64_MAX : a + b;
 }}"
         ),
         Int::I64 => format!(
             "/* a + b, or the limit of the type beyond which it lies. */
-static int64_t {name}(int64_t a, int64_t b)
+static inline int64_t {name}(int64_t a, int64_t b)
 {{
     if (b > 0) {{
         return a > INT64_MAX - b ? INT64_MAX : a + b;
@@ -113,7 +113,7 @@ pub(super) fn saturating_sub(name: &str, int: Int) -> String {
             let ty = int_type(int);
             format!(
                 "/* a - b, or 0 where b is larger. */
-static {ty} {name}({ty} a, {ty} b)
+static inline {ty} {name}({ty} a, {ty} b)
 {{
     return a > b ? a - b : 0U;
 }}"
@@ -121,7 +121,7 @@ static {ty} {name}({ty} a, {ty} b)
         }
         Int::I64 => format!(
             "/* a - b, or the limit of the type beyond which it lies. */
-static int64_t {name}(int64_t a, int64_t b)
+static inline int64_t {name}(int64_t a, int64_t b)
 {{
     if (b < 0) {{
         return a > INT64_MAX + b ? INT64_MAX : a - b;
@@ -137,14 +137,14 @@ pub(super) fn saturating_mul(name: &str, int: Int) -> String {
     match int {
         Int::U64 => format!(
             "/* a * b, or the limit of the type beyond which it lies. */
-static uint64_t {name}(uint64_t a, uint64_t b)
+static inline uint64_t {name}(uint64_t a, uint64_t b)
 {{
     return b != 0U && a > UINT64_MAX / b ? UINT64_MAX : a * b;
 }}"
         ),
         Int::I64 => format!(
             "/* a * b, or the limit of the type beyond which it lies. */
-static int64_t {name}(int64_t a, int64_t b)
+static inline int64_t {name}(int64_t a, int64_t b)
 {{
     if (a > 0 && b > 0) {{
         return a > INT64_MAX / b ? INT64_MAX : a * b;
@@ -179,7 +179,7 @@ pub(super) fn div_euclid(name: &str, scalar: Scalar) -> String {
     let (down, up) = (narrowed(int, "quotient - 1"), narrowed(int, "quotient + 1"));
     format!(
         "/* a / b rounded so that a remainder of 0 or more is left; b is not 0, and the quotient fits. */
-static {ty} {name}({ty} a, {ty} b)
+static inline {ty} {name}({ty} a, {ty} b)
 {{
     const {ty} quotient = {quotient};
     if (a % b < 0) {{
@@ -197,7 +197,7 @@ pub(super) fn rem_euclid(name: &str, scalar: Scalar) -> String {
     let (plus, minus) = (narrowed(int, "remainder + b"), narrowed(int, "remainder - b"));
     format!(
         "/* The remainder of a / b that is 0 or more; b is not 0, and the quotient fits. */
-static {ty} {name}({ty} a, {ty} b)
+static inline {ty} {name}({ty} a, {ty} b)
 {{
     const {ty} remainder = {remainder};
     if (remainder < 0) {{
@@ -229,7 +229,7 @@ pub(super) fn unsigned_abs(name: &str, int: Int) -> String {
     };
     format!(
         "/* The absolute value, unsigned. */
-static {unsigned} {name}({ty} value)
+static inline {unsigned} {name}({ty} value)
 {{
     return value < 0 ? {negated} : ({unsigned})value;
 }}"
@@ -241,7 +241,7 @@ pub(super) fn abs_diff(name: &str, int: Int) -> String {
     let (up, down) = (unsigned_difference(int, "b", "a"), unsigned_difference(int, "a", "b"));
     format!(
         "/* How far apart two integers are. */
-static {unsigned} {name}({ty} a, {ty} b)
+static inline {unsigned} {name}({ty} a, {ty} b)
 {{
     return a < b ? {up} : {down};
 }}"
@@ -260,7 +260,7 @@ pub(super) fn count_ones(name: &str, int: Int) -> String {
     let sum = if bits == 64 { format!("(uint32_t)({sum})") } else { sum };
     format!(
         "/* How many bits are set: counted in pairs, in fours, in bytes, and these added up. */
-static uint32_t {name}({ty} bits)
+static inline uint32_t {name}({ty} bits)
 {{
     const {ty} ones = bits - ((bits >> 1U) & {pairs});
     const {ty} twos = (ones & {nibbles}) + ((ones >> 2U) & {nibbles});
@@ -280,7 +280,7 @@ pub(super) fn leading_zeros(name: &str, int: Int) -> String {
     }
     format!(
         "/* How many bits stand above the highest that is set; all, if none is. */
-static uint32_t {name}({ty} bits)
+static inline uint32_t {name}({ty} bits)
 {{
     {ty} filled = bits;
 {text}    return {count}(~filled);
@@ -292,7 +292,7 @@ pub(super) fn trailing_zeros(name: &str, int: Int) -> String {
     let (ty, count) = (int_type(int), Helper::CountOnes(int).name());
     format!(
         "/* How many bits stand below the lowest that is set; all, if none is. */
-static uint32_t {name}({ty} bits)
+static inline uint32_t {name}({ty} bits)
 {{
     return {count}(~bits & (bits - {one}));
 }}",
@@ -318,7 +318,7 @@ pub(super) fn swap_bytes(name: &str, int: Int) -> String {
     };
     format!(
         "/* The bytes in the opposite order. */
-static {ty} {name}({ty} bits)
+static inline {ty} {name}({ty} bits)
 {{
 {body}}}"
     )
@@ -328,6 +328,6 @@ static {ty} {name}({ty} bits)
 pub fn exclusive(name: &str, int: Int) -> String {
     let ty = int_type(int);
     format!(
-        "/* The bits in which two integers differ. */\nstatic {ty} {name}({ty} a, {ty} b)\n{{\n    return ({ty})(a ^ b);\n}}"
+        "/* The bits in which two integers differ. */\nstatic inline {ty} {name}({ty} a, {ty} b)\n{{\n    return ({ty})(a ^ b);\n}}"
     )
 }

@@ -4,8 +4,10 @@ use bessemer_ir::{Expr as Ir, ExprKind, Place, Step, StructId, Type};
 
 use super::super::tree::{Declarator, Expr, Init, Lines, Step as ForStep, StmtKind};
 use super::Lower;
+use super::fill::length;
 use super::stmt::is_simple;
 use crate::effects::{overlap, reads_place};
+use crate::uncopied::is_stored_whole;
 
 /// Up to so many words are copied by a line each.
 const LINES: u32 = 4;
@@ -50,8 +52,33 @@ impl Lower<'_> {
             ExprKind::Routine(routine, operands) => {
                 self.store_routine(dest, place, (*routine, operands), value);
             }
+            ExprKind::Splat(_) => self.construct(dest, value),
+            _ if is_stored_whole(self.context.module, value) => {
+                let own = self.result_storage() == Some(dest.clone());
+                let wanted = if own { &*self.function.name } else { "constants" };
+                let stored = |lower: &mut Self| {
+                    let name = lower.fresh(wanted);
+                    lower.declare_table(&value.ty, &name, value);
+                    lower.copy(dest, Expr::name(name), &value.ty, false);
+                };
+                if self.out.is_empty() {
+                    stored(self);
+                } else {
+                    let block = self.scope(stored);
+                    self.emit(StmtKind::Block(block));
+                }
+            }
             _ => self.construct(dest, value),
         }
+    }
+
+    /// Declares a table of the function's own.
+    pub(super) fn declare_table(&mut self, ty: &Type, name: &str, value: &Ir) {
+        let init = self.initialiser(value);
+        let mut declarator = self.context.names.declarator(ty, name);
+        declarator.ty.insert_str(0, "static const ");
+        self.include_type(ty);
+        self.emit(StmtKind::Declare(declarator, Some(init)));
     }
 
     /// Builds the value beside its destination, which it reads.
@@ -339,15 +366,6 @@ fn is_short(ty: &Type) -> bool {
         _ => false,
     };
     flat && length(ty) <= LINES
-}
-
-/// How many elements an array or a matrix has.
-fn length(ty: &Type) -> u32 {
-    match ty {
-        Type::Array { len, .. } => *len,
-        Type::Matrix { rows, cols, .. } => rows * cols,
-        _ => 1,
-    }
 }
 
 /// Whether a matrix is mostly zeros, so that a loop and what differs say more than a line for each element. Only

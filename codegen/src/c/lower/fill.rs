@@ -1,20 +1,118 @@
-//! Arrays and matrices that a loop fills: the value that they start with is never seen, so C goes without.
+//! Arrays and matrices that a loop fills: the value that they start with is never seen, so C goes without; of an array that is
+//! filled in part, the rest alone gets it.
 //!
-//! Invariant: where [`filled`] says so, every element is assigned before anything reads it, on each path.
+//! Invariant: where [`filled`] says so, and outside of what [`unwritten`] tells, every element is assigned before anything reads it, on each path.
 
 use bessemer_ir::visit::Walk;
-use bessemer_ir::{Block, Expr, ExprKind, LocalId, Place, Step, Stmt, StmtKind, Type};
+use bessemer_ir::{
+    BinaryOp, Block, Expr, ExprKind, LocalId, Module, Place, Step, Stmt, StmtKind, Type,
+};
 
 use crate::effects::mentions;
 
+/// Elements of an array from which on those are told apart that are written before anything reads them.
+const MOST: u32 = 4096;
+
+/// The elements of an array, from and to, that statements after its declaration do not write before anything else of it is
+/// touched: counters and numbers tell which they write.
+pub(super) fn unwritten(
+    module: &Module,
+    local: LocalId,
+    ty: &Type,
+    rest: &[Stmt],
+) -> Vec<(u32, u32)> {
+    let count = match *ty {
+        Type::Array { len, .. } => len,
+        Type::Matrix { rows, cols: 1, .. } => rows,
+        _ => return vec![(0, u32::MAX)],
+    };
+    if count > MOST {
+        return vec![(0, count)];
+    }
+    let mut written = vec![false; count as usize];
+    for stmt in rest {
+        let before = written.clone();
+        let wrote = match through(module, stmt) {
+            Some((counter, to, body)) => {
+                each(module, local, &body.0, Some((counter, to)), &mut written)
+            }
+            None => each(module, local, [stmt], None, &mut written),
+        };
+        // A pass that reads may see what a later one would write.
+        if !wrote || leaves(stmt) {
+            written = before;
+            break;
+        }
+    }
+    let mut gaps: Vec<(u32, u32)> = Vec::new();
+    for at in (0..count).filter(|at| !written[*at as usize]) {
+        match gaps.last_mut() {
+            Some((_, end)) if *end == at => *end += 1,
+            _ => gaps.push((at, at + 1)),
+        }
+    }
+    gaps
+}
+
+/// Marks what these statements write, in each pass of a loop; no, if one of them does something else with the array.
+fn each<'s>(
+    module: &Module,
+    local: LocalId,
+    stmts: impl IntoIterator<Item = &'s Stmt>,
+    counter: Option<(LocalId, u32)>,
+    written: &mut [bool],
+) -> bool {
+    for stmt in stmts {
+        let place = match &stmt.kind {
+            StmtKind::Assign { place, value } if place.root == local => {
+                if mentions(value, local) {
+                    return false;
+                }
+                place
+            }
+            _ if mentions(stmt, local) => return false,
+            _ => continue,
+        };
+        let ([Step::Index(index)] | [Step::Element(index, _)]) = place.steps.as_slice() else {
+            return false;
+        };
+        let Some((first, counts)) = position(module, index, counter) else { return false };
+        let many = if counts { counter.map_or(1, |(_, to)| to) } else { 1 };
+        for at in first..first.saturating_add(u64::from(many)) {
+            match usize::try_from(at).ok().and_then(|at| written.get_mut(at)) {
+                Some(written) => *written = true,
+                None => return false,
+            }
+        }
+    }
+    true
+}
+
+/// What is added to a counter, and whether it is.
+fn position(module: &Module, index: &Expr, counter: Option<(LocalId, u32)>) -> Option<(u64, bool)> {
+    match &index.kind {
+        ExprKind::Literal(word) => Some((*word, false)),
+        ExprKind::Const(id) => Some((*module.consts[id.index()].words.first()?, false)),
+        ExprKind::Load(place) => (place.steps.is_empty()
+            && Some(place.root) == counter.map(|(id, _)| id))
+        .then_some((0, true)),
+        ExprKind::Binary(BinaryOp::Add, left, right) => {
+            let ((a, one), (b, other)) =
+                (position(module, left, counter)?, position(module, right, counter)?);
+            (!(one && other)).then_some((a.checked_add(b)?, one || other))
+        }
+        _ => None,
+    }
+}
+
 /// Whether a loop of `rest`, the first statement that mentions `local`, assigns each of its elements.
-pub(super) fn filled(local: LocalId, ty: &Type, rest: &[Stmt]) -> bool {
+pub(super) fn filled(module: &Module, local: LocalId, ty: &Type, rest: &[Stmt]) -> bool {
     let Some(first) = rest.iter().find(|stmt| mentions(*stmt, local)) else {
         return false;
     };
-    let Some((outer, to, body)) = through(first) else { return false };
+    let Some((outer, to, body)) = through(module, first) else { return false };
     if let ([inner], Type::Matrix { rows, cols, .. }) = (body.0.as_slice(), ty)
-        && let Some((row, last, body)) = through(inner)
+        && let Some((row, last, body)) = through(module, inner)
     {
         // By columns, or by rows.
         let (inner, outer) = (Some(row), Some(outer));
@@ -32,15 +130,19 @@ pub(super) fn filled(local: LocalId, ty: &Type, rest: &[Stmt]) -> bool {
 }
 
 /// The counter of a loop from 0, its end and its body.
-fn through(stmt: &Stmt) -> Option<(LocalId, u32, &Block)> {
+fn through<'s>(module: &Module, stmt: &'s Stmt) -> Option<(LocalId, u32, &'s Block)> {
     match &stmt.kind {
         StmtKind::For { variable, from, to, inclusive: false, body, .. } => {
-            match (&from.kind, &to.kind) {
-                (ExprKind::Literal(0), ExprKind::Literal(to)) => {
-                    Some((*variable, u32::try_from(*to).ok()?, body))
-                }
-                _ => None,
-            }
+            let to = match &to.kind {
+                ExprKind::Literal(word) => *word,
+                ExprKind::Const(id) => *module.consts[id.index()].words.first()?,
+                _ => return None,
+            };
+            matches!(from.kind, ExprKind::Literal(0)).then_some((
+                *variable,
+                u32::try_from(to).ok()?,
+                body,
+            ))
         }
         _ => None,
     }
@@ -88,4 +190,13 @@ fn leaves(stmt: &Stmt) -> bool {
     stmt.any_stmt(|stmt| {
         matches!(stmt.kind, StmtKind::Break | StmtKind::Continue | StmtKind::Return(_))
     })
+}
+
+/// How many elements an array or a matrix has.
+pub(super) fn length(ty: &Type) -> u32 {
+    match ty {
+        Type::Array { len, .. } => *len,
+        Type::Matrix { rows, cols, .. } => rows * cols,
+        _ => 1,
+    }
 }

@@ -25,7 +25,7 @@ use std::collections::BTreeMap;
 
 use bessemer_ir::visit::Walk;
 use bessemer_ir::{
-    Block, ConstId, ExprKind, Function, FunctionId, LocalId, Mode, Owner, Role, Span, Type,
+    Block, ConstId, ExprKind, Function, FunctionId, LocalId, Mode, Owner, Place, Role, Span, Type,
 };
 
 use super::analysis::Usage;
@@ -37,6 +37,7 @@ use super::signature::{Returned, Signature};
 use super::spelling::unique;
 use super::tree::{Declarator, Expr, Init, Lines, Origin, Stmt, StmtKind, Storage, plain};
 use crate::built;
+use crate::uncopied::uncopied;
 
 /// A lowered function.
 pub struct Lowered {
@@ -63,6 +64,8 @@ pub(super) struct Lower<'a> {
     bindings: Vec<Option<Binding>>,
     /// Per local: the range of a loop counter that C holds in 32 bits.
     counters: Vec<Option<(i128, i128)>>,
+    /// Per local that stays as it began: its range, if it has 64 bits and fewer would do.
+    ranges: Vec<Option<(i128, i128)>>,
     /// Per local: whether the C mentions it.
     mentioned: Vec<bool>,
     /// The names that are visible here.
@@ -78,6 +81,8 @@ pub(super) struct Lower<'a> {
     looks: bool,
     /// The local that is the result, and stands in the caller's storage from the start.
     in_place: Option<LocalId>,
+    /// The locals that are names for what lies elsewhere.
+    names: BTreeMap<LocalId, Place>,
     /// The locals that are parts of the result from the start.
     parts: BTreeMap<LocalId, built::Path>,
     bytes: u64,
@@ -95,6 +100,7 @@ pub fn function<'a>(context: Context<'a>, id: FunctionId, uses: &'a mut Uses) ->
         usage: Usage::new(function),
         bindings: vec![None; function.locals.len()],
         counters: vec![None; function.locals.len()],
+        ranges: vec![None; function.locals.len()],
         mentioned: vec![false; function.locals.len()],
         live: Vec::new(),
         out: Vec::new(),
@@ -104,6 +110,11 @@ pub fn function<'a>(context: Context<'a>, id: FunctionId, uses: &'a mut Uses) ->
         latch: None,
         looks: false,
         in_place: None,
+        names: uncopied(
+            context.module,
+            function,
+            context.names.layout != super::matrices::Layout::Array,
+        ),
         parts: BTreeMap::new(),
         bytes: 0,
         unroll: None,
@@ -380,8 +391,6 @@ impl<'a> Lower<'a> {
     }
 
     fn helper(&mut self, helper: Helper, arguments: Vec<Expr>) -> Expr {
-        self.uses.math |= helper.needs_math();
-        self.uses.string |= helper.needs_string();
         self.uses.helpers.insert(helper.normal());
         Expr::call(helper.name(), arguments)
     }

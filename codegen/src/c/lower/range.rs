@@ -1,7 +1,9 @@
 //! Counters in 32 bits: a loop over `usize` whose bounds are known needs no 64-bit arithmetic in C.
 
+use bessemer_ir::visit::Walk;
 use bessemer_ir::{
-    BinaryOp, CompareOp, Expr as Ir, ExprKind, Int, LocalId, Place, Scalar, Type, UnaryOp,
+    BinaryOp, CompareOp, Expr as Ir, ExprKind, Int, Intrinsic, LocalId, Place, Scalar, Type,
+    UnaryOp,
 };
 
 use super::super::tree::Expr;
@@ -24,7 +26,11 @@ impl Lower<'_> {
                 let word = i128::from(self.context.module.consts[id.index()].words[0]);
                 (word, word)
             }
-            ExprKind::Load(place) => self.counter(place)?,
+            ExprKind::Load(place) => self.counter(place).or_else(|| self.bounded(place))?,
+            ExprKind::Intrinsic(Intrinsic::Min, operands) => {
+                let known = operands.iter().filter_map(|operand| self.range(operand));
+                (0, known.map(|(_, most)| most).min()?)
+            }
             ExprKind::Binary(op, left, right) => {
                 let (a, b) = (self.range(left)?, self.range(right)?);
                 match op {
@@ -115,6 +121,23 @@ impl Lower<'_> {
         if place.steps.is_empty() { self.counters[root as usize] } else { None }
     }
 
+    /// The range of a local that stays as it began.
+    fn bounded(&self, place: &Place) -> Option<(i128, i128)> {
+        let LocalId(root) = place.root;
+        if place.steps.is_empty() { self.ranges[root as usize] } else { None }
+    }
+
+    /// Whether an expression reads a local that has 64 bits although fewer would do.
+    fn reads_wide(&self, expr: &Ir) -> bool {
+        expr.any_place(|place, _| self.bounded(place).is_some())
+    }
+
+    /// An expression with a [`Lower::range`], for a comparison in 32 bits.
+    pub(super) fn narrowed(&mut self, expr: &Ir) -> Expr {
+        let value = self.narrow(expr, false);
+        if self.reads_wide(expr) { Expr::cast("uint32_t", value) } else { value }
+    }
+
     /// Whether an expression counts with a narrow counter.
     pub(super) fn counts(&self, expr: &Ir) -> bool {
         match &expr.kind {
@@ -145,7 +168,8 @@ impl Lower<'_> {
     /// Whether a narrow expression has 64 bits in C all the same, for the constants in it.
     pub(super) fn is_wide(&self, expr: &Ir) -> bool {
         match &expr.kind {
-            ExprKind::Const(_) => true,
+            ExprKind::Const(_) | ExprKind::Intrinsic(..) => true,
+            ExprKind::Load(place) => self.bounded(place).is_some(),
             ExprKind::Binary(_, left, right) => self.is_wide(left) || self.is_wide(right),
             _ => false,
         }

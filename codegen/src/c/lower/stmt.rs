@@ -8,7 +8,12 @@ use bessemer_ir::{
 use super::super::literal;
 use super::super::tree::{Expr, Init, Stmt, StmtKind, SwitchArm, plain};
 use super::Lower;
-use super::fill::filled;
+use super::fill::{filled, length, unwritten};
+use crate::effects::whole;
+use crate::uncopied::is_table;
+
+/// Elements up to which an initialiser is shorter than what fills the rest.
+const SHORT: u32 = 16;
 
 impl Lower<'_> {
     /// Lowers the statements of a block into the open one; `tail`: the function ends after them.
@@ -20,10 +25,10 @@ impl Lower<'_> {
             }
             self.at(stmt.span);
             match &stmt.kind {
-                IrKind::Let { local, value: Some(Ir { kind: ExprKind::Splat(_), .. }) }
-                    if filled(*local, &self.function.local(*local).ty, &block.0[index + 1..]) =>
+                IrKind::Let { local, value: Some(value) }
+                    if matches!(value.kind, ExprKind::Splat(_)) =>
                 {
-                    self.let_(*local, None);
+                    self.let_filled(*local, value, &block.0[index + 1..]);
                 }
                 _ => self.stmt(stmt, tail && index + 1 == block.0.len()),
             }
@@ -59,21 +64,44 @@ impl Lower<'_> {
         }
     }
 
+    /// A local of equal values, of which statements behind it may write some before they are seen.
+    fn let_filled(&mut self, local: LocalId, value: &Ir, rest: &[IrStmt]) {
+        let (module, ty) = (self.context.module, &self.function.local(local).ty);
+        if filled(module, local, ty, rest) {
+            return self.let_(local, None);
+        }
+        let gaps = unwritten(module, local, ty, rest);
+        let ExprKind::Splat(item) = &value.kind else { return };
+        let literal = matches!(item.kind, ExprKind::Literal(_));
+        if gaps.is_empty() {
+            return self.let_(local, None);
+        }
+        let [(from, to)] = gaps[..] else { return self.let_(local, Some(value)) };
+        // An initialiser says less for what is short, or mostly not written.
+        if !literal || to - from > length(ty) / 2 || length(ty) <= SHORT {
+            return self.let_(local, Some(value));
+        }
+        self.let_(local, None);
+        let place = self.place(&whole(local));
+        self.count_from("i", from, to, |lower, index| lower.store(place.at(index), None, item));
+    }
+
     fn let_(&mut self, local: LocalId, value: Option<&Ir>) {
         let ty = self.function.local(local).ty.clone();
         if self.in_place == Some(local) {
             self.let_in_place(local, value);
             return;
         }
-        if let (Some(part), Some(value)) = (self.part_of_result(local), value) {
-            self.store(part, None, value);
+        if let Some(part) = self.part_of_result(local) {
+            value.into_iter().for_each(|value| self.store(part.clone(), None, value));
             return;
         }
-        if let (Mode::RefMut, Some(Ir { kind: ExprKind::Load(place), .. })) =
-            (self.function.local(local).mode, value)
-        {
-            self.name_part(local, place);
-            return;
+        if let Some(Ir { kind: ExprKind::Load(place), .. }) = value {
+            let lent = self.function.local(local).mode == Mode::RefMut;
+            if lent || self.names.contains_key(&local) {
+                self.name_part(local, place, !lent);
+                return;
+            }
         }
         let constant = value.is_some() && !self.usage.assigned[local.index()];
         match value {
@@ -82,6 +110,7 @@ impl Lower<'_> {
                 self.begin(&ty, &name);
             }
             Some(value) if ty.is_word() && !self.is_status_call(value) => {
+                self.ranges[local.index()] = self.range(value).filter(|_| constant);
                 let value = self.word(value);
                 let name = self.bind(local);
                 self.declare(&ty, &name, Some(Init::Value(value)), constant);
@@ -95,6 +124,10 @@ impl Lower<'_> {
                 self.bindings[local.index()] = Some(super::Binding { name, pointer: false });
                 return;
             }
+            Some(value) if constant && is_table(self.context.module, value) => {
+                let name = self.bind(local);
+                self.declare_table(&ty, &name, value);
+            }
             Some(value) => {
                 let name = self.bind(local);
                 self.define(&ty, &name, value, constant);
@@ -106,12 +139,15 @@ impl Lower<'_> {
         }
     }
 
-    /// A name for a part of what the function is lent: `double *const gain = &work[36];`.
-    fn name_part(&mut self, local: LocalId, place: &Place) {
+    /// A name for a part of what the function is lent, or of what it may read: `double *const gain = &work[36];`.
+    fn name_part(&mut self, local: LocalId, place: &Place, read_only: bool) {
         let part = self.place(place);
         let name = self.bind(local);
         let array = place.ty.is_array();
-        let declarator = self.context.names.pointer(&place.ty, &name);
+        let mut declarator = self.context.names.pointer(&place.ty, &name);
+        if read_only {
+            declarator.ty.insert_str(0, "const ");
+        }
         self.include_type(&place.ty);
         self.emit(StmtKind::Declare(
             declarator,

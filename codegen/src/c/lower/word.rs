@@ -88,7 +88,7 @@ impl Lower<'_> {
             && self.range(right).is_some();
         let before = (self.mentioned.clone(), self.uses.helpers.clone(), self.uses.called.clone());
         let (a, b) = if narrow {
-            (self.narrow(left, false), self.narrow(right, false))
+            (self.narrowed(left), self.narrowed(right))
         } else {
             (self.word(left), self.word(right))
         };

@@ -5,6 +5,8 @@
 //! something from one pass to the next. What a call is lent lives in the statement of the call. So two lives that
 //! meet in no statement are never alive together, whatever path is run.
 
+use std::collections::BTreeMap;
+
 use bessemer_ir::visit::{self, Access, Visit};
 use bessemer_ir::{Expr, ExprKind, Function, FunctionId, LocalId, Place, Stmt, StmtKind};
 
@@ -37,7 +39,14 @@ pub(super) struct Life {
 
 impl Life {
     /// Those of a function: of its large locals, then of its calls; `flat`: matrices are arrays of numbers.
-    pub fn of(function: &Function, large: &[LocalId], needs: &[Need], flat: bool) -> Vec<Life> {
+    /// `names` are locals that C makes names for others' memory.
+    pub fn of(
+        function: &Function,
+        large: &[LocalId],
+        names: &BTreeMap<LocalId, Place>,
+        needs: &[Need],
+        flat: bool,
+    ) -> Vec<Life> {
         let count = function.locals.len();
         let mut walk = Walk {
             at: 0,
@@ -46,6 +55,7 @@ impl Life {
             loops: Vec::new(),
             calls: Vec::new(),
             call: 0,
+            names,
             needs,
         };
         walk.block(&function.body);
@@ -83,6 +93,7 @@ struct Walk<'n> {
     calls: Vec<Life>,
     /// How many calls were met.
     call: usize,
+    names: &'n BTreeMap<LocalId, Place>,
     needs: &'n [Need],
 }
 
@@ -144,6 +155,9 @@ impl Visit for Walk<'_> {
 
     fn place(&mut self, place: &Place, _: Access) {
         self.mention(place.root);
+        if let Some(of) = self.names.get(&place.root) {
+            self.mention(of.root);
+        }
         visit::walk_place(self, place);
     }
 }

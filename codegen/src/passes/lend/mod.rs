@@ -1,7 +1,7 @@
 //! Large temporaries become the caller's, laid out by their lives.
 //!
 //! Precondition: a valid, explicit module. Postcondition: no local of more than [`LARGEST`] bytes is left, save one
-//! that is built where the caller wants the result, and a constant that is only read. Memory for the others is lent:
+//! that is built where the caller wants the result, a name for what lies elsewhere, and a table that is only read. Memory for the others is lent:
 //!
 //! * a function takes, of each type that its temporaries are made of, so many elements in a row, as its last
 //!   parameters; an entry point takes one struct of its own, whose content means nothing between calls;
@@ -23,11 +23,12 @@ use bessemer_ir::{
     ExprKind, Field, Float, Function, Given, Kernel, Local, LocalId, Mode, Module, Place, Role,
     Scalar, Span, Stmt, StmtKind, Struct, StructId, Type,
 };
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::callees::fallible;
 use crate::built;
 use crate::kernels::{self, Buffer, Tuning};
+use crate::uncopied::{is_table, uncopied};
 use lives::Life;
 use row::{Need, Row, noun};
 use rows::Laid;
@@ -61,8 +62,9 @@ fn lend_body(
     flat: bool,
 ) -> Need {
     let function = &module.functions[index];
-    let large = large_locals(module, function, fallible);
-    let lives = Life::of(function, &large, needs, flat);
+    let names = uncopied(module, function, flat);
+    let large = large_locals(module, function, fallible, &names);
+    let lives = Life::of(function, &large, &names, needs, flat);
     if lives.is_empty() {
         return Need::new();
     }
@@ -153,14 +155,20 @@ fn scalar_bytes(scalar: Scalar) -> u64 {
 }
 
 /// The locals that are too large for the stack, in the order of their declaration.
-fn large_locals(module: &Module, function: &Function, fallible: bool) -> Vec<LocalId> {
-    let mut uses = Uses::default();
+fn large_locals(
+    module: &Module,
+    function: &Function,
+    fallible: bool,
+    names: &BTreeMap<LocalId, Place>,
+) -> Vec<LocalId> {
+    let mut uses = Uses { module, written: BTreeSet::new(), constant: BTreeSet::new() };
     uses.block(&function.body);
     let whole = if fallible { None } else { built::whole(function) };
     let parts = if fallible { Default::default() } else { built::parts(function, module) };
     let stays = |id: &LocalId| {
         whole == Some(*id)
             || parts.contains_key(id)
+            || names.contains_key(id)
             || (uses.constant.contains(id) && !uses.written.contains(id))
     };
     (function.params..function.locals.len() as u32)
@@ -170,16 +178,16 @@ fn large_locals(module: &Module, function: &Function, fallible: bool) -> Vec<Loc
 }
 
 /// How a function uses its locals.
-#[derive(Default)]
-struct Uses {
+struct Uses<'m> {
+    module: &'m Module,
     written: BTreeSet<LocalId>,
     constant: BTreeSet<LocalId>,
 }
 
-impl Visit for Uses {
+impl Visit for Uses<'_> {
     fn stmt(&mut self, stmt: &Stmt) {
         if let StmtKind::Let { local, value: Some(value) } = &stmt.kind
-            && matches!(value.kind, ExprKind::Const(_))
+            && (matches!(value.kind, ExprKind::Const(_)) || is_table(self.module, value))
         {
             self.constant.insert(*local);
         }

@@ -473,7 +473,14 @@ impl Parser {
                 "name" => &mut given.name,
                 "measured" => &mut given.unit,
                 "section" => &mut given.section,
-                _ => return self.fail("expected `name`, `measured` or `section` before this"),
+                "public" => {
+                    given.public = true;
+                    continue;
+                }
+                _ => {
+                    let expected = "expected `name`, `measured`, `section` or `public` before this";
+                    return self.fail(expected);
+                }
             };
             *said = Some(self.name()?);
         }

@@ -497,7 +497,8 @@ fn shown_given(given: &Given) -> String {
     let said =
         said.iter().filter_map(|(word, text)| Some(format!("{word} {:?} ", (*text).as_ref()?)));
     let said: String = said.collect();
-    format!(" #({said}@{}:{})", given.site.0, given.site.1)
+    let public = if given.public { "public " } else { "" };
+    format!(" #({said}{public}@{}:{})", given.site.0, given.site.1)
 }
 
 /// A word of a constant: readable where that reads back to the same bits.

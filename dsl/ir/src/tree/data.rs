@@ -31,6 +31,8 @@ pub struct Alias {
 /// A `const` or `static` with an attribute of the DSL's.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Table {
+    /// The Rust module that it stands in.
+    pub module: String,
     /// The author's name.
     pub name: String,
     /// The author's doc comment, a line each.
@@ -41,6 +43,8 @@ pub struct Table {
     pub site: Site,
     /// Its type and its value.
     pub value: Constant,
+    /// Whether other modules may read it.
+    pub public: bool,
     /// The author's wishes for its C.
     pub given: Given,
 }

@@ -172,6 +172,7 @@ impl Source<'_> {
             name: self.chance(2).then(|| self.text()),
             unit: self.chance(2).then(|| self.text()),
             section: self.chance(2).then(|| self.text()),
+            public: self.chance(2),
             site: Site(self.below(99), self.below(99)),
         }
     }

@@ -9,6 +9,7 @@ pub const UNIT_STEP_HIGH: f64 = 0.005415212348111709;
 /// The rest of (ln 2)/128.
 pub const UNIT_STEP_LOW: f64 = 1.2864023111638346e-14;
 /// 2^(k/128): what the double leaves out, as a fraction; its bits less k·2⁴⁵.
+#[crate::data]
 pub const POWERS: [[u64; 2]; 128] = [
     [0x0000000000000000, 0x3ff0000000000000],
     [0x3c9b3b4f1a88bf6d, 0x3feff63da9fb3335],

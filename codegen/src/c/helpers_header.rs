@@ -1,0 +1,51 @@
+//! The helpers of the package, once: a header that the sources share, and that firmware has no need of.
+//!
+//! Invariants: it holds what the sources call and nothing else; a source's own text does not depend on what else is in
+//! it. It states what it asks of the compiler before it computes, so that it may be included first.
+
+use std::collections::BTreeSet;
+
+use super::assemble::assemble;
+use super::context::Context;
+use super::file::CFile;
+use super::helpers::{Helper, closure};
+use super::options::Options;
+use super::shell::Shell;
+use super::spelling::identifier;
+use super::target;
+use super::tree::Item;
+
+/// The header's name.
+pub fn name(options: &Options) -> String {
+    format!("{}_helpers.h", identifier(&options.status))
+}
+
+/// The header of these helpers, if there are any.
+pub fn header(
+    context: Context<'_>,
+    options: &Options,
+    helpers: &BTreeSet<Helper>,
+) -> Option<CFile> {
+    let helpers = closure(helpers);
+    if helpers.is_empty() {
+        return None;
+    }
+    let name = name(options);
+    let mut system = vec!["stdbool.h".to_owned(), "stdint.h".to_owned()];
+    system.extend(helpers.iter().any(|it| it.needs_math()).then(|| "math.h".to_owned()));
+    system.extend(helpers.iter().any(|it| it.needs_string()).then(|| "string.h".to_owned()));
+    system.sort();
+    let shell = Shell {
+        file: &name,
+        header: &name,
+        summary: "operations of Rust that C has no operator for; for the sources beside it alone.",
+        source: &context.module.name,
+        license: &options.license,
+        system_includes: system,
+        own_includes: vec![target::name(options)],
+        calls: false,
+        refuses: true,
+    };
+    let items: Vec<Item> = helpers.iter().map(|helper| Item::Verbatim(helper.text())).collect();
+    Some(assemble(context, &name, &shell, true, &items))
+}

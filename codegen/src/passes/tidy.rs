@@ -1,0 +1,275 @@
+//! Statements that say nothing, gone from explicit IR.
+//!
+//! * A value that is read from a place to be put back there.
+//! * A local of the passes' own that only hands its value on: to the next statement, or to the author's name for it.
+//! * A local of numbers that a loop computes for one other to read: that one computes them.
+//! * A local of equal numbers of which only whole copies are made: each copy is of these numbers.
+//!
+//! Keeps: what every place holds behind each statement, and which faults occur. Must not know: why the passes made a local.
+
+use bessemer_ir::visit::{Access, VisitMut, Walk, walk_block_mut, walk_expr_mut, walk_place_mut};
+use bessemer_ir::{
+    Block, Expr, ExprKind, Function, LocalId, Mode, Place, Scalar, Stmt, StmtKind, Type,
+};
+
+use super::places::{disturbs, elementwise, outer};
+use super::positions::Callee;
+use crate::effects::{calls, is_own, lent, mentions, moves, reads, writes};
+
+/// Numbers that are computed by a line each.
+const LINES: u32 = 4;
+
+/// Tidies a function, of whose locals the first `own` are the author's.
+pub(super) fn tidy(function: &mut Function, own: usize, callees: &[Callee]) {
+    let mut body = std::mem::take(&mut function.body);
+    let mut uses = vec![0; function.locals.len()];
+    body.each_place(|place, _| uses[place.root.index()] += 1);
+    let mut tidy = Tidy { function, own, callees, uses };
+    tidy.block(&mut body);
+    function.body = body;
+}
+
+struct Tidy<'f> {
+    function: &'f Function,
+    own: usize,
+    callees: &'f [Callee],
+    /// How often each local is mentioned, its declaration apart.
+    uses: Vec<usize>,
+}
+
+impl VisitMut for Tidy<'_> {
+    fn block(&mut self, block: &mut Block) {
+        walk_block_mut(self, block);
+        let mut at = 0;
+        while at < block.0.len() {
+            let less = self.put_back(&mut block.0, at)
+                || self.handed_on(&mut block.0, at)
+                || self.renamed(&mut block.0, at)
+                || self.equal(&mut block.0, at)
+                || self.fused(&mut block.0, at);
+            at += usize::from(!less);
+        }
+    }
+}
+
+impl Tidy<'_> {
+    /// `let same = x; x = same;`
+    fn put_back(&self, stmts: &mut Vec<Stmt>, at: usize) -> bool {
+        let [Stmt { kind: StmtKind::Let { local, value: Some(value) }, .. }, next, ..] =
+            &stmts[at..]
+        else {
+            return false;
+        };
+        let StmtKind::Assign { place, value: back } = &next.kind else { return false };
+        let idle = self.is_used_once(*local)
+            && is_load(back, *local)
+            && is_own(value, place)
+            && next.comments.is_empty();
+        if idle {
+            let comments = stmts.drain(at..at + 2).flat_map(|it| it.comments).collect();
+            hand_down(stmts, at, comments);
+        }
+        idle
+    }
+
+    /// `let made = f(); x = made;`
+    fn handed_on(&self, stmts: &mut Vec<Stmt>, at: usize) -> bool {
+        let [Stmt { kind: StmtKind::Let { local, value: Some(value) }, .. }, next, ..] =
+            &stmts[at..]
+        else {
+            return false;
+        };
+        let StmtKind::Assign { place, value: given } = &next.kind else { return false };
+        let through_pointer = match &value.kind {
+            ExprKind::Call(callee, _) => {
+                self.callees.get(callee.index()).is_none_or(|callee| callee.through_pointer)
+            }
+            _ => false,
+        };
+        let direct = self.is_made(*local)
+            && value.ty.is_word()
+            && self.is_used_once(*local)
+            && is_load(given, *local)
+            && !moves(place, &lent(value))
+            && !disturbs(place, value, through_pointer);
+        if direct {
+            let value = value.clone();
+            let first = stmts.remove(at);
+            if let StmtKind::Assign { value: given, .. } = &mut stmts[at].kind {
+                *given = value;
+            }
+            hand_down(stmts, at, first.comments);
+        }
+        direct
+    }
+
+    /// `let made = …; …; let name = made;`
+    fn renamed(&mut self, stmts: &mut Vec<Stmt>, at: usize) -> bool {
+        let StmtKind::Let { local: made, .. } = stmts[at].kind else { return false };
+        if !self.is_made(made) {
+            return false;
+        }
+        let Some(last) = stmts.iter().rposition(|stmt| mentions(stmt, made)) else { return false };
+        let StmtKind::Let { local: name, value: Some(value) } = &stmts[last].kind else {
+            return false;
+        };
+        let name = *name;
+        let local = self.function.local(name);
+        if last == at
+            || !is_load(value, made)
+            || local.mode != Mode::Value
+            || local.ty != self.function.local(made).ty
+        {
+            return false;
+        }
+        self.uses[name.index()] += self.uses[made.index()];
+        let removed = stmts.remove(last);
+        let mut rename = Rename(made, name);
+        stmts[at..last].iter_mut().for_each(|stmt| rename.stmt(stmt));
+        hand_down(stmts, at, removed.comments);
+        true
+    }
+
+    /// `let zeros = [0.0; 8]; x = zeros;`
+    fn equal(&self, stmts: &mut Vec<Stmt>, at: usize) -> bool {
+        let StmtKind::Let { local, value: Some(value) } = &stmts[at].kind else { return false };
+        let ExprKind::Splat(item) = &value.kind else { return false };
+        let (local, value) = (*local, value.clone());
+        if !matches!(item.kind, ExprKind::Literal(_)) || self.uses[local.index()] == 0 {
+            return false;
+        }
+        let mut copies = Copies { of: local, value: &value, found: 0, put: false };
+        copies.count(&mut stmts[at + 1..]);
+        if copies.found != self.uses[local.index()] {
+            return false;
+        }
+        copies.put = true;
+        copies.count(&mut stmts[at + 1..]);
+        let removed = stmts.remove(at);
+        hand_down(stmts, at, removed.comments);
+        true
+    }
+
+    /// `let product = a * b; let sum = c + product;`, element by element.
+    fn fused(&self, stmts: &mut Vec<Stmt>, at: usize) -> bool {
+        let StmtKind::Let { local, value: Some(value) } = &stmts[at].kind else { return false };
+        let local = *local;
+        let ExprKind::Routine(routine, operands) = &value.kind else { return false };
+        let by_elements = elementwise(*routine) || outer(*routine, operands);
+        let Type::Matrix { element: Scalar::Float(_), rows, cols } = value.ty else { return false };
+        if !by_elements || rows * cols <= LINES || !self.is_used_once(local) {
+            return false;
+        }
+        let Some(user) = stmts.iter().position(|stmt| mentions(stmt, local)) else { return false };
+        let (StmtKind::Let { value: Some(given), .. }
+        | StmtKind::Return(Some(given))
+        | StmtKind::Assign { value: given, .. }) = &stmts[user].kind
+        else {
+            return false;
+        };
+        let mut given = given.clone();
+        let changed = writes(&stmts[at + 1..user]);
+        if reads(value, &changed) || calls(value) || !put(&mut given, local, value) {
+            return false;
+        }
+        match &mut stmts[user].kind {
+            StmtKind::Assign { place, .. } if disturbs(place, &given, false) => return false,
+            StmtKind::Let { value: Some(to), .. }
+            | StmtKind::Return(Some(to))
+            | StmtKind::Assign { value: to, .. } => *to = given,
+            _ => return false,
+        }
+        let removed = stmts.remove(at);
+        hand_down(stmts, at, removed.comments);
+        true
+    }
+
+    fn is_made(&self, local: LocalId) -> bool {
+        local.index() >= self.own
+    }
+
+    fn is_used_once(&self, local: LocalId) -> bool {
+        self.uses[local.index()] == 1
+    }
+}
+
+/// Whether an expression is the whole of a local.
+fn is_load(expr: &Expr, local: LocalId) -> bool {
+    matches!(&expr.kind, ExprKind::Load(place) if place.root == local && place.steps.is_empty())
+}
+
+/// Puts a value where a local is an operand of what works element by element.
+fn put(expr: &mut Expr, local: LocalId, value: &Expr) -> bool {
+    let ExprKind::Routine(routine, operands) = &mut expr.kind else { return false };
+    elementwise(*routine)
+        && operands.iter_mut().any(|operand| {
+            if is_load(operand, local) {
+                *operand = value.clone();
+                return true;
+            }
+            put(operand, local, value)
+        })
+}
+
+/// The comments of a statement that is gone go before the one that has its place.
+fn hand_down(stmts: &mut [Stmt], at: usize, mut comments: Vec<String>) {
+    if let Some(stmt) = stmts.get_mut(at) {
+        comments.append(&mut stmt.comments);
+        stmt.comments = comments;
+    }
+}
+
+/// One local in another's place.
+struct Rename(LocalId, LocalId);
+
+impl VisitMut for Rename {
+    fn place(&mut self, place: &mut Place, _: Access) {
+        self.declaration(&mut place.root);
+        walk_place_mut(self, place);
+    }
+
+    fn declaration(&mut self, local: &mut LocalId) {
+        if *local == self.0 {
+            *local = self.1;
+        }
+    }
+}
+
+/// The whole copies of a local, where its value may stand itself.
+struct Copies<'v> {
+    of: LocalId,
+    value: &'v Expr,
+    found: usize,
+    put: bool,
+}
+
+impl Copies<'_> {
+    fn count(&mut self, stmts: &mut [Stmt]) {
+        stmts.iter_mut().for_each(|stmt| self.stmt(stmt));
+    }
+
+    fn copy(&mut self, expr: &mut Expr) {
+        if is_load(expr, self.of) {
+            self.found += 1;
+            if self.put {
+                expr.kind = self.value.kind.clone();
+            }
+        }
+    }
+}
+
+impl VisitMut for Copies<'_> {
+    fn stmt(&mut self, stmt: &mut Stmt) {
+        if let StmtKind::Assign { value, .. } = &mut stmt.kind {
+            self.copy(value);
+        }
+        bessemer_ir::visit::walk_stmt_mut(self, stmt);
+    }
+
+    fn expr(&mut self, expr: &mut Expr) {
+        if let ExprKind::Struct(items) = &mut expr.kind {
+            items.iter_mut().for_each(|item| self.copy(item));
+        }
+        walk_expr_mut(self, expr);
+    }
+}
