@@ -2,18 +2,6 @@
 
 /* bounded_while.c */
 
-/* The larger of two numbers: -0 < +0, and a NaN gives the other. */
-static double max_f64(double a, double b)
-{
-    if (a > b || isnan(b)) {
-        return a;
-    }
-    if (b > a || isnan(a)) {
-        return b;
-    }
-    return !signbit(a) ? a : b;
-}
-
 bessemer_status_t bounded_while_root(double x, double tolerance, double *guess)
 {
     double guess_value = max_f64(x, 1.0);

@@ -98,27 +98,27 @@ float chain_links_folded(const float samples[4], const float coefficients[4])
 
 void chain_links_places(const uint16_t readings[6], pair_option_u16_option_usize_t *result)
 {
-    option_u16_t second = {.is_some = false, .value = 0U};
+    result->first.is_some = false;
+    result->first.value = 0U;
     uint64_t left = UINT64_C(1);
     for (uint32_t i = 0U; i < 6U; i++) {
         if (readings[i] < 4096U) {
             if (left == UINT64_C(0)) {
-                second.is_some = true;
-                second.value = readings[i];
+                result->first.is_some = true;
+                result->first.value = readings[i];
                 break;
             } else {
                 left -= UINT64_C(1);
             }
         }
     }
-    option_usize_t rposition = {.is_some = false, .value = UINT64_C(0)};
+    result->second.is_some = false;
+    result->second.value = UINT64_C(0);
     for (uint32_t i = 6U; i-- > 0U;) {
         if (readings[i] == 0U) {
-            rposition.is_some = true;
-            rposition.value = (uint64_t)i;
+            result->second.is_some = true;
+            result->second.value = (uint64_t)i;
             break;
         }
     }
-    result->first = second;
-    result->second = rposition;
 }

@@ -2,12 +2,6 @@
 
 /* programs_control_chains.c */
 
-/* The smaller of two integers. */
-static uint64_t min_u64(uint64_t a, uint64_t b)
-{
-    return a < b ? a : b;
-}
-
 double programs_control_chains_power(const double samples[8])
 {
     double sum = -0.0;

@@ -4,31 +4,13 @@
 
 static const double F64_MIN = -1.7976931348623157e308;
 
-/* The smaller of two integers. */
-static uint64_t min_u64(uint64_t a, uint64_t b)
-{
-    return a < b ? a : b;
-}
-
-/* The larger of two numbers: -0 < +0, and a NaN gives the other. */
-static double max_f64(double a, double b)
-{
-    if (a > b || isnan(b)) {
-        return a;
-    }
-    if (b > a || isnan(a)) {
-        return b;
-    }
-    return !signbit(a) ? a : b;
-}
-
 double chunks_busiest(const double values[8])
 {
     double most = F64_MIN;
     for (uint32_t i = 0U; i < 3U; i++) {
         const uint64_t value_end = min_u64((uint64_t)(i * 3U + 3U), UINT64_C(8));
         double sum = -0.0;
-        for (uint64_t j = (uint64_t)(i * 3U); j < value_end; j++) {
+        for (uint32_t j = i * 3U; j < value_end; j++) {
             sum += values[j];
         }
         most = max_f64(most, sum);

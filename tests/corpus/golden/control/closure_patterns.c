@@ -5,30 +5,6 @@
 static const int32_t I32_MAX = INT32_MAX;
 static const int32_t I32_MIN = INT32_MIN;
 
-/* The signed integer with these bits. */
-static int32_t wrap_i32(uint32_t bits)
-{
-    return bits <= (uint32_t)INT32_MAX ? (int32_t)bits : -1 - (int32_t)(UINT32_MAX - bits);
-}
-
-/* The smaller of two integers. */
-static int32_t min_i32(int32_t a, int32_t b)
-{
-    return a < b ? a : b;
-}
-
-/* The larger of two integers. */
-static int32_t max_i32(int32_t a, int32_t b)
-{
-    return a > b ? a : b;
-}
-
-/* The bits of value shifted left by count, which is less than 32. */
-static int32_t shift_left_i32(int32_t value, uint32_t count)
-{
-    return wrap_i32((uint32_t)value << count);
-}
-
 uint8_t closure_patterns_good(const closure_patterns_track_t tracks[6], float limit)
 {
     uint8_t bits = 0U;
@@ -118,15 +94,11 @@ void closure_patterns_counted(const option_u8_t *value, uint8_t n, triple_u8_u32
     for (uint8_t i = 0U; i < n; i++) {
         sum += 2U;
     }
-    uint8_t elements[3];
     for (uint32_t i = 0U; i < 3U; i++) {
-        elements[i] = n;
+        result->third[i] = n;
     }
     result->first = result_choice;
     result->second = sum;
-    result->third[0] = elements[0];
-    result->third[1] = elements[1];
-    result->third[2] = elements[2];
 }
 
 /* closure_patterns.h */

@@ -32,10 +32,12 @@ void converted_errors_payload(const uint8_t frame[3], result_u16_frame_fault_t *
         result->error.tag = FRAME_FAULT_TAG_SHORT;
         result->error.start = 0U;
     } else if (frame[0] == 0U && frame[1] == 0U && frame[2] == 0U) {
-        result->is_ok = false;
-        result->value = 0U;
-        result->error.tag = FRAME_FAULT_TAG_SHORT;
-        result->error.start = 0U;
+        static const result_u16_frame_fault_t payload = {
+            .is_ok = false,
+            .value = 0U,
+            .error = {.tag = FRAME_FAULT_TAG_SHORT, .start = 0U}
+        };
+        *result = payload;
     } else {
         const uint8_t start = frame[0];
         result->is_ok = false;
@@ -59,11 +61,15 @@ void converted_errors_current(const uint8_t frame[3], float limit, result_f32_dr
     }
     const float current = (float)outcome.value * 0.01F;
     if (current > limit) {
-        result->is_ok = false;
-        result->value = 0.0F;
-        result->error.tag = DRIVE_FAULT_TAG_OVERLOAD;
-        result->error.link.tag = FRAME_FAULT_TAG_SHORT;
-        result->error.link.start = 0U;
+        static const result_f32_drive_fault_t current_2 = {
+            .is_ok = false,
+            .value = 0.0F,
+            .error = {
+                .tag = DRIVE_FAULT_TAG_OVERLOAD,
+                .link = {.tag = FRAME_FAULT_TAG_SHORT, .start = 0U}
+            }
+        };
+        *result = current_2;
         return;
     }
     result->is_ok = true;

@@ -2,18 +2,6 @@
 
 /* for_elements.c */
 
-/* The larger of two numbers: -0 < +0, and a NaN gives the other. */
-static float max_f32(float a, float b)
-{
-    if (a > b || isnan(b)) {
-        return a;
-    }
-    if (b > a || isnan(a)) {
-        return b;
-    }
-    return !signbit(a) ? a : b;
-}
-
 float for_elements_largest(const float values[6])
 {
     float most = values[0];

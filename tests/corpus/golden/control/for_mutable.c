@@ -2,12 +2,6 @@
 
 /* for_mutable.c */
 
-/* The size of one number with the sign of another; a NaN counts as positive. */
-static double copysign_f64(double size, double sign)
-{
-    return isnan(sign) ? fabs(size) : copysign(size, sign);
-}
-
 void for_mutable_limit(double commands[4], double most)
 {
     for (uint32_t i = 0U; i < 4U; i++) {

@@ -4,67 +4,6 @@
 
 static const uint64_t U64_MAX = UINT64_MAX;
 
-/* The signed integer with these bits. */
-static int8_t wrap_i8(uint8_t bits)
-{
-    return bits <= (uint8_t)INT8_MAX ? (int8_t)bits : (int8_t)(-1 - (int8_t)(UINT8_MAX - bits));
-}
-
-/* The signed integer with these bits. */
-static int32_t wrap_i32(uint32_t bits)
-{
-    return bits <= (uint32_t)INT32_MAX ? (int32_t)bits : -1 - (int32_t)(UINT32_MAX - bits);
-}
-
-/* The signed integer with these bits. */
-static int64_t wrap_i64(uint64_t bits)
-{
-    return bits <= (uint64_t)INT64_MAX ? (int64_t)bits : -1 - (int64_t)(UINT64_MAX - bits);
-}
-
-/* The smaller of two integers. */
-static uint64_t min_u64(uint64_t a, uint64_t b)
-{
-    return a < b ? a : b;
-}
-
-/* The larger of two integers. */
-static int64_t max_i64(int64_t a, int64_t b)
-{
-    return a > b ? a : b;
-}
-
-/* The number nearest to value from low to high. */
-static int32_t clamp_i32(int32_t value, int32_t low, int32_t high)
-{
-    if (value < low) {
-        return low;
-    }
-    return value > high ? high : value;
-}
-
-/* a + b, or the limit of the type beyond which it lies. */
-static uint64_t saturating_add_u64(uint64_t a, uint64_t b)
-{
-    return a > UINT64_MAX - b ? UINT64_MAX : a + b;
-}
-
-/* a - b, or the limit of the type beyond which it lies. */
-static uint8_t saturating_sub_u8(uint8_t a, uint8_t b)
-{
-    const int32_t exact = (int32_t)a - (int32_t)b;
-    if (exact < 0) {
-        return 0;
-    }
-    return (uint8_t)exact;
-}
-
-/* a - b, or 0 where b is larger. */
-static uint64_t saturating_sub_u64(uint64_t a, uint64_t b)
-{
-    return a > b ? a - b : 0U;
-}
-
 double for_steps_interleaved(const double values[10])
 {
     double sum = 0.0;

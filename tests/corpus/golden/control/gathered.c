@@ -2,48 +2,6 @@
 
 /* gathered.c */
 
-/* The smaller of two integers. */
-static int16_t min_i16(int16_t a, int16_t b)
-{
-    return a < b ? a : b;
-}
-
-/* The smaller of two integers. */
-static int32_t min_i32(int32_t a, int32_t b)
-{
-    return a < b ? a : b;
-}
-
-/* The smaller of two integers. */
-static uint64_t min_u64(uint64_t a, uint64_t b)
-{
-    return a < b ? a : b;
-}
-
-/* The larger of two integers. */
-static int16_t max_i16(int16_t a, int16_t b)
-{
-    return a > b ? a : b;
-}
-
-/* The larger of two integers. */
-static int32_t max_i32(int32_t a, int32_t b)
-{
-    return a > b ? a : b;
-}
-
-/* The larger of two numbers: -0 < +0, and a NaN gives the other. */
-static double max_f64(double a, double b)
-{
-    if (a > b || isnan(b)) {
-        return a;
-    }
-    if (b > a || isnan(a)) {
-        return b;
-    }
-    return !signbit(a) ? a : b;
-}
-
 void gathered_halve(double samples[5])
 {
     for (uint32_t i = 0U; i < 5U; i++) {
@@ -79,7 +37,7 @@ void gathered_largest(const double values[4], uint64_t count, option_f64_t *resu
     result->is_some = false;
     result->value = 0.0;
     const uint64_t result_count = min_u64(count, UINT64_C(4));
-    for (uint64_t i = UINT64_C(0); i < result_count; i++) {
+    for (uint32_t i = 0U; i < result_count; i++) {
         double reduced_choice;
         if (result->is_some) {
             const double before = result->value;

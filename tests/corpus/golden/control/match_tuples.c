@@ -2,12 +2,6 @@
 
 /* match_tuples.c */
 
-/* The signed integer with these bits. */
-static int16_t wrap_i16(uint16_t bits)
-{
-    return bits <= (uint16_t)INT16_MAX ? (int16_t)bits : (int16_t)(-1 - (int16_t)(UINT16_MAX - bits));
-}
-
 int16_t match_tuples_drive(bool forward, bool backward, int16_t speed)
 {
     if (forward && !backward) {

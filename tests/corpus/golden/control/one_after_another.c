@@ -2,18 +2,6 @@
 
 /* one_after_another.c */
 
-/* The signed integer with these bits. */
-static int32_t wrap_i32(uint32_t bits)
-{
-    return bits <= (uint32_t)INT32_MAX ? (int32_t)bits : -1 - (int32_t)(UINT32_MAX - bits);
-}
-
-/* The smaller of two integers. */
-static uint64_t min_u64(uint64_t a, uint64_t b)
-{
-    return a < b ? a : b;
-}
-
 uint64_t one_after_another_low(const one_after_another_cell_t own[4],
     const one_after_another_cell_t added[3], float limit)
 {
@@ -36,13 +24,13 @@ uint8_t one_after_another_checksum(const uint8_t header[3], const list6_u8_t *pa
 {
     uint8_t sum = 255U;
     {
-        const uint64_t end = min_u64(payload->length, UINT64_C(6)) + UINT64_C(3);
-        for (uint64_t i = UINT64_C(0); i < end; i++) {
+        const uint64_t end = min_u64(payload->length, UINT64_C(6)) + 3U;
+        for (uint32_t i = 0U; i < end; i++) {
             uint8_t byte;
-            if (i < UINT64_C(3)) {
+            if (i < 3U) {
                 byte = header[i];
             } else {
-                byte = payload->items[i - UINT64_C(3)];
+                byte = payload->items[(uint64_t)i - UINT64_C(3)];
             }
             sum = (uint8_t)((uint8_t)((uint8_t)((uint32_t)sum << 1U) | (uint8_t)(sum >> 7U))
                 ^ byte);

@@ -2,18 +2,6 @@
 
 /* parts_of_arrays.c */
 
-/* The larger of two numbers: -0 < +0, and a NaN gives the other. */
-static double max_f64(double a, double b)
-{
-    if (a > b || isnan(b)) {
-        return a;
-    }
-    if (b > a || isnan(a)) {
-        return b;
-    }
-    return !signbit(a) ? a : b;
-}
-
 double parts_of_arrays_steepest(const double values[8])
 {
     double steepest = 0.0;

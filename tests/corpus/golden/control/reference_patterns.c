@@ -2,18 +2,6 @@
 
 /* reference_patterns.c */
 
-/* The smaller of two numbers: -0 < +0, and a NaN gives the other. */
-static double min_f64(double a, double b)
-{
-    if (a < b || isnan(b)) {
-        return a;
-    }
-    if (b < a || isnan(a)) {
-        return b;
-    }
-    return signbit(a) ? a : b;
-}
-
 double valve_advance(valve_t *self)
 {
     if (self->order.tag == REFERENCE_PATTERNS_ORDER_TAG_HOLD) {

@@ -2,18 +2,6 @@
 
 /* searches.c */
 
-/* The larger of two numbers: -0 < +0, and a NaN gives the other. */
-static double max_f64(double a, double b)
-{
-    if (a > b || isnan(b)) {
-        return a;
-    }
-    if (b > a || isnan(a)) {
-        return b;
-    }
-    return !signbit(a) ? a : b;
-}
-
 void searches_largest(const int32_t counts[6], option_i32_t *result)
 {
     result->is_some = false;

@@ -5,30 +5,6 @@
 static const float F32_INFINITY = INFINITY;
 static const float F32_NEG_INFINITY = -INFINITY;
 
-/* The smaller of two numbers: -0 < +0, and a NaN gives the other. */
-static float min_f32(float a, float b)
-{
-    if (a < b || isnan(b)) {
-        return a;
-    }
-    if (b < a || isnan(a)) {
-        return b;
-    }
-    return signbit(a) ? a : b;
-}
-
-/* The larger of two numbers: -0 < +0, and a NaN gives the other. */
-static float max_f32(float a, float b)
-{
-    if (a > b || isnan(b)) {
-        return a;
-    }
-    if (b > a || isnan(a)) {
-        return b;
-    }
-    return !signbit(a) ? a : b;
-}
-
 void tried_folds_total(const uint8_t values[5], option_u8_t *result)
 {
     result->is_some = true;

@@ -16,13 +16,6 @@ typedef enum {
 
 static const uint8_t STABLE_SAMPLES = 5U;
 
-/* a + b, or the limit of the type beyond which it lies. */
-static uint8_t saturating_add_u8(uint8_t a, uint8_t b)
-{
-    const int32_t exact = (int32_t)a + (int32_t)b;
-    return exact > UINT8_MAX ? UINT8_MAX : (uint8_t)exact;
-}
-
 void push_button_init(push_button_t *self)
 {
     self->pressed = false;

@@ -36,30 +36,6 @@ typedef struct {
 static const float F32_PI = 3.1415927F;
 static const float SQRT_2 = 1.4142135F;
 
-/* The smaller of two numbers: -0 < +0, and a NaN gives the other. */
-static float min_f32(float a, float b)
-{
-    if (a < b || isnan(b)) {
-        return a;
-    }
-    if (b < a || isnan(a)) {
-        return b;
-    }
-    return signbit(a) ? a : b;
-}
-
-/* The larger of two numbers: -0 < +0, and a NaN gives the other. */
-static float max_f32(float a, float b)
-{
-    if (a > b || isnan(b)) {
-        return a;
-    }
-    if (b > a || isnan(a)) {
-        return b;
-    }
-    return !signbit(a) ? a : b;
-}
-
 void low_pass_butterworth(float cutoff, float rate, biquad_coefficients_t *biquad_coefficients)
 {
     const float share = min_f32(max_f32(cutoff / rate, 0.001F), 0.45F);

@@ -18,30 +18,6 @@ typedef struct {
 
 /* pi_controller.c */
 
-/* The smaller of two numbers: -0 < +0, and a NaN gives the other. */
-static float min_f32(float a, float b)
-{
-    if (a < b || isnan(b)) {
-        return a;
-    }
-    if (b < a || isnan(a)) {
-        return b;
-    }
-    return signbit(a) ? a : b;
-}
-
-/* The larger of two numbers: -0 < +0, and a NaN gives the other. */
-static float max_f32(float a, float b)
-{
-    if (a > b || isnan(b)) {
-        return a;
-    }
-    if (b > a || isnan(a)) {
-        return b;
-    }
-    return !signbit(a) ? a : b;
-}
-
 void pi_controller_init(pi_controller_t *self)
 {
     self->integral = 0.0F;

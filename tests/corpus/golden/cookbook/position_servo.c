@@ -4,40 +4,6 @@
 
 static const uint8_t SPEED_PERIODS = 10U;
 
-/* The smaller of two numbers: -0 < +0, and a NaN gives the other. */
-static float min_f32(float a, float b)
-{
-    if (a < b || isnan(b)) {
-        return a;
-    }
-    if (b < a || isnan(a)) {
-        return b;
-    }
-    return signbit(a) ? a : b;
-}
-
-/* The larger of two numbers: -0 < +0, and a NaN gives the other. */
-static float max_f32(float a, float b)
-{
-    if (a > b || isnan(b)) {
-        return a;
-    }
-    if (b > a || isnan(a)) {
-        return b;
-    }
-    return !signbit(a) ? a : b;
-}
-
-/* a - b, or the limit of the type beyond which it lies. */
-static uint8_t saturating_sub_u8(uint8_t a, uint8_t b)
-{
-    const int32_t exact = (int32_t)a - (int32_t)b;
-    if (exact < 0) {
-        return 0;
-    }
-    return (uint8_t)exact;
-}
-
 void position_servo_init(position_servo_t *self)
 {
     pi_controller_init(&self->speed_loop);

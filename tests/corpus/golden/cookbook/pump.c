@@ -52,23 +52,6 @@ typedef struct {
 static const uint16_t DRY_MS = 500U;
 static const uint16_t PRIMING_MS = 3000U;
 
-/* a + b, or the limit of the type beyond which it lies. */
-static uint16_t saturating_add_u16(uint16_t a, uint16_t b)
-{
-    const int32_t exact = (int32_t)a + (int32_t)b;
-    return exact > UINT16_MAX ? UINT16_MAX : (uint16_t)exact;
-}
-
-/* a - b, or the limit of the type beyond which it lies. */
-static uint16_t saturating_sub_u16(uint16_t a, uint16_t b)
-{
-    const int32_t exact = (int32_t)a - (int32_t)b;
-    if (exact < 0) {
-        return 0;
-    }
-    return (uint16_t)exact;
-}
-
 void pump_control_init(pump_control_t *self)
 {
     self->state.tag = PUMP_STATE_TAG_OFF;

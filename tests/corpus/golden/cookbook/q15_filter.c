@@ -2,36 +2,6 @@
 
 /* q15_filter.c */
 
-/* The signed integer with these bits. */
-static int16_t wrap_i16(uint16_t bits)
-{
-    return bits <= (uint16_t)INT16_MAX ? (int16_t)bits : (int16_t)(-1 - (int16_t)(UINT16_MAX - bits));
-}
-
-/* The signed integer with these bits. */
-static int32_t wrap_i32(uint32_t bits)
-{
-    return bits <= (uint32_t)INT32_MAX ? (int32_t)bits : -1 - (int32_t)(UINT32_MAX - bits);
-}
-
-/* The smaller of two integers. */
-static int32_t min_i32(int32_t a, int32_t b)
-{
-    return a < b ? a : b;
-}
-
-/* The bits of value shifted left by count, which is less than 32. */
-static int32_t shift_left_i32(int32_t value, uint32_t count)
-{
-    return wrap_i32((uint32_t)value << count);
-}
-
-/* value divided by 2^count and rounded down; count is less than 32. */
-static int32_t shift_right_i32(int32_t value, uint32_t count)
-{
-    return value < 0 ? ~(~value >> count) : value >> count;
-}
-
 void q15_mul(const q15_t *self, const q15_t *other, q15_t *q15)
 {
     const int32_t wide = shift_right_i32(
@@ -47,69 +17,6 @@ typedef struct {
 } q15_t;
 
 /* q15_low_pass.c */
-
-/* The signed integer with these bits. */
-static int16_t wrap_i16(uint16_t bits)
-{
-    return bits <= (uint16_t)INT16_MAX ? (int16_t)bits : (int16_t)(-1 - (int16_t)(UINT16_MAX - bits));
-}
-
-/* The signed integer with these bits. */
-static int32_t wrap_i32(uint32_t bits)
-{
-    return bits <= (uint32_t)INT32_MAX ? (int32_t)bits : -1 - (int32_t)(UINT32_MAX - bits);
-}
-
-/* The signed integer with these bits. */
-static int64_t wrap_i64(uint64_t bits)
-{
-    return bits <= (uint64_t)INT64_MAX ? (int64_t)bits : -1 - (int64_t)(UINT64_MAX - bits);
-}
-
-/* The smaller of two integers. */
-static int32_t min_i32(int32_t a, int32_t b)
-{
-    return a < b ? a : b;
-}
-
-/* The larger of two integers. */
-static int16_t max_i16(int16_t a, int16_t b)
-{
-    return a > b ? a : b;
-}
-
-/* The number nearest to value from low to high. */
-static int64_t clamp_i64(int64_t value, int64_t low, int64_t high)
-{
-    if (value < low) {
-        return low;
-    }
-    return value > high ? high : value;
-}
-
-/* The bits of value shifted left by count, which is less than 32. */
-static int32_t shift_left_i32(int32_t value, uint32_t count)
-{
-    return wrap_i32((uint32_t)value << count);
-}
-
-/* The bits of value shifted left by count, which is less than 64. */
-static int64_t shift_left_i64(int64_t value, uint32_t count)
-{
-    return wrap_i64((uint64_t)value << count);
-}
-
-/* value divided by 2^count and rounded down; count is less than 32. */
-static int32_t shift_right_i32(int32_t value, uint32_t count)
-{
-    return value < 0 ? ~(~value >> count) : value >> count;
-}
-
-/* value divided by 2^count and rounded down; count is less than 64. */
-static int64_t shift_right_i64(int64_t value, uint32_t count)
-{
-    return value < 0 ? ~(~value >> count) : value >> count;
-}
 
 void q15_low_pass_init(q15_low_pass_t *self)
 {

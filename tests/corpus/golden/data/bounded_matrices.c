@@ -2,36 +2,6 @@
 
 /* measured.c */
 
-/* The smaller of two integers. */
-static uint64_t min_u64(uint64_t a, uint64_t b)
-{
-    return a < b ? a : b;
-}
-
-/* The smaller of two numbers: -0 < +0, and a NaN gives the other. */
-static double min_f64(double a, double b)
-{
-    if (a < b || isnan(b)) {
-        return a;
-    }
-    if (b < a || isnan(a)) {
-        return b;
-    }
-    return signbit(a) ? a : b;
-}
-
-/* The larger of two numbers: -0 < +0, and a NaN gives the other. */
-static double max_f64(double a, double b)
-{
-    if (a > b || isnan(b)) {
-        return a;
-    }
-    if (b > a || isnan(a)) {
-        return b;
-    }
-    return !signbit(a) ? a : b;
-}
-
 void measured_init(measured_t *self)
 {
     self->values.rows = UINT64_C(0);
@@ -104,9 +74,9 @@ bessemer_status_t measured_limited(measured_t *self, double most, double *result
     }
     const uint64_t value_rows = min_u64(self->values.rows, UINT64_C(4));
     const uint64_t value_columns = min_u64(self->values.columns, UINT64_C(3));
-    for (uint64_t column = UINT64_C(0); column < value_columns; column++) {
+    for (uint32_t column = 0U; column < value_columns; column++) {
         bool loop_done = false;
-        for (uint64_t row = UINT64_C(0); row < value_rows; row++) {
+        for (uint32_t row = 0U; row < value_rows; row++) {
             if (self->values.elements[column][row] < 0.0) {
                 loop_done = true;
                 break;
@@ -120,8 +90,8 @@ bessemer_status_t measured_limited(measured_t *self, double most, double *result
     double largest = 0.0;
     const uint64_t result_rows = min_u64(self->values.rows, UINT64_C(4));
     const uint64_t result_columns = min_u64(self->values.columns, UINT64_C(3));
-    for (uint64_t column = UINT64_C(0); column < result_columns; column++) {
-        for (uint64_t row = UINT64_C(0); row < result_rows; row++) {
+    for (uint32_t column = 0U; column < result_columns; column++) {
+        for (uint32_t row = 0U; row < result_rows; row++) {
             largest = max_f64(largest, self->values.elements[column][row]);
         }
     }

@@ -47,27 +47,6 @@ static const float kValveFlow[9] = {0.0F, 0.5F, 1.75F, 3.5F, 5.5F, 7.25F, 8.5F, 
 /** The share of the way that it moves in a period. */
 static const float kValveStep = 0.125F;
 
-/* The number nearest to value from low to high; NaN stays NaN. */
-static float clamp_f32(float value, float low, float high)
-{
-    if (value < low) {
-        return low;
-    }
-    return value > high ? high : value;
-}
-
-/* The integer nearest to value towards zero, within its type; 0 for a NaN. */
-static uint64_t u64_from_f32(float value)
-{
-    if (isnan(value)) {
-        return 0;
-    }
-    if (value <= 0.0F) {
-        return 0;
-    }
-    return value >= 18446744073709551616.0F ? UINT64_MAX : (uint64_t)value;
-}
-
 void Valve_init(Valve_t *self)
 {
     self->fPosition = 0.0F;

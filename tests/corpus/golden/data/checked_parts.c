@@ -2,18 +2,6 @@
 
 /* checked_parts.c */
 
-/* The smaller of two integers. */
-static uint64_t min_u64(uint64_t a, uint64_t b)
-{
-    return a < b ? a : b;
-}
-
-/* a + b, or the limit of the type beyond which it lies. */
-static uint64_t saturating_add_u64(uint64_t a, uint64_t b)
-{
-    return a > UINT64_MAX - b ? UINT64_MAX : a + b;
-}
-
 void checked_parts_parity(const uint8_t line[8], uint64_t from, uint64_t to, option_u8_t *result)
 {
     if (!(from <= to && to <= UINT64_C(8))) {
@@ -104,10 +92,12 @@ bessemer_status_t checked_parts_number(const uint8_t frame[6], uint64_t at,
     }
     const uint64_t value_to = at + UINT64_C(2);
     if (!(at <= value_to && value_to <= UINT64_C(6))) {
-        result->is_ok = false;
-        result->value = 0U;
-        result->error.tag = MISSING_TAG_SHORT;
-        result->error.beyond = UINT64_C(0);
+        static const result_u16_checked_parts_missing_t number = {
+            .is_ok = false,
+            .value = 0U,
+            .error = {.tag = MISSING_TAG_SHORT, .beyond = UINT64_C(0)}
+        };
+        *result = number;
         return BESSEMER_STATUS_OK;
     }
     if (UINT64_C(0) >= value_to - at) {
@@ -175,10 +165,12 @@ bessemer_status_t checked_parts_last_time(const checked_parts_leg_t route[2], ui
         return BESSEMER_STATUS_INDEX;
     }
     if (count <= UINT64_C(0)) {
-        result->is_ok = false;
-        result->value = 0.0;
-        result->error.tag = MISSING_TAG_SHORT;
-        result->error.beyond = UINT64_C(0);
+        static const result_f64_checked_parts_missing_t last_time = {
+            .is_ok = false,
+            .value = 0.0,
+            .error = {.tag = MISSING_TAG_SHORT, .beyond = UINT64_C(0)}
+        };
+        *result = last_time;
         return BESSEMER_STATUS_OK;
     }
     result->is_ok = true;

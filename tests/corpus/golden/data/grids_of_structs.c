@@ -2,18 +2,6 @@
 
 /* grids_of_structs.c */
 
-/* The larger of two numbers: -0 < +0, and a NaN gives the other. */
-static float max_f32(float a, float b)
-{
-    if (a > b || isnan(b)) {
-        return a;
-    }
-    if (b > a || isnan(a)) {
-        return b;
-    }
-    return !signbit(a) ? a : b;
-}
-
 float grids_of_structs_highest(const square_t map[2][3])
 {
     float most = 0.0F;

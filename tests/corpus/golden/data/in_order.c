@@ -2,21 +2,6 @@
 
 /* in_order.c */
 
-/* The smaller of two integers. */
-static uint64_t min_u64(uint64_t a, uint64_t b)
-{
-    return a < b ? a : b;
-}
-
-/* The number nearest to value from low to high. */
-static uint64_t clamp_u64(uint64_t value, uint64_t low, uint64_t high)
-{
-    if (value < low) {
-        return low;
-    }
-    return value > high ? high : value;
-}
-
 bool in_order_is_usable(const breakpoints_t *table)
 {
     const uint64_t count = clamp_u64((uint64_t)table->count, UINT64_C(2), UINT64_C(6));

@@ -2,13 +2,6 @@
 
 /* lent_elements.c */
 
-/* a + b, or the limit of the type beyond which it lies. */
-static uint32_t saturating_add_u32(uint32_t a, uint32_t b)
-{
-    const int64_t exact = (int64_t)a + (int64_t)b;
-    return exact > UINT32_MAX ? UINT32_MAX : (uint32_t)exact;
-}
-
 bool lent_elements_count(uint32_t counters[6], uint64_t number, uint32_t by)
 {
     if (number >= UINT64_C(6)) {

@@ -2,22 +2,16 @@
 
 /* list_edits.c */
 
-/* The smaller of two integers. */
-static uint64_t min_u64(uint64_t a, uint64_t b)
-{
-    return a < b ? a : b;
-}
-
 bessemer_status_t list_edits_queued(list6_u8_t *jobs, uint8_t cost, uint64_t *at)
 {
     bessemer_status_t status;
     option_usize_t position = {.is_some = false, .value = UINT64_C(0)};
     {
         const uint64_t end = min_u64(jobs->length, UINT64_C(6));
-        for (uint64_t i = UINT64_C(0); i < end; i++) {
+        for (uint32_t i = 0U; i < end; i++) {
             if (jobs->items[i] > cost) {
                 position.is_some = true;
-                position.value = i;
+                position.value = (uint64_t)i;
                 break;
             }
         }

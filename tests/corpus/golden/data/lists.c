@@ -2,12 +2,6 @@
 
 /* lists.c */
 
-/* The smaller of two integers. */
-static uint64_t min_u64(uint64_t a, uint64_t b)
-{
-    return a < b ? a : b;
-}
-
 void lists_init(lists_t *self)
 {
     self->values.length = UINT64_C(0);
@@ -37,7 +31,7 @@ void lists_mean(lists_t *self, option_f64_t *result)
     double sum = 0.0;
     {
         const uint64_t end = min_u64(self->values.length, UINT64_C(4));
-        for (uint64_t i = UINT64_C(0); i < end; i++) {
+        for (uint32_t i = 0U; i < end; i++) {
             sum += self->values.items[i];
         }
     }

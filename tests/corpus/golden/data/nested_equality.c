@@ -2,12 +2,6 @@
 
 /* nested_equality.c */
 
-/* The smaller of two integers. */
-static uint64_t min_u64(uint64_t a, uint64_t b)
-{
-    return a < b ? a : b;
-}
-
 /** Whether the two are equal, part by part. */
 static inline bool option_u16_equal(const option_u16_t *one, const option_u16_t *other)
 {
@@ -77,7 +71,7 @@ static inline bool list3_axis_wish_equal(const list3_axis_wish_t *one,
         all_equal = true;
         {
             const uint64_t end = min_u64(one->length, UINT64_C(3));
-            for (uint64_t i = UINT64_C(0); i < end; i++) {
+            for (uint32_t i = 0U; i < end; i++) {
                 if (!axis_wish_equal(&one->items[i], &other->items[i])) {
                     all_equal = false;
                     break;

@@ -2,12 +2,6 @@
 
 /* numbered_enums.c */
 
-/* The signed integer with these bits. */
-static int8_t wrap_i8(uint8_t bits)
-{
-    return bits <= (uint8_t)INT8_MAX ? (int8_t)bits : (int8_t)(-1 - (int8_t)(UINT8_MAX - bits));
-}
-
 uint8_t numbered_enums_byte_of(numbered_enums_kind_t kind)
 {
     return (uint8_t)kind;

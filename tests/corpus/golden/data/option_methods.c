@@ -2,12 +2,6 @@
 
 /* option_methods.c */
 
-/* The smaller of two integers. */
-static uint8_t min_u8(uint8_t a, uint8_t b)
-{
-    return a < b ? a : b;
-}
-
 void option_methods_celsius(const option_u16_t *reading, option_f64_t *result)
 {
     option_u16_t result_choice;

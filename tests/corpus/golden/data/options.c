@@ -2,12 +2,6 @@
 
 /* programs_data_options.c */
 
-/* The larger of two integers. */
-static uint8_t max_u8(uint8_t a, uint8_t b)
-{
-    return a > b ? a : b;
-}
-
 void programs_data_options_slope(const double from[2], const double to[2], option_f64_t *result)
 {
     const double run = to[0] - from[0];

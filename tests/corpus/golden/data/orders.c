@@ -150,10 +150,11 @@ bool orders_is_beyond(double reading, double limit)
 
 void orders_longest(const orders_task_t tasks[4], option_task_t *result)
 {
-    result->is_some = false;
-    result->value.priority = 0U;
-    result->value.deadline = 0U;
-    result->value.effort = 0.0F;
+    static const option_task_t longest = {
+        .is_some = false,
+        .value = {.priority = 0U, .deadline = 0U, .effort = 0.0F}
+    };
+    *result = longest;
     for (uint32_t i = 0U; i < 4U; i++) {
         const option_task_t before = *result;
         result->is_some = true;

@@ -4,25 +4,6 @@
 
 static const float TAU = 6.2831855F;
 
-/* The smaller of two numbers: -0 < +0, and a NaN gives the other. */
-static float min_f32(float a, float b)
-{
-    if (a < b || isnan(b)) {
-        return a;
-    }
-    if (b < a || isnan(a)) {
-        return b;
-    }
-    return signbit(a) ? a : b;
-}
-
-/* The remainder of a / b, from 0 to the size of b. */
-static float rem_euclid_f32(float a, float b)
-{
-    const float remainder = fmodf(a, b);
-    return remainder < 0.0F ? remainder + fabsf(b) : remainder;
-}
-
 /** Whether the two are equal, part by part. */
 static inline bool option_lever_equal(const option_lever_t *one, const option_lever_t *other)
 {

@@ -2,30 +2,6 @@
 
 /* payload_enums.c */
 
-/* The smaller of two numbers: -0 < +0, and a NaN gives the other. */
-static double min_f64(double a, double b)
-{
-    if (a < b || isnan(b)) {
-        return a;
-    }
-    if (b < a || isnan(a)) {
-        return b;
-    }
-    return signbit(a) ? a : b;
-}
-
-/* The larger of two numbers: -0 < +0, and a NaN gives the other. */
-static double max_f64(double a, double b)
-{
-    if (a > b || isnan(b)) {
-        return a;
-    }
-    if (b > a || isnan(a)) {
-        return b;
-    }
-    return !signbit(a) ? a : b;
-}
-
 double payload_enums_speed(const command_t *command, double angle)
 {
     switch (command->tag) {

@@ -2,18 +2,6 @@
 
 /* slice_edits.c */
 
-/* The signed integer with these bits. */
-static int16_t wrap_i16(uint16_t bits)
-{
-    return bits <= (uint16_t)INT16_MAX ? (int16_t)bits : (int16_t)(-1 - (int16_t)(UINT16_MAX - bits));
-}
-
-/* The smaller of two integers. */
-static uint64_t min_u64(uint64_t a, uint64_t b)
-{
-    return a < b ? a : b;
-}
-
 bessemer_status_t slice_edits_record(float samples[5], float sample)
 {
     bessemer_status_t status;

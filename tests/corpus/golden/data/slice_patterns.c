@@ -2,12 +2,6 @@
 
 /* slice_patterns.c */
 
-/* The larger of two integers. */
-static int16_t max_i16(int16_t a, int16_t b)
-{
-    return a > b ? a : b;
-}
-
 bessemer_status_t slice_patterns_decoded(const uint8_t bytes[6], pair_u8_u32_t *result)
 {
     uint32_t sum = 0U;

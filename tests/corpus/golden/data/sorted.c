@@ -2,24 +2,6 @@
 
 /* sorted.c */
 
-/* The smaller of two integers. */
-static uint64_t min_u64(uint64_t a, uint64_t b)
-{
-    return a < b ? a : b;
-}
-
-/* The size of one number with the sign of another; a NaN counts as positive. */
-static float copysign_f32(float size, float sign)
-{
-    return isnan(sign) ? fabsf(size) : copysignf(size, sign);
-}
-
-/* The size of one number with the sign of another; a NaN counts as positive. */
-static double copysign_f64(double size, double sign)
-{
-    return isnan(sign) ? fabs(size) : copysign(size, sign);
-}
-
 static void sorted_sort_by_in_median(double values[], uint64_t values_length);
 static void sorted_sort_by_in_schedule(switching_t values[], uint64_t values_length);
 static void sorted_sort_by_in_latest_first(switching_t values[], uint64_t values_length);

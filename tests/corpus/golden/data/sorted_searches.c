@@ -2,12 +2,6 @@
 
 /* sorted_searches.c */
 
-/* The smaller of two integers. */
-static uint64_t min_u64(uint64_t a, uint64_t b)
-{
-    return a < b ? a : b;
-}
-
 static uint64_t sorted_searches_partition_point_in_below(const double values[],
     uint64_t values_length, double x);
 static void sorted_searches_binary_search_by_key_in_value(const sorted_searches_point_t values[],

@@ -4,18 +4,14 @@
 
 void texts_height(float scale, channel_t *channel)
 {
-    channel->name[0] = 104U;
-    channel->name[1] = 101U;
-    channel->name[2] = 105U;
-    channel->name[3] = 103U;
-    channel->name[4] = 104U;
-    channel->name[5] = 116U;
+    static const uint8_t constants[6] = {104U, 101U, 105U, 103U, 104U, 116U};
+    memcpy(channel->name, constants, sizeof(uint8_t[6]));
     channel->scale = scale;
 }
 
 bool texts_is_height(const channel_t *channel)
 {
-    const uint8_t elements[6] = {104U, 101U, 105U, 103U, 104U, 116U};
+    static const uint8_t elements[6] = {104U, 101U, 105U, 103U, 104U, 116U};
     bool result_equal = true;
     for (uint32_t i = 0U; i < 6U; i++) {
         if (channel->name[i] != elements[i]) {

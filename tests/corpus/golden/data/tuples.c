@@ -2,18 +2,6 @@
 
 /* programs_data_tuples.c */
 
-/* The integer nearest to value towards zero, within its type; 0 for a NaN. */
-static int32_t i32_from_f64(double value)
-{
-    if (isnan(value)) {
-        return 0;
-    }
-    if (value <= -2147483648.0) {
-        return INT32_MIN;
-    }
-    return value >= 2147483648.0 ? INT32_MAX : (int32_t)value;
-}
-
 void programs_data_tuples_unwound(double angle, pair_i32_f64_t *result)
 {
     const double turns = floor(angle / 6.25);

@@ -2,18 +2,6 @@
 
 /* variable_sizes.c */
 
-/* The smaller of two integers. */
-static uint64_t min_u64(uint64_t a, uint64_t b)
-{
-    return a < b ? a : b;
-}
-
-/* The larger of two integers. */
-static uint64_t max_u64(uint64_t a, uint64_t b)
-{
-    return a > b ? a : b;
-}
-
 bessemer_status_t variable_sizes_seen(scan_t *scan, const float point[3], const uint8_t hits[2])
 {
     bessemer_status_t status;
@@ -46,7 +34,7 @@ void variable_sizes_middle(const scan_t *scan, float result[3])
     float sum[3] = {0.0F};
     {
         const uint64_t end = min_u64(scan->points.length, UINT64_C(4));
-        for (uint64_t i = UINT64_C(0); i < end; i++) {
+        for (uint32_t i = 0U; i < end; i++) {
             sum[0] += scan->points.items[i][0];
             sum[1] += scan->points.items[i][1];
             sum[2] += scan->points.items[i][2];

@@ -2,12 +2,6 @@
 
 /* division.c */
 
-/* The larger of two integers. */
-static uint32_t max_u32(uint32_t a, uint32_t b)
-{
-    return a > b ? a : b;
-}
-
 bessemer_status_t division_rate(int32_t count, int32_t period, int32_t *result)
 {
     if (period == 0) {

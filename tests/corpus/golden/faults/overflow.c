@@ -2,12 +2,6 @@
 
 /* overflow.c */
 
-/* The absolute value; value is not the smallest of its type. */
-static int32_t abs_i32(int32_t value)
-{
-    return value < 0 ? -value : value;
-}
-
 bessemer_status_t overflow_distance(int32_t a, int32_t b, int32_t *result)
 {
     if ((int64_t)a - (int64_t)b < INT32_MIN || (int64_t)a - (int64_t)b > INT32_MAX) {

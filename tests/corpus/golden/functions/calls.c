@@ -2,18 +2,6 @@
 
 /* calls.c */
 
-/* The larger of two numbers: -0 < +0, and a NaN gives the other. */
-static double max_f64(double a, double b)
-{
-    if (a > b || isnan(b)) {
-        return a;
-    }
-    if (b > a || isnan(a)) {
-        return b;
-    }
-    return !signbit(a) ? a : b;
-}
-
 double calls_sign(double x)
 {
     if (x > 0.0) {

@@ -4,13 +4,6 @@
 
 static const uint8_t CONTACT_STABLE = 3U;
 
-/* a + b, or the limit of the type beyond which it lies. */
-static uint8_t saturating_add_u8(uint8_t a, uint8_t b)
-{
-    const int32_t exact = (int32_t)a + (int32_t)b;
-    return exact > UINT8_MAX ? UINT8_MAX : (uint8_t)exact;
-}
-
 static void contact_count(contact_t *self, bool level);
 
 void contact_init(contact_t *self)

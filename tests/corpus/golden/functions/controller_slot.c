@@ -4,15 +4,6 @@
 
 static const double GAIN_LIMIT = 1.0;
 
-/* The number nearest to value from low to high; NaN stays NaN. */
-static double clamp_f64(double value, double low, double high)
-{
-    if (value < low) {
-        return low;
-    }
-    return value > high ? high : value;
-}
-
 void controller_slot_gain_reset(controller_slot_gain_t *self)
 {
     (void)self;
@@ -63,15 +54,6 @@ typedef struct {
 /* integrator.c */
 
 static const double INTEGRATOR_LIMIT = 0.5;
-
-/* The number nearest to value from low to high; NaN stays NaN. */
-static double clamp_f64(double value, double low, double high)
-{
-    if (value < low) {
-        return low;
-    }
-    return value > high ? high : value;
-}
 
 static double integrator_step(integrator_t *self, double error);
 

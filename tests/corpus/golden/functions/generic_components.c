@@ -77,15 +77,6 @@ typedef struct {
 
 static const float FAST_PI_GAIN_F32 = 0.1F;
 
-/* The number nearest to value from low to high; NaN stays NaN. */
-static float clamp_f32(float value, float low, float high)
-{
-    if (value < low) {
-        return low;
-    }
-    return value > high ? high : value;
-}
-
 void fast_pi_init(fast_pi_t *self)
 {
     self->integral = 0.0F;
@@ -108,15 +99,6 @@ typedef struct {
 /* pi_f64.c */
 
 static const double PI_F64_GAIN = 0.1;
-
-/* The number nearest to value from low to high; NaN stays NaN. */
-static double clamp_f64(double value, double low, double high)
-{
-    if (value < low) {
-        return low;
-    }
-    return value > high ? high : value;
-}
 
 void pi_f64_init(pi_f64_t *self)
 {

@@ -2,16 +2,6 @@
 
 /* interfaces_of_numbers.c */
 
-/* a * b, or the limit of the type beyond which it lies. */
-static int16_t saturating_mul_i16(int16_t a, int16_t b)
-{
-    const int32_t exact = (int32_t)a * (int32_t)b;
-    if (exact < INT16_MIN) {
-        return INT16_MIN;
-    }
-    return exact > INT16_MAX ? INT16_MAX : (int16_t)exact;
-}
-
 double interfaces_of_numbers_f64_without_middle(double self, double width)
 {
     if (fabs(self) < width) {
@@ -139,8 +129,7 @@ bool interfaces_of_numbers_counted(uint16_t *counter, uint8_t by)
     const bool often = interfaces_of_numbers_u16_step(counter, by);
     bool result_condition = false;
     if (often) {
-        const bool result_u16_step = interfaces_of_numbers_u16_step(counter, 1U);
-        result_condition = result_u16_step;
+        result_condition = interfaces_of_numbers_u16_step(counter, 1U);
     }
     return result_condition;
 }

@@ -2,18 +2,6 @@
 
 /* lent_places.c */
 
-/* The smaller of two numbers: -0 < +0, and a NaN gives the other. */
-static double min_f64(double a, double b)
-{
-    if (a < b || isnan(b)) {
-        return a;
-    }
-    if (b < a || isnan(a)) {
-        return b;
-    }
-    return signbit(a) ? a : b;
-}
-
 double axis_command(const axis_t *self, double error)
 {
     return min_f64(self->gain * error, self->limit);

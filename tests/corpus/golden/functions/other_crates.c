@@ -2,9 +2,6 @@
 
 /* gain.c */
 
-/** A sensor's curve. */
-static const double CURVE[4] = {0.0, 1.0, 4.0, 9.0};
-
 void other_crates_gain_init(other_crates_gain_t *self)
 {
     self->factor = 0.0;
@@ -12,7 +9,7 @@ void other_crates_gain_init(other_crates_gain_t *self)
 
 double other_crates_gain_step(other_crates_gain_t *self, double input)
 {
-    return self->factor * input + CURVE[2];
+    return self->factor * input + FILTERS_CURVE[2];
 }
 
 /* gain.h */
@@ -25,13 +22,6 @@ typedef struct {
 /* reading.c */
 
 static const double LIMIT = 50.0;
-
-/* a + b, or the limit of the type beyond which it lies. */
-static uint8_t saturating_add_u8(uint8_t a, uint8_t b)
-{
-    const int32_t exact = (int32_t)a + (int32_t)b;
-    return exact > UINT8_MAX ? UINT8_MAX : (uint8_t)exact;
-}
 
 void other_crates_reading_init(other_crates_reading_t *self)
 {

@@ -2,12 +2,6 @@
 
 /* own_indices.c */
 
-/* The signed integer with these bits. */
-static int32_t wrap_i32(uint32_t bits)
-{
-    return bits <= (uint32_t)INT32_MAX ? (int32_t)bits : -1 - (int32_t)(UINT32_MAX - bits);
-}
-
 int32_t sides_index_side(const sides_t *self, side_t side)
 {
     switch (side) {

@@ -2,12 +2,6 @@
 
 /* recursion_free.c */
 
-/* The smaller of two integers. */
-static uint8_t min_u8(uint8_t a, uint8_t b)
-{
-    return a < b ? a : b;
-}
-
 uint64_t recursion_free_ways(uint8_t steps)
 {
     uint64_t before = UINT64_C(0);

@@ -2,13 +2,6 @@
 
 /* events.c */
 
-/* a + b, or the limit of the type beyond which it lies. */
-static uint32_t saturating_add_u32(uint32_t a, uint32_t b)
-{
-    const int64_t exact = (int64_t)a + (int64_t)b;
-    return exact > UINT32_MAX ? UINT32_MAX : (uint32_t)exact;
-}
-
 void events_init(events_t *self)
 {
     self->count = 0U;

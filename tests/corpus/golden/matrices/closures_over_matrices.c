@@ -2,18 +2,6 @@
 
 /* closures_over_matrices.c */
 
-/* The larger of two numbers: -0 < +0, and a NaN gives the other. */
-static double max_f64(double a, double b)
-{
-    if (a > b || isnan(b)) {
-        return a;
-    }
-    if (b > a || isnan(a)) {
-        return b;
-    }
-    return !signbit(a) ? a : b;
-}
-
 void closures_over_matrices_limited(const double a[9], double limit, double result[9])
 {
     for (uint32_t i = 0U; i < 9U; i++) {

@@ -13,11 +13,11 @@ void covariance_factors_variances(const double p[9], option_vector3_f64_t *resul
         result->value[2] = 0.0;
         return;
     }
-    const udu_f64_3_t factors = option.value;
+    const udu_f64_3_t *const factors = &option.value;
     result->is_some = true;
-    result->value[0] = factors.d[0];
-    result->value[1] = factors.d[1];
-    result->value[2] = factors.d[2];
+    result->value[0] = factors->d[0];
+    result->value[1] = factors->d[1];
+    result->value[2] = factors->d[2];
 }
 
 void covariance_factors_composed(const double p[4], double result[4])
@@ -96,15 +96,15 @@ void covariance_factors_full_rank(const float p[9], pair_bool_f32_t *result)
     ldl_factored_f32_3(p, &factors);
     bool result_choice;
     if (factors.is_some) {
-        const ldl_f32_3_t it = factors.value;
-        result_choice = ldl_f32_3_is_positive(&it);
+        const ldl_f32_3_t *const it = &factors.value;
+        result_choice = ldl_f32_3_is_positive(it);
     } else {
         result_choice = false;
     }
     float result_choice_2;
     if (factors.is_some) {
-        const ldl_f32_3_t it = factors.value;
-        result_choice_2 = ldl_f32_3_determinant(&it);
+        const ldl_f32_3_t *const it = &factors.value;
+        result_choice_2 = ldl_f32_3_determinant(it);
     } else {
         result_choice_2 = 0.0F;
     }

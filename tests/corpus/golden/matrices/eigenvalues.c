@@ -6,14 +6,10 @@ void eigenvalues_ellipsoid(const double covariance[9], pair_vector3_f64_matrix3x
 {
     eigen_f64_3_t eigen;
     eigen_symmetric_f64_3(covariance, &eigen);
-    double mapped[3];
     for (uint32_t i = 0U; i < 3U; i++) {
         const double x = eigen.eigenvalues[i];
-        mapped[i] = sqrt(x);
+        result->first[i] = sqrt(x);
     }
-    result->first[0] = mapped[0];
-    result->first[1] = mapped[1];
-    result->first[2] = mapped[2];
     memcpy(result->second, eigen.eigenvectors, sizeof(double[9]));
 }
 

@@ -4,12 +4,12 @@
 
 void elements_turn(double sine, double cosine, double matrix[9])
 {
-    for (uint32_t i = 0U; i < 9U; i++) {
-        matrix[i] = 0.0;
-    }
-    matrix[0 + 3 * 0] = 1.0;
-    matrix[1 + 3 * 1] = 1.0;
-    matrix[2 + 3 * 2] = 1.0;
+    static const double turn[9] = {
+        1.0, 0.0, 0.0,
+        0.0, 1.0, 0.0,
+        0.0, 0.0, 1.0
+    };
+    memcpy(matrix, turn, sizeof(double[9]));
     matrix[0 + 3 * 0] = cosine;
     matrix[0 + 3 * 1] = -sine;
     matrix[1 + 3 * 0] = sine;

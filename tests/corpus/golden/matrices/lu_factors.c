@@ -36,15 +36,10 @@ void lu_factors_refined(const double a[9], const double b[3], option_vector3_f64
         return;
     }
     const double correction[3] = {option_2.value[0], option_2.value[1], option_2.value[2]};
-    const double result_value[3] = {
-        x[0] + correction[0],
-        x[1] + correction[1],
-        x[2] + correction[2]
-    };
+    result->value[0] = x[0] + correction[0];
+    result->value[1] = x[1] + correction[1];
+    result->value[2] = x[2] + correction[2];
     result->is_some = true;
-    result->value[0] = result_value[0];
-    result->value[1] = result_value[1];
-    result->value[2] = result_value[2];
 }
 
 void lu_factors_both(const float a[16], pair_f32_matrix4x4_f32_t *result)
@@ -54,10 +49,11 @@ void lu_factors_both(const float a[16], pair_f32_matrix4x4_f32_t *result)
     const float result_part = lu_f32_4_determinant(&lu);
     option_matrix4x4_f32_t option;
     lu_f32_4_try_inverse(&lu, &option);
-    float result_choice[16] = {0.0F};
+    for (uint32_t i = 0U; i < 16U; i++) {
+        result->second[i] = 0.0F;
+    }
     if (option.is_some) {
-        memcpy(result_choice, option.value, sizeof(float[16]));
+        memcpy(result->second, option.value, sizeof(float[16]));
     }
     result->first = result_part;
-    memcpy(result->second, result_choice, sizeof(float[16]));
 }

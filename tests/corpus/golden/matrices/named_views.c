@@ -2,18 +2,6 @@
 
 /* named_views.c */
 
-/* The larger of two numbers: -0 < +0, and a NaN gives the other. */
-static float max_f32(float a, float b)
-{
-    if (a > b || isnan(b)) {
-        return a;
-    }
-    if (b > a || isnan(a)) {
-        return b;
-    }
-    return !signbit(a) ? a : b;
-}
-
 void named_views_advance(double state[6], const double acceleration[3], double period)
 {
     const double way_matrix[3] = {state[3], state[4], state[5]};

@@ -9,16 +9,11 @@ void points_halfway(const points_way_t *way, pair_f64_vector3_f64_t *result)
         way->to[1] - way->from[1],
         way->to[2] - way->from[2]
     };
-    const double result_second[3] = {
-        way->from[0] + between[0] * 0.5,
-        way->from[1] + between[1] * 0.5,
-        way->from[2] + between[2] * 0.5
-    };
+    result->second[0] = way->from[0] + between[0] * 0.5;
+    result->second[1] = way->from[1] + between[1] * 0.5;
+    result->second[2] = way->from[2] + between[2] * 0.5;
     result->first = sqrt(between[0] * between[0] + between[1] * between[1]
         + between[2] * between[2]);
-    result->second[0] = result_second[0];
-    result->second[1] = result_second[1];
-    result->second[2] = result_second[2];
 }
 
 void points_moved(const float point[2], const float by[2], float result[2])

@@ -67,37 +67,30 @@ void rotation_matrices_moved(const float m[9], const float v[3], const float p[3
         m[1 + 3 * 0] * v[0] + m[1 + 3 * 1] * v[1] + m[1 + 3 * 2] * v[2],
         m[2 + 3 * 0] * v[0] + m[2 + 3 * 1] * v[1] + m[2 + 3 * 2] * v[2]
     };
-    const float there[3] = {
-        there_product[0] + there_product_2[0],
-        there_product[1] + there_product_2[1],
-        there_product[2] + there_product_2[2]
-    };
+    result->first[0] = there_product[0] + there_product_2[0];
+    result->first[1] = there_product[1] + there_product_2[1];
+    result->first[2] = there_product[2] + there_product_2[2];
     const float point_product[3] = {
         m[0 + 3 * 0] * p[0] + m[0 + 3 * 1] * p[1] + m[0 + 3 * 2] * p[2],
         m[1 + 3 * 0] * p[0] + m[1 + 3 * 1] * p[1] + m[1 + 3 * 2] * p[2],
         m[2 + 3 * 0] * p[0] + m[2 + 3 * 1] * p[1] + m[2 + 3 * 2] * p[2]
     };
     const float point_product_2[3] = {
-        m[0 + 3 * 0] * there[0] + m[1 + 3 * 0] * there[1] + m[2 + 3 * 0] * there[2],
-        m[0 + 3 * 1] * there[0] + m[1 + 3 * 1] * there[1] + m[2 + 3 * 1] * there[2],
-        m[0 + 3 * 2] * there[0] + m[1 + 3 * 2] * there[1] + m[2 + 3 * 2] * there[2]
+        m[0 + 3 * 0] * result->first[0] + m[1 + 3 * 0] * result->first[1]
+            + m[2 + 3 * 0] * result->first[2],
+        m[0 + 3 * 1] * result->first[0] + m[1 + 3 * 1] * result->first[1]
+            + m[2 + 3 * 1] * result->first[2],
+        m[0 + 3 * 2] * result->first[0] + m[1 + 3 * 2] * result->first[1]
+            + m[2 + 3 * 2] * result->first[2]
     };
     const float point[3] = {
         point_product[0] + point_product_2[0],
         point_product[1] + point_product_2[1],
         point_product[2] + point_product_2[2]
     };
-    const float result_second[3] = {
-        m[0 + 3 * 0] * point[0] + m[1 + 3 * 0] * point[1] + m[2 + 3 * 0] * point[2],
-        m[0 + 3 * 1] * point[0] + m[1 + 3 * 1] * point[1] + m[2 + 3 * 1] * point[2],
-        m[0 + 3 * 2] * point[0] + m[1 + 3 * 2] * point[1] + m[2 + 3 * 2] * point[2]
-    };
-    result->first[0] = there[0];
-    result->first[1] = there[1];
-    result->first[2] = there[2];
-    result->second[0] = result_second[0];
-    result->second[1] = result_second[1];
-    result->second[2] = result_second[2];
+    result->second[0] = m[0 + 3 * 0] * point[0] + m[1 + 3 * 0] * point[1] + m[2 + 3 * 0] * point[2];
+    result->second[1] = m[0 + 3 * 1] * point[0] + m[1 + 3 * 1] * point[1] + m[2 + 3 * 1] * point[2];
+    result->second[2] = m[0 + 3 * 2] * point[0] + m[1 + 3 * 2] * point[1] + m[2 + 3 * 2] * point[2];
 }
 
 void rotation_matrices_covariance(const double m[9], const double p[9], double result[9])
@@ -109,8 +102,7 @@ void rotation_matrices_covariance(const double m[9], const double p[9], double r
 
 double rotation_matrices_raw(const double m[9])
 {
-    double rotation[9];
-    memcpy(rotation, m, sizeof(double[9]));
+    const double *const rotation = m;
     return rotation[2 + 3 * 1] + rotation[0 + 3 * 2];
 }
 

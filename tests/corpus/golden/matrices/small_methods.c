@@ -58,16 +58,12 @@ void small_methods_squared(const double a[4], double result[4])
 
 void small_methods_rounded(const double a[6], pair_matrix2x3_f32_matrix2x3_f64_t *result)
 {
-    float single[6];
-    elementwise_cast_f64_f32_2_3(a, single);
+    elementwise_cast_f64_f32_2_3(a, result->first);
     double result_cast_f32_f64_2_3[6];
-    elementwise_cast_f32_f64_2_3(single, result_cast_f32_f64_2_3);
-    double result_second[6];
+    elementwise_cast_f32_f64_2_3(result->first, result_cast_f32_f64_2_3);
     for (uint32_t i = 0U; i < 6U; i++) {
-        result_second[i] = result_cast_f32_f64_2_3[i] - a[i];
+        result->second[i] = result_cast_f32_f64_2_3[i] - a[i];
     }
-    memcpy(result->first, single, sizeof(float[6]));
-    memcpy(result->second, result_second, sizeof(double[6]));
 }
 
 void small_methods_centre(const double points[4][3], pair_vector3_f64_vector3_f64_t *result)
@@ -78,19 +74,17 @@ void small_methods_centre(const double points[4][3], pair_vector3_f64_vector3_f6
         sum[1] += points[i][1];
         sum[2] += points[i][2];
     }
-    const double result_part[3] = {sum[0] / 4.0, sum[1] / 4.0, sum[2] / 4.0};
-    double sum_2[3] = {0.0};
+    result->first[0] = sum[0] / 4.0;
+    result->first[1] = sum[1] / 4.0;
+    result->first[2] = sum[2] / 4.0;
+    result->second[0] = 0.0;
+    result->second[1] = 0.0;
+    result->second[2] = 0.0;
     for (uint32_t i = 0U; i < 4U; i++) {
-        sum_2[0] += points[i][0] * 0.5;
-        sum_2[1] += points[i][1] * 0.5;
-        sum_2[2] += points[i][2] * 0.5;
+        result->second[0] += points[i][0] * 0.5;
+        result->second[1] += points[i][1] * 0.5;
+        result->second[2] += points[i][2] * 0.5;
     }
-    result->first[0] = result_part[0];
-    result->first[1] = result_part[1];
-    result->first[2] = result_part[2];
-    result->second[0] = sum_2[0];
-    result->second[1] = sum_2[1];
-    result->second[2] = sum_2[2];
 }
 
 void small_methods_into_places(const double a[6], const double b[6], double product[4],
@@ -103,21 +97,15 @@ void small_methods_into_places(const double a[6], const double b[6], double prod
 void small_methods_parts(const double state[6],
     triple_vector3_f64_vector3_f64_vector3_f64_t *result)
 {
-    const double position[3] = {state[0], state[1], state[2]};
-    const double velocity[3] = {state[3], state[4], state[5]};
-    double mapped[3];
+    result->first[0] = state[0];
+    result->first[1] = state[1];
+    result->first[2] = state[2];
+    result->second[0] = state[3];
+    result->second[1] = state[4];
+    result->second[2] = state[5];
     for (uint32_t column = 0U; column < 1U; column++) {
         for (uint32_t row = 0U; row < 3U; row++) {
-            mapped[row] = position[row] + (double)row;
+            result->third[row] = result->first[row] + (double)row;
         }
     }
-    result->first[0] = position[0];
-    result->first[1] = position[1];
-    result->first[2] = position[2];
-    result->second[0] = velocity[0];
-    result->second[1] = velocity[1];
-    result->second[2] = velocity[2];
-    result->third[0] = mapped[0];
-    result->third[1] = mapped[1];
-    result->third[2] = mapped[2];
 }

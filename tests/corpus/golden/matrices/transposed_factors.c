@@ -51,7 +51,7 @@ void transposed_factors_advance(belief_t *belief, const double advance[4])
 void transposed_factors_corrected(const double covariance[9], const double gain[3],
     const double row[3], double variance, double result[9])
 {
-    const double kept_matrix[9] = {
+    static const double kept_matrix[9] = {
         1.0, 0.0, 0.0,
         0.0, 1.0, 0.0,
         0.0, 0.0, 1.0
@@ -77,21 +77,32 @@ void transposed_factors_corrected(const double covariance[9], const double gain[
 void transposed_factors_oblongs(const float a[6], const float b[6],
     triple_matrix3x3_f32_matrix2x2_f32_matrix3x2_f32_t *result)
 {
-    const float both[9] = {
-        a[0 + 2 * 0] * b[0 + 3 * 0] + a[1 + 2 * 0] * b[0 + 3 * 1],
-        a[0 + 2 * 1] * b[0 + 3 * 0] + a[1 + 2 * 1] * b[0 + 3 * 1],
-        a[0 + 2 * 2] * b[0 + 3 * 0] + a[1 + 2 * 2] * b[0 + 3 * 1],
-        a[0 + 2 * 0] * b[1 + 3 * 0] + a[1 + 2 * 0] * b[1 + 3 * 1],
-        a[0 + 2 * 1] * b[1 + 3 * 0] + a[1 + 2 * 1] * b[1 + 3 * 1],
-        a[0 + 2 * 2] * b[1 + 3 * 0] + a[1 + 2 * 2] * b[1 + 3 * 1],
-        a[0 + 2 * 0] * b[2 + 3 * 0] + a[1 + 2 * 0] * b[2 + 3 * 1],
-        a[0 + 2 * 1] * b[2 + 3 * 0] + a[1 + 2 * 1] * b[2 + 3 * 1],
-        a[0 + 2 * 2] * b[2 + 3 * 0] + a[1 + 2 * 2] * b[2 + 3 * 1]
-    };
-    float sum[6];
+    {
+        const float product[9] = {
+            a[0 + 2 * 0] * b[0 + 3 * 0] + a[1 + 2 * 0] * b[0 + 3 * 1],
+            a[0 + 2 * 1] * b[0 + 3 * 0] + a[1 + 2 * 1] * b[0 + 3 * 1],
+            a[0 + 2 * 2] * b[0 + 3 * 0] + a[1 + 2 * 2] * b[0 + 3 * 1],
+            a[0 + 2 * 0] * b[1 + 3 * 0] + a[1 + 2 * 0] * b[1 + 3 * 1],
+            a[0 + 2 * 1] * b[1 + 3 * 0] + a[1 + 2 * 1] * b[1 + 3 * 1],
+            a[0 + 2 * 2] * b[1 + 3 * 0] + a[1 + 2 * 2] * b[1 + 3 * 1],
+            a[0 + 2 * 0] * b[2 + 3 * 0] + a[1 + 2 * 0] * b[2 + 3 * 1],
+            a[0 + 2 * 1] * b[2 + 3 * 0] + a[1 + 2 * 1] * b[2 + 3 * 1],
+            a[0 + 2 * 2] * b[2 + 3 * 0] + a[1 + 2 * 2] * b[2 + 3 * 1]
+        };
+        result->first[0] = product[0];
+        result->first[1] = product[1];
+        result->first[2] = product[2];
+        result->first[3] = product[3];
+        result->first[4] = product[4];
+        result->first[5] = product[5];
+        result->first[6] = product[6];
+        result->first[7] = product[7];
+        result->first[8] = product[8];
+    }
     for (uint32_t column = 0U; column < 2U; column++) {
         for (uint32_t row = 0U; row < 3U; row++) {
-            sum[row + 3 * column] = a[column + 2 * row] - b[row + 3 * column] * a[column + 2 * row];
+            result->third[row + 3 * column] = a[column + 2 * row]
+                - b[row + 3 * column] * a[column + 2 * row];
         }
     }
     const float result_product[4] = {
@@ -106,41 +117,27 @@ void transposed_factors_oblongs(const float a[6], const float b[6],
         b[0 + 3 * 0] * b[0 + 3 * 1] + b[1 + 3 * 0] * b[1 + 3 * 1] + b[2 + 3 * 0] * b[2 + 3 * 1],
         b[0 + 3 * 1] * b[0 + 3 * 1] + b[1 + 3 * 1] * b[1 + 3 * 1] + b[2 + 3 * 1] * b[2 + 3 * 1]
     };
-    const float result_second[4] = {
-        result_product[0 + 2 * 0] + result_product_2[0 + 2 * 0] * 2.0F,
-        result_product[1 + 2 * 0] + result_product_2[1 + 2 * 0] * 2.0F,
-        result_product[0 + 2 * 1] + result_product_2[0 + 2 * 1] * 2.0F,
-        result_product[1 + 2 * 1] + result_product_2[1 + 2 * 1] * 2.0F
-    };
-    memcpy(result->first, both, sizeof(float[9]));
-    result->second[0] = result_second[0];
-    result->second[1] = result_second[1];
-    result->second[2] = result_second[2];
-    result->second[3] = result_second[3];
-    memcpy(result->third, sum, sizeof(float[6]));
+    result->second[0 + 2 * 0] = result_product[0 + 2 * 0] + result_product_2[0 + 2 * 0] * 2.0F;
+    result->second[1 + 2 * 0] = result_product[1 + 2 * 0] + result_product_2[1 + 2 * 0] * 2.0F;
+    result->second[0 + 2 * 1] = result_product[0 + 2 * 1] + result_product_2[0 + 2 * 1] * 2.0F;
+    result->second[1 + 2 * 1] = result_product[1 + 2 * 1] + result_product_2[1 + 2 * 1] * 2.0F;
 }
 
 void transposed_factors_lines(const double a[4], const double b[4],
     triple_matrix1x4_f64_vector4_f64_f64_t *result)
 {
-    const double across[4] = {a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]};
-    const double down[4] = {
-        -(a[0] * 3.0 - b[0]),
-        -(a[1] * 3.0 - b[1]),
-        -(a[2] * 3.0 - b[2]),
-        -(a[3] * 3.0 - b[3])
-    };
+    result->first[0] = a[0] + b[0];
+    result->first[1] = a[1] + b[1];
+    result->first[2] = a[2] + b[2];
+    result->first[3] = a[3] + b[3];
+    result->second[0] = -(a[0] * 3.0 - b[0]);
+    result->second[1] = -(a[1] * 3.0 - b[1]);
+    result->second[2] = -(a[2] * 3.0 - b[2]);
+    result->second[3] = -(a[3] * 3.0 - b[3]);
     const double vector[1] = {
-        across[0] * down[0] + across[1] * down[1] + across[2] * down[2] + across[3] * down[3]
+        result->first[0] * result->second[0] + result->first[1] * result->second[1]
+            + result->first[2] * result->second[2] + result->first[3] * result->second[3]
     };
-    result->first[0] = across[0];
-    result->first[1] = across[1];
-    result->first[2] = across[2];
-    result->first[3] = across[3];
-    result->second[0] = down[0];
-    result->second[1] = down[1];
-    result->second[2] = down[2];
-    result->second[3] = down[3];
     result->third = vector[0];
 }
 
@@ -152,11 +149,9 @@ void transposed_factors_large(const double a[20], const double b[30],
     product_tr_f64_5x6_5x6(b, b, result_product);
     double result_product_2[25];
     product_tr_f64_5x4_5x4(a, a, result_product_2);
-    double result_second[25];
     for (uint32_t i = 0U; i < 25U; i++) {
-        result_second[i] = result_product[i] - result_product_2[i];
+        result->second[i] = result_product[i] - result_product_2[i];
     }
-    memcpy(result->second, result_second, sizeof(double[25]));
 }
 
 /* transposed_factors.h */

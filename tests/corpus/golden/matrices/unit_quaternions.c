@@ -55,10 +55,8 @@ void unit_quaternions_turned(const unit_quaternion_f32_t *attitude, const float 
 void unit_quaternions_halves(const unit_quaternion_f64_t *one, const unit_quaternion_f64_t *other,
     pair_unit_quaternion_f64_unit_quaternion_f64_t *result)
 {
-    unit_quaternion_f64_t middle;
-    unit_quaternion_nlerp_f64(one, other, 0.5, &middle);
-    unit_quaternion_rotation_to_f64(&middle, other, &result->second);
-    result->first = middle;
+    unit_quaternion_nlerp_f64(one, other, 0.5, &result->first);
+    unit_quaternion_rotation_to_f64(&result->first, other, &result->second);
 }
 
 void unit_quaternions_same(const attitudes_t *one, const attitudes_t *other,
@@ -90,10 +88,8 @@ void unit_quaternions_received(double w, double i, double j, double k,
     if (quaternion_norm_squared_f64(&q) > 0.5) {
         unit_quaternion_new_normalize_f64(&q, unit_quaternion);
     } else {
-        unit_quaternion->i = 0.0;
-        unit_quaternion->j = 0.0;
-        unit_quaternion->k = 0.0;
-        unit_quaternion->w = 1.0;
+        static const unit_quaternion_f64_t received = {.i = 0.0, .j = 0.0, .k = 0.0, .w = 1.0};
+        *unit_quaternion = received;
     }
 }
 

@@ -2,24 +2,6 @@
 
 /* bytes.c */
 
-/* The bits of a number; every NaN has the same. */
-static uint32_t bits_of_f32(float value)
-{
-    uint32_t bits = 0x7FC00000U;
-    if (!isnan(value)) {
-        memcpy(&bits, &value, sizeof bits);
-    }
-    return bits;
-}
-
-/* The number with these bits. */
-static float f32_from_bits(uint32_t bits)
-{
-    float value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
-
 void bytes_head(uint16_t sequence, float value, uint8_t result[6])
 {
     const uint8_t elements[2] = {(uint8_t)(uint16_t)(sequence >> 8U), (uint8_t)sequence};

@@ -2,18 +2,6 @@
 
 /* elementary.c */
 
-/* The smaller of two numbers: -0 < +0, and a NaN gives the other. */
-static double min_f64(double a, double b)
-{
-    if (a < b || isnan(b)) {
-        return a;
-    }
-    if (b < a || isnan(a)) {
-        return b;
-    }
-    return signbit(a) ? a : b;
-}
-
 double elementary_arc(double radius, double one, double other)
 {
     const double half = sine_sin((one - other) / 2.0);

@@ -2,12 +2,6 @@
 
 /* float_kinds.c */
 
-/* The size of one number with the sign of another; a NaN counts as positive. */
-static double copysign_f64(double size, double sign)
-{
-    return isnan(sign) ? fabs(size) : copysign(size, sign);
-}
-
 double float_kinds_usable(double measured, double before)
 {
     if (isfinite(measured) != 0) {

@@ -4,18 +4,6 @@
 
 static const uint8_t U8_MAX = 255U;
 
-/* The signed integer with these bits. */
-static int16_t wrap_i16(uint16_t bits)
-{
-    return bits <= (uint16_t)INT16_MAX ? (int16_t)bits : (int16_t)(-1 - (int16_t)(UINT16_MAX - bits));
-}
-
-/* The signed integer with these bits. */
-static int32_t wrap_i32(uint32_t bits)
-{
-    return bits <= (uint32_t)INT32_MAX ? (int32_t)bits : -1 - (int32_t)(UINT32_MAX - bits);
-}
-
 uint8_t narrowing_level(int32_t x)
 {
     result_u8_unit_t result_narrowed = {.is_ok = false, .value = 0U};

@@ -2,13 +2,6 @@
 
 /* rotations.c */
 
-/* The bytes in the opposite order. */
-static uint32_t swap_bytes_u32(uint32_t bits)
-{
-    const uint32_t pairs = ((bits & 0x00FF00FFU) << 8U) | ((bits >> 8U) & 0x00FF00FFU);
-    return (pairs << 16U) | (pairs >> 16U);
-}
-
 uint32_t rotations_mixed(uint32_t hash, uint32_t word)
 {
     return (((hash << 5U) | (hash >> 27U)) ^ word) * 0x9E3779B9U;

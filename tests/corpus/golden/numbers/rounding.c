@@ -2,18 +2,6 @@
 
 /* rounding.c */
 
-/* The larger of two numbers: -0 < +0, and a NaN gives the other. */
-static double max_f64(double a, double b)
-{
-    if (a > b || isnan(b)) {
-        return a;
-    }
-    if (b > a || isnan(a)) {
-        return b;
-    }
-    return !signbit(a) ? a : b;
-}
-
 double rounding_snapped(double x)
 {
     return round(x * 4.0) / 4.0;

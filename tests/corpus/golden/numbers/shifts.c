@@ -2,12 +2,6 @@
 
 /* shifts.c */
 
-/* value divided by 2^count and rounded down; count is less than 16. */
-static int16_t shift_right_i16(int16_t value, uint32_t count)
-{
-    return value < 0 ? (int16_t)~(~value >> count) : (int16_t)(value >> count);
-}
-
 bessemer_status_t shifts_field(uint32_t word, uint32_t first, uint32_t width, uint32_t *result)
 {
     if (first >= 32U) {

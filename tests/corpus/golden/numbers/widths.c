@@ -2,12 +2,6 @@
 
 /* widths.c */
 
-/* The signed integer with these bits. */
-static int64_t wrap_i64(uint64_t bits)
-{
-    return bits <= (uint64_t)INT64_MAX ? (int64_t)bits : -1 - (int64_t)(UINT64_MAX - bits);
-}
-
 int64_t widths_products(int8_t a, int16_t b, int32_t c, int64_t d)
 {
     const int16_t small = (int16_t)((int16_t)a * 3);

@@ -2,12 +2,6 @@
 
 /* wrapping.c */
 
-/* The signed integer with these bits. */
-static int32_t wrap_i32(uint32_t bits)
-{
-    return bits <= (uint32_t)INT32_MAX ? (int32_t)bits : -1 - (int32_t)(UINT32_MAX - bits);
-}
-
 uint32_t wrapping_next(uint32_t seed)
 {
     return seed * 0x19660DU + 0x3C6EF35FU;

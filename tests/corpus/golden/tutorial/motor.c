@@ -9,18 +9,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_helpers.h"
 #include "bessemer_target.h"
 
 static const double SUPPLY = 12.0;
-
-/* The number nearest to value from low to high; NaN stays NaN. */
-static double clamp_f64(double value, double low, double high)
-{
-    if (value < low) {
-        return low;
-    }
-    return value > high ? high : value;
-}
 
 void motor_init(motor_t *self)
 {
