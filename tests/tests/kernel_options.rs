@@ -5,7 +5,7 @@
 use std::process::Command;
 
 use bessemer_codegen::c::{self, Options};
-use bessemer_codegen::kernels::{Tuning, replace};
+use bessemer_codegen::kernels::{self, Mode, Tuning, replace};
 use bessemer_codegen::passes;
 use bessemer_ir::{Float, Kernel, KernelRoutine, Module};
 
@@ -132,6 +132,28 @@ fn a_budget_changes_size_and_no_bit() {
         let tuning = Tuning { code_bytes, ..Tuning::default() };
         for flags in [&[][..], &["-DBESSEMER_PLAIN"], &["-march=native"]] {
             assert_eq!(solves(tuning, flags).as_ref(), Some(&roomy), "{code_bytes} {flags:?}");
+        }
+    }
+}
+
+#[test]
+fn plain_kernels_are_c99_alone_and_change_no_bit() {
+    use KernelRoutine::*;
+    let plain = Tuning { mode: Mode::Plain, ..Tuning::default() };
+    let usual = solves(Tuning::default(), &[]);
+    assert!(usual.is_none() || solves(plain, &["-march=native"]) == usual);
+    let of_three = [Product, ProductTr, TrProduct, TrMul].map(|it| (it, 3));
+    let of_two =
+        [LuSolve, Solve, CholeskySolve, SolveLower, SolveUpper, TrSolveLower, TrSolveUpper];
+    let of_two = of_two.map(|it| (it, 2));
+    let of_one = [Inverse, Determinant, Cholesky, CholeskyLower].map(|it| (it, 1));
+    for (routine, count) in of_three.into_iter().chain(of_two).chain(of_one) {
+        for (size, element) in (1..25).flat_map(|it| [(it, Float::F32), (it, Float::F64)]) {
+            let kernel = kernel(routine, element, &vec![size; count]);
+            let source = kernels::source(&kernel, &plain);
+            let text = source.before + &source.body;
+            let other = ["#", "__", "vector_size", "_mm"].iter().find(|it| text.contains(**it));
+            assert_eq!(other, None, "{}", kernel.name());
         }
     }
 }

@@ -144,11 +144,11 @@ pub const KEYS: &[Key] = &[
     },
     Key {
         name: "kernels.mode",
-        kind: Kind::Choice(&["exact", "fast"], |to, which| {
-            to.options.kernels.mode = [Mode::Exact, Mode::Fast][which];
+        kind: Kind::Choice(&["exact", "fast", "plain"], |to, which| {
+            to.options.kernels.mode = [Mode::Exact, Mode::Fast, Mode::Plain][which];
         }),
         default: "\"exact\"",
-        says: "How kernels of linear algebra round: as the Rust does, or faster within stated bounds.",
+        says: "How kernels of linear algebra are made: with the bits of the Rust; faster, within stated bounds of error; or with the bits of the Rust as plain loops of C99, one way of each, without vectors, `__asm__` and `#if`.",
     },
     Key {
         name: "kernels.code_bytes",

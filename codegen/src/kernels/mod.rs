@@ -74,6 +74,8 @@ pub enum Mode {
     Exact,
     /// Multiplications fuse with additions, and sums go in any order, where that is faster.
     Fast,
+    /// As the Rust does, in one way that is C99 alone: loops, for who reads or certifies them.
+    Plain,
 }
 
 /// What a project can choose about all of its kernels.
@@ -104,7 +106,9 @@ enum Way {
 
 /// The fastest way that has room.
 fn way(kernel: &Kernel, tuning: &Tuning) -> Way {
-    if written_out::fits(kernel) && written_out::has_room(kernel, tuning.code_bytes) {
+    if tuning.mode == Mode::Plain {
+        Way::Loops
+    } else if written_out::fits(kernel) && written_out::has_room(kernel, tuning.code_bytes) {
         Way::WrittenOut
     } else if tiled::fits(kernel) && tiled::BYTES <= tuning.code_bytes {
         Way::Tiles
@@ -116,6 +120,12 @@ fn way(kernel: &Kernel, tuning: &Tuning) -> Way {
 /// The C of a kernel.
 pub fn source(kernel: &Kernel, tuning: &Tuning) -> Source {
     use KernelRoutine::{Inverse, LuSolve, Solve};
+    if tuning.mode == Mode::Plain {
+        return plain::alone(match kernel.routine {
+            KernelRoutine::Cholesky | KernelRoutine::CholeskyLower => cholesky::loops(kernel),
+            _ => plain::source(kernel),
+        });
+    }
     let mut source = of_routine(kernel, tuning);
     // What stands in a header is compiled as its callers are; tiles are stored as they are loaded.
     let tiled =

@@ -38,6 +38,11 @@ pub(super) fn factor(kernel: &Kernel, size: u32, code_bytes: u32) -> Source {
     }
 }
 
+/// The C of a factorisation in loops.
+pub(super) fn loops(kernel: &Kernel) -> Source {
+    tiles::loops(kernel, kernel.dims[0])
+}
+
 /// Whether the matrix stays, and the factor is the result.
 fn is_beside(kernel: &Kernel) -> bool {
     kernel.routine == KernelRoutine::CholeskyLower

@@ -34,6 +34,24 @@ pub(super) fn source(kernel: &Kernel) -> Source {
     }
 }
 
+/// A source without what it says for compilers that have vectors: what is left is one way, in C99.
+pub(super) fn alone(source: Source) -> Source {
+    let text = |text: &str| {
+        let (mut left, mut beside) = (String::new(), false);
+        for line in text.lines() {
+            let word = line.trim_start().trim_start_matches('#').split(' ').next();
+            match (line.trim_start().starts_with('#'), word) {
+                (true, Some("if" | "elif")) => beside = true,
+                (true, Some("else" | "endif")) => beside = false,
+                _ if beside => {}
+                _ => left.extend([line, "\n"]),
+            }
+        }
+        left
+    };
+    Source { before: text(&source.before), body: text(&source.body), ..source }
+}
+
 /// The memory that a kernel works with.
 pub(super) fn buffers(kernel: &Kernel) -> Vec<Buffer> {
     let element = Scalar::Float(kernel.element);

@@ -89,7 +89,7 @@ pub(super) fn source(
         None => plain,
         Some((before, body)) => {
             let note = match tuning.mode {
-                Mode::Exact => String::new(),
+                Mode::Exact | Mode::Plain => String::new(),
                 Mode::Fast => fast::note(kernel),
             };
             let (tiles, calls) = plain;

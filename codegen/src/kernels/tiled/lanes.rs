@@ -55,7 +55,7 @@ pub fn text(element: Float, columns: u32, mode: Mode, ordered: bool) -> String {
     let mut values = numbers(element);
     let targets = targets(element, columns, mode, ordered);
     let (targets, step) = match mode {
-        Mode::Exact => (
+        Mode::Exact | Mode::Plain => (
             targets,
             [
                 ("low", "row.low - factor * other.low"),

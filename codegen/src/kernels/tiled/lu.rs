@@ -242,7 +242,7 @@ fn assemble(
     let ordered = ordered::fits(kernel);
     let mut before = note + &head + &lanes::text(kernel.element, room(kernel), mode, ordered);
     let subtract = match mode {
-        Mode::Exact => SUBTRACT.to_owned(),
+        Mode::Exact | Mode::Plain => SUBTRACT.to_owned(),
         Mode::Fast => {
             format!("#if defined(SPLIT)\n{SUBTRACT_FAST}#else\n{SUBTRACT}#endif\n")
         }
