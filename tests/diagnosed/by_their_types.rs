@@ -14,10 +14,10 @@ pub fn inverted(a: &Matrix3x2<f64>) -> Matrix2x3<f64> {
     a.pseudo_inverse(1e-9).unwrap()
 }
 
-/// Of integers.
+/// Of numbers.
 #[function]
-pub fn roots(x: u32) -> u32 {
-    x.isqrt() + x.midpoint(7) + x.saturating_pow(2)
+pub fn roots(x: u32, y: f64) -> f64 {
+    f64::from(x.isqrt() + x.saturating_pow(2)) + y.midpoint(7.0)
 }
 
 /// Beside what else is gone through.

@@ -4,11 +4,24 @@
 
 use super::builder::Callee;
 use super::slot::Called;
-use crate::math::{Integer, whole};
+use crate::math::whole;
 
 /// What such a companion returns.
 macro_rules! told {
-    ([$kept:ident] $result:ty) => { Called<impl Callee + use<$kept>, $result> };
+    ([$($kept:ident)?] $result:ty) => { Called<impl Callee + use<$($kept)?>, $result> };
+}
+
+/// Of each type by itself: where a bound would stand, rustc would tell of it.
+macro_rules! implement {
+    ([] $companions:tt) => {};
+    ([$int:ident $($more:ident)*] {$($companion:ident($($operand:ident),*): $function:ident -> $result:ty;)*}) => {
+        impl WholeBuiltins for $int {$(
+            fn $companion(self $(, $operand: $int)*) -> told!([] $result) {
+                whole::$function::__call(self $(, $operand)*)
+            }
+        )*}
+        implement! { [$($more)*] {$($companion($($operand),*): $function -> $result;)*} }
+    };
 }
 
 macro_rules! companions {
@@ -18,11 +31,10 @@ macro_rules! companions {
             fn $companion(self $(, $operand: Self)*) -> told!([Self] $result);
         )*}
 
-        impl<T: Integer> WholeBuiltins for T {$(
-            fn $companion(self $(, $operand: T)*) -> told!([T] $result) {
-                whole::$function::__call(self $(, $operand)*)
-            }
-        )*}
+        implement! {
+            [i8 i16 i32 i64 isize u8 u16 u32 u64 usize]
+            {$($companion($($operand),*): $function -> $result;)*}
+        }
     };
 }
 

@@ -15,15 +15,9 @@ pub fn instead(method: &str, owner: &str) -> Option<&'static str> {
         "column_iter" | "row_iter" | "column_iter_mut" | "row_iter_mut" => {
             "number them and take the rest by the number: `for (i, column) in m.column_iter().enumerate() { … w[i] … }`"
         }
-        "midpoint" => {
-            "add in a wider type, `((i64::from(a) + i64::from(b)) / 2) as i32`, of floats `0.5 * (a + b)`"
-        }
-        "isqrt" => "write `f64::from(x).sqrt() as u32`: up to 32 bits it is exact",
+        "midpoint" => "write `0.5 * (a + b)`",
         "saturating_pow" => "write `x.checked_pow(n).unwrap_or(u32::MAX)` of what is not negative",
-        "checked_next_power_of_two" => {
-            "write `1 << (u32::BITS - (x - 1).leading_zeros())`: of 0, and beyond the type, a fault"
-        }
-        "saturating_add_signed" | "wrapping_add_signed" | "checked_add_signed" => {
+        "saturating_add_signed" | "wrapping_add_signed" => {
             "convert both to the wider signed type, `i64::from(x)`, and back with `try_from`"
         }
         _ => return None,
