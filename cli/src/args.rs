@@ -137,7 +137,7 @@ Examples:
   cargo bessemer verify                     Edge values, and a life of small numbers, on each leg
   cargo bessemer verify --seed 7            Others
   cargo bessemer verify --inputs flight.csv --entry Motor::step
-                                            What was recorded, through a life of one entry point
+                                            Recorded inputs of one entry point, row by row
   cargo bessemer verify --target zynq --target cortex-m4f
                                             Also the C on emulated processors, and what it costs there:
                                             instructions, stack, size, held to the limits of bessemer.toml

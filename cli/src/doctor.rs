@@ -36,7 +36,7 @@ struct Tool {
     purpose: &'static str,
     /// The line that installs it on Debian and what is made of it.
     install: &'static str,
-    /// Whether nothing can be done without it.
+    /// True of a tool without which no command works.
     needed: bool,
 }
 

@@ -129,11 +129,11 @@ fn limited(project: &Project, job: &Job) -> Result<Made, Error> {
     Ok(made)
 }
 
-/// What was found out about the C, and what it may be at most.
+/// A measured or bounded figure of the C, and its limit.
 pub struct Figure {
     /// The most, if there is a limit.
     pub limit: Option<Limit>,
-    /// What has it, as it begins a sentence: `` `motor_step` ``.
+    /// The function or the C that the figure is of, in the form that begins a sentence: `` `motor_step` ``.
     pub whose: String,
     /// How much.
     pub found: u64,

@@ -69,7 +69,7 @@ impl Form {
         }
     }
 
-    /// Whether a text has it.
+    /// Tells whether a text has this form.
     pub fn fits(self, text: &str) -> bool {
         let word = |it: char| it.is_ascii_alphanumeric() || it == '_';
         let named = text.starts_with(|it: char| it.is_ascii_alphabetic()) && text.chars().all(word);

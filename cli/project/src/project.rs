@@ -61,7 +61,7 @@ impl Project {
         job
     }
 
-    /// Whether optimised builds of the Rust panic at overflow, as the C faults there.
+    /// Tells whether the release profile has overflow checks, so that optimised Rust panics where the C faults.
     pub fn checks_overflow(&self) -> bool {
         let text = std::fs::read_to_string(self.workspace.root.join("Cargo.toml"));
         let text = text.unwrap_or_default();

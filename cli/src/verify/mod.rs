@@ -104,7 +104,7 @@ pub fn run(folder: &Path, wanted: &Verify, colour: bool) -> Result<(String, bool
 enum Inputs {
     /// Edge values, and a life of small numbers, of each entry point.
     Made { seed: u64 },
-    /// What was recorded of one: the words of each argument but the component, for each call.
+    /// The recorded inputs of one entry point: the words of each argument but the component, for each call.
     Recorded { entry: FunctionId, calls: Vec<Vec<Vec<u64>>> },
 }
 
