@@ -21,6 +21,7 @@ const RECIPROCAL: u32 = 128;
 const ZEROS: u32 = 256;
 const FINITE: u32 = 512;
 const LIBRARY: u32 = 1024;
+const SOFTWARE: u32 = 2048;
 
 /// Sets the processor as the first argument says, and asks.
 const MAIN: &str = r#"
@@ -205,4 +206,38 @@ fn it_tells_of_doubles_of_four_bytes() {
     let laid = laid_out(|line| Some(line.replace("double", "float")));
     let Some(gcc) = host("gcc", 2) else { return };
     assert_eq!(answer(&laid, &gcc, &["-w"], None), FORMAT);
+}
+
+/// Asks on a machine without an operating system: a file of its emulator's takes the answer.
+const BARE_MAIN: &str = r#"
+#include "bessemer_self_test.h"
+#include <stdio.h>
+
+int main(void)
+{
+    return (printf("%u\n", (unsigned)bessemer_self_test()) > 0) ? 0 : 1;
+}
+"#;
+
+/// What it answers on such a machine.
+fn bare_answer(toolchain: &Toolchain) -> u32 {
+    let (folder, mut sources) = laid_out(guarded);
+    std::fs::write(&sources[0], BARE_MAIN).expect("a file");
+    sources.push(bessemer_tests::root().join("legs/c/semihosting.c"));
+    std::fs::write(folder.path().join("words.in"), "").expect("a file");
+    let program = folder.path().join("program");
+    toolchain.link(&sources, &program, &["-w"]).unwrap_or_else(|said| panic!("{said}"));
+    toolchain.runner(&program).current_dir(folder.path()).output().expect("it runs");
+    let text = std::fs::read_to_string(folder.path().join("words.out")).expect("an answer");
+    text.trim().parse().unwrap_or_else(|_| panic!("{text}"))
+}
+
+/// A Cortex-M4F has no `double`, and libgcc's sums are not always the nearest; a Cortex-M7 has them in hardware.
+#[test]
+fn it_tells_of_sums_in_software_that_round_wrongly() {
+    for (toolchain, expected) in [(toolchain::CORTEX_M4F, SOFTWARE), (toolchain::CORTEX_M7, 0)] {
+        if toolchain.is_there() {
+            assert_eq!(bare_answer(&toolchain), expected, "{:?}", toolchain.machine);
+        }
+    }
 }
