@@ -15,6 +15,8 @@ const INSTANCES: usize = 40;
 
 /// One batch of so many is of programs of every kind.
 const OF: u64 = 12;
+/// In one batch of so many rustc gets the instances of each text, and in the others their constants as arguments.
+const INSTANTIATED: u64 = 8;
 
 #[test]
 #[ignore = "it takes as long as it is told: cargo xtask fuzz"]
@@ -31,6 +33,9 @@ fn as_many_as_asked() {
             0 => Batch::new(seed, PROGRAMS),
             _ => Batch::aimed(seed, AIMED, INSTANCES),
         };
+        batch.is_of_many = true;
+        // The other way round is the same by what constants mean: some batches hold that, too.
+        batch.constants_as_arguments = !seed.is_multiple_of(INSTANTIATED);
         let reached = attack(&workspace, seed, &mut batch);
         let wrong = wrong(&batch, &reached.differences);
         for program in shrink::shrunk(&workspace, &wrong) {

@@ -71,6 +71,11 @@ struct Batch {
     lines: Vec<(usize, String)>,
     /// The file.
     text: String,
+    /// Whether it is one of many: what is dear is then done for a part of them.
+    is_of_many: bool,
+    /// Whether rustc gets texts with their constants as arguments: one function instead of one for each instance, which
+    /// computes the same and costs a tenth to build.
+    constants_as_arguments: bool,
 }
 
 impl Batch {
@@ -98,6 +103,8 @@ impl Batch {
             mistaken: BTreeMap::new(),
             lines: Vec::new(),
             text: String::new(),
+            is_of_many: false,
+            constants_as_arguments: false,
         }
     }
 
@@ -119,7 +126,8 @@ impl Batch {
             .map(|(name, why)| Difference { program: name.clone(), text: format!("{name}: {why}") })
     }
 
-    fn write(&mut self, workspace: &Workspace) {
+    /// Writes the file as the compiler gets it, or as the native program does.
+    fn write(&mut self, workspace: &Workspace, native: bool) {
         let mut text = String::from(HEAD);
         for ty in types::INTS {
             text += &TICK.replace("TYPE", ty).replace("WORD", "x as u64");
@@ -130,7 +138,10 @@ impl Batch {
         let mut lines = Vec::new();
         for program in self.left() {
             lines.push((text.lines().count() + 1, program.name.clone()));
-            text += &program.text;
+            match native && self.constants_as_arguments && program.instances.is_some() {
+                true => text += &aimed::with_constants_as_arguments(program),
+                false => text += &program.text,
+            }
         }
         self.lines = lines;
         workspace.set_source(&text).expect("a source file");
@@ -206,7 +217,7 @@ struct Built {
 
 fn built(workspace: &Workspace, batch: &mut Batch) -> Built {
     let native = loop {
-        batch.write(workspace);
+        batch.write(workspace, true);
         let result = native::build(workspace, &batch.left());
         match result {
             Ok(native) => break native,
@@ -251,7 +262,7 @@ fn built(workspace: &Workspace, batch: &mut Batch) -> Built {
 /// The tree of what is left of a batch.
 fn tree(workspace: &Workspace, batch: &mut Batch) -> Package {
     loop {
-        batch.write(workspace);
+        batch.write(workspace, false);
         let said = match generation::tree(&workspace.path(""), "models") {
             Ok(package) => return package,
             Err(Error::Models(said) | Error::Refused(said)) => said.to_string(),
@@ -288,6 +299,12 @@ fn by_turns(seed: u64) -> Vec<Toolchain> {
     one.cloned().into_iter().chain(target).collect()
 }
 
+/// What compiles the C of many programs in the least time: clang, where it is there.
+fn quickest() -> Toolchain {
+    let clang = toolchain::host().into_iter().find(|it| it.compiler == "clang");
+    Toolchain { level: 0, ..clang.unwrap_or(toolchain::GCC) }
+}
+
 /// What was reached.
 #[derive(Default)]
 struct Reached {
@@ -320,17 +337,25 @@ fn attack(workspace: &Workspace, seed: u64, batch: &mut Batch) -> Reached {
     all.extend(batch.internal());
     all.extend(interpreted("explicit", &compiled.explicit, &cases));
     all.extend(interpreted("what was proved", &kept.explicit, &cases));
-    // What is dear where there are many programs, batches of these do by turns.
-    let by_turn = |count: u64| batch.is_aimed() && !seed.is_multiple_of(count);
+    // What is dear, small programs do by turns, and more rarely where there are many of them.
+    let by_turn = |few: u64, many: u64| match (batch.is_aimed(), batch.is_of_many) {
+        (false, _) => true,
+        (true, false) => seed.is_multiple_of(few),
+        (true, true) => seed.is_multiple_of(many),
+    };
     let gcc = Toolchain { level: 0, ..toolchain::GCC };
-    if !by_turn(3) {
+    if by_turn(3, 11) {
         all.extend(in_c(&compiled, &cases, &gcc, &SANITIZED));
     }
-    let (level, flags) = if by_turn(4) { (0, &["-w"][..]) } else { (1, &SANITIZED[..]) };
-    let gcc = Toolchain { level, ..gcc };
-    all.extend(in_c(&kept, &cases, &gcc, flags));
-    for toolchain in by_turns(seed) {
-        all.extend(in_c(&compiled, &cases, &toolchain, &WARNED));
+    if by_turn(4, 13) {
+        all.extend(in_c(&kept, &cases, &Toolchain { level: 1, ..gcc }, &SANITIZED));
+    } else {
+        all.extend(in_c(&kept, &cases, &quickest(), &["-w"]));
+    }
+    if by_turn(1, 3) {
+        for toolchain in by_turns(seed) {
+            all.extend(in_c(&compiled, &cases, &toolchain, &WARNED));
+        }
     }
     let (calls, faults) = legs::counted(&cases);
     println!(

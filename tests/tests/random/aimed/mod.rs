@@ -132,6 +132,25 @@ pub fn program(random: &mut Random, name: &str, instances: usize) -> Program {
     }
 }
 
+/// The text of such programs as a function of the constants, in which it is generic: the lines are the same.
+pub fn with_constants_as_arguments(program: &Program) -> String {
+    let generic = format!("{}_of<", program.name);
+    let instance = format!("{}_of::<", program.name);
+    let plain = |line: &str| {
+        let (mark, is_declared) = match line {
+            _ if line.contains(&generic) => (&generic, true),
+            _ if line.contains(&instance) => (&instance, false),
+            _ => return line.to_owned(),
+        };
+        let (before, rest) = line.split_once(mark.as_str()).expect("it is there");
+        let (constants, after) = rest.split_once(">(").expect("constants, then arguments");
+        let constants =
+            if is_declared { constants.replace("const ", "") } else { constants.to_owned() };
+        format!("{before}{}_of({constants}, {after}", program.name)
+    };
+    program.text.lines().map(|line| plain(line) + "\n").collect()
+}
+
 /// The entry: its first argument says which instance is called.
 fn selector(
     random: &mut Random,
@@ -481,4 +500,16 @@ impl Aimed<'_> {
         self.loops -= 1;
         text
     }
+}
+
+#[test]
+fn constants_become_arguments_where_they_are_declared_and_given() {
+    let program = program(&mut Random(5), "aimed5_0", 3);
+    let text = with_constants_as_arguments(&program);
+    let constants = ANY.iter().chain(&POSITIVE).map(|name| format!("{name}: usize, "));
+    let declared = format!("fn aimed5_0_of({}mut a:", constants.collect::<String>());
+    assert!(text.contains(&declared), "{text}");
+    assert_eq!(text.matches("=> aimed5_0_of(").count(), 3);
+    assert!(!text.contains("_of<") && !text.contains("_of::<"), "{text}");
+    assert_eq!(text.lines().count(), program.text.lines().count());
 }
