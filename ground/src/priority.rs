@@ -46,19 +46,23 @@ pub fn raised<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     })
 }
 
-#[cfg(test)]
+#[cfg(all(test, unix))]
 mod tests {
     use super::*;
+    use thread_priority::thread_schedule_policy;
 
     #[test]
-    fn what_is_raised_can_be_lowered_and_its_work_is_done() {
-        let allowed = raised(|| {
-            let allowed = raise();
+    fn what_is_raised_comes_first_until_it_is_lowered() {
+        let policy = || thread_schedule_policy().expect("the system tells it");
+        let ordinary = policy();
+        let (allowed, first, lowered) = raised(|| {
+            let (allowed, first) = (raise(), policy());
             lower();
-            // A thread that was lowered is as one that never was raised.
-            allowed
+            (allowed, first, policy())
         });
-        println!("real-time priority is {}", if allowed { "allowed" } else { "not allowed" });
-        assert_eq!(raised(|| 7), 7);
+        let fifo = ThreadSchedulePolicy::Realtime(RealtimeThreadSchedulePolicy::Fifo);
+        assert_eq!(first, if allowed { fifo } else { ordinary });
+        let normal = ThreadSchedulePolicy::Normal(NormalThreadSchedulePolicy::Other);
+        assert_eq!((lowered, policy()), (normal, ordinary), "only the thread itself is raised");
     }
 }

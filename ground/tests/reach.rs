@@ -2,11 +2,14 @@
 //!
 //! `BESSEMER_REACH=600 cargo test --release -p ground --test reach -- --nocapture`, on a machine that does nothing else, writes
 //! `docs/results/reach.md`. A page moves the sticks twenty times a second, each time to another place, by which the
-//! period is known in which the software has taken it: its motors' command is there at the end of it.
+//! period is known in which the software has taken it: its motors' command is there at the end of it. Beside it an echo
+//! keeps the same period, which tells how many of them the machine itself misses.
 
 mod conditions;
+mod echo;
 
 use conditions::Conditions;
+use echo::Echo;
 use ground::live::{self, Live};
 use ground::program::{Program, Target};
 use ground::server::{self, Hub};
@@ -78,6 +81,7 @@ fn the_reach_is_measured() {
     let token = hub.token().to_owned();
     std::thread::spawn(move || pilot(address, &token, &sender));
 
+    let echo = Echo::begin();
     let (begun, before) = (Instant::now(), spent());
     let (mut waiting, mut took) = (std::collections::BTreeMap::new(), Vec::new());
     while live.testbed.now() < seconds {
@@ -92,18 +96,21 @@ fn the_reach_is_measured() {
         took.extend(waiting.remove(&place).map(|at: Instant| now.saturating_duration_since(at)));
     }
     let share = (spent() - before) / begun.elapsed().as_secs_f64();
+    let echoed = echo.end();
     took.sort();
     assert!(!took.is_empty(), "the page moved no stick");
     let of =
         |share: f64| 1e3 * took[((took.len() - 1) as f64 * share).round() as usize].as_secs_f64();
     let timing = live.timing();
     let text = format!(
-        "{}{} periods of 5 ms, {} missed, slowest answer {} µs\n{} movements of a stick from page to motor command: \
+        "{}{} periods of 5 ms, {} missed, slowest answer {} µs\n{} periods of an echo, {} missed\n{} movements of a stick from page to motor command: \
          median {:.1} ms, 99 of 100 below {:.1} ms, longest {:.1} ms\nprocessor: {:.1} % of one\n",
         conditions.told(),
         timing.periods,
         timing.missed,
         timing.slowest,
+        echoed.periods,
+        echoed.missed,
         took.len(),
         of(0.5),
         of(0.99),
