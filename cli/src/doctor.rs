@@ -4,10 +4,10 @@
 
 use std::fmt::Write as _;
 use std::path::Path;
-use std::process::{Command, Stdio};
 
 use anstyle::{AnsiColor, Color, Style};
 use bessemer_project::Project;
+use bessemer_tools as tools;
 
 const RED: Style = Style::new().bold().fg_color(Some(Color::Ansi(AnsiColor::Red)));
 const GREEN: Style = Style::new().fg_color(Some(Color::Ansi(AnsiColor::Green)));
@@ -24,9 +24,8 @@ pub struct ThisMachine;
 
 impl Machine for ThisMachine {
     fn version(&self, program: &str) -> Option<String> {
-        let output = Command::new(program).arg("--version").stdin(Stdio::null()).output().ok()?;
-        let text = String::from_utf8_lossy(&output.stdout).into_owned();
-        output.status.success().then(|| text.lines().next().unwrap_or_default().to_owned())
+        let said = tools::version(program)?;
+        Some(said.lines().next().unwrap_or_default().to_owned())
     }
 }
 
@@ -34,61 +33,28 @@ impl Machine for ThisMachine {
 struct Tool {
     program: &'static str,
     purpose: &'static str,
-    /// The line that installs it on Debian and what is made of it.
-    install: &'static str,
-    /// True of a tool without which no command works.
-    needed: bool,
+    /// What installs it, if it is of Debian's; else where it is had.
+    source: Result<tools::Program, &'static str>,
+}
+
+/// One of Debian's.
+const fn tool(program: tools::Program, purpose: &'static str) -> Tool {
+    Tool { program: program.name, purpose, source: Ok(program) }
 }
 
 const TOOLS: [Tool; 8] = [
-    Tool {
-        program: "rustc",
-        purpose: "builds the models",
-        install: "https://rustup.rs",
-        needed: true,
-    },
-    Tool {
-        program: "gcc",
-        purpose: "compiles the C on this machine",
-        install: "apt-get install gcc libc6-dev",
-        needed: false,
-    },
-    Tool {
-        program: "clang",
-        purpose: "compiles the C a second time",
-        install: "apt-get install clang",
-        needed: false,
-    },
-    Tool {
-        program: "cmake",
-        purpose: "builds the firmware stub",
-        install: "apt-get install cmake",
-        needed: false,
-    },
-    Tool {
-        program: "arm-linux-gnueabihf-gcc",
-        purpose: "compiles the C for `verify --target cortex-a9`",
-        install: "apt-get install gcc-arm-linux-gnueabihf",
-        needed: false,
-    },
-    Tool {
-        program: "qemu-arm",
-        purpose: "runs it",
-        install: "apt-get install qemu-user",
-        needed: false,
-    },
-    Tool {
-        program: "arm-none-eabi-gcc",
-        purpose: "compiles the C for `verify --target zynq`, `cortex-m4f` and `cortex-m7`",
-        install: "apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi",
-        needed: false,
-    },
-    Tool {
-        program: "qemu-system-arm",
-        purpose: "runs it",
-        install: "apt-get install qemu-system-arm",
-        needed: false,
-    },
+    // Without it no command works.
+    Tool { program: "rustc", purpose: "builds the models", source: Err("https://rustup.rs") },
+    tool(tools::GCC, "compiles the C on this machine"),
+    tool(tools::CLANG, "compiles the C a second time"),
+    tool(tools::CMAKE, "builds the firmware stub"),
+    tool(tools::ARM_LINUX_GCC, "compiles the C for `verify --target cortex-a9`"),
+    tool(tools::QEMU_ARM, "runs it"),
+    tool(
+        tools::ARM_BARE_GCC,
+        "compiles the C for `verify --target zynq`, `cortex-m4f` and `cortex-m7`",
+    ),
+    tool(tools::QEMU_SYSTEM_ARM, "runs it"),
 ];
 
 /// One thing that was looked at.
@@ -118,13 +84,17 @@ pub fn run(folder: &Path, package: Option<&str>, machine: &dyn Machine) -> (Stri
 impl Tool {
     fn found(&self, machine: &dyn Machine) -> Finding {
         let version = machine.version(self.program);
-        let state = match (&version, self.needed) {
+        let state = match (&version, self.source) {
             (Some(_), _) => State::Good,
-            (None, false) => State::Lacking,
-            (None, true) => State::Bad,
+            (None, Ok(_)) => State::Lacking,
+            (None, Err(_)) => State::Bad,
         };
         let said = version.unwrap_or_else(|| format!("missing: it {}", self.purpose));
-        let remedy = (state != State::Good).then(|| self.install.to_owned());
+        let remedy = match self.source {
+            _ if state == State::Good => None,
+            Ok(program) => Some(program.install()),
+            Err(place) => Some(place.to_owned()),
+        };
         Finding { name: self.program.to_owned(), state, said, remedy }
     }
 }

@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use bessemer_tools::{CLANG, GCC, install};
+
 /// Why a command could not do its work.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
@@ -53,14 +55,9 @@ pub enum Error {
     /// There is no compiler of C to compare with.
     #[error("neither gcc nor clang runs here")]
     NoCompiler,
-    /// The compiler or the emulator of another processor is missing.
-    #[error("`{program}` does not run here")]
-    NoTarget {
-        /// The compiler.
-        program: &'static str,
-        /// The line that installs it on Debian, with the emulator.
-        install: &'static str,
-    },
+    /// A program that is needed is missing.
+    #[error(transparent)]
+    Missing(#[from] bessemer_tools::Missing),
     /// A compiler of C refused what was emitted.
     #[error("{name} refuses the C: {said}")]
     Compiler {
@@ -101,8 +98,8 @@ impl Error {
                 "the first line names the columns as the Rust does: `target`, `gains.p`, `place[2]`"
                     .to_owned()
             }
-            Error::NoCompiler => "apt-get install gcc libc6-dev clang".to_owned(),
-            Error::NoTarget { install, .. } => (*install).to_owned(),
+            Error::NoCompiler => install(&[GCC, CLANG]),
+            Error::Missing(missing) => missing.install.clone(),
             Error::File { .. } | Error::Compiler { .. } | Error::Native { .. } => return None,
         })
     }

@@ -10,9 +10,6 @@ use std::io::{self, Read, Write};
 /// Bytes of a frame at most: room for what no board sends.
 const MOST: usize = 1 << 16;
 
-/// Bytes in a block of byte stuffing at most.
-const BLOCK: usize = 254;
-
 /// Why no frame came, or went.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
@@ -39,6 +36,22 @@ impl From<io::Error> for Error {
             _ => Self::System(error),
         }
     }
+}
+
+/// Bytes as words of a frame: how many, and eight in a word, least significant first.
+pub fn packed(bytes: &[u8]) -> impl Iterator<Item = u64> {
+    let word = |some: &[u8]| some.iter().rev().fold(0, |word, byte| word << 8 | u64::from(*byte));
+    std::iter::once(bytes.len() as u64).chain(bytes.chunks(8).map(word))
+}
+
+/// The bytes that words hold so; none, if they hold none or something beside them.
+pub fn unpacked(words: &[u64]) -> Option<Vec<u8>> {
+    let (count, words) = words.split_first()?;
+    let count = usize::try_from(*count).ok()?;
+    let mut bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
+    let whole = count.div_ceil(8) == words.len();
+    bytes.truncate(count);
+    whole.then_some(bytes)
 }
 
 /// A serial line, on which frames go both ways. It waits for as long as the line's own reads do.
@@ -95,12 +108,6 @@ impl<L: Read + Write> Serial<L> {
     }
 }
 
-/// CRC-32 of IEEE 802.3.
-fn checksum(bytes: &[u8]) -> u32 {
-    let bit = |sum: u32, _| if sum & 1 == 1 { (sum >> 1) ^ 0xEDB8_8320 } else { sum >> 1 };
-    !bytes.iter().fold(u32::MAX, |sum, byte| (0..8).fold(sum ^ u32::from(*byte), bit))
-}
-
 /// The bytes of a frame.
 fn framed(words: &[u64]) -> Vec<u8> {
     let mut bytes = Vec::with_capacity(2 * words.len());
@@ -109,38 +116,17 @@ fn framed(words: &[u64]) -> Vec<u8> {
         bytes.push(count as u8);
         bytes.extend_from_slice(&word.to_le_bytes()[..count]);
     }
-    bytes.extend(checksum(&bytes).to_le_bytes());
-    let mut stuffed = Vec::with_capacity(bytes.len() + bytes.len() / BLOCK + 2);
-    for part in bytes.split(|byte| *byte == 0) {
-        for block in part.chunks(BLOCK) {
-            stuffed.push(block.len() as u8 + 1);
-            stuffed.extend_from_slice(block);
-        }
-        // A full block has no zero behind it: an empty one brings it.
-        if part.len().is_multiple_of(BLOCK) {
-            stuffed.push(1);
-        }
-    }
+    bytes.extend(crc32fast::hash(&bytes).to_le_bytes());
+    let mut stuffed = cobs::encode_vec(&bytes);
     stuffed.push(0);
     stuffed
 }
 
 /// The words of a frame without the zero at its end.
 fn words(frame: &[u8]) -> Result<Vec<u64>, Error> {
-    let mut bytes = Vec::with_capacity(frame.len());
-    let mut rest = frame;
-    while let Some((code, behind)) = rest.split_first() {
-        let length = usize::from(*code) - 1;
-        let (block, after) =
-            behind.split_at_checked(length).ok_or(Error::Garbled("it is cut short"))?;
-        bytes.extend_from_slice(block);
-        if length < BLOCK && !after.is_empty() {
-            bytes.push(0);
-        }
-        rest = after;
-    }
+    let bytes = cobs::decode_vec(frame).map_err(|_| Error::Garbled("it is cut short"))?;
     let (content, sum) = bytes.split_last_chunk().ok_or(Error::Garbled("it is cut short"))?;
-    if u32::from_le_bytes(*sum) != checksum(content) {
+    if u32::from_le_bytes(*sum) != crc32fast::hash(content) {
         return Err(Error::Garbled("its checksum is wrong"));
     }
     let (mut words, mut rest) = (Vec::new(), content);
@@ -188,7 +174,7 @@ mod tests {
 
     #[test]
     fn the_checksum_is_that_of_the_standard() {
-        assert_eq!(checksum(b"123456789"), 0xCBF4_3926);
+        assert_eq!(crc32fast::hash(b"123456789"), 0xCBF4_3926);
     }
 
     #[test]
@@ -203,6 +189,18 @@ mod tests {
                 assert_eq!(received(noise).expect("a frame"), sent);
             }
         }
+    }
+
+    #[test]
+    fn bytes_come_out_as_they_went_in() {
+        for length in [0, 1, 7, 8, 9, 64, 1000] {
+            let bytes: Vec<u8> = (0..length).map(|n| n as u8).collect();
+            let words: Vec<u64> = packed(&bytes).collect();
+            assert_eq!(unpacked(&words), Some(bytes));
+            assert_eq!(unpacked(&[&words[..], &[1]].concat()), None);
+        }
+        assert_eq!(unpacked(&[]), None);
+        assert_eq!(unpacked(&[u64::MAX, 1]), None);
     }
 
     /// The end of a full block is no zero, wherever zeros stand around it.

@@ -12,6 +12,7 @@ use std::sync::{LazyLock, Mutex};
 use crate::objects;
 
 pub use bessemer_codegen::c::FLAGS;
+pub use bessemer_tools::Missing;
 
 /// The flags of the Cortex-A9: hard float, VFPv3; NEON would flush subnormals.
 pub const CORTEX_A9: &[&str] = &["-mcpu=cortex-a9", "-mfpu=vfpv3", "-mfloat-abi=hard", "-static"];
@@ -166,9 +167,22 @@ fn tool(compiler: &'static str, level: u32) -> Option<cc::Tool> {
 }
 
 impl Toolchain {
+    /// The compiler and, if there is one, the emulator.
+    pub fn programs(&self) -> Vec<&'static str> {
+        std::iter::once(self.compiler).chain(self.emulator.map(|emulator| emulator[0])).collect()
+    }
+
     /// Whether programs can be made and run with it here.
+    ///
+    /// # Errors
+    /// What is missing, and what installs it.
+    pub fn check(&self) -> Result<(), Missing> {
+        bessemer_tools::check(&self.programs())
+    }
+
+    /// The same, without a reason.
     pub fn is_there(&self) -> bool {
-        there(self.compiler) && self.emulator.is_none_or(|emulator| there(emulator[0]))
+        self.check().is_ok()
     }
 
     /// The same of an emulated machine, if the run says nothing of these.
@@ -393,7 +407,7 @@ fn legs() -> Legs {
 
 /// Whether a program that is no compiler of the host takes part in this run.
 pub fn is_asked_for(program: &str) -> bool {
-    asked_for(|| there(program))
+    asked_for(|| bessemer_tools::version(program).is_some())
 }
 
 fn asked_for(is_there: impl FnOnce() -> bool) -> bool {
@@ -402,10 +416,6 @@ fn asked_for(is_there: impl FnOnce() -> bool) -> bool {
         Legs::Host => false,
         Legs::Present => is_there(),
     }
-}
-
-fn there(program: &str) -> bool {
-    Command::new(program).arg("--version").output().is_ok_and(|output| output.status.success())
 }
 
 /// A compiler at -O0, -O2 and -O3.

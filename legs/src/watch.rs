@@ -9,7 +9,9 @@
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::time::{Duration, Instant};
+use std::time::Duration;
+
+use wait_timeout::ChildExt as _;
 
 use crate::toolchain::{Toolchain, run};
 
@@ -98,20 +100,14 @@ pub fn watched(
 /// Waits for its end, but not for ever.
 fn ended(command: &mut Command) -> Result<(), String> {
     let mut child = command.spawn().map_err(|error| format!("{command:?}: {error}"))?;
-    let begun = Instant::now();
-    loop {
-        match child.try_wait() {
-            Ok(Some(status)) if status.success() => return Ok(()),
-            Ok(Some(status)) => return Err(format!("{command:?}: {status}")),
-            Ok(None) if begun.elapsed() < PATIENCE => {
-                std::thread::sleep(Duration::from_millis(10));
-            }
-            Ok(None) => {
-                let _ = child.kill();
-                let _ = child.wait();
-                return Err(format!("{command:?} does not end"));
-            }
-            Err(error) => return Err(format!("{command:?}: {error}")),
+    match child.wait_timeout(PATIENCE) {
+        Ok(Some(status)) if status.success() => Ok(()),
+        Ok(Some(status)) => Err(format!("{command:?}: {status}")),
+        Ok(None) => {
+            let _ = child.kill();
+            let _ = child.wait();
+            Err(format!("{command:?} does not end"))
         }
+        Err(error) => Err(format!("{command:?}: {error}")),
     }
 }

@@ -8,6 +8,7 @@
 //! What it must not know: how something is installed (`install`), how it is shown (`doctor`).
 
 use crate::project;
+use bessemer_tools::{self as programs, Program};
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
@@ -85,6 +86,19 @@ pub struct Tool {
     pub source: Source,
 }
 
+/// A program of Debian's, by its first package.
+const fn program(program: Program, purpose: &'static str, need: Need) -> Tool {
+    let source = Source::Package(program.packages[0]);
+    Tool { name: program.name, purpose, need, probe: Probe::Version(program.name), source }
+}
+
+/// What a compiler cannot do its work without, by its second package.
+const fn headers(name: &'static str, compiler: Program, need: Need) -> Tool {
+    let source = Source::Package(compiler.packages[1]);
+    let purpose = "headers and libraries for the above";
+    Tool { name, purpose, need, probe: Probe::Headers(compiler.name), source }
+}
+
 /// Every tool that some command needs, in the order in which they are listed.
 pub const TOOLS: &[Tool] = &[
     Tool {
@@ -108,13 +122,7 @@ pub const TOOLS: &[Tool] = &[
         probe: Probe::Version("cargo-clippy"),
         source: Source::Component("clippy"),
     },
-    Tool {
-        name: "gcc",
-        purpose: "compiles the emitted C",
-        need: Need::Host,
-        probe: Probe::Version("gcc"),
-        source: Source::Package("gcc"),
-    },
+    program(programs::GCC, "compiles the emitted C", Need::Host),
     Tool {
         name: "g++",
         purpose: "compiles the emitted headers as C++",
@@ -122,13 +130,7 @@ pub const TOOLS: &[Tool] = &[
         probe: Probe::Version("g++"),
         source: Source::Package("g++"),
     },
-    Tool {
-        name: "clang",
-        purpose: "compiles the emitted C a second time",
-        need: Need::Host,
-        probe: Probe::Version("clang"),
-        source: Source::Package("clang"),
-    },
+    program(programs::CLANG, "compiles the emitted C a second time", Need::Host),
     Tool {
         name: "clang's run time",
         purpose: "the libraries of its sanitizers",
@@ -136,55 +138,17 @@ pub const TOOLS: &[Tool] = &[
         probe: Probe::Sanitizers("clang"),
         source: Source::Package("libclang-rt-dev"),
     },
-    Tool {
-        name: "C library",
-        purpose: "headers and libraries for the above",
-        need: Need::Host,
-        probe: Probe::Headers("gcc"),
-        source: Source::Package("libc6-dev"),
-    },
-    Tool {
-        name: "arm-linux-gnueabihf-gcc",
-        purpose: "compiles the emitted C for a Cortex-A9",
-        need: Need::Target,
-        probe: Probe::Version("arm-linux-gnueabihf-gcc"),
-        source: Source::Package("gcc-arm-linux-gnueabihf"),
-    },
-    Tool {
-        name: "ARM C library",
-        purpose: "headers and libraries for the above",
-        need: Need::Target,
-        probe: Probe::Headers("arm-linux-gnueabihf-gcc"),
-        source: Source::Package("libc6-dev-armhf-cross"),
-    },
-    Tool {
-        name: "qemu-arm",
-        purpose: "runs it on an emulated Cortex-A9",
-        need: Need::Target,
-        probe: Probe::Version("qemu-arm"),
-        source: Source::Package("qemu-user"),
-    },
-    Tool {
-        name: "arm-none-eabi-gcc",
-        purpose: "compiles firmware around the emitted C",
-        need: Need::Target,
-        probe: Probe::Version("arm-none-eabi-gcc"),
-        source: Source::Package("gcc-arm-none-eabi"),
-    },
-    Tool {
-        name: "newlib",
-        purpose: "headers and libraries for the above",
-        need: Need::Target,
-        probe: Probe::Headers("arm-none-eabi-gcc"),
-        source: Source::Package("libnewlib-arm-none-eabi"),
-    },
-    Tool {
-        name: "qemu-system-arm",
-        purpose: "runs it on an emulated Zynq, without an operating system",
-        need: Need::Target,
-        probe: Probe::Version("qemu-system-arm"),
-        source: Source::Package("qemu-system-arm"),
-    },
+    headers("C library", programs::GCC, Need::Host),
+    program(programs::ARM_LINUX_GCC, "compiles the emitted C for a Cortex-A9", Need::Target),
+    headers("ARM C library", programs::ARM_LINUX_GCC, Need::Target),
+    program(programs::QEMU_ARM, "runs it on an emulated Cortex-A9", Need::Target),
+    program(programs::ARM_BARE_GCC, "compiles firmware around the emitted C", Need::Target),
+    headers("newlib", programs::ARM_BARE_GCC, Need::Target),
+    program(
+        programs::QEMU_SYSTEM_ARM,
+        "runs it on an emulated Zynq, without an operating system",
+        Need::Target,
+    ),
     Tool {
         name: "frama-c",
         purpose: "shows anew what was proved of the emitted C",
@@ -192,69 +156,19 @@ pub const TOOLS: &[Tool] = &[
         probe: Probe::Version("frama-c"),
         source: Source::Package("frama-c-base"),
     },
-    Tool {
-        name: "aarch64-linux-gnu-gcc",
-        purpose: "compiles the emitted C for ARM of 64 bits",
-        need: Need::Full,
-        probe: Probe::Version("aarch64-linux-gnu-gcc"),
-        source: Source::Package("gcc-aarch64-linux-gnu"),
-    },
-    Tool {
-        name: "aarch64 C library",
-        purpose: "headers and libraries for the above",
-        need: Need::Full,
-        probe: Probe::Headers("aarch64-linux-gnu-gcc"),
-        source: Source::Package("libc6-dev-arm64-cross"),
-    },
-    Tool {
-        name: "qemu-aarch64",
-        purpose: "runs it",
-        need: Need::Full,
-        probe: Probe::Version("qemu-aarch64"),
-        source: Source::Package("qemu-user"),
-    },
-    Tool {
-        name: "riscv64-linux-gnu-gcc",
-        purpose: "compiles the emitted C for RISC-V",
-        need: Need::Full,
-        probe: Probe::Version("riscv64-linux-gnu-gcc"),
-        source: Source::Package("gcc-riscv64-linux-gnu"),
-    },
-    Tool {
-        name: "riscv64 C library",
-        purpose: "headers and libraries for the above",
-        need: Need::Full,
-        probe: Probe::Headers("riscv64-linux-gnu-gcc"),
-        source: Source::Package("libc6-dev-riscv64-cross"),
-    },
-    Tool {
-        name: "qemu-riscv64",
-        purpose: "runs it",
-        need: Need::Full,
-        probe: Probe::Version("qemu-riscv64"),
-        source: Source::Package("qemu-user"),
-    },
-    Tool {
-        name: "s390x-linux-gnu-gcc",
-        purpose: "compiles the emitted C for s390x, which is big-endian",
-        need: Need::Full,
-        probe: Probe::Version("s390x-linux-gnu-gcc"),
-        source: Source::Package("gcc-s390x-linux-gnu"),
-    },
-    Tool {
-        name: "s390x C library",
-        purpose: "headers and libraries for the above",
-        need: Need::Full,
-        probe: Probe::Headers("s390x-linux-gnu-gcc"),
-        source: Source::Package("libc6-dev-s390x-cross"),
-    },
-    Tool {
-        name: "qemu-s390x",
-        purpose: "runs it",
-        need: Need::Full,
-        probe: Probe::Version("qemu-s390x"),
-        source: Source::Package("qemu-user"),
-    },
+    program(programs::AARCH64_GCC, "compiles the emitted C for ARM of 64 bits", Need::Full),
+    headers("aarch64 C library", programs::AARCH64_GCC, Need::Full),
+    program(programs::QEMU_AARCH64, "runs it", Need::Full),
+    program(programs::RISCV64_GCC, "compiles the emitted C for RISC-V", Need::Full),
+    headers("riscv64 C library", programs::RISCV64_GCC, Need::Full),
+    program(programs::QEMU_RISCV64, "runs it", Need::Full),
+    program(
+        programs::S390X_GCC,
+        "compiles the emitted C for s390x, which is big-endian",
+        Need::Full,
+    ),
+    headers("s390x C library", programs::S390X_GCC, Need::Full),
+    program(programs::QEMU_S390X, "runs it", Need::Full),
     Tool {
         name: "chromium",
         purpose: "shows the page of the ground station",
@@ -354,7 +268,7 @@ pub struct ThisMachine;
 
 impl Machine for ThisMachine {
     fn version(&self, program: &str) -> Option<String> {
-        answer(Command::new(program).arg("--version"))
+        programs::version(program)
     }
 
     fn finds_headers(&self, compiler: &str) -> bool {

@@ -48,31 +48,19 @@ pub struct Seen {
 /// # Errors
 /// What is missing, and how it is installed.
 pub fn processor(target: Target) -> Result<Processor, Error> {
-    const BARE: &str =
-        "apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm gcc";
-    let (name, toolchain, install) = match target {
-        Target::CortexA9 => {
-            ("cortex-a9", toolchain::ARM, "apt-get install gcc-arm-linux-gnueabihf qemu-user gcc")
-        }
-        Target::Zynq => ("zynq", toolchain::BARE_A9, BARE),
-        Target::CortexM4f => ("cortex-m4f", toolchain::CORTEX_M4F, BARE),
-        Target::CortexM7 => ("cortex-m7", toolchain::CORTEX_M7, BARE),
-        Target::Aarch64 => {
-            ("aarch64", toolchain::AARCH64, "apt-get install gcc-aarch64-linux-gnu qemu-user gcc")
-        }
-        Target::Riscv64 => {
-            ("riscv64", toolchain::RISCV64, "apt-get install gcc-riscv64-linux-gnu qemu-user gcc")
-        }
-        Target::S390x => {
-            ("s390x", toolchain::S390X, "apt-get install gcc-s390x-linux-gnu qemu-user gcc")
-        }
+    let (name, toolchain) = match target {
+        Target::CortexA9 => ("cortex-a9", toolchain::ARM),
+        Target::Zynq => ("zynq", toolchain::BARE_A9),
+        Target::CortexM4f => ("cortex-m4f", toolchain::CORTEX_M4F),
+        Target::CortexM7 => ("cortex-m7", toolchain::CORTEX_M7),
+        Target::Aarch64 => ("aarch64", toolchain::AARCH64),
+        Target::Riscv64 => ("riscv64", toolchain::RISCV64),
+        Target::S390x => ("s390x", toolchain::S390X),
     };
     // gcc makes the plugin that counts.
-    let missing = [&toolchain, &toolchain::GCC].into_iter().find(|it| !it.is_there());
-    match missing {
-        Some(toolchain) => Err(Error::NoTarget { program: toolchain.compiler, install }),
-        None => Ok(Processor { name, toolchain }),
-    }
+    let programs = [toolchain.programs(), toolchain::GCC.programs()].concat();
+    bessemer_tools::check(&programs)?;
+    Ok(Processor { name, toolchain })
 }
 
 /// Calls each case on the processor.

@@ -104,10 +104,8 @@ impl CLeg {
             Machine::Zynq => {
                 let entry = compiled.entries.iter().find(|it| it.entry == "onboard_step");
                 let bound = entry.map_or(0, |it| it.stack_bytes);
-                let firmware = Loaded::zynq(&compiled, &ZYNQ).map_err(|error| {
-                    format!("{error}\n`cargo xtask doctor` tells which tools are missing")
-                })?;
-                Self::Zynq { firmware, bound }
+                ZYNQ.check().map_err(|missing| format!("{missing}: {}", missing.install))?;
+                Self::Zynq { firmware: Loaded::zynq(&compiled, &ZYNQ)?, bound }
             }
         })
     }

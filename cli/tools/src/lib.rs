@@ -1,0 +1,154 @@
+//! The programs beside Rust's own that the commands run, and what installs them: compilers, emulators, CMake.
+//!
+//! Invariants: nothing here changes the machine; a program is there if it answers `--version`.
+//!
+//! What it must not know: who runs them, and for what.
+
+use std::process::{Command, Stdio};
+
+/// A program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Program {
+    /// As it is called.
+    pub name: &'static str,
+    /// The packages of Debian's that bring it, and without which it cannot do its work.
+    pub packages: &'static [&'static str],
+}
+
+/// A program of this name from these packages.
+const fn program(name: &'static str, packages: &'static [&'static str]) -> Program {
+    Program { name, packages }
+}
+
+/// The compiler of this machine.
+pub const GCC: Program = program("gcc", &["gcc", "libc6-dev"]);
+/// The other compiler of this machine.
+pub const CLANG: Program = program("clang", &["clang", "libc6-dev"]);
+/// Builds firmware.
+pub const CMAKE: Program = program("cmake", &["cmake"]);
+/// Compiles for ARM of 32 bits, under Linux.
+pub const ARM_LINUX_GCC: Program =
+    program("arm-linux-gnueabihf-gcc", &["gcc-arm-linux-gnueabihf", "libc6-dev-armhf-cross"]);
+/// Compiles for ARM of 32 bits without an operating system.
+pub const ARM_BARE_GCC: Program =
+    program("arm-none-eabi-gcc", &["gcc-arm-none-eabi", "libnewlib-arm-none-eabi"]);
+/// Compiles for ARM of 64 bits.
+pub const AARCH64_GCC: Program =
+    program("aarch64-linux-gnu-gcc", &["gcc-aarch64-linux-gnu", "libc6-dev-arm64-cross"]);
+/// Compiles for RISC-V of 64 bits, under Linux.
+pub const RISCV64_GCC: Program =
+    program("riscv64-linux-gnu-gcc", &["gcc-riscv64-linux-gnu", "libc6-dev-riscv64-cross"]);
+/// Compiles for a big-endian machine.
+pub const S390X_GCC: Program =
+    program("s390x-linux-gnu-gcc", &["gcc-s390x-linux-gnu", "libc6-dev-s390x-cross"]);
+/// Runs programs of ARM of 32 bits; with it come the emulators of other processors under Linux.
+pub const QEMU_ARM: Program = program("qemu-arm", &["qemu-user"]);
+/// The same of ARM of 64 bits.
+pub const QEMU_AARCH64: Program = program("qemu-aarch64", &["qemu-user"]);
+/// The same of RISC-V of 64 bits.
+pub const QEMU_RISCV64: Program = program("qemu-riscv64", &["qemu-user"]);
+/// The same of the big-endian machine.
+pub const QEMU_S390X: Program = program("qemu-s390x", &["qemu-user"]);
+/// Runs whole machines with an ARM.
+pub const QEMU_SYSTEM_ARM: Program = program("qemu-system-arm", &["qemu-system-arm"]);
+
+/// Every one of them.
+pub const ALL: &[Program] = &[
+    GCC,
+    CLANG,
+    CMAKE,
+    ARM_LINUX_GCC,
+    QEMU_ARM,
+    ARM_BARE_GCC,
+    QEMU_SYSTEM_ARM,
+    AARCH64_GCC,
+    QEMU_AARCH64,
+    RISCV64_GCC,
+    QEMU_RISCV64,
+    S390X_GCC,
+    QEMU_S390X,
+];
+
+/// A program that is needed does not run here.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Missing {
+    /// Which.
+    pub program: &'static str,
+    /// The line that installs it on Debian, with what it works together with.
+    pub install: String,
+}
+
+impl std::fmt::Display for Missing {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "`{}` does not run here", self.program)
+    }
+}
+
+impl std::error::Error for Missing {}
+
+/// Whether programs that work together run here.
+///
+/// # Errors
+/// The first that does not.
+pub fn check(programs: &[&'static str]) -> Result<(), Missing> {
+    match programs.iter().find(|program| version(program).is_none()) {
+        None => Ok(()),
+        Some(program) => {
+            let known = ALL.iter().filter(|it| programs.contains(&it.name)).copied();
+            Err(Missing { program, install: install(&known.collect::<Vec<_>>()) })
+        }
+    }
+}
+
+impl Program {
+    /// What it says of its version; none if it does not run here.
+    pub fn version(&self) -> Option<String> {
+        version(self.name)
+    }
+
+    /// The line that installs it.
+    pub fn install(&self) -> String {
+        install(&[*self])
+    }
+}
+
+/// What a program says of its version; none if it does not run here.
+pub fn version(program: &str) -> Option<String> {
+    let output = Command::new(program).arg("--version").stdin(Stdio::null()).output().ok()?;
+    output.status.success().then(|| String::from_utf8_lossy(&output.stdout).into_owned())
+}
+
+/// The line that installs programs on Debian and what is made of it.
+pub fn install(programs: &[Program]) -> String {
+    let mut packages: Vec<&str> = Vec::new();
+    for package in programs.iter().flat_map(|program| program.packages) {
+        if !packages.contains(package) {
+            packages.push(package);
+        }
+    }
+    format!("apt-get install {}", packages.join(" "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_package_is_named_once() {
+        let line = install(&[GCC, CLANG, QEMU_ARM, QEMU_S390X]);
+        assert_eq!(line, "apt-get install gcc libc6-dev clang qemu-user");
+    }
+
+    #[test]
+    fn what_is_missing_is_named_with_what_it_works_with() {
+        let missing = Missing { program: "no-such-program", install: GCC.install() };
+        assert_eq!(check(&["gcc", "no-such-program"]), Err(missing));
+        assert_eq!(check(&["rustc"]), Ok(()));
+    }
+
+    #[test]
+    fn what_does_not_exist_is_not_there() {
+        assert_eq!(version("no-such-program-anywhere"), None);
+        assert!(version("rustc").is_some_and(|said| said.starts_with("rustc")));
+    }
+}
