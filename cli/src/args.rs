@@ -153,7 +153,8 @@ pub struct Verify {
     /// Also on this processor, emulated by QEMU
     #[arg(long, value_enum)]
     pub target: Vec<Target>,
-    /// Recorded inputs in place of made ones: CSV with a column for each number that goes in, such as `gains.p`
+    /// Recorded inputs in place of made ones: CSV with a column for each number that goes in, such as `gains.p`, or MCAP with
+    /// messages in JSON
     #[arg(long, value_name = "FILE")]
     pub inputs: Option<PathBuf>,
     /// The entry point that was recorded, where there are several: `Motor::step`

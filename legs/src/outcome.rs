@@ -33,22 +33,25 @@ pub fn meant(module: &Module, types: &[Type], outcome: &Outcome) -> Outcome {
     })
 }
 
-/// Whether two outcomes are the same fault or the same bits; any NaN is any other. `leaves` are the types
-/// of the words.
+/// Whether two outcomes are the same fault or the same bits.
 pub fn same(one: &Outcome, other: &Outcome, leaves: &[Type]) -> bool {
+    parted(one, other, leaves).is_empty()
+}
+
+/// The places of the words in which two outcomes differ; any NaN is any other. Where one is a fault that the other is not,
+/// all words do. `leaves` are the types of the words.
+pub fn parted(one: &Outcome, other: &Outcome, leaves: &[Type]) -> Vec<usize> {
     let (one, other) = match (one, other) {
-        (Ok(one), Ok(other)) => (one, other),
-        (one, other) => return one == other,
+        (Ok(one), Ok(other)) if one.len() == other.len() => (one, other),
+        (one, other) if one == other => return Vec::new(),
+        _ => return (0..leaves.len().max(1)).collect(),
     };
     let nan = |ty: &Type, word: u64| match ty.as_float() {
         Some(Float::F64) => f64::from_bits(word).is_nan(),
         Some(Float::F32) => f32::from_bits(word as u32).is_nan(),
         None => false,
     };
-    one.len() == other.len()
-        && one
-            .iter()
-            .zip(other)
-            .zip(leaves)
-            .all(|((a, b), ty)| a == b || nan(ty, *a) && nan(ty, *b))
+    let equal = |((a, b), ty): ((&u64, &u64), &Type)| a == b || nan(ty, *a) && nan(ty, *b);
+    let pairs = one.iter().zip(other).zip(leaves).enumerate();
+    pairs.filter(|(_, pair)| !equal(*pair)).map(|(place, _)| place).collect()
 }

@@ -94,7 +94,7 @@ fn verified(package: &Path) {
     let legs = 2 + toolchain::host().len() + usize::from(bare);
     let (legs_told, costs) = text.split_once("\n\n").unwrap_or((&text, ""));
     assert_eq!(legs_told.lines().count(), legs + 1, "{text}");
-    assert_eq!(text.matches(" 0 differ").count(), legs - 1, "{text}");
+    assert_eq!(text.matches(" 0 words differ").count(), legs - 1, "{text}");
     if bare {
         assert!(costs.starts_with("on cortex-m4f: "), "{text}");
         let row = costs.lines().find(|line| line.contains("Motor::step")).unwrap_or_default();

@@ -85,12 +85,16 @@ pub fn run(folder: &Path, wanted: &Verify, colour: bool) -> Result<(String, bool
     let mut all = true;
     for (leg, outcomes) in &legs {
         let differing = differing(module, &cases, outcomes);
-        let _ = writeln!(text, "  {leg:<27}  {} differ", differing.len());
         all &= differing.is_empty();
-        if let Some((case, index)) = differing.first() {
-            let (case, index) = (&cases[*case], *index);
-            let _ = writeln!(text, "    {} of {:x?}", case.name, case.calls[index]);
-        }
+        let words: usize = differing.iter().map(|it| it.words.len()).sum();
+        let _ = write!(text, "  {leg:<27}  {words} words differ");
+        let _ = match differing.first() {
+            None => writeln!(text),
+            Some(first) => {
+                let told = first.told(&cases, outcomes);
+                writeln!(text, ", in {} calls; the first:\n    {told}", differing.len())
+            }
+        };
     }
     for name in left {
         let _ = writeln!(text, "{name}: not called, since its Rust is not public or takes a slice");
@@ -126,9 +130,9 @@ fn recorded(module: &Module, path: &Path, entry: Option<&str>) -> Result<Inputs,
             None => Error::WhichEntry { known },
         });
     };
-    let text = std::fs::read_to_string(path)
-        .map_err(|source| Error::File { path: path.to_owned(), source })?;
-    let calls = recording::calls(module, &module.functions[entry.index()], &text);
+    let bytes = std::fs::read(path);
+    let bytes = bytes.map_err(|source| Error::File { path: path.to_owned(), source })?;
+    let calls = recording::calls(module, &module.functions[entry.index()], &bytes);
     let calls = calls.map_err(|wrong| Error::Recording { path: path.to_owned(), wrong })?;
     Ok(Inputs::Recorded { entry, calls })
 }
@@ -346,14 +350,45 @@ fn of_c(
     }))
 }
 
-/// Case and call of each that is not what the interpreter says.
-fn differing(module: &Module, cases: &[Case], outcomes: &[Vec<Outcome>]) -> Vec<(usize, usize)> {
+/// A call that is not what the interpreter says.
+struct Differing {
+    case: usize,
+    call: usize,
+    /// The places of the words.
+    words: Vec<usize>,
+}
+
+impl Differing {
+    /// What went in, and the first word that came out otherwise.
+    fn told(&self, cases: &[Case], outcomes: &[Vec<Outcome>]) -> String {
+        let case = &cases[self.case];
+        let (expected, got) = (&case.expected[self.call], &outcomes[self.case][self.call]);
+        let said = match (expected, got) {
+            (Ok(expected), Ok(got)) => {
+                let place = self.words.first().copied().unwrap_or_default();
+                let word = |of: &[u64]| of.get(place).copied().unwrap_or_default();
+                format!("word {place} is {:#018x}, not {:#018x}", word(got), word(expected))
+            }
+            (expected, got) => {
+                let said = |it: &Outcome| match it {
+                    Ok(_) => "a result".to_owned(),
+                    Err(fault) => format!("the fault {fault:?}"),
+                };
+                format!("{}, not {}", said(got), said(expected))
+            }
+        };
+        format!("{} of {:x?}: {said}", case.name, case.calls[self.call])
+    }
+}
+
+fn differing(module: &Module, cases: &[Case], outcomes: &[Vec<Outcome>]) -> Vec<Differing> {
     let mut list = Vec::new();
     for (place, (case, outcomes)) in cases.iter().zip(outcomes).enumerate() {
-        for (index, (expected, got)) in case.expected.iter().zip(outcomes).enumerate() {
+        for (call, (expected, got)) in case.expected.iter().zip(outcomes).enumerate() {
             let meant = |it: &Outcome| outcome::meant(module, &case.types, it);
-            if !outcome::same(&meant(expected), &meant(got), &case.leaves) {
-                list.push((place, index));
+            let words = outcome::parted(&meant(expected), &meant(got), &case.leaves);
+            if !words.is_empty() {
+                list.push(Differing { case: place, call, words });
             }
         }
     }
@@ -374,8 +409,13 @@ mod tests {
         assert!(differing(&module, &cases, &got).is_empty());
         let last = got[0].iter_mut().rev().find_map(|it| it.as_mut().ok()).expect("one that ran");
         last[0] ^= 1;
-        assert_eq!(differing(&module, &cases, &got).len(), 1);
+        let [one] = &differing(&module, &cases, &got)[..] else { panic!("one word differs") };
+        assert_eq!(one.words, [0]);
+        let told = one.told(&cases, &got);
+        assert!(told.starts_with(&cases[0].name) && told.contains("word 0 is 0x"), "{told}");
         got[0][0] = Err(Fault::Index);
-        assert_eq!(differing(&module, &cases, &got).first(), Some(&(0, 0)));
+        let all = differing(&module, &cases, &got);
+        assert_eq!((all[0].case, all[0].call, all[0].words.len()), (0, 0, cases[0].leaves.len()));
+        assert!(all[0].told(&cases, &got).contains(": the fault Index, not "));
     }
 }

@@ -1,13 +1,18 @@
-//! Recorded inputs of an entry point: a table (CSV) with a column for each number that goes in, a row for each call.
+//! Recorded inputs of an entry point: a table with a column for each number that goes in, a row for each call. It comes from
+//! CSV, or from an MCAP file, whose messages in JSON are rows.
 //!
 //! Columns are called as the parameters and their parts are in the Rust: `target`, `gains.p`, `position[2]`. Elements of a
-//! matrix count by columns. Columns of other names are let be, so that a log can be taken as it is; text in quotation
-//! marks is not known. The component begins in its initial state, and lives from row to row.
+//! matrix count by columns. Columns of other names are let be, so that a log can be taken as it is. Of an MCAP file the first topic is
+//! taken that has them all. The component begins in its initial state, and lives from row to row.
 
 use bessemer_ir::{Float, Form, Function, Int, Module, Scalar, Type};
+use serde_json::Value;
 
-/// What is wrong with a recording, and where: the line counts from 1.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+/// What an MCAP file begins with.
+const MCAP: &[u8] = b"\x89MCAP0\r\n";
+
+/// What is wrong with a recording, and where: lines and messages count from 1.
+#[derive(Debug, thiserror::Error)]
 pub enum Wrong {
     /// A number has no column.
     #[error("it has no column `{column}`; wanted are {wanted}")]
@@ -17,21 +22,29 @@ pub enum Wrong {
         /// All that are wanted.
         wanted: String,
     },
+    /// No topic has all columns.
+    #[error("none of its topics has the columns {wanted}; in JSON are {found}")]
+    Topic {
+        /// All that are wanted.
+        wanted: String,
+        /// The topics.
+        found: String,
+    },
     /// A row has another length than the head.
-    #[error("line {line} has {found} columns, and the first {wanted}")]
+    #[error("{place} has {found} columns, and the first {wanted}")]
     Row {
         /// Which.
-        line: usize,
+        place: String,
         /// How many it has.
         found: usize,
         /// How many it should have.
         wanted: usize,
     },
     /// A cell is no value of its type.
-    #[error("line {line}: `{text}` is no {kind}, as `{column}` has to be")]
+    #[error("{place}: `{text}` is no {kind}, as `{column}` has to be")]
     Cell {
         /// Where it is.
-        line: usize,
+        place: String,
         /// In which column.
         column: String,
         /// What it says.
@@ -42,6 +55,12 @@ pub enum Wrong {
     /// There is no row.
     #[error("it has no rows")]
     Empty,
+    /// It is no text of the kind.
+    #[error("it is no CSV: {0}")]
+    Csv(#[from] csv::Error),
+    /// It is an MCAP file that cannot be read.
+    #[error("it is no whole MCAP file: {0}")]
+    Mcap(#[from] mcap::McapError),
 }
 
 /// The words of the arguments of each call, without those of the component.
@@ -51,7 +70,7 @@ pub enum Wrong {
 pub fn calls(
     module: &Module,
     function: &Function,
-    text: &str,
+    bytes: &[u8],
 ) -> Result<Vec<Vec<Vec<u64>>>, Wrong> {
     let parameters = function.parameters();
     let parameters = &parameters[1.min(parameters.len())..];
@@ -63,48 +82,119 @@ pub fn calls(
             columns
         })
         .collect();
-    let mut lines = text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty());
-    let (_, head) = lines.next().ok_or(Wrong::Empty)?;
-    let head: Vec<&str> = cells(head);
-    let place = |name: &str| {
-        let wanted = || columns.iter().flatten().map(|column| format!("`{}`", column.name));
-        head.iter().position(|it| *it == name).ok_or_else(|| Wrong::Column {
-            column: name.to_owned(),
-            wanted: wanted().collect::<Vec<_>>().join(", "),
-        })
-    };
-    let places: Vec<Vec<usize>> = columns
-        .iter()
-        .map(|columns| columns.iter().map(|column| place(&column.name)).collect())
-        .collect::<Result<_, _>>()?;
-    let mut calls = Vec::new();
-    for (index, line) in lines {
-        let (line, cells) = (index + 1, cells(line));
-        if cells.len() != head.len() {
-            return Err(Wrong::Row { line, found: cells.len(), wanted: head.len() });
-        }
-        let mut call = Vec::new();
-        for ((columns, places), parameter) in columns.iter().zip(&places).zip(parameters) {
-            let one = |(column, place): (&Column, &usize)| {
-                column.word(module, cells[*place]).ok_or_else(|| Wrong::Cell {
-                    line,
+    let names: Vec<&str> = columns.iter().flatten().map(|it| it.name.as_str()).collect();
+    let rows =
+        if bytes.starts_with(MCAP) { of_mcap(bytes, &names)? } else { of_csv(bytes, &names)? };
+    if rows.is_empty() {
+        return Err(Wrong::Empty);
+    }
+    let call = |Row { place, cells }: Row| {
+        let mut cells = cells.into_iter();
+        let argument = |(columns, parameter): (&Vec<Column>, &bessemer_ir::Local)| {
+            let word = |(column, text): (&Column, String)| {
+                column.word(module, &text).ok_or_else(|| Wrong::Cell {
+                    place: place.clone(),
                     column: column.name.clone(),
-                    text: cells[*place].to_owned(),
+                    text,
                     kind: column.kind(module),
                 })
             };
-            let words = columns.iter().zip(places).map(one);
+            let words = columns.iter().zip(cells.by_ref()).map(word);
             let mut words = words.collect::<Result<Vec<u64>, _>>()?;
             module.canonical(&parameter.ty, &mut words);
-            call.push(words);
-        }
-        calls.push(call);
-    }
-    if calls.is_empty() { Err(Wrong::Empty) } else { Ok(calls) }
+            Ok(words)
+        };
+        columns.iter().zip(parameters).map(argument).collect()
+    };
+    rows.into_iter().map(call).collect()
 }
 
-fn cells(line: &str) -> Vec<&str> {
-    line.split(',').map(str::trim).collect()
+/// What goes into one call: the wanted cells, in their order.
+struct Row {
+    place: String,
+    cells: Vec<String>,
+}
+
+fn of_csv(bytes: &[u8], wanted: &[&str]) -> Result<Vec<Row>, Wrong> {
+    let mut reader = csv::ReaderBuilder::new();
+    let reader = reader.has_headers(false).flexible(true).trim(csv::Trim::All);
+    let blank = |it: &csv::StringRecord| it.iter().all(str::is_empty);
+    let mut lines = reader.from_reader(bytes).into_records();
+    let mut next = || lines.by_ref().find(|line| !line.as_ref().is_ok_and(blank)).transpose();
+    let head = next()?.ok_or(Wrong::Empty)?;
+    let place = |name: &&str| {
+        head.iter()
+            .position(|it| it == *name)
+            .ok_or_else(|| Wrong::Column { column: (*name).to_owned(), wanted: listed(wanted) })
+    };
+    let places: Vec<usize> = wanted.iter().map(place).collect::<Result<_, _>>()?;
+    let mut rows = Vec::new();
+    while let Some(line) = next()? {
+        let place = format!("line {}", line.position().map_or(0, csv::Position::line));
+        if line.len() != head.len() {
+            return Err(Wrong::Row { place, found: line.len(), wanted: head.len() });
+        }
+        let cells = places.iter().map(|place| line[*place].to_owned()).collect();
+        rows.push(Row { place, cells });
+    }
+    Ok(rows)
+}
+
+fn of_mcap(bytes: &[u8], wanted: &[&str]) -> Result<Vec<Row>, Wrong> {
+    let (mut rows, mut chosen, mut topics) = (Vec::new(), None, Vec::new());
+    for message in mcap::MessageStream::new(bytes)? {
+        let message = message?;
+        let topic = &message.channel.topic;
+        if message.channel.message_encoding != "json"
+            || chosen.as_ref().is_some_and(|it| it != topic)
+        {
+            continue;
+        }
+        let Ok(value) = serde_json::from_slice::<Value>(&message.data) else { continue };
+        let cells: Option<Vec<String>> = wanted.iter().map(|name| cell(&value, name)).collect();
+        let place = format!("message {} of `{topic}`", rows.len() + 1);
+        match cells {
+            Some(cells) => {
+                chosen.get_or_insert_with(|| topic.clone());
+                rows.push(Row { place, cells });
+            }
+            None if chosen.is_some() => {
+                let found = wanted.iter().filter(|name| cell(&value, name).is_some()).count();
+                return Err(Wrong::Row { place, found, wanted: wanted.len() });
+            }
+            None if topics.contains(topic) => {}
+            None => topics.push(topic.clone()),
+        }
+    }
+    if chosen.is_none() {
+        let topics: Vec<&str> = topics.iter().map(String::as_str).collect();
+        return Err(Wrong::Topic { wanted: listed(wanted), found: listed(&topics) });
+    }
+    Ok(rows)
+}
+
+/// What stands in a message under a column's name: by that name, or by its parts, one in the other.
+fn cell(value: &Value, name: &str) -> Option<String> {
+    let found = value.get(name).or_else(|| {
+        let parts = name.split(['.', '[']);
+        parts.map(|part| part.trim_end_matches(']')).try_fold(value, |value, part| match value {
+            Value::Array(all) => all.get(part.parse::<usize>().ok()?),
+            other => other.get(part),
+        })
+    })?;
+    match found {
+        Value::String(text) => Some(text.clone()),
+        Value::Object(_) | Value::Array(_) => None,
+        other => Some(other.to_string()),
+    }
+}
+
+/// Names, as a message lists them.
+fn listed(names: &[&str]) -> String {
+    if names.is_empty() {
+        return "none".to_owned();
+    }
+    names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
 }
 
 /// A number that goes in.
@@ -209,19 +299,64 @@ mod tests {
         };
         let cells: Vec<&str> = columns.iter().map(cell).collect();
         let (head, row) = (names.join(","), cells.join(" , "));
-        let read = calls(&module, function, &format!("time,{head}\n\n0.5,{row}\n1,{row}\n"));
+        let text = format!("time,{head}\n\n0.5,{row}\n1,{row}\n");
+        let read = calls(&module, function, text.as_bytes());
         let read = read.expect("a recording");
         assert_eq!(read.len(), 2);
         let words: Vec<u64> = read[0].concat();
         assert_eq!(words.len(), columns.len());
         assert!(words.contains(&(-2.5_f64).to_bits()), "{words:x?}");
 
-        let said = |text: &str| calls(&module, function, text).expect_err(text).to_string();
+        let said =
+            |text: &str| calls(&module, function, text.as_bytes()).expect_err(text).to_string();
         assert!(said(&format!("{head}\n")).contains("no rows"));
         assert!(said("time\n1\n").starts_with("it has no column `"));
         assert!(said(&format!("{head}\n1,{row}\n")).starts_with("line 2 has "));
         let wrong = row.replacen("-2.5", "high", 1);
         let expected = "line 2: `high` is no number, as `";
         assert!(said(&format!("{head}\n{wrong}\n")).starts_with(expected));
+    }
+    /// An MCAP file with messages of two topics.
+    fn recorded(messages: &[(&str, &str)]) -> Vec<u8> {
+        let mut file = std::io::Cursor::new(Vec::new());
+        let mut writer = mcap::Writer::new(&mut file).expect("a file");
+        for (topic, text) in messages {
+            let channel = writer.add_channel(0, topic, "json", &Default::default());
+            let channel_id = channel.expect("a channel");
+            let header = mcap::records::MessageHeader {
+                channel_id,
+                sequence: 0,
+                log_time: 0,
+                publish_time: 0,
+            };
+            writer.write_to_known_channel(&header, text.as_bytes()).expect("a file");
+        }
+        writer.finish().expect("a file");
+        drop(writer);
+        file.into_inner()
+    }
+
+    #[test]
+    fn messages_become_rows() {
+        let other = ("/other", r#"{"a": 1}"#);
+        let good = ("/log", r#"{"a": 0.1, "b.c": true, "d": [1, -2], "more": {}}"#);
+        let nested = ("/log", r#"{"a": 1e300, "b": {"c": false}, "d": [1, 7]}"#);
+        let wanted = ["a", "b.c", "d[1]"];
+        let rows = of_mcap(&recorded(&[other, good, other, nested]), &wanted).expect("rows");
+        let cells: Vec<_> = rows.iter().map(|row| row.cells.join(" ")).collect();
+        assert_eq!(cells, ["0.1 true -2", "1e+300 false 7"]);
+        assert_eq!(rows[1].place, "message 2 of `/log`");
+
+        let said =
+            |bytes: &[u8]| of_mcap(bytes, &wanted).map(|_| ()).expect_err("wrong").to_string();
+        let none = "none of its topics has the columns `a`, `b.c`, `d[1]`; in JSON are `/other`";
+        assert_eq!(said(&recorded(&[other, other])), none);
+        let short = ("/log", r#"{"a": 1, "d": [1, 7]}"#);
+        assert_eq!(
+            said(&recorded(&[good, short])),
+            "message 2 of `/log` has 2 columns, and the first 3"
+        );
+        let whole = recorded(&[good]);
+        assert!(said(&whole[..whole.len() / 2]).starts_with("it is no whole MCAP file"));
     }
 }
