@@ -17,8 +17,9 @@
 #include "stack.h"
 #include "uart.h"
 #include "words.h"
+#include "wrong.h"
 
-/** What a frame is, its first word. `legs/src/lockstep.rs` has the other end. */
+/** What a frame is, its first word; what went wrong is another one (wrong.h). `legs/src/lockstep.rs` has the other end. */
 enum {
     /** From here, once at the beginning: the identity of the models. */
     KIND_READY = 1,
@@ -29,9 +30,7 @@ enum {
     /** The period's number and the inputs; back what `answer` says. */
     KIND_STEP = 4,
     /** Back how deep the stack was used. */
-    KIND_REPORT = 5,
-    /** From here: what went wrong, a word for each letter. */
-    KIND_WRONG = 6
+    KIND_REPORT = 5
 };
 
 /** How deep the stack was used, bytes. */
@@ -41,23 +40,6 @@ typedef struct {
     /** By all of the program. */
     uint32_t all;
 } used_t;
-
-void fault(uint32_t kind, uint32_t place);
-
-static void say(const char *text)
-{
-    for (const char *letter = text; *letter != '\0'; ++letter) {
-        link_put((uint64_t)(uint8_t)*letter);
-    }
-}
-
-static void refuse(const char *why)
-{
-    link_begin();
-    link_put(KIND_WRONG);
-    say(why);
-    link_send();
-}
 
 static uint32_t larger(uint32_t one, uint32_t other)
 {
@@ -95,7 +77,7 @@ static void step(onboard_t *onboard, const settings_t *settings, used_t *used)
     const uint64_t number = link_get();
     get_inputs(&inputs);
     if (!link_is_whole()) {
-        refuse("a frame has not the words of a period");
+        wrong("a frame has not the words of a period");
         return;
     }
 
@@ -106,7 +88,7 @@ static void step(onboard_t *onboard, const settings_t *settings, used_t *used)
     used->step = larger(used->step, from - deepest);
     used->all = larger(used->all, stack_end() - deepest);
     if (used->all >= stack_size()) {
-        refuse("the stack is used up");
+        wrong("the stack is used up");
         return;
     }
     answer(number, &outputs, onboard);
@@ -130,23 +112,6 @@ static void report(const used_t *used)
     link_send();
 }
 
-/** Ends here whatever the processor cannot go on with (start.S). */
-void fault(uint32_t kind, uint32_t place)
-{
-    static const char *const kinds[3] = {
-        "an undefined instruction at 0x", "a prefetch abort at 0x", "a data abort at 0x"};
-    static const char digits[] = "0123456789abcdef";
-    link_begin();
-    link_put(KIND_WRONG);
-    say(kinds[kind % 3U]);
-    for (uint32_t n = 0U; n < 8U; ++n) {
-        link_put((uint64_t)(uint8_t)digits[(place >> (28U - (4U * n))) & 0xFU]);
-    }
-    link_send();
-    for (;;) {
-    }
-}
-
 int main(void)
 {
     static onboard_t onboard;
@@ -160,7 +125,7 @@ int main(void)
     link_send();
     for (;;) {
         if (!link_receive()) {
-            refuse("a frame came garbled: its checksum is wrong");
+            wrong("a frame came garbled: its checksum is wrong");
             continue;
         }
         switch (link_get()) {
@@ -173,7 +138,7 @@ int main(void)
             if (link_is_whole()) {
                 confirm(KIND_SETTINGS);
             } else {
-                refuse("a frame has not the words of the settings");
+                wrong("a frame has not the words of the settings");
             }
             break;
         case KIND_STEP:
@@ -183,7 +148,7 @@ int main(void)
             report(&used);
             break;
         default:
-            refuse("a frame of no known kind");
+            wrong("a frame of no known kind");
             break;
         }
     }

@@ -30,6 +30,9 @@ const FAILSAFE: u64 = 20;
 /// How long virtual time waits for an answer.
 const PATIENCE: Duration = Duration::from_secs(5);
 
+/// How long the software's memory may take: over an emulated serial line, on a busy machine.
+const IMAGE: Duration = Duration::from_secs(2);
+
 /// What can be done to the aircraft.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "what", rename_all = "snake_case")]
@@ -295,7 +298,7 @@ impl Bench {
     pub fn image(&mut self) -> io::Result<Option<Vec<u8>>> {
         let Some(computer) = self.computer else { return Ok(None) };
         self.bus.send_to(b"image", computer)?;
-        self.bus.set_read_timeout(Some(Duration::from_millis(100)))?;
+        self.bus.set_read_timeout(Some(IMAGE))?;
         let mut buffer = vec![0; 65536];
         // Late answers of earlier periods may come before it.
         for _ in 0..64 {

@@ -83,6 +83,12 @@ impl Key {
         self.0.iter().map(|byte| format!("{byte:02x}")).collect()
     }
 
+    /// Its halves, as the gate has them: only for the onboard program.
+    pub(crate) fn halves(&self) -> [u64; 2] {
+        let all = u128::from_le_bytes(self.0);
+        [all as u64, (all >> 64) as u64]
+    }
+
     /// The packet with its seal; none if it has no room for one, or is no packet.
     pub fn seal(&self, packet: &Packet, counter: u64) -> Option<Packet> {
         let bytes = packet.bytes.get(..packet.length)?;

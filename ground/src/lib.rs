@@ -3,6 +3,7 @@
 //! | module | what it says |
 //! |---|---|
 //! | [`program`] | the emitted C around its sockets: compiled, started, killed |
+//! | [`relay`] | the same on a board, at the other end of a serial line |
 //! | [`bench`] | the aircraft in real or virtual time, with that program as its computer |
 //! | [`radio`] | a link that loses, doubles, delays and reorders |
 //! | [`key`] | the seal of those who may command |
@@ -30,6 +31,7 @@ pub mod priority;
 pub mod program;
 pub mod radio;
 pub mod recorder;
+pub mod relay;
 pub mod replay;
 pub mod server;
 pub mod station;

@@ -79,8 +79,15 @@ fn fly(wanted: &Fly) -> Result<(), Box<dyn Error>> {
     if let Some(path) = &wanted.record {
         live.record(path.clone());
     }
+    let mut told = 0;
     while wanted.seconds.is_none_or(|end| live.testbed.now() < end) {
         live.step()?;
+        if let Some(why) = &live.testbed.ended
+            && live.testbed.restarts > told
+        {
+            told = live.testbed.restarts;
+            eprintln!("the onboard software is started anew: {why}");
+        }
     }
     live.save();
     let timing = live.timing();
@@ -170,6 +177,7 @@ fn target(machine: Machine) -> Target {
     match machine {
         Machine::Native => Target::Native,
         Machine::A9 => Target::A9,
+        Machine::Zynq => Target::Zynq,
     }
 }
 

@@ -1,15 +1,22 @@
 //! The onboard software as a program: the emitted C around its sockets, compiled once and started as a process
-//! of its own.
+//! of its own; or as the firmware of an emulated machine, which a [`Relay`] gives sockets.
 //!
 //! Knows compilers and processes, not what the software does. The key goes to its standard input: arguments
 //! and the environment can be read by others.
 
 use crate::key::Key;
-use bessemer_legs::toolchain::{ARM, GCC, Toolchain};
+use crate::relay::Relay;
+use bessemer_codegen::c::CFile;
+use bessemer_legs::firmware::{Firmware, Machine};
+use bessemer_legs::toolchain::{ARM, GCC, Missing, Toolchain, ZYNQ};
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Stdio};
-use std::time::SystemTime;
+use std::process::{Command, Stdio};
+use std::sync::Arc;
+use std::time::{Duration, SystemTime};
+
+/// How long the board's line may be silent: emulated, on a busy machine.
+const PATIENCE: Duration = Duration::from_secs(10);
 
 /// Where the software runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -17,17 +24,20 @@ pub enum Target {
     /// This machine.
     #[default]
     Native,
-    /// An emulated Cortex-A9.
+    /// An emulated Cortex-A9, under Linux.
     A9,
+    /// An emulated Zynq without an operating system.
+    Zynq,
 }
 
 /// Why it does not run.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// The compiler refused, or is not there.
-    #[error(
-        "the onboard software does not compile:\n{0}\n`cargo xtask doctor` tells which tools are missing"
-    )]
+    /// A compiler or an emulator is not there.
+    #[error("{0}: {install}", install = .0.install)]
+    Missing(#[from] Missing),
+    /// The compiler refused.
+    #[error("the onboard software does not compile:\n{0}")]
     Compile(String),
     /// A file cannot be read or written.
     #[error("`{path}`: {source}")]
@@ -38,9 +48,7 @@ pub enum Error {
         source: std::io::Error,
     },
     /// The program does not start.
-    #[error(
-        "`{program}` does not start: {source}; `cargo xtask doctor` tells which tools are missing"
-    )]
+    #[error("`{program}` does not start: {source}")]
     Start {
         /// The program.
         program: String,
@@ -51,9 +59,16 @@ pub enum Error {
 
 /// The compiled program.
 #[derive(Clone, Debug)]
-pub struct Program {
-    path: PathBuf,
-    toolchain: Toolchain,
+pub enum Program {
+    /// With sockets of its own.
+    Process {
+        /// The program.
+        path: PathBuf,
+        /// What runs it.
+        toolchain: Toolchain,
+    },
+    /// At the other end of a serial line.
+    Firmware(Arc<Firmware>),
 }
 
 impl Program {
@@ -61,13 +76,16 @@ impl Program {
     /// they changed.
     ///
     /// # Errors
-    /// An error of the compiler or of the system.
+    /// A tool is missing; an error of the compiler or of the system.
     pub fn build(root: &Path, target: Target) -> Result<Self, Error> {
         let (toolchain, name) = match target {
             Target::Native => (GCC, "onboard"),
             Target::A9 => (ARM, "onboard-a9"),
+            Target::Zynq => return firmware(root),
         };
-        let (generated, own) = (root.join("generated"), root.join("ground/onboard"));
+        toolchain.check()?;
+        let folders = ["generated", "ground/onboard", "ground/onboard/unix"];
+        let folders = folders.map(|folder| root.join(folder));
         let folder = root.join("target/fly");
         let file = |path: &Path, source| Error::File { path: path.to_owned(), source };
         std::fs::create_dir_all(&folder).map_err(|source| file(&folder, source))?;
@@ -75,10 +93,13 @@ impl Program {
         let lock = folder.join(format!("{name}.lock"));
         let locked = std::fs::File::create(&lock).and_then(|it| it.lock().map(|()| it));
         let _locked = locked.map_err(|source| file(&lock, source))?;
-        let program = Self { path: folder.join(name), toolchain };
-        let sources = [files(&generated)?, files(&own)?].concat();
-        if is_newer(&program.path, &sources) {
-            return Ok(program);
+        let path = folder.join(name);
+        let mut sources = Vec::new();
+        for folder in &folders {
+            sources.extend(files(folder)?);
+        }
+        if is_newer(&path, &sources) {
+            return Ok(Self::Process { path, toolchain });
         }
         let units: Vec<PathBuf> = sources
             .into_iter()
@@ -86,12 +107,11 @@ impl Program {
             .collect();
         // A run may end in the middle: the program appears whole.
         let fresh = folder.join(format!("{name}.new"));
-        let include = |folder: &Path| format!("-I{}", folder.display());
-        let flags = [include(&generated), include(&own)];
+        let flags = folders.map(|folder| format!("-I{}", folder.display()));
         let flags: Vec<&str> = flags.iter().map(String::as_str).collect();
-        program.toolchain.link(&units, &fresh, &flags).map_err(Error::Compile)?;
-        std::fs::rename(&fresh, &program.path).map_err(|source| file(&fresh, source))?;
-        Ok(program)
+        toolchain.link(&units, &fresh, &flags).map_err(Error::Compile)?;
+        std::fs::rename(&fresh, &path).map_err(|source| file(&fresh, source))?;
+        Ok(Self::Process { path, toolchain })
     }
 
     /// Starts it: the bus that it is to reach, the key.
@@ -99,47 +119,76 @@ impl Program {
     /// # Errors
     /// It does not start.
     pub fn start(&self, bus: u16, key: Option<&Key>) -> Result<Running, Error> {
-        let mut command: Command = self.toolchain.runner(&self.path);
-        command.arg(bus.to_string()).stdin(Stdio::piped());
-        let failed = |source| Error::Start { program: self.path.display().to_string(), source };
-        let mut child = command.spawn().map_err(failed)?;
-        let line = key.map(Key::line).unwrap_or_default();
-        let mut input = child.stdin.take();
-        let told = input.as_mut().map_or(Ok(()), |input| writeln!(input, "{line}"));
-        let running = Running { child, _input: input };
-        told.map_err(failed)?;
-        Ok(running)
+        match self {
+            Self::Process { path, toolchain } => {
+                let mut command: Command = toolchain.runner(path);
+                command.arg(bus.to_string()).stdin(Stdio::piped());
+                let failed = |source| Error::Start { program: path.display().to_string(), source };
+                let mut child = command.spawn().map_err(failed)?;
+                let line = key.map(Key::line).unwrap_or_default();
+                let mut input = child.stdin.take();
+                let told = input.as_mut().map_or(Ok(()), |input| writeln!(input, "{line}"));
+                let running = Running { process: child.into(), relay: None, _input: input };
+                told.map_err(failed)?;
+                Ok(running)
+            }
+            Self::Firmware(firmware) => {
+                let failed = |why: std::io::Error| Error::Start {
+                    program: "the emulated Zynq".to_owned(),
+                    source: why,
+                };
+                let started = firmware.start(PATIENCE);
+                let (process, line) =
+                    started.map_err(|error| failed(std::io::Error::other(error)))?;
+                let relay = Relay::start(line, bus, key).map_err(failed)?;
+                Ok(Running { process, relay: Some(relay), _input: None })
+            }
+        }
     }
+}
+
+/// The firmware of the Zynq. What of it was compiled before comes from there (`bessemer_legs`).
+fn firmware(root: &Path) -> Result<Program, Error> {
+    ZYNQ.check()?;
+    let mut emitted = Vec::new();
+    for path in files(&root.join("generated"))? {
+        let text = std::fs::read_to_string(&path)
+            .map_err(|source| Error::File { path: path.clone(), source })?;
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        emitted.push(CFile { name, text, map: Vec::new() });
+    }
+    let board = ["legs/c/link", "examples/zynq/board", "ground/onboard", "ground/onboard/zynq"];
+    let board = board.map(|folder| root.join(folder));
+    let built = Firmware::build(&board, &[], &emitted, &ZYNQ);
+    let built = built.map_err(|error| Error::Compile(error.to_string()))?;
+    Ok(Program::Firmware(Arc::new(built)))
 }
 
 /// The running program: it ends when this is dropped.
 #[derive(Debug)]
 pub struct Running {
-    child: Child,
+    process: Machine,
+    relay: Option<Relay>,
     _input: Option<std::process::ChildStdin>,
 }
 
 impl Running {
-    /// Whether it still runs.
-    pub fn is_alive(&mut self) -> bool {
-        matches!(self.child.try_wait(), Ok(None))
+    /// Why it is of no use any more; none while it runs.
+    pub fn ended(&mut self) -> Option<String> {
+        let wrong = self.relay.as_ref().and_then(Relay::wrong);
+        // A process that is gone closes its line: the process is the reason.
+        let gone = self.process.ended().map(|how| format!("its process ended: {how}"));
+        gone.or_else(|| wrong.map(ToString::to_string))
     }
 
     /// Its number, for whoever wants to kill it.
     pub fn id(&self) -> u32 {
-        self.child.id()
+        self.process.id()
     }
 
     /// Kills it.
     pub fn kill(&mut self) {
-        let _ = self.child.kill();
-        let _ = self.child.wait();
-    }
-}
-
-impl Drop for Running {
-    fn drop(&mut self) {
-        self.kill();
+        self.process.kill();
     }
 }
 

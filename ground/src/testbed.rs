@@ -82,6 +82,8 @@ pub struct Testbed {
     periods: u32,
     /// How often the software was started anew.
     pub restarts: u64,
+    /// Why that was so the last time.
+    pub ended: Option<String>,
 }
 
 impl Testbed {
@@ -115,6 +117,7 @@ impl Testbed {
             begun: Instant::now(),
             periods: 0,
             restarts: 0,
+            ended: None,
         })
     }
 
@@ -154,7 +157,8 @@ impl Testbed {
     /// A socket failed, or the software cannot be started anew.
     pub fn step(&mut self) -> Result<(Period, Vec<News>), Error> {
         let deadline = self.pause();
-        if !self.running.is_alive() {
+        if let Some(why) = self.running.ended() {
+            self.ended = Some(why);
             self.restart()?;
         }
         let now = self.now();

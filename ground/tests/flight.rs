@@ -1,5 +1,6 @@
 //! Whole flights of the emitted C over UDP, in virtual time: through the ground station, the link and the bus.
 
+use bessemer_legs::toolchain::{self, ZYNQ};
 use ground::bench::Injection;
 use ground::key::Key;
 use ground::program::{Program, Target};
@@ -12,10 +13,17 @@ use models::{Alarm, Mode, Phase};
 use sim::ground_station::Order;
 use sim::scenario::point;
 
-fn testbed(wanted: Wanted) -> Testbed {
+fn built(target: Target) -> Program {
     let root = bessemer_legs::root();
-    let program = Program::build(&root, Target::Native).unwrap_or_else(|error| panic!("{error}"));
-    Testbed::start(&program, &Wanted { pace: Pace::Virtual, ..wanted })
+    Program::build(&root, target).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn testbed(wanted: Wanted) -> Testbed {
+    testbed_on(&built(Target::Native), wanted)
+}
+
+fn testbed_on(program: &Program, wanted: Wanted) -> Testbed {
+    Testbed::start(program, &Wanted { pace: Pace::Virtual, ..wanted })
         .unwrap_or_else(|error| panic!("{error}"))
 }
 
@@ -305,9 +313,8 @@ fn the_c_runs_again_from_a_recording_to_the_bit() {
     let state = recorder.finish();
     assert_eq!((state.error, state.periods), (None, 600));
 
-    let program = Program::build(&bessemer_legs::root(), Target::Native)
+    let report = ground::replay::replay(&built(Target::Native), &path)
         .unwrap_or_else(|error| panic!("{error}"));
-    let report = ground::replay::replay(&program, &path).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!((report.steps, report.difference), (600, None));
 }
 
@@ -387,9 +394,8 @@ fn one_bit_of_a_recording_is_told_by_its_step_and_signal() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("flight.mcap");
     recorded(&path, Some(123));
-    let program = Program::build(&bessemer_legs::root(), Target::Native)
+    let report = ground::replay::replay(&built(Target::Native), &path)
         .unwrap_or_else(|error| panic!("{error}"));
-    let report = ground::replay::replay(&program, &path).unwrap_or_else(|error| panic!("{error}"));
     let difference = report.difference.expect("a bit differs");
     assert_eq!((difference.count, difference.signal.as_str()), (123, "command.motors[2]"));
 }
@@ -403,8 +409,49 @@ fn the_cortex_a9_runs_a_recording_of_this_machine_to_the_bit() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("flight.mcap");
     recorded(&path, None);
-    let program = Program::build(&bessemer_legs::root(), Target::A9)
-        .unwrap_or_else(|error| panic!("{error}"));
-    let report = ground::replay::replay(&program, &path).unwrap_or_else(|error| panic!("{error}"));
+    let report =
+        ground::replay::replay(&built(Target::A9), &path).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!((report.steps, report.difference), (400, None));
+}
+
+#[test]
+fn a_bare_zynq_takes_off_with_the_bits_of_this_machine() {
+    if !ZYNQ.programs().into_iter().all(toolchain::is_asked_for) {
+        println!("left out: the tools of the bare Zynq are not installed");
+        return;
+    }
+    let flown = |program: &Program| {
+        let wanted = Wanted { quality: bad(), key: key(), ..Wanted::default() };
+        let (mut testbed, mut words) = (testbed_on(program, wanted), Vec::new());
+        testbed.station.fly(0.0, vec![point(0.0, 0.0, 0.0, 1.0, 0.0)]);
+        testbed.station.order(0.0, Order::TakeOff);
+        let run = testbed.run_until(3.0, |done, news| {
+            words.extend(done.count);
+            words.extend(bessemer_legs::words(&done.moment.inputs));
+            words.extend(bessemer_legs::words(&done.moment.outputs));
+            words.push(news.len() as u64);
+        });
+        run.unwrap_or_else(|error| panic!("{error}"));
+        (testbed, words)
+    };
+    let program = built(Target::Zynq);
+    let ((here, native), (mut there, bare)) = (flown(&built(Target::Native)), flown(&program));
+    assert!(here.bench.state().position.z > 0.1, "{}", here.bench.state().position);
+    let parted = native.iter().zip(&bare).position(|(here, there)| here != there);
+    assert_eq!((parted, native.len()), (None, bare.len()));
+
+    // Its memory goes over the line, too, and is put back.
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("flight.mcap");
+    let image = there.bench.image().expect("the bus").expect("it answers");
+    let mut recorder = ground::recorder::Recorder::start(path.clone(), Some(image));
+    there.run_until(3.5, |done, _| recorder.take(done)).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(recorder.finish().error, None);
+    let report = ground::replay::replay(&program, &path).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!((report.steps, report.difference), (100, None));
+
+    there.kill();
+    until(&mut there, 4.0);
+    let why = there.ended.as_deref();
+    assert_eq!((there.restarts, why), (1, Some("its process ended: signal: 9 (SIGKILL)")));
 }

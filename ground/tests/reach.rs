@@ -67,8 +67,11 @@ fn the_reach_is_measured() {
         return;
     };
     let conditions = Conditions::begin();
-    let a9 = std::env::var("BESSEMER_REACH_TARGET").is_ok_and(|it| it == "a9");
-    let target = if a9 { Target::A9 } else { Target::Native };
+    let (target, name) = match std::env::var("BESSEMER_REACH_TARGET").as_deref() {
+        Ok("a9") => (Target::A9, "reach-a9.md"),
+        Ok("zynq") => (Target::Zynq, "reach-zynq.md"),
+        _ => (Target::Native, "reach.md"),
+    };
     let root = bessemer_legs::root();
     let program = Program::build(&root, target).unwrap_or_else(|error| panic!("{error}"));
     let testbed = Testbed::start(&program, &Wanted { pace: Pace::Real, ..Wanted::default() })
@@ -118,6 +121,5 @@ fn the_reach_is_measured() {
         100.0 * share
     );
     print!("{text}");
-    let name = if a9 { "reach-a9.md" } else { "reach.md" };
     std::fs::write(root.join("docs/results").join(name), text).expect("docs/results is there");
 }

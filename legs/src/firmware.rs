@@ -1,7 +1,7 @@
 //! Emitted C as the firmware of a board: built around a program of the board's own, run by an emulator of the whole
 //! machine whose serial line is a socket of this process.
 //!
-//! What it must not know: any model, any board; a board is a folder with C, a start and a linker script.
+//! What it must not know: any model, any board; a board is folders with C, a start and a linker script.
 
 use std::collections::BTreeSet;
 use std::os::fd::OwnedFd;
@@ -17,6 +17,7 @@ use crate::process::{Error, lay_out_needed};
 use crate::toolchain::{Sizes, Toolchain};
 
 /// Firmware, built.
+#[derive(Debug)]
 pub struct Firmware {
     program: PathBuf,
     toolchain: Toolchain,
@@ -25,20 +26,25 @@ pub struct Firmware {
 }
 
 impl Firmware {
-    /// Compiles the sources of a board's folder, sources made for it, and of the emitted files what these include; links
-    /// them by the folder's linker script.
+    /// Compiles the sources of a board's folders, sources made for it, and of the emitted files what these include; links
+    /// them by the folders' linker script.
     ///
     /// # Errors
     /// What the compiler or the system said.
     pub fn build(
-        board: &Path,
+        board: &[PathBuf],
         made: &[(&str, String)],
         files: &[CFile],
         toolchain: &Toolchain,
     ) -> Result<Self, Error> {
         let (mut own, mut scripts, mut texts) = (Vec::new(), Vec::new(), String::new());
-        for entry in std::fs::read_dir(board)? {
-            let path = entry?.path();
+        let mut paths = Vec::new();
+        for folder in board {
+            for entry in std::fs::read_dir(folder)? {
+                paths.push(entry?.path());
+            }
+        }
+        for path in paths {
             let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
             match path.extension().and_then(|it| it.to_str()) {
                 Some("c" | "h" | "S") => own.push((name, std::fs::read_to_string(&path)?)),
@@ -99,11 +105,31 @@ impl Firmware {
     }
 }
 
-/// A machine that runs: it ends when this is dropped.
+/// A machine that runs, or any other program: it ends when this is dropped.
 #[derive(Debug)]
 pub struct Machine(Child);
 
+impl From<Child> for Machine {
+    fn from(child: Child) -> Self {
+        Self(child)
+    }
+}
+
 impl Machine {
+    /// The number of its process.
+    pub fn id(&self) -> u32 {
+        self.0.id()
+    }
+
+    /// How it ended; none while it runs.
+    pub fn ended(&mut self) -> Option<String> {
+        match self.0.try_wait() {
+            Ok(None) => None,
+            Ok(Some(status)) => Some(status.to_string()),
+            Err(error) => Some(error.to_string()),
+        }
+    }
+
     /// Turns it off.
     pub fn kill(&mut self) {
         let _ = self.0.kill();

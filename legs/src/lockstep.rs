@@ -14,7 +14,17 @@ mod kind {
     pub const SETTINGS: u64 = 3;
     pub const STEP: u64 = 4;
     pub const REPORT: u64 = 5;
-    pub const WRONG: u64 = 6;
+}
+
+/// What a frame begins with that says what went wrong on the board.
+const WRONG: u64 = 6;
+
+/// What went wrong on a board that sends these words; none if they say nothing of the kind.
+pub fn complaint(words: &[u64]) -> Option<String> {
+    match words {
+        [WRONG, text @ ..] => Some(text.iter().map(|word| char::from(*word as u8)).collect()),
+        _ => None,
+    }
 }
 
 /// Why the lockstep is broken.
@@ -140,11 +150,10 @@ impl<L: Read + Write> Lockstep<L> {
     fn receive(&mut self) -> Result<Vec<u64>, Error> {
         let periods = self.periods;
         let words = self.serial.receive().map_err(|source| Error::Line { periods, source })?;
-        if let [kind::WRONG, text @ ..] = &words[..] {
-            let said = text.iter().map(|word| char::from(*word as u8)).collect();
-            return Err(Error::Board { periods, said });
+        match complaint(&words) {
+            Some(said) => Err(Error::Board { periods, said }),
+            None => Ok(words),
         }
-        Ok(words)
     }
 }
 

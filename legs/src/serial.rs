@@ -1,7 +1,7 @@
 //! Frames of words over a serial line: what comes is whole, or it is said what is wrong with it.
 //!
 //! A word goes as the number of its bytes that count and these, least significant first. A frame is words and a CRC-32
-//! of their bytes, stuffed (COBS) so that no zero is in it, and ended by one. `examples/zynq/link.c` is the other end.
+//! of their bytes, stuffed (COBS) so that no zero is in it, and ended by one. `c/link/link.c` is the other end.
 //!
 //! Invariant: it never waits for longer than the line does. What it must not know: what the words mean.
 

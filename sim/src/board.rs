@@ -87,7 +87,8 @@ impl Loaded {
             ("words.c", words + &own),
             ("digests.c", harness::movers(module, DIGESTS, &digested).ok_or_else(lacking)?),
         ];
-        let board = root().join("examples/zynq");
+        let board = ["legs/c/link", "examples/zynq/board", "examples/zynq"]
+            .map(|folder| root().join(folder));
         let firmware = Firmware::build(&board, &made, &compiled.files, toolchain)?;
         Ok(Self { firmware, identity })
     }

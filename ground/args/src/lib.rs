@@ -22,6 +22,7 @@ Examples:
   cargo xtask fly                    Open the page in the browser
   cargo xtask fly --headless         Only print its address
   cargo xtask fly --loss 20%         Over a bad link
+  cargo xtask fly --target zynq      The C as firmware of an emulated Zynq, over its serial line
   cargo xtask fly --key FILE         Commands are sealed; FILE holds 32 hexadecimal digits
   cargo xtask fly --record FILE      Record from the beginning; `cargo xtask replay FILE` runs the C again
   cargo xtask fly --foxglove         Foxglove sees the flight at ws://127.0.0.1:8765
@@ -116,8 +117,10 @@ impl Task {
 pub enum Machine {
     /// This machine
     Native,
-    /// An emulated Cortex-A9 (qemu-arm)
+    /// An emulated Cortex-A9, under Linux (qemu-arm)
     A9,
+    /// An emulated Zynq without an operating system (qemu-system-arm, examples/zynq)
+    Zynq,
 }
 
 /// `5%` or `0.05`.

@@ -120,6 +120,21 @@ uint64_t link_get(void)
     return word;
 }
 
+uint32_t link_get_bytes(uint8_t *bytes, uint32_t most)
+{
+    const uint64_t count = link_get();
+    if (count > most) {
+        in.overrun = true;
+        return 0U;
+    }
+    uint64_t word = 0U;
+    for (uint32_t n = 0U; n < count; ++n) {
+        word = ((n % 8U) == 0U) ? link_get() : (word >> 8U);
+        bytes[n] = (uint8_t)(word & 0xFFU);
+    }
+    return (uint32_t)count;
+}
+
 bool link_is_whole(void)
 {
     return !in.overrun && in.at == in.length;
@@ -150,6 +165,18 @@ void link_put(uint64_t word)
     append((uint8_t)count);
     for (uint32_t n = 0U; n < count; ++n) {
         append((uint8_t)((word >> (8U * n)) & 0xFFU));
+    }
+}
+
+void link_put_bytes(const uint8_t *bytes, uint32_t count)
+{
+    link_put(count);
+    for (uint32_t at = 0U; at < count; at += 8U) {
+        uint64_t word = 0U;
+        for (uint32_t n = 0U; n < 8U && at + n < count; ++n) {
+            word |= (uint64_t)bytes[at + n] << (8U * n);
+        }
+        link_put(word);
     }
 }
 

@@ -1,5 +1,5 @@
 /*
- * uart.h: the second serial port of a Zynq-7000 (Cadence UART), byte by byte, without interrupts.
+ * uart.h: a serial port, byte by byte: what a board has to give to be spoken with.
  *
  * SPDX-License-Identifier: MIT OR Apache-2.0
  */
@@ -8,7 +8,7 @@
 
 #include <stdint.h>
 
-/** Sets the port up: 921 600 baud from a reference clock of 100 MHz, 8 bits, no parity, one stop bit. */
+/** Sets the port up. */
 void uart_open(void);
 
 /** Waits for a byte. */
