@@ -108,6 +108,80 @@ fn built(chosen: &[&str]) -> BTreeSet<String> {
     String::from_utf8_lossy(&output.stdout).lines().map(|line| line.trim().to_owned()).collect()
 }
 
+/// What is published packs: its dependencies have versions, its licences and what its sources include come with it. Nothing is built.
+#[test]
+fn what_is_published_packs() {
+    let published: Vec<Value> =
+        packages().into_iter().filter(|package| package["publish"].is_null()).collect();
+    let name = |package: &Value| package["name"].as_str().unwrap_or_default().to_owned();
+    let chosen: Vec<String> =
+        published.iter().flat_map(|package| ["--package".to_owned(), name(package)]).collect();
+    assert!(chosen.iter().any(|it| it == "cargo-bessemer"), "{chosen:?}");
+    let folder = tempfile::tempdir().expect("a folder");
+    let packed = |more: &[&str]| {
+        let mut cargo = xtask::project::cargo(&root(), &["package", "--offline", "--allow-dirty"]);
+        cargo.arg("--target-dir").arg(folder.path()).args(more);
+        let output = cargo.output().expect("cargo starts");
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.success(), "{said}");
+        String::from_utf8_lossy(&output.stdout).into_owned()
+    };
+    let mut all = vec!["--no-verify"];
+    all.extend(chosen.iter().map(String::as_str));
+    packed(&all);
+
+    let mut offences = Vec::new();
+    for package in &published {
+        let (name, manifest) = (name(package), package["manifest_path"].as_str());
+        for key in ["description", "license"] {
+            if package[key].as_str().is_none_or(str::is_empty) {
+                offences.push(format!("{name}: no {key}"));
+            }
+        }
+        for key in ["keywords", "categories"] {
+            if package[key].as_array().is_none_or(Vec::is_empty) {
+                offences.push(format!("{name}: no {key}"));
+            }
+        }
+        let list = packed(&["--list", "--package", &name]);
+        let files: BTreeSet<&str> = list.lines().collect();
+        let licences = ["LICENSE-MIT", "LICENSE-APACHE"].into_iter();
+        let lacking = licences.filter(|file| !files.contains(file));
+        offences.extend(lacking.map(|file| format!("{name}: no {file}")));
+        let folder = Path::new(manifest.unwrap_or_default()).parent().expect("a folder");
+        for file in files.iter().filter(|it| it.starts_with("src/") && it.ends_with(".rs")) {
+            let text = std::fs::read_to_string(folder.join(file)).expect("it is in the list");
+            for included in included(&text) {
+                let path = normal(&Path::new(file).parent().expect("a folder").join(included));
+                if !files.contains(&*path) {
+                    offences.push(format!("{name}: {file} includes {included}"));
+                }
+            }
+        }
+    }
+    none("a package is published whole", &offences);
+}
+
+/// The files that a source includes, its tests aside.
+fn included(text: &str) -> Vec<&str> {
+    let text = text.split("#[cfg(test)]").next().unwrap_or_default();
+    let parts = text.split("include_str!(\"").chain(text.split("include_bytes!(\"").skip(1));
+    parts.skip(1).filter_map(|rest| rest.split('"').next()).collect()
+}
+
+/// A path without `..`, as far as it has the folders for it.
+fn normal(path: &Path) -> String {
+    let mut parts: Vec<&str> = Vec::new();
+    for part in path.iter().filter_map(|part| part.to_str()) {
+        if part == ".." && parts.last().is_some_and(|last| *last != "..") {
+            parts.pop();
+        } else {
+            parts.push(part);
+        }
+    }
+    parts.join("/")
+}
+
 /// Libraries without unit tests say `test = false`, which saves building them twice; none says it that has some.
 #[test]
 fn what_is_not_built_as_a_test_has_none() {
