@@ -141,6 +141,10 @@ Examples:
   cargo bessemer verify --target zynq --target cortex-m4f
                                             Also the C on emulated processors, and what it costs there:
                                             instructions, stack, size, held to the limits of bessemer.toml
+  cargo bessemer verify --board firmware/verify
+                                            Write what a board's firmware is built from that answers the next
+  cargo bessemer verify --serial /dev/ttyUSB0 --baud 921600
+                                            Also the C on that board, call by call over its serial line
 
 The C is compiled by gcc and clang at -O0, -O2 and -O3, whichever are there. Exit code 1 if a word differs.")]
 pub struct Verify {
@@ -153,6 +157,15 @@ pub struct Verify {
     /// Also on this processor, emulated by QEMU
     #[arg(long, value_enum)]
     pub target: Vec<Target>,
+    /// Write the sources of a firmware that answers `--serial` into this folder, and do nothing else
+    #[arg(long, value_name = "FOLDER", conflicts_with_all = ["serial", "target", "inputs"])]
+    pub board: Option<PathBuf>,
+    /// Also on the board at this serial port, whose firmware is built from what `--board` writes
+    #[arg(long, value_name = "PORT")]
+    pub serial: Vec<PathBuf>,
+    /// The speed of the port, bits a second
+    #[arg(long, value_name = "SPEED", default_value_t = 115_200, requires = "serial")]
+    pub baud: u32,
     /// Recorded inputs in place of made ones: CSV with a column for each number that goes in, such as `gains.p`, or MCAP with
     /// messages in JSON
     #[arg(long, value_name = "FILE")]
@@ -175,6 +188,8 @@ pub enum Target {
     CortexM7,
     /// ARM of 64 bits
     Aarch64,
+    /// RISC-V of 32 bits with double precision in hardware, without an operating system
+    Riscv32,
     /// RISC-V of 64 bits
     Riscv64,
     /// Big-endian
@@ -233,6 +248,8 @@ mod tests {
         assert!(matches!(parse(&["verify", "--seed", "7"]), Ok(Task::Verify(it)) if it.seed == 7));
         let arm = parse(&["verify", "--target", "cortex-a9"]);
         assert!(matches!(arm, Ok(Task::Verify(it)) if it.target == [Target::CortexA9]));
+        let board = parse(&["verify", "--serial", "/dev/ttyS0", "--baud", "9600"]);
+        assert!(matches!(board, Ok(Task::Verify(it)) if it.baud == 9600));
         assert!(matches!(parse(&["doctor"]), Ok(Task::Doctor(_))));
     }
 
@@ -242,6 +259,8 @@ mod tests {
         assert_eq!(parse(&["verify", "--target", "z80"]).err(), Some(ErrorKind::InvalidValue));
         assert_eq!(parse(&["new"]).err(), Some(ErrorKind::MissingRequiredArgument));
         assert_eq!(parse(&["gen", "--chekc"]).err(), Some(ErrorKind::UnknownArgument));
+        let alone = ["verify", "--baud", "9600"];
+        assert_eq!(parse(&alone).err(), Some(ErrorKind::MissingRequiredArgument));
         let both = ["new", "m", "--path", "a", "--git", "b"];
         assert_eq!(parse(&both).err(), Some(ErrorKind::ArgumentConflict));
     }

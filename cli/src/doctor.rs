@@ -42,7 +42,7 @@ const fn tool(program: tools::Program, purpose: &'static str) -> Tool {
     Tool { program: program.name, purpose, source: Ok(program) }
 }
 
-const TOOLS: [Tool; 8] = [
+const TOOLS: [Tool; 10] = [
     // Without it no command works.
     Tool { program: "rustc", purpose: "builds the models", source: Err("https://rustup.rs") },
     tool(tools::GCC, "compiles the C on this machine"),
@@ -55,6 +55,8 @@ const TOOLS: [Tool; 8] = [
         "compiles the C for `verify --target zynq`, `cortex-m4f` and `cortex-m7`",
     ),
     tool(tools::QEMU_SYSTEM_ARM, "runs it"),
+    tool(tools::RISCV_BARE_GCC, "compiles the C for `verify --target riscv32`"),
+    tool(tools::QEMU_SYSTEM_RISCV32, "runs it"),
 ];
 
 /// One thing that was looked at.

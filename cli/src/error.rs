@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use bessemer_legs::{board, serial};
 use bessemer_tools::{CLANG, GCC, install};
 
 /// Why a command could not do its work.
@@ -58,6 +59,14 @@ pub enum Error {
     /// A program that is needed is missing.
     #[error(transparent)]
     Missing(#[from] bessemer_tools::Missing),
+    /// A board cannot be asked, or its firmware not be written.
+    #[error("`{port}`: {why}")]
+    Board {
+        /// Where it is, or was to be written.
+        port: PathBuf,
+        /// What is wrong.
+        why: board::Error,
+    },
     /// A compiler of C refused what was emitted.
     #[error("{name} refuses the C: {said}")]
     Compiler {
@@ -100,7 +109,16 @@ impl Error {
             }
             Error::NoCompiler => install(&[GCC, CLANG]),
             Error::Missing(missing) => missing.install.clone(),
-            Error::File { .. } | Error::Compiler { .. } | Error::Native { .. } => return None,
+            Error::Board { why: board::Error::Other, .. } => {
+                "build what `cargo bessemer verify --board FOLDER` writes, and load it".to_owned()
+            }
+            Error::Board { why: board::Error::Line(serial::Error::Silent), .. } => {
+                "is the firmware of `--board FOLDER` loaded, and `--baud` its speed?".to_owned()
+            }
+            Error::Board { .. }
+            | Error::File { .. }
+            | Error::Compiler { .. }
+            | Error::Native { .. } => return None,
         })
     }
 

@@ -1,14 +1,23 @@
 /*
  * Begins a program on a machine without an operating system: what it reads and writes are files of whoever emulates it.
- * newlib's start calls this before main(); what reads and writes for it is a debugger's or an emulator's (semihosting).
+ * The C library's start (newlib's, picolibc's) calls this before main(); what reads and writes for it is a debugger's or an emulator's
+ * (semihosting).
  */
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 
+FILE *words_in;
+FILE *words_out;
+
+#if defined(__riscv)
+/* picolibc's start does it. */
+static void enable_floats(void)
+{
+}
+#elif __ARM_ARCH_PROFILE == 'M'
 void _start(void);
 
-#if __ARM_ARCH_PROFILE == 'M'
 /* What a Cortex-M reads at its reset. newlib asks the emulator for a larger stack. */
 typedef struct {
     uint32_t stack;
@@ -39,7 +48,9 @@ static void enable_floats(void)
 __attribute__((constructor)) static void begin(void)
 {
     enable_floats();
-    if (freopen("words.in", "rb", stdin) == NULL || freopen("words.out", "wb", stdout) == NULL) {
+    words_in = fopen("words.in", "rb");
+    words_out = fopen("words.out", "wb");
+    if (words_in == NULL || words_out == NULL) {
         exit(1);
     }
 }

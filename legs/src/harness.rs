@@ -40,7 +40,7 @@ fn around(
     format!(
         "#include \"{header}\"\n{SUPPORT}{marks}\nint main(void)\n{{\n    uint64_t status;\n\
          {own}{declarations}{init}    for (;;) {{\n{reads}{before}{call}{after}        put(status);\n\
-         {writes}{state}        (void)fflush(stdout);\n    }}\n}}\n"
+         {writes}{state}        (void)fflush(words_out);\n    }}\n}}\n"
     )
 }
 
@@ -54,20 +54,83 @@ pub fn programs(module: &Module, entries: &[(FunctionId, u32)]) -> String {
 
 /// The same for C that was emitted with these options.
 pub fn programs_with(module: &Module, entries: &[(FunctionId, u32)], options: &Options) -> String {
-    several(module, entries, options, |call, index| {
-        let Call { own, declarations, init, sets, reads, call, writes, state, changed, .. } = call;
-        let text = format!(
-            "static void call_{index}(void)\n{{\n    uint64_t status;\n{own}{declarations}{init}\
-             {sets}{reads}{call}        put(status);\n    if (status == 0) {{\n{writes}{state}{changed}    }}\n}}\n\n"
-        );
-        (String::new(), text)
-    })
+    several(module, entries, options, &Carrier::Streams, alone)
+}
+
+/// The same on a board that is asked over a serial line, a frame for each call: see [`board`](crate::board).
+pub fn answers(
+    module: &Module,
+    entries: &[(FunctionId, u32)],
+    options: &Options,
+    identity: u64,
+) -> String {
+    several(module, entries, options, &Carrier::Line { identity }, alone)
+}
+
+/// A call of its own: the state comes with the arguments.
+fn alone(call: Call, index: usize) -> (String, String) {
+    let Call { own, declarations, init, sets, reads, call, writes, state, changed, .. } = call;
+    let text = format!(
+        "static void call_{index}(void)\n{{\n    uint64_t status;\n{own}{declarations}{init}\
+         {sets}{reads}{call}        put(status);\n    if (status == 0) {{\n{writes}{state}{changed}    }}\n}}\n\n"
+    );
+    (String::new(), text)
+}
+
+/// The first word of what a board answers to a call: what went wrong on it begins otherwise (`c/link/wrong.h`).
+pub const ANSWER: u64 = 1;
+
+/// How words come to a program and go from it.
+enum Carrier {
+    /// By standard input and output, until the input ends.
+    Streams,
+    /// By files of the machine's emulator.
+    Files,
+    /// By frames on a serial line; who asks for no entry is told the identity.
+    Line { identity: u64 },
+}
+
+impl Carrier {
+    fn head(&self) -> String {
+        match self {
+            Self::Streams => SUPPORT.to_owned(),
+            Self::Files => format!("\n#define SEMIHOSTING\n{SUPPORT}"),
+            Self::Line { .. } => format!(
+                "\n#include <stddef.h>\n#include <stdint.h>\n#include <string.h>\n\n#include \"link.h\"\n\
+                 #include \"uart.h\"\n#include \"wrong.h\"\n\n#define get link_get\n#define put link_put\n\n{}",
+                include_str!("../c/numbers.c")
+            ),
+        }
+    }
+
+    fn main(&self, cases: &str) -> String {
+        match self {
+            Self::Streams | Self::Files => format!(
+                "int main(void)\n{{\n    for (;;) {{\n        switch (get()) {{\n{cases}        \
+                 default: (void)fflush(words_out); break;\n        }}\n    }}\n}}\n"
+            ),
+            Self::Line { identity } => format!(
+                "int main(void)\n{{\n    uart_open();\n    for (;;) {{\n        if (!link_receive()) {{\n            \
+                 wrong(\"a frame came garbled: its checksum is wrong\");\n            continue;\n        }}\n        \
+                 link_begin();\n        put({ANSWER}U);\n        switch (get()) {{\n{cases}        \
+                 default: put({identity:#x}ULL); break;\n        }}\n        if (link_is_whole()) {{\n            \
+                 link_send();\n        }} else {{\n            wrong(\"a frame has not the words of a call\");\n        \
+                 }}\n    }}\n}}\n"
+            ),
+        }
+    }
 }
 
 /// The same, where each call is counted by its instructions, as in [`marked`], and the status is followed by the bytes of
-/// stack that it took.
-pub fn watched(module: &Module, entries: &[(FunctionId, u32)], options: &Options) -> String {
-    several(module, entries, options, |call, index| {
+/// stack that it took. `bare`: for a machine without an operating system.
+pub fn watched(
+    module: &Module,
+    entries: &[(FunctionId, u32)],
+    options: &Options,
+    bare: bool,
+) -> String {
+    let carrier = if bare { Carrier::Files } else { Carrier::Streams };
+    several(module, entries, options, &carrier, |call, index| {
         let Call { own, declarations, init, sets, reads, call, writes, state, changed, .. } = call;
         let text = format!(
             "static void call_{index}(void)\n{{\n    uint64_t status;\n{own}{declarations}{init}\
@@ -83,7 +146,7 @@ pub fn watched(module: &Module, entries: &[(FunctionId, u32)], options: &Options
 /// begins anew, and the words of the arguments; it writes the status and, whatever that is, the words of the result, of the
 /// state, and of each argument that the call may change.
 pub fn lives(module: &Module, entries: &[(FunctionId, u32)]) -> String {
-    several(module, entries, &Options::default(), |call, index| {
+    several(module, entries, &Options::default(), &Carrier::Streams, |call, index| {
         let Call { own, declarations, init, reads, call, writes, state, changed, .. } = call;
         let text = format!(
             "static void call_{index}(void)\n{{\n    uint64_t status;\n{declarations}    if (get() != 0) {{\n{init}    }}\n\
@@ -98,6 +161,7 @@ fn several(
     module: &Module,
     entries: &[(FunctionId, u32)],
     options: &Options,
+    carrier: &Carrier,
     text: impl Fn(Call, usize) -> (String, String),
 ) -> String {
     let names = Names::new(module, options);
@@ -116,10 +180,7 @@ fn several(
         let _ = writeln!(cases, "        case {index}: call_{index}(); break;");
     }
     let (headers, shared) = (String::from_iter(headers), String::from_iter(shared));
-    format!(
-        "{headers}{SUPPORT}\n{shared}{functions}int main(void)\n{{\n    for (;;) {{\n        switch (get()) {{\n{cases}        \
-         default: (void)fflush(stdout); break;\n        }}\n    }}\n}}\n"
-    )
+    format!("{headers}{}\n{shared}{functions}{}", carrier.head(), carrier.main(&cases))
 }
 
 /// The pieces of C around one entry point or function.

@@ -7,6 +7,7 @@
 //! What it must not know: any model, any test.
 
 pub mod arguments;
+pub mod board;
 pub mod firmware;
 pub mod harness;
 pub mod interpreter;
@@ -15,6 +16,7 @@ pub mod lockstep;
 mod objects;
 pub mod outcome;
 pub mod panics;
+pub mod port;
 pub mod process;
 pub mod random;
 pub mod serial;

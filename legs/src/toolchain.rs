@@ -140,6 +140,40 @@ pub const RISCV64: Toolchain = Toolchain {
     ..GCC
 };
 
+/// RISC-V of 32 bits without an operating system, for a program that reads and writes its emulator's files.
+pub const RISCV32: Toolchain = Toolchain {
+    compiler: "riscv64-unknown-elf-gcc",
+    machine: &[
+        "-march=rv32imafdc",
+        "-mabi=ilp32d",
+        "--specs=picolibc.specs",
+        "--oslib=semihost",
+        "--crt0=semihost",
+        "-Wl,--defsym=__flash=0x80000000",
+        "-Wl,--defsym=__flash_size=0x00400000",
+        "-Wl,--defsym=__ram=0x80400000",
+        "-Wl,--defsym=__ram_size=0x00400000",
+    ],
+    emulator: Some(&[
+        "qemu-system-riscv32",
+        "-machine",
+        "virt",
+        "-bios",
+        "none",
+        "-display",
+        "none",
+        "-monitor",
+        "none",
+        "-serial",
+        "none",
+        "-semihosting-config",
+        "enable=on,target=native",
+        "-kernel",
+    ]),
+    bare: true,
+    ..GCC
+};
+
 /// Big-endian. Held to C99, gcc would compute `float` as `double` there, which the C refuses.
 pub const S390X: Toolchain = Toolchain {
     compiler: "s390x-linux-gnu-gcc",

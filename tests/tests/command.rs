@@ -2,12 +2,15 @@
 //! only a build of models shows to be wrong.
 
 use std::fs;
-use std::path::Path;
-use std::process::Command;
+use std::io::{BufRead as _, BufReader};
+use std::os::fd::OwnedFd;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
 
+use bessemer_legs::firmware::{Firmware, Machine};
 use bessemer_project::{Wanted, generate};
 use bessemer_tests::golden;
-use bessemer_tests::toolchain;
+use bessemer_tests::toolchain::{self, Toolchain};
 use bessemer_tests::workspace::Workspace;
 use cargo_bessemer::args::{New, Target, Verify};
 use cargo_bessemer::{new, verify};
@@ -58,6 +61,7 @@ fn a_new_package_is_simulated_and_generated() {
 
     verified(&package);
     verified_by_a_recording(&package);
+    verified_on_a_board(&package);
     refusals(&package);
 }
 
@@ -86,12 +90,17 @@ fn verified(package: &Path) {
     fs::write(&source, format!("{sound}\n{hidden}")).expect("the model");
     // One without an operating system and with the smallest of processors: others differ in their table's row alone.
     let bare = toolchain::is_asked_for("qemu-system-arm");
-    let target = if bare { vec![Target::CortexM4f] } else { Vec::new() };
+    let mut target = if bare { vec![Target::CortexM4f] } else { Vec::new() };
+    let full = std::env::var("BESSEMER_FULL").is_ok_and(|value| value == "1");
+    if full || toolchain::RISCV32.is_there() {
+        target.push(Target::Riscv32);
+    }
+    let targets = target.len();
     let wanted = Verify { seed: 1, target, ..Verify::default() };
     let (text, agree) =
         verify::run(package, &wanted, false).unwrap_or_else(|error| panic!("{error}"));
     assert!(agree, "{text}");
-    let legs = 2 + toolchain::host().len() + usize::from(bare);
+    let legs = 2 + toolchain::host().len() + targets;
     let (legs_told, costs) = text.split_once("\n\n").unwrap_or((&text, ""));
     assert_eq!(legs_told.lines().count(), legs + 1, "{text}");
     assert_eq!(text.matches(" 0 words differ").count(), legs - 1, "{text}");
@@ -123,6 +132,88 @@ fn verified_by_a_recording(package: &Path) {
     let said = recorded("fast").expect_err("that is no number");
     assert!(said.ends_with("line 3: `fast` is no number, as `speed` has to be"), "{said}");
     fs::remove_file(&log).expect("the log");
+}
+
+/// A board's port, as a program of this machine has it: its standard input and output.
+const PORT: &str = "#include <stdio.h>\n#include <stdlib.h>\n#include <unistd.h>\n#include \"uart.h\"\n\
+    void uart_open(void)\n{\n}\n\
+    uint8_t uart_get(void)\n{\n    uint8_t byte;\n    if (read(0, &byte, 1) != 1) {\n        exit(0);\n    }\n    return byte;\n}\n\
+    void uart_put(uint8_t byte)\n{\n    if (write(1, &byte, 1) != 1) {\n        exit(1);\n    }\n}\n";
+
+/// Over serial lines: a program of this machine at the other end of a pseudo-terminal, and an emulated board's own port.
+fn verified_on_a_board(package: &Path) {
+    let folder = package.join("board");
+    let wanted = Verify { board: Some(folder.clone()), ..Verify::default() };
+    let (text, _) = verify::run(package, &wanted, false).unwrap_or_else(|error| panic!("{error}"));
+    assert!(text.contains("-DLINK_MOST=1024") && folder.join("verify_main.c").is_file(), "{text}");
+
+    let port = package.join("port.c");
+    fs::write(&port, PORT).expect("the port");
+    let files = fs::read_dir(&folder).expect("the sources").flatten().map(|it| it.path());
+    let sources = files.filter(|it| it.extension().is_some_and(|it| it == "c")).chain([port]);
+    let program = package.join("board-program");
+    let include = format!("-I{}", folder.display());
+    let flags = ["-DLINK_MOST=1024", "-D_POSIX_C_SOURCE=200112L", &include];
+    toolchain::GCC
+        .link(&sources.collect::<Vec<_>>(), &program, &flags)
+        .unwrap_or_else(|said| panic!("{said}"));
+    let (board, name) = pseudo_terminal();
+    let mut command = Command::new(&program);
+    command.stdin(board.try_clone().expect("a line")).stdout(board);
+    let _program = Machine::from(command.spawn().expect("it starts"));
+    let mut serial = vec![name];
+
+    let zynq = Toolchain { emulator: Some(ZYNQ_AT_A_PORT), ..toolchain::ZYNQ };
+    let firmware = zynq.programs().into_iter().all(toolchain::is_asked_for).then(|| {
+        let board = [folder.clone(), bessemer_tests::root().join("examples/zynq/board")];
+        Firmware::build(&board, &[], &[], &zynq).unwrap_or_else(|error| panic!("{error}"))
+    });
+    let _machine = firmware.as_ref().map(|firmware| {
+        let mut emulator = zynq.runner(firmware.program());
+        let mut emulator = emulator.stdout(Stdio::piped()).spawn().expect("it starts");
+        let (mut said, output) = (String::new(), emulator.stdout.take().expect("a pipe"));
+        BufReader::new(output).read_line(&mut said).expect("it says where its port is");
+        let name = said.split_whitespace().find(|word| word.starts_with("/dev/"));
+        serial.push(name.unwrap_or_else(|| panic!("{said}")).into());
+        Machine::from(emulator)
+    });
+    let wanted = Verify { serial: serial.clone(), baud: 115_200, ..Verify::default() };
+    let (text, agree) =
+        verify::run(package, &wanted, false).unwrap_or_else(|error| panic!("{error}"));
+    assert!(agree, "{text}");
+    for port in serial {
+        let row = text.lines().find(|line| line.contains(&*port.to_string_lossy()));
+        assert!(row.is_some_and(|row| row.ends_with(" 0 words differ")), "{text}");
+    }
+    fs::remove_dir_all(&folder).expect("the sources");
+}
+
+/// The Zynq, whose serial port is one of this machine.
+const ZYNQ_AT_A_PORT: &[&str] = &[
+    "qemu-system-arm",
+    "-machine",
+    "xilinx-zynq-a9",
+    "-display",
+    "none",
+    "-monitor",
+    "none",
+    "-m",
+    "128M",
+    "-serial",
+    "null",
+    "-serial",
+    "pty",
+    "-kernel",
+];
+
+/// A line whose one end is a port with a name.
+fn pseudo_terminal() -> (OwnedFd, PathBuf) {
+    use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
+    let board = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY | OpenptFlags::CLOEXEC);
+    let board = board.expect("a pseudo-terminal");
+    grantpt(&board).and_then(|()| unlockpt(&board)).expect("it is ours");
+    let name = ptsname(&board, Vec::new()).expect("a name");
+    (board, name.into_string().expect("a name").into())
 }
 
 /// What is wrong, and what is said of it; then all is as it was.

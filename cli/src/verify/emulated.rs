@@ -43,20 +43,26 @@ pub struct Seen {
     pub sizes: Sizes,
 }
 
-/// The processor that is meant.
-///
-/// # Errors
-/// What is missing, and how it is installed.
-pub fn processor(target: Target) -> Result<Processor, Error> {
-    let (name, toolchain) = match target {
+/// What a processor is called, and what makes and runs programs for it.
+pub fn machine(target: Target) -> (&'static str, Toolchain) {
+    match target {
         Target::CortexA9 => ("cortex-a9", toolchain::ARM),
         Target::Zynq => ("zynq", toolchain::BARE_A9),
         Target::CortexM4f => ("cortex-m4f", toolchain::CORTEX_M4F),
         Target::CortexM7 => ("cortex-m7", toolchain::CORTEX_M7),
         Target::Aarch64 => ("aarch64", toolchain::AARCH64),
         Target::Riscv64 => ("riscv64", toolchain::RISCV64),
+        Target::Riscv32 => ("riscv32", toolchain::RISCV32),
         Target::S390x => ("s390x", toolchain::S390X),
-    };
+    }
+}
+
+/// The processor that is meant.
+///
+/// # Errors
+/// What is missing, and how it is installed.
+pub fn processor(target: Target) -> Result<Processor, Error> {
+    let (name, toolchain) = machine(target);
     // gcc makes the plugin that counts.
     let programs = [toolchain.programs(), toolchain::GCC.programs()].concat();
     bessemer_tools::check(&programs)?;
@@ -77,7 +83,8 @@ pub fn seen(
     let failed = |said: String| Error::Compiler { name: processor.name.to_owned(), said };
     let folder = process::lay_out(compiled).map_err(|error| failed(error.to_string()))?;
     let main = folder.path().join("verify_main.c");
-    let text = harness::watched(&compiled.explicit, &entries(compiled, cases), options);
+    let text =
+        harness::watched(&compiled.explicit, &entries(compiled, cases), options, toolchain.bare);
     std::fs::write(&main, text).map_err(|source| Error::File { path: main.clone(), source })?;
     let watched = watch::watched(toolchain, folder.path(), &main, folder.sources(), &input(cases));
     let watched = watched.map_err(failed)?;

@@ -3,6 +3,7 @@
 //!
 //! Invariant: a leg that is missing is named; what was not called is named.
 
+mod board;
 mod emulated;
 mod native;
 pub mod recording;
@@ -51,6 +52,9 @@ pub fn run(folder: &Path, wanted: &Verify, colour: bool) -> Result<(String, bool
     // What calls the firmware's own function at a fault does not come back to tell of it.
     job.options.hook = None;
     let compiled = generate::compiled(&job).map_err(bessemer_project::Error::from)?.compiled;
+    if let Some(folder) = &wanted.board {
+        return Ok((board::write(&compiled, &job.options, folder)?, true));
+    }
     let module = &compiled.module;
     let inputs = match &wanted.inputs {
         Some(path) => recorded(module, path, wanted.entry.as_deref())?,
@@ -68,6 +72,11 @@ pub fn run(folder: &Path, wanted: &Verify, colour: bool) -> Result<(String, bool
     }
     let targets = wanted.target.iter().map(|target| emulated::processor(*target));
     let targets = targets.collect::<Result<Vec<_>, _>>()?;
+    // First what can be out of reach: a board.
+    for port in &wanted.serial {
+        let outcomes = board::outcomes(&compiled, &cases, port, wanted.baud)?;
+        legs.push((port.display().to_string(), outcomes));
+    }
     for toolchain in compilers {
         legs.push((toolchain.name(), of_c(&compiled, &cases, &job.options, &toolchain)?));
     }

@@ -38,6 +38,11 @@ pub const AARCH64_GCC: Program =
 /// Compiles for RISC-V of 64 bits, under Linux.
 pub const RISCV64_GCC: Program =
     program("riscv64-linux-gnu-gcc", &["gcc-riscv64-linux-gnu", "libc6-dev-riscv64-cross"]);
+/// Compiles for RISC-V without an operating system.
+pub const RISCV_BARE_GCC: Program = program(
+    "riscv64-unknown-elf-gcc",
+    &["gcc-riscv64-unknown-elf", "picolibc-riscv64-unknown-elf"],
+);
 /// Compiles for a big-endian machine.
 pub const S390X_GCC: Program =
     program("s390x-linux-gnu-gcc", &["gcc-s390x-linux-gnu", "libc6-dev-s390x-cross"]);
@@ -51,6 +56,8 @@ pub const QEMU_RISCV64: Program = program("qemu-riscv64", &["qemu-user"]);
 pub const QEMU_S390X: Program = program("qemu-s390x", &["qemu-user"]);
 /// Runs whole machines with an ARM.
 pub const QEMU_SYSTEM_ARM: Program = program("qemu-system-arm", &["qemu-system-arm"]);
+/// Runs whole machines with a RISC-V of 32 bits.
+pub const QEMU_SYSTEM_RISCV32: Program = program("qemu-system-riscv32", &["qemu-system-misc"]);
 
 /// Every one of them.
 pub const ALL: &[Program] = &[
@@ -65,6 +72,8 @@ pub const ALL: &[Program] = &[
     QEMU_AARCH64,
     RISCV64_GCC,
     QEMU_RISCV64,
+    RISCV_BARE_GCC,
+    QEMU_SYSTEM_RISCV32,
     S390X_GCC,
     QEMU_S390X,
 ];

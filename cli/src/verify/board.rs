@@ -1,0 +1,76 @@
+//! The C on a board of the user's own, over a serial line: what its firmware is built from, and what it answers.
+//!
+//! Every entry point that can be called with words is in the firmware, in the order of the module, whichever are asked for then.
+
+use std::path::Path;
+
+use bessemer_codegen::c::names::FAULTS;
+use bessemer_codegen::compile::{Compiled, Options};
+use bessemer_ir::{Fault, FunctionId};
+use bessemer_legs::board::{self, Board};
+use bessemer_legs::outcome::Outcome;
+use bessemer_legs::port::Port;
+
+use super::{Case, all, native};
+use crate::error::Error;
+
+/// The entry points in the firmware.
+fn entries(compiled: &Compiled) -> Vec<(FunctionId, u32)> {
+    let functions = &compiled.module.functions;
+    let can = all(&compiled.module).filter(|id| native::can_call(&functions[id.index()]));
+    can.map(|id| (id, functions[id.index()].params)).collect()
+}
+
+/// Writes the sources of the firmware into a folder; what is to be done with them.
+///
+/// # Errors
+/// Two files have one name; the folder cannot be written.
+pub fn write(compiled: &Compiled, options: &Options, folder: &Path) -> Result<String, Error> {
+    let sources = board::sources(compiled, &entries(compiled), options)
+        .map_err(|why| Error::Board { port: folder.to_owned(), why })?;
+    let failed = |source| Error::File { path: folder.to_owned(), source };
+    std::fs::create_dir_all(folder).map_err(failed)?;
+    for (name, text) in &sources {
+        std::fs::write(folder.join(name), text).map_err(failed)?;
+    }
+    Ok(format!(
+        "{} files in {}\n\nBuild them into firmware with your board's start, the three functions of uart.h and, where memory is short,\n\
+         -DLINK_MOST=1024; load it, and ask it: cargo bessemer verify --serial PORT --baud SPEED\n",
+        sources.len(),
+        folder.display()
+    ))
+}
+
+/// What the board at a port makes of each call.
+///
+/// # Errors
+/// What is wrong with port, line or board.
+pub fn outcomes(
+    compiled: &Compiled,
+    cases: &[Case],
+    port: &Path,
+    baud: u32,
+) -> Result<Vec<Vec<Outcome>>, Error> {
+    let failed = |why| Error::Board { port: port.to_owned(), why };
+    let line =
+        Port::open(port, baud).map_err(|source| Error::File { path: port.to_owned(), source })?;
+    let mut board = Board::open(line, board::identity(compiled)).map_err(failed)?;
+    let places = entries(compiled);
+    let mut outcomes = Vec::new();
+    for case in cases {
+        let place = places.iter().position(|(id, _)| *id == case.id).unwrap_or(usize::MAX);
+        let one = |call: &Vec<Vec<u64>>| {
+            let words = board.call(place, call.iter().flatten().copied()).map_err(failed)?;
+            Ok(match words.split_first() {
+                Some((0, words)) => Ok(words.to_vec()),
+                Some((status, _)) => {
+                    let index = (*status as usize).wrapping_sub(1);
+                    Err(FAULTS.get(index).copied().unwrap_or(Fault::LeftOut))
+                }
+                None => Err(Fault::LeftOut),
+            })
+        };
+        outcomes.push(case.calls.iter().map(one).collect::<Result<_, Error>>()?);
+    }
+    Ok(outcomes)
+}

@@ -1,0 +1,165 @@
+//! Emitted C on a board, called over a serial line: the sources that its firmware is built with beside its own start and
+//! port, and the other end of the line.
+//!
+//! A frame asks: the place of an entry point, the words of the component and of the arguments. Its answer is marked as one; then comes the
+//! status, and if that is no fault the words of the result, of the component, and of each argument that the call may change. A place that is
+//! none asks who is there.
+//!
+//! Invariant: what is answered comes from this very C, or it is an error. What it must not know: what the words mean.
+
+use std::collections::BTreeSet;
+use std::io::{Read, Write};
+
+use bessemer_codegen::c::Options;
+use bessemer_codegen::compile::Compiled;
+use bessemer_ir::FunctionId;
+
+use crate::lockstep::complaint;
+use crate::serial::{self, Serial};
+use crate::{digest, harness};
+
+/// The C of the line, whatever the board.
+const LINK: [(&str, &str); 5] = [
+    ("link.c", include_str!("../c/link/link.c")),
+    ("link.h", include_str!("../c/link/link.h")),
+    ("uart.h", include_str!("../c/link/uart.h")),
+    ("wrong.c", include_str!("../c/link/wrong.c")),
+    ("wrong.h", include_str!("../c/link/wrong.h")),
+];
+
+/// What the program itself is called.
+const PROGRAM: &str = "verify_main.c";
+
+/// No entry's place: it asks for the identity.
+const WHO: u64 = u64::MAX;
+
+/// How often a board is asked who it is: it may be starting.
+const ASKED: usize = 3;
+
+/// Why a board cannot be asked.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// The line failed.
+    #[error("{0}")]
+    Line(#[from] serial::Error),
+    /// The board says so.
+    #[error("the board says: {0}")]
+    Said(String),
+    /// It has other C.
+    #[error("the board's firmware is of other C")]
+    Other,
+    /// Two files would have the same name.
+    #[error(
+        "`{0}` is a file of the emitted C and one of the program around it; a prefix in bessemer.toml parts them"
+    )]
+    Twice(String),
+}
+
+/// The sources of a firmware that answers, by their names: the program, the line, and the emitted C.
+///
+/// # Errors
+/// [`Error::Twice`].
+pub fn sources(
+    compiled: &Compiled,
+    entries: &[(FunctionId, u32)],
+    options: &Options,
+) -> Result<Vec<(String, String)>, Error> {
+    let program = harness::answers(&compiled.explicit, entries, options, identity(compiled));
+    let own = LINK.iter().map(|(name, text)| ((*name).to_owned(), (*text).to_owned()));
+    let emitted = compiled.files.iter().filter(|it| it.name.ends_with(['c', 'h']));
+    let emitted = emitted.map(|it| (it.name.clone(), it.text.clone()));
+    let all: Vec<_> = own.chain([(PROGRAM.to_owned(), program)]).chain(emitted).collect();
+    let mut names = BTreeSet::new();
+    match all.iter().find(|(name, _)| !names.insert(name)) {
+        Some((name, _)) => Err(Error::Twice(name.clone())),
+        None => Ok(all),
+    }
+}
+
+/// What tells this C from other C.
+pub fn identity(compiled: &Compiled) -> u64 {
+    let texts = compiled.files.iter().flat_map(|it| it.name.bytes().chain(it.text.bytes()));
+    digest(&texts.map(u64::from).collect::<Vec<_>>())
+}
+
+/// A board that answers.
+#[derive(Debug)]
+pub struct Board<L>(Serial<L>);
+
+impl<L: Read + Write> Board<L> {
+    /// Asks the board at the other end of the line who it is.
+    ///
+    /// # Errors
+    /// It does not answer, or has other C.
+    pub fn open(line: L, identity: u64) -> Result<Self, Error> {
+        let mut board = Self(Serial::new(line));
+        let mut last = None;
+        for _ in 0..ASKED {
+            match board.ask(&[WHO]) {
+                Ok(words) if words == [identity] => return Ok(board),
+                Ok(_) => return Err(Error::Other),
+                Err(Error::Line(serial::Error::Closed)) => {
+                    return Err(Error::Line(serial::Error::Closed));
+                }
+                // It may have heard the end of a frame, or nothing yet.
+                Err(error) => last = Some(error),
+            }
+        }
+        Err(last.unwrap_or(Error::Other))
+    }
+
+    /// One call: the place of the entry point, the words that go in; those that come out.
+    ///
+    /// # Errors
+    /// What is wrong with line or board.
+    pub fn call(
+        &mut self,
+        place: usize,
+        words: impl Iterator<Item = u64>,
+    ) -> Result<Vec<u64>, Error> {
+        let frame: Vec<u64> = std::iter::once(place as u64).chain(words).collect();
+        self.ask(&frame)
+    }
+
+    fn ask(&mut self, frame: &[u64]) -> Result<Vec<u64>, Error> {
+        self.0.send(frame)?;
+        let mut words = self.0.receive()?;
+        if let Some(said) = complaint(&words) {
+            return Err(Error::Said(said));
+        }
+        match words.first() {
+            Some(&harness::ANSWER) => Ok(words.split_off(1)),
+            _ => Err(Error::Line(serial::Error::Garbled("it is no answer"))),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::net::Shutdown;
+    use std::os::unix::net::UnixStream;
+
+    /// What is said of a board that answers so, asked who it is and for one call.
+    fn said(answers: &[&[u64]]) -> String {
+        let (here, there) = UnixStream::pair().expect("a line");
+        let mut board = Serial::new(there);
+        answers.iter().for_each(|words| board.send(words).expect("room"));
+        board.line().shutdown(Shutdown::Write).expect("a line");
+        let called = Board::open(here, 77).and_then(|mut board| board.call(0, [5].into_iter()));
+        called.map_or_else(|error| error.to_string(), |words| format!("{words:?}"))
+    }
+
+    #[test]
+    fn what_is_no_answer_is_told() {
+        let wrong: Vec<u64> = [6].into_iter().chain("no".bytes().map(u64::from)).collect();
+        let who = &[harness::ANSWER, 77][..];
+        assert_eq!(said(&[who, &[harness::ANSWER, 0, 9]]), "[0, 9]");
+        // It had heard half a frame before.
+        assert_eq!(said(&[&wrong, who, &[harness::ANSWER, 3]]), "[3]");
+        assert_eq!(said(&[&[harness::ANSWER, 78]]), "the board's firmware is of other C");
+        assert_eq!(said(&[who, &wrong]), "the board says: no");
+        assert!(said(&[who, &[7]]).ends_with("garbled: it is no answer"));
+        assert_eq!(said(&[who]), "the line is closed: the other end is gone");
+    }
+}

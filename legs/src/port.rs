@@ -1,0 +1,94 @@
+//! A serial port of this machine as a line: bytes as they are, at a speed, and no read waits for ever.
+//!
+//! What it must not know: what goes over it.
+
+use std::fs::File;
+use std::io::{self, Read, Write};
+use std::path::Path;
+
+use rustix::fs::{Mode, OFlags};
+use rustix::termios::{OptionalActions, SpecialCodeIndex, tcgetattr, tcsetattr};
+
+/// How long a read waits, tenths of a second.
+const PATIENCE: u8 = 50;
+
+/// A port, or a pseudo-terminal.
+#[derive(Debug)]
+pub struct Port(File);
+
+impl Port {
+    /// Opens it at so many bits a second.
+    ///
+    /// # Errors
+    /// There is none at this place, it is somebody else's, or it has no such speed.
+    pub fn open(path: &Path, baud: u32) -> io::Result<Self> {
+        let flags = OFlags::RDWR | OFlags::NOCTTY | OFlags::CLOEXEC;
+        let port = rustix::fs::open(path, flags, Mode::empty())?;
+        let mut settings = tcgetattr(&port)?;
+        settings.make_raw();
+        settings.set_speed(baud)?;
+        settings.special_codes[SpecialCodeIndex::VMIN] = 0;
+        settings.special_codes[SpecialCodeIndex::VTIME] = PATIENCE;
+        // What came before is nobody's.
+        tcsetattr(&port, OptionalActions::Flush, &settings)?;
+        Ok(Self(port.into()))
+    }
+}
+
+impl Read for Port {
+    fn read(&mut self, to: &mut [u8]) -> io::Result<usize> {
+        match self.0.read(to) {
+            Ok(0) => Err(io::ErrorKind::TimedOut.into()),
+            // A pseudo-terminal whose other end is closed.
+            Err(error) if error.raw_os_error() == Some(rustix::io::Errno::IO.raw_os_error()) => {
+                Ok(0)
+            }
+            other => other,
+        }
+    }
+}
+
+impl Write for Port {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.0.flush()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
+    use std::os::unix::ffi::OsStrExt as _;
+
+    #[test]
+    fn bytes_go_through_as_they_are() -> io::Result<()> {
+        let board = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY)?;
+        grantpt(&board)?;
+        unlockpt(&board)?;
+        let name = ptsname(&board, Vec::new())?;
+        let mut port =
+            Port::open(Path::new(std::ffi::OsStr::from_bytes(name.to_bytes())), 115_200)?;
+        let mut board = File::from(board);
+        let all: Vec<u8> = (0..=255).collect();
+        let mut came = vec![0; all.len()];
+        port.write_all(&all)?;
+        board.read_exact(&mut came)?;
+        assert_eq!(came, all);
+        board.write_all(&all)?;
+        port.read_exact(&mut came)?;
+        assert_eq!(came, all);
+        drop(board);
+        assert_eq!(port.read(&mut came)?, 0, "the other end is closed");
+        Ok(())
+    }
+
+    #[test]
+    fn what_is_no_port_is_refused() {
+        assert!(Port::open(Path::new("/no/such/port"), 9600).is_err());
+        assert!(Port::open(Path::new("/dev/null"), 9600).is_err());
+    }
+}
