@@ -59,6 +59,8 @@ pub enum Task {
     Gen(Gen),
     /// Compare Rust, interpreter and C of each entry point, bit for bit
     Verify(Verify),
+    /// Say what each entry point brings into a firmware: code, memory, stack and state
+    Sizes(Sizes),
     /// List the checks for faults that are left in each entry point, and why
     Explain(Explain),
     /// Say whether this machine and this workspace have what is needed
@@ -175,6 +177,24 @@ pub struct Verify {
     pub entry: Option<String>,
 }
 
+/// Arguments of `sizes`.
+#[derive(Args, Debug, Default)]
+#[command(after_help = "\
+Examples:
+  cargo bessemer sizes                        For this machine, by gcc -O2
+  cargo bessemer sizes --target cortex-m4f    For another one, by its gcc
+
+An entry point brings what it calls; two of them share what both bring. The C library is not in it. Stack and state are
+the bounds that `gen` reports.")]
+pub struct Sizes {
+    /// Which package
+    #[command(flatten)]
+    pub package: Package,
+    /// For this processor, in place of this machine's
+    #[arg(long, value_enum)]
+    pub target: Vec<Target>,
+}
+
 /// A processor that QEMU emulates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Target {
@@ -250,6 +270,8 @@ mod tests {
         assert!(matches!(arm, Ok(Task::Verify(it)) if it.target == [Target::CortexA9]));
         let board = parse(&["verify", "--serial", "/dev/ttyS0", "--baud", "9600"]);
         assert!(matches!(board, Ok(Task::Verify(it)) if it.baud == 9600));
+        let sizes = parse(&["sizes", "--target", "zynq"]);
+        assert!(matches!(sizes, Ok(Task::Sizes(it)) if it.target == [Target::Zynq]));
         assert!(matches!(parse(&["doctor"]), Ok(Task::Doctor(_))));
     }
 

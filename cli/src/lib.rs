@@ -11,4 +11,5 @@ pub mod doctor;
 pub mod error;
 pub mod explain;
 pub mod new;
+pub mod sizes;
 pub mod verify;

@@ -9,7 +9,7 @@ use std::process::ExitCode;
 use bessemer_project::{Wanted, generate, said};
 use cargo_bessemer::args::{Arguments, MessageFormat, Task};
 use cargo_bessemer::error::Error;
-use cargo_bessemer::{doctor, explain, new, verify};
+use cargo_bessemer::{doctor, explain, new, sizes, verify};
 use clap::Parser;
 
 fn main() -> ExitCode {
@@ -40,6 +40,7 @@ fn perform(task: Task) -> Result<(String, bool), Error> {
         }
         Task::Explain(it) => Ok((explain::run(here, &it, colour)?, true)),
         Task::Verify(it) => verify::run(here, &it, colour),
+        Task::Sizes(it) => Ok((sizes::run(here, &it, colour)?, true)),
         Task::New(it) => Ok((new::run(here, &it)?, true)),
         Task::Doctor(it) => Ok(doctor::run(here, it.package.name(), &doctor::ThisMachine)),
     }

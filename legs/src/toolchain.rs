@@ -366,6 +366,18 @@ impl Toolchain {
         }
     }
 
+    /// How large the part of `objects` is that `symbol` needs, itself included; `kept` is written with it. The objects are compiled
+    /// by sections (`-ffunction-sections -fdata-sections`).
+    ///
+    /// # Errors
+    /// What linker or system said.
+    pub fn brought(&self, objects: &[PathBuf], symbol: &str, kept: &Path) -> Result<Sizes, String> {
+        let mut command = self.command();
+        command.args(["-r", "-nostdlib", "-Wl,--gc-sections"]).arg(format!("-Wl,-e,{symbol}"));
+        run(command.args(objects).arg("-o").arg(kept))?;
+        self.sizes(&[kept.to_owned()])
+    }
+
     /// How large programs or objects of this toolchain are together.
     ///
     /// # Errors

@@ -12,8 +12,8 @@ use bessemer_project::{Wanted, generate};
 use bessemer_tests::golden;
 use bessemer_tests::toolchain::{self, Toolchain};
 use bessemer_tests::workspace::Workspace;
-use cargo_bessemer::args::{New, Target, Verify};
-use cargo_bessemer::{new, verify};
+use cargo_bessemer::args::{New, Sizes, Target, Verify};
+use cargo_bessemer::{new, sizes, verify};
 
 /// What `gen` says in a folder, without colours; none if it was refused.
 fn generated(folder: &Path, check: bool) -> Result<String, String> {
@@ -62,6 +62,7 @@ fn a_new_package_is_simulated_and_generated() {
     verified(&package);
     verified_by_a_recording(&package);
     verified_on_a_board(&package);
+    sized(&package);
     refusals(&package);
 }
 
@@ -214,6 +215,20 @@ fn pseudo_terminal() -> (OwnedFd, PathBuf) {
     grantpt(&board).and_then(|()| unlockpt(&board)).expect("it is ours");
     let name = ptsname(&board, Vec::new()).expect("a name");
     (board, name.into_string().expect("a name").into())
+}
+
+/// What an entry point brings is less than all, and something.
+fn sized(package: &Path) {
+    let text = sizes::run(package, &Sizes::default(), false);
+    let text = text.unwrap_or_else(|error| panic!("{error}"));
+    let figures = |name: &str| -> Vec<u64> {
+        let row = text.lines().find_map(|line| line.trim_start().strip_prefix(name));
+        let words = row.unwrap_or_else(|| panic!("{text}")).split_whitespace();
+        words.filter_map(|word| word.parse().ok()).collect()
+    };
+    let (entry, all) = (figures("motor_step"), figures("all of the C"));
+    assert!(entry[0] > 50 && entry[0] < all[0], "{text}");
+    assert_eq!((entry[1], entry[2], entry[4]), (0, 0, 8), "{text}");
 }
 
 /// What is wrong, and what is said of it; then all is as it was.

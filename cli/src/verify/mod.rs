@@ -24,6 +24,8 @@ use bessemer_legs::toolchain::{self, Toolchain};
 use bessemer_legs::{harness, process};
 use bessemer_project::Project;
 
+pub(crate) use emulated::machine;
+
 use crate::args::Verify;
 use crate::error::Error;
 

@@ -1,0 +1,62 @@
+//! `cargo bessemer sizes`: what each entry point brings into a firmware, on this machine or another one: instructions and
+//! constants, memory with and without a first value, stack and state.
+//!
+//! An entry point brings what it calls, so that two of them share what both bring. What it calls of the C library's is not in it.
+//! Stack and state are what `gen` reports: bounds, of which `verify --target` says how much is used.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use bessemer_legs::process;
+use bessemer_legs::toolchain::{GCC, Sizes, Toolchain};
+use bessemer_project::{Wanted, compile};
+
+use crate::args::Sizes as Asked;
+use crate::error::Error;
+use crate::verify;
+
+/// By sections, so that what nobody calls can be left out.
+const SECTIONS: &[&str] = &["-ffunction-sections", "-fdata-sections"];
+
+/// The table of sizes for each target that is asked for, or for this machine.
+///
+/// # Errors
+/// Errors of the models or the system, or that a compiler is missing.
+pub fn run(folder: &Path, asked: &Asked, colour: bool) -> Result<String, Error> {
+    let wanted = Wanted { package: asked.package.name(), colour, ..Wanted::default() };
+    let (_, compiled) = compile(folder, wanted)?;
+    let named = asked.target.iter().map(|target| verify::machine(*target));
+    let mut targets: Vec<(&str, Toolchain)> = named.collect();
+    if targets.is_empty() {
+        targets.push(("this machine", GCC));
+    }
+    let mut text = String::new();
+    for (index, (name, toolchain)) in targets.into_iter().enumerate() {
+        bessemer_tools::check(&[toolchain.compiler])?;
+        let failed = |said: String| Error::Compiler { name: toolchain.name(), said };
+        let laid = process::lay_out(&compiled).map_err(|error| failed(error.to_string()))?;
+        let (objects, _) = toolchain.objects(laid.sources(), SECTIONS).map_err(failed)?;
+        let width = compiled.entries.iter().map(|it| it.entry.len()).max().unwrap_or(0).max(11);
+        // Writing to a string cannot fail.
+        let _ = write!(
+            text,
+            "{}on {name}, by {}; bytes:\n  {:width$}    text  data   bss  stack  state\n",
+            if index == 0 { "" } else { "\n" },
+            toolchain.name(),
+            "entry point"
+        );
+        for entry in &compiled.entries {
+            let kept = laid.path().join("sizes.o");
+            let Sizes { text: code, data, bss } =
+                toolchain.brought(&objects, &entry.entry, &kept).map_err(failed)?;
+            let _ = writeln!(
+                text,
+                "  {:width$}  {code:>6}  {data:>4}  {bss:>4}  {:>5}  {:>5}",
+                entry.entry, entry.stack_bytes, entry.state_bytes
+            );
+        }
+        let Sizes { text: code, data, bss } = toolchain.sizes(&objects).map_err(failed)?;
+        let _ = writeln!(text, "  {:width$}  {code:>6}  {data:>4}  {bss:>4}", "all of the C");
+    }
+    Ok(text)
+}
