@@ -166,9 +166,13 @@ impl Station {
         self.order(now, Order::Choose(self.tag, every, signals));
     }
 
-    /// Hands in a trajectory.
+    /// Hands in a trajectory. Its name is none that is flown: a station that was started anew would take that for its own.
     pub fn fly(&mut self, now: f64, points: Vec<models::trajectory::SetPoint>) {
-        self.tag = self.tag.wrapping_add(1).max(1);
+        let flown = self.status.as_ref().map(|status| status.tag);
+        while {
+            self.tag = self.tag.wrapping_add(1).max(1);
+            flown == Some(self.tag)
+        } {}
         self.order(now, Order::FlyAs(self.tag, points));
     }
 

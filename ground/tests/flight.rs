@@ -9,8 +9,9 @@ use ground::station::Station;
 use ground::testbed::{Pace, Testbed, Wanted};
 use models::gate::{Gate, Refused};
 use models::packet::Packet;
+use models::receiver::COMMIT;
 use models::{Alarm, Mode, Phase};
-use sim::ground_station::Order;
+use sim::ground_station::{Order, Status, unframed};
 use sim::scenario::point;
 
 fn built(target: Target) -> Program {
@@ -168,6 +169,24 @@ fn a_clock_that_jumps_keeps_nobody_out() {
         through += 1;
     }
     assert_eq!((through, gate.refused), (400, Refused::default()));
+}
+
+#[test]
+fn a_station_that_was_started_anew_takes_no_other_trajectory_for_its_own() {
+    let named = |flown: Option<u8>| {
+        let mut station = Station::new(None, 0.0);
+        station.status = flown.map(|tag| Status { tag, ..Status::default() });
+        station.fly(0.0, vec![point(0.0, 0.0, 0.0, 1.0, 0.0)]);
+        let datagrams = std::iter::from_fn(|| station.tick(0.0, 0));
+        let names = datagrams.filter_map(|it| match unframed(&it) {
+            Some((COMMIT, [_, name])) => Some(*name),
+            _ => None,
+        });
+        names.collect::<Vec<_>>()
+    };
+    let first = named(None);
+    assert_eq!(first.len(), 1);
+    assert_ne!(named(Some(first[0])), first);
 }
 
 #[test]
