@@ -53,6 +53,16 @@ pub enum Error {
         /// What is wrong with it.
         wrong: crate::verify::recording::Wrong,
     },
+    /// Inputs are not what an entry point takes.
+    #[error("`{name}` takes {wanted} numbers beside its component, and an input has {found}")]
+    Words {
+        /// The entry point.
+        name: String,
+        /// How many an input has.
+        found: usize,
+        /// How many it should have.
+        wanted: usize,
+    },
     /// There is no compiler of C to compare with.
     #[error("neither gcc nor clang runs here")]
     NoCompiler,
@@ -106,6 +116,9 @@ impl Error {
             Error::Recording { .. } => {
                 "the first line names the columns as the Rust does: `target`, `gains.p`, `place[2]`"
                     .to_owned()
+            }
+            Error::Words { .. } => {
+                "an input is a tuple of the arguments behind `self`, in their order".to_owned()
             }
             Error::NoCompiler => install(&[GCC, CLANG]),
             Error::Missing(missing) => missing.install.clone(),

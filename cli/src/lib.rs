@@ -4,6 +4,8 @@
 //! - it works from any folder of the user's workspace, and changes nothing there but what it says;
 //! - a failure is one [`error::Error`], with what to do about it where that is known.
 //!
+//! [`same_bits`] is `verify` as a test calls it.
+//!
 //! It must not know how C is made, nor how a workspace is found (`bessemer-project`).
 
 pub mod args;
@@ -11,5 +13,8 @@ pub mod doctor;
 pub mod error;
 pub mod explain;
 pub mod new;
+mod same_bits;
 pub mod sizes;
 pub mod verify;
+
+pub use same_bits::{same_bits, same_bits_at};

@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use bessemer_legs::firmware::{Firmware, Machine};
+use bessemer_legs::panics::caught;
 use bessemer_project::{Wanted, generate};
 use bessemer_tests::golden;
 use bessemer_tests::toolchain::{self, Toolchain};
@@ -44,7 +45,7 @@ fn a_new_package_is_simulated_and_generated() {
     assert!(!workspace.path("generated").exists());
     assert_eq!(generated(&package, true).as_deref(), Ok(""));
 
-    // The stub around it computes what the closed loop begins with: 0.05 · 100 V, and 2 · 100 · 1 ms more each period.
+    // The stub around it computes what the closed loop begins with.
     for gcc in toolchain::host().into_iter().filter(|it| it.level == 2) {
         let program = package.join("stub");
         let sources = fs::read_dir(package.join("generated")).expect("the C").flatten();
@@ -56,15 +57,19 @@ fn a_new_package_is_simulated_and_generated() {
             .unwrap_or_else(|said| panic!("{said}"));
         let output = Command::new(&program).output().expect("it runs");
         let text = String::from_utf8_lossy(&output.stdout).into_owned();
-        assert_eq!(text, "5\n5.2000000000000002\n5.4000000000000004\n", "{}", gcc.name());
+        assert_eq!(text, STUB, "{}", gcc.name());
     }
 
     verified(&package);
     verified_by_a_recording(&package);
+    verified_by_a_test(&package);
     verified_on_a_board(&package);
     sized(&package);
     refusals(&package);
 }
+
+/// What the stub of a firmware prints: 0.05 · 100 V, and 2 · 100 · 1 ms more each period.
+const STUB: &str = "5\n5.2000000000000002\n5.4000000000000004\n";
 
 /// The tutorial and the README quote these files.
 fn the_tutorial_shows_it(package: &Path, report: &str) {
@@ -133,6 +138,19 @@ fn verified_by_a_recording(package: &Path) {
     let said = recorded("fast").expect_err("that is no number");
     assert!(said.ends_with("line 3: `fast` is no number, as `speed` has to be"), "{said}");
     fs::remove_file(&log).expect("the log");
+}
+
+/// As a test of the package calls it; what is no input is told.
+fn verified_by_a_test(package: &Path) {
+    // Its name is what counts here: the package is none of this program's.
+    struct Motor;
+    let gains = (0.05, 2.0, 1.0e-3);
+    let inputs = (0..20).map(|n| (gains, 100.0, f64::from(n)));
+    cargo_bessemer::same_bits_at::<Motor, _>(package, "step", inputs);
+    let short = || cargo_bessemer::same_bits_at::<Motor, _>(package, "step", [(gains, 100.0)]);
+    let said = caught(short).expect_err("an argument is missing");
+    let expected = "`Motor::step` takes 5 numbers beside its component, and an input has 4; an input is a tuple";
+    assert!(said.starts_with(expected), "{said}");
 }
 
 /// A board's port, as a program of this machine has it: its standard input and output.

@@ -49,6 +49,50 @@ struct Case {
 /// # Errors
 /// Errors of the models or the system; [`Error::NoCompiler`] if there is no leg of C.
 pub fn run(folder: &Path, wanted: &Verify, colour: bool) -> Result<(String, bool), Error> {
+    compared(folder, wanted, colour, |module| match &wanted.inputs {
+        Some(path) => recorded(module, path, wanted.entry.as_deref()),
+        None => Ok(Inputs::Made { seed: wanted.seed }),
+    })
+}
+
+/// The same of one entry point, with these inputs: the words of all arguments but the component, for each call of its life.
+///
+/// # Errors
+/// Errors of the models or the system; [`Error::Words`] if the inputs are not what the entry point takes.
+pub fn with_words(
+    folder: &Path,
+    wanted: &Verify,
+    calls: &[Vec<u64>],
+) -> Result<(String, bool), Error> {
+    compared(folder, wanted, false, |module| {
+        let entry = chosen(module, wanted.entry.as_deref())?;
+        let function = &module.functions[entry.index()];
+        let counts: Vec<usize> =
+            function.parameters().iter().skip(1).map(|it| module.leaves(&it.ty).len()).collect();
+        let taken = counts.iter().sum();
+        let parted = |words: &Vec<u64>| {
+            if words.len() != taken {
+                let name = named(module, function);
+                return Err(Error::Words { name, found: words.len(), wanted: taken });
+            }
+            let mut rest = words.as_slice();
+            Ok(counts
+                .iter()
+                .filter_map(|count| rest.split_off(..*count))
+                .map(<[u64]>::to_vec)
+                .collect())
+        };
+        let calls = calls.iter().map(parted).collect::<Result<_, _>>()?;
+        Ok(Inputs::Recorded { entry, calls })
+    })
+}
+
+fn compared(
+    folder: &Path,
+    wanted: &Verify,
+    colour: bool,
+    inputs: impl FnOnce(&Module) -> Result<Inputs, Error>,
+) -> Result<(String, bool), Error> {
     let project = Project::find(folder, wanted.package.name(), colour)?;
     let mut job = project.job(colour);
     // What calls the firmware's own function at a fault does not come back to tell of it.
@@ -58,10 +102,7 @@ pub fn run(folder: &Path, wanted: &Verify, colour: bool) -> Result<(String, bool
         return Ok((board::write(&compiled, &job.options, folder)?, true));
     }
     let module = &compiled.module;
-    let inputs = match &wanted.inputs {
-        Some(path) => recorded(module, path, wanted.entry.as_deref())?,
-        None => Inputs::Made { seed: wanted.seed },
-    };
+    let inputs = inputs(module)?;
     let mut cases = cases(module, &inputs);
     let mut legs = Vec::new();
     let (program, left) = rust(&job, module, &mut cases)?;
@@ -129,18 +170,24 @@ fn all(module: &Module) -> impl Iterator<Item = FunctionId> + '_ {
     ids.filter(|id| matches!(module.functions[id.index()].role, Role::Entry { .. }))
 }
 
-/// The recording of the entry point called `entry`, or of the only one.
-fn recorded(module: &Module, path: &Path, entry: Option<&str>) -> Result<Inputs, Error> {
+/// The entry point called `entry`, or the only one.
+fn chosen(module: &Module, entry: Option<&str>) -> Result<FunctionId, Error> {
     let name = |id: &FunctionId| named(module, &module.functions[id.index()]);
     let chosen: Vec<FunctionId> =
         all(module).filter(|id| entry.is_none_or(|entry| name(id) == entry)).collect();
-    let [entry] = chosen[..] else {
-        let known = all(module).map(|id| name(&id)).collect();
-        return Err(match entry {
-            Some(entry) => Error::NoEntry { name: entry.to_owned(), known },
-            None => Error::WhichEntry { known },
-        });
-    };
+    if let [entry] = chosen[..] {
+        return Ok(entry);
+    }
+    let known = all(module).map(|id| name(&id)).collect();
+    Err(match entry {
+        Some(entry) => Error::NoEntry { name: entry.to_owned(), known },
+        None => Error::WhichEntry { known },
+    })
+}
+
+/// The recording of an entry point.
+fn recorded(module: &Module, path: &Path, entry: Option<&str>) -> Result<Inputs, Error> {
+    let entry = chosen(module, entry)?;
     let bytes = std::fs::read(path);
     let bytes = bytes.map_err(|source| Error::File { path: path.to_owned(), source })?;
     let calls = recording::calls(module, &module.functions[entry.index()], &bytes);
