@@ -60,12 +60,54 @@ fn a_new_package_is_simulated_and_generated() {
         assert_eq!(text, STUB, "{}", gcc.name());
     }
 
+    built_by_others(&package);
     verified(&package);
     verified_by_a_recording(&package);
     verified_by_a_test(&package);
     verified_on_a_board(&package);
     sized(&package);
     refusals(&package);
+}
+
+/// The files for CMake and make build the stub, each with the machine's own compiler.
+fn built_by_others(package: &Path) {
+    let settings = package.join("bessemer.toml");
+    let sound = fs::read_to_string(&settings).expect("the settings");
+    fs::write(&settings, format!("build_files = true\n{sound}")).expect("the settings");
+    generated(package, false).expect("it is sound");
+    let folder = package.join("others");
+    fs::create_dir_all(&folder).expect("a folder");
+    let cmake = "cmake_minimum_required(VERSION 3.16)\nproject(firmware C)\nadd_subdirectory(../generated generated)\n\
+        add_executable(stub ../firmware/main.c)\ntarget_link_libraries(stub PRIVATE motor)\n";
+    fs::write(folder.join("CMakeLists.txt"), cmake).expect("a file");
+    let make = "include ../generated/motor.mk\nstub: ../firmware/main.c $(MOTOR_SOURCES)\n\
+        \t$(CC) $(MOTOR_CFLAGS) -o $@ $^ -lm\n";
+    fs::write(folder.join("Makefile"), make).expect("a file");
+    let builds: [(&str, &[&[&str]], &str); 2] = [
+        ("make", &[&["make", "--silent"]], "stub"),
+        (
+            "cmake",
+            &[&["cmake", "-S", ".", "-B", "build"], &["cmake", "--build", "build"]],
+            "build/stub",
+        ),
+    ];
+    for (tool, steps, stub) in builds {
+        if !toolchain::is_asked_for(tool) {
+            println!("left out: {tool} is not installed");
+            continue;
+        }
+        for step in steps {
+            let mut command = Command::new(step[0]);
+            toolchain::run(command.args(&step[1..]).current_dir(&folder))
+                .unwrap_or_else(|said| panic!("{said}"));
+        }
+        let output = Command::new(folder.join(stub)).output().expect("it runs");
+        assert_eq!(String::from_utf8_lossy(&output.stdout), STUB, "{tool}");
+    }
+    fs::remove_dir_all(&folder).expect("the folder");
+    fs::write(&settings, sound).expect("the settings");
+    generated(package, false).expect("it is sound");
+    assert!(!package.join("generated/CMakeLists.txt").exists());
 }
 
 /// What the stub of a firmware prints: 0.05 · 100 V, and 2 · 100 · 1 ms more each period.

@@ -149,6 +149,8 @@ pub const TOOLS: &[Tool] = &[
         "runs it on an emulated Zynq, without an operating system",
         Need::Target,
     ),
+    program(programs::MAKE, "builds the emitted C by its Makefile", Need::Target),
+    program(programs::CMAKE, "builds the emitted C by its CMakeLists.txt", Need::Target),
     Tool {
         name: "frama-c",
         purpose: "shows anew what was proved of the emitted C",

@@ -8,6 +8,7 @@ use bessemer_codegen::diagnostic::{self, Diagnostic, Told};
 use bessemer_codegen::generate::{self, Job, Made};
 use bessemer_codegen::source::Sources;
 
+use crate::build_files;
 use crate::error::Error;
 use crate::project::Project;
 use crate::settings::Limit;
@@ -114,7 +115,7 @@ pub fn compile(folder: &Path, wanted: Wanted<'_>) -> Result<(Project, Compiled),
 }
 
 fn limited(project: &Project, job: &Job) -> Result<Made, Error> {
-    let made = generate::compiled(job)?;
+    let mut made = generate::compiled(job)?;
     let limits = &project.settings.limits;
     let figures = made.compiled.entries.iter().flat_map(|entry| {
         let whose = format!("`{}`", entry.entry);
@@ -126,6 +127,12 @@ fn limited(project: &Project, job: &Job) -> Result<Made, Error> {
         .map(|(limit, found, what)| Figure { limit, whose: whose.clone(), found, what })
     });
     hold(project, figures, job.colour)?;
+    if project.settings.build_files {
+        let license = project.settings.license.as_ref().or(project.package.license.as_ref());
+        let license = license.map_or("", String::as_str);
+        let more = build_files::files(&project.package.name, license, &made.compiled.files);
+        made.compiled.files.extend(more);
+    }
     Ok(made)
 }
 

@@ -143,6 +143,12 @@ pub const KEYS: &[Key] = &[
         says: "Whether `bessemer_self_test()` comes along, which tells on the target whether its arithmetic is as the C needs it.",
     },
     Key {
+        name: "build_files",
+        kind: Kind::Flag(|to, flag| to.build_files = flag),
+        default: "false",
+        says: "Whether a `CMakeLists.txt` with a library that carries its flags, and a fragment for make, stand beside the C.",
+    },
+    Key {
         name: "kernels.mode",
         kind: Kind::Choice(&["exact", "fast", "plain"], |to, which| {
             to.options.kernels.mode = [Mode::Exact, Mode::Fast, Mode::Plain][which];

@@ -11,6 +11,8 @@ pub struct Settings {
     pub output: Option<PathBuf>,
     /// The licence of the C, if it is not the package's.
     pub license: Option<String>,
+    /// Whether files for CMake and make stand beside the C.
+    pub build_files: bool,
     /// The options of the compiler.
     pub options: Options,
     /// The limits.

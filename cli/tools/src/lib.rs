@@ -24,6 +24,8 @@ const fn program(name: &'static str, packages: &'static [&'static str]) -> Progr
 pub const GCC: Program = program("gcc", &["gcc", "libc6-dev"]);
 /// The other compiler of this machine.
 pub const CLANG: Program = program("clang", &["clang", "libc6-dev"]);
+/// Builds what a Makefile says.
+pub const MAKE: Program = program("make", &["make"]);
 /// Builds firmware.
 pub const CMAKE: Program = program("cmake", &["cmake"]);
 /// Compiles for ARM of 32 bits, under Linux.
@@ -63,6 +65,7 @@ pub const QEMU_SYSTEM_RISCV32: Program = program("qemu-system-riscv32", &["qemu-
 pub const ALL: &[Program] = &[
     GCC,
     CLANG,
+    MAKE,
     CMAKE,
     ARM_LINUX_GCC,
     QEMU_ARM,
