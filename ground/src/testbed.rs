@@ -31,6 +31,9 @@ pub enum Error {
     /// A socket does not.
     #[error("a socket of the testbed: {0}")]
     Socket(#[from] io::Error),
+    /// The onboard software ended before it said anything.
+    #[error("the onboard software ended at its start: {0}")]
+    Ended(String),
     /// The onboard software said nothing.
     #[error("the onboard software does not answer: it was started, and sent nothing for {} s", START.as_secs())]
     Silent,
@@ -97,13 +100,11 @@ impl Testbed {
         socket.set_nonblocking(true)?;
         let key = wanted.other_key.clone().or_else(|| wanted.key.clone());
         let bus = bench.port()?;
-        let running = match wanted.pace {
+        let mut running = match wanted.pace {
             Pace::Real => priority::raised(|| program.start(bus, key.as_ref()))?,
             _ => program.start(bus, key.as_ref())?,
         };
-        if !bench.wait(START)? {
-            return Err(Error::Silent);
-        }
+        meet(&mut bench, &mut running)?;
         Ok(Self {
             bench,
             station: Station::new(wanted.key.clone(), 0.0),
@@ -229,11 +230,24 @@ impl Testbed {
         self.station.anew();
         self.running = self.program.start(self.bench.port()?, self.key.as_ref())?;
         // The aircraft does not wait for its computer; time does, unless it is real.
-        if self.pace != Pace::Real && !self.bench.wait(START)? {
-            return Err(Error::Silent);
+        if self.pace != Pace::Real {
+            meet(&mut self.bench, &mut self.running)?;
         }
         Ok(())
     }
+}
+
+/// Waits until the software is there, as long as it runs.
+fn meet(bench: &mut Bench, running: &mut Running) -> Result<(), Error> {
+    for _ in 0..START.as_secs() {
+        if bench.wait(Duration::from_secs(1))? {
+            return Ok(());
+        }
+        if let Some(why) = running.ended() {
+            return Err(Error::Ended(why));
+        }
+    }
+    Err(Error::Silent)
 }
 
 /// The control period, s.

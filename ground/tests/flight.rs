@@ -256,6 +256,17 @@ fn a_software_that_is_killed_is_met_again() {
 }
 
 #[test]
+fn a_software_that_ends_at_its_start_is_told() {
+    let program = Program::Process { path: "/bin/false".into(), toolchain: toolchain::GCC };
+    let started = Testbed::start(&program, &Wanted { pace: Pace::Virtual, ..Wanted::default() });
+    let said = started.err().map(|error| error.to_string()).unwrap_or_default();
+    // It may be gone before it was told the key.
+    let broken = "`/bin/false` does not start: Broken pipe";
+    let ended = "the onboard software ended at its start: its process ended: exit status: 1";
+    assert!(said == ended || said.starts_with(broken), "{said}");
+}
+
+#[test]
 fn it_flies_again_after_a_stop_and_a_new_arming() {
     let mut testbed = taken_off(Wanted::default());
     testbed.station.order(12.0, Order::Stop);
