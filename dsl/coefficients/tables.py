@@ -50,19 +50,27 @@ def literal(value):
     return text.replace("e-0", "e-") if "e" in text else text
 
 
+def float_literal(value):
+    """The shortest text of the float nearest to a value."""
+    return str(numpy.float32(float(value))).replace("e-0", "e-")
+
+
 def bits(value):
     """The bits of the double nearest to a value."""
     return struct.unpack("<Q", struct.pack("<d", float(value)))[0]
 
 
-def constant(name, value, text):
-    print(f"/// {text}\npub const {name}: f64 = {literal(value)};")
+WORDS = {"f64": literal, "f32": float_literal, "u64": lambda it: f"0x{it:016x}", "u32": lambda it: f"0x{it:08x}"}
+
+
+def constant(name, value, text, ty="f64"):
+    print(f"/// {text}\npub const {name}: {ty} = {WORDS[ty](value)};")
 
 
 def table(name, values, text, ty="f64"):
     print(f"/// {text}\npub const {name}: [{ty}; {len(values)}] = [")
     for value in values:
-        print(f"    {literal(value) if ty == 'f64' else f'0x{value:016x}'},")
+        print(f"    {WORDS[ty](value)},")
     print("];")
 
 
@@ -92,12 +100,12 @@ def rows(name, values, text, ty="f64", shared=False):
     mark = "#[crate::data]\n" if shared else ""
     print(f"/// {text}\n{mark}pub const {name}: [[{ty}; {len(values[0])}]; {len(values)}] = [")
     for row in values:
-        items = ", ".join(literal(v) if ty == "f64" else f"0x{v:016x}" for v in row)
+        items = ", ".join(WORDS[ty](v) for v in row)
         print(f"    [{items}],")
     print("];")
 
 
-def polynomial(name, function, count, low, high, text):
+def polynomial(name, function, count, low, high, text, ty="f64"):
     """Coefficients of the polynomial through a function at the Chebyshev points, ascending."""
     low, high = mpf(low), mpf(high)
     mp.prec, before = 400, mp.prec
@@ -108,7 +116,7 @@ def polynomial(name, function, count, low, high, text):
         values[row] = function(node)
         for power in range(count):
             system[row, power] = node**power
-    table(name, [double(c) for c in lu_solve(system, values)], text)
+    table(name, [double(c) if ty == "f64" else c for c in lu_solve(system, values)], text, ty)
     mp.prec = before
 
 
@@ -280,4 +288,56 @@ polynomial("LOG2_F32", lambda r: log(1 + r) / two / r, 4, -width, width, "log₂
 
 polynomial("CUBE_ROOT", lambda r: r ** (-mpf(1) / 3), 5, mpf("0.90"), mpf("1.11"), "r^(−1/3) in powers of r, 0.9 to 1.1.")
 polynomial("CUBE_ROOT_F32", lambda r: r ** (-mpf(1) / 3), 7, mpf("0.90"), mpf("1.11"), "The same, finer.")
+module("narrow", "Constants for `f32` in `f32` arithmetic alone.")
+
+
+def narrow(name, function, count, low, high, text):
+    polynomial(f"NARROW_{name}", function, count, low, high, text, "f32")
+
+
+def narrow_parts(name, value, text, *digits):
+    """A value as a sum of floats of so many bits, and one more."""
+    left = value
+    names = ("HIGH", "LOW") if len(digits) == 1 else ("1", "2", "3")
+    for part, end in enumerate((*digits, 24)):
+        taken = rounded(left, 24) if part == len(digits) else cut(left, end)
+        constant(f"NARROW_{name}_{names[part]}", taken, f"{text}, part {part + 1}.", "f32")
+        left -= taken
+
+
+eighth = mpf(pi) / 4
+narrow_parts("TURN", quarter, "π/2 in 16, 16 and 24 bits: a multiple of the first two by up to 2⁸ is exact", 16, 16)
+narrow_parts("QUARTER", quarter, "π/2 in 12, 12 and 24 bits", 12, 12)
+narrow_parts("HALF_PI", quarter, "π/2 in 24 and 24 bits", 24)
+narrow_parts("LN_2", log(mpf(2)), "ln 2 in 16 and 24 bits: a multiple of the first by up to 2⁸ is exact", 16)
+narrow_parts("LOG10_2", log(mpf(2)) / log(mpf(10)), "log₁₀ 2 in 16 and 24 bits", 16)
+narrow_parts("LOG2_E", 1 / log(mpf(2)), "log₂ e in 12 and 24 bits", 12)
+narrow_parts("LOG10_E", 1 / log(mpf(10)), "log₁₀ e in 12 and 24 bits", 12)
+words = [0] + [(int(floor(2 / pi * mpf(2) ** 320)) >> (32 * (9 - i))) & (2**32 - 1) for i in range(10)]
+table("TWO_OVER_PI_WORDS", words, "The bits of 2/π after 32 zeros, most significant first.", "u32")
+narrow("SINE", odd(sin), 3, 0, eighth**2, "(sin x − x)/x³ in powers of x², to π/4.")
+narrow("COSINE", lambda z: (cos(sqrt(z)) - 1 + z / 2) / z**2, 3, 0, eighth**2,
+       "(cos x − 1 + x²/2)/x⁴ in powers of x², to π/4.")
+narrow("TANGENT", odd(tan), 7, 0, mpf("0.62") ** 2, "(tan x − x)/x³ in powers of x², to 0.62.")
+narrow("ARCTANGENT", odd(atan), 4, 0, mpf(1) / 16, "(atan x − x)/x³ in powers of x², to 1/4.")
+centres = [mpf(2) ** (j // 4 - 2) * (1 + (mpf(j % 4) + mpf(1) / 2) / 4) for j in range(16)]
+rows("NARROW_ARCTANGENTS", [(c, rounded(atan(c), 24), atan(c) - rounded(atan(c), 24)) for c in centres],
+     "c and atan c, to a float and less that: four c for each octave from 1/4 to 4.", "f32")
+narrow("ARCSINE", odd(asin), 5, 0, mpf(1) / 4, "(asin x − x)/x³ in powers of x², to 1/2.")
+narrow("EXPONENTIAL", lambda x: (exp(x) - 1 - x) / x**2, 6, -two / 2, two / 2 * mpf("1.001"),
+       "(e^x − 1 − x)/x² in powers of x, to (ln 2)/2.")
+narrow("BINARY", lambda x: (mpf(2) ** x - 1) / x - 1, 6, mpf(-1) / 2, mpf("0.5001"),
+       "(2^x − 1)/x − 1 in powers of x, to 1/2.")
+constant("NARROW_BINARY_FIRST", two - mpf(11) / 16, "ln 2 − 11/16.", "f32")
+most = mpf("0.1726") ** 2
+narrow("LOGARITHM", lambda z: log((1 + sqrt(z)) / (1 - sqrt(z))) / sqrt(z) / z - 2 / z, 3, 0, most,
+       "(2·artanh s − 2s)/s³ in powers of s², to 0.1726.")
+narrow("SINH", odd(sinh), 4, 0, mpf("1.05") ** 2, "(sinh x − x)/x³ in powers of x², to 1.05.")
+narrow("TANH", odd(tanh), 7, 0, mpf("0.85") ** 2, "(tanh x − x)/x³ in powers of x², to 0.85.")
+factors = [mpf(1) if low < 1 < high else grid(2 / (low + high), -9) for low, high in map(cell, range(128))]
+logs = [-log(c) / two for c in factors]
+rows("NARROW_POWER_ROWS", [(c, grid(v, -15), v - grid(v, -15)) for c, v in zip(factors, logs)],
+     "A factor c of ten bits for a significand of the row; −log₂ c to a multiple of 2⁻¹⁵, and the rest.", "f32")
+narrow("CUBE_ROOT", lambda d: ((1 + d) ** (-mpf(1) / 3) - 1) / d, 5, mpf("-0.1046"), mpf("0.1047"),
+       "((1 + d)^(−1/3) − 1)/d in powers of d, −0.105 to 0.105.")
 files.close()

@@ -1,5 +1,6 @@
 //! A model that calls every elementary function on many points and folds the bits of the results.
 
+use bessemer::math::narrow;
 use bessemer::prelude::*;
 
 /// Points of one call of [`Probe::step`].
@@ -53,6 +54,9 @@ impl Probe {
             folded = (folded ^ value.to_bits()).wrapping_mul(0x9e37_79b9_7f4a_7c15);
             folded ^= folded >> 29;
             let value = single(which, x as f32, y as f32);
+            folded = (folded ^ value.to_bits() as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+            folded ^= folded >> 29;
+            let value = alone(which, x as f32, y as f32);
             folded = (folded ^ value.to_bits() as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15);
             folded ^= folded >> 29;
         }
@@ -124,6 +128,39 @@ pub fn single(which: u32, x: f32, y: f32) -> f32 {
         21 => x.mul_add(y, if y > 0.0 { -x * y } else { x }),
         22 => {
             let (sine, cosine) = x.sin_cos();
+            sine + 2.0 * cosine
+        }
+        _ => x,
+    }
+}
+
+/// The same in `f32` alone, as with the feature `single` of the DSL.
+#[function]
+pub fn alone(which: u32, x: f32, y: f32) -> f32 {
+    match which {
+        0 => narrow::sinf(x),
+        1 => narrow::cosf(x),
+        2 => narrow::tanf(x),
+        3 => narrow::asinf(x),
+        4 => narrow::acosf(x),
+        5 => narrow::atanf(x),
+        6 => narrow::expf(x),
+        7 => narrow::exp2f(x),
+        8 => narrow::exp_m1f(x),
+        9 => narrow::lnf(x),
+        10 => narrow::log2f(x),
+        11 => narrow::log10f(x),
+        12 => narrow::ln_1pf(x),
+        13 => narrow::sinhf(x),
+        14 => narrow::coshf(x),
+        15 => narrow::tanhf(x),
+        16 => narrow::cbrtf(x),
+        17 => narrow::atan2f(x, y),
+        18 => narrow::powff(x, y),
+        19 => narrow::hypotf(x, y),
+        20 => narrow::powif(x, y.to_bits() as i32 >> 20),
+        22 => {
+            let (sine, cosine) = narrow::sin_cosf(x);
             sine + 2.0 * cosine
         }
         _ => x,

@@ -27,8 +27,10 @@ const DOUBLE: &[(&str, &[(&str, &str)])] = &[
     ("roots", &[("cbrt", "cbrt"), ("hypot", "hypot")]),
 ];
 
-/// The module of those in single precision: the Rust names have an `f` more, and so have C's.
-const SINGLE: &str = "single";
+/// The modules of those in single precision, in either form: the Rust names have an `f` more, and so have C's.
+fn is_of_f32(module: &str) -> bool {
+    module == "bessemer::math::single" || module.starts_with("bessemer::math::narrow::")
+}
 
 /// The macro of C99's `math.h` that says that the processor computes a function in an instruction, and that
 /// function, where one rounding leaves it no choice of bits.
@@ -53,12 +55,12 @@ pub fn name(function: &Function) -> Option<String> {
     if function.owner.is_some() || !is_mathematics(&function.module) {
         return None;
     }
-    let module = function.module.rsplit("::").next()?;
-    if module == SINGLE {
+    if is_of_f32(&function.module) {
         let name = function.name.strip_suffix('f')?;
         let mut all = DOUBLE.iter().flat_map(|(_, names)| names.iter());
         return all.find(|(rust, _)| *rust == name).map(|(_, c)| format!("{c}f"));
     }
+    let module = function.module.rsplit("::").next()?;
     let (_, names) = DOUBLE.iter().find(|(own, _)| *own == module)?;
     names.iter().find(|(rust, _)| *rust == function.name).map(|(_, c)| (*c).to_owned())
 }

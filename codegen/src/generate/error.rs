@@ -73,6 +73,16 @@ pub enum Error {
         /// Which.
         package: String,
     },
+    /// Members of one workspace ask for different mathematics of `f32`.
+    #[error(
+        "`{with}` computes the functions of `f32` in `f32` alone and `{without}` does not: built together, they would share one way"
+    )]
+    Singles {
+        /// The package that has the feature.
+        with: String,
+        /// One that does not.
+        without: String,
+    },
     /// The package has no licence to write into the C.
     #[error("the package `{package}` names no licence, which stands in each file of the C")]
     NoLicense {
@@ -141,6 +151,11 @@ impl Error {
             }
             Error::NotOfTheDsl { .. } => {
                 "name it under `[dependencies]` in its Cargo.toml, by that name".to_owned()
+            }
+            Error::Singles { .. } => {
+                "give each the same: `bessemer = { …, features = [\"single\"] }` under `[workspace.dependencies]`, and \
+                 `bessemer = { workspace = true }` in each; or make one a workspace of its own"
+                    .to_owned()
             }
             Error::NoLicense { .. } => {
                 "write `license = \"MIT OR Apache-2.0\"`, or yours, into the `[package]` section of its Cargo.toml".to_owned()

@@ -29,7 +29,7 @@ pub(super) fn tree(
     workspace: &Workspace,
     sources: &Sources,
 ) -> Result<(Package, Vec<Diagnostic>), Error> {
-    let member = workspace.member(&job.package)?;
+    let member = workspace.agreed(&job.package)?;
     let library = member.models()?;
     let license = job.license.as_ref().or(member.license.as_ref());
     let license = license.ok_or_else(|| Error::NoLicense { package: job.package.clone() })?;

@@ -13,6 +13,8 @@ use super::error::Error;
 
 /// The crate that models are written in.
 const DSL: &str = "bessemer";
+/// Its feature that lets the functions of `f32` compute in `f32` alone.
+const SINGLE: &str = "single";
 
 /// A workspace of cargo's.
 #[derive(Clone, Debug)]
@@ -40,6 +42,8 @@ pub struct Member {
     pub linked: bool,
     /// Whether it is written in the DSL, as far as its dependencies tell.
     pub uses_dsl: bool,
+    /// Whether it asks the DSL for functions of `f32` that compute in `f32` alone.
+    pub single: bool,
 }
 
 impl Workspace {
@@ -66,6 +70,23 @@ impl Workspace {
         };
         let packages = metadata["packages"].as_array().into_iter().flatten();
         Ok(Workspace { root, target, members: packages.filter_map(Member::of).collect() })
+    }
+
+    /// The member of this name, unless another one would change its bits: cargo builds the DSL once for all that it builds
+    /// together, with the features that any of them asks for.
+    ///
+    /// # Errors
+    /// [`Error::NoPackage`] if there is none; [`Error::Singles`] if the members do not compute their `f32` alike.
+    pub fn agreed(&self, name: &str) -> Result<&Member, Error> {
+        let member = self.member(name)?;
+        let other = self.members.iter().find(|it| it.uses_dsl && it.single != member.single);
+        match other.filter(|_| member.uses_dsl) {
+            None => Ok(member),
+            Some(other) => {
+                let (with, without) = if member.single { (member, other) } else { (other, member) };
+                Err(Error::Singles { with: with.name.clone(), without: without.name.clone() })
+            }
+        }
     }
 
     /// Waits until no other run holds the lock of this name in the target folder; until what it gives is dropped, none
@@ -100,6 +121,8 @@ impl Member {
         };
         let kinds = ["lib", "rlib", "dylib", "cdylib", "staticlib"];
         let library = list("targets").find(|target| has(&target["kind"], &kinds));
+        let dsl = list("dependencies")
+            .find(|it| it["name"] == DSL && it["kind"].is_null() && it["rename"].is_null());
         Some(Member {
             name: package["name"].as_str()?.to_owned(),
             folder: Path::new(package["manifest_path"].as_str()?).parent()?.to_owned(),
@@ -108,8 +131,8 @@ impl Member {
                 .and_then(|library| library["name"].as_str())
                 .map(|it| it.replace('-', "_")),
             linked: library.is_some_and(|library| has(&library["crate_types"], &["lib", "rlib"])),
-            uses_dsl: list("dependencies")
-                .any(|it| it["name"] == DSL && it["kind"].is_null() && it["rename"].is_null()),
+            uses_dsl: dsl.is_some(),
+            single: dsl.is_some_and(|it| has(&it["features"], &[SINGLE])),
         })
     }
 
@@ -145,4 +168,43 @@ pub(super) fn cargo(arguments: &[&str]) -> Command {
 /// The cargo to run: the one that runs this, or the one on the path.
 pub(super) fn program() -> String {
     std::env::var_os("CARGO").unwrap_or_else(|| OsString::from("cargo")).to_string_lossy().into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn member(name: &str, uses_dsl: bool, single: bool) -> Member {
+        Member {
+            name: name.to_owned(),
+            folder: PathBuf::new(),
+            license: None,
+            library: None,
+            linked: false,
+            uses_dsl,
+            single,
+        }
+    }
+
+    #[test]
+    fn members_with_other_bits_are_refused_and_named() {
+        let of = |members: Vec<Member>| Workspace {
+            root: PathBuf::new(),
+            target: PathBuf::new(),
+            members,
+        };
+        let drive = || member("drive", true, true);
+        let alike = of(vec![drive(), member("tool", false, false), member("pump", true, true)]);
+        assert!(alike.agreed("drive").is_ok() && alike.agreed("tool").is_ok());
+        let apart = of(vec![drive(), member("pump", true, false)]);
+        for name in ["drive", "pump"] {
+            let error = apart.agreed(name).expect_err("they disagree");
+            let said = error.to_string();
+            assert!(
+                said.contains("`drive` computes") && said.contains("`pump` does not"),
+                "{said}"
+            );
+            assert!(error.remedy().is_some_and(|it| it.contains("workspace.dependencies")));
+        }
+    }
 }

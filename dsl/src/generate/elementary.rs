@@ -3,7 +3,7 @@
 use super::builder::Callee;
 use super::slot::Called;
 use crate::math::{
-    arctangent, exponential, fused, hyperbolic, logarithm, power, roots, sine, single, tangent,
+    arctangent, exponential, fused, hyperbolic, logarithm, of_f32, power, roots, sine, tangent,
 };
 
 /// Elementary functions of floats.
@@ -130,27 +130,27 @@ impl ElementaryBuiltins for f64 {
 }
 
 impl ElementaryBuiltins for f32 {
-    type Sin = single::sinf;
-    type Cos = single::cosf;
-    type Tan = single::tanf;
-    type Asin = single::asinf;
-    type Acos = single::acosf;
-    type Atan = single::atanf;
-    type Exp = single::expf;
-    type Exp2 = single::exp2f;
-    type ExpM1 = single::exp_m1f;
-    type Ln = single::lnf;
-    type Log2 = single::log2f;
-    type Log10 = single::log10f;
-    type Ln1p = single::ln_1pf;
-    type Sinh = single::sinhf;
-    type Cosh = single::coshf;
-    type Tanh = single::tanhf;
-    type Cbrt = single::cbrtf;
-    type Atan2 = single::atan2f;
-    type Powf = single::powff;
-    type Hypot = single::hypotf;
-    type Powi = single::powif;
+    type Sin = of_f32::sinf;
+    type Cos = of_f32::cosf;
+    type Tan = of_f32::tanf;
+    type Asin = of_f32::asinf;
+    type Acos = of_f32::acosf;
+    type Atan = of_f32::atanf;
+    type Exp = of_f32::expf;
+    type Exp2 = of_f32::exp2f;
+    type ExpM1 = of_f32::exp_m1f;
+    type Ln = of_f32::lnf;
+    type Log2 = of_f32::log2f;
+    type Log10 = of_f32::log10f;
+    type Ln1p = of_f32::ln_1pf;
+    type Sinh = of_f32::sinhf;
+    type Cosh = of_f32::coshf;
+    type Tanh = of_f32::tanhf;
+    type Cbrt = of_f32::cbrtf;
+    type Atan2 = of_f32::atan2f;
+    type Powf = of_f32::powff;
+    type Hypot = of_f32::hypotf;
+    type Powi = of_f32::powif;
     type MulAdd = fused::mul_addf;
-    type SinCos = single::sin_cosf;
+    type SinCos = of_f32::sin_cosf;
 }

@@ -1,7 +1,7 @@
 //! The methods of floats that are elementary functions: what `x.sin()` in an annotated item means.
 
 use super::{
-    arctangent, exponential, fused, hyperbolic, logarithm, power, roots, sine, single, tangent,
+    arctangent, exponential, fused, hyperbolic, logarithm, of_f32, power, roots, sine, tangent,
 };
 
 /// Elementary functions that the attributes redirect to the DSL.
@@ -100,25 +100,25 @@ elementary! {
         dsl_hypot roots::hypot;
         power::powi, fused::mul_add, sine::sin_cos;
     f32:
-        dsl_sin single::sinf,
-        dsl_cos single::cosf,
-        dsl_tan single::tanf,
-        dsl_asin single::asinf,
-        dsl_acos single::acosf,
-        dsl_atan single::atanf,
-        dsl_exp single::expf,
-        dsl_exp2 single::exp2f,
-        dsl_exp_m1 single::exp_m1f,
-        dsl_ln single::lnf,
-        dsl_log2 single::log2f,
-        dsl_log10 single::log10f,
-        dsl_ln_1p single::ln_1pf,
-        dsl_sinh single::sinhf,
-        dsl_cosh single::coshf,
-        dsl_tanh single::tanhf,
-        dsl_cbrt single::cbrtf;
-        dsl_atan2 single::atan2f,
-        dsl_powf single::powff,
-        dsl_hypot single::hypotf;
-        single::powif, fused::mul_addf, single::sin_cosf;
+        dsl_sin of_f32::sinf,
+        dsl_cos of_f32::cosf,
+        dsl_tan of_f32::tanf,
+        dsl_asin of_f32::asinf,
+        dsl_acos of_f32::acosf,
+        dsl_atan of_f32::atanf,
+        dsl_exp of_f32::expf,
+        dsl_exp2 of_f32::exp2f,
+        dsl_exp_m1 of_f32::exp_m1f,
+        dsl_ln of_f32::lnf,
+        dsl_log2 of_f32::log2f,
+        dsl_log10 of_f32::log10f,
+        dsl_ln_1p of_f32::ln_1pf,
+        dsl_sinh of_f32::sinhf,
+        dsl_cosh of_f32::coshf,
+        dsl_tanh of_f32::tanhf,
+        dsl_cbrt of_f32::cbrtf;
+        dsl_atan2 of_f32::atan2f,
+        dsl_powf of_f32::powff,
+        dsl_hypot of_f32::hypotf;
+        of_f32::powif, fused::mul_addf, of_f32::sin_cosf;
 }

@@ -23,6 +23,7 @@ mod integral;
 pub mod logarithm;
 mod matrix;
 mod methods;
+pub mod narrow;
 mod number;
 pub mod pair;
 pub mod power;
@@ -33,6 +34,12 @@ pub mod single;
 pub mod tables;
 pub mod tangent;
 pub mod whole;
+
+/// The functions of `f32` in either form, as the feature `single` says: computed in double, or in `f32` alone.
+#[cfg(feature = "single")]
+pub(crate) use narrow as of_f32;
+#[cfg(not(feature = "single"))]
+pub(crate) use single as of_f32;
 
 use core::cmp::Ordering;
 

@@ -8,10 +8,12 @@ mod angles;
 mod decimal;
 mod finer;
 mod logarithms;
+mod narrow;
 mod powers;
 
 pub use angles::*;
 pub use decimal::*;
 pub use finer::*;
 pub use logarithms::*;
+pub use narrow::*;
 pub use powers::*;

@@ -1,0 +1,165 @@
+//! The logarithms: with f = m − 1 of a significand m from 0.705 to 1.410 and s = f/(2 + f), ln m is the series of
+//! 2 artanh s, written as f − f²/2 + s · (f²/2 + R(s²)) so that what is large is exact.
+
+use super::super::RawBits as _;
+use super::super::tables::{
+    NARROW_LN_2_HIGH, NARROW_LN_2_LOW, NARROW_LOG2_E_HIGH, NARROW_LOG2_E_LOW, NARROW_LOG10_2_HIGH,
+    NARROW_LOG10_2_LOW, NARROW_LOG10_E_HIGH, NARROW_LOG10_E_LOW, NARROW_LOGARITHM,
+};
+use super::{PairF32, leading, ordered_sum};
+use crate::prelude::*;
+
+/// A positive number as 2^`exponent` · (1 + `rest`), that from −0.295 to 0.410.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SplitF32 {
+    /// The exponent.
+    pub exponent: f32,
+    /// The significand less 1: exact.
+    pub rest: f32,
+}
+
+/// The parts of a normal number; of its exponent, `less` is taken off.
+#[inline]
+#[function]
+pub fn split(x: f32, less: i32) -> SplitF32 {
+    let bits = x.raw_bits();
+    // Above 1 + 52.5/128 a significand is halved.
+    let exponent = bits.wrapping_sub(0x3f34_8000) as i32 >> 23;
+    SplitF32 {
+        exponent: exponent.wrapping_sub(less) as f32,
+        rest: f32::from_bits(bits.wrapping_sub((exponent as u32) << 23)) - 1.0,
+    }
+}
+
+/// s · (f²/2 + R(s²)) for a half square f²/2.
+#[inline]
+#[function]
+pub fn beyond_square(f: f32, half: f32) -> f32 {
+    let s = f / (2.0 + f);
+    let z = s * s;
+    let tail = z * (NARROW_LOGARITHM[0] + z * (NARROW_LOGARITHM[1] + z * NARROW_LOGARITHM[2]));
+    s * (half + tail)
+}
+
+/// The natural logarithm of 2^`exponent` · (1 + `rest`), and `lost` with it.
+#[inline]
+#[function]
+pub fn natural(parts: SplitF32, lost: f32) -> f32 {
+    let f = parts.rest;
+    let half = 0.5 * f * f;
+    let lead = ordered_sum(parts.exponent * NARROW_LN_2_HIGH, f);
+    let small = (beyond_square(f, half) + (lost + parts.exponent * NARROW_LN_2_LOW)) + lead.low;
+    lead.high + (small - half)
+}
+
+/// ln(1 + `f`) as a sum of two, the first of 12 bits.
+#[inline]
+#[function]
+pub fn natural_pair(f: f32) -> PairF32 {
+    let half = 0.5 * f * f;
+    let high = leading(f - half);
+    PairF32 { high, low: ((f - high) - half) + beyond_square(f, half) }
+}
+
+/// Whether a number is positive, normal and finite.
+#[inline]
+#[function]
+pub fn is_plain(x: f32) -> bool {
+    x.raw_bits().wrapping_sub(0x0080_0000) < 0x7f00_0000
+}
+
+/// Logarithms of what is no positive, normal number.
+#[inline]
+#[function]
+pub fn limit(x: f32) -> f32 {
+    if x == 0.0 {
+        f32::NEG_INFINITY
+    } else if x > 0.0 {
+        x
+    } else {
+        f32::NAN
+    }
+}
+
+/// Whether a number is positive and below the normal ones.
+#[inline]
+#[function]
+pub fn is_subnormal(x: f32) -> bool {
+    x > 0.0 && x < f32::MIN_POSITIVE
+}
+
+/// The natural logarithm.
+#[function]
+pub fn lnf(x: f32) -> f32 {
+    if is_plain(x) {
+        natural(split(x, 0), 0.0)
+    } else if is_subnormal(x) {
+        natural(split(x * 8_388_608.0, 23), 0.0)
+    } else {
+        limit(x)
+    }
+}
+
+/// ln(1 + x), without cancellation.
+#[function]
+pub fn ln_1pf(x: f32) -> f32 {
+    if x.abs() < 0.29 {
+        if x.abs() < 5.9604645e-8 {
+            // −0 stays what it is.
+            return x;
+        }
+        return natural(SplitF32 { exponent: 0.0, rest: x }, 0.0);
+    }
+    let sum = 1.0 + x;
+    if is_plain(sum) {
+        let lost = if x < 1.0 { x - (sum - 1.0) } else { 1.0 - (sum - x) };
+        natural(split(sum, 0), lost / sum)
+    } else {
+        limit(sum)
+    }
+}
+
+/// The logarithm to base 2 of the parts of a number.
+#[inline]
+#[function]
+pub fn binary(parts: SplitF32) -> f32 {
+    let ln = natural_pair(parts.rest);
+    let lead = ordered_sum(parts.exponent, ln.high * NARROW_LOG2_E_HIGH);
+    let small = (ln.high + ln.low) * NARROW_LOG2_E_LOW + ln.low * NARROW_LOG2_E_HIGH;
+    lead.high + (lead.low + small)
+}
+
+/// The logarithm to base 2.
+#[function]
+pub fn log2f(x: f32) -> f32 {
+    if is_plain(x) {
+        binary(split(x, 0))
+    } else if is_subnormal(x) {
+        binary(split(x * 8_388_608.0, 23))
+    } else {
+        limit(x)
+    }
+}
+
+/// The logarithm to base 10 of the parts of a number.
+#[inline]
+#[function]
+pub fn decimal(parts: SplitF32) -> f32 {
+    let ln = natural_pair(parts.rest);
+    let lead = ordered_sum(parts.exponent * NARROW_LOG10_2_HIGH, ln.high * NARROW_LOG10_E_HIGH);
+    let small = (ln.high + ln.low) * NARROW_LOG10_E_LOW + ln.low * NARROW_LOG10_E_HIGH;
+    lead.high + (lead.low + (small + parts.exponent * NARROW_LOG10_2_LOW))
+}
+
+/// The logarithm to base 10.
+#[function]
+pub fn log10f(x: f32) -> f32 {
+    if is_plain(x) {
+        decimal(split(x, 0))
+    } else if is_subnormal(x) {
+        decimal(split(x * 8_388_608.0, 23))
+    } else {
+        limit(x)
+    }
+}

@@ -1,0 +1,64 @@
+//! The elementary functions of `f32` in `f32` arithmetic alone: for processors that have no other in hardware.
+//!
+//! The feature `single` of this crate puts them in the place of [`super::single`]'s, which compute in double:
+//! `docs/design/numbers.md`. No `f64` and no integer of 64 bits takes part, nor a fused multiply-add. At most one unit in the
+//! last place is lost; where a plain sum would lose more, its rest is kept beside it.
+
+pub mod arctangent;
+pub mod exponential;
+pub mod hyperbolic;
+pub mod logarithm;
+pub mod power;
+pub mod reduction;
+pub mod roots;
+pub mod sine;
+pub mod tangent;
+
+pub use arctangent::{acosf, asinf, atan2f, atanf};
+pub use exponential::{exp_m1f, exp2f, expf};
+pub use hyperbolic::{coshf, sinhf, tanhf};
+pub use logarithm::{ln_1pf, lnf, log2f, log10f};
+pub use power::{powff, powif};
+pub use roots::{cbrtf, hypotf};
+pub use sine::{cosf, sin_cosf, sinf};
+pub use tangent::tanf;
+
+use super::RawBits as _;
+use crate::prelude::*;
+
+/// 1.5 · 2²³: added to a smaller number it leaves the nearest integer in the last bits.
+pub const TO_INTEGER: f32 = 12_582_912.0;
+
+/// The leading 12 bits of a number: the product of two such is exact.
+#[inline]
+#[function]
+pub fn leading(x: f32) -> f32 {
+    f32::from_bits(x.raw_bits() & 0xffff_f000)
+}
+
+/// A number as a sum of two.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PairF32 {
+    /// The number to a float.
+    pub high: f32,
+    /// What `high` leaves out.
+    pub low: f32,
+}
+
+/// The sum and its rounding error (D. E. Knuth).
+#[inline]
+#[function]
+pub fn sum(a: f32, b: f32) -> PairF32 {
+    let high = a + b;
+    let back = high - a;
+    PairF32 { high, low: (a - (high - back)) + (b - back) }
+}
+
+/// The sum and its rounding error, where |`a`| ≥ |`b`| or nothing is lost (T. J. Dekker).
+#[inline]
+#[function]
+pub fn ordered_sum(a: f32, b: f32) -> PairF32 {
+    let high = a + b;
+    PairF32 { high, low: b - (high - a) }
+}

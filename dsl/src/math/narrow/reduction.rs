@@ -1,0 +1,139 @@
+//! Angles brought to a quarter turn, as a sum of two floats.
+//!
+//! Moderate ones after Cody and Waite, *Software Manual for the Elementary Functions* (1980), with π/2 in three parts. Huge
+//! ones after M. Payne and R. Hanek, *Radian reduction for trigonometric functions* (SIGNUM Newsletter 18, 1983): of 2/π,
+//! 96 bits are taken from where they no longer make whole turns of the angle's last bit. The angle's 24 bits and two bits of
+//! the quadrant leave 70 behind the point; no float is nearer than 2⁻³⁰ to a multiple of π/2.
+
+use core::f32::consts::{FRAC_2_PI, FRAC_PI_4};
+
+use super::super::RawBits as _;
+use super::super::tables::{
+    NARROW_QUARTER_1, NARROW_QUARTER_2, NARROW_QUARTER_3, NARROW_TURN_1, NARROW_TURN_2,
+    NARROW_TURN_3, TWO_OVER_PI_WORDS,
+};
+use super::{PairF32, TO_INTEGER, leading, ordered_sum};
+use crate::prelude::*;
+
+/// An angle as quarter turns and what is left.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ReducedF32 {
+    /// What is left, rad, −π/4 to π/4.
+    pub high: f32,
+    /// What `high` leaves out.
+    pub low: f32,
+    /// Quarter turns, of which the last two bits count.
+    pub quadrant: u32,
+}
+
+/// Up to here quarter turns are fewer than 2⁸, rad.
+pub const FEW_TURNS: f32 = 400.0;
+
+/// Takes whole quarter turns off `x`, rad, of up to [`FEW_TURNS`].
+#[inline]
+#[function]
+pub fn reduced_moderate(x: f32) -> ReducedF32 {
+    let shifted = x * FRAC_2_PI + TO_INTEGER;
+    let turns = shifted - TO_INTEGER;
+    // Two products without loss, and a first difference; what the second loses is kept.
+    let first = x - turns * NARROW_TURN_1;
+    let part = turns * NARROW_TURN_2;
+    let lead = first - part;
+    let lost = ((first - lead) - part) - turns * NARROW_TURN_3;
+    let high = lead + lost;
+    ReducedF32 { high, low: (lead - high) + lost, quadrant: shifted.raw_bits() }
+}
+
+/// Takes whole quarter turns off `x`, rad.
+#[function]
+pub fn reduced_angle(x: f32) -> ReducedF32 {
+    let size = x.abs();
+    if size <= FRAC_PI_4 {
+        ReducedF32 { high: x, low: 0.0, quadrant: 0 }
+    } else if size <= FEW_TURNS {
+        reduced_moderate(x)
+    } else if size <= f32::MAX {
+        reduced_huge(x)
+    } else {
+        ReducedF32 { high: f32::NAN, low: 0.0, quadrant: 0 }
+    }
+}
+
+/// The upper 32 bits of a product.
+#[inline]
+#[function]
+pub fn upper_product(a: u32, b: u32) -> u32 {
+    let a_high = a >> 16;
+    let a_low = a & 0xffff;
+    let b_high = b >> 16;
+    let b_low = b & 0xffff;
+    let first = a_high.wrapping_mul(b_low).wrapping_add(a_low.wrapping_mul(b_low) >> 16);
+    let second = a_low.wrapping_mul(b_high).wrapping_add(first & 0xffff);
+    a_high.wrapping_mul(b_high).wrapping_add(first >> 16).wrapping_add(second >> 16)
+}
+
+/// 32 bits of 2/π from bit `shift` of a word on; the next word follows.
+#[inline]
+#[function]
+pub fn window(word: u32, next: u32, shift: u32) -> u32 {
+    let shift = shift & 31;
+    (word << shift) | ((next >> 1) >> (31 - shift))
+}
+
+/// A fraction of a quarter turn, of 64 bits behind the point, in rad.
+#[inline]
+#[function]
+pub fn radians(head: u32, tail: u32) -> PairF32 {
+    // Three parts of 24, 24 and 16 bits.
+    let lead = (head >> 8) as f32 * 5.9604645e-8;
+    let next = (((head & 0xff) << 16) | (tail >> 16)) as f32 * 3.5527137e-15;
+    let rest = ordered_sum(lead, next);
+    let last = (tail & 0xffff) as f32 * 5.421011e-20;
+    let turns = ordered_sum(rest.high, rest.low + last);
+    let upper = leading(turns.high);
+    let lower = turns.high - upper;
+    let small = upper * NARROW_QUARTER_2 + lower * NARROW_QUARTER_1;
+    let least = (upper * NARROW_QUARTER_3 + lower * NARROW_QUARTER_2)
+        + turns.low * (NARROW_QUARTER_1 + NARROW_QUARTER_2);
+    ordered_sum(upper * NARROW_QUARTER_1, small + least)
+}
+
+/// Takes whole quarter turns off an angle of 2⁸ rad or more.
+#[function]
+pub fn reduced_huge(x: f32) -> ReducedF32 {
+    let bits = x.raw_bits();
+    // Bits of 2/π before this one make whole turns. The table starts with 32 zeros.
+    let start = ((bits >> 23) & 0xff).wrapping_sub(127 + 23 + 2 - 32);
+    let mantissa = (bits & 0x007f_ffff) | 0x0080_0000;
+    let word = ((start >> 5) & 7) as usize;
+    let third = TWO_OVER_PI_WORDS[word + 2];
+    let high = window(TWO_OVER_PI_WORDS[word], TWO_OVER_PI_WORDS[word + 1], start);
+    let middle = window(TWO_OVER_PI_WORDS[word + 1], third, start);
+    let low = window(third, TWO_OVER_PI_WORDS[word + 3], start);
+
+    // The product modulo four turns, in 96 bits of which two are before the point.
+    let last = mantissa.wrapping_mul(low);
+    let carried = upper_product(mantissa, low);
+    let centre = mantissa.wrapping_mul(middle).wrapping_add(carried);
+    let carry = if centre < carried { 1 } else { 0 };
+    let first = mantissa
+        .wrapping_mul(high)
+        .wrapping_add(upper_product(mantissa, middle))
+        .wrapping_add(carry);
+
+    // To the nearest quarter turn; the fraction is signed.
+    let turns = first.wrapping_add(0x2000_0000) >> 30;
+    let fraction = (first << 2) | (centre >> 30);
+    let negative = (fraction >> 31) == 1;
+    let flip = if negative { 0xffff_ffff } else { 0 };
+    let angle = radians(fraction ^ flip, ((centre << 2) | (last >> 30)) ^ flip);
+
+    let backwards = x < 0.0;
+    let sign = if negative != backwards { -1.0 } else { 1.0 };
+    ReducedF32 {
+        high: sign * angle.high,
+        low: sign * angle.low,
+        quadrant: if backwards { 4u32.wrapping_sub(turns) } else { turns },
+    }
+}
