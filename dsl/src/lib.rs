@@ -55,7 +55,7 @@ extern crate self as bessemer;
 pub use bessemer_macros::{c, component, data, entry, external, function, interface};
 pub use bounded::BoundedMatrix;
 pub use element::{Element, Number};
-pub use instance::EntriesInOneBlock;
+pub use instance::{EntriesInOneBlock, EntriesOfSomeInstances};
 pub use linear::{inverse, inverse_mut, solve, solve_into, solve_mut};
 pub use list::List;
 pub use nalgebra;

@@ -2,7 +2,7 @@
 //! sine and cosine.
 //!
 //! nalgebra's own take the platform's trigonometry, whose last bits differ between targets, so the
-//! attributes refuse them. Everything else of a `UnitQuaternion`, a `Rotation3` or an `Isometry3` is
+//! attributes put these in their place: `UnitQuaternion::from_euler_angles`, `q.slerp(…)`. Everything else of a `UnitQuaternion`, a `Rotation3` or an `Isometry3` is
 //! nalgebra's own. Each function has the name of nalgebra's; angles are in rad.
 //!
 //! ```
@@ -203,15 +203,72 @@ pub fn matrix_euler_angles<T: Real>(m: &Rotation3<T>) -> (T, T, T) {
     }
 }
 
-/// The attributes call these in place of nalgebra's methods that have the name of a scalar one.
+/// The smallest rotation that turns `a` into `b`; none where they are opposite, so that its axis is open.
+#[function]
+pub fn rotation_between_axis<T: Real>(
+    a: &UnitVector3<T>,
+    b: &UnitVector3<T>,
+) -> Option<UnitQuaternion<T>> {
+    let across = a.cross(b);
+    let cosine = a.dot(b);
+    let squared = across.norm_squared();
+    if squared > T::EPSILON * T::EPSILON {
+        if cosine <= -T::ONE {
+            return None;
+        }
+        if cosine < T::ONE {
+            let axis = UnitVector3::new_unchecked(across / squared.sqrt());
+            return Some(from_axis_angle(&axis, cosine.acos()));
+        }
+    } else if cosine < T::ZERO {
+        return None;
+    }
+    Some(UnitQuaternion::identity())
+}
+
+/// The attributes call these in place of nalgebra's methods of these names.
 #[doc(hidden)]
 pub trait RotationMethods<T> {
     /// [`powf`].
     fn dsl_powf(&self, share: T) -> Self;
+    /// [`slerp`].
+    fn dsl_slerp(&self, other: &Self, share: T) -> Self;
+    /// [`axis_angle`].
+    fn dsl_axis_angle(&self) -> Option<(UnitVector3<T>, T)>;
+    /// [`scaled_axis`].
+    fn dsl_scaled_axis(&self) -> Vector3<T>;
 }
 
 impl<T: Real> RotationMethods<T> for UnitQuaternion<T> {
     fn dsl_powf(&self, share: T) -> Self {
         powf(self, share)
+    }
+    fn dsl_slerp(&self, other: &Self, share: T) -> Self {
+        slerp(self, other, share)
+    }
+    fn dsl_axis_angle(&self) -> Option<(UnitVector3<T>, T)> {
+        axis_angle(self)
+    }
+    fn dsl_scaled_axis(&self) -> Vector3<T> {
+        scaled_axis(self)
+    }
+}
+
+/// The same of what rotation matrices have, too.
+#[doc(hidden)]
+pub trait EulerMethods<T> {
+    /// [`euler_angles`], [`matrix_euler_angles`].
+    fn dsl_euler_angles(&self) -> (T, T, T);
+}
+
+impl<T: Real> EulerMethods<T> for UnitQuaternion<T> {
+    fn dsl_euler_angles(&self) -> (T, T, T) {
+        euler_angles(self)
+    }
+}
+
+impl<T: Real> EulerMethods<T> for Rotation3<T> {
+    fn dsl_euler_angles(&self) -> (T, T, T) {
+        matrix_euler_angles(self)
     }
 }

@@ -220,10 +220,15 @@ impl Call {
         let signature = &names.functions[entry.index()];
         let walk = Walk { module, names };
         let mut pieces = Call { header: signature.header.clone(), ..Call::default() };
-        if let Some(Owner::Struct(component)) = function.owner {
+        let mut stateful = false;
+        // Plain data has no first state: it is an argument like any other.
+        if let Some(Owner::Struct(component)) = function.owner
+            && let Some(init) = &names.structs[component.index()].init
+        {
+            stateful = true;
             let own = &names.structs[component.index()];
             pieces.own = format!("    static {} {this};\n", own.ty);
-            pieces.init = format!("    {}(&{this});\n", own.init.as_ref()?);
+            pieces.init = format!("    {init}(&{this});\n");
             let ty = Type::Struct(component);
             walk.reads(&ty, this, &mut pieces.sets);
             walk.writes(&ty, this, &mut pieces.state);
@@ -231,7 +236,8 @@ impl Call {
         let mut arguments = Vec::new();
         for (index, param) in signature.params.iter().enumerate() {
             // Its author may call it otherwise in the C.
-            let receiver = function.parameters().get(index).is_some_and(|it| it.name == "self");
+            let receiver =
+                stateful && function.parameters().get(index).is_some_and(|it| it.name == "self");
             if receiver {
                 arguments.push(format!("&{this}"));
                 continue;

@@ -8,17 +8,21 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use quote::{ToTokens as _, format_ident, quote};
-use syn::{FnArg, ImplItem, Item, ReturnType, Signature, Type, Visibility};
+use syn::Item;
+
+use entries::Entries;
+
+mod entries;
 
 fn main() -> io::Result<()> {
     let programs = Path::new(&std::env::var("CARGO_MANIFEST_DIR").unwrap_or_default())
         .join("src")
         .join("programs");
     println!("cargo::rerun-if-changed={}", programs.display());
-    let mut found = Found::default();
+    let entries = Entries { root: "corpus", methods: false, found: Vec::new() };
+    let mut found = Found { modules: String::new(), entries };
     found.folder(&programs, &mut Vec::new())?;
-    let (modules, entries) = (found.modules, found.entries);
+    let (modules, entries) = (found.modules, found.entries.found);
     let entries = entries.iter().map(|entry| format!("    {entry},\n")).collect::<String>();
     let text = format!(
         "{modules}\n/// Every function and entry point of the programs.\n\
@@ -28,12 +32,10 @@ fn main() -> io::Result<()> {
     fs::write(output, text)
 }
 
-#[derive(Default)]
 struct Found {
     /// The text of the modules.
     modules: String,
-    /// The text of each entry.
-    entries: Vec<String>,
+    entries: Entries,
 }
 
 impl Found {
@@ -64,39 +66,16 @@ impl Found {
         at.push(name.to_owned());
         // A file that does not parse is rustc's to tell of.
         if let Ok(file) = syn::parse_file(&fs::read_to_string(path)?) {
-            self.items(&file.items, &at.join("::"));
+            self.entries.items(&file.items, &at.join("::"));
             for shared in file.items.iter().filter_map(included) {
                 let text = fs::read_to_string(path.with_file_name(shared))?;
                 if let Ok(file) = syn::parse_file(&text) {
-                    self.items(&file.items, &at.join("::"));
+                    self.entries.items(&file.items, &at.join("::"));
                 }
             }
         }
         at.pop();
         Ok(())
-    }
-
-    fn items(&mut self, items: &[Item], module: &str) {
-        for item in items {
-            match item {
-                Item::Fn(it) if marked(&it.attrs, "function") && public(&it.vis) => {
-                    self.entries.extend(entry(module, None, &[], &it.sig));
-                }
-                Item::Impl(it) if marked(&it.attrs, "component") && it.trait_.is_none() => {
-                    let owners = owners(it, items);
-                    for method in it.items.iter().filter_map(|item| match item {
-                        ImplItem::Fn(method) if marked(&method.attrs, "entry") => Some(method),
-                        _ => None,
-                    }) {
-                        let entries = owners.iter().filter_map(|(owner, stand_for)| {
-                            entry(module, Some(owner), stand_for, &method.sig)
-                        });
-                        self.entries.extend(entries);
-                    }
-                }
-                _ => {}
-            }
-        }
     }
 }
 
@@ -108,132 +87,4 @@ fn included(item: &Item) -> Option<String> {
         }
         _ => None,
     }
-}
-
-/// The types whose methods stand in an `impl` block: the instances of something generic by their names,
-/// each with what its parameters stand for.
-fn owners(block: &syn::ItemImpl, items: &[Item]) -> Vec<(Type, Vec<Item>)> {
-    if block.generics.params.is_empty() {
-        return vec![((*block.self_ty).clone(), Vec::new())];
-    }
-    let Some((generic, _)) = path_of(&block.self_ty) else { return Vec::new() };
-    let instances = items.iter().filter_map(|item| match item {
-        Item::Type(it) if marked(&it.attrs, "component") => Some(it),
-        _ => None,
-    });
-    let named = instances.filter_map(|it| {
-        let (of, arguments) = path_of(&it.ty)?;
-        let params = block.generics.params.iter().zip(arguments);
-        let stand_for = params.filter_map(|(param, argument)| match param {
-            syn::GenericParam::Const(it) => {
-                let (name, ty) = (&it.ident, &it.ty);
-                Some(syn::parse_quote!(const #name: #ty = #argument;))
-            }
-            syn::GenericParam::Type(it) => {
-                let name = &it.ident;
-                Some(syn::parse_quote!(type #name = #argument;))
-            }
-            syn::GenericParam::Lifetime(_) => None,
-        });
-        let name = &it.ident;
-        (of == generic).then(|| (syn::parse_quote!(#name), stand_for.collect()))
-    });
-    named.collect()
-}
-
-/// The last name of a path, and its arguments.
-fn path_of(ty: &Type) -> Option<(String, Vec<syn::GenericArgument>)> {
-    let Type::Path(it) = ty else { return None };
-    let last = it.path.segments.last()?;
-    let syn::PathArguments::AngleBracketed(arguments) = &last.arguments else { return None };
-    Some((last.ident.to_string(), arguments.args.iter().cloned().collect()))
-}
-
-fn marked(attributes: &[syn::Attribute], name: &str) -> bool {
-    attributes.iter().any(|attribute| {
-        attribute.path().segments.last().is_some_and(|segment| segment.ident == name)
-    })
-}
-
-fn public(visibility: &Visibility) -> bool {
-    matches!(visibility, Visibility::Public(_))
-}
-
-/// The text of a `crate::Entry`; none for generic functions, which are called by others.
-fn entry(
-    module: &str,
-    component: Option<&Type>,
-    stand_for: &[Item],
-    signature: &Signature,
-) -> Option<String> {
-    if signature.generics.params.iter().any(|it| !matches!(it, syn::GenericParam::Lifetime(_))) {
-        return None;
-    }
-    let path: syn::Path = syn::parse_str(&format!("crate::programs::{module}")).ok()?;
-    let name = &signature.ident;
-    let (mut loads, mut arguments, mut stores) = (Vec::new(), Vec::new(), Vec::new());
-    for (index, input) in signature.inputs.iter().enumerate() {
-        let FnArg::Typed(input) = input else { continue };
-        // Words do not say how long a slice is: its callers are run.
-        if matches!(&*input.ty, Type::Reference(it) if matches!(*it.elem, Type::Slice(_))) {
-            return None;
-        }
-        let local = format_ident!("argument_{index}");
-        let (ty, pass) = match &*input.ty {
-            Type::Reference(it) if it.mutability.is_some() => (&*it.elem, quote!(&mut #local)),
-            Type::Reference(it) => (&*it.elem, quote!(&#local)),
-            ty => (ty, quote!(#local)),
-        };
-        loads.push(quote!(let mut #local = <#ty as bessemer::Plain>::load(__next);));
-        if matches!(&*input.ty, Type::Reference(it) if it.mutability.is_some()) {
-            stores.push(quote!(bessemer::Plain::store(&#local, __out);));
-        }
-        arguments.push(pass);
-    }
-    let callee = match component {
-        Some(_) => quote!(this.#name),
-        None => quote!(#path::#name),
-    };
-    let call = quote!(#callee(#(#arguments),*));
-    let call = match &signature.output {
-        ReturnType::Default => quote!(#call;),
-        ReturnType::Type(..) => quote!(let result = #call; bessemer::Plain::store(&result, __out);),
-    };
-    let (load, store, initial, owner) = match component {
-        Some(ty) => (
-            quote!(let mut this = <#ty as bessemer::Plain>::load(__next);),
-            quote!(bessemer::Plain::store(&this, __out);),
-            quote!(bessemer::Plain::store(&<#ty as Default>::default(), __out)),
-            ty.to_token_stream().to_string(),
-        ),
-        None => (quote!(), quote!(), quote!(()), String::new()),
-    };
-    let (name, module) = (name.to_string(), format!("corpus::programs::{module}"));
-    let entry = quote! {
-        crate::Entry {
-            module: #module,
-            component: #owner,
-            name: #name,
-            run: {
-                #[allow(unused_imports, unused_mut, unused_variables, dead_code, clippy::all)]
-                fn run(__next: &mut dyn FnMut() -> u64, __out: &mut dyn FnMut(u64)) {
-                    use bessemer::prelude::*;
-                    use #path::*;
-                    #(#stand_for)*
-                    #load #(#loads)* #call #store #(#stores)*
-                }
-                run
-            },
-            initial: {
-                #[allow(unused_imports, unused_variables)]
-                fn initial(__out: &mut dyn FnMut(u64)) {
-                    use bessemer::prelude::*;
-                    use #path::*;
-                    #initial
-                }
-                initial
-            },
-        }
-    };
-    Some(entry.to_string())
 }

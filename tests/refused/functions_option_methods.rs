@@ -6,14 +6,12 @@ use bessemer::prelude::*;
 /// Does with options what has no place in the C.
 #[function]
 pub fn options(value: Option<f64>) -> Option<f64> {
-    let scaled = value.map(move |x| x * 2.0);
-    let early = scaled.and_then(|x| {
-        if x > 0.0 {
-            return None;
-        }
-        Some(x)
+    let mut gain = 2.0;
+    let scaled = value.map(move |x| {
+        gain += 1.0;
+        x * gain
     });
-    early.inspect(|x| assert!(*x > 1.0))
+    scaled.inspect(|x| assert!(*x > 1.0))
 }
 
 fn main() {}

@@ -12,15 +12,11 @@ pub fn decompositions(a: Matrix4<f64>) -> f64 {
     eigen.eigenvalues[0] + values[0] + factors.determinant() + a.lp_norm(3)
 }
 
-/// A closure that leaves its function, and one that moves.
+/// A closure that moves what may change.
 #[function]
-pub fn closures(a: Matrix2<f64>, b: f64) -> Matrix2<f64> {
-    let c = a.map(|x| {
-        if x < 0.0 {
-            return 0.0;
-        }
-        x
-    });
+pub fn closures(a: Matrix2<f64>, mut b: f64) -> Matrix2<f64> {
+    b += 1.0;
+    let c = a;
     c.zip_map(&a, move |x, y| x + y * b)
 }
 

@@ -21,6 +21,7 @@ mod layouts;
 mod linear;
 mod mathematics;
 mod newcomers;
+mod plain;
 mod random;
 mod readme;
 mod refused;

@@ -83,7 +83,10 @@ fn copy(names: &[String], folder: &Path, workspace: &Workspace) {
 }
 
 /// What is told of each of the modules, and whether they became C.
-fn step(workspace: &Workspace, names: &[String]) -> (BTreeMap<String, Vec<Diagnostic>>, bool) {
+pub(super) fn step(
+    workspace: &Workspace,
+    names: &[String],
+) -> (BTreeMap<String, Vec<Diagnostic>>, bool) {
     let modules: String = names.iter().map(|name| format!("pub mod {name};\n")).collect();
     workspace
         .set_source(&format!("//! Mistakes.\n#![allow(missing_docs)]\n{modules}"))

@@ -44,7 +44,8 @@ impl Lowering<'_, '_> {
             return self.subject_arms(&subject, arms, target, site);
         }
         let mut value = self.value(scrutinee, None)?;
-        if !value.ty.is_word() || self.lends_the_whole(arms)? {
+        let by_number = value.ty.is_word() && !matches!(value.ty, Type::Scalar(Scalar::Float(_)));
+        if !by_number || self.lends_the_whole(arms)? {
             let subject = self.value_subject(value, site)?;
             return self.subject_arms(&subject, arms, target, site);
         }

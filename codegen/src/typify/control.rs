@@ -95,12 +95,21 @@ impl Lowering<'_, '_> {
 
     /// `operand?`: leaves with what it is unless there is a value; that value, if there is something to
     /// it.
-    pub(super) fn try_value(&mut self, operand: &tree::Expr, site: Site) -> Result<Option<Expr>> {
+    pub(super) fn try_value(
+        &mut self,
+        label: Option<&str>,
+        operand: &tree::Expr,
+        site: Site,
+    ) -> Result<Option<Expr>> {
         let span = self.span(site);
         let value = self.value(operand, None)?;
         let place = self.hold(value, site)?;
-        let (Type::Struct(id), Type::Struct(result)) = (place.ty.clone(), self.result.clone())
-        else {
+        let target = self.left_by(label, site)?;
+        let result = match &target {
+            Target::Place(place) => place.ty.clone(),
+            Target::Return => self.result.clone(),
+        };
+        let (Type::Struct(id), Type::Struct(result)) = (place.ty.clone(), result) else {
             return problem(site, "`?` takes an `Option` or a `Result`", "`match` on the value");
         };
         let (taken, left) = match self.case(id, "Some") {
@@ -121,7 +130,13 @@ impl Lowering<'_, '_> {
         let then = self.scoped(|inner| {
             let payload = inner.converted_error(payload, wanted.as_ref(), (id, result), site)?;
             let leave = inner.choice(result, word, payload, site)?;
-            inner.emit(StmtKind::Return(Some(leave)), span);
+            match target {
+                Target::Return => inner.emit(StmtKind::Return(Some(leave)), span),
+                Target::Place(place) => {
+                    inner.emit(StmtKind::Assign { place, value: leave }, span);
+                    inner.leave(label, Leaving::Break, site)?;
+                }
+            }
             Ok(())
         })?;
         self.emit(StmtKind::If { condition, then, otherwise: Block::default() }, span);
@@ -273,7 +288,9 @@ impl Lowering<'_, '_> {
             tree::ExprKind::Call(callee, arguments) if self.is_unwrap(*callee) => {
                 self.unwrap("unwrap", arguments, expr).map(|_| ())
             }
-            tree::ExprKind::Try(operand) => self.try_value(operand, expr.site).map(|_| ()),
+            tree::ExprKind::Try(label, operand) => {
+                self.try_value(label.as_deref(), operand, expr.site).map(|_| ())
+            }
             tree::ExprKind::Apply(name, arguments) => {
                 let value = self.apply(name, arguments, expr.site)?;
                 if value.ty != Type::Unit {

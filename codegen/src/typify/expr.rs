@@ -103,10 +103,12 @@ impl Lowering<'_, '_> {
                 (None, Some(Type::Struct(id))) => self.tuple(*id, parts, expr),
                 _ => self.constructed("", parts, expr),
             },
-            tree::ExprKind::Try(operand) => match self.try_value(operand, site)? {
-                Some(value) => Ok(value),
-                None => problem(site, "this has no value", "write it as a statement"),
-            },
+            tree::ExprKind::Try(label, operand) => {
+                match self.try_value(label.as_deref(), operand, site)? {
+                    Some(value) => Ok(value),
+                    None => problem(site, "this has no value", "write it as a statement"),
+                }
+            }
             tree::ExprKind::Array(elements) => self.array(elements, expr),
             tree::ExprKind::Repeat(element) => {
                 let ty = self.slot_of(expr)?;

@@ -340,6 +340,17 @@ impl Lowering<'_, '_> {
         self.leave(label, Leaving::Break, site)
     }
 
+    /// Where the value goes with which the closure's body with this label is left; the function, without one.
+    pub(super) fn left_by(&self, label: Option<&str>, site: Site) -> Result<Target> {
+        match label {
+            Some(_) => match self.frames[self.depth(label, site)?].target.clone() {
+                Some(target) => Ok(target),
+                None => problem(site, "this leaves what has no value", OUR_FAULT),
+            },
+            None => Ok(Target::Return),
+        }
+    }
+
     /// Leaves a pass of the loop with this label, or of the innermost.
     pub(super) fn leave(
         &mut self,

@@ -8,7 +8,7 @@ use super::{Result, problem};
 /// Whether what `expr` refers to comes from a call, or is gathered: what a fold of references gives is held by itself.
 fn lends(expr: &tree::Expr) -> bool {
     match &expr.kind {
-        tree::ExprKind::Ref(false, inner) | tree::ExprKind::Try(inner) => lends(inner),
+        tree::ExprKind::Ref(false, inner) | tree::ExprKind::Try(_, inner) => lends(inner),
         tree::ExprKind::Call(..) | tree::ExprKind::Fold { .. } => true,
         _ => false,
     }

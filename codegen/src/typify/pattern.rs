@@ -7,7 +7,8 @@
 
 use bessemer_ir::tree::{self, NO_SLOT, Site};
 use bessemer_ir::{
-    Block, Expr, ExprKind, LogicOp, Mode, Place, Step, Stmt, StmtKind, StructId, Type,
+    Block, CompareOp, Expr, ExprKind, LogicOp, Mode, Place, Scalar, Step, Stmt, StmtKind, StructId,
+    Type,
 };
 
 use super::elements::Slice;
@@ -157,6 +158,27 @@ impl Lowering<'_, '_> {
         Ok(any)
     }
 
+    /// A number or a range of floats, which is compared as by `==` and `<=`.
+    fn test_float(&mut self, pattern: &tree::Pattern, place: &Place) -> Result<Option<Expr>> {
+        let mut all = None;
+        let mut compare = |op, number: Option<&tree::Expr>| -> Result<()> {
+            let Some(number) = number else { return Ok(()) };
+            let number = self.value(number, Some(&place.ty))?;
+            let test = Expr::compare(op, place.load(), number).at(place.span);
+            all = both(all.take(), Some(test));
+            Ok(())
+        };
+        match pattern {
+            tree::Pattern::Range { from, to, inclusive } => {
+                compare(CompareOp::Ge, from.as_ref())?;
+                compare(if *inclusive { CompareOp::Le } else { CompareOp::Lt }, to.as_ref())?;
+            }
+            tree::Pattern::Value(number) => compare(CompareOp::Eq, Some(number))?,
+            _ => {}
+        }
+        Ok(all)
+    }
+
     fn test_place(
         &mut self,
         pattern: &tree::Pattern,
@@ -251,6 +273,10 @@ impl Lowering<'_, '_> {
                 Ok(both(tag, inner))
             }
             (tree::Pattern::Value(value), Type::Struct(id)) => self.unit_case(value, place, *id),
+            (
+                tree::Pattern::Value(_) | tree::Pattern::Range { .. },
+                Type::Scalar(Scalar::Float(_)),
+            ) => self.test_float(pattern, place),
             (
                 tree::Pattern::Value(_)
                 | tree::Pattern::Range { .. }

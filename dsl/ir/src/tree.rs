@@ -365,8 +365,8 @@ pub enum ExprKind {
     Cast(Box<Expr>),
     /// `let pattern = value` as a condition.
     Let(Box<Pattern>, Box<Expr>),
-    /// `value?`.
-    Try(Box<Expr>),
+    /// `value?`; with the label of what it leaves, where that is no function: the body of a closure.
+    Try(Option<String>, Box<Expr>),
     /// `if`.
     If(Box<Expr>, Block, Option<Box<Expr>>),
     /// `match`.

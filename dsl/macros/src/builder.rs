@@ -11,7 +11,7 @@ use quote::{format_ident, quote, quote_spanned};
 use crate::attributes::{self, Asked};
 use crate::closures;
 use crate::docs;
-use crate::generics::Scope;
+use crate::generics::{Floats, Scope};
 use crate::lower::{self, Lowering, Parameter, Refusals, refuse};
 
 /// A function as the author wrote it.
@@ -201,6 +201,7 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
     let parameters = lower::parameters(signature, refusals);
     let mut walk = Lowering::new(&signature.ident, subject.is_method(), refusals);
     walk.optional = lower::gives_option(signature);
+    walk.mutable = lower::mutable_names(signature, &copy);
     let mut params = Vec::new();
     let open = matches!(subject.home, Home::Interface(_) | Home::Implementation(_));
     for parameter in &parameters {
@@ -337,6 +338,8 @@ fn builder(
     let (declared, bounds) = (scope.own().declared(), build_bounds(subject, scope));
     let (told, own) = (scope.told(), scope.own().told());
     let interface = interface(subject.home, scope);
+    let floats = scope.floats().map(Floats::companions);
+    let floats = floats.map(|name| quote! { use ::bessemer::generate::generic::#name as _; });
     quote! {
         #[doc(hidden)]
         #[allow(warnings, clippy::all)]
@@ -344,6 +347,7 @@ fn builder(
         #bounds
         {
             use ::bessemer::generate::prelude::*;
+            #floats
             #(#items)*
             #(#macros)*
             #(let #slots = [];)*
@@ -369,20 +373,15 @@ fn builder(
 
 /// The bounds of a builder on the types in its scope; those of an `impl` block stand there.
 pub fn build_bounds(subject: &Subject<'_>, scope: Scope<'_>) -> TokenStream {
-    let value = |name: TokenStream| quote! { #name: ::bessemer::generate::Value };
+    let this = || quote! { Self: ::bessemer::generate::Value };
+    let types = || scope.types().map(|name| scope.value(name));
     match subject.home {
-        Home::Module => scope.own().bounds(scope.types().map(|name| value(quote! { #name }))),
-        Home::Block => {
-            let types = scope.types().map(|name| value(quote! { #name }));
-            scope.own().bounds(types.chain(owner_bound(scope, &quote! { Self })))
-        }
-        Home::Interface(_) => {
-            let types = scope.types().map(|name| value(quote! { #name }));
-            scope.own().bounds(types.chain([value(quote! { Self })]))
-        }
+        Home::Module => scope.own().bounds(types()),
+        Home::Block => scope.own().bounds(types().chain(owner_bound(scope, &quote! { Self }))),
+        Home::Interface(_) => scope.own().bounds(types().chain([this()])),
         Home::Implementation(_) => {
-            let types = scope.own().types().map(|name| value(quote! { #name }));
-            scope.own().bounds(types.chain([value(quote! { Self })]))
+            let types = scope.own().types().map(|name| scope.value(name));
+            scope.own().bounds(types.chain([this()]))
         }
     }
 }

@@ -474,7 +474,8 @@ fn methods(
         }
         owned.extend(alias(method));
         if refusals.is_empty() {
-            redirect::block(&mut method.block);
+            let scope = Scope::of_type(&it.generics).with_method(&method.sig.generics);
+            redirect::block(&mut method.block, scope);
         } else {
             refuse_body(&mut method.attrs, &mut method.block, refusals);
         }

@@ -7,6 +7,7 @@ use quote::{ToTokens, quote};
 
 use crate::attributes::{self, Asked};
 use crate::builder::{self, Home, Subject};
+use crate::generics::Scope;
 use crate::lower::{self, Refusals, refuse};
 use crate::redirect;
 
@@ -80,7 +81,7 @@ fn marked(
         #visibility struct #name {}
     };
     if refusals.is_empty() {
-        redirect::block(&mut function.block);
+        redirect::block(&mut function.block, Scope::of_function(&function.sig.generics));
     } else {
         refuse_body(&mut function.attrs, &mut function.block, refusals);
     }

@@ -133,7 +133,7 @@ impl<'a> Scope<'a> {
 
     /// The same, each type a value of the DSL.
     pub fn value_bounds(self, more: impl IntoIterator<Item = TokenStream>) -> TokenStream {
-        let values = self.types().map(|name| quote! { #name: ::bessemer::generate::Value });
+        let values = self.types().map(|name| self.value(name));
         self.bounds(values.chain(more))
     }
 
@@ -182,10 +182,86 @@ impl<'a> Scope<'a> {
             .any(|param| matches!(param, GenericParam::Const(it) if path.path.is_ident(&it.ident)))
     }
 
+    /// What is known of the types among them that may be floats; none, if there are no types.
+    pub fn floats(self) -> Option<Floats> {
+        self.types().next()?;
+        let is_real = self.types().any(|name| self.is_real(name));
+        Some(if is_real { Floats::Real } else { Floats::Number })
+    }
+
+    /// Whether nalgebra's `RealField` is asked of a type, which then is one of the DSL's floats.
+    fn is_real(self, name: &syn::Ident) -> bool {
+        let real = ["RealField", "ComplexField"].map(str::to_owned);
+        let own = self.params().filter_map(|param| match param {
+            GenericParam::Type(it) if it.ident == *name => Some(it.bounds.to_token_stream()),
+            _ => None,
+        });
+        let both = self.outer.into_iter().chain(self.own);
+        let clauses = both.filter_map(|generics| generics.where_clause.as_ref());
+        let further = clauses.flat_map(|clause| &clause.predicates).filter_map(|it| match it {
+            syn::WherePredicate::Type(it) => {
+                let about = it.bounded_ty.to_token_stream().to_string() == name.to_string();
+                about.then(|| it.bounds.to_token_stream())
+            }
+            _ => None,
+        });
+        own.chain(further).any(|bounds| mentions(bounds, &real))
+    }
+
+    /// What a generation build asks of a type besides its author.
+    pub fn value(self, name: &syn::Ident) -> TokenStream {
+        match self.is_real(name) {
+            true => quote! { #name: ::bessemer::generate::Value + ::bessemer::math::Real },
+            false => quote! { #name: ::bessemer::generate::Value },
+        }
+    }
+
+    /// Whether all arguments of `ty` are parameters: a block for it is one for every instance.
+    pub fn is_for_all(self, ty: &syn::Type) -> bool {
+        let syn::Type::Path(path) = ty else { return true };
+        let arguments = path.path.segments.last().map(|last| &last.arguments);
+        let Some(syn::PathArguments::AngleBracketed(arguments)) = arguments else { return true };
+        let is_parameter = |argument: &syn::GenericArgument| {
+            let text = argument.to_token_stream().to_string();
+            self.params().any(|param| name(param).to_string() == text)
+        };
+        arguments
+            .args
+            .iter()
+            .all(|it| matches!(it, syn::GenericArgument::Lifetime(_)) || is_parameter(it))
+    }
+
     /// Whether `ty` names one of the parameters.
     pub fn is_named_in(self, ty: &syn::Type) -> bool {
         let names: Vec<_> = self.params().map(|param| name(param).to_string()).collect();
         mentions(ty.to_token_stream(), &names)
+    }
+}
+
+/// What bounds may say of a type that stands for a float: it decides which of the DSL's traits answer its methods.
+#[derive(Clone, Copy)]
+pub enum Floats {
+    /// `num_traits::Float`, or a trait that implies it.
+    Number,
+    /// nalgebra's `RealField`.
+    Real,
+}
+
+impl Floats {
+    /// The trait of its methods.
+    pub fn methods(self) -> TokenStream {
+        match self {
+            Floats::Number => quote! { AnyFloatMethods },
+            Floats::Real => quote! { AnyRealMethods },
+        }
+    }
+
+    /// That of their companions.
+    pub fn companions(self) -> TokenStream {
+        match self {
+            Floats::Number => quote! { AnyFloatBuiltins },
+            Floats::Real => quote! { AnyRealBuiltins },
+        }
     }
 }
 

@@ -28,8 +28,12 @@ pub fn one_block(it: &syn::ItemImpl, faces: &[syn::Ident]) -> TokenStream {
             }
         }
     });
+    let of = match scope.is_for_all(owner) {
+        true => quote! { EntriesInOneBlock },
+        false => quote! { EntriesOfSomeInstances },
+    };
     quote! {
-        impl #declared ::bessemer::EntriesInOneBlock for #owner #bounds { #build }
+        impl #declared ::bessemer::#of for #owner #bounds { #build }
     }
 }
 
@@ -62,7 +66,9 @@ pub fn named(it: &syn::ItemType, refusals: &mut Refusals) -> TokenStream {
                         ::bessemer::generate::Named { module: ::core::module_path!(), file: ::core::file!(), name: #text },
                         &[#(#docs),*], (#line, #column), #given,
                     );
-                    ::bessemer::generate::Instance::<#name>::new().build_entries(cx);
+                    let instance = ::bessemer::generate::Instance::<#name>::new();
+                    instance.build_entries(cx);
+                    instance.build_further_entries(cx);
                 })
             }
         };

@@ -56,7 +56,7 @@ fn interface(it: &mut syn::ItemTrait, refusals: &mut Refusals) -> TokenStream {
                     hidden.extend(inside);
                     beside.extend(marker);
                 }
-                native(method, refusals, &mut hidden);
+                native(method, refusals, &mut hidden, &generics);
             }
             syn::TraitItem::Const(_) => {}
             syn::TraitItem::Type(it) if it.generics.params.is_empty() => {
@@ -78,9 +78,16 @@ fn interface(it: &mut syn::ItemTrait, refusals: &mut Refusals) -> TokenStream {
 }
 
 /// The method as Rust runs it.
-fn native(method: &mut syn::TraitItemFn, refusals: Refusals, hidden: &mut Vec<syn::TraitItem>) {
+fn native(
+    method: &mut syn::TraitItemFn,
+    refusals: Refusals,
+    hidden: &mut Vec<syn::TraitItem>,
+    generics: &syn::Generics,
+) {
     match &mut method.default {
-        Some(body) if refusals.is_empty() => redirect::block(body),
+        Some(body) if refusals.is_empty() => {
+            redirect::block(body, Scope::of_type(generics).with_method(&method.sig.generics));
+        }
         Some(body) => refuse_body(&mut method.attrs, body, refusals),
         None if refusals.is_empty() => {}
         None => {
@@ -225,7 +232,7 @@ pub fn implementation(
             faces.push(build);
         }
         if refusals.is_empty() {
-            redirect::block(&mut method.block);
+            redirect::block(&mut method.block, scope);
         } else {
             refuse_body(&mut method.attrs, &mut method.block, refusals);
         }
@@ -237,8 +244,7 @@ pub fn implementation(
     if !scope.is_generic() {
         beside.extend(builds.iter().map(|build| register(&it.self_ty, &path, build)));
     } else if lower::GENERATING {
-        let values =
-            scope.types().map(|name| syn::parse_quote!(#name: ::bessemer::generate::Value));
+        let values = scope.types().map(|name| scope.value(name)).map(|it| syn::parse_quote!(#it));
         let values: Vec<syn::WherePredicate> = values.collect();
         it.generics.make_where_clause().predicates.extend(values);
     }

@@ -96,7 +96,7 @@ pub fn implementation(
             beside.extend(beside_it.items(known, parts.builder, &named));
         }
         if own.is_empty() {
-            redirect::block(&mut method.block);
+            redirect::block(&mut method.block, Scope::of_type(&it.generics));
         } else {
             refuse_body(&mut method.attrs, &mut method.block, own);
         }

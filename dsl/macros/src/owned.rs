@@ -11,6 +11,7 @@ pub const OWNED: &[&str] = &[
     "atan",
     "atan2",
     "atanh",
+    "axis_angle",
     "binary_search",
     "binary_search_by",
     "binary_search_by_key",
@@ -21,6 +22,7 @@ pub const OWNED: &[&str] = &[
     "cos",
     "cosh",
     "div_euclid",
+    "euler_angles",
     "exp",
     "exp2",
     "exp_m1",
@@ -42,10 +44,12 @@ pub const OWNED: &[&str] = &[
     "powi",
     "rem_euclid",
     "round",
+    "scaled_axis",
     "signum",
     "sin",
     "sin_cos",
     "sinh",
+    "slerp",
     "sqrt",
     "tan",
     "tanh",
@@ -64,6 +68,79 @@ pub fn owned(name: &syn::Ident) -> Option<syn::Ident> {
     let text = name.to_string();
     OWNED.contains(&text.as_str()).then(|| syn::Ident::new(&format!("dsl_{text}"), name.span()))
 }
+
+/// The DSL's name of a function of the crate `libm`, which computes what a float's own method does: `libm::sinf` is
+/// `f32::sin`. Its last bits are no platform's, but those of a version.
+pub fn of_libm(path: &syn::Path) -> Option<syn::Path> {
+    let (first, last) = match path.segments.iter().collect::<Vec<_>>().as_slice() {
+        [first, last] => (first.ident.to_string(), &last.ident),
+        _ => return None,
+    };
+    let text = last.to_string();
+    let named = |text: &str| {
+        let other = LIBM.iter().find(|(theirs, _)| *theirs == text).map(|(_, ours)| *ours);
+        other.or_else(|| OWNED.iter().copied().find(|ours| *ours == text))
+    };
+    let single = || text.strip_suffix('f').and_then(named).map(|name| ("f32", name));
+    let (float, name) = named(&text).map(|name| ("f64", name)).or_else(single)?;
+    let (float, name) = [float, name].map(|it| syn::Ident::new(it, last.span())).into();
+    (first == "libm").then(|| syn::parse_quote!(#float::#name))
+}
+
+/// The DSL's function in place of one of nalgebra's that goes through the platform's sine and cosine.
+pub fn of_angles(path: &syn::Path) -> Option<syn::Path> {
+    let mut last = path.segments.iter().rev();
+    let (name, owner) = (&last.next()?.ident, last.next()?.ident.to_string());
+    let table = ANGLES.iter().find(|(of, ..)| *of == owner);
+    let (.., functions) = table?;
+    let (_, ours) = functions.iter().find(|(theirs, _)| name == theirs)?;
+    let ours = syn::Ident::new(ours, name.span());
+    Some(syn::parse_quote!(::bessemer::rotation::#ours))
+}
+
+/// Types of nalgebra, and which function of the DSL does what one of theirs does.
+const ANGLES: &[(&str, &[(&str, &str)])] = &[
+    (
+        "UnitQuaternion",
+        &[
+            ("from_axis_angle", "from_axis_angle"),
+            ("from_euler_angles", "from_euler_angles"),
+            ("from_scaled_axis", "from_scaled_axis"),
+            ("new", "from_scaled_axis"),
+            ("rotation_between_axis", "rotation_between_axis"),
+        ],
+    ),
+    (
+        "Rotation3",
+        &[
+            ("from_axis_angle", "matrix_from_axis_angle"),
+            ("from_euler_angles", "matrix_from_euler_angles"),
+        ],
+    ),
+    ("Rotation2", &[("new", "matrix_from_angle")]),
+];
+
+/// What stands in the witness copy for a free function of nalgebra that is an operation of the DSL.
+pub fn of_nalgebra(path: &syn::Path) -> Option<syn::Path> {
+    let is = |known: &[&str]| {
+        path.segments.iter().map(|it| it.ident.to_string()).eq(known.iter().copied())
+    };
+    let last = path.segments.last()?;
+    (is(&["nalgebra", "convert"]) || is(&["na", "convert"]))
+        .then(|| syn::parse_quote!(::bessemer::generate::generic::#last))
+}
+
+/// What `libm` calls otherwise than Rust does.
+const LIBM: &[(&str, &str)] = &[
+    ("expm1", "exp_m1"),
+    ("fabs", "abs"),
+    ("fma", "mul_add"),
+    ("fmax", "max"),
+    ("fmin", "min"),
+    ("log", "ln"),
+    ("log1p", "ln_1p"),
+    ("pow", "powf"),
+];
 
 /// Whether a path ends in a function of a type, and not of a module.
 pub fn associated(qself: Option<&syn::QSelf>, path: &syn::Path) -> bool {

@@ -8,24 +8,30 @@
 use proc_macro2::Span;
 use syn::visit_mut::{self, VisitMut};
 
-use crate::lower::macros::{by_rows, matching};
+use crate::generics::{Floats, Scope};
+use crate::lower::macros::{by_rows, in_every_build, matching};
 use crate::lower::{bound, sort, unroll};
-use crate::owned::{associated, owned};
+use crate::owned::{associated, of_angles, of_libm, owned};
 
-/// Rewrites every call in `block`, and brings the DSL's traits into its scope.
-pub fn block(block: &mut syn::Block) {
+/// Rewrites every call in `block`, and brings the DSL's traits into its scope; those of floats that are parameters,
+/// where `scope` has any.
+pub fn block(block: &mut syn::Block, scope: Scope<'_>) {
     let mut redirect = Redirect { used: false };
     redirect.visit_block_mut(block);
     if redirect.used {
         let import = syn::parse_quote_spanned! { Span::call_site() =>
             #[allow(unused_imports)]
             use ::bessemer::math::{
-                ByteMethods as _, DivisionMethods as _, ElementaryMethods as _, FloatMethods as _, MatrixMethods as _,
+                ByteMethods as _, DivisionMethods as _, ElementaryMethods as _, EulerMethods as _, FloatMethods as _, MatrixMethods as _,
                 OrderMethods as _, RankMethods as _, RotationMethods as _, RoundMethods as _, SearchMethods as _,
                 SignMethods as _, SquareMethods as _, TotalMethods as _,
             };
         };
         block.stmts.insert(0, import);
+        let floats = scope.floats().map(Floats::methods).map(|name| -> syn::Stmt {
+            syn::parse_quote! { #[allow(unused_imports)] use ::bessemer::math::#name as _; }
+        });
+        block.stmts.splice(0..0, floats);
     }
 }
 
@@ -79,6 +85,10 @@ impl VisitMut for Redirect {
 
     fn visit_expr_path_mut(&mut self, path: &mut syn::ExprPath) {
         visit_mut::visit_expr_path_mut(self, path);
+        let own = of_libm(&path.path).or_else(|| of_angles(&path.path));
+        if let Some(own) = own.filter(|_| path.qself.is_none()) {
+            path.path = own;
+        }
         if associated(path.qself.as_ref(), &path.path)
             && let Some(last) = path.path.segments.last_mut()
             && let Some(name) = owned(&last.ident)
@@ -91,6 +101,7 @@ impl VisitMut for Redirect {
     /// Assertions hold the author's expressions as tokens.
     fn visit_macro_mut(&mut self, mac: &mut syn::Macro) {
         use syn::punctuated::Punctuated;
+        in_every_build(mac);
         let parser = Punctuated::<syn::Expr, syn::Token![,]>::parse_terminated;
         if let Ok(mut arguments) = mac.parse_body_with(parser) {
             for argument in &mut arguments {

@@ -228,6 +228,7 @@ macro_rules! constructors {
 }
 
 constructors! {
+    New1(a) for (1, 1);
     New2(a, b) for (2, 1), (1, 2);
     New3(a, b, c) for (3, 1), (1, 3);
     New4(a, b, c, d) for (4, 1), (1, 4), (2, 2);

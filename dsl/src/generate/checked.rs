@@ -2,7 +2,7 @@
 
 use super::builder::Callee;
 use super::slot::Called;
-use crate::math::checked;
+use crate::math::{checked, integer};
 
 /// Checked arithmetic of integers.
 #[allow(missing_docs)]
@@ -52,6 +52,14 @@ pub trait CheckedAbsBuiltin: Sized {
     fn __b_checked_abs(self) -> Called<Self::Abs, Option<Self>> {
         unreachable!()
     }
+    type SaturatingNeg: Callee;
+    type SaturatingAbs: Callee;
+    fn __b_saturating_neg(self) -> Called<Self::SaturatingNeg, Self> {
+        unreachable!()
+    }
+    fn __b_saturating_abs(self) -> Called<Self::SaturatingAbs, Self> {
+        unreachable!()
+    }
 }
 
 macro_rules! checked {
@@ -76,19 +84,21 @@ checked! {
 }
 
 macro_rules! magnitudes {
-    ($($int:ident $function:ident;)*) => {$(
+    ($($int:ident $function:ident $neg:ident $abs:ident;)*) => {$(
         impl CheckedAbsBuiltin for $int {
             type Abs = checked::$function;
+            type SaturatingNeg = integer::$neg;
+            type SaturatingAbs = integer::$abs;
         }
     )*};
 }
 
 magnitudes! {
-    i8 abs_i8;
-    i16 abs_i16;
-    i32 abs_i32;
-    i64 abs_i64;
-    isize abs_isize;
+    i8 abs_i8 neg_i8 abs_i8;
+    i16 abs_i16 neg_i16 abs_i16;
+    i32 abs_i32 neg_i32 abs_i32;
+    i64 abs_i64 neg_i64 abs_i64;
+    isize abs_isize neg_isize abs_isize;
 }
 
 /// The sum of what has no sign and what has one.

@@ -10,6 +10,7 @@ pub mod checked;
 pub mod comparison;
 pub mod elementary;
 pub mod factored;
+pub mod generic;
 mod items;
 pub mod linear;
 pub mod list;
@@ -48,8 +49,8 @@ pub mod prelude {
         FloatBuiltins as _, MatrixBuiltins as _, OrderBuiltins as _, RealBuiltins as _,
     };
     pub use super::builtin::{
-        New2 as _, New3 as _, New4 as _, New5 as _, New6 as _, New8 as _, New9 as _, New12 as _,
-        New16 as _,
+        New1 as _, New2 as _, New3 as _, New4 as _, New5 as _, New6 as _, New8 as _, New9 as _,
+        New12 as _, New16 as _,
     };
     pub use super::checked::{
         CheckedAbsBuiltin as _, CheckedBuiltins as _, CheckedSignedBuiltin as _,
@@ -93,11 +94,12 @@ pub mod prelude {
         __any, __glance, __look, __result, __see, __take, __unreached, Through as _,
     };
     pub use super::spatial::{
-        IsometryBuiltins as _, IsometryMethods as _, NewPoint2 as _, NewPoint3 as _,
-        NewTranslation2 as _, NewTranslation3 as _, PointBuiltins as _, QuaternionBuiltins as _,
-        QuaternionMethods as _, RotationBuiltins as _, RotationMethods as _,
-        TranslationBuiltins as _, TranslationMethods as _, UnitAxisBuiltins as _,
-        UnitBuiltins as _, UnitQuaternionBuiltins as _, UnitQuaternionMethods as _,
+        DirectionMethods as _, IsometryBuiltins as _, IsometryMethods as _, NewPoint2 as _,
+        NewPoint3 as _, NewTranslation2 as _, NewTranslation3 as _, PointBuiltins as _,
+        QuaternionBuiltins as _, QuaternionMethods as _, RotationBuiltins as _,
+        RotationMethods as _, SpaceRotationMethods as _, TranslationBuiltins as _,
+        TranslationMethods as _, UnitAxisBuiltins as _, UnitBuiltins as _,
+        UnitQuaternionBuiltins as _, UnitQuaternionMethods as _,
     };
     pub use super::swizzles::SwizzleBuiltins as _;
     pub use super::views::{CopyBuiltin as _, ViewBuiltins as _};

@@ -9,7 +9,7 @@ use bessemer_ir::{Float, Int, Scalar};
 use nalgebra::SMatrix;
 
 use super::builder::{Builder, Callee, words};
-use crate::{EntriesInOneBlock, List, Plain};
+use crate::{EntriesInOneBlock, EntriesOfSomeInstances, List, Plain};
 
 /// A place for a type, `[]` where it is made.
 ///
@@ -65,10 +65,19 @@ impl<T: EntriesInOneBlock> Instance<T> {
     }
 }
 
+impl<T: EntriesOfSomeInstances> Instance<T> {
+    /// Builds those that not every instance has.
+    pub fn build_further_entries(&self, cx: &mut Builder) {
+        T::build(cx);
+    }
+}
+
 /// An instance that has none: the inherent method wins where it is there.
 pub trait WithoutEntries {
     /// Builds nothing.
     fn build_entries(&self, _: &mut Builder) {}
+    /// Builds nothing.
+    fn build_further_entries(&self, _: &mut Builder) {}
 }
 
 impl<T> WithoutEntries for Instance<T> {}

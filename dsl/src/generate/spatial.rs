@@ -177,7 +177,6 @@ builtins! {
     UnitQuaternionBuiltins<> for UnitQuaternion<T> {
         fn __b_identity() -> Self = QuaternionIdentity;
         fn __b_quaternion(&self) -> &Quaternion<T> = SameParts;
-        fn __b_new(_axis: Vector3<T>) -> Self = PlatformAngles;
         fn __b_angle(&self) -> T = PlatformAngles;
         fn __b_angle_to(&self, _other: &Self) -> T = PlatformAngles;
         fn __b_exp(&self) -> Quaternion<T> = PlatformAngles;
@@ -227,12 +226,37 @@ methods! {
             unit_quaternion::nlerp::__call(self, other, share)
         }
         fn __b_powf(&self, share: T) -> Self { rotation::powf::__call(self, share) }
+        fn __b_slerp(&self, other: &Self, share: T) -> Self {
+            rotation::slerp::__call(self, other, share)
+        }
+        fn __b_axis_angle(&self) -> Option<(UnitVector3<T>, T)> { rotation::axis_angle::__call(self) }
+        fn __b_scaled_axis(&self) -> Vector3<T> { rotation::scaled_axis::__call(self) }
+        fn __b_euler_angles(&self) -> (T, T, T) { rotation::euler_angles::__call(self) }
         fn __b_axis(&self) -> Option<UnitVector3<T>> { unit_quaternion::axis::__call(self) }
         fn __b_append_axisangle_linearized(&self, axis: &Vector3<T>) -> Self {
             unit_quaternion::append_axisangle_linearized::__call(self, axis)
         }
         fn __b_renormalize(&mut self) -> T { unit_quaternion::renormalize::__call(self) }
         fn __b_renormalize_fast(&mut self) -> () { unit_quaternion::renormalize_fast::__call(self) }
+    }
+}
+
+methods! {
+    /// Methods of rotation matrices in space.
+    SpaceRotationMethods<> [Self, T] for Rotation3<T>, [T] {
+        fn __b_euler_angles(&self) -> (T, T, T) { rotation::matrix_euler_angles::__call(self) }
+    }
+}
+
+methods! {
+    /// Directions.
+    DirectionMethods<N> [Self, T, N] for Unit<SVector<T, N>>, [T, N] {
+        fn __b_try_new(v: SVector<T, N>, least: T) -> Option<Self> {
+            norms::try_direction::__call(&v, least)
+        }
+        fn __b_try_new_and_get(v: SVector<T, N>, least: T) -> Option<(Self, T)> {
+            norms::try_direction_and_norm::__call(&v, least)
+        }
     }
 }
 

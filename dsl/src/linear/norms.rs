@@ -1,7 +1,7 @@
 //! Norms, distances and what is set to a length: what nalgebra's methods of these names compute, in its
 //! order, written in the DSL for the C.
 
-use nalgebra::SMatrix;
+use nalgebra::{SMatrix, SVector, Unit};
 
 use super::kernels::determinant;
 use super::matrix_extremes::upper;
@@ -168,4 +168,29 @@ pub fn is_special_orthogonal<T: Real, const N: usize>(a: &SMatrix<T, N, N>, tole
 #[function]
 pub fn is_invertible<T: Real, const N: usize>(a: &SMatrix<T, N, N>) -> bool {
     super::inverse(a).is_some()
+}
+
+/// `v / |v|` where |v| is above `least`.
+#[function]
+pub fn try_direction<T: Real, const N: usize>(
+    v: &SVector<T, N>,
+    least: T,
+) -> Option<Unit<SVector<T, N>>> {
+    let (direction, _) = try_direction_and_norm(v, least)?;
+    Some(direction)
+}
+
+/// The same, and |v|.
+#[function]
+pub fn try_direction_and_norm<T: Real, const N: usize>(
+    v: &SVector<T, N>,
+    least: T,
+) -> Option<(Unit<SVector<T, N>>, T)> {
+    let squared = v.norm_squared();
+    if squared > least * least {
+        let norm = squared.sqrt();
+        Some((Unit::new_unchecked(v / norm), norm))
+    } else {
+        None
+    }
 }

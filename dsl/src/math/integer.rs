@@ -5,6 +5,30 @@
 
 use crate::prelude::*;
 
+macro_rules! magnitudes {
+    ($($int:ident $neg:ident $abs:ident;)*) => {$(
+        /// `-a`, or the largest value where that is none.
+        #[function(expand)]
+        pub fn $neg(a: $int) -> $int {
+            $int::saturating_sub(0, a)
+        }
+
+        /// The magnitude, or the largest value where that is none.
+        #[function(expand)]
+        pub fn $abs(a: $int) -> $int {
+            if a < 0 { $int::saturating_sub(0, a) } else { a }
+        }
+    )*};
+}
+
+magnitudes! {
+    i8 neg_i8 abs_i8;
+    i16 neg_i16 abs_i16;
+    i32 neg_i32 abs_i32;
+    i64 neg_i64 abs_i64;
+    isize neg_isize abs_isize;
+}
+
 macro_rules! powers {
     ($($int:ident, $pow:ident, $wrapping_pow:ident;)*) => {$(
         /// `base` to the power of `exponent`.

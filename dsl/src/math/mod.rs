@@ -13,10 +13,13 @@
 pub mod arctangent;
 pub mod ascii;
 pub mod checked;
+#[doc(hidden)]
+pub mod constants;
 pub mod exponential;
 pub mod extremes;
 mod float;
 pub mod fused;
+mod generic;
 pub mod hyperbolic;
 pub mod integer;
 mod integral;
@@ -44,9 +47,11 @@ pub(crate) use single as of_f32;
 use core::cmp::Ordering;
 
 #[doc(hidden)]
-pub use crate::rotation::RotationMethods;
+pub use crate::rotation::{EulerMethods, RotationMethods};
 use crate::{comparison, search, sort};
 pub use float::{Real, real};
+#[doc(hidden)]
+pub use generic::{AnyFloatMethods, AnyRealMethods};
 pub use integral::Integer;
 pub use matrix::{MatrixMethods, SquareMethods};
 pub use methods::ElementaryMethods;

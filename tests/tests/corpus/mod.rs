@@ -39,9 +39,11 @@ const RUN: usize = 100;
 const SANITIZED: [&str; 3] = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-w"];
 
 #[derive(Clone)]
-struct Case {
+pub(super) struct Case {
     name: String,
     id: FunctionId,
+    /// Whether it is an entry point of a component.
+    stateful: bool,
     /// The words of each call: of the state, then of each argument.
     calls: Vec<Vec<Vec<u64>>>,
     /// The types of the values of an outcome, and those of their words.
@@ -53,10 +55,11 @@ struct Case {
 /// What Rust does, found once for every leg.
 fn cases() -> &'static [Case] {
     static CASES: OnceLock<Vec<Case>> = OnceLock::new();
-    CASES.get_or_init(|| lived(corpus()))
+    CASES.get_or_init(|| lived(corpus(), natives()))
 }
 
-fn lived(compiled: &Compiled) -> Vec<Case> {
+/// What Rust makes of calls of each of the entries.
+pub(super) fn lived(compiled: &Compiled, natives: &'static [Entry]) -> Vec<Case> {
     let module = &compiled.module;
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     let case = |native: &'static Entry| {
@@ -72,9 +75,9 @@ fn lived(compiled: &Compiled) -> Vec<Case> {
         }
         let leaves = types.iter().flat_map(|ty| module.leaves(ty)).collect();
         let (calls, native) = lives(native, module, function, &mut random);
-        Case { name, id, calls, types, leaves, native }
+        Case { name, id, stateful, calls, types, leaves, native }
     };
-    corpus::programs::ENTRIES.iter().map(case).collect()
+    natives.iter().map(case).collect()
 }
 
 /// The functions and entry points.
@@ -83,7 +86,7 @@ fn natives() -> &'static [Entry] {
 }
 
 fn name(native: &Entry) -> String {
-    format!("{}::{}::{}", native.module, native.component, native.name)
+    format!("{}::{}{}::{}", native.module, native.component, native.data, native.name)
 }
 
 /// The function or entry point in the module.
@@ -92,11 +95,12 @@ fn callable(compiled: &Compiled, native: &Entry) -> Option<FunctionId> {
     let index = module.functions.iter().position(|function| {
         let owner = match function.owner {
             Some(Owner::Struct(id)) => module.structs[id.index()].name.as_str(),
-            Some(_) => return false,
+            Some(Owner::Enum(id)) => module.enums[id.index()].name.as_str(),
             None => "",
         };
+        let wanted = if native.data.is_empty() { native.component } else { native.data };
         (owner, function.name.as_str(), function.module.as_str())
-            == (native.component, native.name, native.module)
+            == (wanted, native.name, native.module)
     })?;
     Some(FunctionId(index as u32))
 }
@@ -116,18 +120,21 @@ fn lives(
     let mut outcomes: Vec<Outcome> = calls.iter().map(|call| run_native(native, call)).collect();
     let mut initial = Vec::new();
     (native.initial)(&mut |word| initial.push(word));
+    // Of plain data the words of a method's own are those of an argument, given back if it may change it.
+    let of_data = parameters.first().filter(|it| !native.data.is_empty() && it.name == "self");
+    let starts = !native.component.is_empty() || of_data.is_some() && !initial.is_empty();
+    let given_back =
+        !native.component.is_empty() || of_data.is_some_and(|it| it.mode == Mode::RefMut);
     let results = module.leaves(&function.result).len();
     let mut state = initial.clone();
     for _ in 0..RUN {
         let mut call = call(random, Size::Tame);
-        if !native.component.is_empty() {
+        if starts {
             call[0].clone_from(&state);
         }
         let outcome = run_native(native, &call);
         state = match &outcome {
-            Ok(words) if !native.component.is_empty() => {
-                words[results..results + initial.len()].to_vec()
-            }
+            Ok(words) if starts && given_back => words[results..results + initial.len()].to_vec(),
             _ => initial.clone(),
         };
         calls.push(call);
@@ -170,9 +177,14 @@ fn the_interpreter_agrees() {
 }
 
 /// Each call of an entry point in an interpreter of `module`.
-fn interpreted(compiled: &Compiled, module: &Module, interpreter: &mut Interpreter, case: &Case) {
+pub(super) fn interpreted(
+    compiled: &Compiled,
+    module: &Module,
+    interpreter: &mut Interpreter,
+    case: &Case,
+) {
     let parameters = module.functions[case.id.index()].parameters();
-    let stateful = module.functions[case.id.index()].owner.is_some();
+    let stateful = case.stateful;
     for (index, call) in case.calls.iter().enumerate() {
         let mut arguments = call.clone();
         // What the compiler added, a work struct, is nothing that Rust knows.
@@ -196,11 +208,11 @@ fn interpreted(compiled: &Compiled, module: &Module, interpreter: &mut Interpret
 }
 
 /// Every call in one process, as many at once as its pipes hold.
-fn run_c(compiled: &Compiled, cases: &[Case], toolchain: &Toolchain, flags: &[&str]) {
+pub(super) fn run_c(compiled: &Compiled, cases: &[Case], toolchain: &Toolchain, flags: &[&str]) {
     run_c_with(compiled, cases, toolchain, flags, &Options::default());
 }
 
-fn run_c_with(
+pub(super) fn run_c_with(
     compiled: &Compiled,
     cases: &[Case],
     toolchain: &Toolchain,

@@ -127,7 +127,7 @@ macro_rules! visitor {
                 | ExprKind::Ref(_, x)
                 | ExprKind::Deref(x)
                 | ExprKind::Cast(x)
-                | ExprKind::Try(x)
+                | ExprKind::Try(_, x)
                 | ExprKind::Unroll(_, x)
                 | ExprKind::Assert(x, _) => visitor.expr(x),
                 ExprKind::Binary(_, a, b)

@@ -65,8 +65,6 @@ const REASONS: &[(&str, usize, Reason)] = &[
     ("windows chunks chunks_exact rchunks step_by skip", 1, refuse::ITERATOR),
     ("to_vec into_vec", 0, refuse::LIST),
     ("to_string to_owned", 0, refuse::TEXT),
-    ("euler_angles axis_angle scaled_axis", 0, refuse::NALGEBRA_ANGLES),
-    ("slerp", 2, refuse::NALGEBRA_ANGLES),
 ];
 
 /// Constructors and methods of nalgebra that go through the platform's sine and cosine.

@@ -16,7 +16,7 @@ use super::names::{GENERATING, callee_name, text};
 use super::syntax::last_segment;
 use super::walk::Lowering;
 use super::{absent, refuse};
-use crate::owned::associated;
+use crate::owned::{associated, of_angles, of_libm, of_nalgebra};
 
 impl Lowering<'_> {
     pub(super) fn call(&mut self, it: &mut syn::ExprCall) -> ExprKind {
@@ -29,6 +29,10 @@ impl Lowering<'_> {
             self.refusals.add(&it.func, refuse::FUNCTION_VALUE);
             return UNIT;
         };
+        let own = [of_libm, of_angles, of_nalgebra].iter().find_map(|of| of(&function.path));
+        if let Some(own) = own.filter(|_| function.qself.is_none()) {
+            function.path = own;
+        }
         if arguments.is_empty() && is_default(function) {
             return self.default_value(function);
         }

@@ -355,13 +355,11 @@ impl Lowering<'_> {
     }
 }
 
-/// `f64::abs` as the closure that it stands for.
+/// `f64::abs`, or the name of a function or a closure, as the closure that it stands for.
 pub(super) fn in_full(argument: &mut syn::Expr, of_two: bool) {
     let syn::Expr::Path(path) = argument else { return };
-    if path.path.segments.len() == 2 || path.qself.is_some() {
-        *argument = match of_two {
-            true => syn::parse_quote! { |gathered, value| #path(gathered, value) },
-            false => syn::parse_quote! { |value| #path(value) },
-        };
-    }
+    *argument = match of_two {
+        true => syn::parse_quote! { |gathered, value| #path(gathered, value) },
+        false => syn::parse_quote! { |value| #path(value) },
+    };
 }

@@ -183,14 +183,23 @@ impl Lowering<'_> {
         closure: &mut syn::ExprClosure,
         looks: Vec<syn::Stmt>,
     ) -> tree::Expr {
-        self.check_closure(closure);
+        self.check_capture(closure);
+        // Slots are no part of what it moves.
+        closure.capture = None;
+        // What leaves the closure leaves its body, which stands where the closure is called.
+        let label = (!Returns::of(&closure.body).is_empty()).then(|| self.hidden("answer"));
+        let outer = std::mem::replace(&mut self.leaves, label.clone());
         let mut body = self.value(&mut closure.body);
+        self.leaves = outer;
         if body.slot.is_none() {
             body.slot = Some(self.see(&mut closure.body));
         }
         let copy = &closure.body;
         *closure.body = syn::Expr::Verbatim(quote! { { #(#looks)* #copy } });
-        body
+        let Some(label) = label else { return body };
+        let (site, slot) = (body.site, body.slot);
+        let block = tree::Block { stmts: Vec::new(), tail: Some(Box::new(body)) };
+        tree::Expr { kind: ExprKind::Labelled(label, block), site, slot }
     }
 
     /// The statements of a closure without a value; `looks` at its parameters come first in the copy.
@@ -206,16 +215,37 @@ impl Lowering<'_> {
         body
     }
 
+    /// A closure whose body becomes that of a loop.
     pub(super) fn check_closure(&mut self, closure: &syn::ExprClosure) {
-        if let Some(token) = &closure.capture {
-            self.refusals.add(token.span, refuse::CLOSURE_MOVE);
-        }
-        let mut returns = Returns(Vec::new());
-        returns.visit_expr(&closure.body);
-        for span in returns.0 {
+        self.check_capture(closure);
+        for span in Returns::of(&closure.body) {
             self.refusals.add(span, refuse::CLOSURE_RETURN);
         }
     }
+
+    /// What a closure moves is a copy: of what nobody changes it is the same.
+    fn check_capture(&mut self, closure: &syn::ExprClosure) {
+        if let Some(token) = &closure.capture
+            && self.mutable.iter().any(|name| names(&closure.body, name))
+        {
+            self.refusals.add(token.span, refuse::CLOSURE_MOVE);
+        }
+    }
+}
+
+/// The names that a function declares `mut`, of which a copy may differ from what was copied.
+pub fn mutable_names(signature: &syn::Signature, body: &syn::Block) -> Vec<String> {
+    struct Mutable(Vec<String>);
+    impl<'ast> Visit<'ast> for Mutable {
+        fn visit_pat_ident(&mut self, it: &'ast syn::PatIdent) {
+            self.0.extend(it.mutability.map(|_| text(&it.ident)));
+            visit::visit_pat_ident(self, it);
+        }
+    }
+    let mut mutable = Mutable(Vec::new());
+    mutable.visit_signature(signature);
+    mutable.visit_block(body);
+    mutable.0
 }
 
 /// Refuses what would leave the caller of a function that stands where it is called.
@@ -246,6 +276,14 @@ pub(super) fn closure_of(argument: &mut syn::Expr) -> Option<&mut syn::ExprClosu
 
 /// The expressions that would leave a closure early.
 struct Returns(Vec<Span>);
+
+impl Returns {
+    fn of(body: &syn::Expr) -> Vec<Span> {
+        let mut returns = Returns(Vec::new());
+        returns.visit_expr(body);
+        returns.0
+    }
+}
 
 impl<'ast> Visit<'ast> for Returns {
     fn visit_expr_return(&mut self, it: &'ast syn::ExprReturn) {

@@ -155,7 +155,11 @@ impl Lowering<'_> {
     }
 
     pub(super) fn return_expr(&mut self, it: &mut syn::ExprReturn) -> ExprKind {
-        ExprKind::Return(it.expr.as_mut().map(|value| Box::new(self.value(value))))
+        let value = it.expr.as_mut().map(|value| Box::new(self.value(value)));
+        match self.leaves.clone() {
+            Some(label) => ExprKind::Break(Some(label), value),
+            None => ExprKind::Return(value),
+        }
     }
 
     /// `while`, with the bound that its attribute declares, if it does.

@@ -148,7 +148,17 @@ impl Lowering<'_> {
             syn::Expr::Continue(it) => {
                 (ExprKind::Continue(it.label.as_ref().map(|label| text(&label.ident))), false)
             }
-            syn::Expr::Try(it) => (ExprKind::Try(Box::new(self.value(&mut it.expr))), value),
+            syn::Expr::Try(it) => {
+                let operand = Box::new(self.value(&mut it.expr));
+                (ExprKind::Try(self.leaves.clone(), operand), value)
+            }
+            syn::Expr::Const(it) => {
+                // rustc has computed it in the original.
+                let block =
+                    syn::ExprBlock { attrs: Vec::new(), label: None, block: it.block.clone() };
+                *expr = syn::Expr::Block(block);
+                self.kind(expr, value)
+            }
             syn::Expr::Macro(it) if it.mac.path.is_ident("matches") => {
                 self.is_rusts(&it.mac.path);
                 match macros::matching(&it.mac) {

@@ -16,6 +16,7 @@ mod call;
 mod chain;
 mod closure;
 mod control;
+mod deferred;
 mod each;
 mod ends;
 mod expr;
@@ -42,7 +43,7 @@ mod view;
 mod walk;
 
 pub use call::companion_name;
-pub use closure::without_returns;
+pub use closure::{mutable_names, without_returns};
 pub use macros::asked;
 pub use names::{GENERATING, Site, callee_name, own_name, site, slot_name, text};
 pub use pattern::member;

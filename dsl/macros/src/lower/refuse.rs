@@ -129,7 +129,6 @@ reasons! {
     CFG: "what `#[cfg]` leaves out of the Rust would still be in the C", "put `#[cfg]` on the whole item, above the attribute of the DSL";
     ATTRIBUTE: "this attribute has no meaning in the C", "leave it out; lint levels and doc comments may stay";
     NESTED_CONST: "a block inside a function has no names of its own in the DSL", "move it to the top of the function";
-    CONST_BLOCK: "`const` blocks are not in the DSL", "declare a `const`, and use its name";
     IGNORED: "`_` is not a place in the DSL", "write `let _ = …;`";
     CORE: "functions of the standard library are not in the DSL", "write it out, or use the method of the same name";
     ROTATION: "of nalgebra's transformations this one is not in the DSL", "use `UnitQuaternion`, `Rotation2`, `Rotation3`, `Translation3` or `Isometry3`";
@@ -152,7 +151,7 @@ reasons! {
     BOUND: "the bound of a loop is a number, or a constant", "write `#[bound(64)]`, or `#[bound(LIMIT)]`";
     CLOSURE: "a closure is not a value in the DSL", "give it a name with `let` and call it, pass it to a function, or write it in `.map(…)`, `.fold(…)` and the like";
     CLOSURE_VALUE: "a closure is called or passed to a function in the DSL, and not kept", "call it, or write a function marked `#[function]`";
-    CLOSURE_MOVE: "a closure borrows what it uses in the DSL", "leave `move` out, and copy before: `let k = self.k;`";
+    CLOSURE_MOVE: "a closure that takes a copy of what changes is not in the DSL", "leave `move` out, or copy before to a name without `mut`: `let k = k;`";
     CLOSURE_RETURN: "`return` in a closure is not in the DSL", "let its body end in the value: `if … { a } else { b }`";
     EXPANDED_RETURN: "this would leave the caller of a function that stands where it is called", "let its body end in the value: `if … { a } else { b }`";
     CLOSURE_PARAMETERS: "this parameter of a closure is not in the DSL", "write a name, or for elements `(i, x)`, `(x, y)`, `&x`";
@@ -203,7 +202,6 @@ reasons! {
     STD: "std is not there on the target", "use `core`, and pass what the platform provides as an input";
     SHARED_CELL: "shared mutable state is not in the DSL", "state belongs into the component: a field, which its methods change through `&mut self`";
     FORMAT: "text is not formatted on the target", "return the numbers, and format them where they are shown";
-    ASSERT: "a debug assertion would not be in every build", "write `assert!`, `assert_eq!` or `assert_ne!`: it becomes a fault of the entry point";
     ENTRY_ARGUMENT: "`#[entry]` takes nothing, `infallible` or `atomic`", "write `#[entry]`, `#[entry(infallible)]` or `#[entry(atomic)]`";
     ENTRY_BOTH: "an infallible entry has nothing to roll back", "leave out `atomic`, or `infallible`";
     ENTRY_INLINE: "an entry point is called by the firmware, and stands by itself", "leave `#[inline(always)]` out";
@@ -237,7 +235,6 @@ const SHOWING: &str =
 pub fn macro_call(name: &str) -> Reason {
     match name {
         _ if SHOWING.split(' ').any(|it| it == name) => FORMAT,
-        "debug_assert" | "debug_assert_eq" | "debug_assert_ne" => ASSERT,
         "vec" => LIST,
         _ => MACRO,
     }
@@ -253,7 +250,6 @@ pub fn expression(expr: &syn::Expr) -> (TokenStream, Reason) {
         syn::Expr::RawAddr(it) => (it.to_token_stream(), RAW_BORROW),
         syn::Expr::Range(it) => (it.to_token_stream(), RANGE_VALUE),
         syn::Expr::Yield(it) => (it.yield_token.to_token_stream(), YIELD),
-        syn::Expr::Const(it) => (it.const_token.to_token_stream(), CONST_BLOCK),
         syn::Expr::Infer(it) => (it.underscore_token.to_token_stream(), IGNORED),
         syn::Expr::Let(it) => (it.let_token.to_token_stream(), SYNTAX),
         other => (other.to_token_stream(), SYNTAX),

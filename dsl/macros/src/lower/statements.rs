@@ -18,6 +18,7 @@ impl Lowering<'_> {
     pub(super) fn statements(&mut self, stmts: &mut Vec<syn::Stmt>) -> tree::Block {
         let mut lowered = tree::Block::default();
         self.views_with_names(stmts);
+        self.iterators_with_names(stmts);
         let originals = std::mem::take(stmts);
         let last = originals.len().saturating_sub(1);
         for (index, mut stmt) in originals.into_iter().enumerate() {

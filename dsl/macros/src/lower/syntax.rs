@@ -143,7 +143,7 @@ pub(super) fn is_linked(expr: &syn::Expr) -> bool {
 }
 
 /// Whether a name stands somewhere in an expression. Answers yes too often rather than too rarely.
-pub(super) fn names(expr: &syn::Expr, name: &str) -> bool {
+pub(super) fn names(expr: &impl ToTokens, name: &str) -> bool {
     fn any(tokens: proc_macro2::TokenStream, name: &str) -> bool {
         tokens.into_iter().any(|token| match token {
             proc_macro2::TokenTree::Ident(ident) => ident == name,

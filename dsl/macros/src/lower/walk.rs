@@ -42,6 +42,10 @@ pub struct Lowering<'a> {
     pub(super) lent: bool,
     /// Whether the function gives an `Option`.
     pub optional: bool,
+    /// The label of the closure's body that is being lowered, which `return` and `?` leave; none of a function's.
+    pub(super) leaves: Option<String>,
+    /// The names of the function that are declared `mut`.
+    pub mutable: Vec<String>,
 }
 
 /// A closure with a name.
@@ -76,6 +80,8 @@ impl<'a> Lowering<'a> {
             method,
             lent: false,
             optional: false,
+            leaves: None,
+            mutable: Vec::new(),
         }
     }
 

@@ -1,0 +1,105 @@
+//! What is a constant of a float in the DSL, and a function of no parameters in `num_traits` and nalgebra: `T::zero()`.
+
+use crate::prelude::*;
+
+/// 0.
+#[function(expand)]
+pub fn zero<T: Real>() -> T {
+    T::ZERO
+}
+
+/// 1.
+#[function(expand)]
+pub fn one<T: Real>() -> T {
+    T::ONE
+}
+
+/// The distance from 1 to the next larger number.
+#[function(expand)]
+pub fn epsilon<T: Real>() -> T {
+    T::EPSILON
+}
+
+/// ∞.
+#[function(expand)]
+pub fn infinity<T: Real>() -> T {
+    T::INFINITY
+}
+
+/// −∞.
+#[function(expand)]
+pub fn neg_infinity<T: Real>() -> T {
+    T::NEG_INFINITY
+}
+
+/// Not a number.
+#[function(expand)]
+pub fn nan<T: Real>() -> T {
+    T::NAN
+}
+
+/// The largest finite number.
+#[function(expand)]
+pub fn max_value<T: Real>() -> T {
+    T::MAX
+}
+
+/// The smallest finite number.
+#[function(expand)]
+pub fn min_value<T: Real>() -> T {
+    T::MIN
+}
+
+/// The smallest positive number that is not subnormal.
+#[function(expand)]
+pub fn min_positive_value<T: Real>() -> T {
+    T::MIN_POSITIVE
+}
+
+/// π.
+#[function(expand)]
+pub fn pi<T: Real>() -> T {
+    T::PI
+}
+
+/// 2π.
+#[function(expand)]
+pub fn two_pi<T: Real>() -> T {
+    T::TAU
+}
+
+/// π/2.
+#[function(expand)]
+pub fn frac_pi_2<T: Real>() -> T {
+    T::PI / real(2.0)
+}
+
+/// π/3.
+#[function(expand)]
+pub fn frac_pi_3<T: Real>() -> T {
+    T::PI / real(3.0)
+}
+
+/// π/4.
+#[function(expand)]
+pub fn frac_pi_4<T: Real>() -> T {
+    T::PI / real(4.0)
+}
+
+/// π/6.
+#[function(expand)]
+pub fn frac_pi_6<T: Real>() -> T {
+    T::PI / real(6.0)
+}
+
+/// π/8.
+#[function(expand)]
+pub fn frac_pi_8<T: Real>() -> T {
+    T::PI / real(8.0)
+}
+
+/// The distance from 1 to the next larger number.
+#[function(expand)]
+pub fn default_epsilon<T: Real>() -> T {
+    T::EPSILON
+}

@@ -1,0 +1,118 @@
+//! What is generic over `num_traits::Float` or nalgebra's `RealField` has the DSL's functions, too, so that it computes the
+//! same bits in each float as what names that float.
+//!
+//! The methods take their receiver by reference: where the type is known rustc finds the float's own, by value, first.
+//!
+//! Invariant: each float that implements these traits is `f32`, or a number that `f64` holds exactly.
+
+use nalgebra::RealField;
+use num_traits::Float;
+
+use super::{ElementaryMethods, FloatMethods, OrderMethods, RoundMethods, SignMethods};
+
+/// Calls a function of `f32` of what is as wide as one, and of `f64` of what is wider; `$to` and `$from` convert.
+macro_rules! of_either {
+    ($self:ident, $name:ident ($($argument:ident),*) [$($other:ident),*], $to:path, $from:path) => {
+        match size_of_val($self) {
+            4 => $from(f64::from(($to($self) as f32).$name($($to($argument) as f32,)* $($other),*))),
+            _ => $from($to($self).$name($($to($argument),)* $($other),*)),
+        }
+    };
+}
+
+macro_rules! generic {
+    ($(#[$doc:meta])* $trait:ident: $bound:ident, $to:path, $from:path;
+        $($name:ident($($argument:ident),*) [$($other:ident: $ty:ty),*];)*) => {
+        $(#[$doc])*
+        #[allow(missing_docs)]
+        pub trait $trait: Sized {
+            $(fn $name(&self, $($argument: Self,)* $($other: $ty),*) -> Self;)*
+            fn dsl_sin_cos(&self) -> (Self, Self);
+            fn dsl_is_sign_negative(&self) -> bool;
+            fn dsl_is_sign_positive(&self) -> bool;
+        }
+
+        impl<T: $bound> $trait for T {
+            $(fn $name(&self, $($argument: T,)* $($other: $ty),*) -> T {
+                $(let $argument = &$argument;)*
+                of_either!(self, $name($($argument),*) [$($other),*], $to, $from)
+            })*
+            fn dsl_sin_cos(&self) -> (T, T) {
+                (self.dsl_sin(), self.dsl_cos())
+            }
+            fn dsl_is_sign_negative(&self) -> bool {
+                $to(self).dsl_is_sign_negative()
+            }
+            fn dsl_is_sign_positive(&self) -> bool {
+                $to(self).dsl_is_sign_positive()
+            }
+        }
+    };
+}
+
+macro_rules! generics {
+    ($($(#[$doc:meta])* $trait:ident: $bound:ident, $to:path, $from:path;)*) => {$(
+        generic! {
+            $(#[$doc])* $trait: $bound, $to, $from;
+            dsl_sqrt() [];
+            dsl_floor() [];
+            dsl_copysign(sign) [];
+            dsl_ceil() [];
+            dsl_trunc() [];
+            dsl_round() [];
+            dsl_fract() [];
+            dsl_to_degrees() [];
+            dsl_to_radians() [];
+            dsl_abs() [];
+            dsl_signum() [];
+            dsl_min(other) [];
+            dsl_max(other) [];
+            dsl_clamp(low, high) [];
+            dsl_sin() [];
+            dsl_cos() [];
+            dsl_tan() [];
+            dsl_asin() [];
+            dsl_acos() [];
+            dsl_atan() [];
+            dsl_exp() [];
+            dsl_exp2() [];
+            dsl_exp_m1() [];
+            dsl_ln() [];
+            dsl_log2() [];
+            dsl_log10() [];
+            dsl_ln_1p() [];
+            dsl_sinh() [];
+            dsl_cosh() [];
+            dsl_tanh() [];
+            dsl_cbrt() [];
+            dsl_atan2(x) [];
+            dsl_powf(y) [];
+            dsl_hypot(y) [];
+            dsl_powi() [n: i32];
+            dsl_mul_add(a, b) [];
+        }
+    )*};
+}
+
+generics! {
+    /// Methods of what is known to be a `num_traits::Float`.
+    AnyFloatMethods: Float, float_as_f64, float_of;
+    /// Methods of what is known to be nalgebra's `RealField`.
+    AnyRealMethods: RealField, real_as_f64, real_of;
+}
+
+fn float_as_f64<T: Float>(x: &T) -> f64 {
+    x.to_f64().unwrap_or(f64::NAN)
+}
+
+fn float_of<T: Float>(x: f64) -> T {
+    T::from(x).unwrap_or_else(T::nan)
+}
+
+fn real_as_f64<T: RealField>(x: &T) -> f64 {
+    x.to_subset_unchecked()
+}
+
+fn real_of<T: RealField>(x: f64) -> T {
+    nalgebra::convert(x)
+}

@@ -1,0 +1,142 @@
+/* The C of tests/corpus/src/programs/control/leaving_closures.rs. Written by a test. */
+
+/* leaving_closures.c */
+
+static const float F32_MIN = -3.4028235e38F;
+
+void leaving_closures_root(double x, option_f64_t *result)
+{
+    const double x_2 = x;
+    if (isnan(x_2) != 0) {
+        result->is_some = false;
+        result->value = 0.0;
+        return;
+    }
+    if (x_2 >= 0.0) {
+        result->is_some = true;
+        result->value = sqrt(x_2);
+    } else {
+        result->is_some = false;
+        result->value = 0.0;
+    }
+}
+
+double leaving_closures_roots(double x, double y)
+{
+    option_f64_t result_choice;
+    option_f64_t option;
+    leaving_closures_root(x, &option);
+    if (!option.is_some) {
+        result_choice.is_some = false;
+        result_choice.value = 0.0;
+    } else {
+        option_f64_t option_2;
+        leaving_closures_root(y, &option_2);
+        if (!option_2.is_some) {
+            result_choice.is_some = false;
+            result_choice.value = 0.0;
+        } else {
+            result_choice.is_some = true;
+            result_choice.value = option.value + option_2.value;
+        }
+    }
+    double result_choice_2 = -1.0;
+    if (result_choice.is_some) {
+        result_choice_2 = result_choice.value;
+    }
+    return result_choice_2;
+}
+
+int32_t leaving_closures_known(const int32_t readings[6], int32_t scale)
+{
+    int32_t gathered = 0;
+    for (uint32_t i = 0U; i < 6U; i++) {
+        option_i32_t result_choice;
+        option_i32_t option;
+        math_checked_mul_i32(readings[i], scale, &option);
+        if (!option.is_some) {
+            result_choice.is_some = false;
+            result_choice.value = 0;
+        } else {
+            const int32_t x = option.value;
+            if (x % 2 == 0) {
+                result_choice.is_some = false;
+                result_choice.value = 0;
+            } else {
+                math_checked_add_i32(x, 1, &result_choice);
+            }
+        }
+        if (result_choice.is_some) {
+            const int32_t value = result_choice.value;
+            gathered = wrap_i32((uint32_t)gathered + (uint32_t)value);
+        }
+    }
+    return gathered;
+}
+
+bessemer_status_t leaving_closures_first_above(const uint8_t rows[2][3], uint8_t least,
+    uint32_t *result)
+{
+    uint32_t result_choice = 0U;
+    bool answer_done = false;
+    for (uint32_t at = 0U; at < 3U; at++) {
+        if (rows[0][at] > least) {
+            result_choice = at;
+            answer_done = true;
+            break;
+        }
+    }
+    if (!answer_done) {
+        result_choice = 9U;
+    }
+    if (result_choice > 0x19999999U) {
+        return BESSEMER_STATUS_OVERFLOW;
+    }
+    const uint32_t result_left = 10U * result_choice;
+    uint32_t result_choice_2 = 0U;
+    bool answer_done_2 = false;
+    for (uint32_t at = 0U; at < 3U; at++) {
+        if (rows[1][at] > least) {
+            result_choice_2 = at;
+            answer_done_2 = true;
+            break;
+        }
+    }
+    if (!answer_done_2) {
+        result_choice_2 = 9U;
+    }
+    if ((int64_t)result_left + (int64_t)result_choice_2 > UINT32_MAX) {
+        return BESSEMER_STATUS_OVERFLOW;
+    }
+    *result = result_left + result_choice_2;
+    return BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t leaving_closures_by_name(const float values[4], float k, float *result)
+{
+    float halves = -0.0F;
+    for (uint32_t i = 0U; i < 4U; i++) {
+        const float value = leaving_closures_halved(values[i]);
+        const float x = value;
+        const float sum_choice = k * x;
+        halves += sum_choice;
+    }
+    float most = F32_MIN;
+    for (uint32_t i = 0U; i < 4U; i++) {
+        most = max_f32(most, values[i]);
+    }
+    float shifted[4];
+    for (uint32_t i = 0U; i < 4U; i++) {
+        shifted[i] = values[i] + k;
+    }
+    if (k == 7.0F) {
+        return BESSEMER_STATUS_ASSERTION;
+    }
+    *result = halves + most + shifted[0];
+    return BESSEMER_STATUS_OK;
+}
+
+float leaving_closures_halved(float x)
+{
+    return x / 2.0F;
+}

@@ -1,0 +1,84 @@
+/* The C of tests/corpus/src/programs/matrices/turned.rs. Written by a test. */
+
+/* turned.c */
+
+void turned_there_and_back(double roll, double pitch, double yaw, triple_f64_f64_f64_t *result)
+{
+    unit_quaternion_f64_t q;
+    rotation_from_euler_angles_f64(roll, pitch, yaw, &q);
+    rotation_euler_angles_f64(&q, result);
+}
+
+void turned_by_matrix(float roll, float pitch, float yaw, triple_f32_f32_f32_t *result)
+{
+    float result_m[9];
+    rotation_matrix_from_euler_angles_f32(roll, pitch, yaw, result_m);
+    rotation_matrix_euler_angles_f32(result_m, result);
+}
+
+void turned_part_of_the_way(const double a[3], const double b[3], double share, double result[3])
+{
+    unit_quaternion_f64_t from;
+    rotation_from_scaled_axis_f64(a, &from);
+    unit_quaternion_f64_t to;
+    rotation_from_scaled_axis_f64(b, &to);
+    unit_quaternion_f64_t result_q;
+    rotation_slerp_f64(&from, &to, share, &result_q);
+    rotation_scaled_axis_f64(&result_q, result);
+}
+
+void turned_between(const double a[3], const double b[3], option_pair_vector3_f64_f64_t *result)
+{
+    option_pair_vector3_f64_f64_t option;
+    norms_try_direction_and_norm_f64_3(a, 1e-6, &option);
+    if (!option.is_some) {
+        result->is_some = false;
+        result->value.first[0] = 0.0;
+        result->value.first[1] = 0.0;
+        result->value.first[2] = 0.0;
+        result->value.second = 0.0;
+        return;
+    }
+    option_vector3_f64_t option_2;
+    norms_try_direction_f64_3(b, 1e-6, &option_2);
+    if (!option_2.is_some) {
+        result->is_some = false;
+        result->value.first[0] = 0.0;
+        result->value.first[1] = 0.0;
+        result->value.first[2] = 0.0;
+        result->value.second = 0.0;
+        return;
+    }
+    const double to[3] = {option_2.value[0], option_2.value[1], option_2.value[2]};
+    option_unit_quaternion_f64_t option_3;
+    rotation_rotation_between_axis_f64(option.value.first, to, &option_3);
+    if (!option_3.is_some) {
+        result->is_some = false;
+        result->value.first[0] = 0.0;
+        result->value.first[1] = 0.0;
+        result->value.first[2] = 0.0;
+        result->value.second = 0.0;
+        return;
+    }
+    const unit_quaternion_f64_t turn = option_3.value;
+    option_pair_vector3_f64_f64_t option_4;
+    rotation_axis_angle_f64(&turn, &option_4);
+    if (!option_4.is_some) {
+        result->is_some = false;
+        result->value.first[0] = 0.0;
+        result->value.first[1] = 0.0;
+        result->value.first[2] = 0.0;
+        result->value.second = 0.0;
+        return;
+    }
+    result->value.first[0] = option_4.value.first[0] * option.value.second;
+    result->value.first[1] = option_4.value.first[1] * option.value.second;
+    result->value.first[2] = option_4.value.first[2] * option.value.second;
+    result->is_some = true;
+    result->value.second = option_4.value.second;
+}
+
+void turned_about(const float axis[3], float angle, unit_quaternion_f32_t *unit_quaternion)
+{
+    rotation_from_axis_angle_f32(axis, angle, unit_quaternion);
+}

@@ -1,0 +1,41 @@
+//! Rotations by nalgebra's own names: the functions of `bessemer::rotation` stand in their place.
+
+use bessemer::nalgebra::{Unit, UnitVector3};
+use bessemer::prelude::*;
+
+/// By three angles, and back.
+#[function]
+pub fn there_and_back(roll: f64, pitch: f64, yaw: f64) -> (f64, f64, f64) {
+    let q = UnitQuaternion::from_euler_angles(roll, pitch, yaw);
+    q.euler_angles()
+}
+
+/// The same of a matrix.
+#[function]
+pub fn by_matrix(roll: f32, pitch: f32, yaw: f32) -> (f32, f32, f32) {
+    Rotation3::from_euler_angles(roll, pitch, yaw).euler_angles()
+}
+
+/// By an axis with a length, part of the way.
+#[function]
+pub fn part_of_the_way(a: Vector3<f64>, b: Vector3<f64>, share: f64) -> Vector3<f64> {
+    let from = UnitQuaternion::from_scaled_axis(a);
+    let to = UnitQuaternion::new(b);
+    from.slerp(&to, share).scaled_axis()
+}
+
+/// The turn between two directions, by its axis and its angle.
+#[function]
+pub fn between(a: Vector3<f64>, b: Vector3<f64>) -> Option<(Vector3<f64>, f64)> {
+    let (from, length) = Unit::try_new_and_get(a, 1e-6)?;
+    let to = Unit::try_new(b, 1e-6)?;
+    let turn = UnitQuaternion::rotation_between_axis(&from, &to)?;
+    let (axis, angle) = turn.axis_angle()?;
+    Some((axis.into_inner() * length, angle))
+}
+
+/// About an axis.
+#[function]
+pub fn about(axis: &UnitVector3<f32>, angle: f32) -> UnitQuaternion<f32> {
+    UnitQuaternion::from_axis_angle(axis, angle)
+}

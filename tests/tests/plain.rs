@@ -1,0 +1,99 @@
+//! Programs that were plain Rust before there was a DSL (`tests/plain/`): with attributes and imports alone they become C, and
+//! native Rust, the interpreter and the C give the same bits and the same faults.
+//!
+//! Those that do not go yet stand in a table, each with its reason: one that goes by now is told.
+
+use std::fs;
+use std::path::PathBuf;
+use std::sync::OnceLock;
+
+use bessemer_codegen::compile::{Compiled, Options};
+use bessemer_codegen::diagnostic;
+use bessemer_codegen::source::Sources;
+use bessemer_interpret::Interpreter;
+use bessemer_tests::compiled_with;
+use bessemer_tests::toolchain;
+use bessemer_tests::workspace::Workspace;
+use corpus::Entry;
+
+use super::corpus::{interpreted, lived, run_c, run_c_with};
+use super::newcomers::step;
+
+#[path = "../plain/marked.rs"]
+mod marked;
+
+fn folder() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("plain")
+}
+
+/// What can be called of them.
+fn entries() -> &'static [Entry] {
+    static ENTRIES: OnceLock<Vec<Entry>> = OnceLock::new();
+    ENTRIES.get_or_init(|| {
+        let same = |it: &plain::Entry| Entry {
+            module: it.module,
+            component: it.component,
+            data: it.data,
+            name: it.name,
+            run: it.run,
+            initial: it.initial,
+        };
+        plain::programs::ENTRIES.iter().map(same).collect()
+    })
+}
+
+/// The programs, compiled as a user would have them, and with the checks that were proved.
+fn compiled() -> (&'static Compiled, &'static Options) {
+    static COMPILED: OnceLock<(Compiled, Options)> = OnceLock::new();
+    let (compiled, options) = COMPILED.get_or_init(|| {
+        let options = Options { keep_checks: true, ..Options::default() };
+        (compiled_with("plain", &options), options)
+    });
+    (compiled, options)
+}
+
+#[test]
+fn every_leg_agrees() {
+    let (kept, options) = compiled();
+    let cases = lived(kept, entries());
+    for module in [&kept.module, &kept.explicit] {
+        let mut interpreter = Interpreter::new(module);
+        cases.iter().for_each(|case| interpreted(kept, module, &mut interpreter, case));
+    }
+    let host = toolchain::host();
+    if let Some(gcc) = host.iter().find(|it| it.compiler == "gcc" && it.level == 0) {
+        run_c_with(kept, &cases, gcc, &["-w"], options);
+    }
+    let optimised = compiled_with("plain", &Options::default());
+    if let Some(toolchain) = host.iter().find(|it| it.level == 3) {
+        run_c(&optimised, &cases, toolchain, &[]);
+    }
+}
+
+/// What is listed does not become C.
+#[test]
+fn what_goes_is_not_listed() {
+    let folder = folder();
+    let (_, mut listed) = marked::programs(&folder).expect("the programs");
+    let workspace = Workspace::with_source("").expect("a workspace");
+    let manifest = workspace.folder().join("Cargo.toml");
+    let text = fs::read_to_string(&manifest).expect("the manifest");
+    let more =
+        ["libm", "nalgebra", "num-traits"].map(|it| format!("{it} = {{ workspace = true }}\n"));
+    let with = format!("[dependencies]\n{}", more.concat());
+    fs::write(&manifest, text.replace("[dependencies]\n", &with)).expect("the manifest");
+    for name in &listed {
+        let text = marked::marked(&folder, name).expect("a program and its marks");
+        let path = workspace.folder().join("src").join(format!("{name}.rs"));
+        fs::write(path, text).expect("a module");
+    }
+    while !listed.is_empty() {
+        let (told, is_last) = step(&workspace, &listed);
+        // Told with `--nocapture`.
+        let sources = Sources::new(workspace.path(""));
+        told.values().for_each(|told| println!("{}", diagnostic::render(told, &sources, false)));
+        let before = listed.len();
+        listed.retain(|name| !told.contains_key(name));
+        assert!(!is_last && listed.len() < before, "these become C, and are listed: {listed:?}");
+    }
+}
