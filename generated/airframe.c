@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "bessemer_constants.h"
+#include "bessemer_sizes.h"
 #include "bessemer_target.h"
 #include "sine.h"
 
@@ -47,7 +47,7 @@ void airframe_hexacopter(airframe_t *airframe)
     airframe->air_density = 1.184;
 }
 
-void airframe_for_each(uint64_t count, double value, double all[8])
+void airframe_for_each(uint64_t count, double value, double all[AIRFRAME_MOST_MOTORS])
 {
     for (uint32_t i = 0U; i < 8U; i++) {
         all[i] = 0.0;
@@ -59,7 +59,7 @@ void airframe_for_each(uint64_t count, double value, double all[8])
     }
 }
 
-void airframe_spins(const airframe_t *self, double spins[8])
+void airframe_spins(const airframe_t *self, double spins[AIRFRAME_MOST_MOTORS])
 {
     airframe_for_each(self->motors, 1.0, spins);
     for (uint32_t n = 0U; n < AIRFRAME_MOST_MOTORS; n++) {
@@ -69,7 +69,7 @@ void airframe_spins(const airframe_t *self, double spins[8])
     }
 }
 
-void airframe_thrust_factors(const airframe_t *self, double result[8])
+void airframe_thrust_factors(const airframe_t *self, double result[AIRFRAME_MOST_MOTORS])
 {
     const double area = self->disc_area * self->propeller_radius * self->propeller_radius;
     const double result_product = self->air_density * area;
@@ -78,7 +78,7 @@ void airframe_thrust_factors(const airframe_t *self, double result[8])
     }
 }
 
-void airframe_drag_factors(const airframe_t *self, double result[8])
+void airframe_drag_factors(const airframe_t *self, double result[AIRFRAME_MOST_MOTORS])
 {
     const double radius = self->propeller_radius;
     const double volume = self->disc_area * radius * radius * radius;
@@ -88,7 +88,7 @@ void airframe_drag_factors(const airframe_t *self, double result[8])
     }
 }
 
-void airframe_effectiveness(const airframe_t *self, double effect[32])
+void airframe_effectiveness(const airframe_t *self, double effect[4U * AIRFRAME_MOST_MOTORS])
 {
     double thrust[8];
     airframe_thrust_factors(self, thrust);
@@ -101,14 +101,14 @@ void airframe_effectiveness(const airframe_t *self, double effect[32])
     }
     for (uint32_t n = 0U; n < AIRFRAME_MOST_MOTORS; n++) {
         const double angle = airframe_arm_angle(self->layout, self->motors, (uint64_t)n);
-        effect[0 + 4 * n] = thrust[n];
-        effect[1 + 4 * n] = thrust[n] * self->arm * sine_sin(angle);
-        effect[2 + 4 * n] = -thrust[n] * self->arm * sine_cos(angle);
-        effect[3 + 4 * n] = spins[n] * drag[n];
+        effect[4U * n] = thrust[n];
+        effect[1U + 4U * n] = thrust[n] * self->arm * sine_sin(angle);
+        effect[2U + 4U * n] = -thrust[n] * self->arm * sine_cos(angle);
+        effect[3U + 4U * n] = spins[n] * drag[n];
     }
 }
 
-void airframe_allocation(const airframe_t *self, double share[32])
+void airframe_allocation(const airframe_t *self, double share[AIRFRAME_MOST_MOTORS * 4U])
 {
     double thrust[8];
     airframe_thrust_factors(self, thrust);
@@ -124,10 +124,10 @@ void airframe_allocation(const airframe_t *self, double share[32])
         if (thrust[n] > 0.0 && drag[n] > 0.0) {
             const double angle = airframe_arm_angle(self->layout, self->motors, (uint64_t)n);
             const double leverage = 2.0 / (count * thrust[n] * self->arm);
-            share[n + 8 * 0] = 1.0 / (count * thrust[n]);
-            share[n + 8 * 1] = leverage * sine_sin(angle);
-            share[n + 8 * 2] = -leverage * sine_cos(angle);
-            share[n + 8 * 3] = spins[n] / (count * drag[n]);
+            share[n] = 1.0 / (count * thrust[n]);
+            share[n + 8U] = leverage * sine_sin(angle);
+            share[n + 8U * 2U] = -leverage * sine_cos(angle);
+            share[n + 8U * 3U] = spins[n] / (count * drag[n]);
         }
     }
 }

@@ -14,6 +14,8 @@
 
 #include <stdint.h>
 
+#include "bessemer_sizes.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -45,9 +47,9 @@ typedef struct {
     /** Density of the air, kg/m³. */
     double air_density;
     /** Thrust coefficient of each propeller; 0 where there is none. */
-    double thrust_coefficients[8];
+    double thrust_coefficients[AIRFRAME_MOST_MOTORS];
     /** Drag-moment coefficient of each propeller; 0 where there is none. */
-    double drag_coefficients[8];
+    double drag_coefficients[AIRFRAME_MOST_MOTORS];
 } airframe_t;
 
 /** What the motors do to the body, or are wanted to do. */
@@ -71,16 +73,16 @@ void airframe_mambo(airframe_t *airframe);
 void airframe_hexacopter(airframe_t *airframe);
 
 /** The same value for each of `count` motors, and 0 for the places that are left. */
-void airframe_for_each(uint64_t count, double value, double all[8]);
+void airframe_for_each(uint64_t count, double value, double all[AIRFRAME_MOST_MOTORS]);
 
 /** Direction in which each motor turns, 1 or −1: neighbours turn against each other. */
-void airframe_spins(const airframe_t *self, double spins[8]);
+void airframe_spins(const airframe_t *self, double spins[AIRFRAME_MOST_MOTORS]);
 
 /** Thrust of each propeller per square of its speed (thesis, eq. (2.31)), N·s²/rad². */
-void airframe_thrust_factors(const airframe_t *self, double result[8]);
+void airframe_thrust_factors(const airframe_t *self, double result[AIRFRAME_MOST_MOTORS]);
 
 /** Drag moment of each propeller per square of its speed (thesis, eq. (2.32)), N·m·s²/rad². */
-void airframe_drag_factors(const airframe_t *self, double result[8]);
+void airframe_drag_factors(const airframe_t *self, double result[AIRFRAME_MOST_MOTORS]);
 
 /**
  * Thrust and torques from the squares of the motor speeds (thesis, eq. (2.49)).
@@ -91,7 +93,7 @@ void airframe_drag_factors(const airframe_t *self, double result[8]);
  *
  * `effect` by columns: [row + 4 * column].
  */
-void airframe_effectiveness(const airframe_t *self, double effect[32]);
+void airframe_effectiveness(const airframe_t *self, double effect[4U * AIRFRAME_MOST_MOTORS]);
 
 /**
  * Squares of the motor speeds from thrust and torques: the inverse of
@@ -103,7 +105,7 @@ void airframe_effectiveness(const airframe_t *self, double effect[32]);
  *
  * `share` by columns: [row + 8 * column].
  */
-void airframe_allocation(const airframe_t *self, double share[32]);
+void airframe_allocation(const airframe_t *self, double share[AIRFRAME_MOST_MOTORS * 4U]);
 
 /** Angle of arm `n` of `count`, counted from 0 (thesis, eq. (2.2)), rad. */
 double airframe_arm_angle(layout_t layout, uint64_t count, uint64_t n);

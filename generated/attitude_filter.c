@@ -22,8 +22,8 @@ void attitude_filter_level(double angle, double bias, attitude_filter_t *attitud
         attitude_filter->covariance[i] = 0.0;
     }
     for (uint32_t n = 0U; n < 3U; n++) {
-        attitude_filter->covariance[n + 6 * n] = angle * angle;
-        attitude_filter->covariance[n + 3 + 6 * (n + 3)] = bias * bias;
+        attitude_filter->covariance[n + 6U * n] = angle * angle;
+        attitude_filter->covariance[n + 3U + 6U * (n + 3U)] = bias * bias;
     }
     attitude_filter->angles[0] = 0.0;
     attitude_filter->angles[1] = 0.0;
@@ -44,7 +44,7 @@ void attitude_filter_predict(attitude_filter_t *self, const double measured[3], 
         measured[2] - self->bias[2]
     };
     double *const advance = work;
-    attitude_filter_advance(self, &orientation, rates, period, advance);
+    attitude_filter_advance(&orientation, rates, period, advance);
     double angles_angle_rates[3];
     orientation_angle_rates(&orientation, rates, angles_angle_rates);
     self->angles[0] += angles_angle_rates[0] * period;
@@ -55,46 +55,13 @@ void attitude_filter_predict(attitude_filter_t *self, const double measured[3], 
     double growth[6];
     for (uint32_t n = 0U; n < 3U; n++) {
         growth[n] = turn * turn;
-        growth[n + 3] = wander;
+        growth[n + 3U] = wander;
     }
     double *const covariance_growth = &work[36];
     covariance_diagonal_6(growth, covariance_growth);
     double *const covariance_next = &work[72];
     covariance_grown_6(self->covariance, advance, covariance_growth, &work[108], covariance_next);
-    memcpy(self->covariance, covariance_next, sizeof(double[36]));
-}
-
-void attitude_filter_advance(const attitude_filter_t *self, const orientation_t *orientation,
-    const double rates[3], double period, double advance[36])
-{
-    (void)self;
-    const double c2 = orientation_divisor(orientation);
-    const double along = orientation->c3 * rates[0] + orientation->s3 * rates[1];
-    const double across = orientation->s3 * rates[0] - orientation->c3 * rates[1];
-    const double lean = orientation->s2 / c2;
-    {
-        static const double advance_value[36] = {
-            1.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 1.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 1.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 1.0, 0.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 1.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 1.0
-        };
-        memcpy(advance, advance_value, sizeof(double[36]));
-    }
-    advance[0 + 6 * 1] = -period * along * lean / c2;
-    advance[0 + 6 * 2] = period * across / c2;
-    advance[1 + 6 * 2] = period * along;
-    advance[2 + 6 * 1] = -period * along / (c2 * c2);
-    advance[2 + 6 * 2] += period * across * lean;
-    advance[0 + 6 * 3] = period * orientation->c3 / c2;
-    advance[0 + 6 * 4] = period * orientation->s3 / c2;
-    advance[1 + 6 * 3] = -period * orientation->s3;
-    advance[1 + 6 * 4] = period * orientation->c3;
-    advance[2 + 6 * 3] = period * orientation->c3 * lean;
-    advance[2 + 6 * 4] = period * orientation->s3 * lean;
-    advance[2 + 6 * 5] = period;
+    (void)memcpy(self->covariance, covariance_next, sizeof(double[36]));
 }
 
 bool attitude_filter_correct(attitude_filter_t *self, const double row[6], const double moves[6],
@@ -120,11 +87,43 @@ bool attitude_filter_correct(attitude_filter_t *self, const double row[6], const
     }
     for (uint32_t n = 0U; n < 3U; n++) {
         self->angles[n] += gain[n] * innovation;
-        const double bias_operand = gain[n + 3] * innovation;
+        const double bias_operand = gain[n + 3U] * innovation;
         self->bias[n] += bias_operand;
     }
     double *const covariance_next = work;
     covariance_corrected_6(self->covariance, row, gain, variance, &work[36], covariance_next);
-    memcpy(self->covariance, covariance_next, sizeof(double[36]));
+    (void)memcpy(self->covariance, covariance_next, sizeof(double[36]));
     return true;
+}
+
+void attitude_filter_advance(const orientation_t *orientation, const double rates[3], double period,
+    double advance[36])
+{
+    const double c2 = orientation_divisor(orientation);
+    const double along = orientation->c3 * rates[0] + orientation->s3 * rates[1];
+    const double across = orientation->s3 * rates[0] - orientation->c3 * rates[1];
+    const double lean = orientation->s2 / c2;
+    {
+        static const double advance_value[36] = {
+            1.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            0.0, 1.0, 0.0, 0.0, 0.0, 0.0,
+            0.0, 0.0, 1.0, 0.0, 0.0, 0.0,
+            0.0, 0.0, 0.0, 1.0, 0.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 1.0, 0.0,
+            0.0, 0.0, 0.0, 0.0, 0.0, 1.0
+        };
+        (void)memcpy(advance, advance_value, sizeof(double[36]));
+    }
+    advance[6] = -period * along * lean / c2;
+    advance[6 * 2] = period * across / c2;
+    advance[1 + 6 * 2] = period * along;
+    advance[2 + 6] = -period * along / (c2 * c2);
+    advance[2 + 6 * 2] += period * across * lean;
+    advance[6 * 3] = period * orientation->c3 / c2;
+    advance[6 * 4] = period * orientation->s3 / c2;
+    advance[1 + 6 * 3] = -period * orientation->s3;
+    advance[1 + 6 * 4] = period * orientation->c3;
+    advance[2 + 6 * 3] = period * orientation->c3 * lean;
+    advance[2 + 6 * 4] = period * orientation->s3 * lean;
+    advance[2 + 6 * 5] = period;
 }

@@ -45,14 +45,6 @@ void attitude_filter_predict(attitude_filter_t *self, const double measured[3], 
     double noise, double drift, double work[180]);
 
 /**
- * How errors of the angles and biases grow over one period: the derivative of (2.17).
- *
- * `advance` by columns: [row + 6 * column].
- */
-void attitude_filter_advance(const attitude_filter_t *self, const orientation_t *orientation,
-    const double rates[3], double period, double advance[36]);
-
-/**
  * A measurement of the angle that `row` picks out, as its difference from what is believed, with the
  * given variance. It is refused, and nothing changes, if it lies more than `gate` standard deviations
  * off, or is not a number.
@@ -63,6 +55,14 @@ void attitude_filter_advance(const attitude_filter_t *self, const orientation_t 
  */
 bool attitude_filter_correct(attitude_filter_t *self, const double row[6], const double moves[6],
     double innovation, double variance, double gate, double work[144]);
+
+/**
+ * How errors of the angles and biases grow over one period: the derivative of (2.17).
+ *
+ * `advance` by columns: [row + 6 * column].
+ */
+void attitude_filter_advance(const orientation_t *orientation, const double rates[3], double period,
+    double advance[36]);
 
 #ifdef __cplusplus
 }

@@ -43,13 +43,13 @@ void axis_filter_predict(axis_filter_t *self, double acceleration, double period
     covariance_diagonal_3(growth_values, growth);
     double covariance_next[9];
     covariance_grown_3(self->covariance, advance, growth, covariance_next);
-    memcpy(self->covariance, covariance_next, sizeof(double[9]));
+    (void)memcpy(self->covariance, covariance_next, sizeof(double[9]));
 }
 
 void axis_filter_doubt(axis_filter_t *self)
 {
-    self->covariance[0 + 3 * 0] += 0.25;
-    self->covariance[1 + 3 * 1] += 0.25;
+    self->covariance[0] += 0.25;
+    self->covariance[1 + 3] += 0.25;
 }
 
 bool axis_filter_correct(axis_filter_t *self, const double row[3], double measured, double variance,
@@ -58,11 +58,11 @@ bool axis_filter_correct(axis_filter_t *self, const double row[3], double measur
     const double innovation = measured
         - (row[0] * self->state[0] + row[1] * self->state[1] + row[2] * self->state[2]);
     const double spread[3] = {
-        self->covariance[0 + 3 * 0] * row[0] + self->covariance[0 + 3 * 1] * row[1]
-            + self->covariance[0 + 3 * 2] * row[2],
-        self->covariance[1 + 3 * 0] * row[0] + self->covariance[1 + 3 * 1] * row[1]
+        self->covariance[0] * row[0] + self->covariance[3] * row[1]
+            + self->covariance[3 * 2] * row[2],
+        self->covariance[1] * row[0] + self->covariance[1 + 3] * row[1]
             + self->covariance[1 + 3 * 2] * row[2],
-        self->covariance[2 + 3 * 0] * row[0] + self->covariance[2 + 3 * 1] * row[1]
+        self->covariance[2] * row[0] + self->covariance[2 + 3] * row[1]
             + self->covariance[2 + 3 * 2] * row[2]
     };
     const double expected = row[0] * spread[0] + row[1] * spread[1] + row[2] * spread[2] + variance;
@@ -82,6 +82,6 @@ bool axis_filter_correct(axis_filter_t *self, const double row[3], double measur
     self->state[2] += gain[2] * innovation;
     double covariance_next[9];
     covariance_corrected_3(self->covariance, row, gain, variance, covariance_next);
-    memcpy(self->covariance, covariance_next, sizeof(double[9]));
+    (void)memcpy(self->covariance, covariance_next, sizeof(double[9]));
     return true;
 }

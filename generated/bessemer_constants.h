@@ -16,50 +16,14 @@ extern "C" {
 /** Acceleration of gravity, m/s². */
 static const double AIRFRAME_GRAVITY = 9.81;
 
-/** Places for motors: quad-, hexa- and octocopters run the same code. */
-static const uint64_t AIRFRAME_MOST_MOTORS = UINT64_C(8);
-
-/** Bytes of the counter. */
-static const uint64_t GATE_COUNTER = UINT64_C(6);
-
 /**
  * So much older than the last packet, ms, a STOP is still taken: it may have been overtaken. Whoever
  * repeats one within that time stops what has been stopped.
  */
 static const uint64_t GATE_OVERTAKEN = UINT64_C(2000);
 
-/** Bytes of the counter and of the sum. */
-static const uint64_t GATE_SEAL = UINT64_C(14);
-
 /** Least cosine of the pitch that is divided by: 89.4°. */
 static const double GEOMETRY_STEEP = 0.01;
-
-/** How many records the ring holds. */
-static const uint64_t LOGGER_DEPTH = UINT64_C(16);
-
-/** How many signals there are to choose from. */
-static const uint64_t LOGGER_SIGNALS = UINT64_C(64);
-
-/** How many signals a record holds. */
-static const uint64_t LOGGER_WIDTH = UINT64_C(36);
-
-/** Bytes before the payload: two marks, kind, sequence (2), length. */
-static const uint64_t PACKET_HEADER = UINT64_C(6);
-
-/** The most bytes of a packet. */
-static const uint64_t PACKET_MOST_BYTES = UINT64_C(64);
-
-/** The most bytes of a payload: the rest is header and checksum. */
-static const uint64_t PACKET_MOST_PAYLOAD = UINT64_C(56);
-
-/** Where the length of the payload stands. */
-static const uint64_t PACKET_SIZE_AT = UINT64_C(5);
-
-/** Where what is summed up begins: behind the two marks, with the kind. */
-static const uint64_t PACKET_START = UINT64_C(2);
-
-/** Bytes of the checksum behind the payload. */
-static const uint64_t PACKET_SUM = UINT64_C(2);
 
 /** 2^(k/128): what the double leaves out, as a fraction; its bits less k·2⁴⁵. */
 extern const uint64_t POWERS_POWERS[128][2];
@@ -70,9 +34,6 @@ static const uint8_t RECEIVER_ARM = 11U;
 /** Asks for a parameter: its number, one byte. */
 static const uint8_t RECEIVER_ASK = 12U;
 
-/** Bytes of the payload of `ASK`: a parameter. */
-static const uint64_t RECEIVER_ASK_BYTES = UINT64_C(1);
-
 /** Says that the ground is there. From the first one on, it is missed when it is silent. */
 static const uint8_t RECEIVER_BEAT = 10U;
 
@@ -81,14 +42,8 @@ static const uint8_t RECEIVER_BEAT = 10U;
  */
 static const uint8_t RECEIVER_CHOOSE = 14U;
 
-/** Bytes of the payload of `CHOOSE`: two, and one for each signal. */
-static const uint64_t RECEIVER_CHOOSE_BYTES = UINT64_C(38);
-
 /** Flies the collected trajectory: how many points, one byte; what it is called, one byte. */
 static const uint8_t RECEIVER_COMMIT = 5U;
-
-/** Bytes of the payload of `COMMIT`: how many points, and a name. */
-static const uint64_t RECEIVER_COMMIT_BYTES = UINT64_C(2);
 
 /** Closes the link: nothing is sent down any more. */
 static const uint8_t RECEIVER_GOODBYE = 2U;
@@ -102,26 +57,14 @@ static const uint8_t RECEIVER_LAND = 7U;
 /** A `Mode`, one byte. */
 static const uint8_t RECEIVER_MODE = 3U;
 
-/** Bytes of the payload of `MODE`. */
-static const uint64_t RECEIVER_MODE_BYTES = UINT64_C(1);
-
 /** A set point: what to call its trajectory, one byte; its index, one byte; time, x, y, z, yaw. */
 static const uint8_t RECEIVER_POINT = 4U;
-
-/** Bytes of the payload of `POINT`: a name, an index and five numbers. */
-static const uint64_t RECEIVER_POINT_BYTES = UINT64_C(42);
 
 /** Sets a parameter: its number, one byte; its value. */
 static const uint8_t RECEIVER_SET = 13U;
 
-/** Bytes of the payload of `SET`: a parameter and a number. */
-static const uint64_t RECEIVER_SET_BYTES = UINT64_C(9);
-
 /** Sticks: roll, pitch, rate of yaw, rate of climb. */
 static const uint8_t RECEIVER_STICKS = 8U;
-
-/** Bytes of the payload of `STICKS`: four numbers. */
-static const uint64_t RECEIVER_STICKS_BYTES = UINT64_C(32);
 
 /** Stops the motors at once. */
 static const uint8_t RECEIVER_STOP = 9U;
@@ -130,28 +73,19 @@ static const uint8_t RECEIVER_STOP = 9U;
 static const uint8_t RECEIVER_TAKE_OFF = 6U;
 
 /** A parameter: its number, one byte; its value, or no number if there is no such parameter. */
-static const uint8_t SENDER_PARAMETER = 66U;
+static const uint8_t SENDER_PARAMETER = 0x42U;
 
 /** A part of a record. */
-static const uint8_t SENDER_RECORD = 64U;
+static const uint8_t SENDER_RECORD = 0x40U;
 
 /** The state of the link: see `Status`. */
-static const uint8_t SENDER_STATUS = 65U;
-
-/** The most set points of a trajectory. */
-static const uint64_t TRAJECTORY_MOST_POINTS = UINT64_C(16);
-
-/** From this number on they change on the ground only. */
-static const uint64_t TUNING_GROUNDED = UINT64_C(18);
+static const uint8_t SENDER_STATUS = 0x41U;
 
 /** The least values, in the order of `values`. */
 extern const double TUNING_LEAST[20];
 
 /** The largest values. */
 extern const double TUNING_MOST[20];
-
-/** How many parameters there are. */
-static const uint64_t TUNING_TUNABLE = UINT64_C(20);
 
 #ifdef __cplusplus
 }

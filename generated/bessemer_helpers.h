@@ -14,10 +14,6 @@
 
 #include "bessemer_target.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
-
 /* The signed integer with these bits. */
 static inline int32_t wrap_i32(uint32_t bits)
 {
@@ -86,7 +82,7 @@ static inline uint32_t bits_of_f32(float value)
 {
     uint32_t bits = 0x7FC00000U;
     if (!isnan(value)) {
-        memcpy(&bits, &value, sizeof bits);
+        (void)memcpy(&bits, &value, sizeof bits);
     }
     return bits;
 }
@@ -96,7 +92,7 @@ static inline uint64_t bits_of_f64(double value)
 {
     uint64_t bits = UINT64_C(0x7FF8000000000000);
     if (!isnan(value)) {
-        memcpy(&bits, &value, sizeof bits);
+        (void)memcpy(&bits, &value, sizeof bits);
     }
     return bits;
 }
@@ -105,7 +101,7 @@ static inline uint64_t bits_of_f64(double value)
 static inline uint64_t raw_bits_of_f64(double value)
 {
     uint64_t bits;
-    memcpy(&bits, &value, sizeof bits);
+    (void)memcpy(&bits, &value, sizeof bits);
     return bits;
 }
 
@@ -113,7 +109,7 @@ static inline uint64_t raw_bits_of_f64(double value)
 static inline double f64_from_bits(uint64_t bits)
 {
     double value;
-    memcpy(&value, &bits, sizeof value);
+    (void)memcpy(&value, &bits, sizeof value);
     return value;
 }
 
@@ -147,12 +143,8 @@ static inline double rem_euclid_f64(double a, double b)
 static inline uint8_t u8_from_bool(const bool *flag)
 {
     uint8_t byte = 0U;
-    memcpy(&byte, flag, sizeof byte);
+    (void)memcpy(&byte, flag, sizeof byte);
     return (byte != 0U) ? 1U : 0U;
 }
-
-#ifdef __cplusplus
-}
-#endif
 
 #endif

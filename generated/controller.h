@@ -12,6 +12,7 @@
 #ifndef CONTROLLER_H
 #define CONTROLLER_H
 
+#include "bessemer_sizes.h"
 #include "cascade.h"
 #include "parameters.h"
 #include "printed.h"
@@ -40,7 +41,7 @@ void controller_init(controller_t *self);
  * of them, rad/s.
  */
 void controller_step(controller_t *self, const parameters_t *parameters, const estimate_t *estimate,
-    const target_t *target, const double feed_forward[8], command_t *command);
+    const target_t *target, const double feed_forward[AIRFRAME_MOST_MOTORS], command_t *command);
 
 #ifdef __cplusplus
 }

@@ -21,7 +21,7 @@ void covariance_diagonal_3(const double values[3], double all[9])
         all[i] = 0.0;
     }
     for (uint32_t n = 0U; n < 3U; n++) {
-        all[n + 3 * n] = values[n];
+        all[n + 3U * n] = values[n];
     }
 }
 
@@ -31,7 +31,7 @@ void covariance_diagonal_6(const double values[6], double all[36])
         all[i] = 0.0;
     }
     for (uint32_t n = 0U; n < 6U; n++) {
-        all[n + 6 * n] = values[n];
+        all[n + 6U * n] = values[n];
     }
 }
 
@@ -74,7 +74,8 @@ void covariance_corrected_3(const double covariance[9], const double row[3], con
     double kept[9];
     for (uint32_t column = 0U; column < 3U; column++) {
         for (uint32_t row_2 = 0U; row_2 < 3U; row_2++) {
-            kept[row_2 + 3 * column] = kept_matrix[row_2 + 3 * column] - gain[row_2] * row[column];
+            kept[row_2 + 3U * column] = kept_matrix[row_2 + 3U * column]
+                - gain[row_2] * row[column];
         }
     }
     double result_product[9];
@@ -84,7 +85,7 @@ void covariance_corrected_3(const double covariance[9], const double row[3], con
     double result_matrix[9];
     for (uint32_t column = 0U; column < 3U; column++) {
         for (uint32_t row_2 = 0U; row_2 < 3U; row_2++) {
-            result_matrix[row_2 + 3 * column] = result_product_2[row_2 + 3 * column]
+            result_matrix[row_2 + 3U * column] = result_product_2[row_2 + 3U * column]
                 + gain[row_2] * gain[column] * variance;
         }
     }
@@ -105,7 +106,8 @@ void covariance_corrected_6(const double covariance[36], const double row[6], co
     double *const kept = work;
     for (uint32_t column = 0U; column < 6U; column++) {
         for (uint32_t row_2 = 0U; row_2 < 6U; row_2++) {
-            kept[row_2 + 6 * column] = kept_matrix[row_2 + 6 * column] - gain[row_2] * row[column];
+            kept[row_2 + 6U * column] = kept_matrix[row_2 + 6U * column]
+                - gain[row_2] * row[column];
         }
     }
     double *const result_product = &work[36];
@@ -115,7 +117,7 @@ void covariance_corrected_6(const double covariance[36], const double row[6], co
     double *const result_matrix = work;
     for (uint32_t column = 0U; column < 6U; column++) {
         for (uint32_t row_2 = 0U; row_2 < 6U; row_2++) {
-            result_matrix[row_2 + 6 * column] = result_product_2[row_2 + 6 * column]
+            result_matrix[row_2 + 6U * column] = result_product_2[row_2 + 6U * column]
                 + gain[row_2] * gain[column] * variance;
         }
     }
@@ -126,7 +128,8 @@ void covariance_symmetric_3(const double matrix[9], double result[9])
 {
     for (uint32_t column = 0U; column < 3U; column++) {
         for (uint32_t row = 0U; row < 3U; row++) {
-            result[row + 3 * column] = (matrix[row + 3 * column] + matrix[column + 3 * row]) * 0.5;
+            result[row + 3U * column] = (matrix[row + 3U * column] + matrix[column + 3U * row])
+                * 0.5;
         }
     }
 }
@@ -135,7 +138,8 @@ void covariance_symmetric_6(const double matrix[36], double result[36])
 {
     for (uint32_t column = 0U; column < 6U; column++) {
         for (uint32_t row = 0U; row < 6U; row++) {
-            result[row + 6 * column] = (matrix[row + 6 * column] + matrix[column + 6 * row]) * 0.5;
+            result[row + 6U * column] = (matrix[row + 6U * column] + matrix[column + 6U * row])
+                * 0.5;
         }
     }
 }

@@ -134,11 +134,11 @@ static alarm_t crash_predictor_find_in_motion(const crash_predictor_t *self, con
     /* In the plane the thrust that holds the weight pulls to where the aircraft leans. */
     double direction[3];
     orientation_thrust_direction(orientation, direction);
-    const double pull_matrix[3] = {direction[0], direction[1], 0.0};
+    const double pull_vector[3] = {direction[0], direction[1], 0.0};
     const double pull[3] = {
-        pull_matrix[0] * AIRFRAME_GRAVITY,
-        pull_matrix[1] * AIRFRAME_GRAVITY,
-        pull_matrix[2] * AIRFRAME_GRAVITY
+        pull_vector[0] * AIRFRAME_GRAVITY,
+        pull_vector[1] * AIRFRAME_GRAVITY,
+        pull_vector[2] * AIRFRAME_GRAVITY
     };
     const double velocity[3] = {
         now->velocity[0] + pull[0] * horizon,

@@ -120,43 +120,21 @@ void estimator_init(estimator_t *self)
         0.0, 0.0, 0.0, 0.0025000000000000005, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0025000000000000005,
         0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0025000000000000005
     };
-    memcpy(self->attitude.covariance, initial_covariance, sizeof(initial_covariance));
-    self->axes[0].state[0] = 0.0;
-    self->axes[0].state[1] = 0.0;
-    self->axes[0].state[2] = 0.0;
-    self->axes[0].covariance[0] = 9.0;
-    self->axes[0].covariance[1] = 0.0;
-    self->axes[0].covariance[2] = 0.0;
-    self->axes[0].covariance[3] = 0.0;
-    self->axes[0].covariance[4] = 0.01;
-    self->axes[0].covariance[5] = 0.0;
-    self->axes[0].covariance[6] = 0.0;
-    self->axes[0].covariance[7] = 0.0;
-    self->axes[0].covariance[8] = 0.09;
-    self->axes[1].state[0] = 0.0;
-    self->axes[1].state[1] = 0.0;
-    self->axes[1].state[2] = 0.0;
-    self->axes[1].covariance[0] = 9.0;
-    self->axes[1].covariance[1] = 0.0;
-    self->axes[1].covariance[2] = 0.0;
-    self->axes[1].covariance[3] = 0.0;
-    self->axes[1].covariance[4] = 0.01;
-    self->axes[1].covariance[5] = 0.0;
-    self->axes[1].covariance[6] = 0.0;
-    self->axes[1].covariance[7] = 0.0;
-    self->axes[1].covariance[8] = 0.09;
-    self->axes[2].state[0] = 0.0;
-    self->axes[2].state[1] = 0.0;
-    self->axes[2].state[2] = 0.0;
-    self->axes[2].covariance[0] = 9.0;
-    self->axes[2].covariance[1] = 0.0;
-    self->axes[2].covariance[2] = 0.0;
-    self->axes[2].covariance[3] = 0.0;
-    self->axes[2].covariance[4] = 0.01;
-    self->axes[2].covariance[5] = 0.0;
-    self->axes[2].covariance[6] = 0.0;
-    self->axes[2].covariance[7] = 0.0;
-    self->axes[2].covariance[8] = 0.09;
+    (void)memcpy(self->attitude.covariance, initial_covariance, sizeof(initial_covariance));
+    for (uint32_t i = 0U; i < 3U; i++) {
+        self->axes[i].state[0] = 0.0;
+        self->axes[i].state[1] = 0.0;
+        self->axes[i].state[2] = 0.0;
+        self->axes[i].covariance[0] = 9.0;
+        self->axes[i].covariance[1] = 0.0;
+        self->axes[i].covariance[2] = 0.0;
+        self->axes[i].covariance[3] = 0.0;
+        self->axes[i].covariance[4] = 0.01;
+        self->axes[i].covariance[5] = 0.0;
+        self->axes[i].covariance[6] = 0.0;
+        self->axes[i].covariance[7] = 0.0;
+        self->axes[i].covariance[8] = 0.09;
+    }
     low_pass_init(&self->smooth);
     stuck_init(&self->vicon);
     stuck_init(&self->gyroscope);
@@ -288,24 +266,26 @@ static void estimator_advance(estimator_t *self, const sensors_t *sensors, doubl
     } else if (!self->felt) {
         noise_2[0] = UNFELT[0];
         noise_2[1] = UNFELT[1];
+    } else {
+        /* Nothing. */
     }
     orientation_t orientation;
     orientation_of(self->attitude.angles, &orientation);
     double push_rotation[9];
     orientation_rotation(&orientation, push_rotation);
     const double push_product[3] = {
-        push_rotation[0 + 3 * 0] * self->force[0] + push_rotation[0 + 3 * 1] * self->force[1]
-            + push_rotation[0 + 3 * 2] * self->force[2],
-        push_rotation[1 + 3 * 0] * self->force[0] + push_rotation[1 + 3 * 1] * self->force[1]
+        push_rotation[0] * self->force[0] + push_rotation[3] * self->force[1]
+            + push_rotation[3 * 2] * self->force[2],
+        push_rotation[1] * self->force[0] + push_rotation[1 + 3] * self->force[1]
             + push_rotation[1 + 3 * 2] * self->force[2],
-        push_rotation[2 + 3 * 0] * self->force[0] + push_rotation[2 + 3 * 1] * self->force[1]
+        push_rotation[2] * self->force[0] + push_rotation[2 + 3] * self->force[1]
             + push_rotation[2 + 3 * 2] * self->force[2]
     };
-    const double push_matrix[3] = {0.0, 0.0, AIRFRAME_GRAVITY};
+    const double push_vector[3] = {0.0, 0.0, AIRFRAME_GRAVITY};
     double push[3] = {
-        push_product[0] - push_matrix[0],
-        push_product[1] - push_matrix[1],
-        push_product[2] - push_matrix[2]
+        push_product[0] - push_vector[0],
+        push_product[1] - push_vector[1],
+        push_product[2] - push_vector[2]
     };
     if (!self->felt && self->axes[2].state[0] < GROUND) {
         push[2] = max_f64(push[2], 0.0);
@@ -377,7 +357,7 @@ static bool estimator_see_angles(estimator_t *self, const sensors_t *sensors,
     bool good = true;
     for (uint32_t n = 0U; n < 3U; n++) {
         const double then = self->attitude.angles[n] - rates[n] * sensors->vicon_delay;
-        double row[6] = {0.0};
+        double row[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
         row[n] = 1.0;
         const double innovation = geometry_wrapped(angles[n] - then);
         const bool good_correct = attitude_filter_correct(&self->attitude, row, everything,
@@ -406,7 +386,7 @@ static void estimator_doubt(estimator_t *self)
 {
     for (uint32_t n = 0U; n < 3U; n++) {
         axis_filter_doubt(&self->axes[n]);
-        self->attitude.covariance[n + 6 * n] += 0.1;
+        self->attitude.covariance[n + 6U * n] += 0.1;
     }
 }
 
@@ -423,22 +403,18 @@ static void estimator_do_without(estimator_t *self, const sensors_t *sensors,
     }
     orientation_t orientation;
     orientation_of(self->attitude.angles, &orientation);
-    bool condition = false;
     if (heard) {
         const bool see_echo = estimator_see_echo(self, sensors, measured->distance, &orientation);
-        condition = !see_echo;
+        if (!see_echo) {
+            self->outliers = saturating_add_u32(self->outliers, 1U);
+        }
     }
-    if (condition) {
-        self->outliers = saturating_add_u32(self->outliers, 1U);
-    }
-    bool condition_2 = false;
     if (seen) {
         const bool see_flow = estimator_see_flow(self, sensors, measured->flow_velocity,
             &orientation, work);
-        condition_2 = !see_flow;
-    }
-    if (condition_2) {
-        self->outliers = saturating_add_u32(self->outliers, 1U);
+        if (!see_flow) {
+            self->outliers = saturating_add_u32(self->outliers, 1U);
+        }
     }
 }
 
@@ -460,6 +436,8 @@ static bool estimator_see_echo(estimator_t *self, const sensors_t *sensors, doub
         self->ages.height = 0.0;
     } else if (self->ages.height > estimator_patience(self)) {
         axis_filter_doubt(&self->axes[2]);
+    } else {
+        /* Nothing. */
     }
     return good;
 }
@@ -477,21 +455,21 @@ static bool estimator_see_flow(estimator_t *self, const sensors_t *sensors, cons
     double believed_velocity[3];
     estimator_velocity(self, believed_velocity);
     const double believed[3] = {
-        rotation[0 + 3 * 0] * believed_velocity[0] + rotation[1 + 3 * 0] * believed_velocity[1]
-            + rotation[2 + 3 * 0] * believed_velocity[2],
-        rotation[0 + 3 * 1] * believed_velocity[0] + rotation[1 + 3 * 1] * believed_velocity[1]
-            + rotation[2 + 3 * 1] * believed_velocity[2],
-        rotation[0 + 3 * 2] * believed_velocity[0] + rotation[1 + 3 * 2] * believed_velocity[1]
+        rotation[0] * believed_velocity[0] + rotation[1] * believed_velocity[1]
+            + rotation[2] * believed_velocity[2],
+        rotation[3] * believed_velocity[0] + rotation[1 + 3] * believed_velocity[1]
+            + rotation[2 + 3] * believed_velocity[2],
+        rotation[3 * 2] * believed_velocity[0] + rotation[1 + 3 * 2] * believed_velocity[1]
             + rotation[2 + 3 * 2] * believed_velocity[2]
     };
-    const double seen_matrix[3] = {flow[0], flow[1], believed[2]};
+    const double seen_vector[3] = {flow[0], flow[1], believed[2]};
     const double seen[3] = {
-        rotation[0 + 3 * 0] * seen_matrix[0] + rotation[0 + 3 * 1] * seen_matrix[1]
-            + rotation[0 + 3 * 2] * seen_matrix[2],
-        rotation[1 + 3 * 0] * seen_matrix[0] + rotation[1 + 3 * 1] * seen_matrix[1]
-            + rotation[1 + 3 * 2] * seen_matrix[2],
-        rotation[2 + 3 * 0] * seen_matrix[0] + rotation[2 + 3 * 1] * seen_matrix[1]
-            + rotation[2 + 3 * 2] * seen_matrix[2]
+        rotation[0] * seen_vector[0] + rotation[3] * seen_vector[1]
+            + rotation[3 * 2] * seen_vector[2],
+        rotation[1] * seen_vector[0] + rotation[1 + 3] * seen_vector[1]
+            + rotation[1 + 3 * 2] * seen_vector[2],
+        rotation[2] * seen_vector[0] + rotation[2 + 3] * seen_vector[1]
+            + rotation[2 + 3 * 2] * seen_vector[2]
     };
     if (estimator_is_deaf(self) && self->drift_age < MEMORY) {
         const double acceleration[3] = {
@@ -518,6 +496,8 @@ static bool estimator_see_flow(estimator_t *self, const sensors_t *sensors, cons
     } else if (self->ages.plane > estimator_patience(self)) {
         axis_filter_doubt(&self->axes[0]);
         axis_filter_doubt(&self->axes[1]);
+    } else {
+        /* Nothing. */
     }
     return good;
 }
@@ -565,7 +545,7 @@ static void estimator_see_lean(estimator_t *self, double roll, double pitch, dou
     const double seen[2] = {roll, pitch};
     static const double moves[6] = {1.0, 1.0, 0.0, 1.0, 1.0, 0.0};
     for (uint32_t n = 0U; n < 2U; n++) {
-        double row[6] = {0.0};
+        double row[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
         row[n] = 1.0;
         const double innovation = seen[n] - self->attitude.angles[n];
         (void)attitude_filter_correct(&self->attitude, row, moves, innovation, variance, gate,
@@ -584,8 +564,8 @@ static void estimator_velocity(const estimator_t *self, double result[3])
 void estimator_spread(const estimator_t *self, double spread[6])
 {
     for (uint32_t n = 0U; n < 3U; n++) {
-        spread[n] = self->axes[n].covariance[0 + 3 * 0];
-        spread[n + 3] = self->attitude.covariance[n + 6 * n];
+        spread[n] = self->axes[n].covariance[0];
+        spread[n + 3U] = self->attitude.covariance[n + 6U * n];
     }
 }
 

@@ -84,8 +84,8 @@ void expectation_felt(expectation_t *self, const double force[3])
 
 void expectation_felt_force(const expectation_t *self, double result[3])
 {
-    const double result_matrix[3] = {0.0, 0.0, self->push.force};
-    result[0] = result_matrix[0] + self->force[0];
-    result[1] = result_matrix[1] + self->force[1];
-    result[2] = result_matrix[2] + self->force[2];
+    const double result_vector[3] = {0.0, 0.0, self->push.force};
+    result[0] = result_vector[0] + self->force[0];
+    result[1] = result_vector[1] + self->force[1];
+    result[2] = result_vector[2] + self->force[2];
 }

@@ -35,7 +35,7 @@ static inline double exponential_power_of_two(int32_t exponent)
 /** What `step` leaves out, as a fraction. */
 static inline double exponential_step_rest(uint64_t steps)
 {
-    return f64_from_bits(POWERS_POWERS[steps & UINT64_C(127)][0]);
+    return f64_from_bits(POWERS_POWERS[steps & UINT64_C(0x7F)][0]);
 }
 
 /** e^(`high` + `low`) for −750 to 750 and a `low` of up to 1/200, before its last rounding. */
@@ -57,7 +57,7 @@ static inline void exponential_exponential_of_pair(double high, double low, powe
 static inline double exponential_step(uint64_t steps)
 {
     /* The upper half alone changes: one addition where a word has 32 bits. */
-    const uint64_t bits = POWERS_POWERS[steps & UINT64_C(127)][1];
+    const uint64_t bits = POWERS_POWERS[steps & UINT64_C(0x7F)][1];
     const uint32_t upper = (uint32_t)(bits >> 32) + ((uint32_t)steps << 13);
     return f64_from_bits(((uint64_t)upper << 32) | (bits & UINT64_C(0xFFFFFFFF)));
 }
@@ -84,11 +84,11 @@ double exponential_rounded(const power_t *power, int32_t more)
 {
     /* From 1 to 2. */
     const double high = f64_from_bits(
-        POWERS_POWERS[power->steps & UINT64_C(127)][1] + ((power->steps & UINT64_C(127)) << 45));
+        POWERS_POWERS[power->steps & UINT64_C(0x7F)][1] + ((power->steps & UINT64_C(0x7F)) << 45));
 
     /* 19 bits, signed, without the 7 of the index. */
     const int32_t whole = shift_right_i32(
-        wrap_i32((uint32_t)(wrap_i32((uint32_t)(power->steps & UINT64_C(524287))) ^ 262144)
+        wrap_i32((uint32_t)(wrap_i32((uint32_t)(power->steps & UINT64_C(0x7FFFF))) ^ 262144)
         - 262144U), 7U);
     const int32_t exponent = wrap_i32((uint32_t)whole + (uint32_t)more);
     const double low = high * power->rest;

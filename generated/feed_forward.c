@@ -13,6 +13,7 @@
 #include "airframe.h"
 #include "bessemer_constants.h"
 #include "bessemer_helpers.h"
+#include "bessemer_sizes.h"
 #include "bessemer_target.h"
 #include "exponential.h"
 #include "geometry.h"
@@ -35,16 +36,9 @@ void injection_none(injection_t *injection)
 
 void injection_constant(double most, injection_t *injection)
 {
-    injection_t injection_value;
-    injection_none(&injection_value);
-    injection->profile = injection_value.profile;
+    injection_none(injection);
     injection->begins = 10.0;
-    injection->slope = injection_value.slope;
-    injection->rate = injection_value.rate;
-    injection->offset = injection_value.offset;
-    injection->power = injection_value.power;
     injection->most = most;
-    injection->friction = injection_value.friction;
 }
 
 double injection_gain_for(double gravity)
@@ -55,16 +49,11 @@ double injection_gain_for(double gravity)
 void injection_linear(double most, injection_t *injection)
 {
     const profile_t profile = PROFILE_LINEAR;
-    injection_t injection_value;
-    injection_none(&injection_value);
+    injection_none(injection);
     injection->profile = profile;
     injection->begins = 10.0;
     injection->slope = 0.2;
-    injection->rate = injection_value.rate;
-    injection->offset = injection_value.offset;
-    injection->power = injection_value.power;
     injection->most = most;
-    injection->friction = injection_value.friction;
 }
 
 void injection_sigmoid(double most, injection_t *injection)
@@ -73,24 +62,19 @@ void injection_sigmoid(double most, injection_t *injection)
     const double fit_rate = -0.25;
     injection_t injection_value;
     injection_none(&injection_value);
-    const injection_t fit = {
-        .profile = profile,
-        .begins = injection_value.begins,
-        .slope = injection_value.slope,
-        .rate = fit_rate,
-        .offset = 7.0,
-        .power = 1.04,
-        .most = injection_value.most,
-        .friction = injection_value.friction
-    };
-    injection->profile = fit.profile;
+    injection_value.profile = profile;
+    injection_value.rate = fit_rate;
+    injection_value.offset = 7.0;
+    injection_value.power = 1.04;
+    const injection_t *const fit = &injection_value;
+    injection->profile = fit->profile;
     injection->begins = 10.0;
-    injection->slope = fit.slope;
-    injection->rate = fit.rate;
-    injection->offset = fit.offset;
-    injection->power = fit.power;
+    injection->slope = fit->slope;
+    injection->rate = fit->rate;
+    injection->offset = fit->offset;
+    injection->power = fit->power;
     injection->most = most;
-    injection->friction = fit.friction;
+    injection->friction = fit->friction;
 }
 
 double injection_gain(const injection_t *self, double time)
@@ -116,7 +100,7 @@ double injection_gain(const injection_t *self, double time)
 }
 
 void feed_forward_compensation(const airframe_t *airframe, const estimate_t *estimate,
-    double friction, double speeds[8])
+    double friction, double speeds[AIRFRAME_MOST_MOTORS])
 {
     orientation_t orientation;
     orientation_of(estimate->angles, &orientation);

@@ -13,6 +13,7 @@
 #define FEED_FORWARD_H
 
 #include "airframe.h"
+#include "bessemer_sizes.h"
 #include "signals.h"
 
 #ifdef __cplusplus
@@ -79,7 +80,7 @@ double injection_gain(const injection_t *self, double time);
  * `airframe` is the aircraft as it is believed to be: its coefficients are what the identification finds.
  */
 void feed_forward_compensation(const airframe_t *airframe, const estimate_t *estimate,
-    double friction, double speeds[8]);
+    double friction, double speeds[AIRFRAME_MOST_MOTORS]);
 
 #ifdef __cplusplus
 }

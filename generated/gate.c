@@ -11,6 +11,7 @@
 
 #include "bessemer_constants.h"
 #include "bessemer_helpers.h"
+#include "bessemer_sizes.h"
 #include "bessemer_target.h"
 #include "packet.h"
 #include "siphash.h"
@@ -54,7 +55,7 @@ void gate_step(gate_t *self, const siphash_key_t *key, const packet_t *packet, p
         return;
     }
     self->counter = max_u64(self->counter, counter);
-    uint8_t payload[56] = {0U};
+    uint8_t payload[56] = {0};
     for (uint32_t n = 0U; n < PACKET_MOST_PAYLOAD; n++) {
         if ((uint64_t)n < size) {
             payload[n] = packet_byte(packet, (uint64_t)n);

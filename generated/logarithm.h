@@ -9,10 +9,6 @@
 
 #include <stdint.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
-
 /** A positive number as 2^`exponent` · `significand`, that from 0.705 to 1.410. */
 typedef struct {
     /** The exponent. */
@@ -22,9 +18,5 @@ typedef struct {
     /** The significand. */
     double significand;
 } parts_t;
-
-#ifdef __cplusplus
-}
-#endif
 
 #endif

@@ -9,8 +9,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "bessemer_constants.h"
 #include "bessemer_helpers.h"
+#include "bessemer_sizes.h"
 #include "bessemer_target.h"
 
 static void logger_push(logger_t *self, const record_t *record);
@@ -39,7 +39,7 @@ void logger_init(logger_t *self)
     self->period = 0U;
 }
 
-void logger_step(logger_t *self, const choice_t *choice, const double signals[64],
+void logger_step(logger_t *self, const choice_t *choice, const double signals[LOGGER_SIGNALS],
     logger_step_work_t *work)
 {
     const bool due = choice->every != 0U && self->period % max_u32(choice->every, 1U) == 0U;

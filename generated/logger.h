@@ -15,6 +15,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_sizes.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -26,7 +28,7 @@ typedef struct {
     /** The choice of signals that it holds. */
     uint8_t tag;
     /** The chosen signals. */
-    double values[36];
+    double values[LOGGER_WIDTH];
 } record_t;
 
 /** What to write down, and how often. */
@@ -36,13 +38,13 @@ typedef struct {
     /** Every so many periods; 0 for never. */
     uint32_t every;
     /** The numbers of the signals. */
-    uint8_t signals[36];
+    uint8_t signals[LOGGER_WIDTH];
 } choice_t;
 
 /** The data logger. */
 typedef struct {
     /** The ring. */
-    record_t records[16];
+    record_t records[LOGGER_DEPTH];
     /** Where the oldest record is. */
     uint64_t first;
     /** How many there are. */
@@ -65,7 +67,7 @@ void choice_usual(choice_t *choice);
 void logger_init(logger_t *self);
 
 /** One period: writes the chosen signals down if it is time to. */
-void logger_step(logger_t *self, const choice_t *choice, const double signals[64],
+void logger_step(logger_t *self, const choice_t *choice, const double signals[LOGGER_SIGNALS],
     logger_step_work_t *work);
 
 /** Whether there is a record to take. */

@@ -11,8 +11,8 @@
 #include <stdint.h>
 
 #include "airframe.h"
-#include "bessemer_constants.h"
 #include "bessemer_helpers.h"
+#include "bessemer_sizes.h"
 #include "bessemer_target.h"
 #include "product_f64_4x8_8x1.h"
 #include "signals.h"
@@ -27,19 +27,19 @@ void mixer_new(const airframe_t *airframe, double square_per_command, double lar
     mixer->largest_command = largest_command;
 }
 
-void mixer_mix(const mixer_t *self, const wrench_t *wanted, const double feed_forward[8],
-    command_t *command)
+void mixer_mix(const mixer_t *self, const wrench_t *wanted,
+    const double feed_forward[AIRFRAME_MOST_MOTORS], command_t *command)
 {
     const double torque[3] = {wanted->torque[0], wanted->torque[1], wanted->torque[2]};
     double lift[8];
     double tilt[8];
     double twist[8];
     for (uint32_t n = 0U; n < AIRFRAME_MOST_MOTORS; n++) {
-        const double own = sqrt(max_f64(self->allocation[n + 8 * 0] * wanted->thrust, 0.0));
+        const double own = sqrt(max_f64(self->allocation[n] * wanted->thrust, 0.0));
         const double speed = own + feed_forward[n];
         lift[n] = speed * speed;
-        tilt[n] = self->allocation[n + 8 * 1] * torque[0] + self->allocation[n + 8 * 2] * torque[1];
-        twist[n] = self->allocation[n + 8 * 3] * torque[2];
+        tilt[n] = self->allocation[n + 8U] * torque[0] + self->allocation[n + 8U * 2U] * torque[1];
+        twist[n] = self->allocation[n + 8U * 3U] * torque[2];
     }
     const double largest = self->largest_command * self->square_per_command;
     double squares[8];
@@ -69,16 +69,17 @@ void mixer_wrench(const mixer_t *self, const command_t *command, wrench_t *wrenc
     wrench->torque[2] = done[3];
 }
 
-void mixer_fit(const mixer_t *self, const double lift[8], const double tilt[8],
-    const double twist[8], double largest, double squares[8])
+void mixer_fit(const mixer_t *self, const double lift[AIRFRAME_MOST_MOTORS],
+    const double tilt[AIRFRAME_MOST_MOTORS], const double twist[AIRFRAME_MOST_MOTORS],
+    double largest, double squares[AIRFRAME_MOST_MOTORS])
 {
-    static const double kept_base[8] = {0.0};
-    const double kept_share = mixer_share(self, kept_base, tilt, largest);
+    static const double kept_base[8] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    const double kept_share = mixer_share(kept_base, tilt, largest);
     double kept[8];
     for (uint32_t i = 0U; i < 8U; i++) {
         kept[i] = tilt[i] * kept_share;
     }
-    const double turn_share = mixer_share(self, kept, twist, largest);
+    const double turn_share = mixer_share(kept, twist, largest);
 
     /* How far the lift has to go up or down so that every motor stays within its limits. */
     double wanted[8];
@@ -104,9 +105,9 @@ void mixer_fit(const mixer_t *self, const double lift[8], const double tilt[8],
     }
 }
 
-double mixer_share(const mixer_t *self, const double base[8], const double more[8], double largest)
+double mixer_share(const double base[AIRFRAME_MOST_MOTORS], const double more[AIRFRAME_MOST_MOTORS],
+    double largest)
 {
-    (void)self;
     double share = 1.0;
     for (uint32_t i = 0U; i < AIRFRAME_MOST_MOTORS; i++) {
         for (uint32_t j = 0U; j < AIRFRAME_MOST_MOTORS; j++) {

@@ -13,6 +13,7 @@
 #define MIXER_H
 
 #include "airframe.h"
+#include "bessemer_sizes.h"
 #include "signals.h"
 
 #ifdef __cplusplus
@@ -26,15 +27,15 @@ typedef struct {
      * rad²/s² per N and per N·m, about the body's x, y and z.
      * A matrix by columns: [row + 8 * column].
      */
-    double allocation[32];
+    double allocation[AIRFRAME_MOST_MOTORS * 4U];
     /**
      * Thrust and roll, pitch and yaw torque (rows) per square of the motor speeds (columns), N·s²/rad²
      * and N·m·s²/rad²: what the motors do. A positive torque turns x towards y, y towards z, z towards x.
      * A matrix by columns: [row + 4 * column].
      */
-    double effectiveness[32];
+    double effectiveness[4U * AIRFRAME_MOST_MOTORS];
     /** Direction in which each motor turns, 1 or −1; 0 where there is none. */
-    double spins[8];
+    double spins[AIRFRAME_MOST_MOTORS];
     /** Square of a motor's speed per unit of its command, rad²/s². */
     double square_per_command;
     /** Largest command that a motor takes. */
@@ -52,8 +53,8 @@ void mixer_new(const airframe_t *airframe, double square_per_command, double lar
  * are added to the square of the sum: added as speeds they would act 1/(1 − gain) times as strongly
  * under feed-forward, which at a gain of 0.8 no attitude loop survives.
  */
-void mixer_mix(const mixer_t *self, const wrench_t *wanted, const double feed_forward[8],
-    command_t *command);
+void mixer_mix(const mixer_t *self, const wrench_t *wanted,
+    const double feed_forward[AIRFRAME_MOST_MOTORS], command_t *command);
 
 /** What commands come to once the motors follow them. */
 void mixer_wrench(const mixer_t *self, const command_t *command, wrench_t *wrench);
@@ -62,14 +63,16 @@ void mixer_wrench(const mixer_t *self, const command_t *command, wrench_t *wrenc
  * Squares of the motor speeds within 0 and `largest`: as much of the tilt as the motors span, then
  * of the twist, then of the lift.
  */
-void mixer_fit(const mixer_t *self, const double lift[8], const double tilt[8],
-    const double twist[8], double largest, double squares[8]);
+void mixer_fit(const mixer_t *self, const double lift[AIRFRAME_MOST_MOTORS],
+    const double tilt[AIRFRAME_MOST_MOTORS], const double twist[AIRFRAME_MOST_MOTORS],
+    double largest, double squares[AIRFRAME_MOST_MOTORS]);
 
 /**
  * The largest share, 0 to 1, of `more` that can be added to `base` while no two motors are further
  * apart than `largest`.
  */
-double mixer_share(const mixer_t *self, const double base[8], const double more[8], double largest);
+double mixer_share(const double base[AIRFRAME_MOST_MOTORS], const double more[AIRFRAME_MOST_MOTORS],
+    double largest);
 
 #ifdef __cplusplus
 }

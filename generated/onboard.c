@@ -214,26 +214,26 @@ static void onboard_send(onboard_t *self, const settings_t *settings, const refu
     self->reply.number = self->receiver.wish.number;
 }
 
-void onboard_signals(const outputs_t *outputs, double all[64])
+void onboard_signals(const outputs_t *outputs, double all[LOGGER_SIGNALS])
 {
     for (uint32_t i = 57U; i < 64U; i++) {
         all[i] = 0.0;
     }
     for (uint32_t n = 0U; n < 3U; n++) {
         all[n] = outputs->estimate.position[n];
-        all[3 + n] = outputs->estimate.angles[n];
-        all[6 + n] = outputs->estimate.velocity[n];
-        all[9 + n] = outputs->estimate.rates[n];
-        all[12 + n] = outputs->reference.target.position[n];
-        all[44 + n] = outputs->reference.target.velocity[n];
+        all[3U + n] = outputs->estimate.angles[n];
+        all[6U + n] = outputs->estimate.velocity[n];
+        all[9U + n] = outputs->estimate.rates[n];
+        all[12U + n] = outputs->reference.target.position[n];
+        all[44U + n] = outputs->reference.target.velocity[n];
     }
     all[15] = outputs->reference.target.yaw;
     all[16] = (double)(uint8_t)outputs->reference.phase;
     all[17] = outputs->reference.time;
     for (uint32_t n = 0U; n < 8U; n++) {
-        all[18 + n] = outputs->command.closed_loop[n];
-        all[26 + n] = outputs->command.feed_forward[n];
-        all[36 + n] = outputs->command.motors[n];
+        all[18U + n] = outputs->command.closed_loop[n];
+        all[26U + n] = outputs->command.feed_forward[n];
+        all[36U + n] = outputs->command.motors[n];
     }
     all[34] = outputs->gain;
     all[35] = (double)(uint8_t)outputs->alarm;
@@ -242,6 +242,6 @@ void onboard_signals(const outputs_t *outputs, double all[64])
     all[49] = outputs->ages.height;
     all[50] = outputs->ages.plane;
     for (uint32_t n = 0U; n < 6U; n++) {
-        all[51 + n] = outputs->spread[n];
+        all[51U + n] = outputs->spread[n];
     }
 }

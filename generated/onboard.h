@@ -15,6 +15,7 @@
 #include <stdint.h>
 
 #include "airframe.h"
+#include "bessemer_sizes.h"
 #include "calibration.h"
 #include "clock_monitor.h"
 #include "controller.h"
@@ -151,7 +152,7 @@ void onboard_step(onboard_t *self, const settings_t *settings, const inputs_t *i
  * 26–33 the feed-forward's; 34 its gain; 35 the alarm; 36–43 the motors' commands; 44–46 the wanted
  * velocity; 47–50 the ages of the measurements; 51–56 the variances of position and angles. The rest is 0.
  */
-void onboard_signals(const outputs_t *outputs, double all[64]);
+void onboard_signals(const outputs_t *outputs, double all[LOGGER_SIGNALS]);
 
 #ifdef __cplusplus
 }

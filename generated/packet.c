@@ -9,15 +9,15 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "bessemer_constants.h"
 #include "bessemer_helpers.h"
+#include "bessemer_sizes.h"
 #include "bessemer_target.h"
 
 /** The first byte of every packet. */
-static const uint8_t FIRST = 165U;
+static const uint8_t FIRST = 0xA5U;
 
 /** The second byte of every packet. */
-static const uint8_t SECOND = 90U;
+static const uint8_t SECOND = 0x5AU;
 
 void packet_none(packet_t *packet)
 {
@@ -27,8 +27,8 @@ void packet_none(packet_t *packet)
     }
 }
 
-void packet_around(uint8_t kind, uint16_t sequence, const uint8_t payload[56], uint64_t length,
-    packet_t *packet)
+void packet_around(uint8_t kind, uint16_t sequence, const uint8_t payload[PACKET_MOST_PAYLOAD],
+    uint64_t length, packet_t *packet)
 {
     packet_none(packet);
     const uint64_t size = min_u64(length, PACKET_MOST_PAYLOAD);
@@ -36,8 +36,8 @@ void packet_around(uint8_t kind, uint16_t sequence, const uint8_t payload[56], u
     packet->bytes[0] = FIRST;
     packet->bytes[1] = SECOND;
     packet->bytes[2] = kind;
-    packet->bytes[3] = (uint8_t)(uint16_t)(sequence & 255U);
-    packet->bytes[4] = (uint8_t)(uint16_t)(sequence >> 8);
+    packet->bytes[3] = (uint8_t)(sequence & 0xFFU);
+    packet->bytes[4] = (uint8_t)(sequence >> 8);
     packet->bytes[PACKET_SIZE_AT] = (uint8_t)size;
     for (uint32_t n = 0U; n < PACKET_MOST_PAYLOAD; n++) {
         if (n < (uint32_t)size) {
@@ -47,10 +47,10 @@ void packet_around(uint8_t kind, uint16_t sequence, const uint8_t payload[56], u
     const uint16_t sum = packet_checksum(packet->bytes, PACKET_HEADER + size);
     for (uint32_t n = (uint32_t)PACKET_HEADER; n < PACKET_MOST_BYTES; n++) {
         if (n == (uint32_t)(PACKET_HEADER + size)) {
-            packet->bytes[n] = (uint8_t)(uint16_t)(sum & 255U);
+            packet->bytes[n] = (uint8_t)(sum & 0xFFU);
         }
         if (n == (uint32_t)(PACKET_HEADER + size + 1U)) {
-            packet->bytes[n] = (uint8_t)(uint16_t)(sum >> 8);
+            packet->bytes[n] = (uint8_t)(sum >> 8);
         }
     }
 }
@@ -70,7 +70,7 @@ bool packet_is_sound(const packet_t *self)
             sent = (uint16_t)(sent | (uint16_t)self->bytes[n]);
         }
         if ((uint64_t)n == PACKET_HEADER + size + UINT64_C(1)) {
-            sent = (uint16_t)(sent | (uint16_t)((uint32_t)(uint16_t)self->bytes[n] << 8));
+            sent = (uint16_t)(sent | ((uint32_t)self->bytes[n] << 8));
         }
     }
     return packet_checksum(self->bytes, PACKET_HEADER + size) == sent;
@@ -84,8 +84,7 @@ uint8_t packet_kind(const packet_t *self)
 uint16_t packet_sequence(const packet_t *self)
 {
     const uint8_t result_bytes[2] = {self->bytes[3], self->bytes[4]};
-    return (uint16_t)((uint16_t)result_bytes[0]
-        | (uint16_t)((uint32_t)(uint16_t)result_bytes[1] << 8U));
+    return (uint16_t)((uint16_t)result_bytes[0] | ((uint32_t)result_bytes[1] << 8U));
 }
 
 uint64_t packet_size(const packet_t *self)
@@ -116,15 +115,15 @@ uint64_t packet_word(const packet_t *self, uint64_t at)
         | ((uint64_t)eight[6] << 48U) | ((uint64_t)eight[7] << 56U);
 }
 
-uint16_t packet_checksum(const uint8_t bytes[64], uint64_t end)
+uint16_t packet_checksum(const uint8_t bytes[PACKET_MOST_BYTES], uint64_t end)
 {
     uint16_t sum = UINT16_MAX;
     for (uint32_t n = (uint32_t)PACKET_START; n < PACKET_MOST_BYTES; n++) {
         if ((uint64_t)n < end) {
-            sum = (uint16_t)(sum ^ (uint16_t)((uint32_t)(uint16_t)bytes[n] << 8));
+            sum = (uint16_t)(sum ^ ((uint32_t)bytes[n] << 8));
             for (int32_t pass = 0; pass < 8; pass++) {
-                if ((uint16_t)(sum & 32768U) != 0U) {
-                    sum = (uint16_t)((uint16_t)((uint32_t)sum << 1) ^ 4129U);
+                if ((sum & 0x8000U) != 0U) {
+                    sum = (uint16_t)(((uint32_t)sum << 1) ^ 0x1021U);
                 } else {
                     sum = (uint16_t)((uint32_t)sum << 1);
                 }

@@ -15,6 +15,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_sizes.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -24,15 +26,15 @@ typedef struct {
     /** How many of the bytes there are; 0 is no packet. */
     uint64_t length;
     /** The bytes. */
-    uint8_t bytes[64];
+    uint8_t bytes[PACKET_MOST_BYTES];
 } packet_t;
 
 /** No packet. */
 void packet_none(packet_t *packet);
 
 /** A packet of a kind around the first `length` bytes of a payload. */
-void packet_around(uint8_t kind, uint16_t sequence, const uint8_t payload[56], uint64_t length,
-    packet_t *packet);
+void packet_around(uint8_t kind, uint16_t sequence, const uint8_t payload[PACKET_MOST_PAYLOAD],
+    uint64_t length, packet_t *packet);
 
 /** Whether the bytes are a packet: its marks, its length and its checksum. */
 bool packet_is_sound(const packet_t *self);
@@ -56,7 +58,7 @@ double packet_number(const packet_t *self, uint64_t at);
 uint64_t packet_word(const packet_t *self, uint64_t at);
 
 /** CRC-16/CCITT (polynomial 0x1021, from 0xFFFF) over the bytes from the third to before `end`. */
-uint16_t packet_checksum(const uint8_t bytes[64], uint64_t end);
+uint16_t packet_checksum(const uint8_t bytes[PACKET_MOST_BYTES], uint64_t end);
 
 #ifdef __cplusplus
 }

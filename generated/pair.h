@@ -7,10 +7,6 @@
 #ifndef PAIR_H
 #define PAIR_H
 
-#ifdef __cplusplus
-extern "C" {
-#endif
-
 /** A number as a double and what that leaves out. */
 typedef struct {
     /** The leading part. */
@@ -18,9 +14,5 @@ typedef struct {
     /** What is added to it. */
     double low;
 } pair_t;
-
-#ifdef __cplusplus
-}
-#endif
 
 #endif

@@ -70,35 +70,28 @@ void parameters_mambo(parameters_t *parameters)
     }
 }
 
-void parameters_hexacopter(parameters_t *work, parameters_t *parameters)
+void parameters_hexacopter(mixer_t *work, parameters_t *parameters)
 {
     airframe_t airframe;
     airframe_hexacopter(&airframe);
-    parameters->height.p = 16.0;
-    parameters->height.i = 1.6;
-    parameters->height.d = 7.0;
-    parameters->x.p = -0.2;
-    parameters->x.d = -0.17;
-    parameters->y.p = -0.2;
-    parameters->y.d = -0.17;
-    parameters->roll.p = 2.0;
-    parameters->roll.i = 0.4;
-    parameters->roll.d = 0.4;
-    parameters->pitch.p = 2.0;
-    parameters->pitch.i = 0.4;
-    parameters->pitch.d = 0.4;
-    parameters->yaw.p = 0.15;
-    parameters->yaw.i = 0.0;
-    parameters->yaw.d = 0.12;
-    mixer_new(&airframe, 2000.0, 500.0, &parameters->mixer);
-    parameters_t *const parameters_value = work;
-    parameters_mambo(parameters_value);
-    parameters->period = parameters_value->period;
+    const gains_t result_height = {.p = 16.0, .i = 1.6, .d = 7.0};
+    const damped_t result_x = {.p = -0.2, .d = -0.17};
+    const damped_t result_y = {.p = -0.2, .d = -0.17};
+    const gains_t result_roll = {.p = 2.0, .i = 0.4, .d = 0.4};
+    const gains_t result_pitch = {.p = 2.0, .i = 0.4, .d = 0.4};
+    const gains_t result_yaw = {.p = 0.15, .i = 0.0, .d = 0.12};
+    mixer_t *const result_mixer = work;
+    mixer_new(&airframe, 2000.0, 500.0, result_mixer);
+    parameters_mambo(parameters);
     parameters->mass = airframe.mass;
     parameters->inertia[0] = airframe.inertia[0];
     parameters->inertia[1] = airframe.inertia[1];
     parameters->inertia[2] = airframe.inertia[2];
-    parameters->candidate = parameters_value->candidate;
-    parameters->takeoff_gain = parameters_value->takeoff_gain;
-    parameters->geometric = parameters_value->geometric;
+    parameters->height = result_height;
+    parameters->x = result_x;
+    parameters->y = result_y;
+    parameters->roll = result_roll;
+    parameters->pitch = result_pitch;
+    parameters->yaw = result_yaw;
+    parameters->mixer = *result_mixer;
 }

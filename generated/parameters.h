@@ -103,7 +103,7 @@ void parameters_mambo(parameters_t *parameters);
  * larger aircraft is.
  * `work` is lent to work with: what it holds means nothing between calls.
  */
-void parameters_hexacopter(parameters_t *work, parameters_t *parameters);
+void parameters_hexacopter(mixer_t *work, parameters_t *parameters);
 
 #ifdef __cplusplus
 }

@@ -11,6 +11,7 @@
 
 #include "airframe.h"
 #include "bessemer_constants.h"
+#include "bessemer_sizes.h"
 #include "bessemer_target.h"
 #include "geometry.h"
 #include "product_f64_4x8_8x1.h"
@@ -60,10 +61,10 @@ void motion_slope(const motion_t *self, const airframe_t *airframe, const wrench
         wrench->torque[2] - turn_cross[2]
     };
     orientation_angle_rates(&orientation, self->rates, motion->angles);
-    const double motion_matrix[3] = {0.0, 0.0, AIRFRAME_GRAVITY};
-    motion->velocity[0] = push[0] - motion_matrix[0];
-    motion->velocity[1] = push[1] - motion_matrix[1];
-    motion->velocity[2] = push[2] - motion_matrix[2];
+    const double motion_vector[3] = {0.0, 0.0, AIRFRAME_GRAVITY};
+    motion->velocity[0] = push[0] - motion_vector[0];
+    motion->velocity[1] = push[1] - motion_vector[1];
+    motion->velocity[2] = push[2] - motion_vector[2];
     motion->rates[0] = turn[0] / airframe->inertia[0];
     motion->rates[1] = turn[1] / airframe->inertia[1];
     motion->rates[2] = turn[2] / airframe->inertia[2];
@@ -98,7 +99,8 @@ void motion_after(const motion_t *self, const airframe_t *airframe, const wrench
     motion_plus(self, &motion_slope_2, period / 6.0, motion);
 }
 
-void airframe_wrench(const airframe_t *self, const double speeds[8], wrench_t *wrench)
+void airframe_wrench(const airframe_t *self, const double speeds[AIRFRAME_MOST_MOTORS],
+    wrench_t *wrench)
 {
     double squares[8];
     for (uint32_t n = 0U; n < AIRFRAME_MOST_MOTORS; n++) {
@@ -130,8 +132,8 @@ void plant_init(plant_t *self)
     self->motion.rates[2] = 0.0;
 }
 
-void plant_step(plant_t *self, const airframe_t *airframe, const double speeds[8], double period,
-    motion_t *motion)
+void plant_step(plant_t *self, const airframe_t *airframe,
+    const double speeds[AIRFRAME_MOST_MOTORS], double period, motion_t *motion)
 {
     wrench_t wrench;
     airframe_wrench(airframe, speeds, &wrench);

@@ -13,6 +13,7 @@
 #define PLANT_H
 
 #include "airframe.h"
+#include "bessemer_sizes.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -53,14 +54,15 @@ void motion_after(const motion_t *self, const airframe_t *airframe, const wrench
  * Thrust and torques of the motors at their speeds, rad/s, whatever their signs
  * (thesis, eq. (2.49)).
  */
-void airframe_wrench(const airframe_t *self, const double speeds[8], wrench_t *wrench);
+void airframe_wrench(const airframe_t *self, const double speeds[AIRFRAME_MOST_MOTORS],
+    wrench_t *wrench);
 
 /** Sets the initial state; call it before anything else. */
 void plant_init(plant_t *self);
 
 /** One period, s, at the given motor speeds, rad/s: where the aircraft is afterwards. */
-void plant_step(plant_t *self, const airframe_t *airframe, const double speeds[8], double period,
-    motion_t *motion);
+void plant_step(plant_t *self, const airframe_t *airframe,
+    const double speeds[AIRFRAME_MOST_MOTORS], double period, motion_t *motion);
 
 #ifdef __cplusplus
 }

@@ -217,14 +217,14 @@ static inline void logarithm_parts(uint64_t bits, parts_t *parts)
     const uint32_t above = (uint32_t)(bits >> 32) - 0x3FE69000U;
     const int32_t exponent = shift_right_i32(wrap_i32((uint32_t)above), 20U);
     parts->exponent = exponent;
-    parts->row = (uint64_t)((above >> 13) & 127U);
+    parts->row = (uint64_t)((above >> 13) & 0x7FU);
     parts->significand = f64_from_bits(bits - ((uint64_t)(uint32_t)exponent << 52));
 }
 
 /** ln x of 2^`exponent` · `parts`, in two doubles that need not be apart, to some 68 bits. */
 static inline void logarithm_logarithm(const parts_t *parts, double exponent, pair_t *pair)
 {
-    const uint64_t row = parts->row & UINT64_C(127);
+    const uint64_t row = parts->row & UINT64_C(0x7F);
     const double reciprocal = COARSE_ROWS[row][0];
 
     /* To the nearest: next to 1 the coarse part alone is 1. */
@@ -254,7 +254,7 @@ static inline void logarithm_logarithm(const parts_t *parts, double exponent, pa
 /** What `step` leaves out, as a fraction. */
 static inline double exponential_step_rest(uint64_t steps)
 {
-    return f64_from_bits(POWERS_POWERS[steps & UINT64_C(127)][0]);
+    return f64_from_bits(POWERS_POWERS[steps & UINT64_C(0x7F)][0]);
 }
 
 /** e^(`high` + `low`) for −750 to 750 and a `low` of up to 1/200, before its last rounding. */
@@ -276,7 +276,7 @@ static inline void exponential_exponential_of_pair(double high, double low, powe
 static inline double exponential_step(uint64_t steps)
 {
     /* The upper half alone changes: one addition where a word has 32 bits. */
-    const uint64_t bits = POWERS_POWERS[steps & UINT64_C(127)][1];
+    const uint64_t bits = POWERS_POWERS[steps & UINT64_C(0x7F)][1];
     const uint32_t upper = (uint32_t)(bits >> 32) + ((uint32_t)steps << 13);
     return f64_from_bits(((uint64_t)upper << 32) | (bits & UINT64_C(0xFFFFFFFF)));
 }

@@ -36,10 +36,6 @@
 #endif
 #endif
 
-#ifdef __cplusplus
-extern "C" {
-#endif
-
 /**
  * The product of a and b, matrices by columns. Each element of the result starts as its
  * first product and adds the others in the order of the columns of a.
@@ -126,10 +122,6 @@ static inline void product_f64_3x3_3x3(const double a[9], const double b[9], dou
     result[8] = y22;
 #endif
 }
-
-#ifdef __cplusplus
-}
-#endif
 
 #if defined(__clang__)
 #pragma float_control(pop)

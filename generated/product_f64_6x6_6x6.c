@@ -155,7 +155,7 @@ static void tile_4x3(const double *a, const double *b, double *result)
 #pragma GCC unroll 6
 #endif
     for (uint32_t k = 1U; k < 6U; k++) {
-        a += 6;
+        a += 6U;
         const double a0 = a[0];
         const double a1 = a[1];
         const double a2 = a[2];
@@ -203,7 +203,7 @@ static void tile_2x3(const double *a, const double *b, double *result)
 #pragma GCC unroll 6
 #endif
     for (uint32_t k = 1U; k < 6U; k++) {
-        a += 6;
+        a += 6U;
         const double a0 = a[0];
         const double a1 = a[1];
         const double b0 = b[k + 0U];
@@ -249,7 +249,7 @@ static void tile_3x6(const double *a, const double *b, double *result)
 #pragma GCC unroll 6
 #endif
     for (uint32_t k = 1U; k < 6U; k++) {
-        a += 6;
+        a += 6U;
         const double a0 = a[0];
         const double a1 = a[1];
         const double a2 = a[2];

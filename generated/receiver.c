@@ -13,6 +13,7 @@
 
 #include "bessemer_constants.h"
 #include "bessemer_helpers.h"
+#include "bessemer_sizes.h"
 #include "bessemer_target.h"
 #include "packet.h"
 #include "trajectory.h"
@@ -73,7 +74,7 @@ void receiver_init(receiver_t *self)
         0U, 1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U, 9U, 10U, 11U, 12U, 13U, 14U, 15U, 16U, 17U, 18U, 19U,
         20U, 21U, 22U, 23U, 24U, 25U, 26U, 27U, 28U, 29U, 30U, 31U, 32U, 33U, 34U, 35U
     };
-    memcpy(self->wish.choice.signals, initial_signals, sizeof(initial_signals));
+    (void)memcpy(self->wish.choice.signals, initial_signals, sizeof(initial_signals));
     self->tally.taken = 0U;
     self->tally.broken = 0U;
     self->tally.old = 0U;

@@ -27,14 +27,14 @@ static const double QUARTER_TURN_4 = 8.4784276603689e-32;
 static const double SPLITTER = 134217729.0;
 static const double TO_INTEGER = 6755399441055744.0;
 static const uint64_t TWO_OVER_PI[36] = {
-    UINT64_C(0), UINT64_C(0xA2F9836E4E441529), UINT64_C(0xFC2757D1F534DDC0),
+    UINT64_C(0x0), UINT64_C(0xA2F9836E4E441529), UINT64_C(0xFC2757D1F534DDC0),
     UINT64_C(0xDB6295993C439041), UINT64_C(0xFE5163ABDEBBC561), UINT64_C(0xB7246E3A424DD2E0),
     UINT64_C(0x6492EEA09D1921C), UINT64_C(0xFE1DEB1CB129A73E), UINT64_C(0xE88235F52EBB4484),
     UINT64_C(0xE99C7026B45F7E41), UINT64_C(0x3991D639835339F4), UINT64_C(0x9C845F8BBDF9283B),
     UINT64_C(0x1FF897FFDE05980F), UINT64_C(0xEF2F118B5A0A6D1F), UINT64_C(0x6D367ECF27CB09B7),
     UINT64_C(0x4F463F669E5FEA2D), UINT64_C(0x7527BAC7EBE5F17B), UINT64_C(0x3D0739F78A5292EA),
     UINT64_C(0x6BFB5FB11F8D5D08), UINT64_C(0x56033046FC7B6BAB), UINT64_C(0xF0CFBC209AF4361D),
-    UINT64_C(0xA9E391615EE61B08), UINT64_C(7321029312681896000), UINT64_C(0x8DFFD8804D732731),
+    UINT64_C(0xA9E391615EE61B08), UINT64_C(0x6599855F14A06840), UINT64_C(0x8DFFD8804D732731),
     UINT64_C(0x6061556CA73A8C9), UINT64_C(0x60E27BC08C6B47C4), UINT64_C(0x19C367CDDCE8092A),
     UINT64_C(0x8359C4768B961CA6), UINT64_C(0xDDAF44D15719053E), UINT64_C(0xA5FF07053F7E33E8),
     UINT64_C(0x32C2DE4F98327DBB), UINT64_C(0xC33D26EF6B1E5EF8), UINT64_C(0x9F3A1F35CAF27F1D),
@@ -44,7 +44,7 @@ static const uint64_t TWO_OVER_PI[36] = {
 /** 64 bits of 2/π from bit `shift` of a word on; the next word follows. */
 static inline uint64_t reduction_window(uint64_t word, uint64_t next, uint64_t shift)
 {
-    const uint64_t shift_2 = shift & UINT64_C(63);
+    const uint64_t shift_2 = shift & UINT64_C(0x3F);
     return (word << shift_2) | (next >> 1 >> (UINT64_C(63) - shift_2));
 }
 
@@ -140,10 +140,10 @@ void reduction_reduced_huge_angle(double x, reduced_angle_t *reduced_angle)
     const uint64_t bits = raw_bits_of_f64(x);
 
     /* Bits of 2/π before this one make whole turns. The table starts with 64 zeros. */
-    const uint64_t start = ((bits >> 52) & UINT64_C(2047))
+    const uint64_t start = ((bits >> 52) & UINT64_C(0x7FF))
         - (UINT64_C(1023) + UINT64_C(52) + UINT64_C(2) - UINT64_C(64));
     const uint64_t mantissa = (bits & UINT64_C(0xFFFFFFFFFFFFF)) | UINT64_C(0x10000000000000);
-    const uint64_t word = (start >> 6) & UINT64_C(31);
+    const uint64_t word = (start >> 6) & UINT64_C(0x1F);
     const uint64_t third = TWO_OVER_PI[word + UINT64_C(2)];
     const uint64_t high = reduction_window(TWO_OVER_PI[word], TWO_OVER_PI[word + UINT64_C(1)],
         start);

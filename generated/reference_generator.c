@@ -138,7 +138,7 @@ static void reference_generator_change_phase(reference_generator_t *self, const 
     } else if (same == PHASE_LANDING && landed) {
         self->phase = PHASE_OVER;
     } else {
-        self->phase = same;
+        /* Nothing. */
     }
 }
 

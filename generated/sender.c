@@ -11,6 +11,7 @@
 
 #include "bessemer_constants.h"
 #include "bessemer_helpers.h"
+#include "bessemer_sizes.h"
 #include "bessemer_target.h"
 #include "logger.h"
 #include "packet.h"
@@ -91,7 +92,7 @@ void sender_step(sender_t *self, logger_t *logger, const sender_status_t *status
 /** A part of the record, framed. */
 static void sender_packet(const sender_t *self, uint64_t part, packet_t *packet)
 {
-    uint8_t payload[56] = {0U};
+    uint8_t payload[56] = {0};
     sender_put(payload, UINT64_C(0), self->record.period);
     payload[4] = self->record.tag;
     payload[5] = (uint8_t)part;
@@ -109,19 +110,19 @@ void sender_state(uint16_t sequence, const sender_status_t *status, packet_t *pa
         status->tally.taken, status->tally.broken, status->tally.old, status->tally.senseless,
         status->refused.unsealed, status->refused.forged, status->refused.replayed, status->lost
     };
-    uint8_t payload[56] = {0U};
+    uint8_t payload[56] = {0};
     for (uint32_t n = 0U; n < COUNTS; n++) {
         sender_put(payload, (uint64_t)(4U * n), counts[n]);
     }
-    payload[4 * COUNTS] = (uint8_t)status->mode;
-    payload[4 * COUNTS + 1] = status->tag;
-    payload[4 * COUNTS + 2] = u8_from_bool(&status->watched);
+    payload[4U * COUNTS] = (uint8_t)status->mode;
+    payload[4U * COUNTS + 1U] = status->tag;
+    payload[4U * COUNTS + 2U] = u8_from_bool(&status->watched);
     packet_around(SENDER_STATUS, sequence, payload, STATUS_BYTES, packet);
 }
 
 void sender_parameter(uint16_t sequence, const reply_t *reply, packet_t *packet)
 {
-    uint8_t payload[56] = {0U};
+    uint8_t payload[56] = {0};
     payload[0] = reply->number;
     const uint64_t bytes_value = bits_of_f64(reply->value);
     const uint8_t bytes[8] = {
@@ -130,12 +131,12 @@ void sender_parameter(uint16_t sequence, const reply_t *reply, packet_t *packet)
         (uint8_t)(bytes_value >> 40U), (uint8_t)(bytes_value >> 48U), (uint8_t)(bytes_value >> 56U)
     };
     for (uint32_t n = 0U; n < 8U; n++) {
-        payload[1 + n] = bytes[n];
+        payload[1U + n] = bytes[n];
     }
     packet_around(SENDER_PARAMETER, sequence, payload, PARAMETER_BYTES, packet);
 }
 
-void sender_put(uint8_t payload[56], uint64_t at, uint32_t word)
+void sender_put(uint8_t payload[PACKET_MOST_PAYLOAD], uint64_t at, uint32_t word)
 {
     const uint64_t start = min_u64(at, PACKET_MOST_PAYLOAD - UINT64_C(4));
     const uint8_t bytes[4] = {

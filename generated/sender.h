@@ -15,6 +15,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_sizes.h"
 #include "gate.h"
 #include "logger.h"
 #include "packet.h"
@@ -80,7 +81,7 @@ void sender_parameter(uint16_t sequence, const reply_t *reply, packet_t *packet)
 /**
  * Puts a word at `at`, least significant byte first; at the end, if it would not fit behind that.
  */
-void sender_put(uint8_t payload[56], uint64_t at, uint32_t word);
+void sender_put(uint8_t payload[PACKET_MOST_PAYLOAD], uint64_t at, uint32_t word);
 
 #ifdef __cplusplus
 }

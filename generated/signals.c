@@ -14,8 +14,8 @@
 void target_idle(target_t *target)
 {
     static const target_t idle = {
-        .position = {0.0},
-        .velocity = {0.0},
+        .position = {0.0, 0.0, 0.0},
+        .velocity = {0.0, 0.0, 0.0},
         .climb_acceleration = 0.0,
         .yaw = 0.0,
         .yaw_rate = 0.0,
@@ -23,7 +23,7 @@ void target_idle(target_t *target)
         .grounded = false,
         .land = false,
         .manual = false,
-        .lean = {0.0}
+        .lean = {0.0, 0.0}
     };
     *target = idle;
 }
@@ -31,10 +31,10 @@ void target_idle(target_t *target)
 void command_still(command_t *command)
 {
     static const command_t still = {
-        .motors = {0.0},
-        .speeds = {0.0},
-        .closed_loop = {0.0},
-        .feed_forward = {0.0}
+        .motors = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
+        .speeds = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
+        .closed_loop = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
+        .feed_forward = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}
     };
     *command = still;
 }

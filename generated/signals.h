@@ -14,6 +14,8 @@
 
 #include <stdbool.h>
 
+#include "bessemer_sizes.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -59,13 +61,13 @@ typedef struct {
 /** What the motors are told. */
 typedef struct {
     /** Command to each motor, 0 to the largest command. */
-    double motors[8];
+    double motors[AIRFRAME_MOST_MOTORS];
     /** Speed that each motor is to take, with the sign of its rotation, rad/s. */
-    double speeds[8];
+    double speeds[AIRFRAME_MOST_MOTORS];
     /** What of the speed the closed loop asks for, rad/s. */
-    double closed_loop[8];
+    double closed_loop[AIRFRAME_MOST_MOTORS];
     /** What of the speed the feed-forward asks for, rad/s. */
-    double feed_forward[8];
+    double feed_forward[AIRFRAME_MOST_MOTORS];
 } command_t;
 
 /** On the ground where the flight began. */

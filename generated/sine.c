@@ -164,8 +164,8 @@ static const double TO_INTEGER = 6755399441055744.0;
 /** Sine of `row`·π/64 + `rest` for |rest| ≤ π/128 and a sine of 1/4 or more. */
 static inline double sine_sine_from_row(uint64_t row, double rest)
 {
-    const uint64_t index = row & UINT64_C(127);
-    const double slope = SINES[(row + UINT64_C(32)) & UINT64_C(127)][0];
+    const uint64_t index = row & UINT64_C(0x7F);
+    const double slope = SINES[(row + UINT64_C(32)) & UINT64_C(0x7F)][0];
     const double z = rest * rest;
     const double sine = rest + rest * z * (S3 + z * (S5 + z * S7));
     const double versine = z * (C2 + z * (C4 + z * C6));
@@ -187,7 +187,7 @@ static inline double sine_turned_sine(double x, uint64_t turns)
     const uint64_t row = raw_bits_of_f64(shifted) + (turns << 5);
 
     /* Within 5½ rows of a multiple of π the sine is below 0.27, and the sum loses too much. */
-    if (fabs(x) < MODERATE && ((row + UINT64_C(5)) & UINT64_C(63)) > UINT64_C(10)) {
+    if (fabs(x) < MODERATE && ((row + UINT64_C(5)) & UINT64_C(0x3F)) > UINT64_C(10)) {
         const double steps = shifted - TO_INTEGER;
         return sine_sine_from_row(row, x - steps * STEP_HIGH - steps * STEP_LOW);
     } else {

@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "bessemer_constants.h"
+#include "bessemer_sizes.h"
 #include "bessemer_target.h"
 
 void sip_keyed(const siphash_key_t *key, sip_t *sip)
@@ -45,15 +45,15 @@ void sip_take(sip_t *self, uint64_t word)
 uint64_t sip_sum(const sip_t *self)
 {
     sip_t last = *self;
-    last.v2 ^= UINT64_C(255);
+    last.v2 ^= UINT64_C(0xFF);
     for (int32_t pass = 0; pass < 4; pass++) {
         sip_turn(&last);
     }
     return last.v0 ^ last.v1 ^ last.v2 ^ last.v3;
 }
 
-uint64_t siphash_sip_hash(const siphash_key_t *key, const uint8_t bytes[64], uint64_t from,
-    uint64_t end)
+uint64_t siphash_sip_hash(const siphash_key_t *key, const uint8_t bytes[PACKET_MOST_BYTES],
+    uint64_t from, uint64_t end)
 {
     sip_t sip;
     sip_keyed(key, &sip);

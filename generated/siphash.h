@@ -15,6 +15,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_sizes.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -52,8 +54,8 @@ void sip_take(sip_t *self, uint64_t word);
 uint64_t sip_sum(const sip_t *self);
 
 /** The sum over the bytes from `from` to before `end`. */
-uint64_t siphash_sip_hash(const siphash_key_t *key, const uint8_t bytes[64], uint64_t from,
-    uint64_t end);
+uint64_t siphash_sip_hash(const siphash_key_t *key, const uint8_t bytes[PACKET_MOST_BYTES],
+    uint64_t from, uint64_t end);
 
 #ifdef __cplusplus
 }

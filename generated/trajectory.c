@@ -10,7 +10,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "bessemer_constants.h"
+#include "bessemer_sizes.h"
 #include "bessemer_target.h"
 
 static const double PI = 3.141592653589793;

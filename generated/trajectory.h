@@ -15,6 +15,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_sizes.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -34,7 +36,7 @@ typedef struct {
     /** How many there are. */
     uint64_t count;
     /** They, and unused ones behind them. */
-    set_point_t points[16];
+    set_point_t points[TRAJECTORY_MOST_POINTS];
 } trajectory_t;
 
 /** Where the aircraft may be. */

@@ -11,11 +11,12 @@
 #include <stdint.h>
 
 #include "bessemer_constants.h"
+#include "bessemer_sizes.h"
 #include "bessemer_target.h"
 
 static const double F64_NAN = (double)NAN;
 
-void tuning_values(const settings_t *settings, double result[20])
+void tuning_values(const settings_t *settings, double result[TUNING_TUNABLE])
 {
     result[0] = settings->parameters.height.p;
     result[1] = settings->parameters.height.i;
@@ -90,7 +91,7 @@ bool settings_set(settings_t *self, uint8_t number, double value, bool flying)
     return true;
 }
 
-void settings_take_gains(settings_t *self, const double all[20])
+void settings_take_gains(settings_t *self, const double all[TUNING_TUNABLE])
 {
     self->parameters.height.p = all[0];
     self->parameters.height.i = all[1];

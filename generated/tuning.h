@@ -15,6 +15,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "bessemer_sizes.h"
 #include "onboard.h"
 #include "parameters.h"
 #include "receiver.h"
@@ -29,7 +30,7 @@ extern "C" {
  * friction that it takes away (N·s/m); the rate of the landing (m/s); and, on the ground only, the excess of the
  * take-off's thrust and the number of the candidate.
  */
-void tuning_values(const settings_t *settings, double result[20]);
+void tuning_values(const settings_t *settings, double result[TUNING_TUNABLE]);
 
 /** The value of a parameter; no number, if there is none of that number. */
 double settings_parameter(const settings_t *self, uint8_t number);
@@ -41,7 +42,7 @@ bool settings_grant(settings_t *self, const wish_t *wish, bool flying);
 bool settings_set(settings_t *self, uint8_t number, double value, bool flying);
 
 /** The gains, in the order of `values`. */
-void settings_take_gains(settings_t *self, const double all[20]);
+void settings_take_gains(settings_t *self, const double all[TUNING_TUNABLE]);
 
 /** The candidate of a number: see `Candidate`. */
 candidate_t tuning_candidate(double number);

@@ -46,9 +46,9 @@ pub struct Airframe {
     /// Density of the air, kg/m³.
     pub air_density: f64,
     /// Thrust coefficient of each propeller; 0 where there is none.
-    pub thrust_coefficients: SVector<f64, 8>,
+    pub thrust_coefficients: SVector<f64, MOST_MOTORS>,
     /// Drag-moment coefficient of each propeller; 0 where there is none.
-    pub drag_coefficients: SVector<f64, 8>,
+    pub drag_coefficients: SVector<f64, MOST_MOTORS>,
 }
 
 /// What the motors do to the body, or are wanted to do.
@@ -100,7 +100,7 @@ impl Airframe {
     }
 
     /// The same value for each of `count` motors, and 0 for the places that are left.
-    pub fn for_each(count: usize, value: f64) -> SVector<f64, 8> {
+    pub fn for_each(count: usize, value: f64) -> SVector<f64, MOST_MOTORS> {
         let mut all = SVector::zeros();
         for n in 0..MOST_MOTORS {
             if n < count {
@@ -111,7 +111,7 @@ impl Airframe {
     }
 
     /// Direction in which each motor turns, 1 or −1: neighbours turn against each other.
-    pub fn spins(&self) -> SVector<f64, 8> {
+    pub fn spins(&self) -> SVector<f64, MOST_MOTORS> {
         let mut spins = Airframe::for_each(self.motors, 1.0);
         for n in 0..MOST_MOTORS {
             if n % 2 == 1 {
@@ -122,13 +122,13 @@ impl Airframe {
     }
 
     /// Thrust of each propeller per square of its speed (thesis, eq. (2.31)), N·s²/rad².
-    pub fn thrust_factors(&self) -> SVector<f64, 8> {
+    pub fn thrust_factors(&self) -> SVector<f64, MOST_MOTORS> {
         let area = self.disc_area * self.propeller_radius * self.propeller_radius;
         self.thrust_coefficients * (self.air_density * area)
     }
 
     /// Drag moment of each propeller per square of its speed (thesis, eq. (2.32)), N·m·s²/rad².
-    pub fn drag_factors(&self) -> SVector<f64, 8> {
+    pub fn drag_factors(&self) -> SVector<f64, MOST_MOTORS> {
         let radius = self.propeller_radius;
         let volume = self.disc_area * radius * radius * radius;
         self.drag_coefficients * (self.air_density * volume)
@@ -139,7 +139,7 @@ impl Airframe {
     /// Rows: thrust along the body's z; torques about its x (forward), y (left) and z, by the right-hand rule.
     /// Columns: motors, from the forward direction on towards the left. A motor of spin 1 turns the body from x
     /// towards y.
-    pub fn effectiveness(&self) -> SMatrix<f64, 4, 8> {
+    pub fn effectiveness(&self) -> SMatrix<f64, 4, MOST_MOTORS> {
         let thrust = self.thrust_factors();
         let drag = self.drag_factors();
         let spins = self.spins();
@@ -160,7 +160,7 @@ impl Airframe {
     /// The arms share the thrust evenly, and each torque in proportion to their leverage. It is the
     /// inverse of least squares where the motors are equal; where each has its own coefficients, thrust,
     /// roll and pitch stay exact.
-    pub fn allocation(&self) -> SMatrix<f64, 8, 4> {
+    pub fn allocation(&self) -> SMatrix<f64, MOST_MOTORS, 4> {
         let thrust = self.thrust_factors();
         let drag = self.drag_factors();
         let spins = self.spins();

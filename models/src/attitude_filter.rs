@@ -36,7 +36,7 @@ impl AttitudeFilter {
     pub fn predict(&mut self, measured: &Vector3<f64>, period: f64, noise: f64, drift: f64) {
         let orientation = Orientation::of(&self.angles);
         let rates = measured - self.bias;
-        let advance = self.advance(&orientation, &rates, period);
+        let advance = advance(&orientation, &rates, period);
         self.angles += orientation.angle_rates(&rates) * period;
 
         let turn = noise * period;
@@ -47,36 +47,6 @@ impl AttitudeFilter {
             growth[n + 3] = wander;
         }
         self.covariance = grown(&self.covariance, &advance, &diagonal(&growth));
-    }
-
-    /// How errors of the angles and biases grow over one period: the derivative of (2.17).
-    fn advance(
-        &self,
-        orientation: &Orientation,
-        rates: &Vector3<f64>,
-        period: f64,
-    ) -> Matrix6<f64> {
-        let Orientation { s2, s3, c3, .. } = *orientation;
-        let c2 = orientation.divisor();
-        let along = c3 * rates.x + s3 * rates.y;
-        let across = s3 * rates.x - c3 * rates.y;
-        let lean = s2 / c2;
-
-        let mut advance = Matrix6::identity();
-        advance[(0, 1)] = -period * along * lean / c2;
-        advance[(0, 2)] = period * across / c2;
-        advance[(1, 2)] = period * along;
-        advance[(2, 1)] = -period * along / (c2 * c2);
-        advance[(2, 2)] += period * across * lean;
-
-        advance[(0, 3)] = period * c3 / c2;
-        advance[(0, 4)] = period * s3 / c2;
-        advance[(1, 3)] = -period * s3;
-        advance[(1, 4)] = period * c3;
-        advance[(2, 3)] = period * c3 * lean;
-        advance[(2, 4)] = period * s3 * lean;
-        advance[(2, 5)] = period;
-        advance
     }
 
     /// A measurement of the angle that `row` picks out, as its difference from what is believed, with the
@@ -110,4 +80,30 @@ impl AttitudeFilter {
         self.covariance = corrected(&self.covariance, row, &gain, variance);
         true
     }
+}
+
+/// How errors of the angles and biases grow over one period: the derivative of (2.17).
+#[function]
+fn advance(orientation: &Orientation, rates: &Vector3<f64>, period: f64) -> Matrix6<f64> {
+    let Orientation { s2, s3, c3, .. } = *orientation;
+    let c2 = orientation.divisor();
+    let along = c3 * rates.x + s3 * rates.y;
+    let across = s3 * rates.x - c3 * rates.y;
+    let lean = s2 / c2;
+
+    let mut advance = Matrix6::identity();
+    advance[(0, 1)] = -period * along * lean / c2;
+    advance[(0, 2)] = period * across / c2;
+    advance[(1, 2)] = period * along;
+    advance[(2, 1)] = -period * along / (c2 * c2);
+    advance[(2, 2)] += period * across * lean;
+
+    advance[(0, 3)] = period * c3 / c2;
+    advance[(0, 4)] = period * s3 / c2;
+    advance[(1, 3)] = -period * s3;
+    advance[(1, 4)] = period * c3;
+    advance[(2, 3)] = period * c3 * lean;
+    advance[(2, 4)] = period * s3 * lean;
+    advance[(2, 5)] = period;
+    advance
 }

@@ -3,7 +3,7 @@
 //! It is the slot for candidates: whatever makes a wrench of an estimate and a target fits in. Which one
 //! flies is a parameter; the others rest.
 
-use crate::airframe::Wrench;
+use crate::airframe::{MOST_MOTORS, Wrench};
 use crate::cascade::Cascade;
 use crate::geometric::track;
 use crate::parameters::{Candidate, Parameters};
@@ -34,7 +34,7 @@ impl Controller {
         parameters: &Parameters,
         estimate: &Estimate,
         target: &Target,
-        feed_forward: &SVector<f64, 8>,
+        feed_forward: &SVector<f64, MOST_MOTORS>,
     ) -> Command {
         if self.touch_down.step(parameters.period, target, estimate) {
             return Command::still();

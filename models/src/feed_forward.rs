@@ -108,7 +108,11 @@ impl Injection {
 ///
 /// `airframe` is the aircraft as it is believed to be: its coefficients are what the identification finds.
 #[function]
-pub fn compensation(airframe: &Airframe, estimate: &Estimate, friction: f64) -> SVector<f64, 8> {
+pub fn compensation(
+    airframe: &Airframe,
+    estimate: &Estimate,
+    friction: f64,
+) -> SVector<f64, MOST_MOTORS> {
     let orientation = Orientation::of(&estimate.angles);
     let weight = orientation.upwards().z * airframe.mass * GRAVITY;
     let drag = orientation.thrust_direction().dot(&estimate.velocity) * friction;

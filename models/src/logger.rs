@@ -85,7 +85,7 @@ pub struct Logger {
 impl Logger {
     /// One period: writes the chosen signals down if it is time to.
     #[entry(infallible)]
-    pub fn step(&mut self, choice: &Choice, signals: &SVector<f64, 64>) {
+    pub fn step(&mut self, choice: &Choice, signals: &SVector<f64, SIGNALS>) {
         let due = choice.every != 0 && self.period % choice.every.max(1) == 0;
         if due {
             let mut record = Record { period: self.period, tag: choice.tag, values: [0.0; WIDTH] };

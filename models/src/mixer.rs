@@ -15,12 +15,12 @@ use bessemer::prelude::*;
 pub struct Mixer {
     /// Squares of the motor speeds (rows) per thrust and roll, pitch and yaw torque (columns),
     /// rad²/s² per N and per N·m, about the body's x, y and z.
-    pub allocation: SMatrix<f64, 8, 4>,
+    pub allocation: SMatrix<f64, MOST_MOTORS, 4>,
     /// Thrust and roll, pitch and yaw torque (rows) per square of the motor speeds (columns), N·s²/rad²
     /// and N·m·s²/rad²: what the motors do. A positive torque turns x towards y, y towards z, z towards x.
-    pub effectiveness: SMatrix<f64, 4, 8>,
+    pub effectiveness: SMatrix<f64, 4, MOST_MOTORS>,
     /// Direction in which each motor turns, 1 or −1; 0 where there is none.
-    pub spins: SVector<f64, 8>,
+    pub spins: SVector<f64, MOST_MOTORS>,
     /// Square of a motor's speed per unit of its command, rad²/s².
     pub square_per_command: f64,
     /// Largest command that a motor takes.
@@ -47,7 +47,7 @@ impl Mixer {
     /// The thrust becomes a speed that is added to the feed-forward's, as the thesis has it. The torques
     /// are added to the square of the sum: added as speeds they would act 1/(1 − gain) times as strongly
     /// under feed-forward, which at a gain of 0.8 no attitude loop survives.
-    pub fn mix(&self, wanted: &Wrench, feed_forward: &SVector<f64, 8>) -> Command {
+    pub fn mix(&self, wanted: &Wrench, feed_forward: &SVector<f64, MOST_MOTORS>) -> Command {
         let torque = wanted.torque;
         let mut lift = SVector::zeros();
         let mut tilt = SVector::zeros();
@@ -86,13 +86,13 @@ impl Mixer {
     /// of the twist, then of the lift.
     fn fit(
         &self,
-        lift: &SVector<f64, 8>,
-        tilt: &SVector<f64, 8>,
-        twist: &SVector<f64, 8>,
+        lift: &SVector<f64, MOST_MOTORS>,
+        tilt: &SVector<f64, MOST_MOTORS>,
+        twist: &SVector<f64, MOST_MOTORS>,
         largest: f64,
-    ) -> SVector<f64, 8> {
-        let kept = tilt * self.share(&SVector::zeros(), tilt, largest);
-        let turn = kept + twist * self.share(&kept, twist, largest);
+    ) -> SVector<f64, MOST_MOTORS> {
+        let kept = tilt * share(&SVector::zeros(), tilt, largest);
+        let turn = kept + twist * share(&kept, twist, largest);
 
         // How far the lift has to go up or down so that every motor stays within its limits.
         let wanted = lift + turn;
@@ -114,20 +114,21 @@ impl Mixer {
         }
         squares
     }
+}
 
-    /// The largest share, 0 to 1, of `more` that can be added to `base` while no two motors are further
-    /// apart than `largest`.
-    fn share(&self, base: &SVector<f64, 8>, more: &SVector<f64, 8>, largest: f64) -> f64 {
-        let mut share = 1.0;
-        for i in 0..MOST_MOTORS {
-            for j in 0..MOST_MOTORS {
-                let apart = more[i] - more[j];
-                let room = largest - (base[i] - base[j]);
-                if apart * share > room {
-                    share = (room / apart).max(0.0);
-                }
+/// The largest share, 0 to 1, of `more` that can be added to `base` while no two motors are further
+/// apart than `largest`.
+#[function]
+fn share(base: &SVector<f64, MOST_MOTORS>, more: &SVector<f64, MOST_MOTORS>, largest: f64) -> f64 {
+    let mut share = 1.0;
+    for i in 0..MOST_MOTORS {
+        for j in 0..MOST_MOTORS {
+            let apart = more[i] - more[j];
+            let room = largest - (base[i] - base[j]);
+            if apart * share > room {
+                share = (room / apart).max(0.0);
             }
         }
-        share
     }
+    share
 }

@@ -13,7 +13,7 @@ use crate::estimator::{Ages, Estimator, Sensors};
 use crate::expectation::Push;
 use crate::feed_forward::{Injection, compensation};
 use crate::gate::Refused;
-use crate::logger::{Choice, Logger};
+use crate::logger::{Choice, Logger, SIGNALS};
 use crate::packet::Packet;
 use crate::parameters::Parameters;
 use crate::receiver::{Mode, Receiver, Request, Wish};
@@ -256,7 +256,7 @@ impl Onboard {
 /// 26–33 the feed-forward's; 34 its gain; 35 the alarm; 36–43 the motors' commands; 44–46 the wanted
 /// velocity; 47–50 the ages of the measurements; 51–56 the variances of position and angles. The rest is 0.
 #[function]
-pub fn signals(outputs: &Outputs) -> SVector<f64, 64> {
+pub fn signals(outputs: &Outputs) -> SVector<f64, SIGNALS> {
     let mut all = SVector::zeros();
     let estimate = &outputs.estimate;
     let target = &outputs.reference.target;

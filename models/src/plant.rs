@@ -63,7 +63,7 @@ impl Motion {
 impl Airframe {
     /// Thrust and torques of the motors at their speeds, rad/s, whatever their signs
     /// (thesis, eq. (2.49)).
-    pub fn wrench(&self, speeds: &SVector<f64, 8>) -> Wrench {
+    pub fn wrench(&self, speeds: &SVector<f64, MOST_MOTORS>) -> Wrench {
         let mut squares = SVector::zeros();
         for n in 0..MOST_MOTORS {
             squares[n] = speeds[n] * speeds[n];
@@ -85,7 +85,12 @@ pub struct Plant {
 impl Plant {
     /// One period, s, at the given motor speeds, rad/s: where the aircraft is afterwards.
     #[entry(infallible)]
-    pub fn step(&mut self, airframe: &Airframe, speeds: &SVector<f64, 8>, period: f64) -> Motion {
+    pub fn step(
+        &mut self,
+        airframe: &Airframe,
+        speeds: &SVector<f64, MOST_MOTORS>,
+        period: f64,
+    ) -> Motion {
         let wrench = airframe.wrench(speeds);
         self.motion = self.motion.after(airframe, &wrench, period);
         self.motion

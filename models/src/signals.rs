@@ -2,6 +2,7 @@
 //!
 //! Plain data only: nothing here knows who fills it in, or who acts on it.
 
+use crate::airframe::MOST_MOTORS;
 use bessemer::prelude::*;
 
 /// What is known of the aircraft (thesis, eq. (2.18)).
@@ -68,13 +69,13 @@ impl Target {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Command {
     /// Command to each motor, 0 to the largest command.
-    pub motors: SVector<f64, 8>,
+    pub motors: SVector<f64, MOST_MOTORS>,
     /// Speed that each motor is to take, with the sign of its rotation, rad/s.
-    pub speeds: SVector<f64, 8>,
+    pub speeds: SVector<f64, MOST_MOTORS>,
     /// What of the speed the closed loop asks for, rad/s.
-    pub closed_loop: SVector<f64, 8>,
+    pub closed_loop: SVector<f64, MOST_MOTORS>,
     /// What of the speed the feed-forward asks for, rad/s.
-    pub feed_forward: SVector<f64, 8>,
+    pub feed_forward: SVector<f64, MOST_MOTORS>,
 }
 
 #[data]

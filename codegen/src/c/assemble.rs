@@ -4,7 +4,7 @@ use super::context::Context;
 use super::file::CFile;
 use super::print::Printer;
 use super::shell::{Shell, frame};
-use super::tree::Item;
+use super::tree::{Item, Storage};
 
 pub(super) fn assemble(
     context: Context<'_>,
@@ -13,7 +13,7 @@ pub(super) fn assemble(
     is_header: bool,
     items: &[Item],
 ) -> CFile {
-    let (before, after) = frame(shell, is_header);
+    let (before, after) = frame(shell, is_header, items.iter().any(links));
     let first_line = before.matches('\n').count() as u32 + 1;
     let mut printer = Printer::new(&context.module.files, first_line);
     let mut before_it: Option<&Item> = None;
@@ -21,7 +21,8 @@ pub(super) fn assemble(
         // Constants stand together, and so do prototypes without a comment.
         let together = match (before_it, item) {
             (None, _) => true,
-            (Some(Item::Constant { .. }), Item::Constant { docs, .. }) => docs.is_empty(),
+            (Some(Item::Constant { .. }), Item::Constant { docs, .. })
+            | (Some(Item::Define { .. }), Item::Define { docs, .. }) => docs.is_empty(),
             (Some(Item::Prototype { .. }), Item::Prototype { docs, .. }) => docs.is_empty(),
             _ => false,
         };
@@ -29,11 +30,12 @@ pub(super) fn assemble(
         before_it = Some(item);
     }
     let (body, map) = printer.finish();
-    let text = format!("{before}{body}{}", after.trim_start_matches('\n'));
-    let text = if is_header {
-        text.replacen("#ifdef __cplusplus\n}", "\n#ifdef __cplusplus\n}", 1)
-    } else {
-        text
-    };
+    let gap = if is_header { "\n" } else { "" };
+    let text = format!("{before}{body}{gap}{}", after.trim_start_matches('\n'));
     CFile { name: name.to_owned(), text, map }
+}
+
+/// Whether an item is defined in another file than it is declared in.
+fn links(item: &Item) -> bool {
+    matches!(item, Item::Prototype { .. } | Item::Constant { storage: Storage::Extern, .. })
 }

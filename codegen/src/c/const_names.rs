@@ -13,6 +13,7 @@ use bessemer_ir::{Const, ConstId, ExprKind, FunctionId, Module};
 use super::analysis::inline_callees;
 use super::reserved::is_reserved_globally;
 use super::signature::Signature;
+use super::sizes;
 use super::spelling::{identifier, last_segment, relative, screaming, unique};
 use super::tree::Storage;
 
@@ -48,9 +49,9 @@ impl ConstNames {
                 });
             }
         }
-        let everything: BTreeSet<ConstId> = used.values().flatten().copied().collect();
+        let everything = used.values().flatten().copied().chain(sizes::named(module));
         let marked: BTreeSet<ConstId> =
-            everything.into_iter().filter(|id| module.consts[id.index()].given.public).collect();
+            everything.filter(|id| module.consts[id.index()].given.public).collect();
         let shared = beside_all(module, &marked, globals, prefix);
         let taken: BTreeSet<String> = globals.iter().chain(shared.values()).cloned().collect();
         let own = |ids: &BTreeSet<ConstId>| {

@@ -10,7 +10,9 @@ mod kernel;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use bessemer_ir::{EnumId, Form, Function, FunctionId, Owner, Scalar, Span, StructId, Type};
+use bessemer_ir::{
+    ConstId, EnumId, Form, Function, FunctionId, Owner, Scalar, Span, StructId, Type,
+};
 
 use super::analysis::{inline_callees, reachable};
 use super::assemble::assemble;
@@ -22,7 +24,9 @@ use super::options::Options;
 use super::shell::Shell;
 use super::signature::{Returned, Signature};
 use super::tree::{Declarator, Head, Item, Origin, Stmt, StmtKind, Storage, plain};
-use super::{asked, described, helpers_header, init, lower, self_test, status_header, target};
+use super::{
+    asked, described, helpers_header, init, lower, self_test, sizes, status_header, target,
+};
 use crate::kernels;
 
 /// What one pair of files holds.
@@ -65,6 +69,7 @@ pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {
         }
     }
     list.extend(helpers_header::header(context, options, &helpers));
+    consts.extend(sizes::named(context.module));
     list.extend(constants::shared(context, options, &consts));
     if list.iter().any(|file| file.name.ends_with(".c")) {
         list.push(target::header(context, options));
@@ -216,10 +221,10 @@ impl Writer<'_> {
                 Callable::Function(id) => {
                     let signature = self.context.names.signature(*id);
                     if let Some(kernel) = self.in_header(callable) {
-                        includes.signature(self.context, signature);
+                        includes.signature(self.context, self.options, signature);
                         items.extend(self.inline_kernel(kernel, *id, &mut includes));
                     } else if signature.storage == Storage::Extern {
-                        includes.signature(self.context, signature);
+                        includes.signature(self.context, self.options, signature);
                         items.push(self.prototype(*id, true));
                     }
                 }
@@ -261,8 +266,11 @@ impl Writer<'_> {
             let lowered = lower::function(self.context, id, &mut uses);
             match signature.storage {
                 Storage::Extern | Storage::Foreign | Storage::Library => {}
-                Storage::Static => prototypes.push((at, self.prototype(id, false))),
-                Storage::Inline => includes.signature(self.context, signature),
+                Storage::Static => {
+                    signature.params.iter().for_each(|it| includes.sizes(self.options, &it.sizes));
+                    prototypes.push((at, self.prototype(id, false)));
+                }
+                Storage::Inline => includes.signature(self.context, self.options, signature),
             }
             if signature.returned == Returned::Status {
                 includes.own.insert(names.status.header.clone());
@@ -310,8 +318,13 @@ impl Writer<'_> {
         includes.own.append(&mut uses.headers);
         let calls_helpers = !uses.helpers.is_empty();
         includes.own.extend(calls_helpers.then(|| helpers_header::name(self.options)));
-        let shares = uses.consts.iter().any(|id| names.shared_constant(*id).is_some());
-        includes.own.extend(shares.then(|| constants::header(self.options)));
+        for id in uses.consts.iter().filter(|id| names.shared_constant(**id).is_some()) {
+            let is_size = sizes::is_one(&module.consts[id.index()]);
+            includes.own.insert(match is_size {
+                true => sizes::header(self.options),
+                false => constants::header(self.options),
+            });
+        }
         (self.file("c", &items, includes), uses)
     }
 
@@ -398,7 +411,9 @@ impl Writer<'_> {
             .map(|(field, name)| {
                 let unit = field.given.unit.as_deref();
                 let docs = described::value(self.context.names, &field.docs, unit, &field.ty);
-                (docs, self.context.names.declarator(&field.ty, name))
+                let sizes = sizes::sizes(self.context.module, &field.given);
+                includes.sizes(self.options, &sizes);
+                (docs, self.context.names.sized(&field.ty, name, &sizes))
             })
             .collect();
         if let Some(fault) = &names.fault {
@@ -506,9 +521,14 @@ impl Includes {
         }
     }
 
-    fn signature(&mut self, context: Context<'_>, signature: &Signature) {
+    fn sizes(&mut self, options: &Options, sizes: &[Option<ConstId>]) {
+        self.own.extend(sizes.iter().any(Option::is_some).then(|| sizes::header(options)));
+    }
+
+    fn signature(&mut self, context: Context<'_>, options: &Options, signature: &Signature) {
         for param in &signature.params {
             self.ty(context, &param.ty);
+            self.sizes(options, &param.sizes);
         }
         match &signature.returned {
             Returned::Nothing => {}

@@ -454,7 +454,7 @@ static inline uint{bits}_t {name}({ty} value)
 {{
     uint{bits}_t bits = {nan};
     if (!isnan(value)) {{
-        memcpy(&bits, &value, sizeof bits);
+        (void)memcpy(&bits, &value, sizeof bits);
     }}
     return bits;
 }}"
@@ -467,7 +467,7 @@ fn flag(name: &str) -> String {
 static inline uint8_t {name}(const bool *flag)
 {{
     uint8_t byte = 0U;
-    memcpy(&byte, flag, sizeof byte);
+    (void)memcpy(&byte, flag, sizeof byte);
     return (byte != 0U) ? 1U : 0U;
 }}"
     )
@@ -483,7 +483,7 @@ fn raw_bits(name: &str, float: Float) -> String {
 static inline uint{bits}_t {name}({ty} value)
 {{
     uint{bits}_t bits;
-    memcpy(&bits, &value, sizeof bits);
+    (void)memcpy(&bits, &value, sizeof bits);
     return bits;
 }}"
     )
@@ -499,7 +499,7 @@ fn from_bits(name: &str, float: Float) -> String {
 static inline {ty} {name}(uint{bits}_t bits)
 {{
     {ty} value;
-    memcpy(&value, &bits, sizeof value);
+    (void)memcpy(&value, &bits, sizeof value);
     return value;
 }}"
     )

@@ -122,7 +122,7 @@ impl Writer<'_> {
         let size = words.len() / len.max(1);
         let parts: Vec<&[u64]> = words.chunks(size.max(1)).collect();
         let equal = parts.windows(2).all(|pair| pair[0] == pair[1]);
-        if equal && len > LINES {
+        if equal && (len > LINES || len > 1 && size > LINES) {
             let counter = ["i", "j", "k", "l", "m", "n"][self.depth.min(5)];
             let outer = std::mem::take(&mut self.body);
             self.depth += 1;
@@ -159,7 +159,7 @@ impl Writer<'_> {
         self.body.push(plain(StmtKind::Declare(declarator, Some(init))));
         let size = Expr::call("sizeof", vec![Expr::name(&name)]);
         let copy = Expr::call("memcpy", vec![place, Expr::name(name), size]);
-        self.body.push(plain(StmtKind::Expr(copy)));
+        self.body.push(plain(StmtKind::Expr(Expr::cast("void", copy))));
         self.uses.string = true;
         self.uses.math |= words.iter().any(|word| literal::needs_math(element, *word));
     }

@@ -54,6 +54,32 @@ pub fn needs_math(ty: &Type, word: u64) -> bool {
     }
 }
 
+/// Whether a number is read by its bits, and not by its size.
+pub fn is_by_bits(ty: &Type, word: u64) -> bool {
+    ty.as_int().is_some_and(|int| {
+        let value = int.from_word(word);
+        value != int.max() && is_pattern(int, value.unsigned_abs())
+    })
+}
+
+/// An unsigned integer in base sixteen.
+pub fn hexadecimal(int: Int, value: i128) -> Expr {
+    Expr::name(if int.bits() == 64 {
+        format!("UINT64_C(0x{value:X})")
+    } else {
+        format!("0x{value:X}U")
+    })
+}
+
+/// An unsigned integer that is read by its bits.
+pub fn bits(int: Int, value: i128) -> Expr {
+    match int.bits() {
+        _ if value < 10 => integer(int, value),
+        32 | 64 if value == int.max() => integer(int, value),
+        _ => hexadecimal(int, value),
+    }
+}
+
 /// An integer, with the suffix of its type.
 pub fn integer(int: Int, value: i128) -> Expr {
     if value == int.min() && int.signed() {

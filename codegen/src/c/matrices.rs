@@ -3,6 +3,8 @@
 //! Of a matrix with one row or one column there is one way, an array of its elements. Only this module knows
 //! where an element stands; what reads memory in a row goes through it, or takes a copy by columns.
 
+use std::fmt::{Display, Formatter};
+
 use bessemer_ir::{Scalar, Type};
 
 use super::tree::{Expr, Init, Lines};
@@ -19,13 +21,51 @@ pub enum Layout {
     Array,
 }
 
+/// `near + count * far`, without what says nothing; unsigned, unless it is a number.
+fn flat(near: Expr, count: u32, far: Expr) -> Expr {
+    let is_number = |index: &Expr| matches!(index, Expr::Name(text) if text.bytes().all(|it| it.is_ascii_digit()));
+    let zero = Expr::name("0");
+    let counts = is_number(&near) && is_number(&far);
+    let term = |index: Expr| match index {
+        Expr::Name(text) if !counts && is_number(&Expr::name(&text)) => Expr::Name(text + "U"),
+        other => other,
+    };
+    let count = || term(Expr::name(count.to_string()));
+    let start = match far {
+        far if far == zero => None,
+        far if far == Expr::name("1") => Some(count()),
+        far => Some(Expr::binary("*", count(), term(far))),
+    };
+    match start {
+        None => near,
+        Some(start) if near == zero => start,
+        Some(start) => Expr::binary("+", term(near), start),
+    }
+}
+
+/// So many elements, and the name of the number, if it has one.
+#[derive(Clone, Copy)]
+pub struct Size<'n> {
+    /// How many.
+    pub number: u32,
+    /// The name.
+    pub name: Option<&'n str>,
+}
+
+/// The name, else the number; with `#` as an operand of unsigned arithmetic.
+impl Display for Size<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        match self.name {
+            Some(name) => f.write_str(name),
+            None if f.alternate() => write!(f, "{}U", self.number),
+            None => write!(f, "{}", self.number),
+        }
+    }
+}
+
 impl Layout {
     /// The element of a matrix of this shape.
     pub fn at(self, matrix: Expr, (rows, cols): (u32, u32), row: Expr, column: Expr) -> Expr {
-        let flat = |near: Expr, count: u32, far: Expr| {
-            let start = Expr::binary("*", Expr::name(count.to_string()), far);
-            Expr::binary("+", near, start)
-        };
         match (rows, cols) {
             (_, 1) => matrix.at(row),
             (1, _) => matrix.at(column),
@@ -69,9 +109,14 @@ impl Layout {
     }
 
     /// What stands between the brackets of a declaration.
-    pub fn dimensions(self, shape @ (rows, cols): (u32, u32)) -> String {
+    pub fn dimensions(self, (rows, cols): (Size<'_>, Size<'_>)) -> String {
+        let shape = (rows.number, cols.number);
+        let is_named = rows.name.is_some() || cols.name.is_some();
         match self.is_flat(shape) {
-            true => format!("[{}]", rows * cols),
+            true if shape.1 == 1 => format!("[{rows}]"),
+            true if shape.0 == 1 => format!("[{cols}]"),
+            true if is_named => format!("[{rows:#} * {cols:#}]"),
+            true => format!("[{}]", shape.0 * shape.1),
             false => format!("[{rows}][{cols}]"),
         }
     }

@@ -14,7 +14,6 @@ mod assemble;
 mod const_names;
 mod context;
 mod described;
-
 mod file;
 mod files;
 pub mod given;
@@ -37,6 +36,7 @@ mod reserved;
 mod self_test;
 mod shell;
 mod signature;
+mod sizes;
 mod spelling;
 mod status;
 mod status_header;

@@ -18,7 +18,7 @@ use super::analysis::Faults;
 use super::const_names::ConstNames;
 use super::helpers::is_helper_name;
 use super::library::{self, Math};
-use super::matrices::Layout;
+use super::matrices::{Layout, Size};
 use super::options::Options;
 use super::placing::Placing;
 use super::reserved::{is_keyword, is_reserved_for_locals, is_reserved_globally};
@@ -111,9 +111,14 @@ impl Names {
         }
     }
 
-    /// `type name[dimensions]` of a variable or a field.
+    /// `type name[dimensions]` of a variable.
     pub fn declarator(&self, ty: &Type, name: &str) -> Declarator {
-        let (ty, dimensions) = self.type_parts(ty);
+        self.sized(ty, name, &[])
+    }
+
+    /// The same of what callers see: a field, a parameter.
+    pub fn sized(&self, ty: &Type, name: &str, sizes: &[Option<ConstId>]) -> Declarator {
+        let (ty, dimensions) = self.sized_parts(ty, sizes);
         Declarator { ty, name: name.to_owned(), dimensions }
     }
 
@@ -131,27 +136,35 @@ impl Names {
 
     /// The type of the innermost element, and the dimensions around it.
     pub fn type_parts(&self, ty: &Type) -> (String, String) {
+        self.sized_parts(ty, &[])
+    }
+
+    /// The same, with the sizes that have names.
+    fn sized_parts(&self, ty: &Type, sizes: &[Option<ConstId>]) -> (String, String) {
+        let name = |at: usize| self.shared_constant((*sizes.get(at)?)?);
         match ty {
             Type::Unit => ("void".to_owned(), String::new()),
             Type::Scalar(_) | Type::Enum(_) => (self.word(ty), String::new()),
             Type::Struct(id) => (self.structs[id.index()].ty.clone(), String::new()),
             Type::Matrix { element, rows, cols } => {
-                (scalar_type(*element).to_owned(), self.layout.dimensions((*rows, *cols)))
+                let shape =
+                    (Size { number: *rows, name: name(0) }, Size { number: *cols, name: name(1) });
+                (scalar_type(*element).to_owned(), self.layout.dimensions(shape))
             }
             Type::Slice(element) => {
                 let (ty, inner) = self.type_parts(element);
                 (ty, format!("[]{inner}"))
             }
             Type::Array { element, len } => {
-                let (ty, inner) = self.type_parts(element);
-                (ty, format!("[{len}]{inner}"))
+                let (ty, inner) = self.sized_parts(element, sizes.get(1..).unwrap_or_default());
+                (ty, format!("[{}]{inner}", Size { number: *len, name: name(0) }))
             }
         }
     }
 
     /// A parameter as C declares it.
     pub fn param(&self, param: &Param) -> Declarator {
-        let mut declarator = self.declarator(&param.ty, &param.name);
+        let mut declarator = self.sized(&param.ty, &param.name, &param.sizes);
         let pointer = declarator.dimensions.is_empty();
         match param.passing {
             Passing::Value => return declarator,

@@ -3,11 +3,12 @@
 //! A parameter yields its name to whatever has a meaning of its own in a file: functions, types, variants
 //! and constants. So these are named first.
 
-use bessemer_ir::{Function, FunctionId, Mode, Module, Type};
+use bessemer_ir::{ConstId, Function, FunctionId, Given, Mode, Module, Type};
 
 use super::analysis::Faults;
 use super::names::{Names, local_name};
 use super::signature::{Param, Passing, Returned};
+use super::sizes;
 use super::spelling::unique;
 
 impl Names {
@@ -18,7 +19,8 @@ impl Names {
             let kernel = function.kernel.is_some();
             let taken = |name: &str| !kernel && self.is_global(name);
             let fallible = faults.fallible(FunctionId(index as u32));
-            let (params, returned) = passing(function, fallible, &taken);
+            let sizes = |given: &Given| sizes::sizes(module, given);
+            let (params, returned) = passing(function, fallible, &taken, &sizes);
             let signature = &mut self.functions[index];
             (signature.params, signature.returned) = (params, returned);
         }
@@ -30,10 +32,12 @@ fn passing(
     function: &Function,
     fallible: bool,
     taken: &dyn Fn(&str) -> bool,
+    sizes: &dyn Fn(&Given) -> Vec<Option<ConstId>>,
 ) -> (Vec<Param>, Returned) {
     let mut params: Vec<Param> = Vec::new();
     for local in function.parameters() {
         let given = function.attributes.parameter(&local.name);
+        let sizes = given.map(sizes).unwrap_or_default();
         let given = given.and_then(|given| given.name.clone());
         let wanted = given.unwrap_or_else(|| local_name(&local.name));
         let name =
@@ -43,7 +47,7 @@ fn passing(
             (_, true) => Passing::Value,
             (_, false) => Passing::Input,
         };
-        params.push(Param { name, ty: local.ty.clone(), passing });
+        params.push(Param { name, ty: local.ty.clone(), sizes, passing });
     }
     let result = &function.result;
     if *result != Type::Unit && (fallible || result.is_aggregate()) {
@@ -51,7 +55,8 @@ fn passing(
         let wanted = local_name(&function.result_name);
         let unnamed = matches!(function.result_name.as_str(), "" | "_") || used(&wanted);
         let name = unique(if unnamed { "result" } else { &wanted }, used);
-        params.push(Param { name, ty: result.clone(), passing: Passing::Output });
+        let sizes = sizes(&function.attributes.result);
+        params.push(Param { name, ty: result.clone(), sizes, passing: Passing::Output });
     }
     let returned = match (fallible, result.is_word()) {
         (true, _) => Returned::Status,

@@ -131,6 +131,10 @@ impl<'a> Printer<'a> {
                 };
                 self.declare(storage, declarator, init.as_ref());
             }
+            Item::Define { docs, name, value } => {
+                self.docs(docs);
+                self.put(&format!("#define {name} {}", flat(value)));
+            }
             Item::Prototype { docs, head, origin, function } => {
                 self.docs(docs);
                 self.function.clone_from(function);
@@ -317,6 +321,14 @@ impl<'a> Printer<'a> {
         self.put_filled(pieces, 2 * INDENT);
         self.block(then);
         match otherwise {
+            // Who reads a chain is told that nothing was forgotten.
+            [] if !before.is_empty() => {
+                self.put("} else {");
+                self.level += 1;
+                self.put("/* Nothing. */");
+                self.level -= 1;
+                self.put("}");
+            }
             [] => self.put("}"),
             [Stmt { kind: StmtKind::If { condition, then, otherwise }, origin }] => {
                 self.mark(*origin);

@@ -35,7 +35,7 @@ pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {
             calls: false,
             refuses: false,
         };
-        let (before, after) = frame(&shell, extension == "h");
+        let (before, after) = frame(&shell, extension == "h", extension == "h");
         let body = Tera::one_off(template, &values, false);
         let body = body.expect("the templates render: a test renders them");
         let gap = if extension == "h" { "\n" } else { "" };

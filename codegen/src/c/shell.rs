@@ -31,24 +31,24 @@ pub struct Shell<'a> {
     pub refuses: bool,
 }
 
-/// The text before and after the body.
-pub fn frame(shell: &Shell<'_>, is_header: bool) -> (String, String) {
+/// The text before and after the body. `links`: whether it declares what other files define, which C++ is told of.
+pub fn frame(shell: &Shell<'_>, is_header: bool, links: bool) -> (String, String) {
     let template = if is_header {
         include_str!("../../templates/header.h.tera")
     } else {
         include_str!("../../templates/source.c.tera")
     };
-    let text = rendered(shell, is_header, template);
+    let text = rendered(shell, is_header, links, template);
     let (before, after) = text.split_once(BODY).expect("the templates have a body");
     (before.to_owned(), after.to_owned())
 }
 
 /// The text of a file that is a template as a whole.
 pub fn whole(shell: &Shell<'_>, template: &str) -> String {
-    rendered(shell, false, template)
+    rendered(shell, false, false, template)
 }
 
-fn rendered(shell: &Shell<'_>, is_header: bool, template: &str) -> String {
+fn rendered(shell: &Shell<'_>, is_header: bool, links: bool, template: &str) -> String {
     let mut context = Context::new();
     context.insert("file", shell.file);
     context.insert("header", shell.header);
@@ -59,6 +59,7 @@ fn rendered(shell: &Shell<'_>, is_header: bool, template: &str) -> String {
     context.insert("system_includes", &shell.system_includes);
     context.insert("own_includes", &shell.own_includes);
     context.insert("is_header", &is_header);
+    context.insert("links", &links);
     context.insert("calls", &shell.calls);
     context.insert("refuses", &shell.refuses);
     context.insert("body", BODY);

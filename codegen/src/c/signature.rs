@@ -1,6 +1,6 @@
 //! The C face of a function.
 
-use bessemer_ir::Type;
+use bessemer_ir::{ConstId, Type};
 
 use super::tree::Storage;
 
@@ -24,6 +24,8 @@ pub struct Param {
     pub name: String,
     /// The type of the value, of the pointee for a pointer.
     pub ty: Type,
+    /// The constants that say how many elements it has.
+    pub sizes: Vec<Option<ConstId>>,
     /// How it is passed.
     pub passing: Passing,
 }

@@ -328,6 +328,15 @@ pub enum Item {
         /// Its value, unless another file gives it.
         init: Option<Init>,
     },
+    /// `#define name value`.
+    Define {
+        /// The author's doc comment.
+        docs: Vec<String>,
+        /// Its name.
+        name: String,
+        /// Its value, a literal.
+        value: Expr,
+    },
     /// A function's declaration.
     Prototype {
         /// The author's doc comment.

@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use bessemer_ir::{
-    BinaryOp, Expr, ExprKind, Function, Intrinsic, Module, Place, Routine, Step, UnaryOp,
+    BinaryOp, Expr, ExprKind, Function, Intrinsic, Module, Place, Routine, Step, Type, UnaryOp,
 };
 
 /// Names in use in a function.
@@ -92,7 +92,10 @@ fn kind(module: &Module, function: &Function, expr: &Expr) -> String {
             kernel.map_or_else(|| function.name.clone(), |it| it.routine.result().to_string())
         }
         ExprKind::Array(_) | ExprKind::Splat(_) => "elements".to_string(),
-        ExprKind::Matrix(_) => "matrix".to_string(),
+        ExprKind::Matrix(_) => match expr.ty {
+            Type::Matrix { rows: 1, .. } | Type::Matrix { cols: 1, .. } => "vector".to_string(),
+            _ => "matrix".to_string(),
+        },
         ExprKind::Routine(which, _) => routine(*which).to_string(),
     }
 }

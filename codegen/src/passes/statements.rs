@@ -6,7 +6,8 @@
 
 use bessemer_ir::visit::Walk;
 use bessemer_ir::{
-    Arm, Block, Expr, ExprKind, Fault, Function, LocalId, Module, Place, Span, Stmt, StmtKind, Type,
+    Arm, Block, Expr, ExprKind, Fault, Function, LocalId, LogicOp, Module, Place, Span, Stmt,
+    StmtKind, Type,
 };
 
 use super::analysis::{Loop, State};
@@ -195,6 +196,9 @@ impl Lowering<'_> {
     }
 
     fn branch(&mut self, condition: Expr, then: Block, otherwise: Block, span: Span) {
+        if otherwise.0.is_empty() && matches!(condition.kind, ExprKind::Logic(LogicOp::And, ..)) {
+            return self.within(condition, then, span);
+        }
         let condition = self.word(condition);
         let other = self.facts.assuming(&condition, false);
         self.facts.assume(&condition, true);
@@ -204,6 +208,40 @@ impl Lowering<'_> {
         let ends = vec![(facts, diverges(&then)), (self.facts.clone(), diverges(&otherwise))];
         self.facts.after(ends);
         self.emit(StmtKind::If { condition, then, otherwise }, span);
+    }
+
+    /// `if a && b { … }`: where `b` needs statements of its own, they stand in a branch of `a`, and no flag is needed.
+    fn within(&mut self, condition: Expr, then: Block, span: Span) {
+        let mut parts = conjuncts(condition).into_iter();
+        let Some(mut all) = parts.next().map(|(first, _)| self.word(first)) else { return };
+        // Where it goes on if one does not hold, and what stands before each branch.
+        let (mut ends, mut open) = (Vec::new(), Vec::new());
+        for (part, span) in parts {
+            let known = self.facts.clone();
+            self.facts.assume(&all, true);
+            let outer = std::mem::take(&mut self.out);
+            let part = self.word(part);
+            if self.out.is_empty() {
+                (self.out, self.facts) = (outer, known);
+                all = Expr { span, ..Expr::logic(LogicOp::And, all, part) };
+            } else {
+                ends.push((known.assuming(&all, false), false));
+                open.push((std::mem::replace(&mut all, part), outer));
+            }
+        }
+        let condition = all;
+        ends.push((self.facts.assuming(&condition, false), false));
+        self.facts.assume(&condition, true);
+        let then = self.block(then);
+        ends.push((self.facts.clone(), diverges(&then)));
+        self.facts.after(ends);
+        let otherwise = Block::default();
+        self.emit(StmtKind::If { condition, then, otherwise }, span);
+        while let Some((condition, outer)) = open.pop() {
+            let (then, otherwise) =
+                (Block(std::mem::replace(&mut self.out, outer)), Block::default());
+            self.emit(StmtKind::If { condition, then, otherwise }, span);
+        }
     }
 
     fn select(&mut self, scrutinee: Expr, arms: Vec<Arm>, otherwise: Option<Block>, span: Span) {
@@ -294,6 +332,18 @@ impl Lowering<'_> {
 
     pub(super) fn remain(&mut self, fault: Fault, span: Span, reason: String) {
         self.remaining.push(Remaining { fault, span, reason });
+    }
+}
+
+/// The parts of `a && b && c`, in order, each with the place of the `&&` before it.
+fn conjuncts(condition: Expr) -> Vec<(Expr, Span)> {
+    match condition.kind {
+        ExprKind::Logic(LogicOp::And, a, b) => {
+            let mut parts = conjuncts(*a);
+            parts.push((*b, condition.span));
+            parts
+        }
+        _ => vec![(condition.clone(), condition.span)],
     }
 }
 

@@ -9,12 +9,14 @@
 
 use bessemer_ir::visit::{Access, VisitMut, Walk, walk_block_mut, walk_expr_mut, walk_place_mut};
 use bessemer_ir::{
-    Block, Expr, ExprKind, Function, LocalId, Mode, Place, Scalar, Stmt, StmtKind, Type,
+    Block, Expr, ExprKind, Function, LocalId, Mode, Place, Scalar, Step, Stmt, StmtKind, Type,
 };
 
 use super::places::{disturbs, elementwise, outer};
 use super::positions::Callee;
-use crate::effects::{calls, is_own, lent, mentions, moves, reads, writes};
+use crate::effects::{
+    calls, is_own, lent, mentions, moves, reads, same_place, writes, writes_local,
+};
 
 /// Numbers that are computed by a line each.
 const LINES: u32 = 4;
@@ -22,10 +24,14 @@ const LINES: u32 = 4;
 /// Tidies a function, of whose locals the first `own` are the author's.
 pub(super) fn tidy(function: &mut Function, own: usize, callees: &[Callee]) {
     let mut body = std::mem::take(&mut function.body);
-    let mut uses = vec![0; function.locals.len()];
-    body.each_place(|place, _| uses[place.root.index()] += 1);
-    let mut tidy = Tidy { function, own, callees, uses };
-    tidy.block(&mut body);
+    let mut again = true;
+    while again {
+        let mut uses = vec![0; function.locals.len()];
+        body.each_place(|place, _| uses[place.root.index()] += 1);
+        let mut tidy = Tidy { function, own, callees, uses, again: false };
+        tidy.block(&mut body);
+        again = tidy.again;
+    }
     function.body = body;
 }
 
@@ -35,6 +41,8 @@ struct Tidy<'f> {
     callees: &'f [Callee],
     /// How often each local is mentioned, its declaration apart.
     uses: Vec<usize>,
+    /// Whether what is gone may let more go.
+    again: bool,
 }
 
 impl VisitMut for Tidy<'_> {
@@ -43,6 +51,7 @@ impl VisitMut for Tidy<'_> {
         let mut at = 0;
         while at < block.0.len() {
             let less = self.put_back(&mut block.0, at)
+                || self.put_back_later(&mut block.0, at)
                 || self.handed_on(&mut block.0, at)
                 || self.renamed(&mut block.0, at)
                 || self.equal(&mut block.0, at)
@@ -70,6 +79,29 @@ impl Tidy<'_> {
             hand_down(stmts, at, comments);
         }
         idle
+    }
+
+    /// `let same = x; if … { x = y; } else { x = same; }`: what is put back on a way on which nothing was written.
+    fn put_back_later(&mut self, stmts: &mut Vec<Stmt>, at: usize) -> bool {
+        let StmtKind::Let { local, value: Some(value) } = &stmts[at].kind else { return false };
+        let ExprKind::Load(place) = &value.kind else { return false };
+        let fixed = place.steps.iter().all(|step| matches!(step, Step::Field(_)));
+        let (local, place) = (*local, place.clone());
+        if !value.ty.is_word()
+            || !fixed
+            || place.root == local
+            || writes_local(&stmts[at + 1..], local)
+            || !put_back_within(&mut stmts[at + 1..], local, &place)
+        {
+            return false;
+        }
+        self.again = true;
+        let unused = !mentions(&stmts[at + 1..], local);
+        if unused {
+            let removed = stmts.remove(at);
+            hand_down(stmts, at, removed.comments);
+        }
+        unused
     }
 
     /// `let made = f(); x = made;`
@@ -196,6 +228,38 @@ impl Tidy<'_> {
 /// Whether an expression is the whole of a local.
 fn is_load(expr: &Expr, local: LocalId) -> bool {
     matches!(&expr.kind, ExprKind::Load(place) if place.root == local && place.steps.is_empty())
+}
+
+/// Takes away what puts a local back to the place that it is a copy of, in branches, as far as nothing wrote there.
+/// Whether there was any.
+fn put_back_within(stmts: &mut [Stmt], local: LocalId, place: &Place) -> bool {
+    let mut found = false;
+    for stmt in stmts {
+        let blocks: Vec<&mut Block> = match &mut stmt.kind {
+            StmtKind::If { then, otherwise, .. } => vec![then, otherwise],
+            StmtKind::Match { arms, otherwise, .. } => {
+                arms.iter_mut().map(|arm| &mut arm.body).chain(otherwise).collect()
+            }
+            _ => Vec::new(),
+        };
+        for block in blocks {
+            found |= put_back_within(&mut block.0, local, place);
+            let before = block.0.len();
+            let first = block.0.iter().position(|stmt| reads(&place.load(), &writes([stmt])));
+            if let Some(first) = first
+                && block.0[first].comments.is_empty()
+                && matches!(&block.0[first].kind, StmtKind::Assign { place: to, value }
+                    if same_place(to, place) && is_load(value, local))
+            {
+                block.0.remove(first);
+            }
+            found |= block.0.len() < before;
+        }
+        if reads(&place.load(), &writes([&*stmt])) {
+            return found;
+        }
+    }
+    found
 }
 
 /// Puts a value where a local is an operand of what works element by element.

@@ -24,7 +24,7 @@ impl Lowering<'_, '_> {
         if let tree::Pattern::Any = pattern {
             return self.effect(value);
         }
-        let subject = self.subject(value)?;
+        let subject = self.subject_of(pattern, value)?;
         let condition = self.test(pattern, &subject, value.site, &mut names)?;
         if let (Some(condition), Some(otherwise)) = (condition, otherwise) {
             let span = condition.span;

@@ -17,7 +17,7 @@ impl Lowering<'_, '_> {
         match &expr.kind {
             tree::ExprKind::Let(pattern, value) => {
                 let before = names.len();
-                let subject = self.subject(value)?;
+                let subject = self.subject_of(pattern, value)?;
                 let test = self.test(pattern, &subject, expr.site, names)?;
                 self.alias_names(&names[before..]);
                 match test {

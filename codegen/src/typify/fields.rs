@@ -1,7 +1,7 @@
 //! Values of structs and variants: their fields in the author's order, and the rest from another value.
 
 use bessemer_ir::tree::{self, Site};
-use bessemer_ir::{Expr, ExprKind, Place, Span, StructId, Type};
+use bessemer_ir::{Expr, ExprKind, Place, Span, Step, StmtKind, StructId, Type};
 
 use super::expr::Operand;
 use super::lowering::Lowering;
@@ -133,12 +133,26 @@ impl Lowering<'_, '_> {
                 role: "part",
             })
             .collect();
+        let before = self.locals.len();
         // In the author's order; then into the order of the definition.
         let mut values: Vec<_> = self.operands(&operands)?.into_iter().map(Some).collect();
         let rest = match rest {
             Some(rest) => Some(self.rest(&mut values, fields, rest)?),
             None => None,
         };
+        if let Some(made) = rest.as_ref().filter(|place| self.is_made(place, before)) {
+            let written = values.into_iter().zip(&places).zip(fields);
+            for ((value, at), (_, expr)) in written {
+                let (Some(value), Some(at)) = (value, at) else { continue };
+                self.agree(&value.ty, &declared[*at].ty, expr.site)?;
+                let place = made.inside(Step::Field(*at as u32), declared[*at].ty.clone());
+                let span = value.span;
+                self.emit(StmtKind::Assign { place, value }, span);
+            }
+            // It is written here, so no name may stand for a part of it before.
+            self.held.remove(&made.root);
+            return Ok(made.load());
+        }
         // What holds nothing has been done.
         let kept: Vec<_> = places.iter().flatten().collect();
         let sorted = kept.is_sorted();
@@ -148,7 +162,7 @@ impl Lowering<'_, '_> {
             let index = places.iter().position(|place| *place == Some(at));
             let value = index.and_then(|index| values[index].take()).or_else(|| {
                 let mut place = rest.clone()?;
-                place.steps.push(bessemer_ir::Step::Field(at as u32));
+                place.steps.push(Step::Field(at as u32));
                 place.ty = field.ty.clone();
                 Some(place.load())
             });
@@ -159,6 +173,11 @@ impl Lowering<'_, '_> {
             ordered.push(value);
         }
         self.node(ExprKind::Struct(ordered), ty, expr.site)
+    }
+
+    /// Whether the rest of a struct is a value that was held just now: then it becomes the struct.
+    fn is_made(&self, rest: &Place, before: usize) -> bool {
+        rest.root.index() >= before && rest.steps.is_empty() && self.held.contains(&rest.root)
     }
 
     /// Computes the values of fields in the author's order, where that of the definition would show.

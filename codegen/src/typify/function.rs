@@ -52,6 +52,8 @@ pub(super) fn lower(
     let alias = source.owner.as_deref().and_then(|owner| lowering.cx.aliases.get(owner));
     let module = alias.map_or(&source.module, |alias| &alias.module).clone();
     let absent = std::mem::take(&mut lowering.absent);
+    let parameters = &lowering.locals[..params as usize];
+    let attributes = lowering.cx.sizes_of(source, parameters, &result);
     let function = Function {
         name,
         module,
@@ -62,7 +64,7 @@ pub(super) fn lower(
             tree::Role::Private | tree::Role::Expanded => Role::Private,
             tree::Role::Inline => Role::Inline,
         },
-        attributes: tree.attributes.clone(),
+        attributes,
         docs: tree.docs.clone(),
         params,
         result_name,

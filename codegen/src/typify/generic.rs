@@ -306,7 +306,8 @@ impl Context<'_> {
                 let name = if name == "tag" { "tag_".to_owned() } else { name };
                 // Of one part, what is said of the part.
                 let part = variant.fields.first().filter(|_| single);
-                let given = part.map(|part| part.given.clone()).unwrap_or_default();
+                let mut given = part.map(|part| part.given.clone()).unwrap_or_default();
+                given.sizes = self.sizes(&named.module, &ty, &given.sizes);
                 fields.push(Field { name, docs: variant.docs.clone(), ty, given });
                 (fields.len() as u32 - 1, single)
             });
@@ -338,7 +339,7 @@ impl Context<'_> {
         variant: &tree::Variant,
         site: Site,
     ) -> Result<Option<(Type, bool)>> {
-        let (fields, kept) = self.kept_fields(&variant.fields, site)?;
+        let (fields, kept) = self.kept_fields(&named.module, &variant.fields, site)?;
         if kept.len() > 1 && kept.contains(&false) {
             return problem(
                 site,
@@ -369,6 +370,7 @@ impl Context<'_> {
     /// The fields of a struct or a variant that hold something, and which these are.
     pub(super) fn kept_fields(
         &mut self,
+        module: &str,
         fields: &[tree::Field],
         site: Site,
     ) -> Result<(Vec<Field>, Vec<bool>)> {
@@ -384,7 +386,9 @@ impl Context<'_> {
                 Ok(_) => part(index, count),
                 Err(_) => field.name.clone(),
             };
-            Field { name, docs: field.docs.clone(), ty, given: field.given.clone() }
+            let sizes = self.sizes(module, &ty, &field.given.sizes);
+            let given = Given { sizes, ..field.given.clone() };
+            Field { name, docs: field.docs.clone(), ty, given }
         });
         Ok((typed.collect(), kept))
     }

@@ -157,12 +157,13 @@ impl<'a> Lowering<'a, '_> {
         }
         // Behind the body, in which another closure may be handed to the same function.
         let called = self.copy_name(template, &given);
+        let attributes = self.cx.sizes_of(template, &locals, &result);
         let function = bessemer_ir::Function {
             name: called,
             module: home.module.clone(),
             owner,
             role: if is_inline { Role::Inline } else { Role::Private },
-            attributes: template.tree.attributes.clone(),
+            attributes,
             docs: template.tree.docs.clone(),
             params: params as u32,
             result_name: super::function::result_name(self.cx, &template.tree, &result),

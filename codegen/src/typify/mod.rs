@@ -55,6 +55,7 @@ mod paths;
 mod pattern;
 mod place;
 mod several;
+mod sizes;
 mod slice;
 mod spatial;
 mod stepped;

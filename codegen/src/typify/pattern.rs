@@ -62,6 +62,35 @@ impl Lowering<'_, '_> {
         self.value_subject(value, expr.site)
     }
 
+    /// The same of a pattern; a value that has to be held has the name of what the pattern takes from it.
+    pub(super) fn subject_of(
+        &mut self,
+        pattern: &tree::Pattern,
+        expr: &tree::Expr,
+    ) -> Result<Subject> {
+        let before = self.locals.len();
+        let subject = self.subject(expr)?;
+        self.name_held(&subject, before, std::iter::once(pattern));
+        Ok(subject)
+    }
+
+    /// Names the temporary that a subject is held in, if it is none of the locals `before`.
+    pub(super) fn name_held<'t>(
+        &mut self,
+        subject: &Subject,
+        before: usize,
+        mut patterns: impl Iterator<Item = &'t tree::Pattern>,
+    ) {
+        if let Subject::Place(place) = subject
+            && place.root.index() >= before
+            && place.steps.is_empty()
+            && self.held.contains(&place.root)
+            && let Some(name) = patterns.find_map(taken_name)
+        {
+            self.locals[place.root.index()].name = name.to_owned();
+        }
+    }
+
     /// The same, its value known.
     pub(super) fn value_subject(&mut self, value: Expr, site: Site) -> Result<Subject> {
         if value.ty == Type::Unit {
@@ -482,6 +511,15 @@ pub(super) fn used(mut block: Block) -> Block {
         }
     }
     block
+}
+
+/// The only name in `Some(name)`, of what does not change.
+fn taken_name(pattern: &tree::Pattern) -> Option<&str> {
+    let tree::Pattern::Constructor(_, parts) = pattern else { return None };
+    match parts.as_slice() {
+        [tree::Pattern::Name { name, mutable: false, inner: None, .. }] => Some(name),
+        _ => None,
+    }
 }
 
 /// Both conditions, as far as there are any.

@@ -50,7 +50,7 @@ impl<'a> Context<'a> {
         let ty = match &definition.kind {
             DefinitionKind::Struct { fields, initial } => {
                 let (all, site) = (fields, definition.site);
-                let (fields, kept) = self.kept_fields(all, site)?;
+                let (fields, kept) = self.kept_fields(&definition.module, all, site)?;
                 if fields.is_empty() {
                     return self.define_nothing(definition, name);
                 }
@@ -257,7 +257,13 @@ impl<'a> Context<'a> {
     }
 
     /// The author's attributes of the constant with this name and value: first, of the one in this module.
-    fn table(&mut self, module: &str, name: &str, ty: &Type, words: &[u64]) -> Option<&'a Table> {
+    pub(super) fn table(
+        &mut self,
+        module: &str,
+        name: &str,
+        ty: &Type,
+        words: &[u64],
+    ) -> Option<&'a Table> {
         let same = |it: &&Table| it.name == name && it.value.words == words;
         let mut tables: Vec<&'a Table> = self.tables.iter().filter(same).collect();
         tables.sort_by_key(|it| it.module != module);

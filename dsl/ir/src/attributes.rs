@@ -7,6 +7,7 @@ use alloc::vec::Vec;
 
 use serde::{Deserialize, Serialize};
 
+use crate::ir::Const;
 use crate::tree::Site;
 
 /// The author's attributes of a type, a variant, a field, a parameter or a table: `#[c(…)]`, `#[unit("…")]`.
@@ -21,8 +22,21 @@ pub struct Given {
     pub section: Option<String>,
     /// Of a constant: whether other modules may read it.
     pub public: bool,
+    /// Of a constant: whether its author writes it in base sixteen.
+    pub hexadecimal: bool,
+    /// Of a field, a parameter or a result: the constants by which the author says how many elements it has, from the
+    /// outside in, rows before columns; empty where there is a number. In the tree their names, in the IR with their modules
+    /// before them.
+    pub sizes: Vec<String>,
     /// Where the name stands, in the file of the item.
     pub site: Site,
+}
+
+impl Const {
+    /// Its name with its module before it, as [`Given::sizes`] has it.
+    pub fn path(&self) -> String {
+        alloc::format!("{}::{}", self.module, self.name)
+    }
 }
 
 /// The author's wishes for the C of a function.

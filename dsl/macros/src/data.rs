@@ -3,6 +3,7 @@
 //! Every build gets `Plain` (values as words). A generation build also gets the definition of the
 //! type and the builders of its methods.
 
+use bessemer_ir::attributes::Given;
 use bessemer_ir::tree::Role;
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote, quote_spanned};
@@ -21,6 +22,7 @@ use crate::kind::Kind;
 use crate::lower::{self, Refusals, refuse};
 use crate::owned;
 use crate::redirect;
+use crate::sizes;
 use crate::table;
 
 /// Expands the attribute on a struct, an enum or an `impl` block.
@@ -245,7 +247,8 @@ fn definition_bounds<'a>(
 fn field_definitions(fields: &syn::Fields) -> TokenStream {
     let fields = fields.iter().zip(fields.members()).map(|(field, member)| {
         let (name, docs, ty) = (lower::member(&member), docs::lines(&field.attrs), &field.ty);
-        let given = said(&field.attrs, On::Value);
+        let given = given::read(&field.attrs, On::Value, &mut Refusals::default());
+        let given = given::tokens(&Given { sizes: sizes::of(ty), ..given });
         quote! { ::bessemer::generate::field::<#ty>(cx, #name, &[#(#docs),*], #given) }
     });
     quote! { ::bessemer::generate::list([#(#fields),*]) }

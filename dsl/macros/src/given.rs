@@ -9,6 +9,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::lower::{self, Refusals, refuse};
+use crate::sizes;
 
 /// The item below the attributes, which decides what they may say.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -79,21 +80,24 @@ pub fn unit(attribute: &syn::Attribute, refusals: &mut Refusals) -> Option<Strin
     Some(unit)
 }
 
-/// Takes what is said of its parameters off a signature.
+/// Takes what is said of its parameters off a signature, and adds what their types and its result's say.
 pub fn parameters(
     signature: &mut syn::Signature,
     attributes: &mut Attributes,
     refusals: &mut Refusals,
 ) {
+    if let syn::ReturnType::Type(_, ty) = &signature.output {
+        attributes.result.sizes = sizes::of(ty);
+    }
     for input in &mut signature.inputs {
-        let (name, own) = match input {
-            syn::FnArg::Receiver(it) => ("self".to_owned(), &mut it.attrs),
+        let (name, own, sizes) = match input {
+            syn::FnArg::Receiver(it) => ("self".to_owned(), &mut it.attrs, Vec::new()),
             syn::FnArg::Typed(it) => match &*it.pat {
-                syn::Pat::Ident(pat) => (lower::text(&pat.ident), &mut it.attrs),
+                syn::Pat::Ident(pat) => (lower::text(&pat.ident), &mut it.attrs, sizes::of(&it.ty)),
                 _ => continue,
             },
         };
-        let given = read(own, On::Value, refusals);
+        let given = Given { sizes, ..read(own, On::Value, refusals) };
         strip(own);
         if given != Given::default() {
             attributes.parameters.push((name, given));
@@ -112,10 +116,11 @@ pub fn tokens(given: &Given) -> TokenStream {
         None => none.clone(),
     };
     let (name, unit, section) = (text(&given.name), text(&given.unit), text(&given.section));
-    let lower::Site(line, column) = given.site;
+    let (lower::Site(line, column), radix, sizes) = (given.site, given.hexadecimal, &given.sizes);
     quote! {
         ::core::option::Option::Some(::bessemer::generate::Said {
-            name: #name, unit: #unit, section: #section, site: (#line, #column),
+            name: #name, unit: #unit, section: #section, hexadecimal: #radix, sizes: &[#(#sizes),*],
+            site: (#line, #column),
         })
     }
 }

@@ -21,6 +21,7 @@ mod lower;
 mod operators;
 mod owned;
 mod redirect;
+mod sizes;
 mod table;
 
 use proc_macro::TokenStream;

@@ -3,8 +3,9 @@
 //! A reader of it needs no mark: a constant is told by its name, its type and its value. So the mark only
 //! announces what is said of these.
 
-use proc_macro2::TokenStream;
-use quote::quote;
+use bessemer_ir::attributes::Given;
+use proc_macro2::{TokenStream, TokenTree};
+use quote::{ToTokens, quote};
 
 use crate::docs;
 use crate::given::{self, On};
@@ -15,7 +16,7 @@ pub fn constant(it: &mut syn::ItemConst, refusals: &mut Refusals) -> TokenStream
     if it.ident == "_" {
         refusals.add(&it.ident, refuse::TABLE_UNNAMED);
     }
-    announced(&it.ident, &it.vis, &mut it.attrs, refusals)
+    announced((&it.ident, &it.vis, &it.expr), &mut it.attrs, refusals)
 }
 
 /// The items beside a `static`.
@@ -23,17 +24,17 @@ pub fn fixed(it: &mut syn::ItemStatic, refusals: &mut Refusals) -> TokenStream {
     if let syn::StaticMutability::Mut(token) = &it.mutability {
         refusals.add(token, refuse::STATIC);
     }
-    announced(&it.ident, &it.vis, &mut it.attrs, refusals)
+    announced((&it.ident, &it.vis, &it.expr), &mut it.attrs, refusals)
 }
 
 fn announced(
-    name: &syn::Ident,
-    visibility: &syn::Visibility,
+    (name, visibility, value): (&syn::Ident, &syn::Visibility, &syn::Expr),
     attributes: &mut Vec<syn::Attribute>,
     refusals: &mut Refusals,
 ) -> TokenStream {
     lower::check_attributes(attributes, refusals);
-    let given = given::read(attributes, On::Table, refusals);
+    let hexadecimal = is_hexadecimal(value.to_token_stream());
+    let given = Given { hexadecimal, ..given::read(attributes, On::Table, refusals) };
     given::strip(attributes);
     if !refusals.is_empty() || !lower::GENERATING {
         return TokenStream::new();
@@ -53,4 +54,13 @@ fn announced(
             }
         };
     }
+}
+
+/// Whether numbers of a value are written in base sixteen.
+fn is_hexadecimal(value: TokenStream) -> bool {
+    value.into_iter().any(|token| match token {
+        TokenTree::Literal(it) => it.to_string().starts_with("0x"),
+        TokenTree::Group(it) => is_hexadecimal(it.stream()),
+        _ => false,
+    })
 }

@@ -65,15 +65,21 @@ pub struct Said {
     pub unit: Option<&'static str>,
     /// The section of the object file.
     pub section: Option<&'static str>,
+    /// Whether it is written in base sixteen.
+    pub hexadecimal: bool,
+    /// The constants that say how many elements it has.
+    pub sizes: &'static [&'static str],
     /// Where the name stands.
     pub site: (u32, u32),
 }
 
 pub(super) fn said(said: Option<Said>) -> Given {
-    let Some(Said { name, unit, section, site }) = said else { return Given::default() };
-    let owned = |text: Option<&'static str>| text.map(ToOwned::to_owned);
-    let site = Site(site.0, site.1);
-    Given { name: owned(name), unit: owned(unit), section: owned(section), public: false, site }
+    let Some(Said { name, unit, section, hexadecimal, sizes, site }) = said else {
+        return Given::default();
+    };
+    let text = |text: Option<&'static str>| text.map(ToOwned::to_owned);
+    let (name, unit, section, sizes) = (text(name), text(unit), text(section), owned(sizes));
+    Given { name, unit, section, public: false, hexadecimal, sizes, site: Site(site.0, site.1) }
 }
 
 /// The words of a value.

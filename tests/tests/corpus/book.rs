@@ -83,7 +83,9 @@ fn whole(compiled: &Compiled, name: &str) -> String {
 
 /// The types of a header, without the declarations of functions, which the source repeats.
 fn declared(header: &str) -> String {
-    let inside = header.split("extern \"C\" {\n#endif\n").nth(1).unwrap_or_default();
+    // Behind the guard, where it declares no functions.
+    let inside = header.split_once("extern \"C\" {\n#endif\n").or(header.split_once("\n#define "));
+    let (_, inside) = inside.unwrap_or_default();
     let inside = inside.split("\n#ifdef __cplusplus").next().unwrap_or_default();
     let blocks = inside.split("\n\n").filter(|block| {
         let code = block.trim_start().trim_start_matches("/**");

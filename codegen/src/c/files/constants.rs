@@ -1,6 +1,6 @@
 //! Constants in files: of one source, those that its functions use; and those that other modules may read, once.
 //!
-//! Of these, words stand in the header, for C's compilers to compute with; of tables it says that they are, and a source
+//! Of these, sizes stand in a header for callers, too ([`sizes`]); other words in the header, for C's compilers to compute with; of tables it says that they are, and a source
 //! beside it holds them.
 
 use std::collections::BTreeSet;
@@ -15,7 +15,9 @@ use crate::c::options::Options;
 use crate::c::shell::Shell;
 use crate::c::spelling::identifier;
 use crate::c::tree::{Init, Item, Lines, Storage};
-use crate::c::{asked, described, literal, target};
+use crate::c::{asked, described, literal, sizes, target};
+
+const SUMMARY: &str = "constants, for the sources beside it alone.";
 
 /// The header's name.
 pub(super) fn header(options: &Options) -> String {
@@ -45,8 +47,13 @@ pub(super) fn shared(
     let ids: Vec<ConstId> = used.iter().copied().filter(|id| !name(*id).is_empty()).collect();
     let (mut declared, mut defined) = (Vec::new(), Vec::new());
     let (mut of_header, mut of_source) = (Includes::default(), Includes::default());
+    let mut sizes = Vec::new();
     for (name, id) in by_name(&ids, name) {
         let item = &context.module.consts[id.index()];
+        if sizes::is_one(item) {
+            sizes.push(size(context, id, name));
+            continue;
+        }
         if item.ty.is_word() && item.given.section.is_none() {
             declared.push(constant(context, options, id, name, &mut of_header));
             continue;
@@ -69,12 +76,12 @@ pub(super) fn shared(
         defined.insert(0, Item::Verbatim(asked::Macro::Section.text(options)));
     }
     let header = header(options);
-    let file = |name: &str, items: &[Item], mut includes: Includes| {
+    let file = |name: &str, summary: &str, items: &[Item], mut includes: Includes| {
         includes.own.remove(&header);
         let shell = Shell {
             file: name,
             header: &header,
-            summary: "constants, for the sources beside it alone.",
+            summary,
             source: &context.module.name,
             license: &options.license,
             system_includes: includes.system.into_iter().map(str::to_owned).collect(),
@@ -86,13 +93,33 @@ pub(super) fn shared(
     };
     let mut files = Vec::new();
     if !declared.is_empty() {
-        files.push(file(&header, &declared, of_header));
+        files.push(file(&header, SUMMARY, &declared, of_header));
     }
     if !defined.is_empty() {
         of_source.own.insert(target::name(options));
-        files.push(file(&header.replace(".h", ".c"), &defined, of_source));
+        files.push(file(&header.replace(".h", ".c"), SUMMARY, &defined, of_source));
+    }
+    if !sizes.is_empty() {
+        let mut includes = Includes::default();
+        includes.ty(context, &Type::USIZE);
+        files.push(file(
+            &sizes::header(options),
+            "sizes and numbers of elements.",
+            &sizes,
+            includes,
+        ));
     }
     files
+}
+
+fn size(context: Context<'_>, id: ConstId, name: &str) -> Item {
+    let item = &context.module.consts[id.index()];
+    let unit = item.given.unit.as_deref();
+    Item::Define {
+        docs: described::value(context.names, &item.docs, unit, &item.ty),
+        name: name.to_owned(),
+        value: literal::word(context.names, &item.ty, item.words[0]),
+    }
 }
 
 /// Constants in the order of their names; those that are one, once.
@@ -116,8 +143,10 @@ fn constant(
     let mut declarator = context.names.declarator(&item.ty, name);
     declarator.ty.insert_str(0, "const ");
     let mut words = item.words.as_slice();
-    let init = constant_init(context, &item.ty, &mut words);
     let leaves = module.leaves(&item.ty);
+    let by_bits = |(ty, word): (&Type, &u64)| literal::is_by_bits(ty, *word);
+    let hexadecimal = item.given.hexadecimal || leaves.iter().zip(&item.words).any(by_bits);
+    let init = constant_init(context, &item.ty, hexadecimal, &mut words);
     if leaves.iter().zip(&item.words).any(|(ty, word)| literal::needs_math(ty, *word)) {
         includes.system.insert("math.h");
     }
@@ -132,7 +161,8 @@ fn constant(
     }
 }
 
-fn constant_init(context: Context<'_>, ty: &Type, words: &mut &[u64]) -> Init {
+/// The numbers of one constant are all in base sixteen, or none is.
+fn constant_init(context: Context<'_>, ty: &Type, hexadecimal: bool, words: &mut &[u64]) -> Init {
     let list = |items: Vec<(Option<String>, Init)>, lines| Init::List { items, lines };
     match ty {
         Type::Struct(id) => {
@@ -141,7 +171,7 @@ fn constant_init(context: Context<'_>, ty: &Type, words: &mut &[u64]) -> Init {
             let first = words.first().copied().unwrap_or_default();
             let mut items = Vec::new();
             for (index, (field, name)) in item.fields.iter().zip(names).enumerate() {
-                let init = constant_init(context, &field.ty, words);
+                let init = constant_init(context, &field.ty, hexadecimal, words);
                 if field.ty != Type::Unit && (!item.overlaid() || item.holds(index, first)) {
                     items.push((Some(name.clone()), init));
                 }
@@ -149,13 +179,15 @@ fn constant_init(context: Context<'_>, ty: &Type, words: &mut &[u64]) -> Init {
             list(items, Lines::Fill)
         }
         Type::Array { element, len } => {
-            let items = (0..*len).map(|_| (None, constant_init(context, element, words)));
+            let items =
+                (0..*len).map(|_| (None, constant_init(context, element, hexadecimal, words)));
             list(items.collect(), Lines::Fill)
         }
         Type::Matrix { element, rows, cols } => {
             let element = Type::Scalar(*element);
-            let items: Vec<_> =
-                (0..rows * cols).map(|_| constant_init(context, &element, words)).collect();
+            let items: Vec<_> = (0..rows * cols)
+                .map(|_| constant_init(context, &element, hexadecimal, words))
+                .collect();
             let groups = *rows > 1 && *cols > 1;
             let lines = if groups { Lines::Groups(*rows as usize) } else { Lines::Fill };
             context.names.layout.list(&items, (*rows, *cols), lines)
@@ -163,7 +195,12 @@ fn constant_init(context: Context<'_>, ty: &Type, words: &mut &[u64]) -> Init {
         _ => {
             let (word, rest) = words.split_first().expect("the validator counts words");
             *words = rest;
-            Init::Value(literal::word(context.names, ty, *word))
+            Init::Value(match (hexadecimal, ty.as_int()) {
+                (true, Some(int)) if !int.signed() => {
+                    literal::hexadecimal(int, int.from_word(*word))
+                }
+                _ => literal::word(context.names, ty, *word),
+            })
         }
     }
 }

@@ -11,6 +11,8 @@ use crate::uncopied::is_stored_whole;
 
 /// Up to so many words are copied by a line each.
 const LINES: u32 = 4;
+/// Up to so many zeros stand in an initialiser.
+const SHOWN: u32 = 8;
 /// Up to so many equal words stand in an initialiser.
 const LISTED: u32 = 16;
 
@@ -243,7 +245,8 @@ impl Lower<'_> {
         let (element, dimensions) = self.context.names.type_parts(ty);
         let size = Expr::call("sizeof", vec![Expr::name(format!("{element}{dimensions}"))]);
         let function = if shared { "memmove" } else { "memcpy" };
-        self.emit(StmtKind::Expr(Expr::call(function, vec![dest, from, size])));
+        let call = Expr::call(function, vec![dest, from, size]);
+        self.emit(StmtKind::Expr(Expr::cast("void", call)));
     }
 
     /// Whether C has an initialiser for a value.
@@ -296,7 +299,13 @@ impl Lower<'_> {
                 Init::List { items, lines: Lines::Fill }
             }
             (ExprKind::Splat(item), ty) => {
-                let count = if is_zero(value) { 1 } else { length(ty) };
+                let count = length(ty);
+                // C's own word for zeros everywhere.
+                if is_zero(value) && count > SHOWN && is_number(&item.ty) {
+                    let items = vec![(None, Init::Value(Expr::name("0")))];
+                    return Init::List { items, lines: Lines::Fill };
+                }
+                let count = if is_zero(value) && count > SHOWN { 1 } else { count };
                 let items = (0..count).map(|_| (None, self.initialiser(item)));
                 Init::List { items: items.collect(), lines: Lines::Fill }
             }
@@ -374,6 +383,11 @@ fn is_sparse(items: &[Ir]) -> bool {
     let numbers = items.iter().all(|item| matches!(item.kind, ExprKind::Literal(_)));
     let zeros = items.iter().filter(|item| is_zero(item)).count();
     items.len() > LINES as usize && numbers && 2 * zeros > items.len()
+}
+
+/// Whether values are numbers, of which C's `0` is one.
+fn is_number(ty: &Type) -> bool {
+    ty.as_int().is_some() || ty.as_float().is_some()
 }
 
 /// Whether every word of a value is zero: what C leaves out of an initialiser is zero too.

@@ -8,6 +8,7 @@
 //! It adds conversions where C's promotions differ from Rust's types; a name for every local; a
 //! temporary wherever a result would be written over an operand.
 
+mod bits;
 mod call;
 mod compare;
 mod copy;

@@ -3,9 +3,11 @@
 use bessemer_ir::{BinaryOp, Expr as Ir, ExprKind, Float, Int, Intrinsic, Mode, Scalar, Type};
 
 use super::super::helpers::{Helper, unsigned_type};
+use super::super::literal;
 use super::super::spelling::scalar_type;
 use super::super::tree::Expr;
 use super::Lower;
+use super::bits::{fits, is_bits, is_widened, uncast};
 use super::place::is_small;
 use super::word::narrowed;
 
@@ -33,6 +35,15 @@ impl Lower<'_> {
         narrowed(ty, Expr::binary(symbol, a, b))
     }
 
+    /// An operand of bits: what is above its type does not show, since the result is brought back to it.
+    pub(super) fn bits(&mut self, operand: &Ir) -> Expr {
+        if let (ExprKind::Literal(word), Some(int)) = (&operand.kind, operand.ty.as_int()) {
+            return literal::bits(int, int.from_word(*word));
+        }
+        let value = self.word(operand);
+        if is_bits(operand) { uncast(value, &operand.ty) } else { value }
+    }
+
     /// A shift by less than the width.
     pub(super) fn shift(&mut self, op: BinaryOp, left: &Ir, right: &Ir) -> Expr {
         let int = left.ty.as_int().expect("the validator asks for integers");
@@ -45,7 +56,11 @@ impl Lower<'_> {
             return self.helper(helper, vec![value, count]);
         }
         // Promoted to `int`, the bits of a small unsigned integer could be shifted into the sign.
-        let value = if is_small(int) && left_shift { Expr::cast("uint32_t", value) } else { value };
+        let value = if is_small(int) && left_shift {
+            Expr::cast("uint32_t", if is_widened(left) { uncast(value, &left.ty) } else { value })
+        } else {
+            value
+        };
         narrowed(&left.ty, Expr::binary(if left_shift { "<<" } else { ">>" }, value, count))
     }
 
@@ -98,6 +113,12 @@ impl Lower<'_> {
                     let bits = Expr::cast(&unsigned_type(*int), value);
                     self.helper(Helper::Wrap(*int), vec![bits])
                 }
+            }
+            // The bits that the wider type has no room for, the narrower has none for either.
+            (Type::Scalar(Scalar::Int(from)), Scalar::Int(int))
+                if is_bits(operand) && !int.signed() && int.bits() <= from.bits() =>
+            {
+                Expr::cast(ty, uncast(value, &operand.ty))
             }
             _ => Expr::cast(ty, value),
         }
@@ -173,12 +194,12 @@ impl Lower<'_> {
         if above > 0 && intrinsic == Intrinsic::TrailingZeros {
             // A bit above the type stops the count at its width.
             let value = Expr::cast("uint32_t", values.remove(0));
-            let stop = super::super::literal::integer(Int::U32, 1 << int.bits());
+            let stop = literal::integer(Int::U32, 1 << int.bits());
             values.push(Expr::binary("|", value, stop));
         }
         let count = self.helper(helper, values);
         if above > 0 && intrinsic == Intrinsic::LeadingZeros {
-            let surplus = super::super::literal::integer(Int::U32, i128::from(above));
+            let surplus = literal::integer(Int::U32, i128::from(above));
             return Expr::binary("-", count, surplus);
         }
         count
@@ -187,7 +208,7 @@ impl Lower<'_> {
     /// A macro of `math.h` that says whether a float is of a kind, as a condition.
     fn classified(&mut self, name: &str, values: Vec<Expr>) -> Expr {
         self.uses.math = true;
-        let zero = super::super::literal::integer(Int::I32, 0);
+        let zero = literal::integer(Int::I32, 0);
         Expr::binary("!=", Expr::call(name.to_owned(), values), zero)
     }
 
@@ -207,9 +228,4 @@ impl Lower<'_> {
         self.uses.math = true;
         Expr::call(if float == Float::F32 { format!("{name}f") } else { name.to_owned() }, values)
     }
-}
-
-/// Whether every value of one integer type is one of another.
-fn fits(from: Int, to: Int) -> bool {
-    from.min() >= to.min() && from.max() <= to.max()
 }

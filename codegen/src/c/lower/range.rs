@@ -147,7 +147,7 @@ impl Lower<'_> {
         }
     }
 
-    /// An expression with a [`Lower::range`], in 32 bits; `bare`: as an index, without suffixes.
+    /// An expression with a [`Lower::range`], in 32 bits; `bare`: as an index, of which a number alone needs no suffix.
     pub(super) fn narrow(&mut self, expr: &Ir, bare: bool) -> Expr {
         match &expr.kind {
             ExprKind::Literal(word) if bare => Expr::name(word.to_string()),
@@ -159,7 +159,7 @@ impl Lower<'_> {
                     BinaryOp::Sub => "-",
                     _ => "*",
                 };
-                Expr::binary(op, self.narrow(left, bare), self.narrow(right, bare))
+                Expr::binary(op, self.narrow(left, false), self.narrow(right, false))
             }
             _ => self.word(expr),
         }

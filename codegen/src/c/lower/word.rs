@@ -11,6 +11,7 @@ use super::super::literal;
 use super::super::spelling::scalar_type;
 use super::super::tree::Expr;
 use super::Lower;
+use super::bits::masked;
 
 impl Lower<'_> {
     /// The value of an expression of one word.
@@ -75,7 +76,11 @@ impl Lower<'_> {
         if op == BinaryOp::Xor && left.ty == Type::BOOL {
             return self.compare(CompareOp::Ne, left, right);
         }
-        let (a, b) = (self.word(left), self.word(right));
+        let of_bits = matches!(op, BinaryOp::And | BinaryOp::Or | BinaryOp::Xor);
+        let (a, b) = match left.ty.as_int() {
+            Some(int) if of_bits && !int.signed() => (self.bits(left), self.bits(right)),
+            _ => (self.word(left), self.word(right)),
+        };
         self.arithmetic(op, &left.ty, a, b)
     }
 
@@ -98,7 +103,7 @@ impl Lower<'_> {
             return Expr::name(if equal { "true" } else { "false" });
         }
         let limit = |value: Expr, ir: &Ir| super::range::limit(ir).map_or(value, Expr::name);
-        let (a, b) = (limit(a, left), limit(b, right));
+        let (a, b) = (limit(masked(a, left), left), limit(masked(b, right), right));
         Expr::binary(comparison(op), self.comparable(a), self.comparable(b))
     }
 

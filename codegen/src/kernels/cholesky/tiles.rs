@@ -11,7 +11,7 @@ use super::{is_beside, spoil};
 const VECTORS: &str = include_str!("vectors.c");
 const BODY: &str = include_str!("factor.c");
 
-const COPY: &str = "memcpy(result, a, $all * sizeof(*result));\n";
+const COPY: &str = "(void)memcpy(result, a, $all * sizeof(*result));\n";
 
 /// The columns that are left over by fours, one by one.
 const FIRST: &str = "\

@@ -2,7 +2,7 @@
 static inline uint32_t rank($real number)
 {
     $bits bits;
-    memcpy(&bits, &number, sizeof bits);
+    (void)memcpy(&bits, &number, sizeof bits);
     return $rank << 1;
 }
 
@@ -78,8 +78,8 @@ NOT_INLINE static void exchange_left($real *tiles, uint32_t row, uint32_t other,
         exchange_numbers(&a[4], &b[4]);
         exchange_numbers(&a[8], &b[8]);
         exchange_numbers(&a[12], &b[12]);
-        a += 16;
-        b += 16;
+        a += 16U;
+        b += 16U;
         until_next--;
         if (WIDTH == 4U || until_next == 0U) {
             a += PANEL - TILE;

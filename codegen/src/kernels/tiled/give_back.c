@@ -3,7 +3,7 @@ static inline void copy_four($real *to, const $real *from)
 #if defined(WORDS)
     vst4_s64((word_t *)to, vld4_s64((const word_t *)from));
 #else
-    memcpy(to, from, 4U * sizeof(*to));
+    (void)memcpy(to, from, 4U * sizeof(*to));
 #endif
 }
 

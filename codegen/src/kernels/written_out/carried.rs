@@ -58,7 +58,7 @@ pub(super) fn buffer(factors: Buffer) -> Buffer {
 }
 
 const BODY: &str = "\
-memcpy(&factors[$all], b, $n * sizeof(*factors));
+(void)memcpy(&factors[$all], b, $n * sizeof(*factors));
 if (!eliminate(factors)) {
     for (uint32_t index = 0U; index < $n; index++) {
         b[index] = $nan;

@@ -136,7 +136,7 @@ static void substitute(const $real *a, $real *x)
 }
 ";
 
-const COPY: &str = "memcpy(factors, a, $all * sizeof(*factors));\n";
+const COPY: &str = "(void)memcpy(factors, a, $all * sizeof(*factors));\n";
 
 /// Where the matrix is lent to become the factors, it holds NaN if there are none.
 const SPOIL: &str = "    for (uint32_t index = 0U; index < $all; index++) {

@@ -477,9 +477,16 @@ impl Parser {
                     given.public = true;
                     continue;
                 }
+                "hexadecimal" => {
+                    given.hexadecimal = true;
+                    continue;
+                }
+                "size" => {
+                    given.sizes.push(self.name()?);
+                    continue;
+                }
                 _ => {
-                    let expected = "expected `name`, `measured`, `section` or `public` before this";
-                    return self.fail(expected);
+                    return self.fail("expected what is said of an item before this");
                 }
             };
             *said = Some(self.name()?);

@@ -498,7 +498,9 @@ fn shown_given(given: &Given) -> String {
         said.iter().filter_map(|(word, text)| Some(format!("{word} {:?} ", (*text).as_ref()?)));
     let said: String = said.collect();
     let public = if given.public { "public " } else { "" };
-    format!(" #({said}{public}@{}:{})", given.site.0, given.site.1)
+    let radix = if given.hexadecimal { "hexadecimal " } else { "" };
+    let sizes: String = given.sizes.iter().map(|size| format!("size {size:?} ")).collect();
+    format!(" #({said}{public}{radix}{sizes}@{}:{})", given.site.0, given.site.1)
 }
 
 /// A word of a constant: readable where that reads back to the same bits.

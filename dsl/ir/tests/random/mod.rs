@@ -173,6 +173,8 @@ impl Source<'_> {
             unit: self.chance(2).then(|| self.text()),
             section: self.chance(2).then(|| self.text()),
             public: self.chance(2),
+            hexadecimal: self.chance(2),
+            sizes: self.some(2, Source::text),
             site: Site(self.below(99), self.below(99)),
         }
     }

@@ -91,7 +91,7 @@ float chain_links_folded(const float samples[4], const float coefficients[4])
 {
     float sum = -0.0F;
     for (uint32_t i = 0U; i < 4U; i++) {
-        sum += samples[i] * coefficients[3 - i];
+        sum += samples[i] * coefficients[3U - i];
     }
     return sum;
 }

@@ -36,7 +36,7 @@ bool programs_control_chains_rises(const float values[5])
 {
     bool every = true;
     for (uint32_t i = 1U; i < 5U; i++) {
-        if (!(values[i] > values[i - 1])) {
+        if (!(values[i] > values[i - 1U])) {
             every = false;
             break;
         }
@@ -50,7 +50,7 @@ uint8_t programs_control_chains_packed(const bool flags[8])
     for (uint32_t i = 0U; i < 8U; i++) {
         const bool flag = flags[i];
         if (flag) {
-            bits = (uint8_t)(bits | (uint8_t)(1U << (uint64_t)i));
+            bits = (uint8_t)(bits | (1U << (uint64_t)i));
         }
     }
     return bits;

@@ -27,8 +27,7 @@ void converted_errors_payload(const uint8_t frame[3], result_u16_frame_fault_t *
         const uint8_t high = frame[2];
         const uint8_t result_bytes[2] = {low, high};
         result->is_ok = true;
-        result->value = (uint16_t)((uint16_t)result_bytes[0]
-            | (uint16_t)((uint32_t)(uint16_t)result_bytes[1] << 8U));
+        result->value = (uint16_t)((uint16_t)result_bytes[0] | ((uint32_t)result_bytes[1] << 8U));
         result->error.tag = FRAME_FAULT_TAG_SHORT;
         result->error.start = 0U;
     } else if (frame[0] == 0U && frame[1] == 0U && frame[2] == 0U) {

@@ -44,6 +44,8 @@ bessemer_status_t labelled_blocks_arm(bool ready, float voltage, bool *armed, ui
         *refusals = (uint8_t)(*refusals + 1U);
     } else if (!(voltage < 14.0F)) {
         *armed = true;
+    } else {
+        /* Nothing. */
     }
     return BESSEMER_STATUS_OK;
 }

@@ -36,21 +36,21 @@ bessemer_status_t late_ends_power_above(uint32_t n, uint32_t *power)
 bessemer_status_t late_ends_turned(const list5_u8_t *values, list5_u8_t *turned)
 {
     list5_u8_t left = *values;
-    list5_u8_t turned_value = {.length = UINT64_C(0), .items = {0U}};
+    list5_u8_t turned_value = {.length = UINT64_C(0), .items = {0U, 0U, 0U, 0U, 0U}};
     while (true) {
-        option_u8_t value_popped = {.is_some = false, .value = 0U};
+        option_u8_t value = {.is_some = false, .value = 0U};
         if (left.length > UINT64_C(0) && left.length <= UINT64_C(5)) {
             left.length -= UINT64_C(1);
-            value_popped.is_some = true;
-            value_popped.value = left.items[left.length];
+            value.is_some = true;
+            value.value = left.items[left.length];
         }
-        if (!value_popped.is_some) {
+        if (!value.is_some) {
             break;
         }
         if (turned_value.length >= UINT64_C(5)) {
             return BESSEMER_STATUS_CAPACITY;
         }
-        turned_value.items[turned_value.length] = value_popped.value;
+        turned_value.items[turned_value.length] = value.value;
         turned_value.length += UINT64_C(1);
     }
     *turned = turned_value;

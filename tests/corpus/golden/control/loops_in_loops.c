@@ -5,15 +5,15 @@
 void loops_in_loops_sorted(const int16_t values[5], int16_t result[5])
 {
     int16_t own_values[5];
-    memcpy(own_values, values, sizeof(int16_t[5]));
+    (void)memcpy(own_values, values, sizeof(int16_t[5]));
     for (uint32_t end = 1U; end < 5U; end++) {
         for (uint32_t i = end; i-- > 0U;) {
-            if (own_values[i] > own_values[i + 1]) {
+            if (own_values[i] > own_values[i + 1U]) {
                 const int16_t larger = own_values[i];
-                own_values[i] = own_values[i + 1];
-                own_values[i + 1] = larger;
+                own_values[i] = own_values[i + 1U];
+                own_values[i + 1U] = larger;
             }
         }
     }
-    memcpy(result, own_values, sizeof(int16_t[5]));
+    (void)memcpy(result, own_values, sizeof(int16_t[5]));
 }

@@ -32,8 +32,7 @@ uint8_t one_after_another_checksum(const uint8_t header[3], const list6_u8_t *pa
             } else {
                 byte = payload->items[(uint64_t)i - UINT64_C(3)];
             }
-            sum = (uint8_t)((uint8_t)((uint8_t)((uint32_t)sum << 1U) | (uint8_t)(sum >> 7U))
-                ^ byte);
+            sum = (uint8_t)((((uint32_t)sum << 1U) | (sum >> 7U)) ^ byte);
         }
     }
     return sum;
@@ -63,7 +62,7 @@ bessemer_status_t one_after_another_left(const int16_t samples[7], int32_t *resu
 {
     int32_t sum = 0;
     for (uint32_t i = 0U; i < 4U; i++) {
-        const int32_t sum_samples = (int32_t)samples[i * 2];
+        const int32_t sum_samples = (int32_t)samples[i * 2U];
         if ((int64_t)sum + (int64_t)sum_samples < INT32_MIN
                 || (int64_t)sum + (int64_t)sum_samples > INT32_MAX) {
             return BESSEMER_STATUS_OVERFLOW;
@@ -78,7 +77,7 @@ bessemer_status_t one_after_another_right(const int16_t samples[7], int32_t *sum
 {
     int32_t sum_value = 0;
     for (uint32_t i = 0U; i < 3U; i++) {
-        const int32_t sum_product = (int32_t)samples[i * 2 + 1] * (wrap_i32((uint32_t)i) + 1);
+        const int32_t sum_product = (int32_t)samples[i * 2U + 1U] * (wrap_i32((uint32_t)i) + 1);
         if ((int64_t)sum_value + (int64_t)sum_product < INT32_MIN
                 || (int64_t)sum_value + (int64_t)sum_product > INT32_MAX) {
             return BESSEMER_STATUS_OVERFLOW;

@@ -6,7 +6,7 @@ double parts_of_arrays_steepest(const double values[8])
 {
     double steepest = 0.0;
     for (uint32_t i = 0U; i < 7U; i++) {
-        const double steepest_left = values[i + 1];
+        const double steepest_left = values[i + 1U];
         steepest = max_f64(steepest, fabs(steepest_left - values[i]));
     }
     return steepest;

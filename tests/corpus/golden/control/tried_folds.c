@@ -32,13 +32,13 @@ bessemer_status_t tried_folds_number(const uint8_t digits[4],
             tried_folds_return_letter(&tried);
         } else {
             option_u16_t tried_choice;
-            option_u16_t option;
-            math_checked_mul_u16(value, 10U, &option);
-            if (option.is_some) {
+            option_u16_t tens;
+            math_checked_mul_u16(value, 10U, &tens);
+            if (tens.is_some) {
                 if (digits[i] < 48U) {
                     return BESSEMER_STATUS_OVERFLOW;
                 }
-                math_checked_add_u16(option.value, (uint16_t)(uint8_t)(digits[i] - 48U),
+                math_checked_add_u16(tens.value, (uint16_t)(uint8_t)(digits[i] - 48U),
                     &tried_choice);
             } else {
                 tried_choice.is_some = false;

@@ -17,15 +17,15 @@ bessemer_status_t while_let_odd_part(uint32_t n, uint32_t *odd)
 {
     uint32_t odd_value = n;
     for (uint32_t pass = 0U; pass <= 32U; pass++) {
-        option_u32_t option;
-        while_let_halved(odd_value, &option);
-        if (!option.is_some) {
+        option_u32_t half;
+        while_let_halved(odd_value, &half);
+        if (!half.is_some) {
             break;
         }
         if (pass >= 32U) {
             return BESSEMER_STATUS_BOUND;
         }
-        odd_value = option.value;
+        odd_value = half.value;
     }
     *odd = odd_value;
     return BESSEMER_STATUS_OK;

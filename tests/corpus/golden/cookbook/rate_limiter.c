@@ -17,6 +17,8 @@ float rate_limiter_step(rate_limiter_t *self, const slew_limits_t *limits, float
         self->output = lowest;
     } else if (isfinite(target) != 0) {
         self->output = target;
+    } else {
+        /* Nothing. */
     }
     return self->output;
 }

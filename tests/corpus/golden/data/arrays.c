@@ -18,7 +18,7 @@ void recent_push(recent_t *self, int32_t value, int32_t before[4])
     before[3] = self->values[3];
     self->values[0] = value;
     for (uint32_t i = 1U; i < 4U; i++) {
-        self->values[i] = before[i - 1];
+        self->values[i] = before[i - 1U];
     }
 }
 

@@ -4,7 +4,7 @@
 
 void arrays_of_matrices_centre(const double points[4][2], double result[2])
 {
-    double sum[2] = {0.0};
+    double sum[2] = {0.0, 0.0};
     for (uint32_t i = 0U; i < 4U; i++) {
         sum[0] += points[i][0];
         sum[1] += points[i][1];

@@ -115,8 +115,7 @@ bessemer_status_t checked_parts_number(const uint8_t frame[6], uint64_t at,
     }
     const uint8_t result_bytes[2] = {result_element, frame[at + UINT64_C(1)]};
     result->is_ok = true;
-    result->value = (uint16_t)((uint16_t)result_bytes[0]
-        | (uint16_t)((uint32_t)(uint16_t)result_bytes[1] << 8U));
+    result->value = (uint16_t)((uint16_t)result_bytes[0] | ((uint32_t)result_bytes[1] << 8U));
     result->error.tag = MISSING_TAG_SHORT;
     result->error.beyond = UINT64_C(0);
     return BESSEMER_STATUS_OK;

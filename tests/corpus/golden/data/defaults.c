@@ -6,9 +6,8 @@ static const settings_t SETTINGS_DEFAULT = {.share = 0.25, .count = 100U, .on = 
 
 void programs_data_defaults_fast(double share, settings_t *settings)
 {
+    *settings = SETTINGS_DEFAULT;
     settings->share = share;
-    settings->count = SETTINGS_DEFAULT.count;
-    settings->on = SETTINGS_DEFAULT.on;
 }
 
 /* programs_data_defaults.h */

@@ -169,7 +169,7 @@ ordering_t derived_order_order(const derived_order_key_t *one, const derived_ord
 
 void derived_order_sorted(const derived_order_key_t keys[4], derived_order_key_t sorted[4])
 {
-    memcpy(sorted, keys, sizeof(derived_order_key_t[4]));
+    (void)memcpy(sorted, keys, sizeof(derived_order_key_t[4]));
     derived_order_sort_by_in_sorted(sorted, UINT64_C(4));
 }
 

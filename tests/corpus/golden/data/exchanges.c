@@ -14,9 +14,9 @@ void exchanges_put_in_order(limits_t *limits)
 void exchanges_flip(uint8_t front[6], uint8_t back[6])
 {
     uint8_t kept[6];
-    memcpy(kept, front, sizeof(uint8_t[6]));
-    memcpy(front, back, sizeof(uint8_t[6]));
-    memcpy(back, kept, sizeof(uint8_t[6]));
+    (void)memcpy(kept, front, sizeof(uint8_t[6]));
+    (void)memcpy(front, back, sizeof(uint8_t[6]));
+    (void)memcpy(back, kept, sizeof(uint8_t[6]));
 }
 
 double exchanges_moved(double *last, double now)

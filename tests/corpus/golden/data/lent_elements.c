@@ -29,7 +29,7 @@ bessemer_status_t lent_elements_tapered(const float values[5], uint64_t end, flo
 {
     bessemer_status_t status;
     float own_values[5];
-    memcpy(own_values, values, sizeof(float[5]));
+    (void)memcpy(own_values, values, sizeof(float[5]));
     if (end > UINT64_C(5)) {
         return BESSEMER_STATUS_INDEX;
     }
@@ -37,7 +37,7 @@ bessemer_status_t lent_elements_tapered(const float values[5], uint64_t end, flo
     if (status != BESSEMER_STATUS_OK) {
         return status;
     }
-    memcpy(result, own_values, sizeof(float[5]));
+    (void)memcpy(result, own_values, sizeof(float[5]));
     return BESSEMER_STATUS_OK;
 }
 
@@ -68,7 +68,7 @@ bessemer_status_t lent_elements_balance(const int16_t values[8], uint64_t middle
 void lent_elements_mirror(uint8_t values[8])
 {
     for (uint32_t i = 0U; i < 4U; i++) {
-        values[i + 4] = (uint8_t)((uint32_t)values[i] * 2U);
+        values[i + 4U] = (uint8_t)((uint32_t)values[i] * 2U);
     }
 }
 

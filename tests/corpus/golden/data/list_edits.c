@@ -64,8 +64,8 @@ bessemer_status_t list_edits_served(list6_u8_t *jobs, uint8_t limit, uint8_t *fi
 
 bessemer_status_t list_edits_message(uint16_t sequence, uint32_t value, list6_u8_t *bytes)
 {
-    list6_u8_t bytes_value_2 = {.length = UINT64_C(0), .items = {0U}};
-    const uint8_t elements[2] = {(uint8_t)(uint16_t)(sequence >> 8U), (uint8_t)sequence};
+    list6_u8_t bytes_value_2 = {.length = UINT64_C(0), .items = {0U, 0U, 0U, 0U, 0U, 0U}};
+    const uint8_t elements[2] = {(uint8_t)(sequence >> 8U), (uint8_t)sequence};
     for (uint32_t i = 0U; i < 2U; i++) {
         const uint8_t value_element = elements[i];
         if (bytes_value_2.length >= UINT64_C(6)) {

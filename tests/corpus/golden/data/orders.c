@@ -115,7 +115,7 @@ ordering_t orders_first(const orders_task_t *one, const orders_task_t *other)
 
 void orders_scheduled(const orders_task_t tasks[4], orders_task_t sorted[4])
 {
-    memcpy(sorted, tasks, sizeof(orders_task_t[4]));
+    (void)memcpy(sorted, tasks, sizeof(orders_task_t[4]));
     orders_sort_by_in_scheduled(sorted, UINT64_C(4));
 }
 
@@ -139,10 +139,10 @@ static void orders_sort_by_in_scheduled(orders_task_t values[], uint64_t values_
 
 bool orders_is_beyond(double reading, double limit)
 {
-    option_ordering_t option;
-    comparison_partial_f64(reading, limit, &option);
-    if (option.is_some) {
-        return comparison_is_greater(option.value);
+    option_ordering_t order;
+    comparison_partial_f64(reading, limit, &order);
+    if (order.is_some) {
+        return comparison_is_greater(order.value);
     } else {
         return false;
     }

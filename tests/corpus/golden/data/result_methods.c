@@ -18,24 +18,23 @@ void result_methods_value(const uint8_t frame[4], result_u16_frame_error_t *resu
     }
     const uint8_t result_bytes[2] = {frame[1], frame[2]};
     result->is_ok = true;
-    result->value = (uint16_t)((uint16_t)((uint32_t)(uint16_t)result_bytes[0] << 8U)
-        | (uint16_t)result_bytes[1]);
+    result->value = (uint16_t)(((uint32_t)result_bytes[0] << 8U) | (uint16_t)result_bytes[1]);
     result->error = FRAME_ERROR_SHORT;
 }
 
 void result_methods_volts(const uint8_t frame[4], result_f32_link_error_t *result)
 {
     result_f32_frame_error_t result_choice;
-    result_u16_frame_error_t outcome;
-    result_methods_value(frame, &outcome);
-    if (outcome.is_ok) {
+    result_u16_frame_error_t raw;
+    result_methods_value(frame, &raw);
+    if (raw.is_ok) {
         result_choice.is_ok = true;
-        result_choice.value = (float)outcome.value * 0.001F;
+        result_choice.value = (float)raw.value * 0.001F;
         result_choice.error = FRAME_ERROR_SHORT;
     } else {
         result_choice.is_ok = false;
         result_choice.value = 0.0F;
-        result_choice.error = outcome.error;
+        result_choice.error = raw.error;
     }
     if (result_choice.is_ok) {
         result->is_ok = true;
@@ -74,14 +73,14 @@ void result_methods_total(const uint8_t one[4], const uint8_t other[4],
         return;
     }
     const uint16_t one_2 = outcome.value;
-    result_u16_frame_error_t outcome_2;
-    result_methods_value(other, &outcome_2);
-    if (outcome_2.is_ok) {
-        option_u16_t option;
-        math_checked_add_u16(one_2, outcome_2.value, &option);
-        if (option.is_some) {
+    result_u16_frame_error_t other_2;
+    result_methods_value(other, &other_2);
+    if (other_2.is_ok) {
+        option_u16_t value;
+        math_checked_add_u16(one_2, other_2.value, &value);
+        if (value.is_some) {
             result->is_ok = true;
-            result->value = option.value;
+            result->value = value.value;
             result->error = FRAME_ERROR_SHORT;
         } else {
             result->is_ok = false;
@@ -91,18 +90,18 @@ void result_methods_total(const uint8_t one[4], const uint8_t other[4],
     } else {
         result->is_ok = false;
         result->value = 0U;
-        result->error = outcome_2.error;
+        result->error = other_2.error;
     }
 }
 
 uint16_t result_methods_shown(const uint8_t frame[4])
 {
-    result_u16_frame_error_t outcome;
-    result_methods_value(frame, &outcome);
-    if (outcome.is_ok) {
-        return outcome.value;
+    result_u16_frame_error_t value;
+    result_methods_value(frame, &value);
+    if (value.is_ok) {
+        return value.value;
     } else {
-        switch (outcome.error) {
+        switch (value.error) {
         case FRAME_ERROR_SHORT:
             return 1U;
         case FRAME_ERROR_CHECKSUM:

@@ -28,7 +28,7 @@ static inline bool sort_below_f32(float one, float other)
 double sorted_median(const double values[9])
 {
     double sorted[9];
-    memcpy(sorted, values, sizeof(double[9]));
+    (void)memcpy(sorted, values, sizeof(double[9]));
     sorted_sort_by_in_median(sorted, UINT64_C(9));
     return sorted[4];
 }

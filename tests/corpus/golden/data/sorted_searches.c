@@ -151,19 +151,19 @@ static void sorted_searches_binary_search_by_key_in_value(const sorted_searches_
 
 bessemer_status_t sorted_searches_nearest(const float sorted[5], float x, uint64_t *result)
 {
-    result_usize_usize_t outcome;
-    sorted_searches_binary_search_by_in_nearest(sorted, UINT64_C(5), x, &outcome);
-    if (outcome.is_ok) {
-        *result = outcome.value;
+    result_usize_usize_t at;
+    sorted_searches_binary_search_by_in_nearest(sorted, UINT64_C(5), x, &at);
+    if (at.is_ok) {
+        *result = at.value;
         return BESSEMER_STATUS_OK;
-    } else if (!outcome.is_ok && outcome.error == UINT64_C(0)) {
+    } else if (!at.is_ok && at.error == UINT64_C(0)) {
         *result = UINT64_C(0);
         return BESSEMER_STATUS_OK;
     } else {
-        if (outcome.error < UINT64_C(1)) {
+        if (at.error < UINT64_C(1)) {
             return BESSEMER_STATUS_OVERFLOW;
         }
-        *result = outcome.error - UINT64_C(1);
+        *result = at.error - UINT64_C(1);
         return BESSEMER_STATUS_OK;
     }
 }

@@ -5,7 +5,7 @@
 void texts_height(float scale, channel_t *channel)
 {
     static const uint8_t constants[6] = {104U, 101U, 105U, 103U, 104U, 116U};
-    memcpy(channel->name, constants, sizeof(uint8_t[6]));
+    (void)memcpy(channel->name, constants, sizeof(uint8_t[6]));
     channel->scale = scale;
 }
 

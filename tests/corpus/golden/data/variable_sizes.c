@@ -31,7 +31,7 @@ bessemer_status_t variable_sizes_seen(scan_t *scan, const float point[3], const 
 
 void variable_sizes_middle(const scan_t *scan, float result[3])
 {
-    float sum[3] = {0.0F};
+    float sum[3] = {0.0F, 0.0F, 0.0F};
     {
         const uint64_t end = min_u64(scan->points.length, UINT64_C(4));
         for (uint32_t i = 0U; i < end; i++) {

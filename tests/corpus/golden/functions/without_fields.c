@@ -79,7 +79,7 @@ double without_fields_areas_rectangle(const double samples[4])
     double sum = -0.0;
     for (uint32_t i = 0U; i < 3U; i++) {
         const double sum_argument = samples[i];
-        sum += without_fields_rectangle_area(sum_argument, samples[i + 1], 0.5);
+        sum += without_fields_rectangle_area(sum_argument, samples[i + 1U], 0.5);
     }
     return sum;
 }
@@ -89,7 +89,7 @@ double without_fields_areas_trapezoid(const double samples[4])
     double sum = -0.0;
     for (uint32_t i = 0U; i < 3U; i++) {
         const double sum_argument = samples[i];
-        sum += without_fields_trapezoid_area(sum_argument, samples[i + 1], 0.5);
+        sum += without_fields_trapezoid_area(sum_argument, samples[i + 1U], 0.5);
     }
     return sum;
 }

@@ -4,11 +4,11 @@
 
 double cholesky_factor_surprise(const double s[9], const double difference[3])
 {
-    option_cholesky_factor_f64_3_t option;
-    cholesky_factored_f64_3(s, &option);
-    if (option.is_some) {
+    option_cholesky_factor_f64_3_t factor;
+    cholesky_factored_f64_3(s, &factor);
+    if (factor.is_some) {
         double result_solve_1[3];
-        cholesky_factor_f64_3_solve_1(&option.value, difference, result_solve_1);
+        cholesky_factor_f64_3_solve_1(&factor.value, difference, result_solve_1);
         return difference[0] * result_solve_1[0] + difference[1] * result_solve_1[1]
             + difference[2] * result_solve_1[2];
     } else {

@@ -62,11 +62,11 @@ void closures_over_matrices_second_difference(double result[16])
     for (uint32_t column = 0U; column < 4U; column++) {
         for (uint32_t row = 0U; row < 4U; row++) {
             if (row == column) {
-                result[row + 4 * column] = 2.0;
+                result[row + 4U * column] = 2.0;
             } else if (row + 1U == column || column + 1U == row) {
-                result[row + 4 * column] = -1.0;
+                result[row + 4U * column] = -1.0;
             } else {
-                result[row + 4 * column] = 0.0;
+                result[row + 4U * column] = 0.0;
             }
         }
     }
@@ -77,10 +77,10 @@ void closures_over_matrices_faded(const double a[9], double result[9])
     for (uint32_t column = 0U; column < 3U; column++) {
         for (uint32_t row = 0U; row < 3U; row++) {
             if (row > column) {
-                result[row + 3 * column] = a[row + 3 * column]
+                result[row + 3U * column] = a[row + 3U * column]
                     / ((double)((uint64_t)row - (uint64_t)column) + 1.0);
             } else {
-                result[row + 3 * column] = a[row + 3 * column];
+                result[row + 3U * column] = a[row + 3U * column];
             }
         }
     }

@@ -10,7 +10,7 @@ void eigenvalues_ellipsoid(const double covariance[9], pair_vector3_f64_matrix3x
         const double x = eigen.eigenvalues[i];
         result->first[i] = sqrt(x);
     }
-    memcpy(result->second, eigen.eigenvectors, sizeof(double[9]));
+    (void)memcpy(result->second, eigen.eigenvectors, sizeof(double[9]));
 }
 
 double eigenvalues_condition(const double h[8])

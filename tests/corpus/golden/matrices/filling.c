@@ -24,28 +24,28 @@ bessemer_status_t filling_forget(double p[9], uint64_t state, double variance)
         return BESSEMER_STATUS_INDEX;
     }
     for (uint32_t column = 0U; column < 3U; column++) {
-        p[state + 3 * column] = 0.0;
+        p[state + 3U * column] = 0.0;
     }
     for (uint32_t row = 0U; row < 3U; row++) {
-        p[row + 3 * state] = 0.0;
+        p[row + 3U * state] = 0.0;
     }
-    p[state + 3 * state] = variance;
+    p[state + 3U * state] = variance;
     return BESSEMER_STATUS_OK;
 }
 
 bessemer_status_t filling_exchanged(const float a[6], uint64_t one, uint64_t other, float result[6])
 {
     float own_a[6];
-    memcpy(own_a, a, sizeof(float[6]));
+    (void)memcpy(own_a, a, sizeof(float[6]));
     if (one >= UINT64_C(3) || other >= UINT64_C(3)) {
         return BESSEMER_STATUS_ASSERTION;
     }
     for (uint32_t column = 0U; column < 2U; column++) {
-        const float held = own_a[one + 3 * column];
-        own_a[one + 3 * column] = own_a[other + 3 * column];
-        own_a[other + 3 * column] = held;
+        const float held = own_a[one + 3U * column];
+        own_a[one + 3U * column] = own_a[other + 3U * column];
+        own_a[other + 3U * column] = held;
     }
-    memcpy(result, own_a, sizeof(float[6]));
+    (void)memcpy(result, own_a, sizeof(float[6]));
     return BESSEMER_STATUS_OK;
 }
 

@@ -8,22 +8,22 @@ bessemer_status_t integer_matrices_corrected(const int32_t counts[4], const int3
     int32_t result_difference[4];
     for (uint32_t col = 0U; col < 2U; col++) {
         for (uint32_t row = 0U; row < 2U; row++) {
-            if ((int64_t)counts[row + 2 * col] - (int64_t)offsets[row + 2 * col] < INT32_MIN
-                    || (int64_t)counts[row + 2 * col] - (int64_t)offsets[row + 2 * col]
+            if ((int64_t)counts[row + 2U * col] - (int64_t)offsets[row + 2U * col] < INT32_MIN
+                    || (int64_t)counts[row + 2U * col] - (int64_t)offsets[row + 2U * col]
                     > INT32_MAX) {
                 return BESSEMER_STATUS_OVERFLOW;
             }
-            result_difference[row + 2 * col] = counts[row + 2 * col] - offsets[row + 2 * col];
+            result_difference[row + 2U * col] = counts[row + 2U * col] - offsets[row + 2U * col];
         }
     }
     int32_t result_scaled[4];
     for (uint32_t col = 0U; col < 2U; col++) {
         for (uint32_t row = 0U; row < 2U; row++) {
-            if ((int64_t)result_difference[row + 2 * col] * (int64_t)gain < INT32_MIN
-                    || (int64_t)result_difference[row + 2 * col] * (int64_t)gain > INT32_MAX) {
+            if ((int64_t)result_difference[row + 2U * col] * (int64_t)gain < INT32_MIN
+                    || (int64_t)result_difference[row + 2U * col] * (int64_t)gain > INT32_MAX) {
                 return BESSEMER_STATUS_OVERFLOW;
             }
-            result_scaled[row + 2 * col] = result_difference[row + 2 * col] * gain;
+            result_scaled[row + 2U * col] = result_difference[row + 2U * col] * gain;
         }
     }
     const int32_t vector[4] = {
@@ -33,12 +33,12 @@ bessemer_status_t integer_matrices_corrected(const int32_t counts[4], const int3
     int32_t result_sum[4];
     for (uint32_t col = 0U; col < 2U; col++) {
         for (uint32_t row = 0U; row < 2U; row++) {
-            if ((int64_t)result_scaled[row + 2 * col] + (int64_t)vector[row + 2 * col] < INT32_MIN
-                    || (int64_t)result_scaled[row + 2 * col] + (int64_t)vector[row + 2 * col]
+            if ((int64_t)result_scaled[row + 2U * col] + (int64_t)vector[row + 2U * col] < INT32_MIN
+                    || (int64_t)result_scaled[row + 2U * col] + (int64_t)vector[row + 2U * col]
                     > INT32_MAX) {
                 return BESSEMER_STATUS_OVERFLOW;
             }
-            result_sum[row + 2 * col] = result_scaled[row + 2 * col] + vector[row + 2 * col];
+            result_sum[row + 2U * col] = result_scaled[row + 2U * col] + vector[row + 2U * col];
         }
     }
     result[0] = result_sum[0];
@@ -51,14 +51,14 @@ bessemer_status_t integer_matrices_corrected(const int32_t counts[4], const int3
 bessemer_status_t integer_matrices_mixed(const int16_t weights[6], const int16_t levels[3],
     int16_t result[2])
 {
-    int16_t result_product[2] = {0};
+    int16_t result_product[2] = {0, 0};
     for (uint32_t row = 0U; row < 2U; row++) {
         for (uint32_t k = 0U; k < 3U; k++) {
-            if ((int64_t)weights[row + 2 * k] * (int64_t)levels[k] < -INT64_C(32768)
-                    || (int64_t)weights[row + 2 * k] * (int64_t)levels[k] > INT64_C(32767)) {
+            if ((int64_t)weights[row + 2U * k] * (int64_t)levels[k] < -INT64_C(32768)
+                    || (int64_t)weights[row + 2U * k] * (int64_t)levels[k] > INT64_C(32767)) {
                 return BESSEMER_STATUS_OVERFLOW;
             }
-            const int16_t result_product_product = (int16_t)(weights[row + 2 * k] * levels[k]);
+            const int16_t result_product_product = (int16_t)(weights[row + 2U * k] * levels[k]);
             if ((int64_t)result_product[row] + (int64_t)result_product_product < -INT64_C(32768)
                     || (int64_t)result_product[row] + (int64_t)result_product_product
                     > INT64_C(32767)) {
@@ -114,27 +114,27 @@ bessemer_status_t integer_matrices_turned(int8_t grid[9])
     int8_t grid_negative[9];
     for (uint32_t col = 0U; col < 3U; col++) {
         for (uint32_t row = 0U; row < 3U; row++) {
-            if (grid[row + 3 * col] == INT8_MIN) {
+            if (grid[row + 3U * col] == INT8_MIN) {
                 return BESSEMER_STATUS_OVERFLOW;
             }
-            grid_negative[row + 3 * col] = (int8_t)(-grid[row + 3 * col]);
+            grid_negative[row + 3U * col] = (int8_t)(-grid[row + 3U * col]);
         }
     }
-    memcpy(grid, grid_negative, sizeof(int8_t[9]));
+    (void)memcpy(grid, grid_negative, sizeof(int8_t[9]));
     int8_t vector[9];
     parts_from_diagonal_element_i8_3_3(1, vector);
     int8_t grid_sum[9];
     for (uint32_t col = 0U; col < 3U; col++) {
         for (uint32_t row = 0U; row < 3U; row++) {
-            if ((int64_t)grid[row + 3 * col] + (int64_t)vector[row + 3 * col] < -INT64_C(128)
-                    || (int64_t)grid[row + 3 * col] + (int64_t)vector[row + 3 * col]
+            if ((int64_t)grid[row + 3U * col] + (int64_t)vector[row + 3U * col] < -INT64_C(128)
+                    || (int64_t)grid[row + 3U * col] + (int64_t)vector[row + 3U * col]
                     > INT64_C(127)) {
                 return BESSEMER_STATUS_OVERFLOW;
             }
-            grid_sum[row + 3 * col] = (int8_t)(grid[row + 3 * col] + vector[row + 3 * col]);
+            grid_sum[row + 3U * col] = (int8_t)(grid[row + 3U * col] + vector[row + 3U * col]);
         }
     }
-    memcpy(grid, grid_sum, sizeof(int8_t[9]));
+    (void)memcpy(grid, grid_sum, sizeof(int8_t[9]));
     return BESSEMER_STATUS_OK;
 }
 
@@ -144,12 +144,12 @@ bessemer_status_t integer_matrices_cleared(uint8_t map[16], uint64_t row)
         return BESSEMER_STATUS_INDEX;
     }
     for (uint32_t column = 0U; column < 4U; column++) {
-        map[row + 4 * column] = 9U;
+        map[row + 4U * column] = 9U;
     }
     for (uint32_t row_2 = 0U; row_2 < 4U; row_2++) {
-        const uint8_t held = map[row_2 + 4 * 0];
-        map[row_2 + 4 * 0] = map[row_2 + 4 * 3];
-        map[row_2 + 4 * 3] = held;
+        const uint8_t held = map[row_2];
+        map[row_2] = map[row_2 + 4U * 3U];
+        map[row_2 + 4U * 3U] = held;
     }
     matrix_edit_fill_lower_triangle_u8_4_4(map, 7U, UINT64_C(2));
     const uint8_t diagonal[4] = {1U, 2U, 3U, 4U};

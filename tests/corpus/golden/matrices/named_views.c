@@ -4,12 +4,12 @@
 
 void named_views_advance(double state[6], const double acceleration[3], double period)
 {
-    const double way_matrix[3] = {state[3], state[4], state[5]};
+    const double way_vector[3] = {state[3], state[4], state[5]};
     const double way_product = 0.5 * period * period;
     const double way[3] = {
-        way_matrix[0] * period + acceleration[0] * way_product,
-        way_matrix[1] * period + acceleration[1] * way_product,
-        way_matrix[2] * period + acceleration[2] * way_product
+        way_vector[0] * period + acceleration[0] * way_product,
+        way_vector[1] * period + acceleration[1] * way_product,
+        way_vector[2] * period + acceleration[2] * way_product
     };
     double position[3] = {state[0], state[1], state[2]};
     position[0] += way[0];
@@ -23,31 +23,31 @@ void named_views_advance(double state[6], const double acceleration[3], double p
     velocity[1] += acceleration[1] * period;
     velocity[2] += acceleration[2] * period;
     for (uint32_t row = 0U; row < 3U; row++) {
-        state[row + 3] = velocity[row];
+        state[row + 3U] = velocity[row];
     }
 }
 
 double named_views_changed(double covariance[16], const double noise[4], double least)
 {
     double block[4] = {
-        covariance[0 + 4 * 2], covariance[1 + 4 * 2],
-        covariance[0 + 4 * 3], covariance[1 + 4 * 3]
+        covariance[4 * 2], covariance[1 + 4 * 2],
+        covariance[4 * 3], covariance[1 + 4 * 3]
     };
-    block[0 + 2 * 0] += noise[0 + 2 * 0];
-    block[1 + 2 * 0] += noise[1 + 2 * 0];
-    block[0 + 2 * 1] += noise[0 + 2 * 1];
-    block[1 + 2 * 1] += noise[1 + 2 * 1];
-    block[0 + 2 * 0] *= 2.0;
-    block[1 + 2 * 0] *= 2.0;
-    block[0 + 2 * 1] *= 2.0;
-    block[1 + 2 * 1] *= 2.0;
-    if (block[0 + 2 * 0] < least) {
-        block[0 + 2 * 0] = least;
+    block[0] += noise[0];
+    block[1] += noise[1];
+    block[2] += noise[2];
+    block[1 + 2] += noise[1 + 2];
+    block[0] *= 2.0;
+    block[1] *= 2.0;
+    block[2] *= 2.0;
+    block[1 + 2] *= 2.0;
+    if (block[0] < least) {
+        block[0] = least;
     }
     const double given = parts_trace_f64_2(block);
     for (uint32_t column = 0U; column < 2U; column++) {
         for (uint32_t row = 0U; row < 2U; row++) {
-            covariance[row + 4 * (column + 2)] = block[row + 2 * column];
+            covariance[row + 4U * (column + 2U)] = block[row + 2U * column];
         }
     }
     return given;
@@ -65,8 +65,8 @@ bessemer_status_t named_views_up_to(double m[16], uint64_t column, const double 
         return BESSEMER_STATUS_INDEX;
     }
     double part[4] = {
-        m[0 + 4 * part_column], m[1 + 4 * part_column], m[2 + 4 * part_column],
-        m[3 + 4 * part_column]
+        m[4U * part_column], m[1U + 4U * part_column], m[2U + 4U * part_column],
+        m[3U + 4U * part_column]
     };
     part[0] += by[0];
     part[1] += by[1];
@@ -80,7 +80,7 @@ bessemer_status_t named_views_up_to(double m[16], uint64_t column, const double 
         return BESSEMER_STATUS_INDEX;
     }
     for (uint32_t row = 0U; row < 4U; row++) {
-        m[row + 4 * value_column] = part[row];
+        m[row + 4U * value_column] = part[row];
     }
     option_f64_t first_choice;
     const option_f64_t option = {.is_some = true, .value = part[0]};
@@ -105,7 +105,7 @@ bessemer_status_t named_views_up_to(double m[16], uint64_t column, const double 
         return BESSEMER_STATUS_INDEX;
     }
     for (uint32_t row = 0U; row < 4U; row++) {
-        m[row + 4 * value_column_2] = part[row];
+        m[row + 4U * value_column_2] = part[row];
     }
     part[0] *= first;
     part[1] *= first;
@@ -119,7 +119,7 @@ bessemer_status_t named_views_up_to(double m[16], uint64_t column, const double 
         return BESSEMER_STATUS_INDEX;
     }
     for (uint32_t row = 0U; row < 4U; row++) {
-        m[row + 4 * value_column_3] = part[row];
+        m[row + 4U * value_column_3] = part[row];
     }
     for (uint32_t i = 0U; i < 4U; i++) {
         if (i == 2U) {
@@ -135,7 +135,7 @@ bessemer_status_t named_views_up_to(double m[16], uint64_t column, const double 
         return BESSEMER_STATUS_INDEX;
     }
     for (uint32_t row = 0U; row < 4U; row++) {
-        m[row + 4 * value_column_4] = part[row];
+        m[row + 4U * value_column_4] = part[row];
     }
     const option_f64_t given_value = {
         .is_some = true,
@@ -149,7 +149,7 @@ bessemer_status_t named_views_up_to(double m[16], uint64_t column, const double 
         return BESSEMER_STATUS_INDEX;
     }
     for (uint32_t row = 0U; row < 4U; row++) {
-        m[row + 4 * value_column_5] = part[row];
+        m[row + 4U * value_column_5] = part[row];
     }
     *given = given_value;
     return BESSEMER_STATUS_OK;
@@ -160,72 +160,72 @@ void named_views_scaled(double m[6], const double by[2])
     for (uint32_t column_ = 0U; column_ < 3U; column_++) {
         const uint64_t column_at = (uint64_t)column_;
         const uint64_t column_column = column_at;
-        double column[2] = {m[0 + 2 * column_column], m[1 + 2 * column_column]};
+        double column[2] = {m[2U * column_column], m[1U + 2U * column_column]};
         column[0] += by[0];
         column[1] += by[1];
         column[1] = 0.5;
         const uint64_t value_column = column_at;
         for (uint32_t row = 0U; row < 2U; row++) {
-            m[row + 2 * value_column] = column[row];
+            m[row + 2U * value_column] = column[row];
         }
     }
     for (uint32_t i = 0U; i < 2U; i++) {
         const uint64_t row_at = (uint64_t)i;
         const uint64_t row_row = row_at;
-        double row[3] = {m[row_row + 2 * 0], m[row_row + 2 * 1], m[row_row + 2 * 2]};
+        double row[3] = {m[row_row], m[row_row + 2U], m[row_row + 2U * 2U]};
         row[0] *= by[i];
         row[1] *= by[i];
         row[2] *= by[i];
         const uint64_t value_row = row_at;
         for (uint32_t column = 0U; column < 3U; column++) {
-            m[value_row + 2 * column] = row[column];
+            m[value_row + 2U * column] = row[column];
         }
     }
 }
 
 double named_views_by_methods(double m[9], const double v[3], const double a[4])
 {
-    double part[3] = {m[0 + 3 * 0], m[1 + 3 * 0], m[2 + 3 * 0]};
+    double part[3] = {m[0], m[1], m[2]};
     const double given = norms_normalize_mut_f64_3_1(part);
     for (uint32_t row = 0U; row < 3U; row++) {
-        m[row + 3 * 0] = part[row];
+        m[row] = part[row];
     }
     const double length = given;
-    double part_2[3] = {m[0 + 3 * 1], m[1 + 3 * 1], m[2 + 3 * 1]};
+    double part_2[3] = {m[3], m[1 + 3], m[2 + 3]};
     for (uint32_t i = 0U; i < 3U; i++) {
         part_2[i] += v[i];
     }
     for (uint32_t row = 0U; row < 3U; row++) {
-        m[row + 3 * 1] = part_2[row];
+        m[row + 3U] = part_2[row];
     }
     double part_3[4] = {
-        m[1 + 3 * 1], m[2 + 3 * 1],
+        m[1 + 3], m[2 + 3],
         m[1 + 3 * 2], m[2 + 3 * 2]
     };
     blas_gemm_f64_2_2_2(part_3, 2.0, a, a, 0.5);
     for (uint32_t column = 0U; column < 2U; column++) {
         for (uint32_t row = 0U; row < 2U; row++) {
-            m[row + 1 + 3 * (column + 1)] = part_3[row + 2 * column];
+            m[row + 1U + 3U * (column + 1U)] = part_3[row + 2U * column];
         }
     }
     const double value = length;
-    double part_4[3] = {m[2 + 3 * 0], m[2 + 3 * 1], m[2 + 3 * 2]};
+    double part_4[3] = {m[2], m[2 + 3], m[2 + 3 * 2]};
     part_4[0] = value;
     for (uint32_t column = 0U; column < 3U; column++) {
-        m[2 + 3 * column] = part_4[column];
+        m[2U + 3U * column] = part_4[column];
     }
     const double value_2 = v[0];
-    double part_5[3] = {m[0 + 3 * 2], m[1 + 3 * 2], m[2 + 3 * 2]};
+    double part_5[3] = {m[3 * 2], m[1 + 3 * 2], m[2 + 3 * 2]};
     part_5[1] += value_2;
     for (uint32_t row = 0U; row < 3U; row++) {
-        m[row + 3 * 2] = part_5[row];
+        m[row + 3U * 2U] = part_5[row];
     }
-    double part_6[3] = {m[0 + 3 * 0], m[0 + 3 * 1], m[0 + 3 * 2]};
+    double part_6[3] = {m[0], m[3], m[3 * 2]};
     for (uint32_t i = 0U; i < 3U; i++) {
         part_6[i] *= 0.5;
     }
     for (uint32_t column = 0U; column < 3U; column++) {
-        m[0 + 3 * column] = part_6[column];
+        m[3U * column] = part_6[column];
     }
     return length;
 }
@@ -234,12 +234,12 @@ void named_views_lengths(const float m[9], pair_f32_f32_t *result)
 {
     float columns = -0.0F;
     for (uint32_t column_ = 0U; column_ < 3U; column_++) {
-        const float column[3] = {m[0 + 3 * column_], m[1 + 3 * column_], m[2 + 3 * column_]};
+        const float column[3] = {m[3U * column_], m[1U + 3U * column_], m[2U + 3U * column_]};
         columns += sqrtf(column[0] * column[0] + column[1] * column[1] + column[2] * column[2]);
     }
     float gathered = 0.0F;
     for (uint32_t row_ = 0U; row_ < 3U; row_++) {
-        const float row[3] = {m[row_ + 3 * 0], m[row_ + 3 * 1], m[row_ + 3 * 2]};
+        const float row[3] = {m[row_], m[row_ + 3U], m[row_ + 3U * 2U]};
         const float value = matrix_extremes_amax_f32_1_3(row);
         gathered = max_f32(gathered, value);
     }
@@ -286,14 +286,14 @@ bessemer_status_t filter_grow(filter_t *self, uint64_t from, double limit, uint3
         return BESSEMER_STATUS_INDEX;
     }
     double block[4] = {
-        self->covariance[block_row + 4 * block_column],
-            self->covariance[block_row + UINT64_C(1) + 4 * block_column],
-        self->covariance[block_row + 4 * (block_column + UINT64_C(1))],
-            self->covariance[block_row + UINT64_C(1) + 4 * (block_column + UINT64_C(1))]
+        self->covariance[block_row + 4U * block_column],
+            self->covariance[block_row + UINT64_C(1) + 4U * block_column],
+        self->covariance[block_row + 4U * (block_column + UINT64_C(1))],
+            self->covariance[block_row + UINT64_C(1) + 4U * (block_column + UINT64_C(1))]
     };
     for (uint32_t i = 0U; i < 2U; i++) {
-        block[i + 2 * i] += self->noise[i];
-        if (block[i + 2 * i] > limit) {
+        block[i + 2U * i] += self->noise[i];
+        if (block[i + 2U * i] > limit) {
             count_value += 1U;
         }
     }
@@ -317,11 +317,11 @@ bessemer_status_t filter_grow(filter_t *self, uint64_t from, double limit, uint3
     }
     for (uint32_t column = 0U; column < 2U; column++) {
         for (uint32_t row = 0U; row < 2U; row++) {
-            self->covariance[value_row + (uint64_t)row + 4 * (value_column + (uint64_t)column)] = block[row + 2 * column];
+            self->covariance[value_row + (uint64_t)row + 4U * (value_column + (uint64_t)column)] = block[row + 2U * column];
         }
     }
     self->noise[0] += 0.125;
-    self->covariance[0 + 4 * 3] = (double)count_value;
+    self->covariance[4 * 3] = (double)count_value;
     *count = count_value;
     return BESSEMER_STATUS_OK;
 }

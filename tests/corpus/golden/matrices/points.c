@@ -42,7 +42,7 @@ void points_along(const double vector[3], const double direction[3], double resu
 double points_above(const double point[3])
 {
     const double up[3] = {0.0, 0.0, 1.0};
-    const double result_elements[3] = {0.0};
+    const double result_elements[3] = {0.0, 0.0, 0.0};
     const double result_difference[3] = {
         point[0] - result_elements[0],
         point[1] - result_elements[1],

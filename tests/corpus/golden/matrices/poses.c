@@ -4,27 +4,15 @@
 
 void arm_init(arm_t *self)
 {
-    self->joints[0].rotation.i = 0.0;
-    self->joints[0].rotation.j = 0.0;
-    self->joints[0].rotation.k = 0.0;
-    self->joints[0].rotation.w = 1.0;
-    self->joints[0].translation[0] = 0.0;
-    self->joints[0].translation[1] = 0.0;
-    self->joints[0].translation[2] = 0.0;
-    self->joints[1].rotation.i = 0.0;
-    self->joints[1].rotation.j = 0.0;
-    self->joints[1].rotation.k = 0.0;
-    self->joints[1].rotation.w = 1.0;
-    self->joints[1].translation[0] = 0.0;
-    self->joints[1].translation[1] = 0.0;
-    self->joints[1].translation[2] = 0.0;
-    self->joints[2].rotation.i = 0.0;
-    self->joints[2].rotation.j = 0.0;
-    self->joints[2].rotation.k = 0.0;
-    self->joints[2].rotation.w = 1.0;
-    self->joints[2].translation[0] = 0.0;
-    self->joints[2].translation[1] = 0.0;
-    self->joints[2].translation[2] = 0.0;
+    for (uint32_t i = 0U; i < 3U; i++) {
+        self->joints[i].rotation.i = 0.0;
+        self->joints[i].rotation.j = 0.0;
+        self->joints[i].rotation.k = 0.0;
+        self->joints[i].rotation.w = 1.0;
+        self->joints[i].translation[0] = 0.0;
+        self->joints[i].translation[1] = 0.0;
+        self->joints[i].translation[2] = 0.0;
+    }
     self->tool.rotation.i = 0.0;
     self->tool.rotation.j = 0.0;
     self->tool.rotation.k = 0.0;

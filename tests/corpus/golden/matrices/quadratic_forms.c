@@ -5,7 +5,7 @@
 void quadratic_forms_predicted(const double a[9], const double p[9], const double q[9],
     double grown[9])
 {
-    memcpy(grown, q, sizeof(double[9]));
+    (void)memcpy(grown, q, sizeof(double[9]));
     blas_quadform_tr_f64_3_3(grown, 1.0, a, p, 1.0);
 }
 

@@ -4,11 +4,11 @@
 
 void systems_of_equations_parabola(const double x[3], const double y[3], double coefficients[3])
 {
-    double powers[9] = {0.0};
+    double powers[9] = {0};
     for (uint32_t row = 0U; row < 3U; row++) {
-        powers[row + 3 * 0] = 1.0;
-        powers[row + 3 * 1] = x[row];
-        powers[row + 3 * 2] = x[row] * x[row];
+        powers[row] = 1.0;
+        powers[row + 3U] = x[row];
+        powers[row + 3U * 2U] = x[row] * x[row];
     }
     coefficients[0] = y[0];
     coefficients[1] = y[1];

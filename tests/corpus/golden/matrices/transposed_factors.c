@@ -5,25 +5,17 @@
 void transposed_factors_advance(belief_t *belief, const double advance[4])
 {
     const double covariance_product[4] = {
-        advance[0 + 2 * 0] * belief->covariance[0 + 2 * 0]
-            + advance[0 + 2 * 1] * belief->covariance[1 + 2 * 0],
-        advance[1 + 2 * 0] * belief->covariance[0 + 2 * 0]
-            + advance[1 + 2 * 1] * belief->covariance[1 + 2 * 0],
-        advance[0 + 2 * 0] * belief->covariance[0 + 2 * 1]
-            + advance[0 + 2 * 1] * belief->covariance[1 + 2 * 1],
-        advance[1 + 2 * 0] * belief->covariance[0 + 2 * 1]
-            + advance[1 + 2 * 1] * belief->covariance[1 + 2 * 1]
+        advance[0] * belief->covariance[0] + advance[2] * belief->covariance[1],
+        advance[1] * belief->covariance[0] + advance[1 + 2] * belief->covariance[1],
+        advance[0] * belief->covariance[2] + advance[2] * belief->covariance[1 + 2],
+        advance[1] * belief->covariance[2] + advance[1 + 2] * belief->covariance[1 + 2]
     };
     {
         const double product[4] = {
-            covariance_product[0 + 2 * 0] * advance[0 + 2 * 0]
-                + covariance_product[0 + 2 * 1] * advance[0 + 2 * 1],
-            covariance_product[1 + 2 * 0] * advance[0 + 2 * 0]
-                + covariance_product[1 + 2 * 1] * advance[0 + 2 * 1],
-            covariance_product[0 + 2 * 0] * advance[1 + 2 * 0]
-                + covariance_product[0 + 2 * 1] * advance[1 + 2 * 1],
-            covariance_product[1 + 2 * 0] * advance[1 + 2 * 0]
-                + covariance_product[1 + 2 * 1] * advance[1 + 2 * 1]
+            covariance_product[0] * advance[0] + covariance_product[2] * advance[2],
+            covariance_product[1] * advance[0] + covariance_product[1 + 2] * advance[2],
+            covariance_product[0] * advance[1] + covariance_product[2] * advance[1 + 2],
+            covariance_product[1] * advance[1] + covariance_product[1 + 2] * advance[1 + 2]
         };
         belief->covariance[0] = product[0];
         belief->covariance[1] = product[1];
@@ -31,18 +23,18 @@ void transposed_factors_advance(belief_t *belief, const double advance[4])
         belief->covariance[3] = product[3];
     }
     const double covariance_next[4] = {
-        (belief->covariance[0 + 2 * 0] + belief->covariance[0 + 2 * 0]) * 0.5,
-        (belief->covariance[1 + 2 * 0] + belief->covariance[0 + 2 * 1]) * 0.5,
-        (belief->covariance[0 + 2 * 1] + belief->covariance[1 + 2 * 0]) * 0.5,
-        (belief->covariance[1 + 2 * 1] + belief->covariance[1 + 2 * 1]) * 0.5
+        (belief->covariance[0] + belief->covariance[0]) * 0.5,
+        (belief->covariance[1] + belief->covariance[2]) * 0.5,
+        (belief->covariance[2] + belief->covariance[1]) * 0.5,
+        (belief->covariance[1 + 2] + belief->covariance[1 + 2]) * 0.5
     };
     belief->covariance[0] = covariance_next[0];
     belief->covariance[1] = covariance_next[1];
     belief->covariance[2] = covariance_next[2];
     belief->covariance[3] = covariance_next[3];
     const double mean_next[2] = {
-        advance[0 + 2 * 0] * belief->mean[0] + advance[1 + 2 * 0] * belief->mean[1],
-        advance[0 + 2 * 1] * belief->mean[0] + advance[1 + 2 * 1] * belief->mean[1]
+        advance[0] * belief->mean[0] + advance[1] * belief->mean[1],
+        advance[2] * belief->mean[0] + advance[1 + 2] * belief->mean[1]
     };
     belief->mean[0] = mean_next[0];
     belief->mean[1] = mean_next[1];
@@ -59,7 +51,8 @@ void transposed_factors_corrected(const double covariance[9], const double gain[
     double kept[9];
     for (uint32_t column = 0U; column < 3U; column++) {
         for (uint32_t row_2 = 0U; row_2 < 3U; row_2++) {
-            kept[row_2 + 3 * column] = kept_matrix[row_2 + 3 * column] - gain[row_2] * row[column];
+            kept[row_2 + 3U * column] = kept_matrix[row_2 + 3U * column]
+                - gain[row_2] * row[column];
         }
     }
     double result_product[9];
@@ -68,7 +61,7 @@ void transposed_factors_corrected(const double covariance[9], const double gain[
     product_tr_f64_3x3_3x3(result_product, kept, result_product_2);
     for (uint32_t column = 0U; column < 3U; column++) {
         for (uint32_t row_2 = 0U; row_2 < 3U; row_2++) {
-            result[row_2 + 3 * column] = result_product_2[row_2 + 3 * column]
+            result[row_2 + 3U * column] = result_product_2[row_2 + 3U * column]
                 + gain[row_2] * gain[column] * variance;
         }
     }
@@ -79,15 +72,15 @@ void transposed_factors_oblongs(const float a[6], const float b[6],
 {
     {
         const float product[9] = {
-            a[0 + 2 * 0] * b[0 + 3 * 0] + a[1 + 2 * 0] * b[0 + 3 * 1],
-            a[0 + 2 * 1] * b[0 + 3 * 0] + a[1 + 2 * 1] * b[0 + 3 * 1],
-            a[0 + 2 * 2] * b[0 + 3 * 0] + a[1 + 2 * 2] * b[0 + 3 * 1],
-            a[0 + 2 * 0] * b[1 + 3 * 0] + a[1 + 2 * 0] * b[1 + 3 * 1],
-            a[0 + 2 * 1] * b[1 + 3 * 0] + a[1 + 2 * 1] * b[1 + 3 * 1],
-            a[0 + 2 * 2] * b[1 + 3 * 0] + a[1 + 2 * 2] * b[1 + 3 * 1],
-            a[0 + 2 * 0] * b[2 + 3 * 0] + a[1 + 2 * 0] * b[2 + 3 * 1],
-            a[0 + 2 * 1] * b[2 + 3 * 0] + a[1 + 2 * 1] * b[2 + 3 * 1],
-            a[0 + 2 * 2] * b[2 + 3 * 0] + a[1 + 2 * 2] * b[2 + 3 * 1]
+            a[0] * b[0] + a[1] * b[3],
+            a[2] * b[0] + a[1 + 2] * b[3],
+            a[2 * 2] * b[0] + a[1 + 2 * 2] * b[3],
+            a[0] * b[1] + a[1] * b[1 + 3],
+            a[2] * b[1] + a[1 + 2] * b[1 + 3],
+            a[2 * 2] * b[1] + a[1 + 2 * 2] * b[1 + 3],
+            a[0] * b[2] + a[1] * b[2 + 3],
+            a[2] * b[2] + a[1 + 2] * b[2 + 3],
+            a[2 * 2] * b[2] + a[1 + 2 * 2] * b[2 + 3]
         };
         result->first[0] = product[0];
         result->first[1] = product[1];
@@ -101,26 +94,26 @@ void transposed_factors_oblongs(const float a[6], const float b[6],
     }
     for (uint32_t column = 0U; column < 2U; column++) {
         for (uint32_t row = 0U; row < 3U; row++) {
-            result->third[row + 3 * column] = a[column + 2 * row]
-                - b[row + 3 * column] * a[column + 2 * row];
+            result->third[row + 3U * column] = a[column + 2U * row]
+                - b[row + 3U * column] * a[column + 2U * row];
         }
     }
     const float result_product[4] = {
-        a[0 + 2 * 0] * a[0 + 2 * 0] + a[0 + 2 * 1] * a[0 + 2 * 1] + a[0 + 2 * 2] * a[0 + 2 * 2],
-        a[1 + 2 * 0] * a[0 + 2 * 0] + a[1 + 2 * 1] * a[0 + 2 * 1] + a[1 + 2 * 2] * a[0 + 2 * 2],
-        a[0 + 2 * 0] * a[1 + 2 * 0] + a[0 + 2 * 1] * a[1 + 2 * 1] + a[0 + 2 * 2] * a[1 + 2 * 2],
-        a[1 + 2 * 0] * a[1 + 2 * 0] + a[1 + 2 * 1] * a[1 + 2 * 1] + a[1 + 2 * 2] * a[1 + 2 * 2]
+        a[0] * a[0] + a[2] * a[2] + a[2 * 2] * a[2 * 2],
+        a[1] * a[0] + a[1 + 2] * a[2] + a[1 + 2 * 2] * a[2 * 2],
+        a[0] * a[1] + a[2] * a[1 + 2] + a[2 * 2] * a[1 + 2 * 2],
+        a[1] * a[1] + a[1 + 2] * a[1 + 2] + a[1 + 2 * 2] * a[1 + 2 * 2]
     };
     const float result_product_2[4] = {
-        b[0 + 3 * 0] * b[0 + 3 * 0] + b[1 + 3 * 0] * b[1 + 3 * 0] + b[2 + 3 * 0] * b[2 + 3 * 0],
-        b[0 + 3 * 1] * b[0 + 3 * 0] + b[1 + 3 * 1] * b[1 + 3 * 0] + b[2 + 3 * 1] * b[2 + 3 * 0],
-        b[0 + 3 * 0] * b[0 + 3 * 1] + b[1 + 3 * 0] * b[1 + 3 * 1] + b[2 + 3 * 0] * b[2 + 3 * 1],
-        b[0 + 3 * 1] * b[0 + 3 * 1] + b[1 + 3 * 1] * b[1 + 3 * 1] + b[2 + 3 * 1] * b[2 + 3 * 1]
+        b[0] * b[0] + b[1] * b[1] + b[2] * b[2],
+        b[3] * b[0] + b[1 + 3] * b[1] + b[2 + 3] * b[2],
+        b[0] * b[3] + b[1] * b[1 + 3] + b[2] * b[2 + 3],
+        b[3] * b[3] + b[1 + 3] * b[1 + 3] + b[2 + 3] * b[2 + 3]
     };
-    result->second[0 + 2 * 0] = result_product[0 + 2 * 0] + result_product_2[0 + 2 * 0] * 2.0F;
-    result->second[1 + 2 * 0] = result_product[1 + 2 * 0] + result_product_2[1 + 2 * 0] * 2.0F;
-    result->second[0 + 2 * 1] = result_product[0 + 2 * 1] + result_product_2[0 + 2 * 1] * 2.0F;
-    result->second[1 + 2 * 1] = result_product[1 + 2 * 1] + result_product_2[1 + 2 * 1] * 2.0F;
+    result->second[0] = result_product[0] + result_product_2[0] * 2.0F;
+    result->second[1] = result_product[1] + result_product_2[1] * 2.0F;
+    result->second[2] = result_product[2] + result_product_2[2] * 2.0F;
+    result->second[1 + 2] = result_product[1 + 2] + result_product_2[1 + 2] * 2.0F;
 }
 
 void transposed_factors_lines(const double a[4], const double b[4],

@@ -38,10 +38,10 @@ void unit_quaternions_error(const unit_quaternion_f64_t *wanted, const unit_quat
     } else {
         sign = 2.0;
     }
-    const double result_matrix[3] = {error.i, error.j, error.k};
-    result[0] = result_matrix[0] * sign;
-    result[1] = result_matrix[1] * sign;
-    result[2] = result_matrix[2] * sign;
+    const double result_vector[3] = {error.i, error.j, error.k};
+    result[0] = result_vector[0] * sign;
+    result[1] = result_vector[1] * sign;
+    result[2] = result_vector[2] * sign;
 }
 
 void unit_quaternions_turned(const unit_quaternion_f32_t *attitude, const float rates[3],
@@ -122,12 +122,12 @@ float unit_quaternions_parts(const unit_quaternion_f32_t *q)
     const float vector[4] = {q->i, q->j, q->k, q->w};
     const quaternion_f32_t quaternion_2 = {.i = q->i, .j = q->j, .k = q->k, .w = q->w};
     const float vector_2[4] = {quaternion_2.i, quaternion_2.j, quaternion_2.k, quaternion_2.w};
-    const float result_matrix[4] = {q->i, q->j, q->k, q->w};
+    const float result_vector[4] = {q->i, q->j, q->k, q->w};
     const quaternion_f32_t result_b = {.i = q->i, .j = q->j, .k = q->k, .w = q->w};
     const quaternion_f32_t result_q = {.i = q->i, .j = q->j, .k = q->k, .w = q->w};
     return quaternion.w + vector[1] * vector_2[1]
-        + sqrtf(result_matrix[0] * result_matrix[0] + result_matrix[2] * result_matrix[2]
-        + (result_matrix[1] * result_matrix[1] + result_matrix[3] * result_matrix[3]))
+        + sqrtf(result_vector[0] * result_vector[0] + result_vector[2] * result_vector[2]
+        + (result_vector[1] * result_vector[1] + result_vector[3] * result_vector[3]))
         + quaternion_dot_f32(&quaternion, &result_b) + quaternion_norm_f32(&result_q);
 }
 
@@ -158,12 +158,12 @@ void unit_quaternions_all(const unit_quaternion_f64_t joints[4],
 
 void unit_quaternions_axis(const unit_quaternion_f64_t *q, double result[3])
 {
-    option_vector3_f64_t option;
-    unit_quaternion_axis_f64(q, &option);
-    if (option.is_some) {
-        result[0] = option.value[0];
-        result[1] = option.value[1];
-        result[2] = option.value[2];
+    option_vector3_f64_t axis;
+    unit_quaternion_axis_f64(q, &axis);
+    if (axis.is_some) {
+        result[0] = axis.value[0];
+        result[1] = axis.value[1];
+        result[2] = axis.value[2];
     } else {
         result[0] = 0.0;
         result[1] = 0.0;

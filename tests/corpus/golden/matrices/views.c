@@ -4,37 +4,33 @@
 
 double programs_matrices_views_along(const double axes[9])
 {
-    const double result_left[3] = {axes[0 + 3 * 0], axes[1 + 3 * 0], axes[2 + 3 * 0]};
-    const double result_matrix[3] = {axes[0 + 3 * 1], axes[1 + 3 * 1], axes[2 + 3 * 1]};
-    return result_left[0] * result_matrix[0] + result_left[1] * result_matrix[1]
-        + result_left[2] * result_matrix[2];
+    const double result_left[3] = {axes[0], axes[1], axes[2]};
+    const double result_vector[3] = {axes[3], axes[1 + 3], axes[2 + 3]};
+    return result_left[0] * result_vector[0] + result_left[1] * result_vector[1]
+        + result_left[2] * result_vector[2];
 }
 
 void programs_matrices_views_attitude(const double covariance[36], double result[9])
 {
-    result[0 + 3 * 0] = covariance[3 + 6 * 3];
-    result[1 + 3 * 0] = covariance[4 + 6 * 3];
-    result[2 + 3 * 0] = covariance[5 + 6 * 3];
-    result[0 + 3 * 1] = covariance[3 + 6 * 4];
-    result[1 + 3 * 1] = covariance[4 + 6 * 4];
-    result[2 + 3 * 1] = covariance[5 + 6 * 4];
-    result[0 + 3 * 2] = covariance[3 + 6 * 5];
+    result[0] = covariance[3 + 6 * 3];
+    result[1] = covariance[4 + 6 * 3];
+    result[2] = covariance[5 + 6 * 3];
+    result[3] = covariance[3 + 6 * 4];
+    result[1 + 3] = covariance[4 + 6 * 4];
+    result[2 + 3] = covariance[5 + 6 * 4];
+    result[3 * 2] = covariance[3 + 6 * 5];
     result[1 + 3 * 2] = covariance[4 + 6 * 5];
     result[2 + 3 * 2] = covariance[5 + 6 * 5];
 }
 
 void programs_matrices_views_moved(const double state[6], const double velocity[3], double next[6])
 {
-    memcpy(next, state, sizeof(double[6]));
+    (void)memcpy(next, state, sizeof(double[6]));
     for (uint32_t row = 0U; row < 3U; row++) {
-        next[row + 3] = velocity[row];
+        next[row + 3U] = velocity[row];
     }
-    const double vector_matrix[3] = {next[0], next[1], next[2]};
-    const double vector[3] = {
-        vector_matrix[0] * 0.5,
-        vector_matrix[1] * 0.5,
-        vector_matrix[2] * 0.5
-    };
+    const double vector_value[3] = {next[0], next[1], next[2]};
+    const double vector[3] = {vector_value[0] * 0.5, vector_value[1] * 0.5, vector_value[2] * 0.5};
     for (uint32_t row = 0U; row < 3U; row++) {
         next[row] = vector[row];
     }

@@ -15,13 +15,13 @@ void written_out_taps(double edge, double result[7])
 
 void written_out_transition(double time, double result[9])
 {
-    result[0 + 3 * 0] = 1.0;
-    result[1 + 3 * 0] = 0.0;
-    result[2 + 3 * 0] = 0.0;
-    result[0 + 3 * 1] = time;
-    result[1 + 3 * 1] = 1.0;
-    result[2 + 3 * 1] = 0.0;
-    result[0 + 3 * 2] = 0.0;
+    result[0] = 1.0;
+    result[1] = 0.0;
+    result[2] = 0.0;
+    result[3] = time;
+    result[1 + 3] = 1.0;
+    result[2 + 3] = 0.0;
+    result[3 * 2] = 0.0;
     result[1 + 3 * 2] = -time;
     result[2 + 3 * 2] = 1.0;
 }
@@ -48,10 +48,10 @@ void written_out_table(const double values[6], double result[6])
 
 void written_out_across(const double v[3], double result[3])
 {
-    const double result_matrix[3] = {0.0, 0.0, 1.0};
-    result[0] = v[1] * result_matrix[2] - v[2] * result_matrix[1];
-    result[1] = v[2] * result_matrix[0] - v[0] * result_matrix[2];
-    result[2] = v[0] * result_matrix[1] - v[1] * result_matrix[0];
+    const double result_vector[3] = {0.0, 0.0, 1.0};
+    result[0] = v[1] * result_vector[2] - v[2] * result_vector[1];
+    result[1] = v[2] * result_vector[0] - v[0] * result_vector[2];
+    result[2] = v[0] * result_vector[1] - v[1] * result_vector[0];
 }
 
 void written_out_others(const double v[3], double noise, double result[9])

@@ -14,7 +14,7 @@ void blocks_reset(blocks_t *self, const double cross[9], double noise)
 {
     for (uint32_t column = 0U; column < 3U; column++) {
         for (uint32_t row = 0U; row < 3U; row++) {
-            self->p[row + 6 * (column + 3)] = cross[row + 3 * column];
+            self->p[row + 6U * (column + 3U)] = cross[row + 3U * column];
         }
     }
     double part[9] = {
@@ -25,7 +25,7 @@ void blocks_reset(blocks_t *self, const double cross[9], double noise)
     matrix_edit_fill_diagonal_f64_3_3(part, noise);
     for (uint32_t column = 0U; column < 3U; column++) {
         for (uint32_t row = 0U; row < 3U; row++) {
-            self->p[row + 3 + 6 * (column + 3)] = part[row + 3 * column];
+            self->p[row + 3U + 6U * (column + 3U)] = part[row + 3U * column];
         }
     }
     double part_2[4] = {
@@ -35,7 +35,7 @@ void blocks_reset(blocks_t *self, const double cross[9], double noise)
     matrix_edit_fill_f64_2_2(part_2, 0.5);
     for (uint32_t column = 0U; column < 2U; column++) {
         for (uint32_t row = 0U; row < 2U; row++) {
-            self->p[row + 3 + 6 * (column + 4)] = part_2[row + 2 * column];
+            self->p[row + 3U + 6U * (column + 4U)] = part_2[row + 2U * column];
         }
     }
 }
@@ -43,14 +43,14 @@ void blocks_reset(blocks_t *self, const double cross[9], double noise)
 void blocks_exchange(blocks_t *self)
 {
     for (uint32_t column = 0U; column < 6U; column++) {
-        const double held = self->p[0 + 6 * column];
-        self->p[0 + 6 * column] = self->p[1 + 6 * column];
-        self->p[1 + 6 * column] = held;
+        const double held = self->p[6U * column];
+        self->p[6U * column] = self->p[1U + 6U * column];
+        self->p[1U + 6U * column] = held;
     }
     for (uint32_t row = 0U; row < 6U; row++) {
-        const double held = self->p[row + 6 * 0];
-        self->p[row + 6 * 0] = self->p[row + 6 * 1];
-        self->p[row + 6 * 1] = held;
+        const double held = self->p[row];
+        self->p[row] = self->p[row + 6U];
+        self->p[row + 6U] = held;
     }
 }
 
@@ -58,7 +58,7 @@ void blocks_update(blocks_t *self, const double gain[6], const double row[6])
 {
     for (uint32_t i = 0U; i < 3U; i++) {
         for (uint32_t row_2 = 0U; row_2 < 6U; row_2++) {
-            self->p[row_2 + 6 * i] = gain[row_2];
+            self->p[row_2 + 6U * i] = gain[row_2];
         }
     }
     double vector[6];
@@ -66,13 +66,13 @@ void blocks_update(blocks_t *self, const double gain[6], const double row[6])
         vector[i] = gain[i] * 2.0;
     }
     for (uint32_t row_2 = 0U; row_2 < 6U; row_2++) {
-        self->p[row_2 + 6 * 4] = vector[row_2];
+        self->p[row_2 + 6U * 4U] = vector[row_2];
     }
     for (uint32_t column = 0U; column < 6U; column++) {
-        self->p[5 + 6 * column] = row[column];
+        self->p[5U + 6U * column] = row[column];
     }
     for (uint32_t row_2 = 0U; row_2 < 6U; row_2++) {
-        self->p[row_2 + 6 * 3] = 0.0;
+        self->p[row_2 + 6U * 3U] = 0.0;
     }
 }
 
@@ -90,7 +90,7 @@ bessemer_status_t blocks_set(blocks_t *self, uint64_t at, const double part[3])
         return BESSEMER_STATUS_INDEX;
     }
     for (uint32_t row = 0U; row < 3U; row++) {
-        self->p[at + (uint64_t)row + 6 * at] = part[row];
+        self->p[at + (uint64_t)row + 6U * at] = part[row];
     }
     return BESSEMER_STATUS_OK;
 }

@@ -4,12 +4,12 @@
 
 uint16_t bit_fields_packed(uint8_t hours, uint8_t minutes, uint8_t seconds)
 {
-    return (uint16_t)((uint16_t)((uint16_t)((uint32_t)(uint16_t)((uint16_t)hours & 31U) << 11)
-        | (uint16_t)((uint32_t)(uint16_t)((uint16_t)minutes & 63U) << 5))
-        | (uint16_t)((uint16_t)((uint16_t)seconds / 2U) & 31U));
+    return (uint16_t)(((uint32_t)(uint16_t)((uint16_t)hours & 0x1FU) << 11)
+        | ((uint32_t)(uint16_t)((uint16_t)minutes & 0x3FU) << 5)
+        | ((uint16_t)((uint16_t)seconds / 2U) & 0x1FU));
 }
 
 uint8_t bit_fields_hours(uint16_t time)
 {
-    return (uint8_t)(uint16_t)(time >> 11);
+    return (uint8_t)(time >> 11);
 }

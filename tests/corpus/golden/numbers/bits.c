@@ -7,8 +7,7 @@ static const uint8_t READY = 128U;
 
 uint8_t bits_with_channel(uint8_t register_, uint8_t channel)
 {
-    return (uint8_t)((uint8_t)(register_ & (uint8_t)~(uint8_t)(CHANNEL | READY))
-        | (uint8_t)(channel & CHANNEL));
+    return (uint8_t)((register_ & (uint8_t)~(uint8_t)(CHANNEL | READY)) | (channel & CHANNEL));
 }
 
 bool bits_parity(uint32_t word)

@@ -4,7 +4,7 @@
 
 void bytes_head(uint16_t sequence, float value, uint8_t result[6])
 {
-    const uint8_t elements[2] = {(uint8_t)(uint16_t)(sequence >> 8U), (uint8_t)sequence};
+    const uint8_t elements[2] = {(uint8_t)(sequence >> 8U), (uint8_t)sequence};
     const uint32_t value_value = bits_of_f32(value);
     const uint8_t elements_2[4] = {
         (uint8_t)value_value, (uint8_t)(value_value >> 8U), (uint8_t)(value_value >> 16U),

@@ -41,19 +41,19 @@ void narrowing_steps(int64_t x, option_i16_t *result)
 
 void narrowing_index(int8_t x, option_usize_t *result)
 {
-    result_usize_unit_t value_narrowed = {.is_ok = false, .value = UINT64_C(0)};
+    result_usize_unit_t index = {.is_ok = false, .value = UINT64_C(0)};
     if (x >= 0) {
-        value_narrowed.is_ok = true;
-        value_narrowed.value = (uint64_t)x;
+        index.is_ok = true;
+        index.value = (uint64_t)x;
     }
-    if (!value_narrowed.is_ok) {
+    if (!index.is_ok) {
         result->is_some = false;
         result->value = UINT64_C(0);
         return;
     }
-    if (value_narrowed.value < UINT64_C(12)) {
+    if (index.value < UINT64_C(12)) {
         result->is_some = true;
-        result->value = value_narrowed.value;
+        result->value = index.value;
     } else {
         result->is_some = false;
         result->value = UINT64_C(0);

@@ -75,7 +75,7 @@ NOT_INLINE static void fill_panel(const elimination_t *work, const $real *a, uin
 static void fill_block(const elimination_t *work, const $real *a)
 {
     for (uint32_t column = 0U; column < WIDTH; column++) {
-        memcpy(&work->block[BLOCK * column], &a[SIZE * column], SIZE * sizeof(*a));
+        (void)memcpy(&work->block[BLOCK * column], &a[SIZE * column], SIZE * sizeof(*a));
     }
 }
 
@@ -323,7 +323,7 @@ NOT_INLINE static bool factor_panel(const elimination_t *work, uint32_t first, u
     if (first + columns < SIZE) {
         (void)subtract_columns(work, x, rows, columns, y, 1U, reciprocal);
     }
-    memcpy(x, y, columns * sizeof(*x));
+    (void)memcpy(x, y, columns * sizeof(*x));
 #else
     if (first + columns < SIZE) {
         scale_column(&work->block[BLOCK * (columns - 1U)], rows, reciprocal);

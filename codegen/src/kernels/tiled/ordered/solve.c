@@ -13,5 +13,5 @@ if (!eliminate_all(&elimination, a)) {
     return false;
 }
 substitute(&elimination);
-memcpy(b, elimination.x, SIZE * sizeof(*b));
+(void)memcpy(b, elimination.x, SIZE * sizeof(*b));
 return true;

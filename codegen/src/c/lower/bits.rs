@@ -1,0 +1,42 @@
+//! Unsigned bits whose casts say nothing: what is above a type does not show where the value is brought into it later.
+
+use bessemer_ir::{BinaryOp, Expr as Ir, ExprKind, Int, Type};
+
+use super::super::spelling::scalar_type;
+use super::super::tree::Expr;
+
+/// Whether a value is of unsigned bits that were put together, shifted or picked out.
+pub(super) fn is_bits(value: &Ir) -> bool {
+    let unsigned = value.ty.as_int().is_some_and(|int| !int.signed());
+    let of_bits = |op: &BinaryOp| {
+        use BinaryOp::{And, Or, Shl, Shr, Xor};
+        matches!(op, And | Or | Xor | Shl | Shr)
+    };
+    unsigned && matches!(&value.kind, ExprKind::Binary(op, ..) if of_bits(op))
+}
+
+/// What is compared: bits that a number picks out are within their type without the cast to it.
+pub(super) fn masked(value: Expr, ir: &Ir) -> Expr {
+    let ExprKind::Binary(BinaryOp::And, a, b) = &ir.kind else { return value };
+    let counts = a.is_literal() || b.is_literal();
+    if is_bits(ir) && counts { uncast(value, &ir.ty) } else { value }
+}
+
+/// Whether a value comes from a smaller unsigned type.
+pub(super) fn is_widened(value: &Ir) -> bool {
+    let ExprKind::Cast(from) = &value.kind else { return false };
+    matches!((from.ty.as_int(), value.ty.as_int()), (Some(from), Some(to)) if !from.signed() && fits(from, to))
+}
+
+/// A value without the cast to its type around it.
+pub(super) fn uncast(value: Expr, ty: &Type) -> Expr {
+    match (value, ty) {
+        (Expr::Cast(to, inner), Type::Scalar(scalar)) if to == scalar_type(*scalar) => *inner,
+        (value, _) => value,
+    }
+}
+
+/// Whether every value of one integer type is one of another.
+pub(super) fn fits(from: Int, to: Int) -> bool {
+    from.min() >= to.min() && from.max() <= to.max()
+}
