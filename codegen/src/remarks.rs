@@ -5,10 +5,14 @@
 use std::collections::HashSet;
 
 use bessemer_ir::tree::{self, DefinitionKind, Package, Site, Ty};
-use bessemer_ir::{Function, Module, Owner, Role, Type};
+use bessemer_ir::visit::Walk;
+use bessemer_ir::{Const, ConstId, ExprKind, Function, Module, Owner, Role, Span, Type};
 
 use crate::diagnostic::{Diagnostic, Level};
 use crate::passes;
+
+/// So many words are no table.
+const FEW: usize = 8;
 
 /// The remarks on a package that became `module`, in the order of the source.
 pub fn of(package: &Package, module: &Module) -> Vec<Diagnostic> {
@@ -23,6 +27,7 @@ pub fn of(package: &Package, module: &Module) -> Vec<Diagnostic> {
         )
     }));
     told.extend(uncalled(module, &idle));
+    told.extend(repeated(module));
     told.sort_by(|one, other| (&one.file, one.line).cmp(&(&other.file, other.line)));
     told
 }
@@ -127,6 +132,42 @@ fn uncalled<'a>(
         };
         Some(warning(file, site, message, help))
     })
+}
+
+/// Tables without a mark that several modules read: each has a copy.
+fn repeated(module: &Module) -> impl Iterator<Item = Diagnostic> + '_ {
+    let is_table = |it: &Const| !it.ty.is_word() && it.words.len() > FEW && !it.given.public;
+    let root = module.name.replace('-', "_");
+    let is_own = move |it: &Const| it.module.split("::").next() == Some(&*root);
+    let own = move |it: &&Const| is_table(it) && is_own(it);
+    let consts = || module.consts.iter();
+    let same = |one: &Const, other: &Const| {
+        one.name == other.name && one.ty == other.ty && one.words == other.words
+    };
+    consts().enumerate().filter(move |(_, it)| own(it)).filter_map(move |(index, it)| {
+        let first = consts().position(|other| is_table(other) && same(it, other))?;
+        let count = consts().filter(|other| is_table(other) && same(it, other)).count();
+        if first != index || count < 2 {
+            return None;
+        }
+        let span = first_use(module, ConstId(index as u32))?;
+        let file = module.files.get(span.file as usize)?;
+        let (name, site) = (&it.name, Site(span.line, span.column));
+        let message =
+            format!("{count} modules read the table `{name}`, and the C of each has a copy");
+        Some(warning(file, site, message, "write `#[data]` above the table, and it stands once"))
+    })
+}
+
+/// Where a constant is read first.
+fn first_use(module: &Module, id: ConstId) -> Option<Span> {
+    let mut spans = Vec::new();
+    for function in &module.functions {
+        function.body.each_expr(|expr| {
+            spans.extend((expr.kind == ExprKind::Const(id)).then_some(expr.span));
+        });
+    }
+    spans.into_iter().min_by_key(|span| (span.file, span.line, span.column))
 }
 
 /// Whether a function makes a value of its owner.
