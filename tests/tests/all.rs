@@ -20,6 +20,7 @@ mod large;
 mod layouts;
 mod linear;
 mod mathematics;
+mod misra;
 mod newcomers;
 mod plain;
 mod random;

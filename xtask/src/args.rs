@@ -21,8 +21,9 @@ What needs what:
   gen       Rust, nothing else
   test      also rustfmt and clippy, gcc, g++ and clang; for the ARM part
             arm-linux-gnueabihf-gcc and qemu-arm; to look at the C again frama-c
+            and cppcheck
   test --host
-            the same without the ARM part and frama-c
+            the same without the ARM part, frama-c and cppcheck
   book      mdBook: `cargo install mdbook`
   doctor    nothing: it tells what is there and what is missing
 

@@ -158,6 +158,13 @@ pub const TOOLS: &[Tool] = &[
         probe: Probe::Version("frama-c"),
         source: Source::Package("frama-c-base"),
     },
+    Tool {
+        name: "cppcheck",
+        purpose: "holds the emitted C against MISRA C:2012",
+        need: Need::Analysis,
+        probe: Probe::Version("cppcheck"),
+        source: Source::Package("cppcheck"),
+    },
     program(programs::AARCH64_GCC, "compiles the emitted C for ARM of 64 bits", Need::Full),
     headers("aarch64 C library", programs::AARCH64_GCC, Need::Full),
     program(programs::QEMU_AARCH64, "runs it", Need::Full),
