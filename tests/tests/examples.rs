@@ -7,7 +7,10 @@ use std::process::Command;
 use bessemer::nalgebra::{SVector, Vector3};
 use bessemer_tests::process::lay_out_needed;
 use bessemer_tests::toolchain::{self, Toolchain, run};
+use bessemer_tests::workspace::Workspace;
 use bessemer_tests::{flight_models, root};
+use cargo_bessemer::args::{self, Verify};
+use cargo_bessemer::verify;
 use models::plant::Plant;
 use models::{Airframe, Controller, Estimate, Inputs, Onboard, Parameters, Settings, Target};
 
@@ -105,4 +108,46 @@ fn a_process_on_a_cortex_a9_keeps_its_periods_and_its_bits() {
         assert_eq!(printed(compiler.runner(&program).arg("200")), at_rest(200));
         assert!(begun.elapsed().as_secs_f64() >= 199.0 * 0.005, "periods are too short");
     }
+}
+
+/// Copies the files of a folder, and of those in it.
+fn copy(from: &Path, to: &Path) {
+    std::fs::create_dir_all(to).expect("a folder");
+    for entry in std::fs::read_dir(from).expect("the folder").flatten() {
+        let (path, target) = (entry.path(), to.join(entry.file_name()));
+        match path.is_dir() {
+            true => copy(&path, &target),
+            false => _ = std::fs::copy(&path, &target).expect("a copy"),
+        }
+    }
+}
+
+/// `examples/motor-m4f` in a temporary workspace: its loop, its bits on each leg, and its instructions within its own limit.
+#[test]
+fn a_drive_in_single_precision_keeps_its_bits_and_its_limits() {
+    let workspace = Workspace::for_package("motor").expect("a workspace");
+    let (example, package) = (root().join("examples/motor-m4f"), workspace.path("motor"));
+    for folder in ["src", "tests"] {
+        copy(&example.join(folder), &package.join(folder));
+    }
+    std::fs::copy(example.join("bessemer.toml"), package.join("bessemer.toml")).expect("a copy");
+    // The profile and the lock file are the workspace's.
+    let manifest = std::fs::read_to_string(example.join("Cargo.toml")).expect("the manifest");
+    let (manifest, _) = manifest.split_once("# Overflow").expect("a profile of its own");
+    let manifest = manifest.replace("../../dsl", "../dsl");
+    std::fs::write(package.join("Cargo.toml"), manifest).expect("the manifest");
+
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let mut test = Command::new(cargo);
+    test.args(["test", "--quiet", "--offline", "--test", "closed_loop"]).current_dir(&package);
+    run(&mut test).unwrap_or_else(|said| panic!("{said}"));
+
+    let bare = toolchain::is_asked_for("qemu-system-arm");
+    let target = if bare { vec![args::Target::CortexM4f] } else { Vec::new() };
+    let inputs = Some(package.join("tests/recorded.csv"));
+    let wanted = Verify { inputs, target, ..Verify::default() };
+    let (text, agree) =
+        verify::run(&package, &wanted, false).unwrap_or_else(|error| panic!("{error}"));
+    assert!(agree && text.contains("200 calls"), "{text}");
+    assert_eq!(bare, text.contains("\non cortex-m4f: "), "{text}");
 }
