@@ -72,6 +72,9 @@ impl Lower<'_> {
         if same {
             return self.word(operand);
         }
+        if let Some(direct) = self.without_double(operand, *target) {
+            return self.cast(direct, to);
+        }
         let narrow =
             self.counts(operand) && self.range(operand).is_some() && !self.is_wide(operand);
         if narrow && *target == Scalar::Int(Int::U32) {
@@ -122,6 +125,20 @@ impl Lower<'_> {
             }
             _ => Expr::cast(ty, value),
         }
+    }
+
+    /// The number that goes to `f32` by way of an `f64`, where that holds it exactly: then one rounding gives the same.
+    fn without_double<'a>(&self, operand: &'a Ir, target: Scalar) -> Option<&'a Ir> {
+        let ExprKind::Cast(inner) = &operand.kind else { return None };
+        if target != Scalar::Float(Float::F32) || operand.ty != Type::F64 {
+            return None;
+        }
+        let exact = match inner.ty {
+            Type::Scalar(Scalar::Float(_)) => true,
+            Type::Scalar(Scalar::Int(int)) => int.bits() <= 32 || self.range(inner).is_some(),
+            _ => false,
+        };
+        exact.then_some(inner)
     }
 
     /// A `bool` in memory of the caller's: compilers believe that its byte is 0 or 1, and take it for the number.
