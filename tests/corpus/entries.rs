@@ -44,7 +44,7 @@ impl Entries {
 
     fn block(&mut self, it: &syn::ItemImpl, items: &[Item], module: &str) {
         let component = marked(&it.attrs, "component");
-        if !component && !(self.methods && marked(&it.attrs, "data")) {
+        if !(component || self.methods && marked(&it.attrs, "data")) {
             return;
         }
         let owners = owners(it, items);

@@ -200,7 +200,7 @@ impl<'a> Scope<'a> {
         let clauses = both.filter_map(|generics| generics.where_clause.as_ref());
         let further = clauses.flat_map(|clause| &clause.predicates).filter_map(|it| match it {
             syn::WherePredicate::Type(it) => {
-                let about = it.bounded_ty.to_token_stream().to_string() == name.to_string();
+                let about = *name == it.bounded_ty.to_token_stream().to_string();
                 about.then(|| it.bounds.to_token_stream())
             }
             _ => None,
