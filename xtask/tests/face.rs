@@ -85,6 +85,8 @@ impl Fake {
         for (emulator, answer) in [
             ("qemu-aarch64", "qemu-aarch64 version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)"),
             ("qemu-riscv64", "qemu-riscv64 version 7.2.22 (Debian 1:7.2+dfsg-7+deb12u18+b3)"),
+            ("make", "GNU Make 4.3"),
+            ("cmake", "cmake version 3.25.1"),
             ("frama-c", "25.0-beta (Manganese)"),
             ("cppcheck", "Cppcheck 2.10"),
             ("chromium", "Chromium 150.0.1 built on Debian GNU/Linux 12 (bookworm)"),
@@ -142,7 +144,7 @@ fn root_installs_with_apt_alone() {
             "apt-get update -o DPkg::Lock::Timeout=900 && \
              env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends \
              -o DPkg::Lock::Timeout=900 gcc-arm-linux-gnueabihf libc6-dev-armhf-cross qemu-user gcc-arm-none-eabi \
-             libnewlib-arm-none-eabi qemu-system-arm frama-c-base cppcheck"
+             libnewlib-arm-none-eabi qemu-system-arm make cmake frama-c-base cppcheck"
         )
     );
 }
@@ -235,6 +237,8 @@ qemu-arm                 7.2.22        test (not --host)  runs it on an emulated
 arm-none-eabi-gcc        12.2.1        test (not --host)  compiles firmware around the emitted C
 newlib                   found         test (not --host)  headers and libraries for the above
 qemu-system-arm          7.2.22        test (not --host)  runs it on an emulated Zynq, without an operating system
+make                     4.3           test (not --host)  builds the emitted C by its Makefile
+cmake                    3.25.1        test (not --host)  builds the emitted C by its CMakeLists.txt
 frama-c                  25.0-beta     test (not --host)  shows anew what was proved of the emitted C
 cppcheck                 2.10          test (not --host)  holds the emitted C against MISRA C:2012
 aarch64-linux-gnu-gcc    12.2.0        test --full        compiles the emitted C for ARM of 64 bits
@@ -269,12 +273,12 @@ fn the_conclusion_says_what_can_run_and_what_to_do() {
         conclusion(&Fake::host().rooted()).as_deref(),
         Some(
             "Missing: arm-linux-gnueabihf-gcc, ARM C library, qemu-arm, arm-none-eabi-gcc, newlib, \
-             qemu-system-arm, frama-c, cppcheck. `cargo xtask test --host` can run.\n\
+             qemu-system-arm, make, cmake, frama-c, cppcheck. `cargo xtask test --host` can run.\n\
              To install, run this line, or `cargo xtask test --install`:\n  \
              apt-get update -o DPkg::Lock::Timeout=900 && env DEBIAN_FRONTEND=noninteractive apt-get install -y \
              --no-install-recommends -o DPkg::Lock::Timeout=900 \
              gcc-arm-linux-gnueabihf libc6-dev-armhf-cross qemu-user gcc-arm-none-eabi \
-             libnewlib-arm-none-eabi qemu-system-arm frama-c-base cppcheck\n"
+             libnewlib-arm-none-eabi qemu-system-arm make cmake frama-c-base cppcheck\n"
         )
     );
     assert_eq!(
@@ -313,7 +317,7 @@ fn test_refuses_to_start_and_prints_one_line() {
     assert_eq!(
         error.to_string(),
         "missing: g++, clang, clang's run time, arm-linux-gnueabihf-gcc, ARM C library, qemu-arm, arm-none-eabi-gcc, newlib, \
-             qemu-system-arm, frama-c, cppcheck"
+             qemu-system-arm, make, cmake, frama-c, cppcheck"
     );
     let remedy = error.remedy().expect("there is apt-get");
     assert_eq!(remedy.lines().count(), 1);
