@@ -127,11 +127,13 @@ pub fn exp2f(x: f32) -> f32 {
 /// e^x − 1, without cancellation.
 #[function]
 pub fn exp_m1f(x: f32) -> f32 {
+    let size = x.abs();
+    if size < 0.405 {
+        // −0 stays what it is.
+        let whole = StepsF32 { steps: 0, high: x, low: 0.0 };
+        return if size < 5.9604645e-8 { x } else { x + beyond(whole) };
+    }
     if x > -17.4 && x < 16.5 {
-        if x.abs() < 5.9604645e-8 {
-            // −0 stays what it is.
-            return x;
-        }
         // So few steps that the power less 1 is exact.
         let exponent = steps_of(x);
         let scale = scaled(1.0, exponent.steps as u32);

@@ -82,7 +82,7 @@ pub fn coshf(x: f32) -> f32 {
 #[function]
 pub fn tanhf(x: f32) -> f32 {
     let size = x.abs();
-    if size < 0.85 {
+    if size < 0.75 {
         let z = x * x;
         let upper =
             NARROW_TANH[3] + z * (NARROW_TANH[4] + z * (NARROW_TANH[5] + z * NARROW_TANH[6]));
@@ -94,7 +94,11 @@ pub fn tanhf(x: f32) -> f32 {
         let exponent = steps_of(2.0 * size);
         let scale = scaled(1.0, exponent.steps as u32);
         let lead = ordered_sum(scale + 1.0, scale * exponent.high);
-        1.0 - 2.0 / (lead.high + (lead.low + scale * beyond(exponent)))
+        let sum = ordered_sum(lead.high, lead.low + scale * beyond(exponent));
+        let part = 2.0 / sum.high;
+        // What the sum lost changes its reciprocal.
+        let lead = ordered_sum(1.0, -part);
+        lead.high + (lead.low + 0.5 * part * part * sum.low)
     } else if size >= 9.1 {
         1.0
     } else {
