@@ -16,11 +16,11 @@ pub type SingleStage = Stage<f32>;
 
 #[component]
 impl<T: Real> Stage<T> {
-    /// A range that is held.
+    /// A range that is held, and may change.
     #[entry]
     pub fn step(&mut self) -> T {
-        let passes = 0..3;
-        for _ in passes {
+        let mut passes = 0..3;
+        for _ in &mut passes {
             self.value = self.value + real(1.0);
         }
         self.value
