@@ -6,11 +6,12 @@ use std::fs::File;
 use std::io::{self, Read, Write};
 use std::path::Path;
 
+use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use rustix::fs::{Mode, OFlags};
 use rustix::termios::{OptionalActions, SpecialCodeIndex, tcgetattr, tcsetattr};
 
-/// How long a read waits, tenths of a second.
-const PATIENCE: u8 = 50;
+/// How long a read waits.
+const PATIENCE: Timespec = Timespec { tv_sec: 5, tv_nsec: 0 };
 
 /// A port, or a pseudo-terminal.
 #[derive(Debug)]
@@ -27,8 +28,9 @@ impl Port {
         let mut settings = tcgetattr(&port)?;
         settings.make_raw();
         settings.set_speed(baud)?;
+        // A read waits before, where silence is told from an end.
         settings.special_codes[SpecialCodeIndex::VMIN] = 0;
-        settings.special_codes[SpecialCodeIndex::VTIME] = PATIENCE;
+        settings.special_codes[SpecialCodeIndex::VTIME] = 0;
         // What came before is nobody's.
         tcsetattr(&port, OptionalActions::Flush, &settings)?;
         Ok(Self(port.into()))
@@ -37,9 +39,11 @@ impl Port {
 
 impl Read for Port {
     fn read(&mut self, to: &mut [u8]) -> io::Result<usize> {
+        if poll(&mut [PollFd::new(&self.0, PollFlags::IN)], Some(&PATIENCE))? == 0 {
+            return Err(io::ErrorKind::TimedOut.into());
+        }
         match self.0.read(to) {
-            Ok(0) => Err(io::ErrorKind::TimedOut.into()),
-            // A pseudo-terminal whose other end is closed.
+            // A pseudo-terminal whose other end is closed says so, or has nothing more.
             Err(error) if error.raw_os_error() == Some(rustix::io::Errno::IO.raw_os_error()) => {
                 Ok(0)
             }

@@ -208,14 +208,16 @@ fn it_tells_of_doubles_of_four_bytes() {
     assert_eq!(answer(&laid, &gcc, &["-w"], None), FORMAT);
 }
 
-/// Asks on a machine without an operating system: a file of its emulator's takes the answer.
+/// Asks on a machine without an operating system: a file of its emulator's takes the answer (`legs/c/semihosting.c`).
 const BARE_MAIN: &str = r#"
 #include "bessemer_self_test.h"
 #include <stdio.h>
 
+extern FILE *words_out;
+
 int main(void)
 {
-    return (printf("%u\n", (unsigned)bessemer_self_test()) > 0) ? 0 : 1;
+    return (fprintf(words_out, "%u\n", (unsigned)bessemer_self_test()) > 0) ? 0 : 1;
 }
 "#;
 
