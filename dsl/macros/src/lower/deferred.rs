@@ -3,8 +3,9 @@
 //! An iterator does nothing before it is gone through, so it stands where that is, in the tree and in the copy, and its
 //! name is nothing there. What it refers to Rust lets nobody change in between.
 //!
-//! Invariant: what is copied when the iterator is made cannot change before it is gone through, and no name in it means
-//! something else there; any other iterator keeps its refusal.
+//! Invariants: what is copied when the iterator is made cannot change before it is gone through; making it cannot fault,
+//! since the Rust would do so even where it is never gone through; no name in it means something else there. Any other
+//! iterator keeps its refusal.
 
 use syn::parse_quote;
 use syn::visit::{self, Visit};
@@ -47,8 +48,8 @@ impl Lowering<'_> {
         (!hides.found).then(|| Named { name: name.ident.clone(), iterator: (*init.expr).clone() })
     }
 
-    /// Whether what is copied where an iterator is made stays as it is. A field may change behind a reference, and so may
-    /// what a method gives; what is borrowed may not.
+    /// Whether what is copied where an iterator is made stays as it is, and whether that cannot fault. A field may change
+    /// behind a reference, and so may what a method gives; what is borrowed may not.
     fn is_settled(&self, expr: &syn::Expr) -> bool {
         match bare(expr) {
             syn::Expr::Closure(_) | syn::Expr::Lit(_) => true,
@@ -56,17 +57,30 @@ impl Lowering<'_> {
             syn::Expr::Path(it) => !self.mutable.iter().any(|name| it.path.is_ident(name)),
             syn::Expr::MethodCall(it) if gives_references(expr) && is_plain(&it.receiver) => true,
             syn::Expr::MethodCall(it) if is_iterator(expr) => {
-                self.is_settled(&it.receiver) && it.args.iter().all(|it| self.is_settled(it))
+                let asks = ASKING.contains(&text(&it.method).as_str());
+                let is_sound = |it| if asks { is_above_zero(it) } else { self.is_settled(it) };
+                self.is_settled(&it.receiver) && it.args.iter().all(is_sound)
             }
             syn::Expr::Range(it) => {
                 [&it.start, &it.end].into_iter().flatten().all(|end| self.is_settled(end))
             }
-            syn::Expr::Unary(it) if matches!(it.op, syn::UnOp::Neg(_)) => self.is_settled(&it.expr),
-            syn::Expr::Binary(it) => self.is_settled(&it.left) && self.is_settled(&it.right),
+            syn::Expr::Unary(it) if matches!(it.op, syn::UnOp::Neg(_)) => {
+                matches!(bare(&it.expr), syn::Expr::Lit(_))
+            }
             syn::Expr::Cast(it) => self.is_settled(&it.expr),
             _ => false,
         }
     }
+}
+
+/// Methods that fault where the number that they are given is zero.
+const ASKING: [&str; 4] = ["chunks", "chunks_exact", "step_by", "windows"];
+
+fn is_above_zero(expr: &syn::Expr) -> bool {
+    let syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Int(number), .. }) = bare(expr) else {
+        return false;
+    };
+    number.base10_parse::<u64>().is_ok_and(|number| number > 0)
 }
 
 /// An iterator, and the name in whose place it stands.
