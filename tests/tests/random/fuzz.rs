@@ -15,7 +15,7 @@ const INSTANCES: usize = 40;
 
 /// One batch of so many is of programs of every kind.
 const OF: u64 = 12;
-/// In one batch of so many rustc gets the instances of each text, and in the others their constants as arguments.
+/// In one batch of so many rustc gets the instances of each text, and in the others one function of each.
 const INSTANTIATED: u64 = 8;
 
 #[test]
@@ -34,8 +34,7 @@ fn as_many_as_asked() {
             _ => Batch::aimed(seed, AIMED, INSTANCES),
         };
         batch.is_of_many = true;
-        // The other way round is the same by what constants mean: some batches hold that, too.
-        batch.constants_as_arguments = !seed.is_multiple_of(INSTANTIATED);
+        batch.of_one = !seed.is_multiple_of(INSTANTIATED);
         let reached = attack(&workspace, seed, &mut batch);
         let wrong = wrong(&batch, &reached.differences);
         for program in shrink::shrunk(&workspace, &wrong) {

@@ -41,6 +41,7 @@ use bessemer_tests::toolchain::{self, Toolchain};
 use bessemer_tests::turn;
 use bessemer_tests::workspace::Workspace;
 
+use aimed::instances;
 use legs::{Difference, in_c, interpreted};
 use writer::Program;
 
@@ -73,9 +74,8 @@ struct Batch {
     text: String,
     /// Whether it is one of many: what is dear is then done for a part of them.
     is_of_many: bool,
-    /// Whether rustc gets texts with their constants as arguments: one function instead of one for each instance, which
-    /// computes the same and costs a tenth to build.
-    constants_as_arguments: bool,
+    /// Whether rustc gets one function of each text instead of its instances, which costs it a tenth.
+    of_one: bool,
 }
 
 impl Batch {
@@ -104,7 +104,7 @@ impl Batch {
             lines: Vec::new(),
             text: String::new(),
             is_of_many: false,
-            constants_as_arguments: false,
+            of_one: false,
         }
     }
 
@@ -126,6 +126,10 @@ impl Batch {
             .map(|(name, why)| Difference { program: name.clone(), text: format!("{name}: {why}") })
     }
 
+    fn is_made_of_one(&self, program: &Program) -> bool {
+        self.of_one && program.instances.is_some()
+    }
+
     /// Writes the file as the compiler gets it, or as the native program does.
     fn write(&mut self, workspace: &Workspace, native: bool) {
         let mut text = String::from(HEAD);
@@ -138,10 +142,11 @@ impl Batch {
         let mut lines = Vec::new();
         for program in self.left() {
             lines.push((text.lines().count() + 1, program.name.clone()));
-            match native && self.constants_as_arguments && program.instances.is_some() {
-                true => text += &aimed::with_constants_as_arguments(program),
-                false => text += &program.text,
-            }
+            text += &match (self.is_made_of_one(program), native) {
+                (true, true) => instances::with_constants_as_arguments(program),
+                (true, false) => instances::of_first_instance(program),
+                (false, _) => program.text.clone(),
+            };
         }
         self.lines = lines;
         workspace.set_source(&text).expect("a source file");
@@ -264,7 +269,15 @@ fn tree(workspace: &Workspace, batch: &mut Batch) -> Package {
     loop {
         batch.write(workspace, false);
         let said = match generation::tree(&workspace.path(""), "models") {
-            Ok(package) => return package,
+            Ok(mut package) => {
+                for program in batch.left() {
+                    match batch.is_made_of_one(program) {
+                        true => instances::instantiate(&mut package, program),
+                        false => instances::hold(&package, program),
+                    }
+                }
+                return package;
+            }
             Err(Error::Models(said) | Error::Refused(said)) => said.to_string(),
             Err(error) => panic!("{error}"),
         };

@@ -7,6 +7,7 @@
 //! and parts that another name or a call writes. Numbers are small and lie about the lengths, so that what is wrong by
 //! one shows. No loop makes many passes: its bound is small, or declared.
 
+pub mod instances;
 mod loops;
 
 use std::fmt::Write as _;
@@ -130,25 +131,6 @@ pub fn program(random: &mut Random, name: &str, instances: usize) -> Program {
         entries: vec![entry],
         instances: Some(instances),
     }
-}
-
-/// The text of such programs as a function of the constants, in which it is generic: the lines are the same.
-pub fn with_constants_as_arguments(program: &Program) -> String {
-    let generic = format!("{}_of<", program.name);
-    let instance = format!("{}_of::<", program.name);
-    let plain = |line: &str| {
-        let (mark, is_declared) = match line {
-            _ if line.contains(&generic) => (&generic, true),
-            _ if line.contains(&instance) => (&instance, false),
-            _ => return line.to_owned(),
-        };
-        let (before, rest) = line.split_once(mark.as_str()).expect("it is there");
-        let (constants, after) = rest.split_once(">(").expect("constants, then arguments");
-        let constants =
-            if is_declared { constants.replace("const ", "") } else { constants.to_owned() };
-        format!("{before}{}_of({constants}, {after}", program.name)
-    };
-    program.text.lines().map(|line| plain(line) + "\n").collect()
 }
 
 /// The entry: its first argument says which instance is called.
@@ -500,16 +482,4 @@ impl Aimed<'_> {
         self.loops -= 1;
         text
     }
-}
-
-#[test]
-fn constants_become_arguments_where_they_are_declared_and_given() {
-    let program = program(&mut Random(5), "aimed5_0", 3);
-    let text = with_constants_as_arguments(&program);
-    let constants = ANY.iter().chain(&POSITIVE).map(|name| format!("{name}: usize, "));
-    let declared = format!("fn aimed5_0_of({}mut a:", constants.collect::<String>());
-    assert!(text.contains(&declared), "{text}");
-    assert_eq!(text.matches("=> aimed5_0_of(").count(), 3);
-    assert!(!text.contains("_of<") && !text.contains("_of::<"), "{text}");
-    assert_eq!(text.lines().count(), program.text.lines().count());
 }
