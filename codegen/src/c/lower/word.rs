@@ -61,7 +61,7 @@ impl Lower<'_> {
     }
 
     fn unary(&mut self, op: UnaryOp, operand: &Ir) -> Expr {
-        let value = self.word(operand);
+        let value = self.word(of_bool(operand).unwrap_or(operand));
         match (op, &operand.ty) {
             (UnaryOp::Not, Type::Scalar(Scalar::Bool)) => Expr::unary("!", value),
             (UnaryOp::Not, ty) => narrowed(ty, Expr::unary("~", value)),
@@ -189,5 +189,16 @@ fn has_negation(condition: &Ir) -> bool {
         ExprKind::Logic(_, left, right) => has_negation(left) && has_negation(right),
         ExprKind::Load(_) => true,
         _ => false,
+    }
+}
+
+/// A `bool` as a number, without the mask that it stands behind: gcc takes `~(uint8_t)((uint8_t)flag & 1U)` for a slip.
+fn of_bool(operand: &Ir) -> Option<&Ir> {
+    match &operand.kind {
+        ExprKind::Cast(from) if from.ty == Type::BOOL => Some(operand),
+        ExprKind::Binary(BinaryOp::And, value, mask) => {
+            matches!(mask.kind, ExprKind::Literal(word) if word & 1 == 1).then(|| of_bool(value))?
+        }
+        _ => None,
     }
 }
