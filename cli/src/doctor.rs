@@ -33,18 +33,29 @@ impl Machine for ThisMachine {
 struct Tool {
     program: &'static str,
     purpose: &'static str,
-    /// What installs it, if it is of Debian's; else where it is had.
-    source: Result<tools::Program, &'static str>,
+    source: Source,
 }
 
-/// One of Debian's.
+/// The place that a program comes from.
+#[derive(Clone, Copy)]
+enum Source {
+    /// Packages of Debian bring it; without it some commands do not work.
+    Debian(tools::Program),
+    /// This page says how to install it; without it no command works.
+    Page(&'static str),
+}
+
+/// A program that packages of Debian bring.
 const fn tool(program: tools::Program, purpose: &'static str) -> Tool {
-    Tool { program: program.name, purpose, source: Ok(program) }
+    Tool { program: program.name, purpose, source: Source::Debian(program) }
 }
 
 const TOOLS: [Tool; 10] = [
-    // Without it no command works.
-    Tool { program: "rustc", purpose: "builds the models", source: Err("https://rustup.rs") },
+    Tool {
+        program: "rustc",
+        purpose: "builds the models",
+        source: Source::Page("https://rustup.rs"),
+    },
     tool(tools::GCC, "compiles the C on this machine"),
     tool(tools::CLANG, "compiles the C a second time"),
     tool(tools::CMAKE, "builds the firmware stub"),
@@ -88,14 +99,14 @@ impl Tool {
         let version = machine.version(self.program);
         let state = match (&version, self.source) {
             (Some(_), _) => State::Good,
-            (None, Ok(_)) => State::Lacking,
-            (None, Err(_)) => State::Bad,
+            (None, Source::Debian(_)) => State::Lacking,
+            (None, Source::Page(_)) => State::Bad,
         };
         let said = version.unwrap_or_else(|| format!("missing: it {}", self.purpose));
         let remedy = match self.source {
             _ if state == State::Good => None,
-            Ok(program) => Some(program.install()),
-            Err(place) => Some(place.to_owned()),
+            Source::Debian(program) => Some(program.install()),
+            Source::Page(address) => Some(address.to_owned()),
         };
         Finding { name: self.program.to_owned(), state, said, remedy }
     }

@@ -22,19 +22,19 @@ pub enum Error {
     /// The folder of a new package exists already.
     #[error("`{folder}` is there already")]
     Exists {
-        /// Which.
+        /// Its path.
         folder: PathBuf,
     },
     /// No checkout of Bessemer is at the given place.
     #[error("`{folder}` is no checkout of Bessemer: it has no `dsl/Cargo.toml`")]
     NoCheckout {
-        /// The place.
+        /// The folder.
         folder: PathBuf,
     },
     /// No entry point has the name.
     #[error("there is no entry point `{name}`")]
     NoEntry {
-        /// As it was asked for.
+        /// The name that the user gave.
         name: String,
         /// The names that exist.
         known: Vec<String>,
@@ -42,15 +42,15 @@ pub enum Error {
     /// A recording is of one entry point, and there are several.
     #[error("the package has several entry points")]
     WhichEntry {
-        /// Those that there are.
+        /// The entry points of the package.
         known: Vec<String>,
     },
     /// A recording cannot be read.
     #[error("`{path}`: {wrong}")]
     Recording {
-        /// Which.
+        /// Its path.
         path: PathBuf,
-        /// What is wrong with it.
+        /// The defect.
         wrong: crate::verify::recording::Wrong,
     },
     /// Inputs are not what an entry point takes.
@@ -72,15 +72,15 @@ pub enum Error {
     /// A board cannot be asked, or its firmware not be written.
     #[error("`{port}`: {why}")]
     Board {
-        /// Where it is, or was to be written.
+        /// The port, or the folder for the firmware's sources.
         port: PathBuf,
-        /// What is wrong.
+        /// The failure.
         why: board::Error,
     },
     /// A compiler of C refused what was emitted.
     #[error("{name} refuses the C: {said}")]
     Compiler {
-        /// Which.
+        /// Its name.
         name: String,
         /// The compiler's message.
         said: String,
@@ -94,7 +94,7 @@ pub enum Error {
     /// A file or folder could not be read or written.
     #[error("`{path}`: {source}")]
     File {
-        /// Which.
+        /// Its path.
         path: PathBuf,
         /// The system's reason.
         source: std::io::Error,

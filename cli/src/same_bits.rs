@@ -1,4 +1,4 @@
-//! `verify` for a `#[test]` of the user's package: the inputs are the test's own.
+//! `verify` for a `#[test]` of the user's package, with inputs of the test.
 
 use std::path::Path;
 
@@ -7,11 +7,11 @@ use bessemer::Plain;
 use crate::args::Verify;
 use crate::verify;
 
-/// Holds an entry point of the component `C` to the same bits as Rust, in the interpreter and as C by each compiler that is there.
+/// Compares an entry point of the component `C` in Rust with the interpreter and with its C from each compiler on this machine.
 ///
-/// `entry` is the method; an input is a tuple of its arguments behind `self`, in their order, what is borrowed by value.
-/// The component begins in its initial state and lives from input to input. It is called from a test of the package of the
-/// models, which has `cargo-bessemer` among its `[dev-dependencies]`:
+/// `entry` is the name of the method. An input is a tuple of its arguments behind `self`, in their order; a borrowed argument
+/// stands in it by value. The component begins in its initial state and keeps its state from input to input. Call this from
+/// a test of the package with the models, which has `cargo-bessemer` among its `[dev-dependencies]`:
 ///
 /// ```no_run
 /// # #[derive(Default)]
@@ -22,15 +22,15 @@ use crate::verify;
 /// ```
 ///
 /// # Panics
-/// If a word differs, with the table of `cargo bessemer verify`; if something is missing, with what to do about it.
+/// It panics if a word differs, with the table of `cargo bessemer verify`, and on any error, with its remedy.
 #[track_caller]
 pub fn same_bits<C, I: Plain>(entry: &str, inputs: impl IntoIterator<Item = I>) {
-    // cargo says where the package is to whatever it runs.
+    // cargo sets this for each test that it runs.
     let folder = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_else(|| ".".into());
     same_bits_at::<C, I>(Path::new(&folder), entry, inputs);
 }
 
-/// The same of the package in this folder.
+/// The same for the package in this folder.
 ///
 /// # Panics
 /// As [`same_bits`] does.

@@ -18,6 +18,8 @@ pub use crate::typify::Typed;
 
 /// A package as IR and as C.
 pub struct Compiled {
+    /// The licence at the head of each file, as an SPDX expression.
+    pub license: String,
     /// The IR as the author wrote it: what the interpreter runs.
     pub module: Module,
     /// The IR that the C is printed from: faults explicit, one step a statement, large temporaries
@@ -86,7 +88,19 @@ fn whole(
     let replaced = replaced(&explicit, options);
     let fast = fast(&explicit, options);
     let library = c::library_calls(&explicit, options);
-    Ok(Compiled { module, explicit, typed, files, entries, checks, replaced, fast, library })
+    let license = package.license.clone();
+    Ok(Compiled {
+        license,
+        module,
+        explicit,
+        typed,
+        files,
+        entries,
+        checks,
+        replaced,
+        fast,
+        library,
+    })
 }
 
 fn replaced(module: &Module, options: &Options) -> Vec<(String, String)> {

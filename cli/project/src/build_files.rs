@@ -1,15 +1,17 @@
 //! Files for builds of firmware around the C: a library for CMake that carries its flags, and a fragment for make.
 //!
-//! Invariant: the same C gives the same files; each source is named, so that what is left in the folder by others is not built.
-//! What it must not know: what the C does.
+//! Invariant: the same C gives the same files. Each source is named, so that nothing else in the folder is built.
+//!
+//! It must not know what the C computes.
 
 use bessemer_codegen::c::CFile;
+use bessemer_codegen::compile::Compiled;
 
-/// The files for the C of a package, under the licence of that.
-pub fn files(package: &str, license: &str, c: &[CFile]) -> Vec<CFile> {
-    let name = package.replace('-', "_");
-    let sources: Vec<&str> =
-        c.iter().map(|it| it.name.as_str()).filter(|it| it.ends_with(".c")).collect();
+/// The files for the C of a package.
+pub fn files(compiled: &Compiled) -> Vec<CFile> {
+    let (name, license) = (compiled.module.name.replace('-', "_"), &compiled.license);
+    let names = compiled.files.iter().map(|it| it.name.as_str());
+    let sources: Vec<&str> = names.filter(|it| it.ends_with(".c")).collect();
     let file = |name: String, text: String| CFile { name, text, map: Vec::new() };
     vec![
         file("CMakeLists.txt".to_owned(), cmake(&name, license, &sources)),

@@ -128,9 +128,7 @@ fn limited(project: &Project, job: &Job) -> Result<Made, Error> {
     });
     hold(project, figures, job.colour)?;
     if project.settings.build_files {
-        let license = project.settings.license.as_ref().or(project.package.license.as_ref());
-        let license = license.map_or("", String::as_str);
-        let more = build_files::files(&project.package.name, license, &made.compiled.files);
+        let more = build_files::files(&made.compiled);
         made.compiled.files.extend(more);
     }
     Ok(made)

@@ -146,7 +146,7 @@ pub const KEYS: &[Key] = &[
         name: "build_files",
         kind: Kind::Flag(|to, flag| to.build_files = flag),
         default: "false",
-        says: "Whether a `CMakeLists.txt` with a library that carries its flags, and a fragment for make, stand beside the C.",
+        says: "Whether the folder also gets a `CMakeLists.txt`, whose library carries its flags, and a fragment for make.",
     },
     Key {
         name: "kernels.mode",

@@ -11,7 +11,7 @@ pub struct Settings {
     pub output: Option<PathBuf>,
     /// The licence of the C, if it is not the package's.
     pub license: Option<String>,
-    /// Whether files for CMake and make stand beside the C.
+    /// Tells whether the folder of the C also gets files for CMake and make.
     pub build_files: bool,
     /// The options of the compiler.
     pub options: Options,

@@ -1,17 +1,17 @@
-//! The C on a board of the user's own, over a serial line: what its firmware is built from, and what it answers.
+//! The C on a board of the user's own, over a serial line: the sources of its firmware, and the board's answers.
 //!
-//! Every entry point that can be called with words is in the firmware, in the order of the module, whichever are asked for then.
+//! Invariant: the firmware holds every entry point that can be called with words, in the order of the module, so that one
+//! firmware answers whichever of them are asked for.
 
 use std::path::Path;
 
-use bessemer_codegen::c::names::FAULTS;
 use bessemer_codegen::compile::{Compiled, Options};
 use bessemer_ir::{Fault, FunctionId};
 use bessemer_legs::board::{self, Board};
 use bessemer_legs::outcome::Outcome;
 use bessemer_legs::port::Port;
 
-use super::{Case, all, native};
+use super::{Case, all, fault, native};
 use crate::error::Error;
 
 /// The entry points in the firmware.
@@ -21,7 +21,7 @@ fn entries(compiled: &Compiled) -> Vec<(FunctionId, u32)> {
     can.map(|id| (id, functions[id.index()].params)).collect()
 }
 
-/// Writes the sources of the firmware into a folder; what is to be done with them.
+/// Writes the sources of the firmware into a folder, and says how to build them.
 ///
 /// # Errors
 /// Two files have one name; the folder cannot be written.
@@ -41,10 +41,10 @@ pub fn write(compiled: &Compiled, options: &Options, folder: &Path) -> Result<St
     ))
 }
 
-/// What the board at a port makes of each call.
+/// Calls each case on the board at a port.
 ///
 /// # Errors
-/// What is wrong with port, line or board.
+/// The failure of port, line or board.
 pub fn outcomes(
     compiled: &Compiled,
     cases: &[Case],
@@ -63,10 +63,7 @@ pub fn outcomes(
             let words = board.call(place, call.iter().flatten().copied()).map_err(failed)?;
             Ok(match words.split_first() {
                 Some((0, words)) => Ok(words.to_vec()),
-                Some((status, _)) => {
-                    let index = (*status as usize).wrapping_sub(1);
-                    Err(FAULTS.get(index).copied().unwrap_or(Fault::LeftOut))
-                }
+                Some((status, _)) => Err(fault(*status)),
                 None => Err(Fault::LeftOut),
             })
         };

@@ -1,30 +1,28 @@
-//! The C on an emulated processor: what it computes there, and what that costs.
+//! The C on an emulated processor: its words, and their cost in instructions, stack and code.
 //!
-//! Instructions and stack are the most of any call; the size is that of all the C, whatever calls it.
+//! Instructions and stack are the most of any call; the size is that of all the C, whoever calls it.
 
 use std::fmt::Write as _;
 
-use bessemer_codegen::c::names::FAULTS;
 use bessemer_codegen::compile::{Compiled, Options};
-use bessemer_ir::Fault;
 use bessemer_legs::toolchain::{self, Sizes, Toolchain};
 use bessemer_legs::{harness, process, watch};
 use bessemer_project::{Figure, Limits};
 
-use super::{Case, entries, input};
+use super::{Case, entries, fault, input};
 use crate::args::Target;
 use crate::error::Error;
 use bessemer_legs::outcome::Outcome;
 
-/// A processor, and what makes and runs programs for it.
+/// A processor with its compiler and emulator.
 pub struct Processor {
-    /// What it is called here.
+    /// Its name in the command's output.
     pub name: &'static str,
     /// Its compiler and emulator.
     pub toolchain: Toolchain,
 }
 
-/// What an entry point costs at most.
+/// The most that a call of an entry point costs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cost {
     /// Instructions of a call.
@@ -33,17 +31,17 @@ pub struct Cost {
     pub stack: u64,
 }
 
-/// What was seen on a processor.
+/// The outcomes and costs of the cases on a processor.
 pub struct Seen {
-    /// What came of each call of each case.
+    /// The outcome of each call of each case.
     pub outcomes: Vec<Vec<Outcome>>,
-    /// What each case costs.
+    /// The cost of each case.
     pub costs: Vec<Cost>,
-    /// How large the C is.
+    /// The sizes of the C.
     pub sizes: Sizes,
 }
 
-/// What a processor is called, and what makes and runs programs for it.
+/// The name of a processor, and the compiler and emulator for it.
 pub fn machine(target: Target) -> (&'static str, Toolchain) {
     match target {
         Target::CortexA9 => ("cortex-a9", toolchain::ARM),
@@ -57,10 +55,10 @@ pub fn machine(target: Target) -> (&'static str, Toolchain) {
     }
 }
 
-/// The processor that is meant.
+/// The processor of a target, if its programs run here.
 ///
 /// # Errors
-/// What is missing, and how it is installed.
+/// The program that is missing, with the line that installs it.
 pub fn processor(target: Target) -> Result<Processor, Error> {
     let (name, toolchain) = machine(target);
     // gcc makes the plugin that counts.
@@ -72,7 +70,7 @@ pub fn processor(target: Target) -> Result<Processor, Error> {
 /// Calls each case on the processor.
 ///
 /// # Errors
-/// What compiler, emulator or system said.
+/// The message of the compiler, the emulator or the system.
 pub fn seen(
     compiled: &Compiled,
     cases: &[Case],
@@ -94,23 +92,20 @@ pub fn seen(
     Ok(Seen { outcomes, costs, sizes })
 }
 
-/// Outcomes and costs of what a program said.
+/// The outcomes and costs in a program's output.
 fn told(cases: &[Case], watched: &watch::Watched) -> (Vec<Vec<Outcome>>, Vec<Cost>) {
     let (mut words, mut counts) = (watched.words.iter().copied(), watched.counts.iter().copied());
     let (mut outcomes, mut costs) = (Vec::new(), Vec::new());
     for case in cases {
         let mut cost = Cost::default();
         let mut one = || {
-            // What a program that died has not written agrees with nothing.
+            // A program that died has not written every word; the words in their place agree with nothing.
             let status = words.next().unwrap_or(u64::MAX);
             cost.stack = cost.stack.max(words.next().unwrap_or(0));
             cost.instructions = cost.instructions.max(counts.next().unwrap_or(0));
             match status {
                 0 => Ok(case.leaves.iter().map(|_| words.next().unwrap_or(u64::MAX - 7)).collect()),
-                status => {
-                    let index = (status as usize).wrapping_sub(1);
-                    Err(FAULTS.get(index).copied().unwrap_or(Fault::LeftOut))
-                }
+                status => Err(fault(status)),
             }
         };
         outcomes.push(case.calls.iter().map(|_| one()).collect());
@@ -119,7 +114,7 @@ fn told(cases: &[Case], watched: &watch::Watched) -> (Vec<Vec<Outcome>>, Vec<Cos
     (outcomes, costs)
 }
 
-/// The table of what the cases cost on a processor.
+/// The table of the cases' costs on a processor.
 pub fn table(processor: &Processor, cases: &[Case], seen: &Seen) -> String {
     let width = cases.iter().map(|case| case.name.len()).max().unwrap_or(0).max(11);
     let Sizes { text, data, bss } = seen.sizes;
@@ -137,7 +132,7 @@ pub fn table(processor: &Processor, cases: &[Case], seen: &Seen) -> String {
     table
 }
 
-/// What is held to limits.
+/// The figures that limits hold.
 pub fn figures(processor: &Processor, cases: &[Case], seen: &Seen, limits: &Limits) -> Vec<Figure> {
     let on = processor.name;
     let figure = |limit, whose, found, what| Figure { limit, whose, found, what };
@@ -156,6 +151,7 @@ pub fn figures(processor: &Processor, cases: &[Case], seen: &Seen, limits: &Limi
 #[cfg(test)]
 mod tests {
     use super::*;
+    use bessemer_codegen::c::names::FAULTS;
     use bessemer_ir::{FunctionId, Type};
     use bessemer_project::Limit;
 

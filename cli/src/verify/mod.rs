@@ -402,10 +402,14 @@ fn of_c(
     let program = folder.path().join("verify");
     toolchain.around(&main, folder.sources(), &program, &[]).map_err(failed)?;
     let words = output(toolchain.runner(&program), cases)?;
-    Ok(outcomes(cases, &words, |status, _| {
-        let index = (status as usize).wrapping_sub(1);
-        FAULTS.get(index).copied().unwrap_or(Fault::LeftOut)
-    }))
+    Ok(outcomes(cases, &words, |status, _| fault(status)))
+}
+
+/// The fault that a status of the C's other than 0 stands for. One that the C never returns, such as a program that died
+/// leaves, stands for a fault that no other leg reports.
+fn fault(status: u64) -> Fault {
+    let index = (status as usize).wrapping_sub(1);
+    FAULTS.get(index).copied().unwrap_or(Fault::LeftOut)
 }
 
 /// A call that is not what the interpreter says.
