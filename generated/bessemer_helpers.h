@@ -14,6 +14,15 @@
 
 #include "bessemer_target.h"
 
+/* memcpy, and no call of it even where the library is unknown (-ffreestanding, -fno-builtin). */
+#ifndef BESSEMER_COPY
+#if defined(__GNUC__)
+#define BESSEMER_COPY __builtin_memcpy
+#else
+#define BESSEMER_COPY memcpy
+#endif
+#endif
+
 /* The signed integer with these bits. */
 static inline int32_t wrap_i32(uint32_t bits)
 {
@@ -82,7 +91,7 @@ static inline uint32_t bits_of_f32(float value)
 {
     uint32_t bits = 0x7FC00000U;
     if (!isnan(value)) {
-        (void)memcpy(&bits, &value, sizeof bits);
+        (void)BESSEMER_COPY(&bits, &value, sizeof bits);
     }
     return bits;
 }
@@ -92,7 +101,7 @@ static inline uint64_t bits_of_f64(double value)
 {
     uint64_t bits = UINT64_C(0x7FF8000000000000);
     if (!isnan(value)) {
-        (void)memcpy(&bits, &value, sizeof bits);
+        (void)BESSEMER_COPY(&bits, &value, sizeof bits);
     }
     return bits;
 }
@@ -101,7 +110,7 @@ static inline uint64_t bits_of_f64(double value)
 static inline uint64_t raw_bits_of_f64(double value)
 {
     uint64_t bits;
-    (void)memcpy(&bits, &value, sizeof bits);
+    (void)BESSEMER_COPY(&bits, &value, sizeof bits);
     return bits;
 }
 
@@ -109,7 +118,7 @@ static inline uint64_t raw_bits_of_f64(double value)
 static inline double f64_from_bits(uint64_t bits)
 {
     double value;
-    (void)memcpy(&value, &bits, sizeof value);
+    (void)BESSEMER_COPY(&value, &bits, sizeof value);
     return value;
 }
 
@@ -143,7 +152,7 @@ static inline double rem_euclid_f64(double a, double b)
 static inline uint8_t u8_from_bool(const bool *flag)
 {
     uint8_t byte = 0U;
-    (void)memcpy(&byte, flag, sizeof byte);
+    (void)BESSEMER_COPY(&byte, flag, sizeof byte);
     return (byte != 0U) ? 1U : 0U;
 }
 

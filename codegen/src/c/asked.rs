@@ -1,4 +1,4 @@
-//! Requests to compilers for which C99 has no word: sections, and inlining.
+//! Requests to compilers for which C99 has no word: sections, inlining, copies without a call.
 //!
 //! Each is a macro that is empty where the compiler knows no such attribute, defined in the file that uses
 //! it; a firmware for another compiler defines it on the command line.
@@ -12,16 +12,19 @@ use super::spelling::identifier;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Macro {
     AlwaysInline,
+    Copy,
     NeverInline,
     Section,
     Unroll,
 }
 
 impl Macro {
-    fn name(self, options: &Options) -> String {
+    /// Its name.
+    pub fn name(self, options: &Options) -> String {
         let stem = identifier(&options.status).to_uppercase();
         match self {
             Macro::AlwaysInline => format!("{stem}_ALWAYS_INLINE"),
+            Macro::Copy => format!("{stem}_COPY"),
             Macro::NeverInline => format!("{stem}_NEVER_INLINE"),
             Macro::Section => format!("{stem}_SECTION"),
             Macro::Unroll => format!("{stem}_UNROLL"),
@@ -35,6 +38,7 @@ impl Macro {
             Macro::AlwaysInline => ("", "always_inline"),
             Macro::NeverInline => ("", "noinline"),
             Macro::Section => ("(name)", "section(name)"),
+            Macro::Copy => return copy(&name, docs),
             Macro::Unroll => return unroll(&name, docs),
         };
         format!(
@@ -47,6 +51,9 @@ impl Macro {
     fn docs(self) -> &'static str {
         match self {
             Macro::AlwaysInline => "Stands where it is called.",
+            Macro::Copy => {
+                "memcpy, and no call of it even where the library is unknown (-ffreestanding, -fno-builtin)."
+            }
             Macro::NeverInline => "Stands by itself, however often it is called.",
             Macro::Section => "Stands in a section of its own.",
             Macro::Unroll => {
@@ -75,6 +82,14 @@ pub fn of(attributes: &Attributes, options: &Options) -> Vec<(Macro, String)> {
 /// The section of a function or a constant, as it stands before it.
 pub fn section(section: &str, options: &Options) -> String {
     format!("{}(\"{section}\")", Macro::Section.name(options))
+}
+
+/// The name of memcpy by which the compiler knows it, whatever it is told of the library.
+fn copy(name: &str, docs: &str) -> String {
+    format!(
+        "/* {docs} */\n#ifndef {name}\n#if defined(__GNUC__)\n#define {name} __builtin_memcpy\n#else\n\
+         #define {name} memcpy\n#endif\n#endif"
+    )
 }
 
 /// The macro before a loop, which is a pragma, and another for each compiler.

@@ -189,8 +189,8 @@ impl Helper {
         matches!(self, Helper::Bits(_) | Helper::RawBits(_) | Helper::FromBits(_) | Helper::Flag)
     }
 
-    /// Its definition.
-    pub fn text(self) -> String {
+    /// Its definition; `copy` is what memcpy is called there.
+    pub fn text(self, copy: &str) -> String {
         let name = self.name();
         match self.normal() {
             Helper::Wrap(int) => wrap(&name, int),
@@ -205,9 +205,9 @@ impl Helper {
             Helper::ShiftLeft(int) => shift_left(&name, int),
             Helper::ShiftRight(int) => shift_right(&name, int),
             Helper::FromFloat(int, float) => from_float(&name, int, float),
-            Helper::Bits(float) => bits(&name, float),
-            Helper::RawBits(float) => raw_bits(&name, float),
-            Helper::FromBits(float) => from_bits(&name, float),
+            Helper::Bits(float) => bits(&name, float, copy),
+            Helper::RawBits(float) => raw_bits(&name, float, copy),
+            Helper::FromBits(float) => from_bits(&name, float, copy),
             Helper::Copysign(float) => copysign(&name, float),
             Helper::WrappingDiv(int) => integers::wrapping_div(&name, int),
             Helper::WrappingRem(int) => integers::wrapping_rem(&name, int),
@@ -224,7 +224,7 @@ impl Helper {
             Helper::LeadingZeros(int) => integers::leading_zeros(&name, int),
             Helper::TrailingZeros(int) => integers::trailing_zeros(&name, int),
             Helper::SwapBytes(int) => integers::swap_bytes(&name, int),
-            Helper::Flag => flag(&name),
+            Helper::Flag => flag(&name, copy),
             Helper::Signum(float) => floats::signum(&name, float),
             Helper::Dot(float) => dot(&name, float),
             Helper::NormSquared(float) => norm_squared(&name, float),
@@ -443,7 +443,7 @@ fn integer_name(int: Int, which: &str) -> String {
     format!("{}INT{}_{which}", if int.signed() { "" } else { "U" }, int.bits())
 }
 
-fn bits(name: &str, float: Float) -> String {
+fn bits(name: &str, float: Float, copy: &str) -> String {
     let (ty, bits, nan) = match float {
         Float::F32 => ("float", 32, "0x7FC00000U"),
         Float::F64 => ("double", 64, "UINT64_C(0x7FF8000000000000)"),
@@ -454,26 +454,26 @@ static inline uint{bits}_t {name}({ty} value)
 {{
     uint{bits}_t bits = {nan};
     if (!isnan(value)) {{
-        (void)memcpy(&bits, &value, sizeof bits);
+        (void){copy}(&bits, &value, sizeof bits);
     }}
     return bits;
 }}"
     )
 }
 
-fn flag(name: &str) -> String {
+fn flag(name: &str, copy: &str) -> String {
     format!(
         "/* 1 for true and 0 for false; read as a byte, which may be any. */
 static inline uint8_t {name}(const bool *flag)
 {{
     uint8_t byte = 0U;
-    (void)memcpy(&byte, flag, sizeof byte);
+    (void){copy}(&byte, flag, sizeof byte);
     return (byte != 0U) ? 1U : 0U;
 }}"
     )
 }
 
-fn raw_bits(name: &str, float: Float) -> String {
+fn raw_bits(name: &str, float: Float, copy: &str) -> String {
     let (ty, bits) = match float {
         Float::F32 => ("float", 32),
         Float::F64 => ("double", 64),
@@ -483,13 +483,13 @@ fn raw_bits(name: &str, float: Float) -> String {
 static inline uint{bits}_t {name}({ty} value)
 {{
     uint{bits}_t bits;
-    (void)memcpy(&bits, &value, sizeof bits);
+    (void){copy}(&bits, &value, sizeof bits);
     return bits;
 }}"
     )
 }
 
-fn from_bits(name: &str, float: Float) -> String {
+fn from_bits(name: &str, float: Float, copy: &str) -> String {
     let (ty, bits) = match float {
         Float::F32 => ("float", 32),
         Float::F64 => ("double", 64),
@@ -499,7 +499,7 @@ fn from_bits(name: &str, float: Float) -> String {
 static inline {ty} {name}(uint{bits}_t bits)
 {{
     {ty} value;
-    (void)memcpy(&value, &bits, sizeof value);
+    (void){copy}(&value, &bits, sizeof value);
     return value;
 }}"
     )

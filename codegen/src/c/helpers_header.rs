@@ -5,6 +5,7 @@
 
 use std::collections::BTreeSet;
 
+use super::asked;
 use super::assemble::assemble;
 use super::context::Context;
 use super::file::CFile;
@@ -46,6 +47,9 @@ pub fn header(
         calls: false,
         refuses: true,
     };
-    let items: Vec<Item> = helpers.iter().map(|helper| Item::Verbatim(helper.text())).collect();
+    let copy = asked::Macro::Copy;
+    let copies = helpers.iter().any(|it| it.needs_string()).then(|| copy.text(options));
+    let texts = helpers.iter().map(|it| it.text(&copy.name(options)));
+    let items: Vec<Item> = copies.into_iter().chain(texts).map(Item::Verbatim).collect();
     Some(assemble(context, &name, &shell, true, &items))
 }
