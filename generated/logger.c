@@ -8,12 +8,24 @@
 
 #include <stdbool.h>
 #include <stdint.h>
+#include <string.h>
 
 #include "bessemer_helpers.h"
 #include "bessemer_sizes.h"
 #include "bessemer_target.h"
 
 static void logger_push(logger_t *self, const record_t *record);
+
+void choice_defaults(choice_t *self)
+{
+    self->tag = 0U;
+    self->every = 10U;
+    static const uint8_t initial_signals[36] = {
+        0U, 1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U, 9U, 10U, 11U, 12U, 13U, 14U, 15U, 16U, 17U, 18U, 19U,
+        20U, 21U, 22U, 23U, 24U, 25U, 26U, 27U, 28U, 29U, 30U, 31U, 32U, 33U, 34U, 35U
+    };
+    (void)memcpy(self->signals, initial_signals, sizeof(initial_signals));
+}
 
 void choice_usual(choice_t *choice)
 {

@@ -60,6 +60,9 @@ typedef struct {
     record_t record;
 } logger_step_work_t;
 
+/** Sets each field to its default. */
+void choice_defaults(choice_t *self);
+
 /** The first signals, at 20 Hz. */
 void choice_usual(choice_t *choice);
 

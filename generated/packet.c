@@ -19,6 +19,14 @@ static const uint8_t FIRST = 0xA5U;
 /** The second byte of every packet. */
 static const uint8_t SECOND = 0x5AU;
 
+void packet_defaults(packet_t *self)
+{
+    self->length = UINT64_C(0);
+    for (uint32_t i = 0U; i < 64U; i++) {
+        self->bytes[i] = 0U;
+    }
+}
+
 void packet_none(packet_t *packet)
 {
     packet->length = UINT64_C(0);

@@ -29,6 +29,9 @@ typedef struct {
     uint8_t bytes[PACKET_MOST_BYTES];
 } packet_t;
 
+/** Sets each field to its default. */
+void packet_defaults(packet_t *self);
+
 /** No packet. */
 void packet_none(packet_t *packet);
 

@@ -41,6 +41,32 @@ void sticks_centred(sticks_t *sticks)
     sticks->climb = 0.0;
 }
 
+void orders_defaults(orders_t *self)
+{
+    self->mode = RECEIVER_MODE_CLOSED_LOOP;
+    self->take_off = false;
+    self->land = false;
+    self->stop = false;
+    self->arm = false;
+    self->link = false;
+    self->watched = false;
+    self->silence = 1000000000.0;
+    self->trajectory.count = UINT64_C(0);
+    for (uint32_t i = 0U; i < 16U; i++) {
+        self->trajectory.points[i].time = 0.0;
+        self->trajectory.points[i].position[0] = 0.0;
+        self->trajectory.points[i].position[1] = 0.0;
+        self->trajectory.points[i].position[2] = 0.0;
+        self->trajectory.points[i].yaw = 0.0;
+    }
+    self->tag = 0U;
+    self->sticks.lean[0] = 0.0;
+    self->sticks.lean[1] = 0.0;
+    self->sticks.yaw_rate = 0.0;
+    self->sticks.climb = 0.0;
+    self->sticks_age = 1000000000.0;
+}
+
 void receiver_init(receiver_t *self)
 {
     self->orders.mode = RECEIVER_MODE_CLOSED_LOOP;

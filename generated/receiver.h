@@ -135,6 +135,9 @@ typedef struct {
 /** Nobody's hands on them. */
 void sticks_centred(sticks_t *sticks);
 
+/** Sets each field to its default. */
+void orders_defaults(orders_t *self);
+
 /** Sets the initial state; call it before anything else. */
 void receiver_init(receiver_t *self);
 

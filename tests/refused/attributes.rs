@@ -122,4 +122,16 @@ pub fn named(#[c(name = "a b")] x: f64, #[unit("")] y: f64) -> f64 {
     x + y + TABLE[0]
 }
 
+#[data]
+#[range(0.0..=1.0)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Share {
+    #[range(1.0..=0.0)]
+    pub backwards: f64,
+    #[range(0.0..1.0)]
+    pub open: f64,
+    #[range(-LIMIT..=LIMIT)]
+    pub named: f64,
+}
+
 fn main() {}

@@ -6,9 +6,10 @@
 int main(void)
 {
     static @NAME@_t controller;
-    const gains_t gains = {.proportional = 0.05, .integral = 2.0, .period = 1.0e-3};
+    static gains_t gains;
 
     @NAME@_init(&controller);
+    gains_defaults(&gains);
     for (int i = 0; i < 3; i++) {
         /* The speed comes from your sensor, the voltage goes to your inverter. */
         const double speed = 0.0;

@@ -1,6 +1,7 @@
-//! Additions to the author's comments: units, and how a matrix lies in its array.
+//! Additions to the author's comments: units, ranges, and how a matrix lies in its array.
 
-use bessemer_ir::{Function, Type};
+use bessemer_ir::attributes::Range;
+use bessemer_ir::{Function, Given, Type};
 
 use super::matrices::Layout;
 use super::names::Names;
@@ -10,10 +11,13 @@ use super::signature::{Param, Signature};
 const WIDTH: usize = 92;
 
 /// The doc comment of a field or a constant.
-pub fn value(names: &Names, docs: &[String], unit: Option<&str>, ty: &Type) -> Vec<String> {
+pub fn value(names: &Names, docs: &[String], given: &Given, ty: &Type) -> Vec<String> {
     let mut lines = docs.to_vec();
-    if let Some(unit) = unit {
+    if let Some(unit) = &given.unit {
         add(&mut lines, format!("Unit: {unit}."));
+    }
+    if let Some(range) = given.range {
+        add(&mut lines, format!("Range: {}.", ends(range)));
     }
     if let Some(order) = order(names.layout, ty) {
         add(&mut lines, format!("A matrix {order}."));
@@ -21,11 +25,11 @@ pub fn value(names: &Names, docs: &[String], unit: Option<&str>, ty: &Type) -> V
     lines
 }
 
-/// The doc comment of a function, with the units of its parameters and of what it gives, and how its matrices lie.
+/// The doc comment of a function, with the units and ranges of its parameters, its result's unit, and how its matrices lie.
 pub fn function(names: &Names, function: &Function, signature: &Signature) -> Vec<String> {
     let mut lines = function.docs.clone();
     let attributes = &function.attributes;
-    let of = |(name, given): &(String, bessemer_ir::Given)| {
+    let of = |(name, given): &(String, Given)| {
         let name = given.name.as_ref().unwrap_or(name);
         Some(format!("`{name}` {}", given.unit.as_ref()?))
     };
@@ -33,6 +37,13 @@ pub fn function(names: &Names, function: &Function, signature: &Signature) -> Ve
     units.extend(attributes.result.unit.iter().map(|unit| format!("the result {unit}")));
     if !units.is_empty() {
         add(&mut lines, format!("Units: {}.", units.join(", ")));
+    }
+    let ranges = attributes.parameters.iter().filter_map(|(name, given)| {
+        Some(format!("`{}` {}", given.name.as_ref().unwrap_or(name), ends(given.range?)))
+    });
+    let ranges: Vec<String> = ranges.collect();
+    if !ranges.is_empty() {
+        add(&mut lines, format!("Ranges: {}.", ranges.join(", ")));
     }
     // Those that lie alike, together.
     let mut orders: Vec<(String, Vec<String>)> = Vec::new();
@@ -51,6 +62,16 @@ pub fn function(names: &Names, function: &Function, signature: &Signature) -> Ve
     }
     lines.extend(said);
     lines
+}
+
+/// `0 to 5`.
+fn ends(range: Range) -> String {
+    // Numbers that are far from 1 by their powers of ten.
+    let shown = |it: f64| match it.abs() {
+        size if size != 0.0 && !(1e-4..1e15).contains(&size) => format!("{it:e}"),
+        _ => format!("{it}"),
+    };
+    format!("{} to {}", shown(range.low()), shown(range.high()))
 }
 
 /// How a matrix of several rows and columns lies in its array.

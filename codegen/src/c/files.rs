@@ -89,8 +89,10 @@ fn units(context: Context<'_>) -> BTreeMap<String, Unit> {
         // Types of Rust's own come from nowhere.
         let own = item.span.line > 0 || item.initial.is_some();
         unit.modules.extend(own.then(|| item.module.clone()));
-        if item.initial.is_some() {
+        if names.structs[index].init.is_some() {
             unit.functions.push(Callable::Init(id));
+        }
+        if item.initial.is_some() {
             unit.component = Some(item.name.clone());
         }
     }
@@ -213,7 +215,7 @@ impl Writer<'_> {
         for callable in &self.unit.functions {
             match callable {
                 Callable::Init(id) => items.push(Item::Prototype {
-                    docs: init::docs(),
+                    docs: init::docs(self.context, *id),
                     head: init::head(self.context, *id),
                     origin: origin(self.context.module.structs[id.index()].span),
                     function: String::new(),
@@ -409,8 +411,8 @@ impl Writer<'_> {
             item.fields.iter().zip(&names.fields).filter(|(field, _)| field.ty != Type::Unit);
         let mut fields: Vec<(Vec<String>, Declarator)> = held
             .map(|(field, name)| {
-                let unit = field.given.unit.as_deref();
-                let docs = described::value(self.context.names, &field.docs, unit, &field.ty);
+                let given = &field.given;
+                let docs = described::value(self.context.names, &field.docs, given, &field.ty);
                 let sizes = sizes::sizes(self.context.module, &field.given);
                 includes.sizes(self.options, &sizes);
                 (docs, self.context.names.sized(&field.ty, name, &sizes))

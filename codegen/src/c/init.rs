@@ -1,4 +1,4 @@
-//! The function that sets a component to its initial state.
+//! The functions that set a component to its initial state, and data that entry points take to its default.
 
 use std::collections::BTreeSet;
 
@@ -16,7 +16,7 @@ const LINES: usize = 4;
 /// Up to so many different words are set by a line each; more come from a table.
 const WORDS: usize = 16;
 
-/// The head of a component's `init`.
+/// The head of the function that sets a component to its initial state, or plain data to its default.
 pub fn head(context: Context<'_>, id: StructId) -> Head {
     let names = &context.names.structs[id.index()];
     let this = Declarator {
@@ -28,20 +28,26 @@ pub fn head(context: Context<'_>, id: StructId) -> Head {
         asked: Vec::new(),
         storage: Storage::Extern,
         result: "void".to_owned(),
-        name: names.init.clone().expect("only components have it"),
+        name: names.init.clone().expect("what has no function is not asked for it"),
         params: vec![this],
     }
 }
 
 /// Its doc comment.
-pub fn docs() -> Vec<String> {
-    vec!["Sets the initial state; call it before anything else.".to_owned()]
+pub fn docs(context: Context<'_>, id: StructId) -> Vec<String> {
+    let component = context.module.structs[id.index()].initial.is_some();
+    let said = match component {
+        true => "Sets the initial state; call it before anything else.",
+        false => "Sets each field to its default.",
+    };
+    vec![said.to_owned()]
 }
 
 /// Its definition.
 pub fn item(context: Context<'_>, id: StructId, uses: &mut Uses) -> Item {
     let component = &context.module.structs[id.index()];
-    let words = component.initial.as_deref().expect("only components have it");
+    let words = component.initial.as_ref().or(component.defaults.as_ref());
+    let words = words.expect("what has a function has words");
     let this = Expr::unary("*", Expr::name("self"));
     let mut writer = Writer { context, uses, body: Vec::new(), depth: 0, tables: BTreeSet::new() };
     writer.fields(&this, id, words);

@@ -12,7 +12,9 @@
 
 use std::collections::BTreeSet;
 
-use bessemer_ir::{ConstId, EnumId, Function, FunctionId, Given, Module, Owner, StructId, Type};
+use bessemer_ir::{
+    ConstId, EnumId, Function, FunctionId, Given, Module, Owner, Role, StructId, Type,
+};
 
 use super::analysis::Faults;
 use super::const_names::ConstNames;
@@ -39,7 +41,7 @@ pub struct StructNames {
     pub fields: Vec<String>,
     /// The field that holds the fault which stopped the component, if it can fault. It comes last.
     pub fault: Option<String>,
-    /// The function that sets a component to its initial state.
+    /// The function that sets a component to its initial state, or data that an entry point takes to its default.
     pub init: Option<String>,
     /// The header that declares it, `altitude.h`.
     pub header: String,
@@ -229,7 +231,7 @@ impl Names {
             let base = bases[index].clone();
             self.structs.push(StructNames {
                 ty: given_or(&item.given, format!("{base}_t")),
-                init: item.initial.as_ref().map(|_| format!("{base}_init")),
+                init: set_by(module, id).map(|word| format!("{base}_{word}")),
                 header: format!("{}.h", self.placing.struct_file(id)),
                 base,
                 fields,
@@ -412,4 +414,17 @@ impl Names {
     pub fn has_library(&self) -> bool {
         self.functions.iter().any(|signature| signature.storage == Storage::Library)
     }
+}
+
+/// What the function is called that sets a struct to the value that it begins with, if it has one: `init` of a component,
+/// `defaults` of data that an entry point takes.
+fn set_by(module: &Module, id: StructId) -> Option<&'static str> {
+    let item = &module.structs[id.index()];
+    if item.initial.is_some() {
+        return Some("init");
+    }
+    let entries = module.functions.iter().filter(|it| matches!(it.role, Role::Entry { .. }));
+    let mut taken = entries.flat_map(Function::parameters);
+    let is_taken = taken.any(|parameter| parameter.ty == Type::Struct(id));
+    (is_taken && item.defaults.is_some()).then_some("defaults")
 }

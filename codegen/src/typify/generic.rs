@@ -210,8 +210,8 @@ impl Context<'_> {
             }
         };
         let docs = vec![format!("`{shown}`{meaning}.")];
-        let (initial, given) = (None, Given::default());
-        let item = Struct { name, module, docs, fields, form, initial, given, span };
+        let (initial, defaults, given) = (None, None, Given::default());
+        let item = Struct { name, module, docs, fields, form, initial, defaults, given, span };
         self.module.structs.push(item);
         let id = StructId(self.module.structs.len() as u32 - 1);
         self.shown.insert(id, shown);
@@ -324,8 +324,9 @@ impl Context<'_> {
             ..named
         });
         let form = Form::Choice(cases.iter().map(|case| case.field).collect());
-        let initial = None;
-        let definition = Struct { name, module, docs, fields, form, initial, given, span };
+        let (initial, defaults) = (None, None);
+        let definition =
+            Struct { name, module, docs, fields, form, initial, defaults, given, span };
         self.module.structs.push(definition);
         let id = StructId(self.module.structs.len() as u32 - 1);
         self.cases.insert(id, cases);
@@ -359,6 +360,7 @@ impl Context<'_> {
                     fields,
                     form: Form::Record,
                     initial: None,
+                    defaults: None,
                     given: beside(&named.given, &snake(&variant.name)),
                     span: named.span,
                 });

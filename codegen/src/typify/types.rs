@@ -48,7 +48,7 @@ impl<'a> Context<'a> {
         };
         let home = module.clone();
         let ty = match &definition.kind {
-            DefinitionKind::Struct { fields, initial } => {
+            DefinitionKind::Struct { fields, initial, defaults } => {
                 let (all, site) = (fields, definition.site);
                 let (fields, kept) = self.kept_fields(&definition.module, all, site)?;
                 if fields.is_empty() {
@@ -56,7 +56,7 @@ impl<'a> Context<'a> {
                 }
                 let id = StructId(self.module.structs.len() as u32);
                 self.note_fields(id, all, &kept);
-                let (form, initial) = (Form::Record, initial.clone());
+                let (form, initial, defaults) = (Form::Record, initial.clone(), defaults.clone());
                 self.module.structs.push(Struct {
                     name,
                     module,
@@ -64,6 +64,7 @@ impl<'a> Context<'a> {
                     fields,
                     form,
                     initial,
+                    defaults,
                     given,
                     span,
                 });

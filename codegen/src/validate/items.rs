@@ -174,9 +174,9 @@ impl Items<'_> {
 
     fn initial_states(&mut self) {
         for (index, definition) in self.module.structs.iter().enumerate() {
-            if let Some(initial) = &definition.initial {
+            for words in definition.initial.iter().chain(&definition.defaults) {
                 let id = StructId(index as u32);
-                let fit = words_fit(self.module, &Type::Struct(id), initial);
+                let fit = words_fit(self.module, &Type::Struct(id), words);
                 self.note(Subject::Struct(id), definition.span, fit.map_err(Problem::from));
             }
         }

@@ -108,6 +108,7 @@ pub fn module(seed: u64) -> Module {
             .collect(),
         form: bessemer_ir::Form::Record,
         initial: None,
+        defaults: None,
         given: Given::default(),
         span: Span::default(),
     });

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use crate::ir::Const;
 use crate::tree::Site;
 
-/// The author's attributes of a type, a variant, a field, a parameter or a table: `#[c(…)]`, `#[unit("…")]`.
+/// The author's attributes of a type, a variant, a field, a parameter or a table: `#[c(…)]`, `#[unit("…")]`, `#[range(…)]`.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Given {
@@ -18,6 +18,8 @@ pub struct Given {
     pub name: Option<String>,
     /// The unit of its numbers.
     pub unit: Option<String>,
+    /// The range of its numbers.
+    pub range: Option<Range>,
     /// The section of the object file in which it stands.
     pub section: Option<String>,
     /// Of a constant: whether other modules may read it.
@@ -30,6 +32,33 @@ pub struct Given {
     pub sizes: Vec<String>,
     /// Where the name stands, in the file of the item.
     pub site: Site,
+}
+
+/// The least and the greatest number that the author means a field or a parameter to have. It is told to whoever sets it;
+/// nothing that is computed depends on it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Range {
+    // The bits of two `f64`s, so that ranges are equal where they are the same.
+    low: u64,
+    high: u64,
+}
+
+impl Range {
+    /// A range of finite numbers in order; none for others.
+    pub fn new(low: f64, high: f64) -> Option<Range> {
+        let sound = low.is_finite() && high.is_finite() && low <= high;
+        sound.then_some(Range { low: low.to_bits(), high: high.to_bits() })
+    }
+
+    /// The least number.
+    pub fn low(self) -> f64 {
+        f64::from_bits(self.low)
+    }
+
+    /// The greatest number.
+    pub fn high(self) -> f64 {
+        f64::from_bits(self.high)
+    }
 }
 
 impl Const {

@@ -1,11 +1,9 @@
 //! The IR: a module of types, constants and functions, all typed.
 //!
-//! * Types and functions are named by handles into the module's tables; a definition refers only to
-//!   earlier entries of its own table, so there is no recursion.
+//! * Types and functions are handles into the module's tables; a definition refers to earlier ones alone: no recursion.
 //! * Control flow is statements; a value that depends on control flow is a local that the statements
 //!   assign. Expressions have no effect, save that calls may write through `RefMut` arguments.
-//! * Operations mean what Rust means: integer arithmetic is checked, indices are checked, a shift by
-//!   the width or more is a fault, float operations round once to nearest.
+//! * Operations mean what Rust means: integers, indices and shifts are checked, floats round once to nearest.
 //! * Evaluation is left to right, operands before the operation.
 //! * Every node carries its [`Span`]. Spans never influence the emitted C.
 
@@ -89,6 +87,8 @@ pub struct Struct {
     pub form: Form,
     /// For a component: its initial state as words, in the order of [`Module::leaves`].
     pub initial: Option<Vec<u64>>,
+    /// For plain data whose author writes its `Default` out: that as words, in the same order.
+    pub defaults: Option<Vec<u64>>,
     /// The author's wishes for its C.
     pub given: Given,
     /// Where its name stands.

@@ -24,7 +24,7 @@ pub mod tree;
 pub mod visit;
 pub mod words;
 
-pub use attributes::{Attributes, Given, Inlining};
+pub use attributes::{Attributes, Given, Inlining, Range};
 pub use ir::*;
 pub use kernel::{Kernel, KernelRoutine};
 pub use number::{Float, Int, Scalar};

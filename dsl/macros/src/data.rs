@@ -180,16 +180,31 @@ fn check_fields(fields: &syn::Fields, refusals: &mut Refusals) {
 fn struct_definition(kind: Kind, it: &syn::ItemStruct) -> TokenStream {
     let fields = field_definitions(&it.fields);
     let name = &it.ident;
-    let initial = match kind {
-        Kind::Data => quote! { ::core::option::Option::None },
-        Kind::Component => quote! {
-            ::core::option::Option::Some(::bessemer::generate::words(&<Self as ::core::default::Default>::default()))
-        },
+    let none = quote! { ::core::option::Option::None };
+    let generic = Scope::of_type(&it.generics).is_generic();
+    let (initial, defaults) = match kind {
+        Kind::Component => (
+            quote! {
+                ::core::option::Option::Some(::bessemer::generate::words(&<Self as ::core::default::Default>::default()))
+            },
+            none,
+        ),
+        // A derived one says nothing of its own; and whether an instance has one could not be asked here.
+        Kind::Data if generic || derives("Default", &it.attrs) => (none.clone(), none),
+        Kind::Data => (
+            none,
+            quote! {{
+                #[allow(unused_imports)]
+                use ::bessemer::generate::NoDefault as _;
+                ::bessemer::generate::Defaults::<#name>::of().words()
+            }},
+        ),
     };
     let body = quote! {
         ::bessemer::generate::tree::DefinitionKind::Struct {
             fields: #fields,
             initial: #initial,
+            defaults: #defaults,
         }
     };
     let scope = Scope::of_type(&it.generics);

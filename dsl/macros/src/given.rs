@@ -1,10 +1,10 @@
 //! The author's names, units and sections for types, variants, fields, parameters and tables:
-//! `#[c(name = "…", section = "…")]`, `#[unit("…")]`.
+//! `#[c(name = "…", section = "…")]`, `#[unit("…")]`, `#[range(0.0..=5.0)]`.
 //!
 //! The attributes are the DSL's alone: the native item goes without them. What they say travels as
 //! [`Given`]; whether a name is free shows only when the C is written.
 
-use bessemer_ir::attributes::{Attributes, Given};
+use bessemer_ir::attributes::{Attributes, Given, Range};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -18,7 +18,7 @@ pub enum On {
     Type,
     /// A variant of an enum: a name.
     Variant,
-    /// A field or a parameter: a name and a unit.
+    /// A field or a parameter: a name, a unit and a range.
     Value,
     /// A `const` or a `static`: a name, a unit and a section.
     Table,
@@ -26,7 +26,7 @@ pub enum On {
 
 /// Whether an attribute is one of these.
 fn is_ours(attribute: &syn::Attribute) -> bool {
-    attribute.path().is_ident("c") || attribute.path().is_ident("unit")
+    ["c", "unit", "range"].iter().any(|name| attribute.path().is_ident(name))
 }
 
 /// Takes the attributes off the native item.
@@ -43,6 +43,15 @@ pub fn read(attributes: &[syn::Attribute], on: On, refusals: &mut Refusals) -> G
                 On::Value | On::Table => given.unit = unit(attribute, refusals),
                 On::Type | On::Variant => {
                     refusals.add(attribute.path(), refuse::UNIT_PLACE);
+                }
+            }
+            continue;
+        }
+        if attribute.path().is_ident("range") {
+            match on {
+                On::Value => given.range = range(attribute, refusals),
+                On::Table | On::Type | On::Variant => {
+                    refusals.add(attribute.path(), refuse::RANGE_PLACE);
                 }
             }
             continue;
@@ -78,6 +87,30 @@ pub fn unit(attribute: &syn::Attribute, refusals: &mut Refusals) -> Option<Strin
         return None;
     }
     Some(unit)
+}
+
+/// The range that an attribute gives.
+fn range(attribute: &syn::Attribute, refusals: &mut Refusals) -> Option<Range> {
+    let ends = attribute.parse_args::<syn::ExprRange>().ok();
+    let ends = ends.filter(|it| matches!(it.limits, syn::RangeLimits::Closed(_)));
+    let end = |end: Option<Box<syn::Expr>>| end.and_then(|it| literal(&it));
+    let range = ends.and_then(|it| Range::new(end(it.start)?, end(it.end)?));
+    if range.is_none() {
+        refusals.add(attribute.path(), refuse::RANGE);
+    }
+    range
+}
+
+/// The value of a number as it is written: `5`, `-0.5`.
+fn literal(expr: &syn::Expr) -> Option<f64> {
+    match expr {
+        syn::Expr::Unary(syn::ExprUnary { op: syn::UnOp::Neg(_), expr, .. }) => {
+            literal(expr).map(|it| -it)
+        }
+        syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Float(it), .. }) => it.base10_parse().ok(),
+        syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Int(it), .. }) => it.base10_parse().ok(),
+        _ => None,
+    }
 }
 
 /// Takes what is said of its parameters off a signature, and adds what their types and its result's say.
@@ -116,10 +149,17 @@ pub fn tokens(given: &Given) -> TokenStream {
         None => none.clone(),
     };
     let (name, unit, section) = (text(&given.name), text(&given.unit), text(&given.section));
+    let range = match given.range {
+        Some(range) => {
+            let (low, high) = (range.low(), range.high());
+            quote! { ::core::option::Option::Some((#low, #high)) }
+        }
+        None => none,
+    };
     let (lower::Site(line, column), radix, sizes) = (given.site, given.hexadecimal, &given.sizes);
     quote! {
         ::core::option::Option::Some(::bessemer::generate::Said {
-            name: #name, unit: #unit, section: #section, hexadecimal: #radix, sizes: &[#(#sizes),*],
+            name: #name, unit: #unit, range: #range, section: #section, hexadecimal: #radix, sizes: &[#(#sizes),*],
             site: (#line, #column),
         })
     }

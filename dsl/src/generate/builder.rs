@@ -9,7 +9,7 @@ use alloc::string::String;
 use alloc::vec::Vec;
 
 use bessemer_ir::tree::{self, Argument, DefinitionKind, Package, Refusal, Site, Ty};
-use bessemer_ir::{Given, Scalar};
+use bessemer_ir::{Given, Range, Scalar};
 
 use crate::Plain;
 
@@ -57,12 +57,14 @@ pub struct Named {
 /// Parameters by name, and what stands for each.
 pub type Arguments = Vec<(String, Argument)>;
 
-/// What the author of an item asks of its C: the name and its place, the unit, the section.
+/// What the author of an item asks of its C: the name and its place, the unit, the range, the section.
 pub struct Said {
     /// The name in the C, and the line and column where it stands.
     pub name: Option<&'static str>,
     /// The unit.
     pub unit: Option<&'static str>,
+    /// The least and the greatest number.
+    pub range: Option<(f64, f64)>,
     /// The section of the object file.
     pub section: Option<&'static str>,
     /// Whether it is written in base sixteen.
@@ -74,13 +76,42 @@ pub struct Said {
 }
 
 pub(super) fn said(said: Option<Said>) -> Given {
-    let Some(Said { name, unit, section, hexadecimal, sizes, site }) = said else {
+    let Some(Said { name, unit, range, section, hexadecimal, sizes, site }) = said else {
         return Given::default();
     };
     let text = |text: Option<&'static str>| text.map(ToOwned::to_owned);
     let (name, unit, section, sizes) = (text(name), text(unit), text(section), owned(sizes));
-    Given { name, unit, section, public: false, hexadecimal, sizes, site: Site(site.0, site.1) }
+    let (range, site) = (range.and_then(|(low, high)| Range::new(low, high)), Site(site.0, site.1));
+    Given { name, unit, range, section, public: false, hexadecimal, sizes, site }
 }
+
+/// Asks whether a type has a default: [`Defaults::words`] of one that has is a method of its own, which Rust prefers to that
+/// of [`NoDefault`].
+pub struct Defaults<T>(core::marker::PhantomData<T>);
+
+impl<T> Defaults<T> {
+    /// The question.
+    pub fn of() -> Defaults<T> {
+        Defaults(core::marker::PhantomData)
+    }
+}
+
+impl<T: Default + Plain> Defaults<T> {
+    /// The words of the default.
+    pub fn words(&self) -> Option<Vec<u64>> {
+        Some(words(&T::default()))
+    }
+}
+
+/// The answer for a type without a default.
+pub trait NoDefault {
+    /// None.
+    fn words(&self) -> Option<Vec<u64>> {
+        None
+    }
+}
+
+impl<T> NoDefault for Defaults<T> {}
 
 /// The words of a value.
 pub fn words<T: Plain>(value: &T) -> Vec<u64> {

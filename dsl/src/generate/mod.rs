@@ -28,7 +28,7 @@ pub mod whole;
 
 pub use alloc::string::String;
 pub use bessemer_ir::tree;
-pub use builder::{Builder, Callee, Named, Said, Witness, words};
+pub use builder::{Builder, Callee, Defaults, Named, NoDefault, Said, Witness, words};
 pub use comparison::{Ranked, cmp};
 pub use inventory;
 pub use items::{

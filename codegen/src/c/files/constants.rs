@@ -114,9 +114,8 @@ pub(super) fn shared(
 
 fn size(context: Context<'_>, id: ConstId, name: &str) -> Item {
     let item = &context.module.consts[id.index()];
-    let unit = item.given.unit.as_deref();
     Item::Define {
-        docs: described::value(context.names, &item.docs, unit, &item.ty),
+        docs: described::value(context.names, &item.docs, &item.given, &item.ty),
         name: name.to_owned(),
         value: literal::word(context.names, &item.ty, item.words[0]),
     }
@@ -151,10 +150,9 @@ fn constant(
         includes.system.insert("math.h");
     }
     let section = item.given.section.as_ref();
-    let unit = item.given.unit.as_deref();
     Item::Constant {
         storage: Storage::Static,
-        docs: described::value(context.names, &item.docs, unit, &item.ty),
+        docs: described::value(context.names, &item.docs, &item.given, &item.ty),
         asked: section.map(|section| asked::section(section, options)),
         declarator,
         init: Some(init),

@@ -193,6 +193,7 @@ pub(super) fn record(
         fields,
         form: bessemer_ir::Form::Record,
         initial: None,
+        defaults: None,
         given: Given::default(),
         span,
     }

@@ -7,7 +7,7 @@ use crate::ir::{BinaryOp, CompareOp, Fault, Intrinsic, LogicOp, Routine};
 use crate::number::Scalar;
 
 /// Words that are no names unless quoted (scalar types are words as well).
-const WORDS: [&str; 35] = [
+const WORDS: [&str; 36] = [
     "module",
     "file",
     "struct",
@@ -39,6 +39,7 @@ const WORDS: [&str; 35] = [
     "load",
     "array",
     "initial",
+    "default",
     "params",
     "while",
     "loop",

@@ -7,7 +7,7 @@ use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
-use crate::attributes::{Attributes, Given, Inlining};
+use crate::attributes::{Attributes, Given, Inlining, Range};
 use crate::ir::{
     Block, Const, ConstId, Enum, EnumId, Field, Form, Function, FunctionId, Local, LocalId, Module,
     Owner, Role, Span, Struct, StructId, Type, Variant,
@@ -303,9 +303,10 @@ impl Parser {
             }
         }
         let initial = if self.eat("=") { Some(self.words()?) } else { None };
+        let defaults = if self.eat_word("default") { Some(self.words()?) } else { None };
         let id = TypeId::Struct(StructId(self.module.structs.len() as u32));
         define(&mut self.types, name.clone(), id);
-        let item = Struct { name, module, docs, fields, form, initial, given, span };
+        let item = Struct { name, module, docs, fields, form, initial, defaults, given, span };
         self.module.structs.push(item);
         Ok(())
     }
@@ -460,6 +461,16 @@ impl Parser {
         Ok(attributes)
     }
 
+    /// `"0.0" "5.0"`.
+    fn range(&mut self) -> Parsed<Range> {
+        let (low, high) = (self.name()?.parse(), self.name()?.parse());
+        match (low, high) {
+            (Ok(low), Ok(high)) => Range::new(low, high),
+            _ => None,
+        }
+        .map_or_else(|| self.fail("expected two finite numbers in order before this"), Ok)
+    }
+
     /// `#(name "x" measured "m/s" @12:3)`, if it is next.
     fn given(&mut self) -> Parsed<Given> {
         let mut given = Given::default();
@@ -473,6 +484,10 @@ impl Parser {
                 "name" => &mut given.name,
                 "measured" => &mut given.unit,
                 "section" => &mut given.section,
+                "range" => {
+                    given.range = Some(self.range()?);
+                    continue;
+                }
                 "public" => {
                     given.public = true;
                     continue;

@@ -213,13 +213,22 @@ impl<'m> Printer<'m> {
         self.out.push('}');
         if let Some(initial) = &definition.initial {
             self.out.push_str(" = ");
-            let mut leaves = Vec::new();
-            for field in &definition.fields {
-                self.leaves(&field.ty, self.structs_above, initial.len(), &mut leaves);
-            }
-            self.word_list(initial, &leaves);
+            self.state(definition, initial);
+        }
+        if let Some(defaults) = &definition.defaults {
+            self.out.push_str(" default ");
+            self.state(definition, defaults);
         }
         self.out.push('\n');
+    }
+
+    /// The words of a value of a struct.
+    fn state(&mut self, definition: &Struct, words: &[u64]) {
+        let mut leaves = Vec::new();
+        for field in &definition.fields {
+            self.leaves(&field.ty, self.structs_above, words.len(), &mut leaves);
+        }
+        self.word_list(words, &leaves);
     }
 
     fn function(&mut self, function: &'m Function) {
@@ -497,10 +506,12 @@ fn shown_given(given: &Given) -> String {
     let said =
         said.iter().filter_map(|(word, text)| Some(format!("{word} {:?} ", (*text).as_ref()?)));
     let said: String = said.collect();
+    let range = given.range.map(|it| format!("range \"{:?}\" \"{:?}\" ", it.low(), it.high()));
+    let range = range.unwrap_or_default();
     let public = if given.public { "public " } else { "" };
     let radix = if given.hexadecimal { "hexadecimal " } else { "" };
     let sizes: String = given.sizes.iter().map(|size| format!("size {size:?} ")).collect();
-    format!(" #({said}{public}{radix}{sizes}@{}:{})", given.site.0, given.site.1)
+    format!(" #({said}{range}{public}{radix}{sizes}@{}:{})", given.site.0, given.site.1)
 }
 
 /// A word of a constant: readable where that reads back to the same bits.

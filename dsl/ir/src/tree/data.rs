@@ -87,6 +87,9 @@ pub enum DefinitionKind {
         fields: Vec<Field>,
         /// The initial state of a component, as words.
         initial: Option<Vec<u64>>,
+        /// The default of plain data whose author writes it out, as words.
+        #[serde(default)]
+        defaults: Option<Vec<u64>>,
     },
     /// An enum.
     Enum(Vec<Variant>),

@@ -171,6 +171,7 @@ impl Source<'_> {
         Given {
             name: self.chance(2).then(|| self.text()),
             unit: self.chance(2).then(|| self.text()),
+            range: Range::new(f64::from(self.below(9)) / 4.0 - 2.0, 1e300),
             section: self.chance(2).then(|| self.text()),
             public: self.chance(2),
             hexadecimal: self.chance(2),
@@ -201,6 +202,7 @@ impl Source<'_> {
                 }
             },
             initial: if self.chance(2) { Some(self.some(6, Source::word)) } else { None },
+            defaults: if self.chance(3) { Some(self.some(6, Source::word)) } else { None },
             given: self.given(),
             span: self.span(),
         }

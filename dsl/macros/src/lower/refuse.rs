@@ -211,6 +211,8 @@ reasons! {
     UNIT: "this is no unit", "write `#[unit(\"m/s\")]`";
     FOREIGN_IMPLEMENTATION: "an interface is implemented by numbers and by types of the author's own in the DSL", "wrap the value: `#[data] struct Gain(f64);`, and implement the interface for that";
     INTERFACE_CLOSURE: "a method of an interface takes no closure in the DSL", "write a function or a method of a type that takes it";
+    RANGE: "this is no range", "write the least and the greatest number: `#[range(0.0..=5.0)]`";
+    RANGE_PLACE: "a range is that of a number that is set", "write it on a field or a parameter";
     UNIT_PLACE: "a unit is that of a number", "write it on a field, a parameter, a constant, or on the function that gives the number";
     C_ALONE: "`#[c(…)]` means something below the DSL's attribute alone", "write it below `#[function]`, `#[data]` or `#[component]`, or on a method of a marked `impl` block";
     SECTION_PLACE: "only a function or a constant has a place in the object file", "leave the section out";

@@ -241,7 +241,7 @@ fn a_component_starts_as_its_default_does() {
     let types = super::package().types;
     let outer =
         types.iter().find(|it| it.path == "witness::values::Outer").expect("Outer is there");
-    let DefinitionKind::Struct { fields, initial } = &outer.kind else { panic!("a struct") };
+    let DefinitionKind::Struct { fields, initial, .. } = &outer.kind else { panic!("a struct") };
     let names: Vec<_> = fields.iter().map(|field| field.name.as_str()).collect();
     assert_eq!(names, ["inner", "gain", "type"]);
     assert_eq!(fields[0].docs, ["The component inside."]);

@@ -35,7 +35,7 @@ float units_density(const barometer_t *reading)
 
 /** What the barometer says. */
 typedef struct {
-    /** Pressure of the air. Unit: Pa. */
+    /** Pressure of the air. Unit: Pa. Range: 30000 to 110000. */
     float pressure;
     /** Unit: °C. */
     float temperature;

@@ -14,6 +14,13 @@
 
 static const double SUPPLY = 12.0;
 
+void gains_defaults(gains_t *self)
+{
+    self->proportional = 0.05;
+    self->integral = 2.0;
+    self->period = 0.001;
+}
+
 void motor_init(motor_t *self)
 {
     self->integral = 0.0;

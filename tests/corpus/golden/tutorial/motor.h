@@ -18,11 +18,11 @@ extern "C" {
 
 /** How to answer an error of speed. */
 typedef struct {
-    /** Volts for each rad/s of error. */
+    /** Volts for each rad/s of error. Unit: V·s/rad. Range: 0 to 1. */
     double proportional;
-    /** Volts for each rad of its integral. */
+    /** Volts for each rad of its integral. Unit: V/rad. Range: 0 to 20. */
     double integral;
-    /** The control period, s. */
+    /** The control period. Unit: s. Range: 0.0001 to 0.01. */
     double period;
 } gains_t;
 
@@ -31,6 +31,9 @@ typedef struct {
     /** Integral of the error of speed, rad. */
     double integral;
 } motor_t;
+
+/** Sets each field to its default. */
+void gains_defaults(gains_t *self);
 
 /** Sets the initial state; call it before anything else. */
 void motor_init(motor_t *self);

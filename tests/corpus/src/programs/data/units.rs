@@ -1,5 +1,5 @@
 //! The unit of a field, a parameter, a constant or a result stands in the comment of the C, and in what `gen`
-//! reports of each entry point.
+//! reports of each entry point; the range of a field or a parameter stands beside it.
 
 use bessemer::prelude::*;
 
@@ -9,6 +9,7 @@ use bessemer::prelude::*;
 pub struct Barometer {
     /// Pressure of the air.
     #[unit("Pa")]
+    #[range(30e3..=110e3)]
     pub pressure: f32,
     #[unit("°C")]
     pub temperature: f32,
@@ -40,7 +41,7 @@ impl AirDensity {
     /// Takes a reading.
     #[entry(infallible)]
     #[unit("kg/m³")]
-    pub fn step(&mut self, reading: &Barometer, #[unit("1/s")] rate: f32, #[unit("s")] period: f32) -> f32 {
+    pub fn step(&mut self, reading: &Barometer, #[unit("1/s")] #[range(0..=50)] rate: f32, #[unit("s")] period: f32) -> f32 {
         self.density += (density(reading) - self.density) * rate * period;
         self.density
     }
