@@ -6,6 +6,7 @@
 use bessemer_ir::tree::Package;
 use bessemer_ir::{Fault, Module};
 
+use crate::c::interface::Interface;
 use crate::c::{self, CFile, EntryReport};
 use crate::deep::deep;
 use crate::diagnostic::{Diagnostic, OUR_FAULT};
@@ -29,6 +30,8 @@ pub struct Compiled {
     pub typed: Typed,
     /// The C.
     pub files: Vec<CFile>,
+    /// The face of the C: its types and entry points as data.
+    pub interface: Interface,
     /// The entry points, with their costs.
     pub entries: Vec<EntryReport>,
     /// The checks that are left in each function, and why.
@@ -84,6 +87,7 @@ fn whole(
         return Err(taken);
     }
     let files = c::emit(&explicit, options);
+    let interface = c::interface(&explicit, options);
     let entries = c::report(&explicit, options, &files);
     let replaced = replaced(&explicit, options);
     let fast = fast(&explicit, options);
@@ -95,6 +99,7 @@ fn whole(
         explicit,
         typed,
         files,
+        interface,
         entries,
         checks,
         replaced,

@@ -15,6 +15,7 @@ mod ends;
 mod examples;
 mod fast_mode;
 mod flight;
+mod interface;
 mod kernel_options;
 mod large;
 mod layouts;

@@ -3,15 +3,16 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
+use bessemer_codegen::c::CFile;
 use bessemer_codegen::compile::Compiled;
 use bessemer_codegen::diagnostic::{self, Diagnostic, Told};
 use bessemer_codegen::generate::{self, Job, Made};
 use bessemer_codegen::source::Sources;
 
-use crate::build_files;
 use crate::error::Error;
 use crate::project::Project;
 use crate::settings::Limit;
+use crate::{build_files, interface};
 
 /// The choices of one generation.
 #[derive(Clone, Copy, Debug, Default)]
@@ -130,6 +131,11 @@ fn limited(project: &Project, job: &Job) -> Result<Made, Error> {
     if project.settings.build_files {
         let more = build_files::files(&made.compiled);
         made.compiled.files.extend(more);
+    }
+    if project.settings.interface {
+        let (name, map) = (interface::NAME.to_owned(), Vec::new());
+        let text = interface::text(&made.compiled.module.name, &made.compiled.interface);
+        made.compiled.files.push(CFile { name, text, map });
     }
     Ok(made)
 }

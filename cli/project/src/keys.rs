@@ -149,6 +149,12 @@ pub const KEYS: &[Key] = &[
         says: "Whether the folder also gets a `CMakeLists.txt`, whose library carries its flags, and a fragment for make.",
     },
     Key {
+        name: "interface",
+        kind: Kind::Flag(|to, flag| to.interface = flag),
+        default: "false",
+        says: "Whether the folder also gets `interface.json`: types with offsets, units and ranges, and entry points, for other tools (docs/interface.schema.json).",
+    },
+    Key {
         name: "kernels.mode",
         kind: Kind::Choice(&["exact", "fast", "plain"], |to, which| {
             to.options.kernels.mode = [Mode::Exact, Mode::Fast, Mode::Plain][which];

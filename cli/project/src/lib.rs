@@ -12,6 +12,7 @@ mod build_files;
 mod error;
 pub mod file;
 mod generation;
+pub mod interface;
 pub mod keys;
 mod project;
 pub mod schema;

@@ -13,6 +13,8 @@ pub struct Settings {
     pub license: Option<String>,
     /// Tells whether the folder of the C also gets files for CMake and make.
     pub build_files: bool,
+    /// Tells whether the folder also gets `interface.json`.
+    pub interface: bool,
     /// The options of the compiler.
     pub options: Options,
     /// The limits.

@@ -1,20 +1,34 @@
-//! Sizes in memory, as the usual ABIs lay things out: for the report only, never for the C.
+//! Sizes and offsets in memory, as the usual ABIs lay things out: for reports and descriptions, never for the C.
 
-use bessemer_ir::{Form, Scalar, StructId, Type};
+use bessemer_ir::{EnumId, Form, Scalar, StructId, Type};
 
 use super::context::Context;
 
+/// How large an enum is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Enums {
+    /// As an `int`.
+    Int,
+    /// As the smallest integer that holds its values.
+    Short,
+}
+
 /// `sizeof` a value.
-pub fn size_of(context: Context<'_>, ty: &Type) -> u64 {
-    size_and_align(context, ty).0
+pub fn size_of(context: Context<'_>, ty: &Type, enums: Enums) -> u64 {
+    size_and_align(context, ty, enums).0
 }
 
-/// `sizeof` a struct, its hidden field included.
+/// `sizeof` a struct, its hidden field included, with enums as `int`.
 pub fn size_of_struct(context: Context<'_>, id: StructId) -> u64 {
-    size_of(context, &Type::Struct(id))
+    size_of(context, &Type::Struct(id), Enums::Int)
 }
 
-fn size_and_align(context: Context<'_>, ty: &Type) -> (u64, u64) {
+/// `offsetof` each field of a struct, and its hidden one.
+pub fn offsets(context: Context<'_>, id: StructId, enums: Enums) -> Vec<u64> {
+    laid_out(context, id, enums).0
+}
+
+fn size_and_align(context: Context<'_>, ty: &Type, enums: Enums) -> (u64, u64) {
     match ty {
         Type::Unit => (0, 1),
         // A pointer, and never a part of something.
@@ -23,34 +37,66 @@ fn size_and_align(context: Context<'_>, ty: &Type) -> (u64, u64) {
             let size = scalar_size(*scalar);
             (size, size)
         }
-        Type::Enum(_) => (4, 4),
+        Type::Enum(id) => {
+            let size = enum_size(context, *id, enums);
+            (size, size)
+        }
         Type::Array { element, len } => {
-            let (size, align) = size_and_align(context, element);
+            let (size, align) = size_and_align(context, element, enums);
             (size * u64::from(*len), align)
         }
         Type::Matrix { element, rows, cols } => {
             let size = scalar_size(*element);
             (size * u64::from(*rows) * u64::from(*cols), size)
         }
-        Type::Struct(id) => {
-            let item = &context.module.structs[id.index()];
-            let fault = context.names.structs[id.index()].fault.is_some();
-            let mut fields: Vec<_> =
-                item.fields.iter().map(|field| size_and_align(context, &field.ty)).collect();
-            let own = if item.overlaid() { 1 } else { 0 };
-            if item.overlaid() || item.form == Form::Shared {
-                // One of them at a time.
-                let most = fields.drain(own..).fold((0, 1), |(most, strictest), (size, align)| {
-                    (u64::max(most, size), u64::max(strictest, align))
-                });
-                fields.push((most.0.next_multiple_of(most.1), most.1));
-            }
-            let fields = fields.into_iter().chain(fault.then_some((4, 4)));
-            let (size, align) = fields.fold((0, 1), |(end, most), (size, align)| {
-                (u64::next_multiple_of(end, align) + size, u64::max(most, align))
-            });
-            (size.next_multiple_of(align).max(1), align)
-        }
+        Type::Struct(id) => laid_out(context, *id, enums).1,
+    }
+}
+
+/// Where the fields of a struct begin; its size and its alignment.
+fn laid_out(context: Context<'_>, id: StructId, enums: Enums) -> (Vec<u64>, (u64, u64)) {
+    let item = &context.module.structs[id.index()];
+    let fields = item.fields.iter().map(|field| size_and_align(context, &field.ty, enums));
+    let fields: Vec<_> = fields.collect();
+    // Those behind share their memory.
+    let own = match (item.overlaid(), item.form == Form::Shared) {
+        (true, _) => 1,
+        (_, true) => 0,
+        _ => fields.len(),
+    };
+    let (mut end, mut strictest, mut offsets) = (0, 1, Vec::new());
+    for (size, align) in &fields[..own] {
+        let offset = u64::next_multiple_of(end, *align);
+        offsets.push(offset);
+        (end, strictest) = (offset + size, u64::max(strictest, *align));
+    }
+    let shared = &fields[own..];
+    let align = shared.iter().map(|(_, align)| *align).max().unwrap_or(1);
+    let most = shared.iter().map(|(size, _)| *size).max().unwrap_or(0);
+    let start = end.next_multiple_of(align);
+    offsets.extend(shared.iter().map(|_| start));
+    if !shared.is_empty() {
+        end = start + most.next_multiple_of(align);
+        strictest = strictest.max(align);
+    }
+    if context.names.structs[id.index()].fault.is_some() {
+        // Of few values, none of them negative.
+        let size = if enums == Enums::Short { 1 } else { 4 };
+        offsets.push(end.next_multiple_of(size));
+        end = end.next_multiple_of(size) + size;
+        strictest = strictest.max(size);
+    }
+    (offsets, (end.next_multiple_of(strictest).max(1), strictest))
+}
+
+fn enum_size(context: Context<'_>, id: EnumId, enums: Enums) -> u64 {
+    let values = context.module.enums[id.index()].variants.iter().map(|it| i64::from(it.value));
+    let within = |low: i64, high: i64| values.clone().all(|it| (low..=high).contains(&it));
+    match enums {
+        Enums::Int => 4,
+        Enums::Short if within(0, 0xFF) || within(-0x80, 0x7F) => 1,
+        Enums::Short if within(0, 0xFFFF) || within(-0x8000, 0x7FFF) => 2,
+        Enums::Short => 4,
     }
 }
 

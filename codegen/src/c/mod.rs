@@ -20,6 +20,7 @@ pub mod given;
 mod helpers;
 mod helpers_header;
 mod init;
+pub mod interface;
 mod layout;
 mod layout_text;
 mod library;
@@ -47,6 +48,7 @@ mod units;
 use bessemer_ir::Module;
 
 pub use file::{CFile, MapLine};
+pub use interface::interface;
 pub use library::Math;
 pub use matrices::Layout;
 pub use options::Options;

@@ -32,7 +32,7 @@ use bessemer_ir::{
 use super::analysis::Usage;
 use super::context::{Context, Uses};
 use super::helpers::Helper;
-use super::layout::size_of;
+use super::layout::{Enums, size_of};
 use super::names::local_name;
 use super::signature::{Returned, Signature};
 use super::spelling::unique;
@@ -333,7 +333,7 @@ impl<'a> Lower<'a> {
 
     /// Declares a variable.
     fn declare(&mut self, ty: &Type, name: &str, init: Option<Init>, constant: bool) {
-        self.bytes += size_of(self.context, ty);
+        self.bytes += size_of(self.context, ty, Enums::Int);
         let mut declarator = self.context.names.declarator(ty, name);
         if constant {
             declarator.ty.insert_str(0, "const ");

@@ -1,0 +1,112 @@
+//! `interface.json`: the face of the C for tools of any kind, described by `docs/interface.schema.json`.
+//!
+//! Invariant: the same C gives the same text. It must not know who reads it.
+
+use bessemer_codegen::c::interface::{
+    Bytes, Entry, Enum, Field, Interface, Parameter, Struct, Value,
+};
+use bessemer_codegen::c::names::Passing;
+use serde_json::{Value as Json, json};
+
+/// The name of the file.
+pub const NAME: &str = "interface.json";
+
+/// The text of the file.
+pub fn text(package: &str, face: &Interface) -> String {
+    let json = json!({
+        "package": package,
+        "structs": face.structs.iter().map(structure).collect::<Json>(),
+        "enums": face.enums.iter().map(enumeration).collect::<Json>(),
+        "entries": face.entries.iter().map(entry).collect::<Json>(),
+    });
+    format!("{json:#}\n")
+}
+
+fn structure(it: &Struct) -> Json {
+    let mut json = json!({
+        "name": it.name,
+        "rust": it.rust,
+        "header": it.header,
+        "component": it.component,
+        "size": bytes(it.size),
+        "fields": it.fields.iter().map(field).collect::<Json>(),
+    });
+    add(&mut json, "comment", comment(&it.docs));
+    add(&mut json, "set_by", it.set_by.as_ref().map(|name| json!(name)));
+    json
+}
+
+fn field(it: &Field) -> Json {
+    let mut json = value(&it.value);
+    add(&mut json, "name", Some(json!(it.name)));
+    add(&mut json, "comment", comment(&it.docs));
+    add(&mut json, "offset", Some(bytes(it.offset)));
+    json
+}
+
+fn bytes(it: Bytes) -> Json {
+    json!({ "int_enums": it.int_enums, "short_enums": it.short_enums })
+}
+
+fn value(it: &Value) -> Json {
+    let mut json = json!({ "type": it.ty });
+    add(&mut json, "dimensions", (!it.dimensions.is_empty()).then(|| json!(it.dimensions)));
+    let shape = |(rows, columns): (u32, u32)| json!({ "rows": rows, "columns": columns });
+    add(&mut json, "matrix", it.matrix.map(shape));
+    add(&mut json, "unit", it.unit.as_ref().map(|unit| json!(unit)));
+    add(&mut json, "range", it.range.map(|range| json!([range.low(), range.high()])));
+    json
+}
+
+fn enumeration(it: &Enum) -> Json {
+    let variants = it.variants.iter().map(|(name, value, docs)| {
+        let mut json = json!({ "name": name, "value": value });
+        add(&mut json, "comment", comment(docs));
+        json
+    });
+    let mut json = json!({
+        "name": it.name,
+        "header": it.header,
+        "size": bytes(it.size),
+        "variants": variants.collect::<Json>(),
+    });
+    add(&mut json, "comment", comment(&it.docs));
+    json
+}
+
+fn entry(it: &Entry) -> Json {
+    let mut json = json!({
+        "name": it.name,
+        "rust": it.rust,
+        "header": it.header,
+        "status": it.status,
+        "parameters": it.parameters.iter().map(parameter).collect::<Json>(),
+    });
+    add(&mut json, "comment", comment(&it.docs));
+    add(&mut json, "result", it.result.as_ref().map(value));
+    json
+}
+
+fn parameter(it: &Parameter) -> Json {
+    let mut json = value(&it.value);
+    add(&mut json, "name", Some(json!(it.name)));
+    let passing = match it.passing {
+        Passing::Value => "value",
+        Passing::Input => "in",
+        Passing::InOut => "in-out",
+        Passing::Output => "out",
+    };
+    add(&mut json, "passing", Some(json!(passing)));
+    json
+}
+
+fn comment(docs: &[String]) -> Option<Json> {
+    (!docs.is_empty()).then(|| json!(docs.join("\n")))
+}
+
+/// Adds a member that is there.
+fn add(json: &mut Json, name: &str, value: Option<Json>) {
+    if let (Json::Object(members), Some(value)) = (json, value) {
+        members.insert(name.to_owned(), value);
+    }
+}

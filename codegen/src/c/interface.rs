@@ -1,0 +1,410 @@
+//! The face of the C as data: the types that entry points take and give, with offsets, units and ranges, and the entry points.
+//!
+//! Whoever writes a description for another tool builds on it: `interface.json`, ASAP2, bindings of other languages.
+//!
+//! Invariants: a type stands after those that it holds; names are those of the C. It must not know any such tool.
+
+use bessemer_ir::{Given, Module, Range, Role, StructId, Type};
+
+use super::analysis::Faults;
+use super::context::Context;
+use super::layout::{Enums, offsets, size_of};
+use super::names::{FAULTS, Names};
+use super::options::Options;
+use super::signature::{Passing, Returned};
+
+/// The face of the C of a package.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Interface {
+    /// The structs, each after those that it holds.
+    pub structs: Vec<Struct>,
+    /// The enums, the status among them.
+    pub enums: Vec<Enum>,
+    /// The entry points, in the order of the Rust.
+    pub entries: Vec<Entry>,
+}
+
+/// Bytes, as compilers lay types out: all of them alike, but for enums.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Bytes {
+    /// Where an enum is an `int`, as on Linux.
+    pub int_enums: u64,
+    /// Where an enum is the smallest integer that holds its values, as on ARM without an operating system.
+    pub short_enums: u64,
+}
+
+/// A struct.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Struct {
+    /// Its name.
+    pub name: String,
+    /// Its name in Rust, `motor::Gains`.
+    pub rust: String,
+    /// The author's comment, a line each.
+    pub docs: Vec<String>,
+    /// The header that declares it.
+    pub header: String,
+    /// Whether it is the state of a component.
+    pub component: bool,
+    /// The function that sets it to its initial state or its default, if it has one.
+    pub set_by: Option<String>,
+    /// The words of what that function sets, in the order of memory; an enum's is its value.
+    pub words: Option<Vec<u64>>,
+    /// Its size.
+    pub size: Bytes,
+    /// Its fields.
+    pub fields: Vec<Field>,
+}
+
+/// A field of a struct.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Field {
+    /// What follows the dot behind the struct: `gain`, `as.speed`.
+    pub name: String,
+    /// The author's comment, a line each.
+    pub docs: Vec<String>,
+    /// Where it begins.
+    pub offset: Bytes,
+    /// What it holds.
+    pub value: Value,
+}
+
+/// The type of a field, a parameter or a result, and what its author says of its numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Value {
+    /// The type of each element: a scalar of C's, or the name of a struct or an enum.
+    pub ty: String,
+    /// How many elements there are, from the outside in; none behind a slice's pointer, whose length is the next parameter.
+    pub dimensions: Vec<Option<u32>>,
+    /// Rows and columns, of a matrix.
+    pub matrix: Option<(u32, u32)>,
+    /// The unit.
+    pub unit: Option<String>,
+    /// The range.
+    pub range: Option<Range>,
+}
+
+/// An enum.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Enum {
+    /// Its name.
+    pub name: String,
+    /// The author's comment, a line each.
+    pub docs: Vec<String>,
+    /// The header that declares it.
+    pub header: String,
+    /// Its size.
+    pub size: Bytes,
+    /// The enumerators: name, value, comment.
+    pub variants: Vec<(String, i32, Vec<String>)>,
+}
+
+/// An entry point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Entry {
+    /// Its name.
+    pub name: String,
+    /// Its name in Rust, `Motor::step`.
+    pub rust: String,
+    /// The author's comment, a line each.
+    pub docs: Vec<String>,
+    /// The header that declares it.
+    pub header: String,
+    /// The parameters, the state first, a result by pointer last.
+    pub parameters: Vec<Parameter>,
+    /// What it returns by value.
+    pub result: Option<Value>,
+    /// Whether what it returns is the status.
+    pub status: bool,
+}
+
+/// A parameter of an entry point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameter {
+    /// Its name.
+    pub name: String,
+    /// How it is passed.
+    pub passing: Passing,
+    /// What it is.
+    pub value: Value,
+}
+
+/// The face of a module that the passes have made explicit.
+pub fn interface(module: &Module, options: &Options) -> Interface {
+    let faults = Faults::new(module, options.hook.is_some());
+    let names = Names::with_faults(module, options, &faults);
+    let context = Context { module, names: &names, faults: &faults };
+    let mut writer = Writer { context, face: Interface::default(), seen: Vec::new() };
+    for (function, signature) in module.functions.iter().zip(&names.functions) {
+        let (Role::Entry { .. }, Some(bessemer_ir::Owner::Struct(owner))) =
+            (function.role, function.owner)
+        else {
+            continue;
+        };
+        let none = Given::default();
+        let locals = function.parameters().iter().map(Some).chain(std::iter::repeat(None));
+        let parameters = signature.params.iter().zip(locals).map(|(param, local)| {
+            let given = match local {
+                Some(local) => function.attributes.parameter(&local.name).unwrap_or(&none),
+                None => &function.attributes.result,
+            };
+            let value = writer.value(&param.ty, given);
+            Parameter { name: param.name.clone(), passing: param.passing, value }
+        });
+        let parameters = parameters.collect();
+        let result = match &signature.returned {
+            Returned::Value(ty) => Some(writer.value(ty, &function.attributes.result)),
+            Returned::Nothing | Returned::Status => None,
+        };
+        let status = signature.returned == Returned::Status;
+        if status {
+            writer.status();
+        }
+        writer.face.entries.push(Entry {
+            name: signature.name.clone(),
+            rust: format!("{}::{}", module.structs[owner.index()].name, function.name),
+            docs: function.docs.clone(),
+            header: signature.header.clone(),
+            parameters,
+            result,
+            status,
+        });
+    }
+    writer.face
+}
+
+struct Writer<'a> {
+    context: Context<'a>,
+    face: Interface,
+    /// What stands there already.
+    seen: Vec<Type>,
+}
+
+impl Writer<'_> {
+    /// A value, after its type stands in the face.
+    fn value(&mut self, ty: &Type, given: &Given) -> Value {
+        let (mut inner, mut dimensions, mut matrix) = (ty.clone(), Vec::new(), None);
+        let element = loop {
+            inner = match inner {
+                Type::Array { element, len } => {
+                    dimensions.push(Some(len));
+                    *element
+                }
+                Type::Slice(element) => {
+                    dimensions.push(None);
+                    *element
+                }
+                Type::Matrix { element, rows, cols } => {
+                    matrix = Some((rows, cols));
+                    self.context.names.layout.array(element, (rows, cols))
+                }
+                element => break element,
+            };
+        };
+        let names = self.context.names;
+        let ty = match &element {
+            Type::Struct(id) => {
+                self.structure(*id);
+                names.structs[id.index()].ty.clone()
+            }
+            Type::Enum(_) => {
+                self.enumeration(&element);
+                names.word(&element)
+            }
+            element => names.word(element),
+        };
+        Value { ty, dimensions, matrix, unit: given.unit.clone(), range: given.range }
+    }
+
+    fn structure(&mut self, id: StructId) {
+        let ty = Type::Struct(id);
+        if self.seen.contains(&ty) {
+            return;
+        }
+        self.seen.push(ty.clone());
+        let (item, own) =
+            (&self.context.module.structs[id.index()], &self.context.names.structs[id.index()]);
+        let int = offsets(self.context, id, Enums::Int);
+        let short = offsets(self.context, id, Enums::Short);
+        let all = item.fields.iter().zip(&own.fields).zip(int.iter().zip(&short));
+        let held = all.filter(|((field, _), _)| field.ty != Type::Unit);
+        let fields = held.map(|((field, name), (int_enums, short_enums))| Field {
+            name: name.clone(),
+            docs: field.docs.clone(),
+            offset: Bytes { int_enums: *int_enums, short_enums: *short_enums },
+            value: self.value(&field.ty, &field.given),
+        });
+        let mut fields: Vec<Field> = fields.collect();
+        if let (Some(name), [.., int_enums], [.., short_enums]) = (&own.fault, &*int, &*short) {
+            self.status();
+            fields.push(Field {
+                name: name.clone(),
+                docs: vec!["The fault that stopped the component.".to_owned()],
+                offset: Bytes { int_enums: *int_enums, short_enums: *short_enums },
+                value: Value {
+                    ty: self.context.names.status.ty.clone(),
+                    dimensions: Vec::new(),
+                    matrix: None,
+                    unit: None,
+                    range: None,
+                },
+            });
+        }
+        let size = self.size(&ty);
+        let words = item.initial.as_deref().or(item.defaults.as_deref());
+        let words = words.filter(|_| own.init.is_some());
+        self.face.structs.push(Struct {
+            name: own.ty.clone(),
+            rust: format!("{}::{}", item.module, item.name),
+            docs: item.docs.clone(),
+            header: own.header.clone(),
+            component: item.initial.is_some(),
+            set_by: own.init.clone(),
+            words: words.map(|words| self.in_memory(&ty, words)),
+            size,
+            fields,
+        });
+    }
+
+    fn size(&self, ty: &Type) -> Bytes {
+        Bytes {
+            int_enums: size_of(self.context, ty, Enums::Int),
+            short_enums: size_of(self.context, ty, Enums::Short),
+        }
+    }
+
+    /// The words of a value in the order in which they lie in memory.
+    fn in_memory(&self, ty: &Type, words: &[u64]) -> Vec<u64> {
+        let module = self.context.module;
+        let each = |types: &mut dyn Iterator<Item = &Type>| {
+            let (mut rest, mut all) = (words, Vec::new());
+            for ty in types {
+                let (own, later) = rest.split_at(module.leaves(ty).len().min(rest.len()));
+                rest = later;
+                all.extend(self.in_memory(ty, own));
+            }
+            all
+        };
+        match ty {
+            Type::Struct(id) => {
+                each(&mut module.structs[id.index()].fields.iter().map(|field| &field.ty))
+            }
+            Type::Array { element, len } => {
+                each(&mut std::iter::repeat_n(&**element, *len as usize))
+            }
+            Type::Matrix { rows, cols, .. } => {
+                self.context.names.layout.in_memory(words, (*rows, *cols))
+            }
+            Type::Enum(id) => {
+                let variants = &module.enums[id.index()].variants;
+                let value = |word: &u64| variants.get(*word as usize).map(|it| it.value);
+                words.iter().map(|word| value(word).unwrap_or_default() as i64 as u64).collect()
+            }
+            Type::Unit | Type::Scalar(_) | Type::Slice(_) => words.to_vec(),
+        }
+    }
+
+    /// The status, once.
+    fn status(&mut self) {
+        let names = &self.context.names.status;
+        if self.face.enumeration(&names.ty).is_some() {
+            return;
+        }
+        let faults = FAULTS.iter().map(|fault| names.fault(*fault));
+        let variants = std::iter::once(names.ok.clone()).chain(faults);
+        self.face.enums.push(Enum {
+            name: names.ty.clone(),
+            docs: vec!["What a call came to.".to_owned()],
+            header: names.header.clone(),
+            // Of few values, none of them negative.
+            size: Bytes { int_enums: 4, short_enums: 1 },
+            variants: variants.zip(0..).map(|(name, value)| (name, value, Vec::new())).collect(),
+        });
+    }
+
+    fn enumeration(&mut self, ty: &Type) {
+        let Type::Enum(id) = ty else { return };
+        if self.seen.contains(ty) {
+            return;
+        }
+        self.seen.push(ty.clone());
+        let (item, names) =
+            (&self.context.module.enums[id.index()], &self.context.names.enums[id.index()]);
+        let variants = item.variants.iter().zip(&names.variants);
+        let size = self.size(ty);
+        self.face.enums.push(Enum {
+            name: names.ty.clone(),
+            docs: item.docs.clone(),
+            header: names.header.clone(),
+            size,
+            variants: variants
+                .map(|(it, name)| (name.clone(), it.value, it.docs.clone()))
+                .collect(),
+        });
+    }
+}
+
+/// A number of a struct, by its way from there.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Leaf<'f> {
+    /// The way: `height.p`, `axes[2].gain`.
+    pub path: String,
+    /// Where it begins, from the beginning of the struct.
+    pub offset: Bytes,
+    /// What it is: of a scalar of C's or an enum, with the dimensions that are left.
+    pub value: &'f Value,
+    /// The author's comment.
+    pub docs: &'f [String],
+}
+
+impl Interface {
+    /// The struct of this name.
+    pub fn structure(&self, name: &str) -> Option<&Struct> {
+        self.structs.iter().find(|it| it.name == name)
+    }
+
+    /// The enum of this name.
+    pub fn enumeration(&self, name: &str) -> Option<&Enum> {
+        self.enums.iter().find(|it| it.name == name)
+    }
+
+    /// The numbers of a struct, in order; arrays of numbers as one.
+    pub fn leaves<'f>(&'f self, of: &'f Struct) -> Vec<Leaf<'f>> {
+        let mut leaves = Vec::new();
+        self.within(of, "", Bytes::default(), &mut leaves);
+        leaves
+    }
+
+    fn within<'f>(&'f self, of: &'f Struct, path: &str, from: Bytes, leaves: &mut Vec<Leaf<'f>>) {
+        for field in &of.fields {
+            let path = format!("{path}{}", field.name);
+            let offset = from.plus(field.offset, 1);
+            let Some(inner) = self.structure(&field.value.ty) else {
+                leaves.push(Leaf { path, offset, value: &field.value, docs: &field.docs });
+                continue;
+            };
+            let sizes = field.value.dimensions.iter().map(|it| it.unwrap_or(0));
+            let mut places = vec![String::new()];
+            for size in sizes {
+                let each = |place: &String| {
+                    (0..size).map(|at| format!("{place}[{at}]")).collect::<Vec<_>>()
+                };
+                places = places.iter().flat_map(each).collect();
+            }
+            for (at, place) in (0..).zip(&places) {
+                let offset = offset.plus(inner.size, at);
+                self.within(inner, &format!("{path}{place}."), offset, leaves);
+            }
+        }
+    }
+}
+
+impl Bytes {
+    /// So many times the others behind these.
+    fn plus(self, others: Bytes, times: u64) -> Bytes {
+        Bytes {
+            int_enums: self.int_enums + times * others.int_enums,
+            short_enums: self.short_enums + times * others.short_enums,
+        }
+    }
+}
