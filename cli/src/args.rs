@@ -63,6 +63,14 @@ pub enum Task {
     Sizes(Sizes),
     /// List the checks for faults that are left in each entry point, and why
     Explain(Explain),
+    /// Make a module of Python of the C, whose arrays are NumPy's
+    Py(Python),
+    /// Make a folder of the C for a system that firmware is built in: Zephyr, PX4, Arduino
+    Pack(Pack),
+    /// Make a co-simulation unit (FMI 3.0) of an entry point
+    Fmu(Fmu),
+    /// Describe variables of a linked firmware in ASAP2, for measurement and calibration tools
+    A2l(A2l),
     /// Say whether this machine and this workspace have what is needed
     Doctor(Doctor),
 }
@@ -230,6 +238,97 @@ pub struct Explain {
     pub entry: Option<String>,
 }
 
+/// Arguments of `py`.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo bessemer py                    python/motor/, to be imported with PYTHONPATH=python
+  cargo bessemer py --output build/py  The same elsewhere
+
+Needs gcc or clang; the module needs NumPy.")]
+pub struct Python {
+    /// Which package
+    #[command(flatten)]
+    pub package: Package,
+    /// The folder that the module's own is made in
+    #[arg(long, value_name = "FOLDER", default_value = "python")]
+    pub output: PathBuf,
+}
+
+/// Arguments of `pack`.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo bessemer pack zephyr   pack/motor/: a module with Kconfig, CMake and an example of each entry point
+  cargo bessemer pack px4      pack/motor/: a module around each entry point, with its messages of uORB
+  cargo bessemer pack arduino  pack/motor/: a library with a sketch of each entry point
+
+The folder is whole by itself: copy it to where the system looks for it.")]
+pub struct Pack {
+    /// Which package
+    #[command(flatten)]
+    pub package: Package,
+    /// The system
+    #[arg(value_enum)]
+    pub system: System,
+    /// The folder that the package's own is made in
+    #[arg(long, value_name = "FOLDER", default_value = "pack")]
+    pub output: PathBuf,
+}
+
+/// A system that firmware is built in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum System {
+    /// A module, by `zephyr/module.yml`
+    Zephyr,
+    /// Modules on work queues, for `src/modules`
+    Px4,
+    /// A library, by `library.properties`
+    Arduino,
+}
+
+/// Arguments of `fmu`.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo bessemer fmu --period 0.001                      fmu/motor_step.fmu
+  cargo bessemer fmu --entry Motor::step --period 0.001  Where there are several
+
+It has the C and a library for this machine. Data with a `…_defaults()` becomes parameters, what else goes in inputs; a
+step of the simulation is a whole number of periods. Needs gcc or clang.")]
+pub struct Fmu {
+    /// Which package
+    #[command(flatten)]
+    pub package: Package,
+    /// The entry point, where there are several: `Motor::step`
+    #[arg(long, value_name = "NAME")]
+    pub entry: Option<String>,
+    /// The time between two calls, s
+    #[arg(long, value_name = "SECONDS")]
+    pub period: f64,
+    /// The folder that the unit is made in
+    #[arg(long, value_name = "FOLDER", default_value = "fmu")]
+    pub output: PathBuf,
+}
+
+/// Arguments of `a2l`.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Example:
+  cargo bessemer a2l build/firmware.elf controller=motor_t gains=gains_t > firmware.a2l
+
+What a component holds is measured, other data is calibrated, within the ranges that `#[range(…)]` gives.")]
+pub struct A2l {
+    /// Which package
+    #[command(flatten)]
+    pub package: Package,
+    /// The linked firmware, an ELF with its symbols
+    pub elf: PathBuf,
+    /// Variables of the firmware, each with its type in the C: `controller=motor_t`
+    #[arg(required = true, value_name = "VARIABLE=TYPE")]
+    pub variables: Vec<String>,
+}
+
 /// Arguments of `doctor`.
 #[derive(Args, Debug)]
 pub struct Doctor {
@@ -273,6 +372,29 @@ mod tests {
         let sizes = parse(&["sizes", "--target", "zynq"]);
         assert!(matches!(sizes, Ok(Task::Sizes(it)) if it.target == [Target::Zynq]));
         assert!(matches!(parse(&["doctor"]), Ok(Task::Doctor(_))));
+    }
+
+    /// Each line with `cargo bessemer` in the book, the README and the templates is a command that there is.
+    #[test]
+    fn what_the_book_shows_is_read() {
+        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+        let book = std::fs::read_dir(root.join("docs/book")).expect("the book").flatten();
+        let pages = ["README.md", "cli/templates/README.md"].map(|name| root.join(name));
+        let mut lines = 0;
+        for page in book.map(|it| it.path()).filter(|it| it.is_file()).chain(pages) {
+            let text = std::fs::read_to_string(&page).expect("a page");
+            for line in text.lines().map(str::trim) {
+                let commands =
+                    line.split(" && ").filter_map(|it| it.strip_prefix("cargo bessemer"));
+                for command in commands {
+                    let words = command.split(['#', '>']).next().unwrap_or_default();
+                    let words: Vec<&str> = words.split_whitespace().collect();
+                    assert!(parse(&words).is_ok(), "{}: {line}", page.display());
+                    lines += 1;
+                }
+            }
+        }
+        assert!(lines >= 20, "{lines} commands");
     }
 
     #[test]

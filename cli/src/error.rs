@@ -91,6 +91,37 @@ pub enum Error {
         /// rustc's message.
         said: String,
     },
+    /// A firmware is no ELF.
+    #[error("`{path}`: {why}")]
+    Elf {
+        /// Its path.
+        path: PathBuf,
+        /// The defect.
+        why: String,
+    },
+    /// The time between two calls is none.
+    #[error("the time between two calls is more than 0 s")]
+    Period,
+    /// A parameter has a length of its own, which a unit's variables have not.
+    #[error(
+        "`{entry}` takes `{name}`, a slice, and a variable of a co-simulation unit has a fixed length"
+    )]
+    Slice {
+        /// The entry point.
+        entry: String,
+        /// The parameter.
+        name: String,
+    },
+    /// A variable of the firmware is not what was said of it.
+    #[error("`{said}`: {why}")]
+    Variable {
+        /// The user's words.
+        said: String,
+        /// The defect.
+        why: String,
+        /// The structs that there are, where one was asked for.
+        known: Vec<String>,
+    },
     /// A file or folder could not be read or written.
     #[error("`{path}`: {source}")]
     File {
@@ -121,6 +152,15 @@ impl Error {
                 "an input is a tuple of the arguments behind `self`, in their order".to_owned()
             }
             Error::NoCompiler => install(&[GCC, CLANG]),
+            Error::Period => "give seconds: `--period 0.001`".to_owned(),
+            Error::Slice { .. } => "write an entry point that takes an array `[f64; N]`".to_owned(),
+            Error::Elf { .. } => "give the linked firmware, before it is made a binary".to_owned(),
+            Error::Variable { known, .. } if !known.is_empty() => {
+                format!("choose from {}", known.join(", "))
+            }
+            Error::Variable { .. } => {
+                "name a variable with static storage and its type: `controller=motor_t`".to_owned()
+            }
             Error::Missing(missing) => missing.install.clone(),
             Error::Board { why: board::Error::Other, .. } => {
                 "build what `cargo bessemer verify --board FOLDER` writes, and load it".to_owned()

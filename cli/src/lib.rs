@@ -9,10 +9,14 @@
 //! It must not know how C is made, nor how a workspace is found (`bessemer-project`).
 
 pub mod args;
+pub mod asap2;
 pub mod doctor;
 pub mod error;
 pub mod explain;
+pub mod fmu;
 pub mod new;
+pub mod pack;
+pub mod python;
 mod same_bits;
 pub mod sizes;
 pub mod verify;

@@ -9,7 +9,7 @@ use std::process::ExitCode;
 use bessemer_project::{Wanted, generate, said};
 use cargo_bessemer::args::{Arguments, MessageFormat, Task};
 use cargo_bessemer::error::Error;
-use cargo_bessemer::{doctor, explain, new, sizes, verify};
+use cargo_bessemer::{asap2, doctor, explain, fmu, new, pack, python, sizes, verify};
 use clap::Parser;
 
 fn main() -> ExitCode {
@@ -42,6 +42,10 @@ fn perform(task: Task) -> Result<(String, bool), Error> {
         Task::Verify(it) => verify::run(here, &it, colour),
         Task::Sizes(it) => Ok((sizes::run(here, &it, colour)?, true)),
         Task::New(it) => Ok((new::run(here, &it)?, true)),
+        Task::Pack(it) => Ok((pack::run(here, &it, colour)?, true)),
+        Task::Fmu(it) => Ok((fmu::run(here, &it, colour)?, true)),
+        Task::Py(it) => Ok((python::run(here, &it, colour)?, true)),
+        Task::A2l(it) => Ok((asap2::run(here, &it, colour)?, true)),
         Task::Doctor(it) => Ok(doctor::run(here, it.package.name(), &doctor::ThisMachine)),
     }
 }

@@ -13,8 +13,8 @@ use bessemer_project::{Wanted, generate};
 use bessemer_tests::golden;
 use bessemer_tests::toolchain::{self, Toolchain};
 use bessemer_tests::workspace::Workspace;
-use cargo_bessemer::args::{New, Sizes, Target, Verify};
-use cargo_bessemer::{new, sizes, verify};
+use cargo_bessemer::args::{A2l, Fmu, New, Pack, Python, Sizes, System, Target, Verify};
+use cargo_bessemer::{asap2, fmu, new, pack, python, sizes, verify};
 
 /// What `gen` says in a folder, without colours; none if it was refused.
 fn generated(folder: &Path, check: bool) -> Result<String, String> {
@@ -66,6 +66,10 @@ fn a_new_package_is_simulated_and_generated() {
     verified_by_a_test(&package);
     verified_on_a_board(&package);
     sized(&package);
+    packed(&package);
+    called_from_python(&package);
+    simulated_as_a_unit(&package);
+    calibrated(&package);
     refusals(&package);
 }
 
@@ -73,8 +77,11 @@ fn a_new_package_is_simulated_and_generated() {
 fn built_by_others(package: &Path) {
     let settings = package.join("bessemer.toml");
     let sound = fs::read_to_string(&settings).expect("the settings");
-    fs::write(&settings, format!("build_files = true\n{sound}")).expect("the settings");
+    fs::write(&settings, format!("build_files = true\ninterface = true\n{sound}"))
+        .expect("the settings");
     generated(package, false).expect("it is sound");
+    let face = fs::read_to_string(package.join("generated/interface.json")).expect("the interface");
+    assert!(face.contains("\"set_by\": \"gains_defaults\""), "{face}");
     let folder = package.join("others");
     fs::create_dir_all(&folder).expect("a folder");
     let cmake = "cmake_minimum_required(VERSION 3.16)\nproject(firmware C)\nadd_subdirectory(../generated generated)\n\
@@ -289,6 +296,236 @@ fn sized(package: &Path) {
     let (entry, all) = (figures("motor_step"), figures("all of the C"));
     assert!(entry[0] > 50 && entry[0] < all[0], "{text}");
     assert_eq!((entry[1], entry[2], entry[4]), (0, 0, 8), "{text}");
+}
+
+/// As a part of Zephyr, PX4 and Arduino, compiled against stand-ins for these.
+fn packed(package: &Path) {
+    if !toolchain::is_asked_for("g++") {
+        println!("left out: g++ is not installed");
+        return;
+    }
+    let stubs = bessemer_tests::root().join("tests/stubs");
+    let into = |system, name: &str| {
+        let output = package.join(name);
+        let wanted = Pack { package: Default::default(), system, output };
+        pack::run(package, &wanted, false).unwrap_or_else(|error| panic!("{error}"));
+        let again = pack::run(package, &wanted, false).expect_err("it is there");
+        assert!(again.to_string().ends_with("is there already"), "{again}");
+        wanted.output.join("motor")
+    };
+    let built = |program: &str, folder: &Path, stubs: PathBuf, arguments: &[&str]| {
+        let mut command = Command::new(program);
+        command.args(["-Wall", "-Wextra", "-Werror", "-Isrc"]).arg("-I").arg(stubs);
+        toolchain::run(command.args(arguments).current_dir(folder))
+            .unwrap_or_else(|said| panic!("{said}"));
+    };
+
+    let zephyr = into(System::Zephyr, "zephyr");
+    let example = "examples/motor_step/src/main.c";
+    built("gcc", &zephyr, stubs.join("zephyr"), &["-std=c99", "-fsyntax-only", example]);
+    let module = fs::read_to_string(zephyr.join("zephyr/module.yml")).expect("the module");
+    assert!(module.contains("name: motor\nbuild:\n  cmake: .\n"), "{module}");
+
+    // One pass of the sketch, as a program.
+    let arduino = into(System::Arduino, "arduino");
+    let (sketch, main) = ("examples/motor_step/motor_step.ino", stubs.join("arduino/main.cpp"));
+    built("gcc", &arduino, stubs.clone(), &["-std=c99", "-ffp-contract=off", "-c", "src/motor.c"]);
+    let main = main.display().to_string();
+    let words = [
+        &main,
+        "-include",
+        "Arduino.h",
+        "-x",
+        "c++",
+        sketch,
+        "-x",
+        "none",
+        "motor.o",
+        "-o",
+        "sketch",
+    ];
+    built("g++", &arduino, stubs.join("arduino"), &words);
+    toolchain::run(&mut Command::new(arduino.join("sketch")))
+        .unwrap_or_else(|said| panic!("{said}"));
+
+    let px4 = into(System::Px4, "px4");
+    for (message, topic) in
+        [("MotorStepInput", "motor_step_input"), ("MotorStepOutput", "motor_step_output")]
+    {
+        let text = fs::read_to_string(px4.join(format!("msg/{message}.msg"))).expect("a message");
+        let fields = text.lines().filter_map(|line| line.split('#').next()?.trim().split_once(' '));
+        let fields: String = fields
+            .map(|(ty, name)| {
+                format!("{} {name};", ty.replace("float64", "double").replace("uint64", "uint64_t"))
+            })
+            .collect();
+        fs::create_dir_all(px4.join("src/uORB/topics")).expect("a folder");
+        let header =
+            format!("#pragma once\n#include <stdint.h>\nstruct {topic}_s {{ {fields} }};\n");
+        fs::write(px4.join(format!("src/uORB/topics/{topic}.h")), header).expect("a header");
+    }
+    built("g++", &px4, stubs.join("px4"), &["-std=c++14", "-fsyntax-only", "MotorStepModule.cpp"]);
+    for folder in ["zephyr", "arduino", "px4"] {
+        fs::remove_dir_all(package.join(folder)).expect("the folder");
+    }
+}
+
+/// Python with the packages that these tests need, if it is there.
+fn python_with(package: &str) -> Option<Command> {
+    let python = bessemer_tests::root().join("target/python/bin/python");
+    let import = Command::new(&python).args(["-c", &format!("import {package}")]).output();
+    if import.is_ok_and(|it| it.status.success()) {
+        return Some(Command::new(python));
+    }
+    println!("left out: {} has no {package}", python.display());
+    None
+}
+
+/// What voltages and integrals the motor's controller gives in its first periods, as the same operations in Rust: words.
+fn first_periods() -> String {
+    let (mut integral, mut words) = (0.0_f64, String::new());
+    for n in 0..100 {
+        let error = 100.0 - f64::from(n) * 1.5;
+        let wanted = 0.05 * error + 2.0 * integral;
+        let voltage = wanted.clamp(-12.0, 12.0);
+        if voltage == wanted {
+            integral += error * 0.001;
+        }
+        words += &format!("{:016x} {:016x}\n", voltage.to_bits(), integral.to_bits());
+    }
+    words
+}
+
+/// What a script of Python prints.
+fn printed(python: &mut Command, script: &str) -> String {
+    let output = python.args(["-c", script]).output().expect("python starts");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8_lossy(&output.stdout).into_owned()
+}
+
+/// As a module of Python, whose arrays are NumPy's.
+fn called_from_python(package: &Path) {
+    let Some(mut python) = python_with("numpy") else { return };
+    let wanted = Python { package: Default::default(), output: package.join("python") };
+    let said = python::run(package, &wanted, false).unwrap_or_else(|error| panic!("{error}"));
+    assert!(said.contains("import motor"), "{said}");
+    assert_eq!(printed(python.env("PYTHONPATH", &wanted.output), CALLS), first_periods());
+    fs::remove_dir_all(&wanted.output).expect("the module");
+}
+
+const CALLS: &str = "
+import motor, numpy
+bits = lambda x: format(numpy.float64(x).view(numpy.uint64), '016x')
+controller, gains = motor.motor_t(), motor.gains_t()
+for n in range(100):
+    voltage = controller.step(gains, 100.0, n * 1.5)
+    print(bits(voltage), bits(controller.integral))
+";
+
+/// As a co-simulation unit, which FMPy validates and steps; its state goes out and back in the middle.
+fn simulated_as_a_unit(package: &Path) {
+    let wanted = |entry: Option<&str>, period| Fmu {
+        package: Default::default(),
+        entry: entry.map(str::to_owned),
+        period,
+        output: package.join("fmu"),
+    };
+    let refused = fmu::run(package, &wanted(None, 0.0), false).expect_err("no period");
+    assert_eq!(refused.to_string(), "the time between two calls is more than 0 s");
+    let refused = fmu::run(package, &wanted(Some("Pump::step"), 0.001), false);
+    assert_eq!(refused.expect_err("no pump").to_string(), "there is no entry point `Pump::step`");
+    let Some(mut python) = python_with("fmpy") else { return };
+    let wanted = wanted(None, 0.001);
+    let said = fmu::run(package, &wanted, false).unwrap_or_else(|error| panic!("{error}"));
+    assert!(said.contains("motor_step.fmu: Motor::step with 7 variables"), "{said}");
+    python.current_dir(&wanted.output);
+    assert_eq!(printed(&mut python, STEPS), first_periods());
+    fs::remove_dir_all(&wanted.output).expect("the unit");
+}
+
+const STEPS: &str = "
+import fmpy, numpy
+from fmpy.fmi3 import FMU3Slave
+from fmpy.validation import validate_fmu
+bits = lambda x: format(numpy.float64(x).view(numpy.uint64), '016x')
+problems = validate_fmu('motor_step.fmu')
+assert not problems, problems
+result = fmpy.simulate_fmu('motor_step.fmu', stop_time=0.01, start_values={'target': 100.0}, output=['result'])
+assert result['result'][1] == 5.0, result
+about = fmpy.read_model_description('motor_step.fmu')
+place = {it.name: it.valueReference for it in about.modelVariables}
+start = {it.name: (it.start, it.unit, it.min, it.max) for it in about.modelVariables}
+assert start['gains.integral'] == ('2.0', 'V/rad', '0.0', '20.0'), start
+folder = fmpy.extract('motor_step.fmu')
+unit = FMU3Slave(guid=about.guid, unzipDirectory=folder, modelIdentifier='motor_step', instanceName='one')
+unit.instantiate()
+unit.enterInitializationMode()
+unit.exitInitializationMode()
+for n in range(100):
+    unit.setFloat64([place['target'], place['speed']], [100.0, n * 1.5])
+    unit.doStep(n * 0.001, 0.001)
+    if n == 50:
+        state = unit.getFMUState()
+        kept = unit.serializeFMUState(state)
+        unit.doStep(0.051, 0.001)
+        unit.freeFMUState(state)
+        state = unit.deserializeFMUState(kept)
+        unit.setFMUState(state)
+        unit.freeFMUState(state)
+    print(*map(bits, unit.getFloat64([place['result'], place['integral']])))
+unit.terminate()
+unit.freeInstance()
+";
+
+/// In ASAP2, with the addresses of a linked program; what is said wrongly of it is told.
+fn calibrated(package: &Path) {
+    let (source, elf) = (package.join("calibrated.c"), package.join("calibrated"));
+    let text = "#include \"motor.h\"\nmotor_t controller;\ngains_t gains;\nint main(void)\n{\n    motor_init(&controller);\n    return 0;\n}\n";
+    fs::write(&source, text).expect("a file");
+    let generated = package.join("generated");
+    let include = format!("-I{}", generated.display());
+    toolchain::GCC
+        .link(&[source.clone(), generated.join("motor.c")], &elf, &[&include])
+        .unwrap_or_else(|said| panic!("{said}"));
+    let told = |variables: &[&str]| {
+        let variables = variables.iter().map(|&it| it.to_owned()).collect();
+        let wanted = A2l { package: Default::default(), elf: elf.clone(), variables };
+        asap2::run(package, &wanted, false).map_err(|error| error.to_string())
+    };
+    let text =
+        told(&["controller=motor_t", "gains=gains_t"]).unwrap_or_else(|said| panic!("{said}"));
+    let symbols = Command::new("nm").arg(&elf).output().expect("nm");
+    let symbols = String::from_utf8_lossy(&symbols.stdout).into_owned();
+    let address = |name: &str| {
+        let line = symbols.lines().find(|line| line.ends_with(&format!(" {name}")));
+        let word = line.and_then(|line| line.split_whitespace().next());
+        u64::from_str_radix(word.unwrap_or_else(|| panic!("{symbols}")), 16).expect("an address")
+    };
+    let measured = format!(
+        "/begin MEASUREMENT controller.integral \"Integral of the error of speed, rad.\" FLOAT64_IEEE UNIT_0 0 0 {:?} {:?} \
+         ECU_ADDRESS {:#X} /end MEASUREMENT",
+        f64::MIN,
+        f64::MAX,
+        address("controller")
+    );
+    assert!(text.contains(&measured), "{text}");
+    let set = format!(
+        "/begin CHARACTERISTIC gains.integral \"Volts for each rad of its integral.\" VALUE {:#X} AS_FLOAT64_IEEE 0 UNIT_2 0.0 20.0 \
+         /end CHARACTERISTIC",
+        address("gains") + 8
+    );
+    assert!(text.contains(&set), "{text}");
+    assert!(text.contains("COMPU_METHOD UNIT_2 \"\" IDENTICAL \"%.17\" \"V/rad\""), "{text}");
+    assert_eq!(text.matches("/begin").count(), text.matches("/end").count());
+    for (variable, said) in [
+        ("controller", "it has no type"),
+        ("controller=pump_t", "the C has no struct `pump_t`"),
+        ("pump=motor_t", "the firmware has no variable `pump`"),
+        ("gains=motor_t", "`gains` has 24 bytes, and a `motor_t` 8 or 8"),
+    ] {
+        assert_eq!(told(&[variable]), Err(format!("`{variable}`: {said}")));
+    }
+    fs::remove_file(&source).and_then(|()| fs::remove_file(&elf)).expect("the program");
 }
 
 /// What is wrong, and what is said of it; then all is as it was.

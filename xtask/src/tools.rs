@@ -200,6 +200,20 @@ pub const TOOLS: &[Tool] = &[
         source: Source::Python("pymavlink==2.4.50"),
     },
     Tool {
+        name: "numpy",
+        purpose: "the arrays of what `cargo bessemer py` makes",
+        need: Need::Full,
+        probe: Probe::Module("numpy"),
+        source: Source::Python("numpy==2.3.5"),
+    },
+    Tool {
+        name: "FMPy",
+        purpose: "steps what `cargo bessemer fmu` makes",
+        need: Need::Full,
+        probe: Probe::Module("fmpy"),
+        source: Source::Python("fmpy==0.3.32"),
+    },
+    Tool {
         name: "valgrind",
         purpose: "counts instructions on the host",
         need: Need::Bench,
