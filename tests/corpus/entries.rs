@@ -185,7 +185,7 @@ fn has_no_words(ty: &Type) -> bool {
         ty => ty,
     };
     let text = inner.to_token_stream().to_string();
-    matches!(inner, Type::Slice(_) | Type::ImplTrait(_)) || text.contains('&')
+    matches!(inner, Type::Slice(_) | Type::ImplTrait(_)) || text.contains(['&', '\''])
 }
 
 /// `Self` by the name that it has here.

@@ -3,8 +3,8 @@ extern crate std;
 
 use bessemer::prelude::*;
 
-/// Borrows its limits.
-#[data]
+/// Borrows its limits: its state outlives every call.
+#[component]
 pub struct Clipped<'a> {
     /// The limits.
     pub limits: &'a [f64; 2],

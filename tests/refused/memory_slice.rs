@@ -3,16 +3,17 @@ extern crate std;
 
 use bessemer::prelude::*;
 
-/// A slice that is held.
-#[data]
+/// A slice in a state, which outlives the call.
+#[component]
 pub struct Held<'a> {
     samples: &'a [f64],
 }
 
-/// A slice that is given back.
-#[function]
-pub fn rest(samples: &[f64]) -> &[f64] {
-    &samples[1..]
+/// A slice whose length is not known.
+#[data]
+pub struct Bare<'a> {
+    samples: &'a f64,
+    rest: [f64],
 }
 
 fn main() {}

@@ -73,9 +73,13 @@ impl Lowering<'_, '_> {
             let later = self.later(mark);
             self.settle_arguments(&mut passed, &later);
             self.out.extend(later);
+            let lenders = self.lending_arguments(&next, &ty, argument.site)?;
+            parameters.by_ref().take(lenders.len()).for_each(drop);
             passed.push(next);
+            passed.extend(lenders);
         }
         passed.extend(more);
-        self.node(ExprKind::Call(id, passed), result, expr.site)
+        let call = self.node(ExprKind::Call(id, passed), result, expr.site)?;
+        self.counted_from_lender(call, expr.site)
     }
 }

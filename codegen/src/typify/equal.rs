@@ -154,6 +154,13 @@ impl Lowering<'_, '_> {
         if !self.cx.unequal.contains(ty) {
             return Ok(());
         }
+        if self.cx.as_borrowed(ty).is_some() {
+            return problem(
+                site,
+                "slices inside of values are not compared in the DSL",
+                "compare the slices themselves: `a.bytes == b.bytes`",
+            );
+        }
         let name = match ty {
             Type::Struct(id) => &self.cx.module.structs[id.index()].name,
             Type::Enum(id) => &self.cx.module.enums[id.index()].name,

@@ -30,6 +30,9 @@ impl Lowering<'_, '_> {
             self.effect(expr)?;
             return Ok(self.nothing(expr.site));
         }
+        if let Some(slice) = self.wanted_slice(expr, expected)? {
+            return Ok(slice);
+        }
         if let Some(place) = self.in_option(expr)? {
             return Ok(place.load());
         }
@@ -252,9 +255,11 @@ impl Lowering<'_, '_> {
     /// The type of an expression that is looked at for nothing else: what it emits is dropped.
     pub(super) fn type_alone(&mut self, expr: &tree::Expr) -> Result<Type> {
         let (statements, locals) = (std::mem::take(&mut self.out), self.locals.len());
+        let wrong = self.lenders.problem.take();
         let ty = self.value(expr, None).map(|value| value.ty);
         self.out = statements;
         self.locals.truncate(locals);
+        self.lenders.problem = wrong;
         ty
     }
 

@@ -10,14 +10,21 @@ use bessemer_ir::{
 
 use super::lowering::{Binding, Lowering, Target, UNNAMED};
 use super::names::split;
+use super::regions::{Lenders, Path};
 use super::syntax::{control_with_value, ends_in_loop};
 use super::{Context, Result, names, problem};
 
+/// A function, and what its callers have to know of it.
+pub(super) struct Lowered {
+    pub function: Function,
+    /// Which of its parameters hold nothing.
+    pub absent: Vec<bool>,
+    /// What the slices in its result are parts of.
+    pub given_back: Vec<(Path, Place)>,
+}
+
 /// Lowers a function; its callees are in the module already.
-pub(super) fn lower(
-    cx: &mut Context<'_>,
-    source: &tree::Function,
-) -> Result<(Function, Vec<bool>)> {
+pub(super) fn lower(cx: &mut Context<'_>, source: &tree::Function) -> Result<Lowered> {
     let tree = &source.tree;
     let span = cx.span(&source.file, tree.site);
     let mut lowering = Lowering::new(cx, source)?;
@@ -29,6 +36,7 @@ pub(super) fn lower(
         lowering.roll_back(params as usize, span);
     }
     lowering.check_locals()?;
+    let given_back = lowering.lent_out()?;
     let result = lowering.result.clone();
     let result_name = result_name(lowering.cx, tree, &result);
     let home = source.owner.as_deref().unwrap_or(&source.module);
@@ -74,7 +82,7 @@ pub(super) fn lower(
         kernel: None,
         span,
     };
-    Ok((function, absent))
+    Ok(Lowered { function, absent, given_back })
 }
 
 /// The local without the marks that kept its name apart from others.
@@ -137,7 +145,9 @@ impl<'a, 'c> Lowering<'a, 'c> {
         }
         // What is lent to be read may be a copy.
         let result = match slot_type(source, source.tree.result, site)? {
-            Ty::Ref(inner, mutable) if !mutable || cx.is_nothing(inner) => {
+            Ty::Ref(inner, mutable)
+                if !matches!(**inner, Ty::Slice(_)) && (!mutable || cx.is_nothing(inner)) =>
+            {
                 cx.value_type(inner, site)?
             }
             ty => cx.value_type(ty, site)?,
@@ -153,6 +163,7 @@ impl<'a, 'c> Lowering<'a, 'c> {
             held: HashSet::new(),
             steady: HashSet::new(),
             valued: HashSet::new(),
+            lenders: Lenders::default(),
             frames: Vec::new(),
             counters: Vec::new(),
             handed: HashMap::new(),
@@ -197,15 +208,25 @@ impl Lowering<'_, '_> {
             if mode == Mode::Value && !param.mutable {
                 self.steady.insert(local);
             }
+            self.lending_parameters(param, local)?;
         }
+        self.lenders.params = self.locals.len();
         Ok(())
     }
 
     pub(super) fn body(&mut self, block: &tree::Block) -> Result<()> {
+        let source = self.source;
+        for param in source.tree.params.iter().filter(|it| it.mutable && !it.closure) {
+            if self.slot_is_slice(param.slot, param.site)? {
+                self.rebound(&param.name, param.slot, param.site)?;
+            }
+        }
         self.whole_body(block)?;
         let mut stmts = std::mem::take(&mut self.out);
         self.give_values(&mut stmts);
-        self.out = stmts;
+        let mut body = Block(stmts);
+        self.leave_unasked(&mut body);
+        self.out = body.0;
         Ok(())
     }
 
@@ -306,6 +327,7 @@ impl Lowering<'_, '_> {
     }
 
     pub(super) fn emit(&mut self, kind: StmtKind, span: Span) {
+        self.follow(&kind);
         self.out.push(Stmt { kind, span, comments: Vec::new() });
     }
 
@@ -374,7 +396,8 @@ impl Lowering<'_, '_> {
             slot => slice_of(slot_type(self.source, slot, site)?),
         };
         if let (Some(_), Some(value)) = (lent, value) {
-            return self.let_slice(name, value);
+            let other = self.in_place(value);
+            return self.let_slice((name, slot), other.as_ref().unwrap_or(value), site);
         }
         if self.slot_is_nothing(slot) {
             value.iter().try_for_each(|value| self.effect(value))?;
@@ -436,7 +459,7 @@ impl Lowering<'_, '_> {
     }
 
     /// `let name = if …`: declared first, then assigned on every path.
-    fn let_control(
+    pub(super) fn let_control(
         &mut self,
         name: &str,
         ty: Type,

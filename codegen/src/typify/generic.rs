@@ -8,6 +8,7 @@ use bessemer_ir::tree::{self, Site, Ty};
 use bessemer_ir::{Enum, EnumId, Field, Form, Given, Scalar, Span, Struct, StructId, Type};
 
 use super::names::snake;
+use super::regions::ENDS;
 use super::{Context, OUR_FAULT, Result, problem};
 
 /// The names of a tuple's parts in the C.
@@ -43,7 +44,7 @@ impl Case {
 /// `Option<&T>` as `Option<T>`, `(usize, &T)` as `(usize, T)`: nothing writes to what is lent while it is.
 fn without_loans(ty: &Ty) -> Ty {
     let inside = |ty: &Ty| match ty {
-        Ty::Ref(inner, false) => without_loans(inner),
+        Ty::Ref(inner, false) if !matches!(**inner, Ty::Slice(_)) => without_loans(inner),
         other => without_loans(other),
     };
     match ty {
@@ -130,8 +131,34 @@ impl Context<'_> {
         self.own_struct(name, (shown, ""), fields, Form::Record, site)
     }
 
+    /// The struct of two numbers that a slice is in a value.
+    pub(super) fn borrowed_struct(
+        &mut self,
+        element: &Type,
+        mutable: bool,
+        site: Site,
+    ) -> Result<StructId> {
+        let word = self.word(element);
+        let (name, sign) = match mutable {
+            true => (format!("SliceMut{word}"), "&mut "),
+            false => (format!("Slice{word}"), "&"),
+        };
+        let shown = (
+            format!("{sign}[{}]", self.show(element)),
+            ": some elements of an array, which stands beside it",
+        );
+        let fields = vec![
+            field(ENDS[0], "The index of the first one.", Type::USIZE),
+            field(ENDS[1], "How many there are.", Type::USIZE),
+        ];
+        self.own_struct(name, shown, fields, Form::Record, site)
+    }
+
     fn list(&mut self, element: &Ty, n: u32, site: Site) -> Result<StructId> {
         let element = self.value_type(element, site)?;
+        if !self.slices_in(&element).is_empty() {
+            return problem(site, super::regions::MANY, super::regions::ONE);
+        }
         if element == Type::Unit || n == 0 {
             return problem(
                 site,
@@ -378,7 +405,7 @@ impl Context<'_> {
     ) -> Result<(Vec<Field>, Vec<bool>)> {
         let mut types = Vec::new();
         for field in fields {
-            types.push(self.value_type(&field.ty, site)?);
+            types.push(self.held_type(&field.ty, site)?);
         }
         let kept: Vec<bool> = types.iter().map(|ty| *ty != Type::Unit).collect();
         let count = kept.iter().filter(|kept| **kept).count();

@@ -87,7 +87,10 @@ impl<'a> Lowering<'a, '_> {
                 }
             };
             // Neither the parts of an array nor a parameter that is a slice.
-            let Some(place) = place.filter(|place| !matches!(place.ty, Type::Slice(_))) else {
+            let plain = |place: &Place| {
+                !matches!(place.ty, Type::Slice(_)) && self.cx.slices_in(&place.ty).is_empty()
+            };
+            let Some(place) = place.filter(plain) else {
                 return problem(
                     site,
                     "a closure that is handed to a function uses no slice in the DSL",
@@ -136,6 +139,7 @@ impl<'a> Lowering<'a, '_> {
         inner.body(&template.tree.body)?;
         let body = Block(std::mem::take(&mut inner.out));
         inner.check_locals()?;
+        let given_back = inner.lent_out()?;
         let mut locals = std::mem::take(&mut inner.locals);
         let result = inner.result.clone();
         let absent = std::mem::take(&mut inner.absent);
@@ -176,6 +180,7 @@ impl<'a> Lowering<'a, '_> {
         let id = FunctionId(self.cx.module.functions.len() as u32);
         self.cx.module.functions.push(function);
         self.cx.note_params(id, absent);
+        self.cx.given_back.insert(id, given_back);
         Ok((id, captured))
     }
 

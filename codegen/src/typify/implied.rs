@@ -21,10 +21,11 @@ impl<'a> Context<'a> {
             let lowered = function::lower(self, function);
             self.underway.pop();
             match lowered {
-                Ok((lowered, absent)) => {
+                Ok(function::Lowered { function: made, absent, given_back }) => {
                     let id = FunctionId(self.module.functions.len() as u32);
                     self.note_params(id, absent);
-                    self.module.functions.push(lowered);
+                    self.given_back.insert(id, given_back);
+                    self.module.functions.push(made);
                     self.functions.insert(function.path.clone(), id);
                 }
                 Err(problem) => self.tell(&function.file, problem),

@@ -24,7 +24,7 @@ pub(super) struct Indexing<'a> {
 /// Whether a function lends a place, and whether to be written.
 pub(super) fn lends(function: &tree::Function) -> Option<bool> {
     match function.slots.get(function.tree.result as usize) {
-        Some(Ty::Ref(_, mutable)) => Some(*mutable),
+        Some(Ty::Ref(inner, mutable)) if !matches!(**inner, Ty::Slice(_)) => Some(*mutable),
         _ => None,
     }
 }
@@ -368,7 +368,9 @@ impl<'a> Lowering<'a, '_> {
             return Ok(Binding::Nothing);
         }
         if let Ty::Ref(inner, written) = ty {
-            if let Ty::Slice(_) = **inner {
+            if let Ty::Slice(_) = **inner
+                && !mutable
+            {
                 return Ok(Binding::Slice(Box::new(self.sliced(argument)?)));
             }
             if let Some(mut place) = self.place(argument)? {

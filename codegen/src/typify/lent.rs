@@ -2,7 +2,7 @@
 //!
 //! Nothing is copied: what is lent is another name for its place, behind the test that it is there, where it is
 //! taken apart where it is called, by `let`, `if let`, `let … else` or `match`. Elsewhere `get`, `first` and `last` give
-//! a copy, and the others are refused.
+//! a copy, slices become values ([`held_slices`](super::held_slices)), and what would be written is refused.
 
 use bessemer_ir::tree::{self, NO_SLOT, Site};
 use bessemer_ir::{CompareOp, Expr, ExprKind, Fault, LogicOp, Mode, Span, StmtKind, Type};
@@ -10,6 +10,7 @@ use bessemer_ir::{CompareOp, Expr, ExprKind, Fault, LogicOp, Mode, Span, StmtKin
 use super::elements::Slice;
 use super::lengths::{minus, plus};
 use super::lowering::{Binding, Lowering};
+use super::regions::ENDS;
 use super::subject::{Named, Subject};
 use super::syntax::is_rest;
 use super::{Result, problem};
@@ -51,7 +52,7 @@ impl Lowering<'_, '_> {
             ("get_part", [array, from, to]) => {
                 let array = self.sliced(array)?;
                 let from = self.value(from, Some(&Type::USIZE))?;
-                let from = self.steady("from", from);
+                let from = self.steady(ENDS[0], from);
                 let to = self.value(to, Some(&Type::USIZE))?;
                 let to = self.steady("to", to);
                 let inside =
@@ -69,7 +70,7 @@ impl Lowering<'_, '_> {
             ("get_from", [array, from]) => {
                 let array = self.sliced(array)?;
                 let from = self.value(from, Some(&Type::USIZE))?;
-                let from = self.steady("from", from);
+                let from = self.steady(ENDS[0], from);
                 let there =
                     Expr::compare(CompareOp::Le, from.clone(), array.length.clone()).at(span);
                 Subject::Maybe(there, Box::new(slice(array.behind(from))))

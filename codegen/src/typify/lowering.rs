@@ -11,6 +11,7 @@ use bessemer_ir::{Expr, Local, LocalId, Place, Stmt, Type};
 
 use super::Context;
 use super::elements::Slice;
+use super::regions::Lenders;
 
 /// The owner of temporaries where nothing has a name.
 pub(super) const UNNAMED: &str = "value";
@@ -33,6 +34,8 @@ pub(super) struct Lowering<'a, 'c> {
     pub steady: HashSet<LocalId>,
     /// Locals that have to have a value where they are declared.
     pub valued: HashSet<LocalId>,
+    /// The arrays whose elements the slices in its locals are.
+    pub lenders: Lenders,
     /// The loops around what is being lowered, outermost first.
     pub frames: Vec<Frame>,
     /// The counters of the loops over elements around it, outermost first.

@@ -10,6 +10,7 @@
 mod apart;
 mod arrays;
 mod atomic;
+mod borrowed;
 mod bounded;
 mod builtin;
 mod call;
@@ -31,10 +32,12 @@ mod function;
 mod gather;
 mod generic;
 mod handed;
+mod held_slices;
 mod implied;
 mod integer_matrices;
 mod kernels;
 mod labelled;
+mod lenders;
 mod lending;
 mod lengths;
 mod lent;
@@ -54,6 +57,7 @@ mod order;
 mod paths;
 mod pattern;
 mod place;
+mod regions;
 mod several;
 mod sizes;
 mod slice;
@@ -104,7 +108,24 @@ pub fn typify(
     sources: &Sources,
     by_columns: bool,
 ) -> Result<(Module, Typed), Vec<Diagnostic>> {
-    let mut cx = Context { by_columns, ..Context::new(package, sources) };
+    // A function may show that two slices in a struct have one lender, of which those before it have to know.
+    let mut joined = Vec::new();
+    loop {
+        let known = joined.len();
+        let cx = Context { by_columns, joined, ..Context::new(package, sources) };
+        let (joins, typed) = typed_with(cx, package);
+        if joins.len() == known {
+            return typed;
+        }
+        joined = joins;
+    }
+}
+
+/// The typed module, or everything that is wrong.
+type Outcome = Result<(Module, Typed), Vec<Diagnostic>>;
+
+/// What of its structs has one lender, as far as it shows; the typed module, or everything that is wrong.
+fn typed_with<'a>(mut cx: Context<'a>, package: &'a Package) -> (Vec<regions::Joined>, Outcome) {
     for definition in &package.types {
         if let Err(problem) = cx.define(definition) {
             cx.tell(&definition.file, problem);
@@ -136,7 +157,8 @@ pub fn typify(
     errors.sort_by(|one, other| {
         (&one.file, one.line, one.column).cmp(&(&other.file, other.line, other.column))
     });
-    if errors.is_empty() { Ok((cx.module, cx.typed)) } else { Err(errors) }
+    let typed = if errors.is_empty() { Ok((cx.module, cx.typed)) } else { Err(errors) };
+    (cx.joined, typed)
 }
 
 /// A constant is told by its name, its type and its value: of two that agree in these the same must be said.
@@ -238,6 +260,12 @@ struct Context<'a> {
     conversions: Vec<&'a tree::Implied>,
     /// The types of authors that derive `PartialOrd`.
     ordered: HashSet<bessemer_ir::Type>,
+    /// The structs that stand for slices in values.
+    borrowed: HashMap<StructId, borrowed::Borrowed>,
+    /// The slices in structs that have one lender.
+    joined: Vec<regions::Joined>,
+    /// What functions give slices of: places in their parameters.
+    given_back: HashMap<FunctionId, Vec<(regions::Path, bessemer_ir::Place)>>,
     /// The instances of `BoundedMatrix`.
     bounded: HashSet<StructId>,
     /// The structs that stand for quaternions, and whether these are unit ones.
@@ -294,6 +322,9 @@ impl<'a> Context<'a> {
             own_equalities: HashMap::new(),
             conversions: Vec::new(),
             ordered: HashSet::new(),
+            borrowed: HashMap::new(),
+            joined: Vec::new(),
+            given_back: HashMap::new(),
             bounded: HashSet::new(),
             quaternions: HashMap::new(),
             functions: HashMap::new(),

@@ -1,6 +1,7 @@
 //! Names of references: other names for their places.
 
 use bessemer_ir::tree::{self, Site};
+use bessemer_ir::{ExprKind, Place};
 
 use super::lowering::{Binding, Lowering};
 use super::{Result, problem};
@@ -14,7 +15,23 @@ fn lends(expr: &tree::Expr) -> bool {
     }
 }
 
+/// Whether an expression that is a reference is a part of a value: that holds it.
+fn is_held(expr: &tree::Expr) -> bool {
+    matches!(expr.kind, tree::ExprKind::Field(..) | tree::ExprKind::Index(..))
+}
+
 impl Lowering<'_, '_> {
+    /// A copy of what is at a place, under a name that nothing writes to.
+    fn hold_copy(&mut self, name: &str, place: Place) -> Place {
+        let naming = std::mem::take(&mut self.naming);
+        let held = self.temporary(name, place.load());
+        self.naming = naming;
+        match held.kind {
+            ExprKind::Load(held) => held,
+            _ => place,
+        }
+    }
+
     /// `let name = &place`: another name for the place.
     pub(super) fn alias(
         &mut self,
@@ -41,6 +58,10 @@ impl Lowering<'_, '_> {
             );
         };
         let naming = std::mem::replace(&mut self.naming, name.trim_matches('_').to_owned());
+        if value.is_some_and(is_held) && !self.is_lasting(&place) {
+            // A reference that a value holds is a copy there; the value may get another.
+            place = self.hold_copy(name, place);
+        }
         self.fix(&mut place);
         self.naming = naming;
         self.bind(name, Binding::Alias(place));

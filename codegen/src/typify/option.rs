@@ -172,6 +172,7 @@ impl Lowering<'_, '_> {
         self.emit(StmtKind::Let { local, value: Some(otherwise) }, span);
         let target = Place::local(local, ty.clone(), span);
         let assign = StmtKind::Assign { place: target.clone(), value: then };
+        self.follow(&assign);
         let then = Block(vec![Stmt::new(assign, span)]);
         let otherwise = Block::default();
         self.emit(StmtKind::If { condition: there, then, otherwise }, span);

@@ -225,6 +225,11 @@ impl Lowering<'_, '_> {
         };
         match (pattern, &place.ty) {
             (tree::Pattern::Any | tree::Pattern::Rest, _) => Ok(None),
+            (tree::Pattern::Array(_), _)
+                if let Some(slice) = self.slice_at(place.clone(), site)? =>
+            {
+                self.test_slice(pattern, &slice, site, names)
+            }
             (tree::Pattern::Name { name, slot, mutable, inner }, _) => {
                 let (name, slot, mutable) = (name.clone(), *slot, *mutable);
                 let stands = Stands::Place(place.clone());
@@ -470,7 +475,10 @@ impl Lowering<'_, '_> {
                 Stands::Place(place) => place,
             };
             let unnamed = named.slot == NO_SLOT;
-            let reference = !unnamed && self.slot_is_reference(named.slot, named.site)?;
+            // A slice in a value is a value.
+            let borrowed = self.cx.as_borrowed(&place.ty).is_some();
+            let reference =
+                !unnamed && !borrowed && self.slot_is_reference(named.slot, named.site)?;
             if reference {
                 let refers = self.refers_to(named.slot, named.site)?;
                 self.agree(&place.ty, &refers, named.site)?;
@@ -480,7 +488,10 @@ impl Lowering<'_, '_> {
                 self.alias_to(&named.name, place.clone());
                 continue;
             }
-            let rustc = self.slot(named.slot, named.site)?;
+            let rustc = match borrowed {
+                true => self.refers_to(named.slot, named.site)?,
+                false => self.slot(named.slot, named.site)?,
+            };
             self.agree(&place.ty, &rustc, named.site)?;
             let span = self.span(named.site);
             let local = self.declare(&named.name, rustc, Mode::Value, span);
@@ -492,7 +503,7 @@ impl Lowering<'_, '_> {
 
     /// Whether nothing can write to a place: it is behind `&`, or in a local that the author has no name
     /// for.
-    fn is_lasting(&self, place: &Place) -> bool {
+    pub(super) fn is_lasting(&self, place: &Place) -> bool {
         let local = &self.locals[place.root.index()];
         local.mode == Mode::Ref || self.held.contains(&place.root)
     }

@@ -81,7 +81,9 @@ impl Lowering<'_, '_> {
             return Ok(place);
         }
         let role = match &value.ty {
-            Type::Struct(id) if self.cx.shown.contains_key(id) => {
+            Type::Struct(id)
+                if self.cx.shown.contains_key(id) && !self.cx.borrowed.contains_key(id) =>
+            {
                 match self.cx.cases.get(id).map(|cases| cases[0].name.as_str()) {
                     Some("None") => "option".into(),
                     Some("Err") => "outcome".into(),
@@ -244,6 +246,9 @@ impl Lowering<'_, '_> {
                 }
                 Type::Array { element, .. } | Type::Slice(element) => Ok(*element),
                 Type::Matrix { element, .. } => Ok(Type::Scalar(element)),
+                other if let Some((_, slice)) = self.cx.as_borrowed(&other) => {
+                    Ok(slice.element.clone())
+                }
                 other => Ok(match (self.list_type(&other), self.bounded_type(&other)) {
                     (Some((_, element, _)), _) | (_, Some((element, ..))) => element,
                     _ => other,

@@ -13,7 +13,11 @@ use bessemer_ir::{
 use super::elements::Slice;
 use super::lengths::{is_number, least, minus, plus, same};
 use super::lowering::{Binding, Lowering};
+use super::syntax::{control_with_value, is_rebound};
 use super::{OUR_FAULT, Result, problem};
+
+/// The name of what is looked for.
+pub(super) const FOUND: &str = "found";
 
 impl Lowering<'_, '_> {
     /// A parameter that is a slice, and the one of its length.
@@ -43,8 +47,29 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// `let part = &values[1..];`: another name for the elements.
-    pub(super) fn let_slice(&mut self, name: &str, value: &tree::Expr) -> Result<()> {
+    /// `let part = &values[1..];`: another name for the elements. Where they begin is in a local if that is written again,
+    /// or decided by control flow.
+    pub(super) fn let_slice(
+        &mut self,
+        (name, slot): (&str, u32),
+        value: &tree::Expr,
+        site: Site,
+    ) -> Result<()> {
+        let decided = control_with_value(value);
+        if decided || is_rebound(&self.source.tree.body, name) {
+            let (ty, span) = (self.slot(slot, site)?, self.span(site));
+            let naming = std::mem::replace(&mut self.naming, name.to_owned());
+            match decided {
+                true => self.let_control(name, ty, Some(value), span)?,
+                false => {
+                    let value = self.value(value, Some(&ty))?;
+                    let local = self.declare(name, ty, Mode::Value, span);
+                    self.emit(StmtKind::Let { local, value: Some(value) }, span);
+                }
+            }
+            self.naming = naming;
+            return Ok(());
+        }
         let naming = std::mem::replace(&mut self.naming, name.to_owned());
         let slice = self.sliced(value)?;
         self.naming = naming;
@@ -104,9 +129,13 @@ impl Lowering<'_, '_> {
                         let length = Place::local(length, Type::USIZE, span);
                         Some(Slice::whole(base, *element, length.load()))
                     }
-                    _ => None,
+                    ty => {
+                        let span = self.span(expr.site);
+                        self.slice_at(Place::local(root, ty, span), expr.site)?
+                    }
                 },
-                Binding::Alias(_) | Binding::Value(_) | Binding::Nothing => None,
+                Binding::Alias(place) => self.slice_at(place, expr.site)?,
+                Binding::Value(_) | Binding::Nothing => None,
             }),
             tree::ExprKind::Ref(_, inner) | tree::ExprKind::Deref(inner) => self.slice(inner),
             tree::ExprKind::Slice(base, from, to, inclusive) => {
@@ -134,7 +163,7 @@ impl Lowering<'_, '_> {
             {
                 self.sliced(&arguments[0]).map(Some)
             }
-            _ => Ok(None),
+            _ => self.computed_slice(expr),
         }
     }
 
@@ -249,6 +278,11 @@ impl Lowering<'_, '_> {
     ) -> Result<Option<Expr>> {
         let Some(name) = name.strip_prefix("slice_") else { return Ok(None) };
         let span = self.span(expr.site);
+        if let Some(ty) = self.borrowing_type(expr)
+            && let Some(lent) = self.lent(expr)?
+        {
+            return self.lent_value(lent, &ty, expr.site).map(Some);
+        }
         let slice = self.sliced(&arguments[0])?;
         let zero = Expr::usize(0, span);
         match (name, arguments) {
@@ -287,7 +321,7 @@ impl Lowering<'_, '_> {
             return problem(expr.site, "this is not an `Option`", OUR_FAULT);
         };
         let none = self.choice(option, 0, None, expr.site)?;
-        let held = self.temporary("found", none);
+        let held = self.temporary(FOUND, none);
         let ExprKind::Load(target) = held.kind.clone() else { return Ok(held) };
         let value = self.choice(option, 1, Some(place.load()), expr.site)?;
         let then = Block(vec![Stmt::new(StmtKind::Assign { place: target, value }, span)]);
@@ -305,7 +339,7 @@ impl Lowering<'_, '_> {
             false => value,
         };
         let wanted = self.hold(wanted, site)?;
-        let held = self.temporary("found", Expr::bool(false, span));
+        let held = self.temporary(FOUND, Expr::bool(false, span));
         let ExprKind::Load(flag) = held.kind.clone() else { return Ok(held) };
         self.each_index(slice, span, |inner, index| {
             let condition = inner.equal(&slice.at(index), &wanted, site, span)?;

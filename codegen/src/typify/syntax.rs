@@ -1,6 +1,6 @@
 //! Properties that the author's syntax shows by itself.
 
-use bessemer_ir::tree;
+use bessemer_ir::tree::{self, visit};
 
 /// Whether `expr` is control flow that has a value.
 pub(super) fn control_with_value(expr: &tree::Expr) -> bool {
@@ -48,4 +48,37 @@ pub(super) fn is_rest(pattern: &tree::Pattern) -> bool {
         tree::Pattern::Name { inner: Some(inner), .. } => matches!(**inner, tree::Pattern::Rest),
         _ => false,
     }
+}
+
+/// Whether a name is assigned in a block, or lent to be.
+pub(super) fn is_rebound(block: &tree::Block, name: &str) -> bool {
+    struct Written<'n>(&'n str, bool);
+    impl Written<'_> {
+        fn note(&mut self, place: &tree::Expr) {
+            self.1 |= matches!(&place.kind, tree::ExprKind::Local(name) if name == self.0);
+        }
+
+        fn each(&mut self, places: &tree::Places) {
+            match places {
+                tree::Places::None => {}
+                tree::Places::One(place) => self.note(place),
+                tree::Places::Each(parts) => parts.iter().for_each(|part| self.each(part)),
+            }
+        }
+    }
+    impl visit::Visit for Written<'_> {
+        fn expr(&mut self, expr: &tree::Expr) {
+            match &expr.kind {
+                tree::ExprKind::Assign(None, place, _) | tree::ExprKind::Ref(true, place) => {
+                    self.note(place);
+                }
+                tree::ExprKind::AssignEach(places, _) => self.each(places),
+                _ => {}
+            }
+            visit::walk_expr(self, expr);
+        }
+    }
+    let mut written = Written(name, false);
+    visit::Visit::block(&mut written, block);
+    written.1
 }

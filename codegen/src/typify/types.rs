@@ -166,12 +166,26 @@ impl<'a> Context<'a> {
     /// The type of a value; references are refused.
     pub(super) fn value_type(&mut self, ty: &Ty, site: Site) -> Result<Type> {
         match ty {
+            Ty::Ref(inner, mutable) if let Ty::Slice(element) = &**inner => {
+                self.borrowed(element, *mutable, site)
+            }
             Ty::Ref(..) => problem(
                 site,
                 "a reference is not a value in the DSL",
                 "hold the value itself, or pass the reference as an argument",
             ),
             ty => self.pointee(ty, site),
+        }
+    }
+
+    /// The type of what a struct or a variant holds: of what it refers to and only reads, a copy, since nothing writes to
+    /// that as long as it does.
+    pub(super) fn held_type(&mut self, ty: &Ty, site: Site) -> Result<Type> {
+        match ty {
+            Ty::Ref(inner, false) if !matches!(**inner, Ty::Slice(_)) => {
+                self.held_type(inner, site)
+            }
+            ty => self.value_type(ty, site),
         }
     }
 
@@ -195,6 +209,9 @@ impl<'a> Context<'a> {
                         super::nothing::COUNT,
                     );
                 }
+                element if !self.slices_in(&element).is_empty() => {
+                    return problem(site, super::regions::MANY, super::regions::ONE);
+                }
                 element => Type::Array { element: Box::new(element), len: *len },
             },
             Ty::Matrix(element, rows, cols) => {
@@ -207,14 +224,11 @@ impl<'a> Context<'a> {
                     return problem(site, format!("`{path}` was not built"), "mark it `#[data]`");
                 }
             },
-            Ty::Ref(inner, _) | Ty::Known(_, inner) => self.pointee(inner, site)?,
-            Ty::Slice(_) => {
-                return problem(
-                    site,
-                    "a slice is passed in the DSL, and not held",
-                    "hold an array or a `List`, or pass the slice as an argument of its own",
-                );
+            Ty::Ref(inner, mutable) if let Ty::Slice(element) = &**inner => {
+                self.borrowed(element, *mutable, site)?
             }
+            Ty::Ref(inner, _) | Ty::Known(_, inner) => self.pointee(inner, site)?,
+            Ty::Slice(element) => self.borrowed(element, false, site)?,
             Ty::Tuple(_) | Ty::List(..) | Ty::Option(_) | Ty::Result(..) => {
                 self.generic(ty, site)?
             }

@@ -221,7 +221,7 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
             mutable: parameter.mutable,
         });
     }
-    if lower::lends(signature) {
+    if lower::gives_reference(signature) {
         check_lending(subject, &parameters, &copy, walk.refusals);
     }
     let result = walk.slot();
@@ -247,7 +247,7 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
     };
     let builder = builder(subject, scope, &tree, &parameters, &walk, (signature, &copy));
     // What is lent has the lifetime that its author wrote.
-    let told = if lower::lends(signature) { subject.signature } else { signature };
+    let told = if lower::borrows(signature) { subject.signature } else { signature };
     Some(Parts { parameters: companion_parameters(told), result: result_type(told), builder })
 }
 
@@ -263,6 +263,9 @@ fn check_lending(
     let outside = matches!(subject.asked.role, Role::Entry { .. });
     if outside || subject.asked.attributes.external.is_some() {
         refusals.add(ty, refuse::RETURNED_REFERENCE);
+    }
+    if !lower::lends(subject.signature) {
+        return;
     }
     if parameters.iter().any(|parameter| parameter.closure) {
         refusals.add(ty, refuse::LENT_CLOSURE);

@@ -77,9 +77,9 @@ pub fn expand(kind: Kind, arguments: TokenStream, item: TokenStream) -> TokenStr
     quote! { #errors #native #beside }
 }
 
-/// A type that is generic over a lifetime would hold a reference.
-fn refuse_lifetimes(generics: &syn::Generics, refusals: &mut Refusals) {
-    for parameter in &generics.params {
+/// The state of a component outlives every call, and so holds no reference.
+fn refuse_lifetimes(kind: Kind, generics: &syn::Generics, refusals: &mut Refusals) {
+    for parameter in generics.params.iter().filter(|_| kind == Kind::Component) {
         if let syn::GenericParam::Lifetime(it) = parameter {
             refusals.add(it, refuse::REFERENCE_FIELD);
         }
@@ -91,16 +91,21 @@ fn data_struct(kind: Kind, it: &syn::ItemStruct, refusals: &mut Refusals) -> Tok
     if it.fields.is_empty() {
         check_empty(kind, it, refusals);
     }
-    check_fields(&it.fields, refusals);
+    let borrows = kind == Kind::Data && it.generics.lifetimes().next().is_some();
+    check_fields(&it.fields, borrows, refusals);
     // What is lent is told at the field that holds it.
     if refusals.is_empty() {
-        refuse_lifetimes(&it.generics, refusals);
+        refuse_lifetimes(kind, &it.generics, refusals);
     }
     if !refusals.is_empty() {
         return TokenStream::new();
     }
     let name = &it.ident;
     let scope = Scope::of_type(&it.generics);
+    if borrows {
+        // It lives in locals, and has no words.
+        return lower::GENERATING.then(|| struct_definition(kind, it)).unwrap_or_default();
+    }
     let members: Vec<_> = it.fields.members().collect();
     let types: Vec<_> = it.fields.iter().map(|field| &field.ty).collect();
     // Spanned at the field's type: a type that is not plain is told there.
@@ -169,11 +174,15 @@ fn check_empty(kind: Kind, it: &syn::ItemStruct, refusals: &mut Refusals) {
     }
 }
 
-fn check_fields(fields: &syn::Fields, refusals: &mut Refusals) {
+/// The fields of a type that `borrows` or does not.
+fn check_fields(fields: &syn::Fields, borrows: bool, refusals: &mut Refusals) {
     for field in fields {
         given::read(&field.attrs, On::Value, refusals);
         lower::check_attributes(&field.attrs, refusals);
-        lower::check_field(&field.ty, refusals);
+        match borrows {
+            true => lower::check_type(&field.ty, refusals),
+            false => lower::check_field(&field.ty, refusals),
+        }
     }
 }
 
@@ -213,7 +222,8 @@ fn struct_definition(kind: Kind, it: &syn::ItemStruct) -> TokenStream {
         let arguments = scope.arguments();
         bounds.push(quote! { #name #arguments: ::core::default::Default + ::bessemer::Plain });
     }
-    let ranked = derives("PartialOrd", &it.attrs).then(|| ranked(name, scope));
+    let owns = scope.lifetimes().next().is_none();
+    let ranked = (owns && derives("PartialOrd", &it.attrs)).then(|| ranked(name, scope));
     let definition = definition(name, scope, &scope.bounds(bounds), &it.attrs, body);
     let template = (scope.is_generic() && kind == Kind::Component).then(|| template(name));
     quote! { #definition #ranked #template }
@@ -298,19 +308,21 @@ fn definition(
     let given = said(attributes, On::Type);
     let lower::Site(line, column) = lower::site(name);
     let text = lower::text(name);
-    let (declared, arguments, told) = (scope.declared(), scope.arguments(), scope.told());
-    let outer = scope.bounds([]);
+    let (declared, arguments, told) = (scope.declared(), scope.applied(), scope.told());
+    let lasting = scope.lasting();
+    let held = scope.types().filter(|_| scope.lifetimes().next().is_some());
+    let outer = scope.bounds(held.map(|name| quote! { #name: 'static }));
     let registered = (!scope.is_generic()).then(|| {
         quote! {
             ::bessemer::generate::register! {
-                ::bessemer::generate::Registered::new(::bessemer::generate::place!(), (#line, #column), ::bessemer::generate::data::<#name>)
+                ::bessemer::generate::Registered::new(::bessemer::generate::place!(), (#line, #column), ::bessemer::generate::data::<#name #lasting>)
             }
         }
     });
     quote! {
         const _: () = {
             impl #declared ::bessemer::generate::Seen for #name #arguments #outer {
-                type Slot = Self;
+                type Slot = #name #lasting;
             }
             #[allow(private_bounds)]
             impl #declared ::bessemer::generate::DslType for #name #arguments #bounds {
@@ -329,7 +341,7 @@ fn definition(
 }
 
 fn data_enum(kind: Kind, it: &syn::ItemEnum, refusals: &mut Refusals) -> TokenStream {
-    refuse_lifetimes(&it.generics, refusals);
+    let borrows = it.generics.lifetimes().next().is_some();
     check_type(&it.attrs, &it.generics, refusals);
     if kind == Kind::Component {
         refusals.add(it.enum_token.span, refuse::COMPONENT_ENUM);
@@ -341,7 +353,7 @@ fn data_enum(kind: Kind, it: &syn::ItemEnum, refusals: &mut Refusals) -> TokenSt
     for variant in &it.variants {
         lower::check_attributes(&variant.attrs, refusals);
         given::read(&variant.attrs, On::Variant, refusals);
-        check_fields(&variant.fields, refusals);
+        check_fields(&variant.fields, borrows, refusals);
         if let (Some((_, value)), true) = (&variant.discriminant, payload) {
             refusals.add(value, refuse::DISCRIMINANT);
         }
@@ -349,7 +361,7 @@ fn data_enum(kind: Kind, it: &syn::ItemEnum, refusals: &mut Refusals) -> TokenSt
     if !refusals.is_empty() {
         return TokenStream::new();
     }
-    let plain = enum_words(it);
+    let plain = (!borrows).then(|| enum_words(it));
     let numbered = it.variants.iter().any(|variant| variant.discriminant.is_some());
     let definition = cfg!(feature = "generate").then(|| {
         let variants = it.variants.iter().map(|variant| {
@@ -369,7 +381,7 @@ fn data_enum(kind: Kind, it: &syn::ItemEnum, refusals: &mut Refusals) -> TokenSt
         let scope = Scope::of_type(&it.generics);
         let fields = it.variants.iter().map(|variant| &variant.fields);
         let bounds = scope.bounds(definition_bounds(scope, fields));
-        let ranks = !payload && derives("PartialOrd", &it.attrs);
+        let ranks = !payload && !borrows && derives("PartialOrd", &it.attrs);
         let ranked = ranks.then(|| ranked(&it.ident, scope));
         let definition = definition(&it.ident, scope, &bounds, &it.attrs, kind);
         quote! { #definition #ranked }
@@ -453,7 +465,8 @@ fn methods(
     mut it: syn::ItemImpl,
     refusals: &mut Refusals,
 ) -> (TokenStream, TokenStream) {
-    refuse_lifetimes(&it.generics, refusals);
+    refuse_lifetimes(kind, &it.generics, refusals);
+    lower::name_lifetimes(&mut it);
     if it.trait_.is_some() {
         return interface::implementation(kind, it, refusals);
     }

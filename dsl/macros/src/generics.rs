@@ -61,9 +61,15 @@ impl<'a> Scope<'a> {
         params.filter(|param| !matches!(param, GenericParam::Lifetime(_)))
     }
 
-    /// `<T: Real, const N: usize>`, without defaults.
+    /// The lifetimes of the type, or of the `impl` block.
+    pub fn lifetimes(self) -> impl Iterator<Item = &'a syn::LifetimeParam> {
+        self.outer.into_iter().flat_map(|generics| generics.lifetimes())
+    }
+
+    /// `<'a, T: Real, const N: usize>`, without defaults.
     pub fn declared(self) -> TokenStream {
-        angle(self.params().map(|param| match param {
+        let lifetimes = self.lifetimes().map(ToTokens::to_token_stream);
+        angle(lifetimes.chain(self.params().map(|param| match param {
             GenericParam::Type(it) => {
                 let (name, colon, bounds) = (&it.ident, &it.colon_token, &it.bounds);
                 quote! { #name #colon #bounds }
@@ -73,7 +79,19 @@ impl<'a> Scope<'a> {
                 quote! { const #name: #ty }
             }
             other => other.to_token_stream(),
-        }))
+        })))
+    }
+
+    /// `<'a, T, N>`: as the type itself is written.
+    pub fn applied(self) -> TokenStream {
+        let lifetimes = self.lifetimes().map(|it| it.lifetime.to_token_stream());
+        angle(lifetimes.chain(self.params().map(name)))
+    }
+
+    /// `<'static, T, N>`: the type as a slot holds it.
+    pub fn lasting(self) -> TokenStream {
+        let lifetimes = self.lifetimes().map(|_| quote! { 'static });
+        angle(lifetimes.chain(self.params().map(name)))
     }
 
     /// `<T, const N: usize>`: without bounds.

@@ -49,7 +49,8 @@ pub use names::{GENERATING, Site, callee_name, own_name, site, slot_name, text};
 pub use pattern::member;
 pub use refuse::Refusals;
 pub use signature::{
-    Parameter, check_field, gives_option, lends, name_parts, named_part, parameters, refuse_leaving,
+    Parameter, borrows, check_field, check_type, gives_option, gives_reference, lends, name_parts,
+    named_part, parameters, refuse_leaving,
 };
-pub use strip::{check_attributes, strip};
+pub use strip::{check_attributes, name_lifetimes, strip};
 pub use walk::Lowering;

@@ -170,7 +170,6 @@ reasons! {
     IMPL_TRAIT: "`impl Trait` hides the type that the C has to name", "name the type; a closure is taken by `impl Fn(f64) -> f64`, in functions and in methods of a type";
     GENERIC_ALIAS: "the name of an instance has no parameters of its own", "name each instance: `pub type PidF32 = Pid<f32>;`";
     RETURNED_REFERENCE: "what the firmware calls gives a value", "return a copy, or the index of the element";
-    RETURNED_SLICE: "a slice that a function gives has no length of its own in the C", "take the part where it is used, `&self.items[..self.count]`, or go through it in a function that takes a closure";
     LENT_EARLY: "a function that lends a place ends with it in the DSL", "end in the place: `if … { &self.a } else { &self.b }` of what is read, an index of what is written";
     LENT_CLOSURE: "a function that takes a closure gives a value in the DSL", "return a copy, or the index of the element";
     REFERENCE_FIELD: "a reference in a struct would let two owners share memory in the C", "hold the value, or pass the reference to the method";

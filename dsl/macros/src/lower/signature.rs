@@ -113,8 +113,30 @@ pub fn gives_option(signature: &syn::Signature) -> bool {
 }
 
 /// Whether a function gives a reference.
-pub fn lends(signature: &syn::Signature) -> bool {
+pub fn gives_reference(signature: &syn::Signature) -> bool {
     matches!(&signature.output, syn::ReturnType::Type(_, ty) if matches!(**ty, syn::Type::Reference(_)))
+}
+
+/// Whether that is one to a value, which is its place; a slice is a value itself.
+pub fn lends(signature: &syn::Signature) -> bool {
+    let syn::ReturnType::Type(_, ty) = &signature.output else { return false };
+    matches!(&**ty, syn::Type::Reference(it) if !matches!(*it.elem, syn::Type::Slice(_)))
+}
+
+/// Whether the syntax of a function's result shows that it borrows.
+pub fn borrows(signature: &syn::Signature) -> bool {
+    struct Borrows(bool);
+    impl<'ast> Visit<'ast> for Borrows {
+        fn visit_type_reference(&mut self, _: &'ast syn::TypeReference) {
+            self.0 = true;
+        }
+        fn visit_lifetime(&mut self, _: &'ast syn::Lifetime) {
+            self.0 = true;
+        }
+    }
+    let mut found = Borrows(false);
+    found.visit_return_type(&signature.output);
+    found.0
 }
 
 /// Refuses to leave a function early that lends a place.
@@ -187,7 +209,7 @@ fn check_signature(signature: &syn::Signature, refusals: &mut Refusals) {
         match &**ty {
             // What is lent; which function may do so says the walk.
             syn::Type::Reference(it) => match &*it.elem {
-                syn::Type::Slice(_) => refusals.add(it, refuse::RETURNED_SLICE),
+                syn::Type::Slice(slice) => check_type(&slice.elem, refusals),
                 inner => check_type(inner, refusals),
             },
             syn::Type::Never(it) => refusals.add(it.bang_token.span, refuse::NEVER),

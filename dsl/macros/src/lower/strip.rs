@@ -28,6 +28,25 @@ pub fn strip(signature: &mut syn::Signature, body: &mut syn::Block, refusals: &m
     strip.visit_block_mut(body);
 }
 
+/// Gives the lifetimes that the type of an `impl` block leaves out, `Reader<'_>`, names that stand before it.
+pub fn name_lifetimes(block: &mut syn::ItemImpl) {
+    struct Named(Vec<syn::Lifetime>);
+    impl VisitMut for Named {
+        fn visit_lifetime_mut(&mut self, it: &mut syn::Lifetime) {
+            if it.to_string() == "'_" {
+                let name = format!("'__{}", self.0.len());
+                *it = syn::Lifetime::new(&name, proc_macro2::Span::mixed_site());
+                self.0.push(it.clone());
+            }
+        }
+    }
+    let mut named = Named(Vec::new());
+    named.visit_type_mut(&mut block.self_ty);
+    let declared =
+        named.0.into_iter().map(|it| syn::GenericParam::Lifetime(syn::LifetimeParam::new(it)));
+    block.generics.params = declared.chain(std::mem::take(&mut block.generics.params)).collect();
+}
+
 struct Strip<'a> {
     refusals: &'a mut Refusals,
 }
@@ -77,6 +96,13 @@ impl VisitMut for Strip<'_> {
     fn visit_type_reference_mut(&mut self, ty: &mut syn::TypeReference) {
         visit_mut::visit_type_reference_mut(self, ty);
         ty.lifetime = None;
+    }
+
+    fn visit_generic_argument_mut(&mut self, argument: &mut syn::GenericArgument) {
+        visit_mut::visit_generic_argument_mut(self, argument);
+        if let syn::GenericArgument::Lifetime(it) = argument {
+            *it = syn::Lifetime::new("'_", it.apostrophe);
+        }
     }
 
     fn visit_receiver_mut(&mut self, receiver: &mut syn::Receiver) {

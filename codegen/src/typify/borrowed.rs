@@ -1,0 +1,140 @@
+//! Types that borrow: slices in structs, variants, tuples and results.
+//!
+//! C has no lifetimes, so no pointer is ever part of a value. A slice in a value is data: where its elements begin and how
+//! many there are, a struct of two numbers. The array that they are elements of, its *lender*, is known when the C is
+//! written, for each slice in each local: it follows the value wherever that goes. A function that takes such a value takes
+//! the lender of each slice in it beside it, as a slice; one that gives such a value gives slices of what it was lent.
+//!
+//! Must not know: the lenders of a function's values ([`lenders`](super::lenders)).
+
+use bessemer_ir::tree::{Site, Ty};
+use bessemer_ir::{StructId, Type};
+
+use super::regions::{Joined, Path};
+use super::{Context, Result, problem};
+
+/// A slice in a value.
+#[derive(Clone)]
+pub(super) struct Borrowed {
+    /// Of one element.
+    pub element: Type,
+    /// Whether its elements may be written through it.
+    pub mutable: bool,
+}
+
+impl Context<'_> {
+    /// The struct of `&[T]`, or `&mut [T]`, in a value.
+    pub(super) fn borrowed(&mut self, element: &Ty, mutable: bool, site: Site) -> Result<Type> {
+        let ty = Ty::Ref(Box::new(Ty::Slice(Box::new(element.clone()))), mutable);
+        if let Some(known) = self.generics.get(&ty) {
+            return Ok(known.clone());
+        }
+        let element = self.value_type(element, site)?;
+        if element == Type::Unit {
+            return problem(site, super::nothing::EMPTY_SLICE, super::nothing::COUNT);
+        }
+        let id = self.borrowed_struct(&element, mutable, site)?;
+        self.borrowed.insert(id, Borrowed { element, mutable });
+        self.unequal.insert(Type::Struct(id));
+        self.generics.insert(ty, Type::Struct(id));
+        Ok(Type::Struct(id))
+    }
+
+    /// Whether a function gives a slice.
+    pub(super) fn gives_slice(&self, path: &str) -> bool {
+        let function = self.all.get(path).or_else(|| self.templates.get(path));
+        let result = function.and_then(|it| it.slots.get(it.tree.result as usize));
+        matches!(result, Some(Ty::Ref(inner, _)) if matches!(**inner, Ty::Slice(_)))
+    }
+
+    /// The slice that a type is.
+    pub(super) fn as_borrowed(&self, ty: &Type) -> Option<(StructId, &Borrowed)> {
+        match ty {
+            Type::Struct(id) => Some((*id, self.borrowed.get(id)?)),
+            _ => None,
+        }
+    }
+
+    /// The slices in a value of a type.
+    pub(super) fn slices_in(&self, ty: &Type) -> Vec<(Path, Borrowed)> {
+        let mut found = Vec::new();
+        if !self.borrowed.is_empty() {
+            self.find_slices(ty, &mut Vec::new(), &mut found);
+        }
+        found
+    }
+
+    /// The slices in a value of a type, those together that have one lender.
+    pub(super) fn groups_in(&self, ty: &Type) -> Vec<(Vec<Path>, Borrowed)> {
+        let mut groups: Vec<(Vec<Path>, Borrowed)> = Vec::new();
+        for (path, borrowed) in self.slices_in(ty) {
+            let joins = |group: &(Vec<Path>, _)| group.0.iter().any(|it| self.joins(ty, it, &path));
+            let (own, rest): (Vec<_>, Vec<_>) = groups.into_iter().partition(joins);
+            groups = rest;
+            let mut paths: Vec<Path> = own.into_iter().flat_map(|group| group.0).collect();
+            paths.push(path);
+            groups.push((paths, borrowed));
+        }
+        groups.sort_by(|one, other| one.0.cmp(&other.0));
+        groups
+    }
+
+    /// Whether two slices in a value of a type are known to have one lender.
+    fn joins(&self, ty: &Type, one: &[u32], other: &[u32]) -> bool {
+        let Some(both) = self.within_one(ty, one, other) else { return false };
+        self.joined.contains(&both)
+    }
+
+    /// Two slices in a value, as fields of the innermost struct that has both.
+    pub(super) fn within_one(&self, ty: &Type, one: &[u32], other: &[u32]) -> Option<Joined> {
+        let common = one.iter().zip(other).take_while(|(one, other)| one == other).count();
+        let mut ty = ty.clone();
+        for step in 0..=common {
+            while let Type::Array { element, .. } = ty {
+                ty = *element;
+            }
+            let Type::Struct(id) = ty else { return None };
+            if step == common {
+                let mut both = [one[common..].to_vec(), other[common..].to_vec()];
+                both.sort();
+                return Some((id, both));
+            }
+            let field = &self.module.structs[id.index()].fields[one[step] as usize];
+            ty = field.ty.clone();
+        }
+        None
+    }
+
+    fn find_slices(&self, ty: &Type, path: &mut Path, found: &mut Vec<(Path, Borrowed)>) {
+        match ty {
+            Type::Array { element, .. } => self.find_slices(element, path, found),
+            Type::Struct(id) => match self.borrowed.get(id) {
+                Some(borrowed) => found.push((path.clone(), borrowed.clone())),
+                None => {
+                    for (at, field) in (0..).zip(&self.module.structs[id.index()].fields) {
+                        path.push(at);
+                        self.find_slices(&field.ty, path, found);
+                        path.pop();
+                    }
+                }
+            },
+            _ => {}
+        }
+    }
+
+    /// The name of the parameter that lends the slice at a path of another.
+    pub(super) fn lender_name(&self, param: &str, ty: &Type, path: &[u32]) -> String {
+        let (mut name, mut ty) = (param.to_owned(), ty);
+        for step in path {
+            while let Type::Array { element, .. } = ty {
+                ty = element;
+            }
+            let Type::Struct(id) = ty else { break };
+            let field = &self.module.structs[id.index()].fields[*step as usize];
+            name = format!("{name}_{}", field.name);
+            ty = &field.ty;
+        }
+        // What is a slice and nothing else has its name already.
+        if path.is_empty() { format!("{name}_items") } else { name }
+    }
+}

@@ -1,0 +1,257 @@
+//! Slices as values, and values as slices: what is read of a slice in a struct, a variant, a tuple or a result, and how one
+//! gets there.
+//!
+//! Invariant: a slice that was read stays what it is, whatever is written to the place that it was read from.
+//!
+//! Must not know: how lenders are followed ([`lenders`](super::lenders)).
+
+use bessemer_ir::tree::{self, Site, Ty};
+use bessemer_ir::visit::{self, VisitMut};
+use bessemer_ir::{Block, Expr, ExprKind, LocalId, Mode, Place, Step, StmtKind, StructId, Type};
+
+use super::borrowed::Borrowed;
+use super::elements::Slice;
+use super::lenders::{FROM, LENGTH, is_same};
+use super::lengths::plus;
+use super::lowering::{Binding, Lowering, UNNAMED};
+use super::regions::ENDS;
+use super::subject::Subject;
+use super::syntax::control_with_value;
+use super::{OUR_FAULT, Result, problem};
+use crate::effects;
+
+impl Lowering<'_, '_> {
+    /// The slice at a place that is one.
+    pub(super) fn slice_at(&mut self, place: Place, site: Site) -> Result<Option<Slice>> {
+        let Some((_, Borrowed { element, .. })) = self.cx.as_borrowed(&place.ty) else {
+            return Ok(None);
+        };
+        let element = element.clone();
+        let Some(base) = self.lender_of(&place) else {
+            return problem(
+                site,
+                "whose elements these are is not known here",
+                "give the slice its first value, `&values[..0]` if need be, above this line",
+            );
+        };
+        let lasting = self.is_lasting(&place);
+        let part = |at: u32| place.inside(Step::Field(at), Type::USIZE).load();
+        let (mut from, mut length) = (part(FROM), part(LENGTH));
+        if !lasting {
+            // The slice stays what it is, whatever is written to the place.
+            let name = match place.steps.last() {
+                Some(Step::Field(at)) => self.field_name(&place, *at),
+                _ => self.locals[place.root.index()].name.clone(),
+            };
+            let naming = std::mem::replace(&mut self.naming, name);
+            from = self.temporary(ENDS[0], from);
+            length = self.temporary(ENDS[1], length);
+            for part in [&from, &length] {
+                if let ExprKind::Load(part) = &part.kind {
+                    self.lenders.taken.push(part.root);
+                }
+            }
+            self.naming = naming;
+        }
+        let to = plus(from.clone(), length.clone());
+        Ok(Some(Slice { base, element, from, to, length, whole: false }))
+    }
+
+    /// The name of the field that is the last step of a place.
+    fn field_name(&self, place: &Place, at: u32) -> String {
+        let (_, outer) = place.steps.split_last().unwrap_or((&Step::Field(at), &[]));
+        match self.type_of(place.root, outer) {
+            Type::Struct(id) => self.cx.module.structs[id.index()].fields[at as usize].name.clone(),
+            _ => UNNAMED.into(),
+        }
+    }
+
+    /// The slice that an expression is whose value is one, other than by its syntax.
+    pub(super) fn computed_slice(&mut self, expr: &tree::Expr) -> Result<Option<Slice>> {
+        match &expr.kind {
+            tree::ExprKind::Field(..) | tree::ExprKind::Index(..) => {
+                if self.cx.borrowed.is_empty()
+                    || !self.place_type(expr).is_ok_and(|ty| self.cx.as_borrowed(&ty).is_some())
+                {
+                    return Ok(None);
+                }
+                let place = self.base(expr)?;
+                self.slice_at(place, expr.site)
+            }
+            _ if self.gives_slice(expr) => {
+                let value = self.value(expr, None)?;
+                let place = self.hold(value, expr.site)?;
+                self.slice_at(place, expr.site)
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// Whether an expression that names no place has a slice as its value.
+    fn gives_slice(&mut self, expr: &tree::Expr) -> bool {
+        let of_slot = |inner: &Self| {
+            expr.slot.is_some_and(|slot| inner.slot_is_slice(slot, expr.site).unwrap_or_default())
+        };
+        match &expr.kind {
+            tree::ExprKind::Call(callee, _) => match self.source.callees.get(*callee as usize) {
+                Some(tree::Callee::Function(path)) => self.cx.gives_slice(path) || of_slot(self),
+                Some(tree::Callee::Builtin(_)) => of_slot(self),
+                None => false,
+            },
+            tree::ExprKind::Try(..) | tree::ExprKind::Apply(..) => of_slot(self),
+            _ => control_with_value(expr) && of_slot(self),
+        }
+    }
+
+    /// The value of an expression where a slice is wanted in a value; none if no slice is.
+    pub(super) fn wanted_slice(
+        &mut self,
+        expr: &tree::Expr,
+        expected: Option<&Type>,
+    ) -> Result<Option<Expr>> {
+        let Some(id) = expected.and_then(|ty| self.cx.as_borrowed(ty)).map(|(id, _)| id) else {
+            return Ok(None);
+        };
+        if control_with_value(expr) {
+            return Ok(None);
+        }
+        if let tree::ExprKind::Ref(_, inner) = &expr.kind
+            && let tree::ExprKind::Array(elements) = &inner.kind
+            && elements.is_empty()
+        {
+            // Of no array: nothing is read.
+            let span = self.span(expr.site);
+            return Ok(Some(self.zero(&Type::Struct(id), span)));
+        }
+        let slice = self.sliced(expr)?;
+        Ok(Some(self.borrowed_value(slice, id, expr.site)))
+    }
+
+    /// A slice as a value.
+    fn borrowed_value(&mut self, slice: Slice, id: StructId, site: Site) -> Expr {
+        let span = self.span(site);
+        if let (ExprKind::Load(from), ExprKind::Load(length)) =
+            (&slice.from.kind, &slice.length.kind)
+            && let (Some((Step::Field(FROM), whole)), Some((Step::Field(LENGTH), rest))) =
+                (from.steps.split_last(), length.steps.split_last())
+            && from.root == length.root
+            && whole == rest
+        {
+            let of = Place { root: from.root, steps: whole.to_vec(), ty: Type::Struct(id), span };
+            if self.lender_of(&of).is_some_and(|it| is_same(&it, &slice.base)) {
+                return of.load();
+            }
+        }
+        let kind = ExprKind::Struct(vec![slice.from, slice.length]);
+        let value = Expr { kind, ty: Type::Struct(id), span };
+        let known = self.lenders.made.iter().position(|(made, _)| *made == value);
+        match known.map(|at| self.lenders.made[at].1.clone()) {
+            None => self.lenders.made.push((value.clone(), slice.base)),
+            Some(base) if is_same(&base, &slice.base) => {}
+            // Two that look alike are told apart by their names.
+            Some(_) => return self.named_slice(value, slice.base),
+        }
+        value
+    }
+
+    fn named_slice(&mut self, value: Expr, base: Place) -> Expr {
+        let held = self.temporary(UNNAMED, value);
+        if let ExprKind::Load(place) = &held.kind {
+            self.lenders.known.retain(|it| it.0 != place.root);
+            self.lenders.known.push((place.root, Vec::new(), base));
+        }
+        held
+    }
+
+    /// What a method lends, as a value of a type.
+    pub(super) fn lent_value(&mut self, lent: Subject, ty: &Type, site: Site) -> Result<Expr> {
+        let span = self.span(site);
+        match (lent, ty) {
+            (Subject::Place(place), _) => Ok(place.load()),
+            (Subject::Slice(slice), Type::Struct(id)) => Ok(self.borrowed_value(*slice, *id, site)),
+            (Subject::Parts(parts), Type::Struct(id)) => {
+                let fields = self.cx.module.structs[id.index()].fields.clone();
+                let mut values = Vec::new();
+                for (part, field) in parts.into_iter().zip(&fields) {
+                    values.push(self.lent_value(part, &field.ty, site)?);
+                }
+                self.node(ExprKind::Struct(values), ty.clone(), site)
+            }
+            (Subject::Maybe(there, lent), Type::Struct(id)) => {
+                let none = self.choice(*id, 0, None, site)?;
+                let held = self.temporary(super::slice::FOUND, none);
+                let ExprKind::Load(place) = held.kind.clone() else { return Ok(held) };
+                let payload =
+                    self.cx.cases.get(id).and_then(|cases| cases.iter().find_map(|it| it.field));
+                let Some(payload) = payload else {
+                    return problem(site, "this is not an `Option`", OUR_FAULT);
+                };
+                let inner = self.cx.module.structs[id.index()].fields[payload as usize].ty.clone();
+                let then = self.scoped(|it| {
+                    let value = it.lent_value(*lent, &inner, site)?;
+                    let value = it.choice(*id, 1, Some(value), site)?;
+                    it.emit(StmtKind::Assign { place, value }, span);
+                    Ok(())
+                })?;
+                let otherwise = Block::default();
+                self.emit(StmtKind::If { condition: there, then, otherwise }, span);
+                Ok(held)
+            }
+            _ => problem(site, "this is not what a slice lends", OUR_FAULT),
+        }
+    }
+
+    /// Takes out of a body what is said of a slice and not asked.
+    pub(super) fn leave_unasked(&self, body: &mut Block) {
+        if !self.lenders.taken.is_empty() {
+            Unasked(&self.lenders.taken).block(body);
+        }
+    }
+
+    /// A parameter that is a slice and is made another one: where it begins is in a local from here on.
+    pub(super) fn rebound(&mut self, name: &str, slot: u32, site: Site) -> Result<()> {
+        let ty = self.slot(slot, site)?;
+        let local = tree::Expr { kind: tree::ExprKind::Local(name.to_owned()), site, slot: None };
+        let (value, span) = (self.value(&local, Some(&ty))?, self.span(site));
+        let local = self.declare(&format!("{name}_left"), ty, Mode::Value, span);
+        self.bind(name, Binding::Local(local));
+        self.emit(StmtKind::Let { local, value: Some(value) }, span);
+        Ok(())
+    }
+
+    /// The type of an expression, if there are slices in it.
+    pub(super) fn borrowing_type(&mut self, expr: &tree::Expr) -> Option<Type> {
+        let slot = expr.slot?;
+        if !borrows(self.source.slots.get(slot as usize)?) {
+            return None;
+        }
+        self.seen(slot, expr.site).ok().filter(|ty| !self.cx.slices_in(ty).is_empty())
+    }
+}
+
+/// Whether a type has a slice in it, by its syntax.
+fn borrows(ty: &Ty) -> bool {
+    match ty {
+        Ty::Tuple(parts) => parts.iter().any(borrows),
+        Ty::Option(inner) | Ty::Ref(inner, _) => borrows(inner),
+        Ty::Slice(_) => true,
+        _ => false,
+    }
+}
+
+/// Takes out those of some locals that nothing mentions behind them.
+struct Unasked<'l>(&'l [LocalId]);
+
+impl VisitMut for Unasked<'_> {
+    fn block(&mut self, block: &mut Block) {
+        for at in (0..block.0.len()).rev() {
+            if let StmtKind::Let { local, .. } = &block.0[at].kind
+                && self.0.contains(local)
+                && !effects::mentions(&block.0[at + 1..], *local)
+            {
+                block.0.remove(at);
+            }
+        }
+        visit::walk_block_mut(self, block);
+    }
+}

@@ -1,0 +1,39 @@
+//! What is known of the slices in values: which fields they are, and of which array each is in the locals of a function.
+//!
+//! Must not know: how any of it is found ([`lenders`](super::lenders)).
+
+use bessemer_ir::{Expr, LocalId, Place, StructId};
+
+use super::Problem;
+
+/// The fields that lead to a slice in a value; an element of an array is as any other.
+pub(super) type Path = Vec<u32>;
+
+/// The refusal of an array of slices: each would have a lender of its own.
+pub(super) const MANY: &str = "an array or a list of slices is not in the DSL";
+pub(super) const ONE: &str = "keep their ends, an array of pairs, or a field for each slice";
+
+/// The names of its fields: the index of the first element, and how many there are.
+pub(super) const ENDS: [&str; 2] = ["from", "length"];
+
+/// Two slices in a struct that have one lender, since a function makes one a part of the other.
+pub(super) type Joined = (StructId, [Path; 2]);
+
+/// The slices in the locals of a function, and the arrays whose elements they are.
+#[derive(Default)]
+pub(super) struct Lenders {
+    /// The lender of each slice, by the local that it is in and the fields that lead to it.
+    pub known: Vec<(LocalId, Path, Place)>,
+    /// Those of slices that are in no local yet.
+    pub made: Vec<(Expr, Place)>,
+    /// Those of the result.
+    pub result: Vec<(Path, Place)>,
+    /// The locals that say where a slice begins and how many elements it has, which not every use asks.
+    pub taken: Vec<LocalId>,
+    /// The parameters that lend: of which other one, and of which slices in it.
+    pub lending: Vec<(LocalId, LocalId, Path)>,
+    /// How many locals are parameters.
+    pub params: usize,
+    /// What is wrong with one of them.
+    pub problem: Option<Problem>,
+}
