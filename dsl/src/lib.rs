@@ -66,6 +66,7 @@ mod bounded;
 mod bounded_arithmetic;
 #[doc(hidden)]
 pub mod comparison;
+pub mod complex;
 mod element;
 #[cfg(feature = "generate")]
 #[doc(hidden)]
@@ -76,7 +77,11 @@ mod list;
 #[doc(hidden)]
 pub mod list_edit;
 pub mod math;
+pub mod non_zero;
+#[doc(hidden)]
+pub mod optional;
 mod plain;
+pub mod range;
 pub mod rotation;
 pub mod search;
 #[doc(hidden)]

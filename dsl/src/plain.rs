@@ -72,6 +72,18 @@ impl Plain for Ordering {
     }
 }
 
+/// The word is the code point; that of no character becomes U+FFFD.
+#[diagnostic::do_not_recommend]
+impl Plain for char {
+    const WORDS: usize = 1;
+    fn store(&self, out: &mut dyn FnMut(u64)) {
+        out(u64::from(u32::from(*self)));
+    }
+    fn load(next: &mut dyn FnMut() -> u64) -> Self {
+        char::from_u32(next() as u32).unwrap_or(char::REPLACEMENT_CHARACTER)
+    }
+}
+
 #[diagnostic::do_not_recommend]
 impl Plain for bool {
     const WORDS: usize = 1;

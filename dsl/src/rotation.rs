@@ -182,6 +182,13 @@ pub fn matrix_from_axis_angle<T: Real>(axis: &UnitVector3<T>, angle: T) -> Rotat
     ))
 }
 
+/// The matrix of a rotation by the length of `axis`, rad, about it (`Rotation3::from_scaled_axis`, and `Rotation3::new`).
+#[function]
+pub fn matrix_from_scaled_axis<T: Real>(axis: Vector3<T>) -> Rotation3<T> {
+    let angle = axis.norm();
+    matrix_from_axis_angle(&UnitVector3::new_unchecked(axis / angle), angle)
+}
+
 /// Roll, pitch and yaw of a matrix, rad, pitch from −π/2 to π/2; at its ends yaw is 0
 /// (`Rotation3::euler_angles`).
 #[function]
@@ -270,5 +277,78 @@ impl<T: Real> EulerMethods<T> for UnitQuaternion<T> {
 impl<T: Real> EulerMethods<T> for Rotation3<T> {
     fn dsl_euler_angles(&self) -> (T, T, T) {
         matrix_euler_angles(self)
+    }
+}
+
+/// Rotations from angles: the attributes call these in place of nalgebra's functions of these names.
+#[doc(hidden)]
+pub trait AngleMethods<T> {
+    /// [`from_axis_angle`], [`matrix_from_axis_angle`].
+    fn dsl_from_axis_angle(axis: &UnitVector3<T>, angle: T) -> Self;
+    /// [`from_euler_angles`], [`matrix_from_euler_angles`].
+    fn dsl_from_euler_angles(roll: T, pitch: T, yaw: T) -> Self;
+    /// [`from_scaled_axis`], [`matrix_from_scaled_axis`].
+    fn dsl_from_scaled_axis(axis: Vector3<T>) -> Self;
+}
+
+impl<T: Real> AngleMethods<T> for UnitQuaternion<T> {
+    fn dsl_from_axis_angle(axis: &UnitVector3<T>, angle: T) -> Self {
+        from_axis_angle(axis, angle)
+    }
+    fn dsl_from_euler_angles(roll: T, pitch: T, yaw: T) -> Self {
+        from_euler_angles(roll, pitch, yaw)
+    }
+    fn dsl_from_scaled_axis(axis: Vector3<T>) -> Self {
+        from_scaled_axis(axis)
+    }
+}
+
+impl<T: Real> AngleMethods<T> for Rotation3<T> {
+    fn dsl_from_axis_angle(axis: &UnitVector3<T>, angle: T) -> Self {
+        matrix_from_axis_angle(axis, angle)
+    }
+    fn dsl_from_euler_angles(roll: T, pitch: T, yaw: T) -> Self {
+        matrix_from_euler_angles(roll, pitch, yaw)
+    }
+    fn dsl_from_scaled_axis(axis: Vector3<T>) -> Self {
+        matrix_from_scaled_axis(axis)
+    }
+}
+
+/// The turn between directions, as nalgebra calls it.
+#[doc(hidden)]
+pub trait BetweenMethods<T>: Sized {
+    /// [`rotation_between_axis`].
+    fn dsl_rotation_between_axis(a: &UnitVector3<T>, b: &UnitVector3<T>) -> Option<Self>;
+}
+
+impl<T: Real> BetweenMethods<T> for UnitQuaternion<T> {
+    fn dsl_rotation_between_axis(a: &UnitVector3<T>, b: &UnitVector3<T>) -> Option<Self> {
+        rotation_between_axis(a, b)
+    }
+}
+
+/// What nalgebra's `new` of rotations makes of an angle, or of an axis as long as the angle.
+#[doc(hidden)]
+pub trait TurnMethods<A> {
+    /// [`from_scaled_axis`], [`matrix_from_angle`], [`matrix_from_scaled_axis`].
+    fn dsl_new(turn: A) -> Self;
+}
+
+impl<T: Real> TurnMethods<Vector3<T>> for UnitQuaternion<T> {
+    fn dsl_new(turn: Vector3<T>) -> Self {
+        from_scaled_axis(turn)
+    }
+}
+
+impl<T: Real> TurnMethods<T> for Rotation2<T> {
+    fn dsl_new(turn: T) -> Self {
+        matrix_from_angle(turn)
+    }
+}
+
+impl<T: Real> TurnMethods<Vector3<T>> for Rotation3<T> {
+    fn dsl_new(turn: Vector3<T>) -> Self {
+        matrix_from_scaled_axis(turn)
     }
 }

@@ -81,6 +81,7 @@ impl Entries {
         let path: syn::Path = syn::parse_str(&format!("crate::programs::{module}")).ok()?;
         let name = &signature.ident;
         let (mut loads, mut arguments, mut stores) = (Vec::new(), Vec::new(), Vec::new());
+        let mut made = Vec::new();
         let mut receiver = false;
         for (index, input) in signature.inputs.iter().enumerate() {
             let input = match input {
@@ -90,6 +91,7 @@ impl Entries {
                 }
                 FnArg::Receiver(it) => {
                     receiver = true;
+                    made.push(quote!(bessemer::Plain::store(&this, __out);));
                     let changed = matches!(&it.kind, syn::ReceiverKind::Reference(_, _, Some(_)));
                     loads.push(quote!(let mut this = <__Owner as bessemer::Plain>::load(__next);));
                     stores.extend(changed.then(|| quote!(bessemer::Plain::store(&this, __out);)));
@@ -109,6 +111,7 @@ impl Entries {
             };
             let ty = own(ty);
             loads.push(quote!(let mut #local = <#ty as bessemer::Plain>::load(__next);));
+            made.push(quote!(bessemer::Plain::store(&#local, __out);));
             if matches!(&*input.ty, Type::Reference(it) if it.mutability.is_some()) {
                 stores.push(quote!(bessemer::Plain::store(&#local, __out);));
             }
@@ -151,6 +154,17 @@ impl Entries {
                 component: #component,
                 data: #data,
                 name: #name,
+                made: {
+                    #[allow(unused_imports, unused_mut, unused_variables, dead_code, clippy::all)]
+                    fn made(__next: &mut dyn FnMut() -> u64, __out: &mut dyn FnMut(u64)) {
+                        use bessemer::prelude::*;
+                        use #path::*;
+                        #(#stand_for)*
+                        #named
+                        #load #(#loads)* #store #(#made)*
+                    }
+                    made
+                },
                 run: {
                     #[allow(unused_imports, unused_mut, unused_variables, dead_code, clippy::all)]
                     fn run(__next: &mut dyn FnMut() -> u64, __out: &mut dyn FnMut(u64)) {

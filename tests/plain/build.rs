@@ -17,20 +17,26 @@ fn main() -> io::Result<()> {
     for read in ["programs", "marks", "README.md"] {
         println!("cargo::rerun-if-changed={}", folder.join(read).display());
     }
-    let mut modules = String::new();
-    let mut entries = Entries { root: "plain", methods: true, found: Vec::new() };
+    let (mut modules, mut all) = (String::new(), String::new());
     for name in marked::programs(&folder)?.0 {
         let path = output.join(format!("{name}.rs"));
-        write(&path, &marked::marked(&folder, &name)?)?;
-        modules.push_str(&format!("#[path = {path:?}]\npub mod {name};\n"));
+        let text = marked::marked(&folder, &name)?;
+        let mut entries = Entries { root: "plain", methods: true, found: Vec::new() };
         // A file that does not parse is rustc's to tell of.
-        if let Ok(file) = syn::parse_file(&fs::read_to_string(&path)?) {
+        if let Ok(file) = syn::parse_file(&text) {
             entries.items(&file.items, &name);
         }
+        // Within the program, whose names may be its own alone.
+        let entries: String = entries.found.iter().map(|it| format!("    {it},\n")).collect();
+        let entries = format!(
+            "/// What can be called.\npub const __ENTRIES: &[crate::Entry] = &[\n{entries}];\n"
+        );
+        write(&path, &format!("{text}\n{entries}"))?;
+        modules.push_str(&format!("#[path = {path:?}]\npub mod {name};\n"));
+        all.push_str(&format!("    {name}::__ENTRIES,\n"));
     }
-    let entries: String = entries.found.iter().map(|entry| format!("    {entry},\n")).collect();
     let text = format!(
-        "{modules}\n/// What can be called.\npub const ENTRIES: &[crate::Entry] = &[\n{entries}];\n"
+        "{modules}\n/// What can be called, by program.\npub const ENTRIES: &[&[crate::Entry]] = &[\n{all}];\n"
     );
     write(&output.join("programs.rs"), &text)
 }

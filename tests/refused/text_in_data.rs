@@ -8,8 +8,6 @@ use bessemer::prelude::*;
 pub struct Channel {
     /// Its name.
     pub name: &'static str,
-    /// Its sign.
-    pub sign: char,
 }
 
 fn main() {}

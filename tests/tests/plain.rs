@@ -35,10 +35,11 @@ fn entries() -> &'static [Entry] {
             component: it.component,
             data: it.data,
             name: it.name,
+            made: it.made,
             run: it.run,
             initial: it.initial,
         };
-        plain::programs::ENTRIES.iter().map(same).collect()
+        plain::programs::ENTRIES.iter().copied().flatten().map(same).collect()
     })
 }
 

@@ -4,7 +4,8 @@
 
 use bessemer_ir::tree::{self, Grouping, Order, Site};
 use bessemer_ir::{
-    Block, CompareOp, Expr, ExprKind, Local, LocalId, Mode, Place, Span, Step, Stmt, StmtKind, Type,
+    BinaryOp, Block, CompareOp, Expr, ExprKind, Fault, Intrinsic, Local, LocalId, Mode, Place,
+    Span, Step, Stmt, StmtKind, Type,
 };
 
 use super::elements::Slice;
@@ -272,7 +273,7 @@ impl Lowering<'_, '_> {
             self.test(&part.pattern, &Subject::Place(element), site, &mut names)?;
             return self.bind_names(&names);
         }
-        let Some((way, size)) = passed.group else {
+        let Some((way, size)) = &passed.group else {
             let at = match (bare, part.reversed) {
                 (true, false) => counter,
                 (_, false) => plus(slice.from.clone(), counter),
@@ -284,12 +285,14 @@ impl Lowering<'_, '_> {
             self.test(&part.pattern, &Subject::Place(slice.at(at)), site, &mut names)?;
             return self.bind_names(&names);
         };
-        let size = Expr::usize(size, slice.base.span);
+        let size = size.clone().at(slice.base.span);
         let begin = match way {
             Grouping::Windows => counter,
-            _ => times(counter, size.clone()),
+            _ if size.is_literal() => times(counter, size.clone()),
+            // Each begins within the sequence.
+            _ => Expr::intrinsic(Intrinsic::WrappingMul, vec![counter, size.clone()]),
         };
-        if way == Grouping::First {
+        if *way == Grouping::First {
             let at = match part.reversed {
                 false => plus(slice.from.clone(), begin),
                 true => minus(minus(slice.to.clone(), Expr::usize(1, slice.base.span)), begin),
@@ -327,22 +330,28 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    fn group_size(&mut self, group: Option<&tree::Group>) -> Result<Option<(Grouping, u64)>> {
+    /// How many elements a pass gets: a literal, or a local that is not zero.
+    fn group_size(&mut self, group: Option<&tree::Group>) -> Result<Option<(Grouping, Expr)>> {
         let Some(group) = group else { return Ok(None) };
         let size = self.value(&group.size, Some(&Type::USIZE))?;
-        let word = match size.kind {
-            ExprKind::Literal(word) => word,
-            ExprKind::Const(id) => self.cx.module.consts[id.index()].words[0],
-            _ => 0,
+        let span = size.span;
+        let size = match self.known(&size) {
+            Some(0) => {
+                return problem(
+                    group.size.site,
+                    "no elements at a time never come to an end",
+                    "write a number above 0",
+                );
+            }
+            Some(word) => Expr::usize(word, span),
+            None => {
+                let size = self.steady("size", size);
+                let condition = Expr::compare(CompareOp::Ne, size.clone(), Expr::usize(0, span));
+                self.emit(StmtKind::Check { condition, fault: Fault::Assertion }, span);
+                size
+            }
         };
-        match word {
-            0 => problem(
-                group.size.site,
-                "the size of a window is a number, or a constant, and not 0",
-                "write `.windows(3)`",
-            ),
-            size => Ok(Some((group.way, size))),
-        }
+        Ok(Some((group.way, size)))
     }
 
     /// The ends of the way, after `.skip(n)` and `.take(n)`.
@@ -362,6 +371,12 @@ impl Lowering<'_, '_> {
         Ok((from, to))
     }
 
+    /// Whether the elements are references, whatever they are gone through by: those of a slice with a name.
+    fn refers(&self, part: &tree::Part) -> bool {
+        let tree::Pattern::Name { slot, .. } = &part.pattern else { return false };
+        matches!(self.source.slots.get(*slot as usize), Some(tree::Ty::Ref(..)))
+    }
+
     /// A loop over a value does not see what its body writes: then it goes through a copy. Gives the
     /// declarations of the copies.
     fn copy_written(
@@ -373,7 +388,7 @@ impl Lowering<'_, '_> {
     ) -> Vec<Stmt> {
         let mut copies = Vec::new();
         for (part, place) in parts.iter().zip(places) {
-            if !part.owned || !effects::writes_local(body, place.root) {
+            if !part.owned || self.refers(part) || !effects::writes_local(body, place.root) {
                 continue;
             }
             let copy = LocalId(self.locals.len() as u32);
@@ -415,7 +430,7 @@ impl Lowering<'_, '_> {
 struct Passed {
     slice: Slice,
     /// How, and how many elements.
-    group: Option<(Grouping, u64)>,
+    group: Option<(Grouping, Expr)>,
     /// How many passes that makes.
     count: Expr,
     /// The sequence that it goes through then.
@@ -423,38 +438,46 @@ struct Passed {
 }
 
 impl Passed {
-    fn of(slice: Slice, group: Option<(Grouping, u64)>) -> Passed {
+    fn of(slice: Slice, group: Option<(Grouping, Expr)>) -> Passed {
         let (length, span) = (slice.length.clone(), slice.base.span);
         let Some((mut way, size)) = group else {
             return Passed { slice, group: None, count: length, behind: Vec::new() };
         };
-        let known = match length.kind {
-            ExprKind::Literal(length) => Some(length),
+        let size = size.at(span);
+        let word = |number: &Expr| match number.kind {
+            ExprKind::Literal(word) => Some(word),
             _ => None,
         };
-        if way == Grouping::All && known.is_some_and(|length| length % size == 0) {
+        let known = (word(&length), word(&size));
+        if let (Grouping::All, (Some(length), Some(size))) = (way, known)
+            && length % size == 0
+        {
             way = Grouping::Whole;
         }
         let count = match (way, known) {
-            (Grouping::Whole, Some(length)) => Expr::usize(length / size, span),
-            (Grouping::All | Grouping::First, Some(length)) => {
+            (Grouping::Whole, (Some(length), Some(size))) => Expr::usize(length / size, span),
+            (Grouping::All | Grouping::First, (Some(length), Some(size))) => {
                 Expr::usize(length.div_ceil(size), span)
             }
-            (Grouping::Windows, Some(length)) => {
+            (Grouping::Windows, (Some(length), Some(size))) => {
                 Expr::usize((length + 1).saturating_sub(size), span)
             }
-            (Grouping::Whole, None) => divided(length, Expr::usize(size, span)),
+            (Grouping::Whole, _) => divided(length, size.clone()),
             // No slice is that long, and the sum below would overflow.
-            (Grouping::All | Grouping::First, None) if size > 1 << 31 => {
+            (Grouping::All | Grouping::First, (_, Some(size))) if size > 1 << 31 => {
                 lesser(length, Expr::usize(1, span))
             }
-            (Grouping::All | Grouping::First, None) => {
-                let more = plus(length, Expr::usize(size - 1, span));
-                divided(more, Expr::usize(size, span))
+            (Grouping::All | Grouping::First, (_, Some(word))) => {
+                divided(plus(length, Expr::usize(word - 1, span)), size.clone())
+            }
+            // The sum might overflow.
+            (Grouping::All | Grouping::First, _) => {
+                let rest = Expr::binary(BinaryOp::Rem, length.clone(), size.clone());
+                plus(divided(length, size.clone()), lesser(rest, Expr::usize(1, span)))
             }
             // One begins at each element but the last `size - 1`.
-            (Grouping::Windows, None) => {
-                let last = Expr::usize(size - 1, span);
+            (Grouping::Windows, _) => {
+                let last = minus(size.clone(), Expr::usize(1, span));
                 minus(greatest(length, last.clone()), last)
             }
         };

@@ -41,8 +41,8 @@ impl Lowering<'_, '_> {
             ("platform_angles", _) => {
                 return problem(
                     expr.site,
-                    "nalgebra takes sine and cosine from the platform here, so the bits would depend on the target",
-                    "call the function of `bessemer::rotation` for it: `angle(&q)`, `from_scaled_axis(v)`, `slerp(&a, &b, t)` and the like",
+                    "nalgebra takes sine, cosine or the root from the platform here, so the bits would depend on the target",
+                    "call the function of `bessemer::rotation` or `bessemer::complex` for it: `rotation::angle(&q)`, `rotation::from_scaled_axis(v)`, `complex::norm(&z)` and the like",
                 );
             }
             ("quaternion_identity", []) => {
@@ -110,7 +110,7 @@ impl Lowering<'_, '_> {
             "minus" => tree::BinaryOp::Sub,
             _ => tree::BinaryOp::Mul,
         };
-        if name == "times_transposed" {
+        if name.ends_with("_transposed") {
             let ty = right.ty.clone();
             right = self.routine_node(Routine::Transpose, vec![right], ty, expr.site)?;
         }

@@ -108,7 +108,7 @@ impl Lowering<'_, '_> {
     }
 
     /// The word of a number that generation knows.
-    fn known(&self, expr: &Expr) -> Option<u64> {
+    pub(super) fn known(&self, expr: &Expr) -> Option<u64> {
         match &expr.kind {
             ExprKind::Literal(word) => Some(*word),
             ExprKind::Const(id) => self.cx.module.consts[id.index()].words.first().copied(),

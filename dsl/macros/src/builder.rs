@@ -13,6 +13,7 @@ use crate::closures;
 use crate::docs;
 use crate::generics::{Floats, Scope};
 use crate::lower::{self, Lowering, Parameter, Refusals, refuse};
+use crate::owned;
 
 /// A function as the author wrote it.
 pub struct Subject<'a> {
@@ -85,17 +86,22 @@ pub fn method(
     let name = &subject.signature.ident;
     let marker = format_ident!("__method_{}", lower::text(name));
     let declared = declare_marker(&marker, scope);
-    let companion = companion(subject, &lower::companion_name(name), &marker, scope, &parts);
+    // A function of which calls are redirected by its type's name has a companion of the other name as well.
+    let turns = lower::last_ident(owner).and_then(|owner| owned::of_turns(owner, name));
+    let companions = [Some(name.clone()), turns]
+        .into_iter()
+        .flatten()
+        .map(|name| companion(subject, &lower::companion_name(&name), &marker, scope, &parts));
     let bound = owner_bound(scope, &quote! { #owner });
     let callee = callee(&quote! { <#owner> }, &marker, scope, bound, name);
     let register = register(name, &marker, scope);
     let (of_block, bounds) = (scope.outer().declared(), scope.outer().bounds([]));
-    let builder = parts.builder;
+    let builder = &parts.builder;
     quote! {
         const _: () = {
             #declared
             impl #of_block #owner #bounds {
-                #companion
+                #(#companions)*
                 #builder
             }
             #callee

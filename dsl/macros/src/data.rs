@@ -503,7 +503,7 @@ fn methods(
         {
             faces.push(builder::build_name(&method.sig.ident));
         }
-        owned.extend(alias(method));
+        owned.extend(alias(&it.self_ty, method));
         if refusals.is_empty() {
             let scope = Scope::of_type(&it.generics).with_method(&method.sig.generics);
             redirect::block(&mut method.block, scope);
@@ -520,10 +520,11 @@ fn methods(
 
 /// A method of the author's whose name the DSL owns: calls of it were redirected, so it answers to
 /// that name as well.
-fn alias(method: &syn::ImplItemFn) -> Option<syn::ImplItem> {
+fn alias(owner: &syn::Type, method: &syn::ImplItemFn) -> Option<syn::ImplItem> {
     let mut alias = method.clone();
     let name = &method.sig.ident;
-    alias.sig.ident = owned::owned(name)?;
+    let of_turns = || owned::of_turns(lower::last_ident(owner)?, name);
+    alias.sig.ident = owned::owned(name).or_else(of_turns)?;
     alias.attrs = vec![syn::parse_quote!(#[doc(hidden)]), syn::parse_quote!(#[allow(dead_code)])];
     let arguments = alias.sig.inputs.iter_mut().enumerate().map(|(index, input)| match input {
         syn::FnArg::Receiver(receiver) => receiver.self_token.to_token_stream(),

@@ -6,6 +6,7 @@ pub const OWNED: &[&str] = &[
     "abs",
     "acos",
     "acosh",
+    "arg",
     "asin",
     "asinh",
     "atan",
@@ -17,6 +18,7 @@ pub const OWNED: &[&str] = &[
     "binary_search_by_key",
     "cbrt",
     "ceil",
+    "cis",
     "clamp",
     "copysign",
     "cos",
@@ -28,6 +30,10 @@ pub const OWNED: &[&str] = &[
     "exp_m1",
     "floor",
     "fract",
+    "from_axis_angle",
+    "from_euler_angles",
+    "from_polar",
+    "from_scaled_axis",
     "hypot",
     "is_sign_negative",
     "is_sign_positive",
@@ -36,6 +42,7 @@ pub const OWNED: &[&str] = &[
     "log",
     "log10",
     "log2",
+    "lp_norm",
     "max",
     "min",
     "mul_add",
@@ -43,6 +50,7 @@ pub const OWNED: &[&str] = &[
     "powf",
     "powi",
     "rem_euclid",
+    "rotation_between_axis",
     "round",
     "scaled_axis",
     "signum",
@@ -57,6 +65,7 @@ pub const OWNED: &[&str] = &[
     "to_bits",
     "to_degrees",
     "to_le_bytes",
+    "to_polar",
     "to_radians",
     "total_cmp",
     "trunc",
@@ -87,38 +96,19 @@ pub fn of_libm(path: &syn::Path) -> Option<syn::Path> {
     (first == "libm").then(|| syn::parse_quote!(#float::#name))
 }
 
-/// The DSL's function in place of one of nalgebra's that goes through the platform's sine and cosine.
-pub fn of_angles(path: &syn::Path) -> Option<syn::Path> {
-    let mut last = path.segments.iter().rev();
-    let (name, owner) = (&last.next()?.ident, last.next()?.ident.to_string());
-    let table = ANGLES.iter().find(|(of, ..)| *of == owner);
-    let (.., functions) = table?;
-    let (_, ours) = functions.iter().find(|(theirs, _)| name == theirs)?;
-    let ours = syn::Ident::new(ours, name.span());
-    Some(syn::parse_quote!(::bessemer::rotation::#ours))
+/// The DSL's name of `new` of a type that is called as one of nalgebra's whose `new` goes through the platform's sine and
+/// cosine. An author's own type of that name has a function of this name as well.
+pub fn of_turns(owner: &syn::Ident, name: &syn::Ident) -> Option<syn::Ident> {
+    let turns = ["UnitQuaternion", "Rotation2", "Rotation3"].iter().any(|it| owner == it);
+    (turns && name == "new").then(|| syn::Ident::new("dsl_new", name.span()))
 }
 
-/// Types of nalgebra, and which function of the DSL does what one of theirs does.
-const ANGLES: &[(&str, &[(&str, &str)])] = &[
-    (
-        "UnitQuaternion",
-        &[
-            ("from_axis_angle", "from_axis_angle"),
-            ("from_euler_angles", "from_euler_angles"),
-            ("from_scaled_axis", "from_scaled_axis"),
-            ("new", "from_scaled_axis"),
-            ("rotation_between_axis", "rotation_between_axis"),
-        ],
-    ),
-    (
-        "Rotation3",
-        &[
-            ("from_axis_angle", "matrix_from_axis_angle"),
-            ("from_euler_angles", "matrix_from_euler_angles"),
-        ],
-    ),
-    ("Rotation2", &[("new", "matrix_from_angle")]),
-];
+/// The DSL's name of the function of a type that a path leads to, if the DSL owns it.
+pub fn of_path(path: &syn::Path) -> Option<syn::Ident> {
+    let mut last = path.segments.iter().rev();
+    let name = &last.next()?.ident;
+    owned(name).or_else(|| of_turns(&last.next()?.ident, name))
+}
 
 /// What stands in the witness copy for a free function of nalgebra that is an operation of the DSL.
 pub fn of_nalgebra(path: &syn::Path) -> Option<syn::Path> {
@@ -148,6 +138,7 @@ pub fn associated(qself: Option<&syn::QSelf>, path: &syn::Path) -> bool {
     qself.is_some()
         || before.is_some_and(|before| {
             before.starts_with(|first: char| first.is_uppercase())
+                || before == "char"
                 || bessemer_ir::Scalar::from_name(&before).is_some()
         })
 }

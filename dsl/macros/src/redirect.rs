@@ -11,7 +11,7 @@ use syn::visit_mut::{self, VisitMut};
 use crate::generics::{Floats, Scope};
 use crate::lower::macros::{by_rows, in_every_build, matching};
 use crate::lower::{bound, sort, unroll};
-use crate::owned::{associated, of_angles, of_libm, owned};
+use crate::owned::{associated, of_libm, of_path, owned};
 
 /// Rewrites every call in `block`, and brings the DSL's traits into its scope; those of floats that are parameters,
 /// where `scope` has any.
@@ -22,9 +22,9 @@ pub fn block(block: &mut syn::Block, scope: Scope<'_>) {
         let import = syn::parse_quote_spanned! { Span::call_site() =>
             #[allow(unused_imports)]
             use ::bessemer::math::{
-                ByteMethods as _, DivisionMethods as _, ElementaryMethods as _, EulerMethods as _, FloatMethods as _, MatrixMethods as _,
+                AngleMethods as _, BetweenMethods as _, ByteMethods as _, ComplexMethods as _, DivisionMethods as _, ElementaryMethods as _, EulerMethods as _, FloatMethods as _, MatrixMethods as _,
                 OrderMethods as _, RankMethods as _, RotationMethods as _, RoundMethods as _, SearchMethods as _,
-                SignMethods as _, SquareMethods as _, TotalMethods as _,
+                SignMethods as _, SquareMethods as _, TotalMethods as _, TurnMethods as _,
             };
         };
         block.stmts.insert(0, import);
@@ -85,13 +85,12 @@ impl VisitMut for Redirect {
 
     fn visit_expr_path_mut(&mut self, path: &mut syn::ExprPath) {
         visit_mut::visit_expr_path_mut(self, path);
-        let own = of_libm(&path.path).or_else(|| of_angles(&path.path));
-        if let Some(own) = own.filter(|_| path.qself.is_none()) {
+        if let Some(own) = of_libm(&path.path).filter(|_| path.qself.is_none()) {
             path.path = own;
         }
         if associated(path.qself.as_ref(), &path.path)
+            && let Some(name) = of_path(&path.path)
             && let Some(last) = path.path.segments.last_mut()
-            && let Some(name) = owned(&last.ident)
         {
             last.ident = name;
             self.used = true;

@@ -17,7 +17,7 @@ use crate::linear::factored::{cholesky, lu, qr, triangular, udu};
 use crate::math::Real;
 
 /// The DSL's struct in place of nalgebra's value. No companion is ever run.
-fn held<N, D>(_: &N) -> &D {
+pub(super) fn held<N, D>(_: &N) -> &D {
     unreachable!()
 }
 

@@ -76,6 +76,7 @@ companions! {
         fn __b_column_variance(&self) -> SVector<T, R> { matrix_statistics::column_variance(self) }
 
         fn __b_one_norm(&self) -> T { norms::one_norm(self) }
+        fn __b_lp_norm(&self, p: i32) -> T { norms::lp_norm(self, p) }
         fn __b_metric_distance(&self, other: &Self) -> T { norms::metric_distance(self, other) }
         fn __b_normalize(&self) -> Self { norms::normalize(self) }
         fn __b_normalize_mut(&mut self) -> T { norms::normalize_mut(self) }

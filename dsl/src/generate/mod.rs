@@ -8,6 +8,8 @@ mod builder;
 pub mod builtin;
 pub mod checked;
 pub mod comparison;
+pub mod complex;
+mod converted;
 pub mod elementary;
 pub mod factored;
 pub mod generic;
@@ -15,9 +17,11 @@ mod items;
 pub mod linear;
 pub mod list;
 pub mod matrices;
+pub mod non_zero;
 pub mod numbers;
 mod operators;
 pub mod option;
+pub mod range;
 pub mod resized;
 pub mod slice;
 mod slot;
@@ -43,7 +47,7 @@ pub use slot::{
 
 /// The imports of a builder; their names begin with `__` so that they never meet an author's.
 pub mod prelude {
-    pub use super::ascii::ByteBuiltins as _;
+    pub use super::ascii::{ByteBuiltins as _, CharBuiltins as _};
     pub use super::builtin::{AxisBuiltins as _, CrossBuiltin as _, IdentityBuiltin as _};
     pub use super::builtin::{
         FloatBuiltins as _, MatrixBuiltins as _, OrderBuiltins as _, RealBuiltins as _,
@@ -60,6 +64,7 @@ pub mod prelude {
         RankedBuiltins as _, RankedOrderBuiltins as _, ReferredOrderBuiltins as _,
         TotalCompareBuiltins as _,
     };
+    pub use super::complex::{ComplexBuiltins as _, ComplexMethods as _};
     pub use super::elementary::ElementaryBuiltins as _;
     pub use super::factored::{
         CholeskyMethods as _, LuBuiltins as _, LuMethods as _, QrBuiltins as _, QrMethods as _,
@@ -72,6 +77,7 @@ pub mod prelude {
         PartBuiltins as _, PerpBuiltin as _, ScalarBuiltins as _, SquareElementBuiltins as _,
         SquareNumberBuiltins as _, SquarePartBuiltins as _, VectorPartBuiltins as _,
     };
+    pub use super::non_zero::NonZeroBuiltins as _;
     pub use super::numbers::{
         BytesBuiltins as _, DivisionBuiltins as _, FloatKindBuiltins as _, FromBuiltin as _,
         IntegerBuiltins as _, IntoBuiltin as _, SignBuiltins as _, SignedBuiltins as _,
@@ -83,8 +89,10 @@ pub mod prelude {
     };
     pub use super::option::{
         ArrayBuiltins as _, BoolBuiltins as _, CopiedBuiltin as _, FlattenBuiltin as _,
-        MatrixMapBuiltin as _, OptionBuiltins as _, ResultBuiltins as _,
+        MatrixMapBuiltin as _, OptionBuiltins as _, ResultBuiltins as _, TransposeBackBuiltin as _,
+        TransposeBuiltin as _, UnzipBuiltin as _,
     };
+    pub use super::range::{ClosedBuiltins as _, RangeBuiltins as _};
     pub use super::resized::{PushBuiltin as _, ResizedBuiltins as _};
     pub use super::slice::{
         SliceArrays as _, SliceBuiltins as _, SliceEdits as _, SliceEnds as _, SliceOrder as _,
@@ -94,8 +102,9 @@ pub mod prelude {
         __any, __glance, __look, __result, __see, __take, __unreached, Through as _,
     };
     pub use super::spatial::{
-        DirectionMethods as _, IsometryBuiltins as _, IsometryMethods as _, NewPoint2 as _,
-        NewPoint3 as _, NewTranslation2 as _, NewTranslation3 as _, PointBuiltins as _,
+        DirectionMethods as _, IsometryBuiltins as _, IsometryMethods as _, NewPlaneRotation as _,
+        NewPoint2 as _, NewPoint3 as _, NewSpaceRotation as _, NewTranslation2 as _,
+        NewTranslation3 as _, PlaneRotationMethods as _, PointBuiltins as _,
         QuaternionBuiltins as _, QuaternionMethods as _, RotationBuiltins as _,
         RotationMethods as _, SpaceRotationMethods as _, TranslationBuiltins as _,
         TranslationMethods as _, UnitAxisBuiltins as _, UnitBuiltins as _,

@@ -359,6 +359,15 @@ conversions! {
     f64: i8 i16 i32 u8 u16 u32 f32 f64;
 }
 
+/// Bytes as characters, and characters as their code points.
+impl FromBuiltin<u8> for char {
+    type Marker = From;
+}
+
+impl FromBuiltin<char> for u32 {
+    type Marker = From;
+}
+
 macro_rules! narrowings {
     ($($to:ident: $($from:ident)*;)*) => { $($(impl TryFromBuiltin<$from> for $to {
         type Marker = TryFrom;

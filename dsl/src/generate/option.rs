@@ -7,7 +7,9 @@ use nalgebra::{SMatrix, Scalar};
 
 use super::builder::{Builder, Callee};
 use super::builtin::markers;
-use super::slot::Called;
+use super::matrices::told;
+use super::slot::{Called, Value};
+use crate::optional;
 
 markers! {
     IsSome: "is_some";
@@ -191,6 +193,42 @@ pub trait FlattenBuiltin<T>: Sized {
 }
 
 impl<T> FlattenBuiltin<T> for Option<Option<T>> {}
+
+/// `transpose` of an `Option` of a `Result`.
+#[allow(missing_docs)]
+pub trait TransposeBuiltin<T, E>: Sized {
+    fn __b_transpose(self) -> told!([Self, T, E] => Result<Option<T>, E>);
+}
+
+impl<T: Value, E: Value> TransposeBuiltin<T, E> for Option<Result<T, E>> {
+    fn __b_transpose(self) -> told!([T, E] => Result<Option<T>, E>) {
+        optional::transposed::__call(self)
+    }
+}
+
+/// `transpose` of a `Result` of an `Option`.
+#[allow(missing_docs)]
+pub trait TransposeBackBuiltin<T, E>: Sized {
+    fn __b_transpose(self) -> told!([Self, T, E] => Option<Result<T, E>>);
+}
+
+impl<T: Value, E: Value> TransposeBackBuiltin<T, E> for Result<Option<T>, E> {
+    fn __b_transpose(self) -> told!([T, E] => Option<Result<T, E>>) {
+        optional::transposed_back::__call(self)
+    }
+}
+
+/// `unzip` of an `Option` of a pair.
+#[allow(missing_docs)]
+pub trait UnzipBuiltin<A, B>: Sized {
+    fn __b_unzip(self) -> told!([Self, A, B] => (Option<A>, Option<B>));
+}
+
+impl<A: Value, B: Value> UnzipBuiltin<A, B> for Option<(A, B)> {
+    fn __b_unzip(self) -> told!([A, B] => (Option<A>, Option<B>)) {
+        optional::unzipped::__call(self)
+    }
+}
 
 /// `map` of an array.
 pub trait ArrayBuiltins<T, const N: usize>: Sized {

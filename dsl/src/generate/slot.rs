@@ -222,6 +222,17 @@ scalars! {
     usize => Scalar::Int(Int::Usize);
 }
 
+/// A character is its code point.
+impl DslType for char {
+    fn ty(_: &mut Builder) -> Ty {
+        Ty::Scalar(Scalar::Int(Int::U32))
+    }
+}
+
+impl Seen for char {
+    type Slot = char;
+}
+
 impl DslType for () {
     fn ty(_: &mut Builder) -> Ty {
         Ty::Unit

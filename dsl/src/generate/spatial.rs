@@ -1,4 +1,4 @@
-//! The companions of nalgebra's rotations and poses, and what their operators mean.
+//! The companions of nalgebra's rotations and poses, and what their operators and those of complex numbers mean.
 //!
 //! A `Quaternion`, a `UnitQuaternion` and an `Isometry3` are structs of the DSL in the C; a `Rotation`, a
 //! `Point`, a `Translation` and a `Unit` of a vector are matrices and vectors.
@@ -13,8 +13,8 @@ use alloc::vec::Vec;
 use bessemer_ir::tree::{self, Ty};
 use bessemer_ir::{Float, Scalar};
 use nalgebra::{
-    Const, Isometry3, Matrix4, OPoint, Point3, Quaternion, Rotation, Rotation3, SMatrix, SVector,
-    Translation, Translation3, Unit, UnitQuaternion, UnitVector3, Vector3, Vector4,
+    Const, Isometry3, Matrix4, OPoint, Point3, Quaternion, Rotation, Rotation2, Rotation3, SMatrix,
+    SVector, Translation, Translation3, Unit, UnitQuaternion, UnitVector3, Vector3, Vector4,
 };
 
 use super::builder::{Builder, Callee};
@@ -25,7 +25,7 @@ use super::slot::{Called, DslType, Seen};
 use crate::linear::spatial::{isometry, quaternion, unit_quaternion};
 use crate::linear::{elementwise, matrix_edit, norms};
 use crate::math::Real;
-use crate::rotation;
+use crate::{complex, rotation};
 
 markers! {
     QuaternionNew: "parts w i j k";
@@ -176,6 +176,7 @@ builtins! {
     /// Unit quaternions: what needs no function.
     UnitQuaternionBuiltins<> for UnitQuaternion<T> {
         fn __b_identity() -> Self = QuaternionIdentity;
+        fn __b_new(_axis: Vector3<T>) -> Self = PlatformAngles;
         fn __b_quaternion(&self) -> &Quaternion<T> = SameParts;
         fn __b_angle(&self) -> T = PlatformAngles;
         fn __b_angle_to(&self, _other: &Self) -> T = PlatformAngles;
@@ -188,6 +189,19 @@ builtins! {
 methods! {
     /// Methods of unit quaternions.
     UnitQuaternionMethods<> [Self, T] for UnitQuaternion<T>, [T] {
+        fn __b_dsl_new(axis: Vector3<T>) -> Self { rotation::from_scaled_axis::__call(axis) }
+        fn __b_from_axis_angle(axis: &UnitVector3<T>, angle: T) -> Self {
+            rotation::from_axis_angle::__call(axis, angle)
+        }
+        fn __b_from_euler_angles(roll: T, pitch: T, yaw: T) -> Self {
+            rotation::from_euler_angles::__call(roll, pitch, yaw)
+        }
+        fn __b_from_scaled_axis(axis: Vector3<T>) -> Self {
+            rotation::from_scaled_axis::__call(axis)
+        }
+        fn __b_rotation_between_axis(a: &UnitVector3<T>, b: &UnitVector3<T>) -> Option<Self> {
+            rotation::rotation_between_axis::__call(a, b)
+        }
         fn __b_from_quaternion(q: Quaternion<T>) -> Self {
             unit_quaternion::new_normalize::__call(&q)
         }
@@ -244,8 +258,40 @@ methods! {
 methods! {
     /// Methods of rotation matrices in space.
     SpaceRotationMethods<> [Self, T] for Rotation3<T>, [T] {
+        fn __b_dsl_new(axis: Vector3<T>) -> Self { rotation::matrix_from_scaled_axis::__call(axis) }
+        fn __b_from_axis_angle(axis: &UnitVector3<T>, angle: T) -> Self {
+            rotation::matrix_from_axis_angle::__call(axis, angle)
+        }
+        fn __b_from_euler_angles(roll: T, pitch: T, yaw: T) -> Self {
+            rotation::matrix_from_euler_angles::__call(roll, pitch, yaw)
+        }
+        fn __b_from_scaled_axis(axis: Vector3<T>) -> Self {
+            rotation::matrix_from_scaled_axis::__call(axis)
+        }
         fn __b_euler_angles(&self) -> (T, T, T) { rotation::matrix_euler_angles::__call(self) }
     }
+}
+
+methods! {
+    /// Methods of rotation matrices in the plane.
+    PlaneRotationMethods<> [Self, T] for Rotation2<T>, [T] {
+        fn __b_dsl_new(angle: T) -> Self { rotation::matrix_from_angle::__call(angle) }
+    }
+}
+
+/// `new` of rotations that are called by another name than nalgebra's.
+macro_rules! turns {
+    ($($trait:ident for $native:ty, $turn:ty;)*) => {$(builtins! {
+        /// From an angle, over the platform's sine.
+        $trait<> for $native {
+            fn __b_new(_turn: $turn) -> Self = PlatformAngles;
+        }
+    })*};
+}
+
+turns! {
+    NewPlaneRotation for Rotation2<T>, T;
+    NewSpaceRotation for Rotation3<T>, Vector3<T>;
 }
 
 methods! {
@@ -411,6 +457,7 @@ enum Kind {
     None,
     Number,
     Matrix,
+    Complex,
     Quaternion,
     Unit,
     Rotation,
@@ -445,10 +492,11 @@ fn kind(ty: &Ty) -> Option<(Kind, Option<Float>)> {
                 Some(path) => (path, Float::F32),
                 None => (path.strip_suffix("<f64>")?, Float::F64),
             };
-            let kind = match path.strip_prefix("bessemer::linear::spatial::")? {
-                "quaternion::Quaternion" => Kind::Quaternion,
-                "unit_quaternion::UnitQuaternion" => Kind::Unit,
-                "isometry::Isometry3" => Kind::Isometry,
+            let kind = match path.strip_prefix("bessemer::")? {
+                "complex::ComplexNumber" => Kind::Complex,
+                "linear::spatial::quaternion::Quaternion" => Kind::Quaternion,
+                "linear::spatial::unit_quaternion::UnitQuaternion" => Kind::Unit,
+                "linear::spatial::isometry::Isometry3" => Kind::Isometry,
                 _ => return None,
             };
             (kind, Some(float))
@@ -463,6 +511,19 @@ fn meaning<T: Real>(cx: &mut Builder, sign: &str, left: Kind, right: Kind) -> Op
     use Kind::*;
     let known = |name: &str| Some(tree::Callee::Builtin(name.to_owned()));
     match (left, sign, right) {
+        (Complex, "Neg", _) => one(cx, complex::negative::__call::<T>),
+        (Complex, "Add", Complex) => two(cx, complex::sum::__call::<T>),
+        (Complex, "Add", Number) => two(cx, complex::sum_with_real::__call::<T>),
+        (Number, "Add", Complex) => two(cx, complex::sum_of_real::__call::<T>),
+        (Complex, "Sub", Complex) => two(cx, complex::difference::__call::<T>),
+        (Complex, "Sub", Number) => two(cx, complex::difference_with_real::__call::<T>),
+        (Number, "Sub", Complex) => two(cx, complex::difference_of_real::__call::<T>),
+        (Complex, "Mul", Complex) => two(cx, complex::product::__call::<T>),
+        (Complex, "Mul", Number) => two(cx, complex::scale::__call::<T>),
+        (Number, "Mul", Complex) => two(cx, complex::scaled_by::__call::<T>),
+        (Complex, "Div", Complex) => two(cx, complex::quotient::__call::<T>),
+        (Complex, "Div", Number) => two(cx, complex::unscale::__call::<T>),
+        (Number, "Div", Complex) => two(cx, complex::quotient_of_real::__call::<T>),
         (Quaternion, "Neg", _) => one(cx, quaternion::negative::__call::<T>),
         (Quaternion, "Add", Quaternion) => two(cx, quaternion::sum::__call::<T>),
         (Quaternion, "Sub", Quaternion) => two(cx, quaternion::difference::__call::<T>),
@@ -499,8 +560,13 @@ fn meaning<T: Real>(cx: &mut Builder, sign: &str, left: Kind, right: Kind) -> Op
 }
 
 /// The function whose companion takes one argument.
-fn one<A, M: Callee, R>(cx: &mut Builder, _: fn(A) -> Called<M, R>) -> Option<tree::Callee> {
-    Some(M::callee(cx))
+pub(super) fn of<A, M: Callee, R>(cx: &mut Builder, _: fn(A) -> Called<M, R>) -> tree::Callee {
+    M::callee(cx)
+}
+
+/// The same as the meaning of a sign.
+fn one<A, M: Callee, R>(cx: &mut Builder, call: fn(A) -> Called<M, R>) -> Option<tree::Callee> {
+    Some(of(cx, call))
 }
 
 /// The function whose companion takes two.

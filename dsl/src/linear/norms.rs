@@ -6,7 +6,7 @@ use nalgebra::{SMatrix, SVector, Unit};
 use super::kernels::determinant;
 use super::matrix_extremes::upper;
 use crate::function;
-use crate::math::Real;
+use crate::math::{Real, real};
 
 /// The largest of the sums of the magnitudes of each column.
 #[function]
@@ -20,6 +20,18 @@ pub fn one_norm<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>) -
         largest = upper(largest, sum);
     }
     largest
+}
+
+/// The p-th root of the sum of the magnitudes to the power of `p`, by columns.
+#[function]
+pub fn lp_norm<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>, p: i32) -> T {
+    let mut sum = T::ZERO;
+    for column in 0..C {
+        for row in 0..R {
+            sum += a[(row, column)].abs().powi(p);
+        }
+    }
+    sum.powf(real(1.0 / f64::from(p)))
 }
 
 /// The root of the sum of the squared differences, by columns.

@@ -1,4 +1,4 @@
-//! Letters and digits among bytes.
+//! Letters and digits among bytes and characters. A character is its code point.
 
 use crate::prelude::*;
 
@@ -54,4 +54,77 @@ pub fn to_uppercase(byte: u8) -> u8 {
 #[function]
 pub fn to_lowercase(byte: u8) -> u8 {
     if is_uppercase(byte) { byte + 32 } else { byte }
+}
+
+/// The character of a code point; none of a surrogate, and of what is above U+10FFFF.
+#[function]
+pub fn from_code(code: u32) -> Option<u32> {
+    if code < 0xd800 || (code > 0xdfff && code <= 0x0010_ffff) { Some(code) } else { None }
+}
+
+/// The value of a digit or a letter in a base from 2 to 36; none of any other character.
+#[function]
+pub fn to_digit(code: u32, base: u32) -> Option<u32> {
+    assert!((2..=36).contains(&base));
+    let value = match code {
+        0x30..=0x39 => code - 0x30,
+        0x41..=0x5a => code - 0x41 + 10,
+        0x61..=0x7a => code - 0x61 + 10,
+        _ => base,
+    };
+    if value < base { Some(value) } else { None }
+}
+
+/// Whether it is a digit or a letter of a base from 2 to 36.
+#[function]
+pub fn is_digit_of(code: u32, base: u32) -> bool {
+    to_digit(code, base).is_some()
+}
+
+/// Whether the code point is one of the first 128.
+#[function(expand)]
+pub fn is_ascii(code: u32) -> bool {
+    code < 128
+}
+
+/// The digit, or the small letter, of a value in a base up to 36; none where there is none.
+#[function]
+pub fn from_digit(value: u32, base: u32) -> Option<u32> {
+    assert!(base <= 36);
+    if value >= base {
+        return None;
+    }
+    Some(if value < 10 { 0x30 + value } else { 0x61 - 10 + value })
+}
+
+macro_rules! characters {
+    ($($function:ident: $of_byte:ident;)*) => {$(
+        /// The same of a character.
+        #[function]
+        pub fn $function(code: u32) -> bool {
+            code < 128 && $of_byte(code as u8)
+        }
+    )*};
+}
+
+characters! {
+    char_is_digit: is_digit;
+    char_is_hexdigit: is_hexdigit;
+    char_is_uppercase: is_uppercase;
+    char_is_lowercase: is_lowercase;
+    char_is_alphabetic: is_alphabetic;
+    char_is_alphanumeric: is_alphanumeric;
+    char_is_whitespace: is_whitespace;
+}
+
+/// The same of a character.
+#[function]
+pub fn char_to_uppercase(code: u32) -> u32 {
+    if char_is_lowercase(code) { code - 32 } else { code }
+}
+
+/// The same of a character.
+#[function]
+pub fn char_to_lowercase(code: u32) -> u32 {
+    if char_is_uppercase(code) { code + 32 } else { code }
 }

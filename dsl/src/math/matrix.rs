@@ -6,7 +6,7 @@ use nalgebra::{Const, Matrix, RawStorage, SMatrix};
 use super::Real;
 use crate::linear::factored::udu::Udu;
 
-/// `abs`, `min` and `max` of a matrix, with nalgebra's meaning.
+/// `abs`, `min`, `max` and `lp_norm` of a matrix, with nalgebra's meaning.
 pub trait MatrixMethods {
     /// The type of an element.
     type Element;
@@ -19,6 +19,8 @@ pub trait MatrixMethods {
     fn dsl_min(&self) -> Self::Element;
     /// The largest element.
     fn dsl_max(&self) -> Self::Element;
+    /// The p-norm: see [`lp_norm`](crate::linear::norms::lp_norm).
+    fn dsl_lp_norm(&self, p: i32) -> Self::Element;
 }
 
 /// Methods of square matrices that are the DSL's in the simulation, too.
@@ -57,5 +59,8 @@ impl<T: Real, const R: usize, const C: usize, S: RawStorage<T, Const<R>, Const<C
     }
     fn dsl_max(&self) -> T {
         self.max()
+    }
+    fn dsl_lp_norm(&self, p: i32) -> T {
+        crate::linear::norms::lp_norm(&self.map(|element| element), p)
     }
 }

@@ -47,7 +47,11 @@ pub(crate) use single as of_f32;
 use core::cmp::Ordering;
 
 #[doc(hidden)]
-pub use crate::rotation::{EulerMethods, RotationMethods};
+pub use crate::complex::ComplexMethods;
+#[doc(hidden)]
+pub use crate::rotation::{
+    AngleMethods, BetweenMethods, EulerMethods, RotationMethods, TurnMethods,
+};
 use crate::{comparison, search, sort};
 pub use float::{Real, real};
 #[doc(hidden)]

@@ -125,3 +125,113 @@ pub fn overflowing_mul<T: Integer>(a: T, b: T) -> (T, bool) {
     let hidden = b < T::ZERO && b == T::MIN && a == T::ZERO.wrapping_sub(T::ONE);
     (product, hidden || product.wrapping_div(a) != b)
 }
+
+/// `-a` modulo what the type holds, and whether the number is another.
+#[function]
+pub fn overflowing_neg<T: Integer>(a: T) -> (T, bool) {
+    let negative = T::ZERO.wrapping_sub(a);
+    (negative, a != T::ZERO && (a < T::ZERO) == (negative < T::ZERO))
+}
+
+/// `a / b`, or the largest value where the quotient is larger.
+#[function]
+pub fn saturating_div<T: Integer>(a: T, b: T) -> T {
+    if a < T::ZERO && a == T::MIN && b == T::ZERO.wrapping_sub(T::ONE) { T::MAX } else { a / b }
+}
+
+/// `base` to the power of `exponent`, or the nearest value that the type holds.
+#[function]
+pub fn saturating_pow<T: Integer>(base: T, exponent: u32) -> T {
+    let nearest = if base < T::ZERO && exponent & 1 == 1 { T::MIN } else { T::MAX };
+    let mut result = T::ONE;
+    let mut square = (base, false);
+    let mut left = exponent;
+    for _ in 0..32 {
+        if left & 1 == 1 {
+            let (product, is_other) = overflowing_mul(result, square.0);
+            if square.1 || is_other {
+                return nearest;
+            }
+            result = product;
+        }
+        left >>= 1;
+        if left == 0 {
+            break;
+        }
+        let (next, is_other) = overflowing_mul(square.0, square.0);
+        square = (next, square.1 || is_other);
+    }
+    result
+}
+
+/// The quotient with a remainder of 0 or more; none where the type does not hold it.
+#[function]
+pub fn checked_div_euclid<T: Integer>(a: T, b: T) -> Option<T> {
+    let rest = checked_rem_euclid(a, b)?;
+    Some(a.wrapping_sub(rest).wrapping_div(b))
+}
+
+/// The remainder of 0 or more; none where the type does not hold the quotient.
+#[function]
+pub fn checked_rem_euclid<T: Integer>(a: T, b: T) -> Option<T> {
+    if b == T::ZERO || a < T::ZERO && a == T::MIN && b == T::ZERO.wrapping_sub(T::ONE) {
+        return None;
+    }
+    let rest = a % b;
+    let step = if b < T::ZERO { T::ZERO.wrapping_sub(b) } else { b };
+    Some(if rest < T::ZERO { rest.wrapping_add(step) } else { rest })
+}
+
+/// The smallest multiple of `b` that is not below `a`; none where the type does not hold it.
+#[function]
+pub fn checked_next_multiple_of<T: Integer>(a: T, b: T) -> Option<T> {
+    if b == T::ZERO {
+        return None;
+    }
+    let rest = a % b;
+    let next = if rest == T::ZERO { a } else { a.wrapping_add(b.wrapping_sub(rest)) };
+    if next < a { None } else { Some(next) }
+}
+
+/// The square root, rounded down; none of what is below 0.
+#[function]
+pub fn checked_isqrt<T: Integer>(a: T) -> Option<T> {
+    if a < T::ZERO { None } else { Some(isqrt(a)) }
+}
+
+/// How many digits stand behind the first.
+#[function]
+pub fn ilog10<T: Integer>(a: T) -> u32 {
+    assert!(a > T::ZERO);
+    let ten = (T::ONE << 3) | (T::ONE << 1);
+    let (mut rest, mut digits) = (a, 0);
+    for _ in 0..19 {
+        rest = rest / ten;
+        digits += u32::from(rest > T::ZERO);
+    }
+    digits
+}
+
+/// The same; none of 0 and what is below.
+#[function]
+pub fn checked_ilog10<T: Integer>(a: T) -> Option<u32> {
+    if a > T::ZERO { Some(ilog10(a)) } else { None }
+}
+
+/// `a << bits`; all bits are moved out by as many as there are, or more.
+#[function]
+pub fn unbounded_shl<T: Integer>(a: T, bits: u32) -> T {
+    if bits < T::BITS { a << bits } else { T::ZERO }
+}
+
+/// `a >> bits`; by as many bits as there are, or more, only the sign is left.
+#[function]
+pub fn unbounded_shr<T: Integer>(a: T, bits: u32) -> T {
+    if bits < T::BITS {
+        a >> bits
+    } else if a < T::ZERO {
+        T::ZERO.wrapping_sub(T::ONE)
+    } else {
+        T::ZERO
+    }
+}

@@ -28,6 +28,8 @@ pub struct Entry {
     pub data: &'static str,
     /// Its own.
     pub name: &'static str,
+    /// Gives the words of the state and the arguments that are made of words: what is none of a type becomes one.
+    pub made: fn(&mut dyn FnMut() -> u64, &mut dyn FnMut(u64)),
     /// Takes the words of the state and the arguments, gives those of the result, the state and what
     /// the arguments were changed to.
     pub run: fn(&mut dyn FnMut() -> u64, &mut dyn FnMut(u64)),

@@ -135,6 +135,16 @@ macro_rules! integers {
                 left_below(a: $t, b: $t) -> bool { <$t>::MAX - a < b }
                 reverse_bits(a: $t) -> $t { a.reverse_bits() }
                 isqrt(a: $t) -> $t { a.isqrt() }
+                saturating_pow(a: $t, b: u32) -> $t { a.saturating_pow(b) }
+                saturating_pow_of_few(a: $t, b: u8) -> $t { a.saturating_pow(u32::from(b & 15)) }
+                saturating_div(a: $t, b: $t) -> $t { a.saturating_div(b) }
+                overflowing_neg(a: $t) -> $t { match a.overflowing_neg() { (less, true) => less ^ 1, (less, false) => less } }
+                checked_div_euclid(a: $t, b: $t) -> $t { a.checked_div_euclid(b).unwrap_or(a ^ b) }
+                checked_rem_euclid(a: $t, b: $t) -> $t { a.checked_rem_euclid(b).unwrap_or(a ^ b) }
+                ilog10(a: $t) -> u32 { a.ilog10() }
+                checked_ilog10(a: $t) -> u32 { a.checked_ilog10().unwrap_or(77) }
+                unbounded_shl(a: $t, b: u32) -> $t { a.unbounded_shl(b) }
+                unbounded_shr(a: $t, b: u32) -> $t { a.unbounded_shr(b) }
                 ilog2(a: $t) -> u32 { a.ilog2() }
                 checked_ilog2(a: $t) -> u32 { a.checked_ilog2().unwrap_or(99) }
                 midpoint(a: $t, b: $t) -> $t { a.midpoint(b) }

@@ -32,6 +32,7 @@ macro_rules! sizes {
                 column_mean(a: [&] [M]) -> [Column] { a.column_mean() }
                 row_variance(a: [&] [M]) -> [(Row, Across)] { (a.row_variance(), a.row_variance_tr()) }
                 column_variance(a: [&] [M]) -> [Column] { a.column_variance() }
+                lp_norm(a: [&] [M]) -> [$real] { a.lp_norm(3) }
                 norms(a: [&] [M]) -> [($real, $real, $real)] {
                     (a.one_norm(), a.magnitude(), a.magnitude_squared())
                 }

@@ -114,7 +114,8 @@ fn lives(
 ) -> (Vec<Vec<Vec<u64>>>, Vec<Outcome>) {
     let parameters = function.parameters();
     let call = |random: &mut Random, size: Size| -> Vec<Vec<u64>> {
-        parameters.iter().map(|local| words(random, module, &local.ty, size)).collect()
+        let drawn = parameters.iter().map(|local| words(random, module, &local.ty, size));
+        values(native, drawn.collect())
     };
     let mut calls: Vec<Vec<Vec<u64>>> = (0..CALLS).map(|_| call(random, Size::Edges)).collect();
     let mut outcomes: Vec<Outcome> = calls.iter().map(|call| run_native(native, call)).collect();
@@ -141,6 +142,16 @@ fn lives(
         outcomes.push(outcome);
     }
     (calls, outcomes)
+}
+
+/// Words of values: not each word is a character, or a number that is not zero.
+fn values(entry: &Entry, call: Vec<Vec<u64>>) -> Vec<Vec<u64>> {
+    let mut words = call.iter().flatten().copied();
+    let mut made = Vec::new();
+    let mut next = || words.next().expect("a word for each scalar");
+    (entry.made)(&mut next, &mut |word| made.push(word));
+    let mut made = made.into_iter();
+    call.iter().map(|words| made.by_ref().take(words.len()).collect()).collect()
 }
 
 fn run_native(entry: &Entry, call: &[Vec<u64>]) -> Outcome {

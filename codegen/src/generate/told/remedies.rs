@@ -16,7 +16,6 @@ pub fn instead(method: &str, owner: &str) -> Option<&'static str> {
             "number them and take the rest by the number: `for (i, column) in m.column_iter().enumerate() { … w[i] … }`"
         }
         "midpoint" => "write `0.5 * (a + b)`",
-        "saturating_pow" => "write `x.checked_pow(n).unwrap_or(u32::MAX)` of what is not negative",
         "saturating_add_signed" | "wrapping_add_signed" => {
             "convert both to the wider signed type, `i64::from(x)`, and back with `try_from`"
         }

@@ -27,13 +27,17 @@ pub fn innermost(ty: &str) -> &str {
 
 /// Whether a type is the DSL's, nalgebra's or Rust's, whose methods no author marks.
 pub fn is_known(ty: &str) -> bool {
-    const KNOWN: [&str; 12] = [
+    const KNOWN: [&str; 16] = [
         "SMatrix",
         "List",
         "BoundedMatrix",
         "Text",
         "Option",
         "Result",
+        "Range",
+        "RangeInclusive",
+        "NonZero",
+        "Complex",
         "Unit",
         "Quaternion",
         "Rotation",
@@ -72,10 +76,13 @@ pub fn instead(ty: &str) -> Option<&'static str> {
         "Mutex" | "RwLock" | "Cell" | "RefCell" | "UnsafeCell" | "OnceCell" | "OnceLock"
         | "LazyLock" | "LazyCell" | "LocalKey" => STATE,
         it if it.starts_with("Atomic") => STATE,
+        "RangeFrom" | "RangeTo" | "RangeToInclusive" | "RangeFull" => {
+            "hold both ends, `RangeInclusive<f32>` or `Range<u16>`, or one number"
+        }
+        "i128" | "u128" => "write `i64` or `u64`, or two words and `overflowing_add`",
         "DMatrix" | "DVector" | "Dyn" => {
             "write `SMatrix<f64, R, C>` or `SVector<f64, N>`; of a size that varies, `BoundedMatrix<f64, R, C>`"
         }
-        "char" => "use `u8` for bytes: `b'A'` as a number",
         _ => return None,
     })
 }

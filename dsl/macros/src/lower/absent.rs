@@ -29,7 +29,6 @@ const ABSENT: &[(&str, usize, &str)] = &[
     ("to_be to_le to_ne_bytes", 0, BYTES),
     ("from_be from_le from_ne_bytes", 0, BYTES),
     ("inspect inspect_err", 1, "look at the value with `if let`"),
-    ("unzip", 0, "`match` on it"),
     ("try_inverse_mut", 0, "call `bessemer::inverse_mut`"),
     ("symmetric_eigen symmetric_eigenvalues", 0, "call `bessemer::linear::symmetric_eigen(&a)`"),
     ("svd svd_unordered", 2, "call `bessemer::linear::svd(&a)`"),
@@ -40,7 +39,6 @@ const ABSENT: &[(&str, usize, &str)] = &[
         1,
         "write `a.cross(&b).norm().atan2(a.dot(&b))`, in the plane `a.perp(&b).atan2(a.dot(&b))`",
     ),
-    ("lp_norm", 1, "write the sum out with `fold`, and `powf`"),
     ("full_piv_lu col_piv_qr", 0, "call `lu` or `qr`, or `bessemer::linear::svd(&a)`"),
     ("schur hessenberg eigenvalues", 0, "compute it ahead, or write the iteration out"),
     ("unpack", 0, "call `l()`: what stands above the diagonal is zero"),
@@ -67,19 +65,17 @@ const REASONS: &[(&str, usize, Reason)] = &[
     ("to_string to_owned", 0, refuse::TEXT),
 ];
 
-/// Constructors and methods of nalgebra that go through the platform's sine and cosine.
-const ANGLES: &[&str] = &[
-    "from_euler_angles",
-    "from_axis_angle",
-    "from_scaled_axis",
-    "from_angle",
-    "rotation",
-    "new_rotation",
-    "new_rotation_wrt_point",
-    "face_towards",
-    "look_at_rh",
-    "look_at_lh",
-    "rotation_between",
+/// Constructors of nalgebra that go through the platform's sine and cosine, and of which of its types they are.
+const ANGLES: &[(&[&str], &str)] = &[
+    (
+        &["UnitQuaternion", "Rotation2", "Rotation3"],
+        "from_angle from_matrix face_towards look_at_rh look_at_lh rotation_between",
+    ),
+    (&["Isometry3"], "new rotation face_towards look_at_rh look_at_lh"),
+    (
+        &["Matrix3", "Matrix4"],
+        "from_euler_angles from_axis_angle from_scaled_axis new_rotation new_rotation_wrt_point face_towards look_at_rh look_at_lh",
+    ),
 ];
 
 /// Constructors of nalgebra's matrices, and what to write instead.
@@ -94,9 +90,6 @@ const MATRICES: &[(&str, &str)] = &[
     ),
     ("from_vec", "write `from_column_slice(&values)`"),
 ];
-
-/// Types whose `new` and `from_matrix` do.
-const TURNED: &[&str] = &["UnitQuaternion", "Rotation2", "Rotation3", "Isometry3"];
 
 /// The reason for a method call whose name shows it to be out of reach.
 pub fn method(call: &syn::ExprMethodCall) -> Option<Reason> {
@@ -123,10 +116,8 @@ fn absent(name: &str, arguments: usize) -> Option<Reason> {
 pub fn function(function: &syn::ExprPath, arguments: usize) -> Option<Reason> {
     let names: Vec<_> = function.path.segments.iter().map(|segment| text(&segment.ident)).collect();
     let [.., owner, last] = names.as_slice() else { return None };
-    let turned =
-        ["new", "from_matrix"].contains(&last.as_str()) && TURNED.contains(&owner.as_str());
-    let of_type = owner.starts_with(|first: char| first.is_uppercase());
-    if turned || of_type && ANGLES.contains(&last.as_str()) {
+    let has = |names: &str| names.split(' ').any(|it| it == last);
+    if ANGLES.iter().any(|(types, names)| types.contains(&owner.as_str()) && has(names)) {
         return Some(refuse::NALGEBRA_ANGLES);
     }
     let matrix = ["Matrix", "SMatrix", "Vector", "SVector", "RowVector"];

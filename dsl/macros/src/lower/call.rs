@@ -16,7 +16,7 @@ use super::names::{GENERATING, callee_name, text};
 use super::syntax::last_segment;
 use super::walk::Lowering;
 use super::{absent, refuse};
-use crate::owned::{associated, of_angles, of_libm, of_nalgebra};
+use crate::owned::{associated, of_libm, of_nalgebra, of_turns};
 
 impl Lowering<'_> {
     pub(super) fn call(&mut self, it: &mut syn::ExprCall) -> ExprKind {
@@ -29,7 +29,7 @@ impl Lowering<'_> {
             self.refusals.add(&it.func, refuse::FUNCTION_VALUE);
             return UNIT;
         };
-        let own = [of_libm, of_angles, of_nalgebra].iter().find_map(|of| of(&function.path));
+        let own = of_libm(&function.path).or_else(|| of_nalgebra(&function.path));
         if let Some(own) = own.filter(|_| function.qself.is_none()) {
             function.path = own;
         }
@@ -197,7 +197,9 @@ fn companion(function: &syn::ExprPath) -> Option<syn::Path> {
         return None;
     }
     if associated(function.qself.as_ref(), &path) {
-        path.segments.last_mut()?.ident = companion_name(&last.ident);
+        let owner = path.segments.iter().rev().nth(1);
+        let owned = owner.and_then(|owner| of_turns(&owner.ident, &last.ident));
+        path.segments.last_mut()?.ident = companion_name(&owned.unwrap_or(last.ident));
     } else {
         // The arguments of a turbofish belong to the companion.
         let call = syn::PathSegment {

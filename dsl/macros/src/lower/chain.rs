@@ -4,6 +4,7 @@
 //! stays a chain, and the closures look at what they are given.
 
 use bessemer_ir::tree::{self, BinaryOp, ExprKind, Order, Start, UnaryOp};
+use bessemer_ir::{Int, Scalar};
 
 use super::closure::{closure_of, closure_parameter};
 use super::each::Way;
@@ -232,9 +233,8 @@ impl Lowering<'_> {
                 ("copied" | "cloned", 0) if is_linked(&it.receiver) => {
                     return self.flow(&mut it.receiver);
                 }
-                ("enumerate" | "rev" | "skip" | "take", _) if is_linked(&it.receiver) => {
-                    return None;
-                }
+                ("enumerate", 0) if is_linked(&it.receiver) => return self.numbered(it),
+                ("rev" | "skip" | "take", _) if is_linked(&it.receiver) => return None,
                 _ => {}
             },
             _ => {}
@@ -243,6 +243,48 @@ impl Lowering<'_> {
         let over = Over::Each { index: None, parts: Vec::new(), indexed, order, cuts };
         let (before, steps) = (Vec::new(), Vec::new());
         Some(Flow { over, before, steps, item: Item::Source(source) })
+    }
+
+    /// `.map(|x| …).enumerate()`: the index of the loop, or where items are left out a counter.
+    fn numbered(&mut self, it: &mut syn::ExprMethodCall) -> Option<Flow> {
+        let mut flow = self.flow(&mut it.receiver)?;
+        let value = self.item_value(&mut flow, &mut it.receiver)?;
+        let item = match &value.kind {
+            ExprKind::Local(name) => name.clone(),
+            _ => {
+                let (name, slot, site) = (self.hidden("item"), value.slot?, value.site);
+                let (known, value) = (name.clone(), Some(value));
+                flow.steps.push(Step::Do(tree::Stmt::Let { name, slot, value, site }));
+                known
+            }
+        };
+        let number = self.hidden("i");
+        let each = flow.steps.iter().all(|step| matches!(step, Step::Do(_)));
+        match &mut flow.over {
+            Over::Each { index, indexed: false, order: Order::Up, cuts, .. }
+                if each && cuts.is_empty() =>
+            {
+                *index = Some(number.clone());
+            }
+            _ => {
+                let node = &it.method;
+                let (next, slot) = (self.hidden("next"), tree::NO_SLOT);
+                let local = || Box::new(plain(ExprKind::Local(next.clone()), node));
+                let word = |digits: &str| {
+                    let size = Some(Scalar::Int(Int::Usize));
+                    plain(ExprKind::Int(digits.into(), size), node)
+                };
+                let begin = word("0");
+                let (name, site) = (next.clone(), begin.site);
+                flow.before.push(tree::Stmt::Let { name, slot, value: Some(begin), site });
+                let (name, value) = (number.clone(), Some(*local()));
+                flow.steps.push(Step::Do(tree::Stmt::Let { name, slot, value, site }));
+                let more = ExprKind::Assign(Some(BinaryOp::Add), local(), Box::new(word("1")));
+                flow.steps.push(Step::Do(tree::Stmt::Expr(plain(more, node))));
+            }
+        }
+        flow.item = Item::Pair(Box::new(Item::Named(number)), Box::new(Item::Named(item)));
+        Some(flow)
     }
 
     /// `.skip_while(|x| …)`: a flag says whether items are still skipped; behind the first that is not, the closure is

@@ -3,15 +3,15 @@
 //! An iterator does nothing before it is gone through, so it stands where that is, in the tree and in the copy, and its
 //! name is nothing there. What it refers to Rust lets nobody change in between.
 //!
-//! Invariants: what is copied when the iterator is made cannot change before it is gone through; making it cannot fault,
-//! since the Rust would do so even where it is never gone through; no name in it means something else there. Any other
+//! Invariants: what is copied when the iterator is made cannot change before it is gone through, so a number that may, or
+//! that may fault, gets a name of its own where the iterator is made; no name in it means something else later. Any other
 //! iterator keeps its refusal.
 
 use syn::parse_quote;
 use syn::visit::{self, Visit};
 use syn::visit_mut::{self, VisitMut};
 
-use super::each::is_range;
+use super::each::{grouping, is_cut, is_range};
 use super::names::text;
 use super::syntax::{bare, gives_references, is_iterator, is_plain, names};
 use super::walk::Lowering;
@@ -23,29 +23,88 @@ impl Lowering<'_> {
         while at < stmts.len() {
             let (before, rest) = stmts.split_at_mut(at + 1);
             match before.last().and_then(|stmt| self.iterator_with_name(stmt, rest)) {
-                Some(iterator) => {
+                Some((iterator, made)) => {
                     rest.iter_mut().for_each(|stmt| iterator.clone().visit_stmt_mut(stmt));
-                    stmts.remove(at);
+                    let count = made.len();
+                    stmts.splice(at..=at, made);
+                    at += count;
                 }
                 None => at += 1,
             }
         }
     }
 
-    /// The iterator that a statement gives a name, if it can stand in those behind it.
-    fn iterator_with_name(&self, stmt: &syn::Stmt, rest: &[syn::Stmt]) -> Option<Named> {
+    /// The iterator that a statement gives a name, if it can stand in those behind it, and what is computed where it is made.
+    fn iterator_with_name(
+        &self,
+        stmt: &syn::Stmt,
+        rest: &[syn::Stmt],
+    ) -> Option<(Named, Vec<syn::Stmt>)> {
         let syn::Stmt::Local(local) = stmt else { return None };
         let init = local.init.as_ref().filter(|init| init.diverge.is_none())?;
         let syn::Pat::Ident(name) = &local.pat else { return None };
         let plain = name.mutability.is_none() && name.by_ref.is_none() && name.subpat.is_none();
-        if !plain || !is_iterator(&init.expr) || !self.is_settled(&init.expr) {
+        let mut made = Made { name: &name.ident, stmts: Vec::new(), names: Vec::new() };
+        let mut iterator = (*init.expr).clone();
+        if !plain || !is_iterator(&iterator) || !self.settle(&mut iterator, &mut made) {
             return None;
         }
         let mut free = Free { bound: Vec::new(), names: vec![text(&name.ident)] };
-        free.visit_expr(&init.expr);
+        free.visit_expr(&iterator);
         let mut hides = Hides { name: text(&name.ident), free: free.names, found: false };
         rest.iter().for_each(|stmt| hides.visit_stmt(stmt));
-        (!hides.found).then(|| Named { name: name.ident.clone(), iterator: (*init.expr).clone() })
+        hides.found |= made.names.iter().any(|own| rest.iter().any(|stmt| names(stmt, own)));
+        (!hides.found).then(|| (Named { name: name.ident.clone(), iterator }, made.stmts))
+    }
+
+    /// Whether an iterator can stand elsewhere: what is copied where it is made stays as it is, or gets a name there.
+    fn settle(&self, expr: &mut syn::Expr, made: &mut Made<'_>) -> bool {
+        let lent = |it: &syn::ExprMethodCall| gives_references(expr) && is_plain(&it.receiver);
+        if matches!(bare(expr), syn::Expr::MethodCall(it) if lent(it)) {
+            return true;
+        }
+        let is_iterator = is_iterator(expr);
+        match expr {
+            syn::Expr::Paren(it) => self.settle(&mut it.expr, made),
+            syn::Expr::Range(it) => {
+                for (end, role) in [(&mut it.start, "start"), (&mut it.end, "end")] {
+                    end.iter_mut().for_each(|end| self.settle_number(end, made, (role, false)));
+                }
+                true
+            }
+            syn::Expr::MethodCall(it) if is_iterator => {
+                let (groups, cuts) = (grouping(&it.method).is_some(), is_cut(it));
+                let lent = groups && is_plain(&it.receiver);
+                let counts = groups || cuts || it.method == "step_by";
+                if !lent && !self.settle(&mut it.receiver, made) {
+                    return false;
+                }
+                it.args.iter_mut().all(|it| {
+                    if counts {
+                        self.settle_number(it, made, ("count", !cuts));
+                    }
+                    counts || self.is_settled(it) || self.settle(it, made)
+                })
+            }
+            other => self.is_settled(other),
+        }
+    }
+
+    /// Gives a number a name where the iterator is made, unless it is the same later. A size of zero `faults` there.
+    fn settle_number(
+        &self,
+        number: &mut syn::Expr,
+        made: &mut Made<'_>,
+        (role, faults): (&str, bool),
+    ) {
+        if !self.is_settled(number) {
+            let name = made.fresh(role);
+            made.stmts.push(parse_quote! { let #name = #number; });
+            *number = parse_quote! { #name };
+        }
+        if faults && !is_above_zero(number) {
+            made.stmts.push(parse_quote! { assert!(#number > 0); });
+        }
     }
 
     /// Whether what is copied where an iterator is made stays as it is, and whether that cannot fault. A field may change
@@ -55,15 +114,6 @@ impl Lowering<'_> {
             syn::Expr::Closure(_) | syn::Expr::Lit(_) => true,
             syn::Expr::Reference(it) => is_plain(&it.expr),
             syn::Expr::Path(it) => !self.mutable.iter().any(|name| it.path.is_ident(name)),
-            syn::Expr::MethodCall(it) if gives_references(expr) && is_plain(&it.receiver) => true,
-            syn::Expr::MethodCall(it) if is_iterator(expr) => {
-                let asks = ASKING.contains(&text(&it.method).as_str());
-                let is_sound = |it| if asks { is_above_zero(it) } else { self.is_settled(it) };
-                self.is_settled(&it.receiver) && it.args.iter().all(is_sound)
-            }
-            syn::Expr::Range(it) => {
-                [&it.start, &it.end].into_iter().flatten().all(|end| self.is_settled(end))
-            }
             syn::Expr::Unary(it) if matches!(it.op, syn::UnOp::Neg(_)) => {
                 matches!(bare(&it.expr), syn::Expr::Lit(_))
             }
@@ -73,14 +123,33 @@ impl Lowering<'_> {
     }
 }
 
-/// Methods that fault where the number that they are given is zero.
-const ASKING: [&str; 4] = ["chunks", "chunks_exact", "step_by", "windows"];
-
 fn is_above_zero(expr: &syn::Expr) -> bool {
     let syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Int(number), .. }) = bare(expr) else {
         return false;
     };
     number.base10_parse::<u64>().is_ok_and(|number| number > 0)
+}
+
+/// What is computed where an iterator is made.
+struct Made<'a> {
+    /// The iterator's name.
+    name: &'a syn::Ident,
+    /// The statements.
+    stmts: Vec<syn::Stmt>,
+    /// The names that they give.
+    names: Vec<String>,
+}
+
+impl Made<'_> {
+    /// A name for a number, after the iterator's.
+    fn fresh(&mut self, role: &str) -> syn::Ident {
+        let mut name = format!("{}_{role}", text(self.name));
+        while self.names.contains(&name) {
+            name.push('_');
+        }
+        self.names.push(name.clone());
+        syn::Ident::new(&name, self.name.span())
+    }
 }
 
 /// An iterator, and the name in whose place it stands.

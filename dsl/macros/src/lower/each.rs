@@ -6,7 +6,7 @@ use bessemer_ir::tree::{self, ExprKind, Order};
 
 use super::flow::Source;
 use super::names::{site, text};
-use super::syntax::{gives_references, is_linked};
+use super::syntax::{gives_references, is_linked, shared};
 use super::walk::Lowering;
 use super::{item, refuse};
 
@@ -250,8 +250,8 @@ impl Lowering<'_> {
     }
 }
 
-fn grouping(method: &syn::Ident) -> Option<tree::Grouping> {
-    Some(match text(method).as_str() {
+pub(super) fn grouping(method: &syn::Ident) -> Option<tree::Grouping> {
+    Some(match shared(method).as_str() {
         "windows" => tree::Grouping::Windows,
         "chunks_exact" => tree::Grouping::Whole,
         "chunks" => tree::Grouping::All,
@@ -259,7 +259,7 @@ fn grouping(method: &syn::Ident) -> Option<tree::Grouping> {
     })
 }
 
-fn is_cut(call: &syn::ExprMethodCall) -> bool {
+pub(super) fn is_cut(call: &syn::ExprMethodCall) -> bool {
     (call.method == "skip" || call.method == "take") && call.args.len() == 1
 }
 
@@ -268,7 +268,7 @@ fn is_adaptor(method: &syn::Ident) -> bool {
 }
 
 /// Whether the elements that an iterator gives are written, as far as its syntax shows.
-fn writes(expr: &syn::Expr) -> bool {
+pub(super) fn writes(expr: &syn::Expr) -> bool {
     match expr {
         syn::Expr::Paren(it) => writes(&it.expr),
         syn::Expr::Reference(it) => it.mutability.is_some(),

@@ -263,7 +263,10 @@ impl Lowering<'_> {
                 );
             }
             syn::Lit::ByteStr(it) => return ExprKind::Bytes(it.value()),
-            syn::Lit::Char(it) => self.refusals.add(it, refuse::CHAR),
+            syn::Lit::Char(it) => {
+                let code = Scalar::Int(bessemer_ir::Int::U32);
+                return ExprKind::Int(u32::from(it.value()).to_string(), Some(code));
+            }
             other => self.refusals.add(other, refuse::STRING),
         }
         UNIT

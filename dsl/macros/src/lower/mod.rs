@@ -53,4 +53,5 @@ pub use signature::{
     named_part, parameters, refuse_leaving,
 };
 pub use strip::{check_attributes, name_lifetimes, strip};
+pub use syntax::last_ident;
 pub use walk::Lowering;

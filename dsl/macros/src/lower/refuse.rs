@@ -139,7 +139,6 @@ reasons! {
     PATTERN: "this pattern is not in the DSL", "match on values, ranges, variants, structs, tuples, arrays, names and `_`";
     DISCRIMINANT: "variants with payload have no numbers of their own in the DSL", "leave them out; where a protocol fixes them, `match` on the value";
     UNION: "a union's bytes have no type that the C could check", "use a struct, and `to_bits`/`from_bits` for the bits of a float";
-    CHAR: "`char` is not in the DSL", "use `u8` for bytes: `b'A'` as a number";
     STRING: "text is not in the DSL yet", "use an enum for a choice; bytes are `*b\"abc\"`, or `Text::of(b\"abc\")` of any length up to that of a `Text<8>`";
     WIDE_INTEGER: "C99 has no 128-bit integer", "use `u64` or `i64`";
     FUNCTION_VALUE: "functions are not values in the DSL", "call the function by its name; what is exchanged is an `#[interface]`, or an `enum` with a `match`";
@@ -179,7 +178,7 @@ reasons! {
     NESTED_ITEM: "items inside a function are not in the DSL", "move it out, next to the function";
     YIELD: "generators are not in the DSL", "keep the state in a component, and step it";
     LINKED_RANGE: "of a range the DSL takes `.rev()` and `.step_by(n)`, then closures: `.map(…)`, `.filter(…)` and the like", "change its ends, `1..n` for `(0..n).skip(1)`; beside elements, number them with `.enumerate()`";
-    RANGE_VALUE: "a range is not a value in the DSL", "write it in a `for`";
+    RANGE_VALUE: "a range that is written down is not a value in the DSL", "write it in a `for`; one that is held, `RangeInclusive::new(a, b)`, or as a constant: `const LIMITS: Range<u8> = 2..5;`";
     OPERATOR_TRAIT: "what lends by itself hides in the Rust what the C has to name", "write a method that gives the reference, `fn inner(&self) -> &Inner`";
     GENERIC_OPERATOR: "a `==` or an index of one's own of a generic type is not in the DSL", "derive `PartialEq`, implement it for each instance, or write a method with a name: `fn at(&self, i: usize) -> &T`";
     BORROWED_OPERAND: "an operand is a value in the DSL", "derive `Copy`, and implement the trait for the values";
@@ -291,7 +290,6 @@ pub fn named_type(path: &syn::Path) -> Option<Reason> {
         | "IsometryMatrix3" | "Similarity2" | "Similarity3" | "Transform3" | "Affine3"
         | "Projective3" => ROTATION,
         "u128" | "i128" => WIDE_INTEGER,
-        "char" => CHAR,
         "str" => STRING,
         _ => return None,
     })

@@ -6,7 +6,9 @@
 
 use proc_macro2::Span;
 use syn::parse_quote;
+use syn::visit::Visit;
 
+use super::each::writes;
 use super::names::text;
 use super::sort::Leg;
 use super::syntax::{
@@ -21,6 +23,7 @@ impl Lowering<'_> {
         let it = match expr {
             syn::Expr::MethodCall(it) => it,
             syn::Expr::Call(it) => return self.exchanged(it).or_else(|| self.extreme_of_two(it)),
+            syn::Expr::ForLoop(it) => return in_two(it),
             _ => return None,
         };
         match (text(&it.method).as_str(), it.args.len()) {
@@ -284,6 +287,30 @@ impl Lowering<'_> {
         };
         let extend = syn::Ident::new("list_extend", it.method.span());
         Some(parse_quote! { for #pattern in #items { #list.#extend(#element); } })
+    }
+}
+
+/// `for x in a.iter_mut().chain(b.iter_mut()) { … }`: a loop for each, unless the first may end both. No place is in one of
+/// two arrays.
+fn in_two(it: &syn::ExprForLoop) -> Option<syn::Expr> {
+    let syn::Expr::MethodCall(chain) = bare(&it.expr) else { return None };
+    let (first, second) = (&chain.receiver, chain.args.first()?);
+    let mut breaks = Breaks(false);
+    breaks.visit_block(&it.body);
+    let written = chain.method == "chain" && (writes(first) || writes(second));
+    if !written || breaks.0 || it.label.is_some() || !it.attrs.is_empty() {
+        return None;
+    }
+    let (pattern, body) = (&it.pat, &it.body);
+    Some(parse_quote! { { for #pattern in #first #body for #pattern in #second #body } })
+}
+
+/// Looks for a `break`.
+struct Breaks(bool);
+
+impl<'ast> Visit<'ast> for Breaks {
+    fn visit_expr_break(&mut self, _: &'ast syn::ExprBreak) {
+        self.0 = true;
     }
 }
 

@@ -104,8 +104,8 @@ pub(super) fn is_iterator(expr: &syn::Expr) -> bool {
     match expr {
         syn::Expr::Paren(it) => is_iterator(&it.expr),
         syn::Expr::Range(_) => true,
-        syn::Expr::MethodCall(it) => match (text(&it.method).as_str(), it.args.len()) {
-            ("iter" | "into_iter" | "iter_mut", 0) => true,
+        syn::Expr::MethodCall(it) => match (shared(&it.method).as_str(), it.args.len()) {
+            ("iter" | "into_iter", 0) => true,
             ("enumerate" | "rev" | "copied" | "cloned", 0) => is_iterator(&it.receiver),
             ("flatten", 0) => is_iterator(&it.receiver),
             (
@@ -119,6 +119,12 @@ pub(super) fn is_iterator(expr: &syn::Expr) -> bool {
         },
         _ => false,
     }
+}
+
+/// The name of a method without what says that it lends what may be changed.
+pub(super) fn shared(method: &syn::Ident) -> String {
+    let name = text(method);
+    name.strip_suffix("_mut").map_or(name.clone(), str::to_owned)
 }
 
 /// Whether a closure stands somewhere in a chain.
@@ -160,6 +166,14 @@ pub(super) fn is_variant(path: &syn::Path) -> bool {
     path.segments.len() > 1
         && last.starts_with(|first: char| first.is_uppercase())
         && last.contains(|letter: char| letter.is_lowercase())
+}
+
+/// The name of a type without its modules.
+pub fn last_ident(ty: &syn::Type) -> Option<&syn::Ident> {
+    match ty {
+        syn::Type::Path(it) => it.path.segments.last().map(|segment| &segment.ident),
+        _ => None,
+    }
 }
 
 /// The last name of a path.

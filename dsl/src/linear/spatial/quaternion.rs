@@ -1,6 +1,6 @@
 //! Quaternions of any length.
 
-use nalgebra::{Quaternion as Native, Vector3};
+use nalgebra::{Quaternion as Native, Vector3, Vector4};
 
 use crate::math::{Real, real};
 use crate::{data, function};
@@ -35,6 +35,18 @@ pub fn from_imag<T: Real>(vector: &Vector3<T>) -> Native<T> {
 #[function]
 pub fn from_real<T: Real>(number: T) -> Native<T> {
     Native::new(number, T::ZERO, T::ZERO, T::ZERO)
+}
+
+/// From the factors of 𝐢, 𝐣 and 𝐤, and then the real part.
+#[function]
+pub fn from_vector<T: Real>(parts: Vector4<T>) -> Native<T> {
+    Native::new(parts.w, parts.x, parts.y, parts.z)
+}
+
+/// The same of an array.
+#[function]
+pub fn from_array<T: Real>(parts: [T; 4]) -> Native<T> {
+    Native::new(parts[3], parts[0], parts[1], parts[2])
 }
 
 /// Hamilton's product.

@@ -1,0 +1,392 @@
+//! Complex numbers: what nalgebra's `Complex` computes, in its order of operations, over the DSL's own functions.
+//!
+//! Without std nalgebra's type has neither an absolute value nor an argument, and with it they are the platform's. So the
+//! attributes put these functions in place of its own: `z.exp()`, `z.arg()`, `Complex::from_polar(r, angle)`. The absolute
+//! value alone is called by its path, since matrices have a `norm` of their own. Angles are in rad.
+//!
+//! ```
+//! use bessemer::complex;
+//! use bessemer::nalgebra::Complex;
+//!
+//! let z = Complex::new(3.0_f64, 4.0);
+//! assert_eq!(complex::norm(&z), 5.0);
+//! assert_eq!(complex::sqrt(&Complex::new(-4.0_f64, 0.0)), Complex::new(0.0, 2.0));
+//! ```
+
+use nalgebra::Complex as Native;
+
+use crate::Plain;
+use crate::prelude::*;
+
+/// A complex number re + im·𝐢.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ComplexNumber<T> {
+    /// The real part.
+    pub re: T,
+    /// The imaginary part.
+    pub im: T,
+}
+
+/// The imaginary unit.
+#[function]
+pub fn i<T: Real>() -> Native<T> {
+    Native::new(T::ZERO, T::ONE)
+}
+
+/// A real number as a complex one.
+#[function]
+pub fn from_real<T: Real>(re: T) -> Native<T> {
+    Native::new(re, T::ZERO)
+}
+
+/// From an absolute value and an argument, rad.
+#[function]
+pub fn from_polar<T: Real>(r: T, angle: T) -> Native<T> {
+    let (sine, cosine) = angle.sin_cos();
+    Native::new(r * cosine, r * sine)
+}
+
+/// e to the power of `angle`·𝐢.
+#[function]
+pub fn cis<T: Real>(angle: T) -> Native<T> {
+    let (sine, cosine) = angle.sin_cos();
+    Native::new(cosine, sine)
+}
+
+/// The sum.
+#[function]
+pub fn sum<T: Real>(a: &Native<T>, b: &Native<T>) -> Native<T> {
+    Native::new(a.re + b.re, a.im + b.im)
+}
+
+/// The sum with a real number.
+#[function]
+pub fn sum_with_real<T: Real>(a: &Native<T>, b: T) -> Native<T> {
+    Native::new(a.re + b, a.im)
+}
+
+/// The same, the real number on the left.
+#[function]
+pub fn sum_of_real<T: Real>(a: T, b: &Native<T>) -> Native<T> {
+    Native::new(a + b.re, b.im)
+}
+
+/// The difference.
+#[function]
+pub fn difference<T: Real>(a: &Native<T>, b: &Native<T>) -> Native<T> {
+    Native::new(a.re - b.re, a.im - b.im)
+}
+
+/// The difference from a real number.
+#[function]
+pub fn difference_with_real<T: Real>(a: &Native<T>, b: T) -> Native<T> {
+    Native::new(a.re - b, a.im)
+}
+
+/// The same, the real number on the left.
+#[function]
+pub fn difference_of_real<T: Real>(a: T, b: &Native<T>) -> Native<T> {
+    Native::new(a - b.re, T::ZERO - b.im)
+}
+
+/// The product.
+#[function]
+pub fn product<T: Real>(a: &Native<T>, b: &Native<T>) -> Native<T> {
+    Native::new(a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re)
+}
+
+/// Each part times a real number.
+#[function]
+pub fn scale<T: Real>(z: &Native<T>, factor: T) -> Native<T> {
+    Native::new(z.re * factor, z.im * factor)
+}
+
+/// The same, the real number on the left.
+#[function]
+pub fn scaled_by<T: Real>(factor: T, z: &Native<T>) -> Native<T> {
+    Native::new(factor * z.re, factor * z.im)
+}
+
+/// The quotient.
+#[function]
+pub fn quotient<T: Real>(a: &Native<T>, b: &Native<T>) -> Native<T> {
+    let squared = norm_sqr(b);
+    let re = a.re * b.re + a.im * b.im;
+    let im = a.im * b.re - a.re * b.im;
+    Native::new(re / squared, im / squared)
+}
+
+/// Each part over a real number.
+#[function]
+pub fn unscale<T: Real>(z: &Native<T>, divisor: T) -> Native<T> {
+    Native::new(z.re / divisor, z.im / divisor)
+}
+
+/// A real number over a complex one.
+#[function]
+pub fn quotient_of_real<T: Real>(a: T, b: &Native<T>) -> Native<T> {
+    let squared = norm_sqr(b);
+    Native::new(a * b.re / squared, T::ZERO - a * b.im / squared)
+}
+
+/// The opposite.
+#[function]
+pub fn negative<T: Real>(z: &Native<T>) -> Native<T> {
+    Native::new(-z.re, -z.im)
+}
+
+/// The conjugate.
+#[function]
+pub fn conj<T: Real>(z: &Native<T>) -> Native<T> {
+    Native::new(z.re, -z.im)
+}
+
+/// 1 over it.
+#[function]
+pub fn inv<T: Real>(z: &Native<T>) -> Native<T> {
+    let squared = norm_sqr(z);
+    Native::new(z.re / squared, -z.im / squared)
+}
+
+/// The square of the absolute value.
+#[function]
+pub fn norm_sqr<T: Real>(z: &Native<T>) -> T {
+    z.re * z.re + z.im * z.im
+}
+
+/// The sum of the magnitudes of the parts.
+#[function]
+pub fn l1_norm<T: Real>(z: &Native<T>) -> T {
+    z.re.abs() + z.im.abs()
+}
+
+/// The absolute value, without overflow on the way.
+#[function]
+pub fn norm<T: Real>(z: &Native<T>) -> T {
+    z.re.hypot(z.im)
+}
+
+/// The argument, rad, −π to π.
+#[function]
+pub fn arg<T: Real>(z: &Native<T>) -> T {
+    z.im.atan2(z.re)
+}
+
+/// The absolute value and the argument, rad.
+#[function]
+pub fn to_polar<T: Real>(z: &Native<T>) -> (T, T) {
+    (norm(z), arg(z))
+}
+
+/// Whether a part is not a number.
+#[function]
+pub fn is_nan<T: Real>(z: &Native<T>) -> bool {
+    z.re.is_nan() || z.im.is_nan()
+}
+
+/// Whether a part is infinite, and none is not a number.
+#[function]
+pub fn is_infinite<T: Real>(z: &Native<T>) -> bool {
+    !is_nan(z) && (z.re.is_infinite() || z.im.is_infinite())
+}
+
+/// Whether both parts are finite.
+#[function]
+pub fn is_finite<T: Real>(z: &Native<T>) -> bool {
+    z.re.is_finite() && z.im.is_finite()
+}
+
+/// To the power of a number that is not negative, by squaring.
+#[function]
+pub fn powu<T: Real>(z: &Native<T>, exponent: u32) -> Native<T> {
+    let mut result = Native::new(T::ONE, T::ZERO);
+    let mut square = *z;
+    let mut left = exponent;
+    let mut begun = false;
+    for _ in 0..32 {
+        if left & 1 == 1 {
+            result = if begun { product(&result, &square) } else { square };
+            begun = true;
+        }
+        left >>= 1;
+        if left == 0 {
+            break;
+        }
+        square = product(&square, &square);
+    }
+    result
+}
+
+/// To a whole power.
+#[function]
+pub fn powi<T: Real>(z: &Native<T>, exponent: i32) -> Native<T> {
+    if exponent < 0 { powu(&inv(z), exponent.unsigned_abs()) } else { powu(z, exponent as u32) }
+}
+
+/// To a real power.
+#[function]
+pub fn powf<T: Real>(z: &Native<T>, exponent: T) -> Native<T> {
+    if exponent == T::ZERO {
+        return from_real(T::ONE);
+    }
+    let (r, angle) = to_polar(z);
+    from_polar(r.powf(exponent), angle * exponent)
+}
+
+/// e to its power.
+#[function]
+pub fn exp<T: Real>(z: &Native<T>) -> Native<T> {
+    let (re, im) = (z.re, z.im);
+    if re.is_infinite() {
+        if re < T::ZERO {
+            if !im.is_finite() {
+                return Native::new(T::ZERO, T::ZERO);
+            }
+        } else if im == T::ZERO || !im.is_finite() {
+            return Native::new(re, if im.is_infinite() { T::NAN } else { im });
+        }
+    } else if re.is_nan() && im == T::ZERO {
+        return *z;
+    }
+    from_polar(re.exp(), im)
+}
+
+/// The principal value of the natural logarithm.
+#[function]
+pub fn ln<T: Real>(z: &Native<T>) -> Native<T> {
+    let (r, angle) = to_polar(z);
+    Native::new(r.ln(), angle)
+}
+
+/// The principal value of the root.
+#[function]
+pub fn sqrt<T: Real>(z: &Native<T>) -> Native<T> {
+    if z.im == T::ZERO {
+        if z.re.is_sign_positive() {
+            return Native::new(z.re.sqrt(), z.im);
+        }
+        let root = (-z.re).sqrt();
+        return Native::new(T::ZERO, if z.im.is_sign_positive() { root } else { -root });
+    }
+    if z.re == T::ZERO {
+        let root = (z.im.abs() / real(2.0)).sqrt();
+        return Native::new(root, if z.im.is_sign_positive() { root } else { -root });
+    }
+    let (r, angle) = to_polar(z);
+    from_polar(r.sqrt(), angle / real(2.0))
+}
+
+/// The sine.
+#[function]
+pub fn sin<T: Real>(z: &Native<T>) -> Native<T> {
+    let (sine, cosine) = z.re.sin_cos();
+    Native::new(sine * z.im.cosh(), cosine * z.im.sinh())
+}
+
+/// The cosine.
+#[function]
+pub fn cos<T: Real>(z: &Native<T>) -> Native<T> {
+    let (sine, cosine) = z.re.sin_cos();
+    Native::new(cosine * z.im.cosh(), -sine * z.im.sinh())
+}
+
+/// The hyperbolic sine.
+#[function]
+pub fn sinh<T: Real>(z: &Native<T>) -> Native<T> {
+    let (sine, cosine) = z.im.sin_cos();
+    Native::new(z.re.sinh() * cosine, z.re.cosh() * sine)
+}
+
+/// The hyperbolic cosine.
+#[function]
+pub fn cosh<T: Real>(z: &Native<T>) -> Native<T> {
+    let (sine, cosine) = z.im.sin_cos();
+    Native::new(z.re.cosh() * cosine, z.re.sinh() * sine)
+}
+
+/// The attributes call these in place of the methods of these names.
+#[doc(hidden)]
+pub trait ComplexMethods<T>: Sized {
+    /// [`from_polar`].
+    fn dsl_from_polar(r: T, angle: T) -> Self;
+    /// [`cis`].
+    fn dsl_cis(angle: T) -> Self;
+    /// [`arg`].
+    fn dsl_arg(self) -> T;
+    /// [`to_polar`].
+    fn dsl_to_polar(self) -> (T, T);
+    /// [`powi`].
+    fn dsl_powi(&self, exponent: i32) -> Self;
+    /// [`powf`].
+    fn dsl_powf(self, exponent: T) -> Self;
+    /// [`exp`].
+    fn dsl_exp(self) -> Self;
+    /// [`ln`].
+    fn dsl_ln(self) -> Self;
+    /// [`sqrt`].
+    fn dsl_sqrt(self) -> Self;
+    /// [`sin`].
+    fn dsl_sin(self) -> Self;
+    /// [`cos`].
+    fn dsl_cos(self) -> Self;
+    /// [`sinh`].
+    fn dsl_sinh(self) -> Self;
+    /// [`cosh`].
+    fn dsl_cosh(self) -> Self;
+}
+
+impl<T: Real> ComplexMethods<T> for Native<T> {
+    fn dsl_from_polar(r: T, angle: T) -> Self {
+        from_polar(r, angle)
+    }
+    fn dsl_cis(angle: T) -> Self {
+        cis(angle)
+    }
+    fn dsl_arg(self) -> T {
+        arg(&self)
+    }
+    fn dsl_to_polar(self) -> (T, T) {
+        to_polar(&self)
+    }
+    fn dsl_powi(&self, exponent: i32) -> Self {
+        powi(self, exponent)
+    }
+    fn dsl_powf(self, exponent: T) -> Self {
+        powf(&self, exponent)
+    }
+    fn dsl_exp(self) -> Self {
+        exp(&self)
+    }
+    fn dsl_ln(self) -> Self {
+        ln(&self)
+    }
+    fn dsl_sqrt(self) -> Self {
+        sqrt(&self)
+    }
+    fn dsl_sin(self) -> Self {
+        sin(&self)
+    }
+    fn dsl_cos(self) -> Self {
+        cos(&self)
+    }
+    fn dsl_sinh(self) -> Self {
+        sinh(&self)
+    }
+    fn dsl_cosh(self) -> Self {
+        cosh(&self)
+    }
+}
+
+#[diagnostic::do_not_recommend]
+impl<T: Plain> Plain for Native<T> {
+    const WORDS: usize = 2 * T::WORDS;
+    fn store(&self, out: &mut dyn FnMut(u64)) {
+        self.re.store(out);
+        self.im.store(out);
+    }
+    fn load(next: &mut dyn FnMut() -> u64) -> Self {
+        let re = T::load(next);
+        Native { re, im: T::load(next) }
+    }
+}

@@ -1,0 +1,80 @@
+/* The C of tests/corpus/src/programs/control/held_iterators.rs. Written by a test. */
+
+/* held_iterators.c */
+
+bessemer_status_t held_iterators_made_before(const double samples[4], uint64_t n, bool is_asked,
+    double *sum)
+{
+    if (n < UINT64_C(1)) {
+        return BESSEMER_STATUS_OVERFLOW;
+    }
+    const uint64_t below_end = n - UINT64_C(1);
+    double sum_value = 0.0;
+    if (is_asked) {
+        for (uint64_t i = UINT64_C(0); i < below_end; i++) {
+            sum_value += (double)i;
+            if (sum_value > 100.0) {
+                break;
+            }
+        }
+        {
+            const uint64_t end = UINT64_C(4) / n + min_u64(UINT64_C(4) % n, UINT64_C(1));
+            for (uint64_t i = UINT64_C(0); i < end; i++) {
+                const uint64_t samples_index = i * n;
+                if (samples_index >= UINT64_C(4)) {
+                    return BESSEMER_STATUS_INDEX;
+                }
+                sum_value += samples[samples_index];
+            }
+        }
+        {
+            const uint64_t end = UINT64_C(4) / n + min_u64(UINT64_C(4) % n, UINT64_C(1));
+            for (uint64_t i = UINT64_C(0); i < end; i++) {
+                const uint64_t value_end_product = i * n;
+                if (value_end_product > UINT64_MAX - n) {
+                    return BESSEMER_STATUS_OVERFLOW;
+                }
+                const uint64_t value_end = min_u64(value_end_product + n, UINT64_C(4));
+                const uint64_t product = i * n;
+                if (product > value_end) {
+                    return BESSEMER_STATUS_OVERFLOW;
+                }
+                if (UINT64_C(0) >= value_end - product) {
+                    return BESSEMER_STATUS_INDEX;
+                }
+                const uint64_t samples_index_2 = i * n;
+                if (samples_index_2 >= UINT64_C(4)) {
+                    return BESSEMER_STATUS_INDEX;
+                }
+                sum_value += samples[samples_index_2];
+            }
+        }
+    }
+    *sum = sum_value;
+    return BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t held_iterators_changed_since(const int32_t samples[6], uint64_t first,
+    int32_t *sum)
+{
+    uint64_t left = first & UINT64_C(3);
+    const uint64_t rest_count = left;
+    const uint64_t rest_count_ = left + UINT64_C(2);
+    left += UINT64_C(3);
+    const uint64_t numbers_start = left;
+    left = UINT64_C(0);
+    int32_t sum_value = wrap_i32((uint32_t)left);
+    const uint64_t value_count = min_u64(rest_count, UINT64_C(6));
+    const uint64_t value_count_2 = min_u64(rest_count_, UINT64_C(6) - value_count);
+    for (uint32_t i = (uint32_t)value_count; i < value_count + value_count_2; i++) {
+        if (i >= 6U) {
+            return BESSEMER_STATUS_INDEX;
+        }
+        sum_value = wrap_i32((uint32_t)sum_value + (uint32_t)samples[i]);
+    }
+    for (uint64_t number = numbers_start; number < UINT64_C(9); number++) {
+        sum_value = wrap_i32((uint32_t)sum_value * (uint32_t)wrap_i32((uint32_t)number));
+    }
+    *sum = sum_value;
+    return BESSEMER_STATUS_OK;
+}

@@ -1,0 +1,113 @@
+/* The C of tests/corpus/src/programs/control/numbered.rs. Written by a test. */
+
+/* numbered.c */
+
+/** Whether `one` comes before `other` in `total_cmp`: −0 before +0, NaN behind all others. */
+static inline bool sort_below_f32(float one, float other)
+{
+    if (one == other) {
+        return copysign_f32(1.0F, one) < 0.0F && !(copysign_f32(1.0F, other) < 0.0F);
+    }
+    return one < other || (!(isnan(one) != 0) && isnan(other) != 0);
+}
+
+float bin_take(bin_t *self)
+{
+    const float a = self->parts[0];
+    const float b = self->parts[1];
+    self->parts[0] = 0.0F;
+    self->parts[1] = 0.0F;
+    return a * a + b * b;
+}
+
+void numbered_strongest(bin_t bins[4], option_pair_usize_f32_t *result)
+{
+    result->is_some = false;
+    result->value.first = UINT64_C(0);
+    result->value.second = 0.0F;
+    for (uint32_t i = 0U; i < 4U; i++) {
+        const float item = bin_take(&bins[i]);
+        const pair_usize_f32_t pair = {.first = (uint64_t)i, .second = item};
+        const option_pair_usize_f32_t before = *result;
+        result->is_some = true;
+        result->value = pair;
+        bool result_choice = false;
+        bool result_holds = before.is_some;
+        if (result_holds) {
+            result_choice = sort_below_f32(pair.second, before.value.second);
+            result_holds = !(!result_choice);
+        }
+        if (result_holds) {
+            const pair_usize_f32_t best = before.value;
+            (void)best;
+            *result = before;
+        }
+    }
+}
+
+bessemer_status_t numbered_weighted(const int16_t values[6], int16_t least, int64_t *sum)
+{
+    int64_t sum_value = INT64_C(0);
+    uint64_t next = UINT64_C(0);
+    for (uint32_t i = 0U; i < 6U; i++) {
+        if (values[i] > least) {
+            const uint64_t i_2 = next;
+            next += UINT64_C(1);
+            const int64_t sum_product = (wrap_i64((uint64_t)i_2) + INT64_C(1)) * (int64_t)values[i];
+            if ((sum_product >= INT64_C(0) && sum_value > INT64_MAX - sum_product)
+                    || (sum_product <= INT64_C(0) && sum_value < INT64_MIN - sum_product)) {
+                return BESSEMER_STATUS_OVERFLOW;
+            }
+            sum_value += sum_product;
+        }
+    }
+    *sum = sum_value;
+    return BESSEMER_STATUS_OK;
+}
+
+uint32_t numbered_every_second(uint8_t count)
+{
+    const uint32_t squares_end = (uint32_t)count;
+    uint32_t a = 0U;
+    uint64_t next = UINT64_C(0);
+    for (uint32_t x = 0U; x < squares_end; x++) {
+        const uint32_t item = x * x;
+        const uint64_t i = next;
+        next += UINT64_C(1);
+        if (i % UINT64_C(2) == UINT64_C(1)) {
+            const uint32_t b = item;
+            a ^= b;
+        }
+    }
+    return a;
+}
+
+float numbered_gathered(bin_t first[2], bin_t second[3], float x)
+{
+    float sum = 0.0F;
+    for (uint32_t i = 0U; i < 2U; i++) {
+        if (first[i].parts[0] < 0.0F) {
+            continue;
+        }
+        first[i].parts[1] += x;
+        const float sum_take = bin_take(&first[i]);
+        sum += sum_take;
+    }
+    for (uint32_t i = 0U; i < 3U; i++) {
+        if (second[i].parts[0] < 0.0F) {
+            continue;
+        }
+        second[i].parts[1] += x;
+        const float sum_take_2 = bin_take(&second[i]);
+        sum += sum_take_2;
+    }
+    return sum;
+}
+
+/* numbered.h */
+
+/** A filter that gives its power once. */
+typedef struct {
+    /** Its two parts. */
+    float parts[2];
+} bin_t;

@@ -1,0 +1,171 @@
+/* The C of tests/corpus/src/programs/data/transposed.rs. Written by a test. */
+
+/* transposed.c */
+
+void transposed_checked(int16_t reading, result_i16_transposed_broken_t *result)
+{
+    if (reading <= -1) {
+        result->is_ok = false;
+        result->value = 0;
+        result->error.tag = BROKEN_TAG_BELOW;
+        result->error.below = reading;
+    } else if (reading >= 0 && reading <= 999) {
+        result->is_ok = true;
+        result->value = reading;
+        result->error.tag = BROKEN_TAG_ABOVE;
+        result->error.below = 0;
+    } else {
+        static const result_i16_transposed_broken_t checked = {
+            .is_ok = false,
+            .value = 0,
+            .error = {.tag = BROKEN_TAG_ABOVE, .below = 0}
+        };
+        *result = checked;
+    }
+}
+
+void transposed_perhaps(const option_i16_t *reading, result_option_i16_transposed_broken_t *result)
+{
+    option_result_i16_transposed_broken_t reading_choice;
+    if (reading->is_some) {
+        const int16_t reading_2 = reading->value;
+        result_i16_transposed_broken_t reading_choice_value;
+        transposed_checked(reading_2, &reading_choice_value);
+        reading_choice.is_some = true;
+        reading_choice.value = reading_choice_value;
+    } else {
+        static const option_result_i16_transposed_broken_t constants = {
+            .is_some = false,
+            .value = {.is_ok = false, .value = 0, .error = {.tag = BROKEN_TAG_ABOVE, .below = 0}}
+        };
+        reading_choice = constants;
+    }
+    const option_result_i16_transposed_broken_t *const it = &reading_choice;
+    result_option_i16_transposed_broken_t reading_choice_2;
+    if (it->is_some && it->value.is_ok) {
+        reading_choice_2.is_ok = true;
+        reading_choice_2.value.is_some = true;
+        reading_choice_2.value.value = it->value.value;
+        reading_choice_2.error.tag = BROKEN_TAG_ABOVE;
+        reading_choice_2.error.below = 0;
+    } else if (it->is_some && !it->value.is_ok) {
+        reading_choice_2.is_ok = false;
+        reading_choice_2.value.is_some = false;
+        reading_choice_2.value.value = 0;
+        reading_choice_2.error = it->value.error;
+    } else {
+        static const result_option_i16_transposed_broken_t constants = {
+            .is_ok = true,
+            .value = {.is_some = false, .value = 0},
+            .error = {.tag = BROKEN_TAG_ABOVE, .below = 0}
+        };
+        reading_choice_2 = constants;
+    }
+    if (!reading_choice_2.is_ok) {
+        result->is_ok = false;
+        result->value.is_some = false;
+        result->value.value = 0;
+        result->error = reading_choice_2.error;
+        return;
+    }
+    const option_i16_t reading_2 = reading_choice_2.value;
+    if (reading_2.is_some && reading_2.value > 10) {
+        result->value.is_some = true;
+        result->value.value = reading_2.value;
+    } else {
+        result->value.is_some = false;
+        result->value.value = 0;
+    }
+    result->is_ok = true;
+    result->error.tag = BROKEN_TAG_ABOVE;
+    result->error.below = 0;
+}
+
+void transposed_some(const result_option_i16_transposed_broken_t *reading,
+    option_result_i16_transposed_broken_t *result)
+{
+    if (reading->is_ok && reading->value.is_some) {
+        const int16_t value = reading->value.value;
+        result->is_some = true;
+        result->value.is_ok = true;
+        result->value.value = value;
+        result->value.error.tag = BROKEN_TAG_ABOVE;
+        result->value.error.below = 0;
+    } else if (reading->is_ok && !reading->value.is_some) {
+        static const option_result_i16_transposed_broken_t some = {
+            .is_some = false,
+            .value = {.is_ok = false, .value = 0, .error = {.tag = BROKEN_TAG_ABOVE, .below = 0}}
+        };
+        *result = some;
+    } else {
+        const transposed_broken_t error = reading->error;
+        result->is_some = true;
+        result->value.is_ok = false;
+        result->value.value = 0;
+        result->value.error = error;
+    }
+}
+
+void transposed_parts(const option_pair_u8_f32_t *pair, pair_option_u8_option_f32_t *result)
+{
+    if (pair->is_some) {
+        const uint8_t one = pair->value.first;
+        const float other = pair->value.second;
+        result->first.is_some = true;
+        result->first.value = one;
+        result->second.is_some = true;
+        result->second.value = other;
+    } else {
+        static const pair_option_u8_option_f32_t parts = {
+            .first = {.is_some = false, .value = 0U},
+            .second = {.is_some = false, .value = 0.0F}
+        };
+        *result = parts;
+    }
+}
+
+/* transposed.h */
+
+/** Which variant of `Broken`. */
+typedef enum {
+    /** Above what the sensor shows. */
+    BROKEN_TAG_ABOVE = 0,
+    /** Below. */
+    BROKEN_TAG_BELOW = 1
+} broken_tag_t;
+
+/** Why a reading is none. */
+typedef struct {
+    /** Which variant it is. */
+    broken_tag_t tag;
+    /** Below. */
+    int16_t below;
+} transposed_broken_t;
+
+/** `Result<i16, Broken>`: a value, or why there is none. */
+typedef struct {
+    /** Whether there is a value. */
+    bool is_ok;
+    /** The value, if there is one. */
+    int16_t value;
+    /** Why there is none. */
+    transposed_broken_t error;
+} result_i16_transposed_broken_t;
+
+/** `Option<Result<i16, Broken>>`: a value, or none. */
+typedef struct {
+    /** Whether there is a value. */
+    bool is_some;
+    /** The value, if there is one. */
+    result_i16_transposed_broken_t value;
+} option_result_i16_transposed_broken_t;
+
+/** `Result<Option<i16>, Broken>`: a value, or why there is none. */
+typedef struct {
+    /** Whether there is a value. */
+    bool is_ok;
+    /** The value, if there is one. */
+    option_i16_t value;
+    /** Why there is none. */
+    transposed_broken_t error;
+} result_option_i16_transposed_broken_t;

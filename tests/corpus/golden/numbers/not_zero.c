@@ -1,0 +1,83 @@
+/* The C of tests/corpus/src/programs/numbers/not_zero.rs. Written by a test. */
+
+/* not_zero.c */
+
+static const non_zero_u32_t NON_ZERO_U32_MIN = {.value = 1U};
+
+bessemer_status_t not_zero_share(uint32_t counts, uint32_t of, option_u32_t *result)
+{
+    option_non_zero_u32_t option;
+    non_zero_new_u32(of, &option);
+    if (!option.is_some) {
+        result->is_some = false;
+        result->value = 0U;
+        return BESSEMER_STATUS_OK;
+    }
+    const non_zero_u32_t of_2 = option.value;
+    const non_zero_u32_t it = of_2;
+    if (counts > 0x28F5C28U) {
+        return BESSEMER_STATUS_OVERFLOW;
+    }
+    if (it.value == 0U) {
+        return BESSEMER_STATUS_DIVISION_BY_ZERO;
+    }
+    result->is_some = true;
+    result->value = counts * 100U / it.value;
+    return BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t periods_both(const periods_t *self, uint32_t *result)
+{
+    const non_zero_u16_t it = self->ticks[0];
+    uint32_t low = (uint32_t)it.value;
+    const non_zero_u16_t it_2 = self->ticks[1];
+    uint32_t high = (uint32_t)it_2.value;
+    const uint32_t product = low * high;
+    for (int32_t pass = 0; pass < 32; pass++) {
+        if (low == 0U) {
+            break;
+        }
+        const uint32_t low_next = high % low;
+        const uint32_t high_next = low;
+        low = low_next;
+        high = high_next;
+    }
+    if (high == 0U) {
+        return BESSEMER_STATUS_DIVISION_BY_ZERO;
+    }
+    *result = product / high;
+    return BESSEMER_STATUS_OK;
+}
+
+bool periods_later(periods_t *self, int16_t by)
+{
+    int16_t delay;
+    if (self->delay.is_some) {
+        const non_zero_i16_t delay_2 = self->delay.value;
+        const non_zero_i16_t it = delay_2;
+        delay = wrap_i16((uint16_t)((uint32_t)it.value + (uint32_t)by));
+    } else {
+        delay = by;
+    }
+    non_zero_new_i16(delay, &self->delay);
+    return self->delay.is_some;
+}
+
+bool not_zero_same(const non_zero_u32_t *one, const non_zero_u32_t *other)
+{
+    bool result_holds = one->value == other->value;
+    if (result_holds) {
+        result_holds = one->value != NON_ZERO_U32_MIN.value;
+    }
+    return result_holds;
+}
+
+/* not_zero.h */
+
+/** The least common denominator of a list of periods. */
+typedef struct {
+    /** In ticks. */
+    non_zero_u16_t ticks[2];
+    /** None is waited for. */
+    option_non_zero_i16_t delay;
+} periods_t;
