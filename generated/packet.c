@@ -47,20 +47,13 @@ void packet_around(uint8_t kind, uint16_t sequence, const uint8_t payload[PACKET
     packet->bytes[3] = (uint8_t)(sequence & 0xFFU);
     packet->bytes[4] = (uint8_t)(sequence >> 8);
     packet->bytes[PACKET_SIZE_AT] = (uint8_t)size;
-    for (uint32_t n = 0U; n < PACKET_MOST_PAYLOAD; n++) {
-        if (n < (uint32_t)size) {
-            packet->bytes[PACKET_HEADER + n] = payload[n];
-        }
+    for (uint32_t n = 0U; n < size; n++) {
+        packet->bytes[PACKET_HEADER + n] = payload[n];
     }
-    const uint16_t sum = packet_checksum(packet->bytes, PACKET_HEADER + size);
-    for (uint32_t n = (uint32_t)PACKET_HEADER; n < PACKET_MOST_BYTES; n++) {
-        if (n == (uint32_t)(PACKET_HEADER + size)) {
-            packet->bytes[n] = (uint8_t)(sum & 0xFFU);
-        }
-        if (n == (uint32_t)(PACKET_HEADER + size + 1U)) {
-            packet->bytes[n] = (uint8_t)(sum >> 8);
-        }
-    }
+    const uint64_t sum_end = PACKET_HEADER + size;
+    const uint16_t sum = packet_checksum(&packet->bytes[PACKET_START], sum_end - PACKET_START);
+    packet->bytes[PACKET_HEADER + size] = (uint8_t)(sum & 0xFFU);
+    packet->bytes[PACKET_HEADER + size + 1U] = (uint8_t)(sum >> 8);
 }
 
 bool packet_is_sound(const packet_t *self)
@@ -72,16 +65,12 @@ bool packet_is_sound(const packet_t *self)
     if (self->length != PACKET_HEADER + size + PACKET_SUM) {
         return false;
     }
-    uint16_t sent = 0U;
-    for (uint32_t n = (uint32_t)PACKET_HEADER; n < PACKET_MOST_BYTES; n++) {
-        if ((uint64_t)n == PACKET_HEADER + size) {
-            sent = (uint16_t)(sent | (uint16_t)self->bytes[n]);
-        }
-        if ((uint64_t)n == PACKET_HEADER + size + UINT64_C(1)) {
-            sent = (uint16_t)(sent | ((uint32_t)self->bytes[n] << 8));
-        }
-    }
-    return packet_checksum(self->bytes, PACKET_HEADER + size) == sent;
+    const uint8_t sent_bytes[2] = {
+        self->bytes[PACKET_HEADER + size], self->bytes[PACKET_HEADER + size + UINT64_C(1)]
+    };
+    const uint16_t sent = (uint16_t)((uint16_t)sent_bytes[0] | ((uint32_t)sent_bytes[1] << 8U));
+    const uint64_t result_end = PACKET_HEADER + size;
+    return packet_checksum(&self->bytes[PACKET_START], result_end - PACKET_START) == sent;
 }
 
 uint8_t packet_kind(const packet_t *self)
@@ -123,18 +112,16 @@ uint64_t packet_word(const packet_t *self, uint64_t at)
         | ((uint64_t)eight[6] << 48U) | ((uint64_t)eight[7] << 56U);
 }
 
-uint16_t packet_checksum(const uint8_t bytes[PACKET_MOST_BYTES], uint64_t end)
+uint16_t packet_checksum(const uint8_t bytes[], uint64_t bytes_length)
 {
     uint16_t sum = UINT16_MAX;
-    for (uint32_t n = (uint32_t)PACKET_START; n < PACKET_MOST_BYTES; n++) {
-        if ((uint64_t)n < end) {
-            sum = (uint16_t)(sum ^ ((uint32_t)bytes[n] << 8));
-            for (int32_t pass = 0; pass < 8; pass++) {
-                if ((sum & 0x8000U) != 0U) {
-                    sum = (uint16_t)(((uint32_t)sum << 1) ^ 0x1021U);
-                } else {
-                    sum = (uint16_t)((uint32_t)sum << 1);
-                }
+    for (uint64_t i = UINT64_C(0); i < bytes_length; i++) {
+        sum = (uint16_t)(sum ^ ((uint32_t)bytes[i] << 8));
+        for (int32_t pass = 0; pass < 8; pass++) {
+            if ((sum & 0x8000U) != 0U) {
+                sum = (uint16_t)(((uint32_t)sum << 1) ^ 0x1021U);
+            } else {
+                sum = (uint16_t)((uint32_t)sum << 1);
             }
         }
     }

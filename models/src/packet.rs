@@ -71,20 +71,12 @@ impl Packet {
         packet.bytes[3] = (sequence & 0xFF) as u8;
         packet.bytes[4] = (sequence >> 8) as u8;
         packet.bytes[SIZE_AT] = size as u8;
-        for n in 0..MOST_PAYLOAD {
-            if n < size {
-                packet.bytes[HEADER + n] = payload[n];
-            }
+        for n in 0..size {
+            packet.bytes[HEADER + n] = payload[n];
         }
-        let sum = checksum(&packet.bytes, HEADER + size);
-        for n in HEADER..MOST_BYTES {
-            if n == HEADER + size {
-                packet.bytes[n] = (sum & 0xFF) as u8;
-            }
-            if n == HEADER + size + 1 {
-                packet.bytes[n] = (sum >> 8) as u8;
-            }
-        }
+        let sum = checksum(&packet.bytes[START..HEADER + size]);
+        packet.bytes[HEADER + size] = (sum & 0xFF) as u8;
+        packet.bytes[HEADER + size + 1] = (sum >> 8) as u8;
         packet
     }
 
@@ -97,16 +89,8 @@ impl Packet {
         if self.length != HEADER + size + SUM {
             return false;
         }
-        let mut sent: u16 = 0;
-        for n in HEADER..MOST_BYTES {
-            if n == HEADER + size {
-                sent |= self.bytes[n] as u16;
-            }
-            if n == HEADER + size + 1 {
-                sent |= (self.bytes[n] as u16) << 8;
-            }
-        }
-        checksum(&self.bytes, HEADER + size) == sent
+        let sent = u16::from_le_bytes([self.bytes[HEADER + size], self.bytes[HEADER + size + 1]]);
+        checksum(&self.bytes[START..HEADER + size]) == sent
     }
 
     /// What it says it is.
@@ -146,19 +130,17 @@ impl Packet {
     }
 }
 
-/// CRC-16/CCITT (polynomial 0x1021, from 0xFFFF) over the bytes from the third to before `end`.
+/// CRC-16/CCITT (polynomial 0x1021, from 0xFFFF).
 #[function]
-fn checksum(bytes: &[u8; MOST_BYTES], end: usize) -> u16 {
+fn checksum(bytes: &[u8]) -> u16 {
     let mut sum: u16 = 0xFFFF;
-    for n in START..MOST_BYTES {
-        if n < end {
-            sum ^= (bytes[n] as u16) << 8;
-            for _ in 0..8 {
-                if sum & 0x8000 != 0 {
-                    sum = (sum << 1) ^ 0x1021;
-                } else {
-                    sum <<= 1;
-                }
+    for byte in bytes {
+        sum ^= (*byte as u16) << 8;
+        for _ in 0..8 {
+            if sum & 0x8000 != 0 {
+                sum = (sum << 1) ^ 0x1021;
+            } else {
+                sum <<= 1;
             }
         }
     }
