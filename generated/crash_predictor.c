@@ -23,10 +23,10 @@ static const double LOW = 0.2;
 /** For so many periods something has to look wrong: one reading proves nothing. */
 static const uint32_t PROOF = 3U;
 
-static alarm_t crash_predictor_find(const crash_predictor_t *self, const limits_t *limits,
-    const estimate_t *now, const ages_t *ages, double climb);
-static alarm_t crash_predictor_find_in_motion(const crash_predictor_t *self, const limits_t *limits,
-    const estimate_t *now, const orientation_t *orientation, double climb, double horizon);
+static alarm_t crash_predictor_find(const limits_t *limits, const estimate_t *now,
+    const ages_t *ages, double climb);
+static alarm_t crash_predictor_find_in_motion(const limits_t *limits, const estimate_t *now,
+    const orientation_t *orientation, double climb, double horizon);
 
 void limits_room(limits_t *limits)
 {
@@ -55,7 +55,7 @@ alarm_t crash_predictor_step(crash_predictor_t *self, const limits_t *limits, bo
     const estimate_t *estimate, const ages_t *ages, double climb)
 {
     if (flying && limits->armed && self->alarm == ALARM_CLEAR) {
-        const alarm_t found = crash_predictor_find(self, limits, estimate, ages, climb);
+        const alarm_t found = crash_predictor_find(limits, estimate, ages, climb);
         self->suspicion = saturating_add_u32(self->suspicion, 1U);
         if (found == ALARM_CLEAR) {
             self->suspicion = 0U;
@@ -75,8 +75,8 @@ void crash_predictor_raise(crash_predictor_t *self, alarm_t alarm)
 }
 
 /** What is wrong now, or will be within the horizon. */
-static alarm_t crash_predictor_find(const crash_predictor_t *self, const limits_t *limits,
-    const estimate_t *now, const ages_t *ages, double climb)
+static alarm_t crash_predictor_find(const limits_t *limits, const estimate_t *now,
+    const ages_t *ages, double climb)
 {
     const double sum = sqrt(now->position[0] * now->position[0]
         + now->position[1] * now->position[1] + now->position[2] * now->position[2])
@@ -117,14 +117,13 @@ static alarm_t crash_predictor_find(const crash_predictor_t *self, const limits_
             || crash_predictor_tilt_cosine(ahead) < upright) {
         return ALARM_TILT;
     }
-    return crash_predictor_find_in_motion(self, limits, now, &orientation, climb, horizon);
+    return crash_predictor_find_in_motion(limits, now, &orientation, climb, horizon);
 }
 
 /** What is wrong with where the aircraft goes. */
-static alarm_t crash_predictor_find_in_motion(const crash_predictor_t *self, const limits_t *limits,
-    const estimate_t *now, const orientation_t *orientation, double climb, double horizon)
+static alarm_t crash_predictor_find_in_motion(const limits_t *limits, const estimate_t *now,
+    const orientation_t *orientation, double climb, double horizon)
 {
-    (void)self;
     const double place[3] = {
         now->position[0] + now->velocity[0] * horizon,
         now->position[1] + now->velocity[1] * horizon,

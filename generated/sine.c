@@ -18,6 +18,7 @@ static const double C2 = -0.5;
 static const double C4 = 0.041666666666666664;
 static const double C6 = -0.001388888888888889;
 static const double MODERATE = 50000.0;
+static const double NEAR_ZERO = 0.27;
 static const double S3 = -0.16666666666666666;
 static const double S5 = 0.008333333333333333;
 static const double S7 = -0.0001984126984126984;
@@ -204,10 +205,13 @@ double sine_sine_by_reduction(double x, uint64_t turns)
             return 1.0;
         }
     }
+    if (turns == UINT64_C(0) && fabs(x) < NEAR_ZERO) {
+        return sine_sine_near_zero(x, 0.0);
+    }
     reduced_angle_t angle;
     reduction_reduced_angle(x, &angle);
     const uint64_t quadrant = angle.quadrant + turns;
-    if ((quadrant & UINT64_C(1)) == UINT64_C(0) && fabs(angle.high) < 0.27) {
+    if ((quadrant & UINT64_C(1)) == UINT64_C(0) && fabs(angle.high) < NEAR_ZERO) {
         const double value = sine_sine_near_zero(angle.high, angle.low);
         if ((quadrant & UINT64_C(2)) == UINT64_C(0)) {
             return value;

@@ -118,7 +118,7 @@ impl CrashPredictor {
         climb: f64,
     ) -> Alarm {
         if flying && limits.armed && self.alarm == Alarm::Clear {
-            let found = self.find(limits, estimate, ages, climb);
+            let found = CrashPredictor::find(limits, estimate, ages, climb);
             self.suspicion = self.suspicion.saturating_add(1);
             if found == Alarm::Clear {
                 self.suspicion = 0;
@@ -139,7 +139,7 @@ impl CrashPredictor {
     }
 
     /// What is wrong now, or will be within the horizon.
-    fn find(&self, limits: &Limits, now: &Estimate, ages: &Ages, climb: f64) -> Alarm {
+    fn find(limits: &Limits, now: &Estimate, ages: &Ages, climb: f64) -> Alarm {
         let sum = now.position.norm() + now.angles.norm() + now.velocity.norm() + now.rates.norm();
         if !sum.is_finite() {
             return Alarm::Undefined;
@@ -164,12 +164,11 @@ impl CrashPredictor {
         if tilt_cosine(&now.angles) < upright || tilt_cosine(&ahead) < upright {
             return Alarm::Tilt;
         }
-        self.find_in_motion(limits, now, &orientation, climb, horizon)
+        CrashPredictor::find_in_motion(limits, now, &orientation, climb, horizon)
     }
 
     /// What is wrong with where the aircraft goes.
     fn find_in_motion(
-        &self,
         limits: &Limits,
         now: &Estimate,
         orientation: &Orientation,

@@ -18,6 +18,9 @@ pub const TO_INTEGER: f64 = 6_755_399_441_055_744.0;
 /// Below this an angle is its own sine and tangent: 2⁻²⁷.
 pub const TINY: f64 = 7.450580596923828e-9;
 
+/// Up to here an odd polynomial is the sine, rad.
+const NEAR_ZERO: f64 = 0.27;
+
 /// Of the Taylor series of the sine, x³.
 pub const S3: f64 = -1.0 / 6.0;
 const S5: f64 = 1.0 / 120.0;
@@ -56,9 +59,12 @@ pub fn sine_by_reduction(x: f64, turns: u64) -> f64 {
     if x.abs() < TINY {
         return if turns == 0 { x } else { 1.0 };
     }
+    if turns == 0 && x.abs() < NEAR_ZERO {
+        return sine_near_zero(x, 0.0);
+    }
     let angle = reduced_angle(x);
     let quadrant = angle.quadrant.wrapping_add(turns);
-    if (quadrant & 1) == 0 && angle.high.abs() < 0.27 {
+    if (quadrant & 1) == 0 && angle.high.abs() < NEAR_ZERO {
         let value = sine_near_zero(angle.high, angle.low);
         if (quadrant & 2) == 0 { value } else { -value }
     } else {
