@@ -63,7 +63,7 @@ void airframe_spins(const airframe_t *self, double spins[AIRFRAME_MOST_MOTORS])
 {
     airframe_for_each(self->motors, 1.0, spins);
     for (uint32_t n = 0U; n < AIRFRAME_MOST_MOTORS; n++) {
-        if ((uint64_t)n % UINT64_C(2) == UINT64_C(1)) {
+        if (n % 2U == 1U) {
             spins[n] = -spins[n];
         }
     }

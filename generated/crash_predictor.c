@@ -86,7 +86,7 @@ static alarm_t crash_predictor_find(const limits_t *limits, const estimate_t *no
         + now->velocity[2] * now->velocity[2])
         + sqrt(now->rates[0] * now->rates[0] + now->rates[1] * now->rates[1]
         + now->rates[2] * now->rates[2]);
-    if (!(isfinite(sum) != 0)) {
+    if (isfinite(sum) == 0) {
         return ALARM_UNDEFINED;
     }
     const bool unaided = ages->inertial > limits->dizzy && ages->vicon > limits->dizzy;

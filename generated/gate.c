@@ -30,13 +30,13 @@ void gate_step(gate_t *self, const siphash_key_t *key, const packet_t *packet, p
         *result = *packet;
         return;
     }
-    const uint64_t whole = min_u64(packet_size(packet), PACKET_MOST_PAYLOAD);
+    const uint32_t whole = (uint32_t)min_u64(packet_size(packet), PACKET_MOST_PAYLOAD);
     if (!packet_is_sound(packet) || whole < GATE_SEAL) {
         self->refused.unsealed = saturating_add_u32(self->refused.unsealed, 1U);
         packet_none(result);
         return;
     }
-    const uint64_t size = whole - GATE_SEAL;
+    const uint64_t size = (uint64_t)whole - GATE_SEAL;
     const uint64_t sum = packet_word(packet, size + GATE_COUNTER);
     if (siphash_sip_hash(key, packet->bytes, PACKET_START, PACKET_HEADER + size + GATE_COUNTER)
             != sum) {

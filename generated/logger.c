@@ -63,7 +63,7 @@ void logger_step(logger_t *self, const choice_t *choice, const double signals[LO
             record->values[i] = 0.0;
         }
         for (uint32_t n = 0U; n < LOGGER_WIDTH; n++) {
-            const uint64_t number = (uint64_t)choice->signals[n];
+            const uint32_t number = (uint32_t)choice->signals[n];
             record->values[n] = signals[number % LOGGER_SIGNALS];
         }
         logger_push(self, record);
@@ -74,13 +74,13 @@ void logger_step(logger_t *self, const choice_t *choice, const double signals[LO
 /** Puts a record behind the others. */
 static void logger_push(logger_t *self, const record_t *record)
 {
-    const uint64_t first = self->first % LOGGER_DEPTH;
-    const uint64_t count = min_u64(self->count, LOGGER_DEPTH);
+    const uint32_t first = (uint32_t)(self->first % LOGGER_DEPTH);
+    const uint32_t count = (uint32_t)min_u64(self->count, LOGGER_DEPTH);
     self->records[(first + count) % LOGGER_DEPTH] = *record;
     if (count < LOGGER_DEPTH) {
-        self->count = count + UINT64_C(1);
+        self->count = (uint64_t)(count + 1U);
     } else {
-        self->first = (first + UINT64_C(1)) % LOGGER_DEPTH;
+        self->first = (first + 1U) % LOGGER_DEPTH;
         self->lost = saturating_add_u32(self->lost, 1U);
     }
 }
@@ -92,9 +92,9 @@ bool logger_has_one(const logger_t *self)
 
 void logger_take(logger_t *self, record_t *record)
 {
-    const uint64_t first = self->first % LOGGER_DEPTH;
+    const uint32_t first = (uint32_t)(self->first % LOGGER_DEPTH);
     if (self->count > UINT64_C(0)) {
-        self->first = (first + UINT64_C(1)) % LOGGER_DEPTH;
+        self->first = (first + 1U) % LOGGER_DEPTH;
         self->count = min_u64(self->count, LOGGER_DEPTH) - UINT64_C(1);
     }
     *record = self->records[first];

@@ -15,7 +15,6 @@
 #include "bessemer_sizes.h"
 #include "bessemer_target.h"
 #include "product_f64_4x8_8x1.h"
-#include "signals.h"
 
 void mixer_new(const airframe_t *airframe, double square_per_command, double largest_command,
     mixer_t *mixer)
@@ -44,7 +43,6 @@ void mixer_mix(const mixer_t *self, const wrench_t *wanted,
     const double largest = self->largest_command * self->square_per_command;
     double squares[8];
     mixer_fit(self, lift, tilt, twist, largest, squares);
-    command_still(command);
     for (uint32_t n = 0U; n < AIRFRAME_MOST_MOTORS; n++) {
         const double square = min_f64(max_f64(squares[n], 0.0), largest);
         const double speed = sqrt(square);

@@ -39,7 +39,7 @@ void packet_around(uint8_t kind, uint16_t sequence, const uint8_t payload[PACKET
     uint64_t length, packet_t *packet)
 {
     packet_none(packet);
-    const uint64_t size = min_u64(length, PACKET_MOST_PAYLOAD);
+    const uint32_t size = (uint32_t)min_u64(length, PACKET_MOST_PAYLOAD);
     packet->length = PACKET_HEADER + size + PACKET_SUM;
     packet->bytes[0] = FIRST;
     packet->bytes[1] = SECOND;
@@ -50,7 +50,7 @@ void packet_around(uint8_t kind, uint16_t sequence, const uint8_t payload[PACKET
     for (uint32_t n = 0U; n < size; n++) {
         packet->bytes[PACKET_HEADER + n] = payload[n];
     }
-    const uint64_t sum_end = PACKET_HEADER + size;
+    const uint32_t sum_end = (uint32_t)(PACKET_HEADER + size);
     const uint16_t sum = packet_checksum(&packet->bytes[PACKET_START], sum_end - PACKET_START);
     packet->bytes[PACKET_HEADER + size] = (uint8_t)(sum & 0xFFU);
     packet->bytes[PACKET_HEADER + size + 1U] = (uint8_t)(sum >> 8);
@@ -58,7 +58,7 @@ void packet_around(uint8_t kind, uint16_t sequence, const uint8_t payload[PACKET
 
 bool packet_is_sound(const packet_t *self)
 {
-    const uint64_t size = (uint64_t)self->bytes[PACKET_SIZE_AT];
+    const uint32_t size = (uint32_t)self->bytes[PACKET_SIZE_AT];
     if (self->bytes[0] != FIRST || self->bytes[1] != SECOND || size > PACKET_MOST_PAYLOAD) {
         return false;
     }
@@ -66,10 +66,10 @@ bool packet_is_sound(const packet_t *self)
         return false;
     }
     const uint8_t sent_bytes[2] = {
-        self->bytes[PACKET_HEADER + size], self->bytes[PACKET_HEADER + size + UINT64_C(1)]
+        self->bytes[PACKET_HEADER + size], self->bytes[PACKET_HEADER + size + 1U]
     };
     const uint16_t sent = (uint16_t)((uint16_t)sent_bytes[0] | ((uint32_t)sent_bytes[1] << 8U));
-    const uint64_t result_end = PACKET_HEADER + size;
+    const uint32_t result_end = (uint32_t)(PACKET_HEADER + size);
     return packet_checksum(&self->bytes[PACKET_START], result_end - PACKET_START) == sent;
 }
 
@@ -91,7 +91,7 @@ uint64_t packet_size(const packet_t *self)
 
 uint8_t packet_byte(const packet_t *self, uint64_t at)
 {
-    const uint64_t place = min_u64(at, PACKET_MOST_PAYLOAD - UINT64_C(1));
+    const uint32_t place = (uint32_t)min_u64(at, PACKET_MOST_PAYLOAD - UINT64_C(1));
     return self->bytes[PACKET_HEADER + place];
 }
 
@@ -102,7 +102,7 @@ double packet_number(const packet_t *self, uint64_t at)
 
 uint64_t packet_word(const packet_t *self, uint64_t at)
 {
-    const uint64_t start = min_u64(at, PACKET_MOST_PAYLOAD - UINT64_C(8));
+    const uint32_t start = (uint32_t)min_u64(at, PACKET_MOST_PAYLOAD - UINT64_C(8));
     uint8_t eight[8];
     for (uint32_t n = 0U; n < 8U; n++) {
         eight[n] = self->bytes[PACKET_HEADER + start + n];

@@ -260,7 +260,7 @@ static bool receiver_take_mode(receiver_t *self, uint8_t number)
 static bool receiver_collect(receiver_t *self, const space_t *space, const packet_t *packet)
 {
     const uint8_t name = packet_byte(packet, UINT64_C(0));
-    const uint64_t index = (uint64_t)packet_byte(packet, UINT64_C(1));
+    const uint32_t index = (uint32_t)packet_byte(packet, UINT64_C(1));
     const double place[3] = {
         packet_number(packet, UINT64_C(10)), packet_number(packet, UINT64_C(18)),
         packet_number(packet, UINT64_C(26))
@@ -290,16 +290,16 @@ static bool receiver_collect(receiver_t *self, const space_t *space, const packe
 static bool receiver_commit(receiver_t *self, const space_t *space, const packet_t *packet,
     trajectory_t *work)
 {
-    const uint64_t count = (uint64_t)packet_byte(packet, UINT64_C(0));
+    const uint32_t count = (uint32_t)packet_byte(packet, UINT64_C(0));
     trajectory_t *const wanted = work;
     *wanted = self->collected;
-    wanted->count = count;
+    wanted->count = (uint64_t)count;
     if (packet_byte(packet, UINT64_C(1)) != self->collecting
             || !trajectory_is_sound(wanted, space)) {
         return false;
     }
     for (uint32_t n = 0U; n < TRAJECTORY_MOST_POINTS; n++) {
-        if ((uint64_t)n < count && (self->received & (1U << (uint64_t)n)) == 0U) {
+        if (n < count && (self->received & (1U << n)) == 0U) {
             return false;
         }
     }
@@ -316,7 +316,7 @@ static bool receiver_take_sticks(receiver_t *self, const packet_t *packet)
     const double pitch = packet_number(packet, UINT64_C(8));
     const double yaw_rate = packet_number(packet, UINT64_C(16));
     const double climb = packet_number(packet, UINT64_C(24));
-    if (!(isfinite(roll + pitch + yaw_rate + climb) != 0)) {
+    if (isfinite(roll + pitch + yaw_rate + climb) == 0) {
         return false;
     }
     self->orders.sticks.lean[0] = receiver_within(roll, STICK_LIMITS[0]);

@@ -143,12 +143,11 @@ void reduction_reduced_huge_angle(double x, reduced_angle_t *reduced_angle)
     const uint64_t start = ((bits >> 52) & UINT64_C(0x7FF))
         - (UINT64_C(1023) + UINT64_C(52) + UINT64_C(2) - UINT64_C(64));
     const uint64_t mantissa = (bits & UINT64_C(0xFFFFFFFFFFFFF)) | UINT64_C(0x10000000000000);
-    const uint64_t word = (start >> 6) & UINT64_C(0x1F);
-    const uint64_t third = TWO_OVER_PI[word + UINT64_C(2)];
-    const uint64_t high = reduction_window(TWO_OVER_PI[word], TWO_OVER_PI[word + UINT64_C(1)],
-        start);
-    const uint64_t middle = reduction_window(TWO_OVER_PI[word + UINT64_C(1)], third, start);
-    const uint64_t low = reduction_window(third, TWO_OVER_PI[word + UINT64_C(3)], start);
+    const uint32_t word = (uint32_t)((start >> 6) & UINT64_C(0x1F));
+    const uint64_t third = TWO_OVER_PI[word + 2U];
+    const uint64_t high = reduction_window(TWO_OVER_PI[word], TWO_OVER_PI[word + 1U], start);
+    const uint64_t middle = reduction_window(TWO_OVER_PI[word + 1U], third, start);
+    const uint64_t low = reduction_window(third, TWO_OVER_PI[word + 3U], start);
 
     /* The product modulo four turns, in 192 bits of which two are before the point. */
     const uint64_t last = mantissa * low;

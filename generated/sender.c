@@ -80,11 +80,11 @@ void sender_step(sender_t *self, logger_t *logger, const sender_status_t *status
         self->part = UINT64_C(0);
         self->busy = true;
     }
-    const uint64_t part = min_u64(self->part, PARTS - UINT64_C(1));
+    const uint32_t part = (uint32_t)min_u64(self->part, PARTS - UINT64_C(1));
     packet_t packet_value;
-    sender_packet(self, part, &packet_value);
+    sender_packet(self, (uint64_t)part, &packet_value);
     self->sequence = (uint16_t)((uint32_t)sequence + 1U);
-    self->part = part + UINT64_C(1);
+    self->part = (uint64_t)(part + 1U);
     self->busy = self->part < PARTS;
     *packet = packet_value;
 }
@@ -138,7 +138,7 @@ void sender_parameter(uint16_t sequence, const reply_t *reply, packet_t *packet)
 
 void sender_put(uint8_t payload[PACKET_MOST_PAYLOAD], uint64_t at, uint32_t word)
 {
-    const uint64_t start = min_u64(at, PACKET_MOST_PAYLOAD - UINT64_C(4));
+    const uint32_t start = (uint32_t)min_u64(at, PACKET_MOST_PAYLOAD - UINT64_C(4));
     const uint8_t bytes[4] = {
         (uint8_t)word, (uint8_t)(word >> 8U), (uint8_t)(word >> 16U), (uint8_t)(word >> 24U)
     };

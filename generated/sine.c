@@ -165,7 +165,7 @@ static const double TO_INTEGER = 6755399441055744.0;
 /** Sine of `row`·π/64 + `rest` for |rest| ≤ π/128 and a sine of 1/4 or more. */
 static inline double sine_sine_from_row(uint64_t row, double rest)
 {
-    const uint64_t index = row & UINT64_C(0x7F);
+    const uint32_t index = (uint32_t)(row & UINT64_C(0x7F));
     const double slope = SINES[(row + UINT64_C(32)) & UINT64_C(0x7F)][0];
     const double z = rest * rest;
     const double sine = rest + rest * z * (S3 + z * (S5 + z * S7));

@@ -42,7 +42,7 @@ void tuning_values(const settings_t *settings, double result[TUNING_TUNABLE])
 
 double settings_parameter(const settings_t *self, uint8_t number)
 {
-    const uint64_t n = (uint64_t)number;
+    const uint32_t n = (uint32_t)number;
     if (n >= TUNING_TUNABLE) {
         return F64_NAN;
     }
@@ -68,7 +68,7 @@ bool settings_grant(settings_t *self, const wish_t *wish, bool flying)
 
 bool settings_set(settings_t *self, uint8_t number, double value, bool flying)
 {
-    const uint64_t n = (uint64_t)number;
+    const uint32_t n = (uint32_t)number;
     if (n >= TUNING_TUNABLE || (flying && n >= TUNING_GROUNDED)) {
         return false;
     }

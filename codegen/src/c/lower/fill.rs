@@ -1,14 +1,17 @@
-//! Arrays and matrices that a loop fills: the value that they start with is never seen, so C goes without; of an array that is
-//! filled in part, the rest alone gets it.
+//! Arrays and matrices that a loop fills, and structs of which each field is written: the value that they start with is never
+//! seen, so C goes without; of an array that is filled in part, the rest alone gets it.
 //!
-//! Invariant: where [`filled`] says so, and outside of what [`unwritten`] tells, every element is assigned before anything reads it, on each path.
+//! Invariant: where [`filled`] or [`rewritten`] say so, and outside of what [`unwritten`] tells, every element is assigned before
+//! anything reads it, on each path.
+
+use std::collections::BTreeSet;
 
 use bessemer_ir::visit::Walk;
 use bessemer_ir::{
-    BinaryOp, Block, Expr, ExprKind, LocalId, Module, Place, Step, Stmt, StmtKind, Type,
+    BinaryOp, Block, Expr, ExprKind, Form, LocalId, Module, Place, Step, Stmt, StmtKind, Type,
 };
 
-use crate::effects::mentions;
+use crate::effects::{mentions, whole};
 
 /// Elements of an array from which on those are told apart that are written before anything reads them.
 const MOST: u32 = 4096;
@@ -127,6 +130,59 @@ pub(super) fn filled(module: &Module, local: LocalId, ty: &Type, rest: &[Stmt]) 
         _ => return false,
     };
     to == count && assigns(local, &element, body)
+}
+
+/// Whether the statements behind a struct's declaration write each of its fields before anything else of it is touched: whole,
+/// or as an array in a loop over all of it.
+pub(super) fn rewritten(module: &Module, local: LocalId, ty: &Type, rest: &[Stmt]) -> bool {
+    let Type::Struct(id) = ty else { return false };
+    let item = &module.structs[id.index()];
+    if item.form != Form::Record {
+        return false;
+    }
+    let mut left: BTreeSet<u32> = (0..item.fields.len() as u32).collect();
+    for stmt in rest {
+        if leaves(stmt) {
+            return false;
+        }
+        let (counter, body) = match through(module, stmt) {
+            Some((counter, to, body)) if to > 0 => (Some((counter, to)), body.0.as_slice()),
+            _ => (None, std::slice::from_ref(stmt)),
+        };
+        for stmt in body.iter().filter(|stmt| mentions(*stmt, local)) {
+            let StmtKind::Assign { place, value } = &stmt.kind else { return false };
+            if place.root != local || mentions(value, local) {
+                return false;
+            }
+            match (place.steps.as_slice(), counter) {
+                ([Step::Field(field)], _) => left.remove(field),
+                ([Step::Field(field), element], Some((counter, to)))
+                    if is_each(&item.fields[*field as usize].ty, element, counter, to) =>
+                {
+                    left.remove(field)
+                }
+                _ => return false,
+            };
+        }
+        if left.is_empty() {
+            return true;
+        }
+    }
+    false
+}
+
+/// Whether a step leads to each element of an array or a vector as `counter` goes from 0 to `to`.
+fn is_each(ty: &Type, step: &Step, counter: LocalId, to: u32) -> bool {
+    let place = |steps| Place { steps, ..whole(counter) };
+    let (len, at) = match *ty {
+        Type::Array { len, .. } => (len, vec![Some(counter)]),
+        Type::Matrix { rows, cols: 1, .. } if matches!(step, Step::Index(_)) => {
+            (rows, vec![Some(counter)])
+        }
+        Type::Matrix { rows, cols: 1, .. } => (rows, vec![Some(counter), None]),
+        _ => return false,
+    };
+    len == to && is_element(&place(vec![step.clone()]), &at)
 }
 
 /// The counter of a loop from 0, its end and its body.

@@ -63,10 +63,8 @@ pub(super) struct Lower<'a> {
     signature: &'a Signature,
     usage: Usage,
     bindings: Vec<Option<Binding>>,
-    /// Per local: the range of a loop counter that C holds in 32 bits.
+    /// Per local: the range of a `usize` that C holds in 32 bits.
     counters: Vec<Option<(i128, i128)>>,
-    /// Per local that stays as it began: its range, if it has 64 bits and fewer would do.
-    ranges: Vec<Option<(i128, i128)>>,
     /// Per local: whether the C mentions it.
     mentioned: Vec<bool>,
     /// The names that are visible here.
@@ -101,7 +99,6 @@ pub fn function<'a>(context: Context<'a>, id: FunctionId, uses: &'a mut Uses) ->
         usage: Usage::new(function),
         bindings: vec![None; function.locals.len()],
         counters: vec![None; function.locals.len()],
-        ranges: vec![None; function.locals.len()],
         mentioned: vec![false; function.locals.len()],
         live: Vec::new(),
         out: Vec::new(),

@@ -47,11 +47,13 @@ impl Lower<'_> {
     /// A shift by less than the width.
     pub(super) fn shift(&mut self, op: BinaryOp, left: &Ir, right: &Ir) -> Expr {
         let int = left.ty.as_int().expect("the validator asks for integers");
-        let (value, count) = (self.word(left), self.word(right));
+        let value = self.word(left);
+        let narrow = self.counts(right) && self.range(right).is_some() && !self.is_wide(right);
+        let count = if narrow { self.narrow(right, false) } else { self.word(right) };
         let left_shift = op == BinaryOp::Shl;
         if int.signed() {
             let helper = if left_shift { Helper::ShiftLeft(int) } else { Helper::ShiftRight(int) };
-            let plain = matches!(right.ty.as_int(), Some(Int::U8 | Int::U16 | Int::U32));
+            let plain = narrow || matches!(right.ty.as_int(), Some(Int::U8 | Int::U16 | Int::U32));
             let count = if plain { count } else { Expr::cast("uint32_t", count) };
             return self.helper(helper, vec![value, count]);
         }

@@ -1,6 +1,6 @@
-//! Counters in 32 bits: a loop over `usize` whose bounds are known needs no 64-bit arithmetic in C.
+//! Sizes in 32 bits: a counter over `usize` whose bounds are known, and a local that stays as it began within 32 bits, need no
+//! 64-bit arithmetic in C.
 
-use bessemer_ir::visit::Walk;
 use bessemer_ir::{
     BinaryOp, CompareOp, Expr as Ir, ExprKind, Int, Intrinsic, LocalId, Place, Scalar, Type,
     UnaryOp,
@@ -26,11 +26,13 @@ impl Lower<'_> {
                 let word = i128::from(self.context.module.consts[id.index()].words[0]);
                 (word, word)
             }
-            ExprKind::Load(place) => self.counter(place).or_else(|| self.bounded(place))?,
+            ExprKind::Load(place) => self.counter(place)?,
+            ExprKind::Cast(inner) if is_unsigned(inner) => self.type_range(expr)?,
             ExprKind::Intrinsic(Intrinsic::Min, operands) => {
                 let known = operands.iter().filter_map(|operand| self.range(operand));
                 (0, known.map(|(_, most)| most).min()?)
             }
+            ExprKind::Binary(BinaryOp::Rem, _, right) => (0, self.range(right)?.1.max(1) - 1),
             ExprKind::Binary(op, left, right) => {
                 let (a, b) = (self.range(left)?, self.range(right)?);
                 match op {
@@ -115,30 +117,13 @@ impl Lower<'_> {
         Some((low.into(), high.into()))
     }
 
-    /// The range of a narrow counter.
+    /// The range of a local that C holds in 32 bits.
     pub(super) fn counter(&self, place: &Place) -> Option<(i128, i128)> {
         let LocalId(root) = place.root;
         if place.steps.is_empty() { self.counters[root as usize] } else { None }
     }
 
-    /// The range of a local that stays as it began.
-    fn bounded(&self, place: &Place) -> Option<(i128, i128)> {
-        let LocalId(root) = place.root;
-        if place.steps.is_empty() { self.ranges[root as usize] } else { None }
-    }
-
-    /// Whether an expression reads a local that has 64 bits although fewer would do.
-    fn reads_wide(&self, expr: &Ir) -> bool {
-        expr.any_place(|place, _| self.bounded(place).is_some())
-    }
-
-    /// An expression with a [`Lower::range`], for a comparison in 32 bits.
-    pub(super) fn narrowed(&mut self, expr: &Ir) -> Expr {
-        let value = self.narrow(expr, false);
-        if self.reads_wide(expr) { Expr::cast("uint32_t", value) } else { value }
-    }
-
-    /// Whether an expression counts with a narrow counter.
+    /// Whether an expression computes with a local that C holds in 32 bits.
     pub(super) fn counts(&self, expr: &Ir) -> bool {
         match &expr.kind {
             ExprKind::Load(place) => self.counter(place).is_some(),
@@ -153,10 +138,16 @@ impl Lower<'_> {
             ExprKind::Literal(word) if bare => Expr::name(word.to_string()),
             ExprKind::Literal(word) => Expr::name(format!("{word}U")),
             ExprKind::Load(place) => self.place(place),
+            ExprKind::Cast(inner) if bare => self.index(inner),
+            ExprKind::Cast(inner) if !is_long(inner) => Expr::cast("uint32_t", self.word(inner)),
+            ExprKind::Binary(BinaryOp::Rem, left, right) if self.range(left).is_none() => {
+                self.binary(BinaryOp::Rem, left, right)
+            }
             ExprKind::Binary(op, left, right) => {
                 let op = match op {
                     BinaryOp::Add => "+",
                     BinaryOp::Sub => "-",
+                    BinaryOp::Rem => "%",
                     _ => "*",
                 };
                 Expr::binary(op, self.narrow(left, false), self.narrow(right, false))
@@ -165,15 +156,26 @@ impl Lower<'_> {
         }
     }
 
-    /// Whether a narrow expression has 64 bits in C all the same, for the constants in it.
+    /// Whether a narrow expression has 64 bits in C all the same, for what it is made of.
     pub(super) fn is_wide(&self, expr: &Ir) -> bool {
         match &expr.kind {
             ExprKind::Const(_) | ExprKind::Intrinsic(..) => true,
-            ExprKind::Load(place) => self.bounded(place).is_some(),
+            ExprKind::Cast(inner) => is_long(inner),
+            ExprKind::Binary(BinaryOp::Rem, left, _) if self.range(left).is_none() => true,
             ExprKind::Binary(_, left, right) => self.is_wide(left) || self.is_wide(right),
             _ => false,
         }
     }
+}
+
+/// Whether an integer has no sign.
+fn is_unsigned(value: &Ir) -> bool {
+    value.ty.as_int().is_some_and(|int| !int.signed())
+}
+
+/// Whether an integer has 64 bits.
+fn is_long(value: &Ir) -> bool {
+    value.ty.as_int().is_some_and(|int| int.bits() == 64)
 }
 
 /// The name of a wide literal that is the limit of a narrower type.

@@ -1,14 +1,15 @@
 //! Statements, save loops and calls.
 
+use bessemer_ir::visit::Walk;
 use bessemer_ir::{
-    Arm, Block, Expr as Ir, ExprKind, Fault, LocalId, Mode, Place, Stmt as IrStmt,
-    StmtKind as IrKind, Type,
+    Arm, Block, Expr as Ir, ExprKind, Fault, Int, LocalId, Mode, Place, Role, Scalar,
+    Stmt as IrStmt, StmtKind as IrKind, Type,
 };
 
 use super::super::literal;
 use super::super::tree::{Expr, Init, Stmt, StmtKind, SwitchArm, plain};
 use super::Lower;
-use super::fill::{filled, length, unwritten};
+use super::fill::{filled, length, rewritten, unwritten};
 use crate::effects::whole;
 use crate::uncopied::is_table;
 
@@ -29,6 +30,17 @@ impl Lower<'_> {
                     if matches!(value.kind, ExprKind::Splat(_)) =>
                 {
                     self.let_filled(*local, value, &block.0[index + 1..]);
+                }
+                IrKind::Let { local, value: Some(value) }
+                    if self.is_idle(value)
+                        && rewritten(
+                            self.context.module,
+                            *local,
+                            &value.ty,
+                            &block.0[index + 1..],
+                        ) =>
+                {
+                    self.let_(*local, None);
                 }
                 _ => self.stmt(stmt, tail && index + 1 == block.0.len()),
             }
@@ -86,6 +98,20 @@ impl Lower<'_> {
         self.count_from("i", from, to, |lower, index| lower.store(place.at(index), None, item));
     }
 
+    /// Whether nothing misses a value that is not computed: it reads no place, and calls at most a function that others may call.
+    fn is_idle(&self, value: &Ir) -> bool {
+        let functions = &self.context.module.functions;
+        let called = match &value.kind {
+            ExprKind::Call(id, _) => Some(*id),
+            _ if value.any_expr(|expr| matches!(expr.kind, ExprKind::Call(..))) => return false,
+            _ => None,
+        };
+        let known = called.is_none_or(|id| {
+            functions[id.index()].role == Role::Public && !self.context.faults.fallible(id)
+        });
+        known && !value.any_place(|_, _| true)
+    }
+
     fn let_(&mut self, local: LocalId, value: Option<&Ir>) {
         let ty = self.function.local(local).ty.clone();
         if self.in_place == Some(local) {
@@ -110,10 +136,14 @@ impl Lower<'_> {
                 self.begin(&ty, &name);
             }
             Some(value) if ty.is_word() && !self.is_status_call(value) => {
-                self.ranges[local.index()] = self.range(value).filter(|_| constant);
-                let value = self.word(value);
-                let name = self.bind(local);
-                self.declare(&ty, &name, Some(Init::Value(value)), constant);
+                match self.range(value).filter(|_| constant) {
+                    Some(range) => self.let_narrow(local, value, range),
+                    None => {
+                        let value = self.word(value);
+                        let name = self.bind(local);
+                        self.declare(&ty, &name, Some(Init::Value(value)), constant);
+                    }
+                }
             }
             // A constant that is not written to needs no copy.
             Some(Ir { kind: ExprKind::Const(_), .. }) if constant => {
@@ -137,6 +167,15 @@ impl Lower<'_> {
             let name = self.bindings[local.index()].as_ref().expect("just bound").name.clone();
             self.emit(StmtKind::Expr(Expr::cast("void", Expr::name(name))));
         }
+    }
+
+    /// A size that stays as it began, in 32 bits.
+    fn let_narrow(&mut self, local: LocalId, value: &Ir, range: (i128, i128)) {
+        let (wide, value) = (self.is_wide(value), self.narrow(value, false));
+        let value = if wide { Expr::cast("uint32_t", value) } else { value };
+        let name = self.bind(local);
+        self.counters[local.index()] = Some(range);
+        self.declare(&Type::Scalar(Scalar::Int(Int::U32)), &name, Some(Init::Value(value)), true);
     }
 
     /// A name for a part of what the function is lent, or of what it may read: `double *const gain = &work[36];`.

@@ -63,13 +63,13 @@ impl Lower<'_> {
     fn unary(&mut self, op: UnaryOp, operand: &Ir) -> Expr {
         let value = self.word(of_bool(operand).unwrap_or(operand));
         match (op, &operand.ty) {
-            (UnaryOp::Not, Type::Scalar(Scalar::Bool)) => Expr::unary("!", value),
+            (UnaryOp::Not, Type::Scalar(Scalar::Bool)) => not(value),
             (UnaryOp::Not, ty) => narrowed(ty, Expr::unary("~", value)),
             (UnaryOp::Neg, ty) => narrowed(ty, Expr::unary("-", value)),
         }
     }
 
-    fn binary(&mut self, op: BinaryOp, left: &Ir, right: &Ir) -> Expr {
+    pub(super) fn binary(&mut self, op: BinaryOp, left: &Ir, right: &Ir) -> Expr {
         if matches!(op, BinaryOp::Shl | BinaryOp::Shr) {
             return self.shift(op, left, right);
         }
@@ -93,7 +93,7 @@ impl Lower<'_> {
             && self.range(right).is_some();
         let before = (self.mentioned.clone(), self.uses.helpers.clone(), self.uses.called.clone());
         let (a, b) = if narrow {
-            (self.narrowed(left), self.narrowed(right))
+            (self.narrow(left, false), self.narrow(right, false))
         } else {
             (self.word(left), self.word(right))
         };
@@ -123,7 +123,7 @@ impl Lower<'_> {
                 };
                 Expr::binary(op, self.negated(left), self.negated(right))
             }
-            _ => Expr::unary("!", self.word(condition)),
+            _ => not(self.word(condition)),
         }
     }
 
@@ -143,6 +143,14 @@ impl Lower<'_> {
             }
             _ => unreachable!("{routine:?} gives a matrix"),
         }
+    }
+}
+
+/// The negation of a condition: `isnan(x) == 0` for `isnan(x) != 0`.
+fn not(condition: Expr) -> Expr {
+    match condition {
+        Expr::Binary("!=", left, right) => Expr::Binary("==", left, right),
+        other => Expr::unary("!", other),
     }
 }
 

@@ -8,7 +8,7 @@ double chunks_busiest(const double values[8])
 {
     double most = F64_MIN;
     for (uint32_t i = 0U; i < 3U; i++) {
-        const uint64_t value_end = min_u64((uint64_t)(i * 3U + 3U), UINT64_C(8));
+        const uint32_t value_end = (uint32_t)min_u64((uint64_t)(i * 3U + 3U), UINT64_C(8));
         double sum = -0.0;
         for (uint32_t j = i * 3U; j < value_end; j++) {
             sum += values[j];
@@ -21,15 +21,17 @@ double chunks_busiest(const double values[8])
 bessemer_status_t chunks_passed(const uint8_t bytes[10], uint64_t used, uint32_t limit,
     option_usize_t *result)
 {
-    const uint64_t used_2 = min_u64(used, UINT64_C(10));
+    const uint32_t used_2 = (uint32_t)min_u64(used, UINT64_C(10));
     uint32_t sum = 0U;
-    const uint64_t value_end = used_2;
-    for (uint64_t block = UINT64_C(0); block < (value_end + UINT64_C(3)) / UINT64_C(4); block++) {
-        if (block * UINT64_C(4) > value_end) {
+    const uint32_t value_end = used_2;
+    for (uint64_t block = UINT64_C(0); block < (uint64_t)(value_end + 3U) / UINT64_C(4); block++) {
+        if (block * UINT64_C(4) > (uint64_t)value_end) {
             return BESSEMER_STATUS_OVERFLOW;
         }
-        const uint64_t value_length = min_u64(UINT64_C(4), value_end - block * UINT64_C(4));
-        for (uint64_t i = block * UINT64_C(4); i < block * UINT64_C(4) + value_length; i++) {
+        const uint32_t value_length = (uint32_t)min_u64(UINT64_C(4),
+            (uint64_t)value_end - block * UINT64_C(4));
+        for (uint64_t i = block * UINT64_C(4); i < block * UINT64_C(4) + (uint64_t)value_length;
+                i++) {
             if (i >= UINT64_C(10)) {
                 return BESSEMER_STATUS_INDEX;
             }

@@ -8,11 +8,11 @@ double for_steps_interleaved(const double values[10])
 {
     double sum = 0.0;
     for (uint32_t pass = 0U; pass < 5U; pass++) {
-        const uint64_t i = (uint64_t)(pass * 2U);
+        const uint32_t i = pass * 2U;
         sum += values[i];
     }
     for (uint32_t pass = 5U; pass-- > 0U;) {
-        const uint64_t i = (uint64_t)(1U + pass * 2U);
+        const uint32_t i = 1U + pass * 2U;
         sum = 0.5 * sum + values[i];
     }
     return sum;
@@ -40,12 +40,13 @@ bessemer_status_t for_steps_every(const double values[10], uint64_t count, uint6
     double *sum)
 {
     double sum_value = 0.0;
-    const uint64_t i_end = min_u64(count, UINT64_C(10));
+    const uint32_t i_end = (uint32_t)min_u64(count, UINT64_C(10));
     const uint64_t i_step = step;
     if (i_step == UINT64_C(0)) {
         return BESSEMER_STATUS_ASSERTION;
     }
-    const uint64_t i_passes = i_end / i_step + (uint64_t)(i_end % i_step != UINT64_C(0));
+    const uint64_t i_passes = (uint64_t)i_end / i_step
+        + (uint64_t)((uint64_t)i_end % i_step != UINT64_C(0));
     for (uint64_t pass = UINT64_C(0); pass < i_passes; pass++) {
         const uint64_t i = pass * i_step;
         if (i >= UINT64_C(10)) {
@@ -157,14 +158,15 @@ bessemer_status_t for_steps_moved(uint8_t start, uint32_t *result)
     const uint8_t n_start = start;
     const uint8_t n_end = end;
     end = 3U;
-    const uint64_t n_choice = (uint64_t)end;
+    const uint32_t n_choice = (uint32_t)end;
     const uint8_t n_start_2 = n_start;
     const uint8_t n_end_2 = n_end;
-    const uint64_t n_step = n_choice;
+    const uint32_t n_step = n_choice;
     const uint64_t n_length = (uint64_t)max_i64((int64_t)n_end_2 - (int64_t)n_start_2, INT64_C(0));
-    const uint64_t n_passes = n_length / n_step + (uint64_t)(n_length % n_step != UINT64_C(0));
+    const uint64_t n_passes = n_length / (uint64_t)n_step
+        + (uint64_t)(n_length % (uint64_t)n_step != 0U);
     for (uint64_t pass = UINT64_C(0); pass < n_passes; pass++) {
-        const uint8_t n = (uint8_t)((uint64_t)n_start_2 + pass * n_step);
+        const uint8_t n = (uint8_t)((uint64_t)n_start_2 + pass * (uint64_t)n_step);
         if ((int64_t)sum + (int64_t)(uint32_t)n > UINT32_MAX) {
             return BESSEMER_STATUS_OVERFLOW;
         }

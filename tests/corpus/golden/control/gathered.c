@@ -13,7 +13,7 @@ double gathered_moment(const double samples[5])
 {
     double sum = 0.0;
     for (uint32_t place = 0U; place < 5U; place++) {
-        if ((uint64_t)place % UINT64_C(2) == UINT64_C(0)) {
+        if (place % 2U == 0U) {
             const double weight = (double)place;
             sum += weight * samples[place];
         }
@@ -36,7 +36,7 @@ void gathered_largest(const double values[4], uint64_t count, option_f64_t *resu
 {
     result->is_some = false;
     result->value = 0.0;
-    const uint64_t result_count = min_u64(count, UINT64_C(4));
+    const uint32_t result_count = (uint32_t)min_u64(count, UINT64_C(4));
     for (uint32_t i = 0U; i < result_count; i++) {
         double reduced_choice;
         if (result->is_some) {

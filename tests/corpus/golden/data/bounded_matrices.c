@@ -72,8 +72,8 @@ bessemer_status_t measured_limited(measured_t *self, double most, double *result
     if (self->fault != BESSEMER_STATUS_OK) {
         return self->fault;
     }
-    const uint64_t value_rows = min_u64(self->values.rows, UINT64_C(4));
-    const uint64_t value_columns = min_u64(self->values.columns, UINT64_C(3));
+    const uint32_t value_rows = (uint32_t)min_u64(self->values.rows, UINT64_C(4));
+    const uint32_t value_columns = (uint32_t)min_u64(self->values.columns, UINT64_C(3));
     for (uint32_t column = 0U; column < value_columns; column++) {
         bool loop_done = false;
         for (uint32_t row = 0U; row < value_rows; row++) {
@@ -88,8 +88,8 @@ bessemer_status_t measured_limited(measured_t *self, double most, double *result
         }
     }
     double largest = 0.0;
-    const uint64_t result_rows = min_u64(self->values.rows, UINT64_C(4));
-    const uint64_t result_columns = min_u64(self->values.columns, UINT64_C(3));
+    const uint32_t result_rows = (uint32_t)min_u64(self->values.rows, UINT64_C(4));
+    const uint32_t result_columns = (uint32_t)min_u64(self->values.columns, UINT64_C(3));
     for (uint32_t column = 0U; column < result_columns; column++) {
         for (uint32_t row = 0U; row < result_rows; row++) {
             largest = max_f64(largest, self->values.elements[column][row]);

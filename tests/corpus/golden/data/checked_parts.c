@@ -19,13 +19,13 @@ void checked_parts_parity(const uint8_t line[8], uint64_t from, uint64_t to, opt
 
 bessemer_status_t checked_parts_payload_sum(const uint8_t frame[8], uint32_t *result)
 {
-    const uint64_t value_to = UINT64_C(2) + (uint64_t)frame[1];
-    if (!(UINT64_C(2) <= value_to && value_to <= UINT64_C(8))) {
+    const uint32_t value_to = 2U + (uint32_t)frame[1];
+    if (!(2U <= value_to && value_to <= 8U)) {
         *result = 0U;
         return BESSEMER_STATUS_OK;
     }
     uint32_t sum = 0U;
-    for (uint64_t i = UINT64_C(2); i < value_to; i++) {
+    for (uint32_t i = 2U; i < value_to; i++) {
         if ((int64_t)sum + (int64_t)(uint32_t)frame[i] > UINT32_MAX) {
             return BESSEMER_STATUS_OVERFLOW;
         }

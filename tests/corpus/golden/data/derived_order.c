@@ -206,10 +206,10 @@ void derived_order_place_of(const derived_order_key_t keys[4], const derived_ord
     result->is_some = false;
     result->value = UINT64_C(0);
     for (uint32_t i = 4U; i-- > 0U;) {
-        const uint64_t result_index = (uint64_t)i;
-        const uint64_t result_index_2 = result_index;
-        const uint64_t result_index_3 = result_index;
-        const uint64_t result_index_4 = result_index;
+        const uint32_t result_index = i;
+        const uint32_t result_index_2 = result_index;
+        const uint32_t result_index_3 = result_index;
+        const uint32_t result_index_4 = result_index;
         if (keys[result_index].source < limit->source
                 || (keys[result_index].source == limit->source
                 && (keys[result_index_3].version.major < limit->version.major

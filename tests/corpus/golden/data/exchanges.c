@@ -37,7 +37,7 @@ void exchanges_noted(option_limits_t *note, option_limits_t *result)
 
 float exchanges_oldest(float ring[4], uint64_t count, float sample)
 {
-    const uint64_t place_index = count % UINT64_C(4);
+    const uint32_t place_index = (uint32_t)(count % UINT64_C(4));
     const float kept = ring[place_index];
     ring[place_index] = sample;
     return kept;

@@ -13,7 +13,7 @@ static inline bool sort_below_f64(double one, double other)
     if (one == other) {
         return copysign_f64(1.0, one) < 0.0 && !(copysign_f64(1.0, other) < 0.0);
     }
-    return one < other || (!(isnan(one) != 0) && isnan(other) != 0);
+    return one < other || (isnan(one) == 0 && isnan(other) != 0);
 }
 
 /** Whether `one` comes before `other` in `total_cmp`: −0 before +0, NaN behind all others. */
@@ -22,7 +22,7 @@ static inline bool sort_below_f32(float one, float other)
     if (one == other) {
         return copysign_f32(1.0F, one) < 0.0F && !(copysign_f32(1.0F, other) < 0.0F);
     }
-    return one < other || (!(isnan(one) != 0) && isnan(other) != 0);
+    return one < other || (isnan(one) == 0 && isnan(other) != 0);
 }
 
 double sorted_median(const double values[9])

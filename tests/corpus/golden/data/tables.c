@@ -9,6 +9,6 @@ static const float STEP = 0.625F;
 float tables_fuel(float voltage)
 {
     const float place = clamp_f32(voltage / STEP, 0.0F, 8.0F);
-    const uint64_t at = min_u64(u64_from_f32(place), LAST);
+    const uint32_t at = (uint32_t)min_u64(u64_from_f32(place), LAST);
     return FUEL[at] + (FUEL[at + 1U] - FUEL[at]) * (place - (float)at);
 }

@@ -11,7 +11,7 @@ void own_names_bank_get_mut(own_names_bank_t *self, uint8_t index,
         result->error.index = index;
         return;
     }
-    const uint64_t cell = (uint64_t)index;
+    const uint32_t cell = (uint32_t)index;
     self->cells[cell] = (uint8_t)((uint32_t)self->cells[cell] + 1U);
     result->is_ok = true;
     result->value = self->cells[cell];

@@ -158,25 +158,25 @@ bessemer_status_t named_views_up_to(double m[16], uint64_t column, const double 
 void named_views_scaled(double m[6], const double by[2])
 {
     for (uint32_t column_ = 0U; column_ < 3U; column_++) {
-        const uint64_t column_at = (uint64_t)column_;
-        const uint64_t column_column = column_at;
+        const uint32_t column_at = column_;
+        const uint32_t column_column = column_at;
         double column[2] = {m[2U * column_column], m[1U + 2U * column_column]};
         column[0] += by[0];
         column[1] += by[1];
         column[1] = 0.5;
-        const uint64_t value_column = column_at;
+        const uint32_t value_column = column_at;
         for (uint32_t row = 0U; row < 2U; row++) {
             m[row + 2U * value_column] = column[row];
         }
     }
     for (uint32_t i = 0U; i < 2U; i++) {
-        const uint64_t row_at = (uint64_t)i;
-        const uint64_t row_row = row_at;
+        const uint32_t row_at = i;
+        const uint32_t row_row = row_at;
         double row[3] = {m[row_row], m[row_row + 2U], m[row_row + 2U * 2U]};
         row[0] *= by[i];
         row[1] *= by[i];
         row[2] *= by[i];
-        const uint64_t value_row = row_at;
+        const uint32_t value_row = row_at;
         for (uint32_t column = 0U; column < 3U; column++) {
             m[value_row + 2U * column] = row[column];
         }

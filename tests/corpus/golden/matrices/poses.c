@@ -24,7 +24,7 @@ void arm_init(arm_t *self)
 
 void arm_turn(arm_t *self, uint8_t at, const unit_quaternion_f64_t *by, double result[3])
 {
-    const uint64_t at_2 = (uint64_t)(uint8_t)(at % 3U);
+    const uint32_t at_2 = (uint32_t)(uint8_t)(at % 3U);
     isometry3_f64_t joints_next;
     isometry_product_with_rotation_f64(&self->joints[at_2], by, &joints_next);
     self->joints[at_2] = joints_next;

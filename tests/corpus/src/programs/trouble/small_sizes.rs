@@ -1,0 +1,48 @@
+//! Sizes that are known to fit into 32 bits, on their way into sums, products, shifts, comparisons and calls of 64.
+
+use bessemer::prelude::*;
+
+/// Places of a ring.
+#[data]
+const PLACES: usize = 12;
+
+/// A ring of numbers.
+#[component]
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SmallSizes {
+    numbers: [u64; 12],
+    next: usize,
+}
+
+#[component]
+impl SmallSizes {
+    /// Takes a number in; gives what sizes of it come to.
+    #[entry]
+    pub fn take(&mut self, number: u64, small: u8, wide: u16) -> u64 {
+        let next = self.next % PLACES;
+        let count = small as usize;
+        let width = wide as usize;
+        let most = width.min(2_000_000_000);
+        let product = width * 65_535;
+        self.numbers[next] = number;
+        self.next = (next + 1) % PLACES;
+        let room = PLACES - 1 - next;
+        let marked = 1u64 << (count % 64);
+        let far = product * most;
+        let beyond = (next + most) as u64 + number % 1_000;
+        if count > width && room as u64 != number {
+            return marked ^ far as u64;
+        }
+        marked
+            .wrapping_add(beyond)
+            .wrapping_add(distance(product, count))
+            .wrapping_add((self.numbers[room] >> (next * 5)) & 0xFF)
+            .wrapping_add((width - most.min(count)) as u64)
+    }
+}
+
+/// How far two sizes are apart.
+#[function]
+fn distance(a: usize, b: usize) -> u64 {
+    if a > b { (a - b) as u64 } else { (b - a) as u64 }
+}
