@@ -110,7 +110,8 @@ fn structure(text: &mut String, face: &Interface, it: &Struct) {
     let listed = |fields: &[&Field]| {
         let each = fields.iter().map(|field| {
             let name = union(field).unwrap_or(&field.name);
-            format!("({:?}, {})", hidden(name, &field.value), kind(&field.value))
+            let name = hidden(&python_name(name), &field.value);
+            format!("({name:?}, {})", kind(&field.value))
         });
         each.collect::<Vec<_>>().join(", ")
     };
@@ -121,7 +122,8 @@ fn structure(text: &mut String, face: &Interface, it: &Struct) {
             listed(&shared)
         );
         for field in &shared {
-            views(text, "        ", union(field).unwrap_or(&field.name), &field.value);
+            let name = python_name(union(field).unwrap_or(&field.name));
+            views(text, "        ", &name, &field.value);
         }
     }
     // The union stands where its first part does: behind the tag, before the fault.
@@ -140,7 +142,7 @@ fn structure(text: &mut String, face: &Interface, it: &Struct) {
         );
     }
     for field in &own {
-        views(text, "    ", &field.name, &field.value);
+        views(text, "    ", &python_name(&field.name), &field.value);
     }
     for entry in &face.entries {
         let state = entry.parameters.first().map(|first| first.value.ty.as_str());
@@ -166,6 +168,18 @@ fn union(field: &Field) -> Option<&str> {
 /// The name of a field for ctypes: one of an array of numbers is reached through a view.
 fn hidden(name: &str, value: &Value) -> String {
     if is_array(value) { format!("_{name}_memory") } else { name.to_owned() }
+}
+
+/// Words of Python's that C and Rust leave free, and names that a method uses itself.
+const TAKEN: &[&str] = &[
+    "and", "assert", "class", "ctypes", "def", "del", "elif", "except", "finally", "from",
+    "global", "import", "is", "lambda", "nonlocal", "not", "numpy", "or", "pass", "raise", "self",
+    "try", "with", "yield",
+];
+
+/// A name as Python takes it: `lambda_`.
+fn python_name(name: &str) -> String {
+    if TAKEN.contains(&name) { format!("{name}_") } else { name.to_owned() }
 }
 
 fn is_array(value: &Value) -> bool {
@@ -219,16 +233,16 @@ fn scalar(ty: &str) -> Option<(&'static str, &'static str)> {
 
 /// An entry point as a method. What it writes through pointers of its own is its result.
 fn method(text: &mut String, face: &Interface, entry: &Entry) {
-    let own = entry.rust.rsplit("::").next().unwrap_or(&entry.name);
+    let own = python_name(entry.rust.rsplit("::").next().unwrap_or(&entry.name));
     let others = &entry.parameters[1..];
     let taken: String = (others.iter().filter(|it| it.passing != Passing::Output))
-        .map(|it| format!(", {}", it.name))
+        .map(|it| format!(", {}", python_name(&it.name)))
         .collect();
     let _ = write!(text, "\n    def {own}(self{taken}):\n        {}\n", docs(&entry.docs));
     let mut passed = vec!["ctypes.byref(self)".to_owned()];
     let mut results = Vec::new();
     for it in others {
-        let (name, ty) = (&it.name, &it.value.ty);
+        let (name, ty) = (python_name(&it.name), &it.value.ty);
         let enumeration = face.enumeration(ty).is_some();
         match (it.passing, scalar(ty), it.value.dimensions.is_empty()) {
             (Passing::Value, _, true) if enumeration => passed.push(format!("int({name})")),
@@ -311,4 +325,20 @@ fn method(text: &mut String, face: &Interface, entry: &Entry) {
 fn docs(lines: &[String]) -> String {
     let text = lines.join("\n    ").replace('\\', "\\\\").replace("\"\"\"", "'''");
     format!("\"\"\"{}\"\"\"", text.trim_end_matches('"'))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_of_python_are_no_names() {
+        assert_eq!((python_name("lambda"), python_name("gain")), ("lambda_".into(), "gain".into()));
+    }
+
+    #[test]
+    fn a_comment_does_not_end_early() {
+        let said = docs(&["Say \"\"\"no\"\"\" to \\d".to_owned()]);
+        assert_eq!(said, "\"\"\"Say '''no''' to \\\\d\"\"\"");
+    }
 }
