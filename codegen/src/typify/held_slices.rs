@@ -16,7 +16,7 @@ use super::lengths::plus;
 use super::lowering::{Binding, Lowering, UNNAMED};
 use super::regions::ENDS;
 use super::subject::Subject;
-use super::syntax::control_with_value;
+use super::syntax::{control_with_value, is_rebound};
 use super::{OUR_FAULT, Result, problem};
 use crate::effects;
 
@@ -219,6 +219,35 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
+    /// Notes a local that is given another value, and of which a part refers to something: a name for what that is keeps it.
+    pub(super) fn note_loan(&mut self, name: &str, slot: u32, site: Site) -> Result<()> {
+        let refers = self.source.slots.get(slot as usize).is_some_and(refers_inside);
+        if refers
+            && is_rebound(&self.source.tree.body, name)
+            && let Binding::Local(local) = self.lookup(name, site)?
+        {
+            self.lenders.loans.push(local);
+        }
+        Ok(())
+    }
+
+    /// Whether what is at a place is a copy of what a value refers to, and the value may come to refer to something else.
+    pub(super) fn is_loan(&self, place: &Place) -> bool {
+        let mut ty = self.locals[place.root.index()].ty.clone();
+        let mut found = self.lenders.loans.contains(&place.root) && !place.steps.is_empty();
+        for step in &place.steps {
+            ty = match (step, ty) {
+                (Step::Field(at), Type::Struct(id)) => {
+                    found |= self.cx.loans.contains(&(id, *at));
+                    self.cx.module.structs[id.index()].fields[*at as usize].ty.clone()
+                }
+                (Step::Index(_), Type::Array { element, .. }) => *element,
+                (_, other) => other,
+            };
+        }
+        found
+    }
+
     /// The type of an expression, if there are slices in it.
     pub(super) fn borrowing_type(&mut self, expr: &tree::Expr) -> Option<Type> {
         let slot = expr.slot?;
@@ -226,6 +255,17 @@ impl Lowering<'_, '_> {
             return None;
         }
         self.seen(slot, expr.site).ok().filter(|ty| !self.cx.slices_in(ty).is_empty())
+    }
+}
+
+/// Whether a part of a value of a type refers to something.
+fn refers_inside(ty: &Ty) -> bool {
+    let refers = |ty: &Ty| matches!(ty, Ty::Ref(_, false)) || refers_inside(ty);
+    match ty {
+        Ty::Tuple(parts) => parts.iter().any(refers),
+        Ty::Option(inner) => refers(inner),
+        Ty::Result(value, error) => refers(value) || refers(error),
+        _ => false,
     }
 }
 

@@ -262,6 +262,8 @@ struct Context<'a> {
     ordered: HashSet<bessemer_ir::Type>,
     /// The structs that stand for slices in values.
     borrowed: HashMap<StructId, borrowed::Borrowed>,
+    /// The fields of authors' structs that are references.
+    loans: HashSet<(StructId, u32)>,
     /// The slices in structs that have one lender.
     joined: Vec<regions::Joined>,
     /// What functions give slices of: places in their parameters.
@@ -323,6 +325,7 @@ impl<'a> Context<'a> {
             conversions: Vec::new(),
             ordered: HashSet::new(),
             borrowed: HashMap::new(),
+            loans: HashSet::new(),
             joined: Vec::new(),
             given_back: HashMap::new(),
             bounded: HashSet::new(),

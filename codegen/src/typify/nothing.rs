@@ -86,6 +86,9 @@ impl Context<'_> {
 
     /// Notes which of the author's fields are in the C, where not all are.
     pub(super) fn note_fields(&mut self, id: StructId, fields: &[tree::Field], kept: &[bool]) {
+        let held = fields.iter().zip(kept).filter(|(_, kept)| **kept).map(|(field, _)| field);
+        let loans = (0..).zip(held).filter(|(_, field)| matches!(field.ty, Ty::Ref(_, false)));
+        self.loans.extend(loans.map(|(at, _)| (id, at)));
         if kept.iter().all(|kept| *kept) {
             return;
         }

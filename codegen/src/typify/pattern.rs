@@ -475,8 +475,11 @@ impl Lowering<'_, '_> {
                 Stands::Place(place) => place,
             };
             let unnamed = named.slot == NO_SLOT;
-            // A slice in a value is a value.
-            let borrowed = self.cx.as_borrowed(&place.ty).is_some();
+            // A slice in a value is a value, and so is what a value refers to.
+            let borrowed = self.cx.as_borrowed(&place.ty).is_some()
+                || !unnamed
+                    && self.is_loan(place)
+                    && !self.slot_is_exclusive(named.slot, named.site)?;
             let reference =
                 !unnamed && !borrowed && self.slot_is_reference(named.slot, named.site)?;
             if reference {
