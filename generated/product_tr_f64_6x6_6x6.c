@@ -11,6 +11,8 @@
 
 #include "bessemer_target.h"
 
+/* Vectors of LANES numbers, DOWN of them below one another for the rows of a sum.
+   HELD: registers have room for all of a. */
 #if defined(__GNUC__) && (defined(__clang__) || (__GNUC__ >= 12)) && defined(__x86_64__) && defined(__AVX__) && !defined(BESSEMER_PLAIN)
 #define LANES 4U
 #define DOWN 2U
@@ -22,8 +24,7 @@
 #endif
 
 #if defined(LANES)
-/* The rows of a band; the last vector overlaps where they are no multiple of its lanes. */
-#define HEIGHT ((LANES * DOWN < 6U) ? LANES * DOWN : 6U)
+/* The first row of a vector; the last vector overlaps where the rows are no multiple of its lanes. */
 #define OFFSET(vector) ((LANES * (vector) + LANES <= 6U) ? LANES * (vector) : 6U - LANES)
 
 #if !defined(PLUS)

@@ -4,10 +4,10 @@
 //! assume what it checks.
 
 use bessemer_ir::tree::Package;
-use bessemer_ir::{Fault, Module};
+use bessemer_ir::{Fault, Module, Type};
 
 use crate::c::interface::Interface;
-use crate::c::{self, CFile, EntryReport};
+use crate::c::{self, CFile, EntryReport, Site, Width};
 use crate::deep::deep;
 use crate::diagnostic::{Diagnostic, OUR_FAULT};
 use crate::kernels::replace::Replacement;
@@ -89,6 +89,10 @@ fn whole(
     let files = c::emit(&explicit, options);
     let interface = c::interface(&explicit, options);
     let entries = c::report(&explicit, options, &files);
+    let too_wide: Vec<_> = entries.iter().flat_map(|entry| too_wide(&explicit, entry)).collect();
+    if !too_wide.is_empty() {
+        return Err(too_wide);
+    }
     let replaced = replaced(&explicit, options);
     let fast = fast(&explicit, options);
     let library = c::library_calls(&explicit, options);
@@ -162,6 +166,40 @@ fn unproved(module: &Module, error: &passes::Error) -> Diagnostic {
         ),
     };
     Diagnostic { help, ..place(module, check.span, &message) }
+}
+
+/// What an entry point of `#[entry(single)]` reaches all the same.
+fn too_wide(module: &Module, entry: &EntryReport) -> Vec<Diagnostic> {
+    let function = &module.functions[entry.function.index()];
+    if !function.attributes.single {
+        return Vec::new();
+    }
+    let told = |site: &Site| {
+        let callee = site.through.map(|id| &module.functions[id.index()]);
+        let what = match (site.width, callee) {
+            (Width::Double, None) => "this is computed in double".to_owned(),
+            (Width::Double, Some(callee)) => format!("`{}` computes in double", callee.name),
+            (Width::Long, None) => "this is computed in 64 bits".to_owned(),
+            (Width::Long, Some(callee)) => format!("`{}` computes in 64 bits", callee.name),
+        };
+        let message = format!("`{}` is not single: {what}", function.name);
+        let of_f32 = callee.is_some_and(|callee| {
+            let own = callee.module.starts_with("bessemer::math");
+            own && callee.parameters().iter().all(|it| it.ty != Type::F64)
+        });
+        let help = match site.width {
+            _ if of_f32 => {
+                "ask for the form of this function in `f32` alone, in Cargo.toml: `bessemer = { …, features = [\"single\"] }`"
+            }
+            Width::Double => "compute in `f32`: let inputs, constants and literals be of that type",
+            Width::Long => "compute in `u32` or `i32`, and index with `as usize`",
+        };
+        Diagnostic { help: help.to_owned(), ..place(module, site.span, &message) }
+    };
+    // A line is told once.
+    let mut sites: Vec<&Site> = entry.wide.iter().collect();
+    sites.dedup_by_key(|site| (site.span.file, site.span.line));
+    sites.into_iter().map(told).collect()
 }
 
 /// How an author rules a fault out.

@@ -44,6 +44,7 @@ mod status_header;
 mod target;
 mod tree;
 mod units;
+mod wide;
 
 use bessemer_ir::Module;
 
@@ -52,9 +53,10 @@ pub use interface::interface;
 pub use library::Math;
 pub use matrices::Layout;
 pub use options::Options;
-pub use report::{EntryReport, report};
+pub use report::{EntryReport, Site, report};
 pub use reserved::is_reserved_globally as is_reserved;
 pub use units::Measured;
+pub use wide::Width;
 
 use analysis::Faults;
 use context::Context;

@@ -1,7 +1,9 @@
-//! The figures of each entry point: sizes, checks, stack.
+//! The figures of each entry point: sizes, checks, stack, operations that are too wide for a small processor.
+
+use std::collections::BTreeSet;
 
 use bessemer_ir::visit::Walk;
-use bessemer_ir::{FunctionId, Module, Owner, Role};
+use bessemer_ir::{ExprKind, Float, Function, FunctionId, Module, Owner, Role, Span};
 
 use super::analysis::Faults;
 use super::context::{Context, Uses};
@@ -11,7 +13,8 @@ use super::lower;
 use super::names::Names;
 use super::options::Options;
 use super::units::{self, Measured};
-use crate::kernels;
+use super::wide::{Wide, Width};
+use crate::{kernels, passes};
 
 /// What a call costs beside the variables: return address, saved registers, alignment.
 const FRAME: u64 = 64;
@@ -19,6 +22,8 @@ const FRAME: u64 = 64;
 /// One entry point.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct EntryReport {
+    /// The function.
+    pub function: FunctionId,
     /// The author's name of the component.
     pub component: String,
     /// The C type of its state.
@@ -37,8 +42,25 @@ pub struct EntryReport {
     pub checks: u32,
     /// Bytes of the largest set of variables of one function in the call tree.
     pub largest_frame: u64,
+    /// Operations in double in the text of all that it reaches.
+    pub doubles: usize,
+    /// Operations of 64 bits there.
+    pub longs: usize,
+    /// The author's lines that lead to them.
+    pub wide: Vec<Site>,
     /// What its author gave a unit.
     pub units: Vec<Measured>,
+}
+
+/// A place at which the author asks for an operation that is too wide for a small processor.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Site {
+    /// Where.
+    pub span: Span,
+    /// What it is too wide for.
+    pub width: Width,
+    /// The function of another package that is called there, and carries it out.
+    pub through: Option<FunctionId>,
 }
 
 /// Reports on every entry point, in the order of the module.
@@ -48,15 +70,24 @@ pub fn report(module: &Module, options: &Options, files: &[CFile]) -> Vec<EntryR
     let context = Context { module, names: &names, faults: &faults };
     let mut deepest: Vec<(u64, u64)> = Vec::new();
     let mut list = Vec::new();
+    let mut widths = Widths { module, direct: Vec::new(), reached: Vec::new() };
     for (index, function) in module.functions.iter().enumerate() {
         let id = FunctionId(index as u32);
-        let own = match &function.kernel {
-            Some(kernel) => kernels::stack_bytes(kernel, &options.kernels),
-            None => lower::function(context, id, &mut Uses::default()).locals,
+        let (own, wide) = match &function.kernel {
+            Some(kernel) => {
+                let double = kernel.element == Float::F64;
+                let wide = double.then_some(Wide { width: Width::Double, span: function.span });
+                (kernels::stack_bytes(kernel, &options.kernels), Vec::from_iter(wide))
+            }
+            None => {
+                let lowered = lower::function(context, id, &mut Uses::default());
+                (lowered.locals, lowered.wide)
+            }
         };
+        widths.add(function, wide);
         let (mut below, mut largest) = (0, own);
         function.body.each_expr(|expr| {
-            if let bessemer_ir::ExprKind::Call(callee, _) = &expr.kind {
+            if let ExprKind::Call(callee, _) = &expr.kind {
                 let (depth, frame) = deepest[callee.index()];
                 below = below.max(depth);
                 largest = largest.max(frame);
@@ -72,6 +103,7 @@ pub fn report(module: &Module, options: &Options, files: &[CFile]) -> Vec<EntryR
             .iter()
             .filter(|other| other.name.rsplit_once('.').is_some_and(|(stem, _)| stem == file));
         list.push(EntryReport {
+            function: id,
             component: module.structs[owner.index()].name.clone(),
             state: names.structs[owner.index()].ty.clone(),
             entry: names.signature(id).name.clone(),
@@ -81,8 +113,70 @@ pub fn report(module: &Module, options: &Options, files: &[CFile]) -> Vec<EntryR
             stack_bytes: deepest[index].0,
             checks: faults.checks[index],
             largest_frame: largest,
+            doubles: widths.count(index, Width::Double),
+            longs: widths.count(index, Width::Long),
+            wide: widths.sites(index),
             units: units::of_entry(module, &names, function, names.signature(id)),
         });
     }
     list
+}
+
+/// The operations of functions that are too wide, callees before callers.
+struct Widths<'m> {
+    module: &'m Module,
+    /// Each function's own.
+    direct: Vec<Vec<Wide>>,
+    /// What a call of each function leads to.
+    reached: Vec<BTreeSet<Width>>,
+}
+
+impl Widths<'_> {
+    fn add(&mut self, function: &Function, wide: Vec<Wide>) {
+        let mut reached: BTreeSet<Width> = wide.iter().map(|it| it.width).collect();
+        function.body.each_expr(|expr| {
+            if let ExprKind::Call(callee, _) = &expr.kind {
+                reached.extend(&self.reached[callee.index()]);
+            }
+        });
+        self.direct.push(wide);
+        self.reached.push(reached);
+    }
+
+    fn count(&self, entry: usize, width: Width) -> usize {
+        let reached = passes::reached(self.module, entry);
+        reached.iter().flat_map(|at| &self.direct[*at]).filter(|it| it.width == width).count()
+    }
+
+    /// Whether a function is of the package that is compiled, and its lines are the author's.
+    fn is_own(&self, function: &Function) -> bool {
+        let root = self.module.name.replace('-', "_");
+        function.kernel.is_none() && function.module.split("::").next() == Some(&*root)
+    }
+
+    fn sites(&self, entry: usize) -> Vec<Site> {
+        let mut sites = BTreeSet::new();
+        for at in passes::reached(self.module, entry) {
+            let function = &self.module.functions[at];
+            if !self.is_own(function) {
+                continue;
+            }
+            let own = self.direct[at].iter();
+            sites.extend(own.map(|it| Site { span: it.span, width: it.width, through: None }));
+            function.body.each_expr(|expr| {
+                if let ExprKind::Call(callee, _) = expr.kind
+                    && !self.is_own(&self.module.functions[callee.index()])
+                {
+                    let reached = self.reached[callee.index()].iter();
+                    let through = Some(callee);
+                    sites.extend(reached.map(|width| Site {
+                        span: expr.span,
+                        width: *width,
+                        through,
+                    }));
+                }
+            });
+        }
+        sites.into_iter().collect()
+    }
 }

@@ -33,6 +33,8 @@ impl Manifest {
                     "state_bytes": entry.state_bytes,
                     "stack_bytes": entry.stack_bytes,
                     "checks": entry.checks,
+                    "doubles": entry.doubles,
+                    "longs": entry.longs,
                 });
                 if !entry.units.is_empty() {
                     said["units"] = entry.units.iter().map(measured).collect();

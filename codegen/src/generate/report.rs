@@ -1,17 +1,20 @@
 //! The report of a generation: an aligned table, the checks that are left and why, and what rests on stand-ins.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
 use bessemer_ir::{Fault, Owner, Role, Span};
 
+use crate::c::{EntryReport, Width};
 use crate::compile::Compiled;
 use crate::passes;
 
-/// Component, entry point, lines of C, bytes of state, estimated stack, checks left; below it the external
-/// functions.
+/// Component, entry point, lines of C, bytes of state, estimated stack, checks left, operations in double and of 64 bits;
+/// below it the external functions.
 pub fn table(compiled: &Compiled) -> String {
-    let titles = ["component", "entry point", "C lines", "state", "stack", "checks"];
-    let mut rows: Vec<[String; 6]> = vec![titles.map(str::to_owned)];
+    let titles =
+        ["component", "entry point", "C lines", "state", "stack", "checks", "double", "64 bits"];
+    let mut rows: Vec<[String; 8]> = vec![titles.map(str::to_owned)];
     rows.extend(compiled.entries.iter().map(|entry| {
         [
             entry.component.clone(),
@@ -20,6 +23,8 @@ pub fn table(compiled: &Compiled) -> String {
             format!("{} B", entry.state_bytes),
             format!("{} B", entry.stack_bytes),
             entry.checks.to_string(),
+            entry.doubles.to_string(),
+            entry.longs.to_string(),
         ]
     }));
     let width = |column: usize| {
@@ -97,7 +102,7 @@ fn externals(compiled: &Compiled) -> String {
 }
 
 /// The checks that are left in each entry point and in each function that it calls: the author's line, the
-/// fault, and why it could not be ruled out.
+/// fault, and why it could not be ruled out; below them the lines that compute in double or in 64 bits.
 pub fn explanation(compiled: &Compiled) -> String {
     let mut text = String::new();
     let functions = &compiled.module.functions;
@@ -121,7 +126,26 @@ pub fn explanation(compiled: &Compiled) -> String {
             1 => "1 check is left".to_owned(),
             more => format!("{more} checks are left"),
         };
+        let wide = compiled.entries.iter().find(|it| it.function.index() == index);
+        lines.extend(wide.map(|entry| wide_lines(compiled, entry)));
         let _ = writeln!(text, "{component}::{}: {left}\n{}", function.name, lines);
+    }
+    text
+}
+
+/// The author's lines that lead to operations in double and of 64 bits, a file each.
+fn wide_lines(compiled: &Compiled, entry: &EntryReport) -> String {
+    let mut text = String::new();
+    for (width, what) in [(Width::Double, "in double"), (Width::Long, "in 64 bits")] {
+        let mut files: BTreeMap<&str, BTreeSet<u32>> = BTreeMap::new();
+        for site in entry.wide.iter().filter(|site| site.width == width) {
+            let file = compiled.module.files.get(site.span.file as usize);
+            files.entry(file.map_or("", String::as_str)).or_default().insert(site.span.line);
+        }
+        for (file, lines) in files {
+            let lines: Vec<String> = lines.iter().map(u32::to_string).collect();
+            let _ = writeln!(text, "  {what}: {file}:{}", lines.join(", "));
+        }
     }
     text
 }

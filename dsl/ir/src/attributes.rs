@@ -79,6 +79,9 @@ pub struct Attributes {
     pub inlining: Inlining,
     /// An entry point that leaves everything as it was if it faults.
     pub atomic: bool,
+    /// An entry point that reaches no operation in double and none of 64 bits.
+    #[serde(default)]
+    pub single: bool,
     /// The header of a function that the firmware brings; what stands in the Rust stands in for it.
     pub external: Option<String>,
     /// The attributes of its parameters, each by its name in the Rust.

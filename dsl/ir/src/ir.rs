@@ -45,7 +45,7 @@ handles! {
 }
 
 /// Where a node stands in the author's source. Lines and columns count from 1; line 0: nowhere.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Span {
     /// Index into [`Module::files`].
     pub file: u32,

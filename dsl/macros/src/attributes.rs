@@ -1,5 +1,5 @@
 //! The author's wishes for the C of a function: `#[c(name = "…", section = "…")]`,
-//! `#[inline(never)]`, `#[entry(atomic)]`, `#[external(header = "…")]`.
+//! `#[inline(never)]`, `#[entry(atomic)]`, `#[entry(single)]`, `#[external(header = "…")]`.
 //!
 //! The attributes are the DSL's alone: the native item goes without them. What they ask for reaches the
 //! tree as [`Attributes`].
@@ -64,19 +64,25 @@ pub fn of_interface(method: &mut syn::TraitItemFn, refusals: &mut Refusals) -> A
 }
 
 impl Asked {
-    /// `#[entry]`, `#[entry(infallible)]`, `#[entry(atomic)]`.
+    /// `#[entry]`, `#[entry(infallible)]`, `#[entry(atomic)]`, each also with `single`.
     fn entry(&mut self, kind: Kind, attribute: &syn::Attribute, refusals: &mut Refusals) {
         let words = match &attribute.meta {
             syn::Meta::Path(_) => String::new(),
             syn::Meta::List(list) => list.tokens.to_string(),
             syn::Meta::NameValue(_) => "=".into(),
         };
-        let infallible = words == "infallible";
-        self.attributes.atomic = words == "atomic";
-        if !(words.is_empty() || infallible || self.attributes.atomic) {
-            let both = words.contains("infallible") && words.contains("atomic");
-            let reason = if both { refuse::ENTRY_BOTH } else { refuse::ENTRY_ARGUMENT };
-            refusals.add(&attribute.meta, reason);
+        let mut words: Vec<&str> = words.split(',').map(str::trim).collect();
+        words.retain(|word| !word.is_empty());
+        let mut takes = |wanted| {
+            let at = words.iter().position(|word| *word == wanted);
+            at.map(|at| words.remove(at)).is_some()
+        };
+        let infallible = takes("infallible");
+        (self.attributes.atomic, self.attributes.single) = (takes("atomic"), takes("single"));
+        if !words.is_empty() {
+            refusals.add(&attribute.meta, refuse::ENTRY_ARGUMENT);
+        } else if infallible && self.attributes.atomic {
+            refusals.add(&attribute.meta, refuse::ENTRY_BOTH);
         }
         if kind == Kind::Data {
             refusals.add(attribute.path(), refuse::ENTRY_OF_DATA);

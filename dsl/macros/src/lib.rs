@@ -294,6 +294,7 @@ pub fn interface(arguments: TokenStream, item: TokenStream) -> TokenStream {
 /// | `#[entry]` | returns a status, its result goes through a pointer | every entry point returns the fault until `…_init` |
 /// | `#[entry(atomic)]` | the same | what was written is put back, and the next call goes on |
 /// | `#[entry(infallible)]` | returns its result plainly | there is none: generation proves it, or says what stands against it |
+/// | `#[entry(single)]`, also `#[entry(infallible, single)]` | the same, without an operation in double or of 64 bits, for a processor that has none: generation refuses each at its line | the same |
 ///
 /// # Example
 ///

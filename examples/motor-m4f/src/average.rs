@@ -12,16 +12,16 @@ pub struct Average {
     /// The samples, of which the oldest is replaced next.
     samples: [f32; SAMPLES],
     /// Which that is.
-    next: usize,
+    next: u32,
 }
 
 #[component]
 impl Average {
     /// One period: takes a sample.
     pub fn take(&mut self, sample: f32) -> f32 {
-        let next = self.next % SAMPLES;
-        self.samples[next] = sample;
-        self.next = (next + 1) % SAMPLES;
+        let next = self.next % SAMPLES as u32;
+        self.samples[next as usize] = sample;
+        self.next = (next + 1) % SAMPLES as u32;
         let mut sum = 0.0;
         for sample in &self.samples {
             sum += sample;

@@ -107,7 +107,7 @@ pub struct Drive {
 #[component]
 impl Drive {
     /// One period.
-    #[entry(infallible)]
+    #[entry(infallible, single)]
     pub fn step(&mut self, settings: &Settings, inputs: &Inputs) -> Outputs {
         let speed = self.speed.take(inputs.speed);
         self.change_mode(settings, inputs);

@@ -20,6 +20,7 @@ mod range;
 mod routine;
 mod stmt;
 mod variants;
+mod widths;
 mod word;
 
 use std::collections::BTreeMap;
@@ -37,6 +38,7 @@ use super::names::local_name;
 use super::signature::{Returned, Signature};
 use super::spelling::unique;
 use super::tree::{Declarator, Expr, Init, Lines, Origin, Stmt, StmtKind, Storage, plain};
+use super::wide::Wide;
 use crate::built;
 use crate::uncopied::uncopied;
 
@@ -46,6 +48,8 @@ pub struct Lowered {
     pub body: Vec<Stmt>,
     /// Bytes of the variables that it declares.
     pub locals: u64,
+    /// Its own operations in double and of 64 bits.
+    pub wide: Vec<Wide>,
 }
 
 /// How a local is written in C.
@@ -122,7 +126,8 @@ pub fn function<'a>(context: Context<'a>, id: FunctionId, uses: &'a mut Uses) ->
     lower.block_into(&function.body, true);
     lower.epilogue();
     lower.quiet();
-    Lowered { body: lower.out, locals: lower.bytes }
+    let wide = lower.wide();
+    Lowered { body: lower.out, locals: lower.bytes, wide }
 }
 
 impl<'a> Lower<'a> {

@@ -130,7 +130,7 @@ impl Lower<'_> {
     }
 
     /// The number that goes to `f32` by way of an `f64`, where that holds it exactly: then one rounding gives the same.
-    fn without_double<'a>(&self, operand: &'a Ir, target: Scalar) -> Option<&'a Ir> {
+    pub(super) fn without_double<'a>(&self, operand: &'a Ir, target: Scalar) -> Option<&'a Ir> {
         let ExprKind::Cast(inner) = &operand.kind else { return None };
         if target != Scalar::Float(Float::F32) || operand.ty != Type::F64 {
             return None;

@@ -1,6 +1,5 @@
-/* The rows of a band; the last vector overlaps where they are no multiple of its lanes. */
-#define HEIGHT ((LANES * DOWN < $rows) ? LANES * DOWN : $rows)
-#define OFFSET(vector) ((LANES * (vector) + LANES <= $rows) ? LANES * (vector) : $rows - LANES)
+/* The first row of a vector; the last vector overlaps where the rows are no multiple of its lanes. */
+$height#define OFFSET(vector) ((LANES * (vector) + LANES <= $rows) ? LANES * (vector) : $rows - LANES)
 
 #if !defined(PLUS)
 #define TIMES(rows, number) ((rows) * (number))

@@ -45,6 +45,20 @@ struct Plan {
 }
 
 const COMMON: &str = include_str!("common.c");
+
+/// The rows of a band, for what goes through them.
+const HEIGHT: &str = "\
+/* The rows of a band. */
+#define HEIGHT ((LANES * DOWN < $rows) ? LANES * DOWN : $rows)
+";
+
+/// What the words mean by which targets say how they go about it.
+const WORDS: [(&str, &str); 3] = [
+    ("LANES", "/* Vectors of LANES numbers, DOWN of them below one another for the rows of a sum."),
+    ("HELD", "\n   HELD: registers have room for all of a."),
+    ("TOGETHER", "\n   TOGETHER: so many numbers of b are loaded at once."),
+];
+
 const GATHER: &str = include_str!("gather.c");
 const COLUMN: &str = include_str!("column.c");
 const STEP: &str = include_str!("step.c");
@@ -129,7 +143,7 @@ pub(super) fn source(
         branches.map(|(target, plan)| branch(target, element, *plan, mode, &blocks)).collect();
     let targets = format!("#{}#endif\n", branches.join("#el"));
     let gather = if sizes.left.0 == 1 { "" } else { GATHER };
-    let mut before = format!("{targets}\n#if defined(LANES)\n{COMMON}{gather}\n{IN_ITS_REGISTER}");
+    let mut before = String::new();
     let mut body = String::new();
     let mut word = "if";
     let uses = |wanted: fn(Form) -> bool| plans.iter().any(|(_, plan)| wanted(plan.form));
@@ -155,9 +169,21 @@ pub(super) fn source(
         before += &blocks.before();
         body += &format!("#{word} defined({})\n{}", blocks.condition(), blocks.body());
     }
+    let height = if before.contains("HEIGHT") || body.contains("HEIGHT") { HEIGHT } else { "" };
+    let common = COMMON.replace("$height", height);
+    let words = words(&targets);
+    before = format!(
+        "{words}{targets}\n#if defined(LANES)\n{common}{gather}\n{IN_ITS_REGISTER}{before}"
+    );
     let mut values = values(element, sizes, shares);
     values.extend(blocks.values());
     Some((fill(&before, &values), fill(&body, &values)))
+}
+
+/// A comment on what the targets define.
+fn words(targets: &str) -> String {
+    let used = WORDS.iter().filter(|(word, _)| targets.contains(&format!("#define {word}")));
+    format!("{} */\n", used.map(|(_, meaning)| *meaning).collect::<String>())
 }
 
 /// What a target defines.

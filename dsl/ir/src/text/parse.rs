@@ -453,6 +453,7 @@ impl Parser {
                 "never_inline" => attributes.inlining = Inlining::Never,
                 "always_inline" => attributes.inlining = Inlining::Always,
                 "atomic" => attributes.atomic = true,
+                "single" => attributes.single = true,
                 "parameter" => attributes.parameters.push((self.name()?, self.given()?)),
                 "result" => attributes.result = self.given()?,
                 _ => return self.fail("expected the name of an attribute before this"),

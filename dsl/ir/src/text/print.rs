@@ -488,6 +488,7 @@ fn shown_attributes(attributes: &Attributes) -> String {
         Inlining::Always => "#always_inline ",
     });
     text.push_str(if attributes.atomic { "#atomic " } else { "" });
+    text.push_str(if attributes.single { "#single " } else { "" });
     for (name, given) in &attributes.parameters {
         text.push_str(&format!("#parameter {name:?}{} ", shown_given(given)));
     }

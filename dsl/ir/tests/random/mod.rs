@@ -252,6 +252,7 @@ impl Source<'_> {
                 section: self.chance(20).then(|| self.text()),
                 inlining: self.pick(&[Inlining::Free, Inlining::Never, Inlining::Always]),
                 atomic: self.chance(20),
+                single: self.chance(20),
                 external: self.chance(20).then(|| self.text()),
                 parameters: self.some(1, |source| (source.text(), source.given())),
                 result: self.given(),

@@ -200,7 +200,7 @@ reasons! {
     STD: "std is not there on the target", "use `core`, and pass what the platform provides as an input";
     SHARED_CELL: "shared mutable state is not in the DSL", "state belongs into the component: a field, which its methods change through `&mut self`";
     FORMAT: "text is not formatted on the target", "return the numbers, and format them where they are shown";
-    ENTRY_ARGUMENT: "`#[entry]` takes nothing, `infallible` or `atomic`", "write `#[entry]`, `#[entry(infallible)]` or `#[entry(atomic)]`";
+    ENTRY_ARGUMENT: "`#[entry]` takes nothing, `infallible`, `atomic` or `single`", "write `#[entry]`, `#[entry(infallible)]`, `#[entry(atomic)]` or `#[entry(single)]`";
     ENTRY_BOTH: "an infallible entry has nothing to roll back", "leave out `atomic`, or `infallible`";
     ENTRY_INLINE: "an entry point is called by the firmware, and stands by itself", "leave `#[inline(always)]` out";
     ENTRY_GENERIC: "the firmware calls functions of fixed types: an entry point is not generic", "name the types; for several make the component generic, and name its instances";

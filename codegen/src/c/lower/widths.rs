@@ -1,0 +1,114 @@
+//! Finds the operations of a function in double and of 64 bits: small processors have no instructions for them.
+//!
+//! Each counts once, however often it runs; calls do not. What C computes in 32 bits all the same, and what compilers compute, does not
+//! count; nor does a conversion between integers, which makes no more than another word.
+
+use bessemer_ir::visit::{Visit, walk_expr, walk_stmt};
+use bessemer_ir::{Expr as Ir, ExprKind, Float, Scalar, Span, Stmt, StmtKind, Type};
+
+use super::super::wide::{Wide, Width};
+use super::Lower;
+use super::range::const_value;
+
+impl Lower<'_> {
+    /// The operations of the function, once it is lowered.
+    pub(super) fn wide(&self) -> Vec<Wide> {
+        let mut found = Found { lower: self, wide: Vec::new() };
+        found.block(&self.function.body);
+        found.wide
+    }
+
+    /// Whether C computes a size in 32 bits.
+    fn is_narrow(&self, expr: &Ir) -> bool {
+        self.range(expr).is_some_and(|(low, high)| low == high || self.counts(expr))
+            && !self.is_wide(expr)
+    }
+
+    /// Whether compilers know the value.
+    fn is_known(&self, expr: &Ir) -> bool {
+        let one = |(low, high): (i128, i128)| low == high;
+        matches!(expr.kind, ExprKind::Literal(_) | ExprKind::Const(_))
+            || const_value(expr).is_some()
+            || self.range(expr).is_some_and(one)
+    }
+
+    /// What values of a type are too wide for.
+    fn width(&self, expr: &Ir) -> Option<Width> {
+        match &expr.ty {
+            Type::Scalar(Scalar::Float(Float::F64))
+            | Type::Matrix { element: Scalar::Float(Float::F64), .. } => Some(Width::Double),
+            Type::Scalar(Scalar::Int(int)) | Type::Matrix { element: Scalar::Int(int), .. } => {
+                (int.bits() == 64 && !self.is_narrow(expr)).then_some(Width::Long)
+            }
+            _ => None,
+        }
+    }
+}
+
+struct Found<'l, 'a> {
+    lower: &'l Lower<'a>,
+    wide: Vec<Wide>,
+}
+
+impl Found<'_, '_> {
+    fn note(&mut self, width: Option<Width>, span: Span) {
+        self.wide.extend(width.map(|width| Wide { width, span }));
+    }
+
+    /// Whether C compares two sizes in 32 bits.
+    fn narrow_comparison(&self, left: &Ir, right: &Ir) -> bool {
+        let fits = |expr: &Ir| self.lower.is_narrow(expr) || self.lower.is_known(expr);
+        let ranges = self.lower.range(left).is_some() && self.lower.range(right).is_some();
+        ranges && fits(left) && fits(right)
+    }
+
+    fn operation(&mut self, expr: &Ir) {
+        let lower = self.lower;
+        match &expr.kind {
+            ExprKind::Compare(op, left, right) => {
+                let decided = lower.decided(*op, left, right).is_some();
+                if !decided && !self.narrow_comparison(left, right) {
+                    self.note(lower.width(left).or(lower.width(right)), expr.span);
+                }
+            }
+            ExprKind::Unary(..) | ExprKind::Binary(..) if !lower.is_known(expr) => {
+                self.note(lower.width(expr), expr.span);
+            }
+            ExprKind::Cast(operand) if !lower.is_known(operand) => {
+                let float = |ty: &Type| ty.as_float().is_some();
+                if float(&expr.ty) || float(&operand.ty) {
+                    self.note(lower.width(expr).or(lower.width(operand)), expr.span);
+                }
+            }
+            ExprKind::Intrinsic(_, operands) | ExprKind::Routine(_, operands) => {
+                let width = operands.iter().find_map(|operand| lower.width(operand));
+                self.note(width.or(lower.width(expr)), expr.span);
+            }
+            _ => {}
+        }
+    }
+}
+
+impl Visit for Found<'_, '_> {
+    fn stmt(&mut self, stmt: &Stmt) {
+        if let StmtKind::For { variable, ended: false, .. } = &stmt.kind {
+            let long = self.lower.function.local(*variable).ty.as_int();
+            let counted = self.lower.counters[variable.index()].is_some();
+            if long.is_some_and(|int| int.bits() == 64) && !counted {
+                self.note(Some(Width::Long), stmt.span);
+            }
+        }
+        walk_stmt(self, stmt);
+    }
+
+    fn expr(&mut self, expr: &Ir) {
+        if let (ExprKind::Cast(operand), Type::Scalar(target)) = (&expr.kind, &expr.ty)
+            && let Some(direct) = self.lower.without_double(operand, *target)
+        {
+            let direct = Ir { kind: ExprKind::Cast(Box::new(direct.clone())), ..expr.clone() };
+            return self.expr(&direct);
+        }
+        self.operation(expr);
+        walk_expr(self, expr);
+    }
+}
