@@ -9,12 +9,14 @@ use bessemer_tests::toolchain::{self, CORTEX_M4F, GCC, run};
 use bessemer_tests::{flight_models, root};
 use serde_json::{Value, json};
 
+/// Which of the two sizes a compiler has.
+type Chosen = fn(Bytes) -> u64;
+
 #[test]
 fn sizes_and_offsets_are_the_compilers() {
     let compiled = flight_models();
     let folder = lay_out(compiled).expect("the C");
-    let layouts: [(_, fn(Bytes) -> u64); 2] =
-        [(GCC, |it| it.int_enums), (CORTEX_M4F, |it| it.short_enums)];
+    let layouts: [(_, Chosen); 2] = [(GCC, |it| it.int_enums), (CORTEX_M4F, |it| it.short_enums)];
     for (toolchain, bytes) in layouts {
         if !toolchain.programs().into_iter().all(toolchain::is_asked_for) {
             println!("left out: {} is not installed", toolchain.name());

@@ -445,7 +445,7 @@ impl Lowering<'_, '_> {
             _ => self.let_control(name, ty, value, span)?,
         }
         self.naming = naming;
-        self.note_loan(name, slot, site)
+        Ok(())
     }
 
     /// The local that a value was put together in, and nothing else: it can have the author's name.

@@ -16,7 +16,7 @@ use super::lengths::plus;
 use super::lowering::{Binding, Lowering, UNNAMED};
 use super::regions::ENDS;
 use super::subject::Subject;
-use super::syntax::{control_with_value, is_rebound};
+use super::syntax::{control_with_value, is_changed_within, slots_of};
 use super::{OUR_FAULT, Result, problem};
 use crate::effects;
 
@@ -219,22 +219,17 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// Notes a local that is given another value, and of which a part refers to something: a name for what that is keeps it.
-    pub(super) fn note_loan(&mut self, name: &str, slot: u32, site: Site) -> Result<()> {
-        let refers = self.source.slots.get(slot as usize).is_some_and(refers_inside);
-        if refers
-            && is_rebound(&self.source.tree.body, name)
-            && let Binding::Local(local) = self.lookup(name, site)?
-        {
-            self.lenders.loans.push(local);
-        }
-        Ok(())
+    /// Whether a part of a local refers to something, and may come to refer to something else.
+    fn is_rebound_within(&self, local: LocalId) -> bool {
+        let (tree, name) = (&self.source.tree, &self.locals[local.index()].name);
+        let refers = |slot: u32| self.source.slots.get(slot as usize).is_some_and(refers_inside);
+        slots_of(tree, name).into_iter().any(refers) && is_changed_within(&tree.body, name)
     }
 
     /// Whether what is at a place is a copy of what a value refers to, and the value may come to refer to something else.
     pub(super) fn is_loan(&self, place: &Place) -> bool {
         let mut ty = self.locals[place.root.index()].ty.clone();
-        let mut found = self.lenders.loans.contains(&place.root) && !place.steps.is_empty();
+        let mut found = !place.steps.is_empty() && self.is_rebound_within(place.root);
         for step in &place.steps {
             ty = match (step, ty) {
                 (Step::Field(at), Type::Struct(id)) => {
@@ -265,6 +260,7 @@ fn refers_inside(ty: &Ty) -> bool {
         Ty::Tuple(parts) => parts.iter().any(refers),
         Ty::Option(inner) => refers(inner),
         Ty::Result(value, error) => refers(value) || refers(error),
+        Ty::Ref(inner, true) => refers_inside(inner),
         _ => false,
     }
 }

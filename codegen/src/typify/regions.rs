@@ -32,8 +32,6 @@ pub(super) struct Lenders {
     pub taken: Vec<LocalId>,
     /// The parameters that lend: of which other one, and of which slices in it.
     pub lending: Vec<(LocalId, LocalId, Path)>,
-    /// The locals of which a part refers to something, and which are given another value.
-    pub loans: Vec<LocalId>,
     /// How many locals are parameters.
     pub params: usize,
     /// What is wrong with one of them.

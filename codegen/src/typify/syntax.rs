@@ -82,3 +82,77 @@ pub(super) fn is_rebound(block: &tree::Block, name: &str) -> bool {
     visit::Visit::block(&mut written, block);
     written.1
 }
+
+/// Whether a part of a local may be written in a block: by an assignment, or by what it is lent to. Each call on it counts.
+pub(super) fn is_changed_within(block: &tree::Block, name: &str) -> bool {
+    struct Changed<'n>(&'n str, bool);
+    impl Changed<'_> {
+        fn is_part(&self, place: &tree::Expr) -> bool {
+            match &place.kind {
+                tree::ExprKind::Local(name) => name == self.0,
+                tree::ExprKind::Field(base, _)
+                | tree::ExprKind::Index(base, _)
+                | tree::ExprKind::Deref(base) => self.is_part(base),
+                _ => false,
+            }
+        }
+
+        fn each(&self, places: &tree::Places) -> bool {
+            match places {
+                tree::Places::None => false,
+                tree::Places::One(place) => self.is_part(place),
+                tree::Places::Each(parts) => parts.iter().any(|part| self.each(part)),
+            }
+        }
+    }
+    impl visit::Visit for Changed<'_> {
+        fn expr(&mut self, expr: &tree::Expr) {
+            self.1 |= match &expr.kind {
+                tree::ExprKind::Assign(_, place, _) | tree::ExprKind::Ref(true, place) => {
+                    self.is_part(place)
+                }
+                tree::ExprKind::AssignEach(places, _) => self.each(places),
+                tree::ExprKind::Call(_, arguments) => {
+                    arguments.first().is_some_and(|first| self.is_part(first))
+                }
+                _ => false,
+            };
+            visit::walk_expr(self, expr);
+        }
+    }
+    let mut changed = Changed(name, false);
+    visit::Visit::block(&mut changed, block);
+    changed.1
+}
+
+/// The slots of the locals of a name in a function, wherever they are declared.
+pub(super) fn slots_of(tree: &tree::FunctionTree, name: &str) -> Vec<u32> {
+    struct Declared<'n> {
+        name: &'n str,
+        slots: Vec<u32>,
+    }
+
+    impl visit::Visit for Declared<'_> {
+        fn stmt(&mut self, stmt: &tree::Stmt) {
+            if let tree::Stmt::Let { name, slot, .. } = stmt
+                && name == self.name
+            {
+                self.slots.push(*slot);
+            }
+            visit::walk_stmt(self, stmt);
+        }
+
+        fn pattern(&mut self, pattern: &tree::Pattern) {
+            if let tree::Pattern::Name { name, slot, .. } = pattern
+                && name == self.name
+            {
+                self.slots.push(*slot);
+            }
+            visit::walk_pattern(self, pattern);
+        }
+    }
+    let params = tree.params.iter().filter(|it| it.name == name).map(|it| it.slot);
+    let mut declared = Declared { name, slots: params.collect() };
+    visit::Visit::block(&mut declared, &tree.body);
+    declared.slots
+}

@@ -104,7 +104,7 @@ fn data_struct(kind: Kind, it: &syn::ItemStruct, refusals: &mut Refusals) -> Tok
     let scope = Scope::of_type(&it.generics);
     if borrows {
         // It lives in locals, and has no words.
-        return lower::GENERATING.then(|| struct_definition(kind, it)).unwrap_or_default();
+        return if lower::GENERATING { struct_definition(kind, it) } else { TokenStream::new() };
     }
     let members: Vec<_> = it.fields.members().collect();
     let types: Vec<_> = it.fields.iter().map(|field| &field.ty).collect();

@@ -34,12 +34,12 @@ bessemer_status_t held_iterators_made_before(const double samples[4], uint64_t n
                 if (value_end_product > UINT64_MAX - n) {
                     return BESSEMER_STATUS_OVERFLOW;
                 }
-                const uint64_t value_end = min_u64(value_end_product + n, UINT64_C(4));
+                const uint32_t value_end = (uint32_t)min_u64(value_end_product + n, UINT64_C(4));
                 const uint64_t product = i * n;
-                if (product > value_end) {
+                if (product > (uint64_t)value_end) {
                     return BESSEMER_STATUS_OVERFLOW;
                 }
-                if (UINT64_C(0) >= value_end - product) {
+                if (UINT64_C(0) >= (uint64_t)value_end - product) {
                     return BESSEMER_STATUS_INDEX;
                 }
                 const uint64_t samples_index_2 = i * n;
@@ -64,9 +64,9 @@ bessemer_status_t held_iterators_changed_since(const int32_t samples[6], uint64_
     const uint64_t numbers_start = left;
     left = UINT64_C(0);
     int32_t sum_value = wrap_i32((uint32_t)left);
-    const uint64_t value_count = min_u64(rest_count, UINT64_C(6));
-    const uint64_t value_count_2 = min_u64(rest_count_, UINT64_C(6) - value_count);
-    for (uint32_t i = (uint32_t)value_count; i < value_count + value_count_2; i++) {
+    const uint32_t value_count = (uint32_t)min_u64(rest_count, UINT64_C(6));
+    const uint32_t value_count_2 = (uint32_t)min_u64(rest_count_, (uint64_t)(6U - value_count));
+    for (uint32_t i = value_count; i < value_count + value_count_2; i++) {
         if (i >= 6U) {
             return BESSEMER_STATUS_INDEX;
         }

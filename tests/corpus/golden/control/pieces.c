@@ -90,12 +90,12 @@ bessemer_status_t pieces_sums(const int32_t values[], uint64_t values_length, ui
     if (size == UINT64_C(0)) {
         return BESSEMER_STATUS_ASSERTION;
     }
-    const uint64_t smaller = min_u64(values_length % size, UINT64_C(1));
-    if (values_length / size > UINT64_MAX - smaller) {
+    const uint32_t smaller = (uint32_t)min_u64(values_length % size, UINT64_C(1));
+    if (values_length / size > UINT64_MAX - (uint64_t)smaller) {
         return BESSEMER_STATUS_OVERFLOW;
     }
     {
-        const uint64_t end = min_u64(values_length / size + smaller, UINT64_C(4));
+        const uint64_t end = min_u64(values_length / size + (uint64_t)smaller, UINT64_C(4));
         for (uint32_t i = 0U; i < end; i++) {
             const uint64_t value_length_product = (uint64_t)i * size;
             if (value_length_product > values_length) {
@@ -172,13 +172,13 @@ bessemer_status_t pieces_numbered(uint8_t data[7], uint64_t size)
             if (value_end_product > UINT64_MAX - size) {
                 return BESSEMER_STATUS_OVERFLOW;
             }
-            const uint64_t value_end = min_u64(value_end_product + size, UINT64_C(7));
+            const uint32_t value_end = (uint32_t)min_u64(value_end_product + size, UINT64_C(7));
             const uint8_t piece_operand = (uint8_t)number;
             const uint64_t product = number * size;
-            if (product > value_end) {
+            if (product > (uint64_t)value_end) {
                 return BESSEMER_STATUS_OVERFLOW;
             }
-            if (UINT64_C(0) >= value_end - product) {
+            if (UINT64_C(0) >= (uint64_t)value_end - product) {
                 return BESSEMER_STATUS_INDEX;
             }
             const uint64_t data_index = number * size;

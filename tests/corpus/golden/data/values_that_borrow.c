@@ -21,9 +21,9 @@ void values_that_borrow_store_init(values_that_borrow_store_t *self)
 static void values_that_borrow_store_held(const values_that_borrow_store_t *self,
     slice_f64_t *result)
 {
-    const uint64_t result_end = min_u64(self->count, UINT64_C(4));
+    const uint32_t result_end = (uint32_t)min_u64(self->count, UINT64_C(4));
     result->from = UINT64_C(0);
-    result->length = result_end;
+    result->length = (uint64_t)result_end;
 }
 
 bessemer_status_t values_that_borrow_store_step(values_that_borrow_store_t *self, double value,
@@ -239,9 +239,10 @@ bessemer_status_t values_that_borrow_understood(const uint8_t packet[], uint64_t
             result->value.error = 0U;
             return BESSEMER_STATUS_OK;
         }
-        const uint64_t count = (uint64_t)option_3.value;
+        const uint32_t count = (uint32_t)option_3.value;
         option_slice_u8_t option_4;
-        status = values_that_borrow_reader_take(&reader, packet, packet_length, count, &option_4);
+        status = values_that_borrow_reader_take(&reader, packet, packet_length, (uint64_t)count,
+            &option_4);
         if (status != BESSEMER_STATUS_OK) {
             return status;
         }
@@ -543,8 +544,8 @@ bessemer_status_t values_that_borrow_answer(const uint8_t packet[4], uint8_t roo
     }
     bool well_holds = well;
     if (well_holds) {
-        const uint64_t well_end = min_u64((uint64_t)count, UINT64_C(4));
-        status = writer_put(&writer, room, UINT64_C(6), packet, well_end, &well_holds);
+        const uint32_t well_end = (uint32_t)min_u64((uint64_t)count, UINT64_C(4));
+        status = writer_put(&writer, room, UINT64_C(6), packet, (uint64_t)well_end, &well_holds);
         if (status != BESSEMER_STATUS_OK) {
             return status;
         }
