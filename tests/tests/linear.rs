@@ -308,7 +308,9 @@ const LIBRARY: [(&str, &str); 2] = [
         "#define NAN __builtin_nanf(\"\")\n#define isfinite(x) __builtin_isfinite(x)\n\
          #define isinf(x) __builtin_isinf_sign(x)\n#define isnan(x) __builtin_isnan(x)\n\
          double sqrt(double);\ndouble fabs(double);\nfloat sqrtf(float);\nfloat fabsf(float);\n\
-         double copysign(double, double);\nfloat copysignf(float, float);\n",
+         double copysign(double, double);\nfloat copysignf(float, float);\n\
+         #define INFINITY __builtin_inff()\ndouble floor(double);\ndouble trunc(double);\n\
+         float floorf(float);\nfloat truncf(float);\n",
     ),
     ("string.h", "#include <stddef.h>\nvoid *memcpy(void *, const void *, size_t);\n"),
 ];

@@ -167,8 +167,14 @@ pub fn saturating_pow<T: Integer>(base: T, exponent: u32) -> T {
 /// The quotient with a remainder of 0 or more; none where the type does not hold it.
 #[function]
 pub fn checked_div_euclid<T: Integer>(a: T, b: T) -> Option<T> {
-    let rest = checked_rem_euclid(a, b)?;
-    Some(a.wrapping_sub(rest).wrapping_div(b))
+    if b == T::ZERO || a < T::ZERO && a == T::MIN && b == T::ZERO.wrapping_sub(T::ONE) {
+        return None;
+    }
+    let quotient = a / b;
+    if a % b >= T::ZERO {
+        return Some(quotient);
+    }
+    Some(if b > T::ZERO { quotient.wrapping_sub(T::ONE) } else { quotient.wrapping_add(T::ONE) })
 }
 
 /// The remainder of 0 or more; none where the type does not hold the quotient.

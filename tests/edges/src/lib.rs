@@ -181,6 +181,7 @@ macro_rules! unsigned {
                 div_ceil(a: $t, b: $t) -> $t { a.div_ceil(b) }
                 next_multiple_of(a: $t, b: $t) -> $t { a.next_multiple_of(b) }
                 is_multiple_of(a: $t, b: $t) -> bool { a.is_multiple_of(b) }
+                checked_next_multiple_of(a: $t, b: $t) -> $t { a.checked_next_multiple_of(b).unwrap_or(a ^ b) }
                 next_power_of_two(a: $t) -> $t { a.next_power_of_two() }
                 checked_next_power_of_two(a: $t) -> $t { a.checked_next_power_of_two().unwrap_or(3) }
                 checked_add_signed(a: $t, b: $signed) -> $t { a.checked_add_signed(b).unwrap_or(a ^ 1) }
