@@ -6,9 +6,7 @@
 //! Invariant: each answer errs on the side of an effect. Must not know: who asks, and what follows from the answer.
 
 use bessemer_ir::visit::{Access, Visit, Walk, walk_place, walk_stmt};
-use bessemer_ir::{
-    BinaryOp, Expr, ExprKind, LocalId, Place, Scalar, Span, Step, Stmt, StmtKind, Type,
-};
+use bessemer_ir::{BinaryOp, Expr, ExprKind, LocalId, Place, Span, Step, Stmt, StmtKind, Type};
 
 /// Whether two places may share memory: they do not where they part at different fields, or at indices that are
 /// different literals.
@@ -150,21 +148,11 @@ fn is_idle(stmt: &Stmt) -> bool {
     matches!(&stmt.kind, StmtKind::Assign { place, value } if is_own(value, place))
 }
 
-fn is_same_in_c(a: &Type, b: &Type) -> bool {
-    match (a, b) {
-        (Type::Scalar(Scalar::Int(a)), Type::Scalar(Scalar::Int(b))) => {
-            (a.bits(), a.signed()) == (b.bits(), b.signed())
-        }
-        _ => a == b,
-    }
-}
-
-/// Whether a value is what a place holds, as it is written: `x`, `x | x`, or `x as u8` of a `u8`; also `x as u64` of a
-/// `usize`, which is the same type in C.
+/// Whether a value is what a place holds, as it is written: `x`, `x | x`, or `x as u8` of a `u8`.
 pub(crate) fn is_own(value: &Expr, place: &Place) -> bool {
     match &value.kind {
         ExprKind::Load(from) => same_place(from, place),
-        ExprKind::Cast(x) => is_same_in_c(&x.ty, &value.ty) && is_own(x, place),
+        ExprKind::Cast(x) => x.ty == value.ty && is_own(x, place),
         ExprKind::Binary(BinaryOp::And | BinaryOp::Or, a, b) => {
             is_own(a, place) && is_own(b, place)
         }

@@ -253,6 +253,8 @@ qemu-s390x               7.2.22        test --full        runs it
 chromium                 150.0.1       test --full        shows the page of the ground station
 Python's venv            found         test --full        installs the next below `target`
 pymavlink                found         test --full        the other end of MAVLink
+numpy                    found         test --full        the arrays of what `cargo bessemer py` makes
+FMPy                     found         test --full        steps what `cargo bessemer fmu` makes
 valgrind                 3.19.0        bench              counts instructions on the host
 arm-linux-gnueabihf-g++  12.2.0        bench              compiles Eigen for the Cortex-A9
 Eigen                    found         bench              a peer

@@ -149,7 +149,7 @@ impl Lowering<'_> {
             value = self.keep(value, Purpose::Part("next"));
         }
         // It does nothing, and compilers warn of it.
-        if is_own(&value, &place) {
+        if is_own_in_c(&value, &place) {
             return;
         }
         self.facts.assign(&place, known);
@@ -361,4 +361,15 @@ pub(super) fn diverges(block: &Block) -> bool {
         }
         _ => false,
     })
+}
+
+/// Whether a value is what a place holds, as C says it: `usize` and `u64` are one type there.
+fn is_own_in_c(value: &Expr, place: &Place) -> bool {
+    let form = |ty: &Type| ty.as_int().map(|int| (int.bits(), int.signed()));
+    match &value.kind {
+        ExprKind::Cast(x) if form(&x.ty).is_some_and(|it| Some(it) == form(&value.ty)) => {
+            is_own_in_c(x, place)
+        }
+        _ => is_own(value, place),
+    }
 }

@@ -11,6 +11,6 @@ pub fn interpolated(points: &[f32; POINTS], place: f32) -> f32 {
     let place = place.clamp(0.0, 1.0) * (POINTS - 1) as f32;
     let below = (place as u32).min(POINTS as u32 - 2);
     let share = place - below as f32;
-    let below = below as usize;
-    points[below] + share * (points[below + 1] - points[below])
+    let (low, high) = (points[below as usize], points[(below + 1) as usize]);
+    low + share * (high - low)
 }

@@ -41,7 +41,6 @@ use bessemer_tests::toolchain::{self, Toolchain};
 use bessemer_tests::turn;
 use bessemer_tests::workspace::Workspace;
 
-use aimed::instances;
 use legs::{Difference, in_c, interpreted};
 use writer::Program;
 
@@ -143,8 +142,8 @@ impl Batch {
         for program in self.left() {
             lines.push((text.lines().count() + 1, program.name.clone()));
             text += &match (self.is_made_of_one(program), native) {
-                (true, true) => instances::with_constants_as_arguments(program),
-                (true, false) => instances::of_first_instance(program),
+                (true, true) => aimed::with_constants_as_arguments(program),
+                (true, false) => aimed::of_first_instance(program),
                 (false, _) => program.text.clone(),
             };
         }
@@ -272,8 +271,8 @@ fn tree(workspace: &Workspace, batch: &mut Batch) -> Package {
             Ok(mut package) => {
                 for program in batch.left() {
                     match batch.is_made_of_one(program) {
-                        true => instances::instantiate(&mut package, program),
-                        false => instances::hold(&package, program),
+                        true => aimed::instantiate(&mut package, program),
+                        false => aimed::hold(&package, program),
                     }
                 }
                 return package;

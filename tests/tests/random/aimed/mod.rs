@@ -7,7 +7,7 @@
 //! and parts that another name or a call writes. Numbers are small and lie about the lengths, so that what is wrong by
 //! one shows. No loop makes many passes: its bound is small, or declared.
 
-pub mod instances;
+mod instances;
 mod loops;
 
 use std::fmt::Write as _;
@@ -15,6 +15,7 @@ use std::fmt::Write as _;
 use bessemer_tests::random::Random;
 
 use super::writer::{Entry, Program};
+pub use instances::{hold, instantiate, of_first_instance, with_constants_as_arguments};
 
 /// Types of numbers, the smaller ones more often: there a bound is near.
 const INTS: [&str; 11] =
