@@ -141,7 +141,7 @@ impl Items<'_> {
     fn form(&self, definition: &Struct) -> Result<(), Problem> {
         let first = definition.fields.first().map(|field| &field.ty);
         match &definition.form {
-            Form::Record | Form::Shared => Ok(()),
+            Form::Record | Form::Lent | Form::Shared => Ok(()),
             Form::Choice(chosen) => {
                 let cases = match first {
                     Some(&Type::BOOL) => 2,

@@ -24,7 +24,7 @@ impl Module {
             let count = self.leaves(&field.ty).len().min(words.len());
             let (own, rest) = core::mem::take(&mut words).split_at_mut(count);
             let held = match &definition.form {
-                Form::Record | Form::Shared => count,
+                Form::Record | Form::Lent | Form::Shared => count,
                 _ if index == 0 => count,
                 Form::Choice(chosen) => {
                     let chosen = chosen.get(first as usize).copied().flatten();

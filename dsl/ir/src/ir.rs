@@ -106,7 +106,9 @@ pub enum Form {
     Choice(Vec<Option<u32>>),
     /// The first field, a `usize`, says how many elements of the second, an array, hold one.
     Sequence,
-    /// No two of them at one time, which no word says: memory that is lent.
+    /// Memory that is lent to a call: what its fields hold before it means nothing.
+    Lent,
+    /// The same, and no two of its fields are in use at one time; no word says which.
     Shared,
 }
 

@@ -73,8 +73,13 @@ impl Lower<'_> {
             Type::Struct(id) => {
                 let item = &self.context.module.structs[id.index()];
                 let names = &self.context.names.structs[id.index()].fields;
-                // What a tag did not choose means nothing.
-                let looked_at = if item.form == Form::Record { item.fields.len() } else { 1 };
+                let looked_at = match item.form {
+                    Form::Record => item.fields.len(),
+                    // What a tag did not choose means nothing.
+                    Form::Choice(_) | Form::Sequence => 1,
+                    // Nothing has been written to it yet.
+                    Form::Lent | Form::Shared => 0,
+                };
                 for (field, name) in item.fields.iter().zip(names).take(looked_at) {
                     self.check_variant(value.clone().field(name), &field.ty);
                 }

@@ -180,7 +180,7 @@ fn fresh(wanted: &str, taken: &mut Vec<String>) -> String {
     name
 }
 
-/// A struct of the compiler's.
+/// A struct of the compiler's: memory that is lent.
 pub(super) fn record(
     (name, module, span): (String, String, Span),
     docs: Vec<String>,
@@ -191,7 +191,7 @@ pub(super) fn record(
         module,
         docs,
         fields,
-        form: bessemer_ir::Form::Record,
+        form: bessemer_ir::Form::Lent,
         initial: None,
         defaults: None,
         given: Given::default(),

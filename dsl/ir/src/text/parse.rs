@@ -315,6 +315,9 @@ impl Parser {
         if self.eat_word("sequence") {
             return Ok(Form::Sequence);
         }
+        if self.eat_word("lent") {
+            return Ok(Form::Lent);
+        }
         if self.eat_word("shared") {
             return Ok(Form::Shared);
         }

@@ -200,6 +200,7 @@ impl<'m> Printer<'m> {
                 self.put(format_args!(" choice({})", chosen.collect::<Vec<_>>().join(", ")));
             }
             Form::Sequence => self.out.push_str(" sequence"),
+            Form::Lent => self.out.push_str(" lent"),
             Form::Shared => self.out.push_str(" shared"),
         }
         self.put(format_args!("{} {{\n", shown_given(&definition.given)));

@@ -191,10 +191,11 @@ impl Source<'_> {
                 ty: source.ty(),
                 given: source.given(),
             }),
-            form: match self.below(3) {
+            form: match self.below(5) {
                 0 => Form::Record,
                 1 => Form::Sequence,
-                2 => Form::Shared,
+                2 => Form::Lent,
+                3 => Form::Shared,
                 _ => {
                     Form::Choice(self.some(3, |source| {
                         if source.chance(2) { None } else { Some(source.below(3)) }
