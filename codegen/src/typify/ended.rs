@@ -1,7 +1,8 @@
 //! Loops that end by themselves: which numbers show how often a `while` runs at most.
 //!
 //! Its condition compares two integers, `low < high`, of which one goes up or the other down in every
-//! pass, on every path, and neither ever moves the other way. What moves is a place, what does not is
+//! pass, on every path, and neither ever moves the other way. Either may be a part of what is compared: `i` of
+//! `i + 2 < n`. What moves is a place, what does not is
 //! written nowhere in the loop. Then no more passes begin than lie between the two before the first.
 //! A loop that does something before its condition is looked at from one condition to the next; what goes
 //! before the first is one pass more.
@@ -55,7 +56,7 @@ pub(super) fn proof(
         return Err("a `continue` comes before its condition".into());
     }
     let mut reason = None;
-    for (low, high, inclusive) in comparisons(of.condition, of.truth) {
+    for (low, high, inclusive) in bounds(module, of.condition, of.truth) {
         let least = least_at(module, low, of.lead);
         let mut looked =
             Looked { module, low, high, inclusive, least, name: &name, moving: Vec::new() };
@@ -82,7 +83,7 @@ pub(super) fn turned(
     }
     let turn: Vec<Stmt> = of.rest.iter().chain(of.before).cloned().collect();
     let mut reason = None;
-    for (low, high, inclusive) in comparisons(of.condition, of.truth) {
+    for (low, high, inclusive) in bounds(module, of.condition, of.truth) {
         let mut looked =
             Looked { module, low, high, inclusive, least: None, name: &name, moving: Vec::new() };
         match looked.shown(&[], of.condition, &turn, Path::default()) {
@@ -140,6 +141,45 @@ fn least_at(module: &Module, number: &Expr, lead: &[Stmt]) -> Option<i128> {
         _ => return None,
     };
     shown_least(module, value)
+}
+
+/// The comparisons `low < high` that have to hold for a condition to be `truth`, and those that follow from them:
+/// `i + 2 < n` is false where `i < n` is, and so is `i < n - 2`. What follows comes first: it is what is counted in.
+fn bounds<'e>(
+    module: &Module,
+    condition: &'e Expr,
+    truth: bool,
+) -> Vec<(&'e Expr, &'e Expr, bool)> {
+    let compared = comparisons(condition, truth);
+    let follow = compared.iter().flat_map(|&(low, high, inclusive)| {
+        let below = no_more(module, low).into_iter().map(move |low| (low, high, inclusive));
+        let above = no_less(module, high).into_iter().map(move |high| (low, high, inclusive));
+        below.chain(above)
+    });
+    follow.chain(compared.iter().copied()).collect()
+}
+
+/// The parts of a number that are at most it: `i` of `i + 2`, of `3 * i` and of `i * i`.
+fn no_more<'e>(module: &Module, expr: &'e Expr) -> Vec<&'e Expr> {
+    let ExprKind::Binary(op, a, b) = &expr.kind else { return Vec::new() };
+    let least = |part: &Expr| shown_least(module, part).unwrap_or(-1);
+    let is_square = || place(a).zip(place(b)).is_some_and(|(a, b)| same_place(a, b));
+    let holds = |part: &Expr, other: &Expr| match op {
+        BinaryOp::Add => least(other) >= 0,
+        BinaryOp::Mul => least(part) >= 0 && (least(other) >= 1 || is_square()),
+        _ => false,
+    };
+    [(a, b), (b, a)]
+        .into_iter()
+        .filter(|(part, other)| holds(part, other))
+        .map(|(part, _)| &**part)
+        .collect()
+}
+
+/// The part of a number that is at least it: `n` of `n - 2`.
+fn no_less<'e>(module: &Module, expr: &'e Expr) -> Option<&'e Expr> {
+    let ExprKind::Binary(BinaryOp::Sub, whole, less) = &expr.kind else { return None };
+    shown_least(module, less).is_some_and(|least| least >= 0).then_some(whole)
 }
 
 /// The comparisons `low < high` that have to hold for a condition to be `truth`.

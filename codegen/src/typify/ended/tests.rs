@@ -91,6 +91,25 @@ fn one_of_the_two_moves_in_every_pass() {
 }
 
 #[test]
+fn what_is_compared_may_be_a_sum_with_what_moves() {
+    ends("if i + 2u8 >= n { break; } i = i + 1u8;");
+    ends("if i + m >= n { break; } i = i + 3u8;");
+    ends("if 2u8 * i > n { break; } i = i + 1u8;");
+    ends("if i * i > n { break; } i = i + 1u8;");
+    ends("if i >= n - 2u8 { break; } n = n - 1u8;");
+    ends("if i + m >= n { break; } m = m + 1u8;");
+    is_endless("if i + 2u8 >= n { break; } i = i + m;");
+    is_endless("if m * i >= n { break; } i = i + 1u8; i = i.min(7u8);");
+    is_endless("if i >= n - m { break; } if n > 100u8 { n = n - 1u8; }");
+}
+
+/// A part of a product may be more than it, where the other is 0.
+#[test]
+fn a_product_with_zero_says_nothing() {
+    is_not_shown("if m * i >= n { break; } i = i + 1u8;");
+}
+
+#[test]
 fn neither_moves_the_other_way() {
     is_endless("if i >= n { break; } i = i + 1u8; i = i.saturating_sub(m);");
     is_not_shown("if i >= n { break; } i = i + 1u8; n = n.wrapping_add(m);");
