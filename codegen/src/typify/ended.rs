@@ -13,15 +13,18 @@
 use std::collections::HashMap;
 
 use bessemer_ir::{
-    BinaryOp, Block, CompareOp, Expr, ExprKind, Intrinsic, LocalId, LogicOp, Module, Place, Step,
-    Stmt, StmtKind, UnaryOp,
+    BinaryOp, Block, CompareOp, Expr, ExprKind, Intrinsic, LocalId, Module, Place, Step, Stmt,
+    StmtKind,
 };
 
 use crate::effects::{lent, overlap, reads, same_place, writes};
 use crate::used::Rule;
 
+mod compared;
 #[cfg(test)]
 mod tests;
+
+use compared::{bounds, is_unsigned, place, shown_least};
 
 /// Between which two numbers there are as many as there are passes.
 pub(super) struct Proof {
@@ -141,73 +144,6 @@ fn least_at(module: &Module, number: &Expr, lead: &[Stmt]) -> Option<i128> {
         _ => return None,
     };
     shown_least(module, value)
-}
-
-/// The comparisons `low < high` that have to hold for a condition to be `truth`, and those that follow from them:
-/// `i + 2 < n` is false where `i < n` is, and so is `i < n - 2`. What follows comes first: it is what is counted in.
-fn bounds<'e>(
-    module: &Module,
-    condition: &'e Expr,
-    truth: bool,
-) -> Vec<(&'e Expr, &'e Expr, bool)> {
-    let compared = comparisons(condition, truth);
-    let follow = compared.iter().flat_map(|&(low, high, inclusive)| {
-        let below = no_more(module, low).into_iter().map(move |low| (low, high, inclusive));
-        let above = no_less(module, high).into_iter().map(move |high| (low, high, inclusive));
-        below.chain(above)
-    });
-    follow.chain(compared.iter().copied()).collect()
-}
-
-/// The parts of a number that are at most it: `i` of `i + 2`, of `3 * i` and of `i * i`.
-fn no_more<'e>(module: &Module, expr: &'e Expr) -> Vec<&'e Expr> {
-    let ExprKind::Binary(op, a, b) = &expr.kind else { return Vec::new() };
-    let least = |part: &Expr| shown_least(module, part).unwrap_or(-1);
-    let is_square = || place(a).zip(place(b)).is_some_and(|(a, b)| same_place(a, b));
-    let holds = |part: &Expr, other: &Expr| match op {
-        BinaryOp::Add => least(other) >= 0,
-        BinaryOp::Mul => least(part) >= 0 && (least(other) >= 1 || is_square()),
-        _ => false,
-    };
-    [(a, b), (b, a)]
-        .into_iter()
-        .filter(|(part, other)| holds(part, other))
-        .map(|(part, _)| &**part)
-        .collect()
-}
-
-/// The part of a number that is at least it: `n` of `n - 2`.
-fn no_less<'e>(module: &Module, expr: &'e Expr) -> Option<&'e Expr> {
-    let ExprKind::Binary(BinaryOp::Sub, whole, less) = &expr.kind else { return None };
-    shown_least(module, less).is_some_and(|least| least >= 0).then_some(whole)
-}
-
-/// The comparisons `low < high` that have to hold for a condition to be `truth`.
-fn comparisons(condition: &Expr, truth: bool) -> Vec<(&Expr, &Expr, bool)> {
-    match &condition.kind {
-        ExprKind::Unary(UnaryOp::Not, inner) => comparisons(inner, !truth),
-        ExprKind::Logic(op, a, b) if (*op == LogicOp::And) == truth => {
-            let mut all = comparisons(a, truth);
-            all.extend(comparisons(b, truth));
-            all
-        }
-        ExprKind::Compare(op, a, b) if a.ty.as_int().is_some() => match (op, truth) {
-            (CompareOp::Lt, true) | (CompareOp::Ge, false) => vec![(&**a, &**b, false)],
-            (CompareOp::Le, true) | (CompareOp::Gt, false) => vec![(a, b, true)],
-            (CompareOp::Gt, true) | (CompareOp::Le, false) => vec![(b, a, false)],
-            (CompareOp::Ge, true) | (CompareOp::Lt, false) => vec![(b, a, true)],
-            // What is not 0 is above it, if there is nothing below.
-            (CompareOp::Ne, true) | (CompareOp::Eq, false) if is_unsigned(a) => {
-                match (&a.kind, &b.kind) {
-                    (_, ExprKind::Literal(0)) => vec![(b, a, false)],
-                    (ExprKind::Literal(0), _) => vec![(a, b, false)],
-                    _ => Vec::new(),
-                }
-            }
-            _ => Vec::new(),
-        },
-        _ => Vec::new(),
-    }
 }
 
 /// How a value stands to the one that it is held against: at least that far on, or further.
@@ -583,43 +519,9 @@ impl Looked<'_> {
     }
 }
 
-fn shown_least(module: &Module, expr: &Expr) -> Option<i128> {
-    let int = expr.ty.as_int()?;
-    let least = |part| shown_least(module, part);
-    let shown = match &expr.kind {
-        ExprKind::Literal(word) => Some(int.from_word(*word)),
-        ExprKind::Const(id) => {
-            module.consts[id.index()].words.first().map(|word| int.from_word(*word))
-        }
-        ExprKind::Cast(inner) if is_unsigned(inner) && is_unsigned(expr) => {
-            let from = inner.ty.as_int()?;
-            least(inner).filter(|_| from.bits() <= int.bits())
-        }
-        ExprKind::Binary(BinaryOp::Add, a, b) => least(a).zip(least(b)).map(|(a, b)| a + b),
-        ExprKind::Intrinsic(Intrinsic::Max, parts) => parts.iter().filter_map(least).max(),
-        _ => None,
-    };
-    shown.or(is_unsigned(expr).then_some(0))
-}
-
-fn is_unsigned(expr: &Expr) -> bool {
-    expr.ty.as_int().is_some_and(|int| !int.signed())
-}
-
 fn meet(a: Option<Path>, b: Option<Path>) -> Option<Path> {
     match a {
         Some(a) => Some(a.join(b)),
         None => b,
-    }
-}
-
-/// A place of fields alone.
-fn place(expr: &Expr) -> Option<&Place> {
-    match &expr.kind {
-        ExprKind::Load(place) => {
-            let fields = place.steps.iter().all(|step| matches!(step, Step::Field(_)));
-            fields.then_some(place)
-        }
-        _ => None,
     }
 }

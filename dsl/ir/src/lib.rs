@@ -14,6 +14,7 @@ extern crate alloc;
 pub mod attributes;
 mod build;
 mod canonical;
+mod data;
 mod enums;
 pub mod ir;
 pub mod kernel;
