@@ -17,7 +17,7 @@ use bessemer_ir::{
     StmtKind,
 };
 
-use crate::effects::{lent, overlap, reads, same_place, writes};
+use crate::effects::{lent, overlap, reads, same_place, writes, writes_local};
 use crate::used::Rule;
 
 mod compared;
@@ -59,7 +59,7 @@ pub(super) fn proof(
         return Err("a `continue` comes before its condition".into());
     }
     let mut reason = None;
-    for (low, high, inclusive) in bounds(module, of.condition, of.truth) {
+    for (low, high, inclusive) in bounds(module, of) {
         let least = least_at(module, low, of.lead);
         let mut looked =
             Looked { module, low, high, inclusive, least, name: &name, moving: Vec::new() };
@@ -86,7 +86,7 @@ pub(super) fn turned(
     }
     let turn: Vec<Stmt> = of.rest.iter().chain(of.before).cloned().collect();
     let mut reason = None;
-    for (low, high, inclusive) in bounds(module, of.condition, of.truth) {
+    for (low, high, inclusive) in bounds(module, of) {
         let mut looked =
             Looked { module, low, high, inclusive, least: None, name: &name, moving: Vec::new() };
         match looked.shown(&[], of.condition, &turn, Path::default()) {
@@ -233,11 +233,25 @@ impl Looked<'_> {
         if self.moving.iter().any(anew) {
             return Err("what its condition compares is computed anew in every pass".into());
         }
+        let path = self.named(before, path);
         let end = self.block(body, path, false)?;
         if end.is_some_and(|end| !end.moved) {
             return Err(self.stuck(""));
         }
         Ok(())
+    }
+
+    /// What is known of the names that statements give before the condition, which do not write the two.
+    fn named(&self, before: &[Stmt], mut path: Path) -> Path {
+        for (at, stmt) in before.iter().enumerate() {
+            if let StmtKind::Let { local, value: Some(value) } = &stmt.kind
+                && !before[at + 1..].iter().any(|later| writes_local(later, *local))
+            {
+                let known = [self.against(0, value, &path), self.against(1, value, &path)];
+                path.locals.insert(*local, known);
+            }
+        }
+        path
     }
 
     fn side(&self, side: Side) -> &Expr {
@@ -350,8 +364,8 @@ impl Looked<'_> {
         }
         for side in 0..2 {
             let Some(ours) = self.place(side).filter(|ours| overlap(ours, to)) else { continue };
-            let far = if same_place(ours, to) { self.against(side, value, path) } else { None };
-            let Some(far) = far else {
+            let part = part(ours, to, value);
+            let Some(far) = part.and_then(|value| self.against(side, value, path)) else {
                 let name = (self.name)(ours);
                 return Err(format!("`{name}` may {}", WAYS[1 - side]));
             };
@@ -517,6 +531,18 @@ impl Looked<'_> {
     fn least(&self, expr: &Expr) -> Option<i128> {
         shown_least(self.module, expr)
     }
+}
+
+/// What is written to `ours` where `value` is written to `to`, if that shows.
+fn part<'v>(ours: &Place, to: &Place, value: &'v Expr) -> Option<&'v Expr> {
+    let (outer, inner) = ours.steps.split_at_checked(to.steps.len())?;
+    if !same_place(&Place { steps: outer.to_vec(), ..ours.clone() }, to) {
+        return None;
+    }
+    inner.iter().try_fold(value, |value, step| match (&value.kind, step) {
+        (ExprKind::Struct(parts), Step::Field(at)) => parts.get(*at as usize),
+        _ => None,
+    })
 }
 
 fn meet(a: Option<Path>, b: Option<Path>) -> Option<Path> {

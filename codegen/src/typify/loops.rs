@@ -6,13 +6,15 @@
 
 use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{
-    Block, CompareOp, Expr, ExprKind, Fault, Int, Local, LocalId, Mode, Place, Scalar, Span, Step,
-    Stmt, StmtKind, Type,
+    Block, CompareOp, Expr, ExprKind, Fault, Int, Local, LocalId, LogicOp, Mode, Place, Scalar,
+    Span, Step, Stmt, StmtKind, Type,
 };
 
+use super::conditions::has_let;
 use super::ended::{self, Loop, Proof};
 use super::expr::{Operand, two};
 use super::lowering::{Behind, Frame, Leaving, Lowering, Target};
+use super::subject::Named;
 use super::{OUR_FAULT, Result, labelled, problem};
 
 impl Lowering<'_, '_> {
@@ -69,13 +71,10 @@ impl Lowering<'_, '_> {
         let length = self.popped_length(condition)?;
         self.repeated(label, None, span, |inner| {
             let declared = bound.map(|bound| (inner.pass(&bound, span), bound));
-            let mut head = 0;
+            let mut heads = Vec::new();
             let body = inner.scoped(|inner| {
                 let mut names = Vec::new();
-                let condition = inner.pattern_condition(condition, &mut names)?.negated();
-                let (then, otherwise) = (alone(StmtKind::Break, span), Block::default());
-                head = inner.out.len();
-                inner.emit(StmtKind::If { condition, then, otherwise }, span);
+                heads = inner.heads(condition, &mut names, span)?;
                 if let Some((pass, bound)) = &declared {
                     inner.emit(begun(*pass, bound, span), span);
                 }
@@ -86,12 +85,12 @@ impl Lowering<'_, '_> {
                 (Some((pass, bound)), _) => Ok(passes(pass, bound, true, body)),
                 (None, Some(length)) => {
                     let name = |place: &Place| inner.place_name(place);
-                    let rest = &body.0[head + 1..];
+                    let rest = &body.0[heads[0] + 1..];
                     let shown = ended::popped(&inner.cx.module, name, &length, rest);
                     inner.ended(site, shown, body)
                 }
                 (None, None) => {
-                    let shown = inner.shown(&body, head);
+                    let shown = inner.shown(&body, &heads);
                     inner.ended(site, shown, body)
                 }
             }
@@ -149,11 +148,59 @@ impl Lowering<'_, '_> {
         Ok(self.list_items(&list).map(|(length, _)| length.load()))
     }
 
-    /// The bound that shows of a loop which the `if` at `head` of its body ends.
-    fn shown(&self, body: &Block, head: usize) -> Result<Proof, ended::Reason> {
+    /// Leaves a loop where its condition does not hold; gives the places of the `if`s that do. There is one for all
+    /// that C can say in one expression: what has to be computed first is computed only where the conditions before
+    /// it hold.
+    fn heads(
+        &mut self,
+        condition: &tree::Expr,
+        names: &mut Vec<Named>,
+        span: Span,
+    ) -> Result<Vec<usize>> {
+        let leave = |condition: Expr| {
+            let (then, otherwise) = (alone(StmtKind::Break, span), Block::default());
+            let kind = StmtKind::If { condition: condition.negated(), then, otherwise };
+            Stmt { kind, span, comments: Vec::new() }
+        };
+        let mut parts = conjuncts(condition).into_iter();
+        let mut holds = match parts.next() {
+            Some(first) => self.pattern_condition(first, names)?,
+            None => Expr::bool(true, span),
+        };
+        let mut heads = Vec::new();
+        for part in parts {
+            let at = self.out.len();
+            if has_let(condition) {
+                self.keep_changeable(names)?;
+            }
+            let next = self.pattern_condition(part, names)?;
+            let is_true = |condition: &Expr| condition.kind == ExprKind::Literal(1);
+            holds = match self.out.len() == at {
+                _ if is_true(&holds) => next,
+                true if is_true(&next) => holds,
+                true => Expr::logic(LogicOp::And, holds, next),
+                false => {
+                    self.out.insert(at, leave(holds));
+                    heads.push(at);
+                    next
+                }
+            };
+        }
+        heads.push(self.out.len());
+        self.out.push(leave(holds));
+        Ok(heads)
+    }
+
+    /// The bound that shows of a loop which one of the `if`s at `heads` of its body ends.
+    fn shown(&self, body: &Block, heads: &[usize]) -> Result<Proof, ended::Reason> {
         let name = |place: &Place| self.place_name(place);
-        let of = left_at(&body.0, head, &self.out).ok_or_else(no_end)?;
-        ended::proof(&self.cx.module, name, &of)
+        let shown = |head: &usize| {
+            let of = left_at(&body.0, *head, &self.out).ok_or_else(no_end)?;
+            ended::proof(&self.cx.module, name, &of)
+        };
+        let mut all = heads.iter().map(shown);
+        let first = all.next().unwrap_or_else(|| Err(no_end()));
+        first.or_else(|why| all.find_map(Result::ok).ok_or(why))
     }
 
     /// A `loop` without a declared bound: one of its `if … { break; }` has to show that it ends.
@@ -454,6 +501,16 @@ fn left_at<'a>(body: &'a [Stmt], head: usize, lead: &'a [Stmt]) -> Option<Loop<'
 
 fn no_end() -> ended::Reason {
     "no `if … { break; }` stands in it by itself".into()
+}
+
+/// What has to hold one after the other for a condition to hold.
+fn conjuncts(condition: &tree::Expr) -> Vec<&tree::Expr> {
+    match &condition.kind {
+        tree::ExprKind::Binary(tree::BinaryOp::LogicAnd, left, right) => {
+            [conjuncts(left), conjuncts(right)].concat()
+        }
+        _ => vec![condition],
+    }
 }
 
 /// Whether an expression is a variable or a part of one, so that to name it does nothing.

@@ -28,6 +28,13 @@ impl Lowering<'_, '_> {
         {
             return self.choice(id, word, None, site);
         }
+        if !self.cx.slices_in(&ty).is_empty() {
+            return problem(
+                site,
+                "a value that borrows is no constant in C",
+                "make it here, or in a function, instead of a `const`",
+            );
+        }
         let generic = |wanted: &str| {
             source.generics.iter().find(|(known, _)| known == wanted).map(|(_, argument)| argument)
         };

@@ -104,7 +104,12 @@ fn data_struct(kind: Kind, it: &syn::ItemStruct, refusals: &mut Refusals) -> Tok
     let scope = Scope::of_type(&it.generics);
     if borrows {
         // It lives in locals, and has no words.
-        return if lower::GENERATING { struct_definition(kind, it) } else { TokenStream::new() };
+        if !lower::GENERATING {
+            return TokenStream::new();
+        }
+        let definition = struct_definition(kind, it);
+        let evaluated = evaluated(name, scope, quote! { ::bessemer::generate::list([]) });
+        return quote! { #definition #evaluated };
     }
     let members: Vec<_> = it.fields.members().collect();
     let types: Vec<_> = it.fields.iter().map(|field| &field.ty).collect();
@@ -383,10 +388,33 @@ fn data_enum(kind: Kind, it: &syn::ItemEnum, refusals: &mut Refusals) -> TokenSt
         let bounds = scope.bounds(definition_bounds(scope, fields));
         let ranks = !payload && !borrows && derives("PartialOrd", &it.attrs);
         let ranked = ranks.then(|| ranked(&it.ident, scope));
+        let empty = it.variants.iter().enumerate().filter(|(_, it)| it.fields.is_empty());
+        let arms = empty.map(|(index, variant)| {
+            let (index, ident) = (index as u64, &variant.ident);
+            quote! { Self::#ident { .. } => ::bessemer::generate::list([#index]), }
+        });
+        let evaluated = borrows.then(|| {
+            evaluated(&it.ident, scope, quote! { match self { #(#arms)* _ => ::bessemer::generate::list([]) } })
+        });
         let definition = definition(&it.ident, scope, &bounds, &it.attrs, kind);
-        quote! { #definition #ranked }
+        quote! { #definition #ranked #evaluated }
     });
     quote! { #plain #definition }
+}
+
+/// What rustc evaluates of a type that borrows: it is no plain data.
+fn evaluated(name: &syn::Ident, scope: Scope<'_>, words: TokenStream) -> TokenStream {
+    let (declared, arguments) = (scope.declared(), scope.applied());
+    quote! {
+        const _: () = {
+            impl #declared ::bessemer::generate::Evaluated for #name #arguments {
+                #[allow(unreachable_patterns)]
+                fn evaluated(&self) -> ::bessemer::generate::Vec<u64> {
+                    #words
+                }
+            }
+        };
+    }
 }
 
 /// The words of an enum: the index of its variant, then the words of each payload in order; those of a

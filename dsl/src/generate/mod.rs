@@ -31,6 +31,7 @@ pub mod views;
 pub mod whole;
 
 pub use alloc::string::String;
+pub use alloc::vec::Vec;
 pub use bessemer_ir::tree;
 pub use builder::{Builder, Callee, Defaults, Named, NoDefault, Said, Witness, words};
 pub use comparison::{Ranked, cmp};
@@ -41,8 +42,8 @@ pub use items::{
 pub use numbers::{FromBuiltin, TryFromBuiltin};
 pub use operators::{Implements, Operates, Operation, OwnOperator, owned, sign};
 pub use slot::{
-    Called, DslType, Instance, ScalarType, Seen, Slot, Value, WithoutEntries, callees, constant,
-    list, types,
+    Called, DslType, Evaluated, Instance, ScalarType, Seen, Slot, Value, WithoutEntries, callees,
+    constant, list, types,
 };
 
 /// The imports of a builder; their names begin with `__` so that they never meet an author's.

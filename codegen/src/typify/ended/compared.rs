@@ -3,25 +3,39 @@
 //! It looks at one condition alone; how the two move is for [`ended`](super) to follow.
 
 use bessemer_ir::{
-    BinaryOp, CompareOp, Expr, ExprKind, Intrinsic, LogicOp, Module, Place, Step, UnaryOp,
+    BinaryOp, CompareOp, Expr, ExprKind, Intrinsic, LogicOp, Module, Place, Step, Stmt, StmtKind,
+    UnaryOp,
 };
 
-use crate::effects::same_place;
+use super::Loop;
+use crate::effects::{reads, same_place, writes};
 
 /// The comparisons `low < high` that have to hold for a condition to be `truth`, and those that follow from them:
 /// `i + 2 < n` is false where `i < n` is, and so is `i < n - 2`. What follows comes first: it is what is counted in.
-pub(super) fn bounds<'e>(
-    module: &Module,
-    condition: &'e Expr,
-    truth: bool,
-) -> Vec<(&'e Expr, &'e Expr, bool)> {
-    let compared = comparisons(condition, truth);
+pub(super) fn bounds<'e>(module: &Module, of: &Loop<'e>) -> Vec<(&'e Expr, &'e Expr, bool)> {
+    let meant = |number| meant(of.before, number);
+    let compared: Vec<_> = comparisons(of.condition, of.truth)
+        .into_iter()
+        .map(|(low, high, inclusive)| (meant(low), meant(high), inclusive))
+        .collect();
     let follow = compared.iter().flat_map(|&(low, high, inclusive)| {
         let below = no_more(module, low).into_iter().map(move |low| (low, high, inclusive));
         let above = no_less(module, high).into_iter().map(move |high| (low, high, inclusive));
         below.chain(above)
     });
     follow.chain(compared.iter().copied()).collect()
+}
+
+/// What a number is, where the statements `before` the condition give it a name and leave it as it is.
+pub(super) fn meant<'e>(before: &'e [Stmt], expr: &'e Expr) -> &'e Expr {
+    let Some(name) = place(expr).filter(|place| place.steps.is_empty()) else { return expr };
+    let declares =
+        |stmt: &Stmt| matches!(&stmt.kind, StmtKind::Let { local, .. } if *local == name.root);
+    let Some(at) = before.iter().rposition(declares) else { return expr };
+    let StmtKind::Let { value: Some(value), .. } = &before[at].kind else { return expr };
+    let since = writes(&before[at + 1..]);
+    let stays = place(value).is_some() && !reads(value, &since) && !reads(expr, &since);
+    if stays { value } else { expr }
 }
 
 /// The parts of a number that are at most it: `i` of `i + 2`, of `3 * i` and of `i * i`.

@@ -103,6 +103,16 @@ fn what_is_compared_may_be_a_sum_with_what_moves() {
     is_endless("if i >= n - m { break; } if n > 100u8 { n = n - 1u8; }");
 }
 
+#[test]
+fn what_is_compared_may_have_a_name() {
+    ends("let k: u8 = n; if i >= k { break; } i = i + 1u8;");
+    ends("let k: u8 = n; if k <= 0u8 { break; } n = k - 1u8;");
+    ends("let k: u8 = i; if k >= n { break; } i = k + 1u8;");
+    is_endless("let k: u8 = n; n = m; if i >= k { break; } n = n - 1u8;");
+    is_endless("let k: u8 = n; if i >= k { break; } n = k;");
+    is_endless("let k: u8 = i; k = m; if k >= n { break; } i = i + 1u8; i = i.min(9u8);");
+}
+
 /// A part of a product may be more than it, where the other is 0.
 #[test]
 fn a_product_with_zero_says_nothing() {
