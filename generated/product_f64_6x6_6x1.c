@@ -11,6 +11,22 @@
 
 #include "bessemer_target.h"
 
+/* What this kernel computes; with -DBESSEMER_LOOPS, how it does. Every other way below gives the same bits: it takes other
+   elements side by side, each of them in this order. */
+#if defined(BESSEMER_LOOPS)
+static void by_loops(const double *a, const double *b, double *result)
+{
+    for (uint32_t column = 0U; column < 1U; column++) {
+        for (uint32_t row = 0U; row < 6U; row++) {
+            double sum = a[row] * b[6U * column];
+            for (uint32_t k = 1U; k < 6U; k++) {
+                sum += a[row + 6U * k] * b[k + 6U * column];
+            }
+            result[row + 6U * column] = sum;
+        }
+    }
+}
+#else
 /* Vectors of LANES numbers, DOWN of them below one another for the rows of a sum. */
 #if defined(__GNUC__) && (defined(__clang__) || (__GNUC__ >= 12)) && defined(__x86_64__) && defined(__AVX__) && !defined(BESSEMER_PLAIN)
 #define LANES 4U
@@ -24,19 +40,16 @@
 /* The first row of a vector; the last vector overlaps where the rows are no multiple of its lanes. */
 #define OFFSET(vector) ((LANES * (vector) + LANES <= 6U) ? LANES * (vector) : 6U - LANES)
 
-#if !defined(PLUS)
+/* The first term of a sum, and the sum with one more. */
 #define TIMES(rows, number) ((rows) * (number))
 #define PLUS(sum, rows, number) ((sum) + (rows) * (number))
-#endif
 
 typedef double lanes_t __attribute__((vector_size(8 * LANES), aligned(8), may_alias));
 
 /* Empty code that claims to change a value: compilers must have it in a register at this point, and use that from here on. It
    makes no instruction, and no bit depends on it. Without it they load rows and numbers again, or load what many terms need
    ahead of the first, until the sums no longer fit into registers: the same results, in up to a third more instructions. */
-#if !defined(IN_ITS_REGISTER)
 #define IN_ITS_REGISTER(value) __asm__("" : "+v"(value))
-#endif
 
 /* A band of the result, vectors of rows below one another: the first products, then the others in order. */
 static inline __attribute__((always_inline)) void band(const double *a, const double *b, double *result,
@@ -97,10 +110,13 @@ static void tile_6x1(const double *a, const double *b, double *result)
     result[5] = y50;
 }
 #endif
+#endif
 
 void product_f64_6x6_6x1(const double a[36], const double b[6], double result[6])
 {
-#if defined(LANES)
+#if defined(BESSEMER_LOOPS)
+    by_loops(a, b, result);
+#elif defined(LANES)
     band(a, b, result, DOWN);
 #else
     tile_6x1(&a[0U], &b[0U], &result[0U]);

@@ -11,6 +11,22 @@
 
 #include "bessemer_target.h"
 
+/* What this kernel computes; with -DBESSEMER_LOOPS, how it does. Every other way below gives the same bits: it takes other
+   elements side by side, each of them in this order. */
+#if defined(BESSEMER_LOOPS)
+static void by_loops(const double *a, const double *b, double *result)
+{
+    for (uint32_t column = 0U; column < 6U; column++) {
+        for (uint32_t row = 0U; row < 6U; row++) {
+            double sum = a[row] * b[column];
+            for (uint32_t k = 1U; k < 6U; k++) {
+                sum += a[row + 6U * k] * b[column + 6U * k];
+            }
+            result[row + 6U * column] = sum;
+        }
+    }
+}
+#else
 /* Vectors of LANES numbers, DOWN of them below one another for the rows of a sum.
    HELD: registers have room for all of a. */
 #if defined(__GNUC__) && (defined(__clang__) || (__GNUC__ >= 12)) && defined(__x86_64__) && defined(__AVX__) && !defined(BESSEMER_PLAIN)
@@ -27,19 +43,16 @@
 /* The first row of a vector; the last vector overlaps where the rows are no multiple of its lanes. */
 #define OFFSET(vector) ((LANES * (vector) + LANES <= 6U) ? LANES * (vector) : 6U - LANES)
 
-#if !defined(PLUS)
+/* The first term of a sum, and the sum with one more. */
 #define TIMES(rows, number) ((rows) * (number))
 #define PLUS(sum, rows, number) ((sum) + (rows) * (number))
-#endif
 
 typedef double lanes_t __attribute__((vector_size(8 * LANES), aligned(8), may_alias));
 
 /* Empty code that claims to change a value: compilers must have it in a register at this point, and use that from here on. It
    makes no instruction, and no bit depends on it. Without it they load rows and numbers again, or load what many terms need
    ahead of the first, until the sums no longer fit into registers: the same results, in up to a third more instructions. */
-#if !defined(IN_ITS_REGISTER)
 #define IN_ITS_REGISTER(value) __asm__("" : "+v"(value))
-#endif
 
 #if defined(ACROSS)
 /* A term of each sum of a block. */
@@ -268,10 +281,13 @@ static void tile_3x6(const double *a, const double *b, double *result)
 }
 #endif
 #endif
+#endif
 
 void product_tr_f64_6x6_6x6(const double a[36], const double b[36], double result[36])
 {
-#if defined(HELD)
+#if defined(BESSEMER_LOOPS)
+    by_loops(a, b, result);
+#elif defined(HELD)
     lanes_t held[6U][DOWN];
 #pragma GCC unroll 32
     for (uint32_t k = 0U; k < 6U; k++) {

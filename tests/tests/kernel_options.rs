@@ -142,6 +142,8 @@ fn plain_kernels_are_c99_alone_and_change_no_bit() {
     let plain = Tuning { mode: Mode::Plain, ..Tuning::default() };
     let usual = solves(Tuning::default(), &[]);
     assert!(usual.is_none() || solves(plain, &["-march=native"]) == usual);
+    // The loop that a product's file opens with.
+    assert!(usual.is_none() || solves(Tuning::default(), &["-DBESSEMER_LOOPS"]) == usual);
     let of_three = [Product, ProductTr, TrProduct, TrMul].map(|it| (it, 3));
     let of_two =
         [LuSolve, Solve, CholeskySolve, SolveLower, SolveUpper, TrSolveLower, TrSolveUpper];

@@ -1,6 +1,7 @@
 /* The first row of a vector; the last vector overlaps where the rows are no multiple of its lanes. */
 $height#define OFFSET(vector) ((LANES * (vector) + LANES <= $rows) ? LANES * (vector) : $rows - LANES)
 
+/* The first term of a sum, and the sum with one more. */
 #if !defined(PLUS)
 #define TIMES(rows, number) ((rows) * (number))
 #define PLUS(sum, rows, number) ((sum) + (rows) * (number))

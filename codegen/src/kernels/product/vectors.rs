@@ -172,9 +172,14 @@ pub(super) fn source(
     let height = if before.contains("HEIGHT") || body.contains("HEIGHT") { HEIGHT } else { "" };
     let common = COMMON.replace("$height", height);
     let words = words(&targets);
-    before = format!(
-        "{words}{targets}\n#if defined(LANES)\n{common}{gather}\n{IN_ITS_REGISTER}{before}"
-    );
+    // A guard stands where a target may have a definition of its own.
+    let unguarded = |text: String, name: &str| match targets.contains(&format!("#define {name}(")) {
+        true => text,
+        false => text.replace(&format!("#if !defined({name})\n"), "").replacen("#endif\n", "", 1),
+    };
+    let common = unguarded(common, "PLUS");
+    let held = unguarded(IN_ITS_REGISTER.to_owned(), "IN_ITS_REGISTER");
+    before = format!("{words}{targets}\n#if defined(LANES)\n{common}{gather}\n{held}{before}");
     let mut values = values(element, sizes, shares);
     values.extend(blocks.values());
     Some((fill(&before, &values), fill(&body, &values)))
