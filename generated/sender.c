@@ -25,7 +25,7 @@ static const uint64_t FRONT = UINT64_C(6);
 /** Bytes of a parameter. */
 static const uint64_t PARAMETER_BYTES = UINT64_C(9);
 
-/** Packets of a record. */
+/** Packets of a record. In Rust: `WIDTH / VALUES`. */
 static const uint64_t PARTS = UINT64_C(3);
 
 /** Bytes of a part of a record. */

@@ -1,6 +1,6 @@
 //! The names of constants, and which of them stand beside all sources.
 //!
-//! A constant that its author marked, and that other modules may read, stands once, with its module's name before it, as a function has; so where it stands and
+//! A constant that its author marked, and that is `pub`, stands once, with its module's name before it, as a function has; so where it stands and
 //! what it is called follow from it alone. Any other is `static` in each file that uses it, under the author's own name; it is
 //! qualified where two in one file differ in value, or where a type, a variant or a function has the name. So what another
 //! file uses changes nothing.

@@ -16,6 +16,9 @@ pub fn value(names: &Names, docs: &[String], given: &Given, ty: &Type) -> Vec<St
     if let Some(unit) = &given.unit {
         add(&mut lines, format!("Unit: {unit}."));
     }
+    if let Some(expression) = &given.expression {
+        add(&mut lines, format!("In Rust: `{expression}`."));
+    }
     if let Some(range) = given.range {
         add(&mut lines, format!("Range: {}.", ends(range)));
     }

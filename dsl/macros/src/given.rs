@@ -149,6 +149,7 @@ pub fn tokens(given: &Given) -> TokenStream {
         None => none.clone(),
     };
     let (name, unit, section) = (text(&given.name), text(&given.unit), text(&given.section));
+    let expression = text(&given.expression);
     let range = match given.range {
         Some(range) => {
             let (low, high) = (range.low(), range.high());
@@ -159,8 +160,8 @@ pub fn tokens(given: &Given) -> TokenStream {
     let (lower::Site(line, column), radix, sizes) = (given.site, given.hexadecimal, &given.sizes);
     quote! {
         ::core::option::Option::Some(::bessemer::generate::Said {
-            name: #name, unit: #unit, range: #range, section: #section, hexadecimal: #radix, sizes: &[#(#sizes),*],
-            site: (#line, #column),
+            name: #name, unit: #unit, range: #range, section: #section, hexadecimal: #radix, expression: #expression,
+            sizes: &[#(#sizes),*], site: (#line, #column),
         })
     }
 }

@@ -11,6 +11,7 @@ mod builder;
 mod closures;
 mod data;
 mod docs;
+mod expression;
 mod function;
 mod generics;
 mod given;

@@ -7,9 +7,9 @@ use bessemer_ir::attributes::Given;
 use proc_macro2::{TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 
-use crate::docs;
 use crate::given::{self, On};
 use crate::lower::{self, Refusals, refuse};
+use crate::{docs, expression};
 
 /// The items beside a `const`.
 pub fn constant(it: &mut syn::ItemConst, refusals: &mut Refusals) -> TokenStream {
@@ -34,14 +34,15 @@ fn announced(
 ) -> TokenStream {
     lower::check_attributes(attributes, refusals);
     let hexadecimal = is_hexadecimal(value.to_token_stream());
-    let given = Given { hexadecimal, ..given::read(attributes, On::Table, refusals) };
+    let expression = expression::told(value);
+    let given = Given { hexadecimal, expression, ..given::read(attributes, On::Table, refusals) };
     given::strip(attributes);
     if !refusals.is_empty() || !lower::GENERATING {
         return TokenStream::new();
     }
     let (docs, text, given) = (docs::lines(attributes), lower::text(name), given::tokens(&given));
     let lower::Site(line, column) = lower::site(name);
-    let public = !matches!(visibility, syn::Visibility::Inherited);
+    let public = matches!(visibility, syn::Visibility::Public(_));
     quote! {
         const _: () = {
             ::bessemer::generate::register! {

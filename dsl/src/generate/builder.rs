@@ -69,6 +69,8 @@ pub struct Said {
     pub section: Option<&'static str>,
     /// Whether it is written in base sixteen.
     pub hexadecimal: bool,
+    /// How it is computed, where that is more than its value.
+    pub expression: Option<&'static str>,
     /// The constants that say how many elements it has.
     pub sizes: &'static [&'static str],
     /// Where the name stands.
@@ -76,13 +78,15 @@ pub struct Said {
 }
 
 pub(super) fn said(said: Option<Said>) -> Given {
-    let Some(Said { name, unit, range, section, hexadecimal, sizes, site }) = said else {
+    let Some(Said { name, unit, range, section, hexadecimal, expression, sizes, site }) = said
+    else {
         return Given::default();
     };
     let text = |text: Option<&'static str>| text.map(ToOwned::to_owned);
     let (name, unit, section, sizes) = (text(name), text(unit), text(section), owned(sizes));
+    let expression = text(expression);
     let (range, site) = (range.and_then(|(low, high)| Range::new(low, high)), Site(site.0, site.1));
-    Given { name, unit, range, section, public: false, hexadecimal, sizes, site }
+    Given { name, unit, range, section, public: false, hexadecimal, expression, sizes, site }
 }
 
 /// Asks whether a type has a default: [`Defaults::words`] of one that has is a method of its own, which Rust prefers to that

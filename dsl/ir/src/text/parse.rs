@@ -488,6 +488,7 @@ impl Parser {
                 "name" => &mut given.name,
                 "measured" => &mut given.unit,
                 "section" => &mut given.section,
+                "expression" => &mut given.expression,
                 "range" => {
                     given.range = Some(self.range()?);
                     continue;

@@ -504,7 +504,12 @@ fn shown_given(given: &Given) -> String {
     if *given == Given::default() {
         return String::new();
     }
-    let said = [("name", &given.name), ("measured", &given.unit), ("section", &given.section)];
+    let said = [
+        ("name", &given.name),
+        ("measured", &given.unit),
+        ("section", &given.section),
+        ("expression", &given.expression),
+    ];
     let said =
         said.iter().filter_map(|(word, text)| Some(format!("{word} {:?} ", (*text).as_ref()?)));
     let said: String = said.collect();

@@ -175,6 +175,7 @@ impl Source<'_> {
             section: self.chance(2).then(|| self.text()),
             public: self.chance(2),
             hexadecimal: self.chance(2),
+            expression: self.chance(2).then(|| self.text()),
             sizes: self.some(2, Source::text),
             site: Site(self.below(99), self.below(99)),
         }
