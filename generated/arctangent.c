@@ -14,14 +14,25 @@
 #include "bessemer_target.h"
 #include "pair.h"
 
+/** In Rust: `-1.0 / 3.0`. */
 static const double A3 = -0.3333333333333333;
+
+/** In Rust: `1.0 / 5.0`. */
 static const double A5 = 0.2;
+
+/** In Rust: `-1.0 / 7.0`. */
 static const double A7 = -0.14285714285714285;
+
+/** In Rust: `1.0 / 9.0`. */
 static const double A9 = 0.1111111111111111;
+
+/** (atan x − x)/x³ in powers of x², to 1/16; off by less than 2⁻⁵⁵. */
 static const double ARCTANGENT[6] = {
     -0.3333333333333333, 0.1999999999999979, -0.14285714285083995, 0.11111110422311014,
     -0.09090568687313817, 0.07614684924721683
 };
+
+/** c and atan c, to a double and less that: eight c for each octave from 1/16 to 16. */
 static const double ARCTANGENTS[64][3] = {
     {0.06640625, 0.06630889491982349, -4.885923989304001e-19},
     {0.07421875, 0.07408292254903373, 1.35448289530323e-19},
@@ -90,11 +101,21 @@ static const double ARCTANGENTS[64][3] = {
 };
 static const double F64_INFINITY = (double)INFINITY;
 static const double F64_NAN = (double)NAN;
+
+/** π/2, to a double. */
 static const double HALF_PI_HIGH = 1.5707963267948966;
+
+/** π/2, less its high part. */
 static const double HALF_PI_LOW = 6.123233995736766e-17;
 static const double SPLITTER = 134217729.0;
+
+/** The upper half of a double. */
 static const uint64_t UPPER = UINT64_C(0xFFFFFFFF00000000);
+
+/** π, to a double. */
 static const double WHOLE_PI_HIGH = 3.141592653589793;
+
+/** π, less its high part. */
 static const double WHOLE_PI_LOW = 1.2246467991473532e-16;
 
 /** `a + b` without loss, where `a` is zero or not the smaller in magnitude (Dekker). */

@@ -14,16 +14,35 @@
 #include "bessemer_helpers.h"
 #include "bessemer_target.h"
 
+/** In Rust: `1.0 / 2.0`. */
 static const double E2 = 0.5;
+
+/** In Rust: `1.0 / 6.0`. */
 static const double E3 = 0.16666666666666666;
+
+/** In Rust: `1.0 / 24.0`. */
 static const double E4 = 0.041666666666666664;
+
+/** In Rust: `1.0 / 120.0`. */
 static const double E5 = 0.008333333333333333;
+
+/** In Rust: `1.0 / 720.0`. */
 static const double E6 = 0.001388888888888889;
 static const double F64_INFINITY = (double)INFINITY;
+
+/** To here e^x is normal, and so is what its last rounding takes in. */
 static const double NORMAL = 660.0;
+
+/** 128/ln 2. */
 static const double STEPS_PER_UNIT = 184.6649652337873;
+
+/** 1.5 · 2⁵²: added to a smaller number it leaves the nearest integer in the last bits. */
 static const double TO_INTEGER = 6755399441055744.0;
+
+/** The leading 36 bits of (ln 2)/128: a multiple by up to 2¹⁷ is exact. */
 static const double UNIT_STEP_HIGH = 0.005415212348111709;
+
+/** The rest of (ln 2)/128. */
 static const double UNIT_STEP_LOW = 1.2864023111638346e-14;
 
 /** Two to a power from −1022 to 1023. */

@@ -18,6 +18,7 @@
 #include "logarithm.h"
 #include "pair.h"
 
+/** ln c less the second of `COARSE_ROWS`. */
 static const double COARSE_REST[128] = {
     -1.077574303757264e-13, 8.82452633212564e-14, 7.925157831386559e-14, 1.1118671389559323e-13,
     1.0475750058776541e-13, 1.7625431312172662e-14, -1.1211800740360982e-13,
@@ -54,6 +55,8 @@ static const double COARSE_REST[128] = {
     -1.0263280755261064e-13, 5.834357420090924e-14, -5.351646604259541e-14, 5.4612144489920215e-14,
     2.8136969901227338e-14, -1.156568624616423e-14
 };
+
+/** 1/c, of ten bits at most, and ln c to multiples of 2⁻⁴². */
 static const double COARSE_ROWS[128][2] = {
     {1.4140625, -0.3464667673461008},
     {1.40625, -0.34092658697068146},
@@ -184,22 +187,50 @@ static const double COARSE_ROWS[128][2] = {
     {0.71484375, 0.3356912916381134},
     {0.7109375, 0.3411707574027787}
 };
+
+/** In Rust: `1.0 / 2.0`. */
 static const double E2 = 0.5;
+
+/** In Rust: `1.0 / 6.0`. */
 static const double E3 = 0.16666666666666666;
+
+/** In Rust: `1.0 / 24.0`. */
 static const double E4 = 0.041666666666666664;
+
+/** In Rust: `1.0 / 120.0`. */
 static const double E5 = 0.008333333333333333;
+
+/** In Rust: `1.0 / 720.0`. */
 static const double E6 = 0.001388888888888889;
+
+/** (ln(1 + r) − r + r²/2)/r³ in powers of r, within such a row; off by less than 2⁻⁵⁵. */
 static const double FINER_LN[7] = {
     0.3333333333333333, -0.2500000000000011, 0.19999999999998155, -0.16666666647591571,
     0.14285714407282019, -0.1250081705872971, 0.11109474244766557
 };
+
+/** The logarithm of 2 to a multiple of 2⁻⁴². */
 static const double LN_2_HIGH = 0.6931471805598903;
+
+/** The logarithm of 2 less its high part. */
 static const double LN_2_LOW = 5.497923018708371e-14;
+
+/** To here e^x is normal, and so is what its last rounding takes in. */
 static const double NORMAL = 660.0;
+
+/** 128/ln 2. */
 static const double STEPS_PER_UNIT = 184.6649652337873;
+
+/** 1.5 · 2⁵²: added to a smaller number it leaves the nearest integer in the last bits. */
 static const double TO_INTEGER = 6755399441055744.0;
+
+/** The leading 36 bits of (ln 2)/128: a multiple by up to 2¹⁷ is exact. */
 static const double UNIT_STEP_HIGH = 0.005415212348111709;
+
+/** The rest of (ln 2)/128. */
 static const double UNIT_STEP_LOW = 1.2864023111638346e-14;
+
+/** The upper half of a double. */
 static const uint64_t UPPER = UINT64_C(0xFFFFFFFF00000000);
 
 /** `a + b` without loss, where `a` is zero or not the smaller in magnitude (Dekker). */

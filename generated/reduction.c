@@ -16,16 +16,34 @@
 
 static const double F64_MAX = 1.7976931348623157e308;
 static const double F64_NAN = (double)NAN;
+
+/** Up to here quarter turns are fewer than 2²⁰, rad. */
 static const double FEW_TURNS = 1600000.0;
 static const double FRAC_2_PI = 0.6366197723675814;
+
+/** π/2, to a double. */
 static const double HALF_PI_HIGH = 1.5707963267948966;
+
+/** π/2, less its high part. */
 static const double HALF_PI_LOW = 6.123233995736766e-17;
+
+/** The leading 33 bits of π/2: a multiple of it by up to 2²⁰ is exact. */
 static const double QUARTER_TURN_1 = 1.5707963267341256;
+
+/** The next 33 bits of π/2. */
 static const double QUARTER_TURN_2 = 6.077100506303966e-11;
+
+/** The next 33 bits of π/2. */
 static const double QUARTER_TURN_3 = 2.0222662487111665e-21;
+
+/** The rest of π/2. */
 static const double QUARTER_TURN_4 = 8.4784276603689e-32;
 static const double SPLITTER = 134217729.0;
+
+/** 1.5 · 2⁵²: added to a smaller number it leaves the nearest integer in the last bits. */
 static const double TO_INTEGER = 6755399441055744.0;
+
+/** The bits of 2/π after 64 zeros, most significant first. */
 static const uint64_t TWO_OVER_PI[36] = {
     UINT64_C(0x0), UINT64_C(0xA2F9836E4E441529), UINT64_C(0xFC2757D1F534DDC0),
     UINT64_C(0xDB6295993C439041), UINT64_C(0xFE5163ABDEBBC561), UINT64_C(0xB7246E3A424DD2E0),

@@ -19,7 +19,10 @@ extern "C" {
 /** √(x² + y²) where a square could leave the range; the larger first, and neither negative. */
 double roots_far_length(double large, double small);
 
-/** √(x² + y²), without overflow on the way. */
+/**
+ * √(x² + y²), without overflow on the way; measured within 0.66 ulp. An infinite `x` or `y` gives
+ * ∞, else a NaN gives NaN.
+ */
 double roots_hypot(double x, double y);
 
 #ifdef __cplusplus

@@ -14,18 +14,37 @@
 #include "bessemer_target.h"
 #include "reduction.h"
 
+/** Of the Taylor series of the cosine, x². In Rust: `-1.0 / 2.0`. */
 static const double C2 = -0.5;
+
+/** x⁴. In Rust: `1.0 / 24.0`. */
 static const double C4 = 0.041666666666666664;
+
+/** In Rust: `-1.0 / 720.0`. */
 static const double C6 = -0.001388888888888889;
+
+/** Up to here steps of π/64 are fewer than 2²⁰, rad. */
 static const double MODERATE = 50000.0;
+
+/** Up to here an odd polynomial is the sine, rad. */
 static const double NEAR_ZERO = 0.27;
+
+/** Of the Taylor series of the sine, x³. In Rust: `-1.0 / 6.0`. */
 static const double S3 = -0.16666666666666666;
+
+/** In Rust: `1.0 / 120.0`. */
 static const double S5 = 0.008333333333333333;
+
+/** In Rust: `-1.0 / 5_040.0`. */
 static const double S7 = -0.0001984126984126984;
+
+/** (sin x − x)/x³ in powers of x², to 0.27; off by less than 2⁻⁵⁶. */
 static const double SINE[5] = {
     -0.16666666666666666, 0.008333333333332823, -0.00019841269835861226, 2.7557299180899876e-6,
     -2.5021788914235078e-8
 };
+
+/** sin(k·π/64), to a double and less that. */
 static const double SINES[128][2] = {
     {0.0, 0.0},
     {0.049067674327418015, -6.79610372051828e-19},
@@ -156,10 +175,20 @@ static const double SINES[128][2] = {
     {-0.0980171403295606, 1.634582362244256e-18},
     {-0.049067674327418015, 6.79610372051828e-19}
 };
+
+/** 64/π. */
 static const double STEPS_PER_RADIAN = 20.371832715762604;
+
+/** The leading 33 bits of π/64: a multiple of it by up to 2²⁰ is exact. */
 static const double STEP_HIGH = 0.049087385210441425;
+
+/** The rest of π/64. */
 static const double STEP_LOW = 1.899093908283185e-12;
+
+/** Below this an angle is its own sine and tangent: 2⁻²⁷. */
 static const double TINY = 7.450580596923828e-9;
+
+/** 1.5 · 2⁵²: added to a smaller number it leaves the nearest integer in the last bits. */
 static const double TO_INTEGER = 6755399441055744.0;
 
 /** Sine of `row`·π/64 + `rest` for |rest| ≤ π/128 and a sine of 1/4 or more. */

@@ -63,12 +63,16 @@ def bits(value):
 WORDS = {"f64": literal, "f32": float_literal, "u64": lambda it: f"0x{it:016x}", "u32": lambda it: f"0x{it:08x}"}
 
 
+# The C has what is said of a constant that is marked.
+MARK = "#[crate::data]\n"
+
+
 def constant(name, value, text, ty="f64"):
-    print(f"/// {text}\npub const {name}: {ty} = {WORDS[ty](value)};")
+    print(f"/// {text}\n{MARK}pub(crate) const {name}: {ty} = {WORDS[ty](value)};")
 
 
 def table(name, values, text, ty="f64"):
-    print(f"/// {text}\npub const {name}: [{ty}; {len(values)}] = [")
+    print(f"/// {text}\n{MARK}pub(crate) const {name}: [{ty}; {len(values)}] = [")
     for value in values:
         print(f"    {WORDS[ty](value)},")
     print("];")
@@ -97,8 +101,8 @@ def module(name, title):
 
 def rows(name, values, text, ty="f64", shared=False):
     """A table of tuples; shared: several modules read it, and the C has it once."""
-    mark = "#[crate::data]\n" if shared else ""
-    print(f"/// {text}\n{mark}pub const {name}: [[{ty}; {len(values[0])}]; {len(values)}] = [")
+    seen = "pub" if shared else "pub(crate)"
+    print(f"/// {text}\n{MARK}{seen} const {name}: [[{ty}; {len(values[0])}]; {len(values)}] = [")
     for row in values:
         items = ", ".join(WORDS[ty](v) for v in row)
         print(f"    [{items}],")
@@ -106,7 +110,7 @@ def rows(name, values, text, ty="f64", shared=False):
 
 
 def polynomial(name, function, count, low, high, text, ty="f64"):
-    """Coefficients of the polynomial through a function at the Chebyshev points, ascending."""
+    """Coefficients of the polynomial through a function at the Chebyshev points, ascending, and how far off they are."""
     low, high = mpf(low), mpf(high)
     mp.prec, before = 400, mp.prec
     nodes = [(low + high) / 2 + (high - low) / 2 * cos(pi * (2 * k + 1) / (2 * count)) for k in range(count)]
@@ -116,8 +120,15 @@ def polynomial(name, function, count, low, high, text, ty="f64"):
         values[row] = function(node)
         for power in range(count):
             system[row, power] = node**power
-    table(name, [double(c) if ty == "f64" else c for c in lu_solve(system, values)], text, ty)
+    found = [double(c) if ty == "f64" else rounded(c, 24) for c in lu_solve(system, values)]
+    points = [low + (high - low) * (2 * k + 1) / 1000 for k in range(500)]
+    off = max(abs(function(x) - sum(c * x**power for power, c in enumerate(found))) for x in points)
+    table(name, found, f"{text.rstrip('.')}; off by less than 2{raised(int(floor(log(off, 2))) + 1)}.", ty)
     mp.prec = before
+
+
+def raised(power):
+    return str(power).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
 
 
 def odd(function):
@@ -172,7 +183,6 @@ constant("QUARTER_TURN_1", first, "The leading 33 bits of π/2: a multiple of it
 constant("QUARTER_TURN_2", second, "The next 33 bits of π/2.")
 constant("QUARTER_TURN_3", third, "The next 33 bits of π/2.")
 constant("QUARTER_TURN_4", double(quarter - first - second - third), "The rest of π/2.")
-constant("QUARTER_TURN_REST", double(quarter - first), "π/2 less its leading 33 bits.")
 constant("STEPS_PER_RADIAN", double(64 / pi), "64/π.")
 constant("STEP_HIGH", first / 32, "The leading 33 bits of π/64: a multiple of it by up to 2²⁰ is exact.")
 constant("STEP_LOW", double((quarter - first) / 32), "The rest of π/64.")

@@ -13,22 +13,33 @@ use super::sine::TO_INTEGER;
 use super::tables::{EXP_M1, POWERS, STEPS_PER_UNIT, UNIT_STEP_HIGH, UNIT_STEP_LOW};
 use crate::prelude::*;
 
+#[crate::data]
 const E2: f64 = 1.0 / 2.0;
+#[crate::data]
 const E3: f64 = 1.0 / 6.0;
+#[crate::data]
 const E4: f64 = 1.0 / 24.0;
+#[crate::data]
 const E5: f64 = 1.0 / 120.0;
+#[crate::data]
 const E6: f64 = 1.0 / 720.0;
 
+#[crate::data]
 const P2: f64 = LN_2 * LN_2 / 2.0;
+#[crate::data]
 const P3: f64 = LN_2 * LN_2 * LN_2 / 6.0;
+#[crate::data]
 const P4: f64 = LN_2 * LN_2 * LN_2 * LN_2 / 24.0;
+#[crate::data]
 const P5: f64 = LN_2 * LN_2 * LN_2 * LN_2 * LN_2 / 120.0;
 
 /// 1.5 · 2⁴⁵: added to a smaller number it leaves the nearest multiple of 1/128 in the last bits.
-pub const TO_STEP: f64 = TO_INTEGER / 128.0;
+#[crate::data]
+pub(crate) const TO_STEP: f64 = TO_INTEGER / 128.0;
 
 /// To here e^x is normal, and so is what its last rounding takes in.
-pub const NORMAL: f64 = 660.0;
+#[crate::data]
+pub(crate) const NORMAL: f64 = 660.0;
 
 /// The power 2^(`steps`/128) · (1 + `rest`).
 #[data]
@@ -140,7 +151,7 @@ pub fn far_exponential(x: f64, low: f64, more: i32) -> f64 {
     }
 }
 
-/// e^x.
+/// e^x; measured within 0.51 ulp. −∞ gives 0, what overflows ∞, NaN gives NaN.
 #[function]
 pub fn exp(x: f64) -> f64 {
     if x.abs() < NORMAL {
@@ -178,7 +189,7 @@ pub fn far_power(x: f64) -> f64 {
     }
 }
 
-/// 2^x.
+/// 2^x; measured within 0.51 ulp. −∞ gives 0, what overflows ∞, NaN gives NaN.
 #[function]
 pub fn exp2(x: f64) -> f64 {
     if x.abs() < 960.0 {
@@ -190,7 +201,8 @@ pub fn exp2(x: f64) -> f64 {
     }
 }
 
-/// e^x − 1, without cancellation.
+/// e^x − 1, without cancellation; measured within 0.76 ulp. ±0 gives ±0, −∞ gives −1, what
+/// overflows ∞, NaN gives NaN.
 #[function]
 pub fn exp_m1(x: f64) -> f64 {
     let size = x.abs();

@@ -13,9 +13,11 @@ use super::logarithm::{logarithm, parts};
 use crate::prelude::*;
 
 /// The upper half of a double.
+#[crate::data]
 const UPPER: u64 = 0xffff_ffff_0000_0000;
 
-/// x^y.
+/// x^y; measured within 0.51 ulp. Y = ±0 and x = 1 give 1; a negative x gives NaN unless y is
+/// whole; the rest as in C99, F.9.4.4.
 #[function]
 pub fn powf(x: f64, y: f64) -> f64 {
     let size = x.abs();

@@ -31,6 +31,7 @@ pub struct ReducedAngle {
 }
 
 /// Up to here quarter turns are fewer than 2²⁰, rad.
+#[crate::data]
 const FEW_TURNS: f64 = 1_600_000.0;
 
 /// Takes whole quarter turns off `x`, rad.

@@ -13,7 +13,9 @@ pub fn coarse_root(upper: u32, bias: u32) -> f64 {
     f64::from_bits(((upper / 3).wrapping_add(bias) as u64) << 32)
 }
 
-/// The cube root: the coarse one, better by a polynomial in the ratio of its cube to `x`, cut to 26
+/// The cube root; measured within 0.83 ulp. ±0 and ±∞ give themselves, NaN gives NaN.
+///
+/// The coarse one, better by a polynomial in the ratio of its cube to `x`, cut to 26
 /// bits so that its square is exact, and then by one step of Halley's method.
 #[function]
 pub fn cbrt(x: f64) -> f64 {
@@ -42,7 +44,8 @@ pub fn cbrt(x: f64) -> f64 {
 }
 
 /// What makes [`coarse_root`] right in the middle.
-pub const COARSE: u32 = 0x2a9f_7100;
+#[crate::data]
+pub(crate) const COARSE: u32 = 0x2a9f_7100;
 
 /// √(x² + y²) for 2^−500 to 2^500, the larger first: the root of the sum, and what it is off by, from
 /// differences that lose nothing (C. F. Borges, *An improved algorithm for hypot(a, b)*, 2019).
@@ -84,7 +87,8 @@ pub fn far_length(large: f64, small: f64) -> f64 {
     }
 }
 
-/// √(x² + y²), without overflow on the way.
+/// √(x² + y²), without overflow on the way; measured within 0.66 ulp. An infinite `x` or `y` gives
+/// ∞, else a NaN gives NaN.
 #[function]
 pub fn hypot(x: f64, y: f64) -> f64 {
     let width = x.abs();

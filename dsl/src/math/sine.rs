@@ -12,23 +12,33 @@ use super::tables::{SINE, SINES, STEP_HIGH, STEP_LOW, STEPS_PER_RADIAN};
 use crate::prelude::*;
 
 /// Up to here steps of π/64 are fewer than 2²⁰, rad.
-pub const MODERATE: f64 = 50_000.0;
+#[crate::data]
+pub(crate) const MODERATE: f64 = 50_000.0;
 /// 1.5 · 2⁵²: added to a smaller number it leaves the nearest integer in the last bits.
-pub const TO_INTEGER: f64 = 6_755_399_441_055_744.0;
+#[crate::data]
+pub(crate) const TO_INTEGER: f64 = 6_755_399_441_055_744.0;
 /// Below this an angle is its own sine and tangent: 2⁻²⁷.
-pub const TINY: f64 = 7.450580596923828e-9;
+#[crate::data]
+pub(crate) const TINY: f64 = 7.450580596923828e-9;
 
 /// Up to here an odd polynomial is the sine, rad.
+#[crate::data]
 const NEAR_ZERO: f64 = 0.27;
 
 /// Of the Taylor series of the sine, x³.
-pub const S3: f64 = -1.0 / 6.0;
+#[crate::data]
+pub(crate) const S3: f64 = -1.0 / 6.0;
+#[crate::data]
 const S5: f64 = 1.0 / 120.0;
+#[crate::data]
 const S7: f64 = -1.0 / 5_040.0;
 /// Of the Taylor series of the cosine, x².
-pub const C2: f64 = -1.0 / 2.0;
+#[crate::data]
+pub(crate) const C2: f64 = -1.0 / 2.0;
 /// x⁴.
-pub const C4: f64 = 1.0 / 24.0;
+#[crate::data]
+pub(crate) const C4: f64 = 1.0 / 24.0;
+#[crate::data]
 const C6: f64 = -1.0 / 720.0;
 
 /// Sine of `row`·π/64 + `rest` for |rest| ≤ π/128 and a sine of 1/4 or more.
@@ -90,13 +100,15 @@ pub fn turned_sine(x: f64, turns: u64) -> f64 {
     }
 }
 
-/// Sine of an angle in rad.
+/// Sine of an angle in rad, however large; measured within 0.65 ulp. ±0 gives ±0; ±∞ and NaN give
+/// NaN.
 #[function]
 pub fn sin(x: f64) -> f64 {
     turned_sine(x, 0)
 }
 
-/// Cosine of an angle in rad.
+/// Cosine of an angle in rad, however large; measured within 0.66 ulp. ±0 gives 1; ±∞ and NaN give
+/// NaN.
 #[function]
 pub fn cos(x: f64) -> f64 {
     turned_sine(x, 1)

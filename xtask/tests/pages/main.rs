@@ -5,6 +5,7 @@
 
 mod figures;
 mod links;
+mod mathematics;
 mod quotations;
 #[path = "../shared/mod.rs"]
 mod shared;

@@ -12,7 +12,9 @@ use super::sine::TINY;
 use super::{PairF32, leading, ordered_sum};
 use crate::prelude::*;
 
+#[crate::data]
 const A3: f32 = -1.0 / 3.0;
+#[crate::data]
 const A5: f32 = 1.0 / 5.0;
 
 /// The row for a ratio: 0 to 15 from 1/4 to 4, more outside.
@@ -40,7 +42,7 @@ pub fn curve(t: f32) -> f32 {
     t * z * (NARROW_ARCTANGENT[0] + z * (NARROW_ARCTANGENT[1] + z * upper))
 }
 
-/// Arctangent, rad.
+/// Arctangent, rad; within 1 ulp. ±0 gives ±0, ±∞ gives ±π/2, NaN gives NaN.
 #[function]
 pub fn atanf(x: f32) -> f32 {
     let size = x.abs();
@@ -135,7 +137,8 @@ pub fn far_atan2(y: f32, x: f32) -> f32 {
     angle_on_side(angle, left).copysign(y)
 }
 
-/// The angle of the point (`x`, `y`) in rad, −π to π; special values as C99 Annex F has them.
+/// The angle of the point (`x`, `y`) in rad, −π to π; within 1 ulp. ±0, ±∞ and NaN as in C99,
+/// F.9.1.4.
 #[function]
 pub fn atan2f(y: f32, x: f32) -> f32 {
     let width = x.abs();
@@ -170,7 +173,7 @@ pub fn half_arccosine(size: f32) -> PairF32 {
     PairF32 { high: root, low: root * z * arcsine_curve(z) + rest }
 }
 
-/// Arcsine, rad; NaN outside −1 to 1.
+/// Arcsine of −1 to 1, rad; within 1 ulp. ±0 gives ±0; numbers outside and NaN give NaN.
 #[function]
 pub fn asinf(x: f32) -> f32 {
     let size = x.abs();
@@ -185,7 +188,7 @@ pub fn asinf(x: f32) -> f32 {
     if x < 0.0 { -value } else { value }
 }
 
-/// Arccosine, rad; NaN outside −1 to 1.
+/// Arccosine of −1 to 1, rad; within 1 ulp. 1 gives 0; numbers outside and NaN give NaN.
 #[function]
 pub fn acosf(x: f32) -> f32 {
     let size = x.abs();

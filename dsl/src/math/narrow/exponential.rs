@@ -76,7 +76,7 @@ pub fn far_exponential(x: f32) -> f32 {
     }
 }
 
-/// e^x.
+/// e^x; within 1 ulp. −∞ gives 0, what overflows ∞, NaN gives NaN.
 #[function]
 pub fn expf(x: f32) -> f32 {
     if x.abs() < 87.0 {
@@ -112,7 +112,7 @@ pub fn far_binary(x: f32) -> f32 {
     }
 }
 
-/// 2^x.
+/// 2^x; within 1 ulp. −∞ gives 0, what overflows ∞, NaN gives NaN.
 #[function]
 pub fn exp2f(x: f32) -> f32 {
     if x.abs() < 126.0 {
@@ -124,7 +124,8 @@ pub fn exp2f(x: f32) -> f32 {
     }
 }
 
-/// e^x − 1, without cancellation.
+/// e^x − 1, without cancellation; within 1 ulp. ±0 gives ±0, −∞ gives −1, what overflows ∞, NaN
+/// gives NaN.
 #[function]
 pub fn exp_m1f(x: f32) -> f32 {
     let size = x.abs();

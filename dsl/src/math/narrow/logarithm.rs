@@ -89,7 +89,7 @@ pub fn is_subnormal(x: f32) -> bool {
     x > 0.0 && x < f32::MIN_POSITIVE
 }
 
-/// The natural logarithm.
+/// The natural logarithm; within 1 ulp. ±0 gives −∞, ∞ gives ∞; negative numbers and NaN give NaN.
 #[function]
 pub fn lnf(x: f32) -> f32 {
     if is_plain(x) {
@@ -101,7 +101,8 @@ pub fn lnf(x: f32) -> f32 {
     }
 }
 
-/// ln(1 + x), without cancellation.
+/// ln(1 + x), without cancellation; within 1 ulp. ±0 gives ±0, −1 gives −∞, ∞ gives ∞; numbers
+/// below −1 and NaN give NaN.
 #[function]
 pub fn ln_1pf(x: f32) -> f32 {
     if x.abs() < 0.29 {
@@ -130,7 +131,8 @@ pub fn binary(parts: SplitF32) -> f32 {
     lead.high + (lead.low + small)
 }
 
-/// The logarithm to base 2.
+/// The logarithm to base 2; within 1 ulp. ±0 gives −∞, ∞ gives ∞; negative numbers and NaN give
+/// NaN.
 #[function]
 pub fn log2f(x: f32) -> f32 {
     if is_plain(x) {
@@ -152,7 +154,8 @@ pub fn decimal(parts: SplitF32) -> f32 {
     lead.high + (lead.low + (small + parts.exponent * NARROW_LOG10_2_LOW))
 }
 
-/// The logarithm to base 10.
+/// The logarithm to base 10; within 1 ulp. ±0 gives −∞, ∞ gives ∞; negative numbers and NaN give
+/// NaN.
 #[function]
 pub fn log10f(x: f32) -> f32 {
     if is_plain(x) {

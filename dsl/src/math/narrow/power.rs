@@ -11,8 +11,11 @@ use super::exponential::{beyond_binary, far_scaled, scaled};
 use super::{PairF32, TO_INTEGER, leading, ordered_sum, sum};
 use crate::prelude::*;
 
+#[crate::data]
 const THIRD: f32 = 1.0 / 3.0;
+#[crate::data]
 const QUARTER: f32 = 1.0 / 4.0;
+#[crate::data]
 const FIFTH: f32 = 1.0 / 5.0;
 
 /// ln(1 + `high` + `low`) for −1/128 to 1/128.
@@ -107,7 +110,8 @@ pub fn binary_of_pair(high: f32, low: f32) -> f32 {
     if high.abs() < 125.0 { scaled(value, steps as u32) } else { far_scaled(value, steps) }
 }
 
-/// x^y.
+/// x^y; within 1 ulp. Y = ±0 and x = 1 give 1; a negative x gives NaN unless y is whole; the rest
+/// as in C99, F.9.4.4.
 #[function]
 pub fn powff(x: f32, y: f32) -> f32 {
     let size = x.abs();

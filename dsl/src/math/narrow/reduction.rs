@@ -28,7 +28,8 @@ pub struct ReducedF32 {
 }
 
 /// Up to here quarter turns are fewer than 2⁸, rad.
-pub const FEW_TURNS: f32 = 400.0;
+#[crate::data]
+pub(crate) const FEW_TURNS: f32 = 400.0;
 
 /// Takes whole quarter turns off `x`, rad, of up to [`FEW_TURNS`].
 #[inline]

@@ -5,6 +5,7 @@ use super::super::tables::NARROW_CUBE_ROOT;
 use crate::prelude::*;
 
 /// What makes a third of the bits right in the middle.
+#[crate::data]
 const COARSE: u32 = 0x2a51_3000;
 
 /// The cube root of a normal number; the exponent of the result is `less` below that. The first guess is a third of the
@@ -39,7 +40,7 @@ pub fn far_root(x: f32) -> f32 {
     }
 }
 
-/// The cube root.
+/// The cube root; within 1 ulp. ±0 and ±∞ give themselves, NaN gives NaN.
 #[function]
 pub fn cbrtf(x: f32) -> f32 {
     // Normal, and below 2¹²⁶.
@@ -84,7 +85,8 @@ pub fn far_length(large: f32, small: f32) -> f32 {
     }
 }
 
-/// √(x² + y²), without overflow on the way.
+/// √(x² + y²), without overflow on the way; within 1 ulp. An infinite `x` or `y` gives ∞, else a
+/// NaN gives NaN.
 #[function]
 pub fn hypotf(x: f32, y: f32) -> f32 {
     let width = x.abs();

@@ -7,7 +7,8 @@ use super::reduction::{ReducedF32, reduced_angle};
 use crate::prelude::*;
 
 /// Below this an angle is its own sine and tangent: 2⁻¹².
-pub const TINY: f32 = 2.4414063e-4;
+#[crate::data]
+pub(crate) const TINY: f32 = 2.4414063e-4;
 
 /// Sine of `high` + `low` for −π/4 to π/4.
 #[inline]
@@ -43,7 +44,7 @@ pub fn turned(angle: ReducedF32, turns: u32) -> f32 {
     if (quadrant & 2) == 0 { value } else { -value }
 }
 
-/// Sine of an angle in rad.
+/// Sine of an angle in rad, however large; within 1 ulp. ±0 gives ±0; ±∞ and NaN give NaN.
 #[function]
 pub fn sinf(x: f32) -> f32 {
     let size = x.abs();
@@ -55,7 +56,7 @@ pub fn sinf(x: f32) -> f32 {
     }
 }
 
-/// Cosine of an angle in rad.
+/// Cosine of an angle in rad, however large; within 1 ulp. ±0 gives 1; ±∞ and NaN give NaN.
 #[function]
 pub fn cosf(x: f32) -> f32 {
     if x.abs() <= FRAC_PI_4 { near_cosine(x, 0.0) } else { turned(reduced_angle(x), 1) }

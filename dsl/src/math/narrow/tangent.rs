@@ -6,11 +6,15 @@ use super::sine::TINY;
 use super::{PairF32, leading, ordered_sum};
 use crate::prelude::*;
 
+#[crate::data]
 const T3: f32 = 1.0 / 3.0;
+#[crate::data]
 const T5: f32 = 2.0 / 15.0;
+#[crate::data]
 const T7: f32 = 17.0 / 315.0;
 
 /// Up to here the polynomial loses little, rad.
+#[crate::data]
 const MODERATE: f32 = 0.62;
 
 /// Tangent of `high` + `low` for −0.62 to 0.62.
@@ -41,7 +45,7 @@ pub fn steep_tangent(high: f32, low: f32) -> PairF32 {
     ordered_sum(lead.high, lead.low + 2.0 * (t * t / (1.0 + t) - curve))
 }
 
-/// Tangent of an angle in rad.
+/// Tangent of an angle in rad, however large; within 1 ulp. ±0 gives ±0; ±∞ and NaN give NaN.
 #[function]
 pub fn tanf(x: f32) -> f32 {
     if x.abs() < TINY {

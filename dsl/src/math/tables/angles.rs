@@ -3,31 +3,41 @@
 //! Written by `dsl/coefficients/tables.py`: change that.
 
 /// The leading 33 bits of π/2: a multiple of it by up to 2²⁰ is exact.
-pub const QUARTER_TURN_1: f64 = 1.5707963267341256;
+#[crate::data]
+pub(crate) const QUARTER_TURN_1: f64 = 1.5707963267341256;
 /// The next 33 bits of π/2.
-pub const QUARTER_TURN_2: f64 = 6.077100506303966e-11;
+#[crate::data]
+pub(crate) const QUARTER_TURN_2: f64 = 6.077100506303966e-11;
 /// The next 33 bits of π/2.
-pub const QUARTER_TURN_3: f64 = 2.0222662487111665e-21;
+#[crate::data]
+pub(crate) const QUARTER_TURN_3: f64 = 2.0222662487111665e-21;
 /// The rest of π/2.
-pub const QUARTER_TURN_4: f64 = 8.4784276603689e-32;
-/// π/2 less its leading 33 bits.
-pub const QUARTER_TURN_REST: f64 = 6.077100506506192e-11;
+#[crate::data]
+pub(crate) const QUARTER_TURN_4: f64 = 8.4784276603689e-32;
 /// 64/π.
-pub const STEPS_PER_RADIAN: f64 = 20.371832715762604;
+#[crate::data]
+pub(crate) const STEPS_PER_RADIAN: f64 = 20.371832715762604;
 /// The leading 33 bits of π/64: a multiple of it by up to 2²⁰ is exact.
-pub const STEP_HIGH: f64 = 0.049087385210441425;
+#[crate::data]
+pub(crate) const STEP_HIGH: f64 = 0.049087385210441425;
 /// The rest of π/64.
-pub const STEP_LOW: f64 = 1.899093908283185e-12;
+#[crate::data]
+pub(crate) const STEP_LOW: f64 = 1.899093908283185e-12;
 /// π/2, to a double.
-pub const HALF_PI_HIGH: f64 = 1.5707963267948966;
+#[crate::data]
+pub(crate) const HALF_PI_HIGH: f64 = 1.5707963267948966;
 /// π/2, less its high part.
-pub const HALF_PI_LOW: f64 = 6.123233995736766e-17;
+#[crate::data]
+pub(crate) const HALF_PI_LOW: f64 = 6.123233995736766e-17;
 /// π, to a double.
-pub const WHOLE_PI_HIGH: f64 = 3.141592653589793;
+#[crate::data]
+pub(crate) const WHOLE_PI_HIGH: f64 = 3.141592653589793;
 /// π, less its high part.
-pub const WHOLE_PI_LOW: f64 = 1.2246467991473532e-16;
+#[crate::data]
+pub(crate) const WHOLE_PI_LOW: f64 = 1.2246467991473532e-16;
 /// The bits of 2/π after 64 zeros, most significant first.
-pub const TWO_OVER_PI: [u64; 36] = [
+#[crate::data]
+pub(crate) const TWO_OVER_PI: [u64; 36] = [
     0x0000000000000000,
     0xa2f9836e4e441529,
     0xfc2757d1f534ddc0,
@@ -66,7 +76,8 @@ pub const TWO_OVER_PI: [u64; 36] = [
     0x15c614b59d19c3c2,
 ];
 /// sin(k·π/64), to a double and less that.
-pub const SINES: [[f64; 2]; 128] = [
+#[crate::data]
+pub(crate) const SINES: [[f64; 2]; 128] = [
     [0.0, 0.0],
     [0.049067674327418015, -6.79610372051828e-19],
     [0.0980171403295606, -1.634582362244256e-18],
@@ -197,7 +208,8 @@ pub const SINES: [[f64; 2]; 128] = [
     [-0.049067674327418015, 6.79610372051828e-19],
 ];
 /// tan(k·π/64), to a double and less that; at its pole 0.
-pub const TANGENTS: [[f64; 2]; 64] = [
+#[crate::data]
+pub(crate) const TANGENTS: [[f64; 2]; 64] = [
     [0.0, 0.0],
     [0.049126849769467254, 9.097765655528944e-20],
     [0.09849140335716425, 5.3100671162822435e-18],
@@ -263,16 +275,18 @@ pub const TANGENTS: [[f64; 2]; 64] = [
     [-0.09849140335716425, -5.3100671162822435e-18],
     [-0.049126849769467254, -9.097765655528944e-20],
 ];
-/// (sin x − x)/x³ in powers of x², to 0.27.
-pub const SINE: [f64; 5] = [
+/// (sin x − x)/x³ in powers of x², to 0.27; off by less than 2⁻⁵⁶.
+#[crate::data]
+pub(crate) const SINE: [f64; 5] = [
     -0.16666666666666666,
     0.008333333333332823,
     -0.00019841269835861226,
     2.7557299180899876e-6,
     -2.5021788914235078e-8,
 ];
-/// (tan x − x)/x³ in powers of x², to 0.22.
-pub const TANGENT: [f64; 8] = [
+/// (tan x − x)/x³ in powers of x², to 0.22; off by less than 2⁻⁵⁵.
+#[crate::data]
+pub(crate) const TANGENT: [f64; 8] = [
     0.3333333333333333,
     0.13333333333333425,
     0.05396825396787978,
@@ -283,7 +297,8 @@ pub const TANGENT: [f64; 8] = [
     0.0006412845378130403,
 ];
 /// c and atan c, to a double and less that: eight c for each octave from 1/16 to 16.
-pub const ARCTANGENTS: [[f64; 3]; 64] = [
+#[crate::data]
+pub(crate) const ARCTANGENTS: [[f64; 3]; 64] = [
     [0.06640625, 0.06630889491982349, -4.885923989304001e-19],
     [0.07421875, 0.07408292254903373, 1.35448289530323e-19],
     [0.08203125, 0.08184798980307655, 1.7384613138337837e-18],
@@ -349,8 +364,9 @@ pub const ARCTANGENTS: [[f64; 3]; 64] = [
     [14.5, 1.501939837493852, 6.061899584075814e-17],
     [15.5, 1.5063694873693432, -1.0553391013319709e-16],
 ];
-/// (atan x − x)/x³ in powers of x², to 1/16.
-pub const ARCTANGENT: [f64; 6] = [
+/// (atan x − x)/x³ in powers of x², to 1/16; off by less than 2⁻⁵⁵.
+#[crate::data]
+pub(crate) const ARCTANGENT: [f64; 6] = [
     -0.3333333333333333,
     0.1999999999999979,
     -0.14285714285083995,
@@ -358,8 +374,9 @@ pub const ARCTANGENT: [f64; 6] = [
     -0.09090568687313817,
     0.07614684924721683,
 ];
-/// (asin x − x)/x³ in powers of x², to 1/2.
-pub const ARCSINE: [f64; 13] = [
+/// (asin x − x)/x³ in powers of x², to 1/2; off by less than 2⁻⁵⁵.
+#[crate::data]
+pub(crate) const ARCSINE: [f64; 13] = [
     0.16666666666666669,
     0.07499999999998433,
     0.04464285714635543,
@@ -374,8 +391,9 @@ pub const ARCSINE: [f64; 13] = [
     -0.014851887071247204,
     0.028757851367421566,
 ];
-/// (asin x − x)/x³ in powers of x², to 1/2, for single precision.
-pub const ARCSINE_F32: [f64; 6] = [
+/// (asin x − x)/x³ in powers of x², to 1/2, for single precision; off by less than 2⁻²⁷.
+#[crate::data]
+pub(crate) const ARCSINE_F32: [f64; 6] = [
     0.16666666337430908,
     0.07500094543497424,
     0.04459940152851218,

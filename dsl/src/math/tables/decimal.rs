@@ -3,7 +3,8 @@
 //! Written by `dsl/coefficients/tables.py`: change that.
 
 /// 1/c and the logarithm of c, c as in `LOG10_CENTRES`.
-pub const LOG10_ROWS: [[f64; 2]; 128] = [
+#[crate::data]
+pub(crate) const LOG10_ROWS: [[f64; 2]; 128] = [
     [1.4141449179070607, -0.15049391711465887],
     [1.4067949847148284, -0.14823081136898963],
     [1.3986909079586136, -0.14572175180478553],
@@ -134,7 +135,8 @@ pub const LOG10_ROWS: [[f64; 2]; 128] = [
     [0.7111352593180222, 0.14804778775317118],
 ];
 /// c near the middle of the row's significands.
-pub const LOG10_CENTRES: [f64; 128] = [
+#[crate::data]
+pub(crate) const LOG10_CENTRES: [f64; 128] = [
     0.7071411050856113,
     0.7108356305398047,
     0.7149542435072362,
@@ -264,8 +266,9 @@ pub const LOG10_CENTRES: [f64; 128] = [
     1.3982597540598363,
     1.4062022475991398,
 ];
-/// log(1 + r)/r in powers of r, within a row.
-pub const LOG10: [f64; 6] = [
+/// log(1 + r)/r in powers of r, within a row; off by less than 2⁻⁵⁴.
+#[crate::data]
+pub(crate) const LOG10: [f64; 6] = [
     0.4342944819032518,
     -0.2171472409516259,
     0.14476482729178697,
@@ -274,10 +277,14 @@ pub const LOG10: [f64; 6] = [
     -0.07238374274146853,
 ];
 /// The logarithm of e, to 31 bits.
-pub const LOG10_E_HIGH: f64 = 0.4342944819945842;
+#[crate::data]
+pub(crate) const LOG10_E_HIGH: f64 = 0.4342944819945842;
 /// The logarithm of e, less its high part.
-pub const LOG10_E_LOW: f64 = -9.133237511528954e-11;
+#[crate::data]
+pub(crate) const LOG10_E_LOW: f64 = -9.133237511528954e-11;
 /// The logarithm of 2 to a multiple of 2⁻⁴².
-pub const LOG10_2_HIGH: f64 = 0.3010299956640665;
+#[crate::data]
+pub(crate) const LOG10_2_HIGH: f64 = 0.3010299956640665;
 /// The logarithm of 2 less its high part.
-pub const LOG10_2_LOW: f64 = -8.532344317057107e-14;
+#[crate::data]
+pub(crate) const LOG10_2_LOW: f64 = -8.532344317057107e-14;

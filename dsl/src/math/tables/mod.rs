@@ -11,9 +11,9 @@ mod logarithms;
 mod narrow;
 mod powers;
 
-pub use angles::*;
-pub use decimal::*;
-pub use finer::*;
-pub use logarithms::*;
-pub use narrow::*;
-pub use powers::*;
+pub(crate) use angles::*;
+pub(crate) use decimal::*;
+pub(crate) use finer::*;
+pub(crate) use logarithms::*;
+pub(crate) use narrow::*;
+pub(crate) use powers::*;
