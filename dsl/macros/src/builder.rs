@@ -1,12 +1,11 @@
 //! The builder of one function's tree, and the companion that its callers' witness copies call.
 //!
-//! A builder holds a slot for each value, a closure that is type-checked and never called (the
-//! witness copy), and then hands on the tree with the types that the slots were given. It is emitted
-//! in generation builds only; the refusals come in every build.
+//! A builder holds the witness copy of the body ([`crate::witness`]), and hands on the tree with the types that its slots
+//! were given. It is emitted in generation builds only; the refusals come in every build.
 
 use bessemer_ir::tree::{FunctionTree, Param, Role};
 use proc_macro2::TokenStream;
-use quote::{format_ident, quote, quote_spanned};
+use quote::{format_ident, quote};
 
 use crate::attributes::{self, Asked};
 use crate::closures;
@@ -14,6 +13,7 @@ use crate::docs;
 use crate::generics::{Floats, Scope};
 use crate::lower::{self, Lowering, Parameter, Refusals, refuse};
 use crate::owned;
+use crate::witness::{Copy, result_type};
 
 /// A function as the author wrote it.
 pub struct Subject<'a> {
@@ -233,6 +233,7 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
     let result = walk.slot();
     let signature_refused = walk.refusals.len();
     let body = walk.block(&mut copy);
+    walk.begins.push(walk.here(copy.stmts.len()));
     if signature_refused > before {
         // What the signature does not take, the body goes on with.
         walk.refusals.forget_since(signature_refused);
@@ -284,7 +285,7 @@ pub fn build_name(name: &syn::Ident) -> syn::Ident {
     syn::Ident::new(&format!("__build_{}", lower::text(name)), proc_macro2::Span::call_site())
 }
 
-/// The building function: slots, the witness copy, and the tree with the slots' types.
+/// The building function: the witness copy, and the tree with the types of its slots.
 fn builder(
     subject: &Subject<'_>,
     scope: Scope<'_>,
@@ -293,48 +294,11 @@ fn builder(
     walk: &Lowering<'_>,
     (signature, copy): (&syn::Signature, &syn::Block),
 ) -> TokenStream {
-    let (slots, callees) = walk.counts();
-    let slots: Vec<_> = (0..slots).map(lower::slot_name).collect();
-    let callees: Vec<_> = (0..callees).map(lower::callee_name).collect();
-    let owned: Vec<_> = (0..tree.operators.len()).map(lower::own_name).collect();
-    let patterns = parameters.iter().map(|parameter| &parameter.pattern);
-    let types = parameters.iter().map(|parameter| &parameter.ty);
-    let looks = tree.params.iter().zip(parameters).map(|(param, parameter)| {
-        let (slot, name) = (lower::slot_name(param.slot), &parameter.ident);
-        match param.closure {
-            true => quote! { __result::<()>(&#slot); },
-            // A type that is none of the DSL's is told there.
-            false => quote_spanned! { parameter.place => __look(&#slot, &#name); },
-        }
-    });
-    let constants = walk.constants.iter().map(|(slot, path)| {
-        let slot = lower::slot_name(*slot);
-        quote! { ::bessemer::generate::constant(cx, &#slot, #path) }
-    });
+    let witness =
+        Copy { parameters, params: &tree.params, result: tree.result, signature, body: copy };
+    let parts = witness.parts(walk);
     let items = &walk.items;
     let macros = walk.macros.iter().map(lower::asked);
-    let result = result_type(signature);
-    // Behind `__unreached` rustc infers types and has nothing left to check the borrows of: it does that in the original.
-    // What a closure gives cannot refer to what it is given.
-    let witness = match lower::lends(signature) {
-        true => quote! {
-            let _ = |#(#patterns: #types),*| {
-                __unreached();
-                #(#looks)*
-                let __lent: #result = #copy;
-            };
-        },
-        false => quote! {
-            let _ = |#(#patterns: #types),*| -> #result {
-                __unreached();
-                #(#looks)*
-                #copy
-            };
-        },
-    };
-    let result_slot = lower::slot_name(tree.result);
-    let told_result =
-        quote_spanned! { result_place(signature) => __result::<#result>(&#result_slot); };
     // The tree is plain data: writing it cannot fail.
     let text = serde_json::to_string(tree).unwrap_or_default();
     let build = build_name(&subject.signature.ident);
@@ -359,22 +323,16 @@ fn builder(
             #floats
             #(#items)*
             #(#macros)*
-            #(let #slots = [];)*
-            #(let #callees = [];)*
-            #(let #owned = [];)*
-            #witness
-            #told_result
+            let witness = |cx: &mut ::bessemer::generate::Builder| {
+                let mut __told = ::bessemer::generate::Witness::default();
+                #parts
+                __told
+            };
             let owner = #owner;
             let generics = ::bessemer::generate::Generics { scope: #told, own: #own, interface: #interface };
             cx.function(
                 ::bessemer::generate::Named { module: ::core::module_path!(), file: ::core::file!(), name: #name },
-                owner, generics, #text,
-                &|cx: &mut ::bessemer::generate::Builder| ::bessemer::generate::Witness {
-                    slots: ::bessemer::generate::types(cx, &[#(&#slots),*]),
-                    callees: ::bessemer::generate::callees(cx, &[#(&#callees),*]),
-                    operators: ::bessemer::generate::owned(cx, &[#(&#owned),*]),
-                    constants: ::bessemer::generate::list([#(#constants),*]),
-                },
+                owner, generics, #text, &witness,
             )
         }
     }
@@ -437,20 +395,4 @@ pub fn companion_parameters(signature: &syn::Signature) -> Vec<TokenStream> {
             }
         })
         .collect()
-}
-
-/// The type of a function's result.
-pub fn result_type(signature: &syn::Signature) -> TokenStream {
-    match &signature.output {
-        syn::ReturnType::Default => quote! { () },
-        syn::ReturnType::Type(_, ty) => quote! { #ty },
-    }
-}
-
-/// Where the type of a function's result stands.
-fn result_place(signature: &syn::Signature) -> proc_macro2::Span {
-    match &signature.output {
-        syn::ReturnType::Default => proc_macro2::Span::call_site(),
-        syn::ReturnType::Type(_, ty) => lower::named_part(ty),
-    }
 }

@@ -24,6 +24,7 @@ mod owned;
 mod redirect;
 mod sizes;
 mod table;
+mod witness;
 
 use proc_macro::TokenStream;
 

@@ -23,6 +23,7 @@ pub struct Builder {
 }
 
 /// What rustc decided about one function.
+#[derive(Default)]
 pub struct Witness {
     /// The types of its slots.
     pub slots: Vec<Ty>,

@@ -100,7 +100,7 @@ pub mod prelude {
         SliceSearches as _, SliceSorts as _, TotalOrder as _, VectorSliceBuiltins as _,
     };
     pub use super::slot::{
-        __any, __glance, __look, __result, __see, __take, __unreached, Through as _,
+        __any, __glance, __look, __next, __pass, __result, __see, __take, __unreached, Through as _,
     };
     pub use super::spatial::{
         DirectionMethods as _, IsometryBuiltins as _, IsometryMethods as _, NewPlaneRotation as _,

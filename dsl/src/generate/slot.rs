@@ -113,6 +113,14 @@ impl<T> Through for Slot<T> {
     type Of = T;
 }
 
+/// Ends a part of a witness copy: the slot learns the types of the names that the next part uses.
+pub fn __pass<T, R>(_: &Slot<T>, _: T) -> R {
+    unreachable!("a witness copy is never run")
+}
+
+/// The next part of a witness copy, of names of the types in the slot.
+pub fn __next<T, R>(_: &Slot<T>, _: impl FnOnce(T) -> R) {}
+
 /// Passes a value through, and its type into the slot.
 pub fn __see<T>(_: &Slot<T>, value: T) -> T {
     value

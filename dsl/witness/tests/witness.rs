@@ -6,6 +6,8 @@
 use bessemer::generate::tree::{Callee, Expr, ExprKind, Function, Package, Role, Stmt, Ty};
 use bessemer_ir::{Float, Int, Scalar};
 
+#[path = "witness/parts.rs"]
+mod parts;
 #[path = "witness/syntax.rs"]
 mod syntax;
 #[path = "witness/values.rs"]

@@ -46,7 +46,7 @@ pub use call::companion_name;
 pub use closure::{mutable_names, without_returns};
 pub use macros::asked;
 pub use names::{GENERATING, Site, callee_name, own_name, site, slot_name, text};
-pub use pattern::member;
+pub use pattern::{is_constant_name, member};
 pub use refuse::Refusals;
 pub use signature::{
     Parameter, borrows, check_field, check_type, gives_option, gives_reference, lends, name_parts,
@@ -54,4 +54,4 @@ pub use signature::{
 };
 pub use strip::{check_attributes, name_lifetimes, strip};
 pub use syntax::last_ident;
-pub use walk::Lowering;
+pub use walk::{Begin, Lowering};

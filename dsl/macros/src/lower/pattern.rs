@@ -237,6 +237,7 @@ fn is_of_option(path: &syn::Path) -> bool {
     last_segment(path) == "None" && before.is_some_and(|before| before.ident == "Option")
 }
 
-fn is_constant_name(ident: &syn::Ident) -> bool {
+/// Whether a name in a pattern is that of a constant or a variant: it begins with a capital.
+pub fn is_constant_name(ident: &syn::Ident) -> bool {
     ident.to_string().starts_with(|first: char| first.is_uppercase())
 }

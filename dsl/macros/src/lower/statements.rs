@@ -21,7 +21,11 @@ impl Lowering<'_> {
         self.iterators_with_names(stmts);
         let originals = std::mem::take(stmts);
         let last = originals.len().saturating_sub(1);
+        let outermost = self.is_outermost();
         for (index, mut stmt) in originals.into_iter().enumerate() {
+            if outermost {
+                self.begins.push(self.here(stmts.len()));
+            }
             match &mut stmt {
                 syn::Stmt::Local(local) => {
                     rewrite::or_return(local, self.optional);
@@ -68,15 +72,18 @@ impl Lowering<'_> {
         lowered
     }
 
+    /// Whether a block is the body itself, whose names come behind those of the parameters.
+    fn is_outermost(&self) -> bool {
+        self.scopes.len() == 2
+    }
+
     pub(super) fn item(&mut self, item: &syn::Item) {
         match item {
-            // The outermost block holds them after the scope of the parameters.
-            syn::Item::Const(_) | syn::Item::Use(_) if self.scopes.len() == 2 => {
+            syn::Item::Const(_) | syn::Item::Use(_) if self.is_outermost() => {
                 self.items.push(item.clone())
             }
             syn::Item::Static(it)
-                if self.scopes.len() == 2
-                    && matches!(it.mutability, syn::StaticMutability::None) =>
+                if self.is_outermost() && matches!(it.mutability, syn::StaticMutability::None) =>
             {
                 self.items.push(item.clone())
             }

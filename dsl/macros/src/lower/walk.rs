@@ -29,6 +29,8 @@ pub struct Lowering<'a> {
     pub(super) chained: bool,
     /// The statements of the witness copy before the operator that is being lowered: those of its left operand.
     pub(super) before: Vec<TokenStream>,
+    /// Where each statement of the body begins in the witness copy, and where the last ends.
+    pub begins: Vec<Begin>,
     /// Paths that rustc has to evaluate: the slot, and the path.
     pub constants: Vec<(u32, TokenStream)>,
     /// The macros of Rust's that are called, each once.
@@ -46,6 +48,21 @@ pub struct Lowering<'a> {
     pub(super) leaves: Option<String>,
     /// The names of the function that are declared `mut`.
     pub mutable: Vec<String>,
+}
+
+/// Where a statement of the body begins: how much of each there is before it.
+#[derive(Clone, Copy, Default)]
+pub struct Begin {
+    /// Statements of the witness copy.
+    pub statements: usize,
+    /// Slots.
+    pub slots: u32,
+    /// Callees.
+    pub callees: u32,
+    /// Operators.
+    pub operators: usize,
+    /// Constants.
+    pub constants: usize,
 }
 
 /// A closure with a name.
@@ -73,6 +90,7 @@ impl<'a> Lowering<'a> {
             operators: Vec::new(),
             chained: false,
             before: Vec::new(),
+            begins: Vec::new(),
             constants: Vec::new(),
             macros: Vec::new(),
             items: Vec::new(),
@@ -85,9 +103,15 @@ impl<'a> Lowering<'a> {
         }
     }
 
-    /// How many slots, and how many callees, the walk has used.
-    pub fn counts(&self) -> (u32, u32) {
-        (self.slots, self.callees)
+    /// Where what comes next begins, behind so many statements of the witness copy.
+    pub fn here(&self, statements: usize) -> Begin {
+        Begin {
+            statements,
+            slots: self.slots,
+            callees: self.callees,
+            operators: self.operators.len(),
+            constants: self.constants.len(),
+        }
     }
 
     /// A fresh slot.
