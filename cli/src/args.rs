@@ -317,7 +317,7 @@ pub struct Fmu {
 Example:
   cargo bessemer a2l build/firmware.elf controller=motor_t gains=gains_t > firmware.a2l
 
-What a component holds is measured, other data is calibrated, within the ranges that `#[range(…)]` gives.")]
+The fields of components become measurements, those of other data characteristics, with the limits that `#[range(…)]` sets.")]
 pub struct A2l {
     /// Which package
     #[command(flatten)]

@@ -28,7 +28,7 @@ const GLUE: &str = include_str!("../templates/fmu/fmi3.c");
 const STATE: &str = "fmu_state";
 const RESULT: &str = "fmu_result";
 
-/// What a variable is to its user.
+/// Who sets a variable, as FMI's causality says it: the simulation sets inputs and parameters, the unit the others.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Causality {
     Input,
@@ -45,7 +45,7 @@ struct Variable<'f> {
     causality: Causality,
     value: &'f Value,
     docs: String,
-    /// What its elements begin with, as words.
+    /// The start values of its elements, as words.
     start: Vec<u64>,
 }
 
@@ -67,7 +67,7 @@ pub fn run(folder: &Path, wanted: &Fmu, colour: bool) -> Result<String, Error> {
     let compiler = compilers.iter().find(|it| it.is_there()).ok_or(Error::NoCompiler)?;
     let failed_c = |said: String| Error::Compiler { name: compiler.name(), said };
     let variables = variables(face, entry)?;
-    // What is in it decides what it is called by.
+    // The token that an importer compares is a checksum of the C, so that no unit takes another's state or parameters.
     let mut sum = crc32fast::Hasher::new();
     compiled.files.iter().for_each(|file| sum.update(file.text.as_bytes()));
     let token = format!("{{bessemer-{name}-{:08x}}}", sum.finalize());
@@ -80,7 +80,7 @@ pub fn run(folder: &Path, wanted: &Fmu, colour: bool) -> Result<String, Error> {
     std::fs::write(&own, &glue).map_err(failed)?;
     let library = in_folder("unit.so");
     let sources: Vec<_> = laid.sources().iter().cloned().chain([own]).collect();
-    // What a unit has to have is declared by its caller.
+    // The standard's header, which belongs to the importer, declares the functions of a unit; here nothing does.
     let flags = ["-shared", "-fPIC", "-fvisibility=hidden", "-Wno-missing-prototypes"];
     compiler.link(&sources, &library, &flags).map_err(failed_c)?;
 

@@ -100,7 +100,7 @@ impl Call<'_> {
         }
     }
 
-    /// What stands before the functions of a program in C or C++.
+    /// The definitions of the static variables that a call uses.
     fn statics(&self) -> String {
         self.kept
             .iter()
@@ -108,7 +108,7 @@ impl Call<'_> {
             .collect()
     }
 
-    /// What a program does in each period, with so much before each line.
+    /// The statements of one period: inputs, the call, what to do with its results. `indent` begins each line.
     fn period(&self, indent: &str) -> String {
         let mut text = String::new();
         for (name, value, passing) in &self.passing {
@@ -118,12 +118,7 @@ impl Call<'_> {
             };
             let unit =
                 value.unit.as_ref().map(|unit| format!(" Unit: {unit}.")).unwrap_or_default();
-            let zero =
-                if value.dimensions.is_empty() && !value.ty.ends_with("_t") || is_number(value) {
-                    " = 0"
-                } else {
-                    ""
-                };
+            let zero = if is_number(value) { " = 0" } else { "" };
             let line = declared(name, value);
             let _ = writeln!(text, "{indent}/* {said}{unit} */\n{indent}static {line}{zero};");
         }

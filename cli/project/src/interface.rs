@@ -22,16 +22,19 @@ pub fn text(package: &str, face: &Interface) -> String {
     format!("{json:#}\n")
 }
 
+/// What a header declares: its name, the header, the comment.
+fn item(name: &str, header: &str, docs: &[String]) -> Json {
+    let mut json = json!({ "name": name, "header": header });
+    add(&mut json, "comment", comment(docs));
+    json
+}
+
 fn structure(it: &Struct) -> Json {
-    let mut json = json!({
-        "name": it.name,
-        "rust": it.rust,
-        "header": it.header,
-        "component": it.component,
-        "size": bytes(it.size),
-        "fields": it.fields.iter().map(field).collect::<Json>(),
-    });
-    add(&mut json, "comment", comment(&it.docs));
+    let mut json = item(&it.name, &it.header, &it.docs);
+    add(&mut json, "rust", Some(json!(it.rust)));
+    add(&mut json, "component", Some(json!(it.component)));
+    add(&mut json, "size", Some(bytes(it.size)));
+    add(&mut json, "fields", Some(it.fields.iter().map(field).collect()));
     add(&mut json, "set_by", it.set_by.as_ref().map(|name| json!(name)));
     json
 }
@@ -64,25 +67,17 @@ fn enumeration(it: &Enum) -> Json {
         add(&mut json, "comment", comment(docs));
         json
     });
-    let mut json = json!({
-        "name": it.name,
-        "header": it.header,
-        "size": bytes(it.size),
-        "variants": variants.collect::<Json>(),
-    });
-    add(&mut json, "comment", comment(&it.docs));
+    let mut json = item(&it.name, &it.header, &it.docs);
+    add(&mut json, "size", Some(bytes(it.size)));
+    add(&mut json, "variants", Some(variants.collect()));
     json
 }
 
 fn entry(it: &Entry) -> Json {
-    let mut json = json!({
-        "name": it.name,
-        "rust": it.rust,
-        "header": it.header,
-        "status": it.status,
-        "parameters": it.parameters.iter().map(parameter).collect::<Json>(),
-    });
-    add(&mut json, "comment", comment(&it.docs));
+    let mut json = item(&it.name, &it.header, &it.docs);
+    add(&mut json, "rust", Some(json!(it.rust)));
+    add(&mut json, "status", Some(json!(it.status)));
+    add(&mut json, "parameters", Some(it.parameters.iter().map(parameter).collect()));
     add(&mut json, "result", it.result.as_ref().map(value));
     json
 }
