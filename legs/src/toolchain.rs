@@ -456,7 +456,8 @@ pub fn is_asked_for(program: &str) -> bool {
     asked_for(|| bessemer_tools::version(program).is_some())
 }
 
-fn asked_for(is_there: impl FnOnce() -> bool) -> bool {
+/// The same of what `is_there` looks for: not asked where `BESSEMER_LEGS` demands it, or leaves it out.
+pub fn asked_for(is_there: impl FnOnce() -> bool) -> bool {
     match legs() {
         Legs::All => true,
         Legs::Host => false,

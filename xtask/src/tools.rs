@@ -21,7 +21,7 @@ pub enum Need {
     Host,
     /// `test` without `--host`: what runs on the emulated target.
     Target,
-    /// `test` without `--host`: what somebody else's analysis says of the emitted C.
+    /// `test` without `--host`: what somebody else's tools make of the emitted C.
     Analysis,
     /// `test --full`, beside what `test` needs: further machines, emulated.
     Full,
@@ -188,7 +188,7 @@ pub const TOOLS: &[Tool] = &[
     Tool {
         name: "Python's venv",
         purpose: "installs the next below `target`",
-        need: Need::Full,
+        need: Need::Analysis,
         probe: Probe::Module("ensurepip"),
         source: Source::Package("python3-venv"),
     },
@@ -202,14 +202,14 @@ pub const TOOLS: &[Tool] = &[
     Tool {
         name: "numpy",
         purpose: "the arrays of what `cargo bessemer py` makes",
-        need: Need::Full,
+        need: Need::Analysis,
         probe: Probe::Module("numpy"),
         source: Source::Python("numpy==2.3.5"),
     },
     Tool {
         name: "FMPy",
         purpose: "steps what `cargo bessemer fmu` makes",
-        need: Need::Full,
+        need: Need::Analysis,
         probe: Probe::Module("fmpy"),
         source: Source::Python("fmpy==0.3.32"),
     },
