@@ -16,7 +16,11 @@ pub struct FunctionThatReturnsAnIterator {
 impl FunctionThatReturnsAnIterator {
     #[entry]
     pub fn step(&mut self, samples: &[f64; 4]) -> f64 {
-        self.last = good(samples).sum();
+        let good = good(samples);
+        self.last = 0.0;
+        for x in good {
+            self.last += x;
+        }
         self.last
     }
 }

@@ -42,6 +42,9 @@ impl Lowering<'_, '_> {
         let Some(tree::Callee::Builtin(name)) = self.source.callees.get(*callee as usize) else {
             return None;
         };
+        if let Some(end) = name.strip_prefix("gather ") {
+            return ended(end, arguments.first()?, expr);
+        }
         match name.as_str() {
             "array_map" => return mapped(&arguments[0], arguments.get(1)?, expr),
             // What is lent stands where it stands.
@@ -343,6 +346,55 @@ fn mapped(array: &Expr, closure: &Expr, expr: &Expr) -> Option<Expr> {
     });
     let kind = ExprKind::Fold { name: name.into(), start: Start::Elements, each: Box::new(each) };
     Some(Expr { kind, site, slot: expr.slot })
+}
+
+/// `items.next()`, `items.last()`, `items.count()`, `items.sum()` of what a function gives: a loop that keeps, counts or
+/// adds up what comes.
+fn ended(end: &str, items: &Expr, expr: &Expr) -> Option<Expr> {
+    let (site, slot) = (expr.site, expr.slot);
+    let of = |kind, slot| Expr { kind, site, slot };
+    let plain = |kind| Expr { kind, site, slot: None };
+    let begun = |value| Start::Value(Box::new(value));
+    let first = end == "[0]";
+    let item = plain(ExprKind::Local(PAYLOAD.into()));
+    let (name, pattern, start, op, value) = match end {
+        "+" => ("%sum", named(), Start::Sum, Some(tree::BinaryOp::Add), item),
+        "*" => ("%product", named(), Start::Product, Some(tree::BinaryOp::Mul), item),
+        "#" => {
+            let number = |digits: &str| {
+                let size = Some(bessemer_ir::Scalar::Int(bessemer_ir::Int::Usize));
+                plain(ExprKind::Int(digits.into(), size))
+            };
+            ("%count", Pattern::Any, begun(number("0")), Some(tree::BinaryOp::Add), number("1"))
+        }
+        _ => {
+            let option = |case: &str, parts| of(ExprKind::Constructor(case.into(), parts), slot);
+            (
+                if first { "%next" } else { "%last" },
+                named(),
+                begun(option("None", Vec::new())),
+                None,
+                option("Some", vec![item]),
+            )
+        }
+    };
+    let kept = Box::new(plain(ExprKind::Local(name.into())));
+    let mut stmts = vec![Stmt::Expr(plain(ExprKind::Assign(op, kept, Box::new(value))))];
+    if first {
+        stmts.push(Stmt::Expr(plain(ExprKind::Break(None, None))));
+    }
+    let part =
+        tree::Part { pattern, array: items.clone(), owned: false, group: None, reversed: false };
+    let each = plain(ExprKind::Each {
+        label: None,
+        index: None,
+        parts: vec![part],
+        order: tree::Order::Up,
+        cuts: Vec::new(),
+        body: Block { stmts, tail: None },
+    });
+    let kind = ExprKind::Fold { name: name.into(), start, each: Box::new(each) };
+    Some(Expr { kind, site, slot })
 }
 
 /// Whether an expression changes nothing, as far as its syntax shows; it may fault.

@@ -9,7 +9,7 @@ use bessemer_ir::{
 };
 
 use super::elements::Slice;
-use super::lengths::{divided, greatest, least, lesser, minus, plus, times};
+use super::lengths::{divided, greatest, least, lesser, minus, plus, same, times};
 use super::lowering::{Binding, Lowering};
 use super::subject::Subject;
 use super::{Result, problem};
@@ -25,6 +25,9 @@ impl Lowering<'_, '_> {
         body: &tree::Block,
     ) -> Result<()> {
         let span = self.span(site);
+        if let Some(generated) = self.generated(parts)? {
+            return self.generated_stmt(site, (label, index), generated, (order, cuts), body);
+        }
         if let ([part], None, Order::Up, []) = (parts, index, order, cuts)
             && let Some(matrix) = self.bounded_place(&part.array)
         {
@@ -36,6 +39,18 @@ impl Lowering<'_, '_> {
             let Some(slice) = chained.next() else { continue };
             let passed = Passed::of(slice, self.group_size(part.group.as_ref())?);
             slices.push(passed.and(chained.collect()));
+        }
+        let around = |it: &Passed| matches!(it.group, Some((Grouping::Around, _)));
+        if let Some(at) = slices.iter().position(around) {
+            // Then both end with the other sequence, and neither is empty where the other is not.
+            let mut others = slices.iter().filter(|it| !around(it));
+            if !others.any(|it| same(&it.count, &slices[at].count)) {
+                return problem(
+                    parts[at].array.site,
+                    "`.cycle()` stands beside a loop through the same elements in the DSL",
+                    "index instead: `values[i % values.len()]`",
+                );
+            }
         }
         // The counter is the index of the array itself, where nothing else is asked of it.
         let bare = index.is_none() && order != Order::Mirrored && cuts.is_empty();
@@ -286,6 +301,14 @@ impl Lowering<'_, '_> {
             return self.bind_names(&names);
         };
         let size = size.clone().at(slice.base.span);
+        if *way == Grouping::Around {
+            let at = plus(counter, size);
+            let at = Expr::binary(BinaryOp::Rem, at, slice.length.clone());
+            let at = plus(slice.from.clone(), at);
+            let mut names = Vec::new();
+            self.test(&part.pattern, &Subject::Place(slice.at(at)), site, &mut names)?;
+            return self.bind_names(&names);
+        }
         let begin = match way {
             Grouping::Windows => counter,
             _ if size.is_literal() => times(counter, size.clone()),
@@ -333,6 +356,17 @@ impl Lowering<'_, '_> {
     /// How many elements a pass gets: a literal, or a local that is not zero.
     fn group_size(&mut self, group: Option<&tree::Group>) -> Result<Option<(Grouping, Expr)>> {
         let Some(group) = group else { return Ok(None) };
+        if group.way == Grouping::Around {
+            let first = self.value(&group.size, Some(&Type::USIZE))?;
+            if self.known(&first).is_none_or(|first| first > u64::from(u32::MAX)) {
+                return problem(
+                    group.size.site,
+                    "the number of the first element is known when the C is written, in the DSL",
+                    "write a number: `values.iter().cycle().skip(1)`",
+                );
+            }
+            return Ok(Some((group.way, first)));
+        }
         let size = self.value(&group.size, Some(&Type::USIZE))?;
         let span = size.span;
         let size = match self.known(&size) {
@@ -455,6 +489,8 @@ impl Passed {
             way = Grouping::Whole;
         }
         let count = match (way, known) {
+            // As many as the other sequence has.
+            (Grouping::Around, _) => length,
             (Grouping::Whole, (Some(length), Some(size))) => Expr::usize(length / size, span),
             (Grouping::All | Grouping::First, (Some(length), Some(size))) => {
                 Expr::usize(length.div_ceil(size), span)
@@ -497,8 +533,10 @@ fn is_below(index: &Expr, length: &Expr) -> Expr {
     Expr::compare(CompareOp::Lt, index.clone(), length.clone())
 }
 
-/// How many passes all of these make.
+/// How many passes all of these make. What begins anew has as many elements as what it stands beside.
 fn shortest(all: &[Passed], span: Span) -> Expr {
+    let all: Vec<_> =
+        all.iter().filter(|it| !matches!(it.group, Some((Grouping::Around, _)))).collect();
     let numbers = all.iter().filter_map(|passed| match passed.count.kind {
         ExprKind::Literal(count) => Some(count),
         _ => None,

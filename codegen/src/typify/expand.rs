@@ -9,12 +9,12 @@
 //! Must not know: what any such function computes.
 
 use std::collections::HashMap;
-use std::rc::Rc;
 
 use bessemer_ir::tree::{self, ExprKind as Tree, Role, Site, Ty};
 use bessemer_ir::{Expr, Type};
 
-use super::lowering::{Binding, Handed, Lowering, Scope, Target};
+use super::generator::generates;
+use super::lowering::{Binding, Handed, Lowering, Target};
 use super::{Context, Problem, Result, diagnostic, problem};
 
 impl<'a> Context<'a> {
@@ -84,20 +84,46 @@ impl<'a> Lowering<'a, '_> {
         site: Site,
         end: impl FnOnce(&mut Self) -> Result<T>,
     ) -> Result<T> {
+        if generates(function) {
+            return problem(
+                site,
+                "an iterator that a function gives is gone through where the function is called",
+                "write the call in the `for`, or before `.map(…)`, `.filter(…)`, `.sum()` and the like, with `.into_iter()` between",
+            );
+        }
         let (mut bound, mut handed) = (Vec::new(), HashMap::new());
         for (param, argument) in function.tree.params.iter().zip(arguments) {
             if param.closure {
                 handed.insert(param.name.clone(), self.handed_in_scope(argument)?);
                 continue;
             }
-            let ty = function.slots.get(param.slot as usize).cloned().unwrap_or(Ty::Unit);
-            let given = self.given((&param.name, param.mutable), &ty, argument)?;
-            bound.push((param.name.clone(), given));
+            bound.push(self.given_as(function, param, argument)?);
         }
         self.inside(function, (bound, handed), site, |inner| {
             inner.stmts(&function.tree.body)?;
             end(inner)
         })
+    }
+
+    /// The meaning of the parameters of a function that takes no closures of its author's.
+    pub(super) fn given_to(
+        &mut self,
+        function: &'a tree::Function,
+        arguments: &[tree::Expr],
+    ) -> Result<Vec<(String, Binding)>> {
+        let params = function.tree.params.iter().zip(arguments);
+        params.map(|(param, argument)| self.given_as(function, param, argument)).collect()
+    }
+
+    fn given_as(
+        &mut self,
+        function: &'a tree::Function,
+        param: &tree::Param,
+        argument: &tree::Expr,
+    ) -> Result<(String, Binding)> {
+        let ty = function.slots.get(param.slot as usize).cloned().unwrap_or(Ty::Unit);
+        let given = self.given((&param.name, param.mutable), &ty, argument)?;
+        Ok((param.name.clone(), given))
     }
 
     /// The closure that an argument is, with the scope that it was written in.
@@ -108,9 +134,9 @@ impl<'a> Lowering<'a, '_> {
             return Ok(handed.clone());
         }
         let closure = self.closure_of(argument)?;
-        let scope = Rc::new(Scope { names: self.scopes.clone(), handed: self.handed.clone() });
+        let scope = Some(self.scope());
         let (captures, nothing) = (Vec::new(), Vec::new());
-        Ok(Handed { closure, source: self.source, captures, nothing, scope: Some(scope) })
+        Ok(Handed { closure, source: self.source, captures, nothing, scope })
     }
 
     /// Lowers what belongs to another function, in which names and closures have these meanings.

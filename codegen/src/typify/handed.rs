@@ -227,6 +227,13 @@ impl<'a> Lowering<'a, '_> {
                 Some(tree::Pattern::Name { slot, .. }) => handed.source.slots.get(*slot as usize),
                 _ => None,
             };
+            // An item is what it is where it comes from; but a pair that has one name is a value.
+            let whole = matches!(parameter, Some(tree::Pattern::Name { .. }))
+                && matches!(argument.kind, tree::ExprKind::Tuple(_));
+            if name == tree::EACH && !whole {
+                subjects.push(self.item(argument, parameter)?);
+                continue;
+            }
             let (lent, expected) = match taken {
                 Some(ty) => (matches!(ty, Ty::Ref(..)), Some(self.cx.pointee(ty, site)?)),
                 None => (false, None),
@@ -239,9 +246,12 @@ impl<'a> Lowering<'a, '_> {
             subjects.push(self.value_subject(value, argument.site)?);
         }
         let (mut names, mut known) = (Vec::new(), HashMap::new());
+        let mut expanding = self.expanding.clone();
         if let Some(scope) = &handed.scope {
             (names, known) = (scope.names.clone(), scope.handed.clone());
+            expanding.clone_from(&scope.expanding);
         }
+        let expanding = std::mem::replace(&mut self.expanding, expanding);
         names.push(Vec::new());
         let scopes = std::mem::replace(&mut self.scopes, names);
         let outer = std::mem::replace(&mut self.handed, known);
@@ -256,6 +266,7 @@ impl<'a> Lowering<'a, '_> {
             self.from(handed.source, site, |inner| inner.applied(&handed.closure, &subjects));
         self.scopes = scopes;
         self.handed = outer;
+        self.expanding = expanding;
         let value = value?;
         if value.ty == Type::Unit {
             return Ok(value);
@@ -284,12 +295,19 @@ impl<'a> Lowering<'a, '_> {
     fn applied(&mut self, closure: &tree::Closure, subjects: &[Subject]) -> Result<Expr> {
         let mut names = Vec::new();
         for (pattern, subject) in closure.parameters.iter().zip(subjects) {
+            if let (tree::Pattern::Name { name, mutable: false, inner: None, .. }, Some(place)) =
+                (pattern, self.counted(subject))
+            {
+                self.alias_to(name, place);
+                continue;
+            }
             self.test(pattern, subject, closure.body.site, &mut names)?;
         }
         self.bind_names(&names)?;
         let unit = match closure.body.slot {
             Some(slot) => self.slot(slot, closure.body.site)? == Type::Unit,
-            None => false,
+            // The body of a loop.
+            None => matches!(&closure.body.kind, tree::ExprKind::Block(it) if it.tail.is_none()),
         };
         if unit {
             self.effect(&closure.body)?;

@@ -85,6 +85,14 @@ pub(super) struct Frame {
     pub behind: Vec<Behind>,
 }
 
+impl<'a> Lowering<'a, '_> {
+    /// The meaning of names and closures here.
+    pub(super) fn scope(&self) -> Rc<Scope<'a>> {
+        let (names, handed) = (self.scopes.clone(), self.handed.clone());
+        Rc::new(Scope { names, handed, expanding: self.expanding.clone() })
+    }
+}
+
 impl Frame {
     /// That of a block, left where `mark` is declared.
     pub(super) fn block(label: &str, target: Option<&Target>, mark: LocalId) -> Frame {
@@ -126,6 +134,8 @@ pub(super) struct Handed<'a> {
 pub(super) struct Scope<'a> {
     pub names: Vec<Vec<(String, Binding)>>,
     pub handed: HashMap<String, Handed<'a>>,
+    /// The functions around it whose bodies are being lowered.
+    pub expanding: Vec<&'a str>,
 }
 
 /// The captures of a closure.

@@ -30,6 +30,7 @@ mod fields;
 mod from_array;
 mod function;
 mod gather;
+mod generator;
 mod generic;
 mod handed;
 mod held_slices;

@@ -505,6 +505,12 @@ pub const NO_SLOT: u32 = u32::MAX;
 /// The variant that `?` goes on with, in a pattern: `Some`, or `Ok`.
 pub const GOES_ON: &str = "?";
 
+/// The parameter of a function that gives an iterator: the closure that it hands each item to.
+pub const EACH: &str = "__each";
+
+/// The method of a type that gives an iterator of what it holds, `set.iter()`: the macro leaves it to whom it stands before.
+pub const ITER: &str = "iter";
+
 /// A pattern.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Pattern {

@@ -198,9 +198,17 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
     let mut signature = subject.signature.clone();
     lower::strip(&mut signature, &mut copy, refusals);
     lower::name_parts(&mut signature, &mut copy);
+    let is_entry = matches!(subject.asked.role, Role::Entry { .. });
+    let open = matches!(subject.home, Home::Interface(_) | Home::Implementation(_));
+    let outside = is_entry || open || subject.asked.attributes.external.is_some();
+    let items = lower::items(subject.signature);
+    if let (Some(_), true) = (items, outside) {
+        refusals.add(&subject.signature.output, refuse::ITERATOR_OUTSIDE);
+        return None;
+    }
+    let generates = lower::hand_on(&mut signature, &mut copy, refusals);
     let signature = &signature;
     let before = refusals.len();
-    let is_entry = matches!(subject.asked.role, Role::Entry { .. });
     if is_entry && scope.own().is_generic() {
         refusals.add(&subject.signature.generics, refuse::ENTRY_GENERIC);
     }
@@ -209,7 +217,6 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
     walk.optional = lower::gives_option(signature);
     walk.mutable = lower::mutable_names(signature, &copy);
     let mut params = Vec::new();
-    let open = matches!(subject.home, Home::Interface(_) | Home::Implementation(_));
     for parameter in &parameters {
         if open && parameter.closure {
             walk.refusals.add(&parameter.ident, refuse::INTERFACE_CLOSURE);
@@ -245,7 +252,7 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
         name: lower::text(&signature.ident),
         site: lower::site(&signature.ident),
         docs: docs::lines(subject.attributes),
-        role: subject.asked.role,
+        role: if generates { Role::Expanded } else { subject.asked.role },
         attributes: subject.asked.attributes.clone(),
         params,
         result,
@@ -254,8 +261,16 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
     };
     let builder = builder(subject, scope, &tree, &parameters, &walk, (signature, &copy));
     // What is lent has the lifetime that its author wrote.
-    let told = if lower::borrows(signature) { subject.signature } else { signature };
-    Some(Parts { parameters: companion_parameters(told), result: result_type(told), builder })
+    let told = match items {
+        Some(_) => subject.signature,
+        None if lower::borrows(signature) => subject.signature,
+        None => signature,
+    };
+    let result = match items {
+        Some(item) => quote! { ::bessemer::generate::Items<#item> },
+        None => result_type(told),
+    };
+    Some(Parts { parameters: companion_parameters(told), result, builder })
 }
 
 /// An entry point ends in a value, and so does a function that takes a closure; a function that returns a reference

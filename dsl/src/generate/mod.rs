@@ -14,6 +14,7 @@ pub mod elementary;
 pub mod factored;
 pub mod generic;
 mod items;
+pub mod iterator;
 pub mod linear;
 pub mod list;
 pub mod matrices;
@@ -35,10 +36,12 @@ pub use alloc::vec::Vec;
 pub use bessemer_ir::tree;
 pub use builder::{Builder, Callee, Defaults, Named, NoDefault, Said, Witness, words};
 pub use comparison::{Ranked, cmp};
+pub use core::ops::RangeInclusive;
 pub use inventory;
 pub use items::{
     Generics, Registered, argument, data, field, folders, function, number, package, place, variant,
 };
+pub use iterator::Items;
 pub use numbers::{FromBuiltin, TryFromBuiltin};
 pub use operators::{Implements, Operates, Operation, OwnOperator, owned, sign};
 pub use slot::{

@@ -76,6 +76,9 @@ pub fn instead(ty: &str) -> Option<&'static str> {
         "Mutex" | "RwLock" | "Cell" | "RefCell" | "UnsafeCell" | "OnceCell" | "OnceLock"
         | "LazyLock" | "LazyCell" | "LocalKey" => STATE,
         it if it.starts_with("Atomic") => STATE,
+        "Items" => {
+            "write `.into_iter()` behind the call whose items these are, `values().into_iter().map(…)`; or a `for`"
+        }
         "RangeFrom" | "RangeTo" | "RangeToInclusive" | "RangeFull" => {
             "hold both ends, `RangeInclusive<f32>` or `Range<u16>`, or one number"
         }

@@ -40,6 +40,8 @@ pub enum Grouping {
     All,
     /// `.step_by(n)`: the first of each, by itself.
     First,
+    /// `.cycle()`, perhaps with `.skip(n)`: single elements, from that number on, and the first behind the last.
+    Around,
 }
 
 /// Groups that take the place of single elements.

@@ -7,7 +7,7 @@
 //!
 //! A companion returns what the function returns, and beside it, in a slot, which function it was.
 
-use bessemer_ir::tree::ExprKind;
+use bessemer_ir::tree::{EACH, ExprKind};
 use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
 
@@ -22,6 +22,10 @@ impl Lowering<'_> {
     pub(super) fn call(&mut self, it: &mut syn::ExprCall) -> ExprKind {
         if let Some(kind) = self.array_from_fn(it).or_else(|| self.matrix_from_fn(it)) {
             return kind;
+        }
+        if matches!(&*it.func, syn::Expr::Path(it) if it.path.is_ident(EACH)) {
+            let items = it.args.iter_mut().map(|item| self.whole(item)).collect();
+            return ExprKind::Apply(EACH.to_owned(), items);
         }
         let arguments: Vec<_> =
             it.args.iter_mut().map(|argument| self.argument(argument)).collect();

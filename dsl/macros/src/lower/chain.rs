@@ -12,7 +12,7 @@ use super::flow::{Flow, Item, Over, Step, Takes};
 use super::item::{is_wild, simple};
 use super::made::{UNIT, plain};
 use super::names::text;
-use super::syntax::{is_iterator, is_linked, is_made_of_plain};
+use super::syntax::{is_ended, is_linked, is_made_of_plain};
 use super::walk::Lowering;
 use super::{each, refuse, search};
 
@@ -39,7 +39,7 @@ impl Lowering<'_> {
     /// The value of a chain; none if the call is something else.
     pub(super) fn chain(&mut self, it: &mut syn::ExprMethodCall) -> Option<ExprKind> {
         let (end, arguments) = (text(&it.method), it.args.len());
-        if !ENDS.contains(&(end.as_str(), arguments)) || !is_iterator(&it.receiver) {
+        if !ENDS.contains(&(end.as_str(), arguments)) || !is_chain(it) {
             return None;
         }
         let node = it.method.clone();
@@ -395,6 +395,11 @@ impl Lowering<'_> {
             Some(ExprKind::Fold { name, start: Start::Elements, each })
         })
     }
+}
+
+/// Whether an end is one of a chain of iterators. Only these have ends that take a closure, but for nalgebra's `fold`.
+fn is_chain(it: &syn::ExprMethodCall) -> bool {
+    is_ended(it, it.args.len() == 1 && matches!(it.args[0], syn::Expr::Closure(_)))
 }
 
 /// `f64::abs`, or the name of a function or a closure, as the closure that it stands for.

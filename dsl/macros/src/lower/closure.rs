@@ -13,7 +13,7 @@ use super::names::text;
 use super::refuse::Refusals;
 use super::syntax::names;
 use super::walk::{Closure, Lowering};
-use super::{pattern, refuse};
+use super::{chain, pattern, refuse};
 
 /// Methods whose last argument takes a value and could be a function, and how many they have.
 const TAKES_VALUE: [(&str, usize); 6] = [
@@ -128,6 +128,13 @@ impl Lowering<'_> {
                     Some(kind) => plain(kind, path),
                     None => self.value(expr),
                 }
+            }
+            // The one function of numbers that an order is taken from.
+            syn::Expr::Path(path)
+                if path.path.segments.last().is_some_and(|it| it.ident == "total_cmp") =>
+            {
+                chain::in_full(expr, true);
+                self.argument(expr)
             }
             other => self.value(other),
         }

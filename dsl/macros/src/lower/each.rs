@@ -3,12 +3,17 @@
 //! The adaptors stay as they are in the witness copy; the names look at the types that they are given.
 
 use bessemer_ir::tree::{self, ExprKind, Order};
+use bessemer_ir::{Int, Scalar};
 
 use super::flow::Source;
+use super::made::plain;
 use super::names::{site, text};
 use super::syntax::{gives_references, is_linked, shared};
 use super::walk::Lowering;
 use super::{item, refuse};
+
+/// The type of a count.
+const SIZE: Option<Scalar> = Some(Scalar::Int(Int::Usize));
 
 /// The sequence of a loop, and how it goes through it.
 pub(super) struct Way {
@@ -124,6 +129,21 @@ impl Lowering<'_> {
                 let source = Source::One { array, owned, group: None, reversed: false };
                 Way { source, ..way }
             }
+            // Begins further on.
+            Source::One {
+                array,
+                owned,
+                group: Some(tree::Group { way: around, size }),
+                reversed,
+            } if around == tree::Grouping::Around
+                && cut.skip
+                && matches!(&size.kind, ExprKind::Int(digits, _) if digits == "0")
+                && !way.indexed
+                && way.cuts.is_empty() =>
+            {
+                let group = Some(tree::Group { way: around, size: cut.count });
+                Way { source: Source::One { array, owned, group, reversed }, ..way }
+            }
             source => {
                 way.cuts.push(cut);
                 Way { source, ..way }
@@ -182,6 +202,21 @@ impl Lowering<'_> {
                     }
                 }
             }
+            syn::Expr::MethodCall(it) if it.method == "cycle" && it.args.is_empty() => {
+                match self.source(&mut it.receiver) {
+                    Source::One { array, owned: false, group: None, reversed: false }
+                        if !matches!(array.kind, ExprKind::Chain(..)) =>
+                    {
+                        let size = plain(ExprKind::Int("0".into(), SIZE), &it.method);
+                        let group = Some(tree::Group { way: tree::Grouping::Around, size });
+                        Source::One { array, owned: false, group, reversed: false }
+                    }
+                    other => {
+                        self.refusals.add(&it.method, refuse::ITERATOR);
+                        other
+                    }
+                }
+            }
             syn::Expr::MethodCall(it) if grouping(&it.method).is_some() && it.args.len() == 1 => {
                 let array = Box::new(self.value(&mut it.receiver));
                 let (way, size) = (grouping(&it.method), self.value(&mut it.args[0]));
@@ -196,10 +231,10 @@ impl Lowering<'_> {
                 source
             }
             other => {
-                let owned = !matches!(other, syn::Expr::Reference(_));
+                let (owned, range) = (!matches!(other, syn::Expr::Reference(_)), is_range(other));
                 let before = self.refusals.len();
                 let array = Box::new(self.value(other));
-                if is_range(other) {
+                if range {
                     self.refusals.forget_since(before);
                     self.refusals.add(&other, refuse::LINKED_RANGE);
                 }

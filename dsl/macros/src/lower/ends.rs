@@ -6,13 +6,13 @@ use syn::parse_quote;
 
 use super::chain;
 use super::names::text;
-use super::syntax::is_iterator;
+use super::syntax::is_ended;
 use super::walk::Lowering;
 
 impl Lowering<'_> {
     /// The loop that the end of a chain is; none if the call is something else.
     pub(super) fn ended(&mut self, it: &syn::ExprMethodCall) -> Option<syn::Expr> {
-        if !is_iterator(&it.receiver) {
+        if !is_ended(it, true) {
             return None;
         }
         let mut argument = it.args.first()?.clone();

@@ -139,6 +139,39 @@ impl Lowering<'_> {
                 Some(Item::Pair(Box::new(left), Box::new(right)))
             }
             (_, Source::Zip(..)) => None,
+            (syn::Pat::Tuple(pair), Source::One { array, owned, group: None, reversed: false })
+                if takes == Takes::References
+                    && pair.elems.len() == 2
+                    && matches!(array.kind, ExprKind::Call(..)) =>
+            {
+                let mut named = |pattern: &syn::Pat| {
+                    if is_wild(pattern) {
+                        let (name, slot) = (self.hidden("item"), tree::NO_SLOT);
+                        let known = Item::Named(name.clone());
+                        return (
+                            tree::Pattern::Name { name, slot, mutable: false, inner: None },
+                            known,
+                        );
+                    }
+                    let pattern = self.pattern_apart(pattern, looks);
+                    let known = match &pattern {
+                        tree::Pattern::Name { name, inner: None, .. } => Item::Named(name.clone()),
+                        _ => Item::Taken,
+                    };
+                    (pattern, known)
+                };
+                let (left, right) = (named(&pair.elems[0]), named(&pair.elems[1]));
+                let Over::Each { parts, .. } = &mut flow.over else { return None };
+                let pattern = tree::Pattern::Tuple(vec![left.0, right.0]);
+                parts.push(tree::Part {
+                    pattern,
+                    array: *array,
+                    owned,
+                    group: None,
+                    reversed: false,
+                });
+                Some(Item::Pair(Box::new(left.1), Box::new(right.1)))
+            }
             (_, Source::One { array, owned, group, reversed }) => {
                 let Over::Each { parts, .. } = &mut flow.over else { return None };
                 let lent = takes == Takes::References && !owned;

@@ -21,6 +21,7 @@ mod each;
 mod ends;
 mod expr;
 mod flow;
+mod generator;
 mod item;
 mod lines;
 pub mod macros;
@@ -44,6 +45,7 @@ mod walk;
 
 pub use call::companion_name;
 pub use closure::{mutable_names, without_returns};
+pub use generator::{hand_on, items};
 pub use macros::asked;
 pub use names::{GENERATING, Site, callee_name, own_name, site, slot_name, text};
 pub use pattern::{is_constant_name, member};

@@ -167,6 +167,8 @@ reasons! {
     SLICE: "a slice is passed, and not held: its length is not known when the C is written", "hold an array, `[T; N]`, or a `List<T, N>`";
     TRAIT_OBJECT: "trait objects need a table of function pointers", "name the type, or choose with an `enum` and a `match`";
     IMPL_TRAIT: "`impl Trait` hides the type that the C has to name", "name the type; a closure is taken by `impl Fn(f64) -> f64`, in functions and in methods of a type";
+    ITERATOR_TAIL: "a function that gives an iterator ends in it", "let its last expression be the iterator: `self.values.iter().copied()`";
+    ITERATOR_OUTSIDE: "an iterator is gone through where it is made, which only a function or a method of the model's own can be", "go through it inside, and give what comes of it";
     GENERIC_ALIAS: "the name of an instance has no parameters of its own", "name each instance: `pub type PidF32 = Pid<f32>;`";
     RETURNED_REFERENCE: "what the firmware calls gives a value", "return a copy, or the index of the element";
     LENT_EARLY: "a function that lends a place ends with it in the DSL", "end in the place: `if … { &self.a } else { &self.b }` of what is read, an index of what is written";

@@ -12,7 +12,7 @@ use super::each::writes;
 use super::names::text;
 use super::sort::Leg;
 use super::syntax::{
-    bare, compared, gives_pairs, gives_references, is_iterator, is_made_of_plain, is_plain, names,
+    bare, compared, gives_pairs, gives_references, is_ended, is_made_of_plain, is_plain, names,
 };
 use super::walk::Lowering;
 use super::{refuse, sort};
@@ -22,13 +22,17 @@ impl Lowering<'_> {
     pub(super) fn rewritten(&mut self, expr: &syn::Expr) -> Option<syn::Expr> {
         let it = match expr {
             syn::Expr::MethodCall(it) => it,
-            syn::Expr::Call(it) => return self.exchanged(it).or_else(|| self.extreme_of_two(it)),
+            syn::Expr::Call(it) => {
+                let known = self.exchanged(it).or_else(|| self.extreme_of_two(it));
+                return known.or_else(|| apart(it));
+            }
+            syn::Expr::Range(it) => return held(it),
             syn::Expr::ForLoop(it) => return in_two(it),
             _ => return None,
         };
         match (text(&it.method).as_str(), it.args.len()) {
             ("contains", 1) => self.contained(it),
-            ("min_by_key" | "max_by_key" | "min_by" | "max_by", 1) if is_iterator(&it.receiver) => {
+            ("min_by_key" | "max_by_key" | "min_by" | "max_by", 1) if is_ended(it, true) => {
                 self.extreme(it)
             }
             ("for_each" | "reduce", 1) => self.ended(it),
@@ -467,4 +471,25 @@ fn moves(value: &syn::Expr, place: &syn::Expr) -> bool {
         syn::Expr::Field(it) => moves(value, &it.base),
         _ => false,
     }
+}
+
+/// `first..=last` as a value: what Rust makes of it.
+fn held(it: &syn::ExprRange) -> Option<syn::Expr> {
+    let (start, end) = (it.start.as_ref()?, it.end.as_ref()?);
+    let closed = matches!(it.limits, syn::RangeLimits::Closed(_));
+    closed.then(|| parse_quote! { ::bessemer::generate::RangeInclusive::new(#start, #end) })
+}
+
+/// `nalgebra::distance(&p, &q)`, or its square: the norm of the difference, as nalgebra has it.
+fn apart(it: &syn::ExprCall) -> Option<syn::Expr> {
+    let syn::Expr::Path(function) = &*it.func else { return None };
+    let mut path = function.path.segments.iter().map(|part| text(&part.ident));
+    let (home, name) = (path.next()?, path.next()?);
+    let squared = name.strip_prefix("distance")?;
+    let [one, other] = it.args.iter().collect::<Vec<_>>()[..] else { return None };
+    if home != "nalgebra" || path.next().is_some() || !is_plain(one) || !is_plain(other) {
+        return None;
+    }
+    let norm = syn::Ident::new(&format!("norm{squared}"), Span::call_site());
+    Some(parse_quote! { ((#other).coords - (#one).coords).#norm() })
 }

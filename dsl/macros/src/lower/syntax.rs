@@ -28,15 +28,17 @@ pub(super) fn compared(body: &syn::Expr) -> Option<(syn::Expr, syn::Expr)> {
 
 /// Whether an iterator gives pairs, as far as its syntax shows.
 pub(super) fn gives_pairs(expr: &syn::Expr) -> bool {
-    match bare(expr) {
-        syn::Expr::MethodCall(it) => match text(&it.method).as_str() {
-            "enumerate" | "zip" => true,
-            "rev" | "skip" | "take" | "filter" | "take_while" | "skip_while" => {
-                gives_pairs(&it.receiver)
-            }
-            _ => false,
-        },
-        _ => false,
+    pairs(expr).is_some()
+}
+
+/// The iterators that give the two of each pair, the first of which may be the number alone.
+pub(super) fn pairs(expr: &syn::Expr) -> Option<(Option<&syn::Expr>, &syn::Expr)> {
+    let syn::Expr::MethodCall(it) = bare(expr) else { return None };
+    match text(&it.method).as_str() {
+        "enumerate" => Some((None, &it.receiver)),
+        "zip" => Some((Some(&it.receiver), it.args.first()?)),
+        "rev" | "skip" | "take" | "filter" | "take_while" | "skip_while" => pairs(&it.receiver),
+        _ => None,
     }
 }
 
@@ -99,26 +101,79 @@ pub(super) fn is_plain(expr: &syn::Expr) -> bool {
     }
 }
 
+/// The links of a chain that take a closure or look into what comes, their arguments, and what they tell of what they
+/// stand behind.
+const LINKS: [(&str, usize, Link); 11] = [
+    ("map", 1, Link::Any),
+    ("map_while", 1, Link::Iterator),
+    ("filter", 1, Link::Option),
+    ("filter_map", 1, Link::Iterator),
+    ("take_while", 1, Link::Iterator),
+    ("skip_while", 1, Link::Iterator),
+    ("scan", 2, Link::Iterator),
+    ("flatten", 0, Link::Any),
+    ("copied", 0, Link::Any),
+    ("cloned", 0, Link::Any),
+    ("enumerate", 0, Link::Iterator),
+];
+
+/// What a link tells of what it stands behind, if that gives no array of an author's.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Link {
+    /// Nothing.
+    Any,
+    /// It is an iterator or an `Option`.
+    Option,
+    /// It is an iterator.
+    Iterator,
+}
+
+fn link(it: &syn::ExprMethodCall) -> Option<Link> {
+    let mut links = LINKS.iter();
+    let found = links.find(|(name, count, _)| it.method == name && it.args.len() == *count);
+    found.map(|(.., told)| *told)
+}
+
 /// Whether an expression is an iterator, as far as its syntax shows.
 pub(super) fn is_iterator(expr: &syn::Expr) -> bool {
     match expr {
         syn::Expr::Paren(it) => is_iterator(&it.expr),
         syn::Expr::Range(_) => true,
+        syn::Expr::MethodCall(it) if link(it).is_some() => {
+            is_iterator(&it.receiver) || links(expr) == Some(Link::Iterator)
+        }
         syn::Expr::MethodCall(it) => match (shared(&it.method).as_str(), it.args.len()) {
             ("iter" | "into_iter", 0) => true,
-            ("enumerate" | "rev" | "copied" | "cloned", 0) => is_iterator(&it.receiver),
-            ("flatten", 0) => is_iterator(&it.receiver),
-            (
-                "map" | "map_while" | "filter" | "filter_map" | "take_while" | "skip_while" | "zip"
-                | "chain" | "step_by" | "take" | "skip",
-                1,
-            )
-            | ("scan", 2) => is_iterator(&it.receiver),
+            ("rev" | "cycle", 0) => is_iterator(&it.receiver),
+            ("zip" | "chain" | "step_by" | "take" | "skip", 1) => is_iterator(&it.receiver),
             ("windows" | "chunks" | "chunks_exact", 1) => true,
             _ => false,
         },
         _ => false,
     }
+}
+
+/// Whether what a chain ends in is an iterator, as far as its syntax shows: one that a function gives is told by its links,
+/// or by an end that only iterators have, `alone`. Where neither tells, `.into_iter()` behind the call does.
+pub(super) fn is_ended(it: &syn::ExprMethodCall, alone: bool) -> bool {
+    let told = |link| link > Link::Any || alone;
+    is_iterator(&it.receiver) || links(&it.receiver).is_some_and(told)
+}
+
+/// The most that a link tells of a chain that begins with a call; none of another expression.
+fn links(expr: &syn::Expr) -> Option<Link> {
+    let it = match expr {
+        syn::Expr::Paren(it) => return links(&it.expr),
+        syn::Expr::Call(_) => return Some(Link::Any),
+        syn::Expr::MethodCall(it) => it,
+        _ => return None,
+    };
+    let Some(told) = link(it) else { return Some(Link::Any) };
+    // No element of a matrix is a pair.
+    let pairs = matches!(it.args.first(), Some(syn::Expr::Closure(it))
+        if matches!(it.inputs.first(), Some(syn::Pat::Tuple(_))));
+    let told = if pairs { told.max(Link::Option) } else { told };
+    Some(links(&it.receiver)?.max(told))
 }
 
 /// The name of a method without what says that it lends what may be changed.
@@ -132,17 +187,7 @@ pub(super) fn is_linked(expr: &syn::Expr) -> bool {
     match expr {
         syn::Expr::Paren(it) => is_linked(&it.expr),
         syn::Expr::MethodCall(it) => {
-            let link = [
-                "map",
-                "map_while",
-                "filter",
-                "filter_map",
-                "take_while",
-                "skip_while",
-                "scan",
-                "flatten",
-            ];
-            link.iter().any(|link| it.method == link) || is_linked(&it.receiver)
+            LINKS[..8].iter().any(|(link, ..)| it.method == link) || is_linked(&it.receiver)
         }
         _ => false,
     }

@@ -1,0 +1,188 @@
+//! Functions that give iterators, put where what they give is gone through.
+//!
+//! Such a function hands each item to a closure; a loop through it is the function's own loop, in which the body of the
+//! author's loop stands for that closure.
+//!
+//! Invariants: one loop of the function hands its items on, so that what leaves the body's pass, or the author's loop,
+//! leaves the same of that one.
+
+use bessemer_ir::tree::{self, EACH, ExprKind as Tree, ITER, NO_SLOT, Order, Site, Stmt};
+use bessemer_ir::{Place, Type};
+
+use super::lowering::{Binding, Handed, Lowering};
+use super::subject::Subject;
+use super::{Result, problem};
+
+/// A loop through what a function gives.
+pub(super) struct Generated<'a, 'e> {
+    function: &'a tree::Function,
+    arguments: &'e [tree::Expr],
+    pattern: &'e tree::Pattern,
+    /// Whether it is gone through one by one, as it comes.
+    straight: bool,
+}
+
+/// Whether a function gives an iterator.
+pub(super) fn generates(function: &tree::Function) -> bool {
+    function.tree.params.last().is_some_and(|param| param.name == EACH)
+}
+
+impl<'a> Lowering<'a, '_> {
+    /// What a loop goes through, if a function gives that.
+    pub(super) fn generated<'e>(
+        &mut self,
+        parts: &'e [tree::Part],
+    ) -> Result<Option<Generated<'a, 'e>>> {
+        let mut found = None;
+        for part in parts {
+            let called = self.expansion(&part.array).filter(|(it, _)| generates(it));
+            let known = match called {
+                Some(called) => Some(called),
+                None => self.own_items(&part.array)?,
+            };
+            let Some((function, arguments)) = known else { continue };
+            if parts.len() > 1 {
+                return problem(
+                    part.array.site,
+                    "what a function gives is gone through by itself in the DSL",
+                    "go through it alone, and count: `.enumerate()`, and index the other",
+                );
+            }
+            let straight = part.group.is_none() && !part.reversed;
+            found = Some(Generated { function, arguments, pattern: &part.pattern, straight });
+        }
+        Ok(found)
+    }
+
+    /// An author's own `iter` of what is gone through: the adaptor is the iterator's own, as its name is.
+    fn own_items<'e>(
+        &mut self,
+        of: &'e tree::Expr,
+    ) -> Result<Option<(&'a tree::Function, &'e [tree::Expr])>> {
+        let is_place = matches!(of.kind, Tree::Local(_) | Tree::Field(..) | Tree::Index(..));
+        let own = |it: &&&'a tree::Function| generates(it) && it.tree.name == ITER;
+        let own: Vec<_> = self.cx.expanded.values().filter(own).copied().collect();
+        if !is_place || own.is_empty() || self.holds_nothing(of) {
+            return Ok(None);
+        }
+        let Type::Struct(id) = self.type_alone(of)? else { return Ok(None) };
+        let path = self.cx.types.iter().find(|(_, ty)| **ty == Type::Struct(id));
+        let path = path.map(|(path, _)| path.as_str());
+        let function = own.into_iter().find(|it| it.owner.as_deref() == path);
+        Ok(function.map(|function| (function, std::slice::from_ref(of))))
+    }
+
+    /// `for pattern in function(arguments)`.
+    pub(super) fn generated_stmt(
+        &mut self,
+        site: Site,
+        (label, index): (Option<&str>, Option<&str>),
+        generated: Generated<'a, '_>,
+        (order, cuts): (Order, &[tree::Cut]),
+        body: &tree::Block,
+    ) -> Result<()> {
+        let Generated { function, arguments, pattern, straight } = generated;
+        if !straight || order != Order::Up || !cuts.is_empty() {
+            return problem(
+                site,
+                "what a function gives is gone through one by one in the DSL, and from the first on",
+                "count with `.enumerate()`, and leave out in the loop, or in a `.filter(…)`, what is not wanted",
+            );
+        }
+        self.naming_scope(|inner| {
+            let mut body = body.clone();
+            if let Some(index) = index {
+                inner.count_items(index, &mut body, site)?;
+            }
+            let bound = inner.given_to(function, arguments)?;
+            let body = tree::Expr { kind: Tree::Block(body), site, slot: None };
+            let (name, parameters, body) = (None, vec![pattern.clone()], Box::new(body));
+            let closure = tree::Closure { name, parameters, body };
+            let (captures, nothing, scope) = (Vec::new(), Vec::new(), Some(inner.scope()));
+            let each = Handed { closure, source: inner.source, captures, nothing, scope };
+            let handed = [(EACH.to_owned(), each)].into();
+            let mut text = function.tree.body.clone();
+            if let (Some(label), Some(Stmt::Expr(last))) = (label, text.stmts.last_mut()) {
+                give_label(label, last);
+            }
+            inner.inside(function, (bound, handed), site, |inner| inner.stmts(&text))
+        })
+    }
+
+    /// What a function hands on: of an element that has a name, its place, by the counter of the function's loop.
+    /// A value has the name that its taker gives it.
+    pub(super) fn item(
+        &mut self,
+        expr: &tree::Expr,
+        taken: Option<&tree::Pattern>,
+    ) -> Result<Subject> {
+        match &expr.kind {
+            Tree::Tuple(parts) if expr.slot.is_none() => {
+                let parts = parts.iter().map(|part| self.item(part, None));
+                parts.collect::<Result<_>>().map(Subject::Parts)
+            }
+            Tree::Local(name) => match self.lookup(name, expr.site)? {
+                Binding::Alias(place) => Ok(Subject::Place(place)),
+                Binding::Local(local) if !self.steady.contains(&local) => {
+                    // Nothing else writes to it: it was made to be handed on.
+                    self.held.insert(local);
+                    if let Some(tree::Pattern::Name { name, mutable: false, inner: None, .. }) =
+                        taken
+                        && !name.contains('%')
+                    {
+                        self.locals[local.index()].name.clone_from(name);
+                    }
+                    self.subject(expr)
+                }
+                _ => self.subject(expr),
+            },
+            _ => self.subject(expr),
+        }
+    }
+
+    /// The counter of a loop, if that is what is handed on: nothing else changes it.
+    pub(super) fn counted(&self, subject: &Subject) -> Option<Place> {
+        match subject {
+            Subject::Place(place)
+                if place.steps.is_empty() && self.steady.contains(&place.root) =>
+            {
+                Some(place.clone())
+            }
+            _ => None,
+        }
+    }
+
+    /// Numbers the items, from zero on.
+    fn count_items(&mut self, index: &str, body: &mut tree::Block, site: Site) -> Result<()> {
+        let plain = |kind| tree::Expr { kind, site, slot: None };
+        let size = Some(bessemer_ir::Scalar::Int(bessemer_ir::Int::Usize));
+        let number = |digits: &str| plain(Tree::Int(digits.into(), size));
+        let next = || plain(Tree::Local(NEXT.into()));
+        let named = |name: &str, value| Stmt::Let {
+            name: name.into(),
+            slot: NO_SLOT,
+            value: Some(value),
+            site,
+        };
+        let more = Tree::Assign(Some(tree::BinaryOp::Add), Box::new(next()), Box::new(number("1")));
+        body.stmts.splice(0..0, [named(index, next()), Stmt::Expr(plain(more))]);
+        let begin = tree::Block { stmts: vec![named(NEXT, number("0"))], tail: None };
+        self.stmts(&begin)
+    }
+}
+
+/// The number of the next item.
+const NEXT: &str = "next%";
+
+/// Gives the loop that a function ends in the label of the author's loop through what it gives.
+fn give_label(own: &str, expr: &mut tree::Expr) {
+    match &mut expr.kind {
+        Tree::For { label, .. } | Tree::Each { label, .. } => *label = Some(own.to_owned()),
+        Tree::Block(block) => {
+            if let Some(Stmt::Expr(last)) = block.stmts.last_mut() {
+                give_label(own, last);
+            }
+        }
+        _ => {}
+    }
+}

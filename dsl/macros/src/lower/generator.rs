@@ -1,0 +1,90 @@
+//! Functions that give an iterator, `fn edges(&self) -> impl Iterator<Item = Edge>`.
+//!
+//! In the tree such a function takes a closure, [`EACH`], to which it hands each item in turn: what the iterator gives is
+//! gone through by its own loop, and the body of whoever goes through it stands in the place of the closure.
+//!
+//! Invariants: the body ends in the iterator, and nothing leaves it before.
+
+use bessemer_ir::tree::EACH;
+use proc_macro2::Span;
+use syn::parse_quote;
+
+use super::closure::without_returns;
+use super::refuse::{self, Refusals};
+use super::syntax::pairs;
+
+/// The traits by which a function says that it gives an iterator.
+const TRAITS: [&str; 3] = ["Iterator", "DoubleEndedIterator", "ExactSizeIterator"];
+
+/// The items of the iterator that a function gives; none if it gives something else.
+pub fn items(signature: &syn::Signature) -> Option<&syn::Type> {
+    let syn::ReturnType::Type(_, ty) = &signature.output else { return None };
+    let syn::Type::ImplTrait(it) = &**ty else { return None };
+    it.bounds.iter().find_map(|bound| {
+        let syn::TypeParamBound::Trait(bound) = bound else { return None };
+        let last = bound.path.segments.last()?;
+        let syn::PathArguments::AngleBracketed(arguments) = &last.arguments else { return None };
+        if !TRAITS.iter().any(|name| last.ident == name) {
+            return None;
+        }
+        arguments.args.iter().find_map(|argument| match argument {
+            syn::GenericArgument::AssocType(it) if it.ident == "Item" => Some(&it.ty),
+            _ => None,
+        })
+    })
+}
+
+/// Lets a function that gives an iterator hand its items to a closure; says whether it is one.
+pub fn hand_on(
+    signature: &mut syn::Signature,
+    body: &mut syn::Block,
+    refusals: &mut Refusals,
+) -> bool {
+    let Some(item) = items(signature).cloned() else { return false };
+    let each = syn::Ident::new(EACH, Span::call_site());
+    without_returns(body, refusals);
+    let Some(syn::Stmt::Expr(iterator, None)) = body.stmts.last_mut() else {
+        refusals.add(&signature.output, refuse::ITERATOR_TAIL);
+        return true;
+    };
+    let mut names = Names { given: 0 };
+    let (pattern, value) = names.of(iterator);
+    *iterator = parse_quote! { for #pattern in #iterator { #each(#value) } };
+    signature.inputs.push(parse_quote! { #each: impl FnMut(#item) });
+    signature.output = syn::ReturnType::Default;
+    true
+}
+
+/// Names for the items of an iterator.
+struct Names {
+    given: usize,
+}
+
+impl Names {
+    /// A pattern for an item, and the item by the names in it: pairs have no name of their own.
+    fn of(&mut self, iterator: &syn::Expr) -> (syn::Pat, syn::Expr) {
+        let Some((first, second)) = pairs(iterator) else { return self.one("item") };
+        let left = match first {
+            Some(first) => self.of(first),
+            None => self.one("index"),
+        };
+        pair(left, self.of(second))
+    }
+
+    fn one(&mut self, name: &str) -> (syn::Pat, syn::Expr) {
+        self.given += 1;
+        let name = match self.given {
+            1 => name.to_owned(),
+            more => format!("{name}_{more}"),
+        };
+        let name = syn::Ident::new(&name, Span::mixed_site());
+        (parse_quote! { #name }, parse_quote! { #name })
+    }
+}
+
+fn pair(
+    (left, one): (syn::Pat, syn::Expr),
+    (right, other): (syn::Pat, syn::Expr),
+) -> (syn::Pat, syn::Expr) {
+    (parse_quote! { (#left, #right) }, parse_quote! { (#one, #other) })
+}

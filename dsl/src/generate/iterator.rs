@@ -1,0 +1,72 @@
+//! Iterators that authors' functions give: nothing in the C, where what goes through them stands in the function's own loop.
+
+#![allow(missing_docs)]
+
+use alloc::borrow::ToOwned;
+use core::marker::PhantomData;
+
+use bessemer_ir::tree::{self, Ty};
+
+use super::builder::{Builder, Callee};
+use super::builtin::markers;
+use super::slot::{Called, DslType, Seen};
+
+markers! {
+    Next: "gather [0]";
+    Last: "gather [-1]";
+    Count: "gather #";
+    Sum: "gather +";
+    Product: "gather *";
+}
+
+/// What the companion of a function gives that gives an iterator of `T`.
+pub struct Items<T>(PhantomData<T>);
+
+impl<T> Clone for Items<T> {
+    fn clone(&self) -> Self {
+        Items(PhantomData)
+    }
+}
+
+impl<T> Iterator for Items<T> {
+    type Item = T;
+    fn next(&mut self) -> Option<T> {
+        unreachable!("a witness copy is never run")
+    }
+}
+
+impl<T> DoubleEndedIterator for Items<T> {
+    fn next_back(&mut self) -> Option<T> {
+        unreachable!("a witness copy is never run")
+    }
+}
+
+impl<T> ExactSizeIterator for Items<T> {}
+
+impl<T> DslType for Items<T> {
+    fn ty(_: &mut Builder) -> Ty {
+        Ty::Unit
+    }
+}
+
+impl<T> Seen for Items<T> {
+    type Slot = Items<()>;
+}
+
+impl<T> Items<T> {
+    pub fn __b_next(&mut self) -> Called<Next, Option<T>> {
+        unreachable!()
+    }
+    pub fn __b_last(self) -> Called<Last, Option<T>> {
+        unreachable!()
+    }
+    pub fn __b_sum<S: core::iter::Sum<T>>(self) -> Called<Sum, S> {
+        unreachable!()
+    }
+    pub fn __b_product<P: core::iter::Product<T>>(self) -> Called<Product, P> {
+        unreachable!()
+    }
+    pub fn __b_count(self) -> Called<Count, usize> {
+        unreachable!()
+    }
+}
