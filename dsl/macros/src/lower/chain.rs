@@ -6,7 +6,7 @@
 use bessemer_ir::tree::{self, BinaryOp, ExprKind, Order, Start, UnaryOp};
 use bessemer_ir::{Int, Scalar};
 
-use super::closure::{closure_of, closure_parameter};
+use super::closure::{closure_of, closure_parameter, in_full};
 use super::each::Way;
 use super::flow::{Flow, Item, Over, Step, Takes};
 use super::item::{is_wild, simple};
@@ -400,13 +400,4 @@ impl Lowering<'_> {
 /// Whether an end is one of a chain of iterators. Only these have ends that take a closure, but for nalgebra's `fold`.
 fn is_chain(it: &syn::ExprMethodCall) -> bool {
     is_ended(it, it.args.len() == 1 && matches!(it.args[0], syn::Expr::Closure(_)))
-}
-
-/// `f64::abs`, or the name of a function or a closure, as the closure that it stands for.
-pub(super) fn in_full(argument: &mut syn::Expr, of_two: bool) {
-    let syn::Expr::Path(path) = argument else { return };
-    *argument = match of_two {
-        true => syn::parse_quote! { |gathered, value| #path(gathered, value) },
-        false => syn::parse_quote! { |value| #path(value) },
-    };
 }

@@ -13,7 +13,7 @@ use super::names::text;
 use super::refuse::Refusals;
 use super::syntax::names;
 use super::walk::{Closure, Lowering};
-use super::{chain, pattern, refuse};
+use super::{pattern, refuse};
 
 /// Methods whose last argument takes a value and could be a function, and how many they have.
 const TAKES_VALUE: [(&str, usize); 6] = [
@@ -133,7 +133,7 @@ impl Lowering<'_> {
             syn::Expr::Path(path)
                 if path.path.segments.last().is_some_and(|it| it.ident == "total_cmp") =>
             {
-                chain::in_full(expr, true);
+                in_full(expr, true);
                 self.argument(expr)
             }
             other => self.value(other),
@@ -279,6 +279,15 @@ pub(super) fn closure_of(argument: &mut syn::Expr) -> Option<&mut syn::ExprClosu
         syn::Expr::Closure(it) => Some(it),
         _ => None,
     }
+}
+
+/// `f64::abs`, or the name of a function or a closure, as the closure that it stands for.
+pub(super) fn in_full(argument: &mut syn::Expr, of_two: bool) {
+    let syn::Expr::Path(path) = argument else { return };
+    *argument = match of_two {
+        true => syn::parse_quote! { |gathered, value| #path(gathered, value) },
+        false => syn::parse_quote! { |value| #path(value) },
+    };
 }
 
 /// The expressions that would leave a closure early.

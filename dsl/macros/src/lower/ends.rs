@@ -4,7 +4,7 @@
 
 use syn::parse_quote;
 
-use super::chain;
+use super::closure;
 use super::names::text;
 use super::syntax::is_ended;
 use super::walk::Lowering;
@@ -17,7 +17,7 @@ impl Lowering<'_> {
         }
         let mut argument = it.args.first()?.clone();
         let name = text(&it.method);
-        chain::in_full(&mut argument, name == "reduce");
+        closure::in_full(&mut argument, name == "reduce");
         let syn::Expr::Closure(closure) = argument else { return None };
         self.check_closure(&closure);
         match (name.as_str(), closure.inputs.iter().collect::<Vec<_>>().as_slice()) {
