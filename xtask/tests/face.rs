@@ -241,6 +241,9 @@ make                     4.3           test (not --host)  builds the emitted C b
 cmake                    3.25.1        test (not --host)  builds the emitted C by its CMakeLists.txt
 frama-c                  25.0-beta     test (not --host)  shows anew what was proved of the emitted C
 cppcheck                 2.10          test (not --host)  holds the emitted C against MISRA C:2012
+Python's venv            found         test (not --host)  installs the next below `target`
+numpy                    found         test (not --host)  the arrays of what `cargo bessemer py` makes
+FMPy                     found         test (not --host)  steps what `cargo bessemer fmu` makes
 aarch64-linux-gnu-gcc    12.2.0        test --full        compiles the emitted C for ARM of 64 bits
 aarch64 C library        found         test --full        headers and libraries for the above
 qemu-aarch64             7.2.22        test --full        runs it
@@ -251,10 +254,7 @@ s390x-linux-gnu-gcc      12.2.0        test --full        compiles the emitted C
 s390x C library          found         test --full        headers and libraries for the above
 qemu-s390x               7.2.22        test --full        runs it
 chromium                 150.0.1       test --full        shows the page of the ground station
-Python's venv            found         test --full        installs the next below `target`
 pymavlink                found         test --full        the other end of MAVLink
-numpy                    found         test --full        the arrays of what `cargo bessemer py` makes
-FMPy                     found         test --full        steps what `cargo bessemer fmu` makes
 valgrind                 3.19.0        bench              counts instructions on the host
 arm-linux-gnueabihf-g++  12.2.0        bench              compiles Eigen for the Cortex-A9
 Eigen                    found         bench              a peer

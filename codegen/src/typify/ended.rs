@@ -59,7 +59,7 @@ pub(super) fn proof(
         return Err("a `continue` comes before its condition".into());
     }
     let mut reason = None;
-    for (low, high, inclusive) in bounds(module, of) {
+    for (low, high, inclusive) in bounds(module, of.before, of.condition, of.truth) {
         let least = least_at(module, low, of.lead);
         let mut looked =
             Looked { module, low, high, inclusive, least, name: &name, moving: Vec::new() };
@@ -86,7 +86,7 @@ pub(super) fn turned(
     }
     let turn: Vec<Stmt> = of.rest.iter().chain(of.before).cloned().collect();
     let mut reason = None;
-    for (low, high, inclusive) in bounds(module, of) {
+    for (low, high, inclusive) in bounds(module, of.before, of.condition, of.truth) {
         let mut looked =
             Looked { module, low, high, inclusive, least: None, name: &name, moving: Vec::new() };
         match looked.shown(&[], of.condition, &turn, Path::default()) {

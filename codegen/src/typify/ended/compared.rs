@@ -7,14 +7,18 @@ use bessemer_ir::{
     UnaryOp,
 };
 
-use super::Loop;
 use crate::effects::{reads, same_place, writes};
 
-/// The comparisons `low < high` that have to hold for a condition to be `truth`, and those that follow from them:
+/// The comparisons `low < high` that have to hold for a condition behind the statements `before` it to be `truth`, and those that follow from them:
 /// `i + 2 < n` is false where `i < n` is, and so is `i < n - 2`. What follows comes first: it is what is counted in.
-pub(super) fn bounds<'e>(module: &Module, of: &Loop<'e>) -> Vec<(&'e Expr, &'e Expr, bool)> {
-    let meant = |number| meant(of.before, number);
-    let compared: Vec<_> = comparisons(of.condition, of.truth)
+pub(super) fn bounds<'e>(
+    module: &Module,
+    before: &'e [Stmt],
+    condition: &'e Expr,
+    truth: bool,
+) -> Vec<(&'e Expr, &'e Expr, bool)> {
+    let meant = |number| meant(before, number);
+    let compared: Vec<_> = comparisons(condition, truth)
         .into_iter()
         .map(|(low, high, inclusive)| (meant(low), meant(high), inclusive))
         .collect();

@@ -1,0 +1,257 @@
+/* The C of tests/corpus/src/programs/functions/given_iterators.rs. Written by a test. */
+
+/* given_iterators.c */
+
+static const uint32_t U16_BITS = 16U;
+
+/** Whether `one` comes before `other` in `total_cmp`: −0 before +0, NaN behind all others. */
+static inline bool sort_below_f64(double one, double other)
+{
+    if (one == other) {
+        return copysign_f64(1.0, one) < 0.0 && !(copysign_f64(1.0, other) < 0.0);
+    }
+    return one < other || (isnan(one) == 0 && isnan(other) != 0);
+}
+
+bool inputs_contains(const inputs_t *self, uint16_t n)
+{
+    return n < 16U && ((self->bits >> n) & 1U) == 1U;
+}
+
+void readings_summary(const readings_t *self, tuple4_usize_f64_option_f64_option_f64_t *result)
+{
+    double steps = 0.0;
+    for (uint32_t i = 0U; i < 5U; i++) {
+        const double value = fabs(self->values[i + 1U] - self->values[i]);
+        steps = max_f64(steps, value);
+    }
+    uint64_t rising = UINT64_C(0);
+    for (uint32_t i = 0U; i < 5U; i++) {
+        if (self->values[i] < self->values[i + 1U]) {
+            rising += UINT64_C(1);
+        }
+    }
+    double area = -0.0;
+    for (uint32_t i = 0U; i < 6U; i++) {
+        area += self->values[i] * self->values[(i + 1U) % 6U];
+    }
+    const double result_part = steps + area;
+    uint64_t most;
+    if (self->valid > UINT64_C(6)) {
+        most = UINT64_C(0);
+    } else {
+        most = self->valid;
+    }
+    const uint64_t result_end = most;
+    result->third.is_some = false;
+    result->third.value = 0.0;
+    for (uint64_t i = UINT64_C(0); i < result_end; i++) {
+        if (self->values[i] < self->most) {
+            const double item = self->values[i] * 2.0;
+            result->third.is_some = true;
+            result->third.value = item;
+        }
+    }
+    uint64_t most_2;
+    if (self->valid > UINT64_C(6)) {
+        most_2 = UINT64_C(0);
+    } else {
+        most_2 = self->valid;
+    }
+    const uint64_t result_end_2 = most_2;
+    result->fourth.is_some = false;
+    result->fourth.value = 0.0;
+    for (uint64_t i = UINT64_C(0); i < result_end_2; i++) {
+        if (self->values[i] < self->most) {
+            const double item = self->values[i] * 0.5;
+            result->fourth.is_some = true;
+            result->fourth.value = item;
+            break;
+        }
+    }
+    result->first = rising;
+    result->second = result_part;
+}
+
+void readings_largest(const readings_t *self, option_f64_t *result)
+{
+    option_f64_t found = {.is_some = false, .value = 0.0};
+    uint64_t most;
+    if (self->valid > UINT64_C(6)) {
+        most = UINT64_C(0);
+    } else {
+        most = self->valid;
+    }
+    const uint64_t result_end = most;
+    for (uint64_t i = UINT64_C(0); i < result_end; i++) {
+        if (self->values[i] < self->most) {
+            const option_f64_t before = found;
+            found.is_some = true;
+            found.value = self->values[i];
+            bool result_choice = false;
+            uint64_t other_index = UINT64_C(0);
+            bool result_holds = before.is_some;
+            if (result_holds) {
+                other_index = i;
+                result_choice = sort_below_f64(self->values[other_index], before.value);
+                result_holds = !(!result_choice);
+            }
+            if (result_holds) {
+                found = before;
+            }
+        }
+    }
+    *result = found;
+}
+
+void readings_before(const readings_t *self, double limit, option_usize_t *result)
+{
+    uint64_t next = UINT64_C(0);
+    uint64_t most;
+    if (self->valid > UINT64_C(6)) {
+        most = UINT64_C(0);
+    } else {
+        most = self->valid;
+    }
+    const uint64_t value_end = most;
+    for (uint64_t i = UINT64_C(0); i < value_end; i++) {
+        if (self->values[i] < self->most) {
+            const double value = self->values[i] * 1.5;
+            const uint64_t at = next;
+            next += UINT64_C(1);
+            if (value > limit) {
+                result->is_some = true;
+                result->value = at;
+                return;
+            }
+        }
+    }
+    result->is_some = false;
+    result->value = UINT64_C(0);
+}
+
+bessemer_status_t given_iterators_weighed(const inputs_t *inputs, const inputs_t *more,
+    uint32_t *result)
+{
+    uint32_t sum = 0U;
+    for (uint16_t n = 0U; n < (uint16_t)U16_BITS; n++) {
+        const bool contains = inputs_contains(inputs, n);
+        if (contains) {
+            if (n == 3U) {
+                continue;
+            }
+            if (n == 12U) {
+                break;
+            }
+            if ((int64_t)sum + (int64_t)(uint32_t)n > UINT32_MAX) {
+                return BESSEMER_STATUS_OVERFLOW;
+            }
+            sum += (uint32_t)n;
+        }
+    }
+    for (uint16_t n = 0U; n < (uint16_t)U16_BITS; n++) {
+        const bool contains_2 = inputs_contains(inputs, n);
+        if (contains_2) {
+            bool outer_next = false;
+            bool outer_done = false;
+            for (uint16_t n_2 = 0U; n_2 < (uint16_t)U16_BITS; n_2++) {
+                const bool contains_3 = inputs_contains(more, n_2);
+                if (contains_3) {
+                    if (n_2 > n) {
+                        outer_next = true;
+                        break;
+                    }
+                    if (n_2 == 11U) {
+                        outer_done = true;
+                        break;
+                    }
+                    if ((int64_t)sum + (int64_t)(uint32_t)(uint16_t)(n - n_2) > UINT32_MAX) {
+                        return BESSEMER_STATUS_OVERFLOW;
+                    }
+                    sum += (uint32_t)(uint16_t)(n - n_2);
+                }
+            }
+            if (outer_next) {
+                continue;
+            }
+            if (outer_done) {
+                break;
+            }
+        }
+    }
+    uint64_t count = UINT64_C(0);
+    for (uint16_t n = 0U; n < (uint16_t)U16_BITS; n++) {
+        const bool contains_4 = inputs_contains(more, n);
+        if (contains_4) {
+            count += UINT64_C(1);
+        }
+    }
+    if ((int64_t)sum + (int64_t)(uint32_t)count > UINT32_MAX) {
+        return BESSEMER_STATUS_OVERFLOW;
+    }
+    const uint32_t result_left = sum + (uint32_t)count;
+    uint16_t sum_2 = 0U;
+    for (uint16_t n = 0U; n < (uint16_t)U16_BITS; n++) {
+        const bool contains_5 = inputs_contains(inputs, n);
+        if (contains_5) {
+            if ((int64_t)sum_2 + (int64_t)n > INT64_C(65535)) {
+                return BESSEMER_STATUS_OVERFLOW;
+            }
+            sum_2 = (uint16_t)(sum_2 + n);
+        }
+    }
+    if ((int64_t)result_left + (int64_t)(uint32_t)sum_2 > UINT32_MAX) {
+        return BESSEMER_STATUS_OVERFLOW;
+    }
+    *result = result_left + (uint32_t)sum_2;
+    return BESSEMER_STATUS_OK;
+}
+
+bessemer_status_t given_iterators_first_share(uint32_t of, const uint32_t by[3], uint32_t *most)
+{
+    uint32_t most_value = 0U;
+    for (uint32_t i = 0U; i < 3U; i++) {
+        const uint32_t part = by[i];
+        if (part == 0U) {
+            return BESSEMER_STATUS_DIVISION_BY_ZERO;
+        }
+        const uint32_t share = of / part;
+        if (share > 100U) {
+            *most = share;
+            return BESSEMER_STATUS_OK;
+        }
+        most_value = max_u32(share, most_value);
+    }
+    *most = most_value;
+    return BESSEMER_STATUS_OK;
+}
+
+bool given_iterators_fences(double low, double high, double value)
+{
+    const double reach = 1.5 * (high - low);
+    closed_f64_t result_range;
+    given_iterators_around(low, high, reach, &result_range);
+    return range_closed_contains_f64(&result_range, value);
+}
+
+void given_iterators_around(double low, double high, double reach, closed_f64_t *closed)
+{
+    const double start = low - reach;
+    const double end = high + reach;
+    closed->start = start;
+    closed->end = end;
+}
+
+/* given_iterators.h */
+
+/** A set of inputs, a bit each. */
+typedef struct {
+    uint16_t bits;
+} inputs_t;
+
+/** The readings of a sensor, of which some are good. */
+typedef struct {
+    double values[6];
+    uint64_t valid;
+    double most;
+} readings_t;
