@@ -8,7 +8,7 @@ use bessemer_ir::{Argument, Block, Expr, ExprKind, Function, Module, Place, Span
 use thiserror::Error;
 
 use super::callees::callees;
-use super::places::disturbs;
+use super::places::{disturbs, moves_itself};
 use super::positions::{self, Callee, Position, accepts};
 use super::sites::Site;
 use super::{checked, proof};
@@ -115,7 +115,8 @@ impl Checker<'_> {
             }
             _ => false,
         };
-        if moves(place, &lent(value)) || disturbs(place, value, through_pointer) {
+        let moved = moves(place, &lent(value)) || moves_itself(place, value);
+        if moved || disturbs(place, value, through_pointer) {
             self.wrong(Rule::Overlap, place.span);
         }
     }

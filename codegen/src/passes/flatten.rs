@@ -392,7 +392,7 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    fn protect_place(&mut self, place: &mut Place, written: &[Place]) {
+    pub(super) fn protect_place(&mut self, place: &mut Place, written: &[Place]) {
         if written.is_empty() || !moves(place, written) {
             return;
         }

@@ -94,6 +94,12 @@ pub(crate) fn disturbs(destination: &Place, value: &Expr, through_pointer: bool)
     }
 }
 
+/// Whether writing `value` into `destination` part by part would make it another place: its index reads what is written.
+pub(crate) fn moves_itself(destination: &Place, value: &Expr) -> bool {
+    let at_once = value.ty.is_word() || matches!(value.kind, ExprKind::Call(..));
+    !at_once && moves(destination, std::slice::from_ref(destination))
+}
+
 /// Whether a callee may see `destination` through `argument` while it runs.
 fn lends(argument: &Argument, destination: &Place) -> bool {
     let written = std::slice::from_ref(destination);

@@ -15,7 +15,7 @@ use super::checked;
 use super::flatten::when;
 use super::lowering::Lowering;
 use super::names::{self, Names, Purpose};
-use super::places::{disturbs, erased, weight};
+use super::places::{disturbs, erased, moves_itself, weight};
 use super::positions::{Callee, Position};
 use super::remaining::{Doubted, Remaining};
 use crate::effects::{is_own, lent, moves, reads, whole, writes};
@@ -139,8 +139,12 @@ impl Lowering<'_> {
         }
         let start = self.out.len();
         self.pending = written.clone();
-        let place = self.place(place);
+        let mut place = self.place(place);
         self.pending.clear();
+        if moves_itself(&place, &value) {
+            let written = place.clone();
+            self.protect_place(&mut place, &[written]);
+        }
         if self.is_statement(&value) && (self.out.len() > start || moves(&place, &written)) {
             let next = self.wish(Purpose::Part("next"), &value);
             self.keep_at(start, &mut value, &next);

@@ -162,6 +162,7 @@ impl Lowering<'_, '_> {
             let kind = StmtKind::If { condition: condition.negated(), then, otherwise };
             Stmt { kind, span, comments: Vec::new() }
         };
+        let is_true = |condition: &Expr| condition.kind == ExprKind::Literal(1);
         let mut parts = conjuncts(condition).into_iter();
         let mut holds = match parts.next() {
             Some(first) => self.pattern_condition(first, names)?,
@@ -174,7 +175,6 @@ impl Lowering<'_, '_> {
                 self.keep_changeable(names)?;
             }
             let next = self.pattern_condition(part, names)?;
-            let is_true = |condition: &Expr| condition.kind == ExprKind::Literal(1);
             holds = match self.out.len() == at {
                 _ if is_true(&holds) => next,
                 true if is_true(&next) => holds,
@@ -186,8 +186,11 @@ impl Lowering<'_, '_> {
                 }
             };
         }
-        heads.push(self.out.len());
-        self.out.push(leave(holds));
+        // What always holds leaves nowhere.
+        if heads.is_empty() || !is_true(&holds) {
+            heads.push(self.out.len());
+            self.out.push(leave(holds));
+        }
         Ok(heads)
     }
 
