@@ -6,7 +6,7 @@
 //! Invariants: one loop of the function hands its items on, so that what leaves the body's pass, or the author's loop,
 //! leaves the same of that one.
 
-use bessemer_ir::tree::{self, EACH, ExprKind as Tree, ITER, NO_SLOT, Order, Site, Stmt};
+use bessemer_ir::tree::{self, EACH, ExprKind as Tree, ITER, ITER_MUT, NO_SLOT, Order, Site, Stmt};
 use bessemer_ir::{Place, Type};
 
 use super::lowering::{Binding, Handed, Lowering};
@@ -38,6 +38,8 @@ impl<'a> Lowering<'a, '_> {
             let called = self.expansion(&part.array).filter(|(it, _)| generates(it));
             let known = match called {
                 Some(called) => Some(called),
+                // What is gone through by value is what `into_iter` gives, which may be something else.
+                None if part.owned => None,
                 None => self.own_items(&part.array)?,
             };
             let Some((function, arguments)) = known else { continue };
@@ -62,6 +64,8 @@ impl<'a> Lowering<'a, '_> {
         let is_place = matches!(of.kind, Tree::Local(_) | Tree::Field(..) | Tree::Index(..));
         let own = |it: &&&'a tree::Function| generates(it) && it.tree.name == ITER;
         let own: Vec<_> = self.cx.expanded.values().filter(own).copied().collect();
+        let other = |it: &&&'a tree::Function| generates(it) && it.tree.name == ITER_MUT;
+        let changed: Vec<_> = self.cx.expanded.values().filter(other).map(|it| &it.owner).collect();
         if !is_place || own.is_empty() || self.holds_nothing(of) {
             return Ok(None);
         }
@@ -69,6 +73,7 @@ impl<'a> Lowering<'a, '_> {
         let path = self.cx.types.iter().find(|(_, ty)| **ty == Type::Struct(id));
         let path = path.map(|(path, _)| path.as_str());
         let function = own.into_iter().find(|it| it.owner.as_deref() == path);
+        let function = function.filter(|it| !changed.contains(&&it.owner));
         Ok(function.map(|function| (function, std::slice::from_ref(of))))
     }
 

@@ -511,6 +511,9 @@ pub const EACH: &str = "__each";
 /// The method of a type that gives an iterator of what it holds, `set.iter()`: the macro leaves it to whom it stands before.
 pub const ITER: &str = "iter";
 
+/// The name of a method that an adaptor may be as well, and that gives what is changed.
+pub const ITER_MUT: &str = "iter_mut";
+
 /// A pattern.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Pattern {
