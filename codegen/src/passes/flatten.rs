@@ -202,6 +202,11 @@ impl<'m> Lowering<'m> {
 
     /// Makes the indices of a place explicit.
     pub(super) fn place(&mut self, place: Place) -> Place {
+        self.place_beside(place, &[])
+    }
+
+    /// The same, where its indices are kept that may change as `changed` does.
+    pub(super) fn place_beside(&mut self, place: Place, changed: &[Place]) -> Place {
         let Place { root, steps, ty, span } = place;
         let mut container = Some(self.function.local(root).ty.clone());
         let mut done = Place { root, steps: Vec::new(), ty: ty.clone(), span };
@@ -216,6 +221,14 @@ impl<'m> Lowering<'m> {
                     Step::Element(row, column)
                 }
             };
+            match &mut step {
+                Step::Field(_) => {}
+                Step::Index(index) | Step::From(index) => self.protect(index, changed),
+                Step::Element(row, column) => {
+                    self.protect(row, changed);
+                    self.protect(column, changed);
+                }
+            }
             if let Some(container) = &container {
                 self.secure_step(container, &mut step, &done);
             }
@@ -392,7 +405,7 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    pub(super) fn protect_place(&mut self, place: &mut Place, written: &[Place]) {
+    fn protect_place(&mut self, place: &mut Place, written: &[Place]) {
         if written.is_empty() || !moves(place, written) {
             return;
         }

@@ -139,12 +139,9 @@ impl Lowering<'_> {
         }
         let start = self.out.len();
         self.pending = written.clone();
-        let mut place = self.place(place);
+        let itself = moves_itself(&place, &value).then(|| whole(place.root));
+        let place = self.place_beside(place, itself.as_slice());
         self.pending.clear();
-        if moves_itself(&place, &value) {
-            let written = place.clone();
-            self.protect_place(&mut place, &[written]);
-        }
         if self.is_statement(&value) && (self.out.len() > start || moves(&place, &written)) {
             let next = self.wish(Purpose::Part("next"), &value);
             self.keep_at(start, &mut value, &next);
