@@ -148,7 +148,7 @@ fn is_idle(stmt: &Stmt) -> bool {
     matches!(&stmt.kind, StmtKind::Assign { place, value } if is_own(value, place))
 }
 
-/// Whether a value is what a place holds, as it is written: `x`, `x | x`, or `x as u8` of a `u8`.
+/// Whether an assignment of `value` leaves `place` as it is: `x = x`, `x = x | x`, or `x = x as u8` of a `u8`.
 pub(crate) fn is_own(value: &Expr, place: &Place) -> bool {
     match &value.kind {
         ExprKind::Load(from) => same_place(from, place),

@@ -22,7 +22,7 @@ pub fn text(package: &str, face: &Interface) -> String {
     format!("{json:#}\n")
 }
 
-/// What a header declares: its name, the header, the comment.
+/// The beginning of each item of the description: its name, the header that declares it, its comment.
 fn item(name: &str, header: &str, docs: &[String]) -> Json {
     let mut json = json!({ "name": name, "header": header });
     add(&mut json, "comment", comment(docs));

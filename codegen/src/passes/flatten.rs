@@ -205,7 +205,7 @@ impl<'m> Lowering<'m> {
         self.place_beside(place, &[])
     }
 
-    /// The same, where its indices are kept that may change as `changed` does.
+    /// The same; indices that read one of the places `changed` are computed once, into locals.
     pub(super) fn place_beside(&mut self, place: Place, changed: &[Place]) -> Place {
         let Place { root, steps, ty, span } = place;
         let mut container = Some(self.function.local(root).ty.clone());
@@ -221,14 +221,7 @@ impl<'m> Lowering<'m> {
                     Step::Element(row, column)
                 }
             };
-            match &mut step {
-                Step::Field(_) => {}
-                Step::Index(index) | Step::From(index) => self.protect(index, changed),
-                Step::Element(row, column) => {
-                    self.protect(row, changed);
-                    self.protect(column, changed);
-                }
-            }
+            self.protect_step(&mut step, changed);
             if let Some(container) = &container {
                 self.secure_step(container, &mut step, &done);
             }
@@ -406,17 +399,21 @@ impl<'m> Lowering<'m> {
     }
 
     fn protect_place(&mut self, place: &mut Place, written: &[Place]) {
-        if written.is_empty() || !moves(place, written) {
+        if !moves(place, written) {
             return;
         }
         for step in &mut place.steps {
-            match step {
-                Step::Field(_) => {}
-                Step::Index(index) | Step::From(index) => self.protect(index, written),
-                Step::Element(row, column) => {
-                    self.protect(row, written);
-                    self.protect(column, written);
-                }
+            self.protect_step(step, written);
+        }
+    }
+
+    fn protect_step(&mut self, step: &mut Step, written: &[Place]) {
+        match step {
+            Step::Field(_) => {}
+            Step::Index(index) | Step::From(index) => self.protect(index, written),
+            Step::Element(row, column) => {
+                self.protect(row, written);
+                self.protect(column, written);
             }
         }
     }

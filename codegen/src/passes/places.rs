@@ -94,7 +94,8 @@ pub(crate) fn disturbs(destination: &Place, value: &Expr, through_pointer: bool)
     }
 }
 
-/// Whether writing `value` into `destination` part by part would make it another place: its index reads what is written.
+/// Whether an index of `destination` reads `destination` itself, and C assigns `value` part by part: the index would be
+/// another one after the first part, `nodes[nodes[0].next] = Node { next: 3, value }`.
 pub(crate) fn moves_itself(destination: &Place, value: &Expr) -> bool {
     let at_once = value.ty.is_word() || matches!(value.kind, ExprKind::Call(..));
     !at_once && moves(destination, std::slice::from_ref(destination))

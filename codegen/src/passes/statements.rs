@@ -364,7 +364,8 @@ pub(super) fn diverges(block: &Block) -> bool {
     })
 }
 
-/// Whether a value is what a place holds, as C says it: `usize` and `u64` are one type there.
+/// Whether an assignment leaves a place as it is in C, where `usize` and `u64` are one type, so that a cast between them
+/// does nothing.
 fn is_own_in_c(value: &Expr, place: &Place) -> bool {
     let form = |ty: &Type| ty.as_int().map(|int| (int.bits(), int.signed()));
     match &value.kind {

@@ -75,9 +75,9 @@ impl Lower<'_> {
                 let names = &self.context.names.structs[id.index()].fields;
                 let looked_at = match item.form {
                     Form::Record => item.fields.len(),
-                    // What a tag did not choose means nothing.
+                    // The first field says which of the others holds a value: an enum among these may hold none.
                     Form::Choice(_) | Form::Sequence => 1,
-                    // Nothing has been written to it yet.
+                    // The entry point has written nothing to its work memory yet.
                     Form::Lent | Form::Shared => 0,
                 };
                 for (field, name) in item.fields.iter().zip(names).take(looked_at) {

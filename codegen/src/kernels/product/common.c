@@ -2,9 +2,5 @@
 $height#define OFFSET(vector) ((LANES * (vector) + LANES <= $rows) ? LANES * (vector) : $rows - LANES)
 
 /* The first term of a sum, and the sum with one more. */
-#if !defined(PLUS)
-#define TIMES(rows, number) ((rows) * (number))
-#define PLUS(sum, rows, number) ((sum) + (rows) * (number))
-#endif
-
+$sum
 typedef $real lanes_t __attribute__((vector_size($bytes * LANES), aligned($bytes), may_alias));

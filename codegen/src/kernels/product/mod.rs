@@ -73,7 +73,7 @@ fn times(stride: u32, counter: &str) -> String {
     }
 }
 
-/// What a file opens with: the loop, for whoever reads or certifies it, then the other ways.
+/// The head of a product's file: the plain loop, which a reviewer reads or certifies, before the ways that are faster.
 const LOOPS: &str = "\
 /* What this kernel computes; with -DBESSEMER_LOOPS, how it does. Every other way below gives the same bits: it takes other
    elements side by side, each of them in this order. */

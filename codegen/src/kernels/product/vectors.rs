@@ -13,6 +13,8 @@ use crate::kernels::text::{FUSED, bytes, fill, fused, numbers, vectors_if};
 use crate::kernels::{Mode, Tuning};
 
 const TIMES: &str = "#define TIMES(rows, number) ((rows) * (number))\n";
+const PLUS: &str = "#define PLUS(sum, rows, number) ((sum) + (rows) * (number))\n";
+const HOLD: &str = "#define IN_ITS_REGISTER(value) __asm__(\"\" : \"+v\"(value))\n";
 
 /// How a target goes about it.
 #[derive(Clone, Copy, PartialEq)]
@@ -170,15 +172,15 @@ pub(super) fn source(
         body += &format!("#{word} defined({})\n{}", blocks.condition(), blocks.body());
     }
     let height = if before.contains("HEIGHT") || body.contains("HEIGHT") { HEIGHT } else { "" };
-    let common = COMMON.replace("$height", height);
-    let words = words(&targets);
     // A guard stands where a target may have a definition of its own.
-    let unguarded = |text: String, name: &str| match targets.contains(&format!("#define {name}(")) {
-        true => text,
-        false => text.replace(&format!("#if !defined({name})\n"), "").replacen("#endif\n", "", 1),
+    let guarded = |name: &str, text: String| match targets.contains(&format!("#define {name}(")) {
+        true => format!("#if !defined({name})\n{text}#endif\n"),
+        false => text,
     };
-    let common = unguarded(common, "PLUS");
-    let held = unguarded(IN_ITS_REGISTER.to_owned(), "IN_ITS_REGISTER");
+    let sum = guarded("PLUS", format!("{TIMES}{PLUS}"));
+    let common = COMMON.replace("$height", height).replace("$sum", &sum);
+    let held = IN_ITS_REGISTER.replace("$held", &guarded("IN_ITS_REGISTER", HOLD.to_owned()));
+    let words = words(&targets);
     before = format!("{words}{targets}\n#if defined(LANES)\n{common}{gather}\n{held}{before}");
     let mut values = values(element, sizes, shares);
     values.extend(blocks.values());
