@@ -4,6 +4,7 @@ use std::fs;
 use std::thread;
 
 use bessemer_codegen::generate::{self, Error, Job};
+use bessemer_tests::root;
 use bessemer_tests::workspace::Workspace;
 
 const MODEL: &str = "//! One law.
@@ -57,6 +58,20 @@ fn the_folder_is_whole_or_as_it_was() {
     let left = fs::read_dir(workspace.path("")).expect("the workspace").flatten();
     let stages = left.filter(|entry| entry.file_name().to_string_lossy().starts_with(".bessemer"));
     assert_eq!(stages.count(), 0, "no half-written folder is left");
+}
+
+/// Cargo builds the DSL once for all workspaces that link to it. What it was built by may be gone when the next one uses
+/// it: taken for another's, it and all that uses it would be built anew.
+#[test]
+fn a_dsl_that_workspaces_link_to_is_built_once() {
+    let source = root().join("dsl/src/lib.rs");
+    let modified = || source.metadata().and_then(|it| it.modified()).expect("a time");
+    let before = modified();
+    for version in ["1", "2"] {
+        let workspace = Workspace::with_source(MODEL).expect("a workspace");
+        workspace.generate(version).expect("generated");
+    }
+    assert_eq!(modified(), before, "it was taken for another workspace's");
 }
 
 #[test]

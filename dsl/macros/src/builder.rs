@@ -13,6 +13,7 @@ use crate::docs;
 use crate::generics::{Floats, Scope};
 use crate::lower::{self, Lowering, Parameter, Refusals, refuse};
 use crate::owned;
+use crate::place::place;
 use crate::witness::{Copy, result_type};
 
 /// A function as the author wrote it.
@@ -170,9 +171,10 @@ fn register(name: &syn::Ident, marker: &syn::Ident, scope: Scope<'_>) -> TokenSt
         return TokenStream::new();
     }
     let lower::Site(line, column) = lower::site(name);
+    let place = place();
     quote! {
         ::bessemer::generate::register! {
-            ::bessemer::generate::Registered::new(::bessemer::generate::place!(), (#line, #column), ::bessemer::generate::function::<#marker>)
+            ::bessemer::generate::Registered::new(#place, (#line, #column), ::bessemer::generate::function::<#marker>)
         }
     }
 }

@@ -21,6 +21,7 @@ use crate::interface;
 use crate::kind::Kind;
 use crate::lower::{self, Refusals, refuse};
 use crate::owned;
+use crate::place::place;
 use crate::redirect;
 use crate::sizes;
 use crate::table;
@@ -238,10 +239,11 @@ fn struct_definition(kind: Kind, it: &syn::ItemStruct) -> TokenStream {
 fn template(name: &syn::Ident) -> TokenStream {
     let lower::Site(line, column) = lower::site(name);
     let text = lower::text(name);
+    let place = place();
     quote! {
         ::bessemer::generate::register! {
             ::bessemer::generate::Registered::new(
-                ::bessemer::generate::place!(),
+                #place,
                 (#line, #column),
                 |cx: &mut ::bessemer::generate::Builder| cx.template(
                     ::bessemer::generate::Named { module: ::core::module_path!(), file: ::core::file!(), name: #text },
@@ -318,9 +320,10 @@ fn definition(
     let held = scope.types().filter(|_| scope.lifetimes().next().is_some());
     let outer = scope.bounds(held.map(|name| quote! { #name: 'static }));
     let registered = (!scope.is_generic()).then(|| {
+        let place = place();
         quote! {
             ::bessemer::generate::register! {
-                ::bessemer::generate::Registered::new(::bessemer::generate::place!(), (#line, #column), ::bessemer::generate::data::<#name #lasting>)
+                ::bessemer::generate::Registered::new(#place, (#line, #column), ::bessemer::generate::data::<#name #lasting>)
             }
         }
     });

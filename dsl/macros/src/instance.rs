@@ -8,6 +8,7 @@ use crate::docs;
 use crate::generics::Scope;
 use crate::given::{self, On};
 use crate::lower::{self, Refusals, refuse};
+use crate::place::place;
 
 /// The methods that an instance with a name of its own shows to C: those of a generic block, by the names of
 /// their builders. Two such blocks would leave open which.
@@ -56,10 +57,11 @@ pub fn named(it: &syn::ItemType, refusals: &mut Refusals) -> TokenStream {
     let (name, text) = (&it.ident, lower::text(&it.ident));
     let docs = docs::lines(&it.attrs);
     let lower::Site(line, column) = lower::site(name);
+    let place = place();
     quote! {
         const _: () = {
             ::bessemer::generate::register! {
-                ::bessemer::generate::Registered::new(::bessemer::generate::place!(), (#line, #column), |cx| {
+                ::bessemer::generate::Registered::new(#place, (#line, #column), |cx| {
                     #[allow(unused_imports)]
                     use ::bessemer::generate::WithoutEntries as _;
                     cx.alias::<#name>(

@@ -17,6 +17,7 @@ use crate::kind::Kind;
 use crate::lower::{self, Refusals, refuse};
 use crate::operators;
 use crate::owned;
+use crate::place::place;
 use crate::redirect;
 
 /// `#[interface]`.
@@ -272,10 +273,11 @@ fn register(
     path: &syn::Path,
     (lower::Site(line, column), build): &(lower::Site, syn::Ident),
 ) -> TokenStream {
+    let place = place();
     quote! {
         const _: () = {
             ::bessemer::generate::register! {
-                ::bessemer::generate::Registered::new(::bessemer::generate::place!(), (#line, #column), |cx| {
+                ::bessemer::generate::Registered::new(#place, (#line, #column), |cx| {
                     <#owner as #path>::#build(cx);
                 })
             }

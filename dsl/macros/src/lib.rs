@@ -21,6 +21,7 @@ mod kind;
 mod lower;
 mod operators;
 mod owned;
+mod place;
 mod redirect;
 mod sizes;
 mod table;

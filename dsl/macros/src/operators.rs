@@ -14,6 +14,7 @@ use crate::function::refuse_body;
 use crate::generics::Scope;
 use crate::kind::Kind;
 use crate::lower::{self, Refusals, refuse};
+use crate::place::place;
 use crate::redirect;
 
 /// A trait whose implementations are called by something else than their name.
@@ -207,9 +208,10 @@ impl Beside<'_> {
     fn registered(&self, name: &str, implements: &TokenStream) -> TokenStream {
         let Beside { owner, other, method, .. } = self;
         let lower::Site(line, column) = lower::site(&method.sig.ident);
+        let place = place();
         quote! {
             ::bessemer::generate::register! {
-                ::bessemer::generate::Registered::new(::bessemer::generate::place!(), (#line, #column), |cx| {
+                ::bessemer::generate::Registered::new(#place, (#line, #column), |cx| {
                     <#owner as #implements>::build(cx);
                 })
             }

@@ -9,6 +9,7 @@ use quote::{ToTokens, quote};
 
 use crate::given::{self, On};
 use crate::lower::{self, Refusals, refuse};
+use crate::place::place;
 use crate::{docs, expression};
 
 /// The items beside a `const`.
@@ -43,10 +44,11 @@ fn announced(
     let (docs, text, given) = (docs::lines(attributes), lower::text(name), given::tokens(&given));
     let lower::Site(line, column) = lower::site(name);
     let public = matches!(visibility, syn::Visibility::Public(_));
+    let place = place();
     quote! {
         const _: () = {
             ::bessemer::generate::register! {
-                ::bessemer::generate::Registered::table(::bessemer::generate::place!(), (#line, #column), |cx| {
+                ::bessemer::generate::Registered::table(#place, (#line, #column), |cx| {
                     cx.table(
                         ::bessemer::generate::Named { module: ::core::module_path!(), file: ::core::file!(), name: #text },
                         &[#(#docs),*], (#line, #column), &#name, #public, #given,

@@ -20,16 +20,6 @@ use crate::Plain;
 /// Where an item stands: its module, and the folder of its package.
 pub type Place = (&'static str, &'static str);
 
-/// The [`Place`] of what stands here.
-#[macro_export]
-#[doc(hidden)]
-macro_rules! __place {
-    () => {
-        (::core::module_path!(), ::core::env!("CARGO_MANIFEST_DIR"))
-    };
-}
-pub use __place as place;
-
 /// An item that announced itself to its package.
 pub struct Registered {
     place: Place,

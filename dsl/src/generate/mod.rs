@@ -39,7 +39,7 @@ pub use comparison::{Ranked, cmp};
 pub use core::ops::RangeInclusive;
 pub use inventory;
 pub use items::{
-    Generics, Registered, argument, data, field, folders, function, number, package, place, variant,
+    Generics, Registered, argument, data, field, folders, function, number, package, variant,
 };
 pub use iterator::Items;
 pub use numbers::{FromBuiltin, TryFromBuiltin};

@@ -3,7 +3,8 @@
 //! An item below an attribute is compiled up to three times: as its author wrote it, as the witness copy, and as
 //! builders. And an item that an attribute refuses is missing wherever it is used.
 
-use std::collections::BTreeSet;
+use std::collections::btree_map::Entry;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
 
 use super::rustc::{Mark, Message};
@@ -54,14 +55,35 @@ pub fn once<'m, 'a>(all: Vec<Worded<'m, 'a>>, sources: &Sources) -> Vec<Worded<'
             });
         kept[index] &= !(within || elsewhere || refused_before || said_better);
     }
-    let mut seen = BTreeSet::new();
-    let mut told = Vec::new();
+    let mut seen = BTreeMap::new();
+    let mut told: Vec<Worded<'m, 'a>> = Vec::new();
     for (one, kept) in all.into_iter().zip(kept) {
-        if kept && seen.insert(key(&one, sources)) {
-            told.push(one);
+        if !kept {
+            continue;
+        }
+        match seen.entry(key(&one, sources)) {
+            Entry::Vacant(first) => {
+                first.insert(told.len());
+                told.push(one);
+            }
+            Entry::Occupied(first) => {
+                let first = &mut told[*first.get()];
+                if is_of_file(&one) && position(&one) < position(first) {
+                    *first = one;
+                }
+            }
         }
     }
     told
+}
+
+/// Whether it is told once for its file. rustc gives these in no certain order: the uppermost is told.
+fn is_of_file((_, words): &Worded<'_, '_>) -> bool {
+    words.as_ref().is_some_and(|words| matches!(words.once, Once::File))
+}
+
+fn position((message, _): &Worded<'_, '_>) -> Option<(u32, u32)> {
+    message.mark().map(|mark| mark.start)
 }
 
 /// Keeps one of rustc's own errors a line, since the witness copy repeats them, with other words at times;
