@@ -14,7 +14,7 @@ use bessemer_interpret::Interpreter;
 use bessemer_tests::compiled_with;
 use bessemer_tests::toolchain;
 use bessemer_tests::workspace::Workspace;
-use corpus::Entry;
+use callables::Entry;
 
 use super::corpus::{interpreted, lived, run_c, run_c_with};
 use super::newcomers::step;
@@ -27,20 +27,8 @@ fn folder() -> PathBuf {
 }
 
 /// What can be called of them.
-fn entries() -> &'static [Entry] {
-    static ENTRIES: OnceLock<Vec<Entry>> = OnceLock::new();
-    ENTRIES.get_or_init(|| {
-        let same = |it: &plain::Entry| Entry {
-            module: it.module,
-            component: it.component,
-            data: it.data,
-            name: it.name,
-            made: it.made,
-            run: it.run,
-            initial: it.initial,
-        };
-        plain::programs::ENTRIES.iter().copied().flatten().map(same).collect()
-    })
+fn entries() -> impl Iterator<Item = &'static Entry> {
+    plain::programs::ENTRIES.iter().copied().flatten()
 }
 
 /// The programs, compiled as a user would have them, and with the checks that were proved.

@@ -28,7 +28,7 @@ use bessemer_tests::process::{Error, Process, at_once, lay_out};
 use bessemer_tests::random::Random;
 use bessemer_tests::toolchain::{self, Toolchain, run};
 use bessemer_tests::{alive, corpus, corpus_with, harness, turn};
-use corpus::Entry;
+use callables::Entry;
 
 /// Calls of each entry point with words from the edges.
 const CALLS: usize = 200;
@@ -59,7 +59,10 @@ fn cases() -> &'static [Case] {
 }
 
 /// What Rust makes of calls of each of the entries.
-pub(super) fn lived(compiled: &Compiled, natives: &'static [Entry]) -> Vec<Case> {
+pub(super) fn lived(
+    compiled: &Compiled,
+    natives: impl IntoIterator<Item = &'static Entry>,
+) -> Vec<Case> {
     let module = &compiled.module;
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     let case = |native: &'static Entry| {
@@ -77,7 +80,7 @@ pub(super) fn lived(compiled: &Compiled, natives: &'static [Entry]) -> Vec<Case>
         let (calls, native) = lives(native, module, function, &mut random);
         Case { name, id, stateful, calls, types, leaves, native }
     };
-    natives.iter().map(case).collect()
+    natives.into_iter().map(case).collect()
 }
 
 /// The functions and entry points.
