@@ -58,6 +58,7 @@ mod order;
 mod paths;
 mod pattern;
 mod place;
+mod ranges;
 mod regions;
 mod several;
 mod sizes;
@@ -155,6 +156,7 @@ fn typed_with<'a>(mut cx: Context<'a>, package: &'a Package) -> (Vec<regions::Jo
         cx.function(&function.path);
     }
     let mut errors = std::mem::take(&mut cx.told);
+    errors.extend(ranges::wrong(&cx.module));
     errors.sort_by(|one, other| {
         (&one.file, one.line, one.column).cmp(&(&other.file, other.line, other.column))
     });

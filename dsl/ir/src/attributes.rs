@@ -32,7 +32,7 @@ pub struct Given {
     /// outside in, rows before columns; empty where there is a number. In the tree their names, in the IR with their modules
     /// before them.
     pub sizes: Vec<String>,
-    /// Where the name stands, in the file of the item.
+    /// Where the name stands, in the file of the item; without a name, the range.
     pub site: Site,
 }
 

@@ -49,7 +49,12 @@ pub fn read(attributes: &[syn::Attribute], on: On, refusals: &mut Refusals) -> G
         }
         if attribute.path().is_ident("range") {
             match on {
-                On::Value => given.range = range(attribute, refusals),
+                On::Value => {
+                    given.range = range(attribute, refusals);
+                    if given.name.is_none() {
+                        given.site = lower::site(attribute.path());
+                    }
+                }
                 On::Table | On::Type | On::Variant => {
                     refusals.add(attribute.path(), refuse::RANGE_PLACE);
                 }

@@ -74,7 +74,7 @@ pub struct Said {
     pub expression: Option<&'static str>,
     /// The constants that say how many elements it has.
     pub sizes: &'static [&'static str],
-    /// Where the name stands.
+    /// Where the name stands, or else the range.
     pub site: (u32, u32),
 }
 

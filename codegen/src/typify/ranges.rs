@@ -1,0 +1,172 @@
+//! What authors say of the range of a number, held against its type and its default.
+//!
+//! Invariant: nothing that is computed depends on it. A default is that of which the module has the words.
+
+use bessemer_ir::{Float, Form, Given, Module, Range, Scalar, Span, StructId, Type};
+
+use crate::diagnostic::Diagnostic;
+
+/// The ranges of what is no number, and the defaults outside of their ranges.
+pub(super) fn wrong(module: &Module) -> Vec<Diagnostic> {
+    let mut walk = Walk { module, told: Vec::new() };
+    for item in &module.structs {
+        for field in &item.fields {
+            walk.number(&field.name, &field.ty, &field.given, item.span);
+        }
+    }
+    for function in &module.functions {
+        for local in function.parameters() {
+            if let Some(given) = function.attributes.parameter(&local.name) {
+                walk.number(&local.name, &local.ty, given, function.span);
+            }
+        }
+    }
+    for (index, item) in module.structs.iter().enumerate() {
+        if let Some(words) = item.initial.as_deref().or(item.defaults.as_deref()) {
+            walk.fields(StructId(index as u32), words, &format!("{}::default()", item.name));
+        }
+    }
+    walk.told
+}
+
+struct Walk<'m> {
+    module: &'m Module,
+    told: Vec<Diagnostic>,
+}
+
+impl Walk<'_> {
+    /// Tells of a mistake where the range stands. Instances of something generic have it in common, and so has a default
+    /// that is part of others.
+    fn tell(&mut self, given: &Given, home: Span, message: String, help: &str) {
+        let file = self.module.files.get(home.file as usize).cloned().unwrap_or_default();
+        let (line, column) = (given.site.0, given.site.1);
+        let at = |it: &Diagnostic| (&it.file, it.line, it.column) == (&file, line, column);
+        if !self.told.iter().any(at) {
+            let help = help.to_owned();
+            let told = Diagnostic { file, line, column, message, help, ..Diagnostic::default() };
+            self.told.push(told);
+        }
+    }
+
+    /// A range is that of a number, or of the numbers in an array or a matrix.
+    fn number(&mut self, name: &str, ty: &Type, given: &Given, home: Span) {
+        if given.range.is_some() && !self.has_range(ty) {
+            let message = format!("`{name}` is no number, so it has no range");
+            let help = "take `#[range(…)]` off, or write it on the number that it is meant for";
+            self.tell(given, home, message, help);
+        }
+    }
+
+    /// Whether the numbers of a type may have a range. Of a struct that stands for a type of Rust's or of the library,
+    /// they have no field of the author's that it could be written on.
+    fn has_range(&self, ty: &Type) -> bool {
+        match ty {
+            Type::Scalar(scalar) | Type::Matrix { element: scalar, .. } => *scalar != Scalar::Bool,
+            Type::Array { element, .. } | Type::Slice(element) => self.has_range(element),
+            Type::Struct(id) => {
+                let item = &self.module.structs[id.index()];
+                item.form != Form::Record || item.module.starts_with("bessemer::")
+            }
+            Type::Unit | Type::Enum(_) => false,
+        }
+    }
+
+    /// The fields of a default at the path, by its words.
+    fn fields(&mut self, id: StructId, words: &[u64], path: &str) {
+        let module = self.module;
+        let item = &module.structs[id.index()];
+        let (first, mut rest) = (words.first().copied().unwrap_or_default(), words);
+        for (index, field) in item.fields.iter().enumerate() {
+            let (mut own, later) = rest.split_at(module.leaves(&field.ty).len().min(rest.len()));
+            rest = later;
+            if !item.holds(index, first) {
+                continue;
+            }
+            if let (Form::Sequence, Type::Array { element, .. }) = (&item.form, &field.ty) {
+                // Behind the elements that there are stands what nobody reads.
+                let held = module.leaves(element).len().saturating_mul(first as usize);
+                own = &own[..held.min(own.len())];
+            }
+            let path = format!("{path}.{}", field.name);
+            if let Some(range) = field.given.range {
+                self.within(range, &field.ty, own, (&path, &field.given, item.span));
+            }
+            self.value(&field.ty, own, &path);
+        }
+    }
+
+    fn value(&mut self, ty: &Type, words: &[u64], path: &str) {
+        match ty {
+            Type::Struct(id) => self.fields(*id, words, path),
+            Type::Array { element, .. } if !matches!(**element, Type::Scalar(_)) => {
+                let each = self.module.leaves(element).len().max(1);
+                words.chunks(each).for_each(|words| self.value(element, words, path));
+            }
+            _ => {}
+        }
+    }
+
+    /// Holds the numbers of a field to its range.
+    fn within(&mut self, range: Range, ty: &Type, words: &[u64], at: (&str, &Given, Span)) {
+        let (mut element, mut many) = (ty, false);
+        while let Type::Array { element: inner, .. } = element {
+            (element, many) = (inner, true);
+        }
+        let scalar = match element {
+            Type::Scalar(scalar) => *scalar,
+            Type::Matrix { element, .. } => {
+                many = true;
+                *element
+            }
+            _ => return,
+        };
+        let (path, given, home) = at;
+        let outside =
+            words.iter().map(|word| Number::of(scalar, *word)).find(|it| !it.is_in(range));
+        if let Some(number) = outside {
+            let what = if many { format!("an element of `{path}`") } else { format!("`{path}`") };
+            let (low, high) = (range.low(), range.high());
+            let message = format!("{what} is {}, outside of {low:?}..={high:?}", number.shown);
+            self.tell(
+                given,
+                home,
+                message,
+                "let the default lie within the range, or widen the range",
+            );
+        }
+    }
+}
+
+/// A number of a default.
+struct Number {
+    value: f64,
+    /// Of an `f32`, whose ends are rounded as it is.
+    single: bool,
+    shown: String,
+}
+
+impl Number {
+    fn of(scalar: Scalar, word: u64) -> Number {
+        match scalar {
+            Scalar::Float(Float::F32) => {
+                let value = f32::from_bits(word as u32);
+                Number { value: f64::from(value), single: true, shown: format!("{value:?}") }
+            }
+            Scalar::Float(Float::F64) => {
+                let value = f64::from_bits(word);
+                Number { value, single: false, shown: format!("{value:?}") }
+            }
+            Scalar::Int(int) => {
+                let value = int.from_word(word);
+                Number { value: value as f64, single: false, shown: value.to_string() }
+            }
+            Scalar::Bool => Number { value: word as f64, single: false, shown: word.to_string() },
+        }
+    }
+
+    /// NaN is in no range.
+    fn is_in(&self, range: Range) -> bool {
+        let end = |end: f64| if self.single { f64::from(end as f32) } else { end };
+        end(range.low()) <= self.value && self.value <= end(range.high())
+    }
+}
