@@ -6,9 +6,10 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use bessemer_codegen::c::interface::{Entry, Interface, Value};
+use bessemer_codegen::c::interface::Interface;
 use bessemer_codegen::c::names::Passing;
 use bessemer_codegen::compile::Compiled;
+use bessemer_project::firmware::{Call, calls, declared};
 use bessemer_project::{Wanted, compile};
 
 use crate::args::{Pack, System};
@@ -47,121 +48,10 @@ pub fn run(folder: &Path, wanted: &Pack, colour: bool) -> Result<String, Error> 
     Ok(format!("{}: {} files\n", place.display(), files.len()))
 }
 
-/// An entry point as firmware calls it.
-struct Call<'f> {
-    entry: &'f Entry,
-    /// The variables that live as long as the firmware: the state, and data with defaults.
-    kept: Vec<(&'f str, &'f Value)>,
-    /// The others, which come new in each period, or leave in it.
-    passing: Vec<(&'f str, &'f Value, Passing)>,
-    /// The statements that set those that are kept.
-    begin: Vec<String>,
-}
-
-/// The entry points that can be called without a length that only their caller knows.
-fn calls(face: &Interface) -> impl Iterator<Item = Call<'_>> {
-    let fixed = |it: &&Entry| it.parameters.iter().all(|it| !it.value.dimensions.contains(&None));
-    face.entries.iter().filter(fixed).map(|entry| {
-        let (mut kept, mut passing, mut begin) = (Vec::new(), Vec::new(), Vec::new());
-        for it in &entry.parameters {
-            let set_by = face.structure(&it.value.ty).and_then(|it| it.set_by.as_ref());
-            match set_by.filter(|_| it.value.dimensions.is_empty() && it.passing != Passing::Output)
-            {
-                Some(set_by) => {
-                    begin.push(format!("{set_by}(&{});", it.name));
-                    kept.push((it.name.as_str(), &it.value));
-                }
-                None => passing.push((it.name.as_str(), &it.value, it.passing)),
-            }
-        }
-        Call { entry, kept, passing, begin }
-    })
-}
-
-/// `double place[3]`.
-fn declared(name: &str, value: &Value) -> String {
-    let dimensions: String =
-        value.dimensions.iter().flatten().map(|count| format!("[{count}]")).collect();
-    format!("{} {name}{dimensions}", value.ty)
-}
-
-impl Call<'_> {
-    /// The call itself, with what it gives in `result`.
-    fn text(&self) -> String {
-        let arguments = self.entry.parameters.iter().map(|it| {
-            let by_address = it.passing != Passing::Value && it.value.dimensions.is_empty();
-            format!("{}{}", if by_address { "&" } else { "" }, it.name)
-        });
-        let call = format!("{}({})", self.entry.name, arguments.collect::<Vec<_>>().join(", "));
-        match (&self.entry.result, self.entry.status) {
-            (Some(value), _) => format!("const {} result = {call};", value.ty),
-            (None, true) => format!("const int status = (int){call};"),
-            (None, false) => format!("{call};"),
-        }
-    }
-
-    /// The definitions of the static variables that a call uses.
-    fn statics(&self) -> String {
-        self.kept
-            .iter()
-            .map(|(name, value)| format!("static {};\n", declared(name, value)))
-            .collect()
-    }
-
-    /// The statements of one period: inputs, the call, what to do with its results. `indent` begins each line.
-    fn period(&self, indent: &str) -> String {
-        let mut text = String::new();
-        for (name, value, passing) in &self.passing {
-            let said = match passing {
-                Passing::Output => "It goes to your actuators.",
-                _ => "It comes from your sensors.",
-            };
-            let unit =
-                value.unit.as_ref().map(|unit| format!(" Unit: {unit}.")).unwrap_or_default();
-            let zero = if is_number(value) { " = 0" } else { "" };
-            let line = declared(name, value);
-            let _ = writeln!(text, "{indent}/* {said}{unit} */\n{indent}static {line}{zero};");
-        }
-        let _ = writeln!(text, "{indent}{}", self.text());
-        let given = match (&self.entry.result, self.entry.status) {
-            (Some(value), _) => {
-                let unit = value.unit.as_ref().map(|unit| format!(" Unit: {unit}."));
-                Some(("result", format!("It goes to your actuators.{}", unit.unwrap_or_default())))
-            }
-            (None, true) => {
-                Some(("status", "Other than 0 it names a fault: stop safely.".to_owned()))
-            }
-            (None, false) => None,
-        };
-        if let Some((name, said)) = given {
-            let _ = writeln!(text, "{indent}/* {said} */\n{indent}(void){name};");
-        }
-        text
-    }
-}
-
-/// Whether a value is one number, and no enum or struct.
-fn is_number(value: &Value) -> bool {
-    let known = ["bool", "float", "double"].contains(&value.ty.as_str());
-    value.dimensions.is_empty() && (known || value.ty.contains("int"))
-}
-
 fn head(name: &str, compiled: &Compiled, said: &str, comment: &str) -> String {
     format!(
         "{comment} {said} {name}.\n{comment}\n{comment} Generated by Bessemer.\n{comment} SPDX-License-Identifier: {}\n",
         compiled.license
-    )
-}
-
-fn main(call: &Call, around: &str, wait: &str) -> String {
-    let begin: String = call.begin.iter().map(|it| format!("    {it}\n")).collect();
-    format!(
-        "/* An example of the firmware around {}: replace what is marked. */\n{around}#include \"{}\"\n\n{}\n\
-         int main(void)\n{{\n{begin}    for (;;) {{\n{}        {wait}\n    }}\n}}\n",
-        call.entry.rust,
-        call.entry.header,
-        call.statics(),
-        call.period("        ")
     )
 }
 
@@ -192,7 +82,7 @@ fn zephyr(name: &str, compiled: &Compiled) -> Vec<(String, String)> {
     ];
     for call in calls(&compiled.interface) {
         let wait = "k_msleep(1); /* Your control period. */";
-        let text = main(&call, "#include <zephyr/kernel.h>\n\n", wait);
+        let text = call.main("#include <zephyr/kernel.h>\n\n", wait);
         files.push((format!("examples/{}/src/main.c", call.entry.name), text));
     }
     files

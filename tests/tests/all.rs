@@ -23,6 +23,7 @@ mod linear;
 mod mathematics;
 mod misra;
 mod newcomers;
+mod parameters;
 mod plain;
 mod random;
 mod readme;

@@ -73,15 +73,22 @@ fn a_new_package_is_simulated_and_generated() {
     refusals(&package);
 }
 
-/// The files for CMake and make build the stub, each with the machine's own compiler.
+/// The files for CMake and make build the stub, with the table of parameters, and the example, each with the machine's own
+/// compiler.
 fn built_by_others(package: &Path) {
     let settings = package.join("bessemer.toml");
     let sound = fs::read_to_string(&settings).expect("the settings");
-    fs::write(&settings, format!("build_files = true\ninterface = true\n{sound}"))
-        .expect("the settings");
+    fs::write(
+        &settings,
+        format!("build_files = true\ninterface = true\nparameters = true\n{sound}"),
+    )
+    .expect("the settings");
     generated(package, false).expect("it is sound");
     let face = fs::read_to_string(package.join("generated/interface.json")).expect("the interface");
     assert!(face.contains("\"set_by\": \"gains_defaults\""), "{face}");
+    let table = fs::read_to_string(package.join("generated/bessemer_parameter_table.c"));
+    let row = "{\"integral\", \"V/rad\", 0.0, 20.0, offsetof(gains_t, integral), sizeof(double), 1U, BESSEMER_PARAMETER_DOUBLE}";
+    assert!(table.as_ref().is_ok_and(|it| it.contains(row)), "{table:?}");
     let folder = package.join("others");
     fs::create_dir_all(&folder).expect("a folder");
     let cmake = "cmake_minimum_required(VERSION 3.16)\nproject(firmware C)\nadd_subdirectory(../generated generated)\n\
@@ -94,7 +101,10 @@ fn built_by_others(package: &Path) {
         ("make", &[&["make", "--silent"]], "stub"),
         (
             "cmake",
-            &[&["cmake", "-S", ".", "-B", "build"], &["cmake", "--build", "build"]],
+            &[
+                &["cmake", "-S", ".", "-B", "build"],
+                &["cmake", "--build", "build", "--target", "stub", "motor_example"],
+            ],
             "build/stub",
         ),
     ];

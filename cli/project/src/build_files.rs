@@ -1,4 +1,5 @@
-//! Files for builds of firmware around the C: a library for CMake that carries its flags, and a fragment for make.
+//! Files for builds of firmware around the C: a library for CMake that carries its flags, a fragment for make, and a program
+//! around each component to begin with.
 //!
 //! Invariant: the same C gives the same files. Each source is named, so that nothing else in the folder is built.
 //!
@@ -7,20 +8,39 @@
 use bessemer_codegen::c::CFile;
 use bessemer_codegen::compile::Compiled;
 
+use crate::firmware;
+
 /// The files for the C of a package.
 pub fn files(compiled: &Compiled) -> Vec<CFile> {
     let (name, license) = (compiled.module.name.replace('-', "_"), &compiled.license);
     let names = compiled.files.iter().map(|it| it.name.as_str());
     let sources: Vec<&str> = names.filter(|it| it.ends_with(".c")).collect();
     let file = |name: String, text: String| CFile { name, text, map: Vec::new() };
-    vec![
-        file("CMakeLists.txt".to_owned(), cmake(&name, license, &sources)),
+    let examples = firmware::examples(&compiled.interface, license);
+    let stems: Vec<&str> = examples.iter().map(|(stem, _)| stem.as_str()).collect();
+    let builds = [
+        file("CMakeLists.txt".to_owned(), cmake(&name, license, &sources, &stems)),
         file(format!("{name}.mk"), make(&name, license, &sources)),
-    ]
+    ];
+    builds.into_iter().chain(examples.into_iter().map(|(_, file)| file)).collect()
 }
 
-fn cmake(name: &str, license: &str, sources: &[&str]) -> String {
+fn cmake(name: &str, license: &str, sources: &[&str], examples: &[&str]) -> String {
     let sources: String = sources.iter().map(|it| format!("\n    {it}")).collect();
+    let example = |stem: &&str| {
+        format!(
+            "add_executable({stem}_example EXCLUDE_FROM_ALL {stem}_example_main.c)\n\
+             target_compile_options({stem}_example PRIVATE -std=c99)\n\
+             target_link_libraries({stem}_example PRIVATE {name})\n"
+        )
+    };
+    let examples = match examples {
+        [] => String::new(),
+        them => {
+            let each: String = them.iter().map(example).collect();
+            format!("\n# Programs to begin with, built on request.\n{each}")
+        }
+    };
     format!(
         "\
 # The C of {name} as a library that carries its flags:
@@ -38,7 +58,7 @@ target_include_directories({name} PUBLIC \"${{CMAKE_CURRENT_SOURCE_DIR}}\")
 # The bits of the Rust: no fused multiplications, no fast mathematics.
 target_compile_options({name} PRIVATE -std=c99 -ffp-contract=off)
 target_link_libraries({name} PUBLIC m)
-"
+{examples}"
     )
 }
 

@@ -12,7 +12,7 @@ use bessemer_codegen::source::Sources;
 use crate::error::Error;
 use crate::project::Project;
 use crate::settings::Limit;
-use crate::{build_files, interface};
+use crate::{build_files, interface, parameters};
 
 /// The choices of one generation.
 #[derive(Clone, Copy, Debug, Default)]
@@ -128,6 +128,11 @@ fn limited(project: &Project, job: &Job) -> Result<Made, Error> {
         .map(|(limit, found, what)| Figure { limit, whose: whose.clone(), found, what })
     });
     hold(project, figures, job.colour)?;
+    if project.settings.parameters {
+        let (stem, license) = (&project.settings.options.status, &made.compiled.license);
+        let more = parameters::files(&made.compiled.interface, stem, license);
+        made.compiled.files.extend(more);
+    }
     if project.settings.build_files {
         let more = build_files::files(&made.compiled);
         made.compiled.files.extend(more);

@@ -8,6 +8,8 @@ use bessemer_codegen::c::interface::{
 use bessemer_codegen::c::names::Passing;
 use serde_json::{Value as Json, json};
 
+use crate::parameters::{self, Row};
+
 /// The name of the file.
 pub const NAME: &str = "interface.json";
 
@@ -15,7 +17,7 @@ pub const NAME: &str = "interface.json";
 pub fn text(package: &str, face: &Interface) -> String {
     let json = json!({
         "package": package,
-        "structs": face.structs.iter().map(structure).collect::<Json>(),
+        "structs": face.structs.iter().map(|it| structure(face, it)).collect::<Json>(),
         "enums": face.enums.iter().map(enumeration).collect::<Json>(),
         "entries": face.entries.iter().map(entry).collect::<Json>(),
     });
@@ -29,13 +31,24 @@ fn item(name: &str, header: &str, docs: &[String]) -> Json {
     json
 }
 
-fn structure(it: &Struct) -> Json {
+fn structure(face: &Interface, it: &Struct) -> Json {
     let mut json = item(&it.name, &it.header, &it.docs);
     add(&mut json, "rust", Some(json!(it.rust)));
     add(&mut json, "component", Some(json!(it.component)));
     add(&mut json, "size", Some(bytes(it.size)));
     add(&mut json, "fields", Some(it.fields.iter().map(field).collect()));
     add(&mut json, "set_by", it.set_by.as_ref().map(|name| json!(name)));
+    let rows = parameters::tables(face).find(|(of, _)| of.name == it.name);
+    add(&mut json, "parameters", rows.map(|(_, rows)| rows.iter().map(row).collect()));
+    json
+}
+
+fn row(it: &Row) -> Json {
+    let mut json = json!({
+        "name": it.name, "type": it.ty, "count": it.count, "range": [it.low, it.high], "size": it.size,
+    });
+    add(&mut json, "unit", it.unit.as_ref().map(|unit| json!(unit)));
+    add(&mut json, "offset", Some(bytes(it.offset)));
     json
 }
 

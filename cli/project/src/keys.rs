@@ -146,13 +146,19 @@ pub const KEYS: &[Key] = &[
         name: "build_files",
         kind: Kind::Flag(|to, flag| to.build_files = flag),
         default: "false",
-        says: "Whether the folder also gets a `CMakeLists.txt`, whose library carries its flags, and a fragment for make.",
+        says: "Whether the folder also gets a `CMakeLists.txt`, whose library carries its flags, a fragment for make, and for each component a program around it to begin with, such as `motor_example_main.c`.",
     },
     Key {
         name: "interface",
         kind: Kind::Flag(|to, flag| to.interface = flag),
         default: "false",
         says: "Whether the folder also gets `interface.json`: types with offsets, units and ranges, and entry points, for other tools (docs/interface.schema.json).",
+    },
+    Key {
+        name: "parameters",
+        kind: Kind::Flag(|to, flag| to.parameters = flag),
+        default: "false",
+        says: "Whether tables of the parameters come along in C: name, type, unit, range, offset and size of each, and functions that read and set one within its range (`bessemer_parameter_table.h`).",
     },
     Key {
         name: "kernels.mode",

@@ -11,9 +11,11 @@
 mod build_files;
 mod error;
 pub mod file;
+pub mod firmware;
 mod generation;
 pub mod interface;
 pub mod keys;
+pub mod parameters;
 mod project;
 pub mod schema;
 mod settings;

@@ -15,6 +15,8 @@ pub struct Settings {
     pub build_files: bool,
     /// Tells whether the folder also gets `interface.json`.
     pub interface: bool,
+    /// Tells whether tables of the parameters come along in C.
+    pub parameters: bool,
     /// The options of the compiler.
     pub options: Options,
     /// The limits.

@@ -4,7 +4,7 @@
 //!
 //! Invariants: a type stands after those that it holds; names are those of the C. It must not know any such tool.
 
-use bessemer_ir::{Given, Module, Range, Role, StructId, Type};
+use bessemer_ir::{Form, Given, Module, Range, Role, StructId, Type};
 
 use super::analysis::Faults;
 use super::context::Context;
@@ -46,6 +46,8 @@ pub struct Struct {
     pub header: String,
     /// Whether it is the state of a component.
     pub component: bool,
+    /// Whether each of its fields holds a value at any time: not so of an enum with payload, an `Option`, a list.
+    pub whole: bool,
     /// The function that sets it to its initial state or its default, if it has one.
     pub set_by: Option<String>,
     /// The words of what that function sets, in the order of memory; an enum's is its value.
@@ -259,6 +261,7 @@ impl Writer<'_> {
             docs: item.docs.clone(),
             header: own.header.clone(),
             component: item.initial.is_some(),
+            whole: item.form == Form::Record,
             set_by: own.init.clone(),
             words: words.map(|words| self.in_memory(&ty, words)),
             size,
@@ -370,13 +373,28 @@ impl Interface {
 
     /// The numbers of a struct, in order; arrays of numbers as one.
     pub fn leaves<'f>(&'f self, of: &'f Struct) -> Vec<Leaf<'f>> {
+        self.leaves_of(of, &|_| true)
+    }
+
+    /// The same, with nothing of the structs that are not `wanted`.
+    pub fn leaves_of<'f>(
+        &'f self,
+        of: &'f Struct,
+        wanted: &dyn Fn(&Struct) -> bool,
+    ) -> Vec<Leaf<'f>> {
         let mut leaves = Vec::new();
-        self.within(of, "", Bytes::default(), &mut leaves);
+        self.within(of, wanted, ("", Bytes::default()), &mut leaves);
         leaves
     }
 
-    fn within<'f>(&'f self, of: &'f Struct, path: &str, from: Bytes, leaves: &mut Vec<Leaf<'f>>) {
-        for field in &of.fields {
+    fn within<'f>(
+        &'f self,
+        of: &'f Struct,
+        wanted: &dyn Fn(&Struct) -> bool,
+        (path, from): (&str, Bytes),
+        leaves: &mut Vec<Leaf<'f>>,
+    ) {
+        for field in of.fields.iter().filter(|_| wanted(of)) {
             let path = format!("{path}{}", field.name);
             let offset = from.plus(field.offset, 1);
             let Some(inner) = self.structure(&field.value.ty) else {
@@ -393,7 +411,7 @@ impl Interface {
             }
             for (at, place) in (0..).zip(&places) {
                 let offset = offset.plus(inner.size, at);
-                self.within(inner, &format!("{path}{place}."), offset, leaves);
+                self.within(inner, wanted, (&format!("{path}{place}."), offset), leaves);
             }
         }
     }
