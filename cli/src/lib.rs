@@ -19,6 +19,8 @@ pub mod pack;
 pub mod python;
 mod same_bits;
 pub mod sizes;
+mod task;
 pub mod verify;
 
 pub use same_bits::{same_bits, same_bits_at};
+pub use task::perform;

@@ -29,6 +29,7 @@ mod random;
 mod readme;
 mod refused;
 mod self_test;
+mod shown;
 mod stability;
 mod target_math;
 mod types;

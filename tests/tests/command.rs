@@ -61,6 +61,7 @@ fn a_new_package_is_simulated_and_generated() {
     }
 
     built_by_others(&package);
+    super::shown::run(&package);
     verified(&package);
     verified_by_a_recording(&package);
     verified_by_a_test(&package);
