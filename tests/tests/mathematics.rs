@@ -8,14 +8,16 @@ mod probe;
 use std::process::Command;
 use std::thread;
 
-use bessemer_codegen::compile::{self, Compiled};
+use bessemer_codegen::compile::{self, Compiled, Options};
 use bessemer_codegen::source::Sources;
 use bessemer_codegen::{diagnostic, generate};
-use bessemer_ir::{Float, Type};
+use bessemer_ir::{Float, FunctionId, Type};
 use bessemer_tests::pilot::entry;
 use bessemer_tests::process::{Process, lay_out};
-use bessemer_tests::toolchain::{self, Toolchain, run};
+use bessemer_tests::toolchain::{self, ARM, Toolchain, run};
+use bessemer_tests::watch::watched;
 use bessemer_tests::workspace::Workspace;
+use bessemer_tests::{harness, turn};
 use probe::{POINTS, Probe};
 
 /// How many functions `probe::double` knows.
@@ -34,7 +36,7 @@ fn compiled() -> Compiled {
     let root = workspace.path("");
     let package = generate::tree(&root, "models").unwrap_or_else(|error| panic!("{error}"));
     let sources = Sources::new(&root);
-    compile::compile(&package, &sources, &compile::Options::default())
+    compile::compile(&package, &sources, &Options::default())
         .unwrap_or_else(|errors| panic!("{}", diagnostic::render(&errors, &sources, false)))
 }
 
@@ -146,4 +148,84 @@ fn no_call_slips_past_to_the_platform() {
             assert!(exact.contains(&name.as_str()), "{}: `{name}` is called", toolchain.name());
         }
     }
+}
+
+/// Firmware often tells its compiler to know no library. With `-fbuiltin` behind that, as the build files have it, a function takes
+/// at most a twentieth more instructions on the Cortex-A9; without, where `fabs` and its like are calls, a quarter. In a full
+/// run, since each of the three compiles all of them.
+#[test]
+fn it_takes_few_more_instructions_where_the_library_is_unknown() {
+    let programs = [ARM.programs(), toolchain::GCC.programs()].concat();
+    let is_there = programs.into_iter().all(toolchain::is_asked_for);
+    if !is_there || !turn::is_full() {
+        return;
+    }
+    let compiled = compiled();
+    let functions: Vec<_> = functions(&compiled);
+    assert!(functions.len() > 30, "{} functions", functions.len());
+    let flags: [&[&str]; 3] = [
+        &[],
+        &["-ffreestanding", "-fno-builtin", "-fbuiltin"],
+        &["-ffreestanding", "-fno-builtin"],
+    ];
+    let [known, told, unknown] =
+        flags.map(|more| instructions(&compiled, &Toolchain { more, ..ARM }, &functions));
+    let mut dearer = Vec::new();
+    for (at, (id, _)) in functions.iter().enumerate() {
+        let name = &compiled.explicit.functions[id.index()].name;
+        let (known, told, unknown) = (known[at], told[at], unknown[at]);
+        println!("{name}: {known} instructions, {told} with -fbuiltin, {unknown} without");
+        if told * 100 > known * 105 || unknown * 100 > known * 125 {
+            dearer.push(format!("{name}: {known}, {told} and {unknown}"));
+        }
+    }
+    assert!(dearer.is_empty(), "{dearer:#?}");
+}
+
+/// The elementary functions in both precisions, with the number of their arguments.
+fn functions(compiled: &Compiled) -> Vec<(FunctionId, u32)> {
+    const NAMES: [&str; 19] = [
+        "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "exp2", "exp_m1", "ln",
+        "log2", "log10", "ln_1p", "sinh", "cosh", "tanh", "cbrt", "hypot",
+    ];
+    let functions = compiled.explicit.functions.iter().enumerate();
+    let is_one =
+        |name: &str| NAMES.iter().any(|it| name == *it || name.strip_suffix('f') == Some(*it));
+    let chosen =
+        functions.filter(|(_, it)| it.module.starts_with("bessemer::math::") && is_one(&it.name));
+    chosen.map(|(index, it)| (FunctionId(index as u32), it.params)).collect()
+}
+
+/// The instructions of each function over the same arguments, as models have them.
+fn instructions(
+    compiled: &Compiled,
+    toolchain: &Toolchain,
+    functions: &[(FunctionId, u32)],
+) -> Vec<u64> {
+    const CALLS: u32 = 64;
+    let folder = lay_out(compiled).expect("the C");
+    let main = folder.path().join("instructions_main.c");
+    let text = harness::watched(&compiled.explicit, functions, &Options::default(), toolchain.bare);
+    std::fs::write(&main, text).expect("the program");
+    let mut input = Vec::new();
+    for (place, (id, _)) in (0u64..).zip(functions) {
+        for call in 0..CALLS {
+            input.extend(place.to_le_bytes());
+            for (index, local) in
+                compiled.explicit.functions[id.index()].parameters().iter().enumerate()
+            {
+                // Within what each of them is defined on.
+                let value = f64::from(call * 2 + 1 + index as u32) / f64::from(CALLS * 2 + 2);
+                let word = match local.ty.as_float() {
+                    Some(Float::F32) => u64::from((value as f32).to_bits()),
+                    _ => value.to_bits(),
+                };
+                input.extend(word.to_le_bytes());
+            }
+        }
+    }
+    let watched = watched(toolchain, folder.path(), &main, folder.sources(), &input);
+    let counts = watched.unwrap_or_else(|said| panic!("{}: {said}", toolchain.name())).counts;
+    assert_eq!(counts.len(), functions.len() * CALLS as usize);
+    counts.chunks(CALLS as usize).map(|counts| counts.iter().sum()).collect()
 }

@@ -55,8 +55,9 @@ project({name} C)
 
 add_library({name} STATIC{sources})
 target_include_directories({name} PUBLIC \"${{CMAKE_CURRENT_SOURCE_DIR}}\")
-# The bits of the Rust: no fused multiplications, no fast mathematics.
-target_compile_options({name} PRIVATE -std=c99 -ffp-contract=off)
+# The bits of the Rust: no fused multiplications, no fast mathematics. What is one instruction, such as fabs, is no call, whatever
+# flags of the firmware stand before.
+target_compile_options({name} PRIVATE -std=c99 -ffp-contract=off -fbuiltin)
 target_link_libraries({name} PUBLIC m)
 {examples}"
     )
@@ -77,8 +78,9 @@ fn make(name: &str, license: &str, sources: &[&str]) -> String {
 # SPDX-License-Identifier: {license}
 {upper}_FOLDER := $(dir $(lastword $(MAKEFILE_LIST)))
 {upper}_SOURCES := $(addprefix $({upper}_FOLDER), \\\n    {sources})
-# The bits of the Rust: no fused multiplications, no fast mathematics.
-{upper}_CFLAGS := -std=c99 -ffp-contract=off -I$({upper}_FOLDER)
+# The bits of the Rust: no fused multiplications, no fast mathematics. What is one instruction, such as fabs, is no call, whatever
+# flags of the firmware stand before.
+{upper}_CFLAGS := -std=c99 -ffp-contract=off -fbuiltin -I$({upper}_FOLDER)
 "
     )
 }
