@@ -82,6 +82,7 @@ impl Lowering<'_, '_> {
                 let naming = std::mem::replace(&mut self.naming, name.clone());
                 let slice = self.sliced(value)?;
                 self.naming = naming;
+                let slice = self.kept_elements(slice);
                 bound.push((name.clone(), Binding::Slice(Box::new(slice))));
                 Ok(())
             }

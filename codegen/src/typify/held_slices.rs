@@ -226,11 +226,32 @@ impl Lowering<'_, '_> {
         slots_of(tree, name).into_iter().any(refers) && is_changed_within(&tree.body, name)
     }
 
-    /// Whether what is at a place is a copy of what a value refers to, and the value may come to refer to something else.
-    pub(super) fn is_loan(&self, place: &Place) -> bool {
-        let mut ty = self.locals[place.root.index()].ty.clone();
-        let mut found = !place.steps.is_empty() && self.is_rebound_within(place.root);
-        for step in &place.steps {
+    /// Whether a place is in what a value holds a reference to, of which it has a copy, and may come to hold another.
+    pub(super) fn may_come_to_refer(&self, place: &Place) -> bool {
+        let local = &self.locals[place.root.index()];
+        // What stands where it is called knows the value by another name.
+        let changed =
+            !self.expanding.is_empty() || is_changed_within(&self.source.tree.body, &local.name);
+        changed && self.is_loaned(&local.ty, &place.steps)
+    }
+
+    /// A slice that gets a name, of elements that stay what they are.
+    pub(super) fn kept_elements(&mut self, slice: Slice) -> Slice {
+        if !self.may_come_to_refer(&slice.base) || self.is_lasting(&slice.base) {
+            return slice;
+        }
+        let name = match slice.base.steps.last() {
+            Some(Step::Field(at)) => self.field_name(&slice.base, *at),
+            _ => UNNAMED.into(),
+        };
+        let base = self.hold_copy(&name, slice.base.clone());
+        Slice { base, ..slice }
+    }
+
+    /// Whether a reference is on the way to a part of a value.
+    fn is_loaned(&self, ty: &Type, steps: &[Step]) -> bool {
+        let (mut ty, mut found) = (ty.clone(), false);
+        for step in steps {
             ty = match (step, ty) {
                 (Step::Field(at), Type::Struct(id)) => {
                     found |= self.cx.loans.contains(&(id, *at));
@@ -241,6 +262,13 @@ impl Lowering<'_, '_> {
             };
         }
         found
+    }
+
+    /// Whether what is at a place is a copy of what a value refers to, and the value may come to refer to something else.
+    pub(super) fn is_loan(&self, place: &Place) -> bool {
+        let ty = &self.locals[place.root.index()].ty;
+        let rebound = !place.steps.is_empty() && self.is_rebound_within(place.root);
+        rebound || self.is_loaned(ty, &place.steps)
     }
 
     /// The type of an expression, if there are slices in it.

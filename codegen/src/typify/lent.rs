@@ -206,7 +206,8 @@ impl Lowering<'_, '_> {
         site: Site,
     ) -> Result<()> {
         if slot == NO_SLOT || self.slot_is_reference(slot, site)? {
-            self.bind(name, Binding::Slice(Box::new(part.clone())));
+            let part = self.kept_elements(part.clone());
+            self.bind(name, Binding::Slice(Box::new(part)));
             return Ok(());
         }
         let ty = self.slot(slot, site)?;

@@ -22,7 +22,7 @@ fn is_held(expr: &tree::Expr) -> bool {
 
 impl Lowering<'_, '_> {
     /// A copy of what is at a place, under a name that nothing writes to.
-    fn hold_copy(&mut self, name: &str, place: Place) -> Place {
+    pub(super) fn hold_copy(&mut self, name: &str, place: Place) -> Place {
         let naming = std::mem::take(&mut self.naming);
         let held = self.temporary(name, place.load());
         self.naming = naming;
@@ -58,7 +58,8 @@ impl Lowering<'_, '_> {
             );
         };
         let naming = std::mem::replace(&mut self.naming, name.trim_matches('_').to_owned());
-        if value.is_some_and(is_held) && !self.is_lasting(&place) {
+        let moves = value.is_some_and(is_held) || self.may_come_to_refer(&place);
+        if moves && !self.is_lasting(&place) {
             // A reference that a value holds is a copy there; the value may get another.
             place = self.hold_copy(name, place);
         }

@@ -73,6 +73,7 @@ impl Lowering<'_, '_> {
         let naming = std::mem::replace(&mut self.naming, name.to_owned());
         let slice = self.sliced(value)?;
         self.naming = naming;
+        let slice = self.kept_elements(slice);
         self.bind(name, Binding::Slice(Box::new(slice)));
         Ok(())
     }
