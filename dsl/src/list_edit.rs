@@ -60,3 +60,25 @@ pub fn extend_from_slice<T: Copy + Default, const N: usize>(list: &mut List<T, N
         list.push(*element);
     }
 }
+
+/// Appends what comes.
+#[function]
+pub fn extend<T: Copy + Default, const N: usize, I: IntoIterator<Item = T>>(
+    list: &mut List<T, N>,
+    items: I,
+) {
+    for item in items {
+        list.push(item);
+    }
+}
+
+/// Appends copies of what comes.
+#[function]
+pub fn extend_by<'a, T: Copy + Default + 'static, const N: usize, I: IntoIterator<Item = &'a T>>(
+    list: &mut List<T, N>,
+    items: I,
+) {
+    for item in items {
+        list.push(*item);
+    }
+}

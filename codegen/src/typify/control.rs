@@ -234,13 +234,8 @@ impl Lowering<'_, '_> {
                 Ok(())
             }
             tree::ExprKind::Labelled(label, body) => self.labelled(label, body, None, expr),
-            tree::ExprKind::For { label, name, slot, range, body } => {
-                self.for_stmt(expr.site, label.as_deref(), (name, *slot), range, body)
-            }
-            tree::ExprKind::Each { label, index, parts, order, cuts, body } => {
-                let names = (label.as_deref(), index.as_deref());
-                self.each_stmt(expr.site, names, parts, (*order, cuts), body)
-            }
+            tree::ExprKind::For { .. } | tree::ExprKind::Each { .. } => self.through(expr, false),
+            tree::ExprKind::Joined(inner) => self.through(inner, true),
             tree::ExprKind::Grid { row, column, of, parts, body } => {
                 self.grid_stmt(expr.site, (row, column), of, parts, body)
             }

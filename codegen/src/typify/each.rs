@@ -10,7 +10,7 @@ use bessemer_ir::{
 
 use super::elements::Slice;
 use super::lengths::{divided, greatest, least, lesser, minus, plus, same, times};
-use super::lowering::{Binding, Lowering};
+use super::lowering::{Binding, Lowering, Said};
 use super::subject::Subject;
 use super::{Result, problem};
 use crate::effects;
@@ -19,19 +19,22 @@ impl Lowering<'_, '_> {
     pub(super) fn each_stmt(
         &mut self,
         site: Site,
-        (label, index): (Option<&str>, Option<&str>),
+        (said, index): (Said<'_>, Option<&str>),
         parts: &[tree::Part],
         (order, cuts): (Order, &[tree::Cut]),
         body: &tree::Block,
     ) -> Result<()> {
         let span = self.span(site);
         if let Some(generated) = self.generated(parts)? {
-            return self.generated_stmt(site, (label, index), generated, (order, cuts), body);
+            return self.generated_stmt(site, (said, index), generated, (order, cuts), body);
         }
-        if let ([part], None, Order::Up, []) = (parts, index, order, cuts)
-            && let Some(matrix) = self.bounded_place(&part.array)
-        {
-            return self.each_of_bounded(site, label, (part, matrix), body);
+        if let ([part], None, Order::Up, []) = (parts, index, order, cuts) {
+            if let Some(matrix) = self.bounded_place(&part.array) {
+                return self.each_of_bounded(site, said, (part, matrix), body);
+            }
+            if part.group.is_none() && self.may_be_there(&part.array) {
+                return self.one_pass(site, said, part, body);
+            }
         }
         let mut slices = Vec::new();
         for part in parts {
@@ -43,8 +46,11 @@ impl Lowering<'_, '_> {
         let around = |it: &Passed| matches!(it.group, Some((Grouping::Around, _)));
         if let Some(at) = slices.iter().position(around) {
             // Then both end with the other sequence, and neither is empty where the other is not.
-            let mut others = slices.iter().filter(|it| !around(it));
-            if !others.any(|it| same(&it.count, &slices[at].count)) {
+            let is_same = |(part, it): (&tree::Part, &Passed)| {
+                same(&it.count, &slices[at].count) || is_same_place(&part.array, &parts[at].array)
+            };
+            let mut others = parts.iter().zip(&slices).filter(|(_, it)| !around(it));
+            if !others.any(is_same) {
                 return problem(
                     parts[at].array.site,
                     "`.cycle()` stands beside a loop through the same elements in the DSL",
@@ -107,7 +113,7 @@ impl Lowering<'_, '_> {
             })
         };
         let mark = self.out.len();
-        self.repeated(label, None, span, &mut lowered)?;
+        self.repeated(said, None, span, &mut lowered)?;
         self.out.splice(mark..mark, copies);
         Ok(())
     }
@@ -525,6 +531,17 @@ impl Passed {
     fn and(self, behind: Vec<Slice>) -> Passed {
         let count = behind.iter().fold(self.count, |count, it| plus(count, it.length.clone()));
         Passed { count, behind, ..self }
+    }
+}
+
+/// Whether two expressions are one variable, or one part of it.
+fn is_same_place(one: &tree::Expr, other: &tree::Expr) -> bool {
+    match (&one.kind, &other.kind) {
+        (tree::ExprKind::Local(one), tree::ExprKind::Local(other)) => one == other,
+        (tree::ExprKind::Field(one, name), tree::ExprKind::Field(other, part)) => {
+            name == part && is_same_place(one, other)
+        }
+        _ => false,
     }
 }
 

@@ -17,6 +17,9 @@ use super::generator::generates;
 use super::lowering::{Binding, Handed, Lowering, Target};
 use super::{Context, Problem, Result, diagnostic, problem};
 
+/// The meaning of a function's parameters: values and places, and closures.
+pub(super) type Given<'a> = (Vec<(String, Binding)>, HashMap<String, Handed<'a>>);
+
 impl<'a> Context<'a> {
     /// Notes the functions that stand where they are called.
     pub(super) fn note_expanded(&mut self, functions: impl Iterator<Item = &'a tree::Function>) {
@@ -91,31 +94,31 @@ impl<'a> Lowering<'a, '_> {
                 "write the call in the `for`, or before `.map(…)`, `.filter(…)`, `.sum()` and the like, with `.into_iter()` between",
             );
         }
-        let (mut bound, mut handed) = (Vec::new(), HashMap::new());
-        for (param, argument) in function.tree.params.iter().zip(arguments) {
-            if param.closure {
-                handed.insert(param.name.clone(), self.handed_in_scope(argument)?);
-                continue;
-            }
-            bound.push(self.given_as(function, param, argument)?);
-        }
-        self.inside(function, (bound, handed), site, |inner| {
+        let given = self.given_to(function, arguments)?;
+        self.inside(function, given, site, |inner| {
             inner.stmts(&function.tree.body)?;
             end(inner)
         })
     }
 
-    /// The meaning of the parameters of a function that takes no closures of its author's.
+    /// The meaning of the parameters of a function: values and places, and closures.
     pub(super) fn given_to(
         &mut self,
         function: &'a tree::Function,
         arguments: &[tree::Expr],
-    ) -> Result<Vec<(String, Binding)>> {
-        let params = function.tree.params.iter().zip(arguments);
-        params.map(|(param, argument)| self.given_as(function, param, argument)).collect()
+    ) -> Result<Given<'a>> {
+        let (mut bound, mut handed) = (Vec::new(), HashMap::new());
+        for (param, argument) in function.tree.params.iter().zip(arguments) {
+            if param.closure {
+                handed.insert(param.name.clone(), self.handed_in_scope(param, argument)?);
+                continue;
+            }
+            bound.push(self.given_as(function, param, argument)?);
+        }
+        Ok((bound, handed))
     }
 
-    fn given_as(
+    pub(super) fn given_as(
         &mut self,
         function: &'a tree::Function,
         param: &tree::Param,
@@ -127,13 +130,20 @@ impl<'a> Lowering<'a, '_> {
     }
 
     /// The closure that an argument is, with the scope that it was written in.
-    fn handed_in_scope(&mut self, argument: &tree::Expr) -> Result<Handed<'a>> {
+    fn handed_in_scope(
+        &mut self,
+        param: &tree::Param,
+        argument: &tree::Expr,
+    ) -> Result<Handed<'a>> {
         if let Tree::Local(name) = &argument.kind
             && let Some(handed) = self.handed.get(name)
         {
             return Ok(handed.clone());
         }
-        let closure = self.closure_of(argument)?;
+        let closure = match param.items {
+            true => self.items(argument)?,
+            false => self.closure_of(argument)?,
+        };
         let scope = Some(self.scope());
         let (captures, nothing) = (Vec::new(), Vec::new());
         Ok(Handed { closure, source: self.source, captures, nothing, scope })
@@ -143,7 +153,7 @@ impl<'a> Lowering<'a, '_> {
     pub(super) fn inside<T>(
         &mut self,
         function: &'a tree::Function,
-        (bound, handed): (Vec<(String, Binding)>, HashMap<String, Handed<'a>>),
+        (bound, handed): Given<'a>,
         site: Site,
         lower: impl FnOnce(&mut Self) -> Result<T>,
     ) -> Result<T> {

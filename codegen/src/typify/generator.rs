@@ -1,25 +1,34 @@
-//! Functions that give iterators, put where what they give is gone through.
+//! Functions that give or take iterators, put where what they give is gone through.
 //!
-//! Such a function hands each item to a closure; a loop through it is the function's own loop, in which the body of the
-//! author's loop stands for that closure.
+//! A function that gives one hands each item to a closure; a loop through it is the function's own loop, in which the body
+//! of the author's loop stands for that closure. An iterator that is an argument is a closure of the same kind: a loop
+//! through the parameter is the loop that stands in the argument.
 //!
 //! Invariants: one loop of the function hands its items on, so that what leaves the body's pass, or the author's loop,
 //! leaves the same of that one.
 
+use bessemer_ir::tree::visit::{VisitMut, walk_expr_mut};
 use bessemer_ir::tree::{self, EACH, ExprKind as Tree, ITER, ITER_MUT, NO_SLOT, Order, Site, Stmt};
 use bessemer_ir::{Place, Type};
 
-use super::lowering::{Binding, Handed, Lowering};
+use super::lowering::{Binding, Handed, Lowering, Said};
 use super::subject::Subject;
 use super::{Result, problem};
 
 /// A loop through what a function gives.
 pub(super) struct Generated<'a, 'e> {
-    function: &'a tree::Function,
-    arguments: &'e [tree::Expr],
+    by: By<'a, 'e>,
     pattern: &'e tree::Pattern,
     /// Whether it is gone through one by one, as it comes.
     straight: bool,
+}
+
+/// What gives the items.
+enum By<'a, 'e> {
+    /// A call of a function.
+    Call(&'a tree::Function, &'e [tree::Expr]),
+    /// An iterator that is an argument.
+    Argument(Handed<'a>),
 }
 
 /// Whether a function gives an iterator.
@@ -36,13 +45,19 @@ impl<'a> Lowering<'a, '_> {
         let mut found = None;
         for part in parts {
             let called = self.expansion(&part.array).filter(|(it, _)| generates(it));
-            let known = match called {
-                Some(called) => Some(called),
+            let by = match called {
+                Some((function, arguments)) => Some(By::Call(function, arguments)),
+                None if let Some(handed) = self.items_given(&part.array) => {
+                    Some(By::Argument(handed))
+                }
                 // What is gone through by value is what `into_iter` gives, which may be something else.
                 None if part.owned => None,
-                None => self.own_items(&part.array)?,
+                None => {
+                    let own = self.own_items(&part.array)?;
+                    own.map(|(function, arguments)| By::Call(function, arguments))
+                }
             };
-            let Some((function, arguments)) = known else { continue };
+            let Some(by) = by else { continue };
             if parts.len() > 1 {
                 return problem(
                     part.array.site,
@@ -51,9 +66,17 @@ impl<'a> Lowering<'a, '_> {
                 );
             }
             let straight = part.group.is_none() && !part.reversed;
-            found = Some(Generated { function, arguments, pattern: &part.pattern, straight });
+            found = Some(Generated { by, pattern: &part.pattern, straight });
         }
         Ok(found)
+    }
+
+    /// The iterator that a parameter is.
+    fn items_given(&self, of: &tree::Expr) -> Option<Handed<'a>> {
+        let Tree::Local(name) = &of.kind else { return None };
+        let mut params = self.source.tree.params.iter();
+        params.find(|param| param.items && param.name == *name)?;
+        self.handed.get(name).cloned()
     }
 
     /// An author's own `iter` of what is gone through: the adaptor is the iterator's own, as its name is.
@@ -81,12 +104,12 @@ impl<'a> Lowering<'a, '_> {
     pub(super) fn generated_stmt(
         &mut self,
         site: Site,
-        (label, index): (Option<&str>, Option<&str>),
+        (said, index): (Said<'_>, Option<&str>),
         generated: Generated<'a, '_>,
         (order, cuts): (Order, &[tree::Cut]),
         body: &tree::Block,
     ) -> Result<()> {
-        let Generated { function, arguments, pattern, straight } = generated;
+        let Generated { by, pattern, straight } = generated;
         if !straight || order != Order::Up || !cuts.is_empty() {
             return problem(
                 site,
@@ -99,18 +122,31 @@ impl<'a> Lowering<'a, '_> {
             if let Some(index) = index {
                 inner.count_items(index, &mut body, site)?;
             }
-            let bound = inner.given_to(function, arguments)?;
             let body = tree::Expr { kind: Tree::Block(body), site, slot: None };
             let (name, parameters, body) = (None, vec![pattern.clone()], Box::new(body));
             let closure = tree::Closure { name, parameters, body };
-            let (captures, nothing, scope) = (Vec::new(), Vec::new(), Some(inner.scope()));
-            let each = Handed { closure, source: inner.source, captures, nothing, scope };
-            let handed = [(EACH.to_owned(), each)].into();
-            let mut text = function.tree.body.clone();
-            if let (Some(label), Some(Stmt::Expr(last))) = (label, text.stmts.last_mut()) {
-                give_label(label, last);
+            let (captures, nothing) = (Vec::new(), Vec::new());
+            let source = inner.source;
+            match by {
+                By::Call(function, arguments) => {
+                    let (bound, mut handed) = inner.given_to(function, arguments)?;
+                    let scope = Some(inner.scope());
+                    let each = Handed { closure, source, captures, nothing, scope };
+                    handed.insert(EACH.to_owned(), each);
+                    let mut text = function.tree.body.clone();
+                    if let Some(Stmt::Expr(last)) = text.stmts.last_mut() {
+                        stands_for(said, last);
+                    }
+                    inner.inside(function, (bound, handed), site, |inner| inner.stmts(&text))
+                }
+                By::Argument(handed) => {
+                    let scope = Some(inner.scope());
+                    let each = Handed { closure, source, captures, nothing, scope };
+                    let mut text = (*handed.closure.body).clone();
+                    stands_for(said, &mut text);
+                    inner.in_scope_of(&handed, Some(each), site, |inner| inner.effect(&text))
+                }
             }
-            inner.inside(function, (bound, handed), site, |inner| inner.stmts(&text))
         })
     }
 
@@ -179,13 +215,62 @@ impl<'a> Lowering<'a, '_> {
 /// The number of the next item.
 const NEXT: &str = "next%";
 
-/// Gives the loop that a function ends in the label of the author's loop through what it gives.
-fn give_label(own: &str, expr: &mut tree::Expr) {
-    match &mut expr.kind {
-        Tree::For { label, .. } | Tree::Each { label, .. } => *label = Some(own.to_owned()),
+/// Says of the loop that gives items what its author says of the loop through them.
+fn stands_for(said: Said<'_>, given: &mut tree::Expr) {
+    if let Some(label) = said.label {
+        Labels(label).expr(given);
+    }
+    if said.joined {
+        join(given);
+    }
+}
+
+/// Gives a loop, and all loops that are one with it, a label: what goes on with one goes on with the innermost.
+struct Labels<'l>(&'l str);
+
+impl VisitMut for Labels<'_> {
+    fn expr(&mut self, expr: &mut tree::Expr) {
+        match &mut expr.kind {
+            Tree::For { label, body, .. } | Tree::Each { label, body, .. } => {
+                *label = Some(self.0.to_owned());
+                body.stmts.iter_mut().for_each(|stmt| Parts(self.0).stmt(stmt));
+            }
+            Tree::Joined(inner) => self.expr(inner),
+            Tree::Block(block) | Tree::Labelled(_, block) => {
+                for stmt in &mut block.stmts {
+                    if let Stmt::Expr(part) = stmt {
+                        self.expr(part);
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+/// The loops within one that are one with it.
+struct Parts<'l>(&'l str);
+
+impl VisitMut for Parts<'_> {
+    fn expr(&mut self, expr: &mut tree::Expr) {
+        match &mut expr.kind {
+            Tree::Joined(inner) => Labels(self.0).expr(inner),
+            _ => walk_expr_mut(self, expr),
+        }
+    }
+}
+
+/// Makes a loop one with what stands around the loop through its items.
+fn join(given: &mut tree::Expr) {
+    match &mut given.kind {
+        Tree::For { .. } | Tree::Each { .. } => {
+            let (site, whole) = (given.site, given.clone());
+            *given = tree::Expr { kind: Tree::Joined(Box::new(whole)), site, slot: None };
+        }
+        Tree::Labelled(_, block) => given.kind = Tree::Block(std::mem::take(block)),
         Tree::Block(block) => {
             if let Some(Stmt::Expr(last)) = block.stmts.last_mut() {
-                give_label(own, last);
+                join(last);
             }
         }
         _ => {}

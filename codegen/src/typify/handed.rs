@@ -245,29 +245,8 @@ impl<'a> Lowering<'a, '_> {
             }
             subjects.push(self.value_subject(value, argument.site)?);
         }
-        let (mut names, mut known) = (Vec::new(), HashMap::new());
-        let mut expanding = self.expanding.clone();
-        if let Some(scope) = &handed.scope {
-            (names, known) = (scope.names.clone(), scope.handed.clone());
-            expanding.clone_from(&scope.expanding);
-        }
-        let expanding = std::mem::replace(&mut self.expanding, expanding);
-        names.push(Vec::new());
-        let scopes = std::mem::replace(&mut self.scopes, names);
-        let outer = std::mem::replace(&mut self.handed, known);
-        handed.nothing.iter().for_each(|name| self.bind(name, Binding::Nothing));
-        for Capture { name, place, local } in &handed.captures {
-            match local {
-                true => self.bind(name, Binding::Local(place.root)),
-                false => self.alias_to(name, place.clone()),
-            }
-        }
-        let value =
-            self.from(handed.source, site, |inner| inner.applied(&handed.closure, &subjects));
-        self.scopes = scopes;
-        self.handed = outer;
-        self.expanding = expanding;
-        let value = value?;
+        let value = self
+            .in_scope_of(&handed, None, site, |inner| inner.applied(&handed.closure, &subjects))?;
         if value.ty == Type::Unit {
             return Ok(value);
         }
@@ -279,6 +258,39 @@ impl<'a> Lowering<'a, '_> {
         let held = self.temporary(name, value);
         self.naming = UNNAMED.into();
         Ok(held)
+    }
+
+    /// Lowers what stands in a closure, where names and closures mean what they mean there; `each` is what items are handed to.
+    pub(super) fn in_scope_of<T>(
+        &mut self,
+        handed: &Handed<'a>,
+        each: Option<Handed<'a>>,
+        site: Site,
+        lower: impl FnOnce(&mut Self) -> Result<T>,
+    ) -> Result<T> {
+        let (mut names, mut known) = (Vec::new(), HashMap::new());
+        let mut expanding = self.expanding.clone();
+        if let Some(scope) = &handed.scope {
+            (names, known) = (scope.names.clone(), scope.handed.clone());
+            expanding.clone_from(&scope.expanding);
+        }
+        known.extend(each.map(|each| (tree::EACH.to_owned(), each)));
+        let expanding = std::mem::replace(&mut self.expanding, expanding);
+        names.push(Vec::new());
+        let scopes = std::mem::replace(&mut self.scopes, names);
+        let outer = std::mem::replace(&mut self.handed, known);
+        handed.nothing.iter().for_each(|name| self.bind(name, Binding::Nothing));
+        for Capture { name, place, local } in &handed.captures {
+            match local {
+                true => self.bind(name, Binding::Local(place.root)),
+                false => self.alias_to(name, place.clone()),
+            }
+        }
+        let done = self.from(handed.source, site, lower);
+        self.scopes = scopes;
+        self.handed = outer;
+        self.expanding = expanding;
+        done
     }
 
     /// The arguments of a closure, under the closure's names.

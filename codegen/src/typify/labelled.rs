@@ -23,15 +23,26 @@ impl Lowering<'_, '_> {
         target: Option<&Target>,
         expr: &tree::Expr,
     ) -> Result<()> {
-        let span = self.span(expr.site);
-        let mark = LocalId(self.locals.len() as u32);
-        let name = format!("{label}_done");
+        let (frame, span) = (Frame::block(Some(label), target), self.span(expr.site));
+        self.left(label, frame, span, |inner| match target {
+            Some(target) => inner.block_into(body, target),
+            None => inner.block_effect(body),
+        })
+    }
+
+    /// A block that is left early; `name`: of what says so.
+    pub(super) fn left(
+        &mut self,
+        name: &str,
+        frame: Frame,
+        span: Span,
+        lower: impl FnOnce(&mut Self) -> Result<Block>,
+    ) -> Result<()> {
+        let (mark, target) = (LocalId(self.locals.len() as u32), frame.target.clone());
+        let name = format!("{name}_done");
         self.locals.push(Local { name, ty: Type::BOOL, mode: Mode::Value, span });
-        self.frames.push(Frame::block(label, target, mark));
-        let lowered = match target {
-            Some(target) => self.block_into(body, target),
-            None => self.block_effect(body),
-        };
+        self.frames.push(Frame { mark: Some(mark), ..frame });
+        let lowered = lower(self);
         let marks = self.frames.iter().filter_map(|frame| frame.mark).collect();
         self.frames.pop();
         let lowered = lowered?;

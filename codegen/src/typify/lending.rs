@@ -393,7 +393,13 @@ impl<'a> Lowering<'a, '_> {
     }
 
     /// A local with this value, which is written if `mutable`.
-    fn own(&mut self, name: &str, value: Expr, mutable: bool, site: Site) -> Result<Binding> {
+    pub(super) fn own(
+        &mut self,
+        name: &str,
+        value: Expr,
+        mutable: bool,
+        site: Site,
+    ) -> Result<Binding> {
         let naming = std::mem::take(&mut self.naming);
         let held = self.temporary(name, value);
         self.naming = naming;

@@ -13,15 +13,30 @@ use bessemer_ir::{
 use super::conditions::has_let;
 use super::ended::{self, Loop, Proof};
 use super::expr::{Operand, two};
-use super::lowering::{Behind, Frame, Leaving, Lowering, Target};
+use super::lowering::{Behind, Frame, Leaving, Lowering, PASS, Said, Target};
 use super::subject::Named;
 use super::{OUR_FAULT, Result, labelled, problem};
 
 impl Lowering<'_, '_> {
+    /// A loop through a range, or through elements.
+    pub(super) fn through(&mut self, expr: &tree::Expr, joined: bool) -> Result<()> {
+        match &expr.kind {
+            tree::ExprKind::For { label, name, slot, range, body } => {
+                let said = Said { label: label.as_deref(), joined };
+                self.for_stmt(expr.site, said, (name, *slot), range, body)
+            }
+            tree::ExprKind::Each { label, index, parts, order, cuts, body } => {
+                let said = Said { label: label.as_deref(), joined };
+                self.each_stmt(expr.site, (said, index.as_deref()), parts, (*order, cuts), body)
+            }
+            _ => self.effect(expr),
+        }
+    }
+
     pub(super) fn for_stmt(
         &mut self,
         site: Site,
-        label: Option<&str>,
+        said: Said<'_>,
         (name, slot): (&str, u32),
         range: &tree::Range,
         body: &tree::Block,
@@ -32,11 +47,11 @@ impl Lowering<'_, '_> {
             Operand { expr: &range.to, expected: Some(ty.clone()), role: "end" },
         ])?;
         let [from, to] = two(bounds, site)?;
-        let name = if name.starts_with('_') { "pass" } else { name };
+        let name = if name.starts_with('_') { PASS } else { name };
         if range.step.is_some() {
-            return self.stepped(site, label, (name, ty), range, [from, to], body);
+            return self.stepped(site, said, (name, ty), range, [from, to], body);
         }
-        self.repeated(label, None, span, |inner| {
+        self.repeated(said, None, span, |inner| {
             let mut variable = LocalId(0);
             let body = inner.scoped(|inner| {
                 variable = inner.declare(name, ty, Mode::Value, span);
@@ -69,7 +84,7 @@ impl Lowering<'_, '_> {
         let span = self.span(site);
         let bound = bound.map(|bound| self.passes(bound)).transpose()?;
         let length = self.popped_length(condition)?;
-        self.repeated(label, None, span, |inner| {
+        self.repeated(Said::label(label), None, span, |inner| {
             let declared = bound.map(|bound| (inner.pass(&bound, span), bound));
             let mut heads = Vec::new();
             let body = inner.scoped(|inner| {
@@ -109,7 +124,7 @@ impl Lowering<'_, '_> {
         let span = self.span(site);
         let bound = bound.map(|bound| self.passes(bound)).transpose()?;
         let (mut endless, mut behind) = (false, Vec::new());
-        self.repeated(label, target, span, |inner| {
+        self.repeated(Said::label(label), target, span, |inner| {
             let declared = bound.map(|bound| (inner.pass(&bound, span), bound));
             let mut body = inner.scoped(|inner| inner.statements(body))?;
             let Some((pass, bound)) = declared else {
@@ -279,7 +294,7 @@ impl Lowering<'_, '_> {
     /// The counter of the passes of a loop with a bound; the author has no name for it.
     fn pass(&mut self, bound: &Expr, span: Span) -> LocalId {
         let id = LocalId(self.locals.len() as u32);
-        let (name, ty) = ("pass".into(), bound.ty.clone());
+        let (name, ty) = (PASS.into(), bound.ty.clone());
         self.locals.push(Local { name, ty, mode: Mode::Value, span });
         id
     }
@@ -308,29 +323,8 @@ impl Lowering<'_, '_> {
     /// Lowers a loop and emits it, with the flags of what leaves it from within.
     pub(super) fn repeated(
         &mut self,
-        label: Option<&str>,
+        Said { label, joined }: Said<'_>,
         target: Option<&Target>,
-        span: Span,
-        lower: impl FnOnce(&mut Self) -> Result<StmtKind>,
-    ) -> Result<()> {
-        self.looped(label, target, false, span, lower)
-    }
-
-    /// The same of a loop that the author wrote as one with the loop around it.
-    pub(super) fn joined(
-        &mut self,
-        label: Option<&str>,
-        span: Span,
-        lower: impl FnOnce(&mut Self) -> Result<StmtKind>,
-    ) -> Result<()> {
-        self.looped(label, None, true, span, lower)
-    }
-
-    fn looped(
-        &mut self,
-        label: Option<&str>,
-        target: Option<&Target>,
-        joined: bool,
         span: Span,
         lower: impl FnOnce(&mut Self) -> Result<StmtKind>,
     ) -> Result<()> {
@@ -340,6 +334,7 @@ impl Lowering<'_, '_> {
             target: target.cloned(),
             mark: None,
             joined,
+            pass: false,
             behind: Vec::new(),
         });
         let kind = lower(self);
@@ -409,9 +404,12 @@ impl Lowering<'_, '_> {
         site: Site,
     ) -> Result<()> {
         let span = self.span(site);
-        let found = self.depth(label, site)?;
-        let both = leaving == Leaving::Break && self.frames[found].joined;
-        let depth = found - usize::from(both);
+        let mut depth = self.depth(label, site)?;
+        if leaving == Leaving::Break && label != Some(tree::ALONE) {
+            while depth > 0 && self.frames[depth].joined {
+                depth -= 1;
+            }
+        }
         if self.is_outermost(depth, self.frames.len()) {
             let kind = match (leaving, self.frames[depth].mark) {
                 (_, Some(mark)) => labelled::left(mark),
@@ -436,7 +434,9 @@ impl Lowering<'_, '_> {
 
     fn depth(&self, label: Option<&str>, site: Site) -> Result<usize> {
         let found = match label {
-            None => self.frames.iter().rposition(|frame| frame.mark.is_none()),
+            None | Some(tree::ALONE) => {
+                self.frames.iter().rposition(|frame| frame.mark.is_none() || frame.pass)
+            }
             Some(_) => self.frames.iter().rposition(|frame| frame.label.as_deref() == label),
         };
         match found {

@@ -16,6 +16,9 @@ use super::regions::Lenders;
 /// The owner of temporaries where nothing has a name.
 pub(super) const UNNAMED: &str = "value";
 
+/// The name of a pass for which its author has none.
+pub(super) const PASS: &str = "pass";
+
 /// A function being lowered.
 pub(super) struct Lowering<'a, 'c> {
     pub cx: &'a mut Context<'c>,
@@ -81,6 +84,8 @@ pub(super) struct Frame {
     pub mark: Option<LocalId>,
     /// Whether it is one loop with the one around it: what leaves it leaves both.
     pub joined: bool,
+    /// Whether it is the pass of what is gone through at most once: what leaves a loop leaves it as well.
+    pub pass: bool,
     /// The flags that are tested behind the loop.
     pub behind: Vec<Behind>,
 }
@@ -94,10 +99,25 @@ impl<'a> Lowering<'a, '_> {
 }
 
 impl Frame {
-    /// That of a block, left where `mark` is declared.
-    pub(super) fn block(label: &str, target: Option<&Target>, mark: LocalId) -> Frame {
-        let (label, target) = (Some(label.to_owned()), target.cloned());
-        Frame { label, target, mark: Some(mark), joined: false, behind: Vec::new() }
+    /// That of a block, which is left where its mark is declared.
+    pub(super) fn block(label: Option<&str>, target: Option<&Target>) -> Frame {
+        let (label, target) = (label.map(str::to_owned), target.cloned());
+        Frame { label, target, mark: None, joined: false, pass: false, behind: Vec::new() }
+    }
+}
+
+/// What its author says of a loop.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Said<'l> {
+    pub label: Option<&'l str>,
+    /// Whether he wrote it as one with what stands around it.
+    pub joined: bool,
+}
+
+impl<'l> Said<'l> {
+    /// The label of a loop that stands for itself.
+    pub(super) fn label(label: Option<&'l str>) -> Said<'l> {
+        Said { label, joined: false }
     }
 }
 

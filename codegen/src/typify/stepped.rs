@@ -6,7 +6,7 @@ use bessemer_ir::{
     StmtKind, Type,
 };
 
-use super::lowering::Lowering;
+use super::lowering::{Lowering, PASS, Said};
 use super::{OUR_FAULT, Result, problem};
 
 /// Where a stepped range begins, and what it takes to get on.
@@ -22,7 +22,7 @@ impl Lowering<'_, '_> {
     pub(super) fn stepped(
         &mut self,
         site: Site,
-        label: Option<&str>,
+        said: Said<'_>,
         (name, ty): (&str, Type),
         range: &tree::Range,
         bounds: [Expr; 2],
@@ -37,11 +37,11 @@ impl Lowering<'_, '_> {
         let steps = self.steps(site, int, range, bounds);
         self.naming = naming;
         let steps = steps?;
-        self.repeated(label, None, span, |inner| {
+        self.repeated(said, None, span, |inner| {
             let pass = LocalId(inner.locals.len() as u32);
             let passes = steps.passes.clone();
             let counted = passes.ty.clone();
-            let local = Local { name: "pass".into(), ty: counted, mode: Mode::Value, span };
+            let local = Local { name: PASS.into(), ty: counted, mode: Mode::Value, span };
             inner.locals.push(local);
             let body = inner.scoped(|inner| {
                 let pass = Expr::local(pass, &passes.ty, span);

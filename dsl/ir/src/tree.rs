@@ -254,6 +254,9 @@ pub struct Param {
     /// Whether it takes a closure: then the slot says nothing.
     #[serde(default)]
     pub closure: bool,
+    /// Whether it takes an iterator: then it is a closure that hands each item to [`EACH`].
+    #[serde(default)]
+    pub items: bool,
     /// Whether its author may assign it.
     #[serde(default)]
     pub mutable: bool,
@@ -436,6 +439,8 @@ pub enum ExprKind {
         /// The body.
         body: Block,
     },
+    /// A loop that its author wrote as one with what stands around it, `rows.iter().flat_map(…)`: what leaves it leaves that.
+    Joined(Box<Expr>),
     /// `#[unroll(4)]` above a `for`; 1: `#[keep]`.
     Unroll(u32, Box<Expr>),
     /// `return value`.
@@ -502,10 +507,14 @@ pub struct Closure {
 /// The slot of a name that no author wrote: its type is that of what it stands for.
 pub const NO_SLOT: u32 = u32::MAX;
 
+/// The label of what leaves the innermost loop alone, also where that is one with what stands around it.
+pub const ALONE: &str = "%alone";
+
 /// The variant that `?` goes on with, in a pattern: `Some`, or `Ok`.
 pub const GOES_ON: &str = "?";
 
-/// The parameter of a function that gives an iterator: the closure that it hands each item to.
+/// The parameter of a function that gives an iterator, and of what stands for an iterator that is an argument: the closure
+/// that it hands each item to.
 pub const EACH: &str = "__each";
 
 /// The method of a type that gives an iterator of what it holds, `set.iter()`: the macro leaves it to whom it stands before.

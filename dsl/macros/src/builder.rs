@@ -43,6 +43,8 @@ pub enum Home<'a> {
     Interface(&'a syn::Ident),
     /// In an implementation of one.
     Implementation(&'a syn::Path),
+    /// In an implementation of one of Rust's own traits, each of whose methods is known by its type.
+    OfRust(&'a syn::Path),
 }
 
 /// Refuses what the DSL does not take; in a generation build gives the items that stand beside a
@@ -215,15 +217,17 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
         refusals.add(&subject.signature.generics, refuse::ENTRY_GENERIC);
     }
     let parameters = lower::parameters(signature, refusals);
+    lower::as_iterators(&parameters, &mut copy);
     let mut walk = Lowering::new(&signature.ident, subject.is_method(), refusals);
     walk.optional = lower::gives_option(signature);
     walk.mutable = lower::mutable_names(signature, &copy);
     let mut params = Vec::new();
     for parameter in &parameters {
-        if open && parameter.closure {
+        if parameter.items && outside {
+            walk.refusals.add(parameter.place, refuse::ITERATOR_OUTSIDE);
+        } else if open && parameter.closure {
             walk.refusals.add(&parameter.ident, refuse::INTERFACE_CLOSURE);
-        }
-        if is_entry && parameter.closure {
+        } else if is_entry && parameter.closure {
             walk.refusals.add(parameter.place, refuse::ENTRY_CLOSURE);
         }
         walk.bind(&parameter.name);
@@ -233,6 +237,7 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
             slot: walk.slot(),
             site: parameter.site,
             closure: parameter.closure,
+            items: parameter.items,
             mutable: parameter.mutable,
         });
     }
@@ -241,7 +246,11 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
     }
     let result = walk.slot();
     let signature_refused = walk.refusals.len();
-    let body = walk.block(&mut copy);
+    let expands = generates || parameters.iter().any(|parameter| parameter.items);
+    let body = match expands && !generates {
+        true => walk.expanded_body(&mut copy, (signature, result)),
+        false => walk.block(&mut copy),
+    };
     walk.begins.push(walk.here(copy.stmts.len()));
     if signature_refused > before {
         // What the signature does not take, the body goes on with.
@@ -254,7 +263,7 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
         name: lower::text(&signature.ident),
         site: lower::site(&signature.ident),
         docs: docs::lines(subject.attributes),
-        role: if generates { Role::Expanded } else { subject.asked.role },
+        role: if expands { Role::Expanded } else { subject.asked.role },
         attributes: subject.asked.attributes.clone(),
         params,
         result,
@@ -262,12 +271,9 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
         operators: std::mem::take(&mut walk.operators),
     };
     let builder = builder(subject, scope, &tree, &parameters, &walk, (signature, &copy));
-    // What is lent has the lifetime that its author wrote.
-    let told = match items {
-        Some(_) => subject.signature,
-        None if lower::borrows(signature) => subject.signature,
-        None => signature,
-    };
+    // What is lent has the lifetime that its author wrote, and so has what is gone through.
+    let named = items.is_some() || expands || lower::borrows(signature);
+    let told = if named { subject.signature } else { signature };
     let result = match items {
         Some(item) => quote! { ::bessemer::generate::Items<#item> },
         None => result_type(told),
@@ -363,9 +369,11 @@ pub fn build_bounds(subject: &Subject<'_>, scope: Scope<'_>) -> TokenStream {
         Home::Module => scope.own().bounds(types()),
         Home::Block => scope.own().bounds(types().chain(owner_bound(scope, &quote! { Self }))),
         Home::Interface(_) => scope.own().bounds(types().chain([this()])),
-        Home::Implementation(_) => {
+        Home::Implementation(_) | Home::OfRust(_) => {
             let types = scope.own().types().map(|name| scope.value(name));
-            scope.own().bounds(types.chain([this()]))
+            // What borrows is one for its longest lifetime alone, which only those who call know to be meant.
+            let owns = scope.lifetimes().next().is_none();
+            scope.own().bounds(types.chain(owns.then(this)))
         }
     }
 }
@@ -381,7 +389,7 @@ fn interface(home: Home<'_>, scope: Scope<'_>) -> TokenStream {
     let (name, told) = match home {
         Home::Module | Home::Block => return quote! { ::core::option::Option::None },
         Home::Interface(name) => (lower::text(name), scope.outer().told()),
-        Home::Implementation(path) => {
+        Home::Implementation(path) | Home::OfRust(path) => {
             let name = path.segments.last().map(|last| lower::text(&last.ident));
             (name.unwrap_or_default(), scope.told_of(path))
         }

@@ -1,14 +1,25 @@
-//! Parameters that take closures: `f: impl Fn(f64) -> f64`, or `f: F` with `F: Fn(f64) -> f64`.
+//! Parameters that take closures: `f: impl Fn(f64) -> f64`, or `f: F` with `F: Fn(f64) -> f64`; and those that take
+//! iterators: `items: impl IntoIterator<Item = f64>`.
 //!
-//! Such a function is built with a function pointer in the closure's place, since a closure has no type that
-//! a builder could name; what becomes C is a copy of the function for each closure that it is called with.
+//! Such a function is built with another type in their place, since neither has one that a builder could name: a function
+//! pointer, or the DSL's iterator. What becomes C is a copy of the function for each closure that it is called with; one
+//! that takes an iterator stands where it is called.
 
 use proc_macro2::TokenStream;
 use quote::quote;
+use syn::visit_mut::{self, VisitMut};
 use syn::{GenericParam, TypeParamBound, WherePredicate};
 
-/// The function pointer that stands for a closure of type `ty` in the builder; none if it is another type.
-pub fn pointer(ty: &syn::Type, generics: &syn::Generics) -> Option<TokenStream> {
+/// What stands in the builder for a type that it cannot name.
+pub struct StandsFor {
+    /// The type.
+    pub ty: TokenStream,
+    /// Whether it is that of an iterator.
+    pub items: bool,
+}
+
+/// What stands for the type of a parameter that takes a closure or an iterator; none if it is another type.
+pub fn stands_for(ty: &syn::Type, generics: &syn::Generics) -> Option<StandsFor> {
     match ty {
         syn::Type::ImplTrait(it) => it.bounds.iter().find_map(of_bound),
         syn::Type::Path(it) if it.qself.is_none() => {
@@ -19,7 +30,7 @@ pub fn pointer(ty: &syn::Type, generics: &syn::Generics) -> Option<TokenStream> 
     }
 }
 
-/// The parameters of a function without the types of its closures: those have no part in what is built.
+/// The parameters of a function without the types of its closures and iterators: those have no part in what is built.
 pub fn without(generics: &syn::Generics) -> syn::Generics {
     let is_closure =
         |name: &syn::Ident| bounds_of(generics, name).any(|bound| of_bound(bound).is_some());
@@ -33,7 +44,7 @@ pub fn without(generics: &syn::Generics) -> syn::Generics {
     if let Some(clause) = &mut rest.where_clause {
         let predicates = std::mem::take(&mut clause.predicates);
         clause.predicates =
-            predicates.into_iter().filter(|it| !bounded(it).is_some_and(&is_closure)).collect();
+            predicates.into_iter().filter(|it| !about(it).is_some_and(&is_closure)).collect();
         if clause.predicates.is_empty() {
             rest.where_clause = None;
         }
@@ -72,8 +83,28 @@ fn bounded(predicate: &WherePredicate) -> Option<&syn::Ident> {
     }
 }
 
+/// The name that a predicate is about, or about a part of: `I::IntoIter: Clone` is about `I`.
+fn about(predicate: &WherePredicate) -> Option<&syn::Ident> {
+    match predicate {
+        WherePredicate::Type(it) => match &it.bounded_ty {
+            syn::Type::Path(it) => it.path.segments.first().map(|first| &first.ident),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+fn of_bound(bound: &TypeParamBound) -> Option<StandsFor> {
+    let closure = of_closure(bound).map(|ty| StandsFor { ty, items: false });
+    closure.or_else(|| {
+        let mut item = items_of(bound)?.clone();
+        Unnamed.visit_type_mut(&mut item);
+        Some(StandsFor { ty: quote! { ::bessemer::generate::Items<#item> }, items: true })
+    })
+}
+
 /// `Fn(f64) -> f64` as `fn(f64) -> f64`.
-fn of_bound(bound: &TypeParamBound) -> Option<TokenStream> {
+fn of_closure(bound: &TypeParamBound) -> Option<TokenStream> {
     let TypeParamBound::Trait(bound) = bound else { return None };
     let last = bound.path.segments.last()?;
     let syn::PathArguments::Parenthesized(signature) = &last.arguments else { return None };
@@ -82,4 +113,36 @@ fn of_bound(bound: &TypeParamBound) -> Option<TokenStream> {
     }
     let (inputs, output) = (&signature.inputs, &signature.output);
     Some(quote! { fn(#inputs) #output })
+}
+
+/// The traits of iterators, and of what is gone through as one.
+const ITERATORS: [&str; 4] =
+    ["Iterator", "DoubleEndedIterator", "ExactSizeIterator", "IntoIterator"];
+
+/// The items of an iterator with this bound, `Iterator<Item = f64>`; none if it is another bound.
+pub fn items_of(bound: &TypeParamBound) -> Option<&syn::Type> {
+    let TypeParamBound::Trait(bound) = bound else { return None };
+    let last = bound.path.segments.last()?;
+    let syn::PathArguments::AngleBracketed(arguments) = &last.arguments else { return None };
+    if !ITERATORS.iter().any(|name| last.ident == name) {
+        return None;
+    }
+    arguments.args.iter().find_map(|argument| match argument {
+        syn::GenericArgument::AssocType(it) if it.ident == "Item" => Some(&it.ty),
+        _ => None,
+    })
+}
+
+/// Leaves out the names of lifetimes, which the builder does not have.
+struct Unnamed;
+
+impl VisitMut for Unnamed {
+    fn visit_type_reference_mut(&mut self, ty: &mut syn::TypeReference) {
+        visit_mut::visit_type_reference_mut(self, ty);
+        ty.lifetime = None;
+    }
+
+    fn visit_lifetime_mut(&mut self, it: &mut syn::Lifetime) {
+        *it = syn::Lifetime::new("'_", it.apostrophe);
+    }
 }

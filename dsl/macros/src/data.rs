@@ -109,8 +109,8 @@ fn data_struct(kind: Kind, it: &syn::ItemStruct, refusals: &mut Refusals) -> Tok
             return TokenStream::new();
         }
         let definition = struct_definition(kind, it);
-        let evaluated = evaluated(name, scope, quote! { ::bessemer::generate::list([]) });
-        return quote! { #definition #evaluated };
+        let plain = plain_while_generating(name, scope, &[]);
+        return quote! { #definition #plain };
     }
     let members: Vec<_> = it.fields.members().collect();
     let types: Vec<_> = it.fields.iter().map(|field| &field.ty).collect();
@@ -394,26 +394,36 @@ fn data_enum(kind: Kind, it: &syn::ItemEnum, refusals: &mut Refusals) -> TokenSt
         let empty = it.variants.iter().enumerate().filter(|(_, it)| it.fields.is_empty());
         let arms = empty.map(|(index, variant)| {
             let (index, ident) = (index as u64, &variant.ident);
-            quote! { Self::#ident { .. } => ::bessemer::generate::list([#index]), }
+            quote! { Self::#ident { .. } => out(#index), }
         });
-        let evaluated = borrows.then(|| {
-            evaluated(&it.ident, scope, quote! { match self { #(#arms)* _ => ::bessemer::generate::list([]) } })
-        });
+        let arms: Vec<_> = arms.collect();
+        let plain = borrows.then(|| plain_while_generating(&it.ident, scope, &arms));
         let definition = definition(&it.ident, scope, &bounds, &it.attrs, kind);
-        quote! { #definition #ranked #evaluated }
+        quote! { #definition #ranked #plain }
     });
     quote! { #plain #definition }
 }
 
-/// What rustc evaluates of a type that borrows: it is no plain data.
-fn evaluated(name: &syn::Ident, scope: Scope<'_>, words: TokenStream) -> TokenStream {
-    let (declared, arguments) = (scope.declared(), scope.applied());
+/// A type that borrows has no words, and is no plain data for anybody; but while C is generated, it stands for parameters
+/// as a type that owns does, and rustc evaluates its variants without payload: their words are their index.
+fn plain_while_generating(
+    name: &syn::Ident,
+    scope: Scope<'_>,
+    empty: &[TokenStream],
+) -> TokenStream {
+    let (declared, arguments, bounds) = (scope.declared(), scope.applied(), scope.bounds([]));
     quote! {
         const _: () = {
-            impl #declared ::bessemer::generate::Evaluated for #name #arguments {
-                #[allow(unreachable_patterns)]
-                fn evaluated(&self) -> ::bessemer::generate::Vec<u64> {
-                    #words
+            #[diagnostic::do_not_recommend]
+            #[allow(private_bounds)]
+            impl #declared ::bessemer::Plain for #name #arguments #bounds {
+                const WORDS: usize = 0;
+                #[allow(unused_variables, unreachable_patterns)]
+                fn store(&self, out: &mut dyn ::core::ops::FnMut(u64)) {
+                    match self { #(#empty)* _ => {} }
+                }
+                fn load(_: &mut dyn ::core::ops::FnMut() -> u64) -> Self {
+                    ::core::unreachable!()
                 }
             }
         };

@@ -157,7 +157,7 @@ impl Method<'_> {
                 }
             }
         };
-        let trait_arguments = scope.outer().arguments();
+        let trait_arguments = scope.outer().applied();
         let this = syn::parse_quote!(__S: #interface #trait_arguments);
         let open = scope.with_implementor(&this);
         let (unbounded, types) = (open.unbounded(), open.types());
@@ -243,7 +243,8 @@ pub fn implementation(
     let mut beside = marked(scope, &it.self_ty, &path);
     beside.extend(instance::one_block(&it, &faces));
     if !scope.is_generic() {
-        beside.extend(builds.iter().map(|build| register(&it.self_ty, &path, build)));
+        let (owner, path) = (lower::lasting_type(&it.self_ty), lower::lasting_path(&path));
+        beside.extend(builds.iter().map(|build| register(&owner, &path, build)));
     } else if lower::GENERATING {
         let values = scope.types().map(|name| scope.value(name)).map(|it| syn::parse_quote!(#it));
         let values: Vec<syn::WherePredicate> = values.collect();

@@ -1,4 +1,5 @@
-//! Operators and conversions of authors' own types: `#[data] impl Add for Phasor`, `impl From<f64> for Phasor`.
+//! Operators and conversions of authors' own types: `#[data] impl Add for Phasor`, `impl From<f64> for Phasor`,
+//! `impl FromIterator<usize> for Inputs`.
 //!
 //! The trait is Rust's own and has no room for a builder, so that stands in a trait of the DSL beside it, which the
 //! witness copies of callers ask for. A conversion has a companion besides, since it is called by a name. `==`, and the
@@ -24,6 +25,8 @@ pub enum Known {
     Operator,
     /// `From`, `TryFrom`.
     Conversion,
+    /// `FromIterator`, `Extend`.
+    Gathering,
 }
 
 /// Whether a trait of Rust's own is one that the DSL calls.
@@ -32,6 +35,7 @@ pub fn known(path: &syn::Path) -> Option<Known> {
     match name.as_str() {
         "Neg" | "Not" | "PartialEq" | "Index" | "IndexMut" => return Some(Known::Operator),
         "From" | "TryFrom" => return Some(Known::Conversion),
+        "FromIterator" | "Extend" => return Some(Known::Gathering),
         _ => {}
     }
     let infix = ["Add", "Sub", "Mul", "Div", "Rem", "BitAnd", "BitOr", "BitXor", "Shl", "Shr"];
@@ -58,7 +62,9 @@ pub fn implementation(
     if last(&path) == "PartialEq" {
         check_equality(&it, &other, refusals);
     }
-    for ty in [&*it.self_ty, &other] {
+    // What is gathered may be references.
+    let operand = Some(&other).filter(|_| known != Known::Gathering);
+    for ty in [Some(&*it.self_ty), operand].into_iter().flatten() {
         if matches!(ty, syn::Type::Reference(_)) {
             refusals.add(ty, refuse::BORROWED_OPERAND);
         }
@@ -87,7 +93,7 @@ pub fn implementation(
             signature: &signature,
             body: &body,
             asked,
-            home: Home::Implementation(&path),
+            home: Home::OfRust(&path),
         };
         let parts = builder::lower(&subject, Scope::of_type(&it.generics), &mut own);
         if let Some(parts) = parts.filter(|_| refusals.is_empty()) {
@@ -180,11 +186,19 @@ impl Beside<'_> {
         let implements = quote! { ::bessemer::generate::Implements<#sign, #other> };
         let scope = Scope::of_type(generics);
         let (declared, bounds) = (scope.declared(), scope.value_bounds([]));
-        let registered = (!scope.is_generic()).then(|| self.registered(&name, &implements));
+        let registered = (!scope.is_generic()).then(|| self.registered(&name, &sign));
         let marker =
             quote! { type Marker = ::bessemer::generate::Operation<#sign, #owner, #other>; };
         let called = match known {
             Known::Conversion => self.companion(&name, &marker, named),
+            Known::Gathering => {
+                let of = format_ident!("{name}Builtin", span = Span::call_site());
+                quote! {
+                    impl #declared ::bessemer::generate::#of<#other> for #owner #bounds {
+                        #marker
+                    }
+                }
+            }
             Known::Operator => quote! {
                 impl #declared ::bessemer::generate::Operates<#sign, #other> for #owner #bounds {
                     #marker
@@ -205,9 +219,10 @@ impl Beside<'_> {
 
     /// The item that announces it to its package, and to those who know the types only in the end; of something generic, its
     /// instances are built where they are called.
-    fn registered(&self, name: &str, implements: &TokenStream) -> TokenStream {
-        let Beside { owner, other, method, .. } = self;
-        let lower::Site(line, column) = lower::site(&method.sig.ident);
+    fn registered(&self, name: &str, sign: &TokenStream) -> TokenStream {
+        let lower::Site(line, column) = lower::site(&self.method.sig.ident);
+        let [owner, other] = [self.owner, self.other].map(lower::lasting_type);
+        let implements = quote! { ::bessemer::generate::Implements<#sign, #other> };
         let place = place();
         quote! {
             ::bessemer::generate::register! {

@@ -1,4 +1,5 @@
-//! Iterators that authors' functions give: nothing in the C, where what goes through them stands in the function's own loop.
+//! Iterators that authors' functions give or take: nothing in the C, where what goes through them stands in the loop that
+//! gives them.
 
 #![allow(missing_docs)]
 
@@ -19,7 +20,7 @@ markers! {
     Product: "gather *";
 }
 
-/// What the companion of a function gives that gives an iterator of `T`.
+/// What the companion of a function gives that gives an iterator of `T`, and what the builder of one that takes it has.
 pub struct Items<T>(PhantomData<T>);
 
 impl<T> Clone for Items<T> {
@@ -42,6 +43,29 @@ impl<T> DoubleEndedIterator for Items<T> {
 }
 
 impl<T> ExactSizeIterator for Items<T> {}
+
+/// `items.collect()`, `Inputs::from_iter(items)`: the function of an author's that gathers items of type `A`.
+#[diagnostic::on_unimplemented(
+    message = "nothing of the DSL gathers items of type `{A}` in a `{Self}`",
+    label = "does not gather these",
+    note = "an `impl FromIterator<{A}> for` a type of the author's own is marked `#[data]`; a `List` takes them by `extend`"
+)]
+pub trait FromIteratorBuiltin<A>: Sized {
+    /// Which function it is.
+    type Marker;
+    fn __b_from_iter<I: IntoIterator<Item = A>>(_items: I) -> Called<Self::Marker, Self> {
+        unreachable!()
+    }
+}
+
+/// `gathered.extend(items)`: the function of an author's that takes items of type `A` into what is there.
+pub trait ExtendBuiltin<A> {
+    /// Which function it is.
+    type Marker;
+    fn __b_extend<I: IntoIterator<Item = A>>(&mut self, _items: I) -> Called<Self::Marker, ()> {
+        unreachable!()
+    }
+}
 
 impl<T> DslType for Items<T> {
     fn ty(_: &mut Builder) -> Ty {

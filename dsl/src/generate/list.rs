@@ -40,10 +40,6 @@ pub trait ListBuiltins<T>: Sized {
     fn __b_truncate(&mut self, _length: usize) -> Called<Truncate, ()> {
         unreachable!()
     }
-    /// What `extend` calls for each element; no type of an author's has it.
-    fn __b_list_extend(&mut self, _element: T) -> Called<Push, ()> {
-        unreachable!()
-    }
     fn __b_resize(&mut self, _length: usize, _element: T) -> Called<Resize, ()> {
         unreachable!()
     }
@@ -85,5 +81,29 @@ impl<T: Value + Copy + Default, const N: usize> ListEdits<T, N> for List<T, N> {
     }
     fn __b_retain<F: FnMut(&T) -> bool>(&mut self, keep: F) -> told!([T, N] + F => ()) {
         list_edit::retain::__call(self, keep)
+    }
+}
+
+/// `list.extend(items)`, of items of type `E`: elements, or references to them.
+#[allow(missing_docs)]
+pub trait ListExtends<E, T, const N: usize>: Sized {
+    fn __b_extend<I: IntoIterator<Item = E>>(
+        &mut self,
+        items: I,
+    ) -> told!([Self, E, T, N] + I => ());
+}
+
+impl<T: Value + Copy + Default, const N: usize> ListExtends<T, T, N> for List<T, N> {
+    fn __b_extend<I: IntoIterator<Item = T>>(&mut self, items: I) -> told!([T, N] + I => ()) {
+        list_edit::extend::__call(self, items)
+    }
+}
+
+impl<'a, T: Value + Copy + Default, const N: usize> ListExtends<&'a T, T, N> for List<T, N> {
+    fn __b_extend<I: IntoIterator<Item = &'a T>>(
+        &mut self,
+        items: I,
+    ) -> Called<impl Callee + use<'a, T, N, I>, ()> {
+        list_edit::extend_by::__call(self, items)
     }
 }

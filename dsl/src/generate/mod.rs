@@ -41,12 +41,12 @@ pub use inventory;
 pub use items::{
     Generics, Registered, argument, data, field, folders, function, number, package, variant,
 };
-pub use iterator::Items;
+pub use iterator::{ExtendBuiltin, FromIteratorBuiltin, Items};
 pub use numbers::{FromBuiltin, TryFromBuiltin};
 pub use operators::{Implements, Operates, Operation, OwnOperator, owned, sign};
 pub use slot::{
-    Called, DslType, Evaluated, Instance, ScalarType, Seen, Slot, Value, WithoutEntries, callees,
-    constant, list, types,
+    Called, DslType, Instance, ScalarType, Seen, Slot, Value, WithoutEntries, callees, constant,
+    list, types,
 };
 
 /// The imports of a builder; their names begin with `__` so that they never meet an author's.
@@ -74,8 +74,9 @@ pub mod prelude {
         CholeskyMethods as _, LuBuiltins as _, LuMethods as _, QrBuiltins as _, QrMethods as _,
         SquareQrMethods as _, SymmetricBuiltins as _, TriangularBuiltins as _, UduMethods as _,
     };
+    pub use super::iterator::{ExtendBuiltin as _, FromIteratorBuiltin as _};
     pub use super::linear::SquareBuiltins as _;
-    pub use super::list::{ListBuiltins as _, ListEdits as _};
+    pub use super::list::{ListBuiltins as _, ListEdits as _, ListExtends as _};
     pub use super::matrices::{
         CastBuiltin as _, CrossMatrixBuiltin as _, ElementBuiltins as _, NumberBuiltins as _,
         PartBuiltins as _, PerpBuiltin as _, ScalarBuiltins as _, SquareElementBuiltins as _,

@@ -53,7 +53,7 @@ of_one_type! {
 signs! {
     Add Sub Mul Div Rem BitAnd BitOr BitXor Shl Shr Neg Not
     AddAssign SubAssign MulAssign DivAssign RemAssign BitAndAssign BitOrAssign BitXorAssign ShlAssign ShrAssign
-    PartialEq From TryFrom Index IndexMut
+    PartialEq From TryFrom Index IndexMut FromIterator Extend
 }
 
 /// A type of an author's with an operator or a conversion `O`, for an operand of type `B`.

@@ -182,27 +182,9 @@ pub fn callees(cx: &mut Builder, slots: &[&dyn CalleeSlot]) -> Vec<tree::Callee>
     slots.iter().map(|slot| slot.callee(cx)).collect()
 }
 
-/// A type of which rustc evaluates paths: constants, and variants without payload.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` is not a type that a model can hold",
-    label = "not plain data",
-    note = "plain data are scalars, arrays, nalgebra's `SMatrix` and `SVector`, and types marked `#[data]` or `#[component]`"
-)]
-pub trait Evaluated {
-    /// The words of a value. Of a type that borrows, they are the index of a variant without payload, or none: there is
-    /// nothing in C that such a value could be a constant of.
-    fn evaluated(&self) -> Vec<u64>;
-}
-
-impl<T: Plain> Evaluated for T {
-    fn evaluated(&self) -> Vec<u64> {
-        words(self)
-    }
-}
-
-/// The value of a path that rustc evaluated.
-pub fn constant<T: DslType + Evaluated>(cx: &mut Builder, _: &Slot<T>, value: T) -> tree::Constant {
-    tree::Constant { ty: T::ty(cx), words: value.evaluated() }
+/// The value of a path that rustc evaluated: a constant, or a variant without payload.
+pub fn constant<T: DslType + Plain>(cx: &mut Builder, _: &Slot<T>, value: T) -> tree::Constant {
+    tree::Constant { ty: T::ty(cx), words: words(&value) }
 }
 
 /// An array as a list.

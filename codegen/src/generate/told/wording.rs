@@ -215,12 +215,6 @@ fn builders(message: &Message<'_>) -> Option<Words> {
     let (title, quoted) = (message.title, message.quoted());
     let method = quoted.iter().find_map(|name| name.strip_prefix("__b_"));
     let owner = types::written(quoted.last().copied().unwrap_or_default());
-    if let Some(method) = method.and_then(|name| name.strip_prefix("list_")) {
-        return words(
-            format!("`{method}` of `{owner}` would be taken for the method of lists"),
-            "call it by its path, `Type::method(&mut value, …)`, or give it another name",
-        );
-    }
     if let Some(method) = method {
         let help = if let Some(help) = instead(method, &owner).or_else(|| types::instead(&owner)) {
             help

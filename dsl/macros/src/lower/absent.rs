@@ -60,7 +60,7 @@ const VIEW: &str = "write what it is to become: `m.column_mut(j).copy_from(&part
 const REASONS: &[(&str, usize, Reason)] = &[
     // What follows them in a chain needs no word of its own.
     ("iter iter_mut into_iter", 0, refuse::ITERATOR),
-    ("windows chunks chunks_exact rchunks step_by skip", 1, refuse::ITERATOR),
+    ("windows chunks chunks_exact rchunks", 1, refuse::ITERATOR),
     ("to_vec into_vec", 0, refuse::LIST),
     ("to_string to_owned", 0, refuse::TEXT),
 ];

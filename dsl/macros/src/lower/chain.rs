@@ -9,9 +9,9 @@ use bessemer_ir::{Int, Scalar};
 use super::closure::{closure_of, closure_parameter, in_full};
 use super::each::Way;
 use super::flow::{Flow, Item, Over, Step, Takes};
-use super::item::{is_wild, simple};
+use super::item::{ITEM, is_wild, look_on_the_way, simple};
 use super::made::{UNIT, plain};
-use super::names::text;
+use super::names::{place, text};
 use super::syntax::{is_ended, is_linked, is_made_of_plain};
 use super::walk::Lowering;
 use super::{each, refuse, search};
@@ -39,6 +39,9 @@ impl Lowering<'_> {
     /// The value of a chain; none if the call is something else.
     pub(super) fn chain(&mut self, it: &mut syn::ExprMethodCall) -> Option<ExprKind> {
         let (end, arguments) = (text(&it.method), it.args.len());
+        if (end.as_str(), arguments) == ("collect", 0) && is_chain(it) {
+            return Some(self.collected(it));
+        }
         if !ENDS.contains(&(end.as_str(), arguments)) || !is_chain(it) {
             return None;
         }
@@ -188,14 +191,16 @@ impl Lowering<'_> {
 
     pub(super) fn flow(&mut self, expr: &mut syn::Expr) -> Option<Flow> {
         if each::is_range(expr) {
-            let range = self.range(expr)?;
+            let (site, range) = (place(expr), self.range(expr)?);
             return Some(Flow {
                 over: Over::Range(Box::new(range), None),
                 before: Vec::new(),
                 steps: Vec::new(),
                 item: Item::Number,
+                site,
             });
         }
+        let site = place(expr);
         match expr {
             syn::Expr::Paren(it) => return self.flow(&mut it.expr),
             syn::Expr::MethodCall(it) => match (text(&it.method).as_str(), it.args.len()) {
@@ -224,6 +229,16 @@ impl Lowering<'_> {
                     return Some(flow);
                 }
                 ("scan", 2) => return self.scan(it),
+                ("flat_map", 1) => {
+                    let outer = self.flow(&mut it.receiver)?;
+                    in_full(&mut it.args[0], false);
+                    return self.nested(outer, closure_of(&mut it.args[0])?);
+                }
+                ("chain", 1) if is_linked(&it.receiver) || is_linked(&it.args[0]) => {
+                    let (flow, slot) = self.both(it)?;
+                    look_on_the_way(slot, expr);
+                    return Some(flow);
+                }
                 ("flatten", 0) => {
                     let mut flow = self.flow(&mut it.receiver)?;
                     let value = self.item_value(&mut flow, &mut it.receiver)?;
@@ -242,7 +257,7 @@ impl Lowering<'_> {
         let Way { source, indexed, order, cuts } = self.way(expr);
         let over = Over::Each { index: None, parts: Vec::new(), indexed, order, cuts };
         let (before, steps) = (Vec::new(), Vec::new());
-        Some(Flow { over, before, steps, item: Item::Source(source) })
+        Some(Flow { over, before, steps, item: Item::Source(source), site })
     }
 
     /// `.map(|x| …).enumerate()`: the index of the loop, or where items are left out a counter.
@@ -252,7 +267,7 @@ impl Lowering<'_> {
         let item = match &value.kind {
             ExprKind::Local(name) => name.clone(),
             _ => {
-                let (name, slot, site) = (self.hidden("item"), value.slot?, value.site);
+                let (name, slot, site) = (self.hidden(ITEM), value.slot?, value.site);
                 let (known, value) = (name.clone(), Some(value));
                 flow.steps.push(Step::Do(tree::Stmt::Let { name, slot, value, site }));
                 known

@@ -9,9 +9,9 @@ use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 
 use super::made::plain;
-use super::names::text;
+use super::names::{site, text};
 use super::refuse::Refusals;
-use super::syntax::names;
+use super::syntax::{is_handed, names};
 use super::walk::{Closure, Lowering};
 use super::{pattern, refuse};
 
@@ -24,6 +24,9 @@ const TAKES_VALUE: [(&str, usize); 6] = [
     ("is_some_and", 1),
     ("is_ok_and", 1),
 ];
+
+/// The label of a body that is left early.
+const ANSWER: &str = "answer";
 
 impl Lowering<'_> {
     /// `let f = |x| …;`: the closure is known by its name from here on.
@@ -136,6 +139,7 @@ impl Lowering<'_> {
                 in_full(expr, true);
                 self.argument(expr)
             }
+            other if is_handed(other) => self.items_argument(other),
             other => self.value(other),
         }
     }
@@ -194,7 +198,7 @@ impl Lowering<'_> {
         // Slots are no part of what it moves.
         closure.capture = None;
         // What leaves the closure leaves its body, which stands where the closure is called.
-        let label = (!Returns::of(&closure.body).is_empty()).then(|| self.hidden("answer"));
+        let label = (!Returns::of(&closure.body).is_empty()).then(|| self.hidden(ANSWER));
         let outer = std::mem::replace(&mut self.leaves, label.clone());
         let mut body = self.value(&mut closure.body);
         self.leaves = outer;
@@ -207,6 +211,34 @@ impl Lowering<'_> {
         let (site, slot) = (body.site, body.slot);
         let block = tree::Block { stmts: Vec::new(), tail: Some(Box::new(body)) };
         tree::Expr { kind: ExprKind::Labelled(label, block), site, slot }
+    }
+
+    /// The body of a function that stands where it is called: what leaves it early leaves its body there.
+    pub fn expanded_body(
+        &mut self,
+        body: &mut syn::Block,
+        (signature, result): (&syn::Signature, u32),
+    ) -> tree::Block {
+        let mut returns = Returns(Vec::new());
+        returns.visit_block(body);
+        if returns.0.is_empty() {
+            return self.block(body);
+        }
+        let label = self.hidden(ANSWER);
+        self.leaves = Some(label.clone());
+        let body = self.block(body);
+        self.leaves = None;
+        let (kind, site) = (ExprKind::Labelled(label, body), site(&signature.ident));
+        match &signature.output {
+            syn::ReturnType::Default => {
+                let whole = tree::Expr { kind, site, slot: None };
+                tree::Block { stmts: vec![tree::Stmt::Expr(whole)], tail: None }
+            }
+            syn::ReturnType::Type(..) => {
+                let whole = tree::Expr { kind, site, slot: Some(result) };
+                tree::Block { stmts: Vec::new(), tail: Some(Box::new(whole)) }
+            }
+        }
     }
 
     /// The statements of a closure without a value; `looks` at its parameters come first in the copy.

@@ -7,6 +7,8 @@
 //! that may fault, gets a name of its own where the iterator is made; no name in it means something else later. Any other
 //! iterator keeps its refusal.
 
+use bessemer_ir::tree::EACH;
+use proc_macro2::Span;
 use syn::parse_quote;
 use syn::visit::{self, Visit};
 use syn::visit_mut::{self, VisitMut};
@@ -88,6 +90,13 @@ impl Lowering<'_> {
             }
             other => self.is_settled(other),
         }
+    }
+
+    /// Whether an iterator, or what is gone through as one, is the same later, with nothing to compute before.
+    pub(super) fn stays(&self, iterator: &syn::Expr) -> bool {
+        let name = syn::Ident::new(EACH, Span::call_site());
+        let mut made = Made { name: &name, stmts: Vec::new(), names: Vec::new() };
+        self.settle(&mut iterator.clone(), &mut made) && made.stmts.is_empty()
     }
 
     /// Gives a number a name where the iterator is made, unless it is the same later. A size of zero `faults` there.

@@ -1,6 +1,6 @@
 //! A chain of iterators on its way to a loop: what it goes through, what each pass does, and what flows out.
 
-use bessemer_ir::tree::{self, ExprKind, Order, UnaryOp};
+use bessemer_ir::tree::{self, ALONE, ExprKind, Order, Site, UnaryOp};
 
 /// The sequence of a loop.
 pub(super) enum Source {
@@ -18,6 +18,8 @@ pub(super) struct Flow {
     pub steps: Vec<Step>,
     /// Its items.
     pub item: Item,
+    /// Where it stands.
+    pub site: Site,
 }
 
 /// How a closure takes the items of a chain.
@@ -37,6 +39,10 @@ pub(super) enum Over {
         order: Order,
         cuts: Vec<tree::Cut>,
     },
+    /// What the second goes through in each pass of the first: `.flat_map(…)`.
+    Nested(Box<Flow>, Box<Flow>),
+    /// What the first goes through, then what the second does: `.chain(…)`.
+    Both(Box<Flow>, Box<Flow>),
 }
 
 pub(super) enum Step {
@@ -68,17 +74,36 @@ pub(super) enum Item {
 }
 
 impl Flow {
+    /// What goes through two, as one, with the items that come of both.
+    pub(super) fn of_two(over: fn(Box<Flow>, Box<Flow>) -> Over, [one, other]: [Flow; 2]) -> Flow {
+        let site = one.site;
+        let over = over(Box::new(one), Box::new(other));
+        Flow { over, before: Vec::new(), steps: Vec::new(), item: Item::Taken, site }
+    }
+
+    /// Whether it can be a part of another: what ends one of two loops that are a part says which.
+    pub(super) fn is_part(&self) -> bool {
+        let ends = |step: &Step| matches!(step, Step::While(_) | Step::WhileLet(_));
+        let two = matches!(self.over, Over::Nested(..) | Over::Both(..));
+        !(two && self.steps.iter().any(ends))
+    }
+
     pub(super) fn into_loop(self, last: tree::Stmt, label: Option<String>) -> ExprKind {
-        let mut stmts = vec![last];
-        let mut before = self.before;
+        self.looped(vec![last], label.as_ref(), false)
+    }
+
+    /// The loop, of which `last` is what is done with each item; `part`: its author wrote it as one with what stands around it.
+    fn looped(self, last: Vec<tree::Stmt>, label: Option<&String>, part: bool) -> ExprKind {
+        let (mut stmts, mut before, whole) = (last, self.before, self.site);
+        let stop = || ExprKind::Break(part.then(|| ALONE.to_owned()), None);
         for step in self.steps.into_iter().rev() {
             match step {
                 Step::Do(stmt) => stmts.insert(0, stmt),
                 Step::While(condition) => {
                     let site = condition.site;
                     let of = |kind| tree::Expr { kind, site, slot: None };
-                    let stop = tree::Stmt::Expr(of(ExprKind::Break(None, None)));
-                    let then = tree::Block { stmts: vec![stop], tail: None };
+                    let then =
+                        tree::Block { stmts: vec![tree::Stmt::Expr(of(stop()))], tail: None };
                     let ended = of(ExprKind::Unary(UnaryOp::Not, Box::new(condition)));
                     let kind = ExprKind::If(Box::new(ended), then, None);
                     stmts.insert(0, tree::Stmt::Expr(of(kind)));
@@ -86,8 +111,8 @@ impl Flow {
                 Step::WhileLet(condition) => {
                     let site = condition.site;
                     let of = |kind| tree::Expr { kind, site, slot: None };
-                    let stop = tree::Stmt::Expr(of(ExprKind::Break(None, None)));
-                    let stop = tree::Block { stmts: vec![stop], tail: None };
+                    let stop =
+                        tree::Block { stmts: vec![tree::Stmt::Expr(of(stop()))], tail: None };
                     let (then, stop) = (tree::Block { stmts, tail: None }, ExprKind::Block(stop));
                     let kind = ExprKind::If(Box::new(condition), then, Some(Box::new(of(stop))));
                     stmts = vec![tree::Stmt::Expr(of(kind))];
@@ -99,22 +124,46 @@ impl Flow {
                 }
             }
         }
-        let body = tree::Block { stmts, tail: None };
+        let of = |kind| tree::Expr { kind, site: whole, slot: None };
+        let joined = |kind| match part {
+            true => ExprKind::Joined(Box::new(of(kind))),
+            false => kind,
+        };
         let kind = match self.over {
             Over::Range(range, variable) => {
                 let (name, slot) = variable.unwrap_or_default();
-                ExprKind::For { label, name, slot, range, body }
+                let body = tree::Block { stmts, tail: None };
+                joined(ExprKind::For { label: label.cloned(), name, slot, range, body })
             }
             Over::Each { index, parts, order, cuts, .. } => {
-                ExprKind::Each { label, index, parts, order, cuts, body }
+                let body = tree::Block { stmts, tail: None };
+                joined(ExprKind::Each { label: label.cloned(), index, parts, order, cuts, body })
+            }
+            Over::Nested(outer, inner) => {
+                let inner = of(inner.looped(stmts, label, true));
+                outer.looped(vec![tree::Stmt::Expr(inner)], label, part)
+            }
+            Over::Both(one, other) => {
+                let parts = [(one, stmts.clone()), (other, stmts)];
+                let parts = parts.map(|(flow, stmts)| of(flow.looped(stmts, label, true)));
+                let stmts = parts.map(tree::Stmt::Expr).into();
+                let block = tree::Block { stmts, tail: None };
+                match part {
+                    true => ExprKind::Block(block),
+                    false => ExprKind::Labelled(CHAIN.to_owned(), block),
+                }
             }
         };
-        let Some(tree::Stmt::Let { site, .. }) = before.last() else { return kind };
-        let whole = tree::Expr { kind, site: *site, slot: None };
-        before.push(tree::Stmt::Expr(whole));
+        if before.is_empty() {
+            return kind;
+        }
+        before.push(tree::Stmt::Expr(of(kind)));
         ExprKind::Block(tree::Block { stmts: before, tail: None })
     }
 }
+
+/// The label of two loops that are one.
+const CHAIN: &str = "chain%";
 
 /// `let Some(pattern) = value`, as a condition.
 pub(super) fn there(pattern: tree::Pattern, value: tree::Expr) -> tree::Expr {

@@ -12,26 +12,13 @@ use syn::parse_quote;
 use super::closure::without_returns;
 use super::refuse::{self, Refusals};
 use super::syntax::pairs;
-
-/// The traits by which a function says that it gives an iterator.
-const TRAITS: [&str; 3] = ["Iterator", "DoubleEndedIterator", "ExactSizeIterator"];
+use crate::closures;
 
 /// The items of the iterator that a function gives; none if it gives something else.
 pub fn items(signature: &syn::Signature) -> Option<&syn::Type> {
     let syn::ReturnType::Type(_, ty) = &signature.output else { return None };
     let syn::Type::ImplTrait(it) = &**ty else { return None };
-    it.bounds.iter().find_map(|bound| {
-        let syn::TypeParamBound::Trait(bound) = bound else { return None };
-        let last = bound.path.segments.last()?;
-        let syn::PathArguments::AngleBracketed(arguments) = &last.arguments else { return None };
-        if !TRAITS.iter().any(|name| last.ident == name) {
-            return None;
-        }
-        arguments.args.iter().find_map(|argument| match argument {
-            syn::GenericArgument::AssocType(it) if it.ident == "Item" => Some(&it.ty),
-            _ => None,
-        })
-    })
+    it.bounds.iter().find_map(closures::items_of)
 }
 
 /// Lets a function that gives an iterator hand its items to a closure; says whether it is one.
@@ -47,12 +34,16 @@ pub fn hand_on(
         refusals.add(&signature.output, refuse::ITERATOR_TAIL);
         return true;
     };
-    let mut names = Names { given: 0 };
-    let (pattern, value) = names.of(iterator);
+    let (pattern, value) = named_item(iterator);
     *iterator = parse_quote! { for #pattern in #iterator { #each(#value) } };
     signature.inputs.push(parse_quote! { #each: impl FnMut(#item) });
     signature.output = syn::ReturnType::Default;
     true
+}
+
+/// A pattern for an item of an iterator, and the item by the names in it.
+pub(super) fn named_item(iterator: &syn::Expr) -> (syn::Pat, syn::Expr) {
+    Names { given: 0 }.of(iterator)
 }
 
 /// Names for the items of an iterator.

@@ -11,6 +11,9 @@ use super::made::plain;
 use super::names::{slot_name, text};
 use super::walk::Lowering;
 
+/// The name of an item for which its author has none.
+pub(super) const ITEM: &str = "item";
+
 impl Lowering<'_> {
     /// Gives what flows out of a chain the names of a pattern.
     pub(super) fn name_item(
@@ -40,7 +43,7 @@ impl Lowering<'_> {
                     let (slot, site) = (value.slot?, value.site);
                     let in_tree = match &name {
                         Some(name) => self.bind_apart(&text(name)),
-                        None => self.hidden("item"),
+                        None => self.hidden(ITEM),
                     };
                     let (value, known) = (Some(value), in_tree.clone());
                     flow.steps.push(Step::Do(tree::Stmt::Let { name: in_tree, slot, value, site }));
@@ -146,7 +149,7 @@ impl Lowering<'_> {
             {
                 let mut named = |pattern: &syn::Pat| {
                     if is_wild(pattern) {
-                        let (name, slot) = (self.hidden("item"), tree::NO_SLOT);
+                        let (name, slot) = (self.hidden(ITEM), tree::NO_SLOT);
                         let known = Item::Named(name.clone());
                         return (
                             tree::Pattern::Name { name, slot, mutable: false, inner: None },
@@ -183,7 +186,7 @@ impl Lowering<'_> {
                     reversed,
                 };
                 if lent && simple(pattern).is_none() {
-                    let name = self.hidden("item");
+                    let name = self.hidden(ITEM);
                     let (known, slot) = (Item::Named(name.clone()), tree::NO_SLOT);
                     part.pattern = tree::Pattern::Name { name, slot, mutable: false, inner: None };
                     parts.push(part);
@@ -298,9 +301,7 @@ impl Lowering<'_> {
         let inner = tree::Pattern::Name { name: name.clone(), slot, mutable: false, inner: None };
         let there = there(inner, value);
         flow.steps.push(if leading { Step::WhileLet(there) } else { Step::If(there) });
-        let (slot_name, chain) = (slot_name(slot), &*receiver);
-        *receiver =
-            syn::Expr::Verbatim(quote! { #chain.inspect(|__item| __look(&#slot_name, __item)) });
+        look_on_the_way(slot, receiver);
         (name, slot)
     }
 
@@ -347,10 +348,9 @@ impl Lowering<'_> {
                 let slot = match &flow.over {
                     Over::Range(_, variable) => variable.as_ref()?.1,
                     Over::Each { parts, .. } => named_by(parts.first()?)?.1,
+                    Over::Nested(..) | Over::Both(..) => return None,
                 };
-                let (slot, chain) = (slot_name(slot), &*receiver);
-                *receiver =
-                    syn::Expr::Verbatim(quote! { #chain.inspect(|__item| __look(&#slot, __item)) });
+                look_on_the_way(slot, receiver);
                 match &flow.item {
                     Item::Named(name) => Some(named(name.clone(), receiver)),
                     _ => None,
@@ -359,6 +359,12 @@ impl Lowering<'_> {
             _ => None,
         }
     }
+}
+
+/// Lets a slot learn the type of the items of a chain.
+pub(super) fn look_on_the_way(slot: u32, chain: &mut syn::Expr) {
+    let (slot, items) = (slot_name(slot), &*chain);
+    *chain = syn::Expr::Verbatim(quote! { #items.inspect(|__item| __look(&#slot, __item)) });
 }
 
 /// A pattern behind its `&` and its parentheses.

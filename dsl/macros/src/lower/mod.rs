@@ -23,6 +23,8 @@ mod expr;
 mod flow;
 mod generator;
 mod item;
+mod items;
+mod joined;
 mod lines;
 pub mod macros;
 mod made;
@@ -46,6 +48,7 @@ mod walk;
 pub use call::companion_name;
 pub use closure::{mutable_names, without_returns};
 pub use generator::{hand_on, items};
+pub use items::as_iterators;
 pub use macros::asked;
 pub use names::{GENERATING, Site, callee_name, own_name, site, slot_name, text};
 pub use pattern::{is_constant_name, member};
@@ -54,6 +57,6 @@ pub use signature::{
     Parameter, borrows, check_field, check_type, gives_option, gives_reference, lends, name_parts,
     named_part, parameters, refuse_leaving,
 };
-pub use strip::{check_attributes, name_lifetimes, strip};
+pub use strip::{check_attributes, lasting_path, lasting_type, name_lifetimes, strip};
 pub use syntax::last_ident;
 pub use walk::{Begin, Lowering};

@@ -1,8 +1,7 @@
-//! Methods that stand for other code: `range.contains(&x)`, `items.min_by_key(…)`, `list.extend(…)`. In the tree and in the copy that code stands in their place.
+//! Methods that stand for other code: `range.contains(&x)`, `items.min_by_key(…)`. In the tree and in the copy that code stands
+//! in their place.
 //!
 //! Its names are those of nothing in scope, so that no name of the author's changes their meaning.
-//! Types are not known here: what stands for a method of lists calls methods that lists alone have
-//! (`list_extend`), so that rustc refuses another type's method of the same name.
 
 use proc_macro2::Span;
 use syn::parse_quote;
@@ -11,9 +10,7 @@ use syn::visit::Visit;
 use super::each::writes;
 use super::names::text;
 use super::sort::Leg;
-use super::syntax::{
-    bare, compared, gives_pairs, gives_references, is_ended, is_made_of_plain, is_plain, names,
-};
+use super::syntax::{bare, compared, gives_pairs, is_ended, is_made_of_plain, is_plain, names};
 use super::walk::Lowering;
 use super::{refuse, sort};
 
@@ -38,7 +35,6 @@ impl Lowering<'_> {
             ("for_each" | "reduce", 1) => self.ended(it),
             ("get" | "get_mut", 1) => gotten(it),
             ("copy_within", 2) => copied_within(it),
-            ("extend", 1) => self.extended(it),
             _ if sort::sorts(it) => {
                 let sorted = sort::sorted(it, Leg::Tree);
                 if sorted.is_none() {
@@ -275,22 +271,6 @@ impl Lowering<'_> {
                 #found
             }
         })
-    }
-
-    /// `list.extend(items)`: a loop that pushes them.
-    fn extended(&mut self, it: &syn::ExprMethodCall) -> Option<syn::Expr> {
-        let fresh = |name: &str| self.fresh_beside(name, it);
-        let (list, items) = (&it.receiver, &it.args[0]);
-        if !is_plain(list) {
-            return None;
-        }
-        let element = fresh("element");
-        let pattern: syn::Pat = match gives_references(items) {
-            true => parse_quote! { &#element },
-            false => parse_quote! { #element },
-        };
-        let extend = syn::Ident::new("list_extend", it.method.span());
-        Some(parse_quote! { for #pattern in #items { #list.#extend(#element); } })
     }
 }
 

@@ -7,6 +7,7 @@ use bessemer_ir::{Int, Scalar};
 
 use super::closure::closure_of;
 use super::flow::{Flow, Item, Over, Step, Takes, named_by};
+use super::item::look_on_the_way;
 use super::made::{UNIT, plain};
 use super::names::{GENERATING, slot_name};
 use super::refuse;
@@ -156,6 +157,11 @@ impl Lowering<'_> {
         let slot = match &flow.over {
             Over::Range(_, variable) => variable.as_ref()?.1,
             Over::Each { parts, .. } => named_by(parts.first()?)?.1,
+            Over::Nested(..) | Over::Both(..) => {
+                let slot = self.slot();
+                look_on_the_way(slot, &mut it.receiver);
+                slot
+            }
         };
         Some((name, slot))
     }

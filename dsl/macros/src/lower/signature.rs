@@ -30,8 +30,10 @@ pub struct Parameter {
     pub place: Span,
     /// Whether its author may assign it.
     pub mutable: bool,
-    /// Whether it takes a closure; then `ty` is the function pointer that stands for one.
+    /// Whether it takes a closure or an iterator; then `ty` is what stands for its type.
     pub closure: bool,
+    /// Whether that is an iterator.
+    pub items: bool,
 }
 
 /// The parameters of a signature, after refusing what the DSL does not take in one.
@@ -70,20 +72,27 @@ fn parameter(
                 place: Span::call_site(),
                 mutable: mutability.is_some(),
                 closure: false,
+                items: false,
             })
         }
         syn::FnArg::Typed(it) => {
-            let closure = closures::pointer(&it.ty, generics);
+            let closure = closures::stands_for(&it.ty, generics);
             if closure.is_none() {
                 check_type(&it.ty, refusals);
             }
             let ident = pattern::simple_name(&it.pat, refusals)?;
+            let items = closure.as_ref().is_some_and(|closure| closure.items);
+            let mutable = matches!(&*it.pat, syn::Pat::Ident(it) if it.mutability.is_some());
+            if items && mutable {
+                refusals.add(&it.pat, refuse::ITEMS_IN_PART);
+            }
             Some(Parameter {
                 name: text(&ident),
                 pattern: it.pat.to_token_stream(),
-                mutable: matches!(&*it.pat, syn::Pat::Ident(it) if it.mutability.is_some()),
+                mutable,
                 closure: closure.is_some(),
-                ty: closure.unwrap_or_else(|| it.ty.to_token_stream()),
+                items,
+                ty: closure.map_or_else(|| it.ty.to_token_stream(), |closure| closure.ty),
                 site: site(&ident),
                 place: named_part(&it.ty),
                 ident,
@@ -186,7 +195,7 @@ fn names_in(input: &syn::FnArg, names: &mut Vec<String>) {
 }
 
 /// The names that a pattern binds.
-struct Names<'a>(&'a mut Vec<String>);
+pub(super) struct Names<'a>(pub(super) &'a mut Vec<String>);
 
 impl<'ast> Visit<'ast> for Names<'_> {
     fn visit_pat_ident(&mut self, it: &'ast syn::PatIdent) {
@@ -259,6 +268,16 @@ impl<'ast> Visit<'ast> for Types<'_> {
             _ => return visit::visit_type(self, ty),
         };
         self.refusals.add(ty, reason);
+    }
+
+    fn visit_generic_argument(&mut self, argument: &'ast syn::GenericArgument) {
+        match argument {
+            // What it borrows would be held by more than one.
+            syn::GenericArgument::Lifetime(it) if self.field => {
+                self.refusals.add(it, refuse::REFERENCE_FIELD);
+            }
+            _ => visit::visit_generic_argument(self, argument),
+        }
     }
 
     /// Lengths of arrays are rustc's to evaluate.

@@ -111,8 +111,11 @@ impl Lowering<'_> {
         };
         let slot = self.slot();
         pattern::name_wild(&mut local.pat);
-        let name = text(&ident);
-        self.bind(&name);
+        let mut name = text(&ident);
+        match self.apart {
+            Some(_) => name = self.bind_apart(&name),
+            None => self.bind(&name),
+        }
         let look = if local.init.is_some() {
             Some(self.look(slot, &ident))
         } else {

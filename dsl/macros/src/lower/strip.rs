@@ -28,7 +28,7 @@ pub fn strip(signature: &mut syn::Signature, body: &mut syn::Block, refusals: &m
     strip.visit_block_mut(body);
 }
 
-/// Gives the lifetimes that the type of an `impl` block leaves out, `Reader<'_>`, names that stand before it.
+/// Gives the lifetimes that an `impl` block leaves out, `Reader<'_>`, names that stand before it.
 pub fn name_lifetimes(block: &mut syn::ItemImpl) {
     struct Named(Vec<syn::Lifetime>);
     impl VisitMut for Named {
@@ -42,9 +42,34 @@ pub fn name_lifetimes(block: &mut syn::ItemImpl) {
     }
     let mut named = Named(Vec::new());
     named.visit_type_mut(&mut block.self_ty);
+    if let Some((path, _)) = &mut block.trait_ {
+        named.visit_path_mut(path);
+    }
     let declared =
         named.0.into_iter().map(|it| syn::GenericParam::Lifetime(syn::LifetimeParam::new(it)));
     block.generics.params = declared.chain(std::mem::take(&mut block.generics.params)).collect();
+}
+
+/// A type of an `impl` block as what stands beside the block names it: the lifetimes of the block are not known there.
+pub fn lasting_type(ty: &syn::Type) -> syn::Type {
+    let mut ty = ty.clone();
+    Lasting.visit_type_mut(&mut ty);
+    ty
+}
+
+/// The same of the path of a trait.
+pub fn lasting_path(path: &syn::Path) -> syn::Path {
+    let mut path = path.clone();
+    Lasting.visit_path_mut(&mut path);
+    path
+}
+
+struct Lasting;
+
+impl VisitMut for Lasting {
+    fn visit_lifetime_mut(&mut self, it: &mut syn::Lifetime) {
+        *it = syn::Lifetime::new("'static", it.apostrophe);
+    }
 }
 
 struct Strip<'a> {

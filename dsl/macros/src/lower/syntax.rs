@@ -31,13 +31,16 @@ pub(super) fn gives_pairs(expr: &syn::Expr) -> bool {
     pairs(expr).is_some()
 }
 
+/// The links that turn round what comes, or leave some of it out, and change nothing of it.
+const SAME: [&str; 6] = ["rev", "skip", "take", "filter", "take_while", "skip_while"];
+
 /// The iterators that give the two of each pair, the first of which may be the number alone.
 pub(super) fn pairs(expr: &syn::Expr) -> Option<(Option<&syn::Expr>, &syn::Expr)> {
     let syn::Expr::MethodCall(it) = bare(expr) else { return None };
     match text(&it.method).as_str() {
         "enumerate" => Some((None, &it.receiver)),
         "zip" => Some((Some(&it.receiver), it.args.first()?)),
-        "rev" | "skip" | "take" | "filter" | "take_while" | "skip_while" => pairs(&it.receiver),
+        link if SAME.contains(&link) => pairs(&it.receiver),
         _ => None,
     }
 }
@@ -48,10 +51,7 @@ pub(super) fn gives_references(expr: &syn::Expr) -> bool {
         syn::Expr::Reference(_) => true,
         syn::Expr::MethodCall(it) => match text(&it.method).as_str() {
             "iter" => true,
-            "chain" | "rev" | "skip" | "take" | "filter" | "take_while" | "skip_while" => {
-                gives_references(&it.receiver)
-            }
-            _ => false,
+            link => (link == "chain" || SAME.contains(&link)) && gives_references(&it.receiver),
         },
         _ => false,
     }
@@ -103,8 +103,9 @@ pub(super) fn is_plain(expr: &syn::Expr) -> bool {
 
 /// The links of a chain that take a closure or look into what comes, their arguments, and what they tell of what they
 /// stand behind.
-const LINKS: [(&str, usize, Link); 11] = [
+const LINKS: [(&str, usize, Link); 12] = [
     ("map", 1, Link::Any),
+    ("flat_map", 1, Link::Iterator),
     ("map_while", 1, Link::Iterator),
     ("filter", 1, Link::Option),
     ("filter_map", 1, Link::Iterator),
@@ -153,6 +154,21 @@ pub(super) fn is_iterator(expr: &syn::Expr) -> bool {
     }
 }
 
+/// Whether an argument is an iterator. A closed range is a value.
+pub(super) fn is_handed(expr: &syn::Expr) -> bool {
+    match expr {
+        syn::Expr::Paren(it) => is_handed(&it.expr),
+        syn::Expr::Range(it) => matches!(it.limits, syn::RangeLimits::HalfOpen(_)),
+        // An author's own method, which may give anything.
+        syn::Expr::MethodCall(it) if it.args.is_empty() && is_self(&it.receiver) => false,
+        other => is_iterator(other),
+    }
+}
+
+fn is_self(expr: &syn::Expr) -> bool {
+    matches!(expr, syn::Expr::Path(it) if it.path.is_ident("self"))
+}
+
 /// Whether what a chain ends in is an iterator, as far as its syntax shows: one that a function gives is told by its links,
 /// or by an end that only iterators have, `alone`. Where neither tells, `.into_iter()` behind the call does.
 pub(super) fn is_ended(it: &syn::ExprMethodCall, alone: bool) -> bool {
@@ -187,7 +203,9 @@ pub(super) fn is_linked(expr: &syn::Expr) -> bool {
     match expr {
         syn::Expr::Paren(it) => is_linked(&it.expr),
         syn::Expr::MethodCall(it) => {
-            LINKS[..8].iter().any(|(link, ..)| it.method == link) || is_linked(&it.receiver)
+            let chained = || it.method == "chain" && it.args.first().is_some_and(is_linked);
+            let links = || LINKS[..9].iter().any(|(link, ..)| it.method == link);
+            links() || chained() || is_linked(&it.receiver)
         }
         _ => false,
     }

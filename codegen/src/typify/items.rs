@@ -1,0 +1,164 @@
+//! Iterators that are arguments: closures that hand each item on.
+//!
+//! Rust makes an iterator where it is an argument, and goes through it later. What it copies then, the ends of a range, a
+//! number, an array by value, has a name from there on; what it borrows stays as it is as long.
+//!
+//! Must not know: how an iterator is gone through ([`generator`](super::generator)).
+
+use bessemer_ir::tree::{self, EACH, ExprKind as Tree, NO_SLOT, Order, Stmt, Ty};
+use bessemer_ir::{Int, Mode, Scalar};
+
+use super::Result;
+use super::generator::generates;
+use super::lowering::{Binding, Lowering};
+
+/// An iterator that is an argument, as a closure that hands each item on: written as one by the macro, or, where it takes
+/// types to see what it is, a loop through it.
+fn handing(argument: &tree::Expr) -> tree::Closure {
+    if let Tree::Closure(closure) = &argument.kind {
+        return closure.clone();
+    }
+    let plain = |kind| tree::Expr { kind, site: argument.site, slot: None };
+    let name = "item%".to_owned();
+    let item = plain(Tree::Local(name.clone()));
+    // What is given by value is its function's own, whatever is written to what it was copied from.
+    let owned = !matches!(argument.kind, Tree::Ref(..));
+    let part = tree::Part {
+        pattern: tree::Pattern::Name { name, slot: NO_SLOT, mutable: false, inner: None },
+        array: argument.clone(),
+        owned,
+        group: None,
+        reversed: false,
+    };
+    let body = tree::Block {
+        stmts: vec![Stmt::Expr(plain(Tree::Apply(EACH.into(), vec![item])))],
+        tail: None,
+    };
+    let (order, cuts) = (Order::Up, Vec::new());
+    let each = Tree::Each { label: None, index: None, parts: vec![part], order, cuts, body };
+    tree::Closure { name: None, parameters: Vec::new(), body: Box::new(plain(each)) }
+}
+
+/// The type of a count.
+const SIZE: Ty = Ty::Scalar(Scalar::Int(Int::Usize));
+
+impl Lowering<'_, '_> {
+    /// The closure that an argument is which is gone through.
+    pub(super) fn items(&mut self, argument: &tree::Expr) -> Result<tree::Closure> {
+        let mut closure = handing(argument);
+        self.settle_items(&mut closure.body)?;
+        Ok(closure)
+    }
+
+    /// Computes what a loop copies that begins later.
+    fn settle_items(&mut self, through: &mut tree::Expr) -> Result<()> {
+        match &mut through.kind {
+            Tree::Joined(inner) => self.settle_items(inner)?,
+            Tree::Block(block) | Tree::Labelled(_, block) => {
+                let stmts = std::mem::take(&mut block.stmts);
+                for mut stmt in stmts {
+                    if let Stmt::Expr(part) = &mut stmt {
+                        self.settle_items(part)?;
+                        block.stmts.push(stmt);
+                        continue;
+                    }
+                    // What the loop counts in.
+                    self.stmts(&tree::Block { stmts: vec![stmt], tail: None })?;
+                }
+            }
+            Tree::For { slot, range, .. } => {
+                let ty = self.source.slots.get(*slot as usize).cloned().unwrap_or(SIZE);
+                self.settle_number(&mut range.from, "start%", &ty)?;
+                self.settle_number(&mut range.to, "end%", &ty)?;
+                if let Some(step) = &mut range.step {
+                    self.settle_number(step, "step%", &SIZE)?;
+                }
+            }
+            Tree::Each { parts, cuts, .. } => {
+                for part in parts {
+                    self.settle_elements(&mut part.array, part.owned)?;
+                    if let Some(group) = &mut part.group {
+                        self.settle_number(&mut group.size, "size%", &SIZE)?;
+                    }
+                }
+                for cut in cuts {
+                    self.settle_number(&mut cut.count, "count%", &SIZE)?;
+                }
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn settle_number(&mut self, number: &mut tree::Expr, name: &str, ty: &Ty) -> Result<()> {
+        if matches!(number.kind, Tree::Int(..)) {
+            return Ok(());
+        }
+        let given = self.given((name, false), ty, number)?;
+        self.stand_in(number, name, given);
+        Ok(())
+    }
+
+    fn settle_elements(&mut self, elements: &mut tree::Expr, owned: bool) -> Result<()> {
+        if let Some((function, _)) = self.expansion(elements).filter(|(it, _)| generates(it)) {
+            let Tree::Call(_, arguments) = &mut elements.kind else { return Ok(()) };
+            for (param, argument) in function.tree.params.iter().zip(arguments) {
+                if !param.closure {
+                    let (_, given) = self.given_as(function, param, argument)?;
+                    self.stand_in(argument, &format!("{}%", param.name), given);
+                }
+            }
+            return Ok(());
+        }
+        match &mut elements.kind {
+            Tree::Chain(one, other) => {
+                self.settle_elements(one, owned)?;
+                return self.settle_elements(other, owned);
+            }
+            Tree::Cut(base, cut) => {
+                self.settle_elements(base, owned)?;
+                return self.settle_number(&mut cut.count, "count%", &SIZE);
+            }
+            // Another iterator, or what is borrowed.
+            Tree::Local(name) if self.handed.contains_key(name) => return Ok(()),
+            Tree::Local(name) if !owned || !self.is_changeable(name) => return Ok(()),
+            Tree::Field(..) if !owned => return Ok(()),
+            Tree::Ref(_, inner) if matches!(inner.kind, Tree::Local(_) | Tree::Field(..)) => {
+                return Ok(());
+            }
+            _ => {}
+        }
+        let given = match self.slice(elements)? {
+            Some(slice) => Binding::Slice(Box::new(slice)),
+            None => {
+                let mut place = self.base(elements)?;
+                self.fix(&mut place);
+                match owned && !self.held.contains(&place.root) {
+                    true => self.own("items%", place.load(), false, elements.site)?,
+                    false => Binding::Alias(place),
+                }
+            }
+        };
+        self.stand_in(elements, "items%", given);
+        Ok(())
+    }
+
+    /// Whether a name is that of a value which may be written to.
+    fn is_changeable(&self, name: &str) -> bool {
+        let mut found = self.scopes.iter().rev().flat_map(|scope| scope.iter().rev());
+        match found.find(|(known, _)| known == name) {
+            Some((_, Binding::Local(root))) => {
+                self.locals[root.index()].mode == Mode::Value
+                    && !self.steady.contains(root)
+                    && !self.held.contains(root)
+            }
+            _ => false,
+        }
+    }
+
+    /// Puts a name in the place of an expression.
+    fn stand_in(&mut self, expr: &mut tree::Expr, name: &str, given: Binding) {
+        self.bind(name, given);
+        *expr = tree::Expr { kind: Tree::Local(name.to_owned()), site: expr.site, slot: None };
+    }
+}
