@@ -53,7 +53,7 @@ void airframe_for_each(uint64_t count, double value, double all[AIRFRAME_MOST_MO
         all[i] = 0.0;
     }
     for (uint32_t n = 0U; n < AIRFRAME_MOST_MOTORS; n++) {
-        if ((uint64_t)n < count) {
+        if (n < count) {
             all[n] = value;
         }
     }
@@ -100,7 +100,7 @@ void airframe_effectiveness(const airframe_t *self, double effect[4U * AIRFRAME_
         effect[i] = 0.0;
     }
     for (uint32_t n = 0U; n < AIRFRAME_MOST_MOTORS; n++) {
-        const double angle = airframe_arm_angle(self->layout, self->motors, (uint64_t)n);
+        const double angle = airframe_arm_angle(self->layout, self->motors, n);
         effect[4U * n] = thrust[n];
         effect[1U + 4U * n] = thrust[n] * self->arm * sine_sin(angle);
         effect[2U + 4U * n] = -thrust[n] * self->arm * sine_cos(angle);
@@ -122,7 +122,7 @@ void airframe_allocation(const airframe_t *self, double share[AIRFRAME_MOST_MOTO
     }
     for (uint32_t n = 0U; n < AIRFRAME_MOST_MOTORS; n++) {
         if (thrust[n] > 0.0 && drag[n] > 0.0) {
-            const double angle = airframe_arm_angle(self->layout, self->motors, (uint64_t)n);
+            const double angle = airframe_arm_angle(self->layout, self->motors, n);
             const double leverage = 2.0 / (count * thrust[n] * self->arm);
             share[n] = 1.0 / (count * thrust[n]);
             share[n + 8U] = leverage * sine_sin(angle);

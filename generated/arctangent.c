@@ -145,7 +145,7 @@ static inline void pair_product(double a, double b, pair_t *pair)
 static inline uint32_t arctangent_row_of_ratio(double ratio)
 {
     /* The exponent and three bits more, less those of 1/16. */
-    return (uint32_t)(raw_bits_of_f64(ratio) >> 49) - 8152U;
+    return (uint32_t)(raw_bits_of_f64(ratio) >> 49) - 0x1FD8U;
 }
 
 /** What the arctangent adds to `t` for |t| ≤ 1/32. */

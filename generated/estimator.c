@@ -109,6 +109,7 @@ void sensors_mambo(sensors_t *sensors)
 
 void estimator_init(estimator_t *self)
 {
+    /* In Rust: `AttitudeFilter::level(1.0, 0.05)`. */
     self->attitude.angles[0] = 0.0;
     self->attitude.angles[1] = 0.0;
     self->attitude.angles[2] = 0.0;
@@ -121,6 +122,8 @@ void estimator_init(estimator_t *self)
         0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0025000000000000005
     };
     (void)memcpy(self->attitude.covariance, initial_covariance, sizeof(initial_covariance));
+
+    /* In Rust: `[AxisFilter::at_rest(3.0, 0.3); 3]`. */
     for (uint32_t i = 0U; i < 3U; i++) {
         self->axes[i].state[0] = 0.0;
         self->axes[i].state[1] = 0.0;
@@ -145,6 +148,8 @@ void estimator_init(estimator_t *self)
     self->rates[0] = 0.0;
     self->rates[1] = 0.0;
     self->rates[2] = 0.0;
+
+    /* In Rust: `Vector3::new(0.0, 0.0, GRAVITY)`. */
     self->force[0] = 0.0;
     self->force[1] = 0.0;
     self->force[2] = 9.81;

@@ -57,8 +57,8 @@ void gate_step(gate_t *self, const siphash_key_t *key, const packet_t *packet, p
     self->counter = max_u64(self->counter, counter);
     uint8_t payload[56] = {0};
     for (uint32_t n = 0U; n < PACKET_MOST_PAYLOAD; n++) {
-        if ((uint64_t)n < size) {
-            payload[n] = packet_byte(packet, (uint64_t)n);
+        if (n < size) {
+            payload[n] = packet_byte(packet, n);
         }
     }
     packet_around(packet_kind(packet), packet_sequence(packet), payload, size, result);

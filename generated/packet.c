@@ -68,7 +68,7 @@ bool packet_is_sound(const packet_t *self)
     const uint8_t sent_bytes[2] = {
         self->bytes[PACKET_HEADER + size], self->bytes[PACKET_HEADER + size + 1U]
     };
-    const uint16_t sent = (uint16_t)((uint16_t)sent_bytes[0] | ((uint32_t)sent_bytes[1] << 8U));
+    const uint16_t sent = (uint16_t)(sent_bytes[0] | ((uint32_t)sent_bytes[1] << 8U));
     const uint32_t result_end = (uint32_t)(PACKET_HEADER + size);
     return packet_checksum(&self->bytes[PACKET_START], result_end - PACKET_START) == sent;
 }
@@ -81,7 +81,7 @@ uint8_t packet_kind(const packet_t *self)
 uint16_t packet_sequence(const packet_t *self)
 {
     const uint8_t result_bytes[2] = {self->bytes[3], self->bytes[4]};
-    return (uint16_t)((uint16_t)result_bytes[0] | ((uint32_t)result_bytes[1] << 8U));
+    return (uint16_t)(result_bytes[0] | ((uint32_t)result_bytes[1] << 8U));
 }
 
 uint64_t packet_size(const packet_t *self)
@@ -114,7 +114,7 @@ uint64_t packet_word(const packet_t *self, uint64_t at)
 
 uint16_t packet_checksum(const uint8_t bytes[], uint64_t bytes_length)
 {
-    uint16_t sum = UINT16_MAX;
+    uint16_t sum = 0xFFFFU;
     for (uint64_t i = UINT64_C(0); i < bytes_length; i++) {
         sum = (uint16_t)(sum ^ ((uint32_t)bytes[i] << 8));
         for (int32_t pass = 0; pass < 8; pass++) {

@@ -50,6 +50,8 @@ void orders_defaults(orders_t *self)
     self->arm = false;
     self->link = false;
     self->watched = false;
+
+    /* In Rust: `NEVER`. */
     self->silence = 1000000000.0;
     self->trajectory.count = UINT64_C(0);
     for (uint32_t i = 0U; i < 16U; i++) {
@@ -64,6 +66,8 @@ void orders_defaults(orders_t *self)
     self->sticks.lean[1] = 0.0;
     self->sticks.yaw_rate = 0.0;
     self->sticks.climb = 0.0;
+
+    /* In Rust: `NEVER`. */
     self->sticks_age = 1000000000.0;
 }
 
@@ -76,6 +80,8 @@ void receiver_init(receiver_t *self)
     self->orders.arm = false;
     self->orders.link = false;
     self->orders.watched = false;
+
+    /* In Rust: `NEVER`. */
     self->orders.silence = 1000000000.0;
     self->orders.trajectory.count = UINT64_C(0);
     for (uint32_t i = 0U; i < 16U; i++) {
@@ -90,6 +96,8 @@ void receiver_init(receiver_t *self)
     self->orders.sticks.lean[1] = 0.0;
     self->orders.sticks.yaw_rate = 0.0;
     self->orders.sticks.climb = 0.0;
+
+    /* In Rust: `NEVER`. */
     self->orders.sticks_age = 1000000000.0;
     self->wish.request = REQUEST_NOTHING;
     self->wish.number = 0U;
@@ -164,7 +172,7 @@ void receiver_forget(receiver_t *self)
 static bool receiver_is_newer(const receiver_t *self, uint16_t number)
 {
     const uint16_t ahead = (uint16_t)((uint32_t)number - (uint32_t)self->last);
-    return !self->heard || (ahead > 0U && ahead < 32768U);
+    return !self->heard || (ahead > 0U && ahead < 0x8000U);
 }
 
 /**
@@ -293,7 +301,7 @@ static bool receiver_commit(receiver_t *self, const space_t *space, const packet
     const uint32_t count = (uint32_t)packet_byte(packet, UINT64_C(0));
     trajectory_t *const wanted = work;
     *wanted = self->collected;
-    wanted->count = (uint64_t)count;
+    wanted->count = count;
     if (packet_byte(packet, UINT64_C(1)) != self->collecting
             || !trajectory_is_sound(wanted, space)) {
         return false;

@@ -82,7 +82,7 @@ void sender_step(sender_t *self, logger_t *logger, const sender_status_t *status
     }
     const uint32_t part = (uint32_t)min_u64(self->part, PARTS - UINT64_C(1));
     packet_t packet_value;
-    sender_packet(self, (uint64_t)part, &packet_value);
+    sender_packet(self, part, &packet_value);
     self->sequence = (uint16_t)((uint32_t)sequence + 1U);
     self->part = (uint64_t)(part + 1U);
     self->busy = self->part < PARTS;

@@ -60,7 +60,7 @@ uint64_t siphash_sip_hash(const siphash_key_t *key, const uint8_t bytes[PACKET_M
     uint64_t word = UINT64_C(0);
     uint64_t count = UINT64_C(0);
     for (uint32_t n = 0U; n < PACKET_MOST_BYTES; n++) {
-        if ((uint64_t)n >= from && (uint64_t)n < end) {
+        if (n >= from && n < end) {
             word |= (uint64_t)bytes[n] << (UINT64_C(8) * (count % UINT64_C(8)));
             count += UINT64_C(1);
             if (count % UINT64_C(8) == UINT64_C(0)) {

@@ -20,7 +20,7 @@ bool trajectory_is_sound(const trajectory_t *self, const space_t *space)
     bool sound = self->count >= UINT64_C(1) && self->count <= TRAJECTORY_MOST_POINTS;
     double before = -1.0;
     for (uint32_t n = 0U; n < TRAJECTORY_MOST_POINTS; n++) {
-        if ((uint64_t)n < self->count) {
+        if (n < self->count) {
             const set_point_t point = self->points[n];
             const bool later = point.time > before && point.time >= 0.0
                 && point.time <= space->latest;
@@ -35,7 +35,7 @@ void trajectory_at(const trajectory_t *self, double time, set_point_t *wanted)
 {
     *wanted = self->points[0];
     for (uint32_t n = 1U; n < TRAJECTORY_MOST_POINTS; n++) {
-        if ((uint64_t)n < self->count && self->points[n].time <= time) {
+        if (n < self->count && self->points[n].time <= time) {
             *wanted = self->points[n];
         }
     }

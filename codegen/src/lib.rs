@@ -1,8 +1,9 @@
 //! From the tree of a package of models to C99.
 //!
 //! [`compile`] is the whole way, stage by stage; [`generate`] is the command line's work around it.
-//! Each stage takes the form before it and gives the form behind it; none imports another. What all of them ask of
-//! the IR is in [`effects`] and [`built`].
+//! Each stage takes the form before it and gives the form behind it; none imports another, save that the C asks the proofs
+//! of the passes which sizes fit into 32 bits (`passes::sizes`). What all of them ask of the IR is in [`effects`] and
+//! [`built`].
 
 mod built;
 pub mod c;

@@ -1,4 +1,6 @@
-//! The author's source files: for diagnostics, and for the `//` comments that no macro can see.
+//! The author's source files: for diagnostics, and for what no macro can see: `//` comments, and how a default is computed.
+
+mod defaults;
 
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -54,6 +56,11 @@ impl Sources {
             above.iter().rev().map_while(|line| comment(line)).map(str::to_owned).collect();
         comments.reverse();
         comments
+    }
+
+    /// The fields that the `impl Default` of a struct of `file` computes, each with the author's expression.
+    pub fn computed_defaults(&self, file: &str, name: &str) -> Vec<(String, String)> {
+        defaults::computed(&self.lines(file).join("\n"), name)
     }
 
     /// Whether a `use` of `file` gives something else the name `name`.

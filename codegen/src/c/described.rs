@@ -1,7 +1,7 @@
 //! Additions to the author's comments: units, ranges, and how a matrix lies in its array.
 
 use bessemer_ir::attributes::Range;
-use bessemer_ir::{Function, Given, Type};
+use bessemer_ir::{Const, Function, Given, Type};
 
 use super::matrices::Layout;
 use super::names::Names;
@@ -10,14 +10,29 @@ use super::signature::{Param, Signature};
 /// Characters in a line of a comment.
 const WIDTH: usize = 92;
 
-/// The doc comment of a field or a constant.
-pub fn value(names: &Names, docs: &[String], given: &Given, ty: &Type) -> Vec<String> {
+/// The doc comment of a constant.
+pub fn constant(names: &Names, item: &Const) -> Vec<String> {
+    told(names, &item.docs, &item.given, item.given.expression.as_ref(), &item.ty)
+}
+
+/// The doc comment of a field. How its first value is computed stands where it is set.
+pub fn field(names: &Names, docs: &[String], given: &Given, ty: &Type) -> Vec<String> {
+    told(names, docs, given, None, ty)
+}
+
+fn told(
+    names: &Names,
+    docs: &[String],
+    given: &Given,
+    expression: Option<&String>,
+    ty: &Type,
+) -> Vec<String> {
     let mut lines = docs.to_vec();
     if let Some(unit) = &given.unit {
         add(&mut lines, format!("Unit: {unit}."));
     }
-    if let Some(expression) = &given.expression {
-        add(&mut lines, format!("In Rust: `{expression}`."));
+    if let Some(expression) = expression {
+        add(&mut lines, in_rust(expression));
     }
     if let Some(range) = given.range {
         add(&mut lines, format!("Range: {}.", ends(range)));
@@ -65,6 +80,11 @@ pub fn function(names: &Names, function: &Function, signature: &Signature) -> Ve
     }
     lines.extend(said);
     lines
+}
+
+/// How the author computes a value.
+pub fn in_rust(expression: &str) -> String {
+    format!("In Rust: `{expression}`.")
 }
 
 /// `0 to 5`.

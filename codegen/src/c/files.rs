@@ -412,7 +412,7 @@ impl Writer<'_> {
         let mut fields: Vec<(Vec<String>, Declarator)> = held
             .map(|(field, name)| {
                 let given = &field.given;
-                let docs = described::value(self.context.names, &field.docs, given, &field.ty);
+                let docs = described::field(self.context.names, &field.docs, given, &field.ty);
                 let sizes = sizes::sizes(self.context.module, &field.given);
                 includes.sizes(self.options, &sizes);
                 (docs, self.context.names.sized(&field.ty, name, &sizes))

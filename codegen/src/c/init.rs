@@ -5,11 +5,11 @@ use std::collections::BTreeSet;
 use bessemer_ir::{Module, StructId, Type};
 
 use super::context::{Context, Uses};
-use super::literal;
 use super::spelling::unique;
 use super::tree::{
     Declarator, Expr, Head, Init, Item, Lines, Origin, Step, Stmt, StmtKind, Storage, plain,
 };
+use super::{described, literal};
 
 /// Up to so many equal elements are set by a line each.
 const LINES: usize = 4;
@@ -75,11 +75,17 @@ impl Writer<'_> {
         let names = &self.context.names.structs[id.index()];
         let item = &module.structs[id.index()];
         let mut rest = words;
+        // Where it begins as it does on its own.
+        let default = [&item.initial, &item.defaults].iter().any(|it| it.as_deref() == Some(words));
         for (index, (field, name)) in item.fields.iter().zip(&names.fields).enumerate() {
             let (own, later) = rest.split_at(count(module, &field.ty));
             rest = later;
             if item.overlaid() && !item.holds(index, words[0]) {
                 continue;
+            }
+            if let Some(expression) = field.given.expression.as_ref().filter(|_| default) {
+                let told = vec![described::in_rust(expression)];
+                self.body.push(plain(StmtKind::Comment(told)));
             }
             self.value(place.clone().field(name), &field.ty, own);
         }

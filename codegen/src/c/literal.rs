@@ -62,12 +62,14 @@ pub fn is_by_bits(ty: &Type, word: u64) -> bool {
     })
 }
 
-/// An unsigned integer in base sixteen.
+/// An integer in base sixteen; a negative one in base ten, and a limit of 32 bits or more by its name.
 pub fn hexadecimal(int: Int, value: i128) -> Expr {
-    Expr::name(if int.bits() == 64 {
-        format!("UINT64_C(0x{value:X})")
-    } else {
-        format!("0x{value:X}U")
+    Expr::name(match (int.bits(), int.signed()) {
+        (bits, _) if value < 0 || bits > 16 && value == int.max() => return integer(int, value),
+        (64, false) => format!("UINT64_C(0x{value:X})"),
+        (64, true) => format!("INT64_C(0x{value:X})"),
+        (_, false) => format!("0x{value:X}U"),
+        (_, true) => format!("0x{value:X}"),
     })
 }
 

@@ -238,6 +238,9 @@ impl<'a> Printer<'a> {
                 pieces.glue(";");
                 self.put_filled(pieces, INDENT);
             }
+            StmtKind::Build(place, ty, init) => {
+                self.initialised(&format!("{} = ({ty})", flat(place)), init);
+            }
             StmtKind::If { condition, then, otherwise } => {
                 self.if_chain("", condition, then, otherwise);
             }
@@ -381,14 +384,17 @@ impl<'a> Printer<'a> {
                 pieces.glue(";");
                 self.put_filled(pieces, INDENT);
             }
-            Some(list) => {
-                let one = format!("{head} = {};", flat_init(list));
-                if one.chars().count() + self.margin() <= WIDTH && !by_lines(list) {
-                    self.put(&one);
-                } else {
-                    self.list(&format!("{head} = "), list, ";");
-                }
-            }
+            Some(list) => self.initialised(&format!("{head} = "), list),
+        }
+    }
+
+    /// A list behind what it is given to, on one line if it fits there.
+    fn initialised(&mut self, before: &str, list: &Init) {
+        let one = format!("{before}{};", flat_init(list));
+        if one.chars().count() + self.margin() <= WIDTH && !by_lines(list) {
+            self.put(&one);
+        } else {
+            self.list(before, list, ";");
         }
     }
 

@@ -188,6 +188,8 @@ pub enum StmtKind {
     Expr(Expr),
     /// `place op value;`, `op` being `=` or `+=` and the like.
     Assign(Expr, &'static str, Expr),
+    /// `place = (type){…};`
+    Build(Expr, String, Init),
     /// `if`.
     If {
         /// The condition.
@@ -373,5 +375,11 @@ pub fn plain(kind: StmtKind) -> Stmt {
 /// Whether a text is a literal without a sign, of `int` or `unsigned int`.
 fn is_counted(text: &str) -> bool {
     let digits = text.trim_end_matches('U');
-    !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit())
+    let hexadecimal = digits.strip_prefix("0x");
+    let is_digit = |byte: u8| match hexadecimal {
+        Some(_) => byte.is_ascii_hexdigit(),
+        None => byte.is_ascii_digit(),
+    };
+    let digits = hexadecimal.unwrap_or(digits);
+    !digits.is_empty() && digits.bytes().all(is_digit)
 }

@@ -30,6 +30,7 @@ mod positions;
 mod proof;
 mod remaining;
 mod sites;
+mod sizes;
 mod statements;
 mod tidy;
 
@@ -37,6 +38,7 @@ pub use callees::{fallible, reached};
 pub use explicit::{Problem, Rule, check};
 pub use lend::lend;
 pub use remaining::Remaining;
+pub(crate) use sizes::sizes;
 
 use bessemer_ir::visit::{VisitMut, walk_block_mut};
 use bessemer_ir::{Block, Fault, Module, Role, Span, StmtKind};

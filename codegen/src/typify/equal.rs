@@ -12,6 +12,7 @@ use bessemer_ir::{
 };
 
 use super::lowering::Lowering;
+use super::order::is_free;
 use super::{Result, problem};
 
 /// Up to so many elements are compared one by one.
@@ -26,11 +27,17 @@ impl Lowering<'_, '_> {
         {
             return Ok(equal);
         }
-        let mut left = self.hold(left, site)?;
-        let mut right = self.hold(right, site)?;
-        for place in [&mut left, &mut right] {
-            self.keep_indices(place, |index| !index.is_literal());
+        let own = self.cx.own_equalities.contains_key(&left.ty);
+        match (self.is_variant(&left), self.is_variant(&right)) {
+            (false, true) if !own => return self.equal_variant(left, right, site),
+            // What stands in the variant is evaluated first: nothing may change it behind that.
+            (true, false) if !own && matches!(right.kind, ExprKind::Load(_)) => {
+                return self.equal_variant(right, left, site);
+            }
+            _ => {}
         }
+        let left = self.compared(left, site)?;
+        let right = self.compared(right, site)?;
         match left.ty {
             Type::Struct(id)
                 if self.is_flat(id) && !self.cx.own_equalities.contains_key(&left.ty) =>
@@ -39,6 +46,58 @@ impl Lowering<'_, '_> {
             }
             _ => self.equal(&left, &right, site, span),
         }
+    }
+
+    /// The place of a value that is compared; its indices are computed once.
+    fn compared(&mut self, value: Expr, site: Site) -> Result<Place> {
+        let mut place = self.hold(value, site)?;
+        self.keep_indices(&mut place, |index| !index.is_literal());
+        Ok(place)
+    }
+
+    /// Whether a value is a variant that stands there: `Some(3)`.
+    fn is_variant(&self, value: &Expr) -> bool {
+        let (ExprKind::Struct(parts), Type::Struct(id)) = (&value.kind, &value.ty) else {
+            return false;
+        };
+        let of_literal = parts.first().is_some_and(|tag| matches!(tag.kind, ExprKind::Literal(_)));
+        // What is read only if the variant is there must not fault; what is computed has a name before.
+        let computed = |part: &Expr| part.ty.is_word() && !matches!(part.kind, ExprKind::Load(_));
+        if !parts.iter().all(|part| is_free(part) || computed(part)) {
+            return false;
+        }
+        of_literal && matches!(self.cx.module.structs[id.index()].form, Form::Choice(_))
+    }
+
+    /// `value == Some(part)`: the part is compared, and no variant is built.
+    fn equal_variant(&mut self, value: Expr, variant: Expr, site: Site) -> Result<Expr> {
+        let span = self.span(site);
+        self.check_equality(&value.ty, site)?;
+        let value = self.compared(value, site)?;
+        let (ExprKind::Struct(parts), Type::Struct(id)) = (variant.kind, variant.ty) else {
+            return problem(site, "this is no variant", super::OUR_FAULT);
+        };
+        let word = match parts.first().map(|tag| &tag.kind) {
+            Some(ExprKind::Literal(word)) => *word,
+            _ => 0,
+        };
+        let there = self.tag_is(&value, id, word);
+        let definition = &self.cx.module.structs[id.index()];
+        let Some(at) = (1..parts.len()).find(|at| definition.holds(*at, word)) else {
+            return Ok(there);
+        };
+        let Some(part) = parts.into_iter().nth(at) else { return Ok(there) };
+        let own = self.part(&value, id, at);
+        // What may fault is evaluated whether the variant is there or not.
+        let authored = self.cx.own_equalities.contains_key(&part.ty);
+        let loaded = matches!(part.kind, ExprKind::Load(_));
+        let plain = part.ty.is_word() && !authored && !self.cx.unequal.contains(&part.ty);
+        if plain && !loaded && is_free(&part) {
+            let same = Expr::compare(CompareOp::Eq, own.load(), part).at(span);
+            return Ok(Expr::logic(LogicOp::And, there, same));
+        }
+        let part = self.compared(part, site)?;
+        self.and_then(there, |inner| inner.equal(&own, &part, site, span))
     }
 
     /// Whether a struct is made of words alone, and compared as such.

@@ -169,6 +169,10 @@ impl Lowering<'_, '_> {
     ) -> Result<Expr> {
         let scalar = literal::integer_type(suffix, expected);
         let word = literal::integer(digits, negative, scalar, site)?;
+        if digits.starts_with("0x") {
+            let span = self.span(site);
+            self.cx.module.hexadecimal.insert((span, word));
+        }
         self.node(ExprKind::Literal(word), Type::Scalar(scalar), site)
     }
 

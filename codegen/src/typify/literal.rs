@@ -8,7 +8,11 @@ use super::{OUR_FAULT, Result, problem};
 
 /// The word of an integer literal as a value of `scalar`.
 pub(super) fn integer(digits: &str, negative: bool, scalar: Scalar, site: Site) -> Result<u64> {
-    let Ok(value) = digits.parse::<i128>() else {
+    let value = match digits.strip_prefix("0x") {
+        Some(digits) => i128::from_str_radix(digits, 16),
+        None => digits.parse::<i128>(),
+    };
+    let Ok(value) = value else {
         return problem(site, "this literal is out of range", OUR_FAULT);
     };
     let value = if negative { -value } else { value };

@@ -26,6 +26,15 @@ impl<'a> Context<'a> {
         }
     }
 
+    /// Says of each field how the type's `impl Default` computes it, where that is more than a number.
+    fn tell_defaults(&self, definition: &Definition, fields: &mut [bessemer_ir::Field]) {
+        for (name, expression) in self.sources.computed_defaults(&definition.file, &definition.name)
+        {
+            let field = fields.iter_mut().find(|field| field.name == name);
+            field.into_iter().for_each(|it| it.given.expression = Some(expression.clone()));
+        }
+    }
+
     pub(super) fn define(&mut self, definition: &Definition) -> Result<()> {
         let span = self.span(&definition.file, definition.site);
         let alias = self.aliases.get(definition.path.as_str()).copied();
@@ -50,13 +59,16 @@ impl<'a> Context<'a> {
         let ty = match &definition.kind {
             DefinitionKind::Struct { fields, initial, defaults } => {
                 let (all, site) = (fields, definition.site);
-                let (fields, kept) = self.kept_fields(&definition.module, all, site)?;
+                let (mut fields, kept) = self.kept_fields(&definition.module, all, site)?;
                 if fields.is_empty() {
                     return self.define_nothing(definition, name);
                 }
                 let id = StructId(self.module.structs.len() as u32);
                 self.note_fields(id, all, &kept);
                 let (form, initial, defaults) = (Form::Record, initial.clone(), defaults.clone());
+                if initial.is_some() || defaults.is_some() {
+                    self.tell_defaults(definition, &mut fields);
+                }
                 self.module.structs.push(Struct {
                     name,
                     module,

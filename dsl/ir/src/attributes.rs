@@ -26,7 +26,8 @@ pub struct Given {
     pub public: bool,
     /// Of a constant: whether its author writes it in base sixteen.
     pub hexadecimal: bool,
-    /// Of a constant: how its author computes it, where that is more than its value.
+    /// Of a constant, and of a field where its type's `Default` is written out: how its author computes it, where that is more
+    /// than its value.
     pub expression: Option<String>,
     /// Of a field, a parameter or a result: the constants by which the author says how many elements it has, from the
     /// outside in, rows before columns; empty where there is a number. In the tree their names, in the IR with their modules

@@ -8,6 +8,7 @@
 //! * Every node carries its [`Span`]. Spans never influence the emitted C.
 
 use alloc::boxed::Box;
+use alloc::collections::BTreeSet;
 use alloc::string::String;
 use alloc::vec::Vec;
 
@@ -71,6 +72,9 @@ pub struct Module {
     pub consts: Vec<Const>,
     /// Functions; callees before callers.
     pub functions: Vec<Function>,
+    /// The literals that authors write in base sixteen, or in base two, which C has no form for: where each stands, and its
+    /// word. It is how they look, and no part of what they are.
+    pub hexadecimal: BTreeSet<(Span, u64)>,
 }
 
 /// A constant that rustc evaluated.

@@ -316,7 +316,7 @@ pub struct Expr {
 pub enum ExprKind {
     /// `true`, `false`.
     Bool(bool),
-    /// Digits in base ten, and the suffix if any.
+    /// Digits in base ten, or behind `0x` in base sixteen, and the suffix if any.
     Int(String, Option<Scalar>),
     /// Digits as the author wrote them without underscores, and the suffix if any.
     Float(String, Option<Scalar>),

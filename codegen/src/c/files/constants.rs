@@ -115,7 +115,7 @@ pub(super) fn shared(
 fn size(context: Context<'_>, id: ConstId, name: &str) -> Item {
     let item = &context.module.consts[id.index()];
     Item::Define {
-        docs: described::value(context.names, &item.docs, &item.given, &item.ty),
+        docs: described::constant(context.names, item),
         name: name.to_owned(),
         value: literal::word(context.names, &item.ty, item.words[0]),
     }
@@ -152,7 +152,7 @@ fn constant(
     let section = item.given.section.as_ref();
     Item::Constant {
         storage: Storage::Static,
-        docs: described::value(context.names, &item.docs, &item.given, &item.ty),
+        docs: described::constant(context.names, item),
         asked: section.map(|section| asked::section(section, options)),
         declarator,
         init: Some(init),

@@ -4,6 +4,7 @@ use bessemer_ir::{BinaryOp, Expr as Ir, ExprKind, Int, Type};
 
 use super::super::spelling::scalar_type;
 use super::super::tree::Expr;
+use super::place::is_small;
 
 /// Whether a value is of unsigned bits that were put together, shifted or picked out.
 pub(super) fn is_bits(value: &Ir) -> bool {
@@ -15,11 +16,22 @@ pub(super) fn is_bits(value: &Ir) -> bool {
     unsigned && matches!(&value.kind, ExprKind::Binary(op, ..) if of_bits(op))
 }
 
-/// What is compared: bits that a number picks out are within their type without the cast to it.
+/// What is compared: bits that a number picks out are within their type without the cast to it, as a quotient and a remainder
+/// by a number are.
 pub(super) fn masked(value: Expr, ir: &Ir) -> Expr {
-    let ExprKind::Binary(BinaryOp::And, a, b) = &ir.kind else { return value };
-    let counts = a.is_literal() || b.is_literal();
-    if is_bits(ir) && counts { uncast(value, &ir.ty) } else { value }
+    let ExprKind::Binary(op, a, b) = &ir.kind else { return value };
+    let Some(int) = ir.ty.as_int().filter(|int| !int.signed()) else { return value };
+    let within = match op {
+        BinaryOp::And => a.is_literal() || b.is_literal(),
+        BinaryOp::Div | BinaryOp::Rem => is_small(int) && matches!(b.kind, ExprKind::Literal(_)),
+        _ => false,
+    };
+    if within { uncast(value, &ir.ty) } else { value }
+}
+
+/// Whether a value is shifted to the left: C computes it in 32 bits at least.
+pub(super) fn is_raised(value: &Ir) -> bool {
+    is_bits(value) && matches!(value.kind, ExprKind::Binary(BinaryOp::Shl, ..))
 }
 
 /// Whether a value comes from a smaller unsigned type.

@@ -149,7 +149,7 @@ impl Lower<'_> {
                 Argument::Value(value) | Argument::Ref(value)
                     if param.passing == Passing::Value =>
                 {
-                    self.word(value)
+                    self.given(value)
                 }
                 Argument::Value(value) if self.needs_copy(value, arguments) => {
                     let name = self.fresh(&format!("{}_copy", param.name));

@@ -1,8 +1,9 @@
 //! Values of many words: initialisers, copies, fills, constructors.
 
-use bessemer_ir::{Expr as Ir, ExprKind, Place, Step, StructId, Type};
+use bessemer_ir::visit::Walk as _;
+use bessemer_ir::{Expr as Ir, ExprKind, Form, Place, Step, StructId, Type};
 
-use super::super::tree::{Declarator, Expr, Init, Lines, Step as ForStep, StmtKind};
+use super::super::tree::{Declarator, Expr, Init, Lines, Step as ForStep, StmtKind, Storage};
 use super::Lower;
 use super::fill::length;
 use super::stmt::is_simple;
@@ -13,6 +14,8 @@ use crate::uncopied::is_stored_whole;
 const LINES: u32 = 4;
 /// Up to so many zeros stand in an initialiser.
 const SHOWN: u32 = 8;
+/// Words of a value at most that one statement builds: a compiler may keep it on the stack.
+const BRIEF: usize = 16;
 /// Up to so many equal words stand in an initialiser.
 const LISTED: u32 = 16;
 
@@ -27,7 +30,7 @@ impl Lower<'_> {
             return;
         }
         if value.ty.is_word() {
-            let value = self.word(value);
+            let value = self.given(value);
             self.assign(dest, value);
             return;
         }
@@ -37,6 +40,10 @@ impl Lower<'_> {
         );
         if built && place.is_some_and(|place| reads_place(value, place)) {
             self.store_through_copy(dest, value);
+            return;
+        }
+        if let Some((ty, init)) = self.brief(value) {
+            self.emit(StmtKind::Build(dest, ty, init));
             return;
         }
         match &value.kind {
@@ -130,6 +137,56 @@ impl Lower<'_> {
             }
             (ExprKind::Splat(item), ty) => self.fill(dest, ty, item),
             (kind, _) => unreachable!("the validator refuses {kind:?} as a whole value"),
+        }
+    }
+
+    /// A value most of whose fields hold nothing, as one list: `(option_pair_t){.is_some = false}`. C sets to zero what the list
+    /// leaves out, so that its words are what they are in Rust and in the interpreter: callers see them. Not in a header: C++ has
+    /// no such expression.
+    fn brief(&mut self, value: &Ir) -> Option<(String, Init)> {
+        let (ExprKind::Struct(items), Type::Struct(id)) = (&value.kind, &value.ty) else {
+            return None;
+        };
+        let module = self.context.module;
+        let (nothing, held): (Vec<_>, Vec<_>) =
+            items.iter().enumerate().partition(|(index, _)| self.is_nothing(*id, *index, items));
+        let spared: usize = nothing.iter().map(|(_, item)| lines(item)).sum();
+        let wanted = spared > 1
+            && !module.structs[id.index()].overlaid()
+            && module.leaves(&value.ty).len() <= BRIEF
+            && held.iter().all(|(_, item)| self.initialisable(item))
+            && !value.any_expr(|item| self.is_part(item));
+        if !wanted {
+            return None;
+        }
+        let ty = self.context.names.structs[id.index()].ty.clone();
+        Some((ty, self.initialiser(value)))
+    }
+
+    /// Whether a field holds nothing as the first is, and is zero in C, too.
+    fn is_nothing(&self, id: StructId, index: usize, items: &[Ir]) -> bool {
+        let definition = &self.context.module.structs[id.index()];
+        let tag = match (&definition.form, items.first().map(|first| &first.kind)) {
+            (Form::Choice(_), Some(ExprKind::Literal(word))) => *word,
+            _ => return false,
+        };
+        let in_source = self.signature.storage != Storage::Inline;
+        in_source && !definition.holds(index, tag) && self.is_zero_in_c(&items[index])
+    }
+
+    /// Whether each byte of a value is zero in C.
+    fn is_zero_in_c(&self, value: &Ir) -> bool {
+        match (&value.kind, &value.ty) {
+            (ExprKind::Literal(0), Type::Enum(id)) => {
+                let variants = &self.context.module.enums[id.index()].variants;
+                variants.first().is_some_and(|first| first.value == 0)
+            }
+            (ExprKind::Literal(word), _) => *word == 0,
+            (ExprKind::Splat(item), _) => self.is_zero_in_c(item),
+            (ExprKind::Struct(items) | ExprKind::Array(items) | ExprKind::Matrix(items), _) => {
+                items.iter().all(|item| self.is_zero_in_c(item))
+            }
+            _ => false,
         }
     }
 
@@ -276,13 +333,15 @@ impl Lower<'_> {
     /// The initialiser.
     pub(super) fn initialiser(&mut self, value: &Ir) -> Init {
         if value.ty.is_word() {
-            return Init::Value(self.word(value));
+            return Init::Value(self.given(value));
         }
         match (&value.kind, &value.ty) {
             (ExprKind::Struct(items), Type::Struct(id)) => {
                 let fields = &self.context.names.structs[id.index()].fields;
                 let parts = items.iter().zip(fields).enumerate();
-                let parts = parts.filter(|(index, _)| self.is_held(*id, *index, items));
+                let parts = parts.filter(|(index, _)| {
+                    self.is_held(*id, *index, items) && !self.is_nothing(*id, *index, items)
+                });
                 let parts: Vec<_> = parts.map(|(_, (item, name))| (item, name.clone())).collect();
                 let parts =
                     parts.into_iter().map(|(item, name)| (Some(name), self.initialiser(item)));
@@ -364,6 +423,17 @@ impl Lower<'_> {
         let name = self.fresh(name);
         self.declare(&value.ty, &name, Some(Init::Value(lowered)), true);
         Expr::name(name)
+    }
+}
+
+/// How many lines would write a value.
+fn lines(value: &Ir) -> usize {
+    match &value.kind {
+        ExprKind::Struct(items) | ExprKind::Array(items) | ExprKind::Matrix(items) => {
+            items.iter().map(lines).sum()
+        }
+        ExprKind::Splat(item) => lines(item) * length(&value.ty).min(LINES) as usize,
+        _ => 1,
     }
 }
 

@@ -10,8 +10,12 @@ use super::super::literal;
 use super::super::spelling::scalar_type;
 use super::super::tree::{Declarator, Expr, Init, Step, StmtKind};
 use super::Lower;
+use super::bits::masked;
 use super::place::is_small;
 use crate::effects::mentions;
+
+/// What C counts in where a range fits into 32 bits.
+const U32: Type = Type::Scalar(Scalar::Int(Int::U32));
 
 /// The pieces of a loop that its form decides.
 struct Head {
@@ -191,10 +195,15 @@ impl Lower<'_> {
         let lowered = self.bound_value(value, narrow);
         if !holds_still(value, body) || calls(&lowered) {
             let name = self.fresh(name);
-            self.declare(&value.ty, &name, Some(Init::Value(lowered)), true);
+            let (ty, lowered) = match narrow {
+                true if self.is_wide(value) => (U32, Expr::cast("uint32_t", lowered)),
+                true => (U32, lowered),
+                false => (value.ty.clone(), lowered),
+            };
+            self.declare(&ty, &name, Some(Init::Value(lowered)), true);
             return (Expr::name(name), value.clone());
         }
-        (self.comparable(lowered), value.clone())
+        (self.comparable(masked(lowered, value)), value.clone())
     }
 
     fn bound_value(&mut self, value: &Ir, narrow: bool) -> Expr {

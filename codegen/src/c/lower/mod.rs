@@ -67,7 +67,7 @@ pub(super) struct Lower<'a> {
     signature: &'a Signature,
     usage: Usage,
     bindings: Vec<Option<Binding>>,
-    /// Per local: the range of a `usize` that C holds in 32 bits.
+    /// Per local: the range of a `usize` that C holds in 32 bits. Of those that are assigned again it is known from the start.
     counters: Vec<Option<(i128, i128)>>,
     /// Per local: whether the C mentions it.
     mentioned: Vec<bool>,
@@ -102,7 +102,7 @@ pub fn function<'a>(context: Context<'a>, id: FunctionId, uses: &'a mut Uses) ->
         signature: context.names.signature(id),
         usage: Usage::new(function),
         bindings: vec![None; function.locals.len()],
-        counters: vec![None; function.locals.len()],
+        counters: crate::passes::sizes(context.module, function),
         mentioned: vec![false; function.locals.len()],
         live: Vec::new(),
         out: Vec::new(),

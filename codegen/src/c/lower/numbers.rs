@@ -90,17 +90,34 @@ impl Lower<'_> {
                 Expr::cast(scalar_type(*target), byte)
             };
         }
-        let value = if narrow { self.narrow(operand, false) } else { self.word(operand) };
         let ty = scalar_type(*target);
+        if let (Some(from), Scalar::Int(int)) = (operand.ty.as_int(), target)
+            && from.signed()
+            && !int.signed()
+            && int.bits() <= from.bits()
+            && let Some(bits) = self.unsigned_bits(operand)
+        {
+            return if int.bits() == from.bits() { bits } else { Expr::cast(ty, bits) };
+        }
+        let value = if narrow { self.narrow(operand, false) } else { self.word(operand) };
         match (&operand.ty, target) {
             (Type::Scalar(Scalar::Float(float)), Scalar::Int(int)) => {
                 self.helper(Helper::FromFloat(*int, *float), vec![value])
             }
+            // A counter is below 2^31, or 2^31 itself.
+            (Type::Scalar(Scalar::Int(_)), Scalar::Int(int))
+                if narrow
+                    && int.signed()
+                    && matches!(value, Expr::Name(_))
+                    && self.range(operand).is_some_and(|(_, most)| most <= Int::max(*int)) =>
+            {
+                Expr::cast(ty, value)
+            }
             (Type::Scalar(Scalar::Int(from)), Scalar::Int(int))
                 if int.signed() && !fits(*from, *int) =>
             {
-                let bits = Expr::cast(&unsigned_type(*int), value);
-                self.helper(Helper::Wrap(*int), vec![bits])
+                let held = if narrow { Int::U32 } else { *from };
+                self.helper(Helper::Wrap(*int), vec![as_bits(value, held, *int)])
             }
             (Type::Scalar(Scalar::Int(from)), Scalar::Int(Int::U32))
                 if from.signed() && is_small(*from) =>
@@ -158,6 +175,9 @@ impl Lower<'_> {
             return self.variant(&operands[0], *id);
         }
         let Type::Scalar(scalar) = *of else { unreachable!("intrinsics take scalars") };
+        if let (Some(sign), Some(int)) = (wrapping_sign(intrinsic), of.as_int()) {
+            return self.wrapping(sign, int, operands);
+        }
         let mut values: Vec<Expr> = operands.iter().map(|operand| self.word(operand)).collect();
         match (intrinsic, of.as_float(), of.as_int()) {
             (Intrinsic::Sqrt, Some(float), _) => self.math("sqrt", float, values),
@@ -175,9 +195,6 @@ impl Lower<'_> {
                 self.helper(Helper::FromBits(float), values)
             }
             (Intrinsic::Copysign, Some(float), _) => self.helper(Helper::Copysign(float), values),
-            (Intrinsic::WrappingAdd, _, Some(int)) => self.wrapping("+", int, values),
-            (Intrinsic::WrappingSub, _, Some(int)) => self.wrapping("-", int, values),
-            (Intrinsic::WrappingMul, _, Some(int)) => self.wrapping("*", int, values),
             (Intrinsic::Ceil, Some(float), _) => self.math("ceil", float, values),
             (Intrinsic::Trunc, Some(float), _) => self.math("trunc", float, values),
             (Intrinsic::Round, Some(float), _) => self.math("round", float, values),
@@ -232,14 +249,49 @@ impl Lower<'_> {
     }
 
     /// Modulo 2^bits, through unsigned arithmetic.
-    fn wrapping(&mut self, op: &'static str, int: Int, values: Vec<Expr>) -> Expr {
-        let [a, b] = <[Expr; 2]>::try_from(values).expect("two operands");
+    fn wrapping(&mut self, op: &'static str, int: Int, operands: &[Ir]) -> Expr {
+        let bits = self.wrapping_bits(op, int, operands);
+        if int.signed() { self.helper(Helper::Wrap(int), vec![bits]) } else { bits }
+    }
+
+    /// The same before it is brought back to a signed type.
+    fn wrapping_bits(&mut self, op: &'static str, int: Int, operands: &[Ir]) -> Expr {
         let wide = unsigned_type(if is_small(int) { Int::U32 } else { int });
         let own = int.signed() || is_small(int);
-        let operand = |value| if own { Expr::cast(&wide, value) } else { value };
-        let result = Expr::binary(op, operand(a), operand(b));
-        let bits = if is_small(int) { Expr::cast(&unsigned_type(int), result) } else { result };
-        if int.signed() { self.helper(Helper::Wrap(int), vec![bits]) } else { bits }
+        let mut values = operands.iter().map(|operand| {
+            let bits = if is_small(int) { None } else { self.unsigned_bits(operand) };
+            bits.unwrap_or_else(|| {
+                let value = self.word(operand);
+                if own { Expr::cast(&wide, value) } else { value }
+            })
+        });
+        let (Some(a), Some(b)) = (values.next(), values.next()) else {
+            unreachable!("two operands")
+        };
+        let result = Expr::binary(op, a, b);
+        if is_small(int) { Expr::cast(&unsigned_type(int), result) } else { result }
+    }
+
+    /// The bits of a signed value that unsigned arithmetic gives: who wants these needs no signed number of them.
+    fn unsigned_bits(&mut self, operand: &Ir) -> Option<Expr> {
+        let int = operand.ty.as_int().filter(|int| int.signed())?;
+        if super::range::never_reached(operand).is_some() {
+            return None;
+        }
+        match &operand.kind {
+            ExprKind::Intrinsic(intrinsic, operands) => {
+                Some(self.wrapping_bits(wrapping_sign(*intrinsic)?, int, operands))
+            }
+            ExprKind::Cast(inner) => {
+                let from = inner.ty.as_int().filter(|from| !from.signed() && !fits(*from, int))?;
+                if self.counts(inner) && self.range(inner).is_some() {
+                    return None;
+                }
+                let value = self.word(inner);
+                Some(as_bits(value, from, int))
+            }
+            _ => None,
+        }
     }
 
     /// A function of `math.h`.
@@ -247,4 +299,20 @@ impl Lower<'_> {
         self.uses.math = true;
         Expr::call(if float == Float::F32 { format!("{name}f") } else { name.to_owned() }, values)
     }
+}
+
+/// The operator of an intrinsic that computes modulo 2^bits.
+fn wrapping_sign(intrinsic: Intrinsic) -> Option<&'static str> {
+    match intrinsic {
+        Intrinsic::WrappingAdd => Some("+"),
+        Intrinsic::WrappingSub => Some("-"),
+        Intrinsic::WrappingMul => Some("*"),
+        _ => None,
+    }
+}
+
+/// A value that C holds as `from`, as the unsigned bits of a signed type.
+fn as_bits(value: Expr, from: Int, int: Int) -> Expr {
+    let same = !from.signed() && from.bits() == int.bits();
+    if same { value } else { Expr::cast(&unsigned_type(int), value) }
 }

@@ -1,5 +1,5 @@
-//! Sizes in 32 bits: a counter over `usize` whose bounds are known, and a local that stays as it began within 32 bits, need no
-//! 64-bit arithmetic in C.
+//! Sizes in 32 bits: a counter over `usize` whose bounds are known, a local that stays as it began within 32 bits, and one that
+//! is assigned again but always fits, need no 64-bit arithmetic in C.
 
 use bessemer_ir::{
     BinaryOp, CompareOp, Expr as Ir, ExprKind, Int, Intrinsic, LocalId, Place, Scalar, Type,
@@ -39,6 +39,7 @@ impl Lower<'_> {
                     BinaryOp::Add => (a.0 + b.0, a.1 + b.1),
                     BinaryOp::Sub => (a.0 - b.1, a.1 - b.0),
                     BinaryOp::Mul => (a.0 * b.0, a.1 * b.1),
+                    BinaryOp::Div if b.0 > 0 => (a.0 / b.1, a.1 / b.0),
                     _ => return None,
                 }
             }
@@ -147,6 +148,7 @@ impl Lower<'_> {
                 let op = match op {
                     BinaryOp::Add => "+",
                     BinaryOp::Sub => "-",
+                    BinaryOp::Div => "/",
                     BinaryOp::Rem => "%",
                     _ => "*",
                 };
@@ -154,6 +156,15 @@ impl Lower<'_> {
             }
             _ => self.word(expr),
         }
+    }
+
+    /// A size that fits into 32 bits, in 32 bits.
+    pub(super) fn size(&mut self, expr: &Ir) -> Expr {
+        if self.range(expr).is_none() {
+            return Expr::cast("uint32_t", self.word(expr));
+        }
+        let (wide, value) = (self.is_wide(expr), self.narrow(expr, false));
+        if wide { Expr::cast("uint32_t", value) } else { value }
     }
 
     /// Whether a narrow expression has 64 bits in C all the same, for what it is made of.

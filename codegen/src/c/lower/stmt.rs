@@ -131,6 +131,11 @@ impl Lower<'_> {
         }
         let constant = value.is_some() && !self.usage.assigned[local.index()];
         match value {
+            _ if self.counters[local.index()].is_some() => {
+                let value = value.map(|value| Init::Value(self.size(value)));
+                let name = self.bind(local);
+                self.declare(&Type::Scalar(Scalar::Int(Int::U32)), &name, value, false);
+            }
             None => {
                 let name = self.bind(local);
                 self.begin(&ty, &name);
@@ -139,7 +144,7 @@ impl Lower<'_> {
                 match self.range(value).filter(|_| constant) {
                     Some(range) => self.let_narrow(local, value, range),
                     None => {
-                        let value = self.word(value);
+                        let value = self.given(value);
                         let name = self.bind(local);
                         self.declare(&ty, &name, Some(Init::Value(value)), constant);
                     }
@@ -171,8 +176,7 @@ impl Lower<'_> {
 
     /// A size that stays as it began, in 32 bits.
     fn let_narrow(&mut self, local: LocalId, value: &Ir, range: (i128, i128)) {
-        let (wide, value) = (self.is_wide(value), self.narrow(value, false));
-        let value = if wide { Expr::cast("uint32_t", value) } else { value };
+        let value = self.size(value);
         let name = self.bind(local);
         self.counters[local.index()] = Some(range);
         self.declare(&Type::Scalar(Scalar::Int(Int::U32)), &name, Some(Init::Value(value)), true);
@@ -213,7 +217,7 @@ impl Lower<'_> {
             return;
         }
         if ty.is_word() && !self.is_status_call(value) {
-            let value = self.word(value);
+            let value = self.given(value);
             self.declare(ty, name, Some(Init::Value(value)), constant);
         } else if self.initialisable(value) {
             let init = self.initialiser(value);
@@ -245,7 +249,12 @@ impl Lower<'_> {
         let mentioned = self.mentioned[root];
         let dest = self.place(place);
         let is_local = place.steps.is_empty() && matches!(dest, Expr::Name(_));
-        self.store(dest, Some(place), value);
+        if self.counter(place).is_some() {
+            let value = self.size(value);
+            self.assign(dest, value);
+        } else {
+            self.store(dest, Some(place), value);
+        }
         if is_local {
             // What is only set is not used, also where it is set to more of itself.
             self.mentioned[root] = mentioned;
@@ -297,7 +306,7 @@ impl Lower<'_> {
             (Some(_), Some(_)) if self.in_place.is_some() => {}
             (Some(value), Some(dest)) => self.store(dest, None, value),
             (Some(value), None) if value.ty.is_word() => {
-                let value = self.word(value);
+                let value = self.given(value);
                 self.emit(StmtKind::Return(Some(value)));
                 return;
             }

@@ -11,7 +11,8 @@ use super::super::literal;
 use super::super::spelling::scalar_type;
 use super::super::tree::Expr;
 use super::Lower;
-use super::bits::masked;
+use super::bits::{is_raised, is_widened, masked, uncast};
+use super::place::is_small;
 
 impl Lower<'_> {
     /// The value of an expression of one word.
@@ -26,7 +27,10 @@ impl Lower<'_> {
         match &expr.kind {
             ExprKind::Literal(word) => {
                 self.uses.math |= literal::needs_math(&expr.ty, *word);
-                literal::word(self.context.names, &expr.ty, *word)
+                match expr.ty.as_int().filter(|_| self.is_hexadecimal(expr, *word)) {
+                    Some(int) => literal::hexadecimal(int, int.from_word(*word)),
+                    None => literal::word(self.context.names, &expr.ty, *word),
+                }
             }
             ExprKind::Const(id) => {
                 self.uses.consts.insert(*id);
@@ -78,10 +82,43 @@ impl Lower<'_> {
         }
         let of_bits = matches!(op, BinaryOp::And | BinaryOp::Or | BinaryOp::Xor);
         let (a, b) = match left.ty.as_int() {
-            Some(int) if of_bits && !int.signed() => (self.bits(left), self.bits(right)),
-            _ => (self.word(left), self.word(right)),
+            Some(int) if of_bits && !int.signed() => {
+                let (a, b) = (self.bits(left), self.bits(right));
+                // Beside what is raised, a smaller number needs no cast to the type that both are brought back to.
+                let beside = |value: Expr, ir: &Ir, other: &Ir| {
+                    let alone = is_small(int) && is_widened(ir) && is_raised(other);
+                    if alone { uncast(value, &ir.ty) } else { value }
+                };
+                (beside(a, left, right), beside(b, right, left))
+            }
+            // Of two counters, one at least has to have 64 bits; beside a number, the cast says which both have.
+            _ if self.is_counter(left) && self.is_counter(right)
+                || left.is_literal()
+                || right.is_literal() =>
+            {
+                (self.word(left), self.word(right))
+            }
+            _ => (self.given(left), self.given(right)),
         };
         self.arithmetic(op, &left.ty, a, b)
+    }
+
+    /// A value where C converts it by itself to what its type is there: a counter needs no cast to 64 bits.
+    pub(super) fn given(&mut self, expr: &Ir) -> Expr {
+        match &expr.kind {
+            ExprKind::Load(place) if self.counter(place).is_some() => self.place(place),
+            _ => self.word(expr),
+        }
+    }
+
+    /// Whether the author writes a literal in base sixteen; a digit says the same in both.
+    fn is_hexadecimal(&self, expr: &Ir, word: u64) -> bool {
+        word >= 10 && self.context.module.hexadecimal.contains(&(expr.span, word))
+    }
+
+    /// Whether a value is a counter that C holds in 32 bits.
+    fn is_counter(&self, expr: &Ir) -> bool {
+        matches!(&expr.kind, ExprKind::Load(place) if self.counter(place).is_some())
     }
 
     fn compare(&mut self, op: CompareOp, left: &Ir, right: &Ir) -> Expr {
@@ -95,7 +132,12 @@ impl Lower<'_> {
         let (a, b) = if narrow {
             (self.narrow(left, false), self.narrow(right, false))
         } else {
-            (self.word(left), self.word(right))
+            let (a, b) = (self.word(left), self.word(right));
+            // gcc takes `MAX - x`, of more bits than what it is compared with, for a complement that was promoted.
+            let plain = |other: &Expr| !matches!(other, Expr::Unary(..) | Expr::Binary(..));
+            let (bare, other) = (plain(&b), plain(&a));
+            let a = if bare && self.is_counter(left) { self.given(left) } else { a };
+            (a, if other && self.is_counter(right) { self.given(right) } else { b })
         };
         if a == b && left.ty.as_float().is_none() {
             let equal = matches!(op, CompareOp::Eq | CompareOp::Le | CompareOp::Ge);

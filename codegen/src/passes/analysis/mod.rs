@@ -36,3 +36,4 @@ mod walk;
 pub(super) use domain::Interval;
 pub(super) use loops::Loop;
 pub(super) use state::State;
+pub(super) use walk::held;

@@ -1,25 +1,50 @@
 //! Statements, one after another: what is known at the end of a pass, if it was known where the pass began.
 //!
 //! Invariant: each execution of the statements that starts in the state, and does not fault, is in the meaning of what
-//! is given for the point where it comes out. Nothing is rewritten, and nothing said of checks; conditions that
-//! call are not assumed, since to ask again could give another answer.
+//! is given for the point where it comes out, and what a local is given on the way lies in what is told of that. Nothing
+//! is rewritten, and nothing said of checks; conditions that call are not assumed, since to ask again could give another
+//! answer.
 
-use bessemer_ir::{Block, Expr, ExprKind, Stmt, StmtKind};
+use bessemer_ir::{Block, Expr, ExprKind, Function, LocalId, Module, Stmt, StmtKind};
 
+use super::domain::Interval;
 use super::loops::Loop;
 use super::state::{Known, State, joined};
 use crate::effects::{calls, lent, whole, writes};
 
 /// The state where the next pass begins, by the end of the body or a `continue`; nothing if none does.
 pub(super) fn again<'m>(body: &Block, head: State<'m>) -> Option<State<'m>> {
-    let mut walk = Walk { continued: Vec::new() };
+    let mut walk = Walk { continued: Vec::new(), held: None };
     let end = walk.block(body, head);
     joined(walk.continued.into_iter().chain(end))
+}
+
+/// Of each local of a function, what it is given where it is declared or assigned as a whole; nothing where that does not
+/// show, or where it is given nothing.
+pub(crate) fn held(module: &Module, function: &Function) -> Vec<Option<Interval>> {
+    let held = Some(vec![Held::Nothing; function.locals.len()]);
+    let mut walk = Walk { continued: Vec::new(), held };
+    walk.block(&function.body, State::new(module));
+    let shown = |held| match held {
+        Held::Within(interval) => Some(interval),
+        Held::Nothing | Held::Anything => None,
+    };
+    walk.held.into_iter().flatten().map(shown).collect()
+}
+
+/// What a local was given so far.
+#[derive(Clone, Copy)]
+enum Held {
+    Nothing,
+    Within(Interval),
+    Anything,
 }
 
 struct Walk<'m> {
     /// The states at each `continue`.
     continued: Vec<State<'m>>,
+    /// What each local is given, where that is asked: then the bodies of loops are followed, too.
+    held: Option<Vec<Held>>,
 }
 
 impl<'m> Walk<'m> {
@@ -28,14 +53,32 @@ impl<'m> Walk<'m> {
         block.0.iter().try_fold(state, |state, stmt| self.stmt(stmt, state))
     }
 
+    /// A local is given a value.
+    fn given(&mut self, local: LocalId, value: Option<Known>) {
+        let Some(held) = self.held.as_mut().and_then(|held| held.get_mut(local.index())) else {
+            return;
+        };
+        *held = match (*held, value) {
+            (Held::Nothing, Some(Known::Within(now))) => Held::Within(now),
+            (Held::Within(before), Some(Known::Within(now))) => Held::Within(before.join(now)),
+            _ => Held::Anything,
+        };
+    }
+
     fn stmt(&mut self, stmt: &Stmt, mut state: State<'m>) -> Option<State<'m>> {
         match &stmt.kind {
             StmtKind::Let { local, value } => {
-                let value = value.as_ref().and_then(|value| evaluated(value, &mut state));
-                state.assign(&whole(*local), value);
+                let given = value.as_ref().and_then(|value| evaluated(value, &mut state));
+                if value.is_some() {
+                    self.given(*local, given);
+                }
+                state.assign(&whole(*local), given);
             }
             StmtKind::Assign { place, value } => {
                 let value = evaluated(value, &mut state);
+                if place.steps.is_empty() {
+                    self.given(place.root, value);
+                }
                 state.forget(&lent(place));
                 state.assign(place, value);
             }
@@ -88,7 +131,14 @@ impl<'m> Walk<'m> {
                 let (inclusive, ended) = (*inclusive, *ended || calls(from) || calls(to));
                 let (counter, written) = (&counter, &written[..]);
                 let inner = Loop { counter, from, to, inclusive, ended, written, body };
-                return Some(inner.behind(&state));
+                if self.held.is_none() {
+                    return Some(inner.behind(&state));
+                }
+                let behind = inner.enter(&mut state);
+                let outer = std::mem::take(&mut self.continued);
+                self.block(body, state);
+                self.continued = outer;
+                return Some(behind);
             }
             StmtKind::Continue => {
                 self.continued.push(state);

@@ -31,3 +31,9 @@ use super::sites::Site;
 pub(super) fn open(module: &Module, function: &Function) -> Vec<Site> {
     walk::Walk::new(module, function).run()
 }
+
+/// Of each local of a function, the least and the greatest number that it is given where it is declared or assigned as a
+/// whole; nothing if it is given none.
+pub(super) fn held(module: &Module, function: &Function) -> Vec<Option<(i128, i128)>> {
+    walk::Walk::new(module, function).held()
+}

@@ -28,17 +28,38 @@ pub(super) struct Walk<'m> {
     function: &'m Function,
     /// Of each loop around: the points from which another pass begins, and those at which it is left.
     loops: Vec<(Vec<Point>, Vec<Point>)>,
+    /// Of each local, the numbers that it was given so far, where that is asked.
+    held: Option<Vec<Option<Bounds>>>,
 }
 
 impl<'m> Walk<'m> {
     pub(super) fn new(module: &'m Module, function: &'m Function) -> Walk<'m> {
-        Walk { values: Values::new(module, function), function, loops: Vec::new() }
+        Walk { values: Values::new(module, function), function, loops: Vec::new(), held: None }
     }
 
     pub(super) fn run(mut self) -> Vec<Site> {
         let function = self.function;
         self.block(&function.body, Point::default());
         self.values.open
+    }
+
+    /// The numbers that each local is given.
+    pub(super) fn held(mut self) -> Vec<Option<Bounds>> {
+        let function = self.function;
+        self.held = Some(vec![None; function.locals.len()]);
+        self.block(&function.body, Point::default());
+        self.held.unwrap_or_default()
+    }
+
+    /// A local is given a value; in a trial, of which nothing has to be true yet, nothing is noted.
+    fn given(&mut self, point: &Point, local: LocalId, value: Option<&Value>) {
+        let Some(held) = self.held.as_mut().filter(|_| !self.values.quiet) else { return };
+        let (low, high) = match value {
+            Some(Value::Number(form)) => point.knowledge.closest(form, &self.values.all),
+            _ => (i128::MIN, i128::MAX),
+        };
+        let held = held[local.index()].get_or_insert((low, high));
+        *held = (held.0.min(low), held.1.max(high));
     }
 
     /// The point behind a block; nothing where no path leads there.
@@ -51,13 +72,19 @@ impl<'m> Walk<'m> {
     fn stmt(&mut self, stmt: &Stmt, mut point: Point) -> Option<Point> {
         match &stmt.kind {
             StmtKind::Let { local, value } => {
-                let value = value.as_ref().and_then(|value| self.evaluated(value, &mut point));
-                self.write(&mut point, &Target::whole(*local), value);
+                let given = value.as_ref().and_then(|value| self.evaluated(value, &mut point));
+                if value.is_some() {
+                    self.given(&point, *local, given.as_ref());
+                }
+                self.write(&mut point, &Target::whole(*local), given);
             }
             StmtKind::Assign { place, value } => {
                 let value = self.evaluated(value, &mut point);
                 let at = self.values.steps(&mut point, place);
                 let target = Target { local: place.root, at };
+                if target.at.is_empty() {
+                    self.given(&point, place.root, value.as_ref());
+                }
                 self.write(&mut point, &target, value.filter(|_| place.ty.is_word()));
             }
             StmtKind::Expr(value) => {

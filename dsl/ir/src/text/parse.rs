@@ -189,6 +189,18 @@ impl Parser {
         self.fail("expected a whole number below 2^32")
     }
 
+    /// A plain word.
+    fn long(&mut self) -> Parsed<u64> {
+        if let Token::Number { digits, suffix } = self.peek()
+            && suffix.is_empty()
+            && let Ok(word) = digits.parse()
+        {
+            self.bump();
+            return Ok(word);
+        }
+        self.fail("expected a whole number below 2^64")
+    }
+
     /// The number of a variant.
     fn value(&mut self) -> Parsed<i32> {
         let negative = self.eat("-");
@@ -259,7 +271,10 @@ impl Parser {
             }
             let docs = self.docs();
             let span = self.span(Span::default())?.unwrap_or_default();
-            if self.eat_word("struct") {
+            if self.eat_word("hexadecimal") {
+                let word = self.long()?;
+                self.module.hexadecimal.insert((span, word));
+            } else if self.eat_word("struct") {
                 self.structure(docs, span)?;
             } else if self.eat_word("enum") {
                 self.enumeration(docs, span)?;

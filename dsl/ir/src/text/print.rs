@@ -133,6 +133,11 @@ impl<'m> Printer<'m> {
         for file in &module.files {
             self.put(format_args!("file {file:?}\n"));
         }
+        for (span, word) in &module.hexadecimal {
+            let place = relative(*span, Span::default(), Span::default());
+            let gap = if place.is_empty() { "" } else { " " };
+            self.put(format_args!("{place}{gap}hexadecimal {word}\n"));
+        }
         for definition in &module.enums {
             let head = ("enum", definition.name.as_str(), definition.module.as_str());
             self.head(&definition.docs, definition.span, head);

@@ -18,6 +18,7 @@ pub fn module(bytes: &[u8]) -> Module {
         enums,
         consts,
         functions,
+        hexadecimal: source.some(3, |source| (source.span(), source.word())).into_iter().collect(),
     }
 }
 

@@ -248,7 +248,7 @@ impl Lowering<'_> {
                         Some(Scalar::Float(_)) => {
                             ExprKind::Float(it.base10_digits().into(), suffix)
                         }
-                        _ => ExprKind::Int(it.base10_digits().into(), suffix),
+                        _ => ExprKind::Int(digits(it), suffix),
                     };
                 }
                 self.refusals.add(it, refuse::WIDE_INTEGER);
@@ -375,5 +375,15 @@ pub(super) fn is_unit_control(expr: &syn::Expr) -> bool {
         syn::Expr::If(it) => it.else_branch.is_none(),
         syn::Expr::Binary(it) => compound(&it.op).is_some(),
         _ => false,
+    }
+}
+
+/// The digits of an integer, in base sixteen where its author writes it so, or bit by bit.
+fn digits(it: &syn::LitInt) -> String {
+    let by_bits = it.token().to_string();
+    let by_bits = by_bits.starts_with("0x") || by_bits.starts_with("0b");
+    match it.base10_parse::<u128>() {
+        Ok(value) if by_bits => format!("{value:#x}"),
+        _ => it.base10_digits().into(),
     }
 }

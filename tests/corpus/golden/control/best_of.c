@@ -4,17 +4,17 @@
 
 void best_of_cheapest(const best_of_way_t ways[4], best_of_way_t *way)
 {
-    option_best_of_way_t found = {.is_some = false, .value = {.to = 0U, .cost = 0U}};
+    option_best_of_way_t found = {.is_some = false};
     for (uint32_t i = 0U; i < 4U; i++) {
         const option_best_of_way_t before = found;
         found.is_some = true;
         found.value = ways[i];
         uint16_t result_choice = 0U;
-        uint64_t way_index = UINT64_C(0);
+        uint32_t way_index = 0U;
         uint16_t result_choice_2 = 0U;
         bool result_holds = before.is_some;
         if (result_holds) {
-            way_index = (uint64_t)i;
+            way_index = i;
             result_choice = ways[way_index].cost;
             result_choice_2 = before.value.cost;
             result_holds = !(result_choice < result_choice_2);
@@ -32,12 +32,9 @@ void best_of_cheapest(const best_of_way_t ways[4], best_of_way_t *way)
 
 void best_of_nearest(const float values[5], float to, option_usize_t *result)
 {
-    option_pair_usize_f32_t found = {
-        .is_some = false,
-        .value = {.first = UINT64_C(0), .second = 0.0F}
-    };
+    option_pair_usize_f32_t found = {.is_some = false};
     for (uint32_t at = 0U; at < 5U; at++) {
-        const pair_usize_f32_t pair = {.first = (uint64_t)at, .second = values[at]};
+        const pair_usize_f32_t pair = {.first = at, .second = values[at]};
         const option_pair_usize_f32_t before = found;
         found.is_some = true;
         found.value = pair;
@@ -66,21 +63,18 @@ void best_of_nearest(const float values[5], float to, option_usize_t *result)
 
 void best_of_peak(const uint8_t values[5], option_usize_t *result)
 {
-    option_pair_usize_u8_t found = {
-        .is_some = false,
-        .value = {.first = UINT64_C(0), .second = 0U}
-    };
+    option_pair_usize_u8_t found = {.is_some = false};
     for (uint32_t at = 0U; at < 5U; at++) {
         const option_pair_usize_u8_t before = found;
         found.is_some = true;
-        found.value.first = (uint64_t)at;
+        found.value.first = at;
         found.value.second = values[at];
         uint8_t result_choice = 0U;
-        uint64_t value_index = UINT64_C(0);
+        uint32_t value_index = 0U;
         uint8_t result_choice_2 = 0U;
         bool result_holds = before.is_some;
         if (result_holds) {
-            value_index = (uint64_t)at;
+            value_index = at;
             result_choice = values[value_index];
             result_choice_2 = before.value.second;
             result_holds = !(result_choice >= result_choice_2);

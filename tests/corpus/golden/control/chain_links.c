@@ -51,7 +51,7 @@ bessemer_status_t chain_links_leading_number(const uint8_t text[6], uint32_t *re
 
 bessemer_status_t chain_links_highest(const int32_t flows[6], int32_t start, option_i32_t *result)
 {
-    option_i32_t max = {.is_some = false, .value = 0};
+    option_i32_t max = {.is_some = false};
     int32_t level = start;
     for (uint32_t i = 0U; i < 6U; i++) {
         option_i32_t result_choice;
@@ -117,7 +117,7 @@ void chain_links_places(const uint16_t readings[6], pair_option_u16_option_usize
     for (uint32_t i = 6U; i-- > 0U;) {
         if (readings[i] == 0U) {
             result->second.is_some = true;
-            result->second.value = (uint64_t)i;
+            result->second.value = i;
             break;
         }
     }

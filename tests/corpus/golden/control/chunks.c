@@ -24,15 +24,14 @@ bessemer_status_t chunks_passed(const uint8_t bytes[10], uint64_t used, uint32_t
     const uint32_t used_2 = (uint32_t)min_u64(used, UINT64_C(10));
     uint32_t sum = 0U;
     const uint32_t value_end = used_2;
-    for (uint64_t block = UINT64_C(0); block < (uint64_t)(value_end + 3U) / UINT64_C(4); block++) {
-        if (block * UINT64_C(4) > (uint64_t)value_end) {
+    for (uint32_t block = 0U; block < (value_end + 3U) / 4U; block++) {
+        if (block * 4U > value_end) {
             return BESSEMER_STATUS_OVERFLOW;
         }
         const uint32_t value_length = (uint32_t)min_u64(UINT64_C(4),
-            (uint64_t)value_end - block * UINT64_C(4));
-        for (uint64_t i = block * UINT64_C(4); i < block * UINT64_C(4) + (uint64_t)value_length;
-                i++) {
-            if (i >= UINT64_C(10)) {
+            value_end - (uint64_t)(block * 4U));
+        for (uint32_t i = block * 4U; i < block * 4U + value_length; i++) {
+            if (i >= 10U) {
                 return BESSEMER_STATUS_INDEX;
             }
             if ((int64_t)sum + (int64_t)(uint32_t)bytes[i] > UINT32_MAX) {

@@ -22,14 +22,11 @@ uint8_t closure_patterns_good(const closure_patterns_track_t tracks[6], float li
 void closure_patterns_next(const closure_patterns_track_t tracks[6], uint64_t after, float limit,
     option_usize_t *result)
 {
-    option_pair_usize_closure_patterns_track_t find = {
-        .is_some = false,
-        .value = {.first = UINT64_C(0), .second = {.id = 0U, .score = 0.0F}}
-    };
+    option_pair_usize_closure_patterns_track_t find = {.is_some = false};
     for (uint32_t i = 0U; i < 6U; i++) {
-        if ((uint64_t)i > after && tracks[i].score > limit) {
+        if (i > after && tracks[i].score > limit) {
             find.is_some = true;
-            find.value.first = (uint64_t)i;
+            find.value.first = i;
             find.value.second = tracks[i];
             break;
         }

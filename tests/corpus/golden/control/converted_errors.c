@@ -16,7 +16,7 @@ void fault_code_from_drive_fault(const drive_fault_t *fault, fault_code_t *fault
         fault_code->value = 2U;
     } else {
         const uint8_t byte = fault->link.start;
-        fault_code->value = (uint16_t)(256U + (uint16_t)byte);
+        fault_code->value = (uint16_t)(0x100U + (uint16_t)byte);
     }
 }
 
@@ -26,15 +26,14 @@ void converted_errors_payload(const uint8_t frame[3], result_u16_frame_fault_t *
         const uint8_t low = frame[1];
         const uint8_t high = frame[2];
         const uint8_t result_bytes[2] = {low, high};
-        result->is_ok = true;
-        result->value = (uint16_t)((uint16_t)result_bytes[0] | ((uint32_t)result_bytes[1] << 8U));
-        result->error.tag = FRAME_FAULT_TAG_SHORT;
-        result->error.start = 0U;
+        *result = (result_u16_frame_fault_t){
+            .is_ok = true,
+            .value = (uint16_t)(result_bytes[0] | ((uint32_t)result_bytes[1] << 8U))
+        };
     } else if (frame[0] == 0U && frame[1] == 0U && frame[2] == 0U) {
         static const result_u16_frame_fault_t payload = {
             .is_ok = false,
-            .value = 0U,
-            .error = {.tag = FRAME_FAULT_TAG_SHORT, .start = 0U}
+            .error = {.tag = FRAME_FAULT_TAG_SHORT}
         };
         *result = payload;
     } else {
@@ -62,20 +61,12 @@ void converted_errors_current(const uint8_t frame[3], float limit, result_f32_dr
     if (current > limit) {
         static const result_f32_drive_fault_t current_2 = {
             .is_ok = false,
-            .value = 0.0F,
-            .error = {
-                .tag = DRIVE_FAULT_TAG_OVERLOAD,
-                .link = {.tag = FRAME_FAULT_TAG_SHORT, .start = 0U}
-            }
+            .error = {.tag = DRIVE_FAULT_TAG_OVERLOAD}
         };
         *result = current_2;
         return;
     }
-    result->is_ok = true;
-    result->value = current;
-    result->error.tag = DRIVE_FAULT_TAG_OVERLOAD;
-    result->error.link.tag = FRAME_FAULT_TAG_SHORT;
-    result->error.link.start = 0U;
+    *result = (result_f32_drive_fault_t){.is_ok = true, .value = current};
 }
 
 void converted_errors_total(const uint8_t one[3], const uint8_t other[3], float limit,

@@ -4,21 +4,21 @@
 
 uint64_t counting_while_quiet(const float samples[16], float limit)
 {
-    uint64_t count = UINT64_C(0);
-    while (count < UINT64_C(16) && samples[count] < limit) {
-        count += UINT64_C(1);
+    uint32_t count = 0U;
+    while (count < 16U && samples[count] < limit) {
+        count += 1U;
     }
     return count;
 }
 
 uint64_t counting_while_place(const float table[16], float x)
 {
-    uint64_t low = UINT64_C(0);
-    uint64_t high = UINT64_C(16);
+    uint32_t low = 0U;
+    uint32_t high = 16U;
     while (low < high) {
-        const uint64_t middle = (low + high) / UINT64_C(2);
+        const uint32_t middle = (low + high) / 2U;
         if (table[middle] <= x) {
-            low = middle + UINT64_C(1);
+            low = middle + 1U;
         } else {
             high = middle;
         }

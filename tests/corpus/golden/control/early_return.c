@@ -5,7 +5,7 @@
 bessemer_status_t early_return_search(const uint16_t table[8], uint16_t wanted, uint64_t *result)
 {
     uint64_t low = UINT64_C(0);
-    uint64_t high = UINT64_C(8);
+    uint32_t high = 8U;
     for (uint32_t pass = 0U; pass <= 4U; pass++) {
         if (low >= high) {
             break;
@@ -13,7 +13,7 @@ bessemer_status_t early_return_search(const uint16_t table[8], uint16_t wanted, 
         if (pass >= 4U) {
             return BESSEMER_STATUS_BOUND;
         }
-        if (low > UINT64_MAX - high) {
+        if (low > UINT64_MAX - (uint64_t)high) {
             return BESSEMER_STATUS_OVERFLOW;
         }
         const uint64_t middle = (low + high) / UINT64_C(2);
@@ -27,7 +27,7 @@ bessemer_status_t early_return_search(const uint16_t table[8], uint16_t wanted, 
         if (table[middle] < wanted) {
             low = middle + UINT64_C(1);
         } else {
-            high = middle;
+            high = (uint32_t)middle;
         }
     }
     *result = UINT64_C(8);

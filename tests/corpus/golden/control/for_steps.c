@@ -24,7 +24,7 @@ bessemer_status_t for_steps_thirds(uint8_t from, uint8_t to, uint32_t *sum)
     const uint8_t n_start = from;
     const uint8_t n_length = saturating_sub_u8(to, n_start);
     const uint8_t n_passes = (uint8_t)((uint32_t)(uint8_t)(n_length / 3U)
-        + (uint32_t)(uint8_t)((uint8_t)(n_length % 3U) != 0U));
+        + (uint32_t)(uint8_t)(n_length % 3U != 0U));
     for (uint8_t pass = 0U; pass < n_passes; pass++) {
         const uint8_t n = (uint8_t)((uint32_t)n_start + (uint32_t)(uint8_t)((uint32_t)pass * 3U));
         if ((int64_t)sum_value + (int64_t)(uint32_t)n > UINT32_MAX) {
@@ -45,8 +45,7 @@ bessemer_status_t for_steps_every(const double values[10], uint64_t count, uint6
     if (i_step == UINT64_C(0)) {
         return BESSEMER_STATUS_ASSERTION;
     }
-    const uint64_t i_passes = (uint64_t)i_end / i_step
-        + (uint64_t)((uint64_t)i_end % i_step != UINT64_C(0));
+    const uint64_t i_passes = i_end / i_step + (uint64_t)(i_end % i_step != UINT64_C(0));
     for (uint64_t pass = UINT64_C(0); pass < i_passes; pass++) {
         const uint64_t i = pass * i_step;
         if (i >= UINT64_C(10)) {
@@ -163,8 +162,7 @@ bessemer_status_t for_steps_moved(uint8_t start, uint32_t *result)
     const uint8_t n_end_2 = n_end;
     const uint32_t n_step = n_choice;
     const uint64_t n_length = (uint64_t)max_i64((int64_t)n_end_2 - (int64_t)n_start_2, INT64_C(0));
-    const uint64_t n_passes = n_length / (uint64_t)n_step
-        + (uint64_t)(n_length % (uint64_t)n_step != 0U);
+    const uint64_t n_passes = n_length / n_step + (uint64_t)(n_length % n_step != 0U);
     for (uint64_t pass = UINT64_C(0); pass < n_passes; pass++) {
         const uint8_t n = (uint8_t)((uint64_t)n_start_2 + pass * (uint64_t)n_step);
         if ((int64_t)sum + (int64_t)(uint32_t)n > UINT32_MAX) {
@@ -193,7 +191,7 @@ bessemer_status_t for_steps_farthest(int64_t from, int64_t to, uint64_t step,
     const uint64_t n_length = (uint64_t)max_i64(n_start, n_end) - (uint64_t)n_start;
     const uint64_t n_passes = saturating_add_u64(n_length / n_step, (uint64_t)(n_start <= n_end));
     for (uint64_t pass = UINT64_C(0); pass < n_passes; pass++) {
-        const int64_t n = wrap_i64((uint64_t)((uint64_t)n_start + pass * n_step));
+        const int64_t n = wrap_i64((uint64_t)n_start + pass * n_step);
         last = n;
         if (passes > 0xFFFFFFFEU) {
             return BESSEMER_STATUS_OVERFLOW;
@@ -213,7 +211,7 @@ bessemer_status_t for_steps_farthest(int64_t from, int64_t to, uint64_t step,
     const uint64_t n_passes_2 = n_length_2 / n_step_2
         + (uint64_t)(n_length_2 % n_step_2 != UINT64_C(0));
     for (uint64_t pass = UINT64_C(0); pass < n_passes_2; pass++) {
-        const int64_t n = wrap_i64((uint64_t)((uint64_t)n_start_2 + pass * n_step_2));
+        const int64_t n = wrap_i64((uint64_t)n_start_2 + pass * n_step_2);
         last ^= n;
         if (passes > 0xFFFFFFFEU) {
             return BESSEMER_STATUS_OVERFLOW;

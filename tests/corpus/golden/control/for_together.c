@@ -15,7 +15,7 @@ uint64_t for_together_first_above(const int32_t values[6], int32_t limit)
 {
     for (uint32_t i = 0U; i < 6U; i++) {
         if (values[i] > limit) {
-            return (uint64_t)i;
+            return i;
         }
     }
     return UINT64_C(6);

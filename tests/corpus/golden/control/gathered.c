@@ -54,7 +54,7 @@ void gathered_largest(const double values[4], uint64_t count, option_f64_t *resu
 
 bessemer_status_t gathered_balance(const int32_t values[5], int32_t *result)
 {
-    option_i32_t reduced = {.is_some = false, .value = 0};
+    option_i32_t reduced = {.is_some = false};
     for (uint32_t i = 0U; i < 5U; i++) {
         const int32_t item = values[i] / 2;
         int32_t reduced_choice;
@@ -93,7 +93,7 @@ void gathered_parity(uint8_t end, option_u8_t *result)
     result->is_some = false;
     result->value = 0U;
     for (uint8_t x = 0U; x < end; x++) {
-        if ((uint8_t)(x % 3U) == 1U) {
+        if (x % 3U == 1U) {
             uint8_t reduced_choice;
             if (result->is_some) {
                 const uint8_t before = result->value;

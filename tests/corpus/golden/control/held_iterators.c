@@ -36,10 +36,10 @@ bessemer_status_t held_iterators_made_before(const double samples[4], uint64_t n
                 }
                 const uint32_t value_end = (uint32_t)min_u64(value_end_product + n, UINT64_C(4));
                 const uint64_t product = i * n;
-                if (product > (uint64_t)value_end) {
+                if (product > value_end) {
                     return BESSEMER_STATUS_OVERFLOW;
                 }
-                if (UINT64_C(0) >= (uint64_t)value_end - product) {
+                if (UINT64_C(0) >= value_end - product) {
                     return BESSEMER_STATUS_INDEX;
                 }
                 const uint64_t samples_index_2 = i * n;
@@ -57,23 +57,24 @@ bessemer_status_t held_iterators_made_before(const double samples[4], uint64_t n
 bessemer_status_t held_iterators_changed_since(const int32_t samples[6], uint64_t first,
     int32_t *sum)
 {
-    uint64_t left = first & UINT64_C(3);
-    const uint64_t rest_count = left;
-    const uint64_t rest_count_ = left + UINT64_C(2);
-    left += UINT64_C(3);
-    const uint64_t numbers_start = left;
-    left = UINT64_C(0);
-    int32_t sum_value = wrap_i32((uint32_t)left);
-    const uint32_t value_count = (uint32_t)min_u64(rest_count, UINT64_C(6));
-    const uint32_t value_count_2 = (uint32_t)min_u64(rest_count_, (uint64_t)(6U - value_count));
+    uint32_t left = (uint32_t)(first & UINT64_C(3));
+    const uint32_t rest_count = left;
+    const uint32_t rest_count_ = left + 2U;
+    left += 3U;
+    const uint32_t numbers_start = left;
+    left = 0U;
+    int32_t sum_value = (int32_t)left;
+    const uint32_t value_count = (uint32_t)min_u64((uint64_t)rest_count, UINT64_C(6));
+    const uint32_t value_count_2 = (uint32_t)min_u64((uint64_t)rest_count_,
+        (uint64_t)(6U - value_count));
     for (uint32_t i = value_count; i < value_count + value_count_2; i++) {
         if (i >= 6U) {
             return BESSEMER_STATUS_INDEX;
         }
         sum_value = wrap_i32((uint32_t)sum_value + (uint32_t)samples[i]);
     }
-    for (uint64_t number = numbers_start; number < UINT64_C(9); number++) {
-        sum_value = wrap_i32((uint32_t)sum_value * (uint32_t)wrap_i32((uint32_t)number));
+    for (uint32_t number = numbers_start; number < 9U; number++) {
+        sum_value = wrap_i32((uint32_t)sum_value * (uint32_t)(int32_t)number);
     }
     *sum = sum_value;
     return BESSEMER_STATUS_OK;

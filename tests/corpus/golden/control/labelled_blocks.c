@@ -4,17 +4,17 @@
 
 uint64_t labelled_blocks_first_above(const double readings[6], double limit)
 {
-    uint64_t at = UINT64_C(0);
+    uint32_t at = 0U;
     bool found_done = false;
     for (uint32_t i = 0U; i < 6U; i++) {
         if (readings[i] > limit) {
-            at = (uint64_t)i;
+            at = i;
             found_done = true;
             break;
         }
     }
     if (!found_done) {
-        at = UINT64_C(6);
+        at = 6U;
     }
     return at;
 }

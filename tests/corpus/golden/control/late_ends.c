@@ -38,7 +38,7 @@ bessemer_status_t late_ends_turned(const list5_u8_t *values, list5_u8_t *turned)
     list5_u8_t left = *values;
     list5_u8_t turned_value = {.length = UINT64_C(0), .items = {0U, 0U, 0U, 0U, 0U}};
     while (true) {
-        option_u8_t value = {.is_some = false, .value = 0U};
+        option_u8_t value = {.is_some = false};
         if (left.length > UINT64_C(0) && left.length <= UINT64_C(5)) {
             left.length -= UINT64_C(1);
             value.is_some = true;

@@ -19,13 +19,13 @@ double named_iterators_spread(const double samples[8])
 
 void named_iterators_twice(const int32_t samples[5], int32_t least, pair_u32_i32_t *result)
 {
-    uint64_t count = UINT64_C(0);
+    uint32_t count = 0U;
     for (uint32_t i = 0U; i < 5U; i++) {
         if (samples[i] > least) {
-            count += UINT64_C(1);
+            count += 1U;
         }
     }
-    const uint32_t count_2 = (uint32_t)count;
+    const uint32_t count_2 = count;
     int32_t sum = 0;
     for (uint32_t i = 0U; i < 5U; i++) {
         if (samples[i] > least) {

@@ -22,12 +22,10 @@ float bin_take(bin_t *self)
 
 void numbered_strongest(bin_t bins[4], option_pair_usize_f32_t *result)
 {
-    result->is_some = false;
-    result->value.first = UINT64_C(0);
-    result->value.second = 0.0F;
+    *result = (option_pair_usize_f32_t){.is_some = false};
     for (uint32_t i = 0U; i < 4U; i++) {
         const float item = bin_take(&bins[i]);
-        const pair_usize_f32_t pair = {.first = (uint64_t)i, .second = item};
+        const pair_usize_f32_t pair = {.first = i, .second = item};
         const option_pair_usize_f32_t before = *result;
         result->is_some = true;
         result->value = pair;
@@ -48,12 +46,12 @@ void numbered_strongest(bin_t bins[4], option_pair_usize_f32_t *result)
 bessemer_status_t numbered_weighted(const int16_t values[6], int16_t least, int64_t *sum)
 {
     int64_t sum_value = INT64_C(0);
-    uint64_t next = UINT64_C(0);
+    uint32_t next = 0U;
     for (uint32_t i = 0U; i < 6U; i++) {
         if (values[i] > least) {
-            const uint64_t i_2 = next;
-            next += UINT64_C(1);
-            const int64_t sum_product = (wrap_i64((uint64_t)i_2) + INT64_C(1)) * (int64_t)values[i];
+            const uint32_t i_2 = next;
+            next += 1U;
+            const int64_t sum_product = ((int64_t)i_2 + INT64_C(1)) * (int64_t)values[i];
             if ((sum_product >= INT64_C(0) && sum_value > INT64_MAX - sum_product)
                     || (sum_product <= INT64_C(0) && sum_value < INT64_MIN - sum_product)) {
                 return BESSEMER_STATUS_OVERFLOW;
@@ -69,12 +67,12 @@ uint32_t numbered_every_second(uint8_t count)
 {
     const uint32_t squares_end = (uint32_t)count;
     uint32_t a = 0U;
-    uint64_t next = UINT64_C(0);
+    uint32_t next = 0U;
     for (uint32_t x = 0U; x < squares_end; x++) {
         const uint32_t item = x * x;
-        const uint64_t i = next;
-        next += UINT64_C(1);
-        if (i % UINT64_C(2) == UINT64_C(1)) {
+        const uint32_t i = next;
+        next += 1U;
+        if (i % 2U == 1U) {
             const uint32_t b = item;
             a ^= b;
         }

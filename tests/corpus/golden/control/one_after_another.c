@@ -5,7 +5,7 @@
 uint64_t one_after_another_low(const one_after_another_cell_t own[4],
     const one_after_another_cell_t added[3], float limit)
 {
-    uint64_t count = UINT64_C(0);
+    uint32_t count = 0U;
     for (uint32_t i = 0U; i < 7U; i++) {
         one_after_another_cell_t cell;
         if (i < 4U) {
@@ -14,7 +14,7 @@ uint64_t one_after_another_low(const one_after_another_cell_t own[4],
             cell = added[(uint64_t)i - UINT64_C(4)];
         }
         if (cell.valid && cell.voltage < limit) {
-            count += UINT64_C(1);
+            count += 1U;
         }
     }
     return count;
@@ -22,9 +22,9 @@ uint64_t one_after_another_low(const one_after_another_cell_t own[4],
 
 uint8_t one_after_another_checksum(const uint8_t header[3], const list6_u8_t *payload)
 {
-    uint8_t sum = 255U;
+    uint8_t sum = 0xFFU;
     {
-        const uint64_t end = min_u64(payload->length, UINT64_C(6)) + 3U;
+        const uint32_t end = (uint32_t)(min_u64(payload->length, UINT64_C(6)) + 3U);
         for (uint32_t i = 0U; i < end; i++) {
             uint8_t byte;
             if (i < 3U) {
@@ -52,7 +52,7 @@ void one_after_another_first_zero(const int16_t before[3], const int16_t now[2],
         }
         if (x == 0) {
             result->is_some = true;
-            result->value = (uint64_t)i;
+            result->value = i;
             break;
         }
     }
@@ -77,7 +77,7 @@ bessemer_status_t one_after_another_right(const int16_t samples[7], int32_t *sum
 {
     int32_t sum_value = 0;
     for (uint32_t i = 0U; i < 3U; i++) {
-        const int32_t sum_product = (int32_t)samples[i * 2U + 1U] * (wrap_i32((uint32_t)i) + 1);
+        const int32_t sum_product = (int32_t)samples[i * 2U + 1U] * ((int32_t)i + 1);
         if ((int64_t)sum_value + (int64_t)sum_product < INT32_MIN
                 || (int64_t)sum_value + (int64_t)sum_product > INT32_MAX) {
             return BESSEMER_STATUS_OVERFLOW;

@@ -42,10 +42,10 @@ float parts_of_arrays_settled(const float values[10])
 
 uint64_t parts_of_arrays_recent(const bool flags[12])
 {
-    uint64_t count = UINT64_C(0);
+    uint32_t count = 0U;
     for (uint32_t i = 12U; i-- > 8U;) {
         if (flags[i]) {
-            count += UINT64_C(1);
+            count += 1U;
         }
     }
     return count;

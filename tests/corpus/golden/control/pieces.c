@@ -4,50 +4,51 @@
 
 bessemer_status_t pieces_butterflies(float data[8])
 {
-    uint64_t half = UINT64_C(1);
+    uint32_t half = 1U;
     for (uint32_t pass = 0U; pass <= 3U; pass++) {
-        if (half >= UINT64_C(8)) {
+        if (half >= 8U) {
             break;
         }
         if (pass >= 3U) {
             return BESSEMER_STATUS_BOUND;
         }
-        const uint64_t value_size = UINT64_C(2) * half;
-        if (value_size == UINT64_C(0)) {
+        const uint32_t value_size = 2U * half;
+        if (value_size == 0U) {
             return BESSEMER_STATUS_ASSERTION;
         }
-        for (uint64_t i = UINT64_C(0); i < UINT64_C(8) / value_size; i++) {
-            const uint64_t value_middle = half;
+        for (uint64_t i = UINT64_C(0); i < UINT64_C(8) / (uint64_t)value_size; i++) {
+            const uint32_t value_middle = half;
             if (value_middle > value_size) {
                 return BESSEMER_STATUS_INDEX;
             }
             {
-                const uint64_t end = min_u64(value_size - value_middle, value_middle);
-                for (uint64_t j = UINT64_C(0); j < end; j++) {
-                    const uint64_t data_index = i * value_size + j;
+                const uint32_t end = (uint32_t)min_u64(
+                    (uint64_t)value_size - (uint64_t)value_middle, (uint64_t)value_middle);
+                for (uint32_t j = 0U; j < end; j++) {
+                    const uint64_t data_index = i * (uint64_t)value_size + j;
                     if (data_index >= UINT64_C(8)) {
                         return BESSEMER_STATUS_INDEX;
                     }
-                    const uint64_t data_index_2 = i * value_size + value_middle + j;
+                    const uint64_t data_index_2 = i * (uint64_t)value_size + value_middle + j;
                     if (data_index_2 >= UINT64_C(8)) {
                         return BESSEMER_STATUS_INDEX;
                     }
                     const float difference = data[data_index] - data[data_index_2];
-                    const uint64_t data_index_3 = i * value_size + value_middle + j;
+                    const uint64_t data_index_3 = i * (uint64_t)value_size + value_middle + j;
                     if (data_index_3 >= UINT64_C(8)) {
                         return BESSEMER_STATUS_INDEX;
                     }
                     const float a_operand = data[data_index_3];
-                    const uint64_t data_index_4 = i * value_size + j;
+                    const uint64_t data_index_4 = i * (uint64_t)value_size + j;
                     if (data_index_4 >= UINT64_C(8)) {
                         return BESSEMER_STATUS_INDEX;
                     }
-                    const uint64_t data_index_5 = i * value_size + j;
+                    const uint64_t data_index_5 = i * (uint64_t)value_size + j;
                     if (data_index_5 >= UINT64_C(8)) {
                         return BESSEMER_STATUS_INDEX;
                     }
                     data[data_index_5] = data[data_index_4] + a_operand;
-                    const uint64_t data_index_6 = i * value_size + value_middle + j;
+                    const uint64_t data_index_6 = i * (uint64_t)value_size + value_middle + j;
                     if (data_index_6 >= UINT64_C(8)) {
                         return BESSEMER_STATUS_INDEX;
                     }
@@ -55,7 +56,7 @@ bessemer_status_t pieces_butterflies(float data[8])
                 }
             }
         }
-        half *= UINT64_C(2);
+        half *= 2U;
     }
     return BESSEMER_STATUS_OK;
 }
@@ -95,7 +96,7 @@ bessemer_status_t pieces_sums(const int32_t values[], uint64_t values_length, ui
         return BESSEMER_STATUS_OVERFLOW;
     }
     {
-        const uint64_t end = min_u64(values_length / size + (uint64_t)smaller, UINT64_C(4));
+        const uint32_t end = (uint32_t)min_u64(values_length / size + smaller, UINT64_C(4));
         for (uint32_t i = 0U; i < end; i++) {
             const uint64_t value_length_product = (uint64_t)i * size;
             if (value_length_product > values_length) {
@@ -175,10 +176,10 @@ bessemer_status_t pieces_numbered(uint8_t data[7], uint64_t size)
             const uint32_t value_end = (uint32_t)min_u64(value_end_product + size, UINT64_C(7));
             const uint8_t piece_operand = (uint8_t)number;
             const uint64_t product = number * size;
-            if (product > (uint64_t)value_end) {
+            if (product > value_end) {
                 return BESSEMER_STATUS_OVERFLOW;
             }
-            if (UINT64_C(0) >= (uint64_t)value_end - product) {
+            if (UINT64_C(0) >= value_end - product) {
                 return BESSEMER_STATUS_INDEX;
             }
             const uint64_t data_index = number * size;

@@ -28,7 +28,7 @@ void searches_over(const double channels[5], const double limits[5], option_usiz
     for (uint32_t i = 0U; i < 5U; i++) {
         if (channels[i] > limits[i]) {
             result->is_some = true;
-            result->value = (uint64_t)i;
+            result->value = i;
             break;
         }
     }

@@ -21,11 +21,7 @@ void tried_folds_total(const uint8_t values[5], option_u8_t *result)
 bessemer_status_t tried_folds_number(const uint8_t digits[4],
     result_u16_tried_folds_trouble_t *result)
 {
-    result_u16_tried_folds_trouble_t tried = {
-        .is_ok = true,
-        .value = 0U,
-        .error = TRIED_FOLDS_TROUBLE_LETTER
-    };
+    result_u16_tried_folds_trouble_t tried = {.is_ok = true, .value = 0U};
     for (uint32_t i = 0U; i < 4U; i++) {
         const uint16_t value = tried.value;
         if (!ascii_is_digit(digits[i])) {
@@ -46,7 +42,6 @@ bessemer_status_t tried_folds_number(const uint8_t digits[4],
             }
             result_u16_tried_folds_trouble_t tried_choice_2 = {
                 .is_ok = false,
-                .value = 0U,
                 .error = TRIED_FOLDS_TROUBLE_BEYOND
             };
             if (tried_choice.is_some) {
@@ -80,9 +75,7 @@ void tried_folds_span(const float readings[4], option_pair_f32_f32_t *result)
         const float least = result->value.first;
         const float greatest = result->value.second;
         if (isnan(readings[i]) != 0) {
-            result->is_some = false;
-            result->value.first = 0.0F;
-            result->value.second = 0.0F;
+            *result = (option_pair_f32_f32_t){.is_some = false};
         } else {
             result->is_some = true;
             result->value.first = min_f32(least, readings[i]);

@@ -11,7 +11,7 @@ static const uint32_t KEYS[4][3] = {
 
 void characters_key(uint64_t row, uint64_t column, option_u32_t *result)
 {
-    option_u32x3_t result_found = {.is_some = false, .value = {0U, 0U, 0U}};
+    option_u32x3_t result_found = {.is_some = false};
     if (row < UINT64_C(4)) {
         result_found.is_some = true;
         result_found.value[0] = KEYS[row][0];
@@ -23,7 +23,7 @@ void characters_key(uint64_t row, uint64_t column, option_u32_t *result)
         result->value = 0U;
         return;
     }
-    option_u32_t result_found_2 = {.is_some = false, .value = 0U};
+    option_u32_t result_found_2 = {.is_some = false};
     if (column < UINT64_C(3)) {
         result_found_2.is_some = true;
         result_found_2.value = result_found.value[column];
@@ -134,9 +134,7 @@ uint32_t listener_hear(listener_t *self, uint8_t byte)
     const option_u32_t value_before = self->last;
     self->last.is_some = true;
     self->last.value = letter;
-    const option_u32_t option = {.is_some = true, .value = letter};
-    if (value_before.is_some == option.is_some
-            && (!value_before.is_some || value_before.value == option.value)) {
+    if (value_before.is_some && value_before.value == letter) {
         self->count = saturating_add_u8(self->count, 1U);
     } else {
         self->count = 1U;

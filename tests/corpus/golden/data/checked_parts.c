@@ -94,8 +94,7 @@ bessemer_status_t checked_parts_number(const uint8_t frame[6], uint64_t at,
     if (!(at <= value_to && value_to <= UINT64_C(6))) {
         static const result_u16_checked_parts_missing_t number = {
             .is_ok = false,
-            .value = 0U,
-            .error = {.tag = MISSING_TAG_SHORT, .beyond = UINT64_C(0)}
+            .error = {.tag = MISSING_TAG_SHORT}
         };
         *result = number;
         return BESSEMER_STATUS_OK;
@@ -114,10 +113,10 @@ bessemer_status_t checked_parts_number(const uint8_t frame[6], uint64_t at,
         return BESSEMER_STATUS_INDEX;
     }
     const uint8_t result_bytes[2] = {result_element, frame[at + UINT64_C(1)]};
-    result->is_ok = true;
-    result->value = (uint16_t)((uint16_t)result_bytes[0] | ((uint32_t)result_bytes[1] << 8U));
-    result->error.tag = MISSING_TAG_SHORT;
-    result->error.beyond = UINT64_C(0);
+    *result = (result_u16_checked_parts_missing_t){
+        .is_ok = true,
+        .value = (uint16_t)(result_bytes[0] | ((uint32_t)result_bytes[1] << 8U))
+    };
     return BESSEMER_STATUS_OK;
 }
 
@@ -138,10 +137,7 @@ bessemer_status_t checked_parts_sum_up_to(const uint8_t frame[6], uint64_t end,
         }
         sum = (uint16_t)(sum + (uint16_t)frame[i]);
     }
-    result->is_ok = true;
-    result->value = sum;
-    result->error.tag = MISSING_TAG_SHORT;
-    result->error.beyond = UINT64_C(0);
+    *result = (result_u16_checked_parts_missing_t){.is_ok = true, .value = sum};
     return BESSEMER_STATUS_OK;
 }
 
@@ -166,16 +162,15 @@ bessemer_status_t checked_parts_last_time(const checked_parts_leg_t route[2], ui
     if (count <= UINT64_C(0)) {
         static const result_f64_checked_parts_missing_t last_time = {
             .is_ok = false,
-            .value = 0.0,
-            .error = {.tag = MISSING_TAG_SHORT, .beyond = UINT64_C(0)}
+            .error = {.tag = MISSING_TAG_SHORT}
         };
         *result = last_time;
         return BESSEMER_STATUS_OK;
     }
-    result->is_ok = true;
-    result->value = route[count - UINT64_C(1)].time;
-    result->error.tag = MISSING_TAG_SHORT;
-    result->error.beyond = UINT64_C(0);
+    *result = (result_f64_checked_parts_missing_t){
+        .is_ok = true,
+        .value = route[count - UINT64_C(1)].time
+    };
     return BESSEMER_STATUS_OK;
 }
 

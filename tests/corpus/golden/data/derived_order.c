@@ -222,7 +222,7 @@ void derived_order_place_of(const derived_order_key_t keys[4], const derived_ord
                 && (keys[result_index_2].numbers[0] < limit->numbers[0]
                 || (keys[result_index_2].numbers[0] == limit->numbers[0] && keys[result_index_2].numbers[1] <= limit->numbers[1])))))) {
             result->is_some = true;
-            result->value = (uint64_t)i;
+            result->value = i;
             break;
         }
     }

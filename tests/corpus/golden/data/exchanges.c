@@ -30,9 +30,7 @@ double exchanges_moved(double *last, double now)
 void exchanges_noted(option_limits_t *note, option_limits_t *result)
 {
     *result = *note;
-    note->is_some = false;
-    note->value.low = 0.0;
-    note->value.high = 0.0;
+    *note = (option_limits_t){.is_some = false};
 }
 
 float exchanges_oldest(float ring[4], uint64_t count, float sample)

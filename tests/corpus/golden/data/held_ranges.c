@@ -11,6 +11,7 @@ int32_t held_ranges_middle(const closed_i32_t *range)
 
 void held_ranges_gauge_init(held_ranges_gauge_t *self)
 {
+    /* In Rust: `PLAUSIBLE`. */
     self->limits.start = -40.0F;
     self->limits.end = 125.0F;
     self->samples.start = 2U;

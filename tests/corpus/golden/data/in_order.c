@@ -13,7 +13,7 @@ bessemer_status_t in_order_ordered(uint8_t n, const pair_u8_f32_t pairs[3], bool
 {
     bessemer_status_t status;
     list4_u8_t list = {.length = UINT64_C(0), .items = {0U, 0U, 0U, 0U}};
-    for (uint8_t k = 0U; k < (uint8_t)(n % 4U); k++) {
+    for (uint8_t k = 0U; k < n % 4U; k++) {
         const uint8_t value_element = (uint8_t)(k ^ 2U);
         if (list.length >= UINT64_C(4)) {
             return BESSEMER_STATUS_CAPACITY;

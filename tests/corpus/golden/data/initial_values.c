@@ -4,6 +4,7 @@
 
 void lowpass_init(lowpass_t *self)
 {
+    /* In Rust: `1.0 / 8.0`. */
     self->share = 0.125;
     self->value = 0.0;
     self->started = false;

@@ -5,13 +5,13 @@
 bessemer_status_t list_edits_queued(list6_u8_t *jobs, uint8_t cost, uint64_t *at)
 {
     bessemer_status_t status;
-    option_usize_t position = {.is_some = false, .value = UINT64_C(0)};
+    option_usize_t position = {.is_some = false};
     {
-        const uint64_t end = min_u64(jobs->length, UINT64_C(6));
+        const uint32_t end = (uint32_t)min_u64(jobs->length, UINT64_C(6));
         for (uint32_t i = 0U; i < end; i++) {
             if (jobs->items[i] > cost) {
                 position.is_some = true;
-                position.value = (uint64_t)i;
+                position.value = i;
                 break;
             }
         }
@@ -36,7 +36,7 @@ bessemer_status_t list_edits_served(list6_u8_t *jobs, uint8_t limit, uint8_t *fi
     if (status != BESSEMER_STATUS_OK) {
         return status;
     }
-    uint64_t kept = UINT64_C(0);
+    uint32_t kept = 0U;
     {
         const uint64_t end = jobs->length;
         for (uint64_t at = UINT64_C(0); at < end; at++) {
@@ -50,11 +50,11 @@ bessemer_status_t list_edits_served(list6_u8_t *jobs, uint8_t limit, uint8_t *fi
                     return BESSEMER_STATUS_INDEX;
                 }
                 jobs->items[kept] = jobs_operand;
-                kept += UINT64_C(1);
+                kept += 1U;
             }
         }
     }
-    const uint64_t value_length = kept;
+    const uint32_t value_length = kept;
     if (value_length < jobs->length) {
         jobs->length = value_length;
     }

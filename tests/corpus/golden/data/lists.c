@@ -30,7 +30,7 @@ void lists_mean(lists_t *self, option_f64_t *result)
 {
     double sum = 0.0;
     {
-        const uint64_t end = min_u64(self->values.length, UINT64_C(4));
+        const uint32_t end = (uint32_t)min_u64(self->values.length, UINT64_C(4));
         for (uint32_t i = 0U; i < end; i++) {
             sum += self->values.items[i];
         }

@@ -70,7 +70,7 @@ static inline bool list3_axis_wish_equal(const list3_axis_wish_t *one,
     if (all_holds) {
         all_equal = true;
         {
-            const uint64_t end = min_u64(one->length, UINT64_C(3));
+            const uint32_t end = (uint32_t)min_u64(one->length, UINT64_C(3));
             for (uint32_t i = 0U; i < end; i++) {
                 if (!axis_wish_equal(&one->items[i], &other->items[i])) {
                     all_equal = false;
@@ -97,8 +97,7 @@ uint32_t nested_equality_count(const route_t *route, const route_point_t *point)
             count += 1U;
         }
     }
-    const option_route_point_t option = {.is_some = true, .value = *point};
-    if (option_route_point_equal(&route->home, &option)) {
+    if (route->home.is_some && route_point_equal(&route->home.value, point)) {
         return count + 1U;
     } else {
         return count;

@@ -79,8 +79,6 @@ void option_methods_both(const option_f64_t *position, const option_f64_t *speed
         result->value.first = position->value;
         result->value.second = speed->value;
     } else {
-        result->is_some = false;
-        result->value.first = 0.0;
-        result->value.second = 0.0;
+        *result = (option_pair_f64_f64_t){.is_some = false};
     }
 }

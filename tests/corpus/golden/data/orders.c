@@ -150,21 +150,17 @@ bool orders_is_beyond(double reading, double limit)
 
 void orders_longest(const orders_task_t tasks[4], option_task_t *result)
 {
-    static const option_task_t longest = {
-        .is_some = false,
-        .value = {.priority = 0U, .deadline = 0U, .effort = 0.0F}
-    };
-    *result = longest;
+    *result = (option_task_t){.is_some = false};
     for (uint32_t i = 0U; i < 4U; i++) {
         const option_task_t before = *result;
         result->is_some = true;
         result->value = tasks[i];
         bool result_choice = false;
-        uint64_t b_index = UINT64_C(0);
+        uint32_t b_index = 0U;
         ordering_t result_choice_2 = ORDERING_LESS;
         bool result_holds = before.is_some;
         if (result_holds) {
-            b_index = (uint64_t)i;
+            b_index = i;
             result_choice_2 = comparison_then(
                 comparison_total_f32(before.value.effort, tasks[b_index].effort),
                 comparison_compare_u32(before.value.deadline, tasks[b_index].deadline));

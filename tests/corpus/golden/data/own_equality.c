@@ -93,7 +93,7 @@ void own_equality_place_of(const bearing_t bearings[3], const bearing_t *wanted,
         const uint32_t result_index = i;
         if (bearing_eq(&bearings[result_index], wanted)) {
             result->is_some = true;
-            result->value = (uint64_t)i;
+            result->value = i;
             break;
         }
     }

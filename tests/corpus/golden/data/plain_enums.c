@@ -18,7 +18,7 @@ lamp_t lamp_next(lamp_t self)
 lamp_t plain_enums_pressed(lamp_t lamp, uint8_t presses)
 {
     lamp_t lamp_2 = lamp;
-    for (uint8_t pass = 0U; pass < (uint8_t)(presses % 3U); pass++) {
+    for (uint8_t pass = 0U; pass < presses % 3U; pass++) {
         lamp_2 = lamp_next(lamp_2);
     }
     return lamp_2;

@@ -18,7 +18,7 @@ void result_methods_value(const uint8_t frame[4], result_u16_frame_error_t *resu
     }
     const uint8_t result_bytes[2] = {frame[1], frame[2]};
     result->is_ok = true;
-    result->value = (uint16_t)(((uint32_t)result_bytes[0] << 8U) | (uint16_t)result_bytes[1]);
+    result->value = (uint16_t)(((uint32_t)result_bytes[0] << 8U) | result_bytes[1]);
     result->error = FRAME_ERROR_SHORT;
 }
 
@@ -37,10 +37,7 @@ void result_methods_volts(const uint8_t frame[4], result_f32_link_error_t *resul
         result_choice.error = raw.error;
     }
     if (result_choice.is_ok) {
-        result->is_ok = true;
-        result->value = result_choice.value;
-        result->error.tag = LINK_ERROR_TAG_SILENT;
-        result->error.damaged = 0U;
+        *result = (result_f32_link_error_t){.is_ok = true, .value = result_choice.value};
     } else {
         const frame_error_t error = result_choice.error;
         link_error_t result_choice_2;

@@ -18,7 +18,7 @@ void results_payload(const uint8_t frame[3], uint8_t len, result_u16_refused_t *
     }
     const uint8_t result_bytes[2] = {frame[0], frame[1]};
     result->is_ok = true;
-    result->value = (uint16_t)((uint16_t)result_bytes[0] | ((uint32_t)result_bytes[1] << 8U));
+    result->value = (uint16_t)(result_bytes[0] | ((uint32_t)result_bytes[1] << 8U));
     result->error = REFUSED_SHORT;
 }
 

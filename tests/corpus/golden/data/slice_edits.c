@@ -51,8 +51,7 @@ void slice_edits_fields(const uint8_t frame[10], pair_u32_i16_t *result)
         | ((uint32_t)count_bytes[2] << 8U) | (uint32_t)count_bytes[3];
     const uint8_t result_bytes[2] = {frame[6], frame[7]};
     result->first = count;
-    result->second = wrap_i16((uint16_t)(((uint32_t)result_bytes[0] << 8U)
-        | (uint16_t)result_bytes[1]));
+    result->second = wrap_i16((uint16_t)(((uint32_t)result_bytes[0] << 8U) | result_bytes[1]));
 }
 
 bessemer_status_t slice_edits_field(const list16_u8_t *frame, uint64_t at, option_u32_t *result)
@@ -62,7 +61,7 @@ bessemer_status_t slice_edits_field(const list16_u8_t *frame, uint64_t at, optio
         result->value = 0U;
         return BESSEMER_STATUS_OK;
     }
-    option_u8x4_t result_part = {.is_some = false, .value = {0U, 0U, 0U, 0U}};
+    option_u8x4_t result_part = {.is_some = false};
     if (min_u64(frame->length, UINT64_C(16)) - at >= UINT64_C(4)) {
         if (at >= UINT64_C(16)) {
             return BESSEMER_STATUS_INDEX;

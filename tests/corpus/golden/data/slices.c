@@ -38,7 +38,7 @@ bessemer_status_t programs_data_slices_window(const double values[8], uint64_t f
         return BESSEMER_STATUS_INDEX;
     }
     for (uint32_t i = 0U; i < 4U; i++) {
-        part[i] = values[from + (uint64_t)i];
+        part[i] = values[from + i];
     }
     programs_data_slices_centre(part, UINT64_C(4));
     *result = max_f64(fabs(part[0]), fabs(part[3]));
@@ -51,7 +51,7 @@ bessemer_status_t programs_data_slices_peak(const list6_f64_t *values, uint64_t 
     if (end > min_u64(values->length, UINT64_C(6))) {
         return BESSEMER_STATUS_INDEX;
     }
-    option_f64_t peak_found = {.is_some = false, .value = 0.0};
+    option_f64_t peak_found = {.is_some = false};
     if (UINT64_C(0) < end) {
         peak_found.is_some = true;
         peak_found.value = values->items[0];

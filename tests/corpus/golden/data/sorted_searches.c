@@ -94,7 +94,7 @@ bessemer_status_t sorted_searches_value(const list5_sorted_searches_point_t *poi
     result_usize_usize_t outcome;
     sorted_searches_binary_search_by_key_in_value(points->items,
         min_u64(points->length, UINT64_C(5)), code, &outcome);
-    option_usize_t at_choice = {.is_some = false, .value = UINT64_C(0)};
+    option_usize_t at_choice = {.is_some = false};
     if (outcome.is_ok) {
         at_choice.is_some = true;
         at_choice.value = outcome.value;

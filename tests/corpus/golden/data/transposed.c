@@ -10,15 +10,11 @@ void transposed_checked(int16_t reading, result_i16_transposed_broken_t *result)
         result->error.tag = BROKEN_TAG_BELOW;
         result->error.below = reading;
     } else if (reading >= 0 && reading <= 999) {
-        result->is_ok = true;
-        result->value = reading;
-        result->error.tag = BROKEN_TAG_ABOVE;
-        result->error.below = 0;
+        *result = (result_i16_transposed_broken_t){.is_ok = true, .value = reading};
     } else {
         static const result_i16_transposed_broken_t checked = {
             .is_ok = false,
-            .value = 0,
-            .error = {.tag = BROKEN_TAG_ABOVE, .below = 0}
+            .error = {.tag = BROKEN_TAG_ABOVE}
         };
         *result = checked;
     }
@@ -34,38 +30,31 @@ void transposed_perhaps(const option_i16_t *reading, result_option_i16_transpose
         reading_choice.is_some = true;
         reading_choice.value = reading_choice_value;
     } else {
-        static const option_result_i16_transposed_broken_t constants = {
-            .is_some = false,
-            .value = {.is_ok = false, .value = 0, .error = {.tag = BROKEN_TAG_ABOVE, .below = 0}}
-        };
-        reading_choice = constants;
+        reading_choice = (option_result_i16_transposed_broken_t){.is_some = false};
     }
     const option_result_i16_transposed_broken_t *const it = &reading_choice;
     result_option_i16_transposed_broken_t reading_choice_2;
     if (it->is_some && it->value.is_ok) {
-        reading_choice_2.is_ok = true;
-        reading_choice_2.value.is_some = true;
-        reading_choice_2.value.value = it->value.value;
-        reading_choice_2.error.tag = BROKEN_TAG_ABOVE;
-        reading_choice_2.error.below = 0;
-    } else if (it->is_some && !it->value.is_ok) {
-        reading_choice_2.is_ok = false;
-        reading_choice_2.value.is_some = false;
-        reading_choice_2.value.value = 0;
-        reading_choice_2.error = it->value.error;
-    } else {
-        static const result_option_i16_transposed_broken_t constants = {
+        reading_choice_2 = (result_option_i16_transposed_broken_t){
             .is_ok = true,
-            .value = {.is_some = false, .value = 0},
-            .error = {.tag = BROKEN_TAG_ABOVE, .below = 0}
+            .value = {.is_some = true, .value = it->value.value}
         };
-        reading_choice_2 = constants;
+    } else if (it->is_some && !it->value.is_ok) {
+        reading_choice_2 = (result_option_i16_transposed_broken_t){
+            .is_ok = false,
+            .error = it->value.error
+        };
+    } else {
+        reading_choice_2 = (result_option_i16_transposed_broken_t){
+            .is_ok = true,
+            .value = {.is_some = false}
+        };
     }
     if (!reading_choice_2.is_ok) {
-        result->is_ok = false;
-        result->value.is_some = false;
-        result->value.value = 0;
-        result->error = reading_choice_2.error;
+        *result = (result_option_i16_transposed_broken_t){
+            .is_ok = false,
+            .error = reading_choice_2.error
+        };
         return;
     }
     const option_i16_t reading_2 = reading_choice_2.value;
@@ -87,16 +76,9 @@ void transposed_some(const result_option_i16_transposed_broken_t *reading,
     if (reading->is_ok && reading->value.is_some) {
         const int16_t value = reading->value.value;
         result->is_some = true;
-        result->value.is_ok = true;
-        result->value.value = value;
-        result->value.error.tag = BROKEN_TAG_ABOVE;
-        result->value.error.below = 0;
+        result->value = (result_i16_transposed_broken_t){.is_ok = true, .value = value};
     } else if (reading->is_ok && !reading->value.is_some) {
-        static const option_result_i16_transposed_broken_t some = {
-            .is_some = false,
-            .value = {.is_ok = false, .value = 0, .error = {.tag = BROKEN_TAG_ABOVE, .below = 0}}
-        };
-        *result = some;
+        *result = (option_result_i16_transposed_broken_t){.is_some = false};
     } else {
         const transposed_broken_t error = reading->error;
         result->is_some = true;
@@ -117,8 +99,8 @@ void transposed_parts(const option_pair_u8_f32_t *pair, pair_option_u8_option_f3
         result->second.value = other;
     } else {
         static const pair_option_u8_option_f32_t parts = {
-            .first = {.is_some = false, .value = 0U},
-            .second = {.is_some = false, .value = 0.0F}
+            .first = {.is_some = false},
+            .second = {.is_some = false}
         };
         *result = parts;
     }

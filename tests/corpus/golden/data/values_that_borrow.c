@@ -23,7 +23,7 @@ static void values_that_borrow_store_held(const values_that_borrow_store_t *self
 {
     const uint32_t result_end = (uint32_t)min_u64(self->count, UINT64_C(4));
     result->from = UINT64_C(0);
-    result->length = (uint64_t)result_end;
+    result->length = result_end;
 }
 
 bessemer_status_t values_that_borrow_store_step(values_that_borrow_store_t *self, double value,
@@ -86,9 +86,7 @@ bessemer_status_t values_that_borrow_reader_take(values_that_borrow_reader_t *se
     (void)self_rest_length;
     const uint64_t rest_length = self->rest.length;
     if (count > rest_length) {
-        result->is_some = false;
-        result->value.from = UINT64_C(0);
-        result->value.length = UINT64_C(0);
+        *result = (option_slice_u8_t){.is_some = false};
         return BESSEMER_STATUS_OK;
     }
     const uint64_t rest_from = self->rest.from;
@@ -159,7 +157,7 @@ bessemer_status_t values_that_borrow_reader_word(values_that_borrow_reader_t *se
         }
         result->is_some = true;
         result->value = (uint16_t)(((uint32_t)self_rest[option.value.from] << 8)
-            | (uint16_t)self_rest[option.value.from + UINT64_C(1)]);
+            | self_rest[option.value.from + UINT64_C(1)]);
         return BESSEMER_STATUS_OK;
     } else {
         result->is_some = false;
@@ -180,11 +178,7 @@ bessemer_status_t values_that_borrow_understood(const uint8_t packet[], uint64_t
         return status;
     }
     if (!option.is_some) {
-        result->is_some = false;
-        result->value.is_ok = false;
-        result->value.value.tag = VALUES_THAT_BORROW_PACKET_TAG_SET;
-        result->value.value.as.set = 0U;
-        result->value.error = 0U;
+        *result = (option_result_values_that_borrow_packet_u8_t){.is_some = false};
         return BESSEMER_STATUS_OK;
     }
     const uint8_t kind = option.value;
@@ -198,11 +192,7 @@ bessemer_status_t values_that_borrow_understood(const uint8_t packet[], uint64_t
             return status;
         }
         if (!option_2.is_some) {
-            result->is_some = false;
-            result->value.is_ok = false;
-            result->value.value.tag = VALUES_THAT_BORROW_PACKET_TAG_SET;
-            result->value.value.as.set = 0U;
-            result->value.error = 0U;
+            *result = (option_result_values_that_borrow_packet_u8_t){.is_some = false};
             return BESSEMER_STATUS_OK;
         }
         result_choice.is_ok = true;
@@ -218,11 +208,7 @@ bessemer_status_t values_that_borrow_understood(const uint8_t packet[], uint64_t
             return status;
         }
         if (!option_2.is_some) {
-            result->is_some = false;
-            result->value.is_ok = false;
-            result->value.value.tag = VALUES_THAT_BORROW_PACKET_TAG_SET;
-            result->value.value.as.set = 0U;
-            result->value.error = 0U;
+            *result = (option_result_values_that_borrow_packet_u8_t){.is_some = false};
             return BESSEMER_STATUS_OK;
         }
         const uint8_t address = option_2.value;
@@ -232,26 +218,17 @@ bessemer_status_t values_that_borrow_understood(const uint8_t packet[], uint64_t
             return status;
         }
         if (!option_3.is_some) {
-            result->is_some = false;
-            result->value.is_ok = false;
-            result->value.value.tag = VALUES_THAT_BORROW_PACKET_TAG_SET;
-            result->value.value.as.set = 0U;
-            result->value.error = 0U;
+            *result = (option_result_values_that_borrow_packet_u8_t){.is_some = false};
             return BESSEMER_STATUS_OK;
         }
         const uint32_t count = (uint32_t)option_3.value;
         option_slice_u8_t option_4;
-        status = values_that_borrow_reader_take(&reader, packet, packet_length, (uint64_t)count,
-            &option_4);
+        status = values_that_borrow_reader_take(&reader, packet, packet_length, count, &option_4);
         if (status != BESSEMER_STATUS_OK) {
             return status;
         }
         if (!option_4.is_some) {
-            result->is_some = false;
-            result->value.is_ok = false;
-            result->value.value.tag = VALUES_THAT_BORROW_PACKET_TAG_SET;
-            result->value.value.as.set = 0U;
-            result->value.error = 0U;
+            *result = (option_result_values_that_borrow_packet_u8_t){.is_some = false};
             return BESSEMER_STATUS_OK;
         }
         result_choice.is_ok = true;
@@ -262,10 +239,7 @@ bessemer_status_t values_that_borrow_understood(const uint8_t packet[], uint64_t
         break;
     }
     default:
-        result_choice.is_ok = false;
-        result_choice.value.tag = VALUES_THAT_BORROW_PACKET_TAG_SET;
-        result_choice.value.as.set = 0U;
-        result_choice.error = other;
+        result_choice = (result_values_that_borrow_packet_u8_t){.is_ok = false, .error = other};
         break;
     }
     result->is_some = true;
@@ -545,7 +519,7 @@ bessemer_status_t values_that_borrow_answer(const uint8_t packet[4], uint8_t roo
     bool well_holds = well;
     if (well_holds) {
         const uint32_t well_end = (uint32_t)min_u64((uint64_t)count, UINT64_C(4));
-        status = writer_put(&writer, room, UINT64_C(6), packet, (uint64_t)well_end, &well_holds);
+        status = writer_put(&writer, room, UINT64_C(6), packet, well_end, &well_holds);
         if (status != BESSEMER_STATUS_OK) {
             return status;
         }

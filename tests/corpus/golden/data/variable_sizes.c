@@ -33,7 +33,7 @@ void variable_sizes_middle(const scan_t *scan, float result[3])
 {
     float sum[3] = {0.0F, 0.0F, 0.0F};
     {
-        const uint64_t end = min_u64(scan->points.length, UINT64_C(4));
+        const uint32_t end = (uint32_t)min_u64(scan->points.length, UINT64_C(4));
         for (uint32_t i = 0U; i < end; i++) {
             sum[0] += scan->points.items[i][0];
             sum[1] += scan->points.items[i][1];

@@ -25,10 +25,10 @@ void readings_summary(const readings_t *self, tuple4_usize_f64_option_f64_option
         const double value = fabs(self->values[i + 1U] - self->values[i]);
         steps = max_f64(steps, value);
     }
-    uint64_t rising = UINT64_C(0);
+    uint32_t rising = 0U;
     for (uint32_t i = 0U; i < 5U; i++) {
         if (self->values[i] < self->values[i + 1U]) {
-            rising += UINT64_C(1);
+            rising += 1U;
         }
     }
     double area = -0.0;
@@ -36,32 +36,32 @@ void readings_summary(const readings_t *self, tuple4_usize_f64_option_f64_option
         area += self->values[i] * self->values[(i + 1U) % 6U];
     }
     const double result_part = steps + area;
-    uint64_t most;
+    uint32_t most;
     if (self->valid > UINT64_C(6)) {
-        most = UINT64_C(0);
+        most = 0U;
     } else {
-        most = self->valid;
+        most = (uint32_t)self->valid;
     }
-    const uint64_t result_end = most;
+    const uint32_t result_end = most;
     result->third.is_some = false;
     result->third.value = 0.0;
-    for (uint64_t i = UINT64_C(0); i < result_end; i++) {
+    for (uint32_t i = 0U; i < result_end; i++) {
         if (self->values[i] < self->most) {
             const double item = self->values[i] * 2.0;
             result->third.is_some = true;
             result->third.value = item;
         }
     }
-    uint64_t most_2;
+    uint32_t most_2;
     if (self->valid > UINT64_C(6)) {
-        most_2 = UINT64_C(0);
+        most_2 = 0U;
     } else {
-        most_2 = self->valid;
+        most_2 = (uint32_t)self->valid;
     }
-    const uint64_t result_end_2 = most_2;
+    const uint32_t result_end_2 = most_2;
     result->fourth.is_some = false;
     result->fourth.value = 0.0;
-    for (uint64_t i = UINT64_C(0); i < result_end_2; i++) {
+    for (uint32_t i = 0U; i < result_end_2; i++) {
         if (self->values[i] < self->most) {
             const double item = self->values[i] * 0.5;
             result->fourth.is_some = true;
@@ -75,21 +75,21 @@ void readings_summary(const readings_t *self, tuple4_usize_f64_option_f64_option
 
 void readings_largest(const readings_t *self, option_f64_t *result)
 {
-    option_f64_t found = {.is_some = false, .value = 0.0};
-    uint64_t most;
+    option_f64_t found = {.is_some = false};
+    uint32_t most;
     if (self->valid > UINT64_C(6)) {
-        most = UINT64_C(0);
+        most = 0U;
     } else {
-        most = self->valid;
+        most = (uint32_t)self->valid;
     }
-    const uint64_t result_end = most;
-    for (uint64_t i = UINT64_C(0); i < result_end; i++) {
+    const uint32_t result_end = most;
+    for (uint32_t i = 0U; i < result_end; i++) {
         if (self->values[i] < self->most) {
             const option_f64_t before = found;
             found.is_some = true;
             found.value = self->values[i];
             bool result_choice = false;
-            uint64_t other_index = UINT64_C(0);
+            uint32_t other_index = 0U;
             bool result_holds = before.is_some;
             if (result_holds) {
                 other_index = i;
@@ -106,19 +106,19 @@ void readings_largest(const readings_t *self, option_f64_t *result)
 
 void readings_before(const readings_t *self, double limit, option_usize_t *result)
 {
-    uint64_t next = UINT64_C(0);
-    uint64_t most;
+    uint32_t next = 0U;
+    uint32_t most;
     if (self->valid > UINT64_C(6)) {
-        most = UINT64_C(0);
+        most = 0U;
     } else {
-        most = self->valid;
+        most = (uint32_t)self->valid;
     }
-    const uint64_t value_end = most;
-    for (uint64_t i = UINT64_C(0); i < value_end; i++) {
+    const uint32_t value_end = most;
+    for (uint32_t i = 0U; i < value_end; i++) {
         if (self->values[i] < self->most) {
             const double value = self->values[i] * 1.5;
-            const uint64_t at = next;
-            next += UINT64_C(1);
+            const uint32_t at = next;
+            next += 1U;
             if (value > limit) {
                 result->is_some = true;
                 result->value = at;
@@ -179,17 +179,17 @@ bessemer_status_t given_iterators_weighed(const inputs_t *inputs, const inputs_t
             }
         }
     }
-    uint64_t count = UINT64_C(0);
+    uint32_t count = 0U;
     for (uint16_t n = 0U; n < (uint16_t)U16_BITS; n++) {
         const bool contains_4 = inputs_contains(more, n);
         if (contains_4) {
-            count += UINT64_C(1);
+            count += 1U;
         }
     }
-    if ((int64_t)sum + (int64_t)(uint32_t)count > UINT32_MAX) {
+    if ((int64_t)sum + (int64_t)count > UINT32_MAX) {
         return BESSEMER_STATUS_OVERFLOW;
     }
-    const uint32_t result_left = sum + (uint32_t)count;
+    const uint32_t result_left = sum + count;
     uint16_t sum_2 = 0U;
     for (uint16_t n = 0U; n < (uint16_t)U16_BITS; n++) {
         const bool contains_5 = inputs_contains(inputs, n);

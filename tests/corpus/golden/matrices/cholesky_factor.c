@@ -22,11 +22,7 @@ void cholesky_factor_updated(const double p[4], const double x[2], double weight
     option_cholesky_factor_f64_2_t option;
     cholesky_factored_f64_2(p, &option);
     if (!option.is_some) {
-        result->is_some = false;
-        result->value[0] = 0.0;
-        result->value[1] = 0.0;
-        result->value[2] = 0.0;
-        result->value[3] = 0.0;
+        *result = (option_matrix2x2_f64_t){.is_some = false};
         return;
     }
     cholesky_factor_f64_2_t factor = option.value;

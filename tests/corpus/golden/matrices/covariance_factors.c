@@ -7,10 +7,7 @@ void covariance_factors_variances(const double p[9], option_vector3_f64_t *resul
     option_udu_f64_3_t option;
     udu_factored_f64_3(p, &option);
     if (!option.is_some) {
-        result->is_some = false;
-        result->value[0] = 0.0;
-        result->value[1] = 0.0;
-        result->value[2] = 0.0;
+        *result = (option_vector3_f64_t){.is_some = false};
         return;
     }
     const udu_f64_3_t *const factors = &option.value;

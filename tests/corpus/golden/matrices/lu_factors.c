@@ -9,10 +9,7 @@ void lu_factors_refined(const double a[9], const double b[3], option_vector3_f64
     option_vector3_f64_t option;
     lu_f64_3_solve_1(&lu, b, &option);
     if (!option.is_some) {
-        result->is_some = false;
-        result->value[0] = 0.0;
-        result->value[1] = 0.0;
-        result->value[2] = 0.0;
+        *result = (option_vector3_f64_t){.is_some = false};
         return;
     }
     const double x[3] = {option.value[0], option.value[1], option.value[2]};
@@ -29,10 +26,7 @@ void lu_factors_refined(const double a[9], const double b[3], option_vector3_f64
     option_vector3_f64_t option_2;
     lu_f64_3_solve_1(&lu, residual, &option_2);
     if (!option_2.is_some) {
-        result->is_some = false;
-        result->value[0] = 0.0;
-        result->value[1] = 0.0;
-        result->value[2] = 0.0;
+        *result = (option_vector3_f64_t){.is_some = false};
         return;
     }
     const double correction[3] = {option_2.value[0], option_2.value[1], option_2.value[2]};

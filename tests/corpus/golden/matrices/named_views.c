@@ -317,7 +317,7 @@ bessemer_status_t filter_grow(filter_t *self, uint64_t from, double limit, uint3
     }
     for (uint32_t column = 0U; column < 2U; column++) {
         for (uint32_t row = 0U; row < 2U; row++) {
-            self->covariance[value_row + (uint64_t)row + 4U * (value_column + (uint64_t)column)] = block[row + 2U * column];
+            self->covariance[value_row + row + 4U * (value_column + column)] = block[row + 2U * column];
         }
     }
     self->noise[0] += 0.125;

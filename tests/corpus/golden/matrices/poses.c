@@ -13,6 +13,8 @@ void arm_init(arm_t *self)
         self->joints[i].translation[1] = 0.0;
         self->joints[i].translation[2] = 0.0;
     }
+
+    /* In Rust: `Isometry3::translation(0.5, 0.0, 1.0)`. */
     self->tool.rotation.i = 0.0;
     self->tool.rotation.j = 0.0;
     self->tool.rotation.k = 0.0;

@@ -32,43 +32,27 @@ void turned_between(const double a[3], const double b[3], option_pair_vector3_f6
     option_pair_vector3_f64_f64_t option;
     norms_try_direction_and_norm_f64_3(a, 1e-6, &option);
     if (!option.is_some) {
-        result->is_some = false;
-        result->value.first[0] = 0.0;
-        result->value.first[1] = 0.0;
-        result->value.first[2] = 0.0;
-        result->value.second = 0.0;
+        *result = (option_pair_vector3_f64_f64_t){.is_some = false};
         return;
     }
     option_vector3_f64_t option_2;
     norms_try_direction_f64_3(b, 1e-6, &option_2);
     if (!option_2.is_some) {
-        result->is_some = false;
-        result->value.first[0] = 0.0;
-        result->value.first[1] = 0.0;
-        result->value.first[2] = 0.0;
-        result->value.second = 0.0;
+        *result = (option_pair_vector3_f64_f64_t){.is_some = false};
         return;
     }
     const double to[3] = {option_2.value[0], option_2.value[1], option_2.value[2]};
     option_unit_quaternion_f64_t option_3;
     rotation_rotation_between_axis_f64(option.value.first, to, &option_3);
     if (!option_3.is_some) {
-        result->is_some = false;
-        result->value.first[0] = 0.0;
-        result->value.first[1] = 0.0;
-        result->value.first[2] = 0.0;
-        result->value.second = 0.0;
+        *result = (option_pair_vector3_f64_f64_t){.is_some = false};
         return;
     }
     const unit_quaternion_f64_t turn = option_3.value;
     option_pair_vector3_f64_f64_t option_4;
     rotation_axis_angle_f64(&turn, &option_4);
     if (!option_4.is_some) {
-        result->is_some = false;
-        result->value.first[0] = 0.0;
-        result->value.first[1] = 0.0;
-        result->value.first[2] = 0.0;
-        result->value.second = 0.0;
+        *result = (option_pair_vector3_f64_f64_t){.is_some = false};
         return;
     }
     result->value.first[0] = option_4.value.first[0] * option.value.second;

@@ -4,7 +4,7 @@
 
 void rotation2_new(int32_t steps, rotation2_t *rotation2)
 {
-    rotation2->steps = steps & 4095;
+    rotation2->steps = steps & 0xFFF;
 }
 
 void rotation2_from_euler_angles(int16_t degrees, rotation2_t *rotation2)

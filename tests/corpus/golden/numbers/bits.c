@@ -10,6 +10,12 @@ uint8_t bits_with_channel(uint8_t register_, uint8_t channel)
     return (uint8_t)((register_ & (uint8_t)~(uint8_t)(CHANNEL | READY)) | (channel & CHANNEL));
 }
 
+bool bits_is_ahead(uint16_t one, uint16_t other)
+{
+    const uint16_t ahead = (uint16_t)((uint32_t)one - (uint32_t)other);
+    return ahead > 0U && ahead < 0x8000U;
+}
+
 bool bits_parity(uint32_t word)
 {
     return count_ones_u32(word) % 2U == 1U;

@@ -147,9 +147,7 @@ void complex_numbers_all_pass(double angle, option_complex_number_f64_t *result)
     complex_numbers_polynomial_3(value_coefficients, &value_z, &result->value);
     const complex_number_f64_t complex_number = {.re = 0.0, .im = 0.0};
     if (result->value.re == complex_number.re && result->value.im == complex_number.im) {
-        result->is_some = false;
-        result->value.re = 0.0;
-        result->value.im = 0.0;
+        *result = (option_complex_number_f64_t){.is_some = false};
     } else {
         result->is_some = true;
     }

@@ -6,7 +6,7 @@ static const uint8_t U8_MAX = 255U;
 
 uint8_t narrowing_level(int32_t x)
 {
-    result_u8_unit_t result_narrowed = {.is_ok = false, .value = 0U};
+    result_u8_unit_t result_narrowed = {.is_ok = false};
     if (x >= 0 && x <= 255) {
         result_narrowed.is_ok = true;
         result_narrowed.value = (uint8_t)x;
@@ -26,7 +26,7 @@ uint8_t narrowing_level(int32_t x)
 
 void narrowing_steps(int64_t x, option_i16_t *result)
 {
-    result_i16_unit_t result_narrowed = {.is_ok = false, .value = 0};
+    result_i16_unit_t result_narrowed = {.is_ok = false};
     if (x >= -INT64_C(32768) && x <= INT64_C(32767)) {
         result_narrowed.is_ok = true;
         result_narrowed.value = wrap_i16((uint16_t)x);
@@ -41,7 +41,7 @@ void narrowing_steps(int64_t x, option_i16_t *result)
 
 void narrowing_index(int8_t x, option_usize_t *result)
 {
-    result_usize_unit_t index = {.is_ok = false, .value = UINT64_C(0)};
+    result_usize_unit_t index = {.is_ok = false};
     if (x >= 0) {
         index.is_ok = true;
         index.value = (uint64_t)x;
@@ -62,7 +62,7 @@ void narrowing_index(int8_t x, option_usize_t *result)
 
 bool narrowing_fits(uint32_t count)
 {
-    result_u8_unit_t narrow = {.is_ok = false, .value = 0U};
+    result_u8_unit_t narrow = {.is_ok = false};
     if (count <= 255U) {
         narrow.is_ok = true;
         narrow.value = (uint8_t)count;
@@ -75,7 +75,7 @@ bessemer_status_t narrowing_difference(uint32_t now, uint32_t before, int32_t *r
     const int64_t now_2 = (int64_t)now;
     const int64_t before_2 = (int64_t)before;
     const int64_t selector = now_2 - before_2;
-    result_i32_unit_t result_narrowed = {.is_ok = false, .value = 0};
+    result_i32_unit_t result_narrowed = {.is_ok = false};
     if (selector >= INT32_MIN && selector <= INT32_MAX) {
         result_narrowed.is_ok = true;
         result_narrowed.value = wrap_i32((uint32_t)selector);

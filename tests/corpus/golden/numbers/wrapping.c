@@ -9,5 +9,5 @@ uint32_t wrapping_next(uint32_t seed)
 
 int32_t wrapping_elapsed(uint32_t now, uint32_t then)
 {
-    return wrap_i32((uint32_t)(now - then));
+    return wrap_i32(now - then);
 }

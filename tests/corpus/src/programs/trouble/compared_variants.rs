@@ -1,0 +1,63 @@
+//! Comparisons with a variant that stands there: what is in it is evaluated whether there is something to compare it with or
+//! not, and where it stands.
+
+use bessemer::prelude::*;
+
+/// What a valve does.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Duty {
+    #[default]
+    Idle,
+    Open(u8),
+    Hold {
+        from: i16,
+        share: f32,
+    },
+}
+
+/// Numbers; some of them fault though there may be nothing to compare them with.
+#[function]
+pub fn numbers(count: Option<u8>, n: u8, at: usize, table: &[u8; 4]) -> [bool; 5] {
+    let known = count == Some(3);
+    let other = Some(n) != count;
+    let more = count == Some(n + 1);
+    let listed = Some(table[at]) == count;
+    [known, other, more, listed, count == None]
+}
+
+/// A number that a conversion gives, with nothing to compare it with.
+#[function]
+pub fn widened(wide: Option<u16>, n: u8) -> bool {
+    wide == Some(u16::from(n))
+}
+
+/// Variants with more parts than one, and in one another.
+#[function]
+pub fn duties(last: Option<Duty>, duty: Duty, from: i16) -> [bool; 6] {
+    [
+        duty == Duty::Open(7),
+        Duty::Idle == duty,
+        duty == Duty::Hold { from, share: 0.5 },
+        last == Some(duty),
+        last != Some(Duty::Open(1)),
+        last == None,
+    ]
+}
+
+/// One more, if it was above nine.
+#[function]
+pub fn advanced(n: &mut u8) -> Option<u8> {
+    let before = *n;
+    *n = n.wrapping_add(3);
+    (before > 9).then_some(before)
+}
+
+/// A side changes what the other reads, before or after it did.
+#[function]
+pub fn in_turn(n: u8) -> (bool, bool, u8) {
+    let mut n = n;
+    let first = Some(n) == advanced(&mut n);
+    let second = advanced(&mut n) == Some(n.wrapping_sub(3));
+    (first, second, n)
+}
