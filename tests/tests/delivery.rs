@@ -60,6 +60,17 @@ fn the_folder_is_whole_or_as_it_was() {
     assert_eq!(stages.count(), 0, "no half-written folder is left");
 }
 
+/// What is older than the build of another workspace's package of this name is up to date to cargo. A package in which
+/// nothing is marked does not say whose it is.
+#[test]
+fn a_package_of_another_workspace_without_anything_marked_is_not_taken_for_ones_own() {
+    let [own, other] = [MODEL, "//! Nothing.\n#![no_std]\n"]
+        .map(|text| Workspace::with_source(text).expect("a workspace"));
+    let nothing = other.generate("1").expect_err("nothing is marked");
+    assert!(matches!(nothing, Error::NoModels { .. }), "{nothing}");
+    assert!(own.generate("1").expect("generated").contains_key("models.c"));
+}
+
 /// Cargo builds the DSL once for all workspaces that link to it. What it was built by may be gone when the next one uses
 /// it: taken for another's, it and all that uses it would be built anew.
 #[test]

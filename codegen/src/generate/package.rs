@@ -3,6 +3,7 @@
 //! The build is cargo's own, of the package's library with the DSL's feature `generate`, so that the package itself
 //! needs neither a feature nor a program for it; what rustc says about the builders is told in the author's terms.
 
+use std::path::PathBuf;
 use std::process::Stdio;
 
 use bessemer_ir::tree::Package;
@@ -35,8 +36,12 @@ pub(super) fn tree(
     let license = license.ok_or_else(|| Error::NoLicense { package: job.package.clone() })?;
     let failed = |reason: String| Error::Tree { package: job.package.clone(), reason };
     let mut why = "another workspace keeps building into the same target folder".to_owned();
+    let mut anew: Vec<PathBuf> = Vec::new();
     for _ in 0..TRIES {
         let alone = workspace.alone(BUILDS)?;
+        for source in &anew {
+            program::touch(source)?;
+        }
         let (built, warnings) = build(job, sources, true)?;
         let variables = [("CARGO_PKG_NAME", job.package.as_str()), ("CARGO_PKG_LICENSE", license)];
         let text = format!("bessemer::print_tree!({library});\n");
@@ -49,17 +54,17 @@ pub(super) fn tree(
         };
         // It runs as long as the models are large; nothing that it needs is built over.
         drop(alone);
-        let printed = program.run()?;
+        let printed = program.run(library)?;
         if !printed.success {
             return Err(failed(printed.error));
         }
-        if printed.strangers.is_empty() {
+        // What was just built anew is this workspace's, though it says nothing.
+        let silent = printed.silent.filter(|source| !anew.contains(source));
+        anew = printed.strangers.into_iter().chain(silent).collect();
+        if anew.is_empty() {
             let read = || bessemer_ir::tree::read(&printed.tree);
             let package = deep::deep(read).map_err(|error| failed(error.to_string()))?;
             return Ok((package, warnings));
-        }
-        for source in &printed.strangers {
-            program::touch(source)?;
         }
     }
     Err(failed(why))

@@ -50,6 +50,8 @@ pub(super) struct Printed {
     pub error: String,
     /// The first source files of the crates that were compiled in another workspace instead.
     pub strangers: Vec<PathBuf>,
+    /// That of the package's library, if nothing in it is marked: it does not say where it was compiled.
+    pub silent: Option<PathBuf>,
 }
 
 impl Built {
@@ -112,29 +114,31 @@ impl Program {
     }
 
     /// Runs it.
-    pub(super) fn run(&self) -> Result<Printed, Error> {
+    pub(super) fn run(&self, library: &str) -> Result<Printed, Error> {
         let path = self.path();
         let output = Command::new(&path)
             .output()
             .map_err(|source| Error::Run { program: path.display().to_string(), source })?;
         let text = String::from_utf8_lossy(&output.stdout);
         let (folders, tree) = text.split_once('\n').unwrap_or_default();
+        let folders: BTreeMap<String, PathBuf> = serde_json::from_str(folders).unwrap_or_default();
+        let own = self.artifacts.iter().find(|it| it.krate == library);
         Ok(Printed {
             success: output.status.success(),
             tree: tree.to_owned(),
             error: String::from_utf8_lossy(&output.stderr).trim().to_owned(),
-            strangers: self.strangers(folders),
+            strangers: self.strangers(&folders),
+            silent: own.filter(|_| !folders.contains_key(library)).map(|it| it.source.clone()),
         })
     }
 
     /// The sources of the crates that were compiled in other folders than cargo says.
-    fn strangers(&self, folders: &str) -> Vec<PathBuf> {
-        let folders: BTreeMap<String, PathBuf> = serde_json::from_str(folders).unwrap_or_default();
+    fn strangers(&self, folders: &BTreeMap<String, PathBuf>) -> Vec<PathBuf> {
         let built = |krate: &str| -> Vec<&Artifact> {
             self.artifacts.iter().filter(|it| it.krate == krate).collect()
         };
         let mut strangers = Vec::new();
-        for (krate, folder) in &folders {
+        for (krate, folder) in folders {
             let built = built(krate);
             if built.iter().all(|it| !is_same(&it.folder, folder)) {
                 strangers.extend(built.iter().map(|it| it.source.clone()));
