@@ -55,7 +55,7 @@ impl Lower<'_> {
         let wanted = self.function.local(variable).name.clone();
         if wanted.starts_with('_') && wanted.trim_matches('_').is_empty() {
             let name = self.fresh("i");
-            self.bindings[variable.index()] = Some(super::Binding { name, pointer: false });
+            self.bindings[variable.index()] = Some(super::Binding::new(name, false));
         } else {
             self.bind(variable);
         }

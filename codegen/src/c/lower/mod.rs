@@ -58,6 +58,14 @@ struct Binding {
     name: String,
     /// A pointer to what the local stands for.
     pointer: bool,
+    /// The constant that the local stands for: the file needs it where the local is mentioned.
+    constant: Option<ConstId>,
+}
+
+impl Binding {
+    fn new(name: String, pointer: bool) -> Binding {
+        Binding { name, pointer, constant: None }
+    }
 }
 
 /// The state of lowering one function.
@@ -138,7 +146,7 @@ impl<'a> Lower<'a> {
             let name = self.signature.params[index].name.clone();
             let array = local.ty.is_array();
             let by_value = local.ty.is_word() && local.mode != Mode::RefMut;
-            self.bindings[index] = Some(Binding { name, pointer: !array && !by_value });
+            self.bindings[index] = Some(Binding::new(name, !array && !by_value));
         }
     }
 
@@ -177,7 +185,7 @@ impl<'a> Lower<'a> {
                 if !self.usage.read[index] {
                     self.emit(StmtKind::Expr(Expr::cast("void", Expr::name(&copy))));
                 }
-                self.bindings[index] = Some(Binding { name: copy, pointer: false });
+                self.bindings[index] = Some(Binding::new(copy, false));
             } else if !self.is_used(index) {
                 self.emit(StmtKind::Expr(Expr::cast("void", Expr::name(name))));
             }
@@ -277,6 +285,8 @@ impl<'a> Lower<'a> {
     /// `place = value`, or `place += …` where it is that.
     fn assign(&mut self, place: Expr, value: Expr) {
         match value {
+            // What C has no need to convert may stand there already: `kept = kept as i32 as u32`.
+            value if value == place => {}
             Expr::Binary(op, left, right) if *left == place && compound(op).is_some() => {
                 self.emit(StmtKind::Assign(place, compound(op).expect("just seen"), *right));
             }
@@ -317,7 +327,7 @@ impl<'a> Lower<'a> {
     fn bind(&mut self, local: LocalId) -> String {
         let author = &self.function.local(local).name;
         let name = self.fresh(if author == "_" { "unused" } else { author });
-        self.bindings[local.index()] = Some(Binding { name: name.clone(), pointer: false });
+        self.bindings[local.index()] = Some(Binding::new(name.clone(), false));
         name
     }
 
@@ -330,7 +340,7 @@ impl<'a> Lower<'a> {
     fn result_storage(&self) -> Option<Expr> {
         let param = self.signature.params.get(self.function.params as usize)?;
         let pointer = !param.ty.is_array();
-        Some(bound(&Binding { name: param.name.clone(), pointer }))
+        Some(bound(&Binding::new(param.name.clone(), pointer)))
     }
 
     /// Declares a variable.

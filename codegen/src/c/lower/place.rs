@@ -22,13 +22,23 @@ impl Lower<'_> {
     pub(super) fn place(&mut self, place: &Place) -> Expr {
         let function = self.function;
         self.mentioned[place.root.index()] = true;
-        let mut value = self.part_of_result(place.root).unwrap_or_else(|| {
-            let binding = self.bindings[place.root.index()].as_ref();
-            bound(binding.expect("a local is declared before its use"))
-        });
+        let mut value = self.part_of_result(place.root).unwrap_or_else(|| self.local(place.root));
         let mut ty = function.local(place.root).ty.clone();
         for step in &place.steps {
             (value, ty) = self.step(value, &ty, step);
+        }
+        value
+    }
+
+    /// What a local stands for.
+    fn local(&mut self, local: LocalId) -> Expr {
+        let binding = self.bindings[local.index()].as_ref();
+        let binding = binding.expect("a local is declared before its use");
+        let (value, constant) = (bound(binding), binding.constant);
+        if let Some(id) = constant {
+            let ty = self.function.local(local).ty.clone();
+            self.uses.consts.insert(id);
+            self.include_type(&ty);
         }
         value
     }

@@ -151,12 +151,10 @@ impl Lower<'_> {
                 }
             }
             // A constant that is not written to needs no copy.
-            Some(Ir { kind: ExprKind::Const(_), .. }) if constant => {
-                let Expr::Name(name) = self.operand(value.expect("just seen")) else { return };
-                if !self.usage.read[local.index()] {
-                    self.emit(StmtKind::Expr(Expr::cast("void", Expr::name(&name))));
-                }
-                self.bindings[local.index()] = Some(super::Binding { name, pointer: false });
+            Some(Ir { kind: ExprKind::Const(id), .. }) if constant => {
+                let name = self.constant(*id).to_owned();
+                let binding = super::Binding { name, pointer: false, constant: Some(*id) };
+                self.bindings[local.index()] = Some(binding);
                 return;
             }
             Some(value) if constant && is_table(self.context.module, value) => {
@@ -196,7 +194,7 @@ impl Lower<'_> {
             declarator,
             Some(Init::Value(Lower::address(part, &place.ty))),
         ));
-        self.bindings[local.index()] = Some(super::Binding { name, pointer: !array });
+        self.bindings[local.index()] = Some(super::Binding::new(name, !array));
     }
 
     /// The local that is the result stands where the caller wants it.
@@ -204,7 +202,7 @@ impl Lower<'_> {
         let name = self.signature.params[self.function.params as usize].name.clone();
         let dest = self.result_storage().expect("only aggregates are built in place");
         self.bindings[local.index()] =
-            Some(super::Binding { name, pointer: matches!(dest, Expr::Unary(..)) });
+            Some(super::Binding::new(name, matches!(dest, Expr::Unary(..))));
         if let Some(value) = value {
             self.store(dest, None, value);
         }

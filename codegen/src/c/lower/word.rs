@@ -128,7 +128,7 @@ impl Lower<'_> {
         let narrow = (self.counts(left) || self.counts(right))
             && self.range(left).is_some()
             && self.range(right).is_some();
-        let before = (self.mentioned.clone(), self.uses.helpers.clone(), self.uses.called.clone());
+        let before = (self.mentioned.clone(), self.uses.clone());
         let (a, b) = if narrow {
             (self.narrow(left, false), self.narrow(right, false))
         } else {
@@ -141,7 +141,7 @@ impl Lower<'_> {
         };
         if a == b && left.ty.as_float().is_none() {
             let equal = matches!(op, CompareOp::Eq | CompareOp::Le | CompareOp::Ge);
-            (self.mentioned, self.uses.helpers, self.uses.called) = before;
+            (self.mentioned, *self.uses) = before;
             return Expr::name(if equal { "true" } else { "false" });
         }
         let limit = |value: Expr, ir: &Ir| super::range::limit(ir).map_or(value, Expr::name);

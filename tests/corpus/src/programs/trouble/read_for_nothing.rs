@@ -1,0 +1,43 @@
+//! Values that are read although nothing comes of it: a number that stays as it is, a default that is compared with itself.
+
+use bessemer::prelude::*;
+
+/// A number that goes to a signed type and back, each time.
+#[function]
+pub fn stays(values: [u32; 3]) -> u32 {
+    values.iter().skip(2).take(0).fold(8_u32, |sum, _| ((sum as i32) as u32))
+}
+
+/// The same, where something is behind it.
+#[function]
+pub fn comes_back(values: [u32; 3], t: &mut u32) -> u32 {
+    let mut kept = values[0];
+    for value in values {
+        *t = t.wrapping_add(value);
+        kept = (kept as i32) as u32;
+    }
+    kept
+}
+
+/// What a default is made of.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Own {
+    pub low: u8,
+}
+
+/// A default that is read in a closure only, in which the comparison is known.
+#[function]
+#[allow(clippy::eq_op)]
+pub fn compared(x: u8) -> bool {
+    let own: Own = Own::default();
+    let checked = if x > 3 { Ok::<u8, u16>(x) } else { Err(7) };
+    checked.is_ok_and(|_| own != own)
+}
+
+/// A default that is only declared.
+#[function]
+pub fn declared(x: f64) -> f64 {
+    let _own: Own = Own::default();
+    x
+}
