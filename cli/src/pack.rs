@@ -10,7 +10,7 @@ use bessemer_codegen::c::interface::Interface;
 use bessemer_codegen::c::names::Passing;
 use bessemer_codegen::compile::Compiled;
 use bessemer_project::firmware::{Call, calls, declared};
-use bessemer_project::{Wanted, compile};
+use bessemer_project::{Wanted, compile, parameter_tables};
 
 use crate::args::{Pack, System};
 use crate::error::Error;
@@ -24,7 +24,8 @@ const FLAGS: &str = "-std=c99 -ffp-contract=off";
 /// Errors of the models or the system; [`Error::Exists`] if the folder is there already.
 pub fn run(folder: &Path, wanted: &Pack, colour: bool) -> Result<String, Error> {
     let asked = Wanted { package: wanted.package.name(), colour, ..Wanted::default() };
-    let (_, compiled) = compile(folder, asked)?;
+    let (project, mut compiled) = compile(folder, asked)?;
+    compiled.files.extend(parameter_tables(&project, &compiled));
     let name = compiled.module.name.replace('-', "_");
     let place = wanted.output.join(&name);
     if place.symlink_metadata().is_ok() {

@@ -337,10 +337,16 @@ fn packed(package: &Path) {
     let module = fs::read_to_string(zephyr.join("zephyr/module.yml")).expect("the module");
     assert!(module.contains("name: motor\nbuild:\n  cmake: .\n"), "{module}");
 
-    // One pass of the sketch, as a program.
+    // One pass of the sketch, as a program, beside the tables of parameters.
+    let settings = package.join("bessemer.toml");
+    let sound = fs::read_to_string(&settings).expect("the settings");
+    fs::write(&settings, format!("parameters = true\n{sound}")).expect("the settings");
     let arduino = into(System::Arduino, "arduino");
+    fs::write(&settings, sound).expect("the settings");
     let (sketch, main) = ("examples/motor_step/motor_step.ino", stubs.join("arduino/main.cpp"));
-    built("gcc", &arduino, stubs.clone(), &["-std=c99", "-ffp-contract=off", "-c", "src/motor.c"]);
+    for source in ["src/motor.c", "src/bessemer_parameter_table.c"] {
+        built("gcc", &arduino, stubs.clone(), &["-std=c99", "-ffp-contract=off", "-c", source]);
+    }
     let main = main.display().to_string();
     let words = [
         &main,

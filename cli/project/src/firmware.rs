@@ -5,9 +5,9 @@
 
 use std::fmt::Write as _;
 
-use bessemer_codegen::c::CFile;
 use bessemer_codegen::c::interface::{Entry, Interface, Struct, Value};
 use bessemer_codegen::c::names::Passing;
+use bessemer_codegen::c::{CFile, comment_text};
 
 /// An entry point as firmware calls it.
 pub struct Call<'f> {
@@ -173,7 +173,7 @@ fn program(component: &str, license: &str, calls: &[Call<'_>]) -> String {
     let mut periods = String::new();
     for call in calls {
         let docs = call.entry.docs.first().map_or(call.entry.rust.as_str(), String::as_str);
-        let docs = docs.replace("*/", "");
+        let docs = comment_text(docs);
         let _ = write!(
             periods,
             "\n        /* {docs} */\n        {{\n{}        }}\n",

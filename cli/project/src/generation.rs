@@ -11,7 +11,7 @@ use bessemer_codegen::source::Sources;
 
 use crate::error::Error;
 use crate::project::Project;
-use crate::settings::Limit;
+use crate::settings::{Limit, Settings};
 use crate::{build_files, interface, parameters};
 
 /// The choices of one generation.
@@ -128,11 +128,7 @@ fn limited(project: &Project, job: &Job) -> Result<Made, Error> {
         .map(|(limit, found, what)| Figure { limit, whose: whose.clone(), found, what })
     });
     hold(project, figures, job.colour)?;
-    if project.settings.parameters {
-        let (stem, license) = (&project.settings.options.status, &made.compiled.license);
-        let more = parameters::files(&made.compiled.interface, stem, license);
-        made.compiled.files.extend(more);
-    }
+    made.compiled.files.extend(parameter_tables(project, &made.compiled));
     if project.settings.build_files {
         let more = build_files::files(&made.compiled);
         made.compiled.files.extend(more);
@@ -143,6 +139,13 @@ fn limited(project: &Project, job: &Job) -> Result<Made, Error> {
         made.compiled.files.push(CFile { name, text, map });
     }
     Ok(made)
+}
+
+/// The files of the tables of parameters, where the settings ask for them.
+pub fn parameter_tables(project: &Project, compiled: &Compiled) -> Vec<CFile> {
+    let Settings { options, parameters: wanted, .. } = &project.settings;
+    let files = || parameters::files(&compiled.interface, &options.status, &compiled.license);
+    wanted.then(files).unwrap_or_default()
 }
 
 /// A measured or bounded figure of the C, and its limit.

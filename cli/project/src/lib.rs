@@ -21,6 +21,8 @@ pub mod schema;
 mod settings;
 
 pub use error::{Error, say};
-pub use generation::{Figure, Generated, Said, Wanted, compile, generate, hold, said};
+pub use generation::{
+    Figure, Generated, Said, Wanted, compile, generate, hold, parameter_tables, said,
+};
 pub use project::Project;
 pub use settings::{Limit, Limits, Settings};

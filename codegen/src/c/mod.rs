@@ -53,6 +53,7 @@ pub use interface::interface;
 pub use library::Math;
 pub use matrices::Layout;
 pub use options::Options;
+pub use print::comment_text;
 pub use report::{EntryReport, Site, report};
 pub use reserved::is_reserved_globally as is_reserved;
 pub use units::Measured;

@@ -513,7 +513,7 @@ fn without_links(line: &str) -> String {
 }
 
 /// The author's comment, with what would end or upset a C comment taken apart.
-fn comment_text(line: &str) -> String {
+pub fn comment_text(line: &str) -> String {
     without_links(line.strip_prefix(' ').unwrap_or(line))
         .trim_end()
         .replace("*/", "* /")
