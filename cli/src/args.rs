@@ -144,7 +144,7 @@ pub enum MessageFormat {
 #[derive(Args, Debug, Default)]
 #[command(after_help = "\
 Examples:
-  cargo bessemer verify                     Edge values, and a life of small numbers, on each leg
+  cargo bessemer verify                     Edge values, small numbers, and those around the code's own, on each leg
   cargo bessemer verify --seed 7            Others
   cargo bessemer verify --inputs flight.csv --entry Motor::step
                                             Recorded inputs of one entry point, row by row

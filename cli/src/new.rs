@@ -122,14 +122,17 @@ pub fn run(folder: &Path, wanted: &New) -> Result<String, Error> {
         let _ = fs::remove_dir_all(&package);
         return Err(error);
     }
-    let mut text = format!(
-        "{name}/ is there. Next:\n  cd {name}\n  cargo test             # simulates it\n  \
-         cargo bessemer gen     # writes its C into generated/\n"
-    );
-    if Workspace::of(&package).is_err() {
-        text += &format!("First, add \"{name}\" to `members` in the workspace's Cargo.toml.\n");
-    }
-    Ok(text)
+    let first = match Workspace::of(&package) {
+        Ok(_) => String::new(),
+        Err(_) => format!(
+            "  Add \"{name}\" to `members` in the Cargo.toml of the workspace around it, or move the folder out of there.\n"
+        ),
+    };
+    Ok(format!(
+        "{name}/ is there. Next:\n{first}  cd {name}\n  cargo test             # simulates it\n  \
+         cargo bessemer gen     # writes its C into generated/\n  \
+         cargo bessemer verify  # compares Rust and C, to the bit\n"
+    ))
 }
 
 fn write(path: &Path, text: &str) -> std::io::Result<()> {

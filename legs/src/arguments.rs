@@ -1,20 +1,78 @@
-//! Words to call a function with: from the edges of each type, or small as sensors and set points are.
+//! Words to call a function with: from the edges of each type, small as sensors and set points are, or around the numbers that
+//! a program has itself: limits, thresholds, the entries of a table.
 
-use bessemer_ir::{Float, Form, Int, Module, Scalar, Type};
+use bessemer_ir::visit::Walk as _;
+use bessemer_ir::{ExprKind, Float, Form, FunctionId, Int, Module, Scalar, StmtKind, Type};
 
 use crate::random::Random;
+use crate::reached::reached;
 
 /// The size of the words.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Size {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Size<'n> {
     /// The limits of the types, odd floats, and any bits.
     Edges,
     /// Small numbers.
     Tame,
+    /// The program's own numbers, those beside them and between them, and small ones.
+    Near(&'n Numbers),
+}
+
+/// The numbers in a program, each once.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Numbers {
+    integers: Vec<i128>,
+    floats: Vec<f64>,
+}
+
+/// So many words of a constant are looked at.
+const LOOKED_AT: usize = 64;
+
+impl Numbers {
+    /// The numbers in a function and in all that it calls.
+    pub fn of(module: &Module, function: FunctionId) -> Numbers {
+        let mut numbers = Numbers::default();
+        for id in reached(module, function) {
+            let body = &module.functions[id.index()].body;
+            body.each_expr(|expr| match &expr.kind {
+                ExprKind::Literal(word) => numbers.add(&expr.ty, *word),
+                ExprKind::Const(id) => {
+                    let constant = &module.consts[id.index()];
+                    let leaves = module.leaves(&constant.ty);
+                    let words = leaves.iter().zip(&constant.words).take(LOOKED_AT);
+                    words.for_each(|(ty, word)| numbers.add(ty, *word));
+                }
+                _ => {}
+            });
+            body.each_stmt(|stmt| {
+                if let StmtKind::Match { scrutinee, arms, .. } = &stmt.kind {
+                    let whole = scrutinee.ty.as_int().is_some();
+                    let values = arms.iter().filter(|_| whole).flat_map(|arm| &arm.values);
+                    numbers.integers.extend(values);
+                }
+            });
+        }
+        numbers.integers.sort_unstable();
+        numbers.integers.dedup();
+        numbers.floats.sort_unstable_by(f64::total_cmp);
+        numbers.floats.dedup_by_key(|it| it.to_bits());
+        numbers
+    }
+
+    fn add(&mut self, ty: &Type, word: u64) {
+        match ty {
+            Type::Scalar(Scalar::Int(int)) => self.integers.push(int.from_word(word)),
+            Type::Scalar(Scalar::Float(Float::F64)) => self.floats.push(f64::from_bits(word)),
+            Type::Scalar(Scalar::Float(Float::F32)) => {
+                self.floats.push(f64::from(f32::from_bits(word as u32)));
+            }
+            _ => {}
+        }
+    }
 }
 
 /// The words of a value: lengths for which there is room, nothing where nothing is.
-pub fn words(random: &mut Random, module: &Module, ty: &Type, size: Size) -> Vec<u64> {
+pub fn words(random: &mut Random, module: &Module, ty: &Type, size: Size<'_>) -> Vec<u64> {
     let leaves = module.leaves(ty);
     let mut words: Vec<u64> = leaves.iter().map(|ty| word(random, module, ty, size)).collect();
     lengths(random, module, ty, &mut words);
@@ -46,15 +104,19 @@ fn lengths<'w>(
     }
 }
 
-fn word(random: &mut Random, module: &Module, ty: &Type, size: Size) -> u64 {
+fn word(random: &mut Random, module: &Module, ty: &Type, size: Size<'_>) -> u64 {
     match (ty, size) {
         (Type::Enum(id), _) => random.below(module.enums[id.index()].variants.len()) as u64,
         (Type::Scalar(Scalar::Bool), _) => random.below(2) as u64,
         (Type::Scalar(Scalar::Int(_)), Size::Tame) => random.below(8) as u64,
         (Type::Scalar(Scalar::Int(int)), Size::Edges) => integer(random, *int),
+        (Type::Scalar(Scalar::Int(int)), Size::Near(numbers)) => {
+            near(random, *int, &numbers.integers)
+        }
         (Type::Scalar(Scalar::Float(float)), _) => {
             let value = match size {
-                Size::Tame => (random.below(4001) as f64 - 2000.0) / 512.0,
+                Size::Tame => tame(random),
+                Size::Near(numbers) => near_float(random, &numbers.floats),
                 Size::Edges => match random.below(4) {
                     0 => random.of(&FLOATS),
                     1 => f64::from_bits(random.bits()),
@@ -80,6 +142,39 @@ fn integer(random: &mut Random, int: Int) -> u64 {
     };
     let span = max - min + 1;
     ((value - min).rem_euclid(span) + min) as u64
+}
+
+fn tame(random: &mut Random) -> f64 {
+    (random.below(4001) as f64 - 2000.0) / 512.0
+}
+
+/// A number of a list, one beside it, or one between two of them.
+fn near(random: &mut Random, int: Int, numbers: &[i128]) -> u64 {
+    let (min, max) = (Int::min(int), Int::max(int));
+    let fitting: Vec<i128> =
+        numbers.iter().copied().filter(|it| (min..=max).contains(it)).collect();
+    if fitting.is_empty() {
+        return random.below(8) as u64;
+    }
+    let (one, other) = (random.of(&fitting), random.of(&fitting));
+    let value = match random.below(4) {
+        0 => (one + random.below(3) as i128 - 1).clamp(min, max),
+        1 => (random.below(8) as i128).clamp(min, max),
+        _ => one.min(other) + (random.bits() as i128).rem_euclid((one - other).abs() + 1),
+    };
+    value as u64
+}
+
+fn near_float(random: &mut Random, numbers: &[f64]) -> f64 {
+    if numbers.is_empty() {
+        return tame(random);
+    }
+    let (one, other) = (random.of(numbers), random.of(numbers));
+    match random.below(4) {
+        0 => one,
+        1 => tame(random),
+        _ => one + (other - one) * (random.below(1025) as f64 / 1024.0),
+    }
 }
 
 const FLOATS: [f64; 14] = [

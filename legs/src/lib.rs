@@ -19,6 +19,7 @@ pub mod panics;
 pub mod port;
 pub mod process;
 pub mod random;
+pub mod reached;
 pub mod serial;
 pub mod toolchain;
 mod units;

@@ -163,6 +163,7 @@ mod tests {
             leaves: vec![Type::Unit; 2],
             calls: vec![Vec::new(); calls],
             expected: Vec::new(),
+            never: String::new(),
         }
     }
 

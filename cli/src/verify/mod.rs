@@ -1,10 +1,11 @@
-//! `cargo bessemer verify`: each entry point called with edge values and with a life of small numbers, on each leg;
-//! Rust, interpreter and C have to give the same words.
+//! `cargo bessemer verify`: each entry point called with edge values, with a life of small numbers, and with lives around the
+//! numbers in its own code, on each leg; Rust, interpreter and C have to give the same words.
 //!
-//! Invariant: a leg that is missing is named; what was not called is named.
+//! Invariant: a leg that is missing is named; what was not called is named, and so are lines that no call ran.
 
 mod board;
 mod emulated;
+mod lines;
 mod native;
 pub mod recording;
 
@@ -12,12 +13,13 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
+use bessemer_codegen::c::CFile;
 use bessemer_codegen::c::names::FAULTS;
 use bessemer_codegen::compile::{Compiled, Options};
 use bessemer_codegen::generate::{self, Program};
 use bessemer_interpret::{Interpreter, Stop};
 use bessemer_ir::{Fault, Function, FunctionId, Mode, Module, Role, Type};
-use bessemer_legs::arguments::{Size, words};
+use bessemer_legs::arguments::{Numbers, Size, words};
 use bessemer_legs::outcome::{self, Outcome};
 use bessemer_legs::random::Random;
 use bessemer_legs::toolchain::{self, Toolchain};
@@ -29,8 +31,10 @@ pub(crate) use emulated::machine;
 use crate::args::Verify;
 use crate::error::Error;
 
-/// Calls of each entry point with edge values, and as many in its life.
+/// Calls of each entry point with edge values, as many in a life of small numbers, and as many around the numbers in its code.
 const CALLS: usize = 100;
+/// So many calls make a life around those numbers: a fault that is kept must not end them all.
+const LIFE: usize = 20;
 
 /// An entry point, and what the interpreter makes of each call.
 struct Case {
@@ -42,6 +46,8 @@ struct Case {
     /// The words of each argument.
     calls: Vec<Vec<Vec<u64>>>,
     expected: Vec<Outcome>,
+    /// The lines that no call ran.
+    never: String,
 }
 
 /// Compares the legs; the table of what was seen, and whether they agree.
@@ -96,7 +102,7 @@ fn compared(
     let project = Project::find(folder, wanted.package.name(), colour)?;
     let mut job = project.job(colour);
     // What calls the firmware's own function at a fault does not come back to tell of it.
-    job.options.hook = None;
+    let hooked = job.options.hook.take().is_some();
     let compiled = generate::compiled(&job).map_err(bessemer_project::Error::from)?.compiled;
     if let Some(folder) = &wanted.board {
         return Ok((board::write(&compiled, &job.options, folder)?, true));
@@ -151,9 +157,28 @@ fn compared(
     for name in left {
         let _ = writeln!(text, "{name}: not called, since its Rust is not public or takes a slice");
     }
+    for Case { name, never, .. } in cases.iter().filter(|case| !case.never.is_empty()) {
+        let _ = writeln!(text, "{name}: no call ran {never}");
+    }
+    if cases.iter().any(|case| !case.never.is_empty()) {
+        text +=
+            "  Inputs that run them, as of a flight: --inputs, --seed, or `same_bits` in a test.\n";
+    }
     text += &costs;
+    if !hooked && is_stale(&job.output, &compiled) {
+        text += "warning: what lies in the folder of the C is older than the models, and not what was compared here\n  to do: \
+                 cargo bessemer gen\n";
+    }
     bessemer_project::hold(&project, figures.into_iter(), colour)?;
     Ok((text, all && !cases.is_empty()))
+}
+
+/// Whether C lies there already, and is not this.
+fn is_stale(output: &Path, compiled: &Compiled) -> bool {
+    let differs = |file: &CFile| {
+        !std::fs::read(output.join(&file.name)).is_ok_and(|is| is == file.text.as_bytes())
+    };
+    output.is_dir() && compiled.files.iter().any(differs)
 }
 
 /// What goes in.
@@ -198,7 +223,7 @@ fn recorded(module: &Module, path: &Path, entry: Option<&str>) -> Result<Inputs,
 /// The calls of each entry point, and what the interpreter makes of them.
 fn cases(module: &Module, inputs: &Inputs) -> Vec<Case> {
     let (mut random, only, count) = match inputs {
-        Inputs::Made { seed } => (Random(*seed), None, 2 * CALLS),
+        Inputs::Made { seed } => (Random(*seed), None, 3 * CALLS),
         Inputs::Recorded { entry, calls } => (Random(0), Some(*entry), calls.len()),
     };
     let mut interpreter = Interpreter::new(module);
@@ -212,15 +237,25 @@ fn cases(module: &Module, inputs: &Inputs) -> Vec<Case> {
         types.extend(changed.map(|index| parameters[index].ty.clone()));
         let leaves = types.iter().flat_map(|ty| module.leaves(ty)).collect();
         let name = named(module, function);
-        let mut case = Case { id, name, types, leaves, calls: Vec::new(), expected: Vec::new() };
+        let (calls, expected, never) = (Vec::new(), Vec::new(), String::new());
+        let mut case = Case { id, name, types, leaves, calls, expected, never };
         if native::can_call(function) {
             let initial = match &parameters[0].ty {
                 Type::Struct(id) => module.structs[id.index()].initial.clone().unwrap_or_default(),
                 _ => Vec::new(),
             };
             let mut state = initial.clone();
+            let numbers = Numbers::of(module, id);
+            interpreter.watch();
             for index in 0..count {
-                let size = if index < CALLS { Size::Edges } else { Size::Tame };
+                let size = match index / CALLS {
+                    0 => Size::Edges,
+                    1 => Size::Tame,
+                    _ => Size::Near(&numbers),
+                };
+                if only.is_none() && index % LIFE == 0 && matches!(size, Size::Near(_)) {
+                    state.clone_from(&initial);
+                }
                 let mut call: Vec<Vec<u64>> = match inputs {
                     Inputs::Made { .. } => {
                         let make =
@@ -231,7 +266,7 @@ fn cases(module: &Module, inputs: &Inputs) -> Vec<Case> {
                         std::iter::once(Vec::new()).chain(calls[index].iter().cloned()).collect()
                     }
                 };
-                if only.is_some() || size == Size::Tame {
+                if only.is_some() || size != Size::Edges {
                     call[0].clone_from(&state);
                 }
                 let outcome =
@@ -244,6 +279,7 @@ fn cases(module: &Module, inputs: &Inputs) -> Vec<Case> {
                 case.calls.push(call);
                 case.expected.push(outcome.map(|(words, _)| words));
             }
+            case.never = lines::never(module, id, &interpreter.ran());
         }
         cases.push(case);
     }

@@ -17,6 +17,8 @@ mod routine;
 mod run;
 mod scalar;
 
+use std::collections::BTreeSet;
+
 use bessemer_ir::{Fault, FunctionId, Mode, Module, Span};
 
 use bessemer_ir::words::{WordsError, words_fit};
@@ -74,12 +76,24 @@ pub struct Interpreter<'m> {
     layout: Layout,
     memory: Vec<u64>,
     limit: u64,
+    ran: Option<BTreeSet<Span>>,
 }
 
 impl<'m> Interpreter<'m> {
     /// An interpreter of `module`, which must have been validated.
     pub fn new(module: &'m Module) -> Interpreter<'m> {
-        Interpreter { module, layout: Layout::new(module), memory: Vec::new(), limit: u64::MAX }
+        let layout = Layout::new(module);
+        Interpreter { module, layout, memory: Vec::new(), limit: u64::MAX, ran: None }
+    }
+
+    /// Keeps from now on where each statement stands that runs.
+    pub fn watch(&mut self) {
+        self.ran = Some(BTreeSet::new());
+    }
+
+    /// Where the statements stand that ran since [`Interpreter::watch`].
+    pub fn ran(&mut self) -> BTreeSet<Span> {
+        self.ran.take().unwrap_or_default()
     }
 
     /// Lets each call execute no more than this many statements (random programs may count to 2^64).
@@ -108,6 +122,7 @@ impl<'m> Interpreter<'m> {
         }
         let given: Vec<&[u64]> = arguments.iter().map(Vec::as_slice).collect();
         let mut run = run::Run::new(self.module, &self.layout, &mut self.memory, self.limit);
+        run.ran = self.ran.as_mut();
         let (outcome, addresses) = run.enter(function, &given);
         for ((local, words), address) in parameters.iter().zip(arguments).zip(addresses) {
             if local.mode == Mode::RefMut {

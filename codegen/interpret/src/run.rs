@@ -6,6 +6,8 @@
 //! Invariants: a value is written where nothing that is still to be read lies (an assignment of many
 //! words goes through a copy); memory above `top` is free.
 
+use std::collections::BTreeSet;
+
 use bessemer_ir::{
     Argument, Block, Expr, ExprKind, Fault, Function, FunctionId, Int, Intrinsic, LogicOp, Mode,
     Module, Place, Routine, Span, Step, Stmt, StmtKind, Type,
@@ -23,6 +25,8 @@ pub(super) struct Run<'m, 'r> {
     top: usize,
     /// How many statements may still be executed.
     left: u64,
+    /// Where the statements stand that ran, if somebody asks.
+    pub ran: Option<&'r mut BTreeSet<Span>>,
 }
 
 /// One function in execution.
@@ -62,7 +66,7 @@ impl<'m, 'r> Run<'m, 'r> {
         memory: &'r mut Vec<u64>,
         left: u64,
     ) -> Self {
-        Run { module, layout, memory, top: 0, left }
+        Run { module, layout, memory, top: 0, left, ran: None }
     }
 
     /// Calls from outside: the outcome, and where each argument lies now.
@@ -132,6 +136,9 @@ impl<'m, 'r> Run<'m, 'r> {
         for stmt in &block.0 {
             let top = self.top;
             self.left = self.left.checked_sub(1).ok_or(Stop::Limit)?;
+            if let Some(ran) = &mut self.ran {
+                ran.insert(stmt.span);
+            }
             let flow = self.stmt(frame, stmt)?;
             self.top = top;
             if !matches!(flow, Flow::Next) {
