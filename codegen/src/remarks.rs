@@ -32,6 +32,11 @@ pub fn of(package: &Package, module: &Module) -> Vec<Diagnostic> {
     told
 }
 
+/// Why a package becomes no C at all, though something in it is marked.
+pub fn reasons(package: &Package) -> impl Iterator<Item = Diagnostic> {
+    templates(package).map(|it| Diagnostic { level: Level::Error, ..it })
+}
+
 fn warning(file: &str, Site(line, column): Site, message: String, help: &str) -> Diagnostic {
     let (file, help) = (file.to_owned(), help.to_owned());
     Diagnostic { level: Level::Warning, file, line, column, message, help, ..Diagnostic::default() }

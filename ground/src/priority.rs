@@ -3,6 +3,9 @@
 //! Pages, recordings and whatever else runs must not make a period late. Without the right to it (on Linux `CAP_SYS_NICE` or a limit
 //! of real-time priorities) everything runs as it did: the period is then kept as far as the machine is free.
 
+use std::fs::File;
+use std::io::Write;
+
 #[cfg(unix)]
 use thread_priority::{
     NormalThreadSchedulePolicy, RealtimeThreadSchedulePolicy, ThreadPriority, ThreadSchedulePolicy,
@@ -34,6 +37,24 @@ pub fn raise() -> bool {
 /// Nothing was raised.
 #[cfg(not(unix))]
 pub fn lower() {}
+
+/// Keeps the processors from sleeping until it is dropped, where the system allows it (Linux' quality of service of power management: it
+/// takes back what a file asked for when that is closed).
+///
+/// A processor that sleeps wakes late; that of a virtual machine is given away meanwhile, and comes back after milliseconds.
+pub struct Awake {
+    _asked: Option<File>,
+}
+
+impl Awake {
+    /// Asks for it; what the system does not allow is not missed.
+    pub fn keep() -> Awake {
+        // Only no wait at all, µs, also rules out the sleep in which a virtual machine gives its processor away.
+        let wait = 0_i32.to_ne_bytes();
+        let asked = File::options().write(true).open("/dev/cpu_dma_latency");
+        Awake { _asked: asked.and_then(|mut file| file.write_all(&wait).map(|()| file)).ok() }
+    }
+}
 
 /// Does something, such as starting a process, with a raised thread's priority.
 pub fn raised<T: Send>(work: impl FnOnce() -> T + Send) -> T {

@@ -6,7 +6,7 @@
 
 use crate::bench::{Bench, Injection, Period};
 use crate::key::Key;
-use crate::priority;
+use crate::priority::{self, Awake};
 use crate::program::{self, Program, Running};
 use crate::radio::{Counts, Quality, Way};
 use crate::station::Station;
@@ -84,6 +84,7 @@ pub struct Testbed {
     key: Option<Key>,
     socket: UdpSocket,
     pace: Pace,
+    _awake: Option<Awake>,
     begun: Instant,
     periods: u32,
     /// How often the software was started anew.
@@ -118,6 +119,7 @@ impl Testbed {
             key,
             socket,
             pace: wanted.pace,
+            _awake: (wanted.pace == Pace::Real).then(Awake::keep),
             begun: Instant::now(),
             periods: 0,
             restarts: 0,

@@ -3,6 +3,7 @@
 use std::fs;
 use std::thread;
 
+use bessemer_codegen::diagnostic::Level;
 use bessemer_codegen::generate::{self, Error, Job};
 use bessemer_tests::root;
 use bessemer_tests::workspace::Workspace;
@@ -69,6 +70,20 @@ fn a_package_of_another_workspace_without_anything_marked_is_not_taken_for_ones_
     let nothing = other.generate("1").expect_err("nothing is marked");
     assert!(matches!(nothing, Error::NoModels { .. }), "{nothing}");
     assert!(own.generate("1").expect("generated").contains_key("models.c"));
+}
+
+/// Where the only thing that is marked becomes no C, the author is told why, and not that nothing is marked.
+#[test]
+fn a_package_of_which_nothing_becomes_c_says_why() {
+    let path = root().join("tests/newcomers/generic_component_without_instance.rs");
+    let text = fs::read_to_string(path).expect("a mistake");
+    let workspace = Workspace::with_source(&text).expect("a workspace");
+    let Err(Error::Refused(said)) = workspace.generate("1") else {
+        panic!("it becomes C");
+    };
+    let [told] = &said.diagnostics[..] else { panic!("{said}") };
+    assert_eq!((told.level, told.line), (Level::Error, 6), "{said}");
+    assert!(told.help.contains("pub type LagF32 = Lag<f32>;"), "{said}");
 }
 
 /// Cargo builds the DSL once for all workspaces that link to it. What it was built by may be gone when the next one uses

@@ -78,7 +78,11 @@ pub fn compiled(job: &Job) -> Result<Made, Error> {
     let workspace = Workspace::of(&job.root)?;
     let (package, warnings) = built(job, &workspace, &sources)?;
     if package.types.is_empty() && package.functions.is_empty() && package.errors.is_empty() {
-        return Err(Error::NoModels { package: job.package.clone() });
+        let reasons: Vec<Diagnostic> = remarks::reasons(&package).collect();
+        return Err(match reasons.is_empty() {
+            true => Error::NoModels { package: job.package.clone() },
+            false => refused(job, reasons, &sources),
+        });
     }
     let compiled = compile::compile(&package, &sources, &job.options)
         .map_err(|diagnostics| refused(job, diagnostics, &sources))?;
