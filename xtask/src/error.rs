@@ -57,6 +57,12 @@ pub enum Error {
         /// How it ended.
         status: ExitStatus,
     },
+    /// The compiler or its lints warned of something; it has been printed.
+    #[error("{count} {} of the compiler or its lints: each is an error here", if *count == 1 { "warning" } else { "warnings" })]
+    Lints {
+        /// How many.
+        count: usize,
+    },
     /// A stage of `test` failed; its output has been printed.
     #[error("{stage} failed ({status})")]
     Stage {
@@ -153,6 +159,7 @@ impl Error {
             | Self::Install { .. }
             | Self::Spawn { .. }
             | Self::Mutant { .. }
+            | Self::Lints { .. }
             | Self::File { .. } => None,
         }
     }

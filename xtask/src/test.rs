@@ -17,6 +17,8 @@ use crate::runner::{self, Done, Program, Times};
 use crate::stages::{self, Progress};
 use crate::tools::{self, Machine, Need, Tool};
 use crate::{generate, mutate, project};
+use serde_json::Value;
+use std::collections::BTreeSet;
 use std::num::NonZeroUsize;
 use std::path::Path;
 use std::process::{Command, ExitStatus};
@@ -30,6 +32,16 @@ const QUICK: Duration = Duration::from_secs(3);
 
 /// Features of the ground station, each with a test of its name: long to build.
 const TOOLS: &str = "foxglove,mavlink";
+
+/// The stage in which the workspace is linted and built at once.
+const BUILD: &str = "lints and build of the tests";
+
+/// Cargo calls the program that this variable names in rustc's place, for the packages of the workspace.
+const WRAPPER: &str = "RUSTC_WORKSPACE_WRAPPER";
+
+/// A compiler that lints: what it has checked it also builds, where `cargo clippy` would check all of it, and all that it
+/// rests on, beside the build.
+const LINTER: &str = "clippy-driver";
 
 /// How many mutants a run tries.
 const MUTANTS: NonZeroUsize = NonZeroUsize::new(2).unwrap();
@@ -56,18 +68,16 @@ pub fn run(root: &Path, wanted: &Test, machine: &dyn Machine) -> Result<Outcome,
 
     check(&mut progress, "format", cargo(&["fmt", "--all", "--check"]), Some("cargo fmt --all"))?;
     progress.open("gen --check", || generate::run(root, &Gen::CHECK))?;
-    // Not `--all-targets`, which checks libraries once more for unit tests that they do not have.
-    let lints = cargo(&["clippy", "--workspace", "--bins", "--tests", "--", "-D", "warnings"]);
-    check(&mut progress, "lints", lints, None)?;
     if wanted.full {
         let lints = ["clippy", "--package", "ground", "--features", TOOLS, "--bins", "--tests"];
         let mut command = cargo(&lints);
         command.args(["--", "-D", "warnings"]);
         check(&mut progress, "lints of what only a full run builds", command, None)?;
     }
-    let programs = progress.closed("build of the tests", |voice| programs(root, wanted, voice))?;
+    let programs = progress.closed(BUILD, |voice| programs(root, wanted, voice))?;
     if !wanted.quick {
-        let documentation = cargo(&["test", "--workspace", "--doc"]);
+        let mut documentation = cargo(&["test", "--workspace", "--doc"]);
+        documentation.env(WRAPPER, LINTER);
         check(&mut progress, "documentation tests", documentation, None)?;
     }
     let mut done = progress.closed("tests", |voice| {
@@ -90,29 +100,44 @@ pub fn run(root: &Path, wanted: &Test, machine: &dyn Machine) -> Result<Outcome,
 /// Builds the tests: those of the workspace, those of what a generation build alone has, and in a full run those of the
 /// ground station's tools.
 fn programs(root: &Path, wanted: &Test, voice: &stages::Voice) -> Result<Vec<Program>, Error> {
-    let build = |arguments: &[&str]| {
-        let all = ["test", "--no-run", "--message-format", "json-render-diagnostics"];
-        let mut command = project::cargo(root, &all);
-        command.args(arguments);
+    let build = |arguments: &[&str], linter: Option<&str>| {
+        let mut command = project::cargo(root, &["test", "--no-run", "--message-format", "json"]);
+        command.args(arguments).envs(linter.map(|linter| (WRAPPER, linter)));
         let (status, messages) = stages::answered(&mut command, voice)?;
-        verdict("build of the tests", status, None)?;
-        Ok::<_, Error>(Program::of(&messages))
+        let said = said(&messages);
+        said.iter().for_each(|said| voice.print(said));
+        verdict(BUILD, status, None)?;
+        // A warning is an error here, also one that cargo repeats from a build before.
+        match said.len() {
+            0 => Ok(Program::of(&messages)),
+            count => Err(Error::Lints { count }),
+        }
     };
-    let mut programs = build(&["--workspace"])?;
+    let mut programs = build(&["--workspace"], Some(LINTER))?;
     // Features of a package alone: in a workspace build they would reach the models of every test. With the settings of
     // a generation build, so that it is not built once more.
     const WITNESS: &str = "bessemer-witness";
     let settings: Vec<String> = bessemer_codegen::generate::settings(WITNESS).collect();
     let mut arguments = vec!["--package", WITNESS, "--features", "generate"];
     arguments.extend(settings.iter().flat_map(|setting| ["--config", setting]));
-    programs.extend(build(&arguments)?);
+    programs.extend(build(&arguments, None)?);
     if wanted.full {
         for tool in TOOLS.split(',') {
             let package = ["--package", "ground", "--features", TOOLS, "--test", tool];
-            programs.extend(build(&package)?);
+            programs.extend(build(&package, Some(LINTER))?);
         }
     }
     Ok(programs)
+}
+
+/// What the compiler and its lints said in cargo's messages, each as a person reads it.
+fn said(messages: &str) -> Vec<String> {
+    let messages = messages.lines().filter_map(|line| serde_json::from_str::<Value>(line).ok());
+    let said = messages.filter(|message| message["reason"] == "compiler-message");
+    let said = said.filter_map(|message| Some(message["message"]["rendered"].as_str()?.to_owned()));
+    let mut seen = BTreeSet::new();
+    // A library is compiled again for its own tests, and tells the same again.
+    said.filter(|said| seen.insert(said.clone())).collect()
 }
 
 /// Breaks the compiler on purpose, in the ways whose turn it is, and sees whether the tests tell.
@@ -226,4 +251,20 @@ fn verdict(
     remedy: Option<&'static str>,
 ) -> Result<(), Error> {
     if status.success() { Ok(()) } else { Err(Error::Stage { stage, status, remedy }) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const MESSAGES: &str = r#"{"reason":"compiler-artifact","target":{"name":"all"}}
+{"reason":"compiler-message","message":{"level":"warning","rendered":"warning: one\n"}}
+not JSON
+{"reason":"compiler-message","message":{"level":"warning","rendered":"warning: one\n"}}
+{"reason":"compiler-message","message":{"level":"warning","rendered":"warning: two\n"}}"#;
+
+    #[test]
+    fn a_warning_is_told_once() {
+        assert_eq!(said(MESSAGES), ["warning: one\n", "warning: two\n"]);
+    }
 }
