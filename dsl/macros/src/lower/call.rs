@@ -133,52 +133,13 @@ pub(super) fn gives_slice(call: &syn::ExprMethodCall) -> bool {
     call.args.is_empty() && (call.method == "as_slice" || call.method == "as_mut_slice")
 }
 
-/// Whether an expression is a call of a companion whose value refers to an element.
-pub(super) fn gives_reference(expr: &syn::Expr) -> bool {
-    // The call has been wrapped: its own name stands in the argument.
-    let it = match expr {
-        syn::Expr::MethodCall(it) => it,
-        syn::Expr::Paren(it) => return gives_reference(&it.expr),
-        other => return matches!(other, syn::Expr::Try(_)),
-    };
-    let call = match it.args.first() {
-        Some(syn::Expr::MethodCall(call)) if it.method == "__take" => call,
-        _ => it,
-    };
-    if it.method == "__glance" {
-        return true;
+/// Whether an expression is a call of a method, or what `?` gives of one: its value may refer to an element.
+pub(super) fn may_refer(expr: &syn::Expr) -> bool {
+    match expr {
+        syn::Expr::MethodCall(_) | syn::Expr::Try(_) => true,
+        syn::Expr::Paren(it) => may_refer(&it.expr),
+        _ => false,
     }
-    let names = [
-        "first",
-        "first_chunk",
-        "last",
-        "get",
-        "get_mut",
-        "slice_get_part",
-        "slice_get_part_mut",
-        "slice_get_from",
-        "slice_get_from_mut",
-        "first_mut",
-        "last_mut",
-        "split_at",
-        "split_at_mut",
-        "split_first",
-        "split_first_mut",
-        "split_last",
-        "split_last_mut",
-        "unwrap",
-        "expect",
-        "unwrap_or",
-        "as_ref",
-        "as_mut",
-        "insert",
-        "get_or_insert",
-        "get_or_insert_with",
-        "as_vector",
-        "matrix",
-        "quaternion",
-    ];
-    names.iter().any(|name| call.method == format!("__b_{name}"))
 }
 
 fn is_default(function: &syn::ExprPath) -> bool {

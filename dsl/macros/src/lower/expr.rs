@@ -27,7 +27,7 @@ impl Lowering<'_> {
         let place = place(expr);
         let (mut kind, seen) = self.kind(expr, value);
         let slot = match (&kind, seen) {
-            (_, true) if call::gives_reference(expr) => Some(self.glance(expr)),
+            (_, true) if call::may_refer(expr) => Some(self.glance(expr)),
             (ExprKind::Path(index, _), _) => {
                 let slot = self.constants.get(*index as usize).map(|(slot, _)| *slot);
                 if let (true, Some(slot)) = (seen, slot) {
