@@ -1,6 +1,6 @@
 //! Slices as arrays: `bytes[2..6].try_into()`, `bytes.first_chunk::<4>()`.
 
-use bessemer_ir::tree;
+use bessemer_ir::tree::{self, Builtin, SliceMethod};
 use bessemer_ir::{Block, CompareOp, Expr, ExprKind, Fault, Stmt, StmtKind, StructId, Type};
 
 use super::elements::Slice;
@@ -9,15 +9,15 @@ use super::lowering::Lowering;
 use super::{OUR_FAULT, Result, problem};
 
 impl Lowering<'_, '_> {
-    /// `Ok` or `Some` of the elements, if there are as many, or no fewer.
+    /// `Ok` or `Some` of the elements, if there are as many (`whole`), or no fewer.
     pub(super) fn as_array(
         &mut self,
-        name: &str,
+        whole: bool,
         slice: &Slice,
         expr: &tree::Expr,
     ) -> Result<Expr> {
         let (id, ty) = self.array_in(expr)?;
-        let (there, array) = self.elements_as(name, slice, ty, expr)?;
+        let (there, array) = self.elements_as(whole, slice, ty, expr)?;
         let span = self.span(expr.site);
         let none = self.choice(id, 0, None, expr.site)?;
         let held = self.temporary("part", none);
@@ -31,17 +31,17 @@ impl Lowering<'_, '_> {
 
     /// The same behind `unwrap`: a check, and the elements; none if `expr` is something else.
     pub(super) fn unwrapped_array(&mut self, expr: &tree::Expr) -> Result<Option<Expr>> {
-        let tree::ExprKind::Call(callee, arguments) = &expr.kind else { return Ok(None) };
-        let name = match self.source.callees.get(*callee as usize) {
-            Some(tree::Callee::Builtin(name)) => name.strip_prefix("slice_").unwrap_or_default(),
+        let Some((Builtin::Slice(method), arguments)) = self.builtin_call(expr) else {
+            return Ok(None);
+        };
+        let whole = match method {
+            SliceMethod::ToArray => true,
+            SliceMethod::FirstChunk => false,
             _ => return Ok(None),
         };
-        if !["to_array", "first_chunk"].contains(&name) {
-            return Ok(None);
-        }
         let slice = self.sliced(&arguments[0])?;
         let (_, ty) = self.array_in(expr)?;
-        let (condition, array) = self.elements_as(name, &slice, ty, expr)?;
+        let (condition, array) = self.elements_as(whole, &slice, ty, expr)?;
         if condition.kind != ExprKind::Literal(1) {
             let span = self.span(expr.site);
             self.emit(StmtKind::Check { condition, fault: Fault::Absent }, span);
@@ -68,7 +68,7 @@ impl Lowering<'_, '_> {
     /// Whether there are as many elements as the array has, and these.
     fn elements_as(
         &mut self,
-        name: &str,
+        whole: bool,
         slice: &Slice,
         ty: Type,
         expr: &tree::Expr,
@@ -84,7 +84,7 @@ impl Lowering<'_, '_> {
                 "declare the array, and call `copy_from_slice`",
             );
         }
-        let (wanted, whole) = (u64::from(len), name == "to_array");
+        let wanted = u64::from(len);
         let there = match slice.length.kind {
             ExprKind::Literal(length) => {
                 let enough = if whole { length == wanted } else { length >= wanted };

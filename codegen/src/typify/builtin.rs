@@ -1,72 +1,23 @@
 //! The DSL's own operations: which IR node each is, and the type of its result.
 
-use bessemer_ir::tree;
+use bessemer_ir::tree::{self, Builtin, MatrixMethod};
 use bessemer_ir::{Const, Expr, ExprKind, Float, Int, Intrinsic, Routine, Scalar, Type, UnaryOp};
 
 use super::expr::Operand;
 use super::lowering::Lowering;
 use super::{OUR_FAULT, Result, problem};
 
-/// The lowered form of a builtin.
-enum Meaning {
-    Scalar(Intrinsic),
-    Linear(Routine),
+/// How a matrix is made of elements.
+#[derive(Clone, Copy)]
+enum Constructor {
+    /// By rows.
     New,
     Zeros,
     Identity,
     /// The unit vector along this axis.
     Axis(u32),
+    /// One element everywhere.
     Splat,
-}
-
-fn meaning(name: &str) -> Option<Meaning> {
-    use Meaning::{Linear, Scalar};
-    Some(match name {
-        "sqrt" => Scalar(Intrinsic::Sqrt),
-        "floor" => Scalar(Intrinsic::Floor),
-        "to_bits" => Scalar(Intrinsic::ToBits),
-        "raw_bits" => Scalar(Intrinsic::RawBits),
-        "from_bits" => Scalar(Intrinsic::FromBits),
-        "copysign" => Scalar(Intrinsic::Copysign),
-        "abs" => Scalar(Intrinsic::Abs),
-        "min" => Scalar(Intrinsic::Min),
-        "max" => Scalar(Intrinsic::Max),
-        "clamp" => Scalar(Intrinsic::Clamp),
-        "wrapping_add" => Scalar(Intrinsic::WrappingAdd),
-        "wrapping_sub" => Scalar(Intrinsic::WrappingSub),
-        "wrapping_mul" => Scalar(Intrinsic::WrappingMul),
-        "saturating_add" => Scalar(Intrinsic::SaturatingAdd),
-        "saturating_sub" => Scalar(Intrinsic::SaturatingSub),
-        "saturating_mul" => Scalar(Intrinsic::SaturatingMul),
-        "unsigned_abs" => Scalar(Intrinsic::UnsignedAbs),
-        "ceil" => Scalar(Intrinsic::Ceil),
-        "trunc" => Scalar(Intrinsic::Trunc),
-        "round" => Scalar(Intrinsic::Round),
-        "is_nan" => Scalar(Intrinsic::IsNan),
-        "is_finite" => Scalar(Intrinsic::IsFinite),
-        "is_infinite" => Scalar(Intrinsic::IsInfinite),
-        "transpose" => Linear(Routine::Transpose),
-        "dot" => Linear(Routine::Dot),
-        "cross" => Linear(Routine::Cross),
-        "norm" => Linear(Routine::Norm),
-        "norm_squared" => Linear(Routine::NormSquared),
-        "component_mul" => Linear(Routine::ComponentMul),
-        "component_div" => Linear(Routine::ComponentDiv),
-        "tr_mul" => Linear(Routine::TrMul),
-        "scale" => Linear(Routine::Scale),
-        "unscale" => Linear(Routine::Unscale),
-        "matrix_new" => Meaning::New,
-        "zeros" => Meaning::Zeros,
-        "identity" => Meaning::Identity,
-        "axis_x" => Meaning::Axis(0),
-        "axis_y" => Meaning::Axis(1),
-        "axis_z" => Meaning::Axis(2),
-        "axis_w" => Meaning::Axis(3),
-        "axis_a" => Meaning::Axis(4),
-        "axis_b" => Meaning::Axis(5),
-        "from_element" => Meaning::Splat,
-        _ => return None,
-    })
 }
 
 /// `N as f64`, where `N` is what an instance is made of, as a literal.
@@ -91,67 +42,71 @@ fn single(word: u64) -> u64 {
 impl Lowering<'_, '_> {
     pub(super) fn builtin(
         &mut self,
-        name: &str,
+        builtin: Builtin,
         arguments: &[tree::Expr],
         expr: &tree::Expr,
     ) -> Result<Expr> {
-        if let Some(value) = self.number_method(name, arguments, expr)? {
-            return Ok(value);
-        }
-        match (name, arguments) {
-            ("real", [argument]) => return self.real(argument, Some(Type::F64), expr),
-            ("try_from", [argument]) => return self.if_it_fits(argument, expr),
-            ("owned", [argument]) => return self.value(argument, None),
-            ("as_f64", [argument]) => return self.real(argument, None, expr),
-            ("matrix_rows" | "matrix_cols" | "matrix_elements", [matrix]) => {
-                return self.size(name, matrix, expr);
-            }
-            ("matrix_by_rows", [rows]) => return self.by_rows(rows, expr),
-            ("matrix_from_array", [from]) => return self.exchanged_with_array(from, expr),
-            _ => {}
-        }
-        if let (Some(axes), [vector]) = (name.strip_prefix("swizzle_"), arguments) {
-            return self.swizzle(axes, vector, expr);
-        }
-        if let Some(value) = self.spatial(name, arguments, expr)? {
-            return Ok(value);
-        }
-        if let Some(value) = self.list_method(name, arguments, expr)? {
-            return Ok(value);
-        }
-        if let Some(value) = self.slice_method(name, arguments, expr)? {
-            return Ok(value);
-        }
-        if let Some(value) = self.option_method(name, arguments, expr)? {
-            return Ok(value);
-        }
-        if name.ends_with("_bytes") {
-            return self.bytes(name, arguments, expr);
-        }
-        if let Some(value) = self.kernel_call(name, arguments, expr)? {
-            return Ok(value);
-        }
-        let Some(meaning) = meaning(name) else {
-            return problem(expr.site, format!("`{name}` has no meaning"), OUR_FAULT);
-        };
-        match meaning {
-            Meaning::Scalar(op) => self.intrinsic(op, arguments, expr),
-            Meaning::Linear(routine) => self.routine(routine, arguments, expr),
-            _ => {
-                let ty = self.slot_of(expr)?;
-                self.constructor(&meaning, arguments, ty, expr)
+        match builtin {
+            Builtin::Scalar(op) => self.intrinsic(op, arguments, expr),
+            Builtin::Number(method) => self.number_method(method, arguments, expr),
+            Builtin::Bytes(order) => self.bytes(order, arguments, expr),
+            Builtin::Real => self.real(&arguments[0], Some(Type::F64), expr),
+            Builtin::AsF64 => self.real(&arguments[0], None, expr),
+            Builtin::TryFrom => self.if_it_fits(&arguments[0], expr),
+            Builtin::Owned => self.value(&arguments[0], None),
+            Builtin::Linear(routine) => self.routine(routine, arguments, expr),
+            Builtin::Matrix(method) => self.matrix_method(method, arguments, expr),
+            Builtin::Kernel(routine) => self.kernel_call(routine, arguments, expr),
+            Builtin::Spatial(method) => self.spatial(method, arguments, expr),
+            Builtin::Parts(parts) => self.of_parts(parts, arguments, expr),
+            Builtin::List(method) => self.list_method(method, arguments, expr),
+            Builtin::Slice(method) => self.slice_method(method, arguments, expr),
+            Builtin::Option(method) => self.option_method(method, arguments, expr),
+            // It was put in its place before, if its arguments are closures.
+            Builtin::Desugared(_) => {
+                problem(expr.site, format!("{builtin:?} has no meaning here"), OUR_FAULT)
             }
         }
     }
 
+    fn matrix_method(
+        &mut self,
+        method: MatrixMethod,
+        arguments: &[tree::Expr],
+        expr: &tree::Expr,
+    ) -> Result<Expr> {
+        let constructor = match method {
+            MatrixMethod::Rows | MatrixMethod::Cols | MatrixMethod::Elements => {
+                return self.size(method, &arguments[0], expr);
+            }
+            MatrixMethod::ByRows => return self.by_rows(&arguments[0], expr),
+            MatrixMethod::FromArray => return self.exchanged_with_array(&arguments[0], expr),
+            MatrixMethod::Swizzle(axes, count) => {
+                return self.swizzle(&axes[..usize::from(count)], &arguments[0], expr);
+            }
+            MatrixMethod::New => Constructor::New,
+            MatrixMethod::Zeros => Constructor::Zeros,
+            MatrixMethod::Identity => Constructor::Identity,
+            MatrixMethod::FromElement => Constructor::Splat,
+            MatrixMethod::Axis(axis) => Constructor::Axis(axis),
+        };
+        let ty = self.slot_of(expr)?;
+        self.constructor(constructor, arguments, ty, expr)
+    }
+
     /// How many rows, columns or elements a matrix has.
-    fn size(&mut self, name: &str, matrix: &tree::Expr, expr: &tree::Expr) -> Result<Expr> {
+    fn size(
+        &mut self,
+        method: MatrixMethod,
+        matrix: &tree::Expr,
+        expr: &tree::Expr,
+    ) -> Result<Expr> {
         let Type::Matrix { rows, cols, .. } = self.type_alone(matrix)? else {
             return problem(expr.site, "this takes a matrix or vector", OUR_FAULT);
         };
-        let count = match name {
-            "matrix_rows" => rows,
-            "matrix_cols" => cols,
+        let count = match method {
+            MatrixMethod::Rows => rows,
+            MatrixMethod::Cols => cols,
             _ => rows * cols,
         };
         Ok(self.index_literal(u64::from(count), expr))
@@ -168,7 +123,7 @@ impl Lowering<'_, '_> {
                 }
             }
         }
-        self.constructor(&Meaning::New, &elements, ty, expr)
+        self.constructor(Constructor::New, &elements, ty, expr)
     }
 
     /// `real(0.5)`, `x.as_f64()`: a float as one of another type, a literal as one of it.
@@ -289,7 +244,7 @@ impl Lowering<'_, '_> {
 
     fn constructor(
         &mut self,
-        meaning: &Meaning,
+        constructor: Constructor,
         arguments: &[tree::Expr],
         ty: Type,
         expr: &tree::Expr,
@@ -298,8 +253,8 @@ impl Lowering<'_, '_> {
             return problem(expr.site, "this is not a matrix", OUR_FAULT);
         };
         let scalar = Type::Scalar(element);
-        let kind = match meaning {
-            Meaning::New => {
+        let kind = match constructor {
+            Constructor::New => {
                 // The author writes rows; the IR, as nalgebra, stores columns.
                 let by_rows = self.uniform(arguments, Some(scalar))?;
                 let by_columns = (0..rows * cols)
@@ -307,25 +262,25 @@ impl Lowering<'_, '_> {
                     .collect();
                 ExprKind::Matrix(by_columns)
             }
-            Meaning::Splat => {
+            Constructor::Splat => {
                 let value = self.uniform(arguments, Some(scalar))?;
                 match value.into_iter().next() {
                     Some(value) => ExprKind::Splat(Box::new(value)),
                     None => return problem(expr.site, "this takes an element", OUR_FAULT),
                 }
             }
-            Meaning::Identity => {
+            Constructor::Identity => {
                 let elements = (0..rows * cols).map(|index| {
                     self.number(u32::from(index % rows == index / rows), element, expr)
                 });
                 ExprKind::Matrix(elements.collect())
             }
-            Meaning::Axis(axis) => {
+            Constructor::Axis(axis) => {
                 let elements =
-                    (0..rows).map(|row| self.number(u32::from(row == *axis), element, expr));
+                    (0..rows).map(|row| self.number(u32::from(row == axis), element, expr));
                 ExprKind::Matrix(elements.collect())
             }
-            _ => ExprKind::Splat(Box::new(self.number(0, element, expr))),
+            Constructor::Zeros => ExprKind::Splat(Box::new(self.number(0, element, expr))),
         };
         self.node(kind, ty, expr.site)
     }

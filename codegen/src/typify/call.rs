@@ -1,12 +1,29 @@
 //! Calls of functions: what is passed, in the order in which Rust computes it.
 
-use bessemer_ir::tree;
+use bessemer_ir::tree::{self, Builtin};
 use bessemer_ir::{Argument, Expr, ExprKind, FunctionId, Mode, Type};
 
 use super::lowering::Lowering;
 use super::{OUR_FAULT, Result, problem};
 
 impl Lowering<'_, '_> {
+    /// The operation that a callee is; none if it is a function.
+    pub(super) fn builtin_of(&self, callee: u32) -> Option<Builtin> {
+        match self.source.callees.get(callee as usize)? {
+            tree::Callee::Builtin(builtin) => Some(*builtin),
+            tree::Callee::Function(_) => None,
+        }
+    }
+
+    /// The operation that an expression calls, and what it is called with.
+    pub(super) fn builtin_call<'t>(
+        &self,
+        expr: &'t tree::Expr,
+    ) -> Option<(Builtin, &'t [tree::Expr])> {
+        let tree::ExprKind::Call(callee, arguments) = &expr.kind else { return None };
+        Some((self.builtin_of(*callee)?, arguments))
+    }
+
     pub(super) fn call_function(
         &mut self,
         id: FunctionId,

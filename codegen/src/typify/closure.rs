@@ -2,7 +2,10 @@
 //!
 //! The closure's body stands in the arm where its value is wanted; its parameters are the patterns there.
 
-use bessemer_ir::tree::{self, Arm, Block, Expr, ExprKind, NO_SLOT, Pattern, Site, Start, Stmt};
+use bessemer_ir::tree::{
+    self, Arm, Block, Builtin, CaseMethod, Cases, Desugared, Expr, ExprKind, Gather, NO_SLOT,
+    Pattern, Site, Start, Stmt,
+};
 
 use super::lowering::Lowering;
 
@@ -38,50 +41,43 @@ const KEPT: &str = "%kept";
 impl Lowering<'_, '_> {
     /// The expansion of a call that takes closures; none if `expr` is something else.
     pub(super) fn in_place(&self, expr: &Expr) -> Option<Expr> {
-        let ExprKind::Call(callee, arguments) = &expr.kind else { return None };
-        let Some(tree::Callee::Builtin(name)) = self.source.callees.get(*callee as usize) else {
-            return None;
-        };
-        if let Some(end) = name.strip_prefix("gather ") {
-            return ended(end, arguments.first()?, expr);
-        }
-        match name.as_str() {
-            "array_map" => return mapped(&arguments[0], arguments.get(1)?, expr),
+        let (Builtin::Desugared(method), arguments) = self.builtin_call(expr)? else { return None };
+        let (cases, method) = match method {
+            Desugared::Gather(end) => return ended(end, arguments.first()?, expr),
+            Desugared::ArrayMap => return mapped(&arguments[0], arguments.get(1)?, expr),
             // What is lent stands where it stands.
-            "as_ref" => return arguments.first().cloned(),
-            "option_xor" => return Some(one_of(arguments, expr)),
-            "option_zip" => return Some(both_of(arguments, expr)),
-            "bool_then" => {
+            Desugared::AsRef => return arguments.first().cloned(),
+            Desugared::OptionXor => return Some(one_of(arguments, expr)),
+            Desugared::OptionZip => return Some(both_of(arguments, expr)),
+            Desugared::BoolThen => {
                 let (_, value) = parts(arguments.get(1)?)?;
                 return Some(only_if(&arguments[0], value, expr));
             }
-            "bool_then_some" => return Some(some_if(&arguments[0], arguments.get(1)?, expr)),
-            "ordering_then_with" => return then(&arguments[0], arguments.get(1)?, expr),
-            _ => {}
-        }
-        let (of, method) = name.split_once('_')?;
-        let cases = match of {
-            "option" => ["Some", "None"],
-            "result" => ["Ok", "Err"],
-            _ => return None,
+            Desugared::BoolThenSome => {
+                return Some(some_if(&arguments[0], arguments.get(1)?, expr));
+            }
+            Desugared::OrderingThenWith => return then(&arguments[0], arguments.get(1)?, expr),
+            Desugared::Case(Cases::Option, method) => (["Some", "None"], method),
+            Desugared::Case(Cases::Result, method) => (["Ok", "Err"], method),
         };
+        use CaseMethod as M;
         let made = Made { site: expr.site, slot: expr.slot, cases };
         let (receiver, first) = (arguments.first()?, arguments.get(1));
         let [there, absent] = match (method, arguments.get(2)) {
-            ("flatten", _) => [(None, Body::Same), (None, Body::Nothing)],
-            ("map", _) => [(Some(cases[0]), Body::Of(first?)), (Some(cases[1]), Body::Same)],
-            ("map_err", _) => [(Some("Ok"), Body::Same), (Some("Err"), Body::Of(first?))],
-            ("and_then", _) => [(None, Body::Of(first?)), (Some(cases[1]), Body::Same)],
-            ("or_else", _) => [(Some(cases[0]), Body::Same), (None, Body::Of(first?))],
-            ("unwrap_or_else", _) => [(None, Body::Same), (None, Body::Of(first?))],
-            ("map_or", Some(f)) => return Some(made.map_or(receiver, first?, f)),
-            ("map_or_else", Some(f)) => [(None, Body::Of(f)), (None, Body::Of(first?))],
-            ("ok_or_else", _) => [(Some("Ok"), Body::Same), (Some("Err"), Body::Of(first?))],
-            ("filter", _) => return made.filter(receiver, first?),
-            ("is_and", _) => return made.question(receiver, first?, cases[0]),
-            ("is_err_and", _) => return made.question(receiver, first?, "Err"),
-            ("is_none_or", _) => return made.none_or(receiver, first?),
-            _ => return None,
+            (M::Flatten, _) => [(None, Body::Same), (None, Body::Nothing)],
+            (M::Map, _) => [(Some(cases[0]), Body::Of(first?)), (Some(cases[1]), Body::Same)],
+            (M::MapErr, _) => [(Some("Ok"), Body::Same), (Some("Err"), Body::Of(first?))],
+            (M::AndThen, _) => [(None, Body::Of(first?)), (Some(cases[1]), Body::Same)],
+            (M::OrElse, _) => [(Some(cases[0]), Body::Same), (None, Body::Of(first?))],
+            (M::UnwrapOrElse, _) => [(None, Body::Same), (None, Body::Of(first?))],
+            (M::MapOr, Some(f)) => return Some(made.map_or(receiver, first?, f)),
+            (M::MapOrElse, Some(f)) => [(None, Body::Of(f)), (None, Body::Of(first?))],
+            (M::OkOrElse, _) => [(Some("Ok"), Body::Same), (Some("Err"), Body::Of(first?))],
+            (M::Filter, _) => return made.filter(receiver, first?),
+            (M::IsAnd, _) => return made.question(receiver, first?, cases[0]),
+            (M::IsErrAnd, _) => return made.question(receiver, first?, "Err"),
+            (M::IsNoneOr, _) => return made.none_or(receiver, first?),
+            (M::MapOr | M::MapOrElse, None) => return None,
         };
         Some(made.choice(receiver, there, absent))
     }
@@ -350,24 +346,24 @@ fn mapped(array: &Expr, closure: &Expr, expr: &Expr) -> Option<Expr> {
 
 /// `items.next()`, `items.last()`, `items.count()`, `items.sum()` of what a function gives: a loop that keeps, counts or
 /// adds up what comes.
-fn ended(end: &str, items: &Expr, expr: &Expr) -> Option<Expr> {
+fn ended(end: Gather, items: &Expr, expr: &Expr) -> Option<Expr> {
     let (site, slot) = (expr.site, expr.slot);
     let of = |kind, slot| Expr { kind, site, slot };
     let plain = |kind| Expr { kind, site, slot: None };
     let begun = |value| Start::Value(Box::new(value));
-    let first = end == "[0]";
+    let first = end == Gather::Next;
     let item = plain(ExprKind::Local(PAYLOAD.into()));
     let (name, pattern, start, op, value) = match end {
-        "+" => ("%sum", named(), Start::Sum, Some(tree::BinaryOp::Add), item),
-        "*" => ("%product", named(), Start::Product, Some(tree::BinaryOp::Mul), item),
-        "#" => {
+        Gather::Sum => ("%sum", named(), Start::Sum, Some(tree::BinaryOp::Add), item),
+        Gather::Product => ("%product", named(), Start::Product, Some(tree::BinaryOp::Mul), item),
+        Gather::Count => {
             let number = |digits: &str| {
                 let size = Some(bessemer_ir::Scalar::Int(bessemer_ir::Int::Usize));
                 plain(ExprKind::Int(digits.into(), size))
             };
             ("%count", Pattern::Any, begun(number("0")), Some(tree::BinaryOp::Add), number("1"))
         }
-        _ => {
+        Gather::Next | Gather::Last => {
             let option = |case: &str, parts| of(ExprKind::Constructor(case.into(), parts), slot);
             (
                 if first { "%next" } else { "%last" },

@@ -1,6 +1,6 @@
 //! Control flow: statements, and values that control flow decides.
 
-use bessemer_ir::tree::{self, Site};
+use bessemer_ir::tree::{self, Builtin, OptionMethod, Site};
 use bessemer_ir::{
     Block, CompareOp, Expr, ExprKind, Fault, LogicOp, Mode, Place, StmtKind, Type, UnaryOp,
 };
@@ -66,8 +66,7 @@ impl Lowering<'_, '_> {
     }
 
     fn is_unwrap(&self, callee: u32) -> bool {
-        let callee = self.source.callees.get(callee as usize);
-        matches!(callee, Some(tree::Callee::Builtin(name)) if name == "unwrap")
+        self.builtin_of(callee) == Some(Builtin::Option(OptionMethod::Unwrap))
     }
 
     /// A condition and what is done if it holds; the names of its patterns are known there alone.
@@ -281,7 +280,7 @@ impl Lowering<'_, '_> {
                 Ok(())
             }
             tree::ExprKind::Call(callee, arguments) if self.is_unwrap(*callee) => {
-                self.unwrap("unwrap", arguments, expr).map(|_| ())
+                self.unwrap(OptionMethod::Unwrap, arguments, expr).map(|_| ())
             }
             tree::ExprKind::Try(label, operand) => {
                 self.try_value(label.as_deref(), operand, expr.site).map(|_| ())

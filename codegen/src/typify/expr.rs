@@ -499,7 +499,7 @@ impl Lowering<'_, '_> {
         expr: &tree::Expr,
     ) -> Result<Expr> {
         match callee {
-            tree::Callee::Builtin(name) => self.builtin(name, arguments, expr),
+            tree::Callee::Builtin(builtin) => self.builtin(*builtin, arguments, expr),
             tree::Callee::Function(path) => {
                 if let Some(template) = self.cx.templates.get(path.as_str()).copied() {
                     return self.call_handing(template, arguments, expr);

@@ -10,24 +10,6 @@ use super::lowering::Lowering;
 use super::written_views::counted;
 use super::{Context, OUR_FAULT, Result, problem};
 
-/// The DSL's names of its kernels.
-fn routine(name: &str) -> Option<KernelRoutine> {
-    Some(match name {
-        "solve_mut" => KernelRoutine::LuSolve,
-        "solve_into" => KernelRoutine::Solve,
-        "inverse_mut" => KernelRoutine::Inverse,
-        "determinant" => KernelRoutine::Determinant,
-        "cholesky_mut" => KernelRoutine::Cholesky,
-        "cholesky_lower" => KernelRoutine::CholeskyLower,
-        "cholesky_solve_mut" => KernelRoutine::CholeskySolve,
-        "solve_lower_mut" => KernelRoutine::SolveLower,
-        "solve_upper_mut" => KernelRoutine::SolveUpper,
-        "tr_solve_lower_mut" => KernelRoutine::TrSolveLower,
-        "tr_solve_upper_mut" => KernelRoutine::TrSolveUpper,
-        _ => return None,
-    })
-}
-
 impl Context<'_> {
     /// The function that stands for a kernel; of the module once it is asked for.
     fn kernel(&mut self, kernel: &Kernel) -> FunctionId {
@@ -45,14 +27,13 @@ impl Context<'_> {
 }
 
 impl Lowering<'_, '_> {
-    /// A call that is a kernel's, if `name` is that of one.
+    /// The call of a kernel.
     pub(super) fn kernel_call(
         &mut self,
-        name: &str,
+        routine: KernelRoutine,
         arguments: &[tree::Expr],
         expr: &tree::Expr,
-    ) -> Result<Option<Expr>> {
-        let Some(routine) = routine(name) else { return Ok(None) };
+    ) -> Result<Expr> {
         let mut shapes = Vec::new();
         for argument in arguments {
             shapes.push(self.type_alone(argument)?);
@@ -70,8 +51,8 @@ impl Lowering<'_, '_> {
         };
         let id = self.cx.kernel(&kernel);
         match self.cx.by_columns {
-            true => self.call_function(id, arguments, expr).map(Some),
-            false => self.call_with_copies(id, arguments, expr).map(Some),
+            true => self.call_function(id, arguments, expr),
+            false => self.call_with_copies(id, arguments, expr),
         }
     }
 

@@ -4,7 +4,7 @@
 //! taken apart where it is called, by `let`, `if let`, `let … else` or `match`. Elsewhere `get`, `first` and `last` give
 //! a copy, slices become values ([`held_slices`](super::held_slices)), and what would be written is refused.
 
-use bessemer_ir::tree::{self, NO_SLOT, Site};
+use bessemer_ir::tree::{self, Builtin, NO_SLOT, Site, SliceMethod};
 use bessemer_ir::{CompareOp, Expr, ExprKind, Fault, LogicOp, Mode, Span, StmtKind, Type};
 
 use super::elements::Slice;
@@ -21,26 +21,22 @@ impl Lowering<'_, '_> {
         if let Some(option) = self.option_lent(expr)? {
             return Ok(Some(Subject::Place(option)));
         }
-        let name = match &expr.kind {
-            tree::ExprKind::Call(callee, _) => match self.source.callees.get(*callee as usize) {
-                Some(tree::Callee::Builtin(name)) if name == "as_slice" => {
-                    return Ok(self.slice(expr)?.map(|slice| Subject::Slice(Box::new(slice))));
-                }
-                Some(tree::Callee::Builtin(name)) => name.clone(),
-                _ => return Ok(None),
-            },
-            _ => return Ok(self.slice(expr)?.map(|slice| Subject::Slice(Box::new(slice)))),
+        let tree::ExprKind::Call(callee, arguments) = &expr.kind else {
+            return Ok(self.slice(expr)?.map(|slice| Subject::Slice(Box::new(slice))));
         };
-        let (Some(name), tree::ExprKind::Call(_, arguments)) =
-            (name.strip_prefix("slice_"), &expr.kind)
-        else {
-            return Ok(None);
+        let method = match self.builtin_of(*callee) {
+            Some(Builtin::Slice(SliceMethod::Whole)) => {
+                return Ok(self.slice(expr)?.map(|slice| Subject::Slice(Box::new(slice))));
+            }
+            Some(Builtin::Slice(method)) => method,
+            _ => return Ok(None),
         };
+        use SliceMethod as M;
         let span = self.span(expr.site);
         let (zero, one) = (Expr::usize(0, span), Expr::usize(1, span));
         let slice = |slice: Slice| Subject::Slice(Box::new(slice));
-        Ok(Some(match (name, arguments.as_slice()) {
-            ("get" | "get_mut", [array, index]) => {
+        Ok(Some(match (method, arguments.as_slice()) {
+            (M::Get | M::GetMut, [array, index]) => {
                 let array = self.sliced(array)?;
                 let index = self.value(index, Some(&Type::USIZE))?;
                 let index = self.steady("index", index);
@@ -49,7 +45,7 @@ impl Lowering<'_, '_> {
                 let place = array.at(plus(array.from.clone(), index));
                 Subject::Maybe(there, Box::new(Subject::Place(place)))
             }
-            ("get_part", [array, from, to]) => {
+            (M::GetPart, [array, from, to]) => {
                 let array = self.sliced(array)?;
                 let from = self.value(from, Some(&Type::USIZE))?;
                 let from = self.steady(ENDS[0], from);
@@ -67,7 +63,7 @@ impl Lowering<'_, '_> {
                 };
                 Subject::Maybe(there, Box::new(slice(array.between(from, to))))
             }
-            ("get_from", [array, from]) => {
+            (M::GetFrom, [array, from]) => {
                 let array = self.sliced(array)?;
                 let from = self.value(from, Some(&Type::USIZE))?;
                 let from = self.steady(ENDS[0], from);
@@ -76,7 +72,7 @@ impl Lowering<'_, '_> {
                 Subject::Maybe(there, Box::new(slice(array.behind(from))))
             }
             (
-                "first" | "first_mut" | "last" | "last_mut" | "split_first" | "split_last",
+                M::First | M::FirstMut | M::Last | M::LastMut | M::SplitFirst | M::SplitLast,
                 [array],
             ) => {
                 let array = self.sliced(array)?;
@@ -86,10 +82,10 @@ impl Lowering<'_, '_> {
                 };
                 let less = minus(array.length.clone(), one.clone());
                 let last = minus(array.to.clone(), one.clone());
-                let lent = match name {
-                    "first" | "first_mut" => Subject::Place(array.at(array.from.clone())),
-                    "last" | "last_mut" => Subject::Place(array.at(last)),
-                    "split_first" => {
+                let lent = match method {
+                    M::First | M::FirstMut => Subject::Place(array.at(array.from.clone())),
+                    M::Last | M::LastMut => Subject::Place(array.at(last)),
+                    M::SplitFirst => {
                         let first = array.at(array.from.clone());
                         Subject::Parts(vec![Subject::Place(first), slice(array.behind(one))])
                     }
@@ -100,7 +96,7 @@ impl Lowering<'_, '_> {
                 };
                 Subject::Maybe(there, Box::new(lent))
             }
-            ("split_at", [array, at]) => {
+            (M::SplitAt, [array, at]) => {
                 let array = self.sliced(array)?;
                 let at = self.value(at, Some(&Type::USIZE))?;
                 let at = self.steady("middle", at);

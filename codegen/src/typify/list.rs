@@ -2,7 +2,7 @@
 //!
 //! Room and indices are checked before anything is written.
 
-use bessemer_ir::tree::{self, Site};
+use bessemer_ir::tree::{self, Builtin, ListMethod, Site};
 use bessemer_ir::{
     Block, CompareOp, Expr, ExprKind, Fault, Form, Intrinsic, LogicOp, Place, Span, Step, Stmt,
     StmtKind, StructId, Type,
@@ -86,33 +86,32 @@ impl Lowering<'_, '_> {
         self.emit(StmtKind::Check { condition, fault }, span);
     }
 
-    /// The value of a method of `List` that has one; none if `name` is no such method.
+    /// The value of a method of `List` that has one.
     pub(super) fn list_method(
         &mut self,
-        name: &str,
+        method: ListMethod,
         arguments: &[tree::Expr],
         expr: &tree::Expr,
-    ) -> Result<Option<Expr>> {
+    ) -> Result<Expr> {
         let (site, span) = (expr.site, self.span(expr.site));
-        match name {
-            "list_new" => {
+        match method {
+            ListMethod::New => {
                 let ty = self.slot_of(expr)?;
-                Ok(Some(self.zero(&ty, span)))
+                Ok(self.zero(&ty, span))
             }
-            "list_len" => Ok(Some(self.list(&arguments[0])?.length.load())),
-            "list_capacity" => {
+            ListMethod::Len => Ok(self.list(&arguments[0])?.length.load()),
+            ListMethod::Capacity => {
                 let capacity = self.list(&arguments[0])?.capacity;
-                Ok(Some(Expr::usize(u64::from(capacity), span)))
+                Ok(Expr::usize(u64::from(capacity), span))
             }
-            "list_is_empty" => {
+            ListMethod::IsEmpty => {
                 let length = self.list(&arguments[0])?.length.load();
-                Ok(Some(Expr::compare(CompareOp::Eq, length, Expr::usize(0, span)).at(span)))
+                Ok(Expr::compare(CompareOp::Eq, length, Expr::usize(0, span)).at(span))
             }
-            "list_pop" => self.pop(&arguments[0], expr).map(Some),
-            _ if name.starts_with("list_") => {
+            ListMethod::Pop => self.pop(&arguments[0], expr),
+            ListMethod::Push | ListMethod::Clear | ListMethod::Truncate | ListMethod::Resize => {
                 problem(site, "this has no value", "write it as a statement")
             }
-            _ => Ok(None),
         }
     }
 
@@ -143,19 +142,17 @@ impl Lowering<'_, '_> {
 
     /// A method of `List` for its effect; false if it is none.
     pub(super) fn list_effect(&mut self, expr: &tree::Expr) -> Result<bool> {
-        let tree::ExprKind::Call(callee, arguments) = &expr.kind else { return Ok(false) };
-        let name = match self.source.callees.get(*callee as usize) {
-            Some(tree::Callee::Builtin(name)) if name.starts_with("list_") => name.clone(),
-            _ => return Ok(false),
+        let Some((Builtin::List(method), arguments)) = self.builtin_call(expr) else {
+            return Ok(false);
         };
         let (site, span) = (expr.site, self.span(expr.site));
-        match name.as_str() {
-            "list_push" => self.push(&arguments[0], &arguments[1], span)?,
-            "list_clear" => {
+        match method {
+            ListMethod::Push => self.push(&arguments[0], &arguments[1], span)?,
+            ListMethod::Clear => {
                 let list = self.list(&arguments[0])?;
                 self.set_length(&list, Expr::usize(0, span), span);
             }
-            "list_truncate" => {
+            ListMethod::Truncate => {
                 let list = self.list(&arguments[0])?;
                 let length = self.length_argument(&arguments[1])?;
                 let condition =
@@ -164,8 +161,8 @@ impl Lowering<'_, '_> {
                 let (then, otherwise) = (Block(vec![Stmt::new(assign, span)]), Block::default());
                 self.emit(StmtKind::If { condition, then, otherwise }, span);
             }
-            "list_resize" => self.resize(arguments, span)?,
-            "list_pop" => {
+            ListMethod::Resize => self.resize(arguments, span)?,
+            ListMethod::Pop => {
                 let list = self.list(&arguments[0])?;
                 let condition =
                     Expr::compare(CompareOp::Gt, list.length.load(), Expr::usize(0, span)).at(span);
@@ -174,7 +171,9 @@ impl Lowering<'_, '_> {
                 let (then, otherwise) = (Block(vec![Stmt::new(assign, span)]), Block::default());
                 self.emit(StmtKind::If { condition, then, otherwise }, span);
             }
-            _ => return problem(site, "the value of this is not used", "leave it out"),
+            ListMethod::New | ListMethod::Len | ListMethod::IsEmpty | ListMethod::Capacity => {
+                return problem(site, "the value of this is not used", "leave it out");
+            }
         }
         Ok(true)
     }

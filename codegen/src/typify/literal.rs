@@ -1,6 +1,6 @@
 //! Literals: from the author's digits to words of the type that the context gives.
 
-use bessemer_ir::tree::{self, BinaryOp, Site};
+use bessemer_ir::tree::{self, BinaryOp, Builtin, MatrixMethod, Site};
 use bessemer_ir::{Expr, ExprKind, Float, Int, Scalar, Type};
 
 use super::lowering::Lowering;
@@ -82,8 +82,6 @@ pub(super) fn float_type(suffix: Option<Scalar>, expected: Option<&Type>) -> Sca
 }
 
 /// The methods that ask for the size of a matrix.
-const SIZES: [&str; 3] = ["matrix_rows", "matrix_cols", "matrix_elements"];
-
 impl Lowering<'_, '_> {
     /// Whether a number is made of those that an instance of something generic is made with, or of the size
     /// of a matrix.
@@ -94,10 +92,12 @@ impl Lowering<'_, '_> {
                     known == name && matches!(argument, tree::Argument::Number(..))
                 })
             }
-            tree::ExprKind::Call(callee, _) => match self.source.callees.get(*callee as usize) {
-                Some(tree::Callee::Builtin(name)) => SIZES.contains(&name.as_str()),
-                _ => false,
-            },
+            tree::ExprKind::Call(callee, _) => matches!(
+                self.builtin_of(*callee),
+                Some(Builtin::Matrix(
+                    MatrixMethod::Rows | MatrixMethod::Cols | MatrixMethod::Elements
+                ))
+            ),
             tree::ExprKind::Binary(_, a, b) => self.is_of_instance(a) || self.is_of_instance(b),
             _ => false,
         }

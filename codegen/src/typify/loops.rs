@@ -4,7 +4,7 @@
 //! own condition ends. Leaving a loop that is not the innermost
 //! raises a flag: each loop in between ends, and looks at the flag behind it.
 
-use bessemer_ir::tree::{self, Site};
+use bessemer_ir::tree::{self, Builtin, ListMethod, Site};
 use bessemer_ir::{
     Block, CompareOp, Expr, ExprKind, Fault, Int, Local, LocalId, LogicOp, Mode, Place, Scalar,
     Span, Step, Stmt, StmtKind, Type,
@@ -151,12 +151,10 @@ impl Lowering<'_, '_> {
     fn popped_length(&mut self, condition: &tree::Expr) -> Result<Option<Expr>> {
         let tree::ExprKind::Let(pattern, value) = &condition.kind else { return Ok(None) };
         let tree::Pattern::Constructor(variant, _) = &**pattern else { return Ok(None) };
-        let tree::ExprKind::Call(callee, arguments) = &value.kind else { return Ok(None) };
-        let is_pop = match self.source.callees.get(*callee as usize) {
-            Some(tree::Callee::Builtin(name)) => name == "list_pop",
-            _ => false,
+        let Some((Builtin::List(ListMethod::Pop), arguments)) = self.builtin_call(value) else {
+            return Ok(None);
         };
-        if !is_pop || variant != "Some" || !is_named(&arguments[0]) {
+        if variant != "Some" || !is_named(&arguments[0]) {
             return Ok(None);
         }
         let list = self.base(&arguments[0])?;

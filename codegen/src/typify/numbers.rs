@@ -3,10 +3,9 @@
 //! One that the IR has is in [`builtin`](super::builtin); what stands here is spelt out, as a reader of
 //! the C would write it, each operand computed once.
 //!
-//! Invariant: a name is looked up once, in [`named`]; what is spelt out then is one `match`, which the compiler holds
-//! to be complete.
+//! Invariant: each method is one arm of [`method`], which the compiler holds to be complete.
 
-use bessemer_ir::tree;
+use bessemer_ir::tree::{self, ByteOrder, NumberMethod};
 use bessemer_ir::{
     BinaryOp, CompareOp, Expr, ExprKind, Float, Int, Intrinsic, Place, Scalar, Span, Step, Type,
     UnaryOp,
@@ -58,41 +57,40 @@ enum Two {
     RotateRight,
 }
 
-/// The meaning of a name; none if it is no method that is put together here.
-fn named(name: &str) -> Option<Method> {
+/// How a method is put together.
+fn method(it: NumberMethod) -> Method {
     use Method::{One as O, Two as T};
-    Some(match name {
-        "recip" => O(One::Recip),
-        "fract" => O(One::Fract),
-        "to_degrees" => O(One::ToDegrees),
-        "to_radians" => O(One::ToRadians),
-        "signum" => O(One::Signum),
-        "is_sign_negative" => O(One::Sign(CompareOp::Lt)),
-        "is_sign_positive" => O(One::Sign(CompareOp::Gt)),
-        "is_negative" => O(One::Compared(CompareOp::Lt)),
-        "is_positive" => O(One::Compared(CompareOp::Gt)),
-        "wrapping_neg" => O(One::WrappingNeg),
-        "wrapping_abs" => O(One::WrappingAbs),
-        "swap_bytes" => O(One::SwapBytes),
-        "is_power_of_two" => O(One::IsPowerOfTwo),
-        "from" => O(One::From),
-        "count_ones" => O(One::Bits(Intrinsic::CountOnes)),
-        "count_zeros" => O(One::OppositeBits(Intrinsic::CountOnes)),
-        "leading_zeros" => O(One::Bits(Intrinsic::LeadingZeros)),
-        "leading_ones" => O(One::OppositeBits(Intrinsic::LeadingZeros)),
-        "trailing_zeros" => O(One::Bits(Intrinsic::TrailingZeros)),
-        "trailing_ones" => O(One::OppositeBits(Intrinsic::TrailingZeros)),
-        "div_euclid" => T(Two::BySign(BinaryOp::Div, Intrinsic::DivEuclid)),
-        "rem_euclid" => T(Two::BySign(BinaryOp::Rem, Intrinsic::RemEuclid)),
-        "wrapping_div" => T(Two::BySign(BinaryOp::Div, Intrinsic::WrappingDiv)),
-        "wrapping_rem" => T(Two::BySign(BinaryOp::Rem, Intrinsic::WrappingRem)),
-        "abs_diff" => T(Two::AbsDiff),
-        "wrapping_shl" => T(Two::Shift(BinaryOp::Shl)),
-        "wrapping_shr" => T(Two::Shift(BinaryOp::Shr)),
-        "rotate_left" => T(Two::RotateLeft),
-        "rotate_right" => T(Two::RotateRight),
-        _ => return None,
-    })
+    match it {
+        NumberMethod::Recip => O(One::Recip),
+        NumberMethod::Fract => O(One::Fract),
+        NumberMethod::ToDegrees => O(One::ToDegrees),
+        NumberMethod::ToRadians => O(One::ToRadians),
+        NumberMethod::Signum => O(One::Signum),
+        NumberMethod::IsSignNegative => O(One::Sign(CompareOp::Lt)),
+        NumberMethod::IsSignPositive => O(One::Sign(CompareOp::Gt)),
+        NumberMethod::IsNegative => O(One::Compared(CompareOp::Lt)),
+        NumberMethod::IsPositive => O(One::Compared(CompareOp::Gt)),
+        NumberMethod::WrappingNeg => O(One::WrappingNeg),
+        NumberMethod::WrappingAbs => O(One::WrappingAbs),
+        NumberMethod::SwapBytes => O(One::SwapBytes),
+        NumberMethod::IsPowerOfTwo => O(One::IsPowerOfTwo),
+        NumberMethod::From => O(One::From),
+        NumberMethod::CountOnes => O(One::Bits(Intrinsic::CountOnes)),
+        NumberMethod::CountZeros => O(One::OppositeBits(Intrinsic::CountOnes)),
+        NumberMethod::LeadingZeros => O(One::Bits(Intrinsic::LeadingZeros)),
+        NumberMethod::LeadingOnes => O(One::OppositeBits(Intrinsic::LeadingZeros)),
+        NumberMethod::TrailingZeros => O(One::Bits(Intrinsic::TrailingZeros)),
+        NumberMethod::TrailingOnes => O(One::OppositeBits(Intrinsic::TrailingZeros)),
+        NumberMethod::DivEuclid => T(Two::BySign(BinaryOp::Div, Intrinsic::DivEuclid)),
+        NumberMethod::RemEuclid => T(Two::BySign(BinaryOp::Rem, Intrinsic::RemEuclid)),
+        NumberMethod::WrappingDiv => T(Two::BySign(BinaryOp::Div, Intrinsic::WrappingDiv)),
+        NumberMethod::WrappingRem => T(Two::BySign(BinaryOp::Rem, Intrinsic::WrappingRem)),
+        NumberMethod::AbsDiff => T(Two::AbsDiff),
+        NumberMethod::WrappingShl => T(Two::Shift(BinaryOp::Shl)),
+        NumberMethod::WrappingShr => T(Two::Shift(BinaryOp::Shr)),
+        NumberMethod::RotateLeft => T(Two::RotateLeft),
+        NumberMethod::RotateRight => T(Two::RotateRight),
+    }
 }
 
 impl One {
@@ -239,14 +237,14 @@ const ROLES: [&str; 2] = ["value", "by"];
 const U32: Type = Type::Scalar(Scalar::Int(Int::U32));
 
 impl Lowering<'_, '_> {
-    /// The value of the method `name`; none if it is not put together here.
+    /// The value of a method of numbers.
     pub(super) fn number_method(
         &mut self,
-        name: &str,
+        called: NumberMethod,
         arguments: &[tree::Expr],
         expr: &tree::Expr,
-    ) -> Result<Option<Expr>> {
-        let Some(method) = named(name) else { return Ok(None) };
+    ) -> Result<Expr> {
+        let method = method(called);
         let ty = self.slot_of(expr)?;
         // What a literal operand is expected to be.
         let same = Some(ty.clone());
@@ -275,8 +273,8 @@ impl Lowering<'_, '_> {
             _ => None,
         };
         match value {
-            Some(value) => Ok(Some(value.at(span))),
-            None => problem(expr.site, format!("`{name}` does not take these operands"), OUR_FAULT),
+            Some(value) => Ok(value.at(span)),
+            None => problem(expr.site, format!("{called:?} takes other operands"), OUR_FAULT),
         }
     }
 
@@ -346,13 +344,13 @@ impl Lowering<'_, '_> {
     /// The bytes of a number as an array, or the number that they make.
     pub(super) fn bytes(
         &mut self,
-        name: &str,
+        order: ByteOrder,
         arguments: &[tree::Expr],
         expr: &tree::Expr,
     ) -> Result<Expr> {
         let ty = self.slot_of(expr)?;
         let span = self.span(expr.site);
-        let big = name.ends_with("be_bytes");
+        let big = order == ByteOrder::Big;
         let byte = of(Int::U8);
         let argument = self.value(&arguments[0], None)?;
         if let Type::Array { len, .. } = ty {

@@ -1,6 +1,6 @@
 //! The methods of `Option` and `Result`: a test, a copy, a check that there is a value.
 
-use bessemer_ir::tree::{self, Site};
+use bessemer_ir::tree::{self, OptionMethod, Site};
 use bessemer_ir::{Block, Expr, Fault, Place, Stmt, StmtKind, StructId, Type};
 
 use super::expr::Operand;
@@ -12,39 +12,41 @@ const LENT_BY_OPTION: &str =
     "take it apart where it is called: `if let Some(x) = self.last.as_mut() { … }`";
 
 impl Lowering<'_, '_> {
-    /// The value of a method of `Option` or `Result`; none if `name` is no such method.
+    /// The value of a method of `Option` or `Result`.
     pub(super) fn option_method(
         &mut self,
-        name: &str,
+        method: OptionMethod,
         arguments: &[tree::Expr],
         expr: &tree::Expr,
-    ) -> Result<Option<Expr>> {
-        let case = match name {
-            "is_some" | "is_none" => "Some",
-            "is_ok" | "is_err" => "Ok",
-            "unwrap" | "unwrap_err" => {
-                return match self.unwrap(name, arguments, expr)? {
-                    Some(value) => Ok(Some(value)),
+    ) -> Result<Expr> {
+        use OptionMethod as M;
+        let (case, absent) = match method {
+            M::IsSome => ("Some", false),
+            M::IsNone => ("Some", true),
+            M::IsOk => ("Ok", false),
+            M::IsErr => ("Ok", true),
+            M::Unwrap | M::UnwrapErr => {
+                return match self.unwrap(method, arguments, expr)? {
+                    Some(value) => Ok(value),
                     None => problem(expr.site, "this has no value", "write it as a statement"),
                 };
             }
-            "copied" => return self.value(&arguments[0], None).map(Some),
-            "take" | "replace" => return self.exchanged(arguments, expr).map(Some),
-            "option_as_mut" => {
+            M::Copied => return self.value(&arguments[0], None),
+            M::Take | M::Replace => return self.exchanged(arguments, expr),
+            M::UnwrapOr | M::UnwrapOrDefault | M::Or | M::And | M::OkOr | M::Ok | M::Err => {
+                return self.chosen(method, arguments, expr);
+            }
+            // A place is lent: each use of one that takes it has looked before.
+            M::AsMut | M::Insert | M::GetOrInsert | M::GetOrInsertWith => {
                 return problem(expr.site, super::lent::LENT, LENT_BY_OPTION);
             }
-            "unwrap_or" | "unwrap_or_default" | "or" | "and" | "ok_or" | "ok" | "err" => {
-                return self.chosen(name, arguments, expr).map(Some);
-            }
-            _ => return Ok(None),
         };
         let (place, id) = self.receiver(&arguments[0])?;
         let Some((word, _)) = self.case(id, case) else {
             return problem(expr.site, "this is not an `Option`", OUR_FAULT);
         };
         let there = self.tag_is(&place, id, word);
-        let absent = matches!(name, "is_none" | "is_err");
-        Ok(Some(if absent { there.negated() } else { there }))
+        Ok(if absent { there.negated() } else { there })
     }
 
     /// The place of an `Option` or a `Result`.
@@ -68,17 +70,17 @@ impl Lowering<'_, '_> {
     /// `unwrap`: a check, and the value if there is something to it.
     pub(super) fn unwrap(
         &mut self,
-        name: &str,
+        method: OptionMethod,
         arguments: &[tree::Expr],
         expr: &tree::Expr,
     ) -> Result<Option<Expr>> {
-        if name == "unwrap"
+        if method == OptionMethod::Unwrap
             && let Some(array) = self.unwrapped_array(&arguments[0])?
         {
             return Ok(Some(array));
         }
         let (place, id) = self.receiver(&arguments[0])?;
-        let (word, value) = self.present(&place, id, name == "unwrap_err");
+        let (word, value) = self.present(&place, id, method == OptionMethod::UnwrapErr);
         let condition = self.tag_is(&place, id, word);
         let span = self.span(expr.site);
         self.emit(StmtKind::Check { condition, fault: Fault::Absent }, span);
@@ -117,12 +119,18 @@ impl Lowering<'_, '_> {
     }
 
     /// Methods whose result is one of two values: the second, unless the first is there.
-    fn chosen(&mut self, name: &str, arguments: &[tree::Expr], expr: &tree::Expr) -> Result<Expr> {
+    fn chosen(
+        &mut self,
+        method: OptionMethod,
+        arguments: &[tree::Expr],
+        expr: &tree::Expr,
+    ) -> Result<Expr> {
+        use OptionMethod as M;
         let site = expr.site;
         let ty = self.slot_of(expr)?;
-        let other = match (name, &ty) {
-            ("unwrap_or", _) => Some(ty.clone()),
-            ("ok_or", Type::Struct(id)) => self.payload_type(*id, "Err"),
+        let other = match (method, &ty) {
+            (M::UnwrapOr, _) => Some(ty.clone()),
+            (M::OkOr, Type::Struct(id)) => self.payload_type(*id, "Err"),
             _ => None,
         };
         let mut operands = vec![Operand { expr: &arguments[0], expected: None, role: "left" }];
@@ -142,22 +150,22 @@ impl Lowering<'_, '_> {
         let Type::Struct(id) = place.ty else {
             return problem(site, "this is not an `Option`", OUR_FAULT);
         };
-        let (word, value) = self.present(&place, id, name == "err");
+        let (word, value) = self.present(&place, id, method == M::Err);
         let mut there = self.tag_is(&place, id, word);
-        let (otherwise, then) = match (name, &ty, second) {
-            ("unwrap_or", _, Some(second)) => (second, value),
-            ("unwrap_or_default", _, _) => (self.default_of(&ty, site)?, value),
-            ("or", _, Some(second)) => (second, Some(place.load())),
-            ("and", Type::Struct(result), Some(second)) => {
+        let (otherwise, then) = match (method, &ty, second) {
+            (M::UnwrapOr, _, Some(second)) => (second, value),
+            (M::UnwrapOrDefault, _, _) => (self.default_of(&ty, site)?, value),
+            (M::Or, _, Some(second)) => (second, Some(place.load())),
+            (M::And, Type::Struct(result), Some(second)) => {
                 there = there.negated();
                 let (_, error) = self.present(&place, id, true);
                 (second, Some(self.choice(*result, 0, error, site)?))
             }
-            ("ok_or", Type::Struct(result), second) => {
+            (M::OkOr, Type::Struct(result), second) => {
                 let ok = self.choice(*result, 1, value, site)?;
                 (self.choice(*result, 0, second, site)?, Some(ok))
             }
-            ("ok" | "err", Type::Struct(result), _) => {
+            (M::Ok | M::Err, Type::Struct(result), _) => {
                 let some = self.choice(*result, 1, value, site)?;
                 (self.choice(*result, 0, None, site)?, Some(some))
             }

@@ -1,7 +1,7 @@
 //! Methods of `Option` that return references: `insert`, `get_or_insert`, `as_mut`. Nothing is copied: the reference is
 //! another name for the content.
 
-use bessemer_ir::tree;
+use bessemer_ir::tree::{self, Builtin, OptionMethod};
 use bessemer_ir::{Block, Fault, Place, Stmt, StmtKind, StructId, Type};
 
 use super::lowering::Lowering;
@@ -10,19 +10,21 @@ use super::{OUR_FAULT, Result, order, problem};
 impl Lowering<'_, '_> {
     /// The place in an `Option` that a call lends; none if the call is something else.
     pub(super) fn in_option(&mut self, expr: &tree::Expr) -> Result<Option<Place>> {
-        let Some((name, arguments)) = self.builtin_call(expr) else { return Ok(None) };
-        match (name, arguments) {
-            ("option_insert", [option, value]) => {
+        let Some((Builtin::Option(method), arguments)) = self.builtin_call(expr) else {
+            return Ok(None);
+        };
+        match (method, arguments) {
+            (OptionMethod::Insert, [option, value]) => {
                 let value = Some(value);
                 self.filled((option, value, None), false, expr).map(Some)
             }
-            ("option_get_or_insert", [option, value]) => {
+            (OptionMethod::GetOrInsert, [option, value]) => {
                 self.filled((option, Some(value), None), true, expr).map(Some)
             }
-            ("option_get_or_insert_with", [option, value]) => {
+            (OptionMethod::GetOrInsertWith, [option, value]) => {
                 self.filled((option, None, Some(value)), true, expr).map(Some)
             }
-            ("unwrap", [lent]) => match self.option_lent(lent)? {
+            (OptionMethod::Unwrap, [lent]) => match self.option_lent(lent)? {
                 Some(place) => {
                     let (id, word, field) = self.held_in(&place, expr)?;
                     let (condition, span) = (self.tag_is(&place, id, word), self.span(expr.site));
@@ -38,16 +40,10 @@ impl Lowering<'_, '_> {
     /// The `Option` that `as_mut` is called of; none if `expr` is something else.
     pub(super) fn option_lent(&mut self, expr: &tree::Expr) -> Result<Option<Place>> {
         match self.builtin_call(expr) {
-            Some(("option_as_mut", [option])) => self.settled(option).map(Some),
+            Some((Builtin::Option(OptionMethod::AsMut), [option])) => {
+                self.settled(option).map(Some)
+            }
             _ => Ok(None),
-        }
-    }
-
-    fn builtin_call<'t>(&self, expr: &'t tree::Expr) -> Option<(&str, &'t [tree::Expr])> {
-        let tree::ExprKind::Call(callee, arguments) = &expr.kind else { return None };
-        match self.source.callees.get(*callee as usize)? {
-            tree::Callee::Builtin(name) => Some((name, arguments)),
-            tree::Callee::Function(_) => None,
         }
     }
 

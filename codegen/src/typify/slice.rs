@@ -4,7 +4,7 @@
 //! to another function becomes an address and a length. So a slice copies nothing, and an index is
 //! checked against the slice once, and against the array unless it follows.
 
-use bessemer_ir::tree::{self, Site, Ty};
+use bessemer_ir::tree::{self, Builtin, Site, SliceMethod, Ty};
 use bessemer_ir::{
     BinaryOp, Block, CompareOp, Expr, ExprKind, Fault, Local, LogicOp, Mode, Place, Span, Stmt,
     StmtKind, Type,
@@ -159,8 +159,7 @@ impl Lowering<'_, '_> {
                 }))
             }
             tree::ExprKind::Call(callee, arguments)
-                if matches!(self.source.callees.get(*callee as usize),
-                    Some(tree::Callee::Builtin(name)) if name == "as_slice") =>
+                if self.builtin_of(*callee) == Some(Builtin::Slice(SliceMethod::Whole)) =>
             {
                 self.sliced(&arguments[0]).map(Some)
             }
@@ -273,36 +272,37 @@ impl Lowering<'_, '_> {
     /// The value of a method of slices that has one; none if `name` is no such method.
     pub(super) fn slice_method(
         &mut self,
-        name: &str,
+        method: SliceMethod,
         arguments: &[tree::Expr],
         expr: &tree::Expr,
-    ) -> Result<Option<Expr>> {
-        let Some(name) = name.strip_prefix("slice_") else { return Ok(None) };
+    ) -> Result<Expr> {
+        use SliceMethod as M;
         let span = self.span(expr.site);
         if let Some(ty) = self.borrowing_type(expr)
             && let Some(lent) = self.lent(expr)?
         {
-            return self.lent_value(lent, &ty, expr.site).map(Some);
+            return self.lent_value(lent, &ty, expr.site);
         }
         let slice = self.sliced(&arguments[0])?;
         let zero = Expr::usize(0, span);
-        match (name, arguments) {
-            ("len", _) => Ok(Some(slice.length)),
-            ("is_empty", _) => Ok(Some(Expr::compare(CompareOp::Eq, slice.length, zero).at(span))),
-            ("first", _) => self.maybe(&slice, zero, expr).map(Some),
-            ("last", _) => {
+        match (method, arguments) {
+            (M::Len, _) => Ok(slice.length),
+            (M::IsEmpty, _) => Ok(Expr::compare(CompareOp::Eq, slice.length, zero).at(span)),
+            (M::First, _) => self.maybe(&slice, zero, expr),
+            (M::Last, _) => {
                 let there = Expr::compare(CompareOp::Gt, slice.length.clone(), zero).at(span);
                 let last = minus(slice.to.clone(), Expr::usize(1, span));
-                self.maybe_where(there, slice.at(last), expr).map(Some)
+                self.maybe_where(there, slice.at(last), expr)
             }
-            ("get", [_, index]) => {
+            (M::Get, [_, index]) => {
                 let index = self.value(index, Some(&Type::USIZE))?;
                 let index = self.steady("index", index);
-                self.maybe(&slice, index, expr).map(Some)
+                self.maybe(&slice, index, expr)
             }
-            ("to_array" | "first_chunk", _) => self.as_array(name, &slice, expr).map(Some),
-            ("contains", [_, element]) => self.contains(&slice, element, expr.site).map(Some),
-            ("swap" | "fill" | "copy_from" | "reverse", _) => {
+            (M::ToArray, _) => self.as_array(true, &slice, expr),
+            (M::FirstChunk, _) => self.as_array(false, &slice, expr),
+            (M::Contains, [_, element]) => self.contains(&slice, element, expr.site),
+            (M::Swap | M::Fill | M::CopyFrom | M::Reverse, _) => {
                 problem(expr.site, "this has no value", "write it as a statement")
             }
             _ => problem(expr.site, super::lent::LENT, super::lent::TAKE_APART),
@@ -384,14 +384,12 @@ impl Lowering<'_, '_> {
 
     /// A method of slices for its effect; false if it is none.
     pub(super) fn slice_effect(&mut self, expr: &tree::Expr) -> Result<bool> {
-        let tree::ExprKind::Call(callee, arguments) = &expr.kind else { return Ok(false) };
-        let name = match self.source.callees.get(*callee as usize) {
-            Some(tree::Callee::Builtin(name)) => name.clone(),
-            _ => return Ok(false),
+        let Some((Builtin::Slice(method), arguments)) = self.builtin_call(expr) else {
+            return Ok(false);
         };
         let span = self.span(expr.site);
-        match (name.as_str(), arguments.as_slice()) {
-            ("slice_swap", [array, one, other]) => {
+        match (method, arguments) {
+            (SliceMethod::Swap, [array, one, other]) => {
                 let slice = self.sliced(array)?;
                 let mut index = |index: &tree::Expr, role| {
                     let index = self.value(index, Some(&Type::USIZE))?;
@@ -402,7 +400,7 @@ impl Lowering<'_, '_> {
                 let other = self.element_of(&slice, other, span);
                 self.exchange(one, other, span);
             }
-            ("slice_fill", [array, element]) => {
+            (SliceMethod::Fill, [array, element]) => {
                 let slice = self.sliced(array)?;
                 let value = self.value(element, Some(&slice.element))?;
                 self.agree(&value.ty, &slice.element, element.site)?;
@@ -412,7 +410,7 @@ impl Lowering<'_, '_> {
                     Ok(())
                 })?;
             }
-            ("slice_reverse", [array]) => {
+            (SliceMethod::Reverse, [array]) => {
                 let slice = self.sliced(array)?;
                 let half = Expr::binary(BinaryOp::Div, slice.length.clone(), Expr::usize(2, span));
                 let half = match slice.length.kind {
@@ -427,7 +425,7 @@ impl Lowering<'_, '_> {
                     Ok(())
                 })?;
             }
-            ("slice_copy_from", [array, from]) => {
+            (SliceMethod::CopyFrom, [array, from]) => {
                 let (to, from) = (self.sliced(array)?, self.sliced(from)?);
                 let same =
                     Expr::compare(CompareOp::Eq, to.length.clone(), from.length.clone()).at(span);

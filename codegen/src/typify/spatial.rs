@@ -1,7 +1,7 @@
 //! nalgebra's rotations and poses, as far as they need no function: structs of quaternions, one as the
 //! other, and their parts as a vector.
 
-use bessemer_ir::tree::{self, Site};
+use bessemer_ir::tree::{self, Parts, Site, SpatialMethod};
 use bessemer_ir::{
     CompareOp, Expr, ExprKind, LogicOp, Place, Routine, Span, Step, StructId, Type, UnaryOp,
 };
@@ -27,25 +27,21 @@ impl Lowering<'_, '_> {
         operators.find(|(at, _)| Some(*at) == slot).map(|(_, callee)| callee)
     }
 
-    /// An operation on rotations or poses; none if it is something else.
+    /// An operation on rotations or poses.
     pub(super) fn spatial(
         &mut self,
-        name: &str,
+        method: SpatialMethod,
         arguments: &[tree::Expr],
         expr: &tree::Expr,
-    ) -> Result<Option<Expr>> {
-        if let Some(names) = name.strip_prefix("parts ") {
-            return self.of_parts(names, arguments, expr).map(Some);
-        }
-        let value = match (name, arguments) {
-            ("platform_angles", _) => {
-                return problem(
-                    expr.site,
-                    "nalgebra takes sine, cosine or the root from the platform here, so the bits would depend on the target",
-                    "call the function of `bessemer::rotation` or `bessemer::complex` for it: `rotation::angle(&q)`, `rotation::from_scaled_axis(v)`, `complex::norm(&z)` and the like",
-                );
-            }
-            ("quaternion_identity", []) => {
+    ) -> Result<Expr> {
+        use SpatialMethod as M;
+        match (method, arguments) {
+            (M::PlatformAngles, _) => problem(
+                expr.site,
+                "nalgebra takes sine, cosine or the root from the platform here, so the bits would depend on the target",
+                "call the function of `bessemer::rotation` or `bessemer::complex` for it: `rotation::angle(&q)`, `rotation::from_scaled_axis(v)`, `complex::norm(&z)` and the like",
+            ),
+            (M::QuaternionIdentity, _) => {
                 let ty = self.slot_of(expr)?;
                 let Type::Struct(id) = ty else {
                     return problem(expr.site, "this is not a quaternion", OUR_FAULT);
@@ -56,38 +52,37 @@ impl Lowering<'_, '_> {
                     let digits = if name == "w" { "1.0" } else { "0.0" };
                     (name.to_owned(), tree::Expr { kind: kind(digits), site, slot: None })
                 };
-                self.parts(id, &["i", "j", "k", "w"].map(part), None, expr)?
+                self.parts(id, &["i", "j", "k", "w"].map(part), None, expr)
             }
-            ("quaternion_coords", [q]) => self.coords(q, expr.site)?,
-            ("same_parts", [q]) => {
+            (M::QuaternionCoords, [q]) => self.coords(q, expr.site),
+            (M::SameParts, [q]) => {
                 let ty = self.slot_of(expr)?;
                 let value = self.value(q, None)?;
-                self.same_parts(value, &ty, expr.site)?
+                self.same_parts(value, &ty, expr.site)
             }
-            ("plus" | "minus" | "times" | "times_transposed", [left, right]) => {
-                self.matrix_operation(name, left, right, expr)?
+            (M::Plus | M::Minus | M::Times | M::TimesTransposed, [left, right]) => {
+                self.matrix_operation(method, left, right, expr)
             }
-            ("negative", [matrix]) => {
+            (M::Negative, [matrix]) => {
                 let matrix = self.value(matrix, None)?;
                 let ty = matrix.ty.clone();
-                self.node(ExprKind::Routine(Routine::Neg, vec![matrix]), ty, expr.site)?
+                self.node(ExprKind::Routine(Routine::Neg, vec![matrix]), ty, expr.site)
             }
-            _ => return Ok(None),
-        };
-        Ok(Some(value))
+            _ => problem(expr.site, format!("{method:?} takes other operands"), OUR_FAULT),
+        }
     }
 
     /// A struct from its parts, named in the order of the arguments.
-    fn of_parts(
+    pub(super) fn of_parts(
         &mut self,
-        names: &str,
+        parts: Parts,
         arguments: &[tree::Expr],
         expr: &tree::Expr,
     ) -> Result<Expr> {
         let Type::Struct(id) = self.slot_of(expr)? else {
             return problem(expr.site, "this is not a struct", OUR_FAULT);
         };
-        let names = names.split(' ').map(str::to_owned);
+        let names = parts.names().iter().map(|name| (*name).to_owned());
         let parts: Vec<_> = names.zip(arguments.iter().cloned()).collect();
         self.parts(id, &parts, None, expr)
     }
@@ -95,7 +90,7 @@ impl Lowering<'_, '_> {
     /// An operator of matrices for what is a matrix in the C.
     fn matrix_operation(
         &mut self,
-        name: &str,
+        method: SpatialMethod,
         left: &tree::Expr,
         right: &tree::Expr,
         expr: &tree::Expr,
@@ -105,12 +100,12 @@ impl Lowering<'_, '_> {
             Operand { expr: right, expected: None, role: "right" },
         ])?;
         let [left, mut right] = two(operands, expr.site)?;
-        let op = match name {
-            "plus" => tree::BinaryOp::Add,
-            "minus" => tree::BinaryOp::Sub,
+        let op = match method {
+            SpatialMethod::Plus => tree::BinaryOp::Add,
+            SpatialMethod::Minus => tree::BinaryOp::Sub,
             _ => tree::BinaryOp::Mul,
         };
-        if name.ends_with("_transposed") {
+        if method == SpatialMethod::TimesTransposed {
             let ty = right.ty.clone();
             right = self.routine_node(Routine::Transpose, vec![right], ty, expr.site)?;
         }

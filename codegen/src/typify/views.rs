@@ -28,7 +28,7 @@ impl Lowering<'_, '_> {
     /// `v.zyx()`: the components of a vector, by their names.
     pub(super) fn swizzle(
         &mut self,
-        axes: &str,
+        axes: &[u8],
         vector: &tree::Expr,
         expr: &tree::Expr,
     ) -> Result<Expr> {
@@ -38,12 +38,11 @@ impl Lowering<'_, '_> {
         let Type::Matrix { element, .. } = place.ty else {
             return problem(expr.site, "this takes a vector", OUR_FAULT);
         };
-        let component = |axis: u8| {
-            let step =
-                Step::Element(Expr::usize(u64::from(axis - b'x'), span), Expr::usize(0, span));
+        let component = |axis: &u8| {
+            let step = Step::Element(Expr::usize(u64::from(*axis), span), Expr::usize(0, span));
             place.inside(step, Type::Scalar(element)).load()
         };
-        self.node(ExprKind::Matrix(axes.bytes().map(component).collect()), ty, expr.site)
+        self.node(ExprKind::Matrix(axes.iter().map(component).collect()), ty, expr.site)
     }
 
     fn view(

@@ -15,11 +15,13 @@ use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
 
+use serde::{Deserialize, Serialize};
+
 use crate::ir::{Function, Local, Mode, Role, Type};
 use crate::number::{Float, Scalar};
 
 /// The computation of a kernel, and its dimensions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum KernelRoutine {
     /// `a * b`; rows of `a`, columns of `a`, columns of `b`. Per output the first product, then k
     /// ascending `y = a_k * b_k + y`.

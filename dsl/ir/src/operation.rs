@@ -2,6 +2,8 @@
 //!
 //! Every one is exact: one value for given operands, the same on every target.
 
+use serde::{Deserialize, Serialize};
+
 use crate::number::{Float, Int, Scalar};
 
 /// Operators of one operand.
@@ -50,7 +52,7 @@ pub enum LogicOp {
 }
 
 /// Functions of scalars that hardware or a few instructions give, the same on every target.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Intrinsic {
     /// `sqrt(x)`, floats, rounded once.
     Sqrt,
@@ -188,7 +190,7 @@ impl Intrinsic {
 }
 
 /// Routines of linear algebra: each in the operation order of the nalgebra routine it stands for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Routine {
     /// `a + b`, each element.
     Add,

@@ -6,6 +6,7 @@
 //!
 //! Must not know: what an operation means. That is the typifier's.
 
+mod builtin;
 mod data;
 pub mod visit;
 mod way;
@@ -19,6 +20,7 @@ use serde::{Deserialize, Serialize};
 use crate::attributes::Attributes;
 use crate::number::Scalar;
 
+pub use builtin::*;
 pub use data::*;
 pub use way::*;
 
@@ -179,8 +181,8 @@ pub struct Function {
 pub enum Callee {
     /// A function of the package, by its path.
     Function(String),
-    /// An operation that the DSL knows, by name.
-    Builtin(String),
+    /// An operation that the library knows.
+    Builtin(Builtin),
 }
 
 /// A path that rustc evaluated.

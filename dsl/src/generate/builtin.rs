@@ -3,60 +3,61 @@
 //! One trait per kind of receiver, resolved by rustc as it resolves the method itself. The marker
 //! names the operation; what it means is the typifier's business.
 
-use alloc::borrow::ToOwned;
-
-use bessemer_ir::tree;
+use bessemer_ir::tree::{self, MatrixMethod};
+use bessemer_ir::{Intrinsic, Routine};
 use nalgebra::{SMatrix, Scalar};
 
 use super::builder::{Builder, Callee};
 use super::slot::{Called, ScalarType, Value};
 
 macro_rules! markers {
-    ($($marker:ident: $name:literal;)*) => {$(
-        #[doc = concat!("`", $name, "`.")]
+    ($($marker:ident: $kind:ident$(($operation:expr))?;)*) => {$(
+        #[doc = concat!("The marker of `", stringify!($kind$(($operation))?), "`.")]
         pub struct $marker;
         impl Callee for $marker {
             fn callee(_: &mut Builder) -> tree::Callee {
-                tree::Callee::Builtin($name.to_owned())
+                tree::Callee::Builtin(tree::Builtin::$kind$(($operation))?)
             }
         }
     )*};
 }
 pub(super) use markers;
 
+/// Companions that are asked for their types alone: none is ever run.
+macro_rules! signatures {
+    ($(
+        fn $name:ident($($parameters:tt)*) -> $result:ty $(where $of:ident: $bound:ident)?;
+    )*) => {$(
+        fn $name($($parameters)*) -> $result $(where $of: $bound)? {
+            unreachable!("a witness copy is never run")
+        }
+    )*};
+}
+pub(super) use signatures;
+
 markers! {
-    Sqrt: "sqrt"; Floor: "floor"; ToBits: "to_bits"; RawBits: "raw_bits"; FromBits: "from_bits"; Copysign: "copysign";
-    Abs: "abs"; Min: "min"; Max: "max"; Clamp: "clamp";
-    New: "matrix_new"; Zeros: "zeros"; Identity: "identity"; FromElement: "from_element";
-    Transpose: "transpose"; Dot: "dot"; Cross: "cross"; Norm: "norm"; NormSquared: "norm_squared";
-    Real: "real"; AsF64: "as_f64";
-    ComponentMul: "component_mul"; ComponentDiv: "component_div"; TrMul: "tr_mul";
-    Scale: "scale"; Unscale: "unscale";
-    AxisX: "axis_x"; AxisY: "axis_y"; AxisZ: "axis_z"; AxisW: "axis_w"; AxisA: "axis_a"; AxisB: "axis_b";
-    Rows: "matrix_rows"; Cols: "matrix_cols"; Elements: "matrix_elements";
+    Sqrt: Scalar(Intrinsic::Sqrt); Floor: Scalar(Intrinsic::Floor); ToBits: Scalar(Intrinsic::ToBits); RawBits: Scalar(Intrinsic::RawBits); FromBits: Scalar(Intrinsic::FromBits); Copysign: Scalar(Intrinsic::Copysign);
+    Abs: Scalar(Intrinsic::Abs); Min: Scalar(Intrinsic::Min); Max: Scalar(Intrinsic::Max); Clamp: Scalar(Intrinsic::Clamp);
+    New: Matrix(MatrixMethod::New); Zeros: Matrix(MatrixMethod::Zeros); Identity: Matrix(MatrixMethod::Identity); FromElement: Matrix(MatrixMethod::FromElement);
+    Transpose: Linear(Routine::Transpose); Dot: Linear(Routine::Dot); Cross: Linear(Routine::Cross); Norm: Linear(Routine::Norm); NormSquared: Linear(Routine::NormSquared);
+    Real: Real; AsF64: AsF64;
+    ComponentMul: Linear(Routine::ComponentMul); ComponentDiv: Linear(Routine::ComponentDiv); TrMul: Linear(Routine::TrMul);
+    Scale: Linear(Routine::Scale); Unscale: Linear(Routine::Unscale);
+    AxisX: Matrix(MatrixMethod::Axis(0)); AxisY: Matrix(MatrixMethod::Axis(1)); AxisZ: Matrix(MatrixMethod::Axis(2)); AxisW: Matrix(MatrixMethod::Axis(3)); AxisA: Matrix(MatrixMethod::Axis(4)); AxisB: Matrix(MatrixMethod::Axis(5));
+    Rows: Matrix(MatrixMethod::Rows); Cols: Matrix(MatrixMethod::Cols); Elements: Matrix(MatrixMethod::Elements);
 }
 
 /// Methods of floats.
 #[allow(missing_docs)]
 pub trait FloatBuiltins: Sized {
     type Bits: Value;
-    fn __b_sqrt(self) -> Called<Sqrt, Self> {
-        unreachable!()
-    }
-    fn __b_floor(self) -> Called<Floor, Self> {
-        unreachable!()
-    }
-    fn __b_copysign(self, _sign: Self) -> Called<Copysign, Self> {
-        unreachable!()
-    }
-    fn __b_to_bits(self) -> Called<ToBits, Self::Bits> {
-        unreachable!()
-    }
-    fn __b_raw_bits(self) -> Called<RawBits, Self::Bits> {
-        unreachable!()
-    }
-    fn __b_from_bits(_bits: Self::Bits) -> Called<FromBits, Self> {
-        unreachable!()
+    signatures! {
+        fn __b_sqrt(self) -> Called<Sqrt, Self>;
+        fn __b_floor(self) -> Called<Floor, Self>;
+        fn __b_copysign(self, _sign: Self) -> Called<Copysign, Self>;
+        fn __b_to_bits(self) -> Called<ToBits, Self::Bits>;
+        fn __b_raw_bits(self) -> Called<RawBits, Self::Bits>;
+        fn __b_from_bits(_bits: Self::Bits) -> Called<FromBits, Self>;
     }
 }
 
@@ -82,17 +83,11 @@ impl RealBuiltins for f32 {}
 /// Methods of numbers that are ordered.
 #[allow(missing_docs)]
 pub trait OrderBuiltins: Sized {
-    fn __b_abs(self) -> Called<Abs, Self> {
-        unreachable!()
-    }
-    fn __b_min(self, _other: Self) -> Called<Min, Self> {
-        unreachable!()
-    }
-    fn __b_max(self, _other: Self) -> Called<Max, Self> {
-        unreachable!()
-    }
-    fn __b_clamp(self, _low: Self, _high: Self) -> Called<Clamp, Self> {
-        unreachable!()
+    signatures! {
+        fn __b_abs(self) -> Called<Abs, Self>;
+        fn __b_min(self, _other: Self) -> Called<Min, Self>;
+        fn __b_max(self, _other: Self) -> Called<Max, Self>;
+        fn __b_clamp(self, _low: Self, _high: Self) -> Called<Clamp, Self>;
     }
 }
 
@@ -104,35 +99,17 @@ ordered!(f32, f64, i8, i16, i32, i64, isize, u8, u16, u32, u64, usize);
 /// Methods of matrices and vectors.
 #[allow(missing_docs)]
 pub trait MatrixBuiltins<T, const R: usize, const C: usize>: Sized {
-    fn __b_zeros() -> Called<Zeros, Self> {
-        unreachable!()
-    }
-    fn __b_from_element(_element: T) -> Called<FromElement, Self> {
-        unreachable!()
-    }
-    fn __b_repeat(_element: T) -> Called<FromElement, Self> {
-        unreachable!()
-    }
-    fn __b_nrows(&self) -> Called<Rows, usize> {
-        unreachable!()
-    }
-    fn __b_ncols(&self) -> Called<Cols, usize> {
-        unreachable!()
-    }
-    fn __b_len(&self) -> Called<Elements, usize> {
-        unreachable!()
-    }
-    fn __b_transpose(&self) -> Called<Transpose, SMatrix<T, C, R>> {
-        unreachable!()
-    }
-    fn __b_adjoint(&self) -> Called<Transpose, SMatrix<T, C, R>> {
-        unreachable!()
-    }
-    fn __b_scale(&self, _factor: T) -> Called<Scale, Self> {
-        unreachable!()
-    }
-    fn __b_unscale(&self, _divisor: T) -> Called<Unscale, Self> {
-        unreachable!()
+    signatures! {
+        fn __b_zeros() -> Called<Zeros, Self>;
+        fn __b_from_element(_element: T) -> Called<FromElement, Self>;
+        fn __b_repeat(_element: T) -> Called<FromElement, Self>;
+        fn __b_nrows(&self) -> Called<Rows, usize>;
+        fn __b_ncols(&self) -> Called<Cols, usize>;
+        fn __b_len(&self) -> Called<Elements, usize>;
+        fn __b_transpose(&self) -> Called<Transpose, SMatrix<T, C, R>>;
+        fn __b_adjoint(&self) -> Called<Transpose, SMatrix<T, C, R>>;
+        fn __b_scale(&self, _factor: T) -> Called<Scale, Self>;
+        fn __b_unscale(&self, _divisor: T) -> Called<Unscale, Self>;
     }
     fn __b_ad_mul<const K: usize>(
         &self,
@@ -140,29 +117,15 @@ pub trait MatrixBuiltins<T, const R: usize, const C: usize>: Sized {
     ) -> Called<TrMul, SMatrix<T, C, K>> {
         unreachable!()
     }
-    fn __b_dot(&self, _other: &Self) -> Called<Dot, T> {
-        unreachable!()
-    }
-    fn __b_norm(&self) -> Called<Norm, T> {
-        unreachable!()
-    }
-    fn __b_norm_squared(&self) -> Called<NormSquared, T> {
-        unreachable!()
-    }
-    fn __b_magnitude(&self) -> Called<Norm, T> {
-        unreachable!()
-    }
-    fn __b_magnitude_squared(&self) -> Called<NormSquared, T> {
-        unreachable!()
-    }
-    fn __b_dotc(&self, _other: &Self) -> Called<Dot, T> {
-        unreachable!()
-    }
-    fn __b_component_mul(&self, _other: &Self) -> Called<ComponentMul, Self> {
-        unreachable!()
-    }
-    fn __b_component_div(&self, _other: &Self) -> Called<ComponentDiv, Self> {
-        unreachable!()
+    signatures! {
+        fn __b_dot(&self, _other: &Self) -> Called<Dot, T>;
+        fn __b_norm(&self) -> Called<Norm, T>;
+        fn __b_norm_squared(&self) -> Called<NormSquared, T>;
+        fn __b_magnitude(&self) -> Called<Norm, T>;
+        fn __b_magnitude_squared(&self) -> Called<NormSquared, T>;
+        fn __b_dotc(&self, _other: &Self) -> Called<Dot, T>;
+        fn __b_component_mul(&self, _other: &Self) -> Called<ComponentMul, Self>;
+        fn __b_component_div(&self, _other: &Self) -> Called<ComponentDiv, Self>;
     }
     fn __b_tr_mul<const K: usize>(
         &self,

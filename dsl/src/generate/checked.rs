@@ -1,6 +1,7 @@
 //! The companions of checked arithmetic: functions of [`math::checked`](crate::math::checked).
 
 use super::builder::Callee;
+use super::builtin::signatures;
 use super::slot::Called;
 use crate::math::{checked, integer};
 
@@ -16,32 +17,16 @@ pub trait CheckedBuiltins: Sized {
     type Shl: Callee;
     type Shr: Callee;
     type Pow: Callee;
-    fn __b_checked_add(self, _other: Self) -> Called<Self::Add, Option<Self>> {
-        unreachable!()
-    }
-    fn __b_checked_sub(self, _other: Self) -> Called<Self::Sub, Option<Self>> {
-        unreachable!()
-    }
-    fn __b_checked_mul(self, _other: Self) -> Called<Self::Mul, Option<Self>> {
-        unreachable!()
-    }
-    fn __b_checked_div(self, _other: Self) -> Called<Self::Div, Option<Self>> {
-        unreachable!()
-    }
-    fn __b_checked_rem(self, _other: Self) -> Called<Self::Rem, Option<Self>> {
-        unreachable!()
-    }
-    fn __b_checked_neg(self) -> Called<Self::Neg, Option<Self>> {
-        unreachable!()
-    }
-    fn __b_checked_shl(self, _bits: u32) -> Called<Self::Shl, Option<Self>> {
-        unreachable!()
-    }
-    fn __b_checked_shr(self, _bits: u32) -> Called<Self::Shr, Option<Self>> {
-        unreachable!()
-    }
-    fn __b_checked_pow(self, _exponent: u32) -> Called<Self::Pow, Option<Self>> {
-        unreachable!()
+    signatures! {
+        fn __b_checked_add(self, _other: Self) -> Called<Self::Add, Option<Self>>;
+        fn __b_checked_sub(self, _other: Self) -> Called<Self::Sub, Option<Self>>;
+        fn __b_checked_mul(self, _other: Self) -> Called<Self::Mul, Option<Self>>;
+        fn __b_checked_div(self, _other: Self) -> Called<Self::Div, Option<Self>>;
+        fn __b_checked_rem(self, _other: Self) -> Called<Self::Rem, Option<Self>>;
+        fn __b_checked_neg(self) -> Called<Self::Neg, Option<Self>>;
+        fn __b_checked_shl(self, _bits: u32) -> Called<Self::Shl, Option<Self>>;
+        fn __b_checked_shr(self, _bits: u32) -> Called<Self::Shr, Option<Self>>;
+        fn __b_checked_pow(self, _exponent: u32) -> Called<Self::Pow, Option<Self>>;
     }
 }
 

@@ -2,10 +2,9 @@
 
 #![allow(missing_docs)]
 
-use alloc::borrow::ToOwned;
 use core::cmp::Ordering;
 
-use bessemer_ir::tree::{self, Ty};
+use bessemer_ir::tree::{self, Desugared, Ty};
 
 use super::builder::{Builder, Callee};
 use super::builtin::{OrderBuiltins, markers};
@@ -15,7 +14,7 @@ use crate::comparison;
 use crate::math::Real;
 
 markers! {
-    ThenWith: "ordering_then_with";
+    ThenWith: Desugared(Desugared::OrderingThenWith);
 }
 
 impl DslType for Ordering {

@@ -2,9 +2,7 @@
 
 #![allow(missing_docs)]
 
-use alloc::borrow::ToOwned;
-
-use bessemer_ir::tree::{self, Ty};
+use bessemer_ir::tree::{self, Parts, Ty};
 use nalgebra::Complex;
 
 use super::builder::{Builder, Callee};
@@ -17,7 +15,7 @@ use crate::complex;
 use crate::math::Real;
 
 markers! {
-    ComplexNew: "parts re im";
+    ComplexNew: Parts(Parts::Complex);
 }
 
 impl<T: Real> DslType for Complex<T> {

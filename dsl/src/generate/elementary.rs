@@ -1,6 +1,7 @@
 //! The companions of the elementary functions.
 
 use super::builder::Callee;
+use super::builtin::signatures;
 use super::slot::Called;
 use crate::math::{
     arctangent, exponential, fused, hyperbolic, logarithm, of_f32, power, roots, sine, tangent,
@@ -32,74 +33,30 @@ pub trait ElementaryBuiltins: Sized {
     type Powi: Callee;
     type MulAdd: Callee;
     type SinCos: Callee;
-    fn __b_sin(self) -> Called<Self::Sin, Self> {
-        unreachable!()
-    }
-    fn __b_cos(self) -> Called<Self::Cos, Self> {
-        unreachable!()
-    }
-    fn __b_tan(self) -> Called<Self::Tan, Self> {
-        unreachable!()
-    }
-    fn __b_asin(self) -> Called<Self::Asin, Self> {
-        unreachable!()
-    }
-    fn __b_acos(self) -> Called<Self::Acos, Self> {
-        unreachable!()
-    }
-    fn __b_atan(self) -> Called<Self::Atan, Self> {
-        unreachable!()
-    }
-    fn __b_exp(self) -> Called<Self::Exp, Self> {
-        unreachable!()
-    }
-    fn __b_exp2(self) -> Called<Self::Exp2, Self> {
-        unreachable!()
-    }
-    fn __b_exp_m1(self) -> Called<Self::ExpM1, Self> {
-        unreachable!()
-    }
-    fn __b_ln(self) -> Called<Self::Ln, Self> {
-        unreachable!()
-    }
-    fn __b_log2(self) -> Called<Self::Log2, Self> {
-        unreachable!()
-    }
-    fn __b_log10(self) -> Called<Self::Log10, Self> {
-        unreachable!()
-    }
-    fn __b_ln_1p(self) -> Called<Self::Ln1p, Self> {
-        unreachable!()
-    }
-    fn __b_sinh(self) -> Called<Self::Sinh, Self> {
-        unreachable!()
-    }
-    fn __b_cosh(self) -> Called<Self::Cosh, Self> {
-        unreachable!()
-    }
-    fn __b_tanh(self) -> Called<Self::Tanh, Self> {
-        unreachable!()
-    }
-    fn __b_cbrt(self) -> Called<Self::Cbrt, Self> {
-        unreachable!()
-    }
-    fn __b_atan2(self, _x: Self) -> Called<Self::Atan2, Self> {
-        unreachable!()
-    }
-    fn __b_powf(self, _y: Self) -> Called<Self::Powf, Self> {
-        unreachable!()
-    }
-    fn __b_hypot(self, _y: Self) -> Called<Self::Hypot, Self> {
-        unreachable!()
-    }
-    fn __b_powi(self, _n: i32) -> Called<Self::Powi, Self> {
-        unreachable!()
-    }
-    fn __b_mul_add(self, _a: Self, _b: Self) -> Called<Self::MulAdd, Self> {
-        unreachable!()
-    }
-    fn __b_sin_cos(self) -> Called<Self::SinCos, (Self, Self)> {
-        unreachable!()
+    signatures! {
+        fn __b_sin(self) -> Called<Self::Sin, Self>;
+        fn __b_cos(self) -> Called<Self::Cos, Self>;
+        fn __b_tan(self) -> Called<Self::Tan, Self>;
+        fn __b_asin(self) -> Called<Self::Asin, Self>;
+        fn __b_acos(self) -> Called<Self::Acos, Self>;
+        fn __b_atan(self) -> Called<Self::Atan, Self>;
+        fn __b_exp(self) -> Called<Self::Exp, Self>;
+        fn __b_exp2(self) -> Called<Self::Exp2, Self>;
+        fn __b_exp_m1(self) -> Called<Self::ExpM1, Self>;
+        fn __b_ln(self) -> Called<Self::Ln, Self>;
+        fn __b_log2(self) -> Called<Self::Log2, Self>;
+        fn __b_log10(self) -> Called<Self::Log10, Self>;
+        fn __b_ln_1p(self) -> Called<Self::Ln1p, Self>;
+        fn __b_sinh(self) -> Called<Self::Sinh, Self>;
+        fn __b_cosh(self) -> Called<Self::Cosh, Self>;
+        fn __b_tanh(self) -> Called<Self::Tanh, Self>;
+        fn __b_cbrt(self) -> Called<Self::Cbrt, Self>;
+        fn __b_atan2(self, _x: Self) -> Called<Self::Atan2, Self>;
+        fn __b_powf(self, _y: Self) -> Called<Self::Powf, Self>;
+        fn __b_hypot(self, _y: Self) -> Called<Self::Hypot, Self>;
+        fn __b_powi(self, _n: i32) -> Called<Self::Powi, Self>;
+        fn __b_mul_add(self, _a: Self, _b: Self) -> Called<Self::MulAdd, Self>;
+        fn __b_sin_cos(self) -> Called<Self::SinCos, (Self, Self)>;
     }
 }
 

@@ -3,21 +3,20 @@
 
 #![allow(missing_docs)]
 
-use alloc::borrow::ToOwned;
 use core::marker::PhantomData;
 
-use bessemer_ir::tree::{self, Ty};
+use bessemer_ir::tree::{self, Desugared, Gather, Ty};
 
 use super::builder::{Builder, Callee};
 use super::builtin::markers;
 use super::slot::{Called, DslType, Seen};
 
 markers! {
-    Next: "gather [0]";
-    Last: "gather [-1]";
-    Count: "gather #";
-    Sum: "gather +";
-    Product: "gather *";
+    Next: Desugared(Desugared::Gather(Gather::Next));
+    Last: Desugared(Desugared::Gather(Gather::Last));
+    Count: Desugared(Desugared::Gather(Gather::Count));
+    Sum: Desugared(Desugared::Gather(Gather::Sum));
+    Product: Desugared(Desugared::Gather(Gather::Product));
 }
 
 /// What the companion of a function gives that gives an iterator of `T`, and what the builder of one that takes it has.

@@ -2,9 +2,8 @@
 
 #![allow(missing_docs)]
 
-use alloc::borrow::ToOwned;
-
-use bessemer_ir::tree;
+use bessemer_ir::KernelRoutine;
+use bessemer_ir::tree::{self, MatrixMethod};
 use nalgebra::{SMatrix, SVector, Scalar};
 
 use super::builder::{Builder, Callee};
@@ -14,11 +13,11 @@ use super::slot::{Called, ScalarType};
 use crate::linear::{by_rows, inverse_mut, kernels, solve_into, solve_mut};
 
 markers! {
-    CholeskyMut: "cholesky_mut"; CholeskyLower: "cholesky_lower"; CholeskySolveMut: "cholesky_solve_mut";
-    SolveLowerMut: "solve_lower_mut"; SolveUpperMut: "solve_upper_mut";
-    TrSolveLowerMut: "tr_solve_lower_mut"; TrSolveUpperMut: "tr_solve_upper_mut";
-    ByRows: "matrix_by_rows"; FromArray: "matrix_from_array";
-    SolveMut: "solve_mut"; SolveInto: "solve_into"; InverseMut: "inverse_mut"; Determinant: "determinant";
+    CholeskyMut: Kernel(KernelRoutine::Cholesky); CholeskyLower: Kernel(KernelRoutine::CholeskyLower); CholeskySolveMut: Kernel(KernelRoutine::CholeskySolve);
+    SolveLowerMut: Kernel(KernelRoutine::SolveLower); SolveUpperMut: Kernel(KernelRoutine::SolveUpper);
+    TrSolveLowerMut: Kernel(KernelRoutine::TrSolveLower); TrSolveUpperMut: Kernel(KernelRoutine::TrSolveUpper);
+    ByRows: Matrix(MatrixMethod::ByRows); FromArray: Matrix(MatrixMethod::FromArray);
+    SolveMut: Kernel(KernelRoutine::LuSolve); SolveInto: Kernel(KernelRoutine::Solve); InverseMut: Kernel(KernelRoutine::Inverse); Determinant: Kernel(KernelRoutine::Determinant);
 }
 
 impl by_rows {

@@ -1,56 +1,38 @@
 //! The companions of the methods of [`List`].
 
-use alloc::borrow::ToOwned;
-
-use bessemer_ir::tree;
+use bessemer_ir::tree::{self, ListMethod};
 
 use super::builder::{Builder, Callee};
-use super::builtin::markers;
+use super::builtin::{markers, signatures};
 use super::matrices::told;
 use super::slot::{Called, Value};
 use crate::{List, list_edit};
 
 markers! {
-    New: "list_new";
-    Push: "list_push";
-    Pop: "list_pop";
-    Clear: "list_clear";
-    Truncate: "list_truncate";
-    Resize: "list_resize";
-    Len: "list_len";
-    IsEmpty: "list_is_empty";
-    Capacity: "list_capacity";
+    New: List(ListMethod::New);
+    Push: List(ListMethod::Push);
+    Pop: List(ListMethod::Pop);
+    Clear: List(ListMethod::Clear);
+    Truncate: List(ListMethod::Truncate);
+    Resize: List(ListMethod::Resize);
+    Len: List(ListMethod::Len);
+    IsEmpty: List(ListMethod::IsEmpty);
+    Capacity: List(ListMethod::Capacity);
 }
 
 /// Methods of lists.
 #[allow(missing_docs)]
 pub trait ListBuiltins<T>: Sized {
-    fn __b_new() -> Called<New, Self> {
-        unreachable!()
-    }
-    fn __b_push(&mut self, _element: T) -> Called<Push, ()> {
-        unreachable!()
-    }
-    fn __b_pop(&mut self) -> Called<Pop, Option<T>> {
-        unreachable!()
-    }
-    fn __b_clear(&mut self) -> Called<Clear, ()> {
-        unreachable!()
-    }
-    fn __b_truncate(&mut self, _length: usize) -> Called<Truncate, ()> {
-        unreachable!()
-    }
-    fn __b_resize(&mut self, _length: usize, _element: T) -> Called<Resize, ()> {
-        unreachable!()
-    }
-    fn __b_len(&self) -> Called<Len, usize> {
-        unreachable!()
-    }
-    fn __b_is_empty(&self) -> Called<IsEmpty, bool> {
-        unreachable!()
-    }
-    fn __b_capacity(&self) -> Called<Capacity, usize> {
-        unreachable!()
+    signatures! {
+        fn __b_new() -> Called<New, Self>;
+        fn __b_push(&mut self, _element: T) -> Called<Push, ()>;
+        fn __b_pop(&mut self) -> Called<Pop, Option<T>>;
+        fn __b_clear(&mut self) -> Called<Clear, ()>;
+        fn __b_truncate(&mut self, _length: usize) -> Called<Truncate, ()>;
+        fn __b_resize(&mut self, _length: usize, _element: T) -> Called<Resize, ()>;
+        fn __b_len(&self) -> Called<Len, usize>;
+        fn __b_is_empty(&self) -> Called<IsEmpty, bool>;
+        fn __b_capacity(&self) -> Called<Capacity, usize>;
     }
 }
 

@@ -1,63 +1,63 @@
 //! The companions of the methods of numbers, beyond those of [`builtin`](super::builtin).
 
-use alloc::borrow::ToOwned;
 use core::num::TryFromIntError;
 
-use bessemer_ir::tree::{self, Ty};
+use bessemer_ir::Intrinsic;
+use bessemer_ir::tree::{self, ByteOrder, NumberMethod, Ty};
 
 use super::builder::{Builder, Callee};
-use super::builtin::markers;
+use super::builtin::{markers, signatures};
 use super::slot::{Called, DslType, Seen};
 use crate::math::integer;
 
 markers! {
-    WrappingAdd: "wrapping_add";
-    WrappingSub: "wrapping_sub";
-    WrappingMul: "wrapping_mul";
-    WrappingDiv: "wrapping_div";
-    WrappingRem: "wrapping_rem";
-    SaturatingAdd: "saturating_add";
-    SaturatingSub: "saturating_sub";
-    SaturatingMul: "saturating_mul";
-    WrappingNeg: "wrapping_neg";
-    SwapBytes: "swap_bytes";
-    WrappingShl: "wrapping_shl";
-    WrappingShr: "wrapping_shr";
-    RotateLeft: "rotate_left";
-    RotateRight: "rotate_right";
-    CountOnes: "count_ones";
-    CountZeros: "count_zeros";
-    LeadingZeros: "leading_zeros";
-    LeadingOnes: "leading_ones";
-    TrailingZeros: "trailing_zeros";
-    TrailingOnes: "trailing_ones";
-    AbsDiff: "abs_diff";
-    IsPositive: "is_positive";
-    IsNegative: "is_negative";
-    WrappingAbs: "wrapping_abs";
-    UnsignedAbs: "unsigned_abs";
-    IsPowerOfTwo: "is_power_of_two";
-    Signum: "signum";
-    DivEuclid: "div_euclid";
-    RemEuclid: "rem_euclid";
-    Ceil: "ceil";
-    Trunc: "trunc";
-    Round: "round";
-    Fract: "fract";
-    Recip: "recip";
-    ToDegrees: "to_degrees";
-    ToRadians: "to_radians";
-    IsNan: "is_nan";
-    IsFinite: "is_finite";
-    IsInfinite: "is_infinite";
-    IsSignNegative: "is_sign_negative";
-    IsSignPositive: "is_sign_positive";
-    ToLeBytes: "to_le_bytes";
-    ToBeBytes: "to_be_bytes";
-    FromLeBytes: "from_le_bytes";
-    FromBeBytes: "from_be_bytes";
-    From: "from";
-    TryFrom: "try_from";
+    WrappingAdd: Scalar(Intrinsic::WrappingAdd);
+    WrappingSub: Scalar(Intrinsic::WrappingSub);
+    WrappingMul: Scalar(Intrinsic::WrappingMul);
+    WrappingDiv: Number(NumberMethod::WrappingDiv);
+    WrappingRem: Number(NumberMethod::WrappingRem);
+    SaturatingAdd: Scalar(Intrinsic::SaturatingAdd);
+    SaturatingSub: Scalar(Intrinsic::SaturatingSub);
+    SaturatingMul: Scalar(Intrinsic::SaturatingMul);
+    WrappingNeg: Number(NumberMethod::WrappingNeg);
+    SwapBytes: Number(NumberMethod::SwapBytes);
+    WrappingShl: Number(NumberMethod::WrappingShl);
+    WrappingShr: Number(NumberMethod::WrappingShr);
+    RotateLeft: Number(NumberMethod::RotateLeft);
+    RotateRight: Number(NumberMethod::RotateRight);
+    CountOnes: Number(NumberMethod::CountOnes);
+    CountZeros: Number(NumberMethod::CountZeros);
+    LeadingZeros: Number(NumberMethod::LeadingZeros);
+    LeadingOnes: Number(NumberMethod::LeadingOnes);
+    TrailingZeros: Number(NumberMethod::TrailingZeros);
+    TrailingOnes: Number(NumberMethod::TrailingOnes);
+    AbsDiff: Number(NumberMethod::AbsDiff);
+    IsPositive: Number(NumberMethod::IsPositive);
+    IsNegative: Number(NumberMethod::IsNegative);
+    WrappingAbs: Number(NumberMethod::WrappingAbs);
+    UnsignedAbs: Scalar(Intrinsic::UnsignedAbs);
+    IsPowerOfTwo: Number(NumberMethod::IsPowerOfTwo);
+    Signum: Number(NumberMethod::Signum);
+    DivEuclid: Number(NumberMethod::DivEuclid);
+    RemEuclid: Number(NumberMethod::RemEuclid);
+    Ceil: Scalar(Intrinsic::Ceil);
+    Trunc: Scalar(Intrinsic::Trunc);
+    Round: Scalar(Intrinsic::Round);
+    Fract: Number(NumberMethod::Fract);
+    Recip: Number(NumberMethod::Recip);
+    ToDegrees: Number(NumberMethod::ToDegrees);
+    ToRadians: Number(NumberMethod::ToRadians);
+    IsNan: Scalar(Intrinsic::IsNan);
+    IsFinite: Scalar(Intrinsic::IsFinite);
+    IsInfinite: Scalar(Intrinsic::IsInfinite);
+    IsSignNegative: Number(NumberMethod::IsSignNegative);
+    IsSignPositive: Number(NumberMethod::IsSignPositive);
+    ToLeBytes: Bytes(ByteOrder::Little);
+    ToBeBytes: Bytes(ByteOrder::Big);
+    FromLeBytes: Bytes(ByteOrder::Little);
+    FromBeBytes: Bytes(ByteOrder::Big);
+    From: Number(NumberMethod::From);
+    TryFrom: TryFrom;
 }
 
 /// Methods of integers.
@@ -66,91 +66,41 @@ pub trait IntegerBuiltins: Sized {
     type Unsigned;
     type Pow: Callee;
     type WrappingPow: Callee;
-    fn __b_wrapping_add(self, _other: Self) -> Called<WrappingAdd, Self> {
-        unreachable!()
-    }
-    fn __b_wrapping_sub(self, _other: Self) -> Called<WrappingSub, Self> {
-        unreachable!()
-    }
-    fn __b_wrapping_mul(self, _other: Self) -> Called<WrappingMul, Self> {
-        unreachable!()
-    }
-    fn __b_wrapping_div(self, _other: Self) -> Called<WrappingDiv, Self> {
-        unreachable!()
-    }
-    fn __b_wrapping_rem(self, _other: Self) -> Called<WrappingRem, Self> {
-        unreachable!()
-    }
-    fn __b_saturating_add(self, _other: Self) -> Called<SaturatingAdd, Self> {
-        unreachable!()
-    }
-    fn __b_saturating_sub(self, _other: Self) -> Called<SaturatingSub, Self> {
-        unreachable!()
-    }
-    fn __b_saturating_mul(self, _other: Self) -> Called<SaturatingMul, Self> {
-        unreachable!()
-    }
-    fn __b_wrapping_neg(self) -> Called<WrappingNeg, Self> {
-        unreachable!()
-    }
-    fn __b_swap_bytes(self) -> Called<SwapBytes, Self> {
-        unreachable!()
-    }
-    fn __b_wrapping_shl(self, _bits: u32) -> Called<WrappingShl, Self> {
-        unreachable!()
-    }
-    fn __b_wrapping_shr(self, _bits: u32) -> Called<WrappingShr, Self> {
-        unreachable!()
-    }
-    fn __b_rotate_left(self, _bits: u32) -> Called<RotateLeft, Self> {
-        unreachable!()
-    }
-    fn __b_rotate_right(self, _bits: u32) -> Called<RotateRight, Self> {
-        unreachable!()
-    }
-    fn __b_count_ones(self) -> Called<CountOnes, u32> {
-        unreachable!()
-    }
-    fn __b_count_zeros(self) -> Called<CountZeros, u32> {
-        unreachable!()
-    }
-    fn __b_leading_zeros(self) -> Called<LeadingZeros, u32> {
-        unreachable!()
-    }
-    fn __b_leading_ones(self) -> Called<LeadingOnes, u32> {
-        unreachable!()
-    }
-    fn __b_trailing_zeros(self) -> Called<TrailingZeros, u32> {
-        unreachable!()
-    }
-    fn __b_trailing_ones(self) -> Called<TrailingOnes, u32> {
-        unreachable!()
-    }
-    fn __b_abs_diff(self, _other: Self) -> Called<AbsDiff, Self::Unsigned> {
-        unreachable!()
-    }
-    fn __b_pow(self, _exponent: u32) -> Called<Self::Pow, Self> {
-        unreachable!()
-    }
-    fn __b_wrapping_pow(self, _exponent: u32) -> Called<Self::WrappingPow, Self> {
-        unreachable!()
+    signatures! {
+        fn __b_wrapping_add(self, _other: Self) -> Called<WrappingAdd, Self>;
+        fn __b_wrapping_sub(self, _other: Self) -> Called<WrappingSub, Self>;
+        fn __b_wrapping_mul(self, _other: Self) -> Called<WrappingMul, Self>;
+        fn __b_wrapping_div(self, _other: Self) -> Called<WrappingDiv, Self>;
+        fn __b_wrapping_rem(self, _other: Self) -> Called<WrappingRem, Self>;
+        fn __b_saturating_add(self, _other: Self) -> Called<SaturatingAdd, Self>;
+        fn __b_saturating_sub(self, _other: Self) -> Called<SaturatingSub, Self>;
+        fn __b_saturating_mul(self, _other: Self) -> Called<SaturatingMul, Self>;
+        fn __b_wrapping_neg(self) -> Called<WrappingNeg, Self>;
+        fn __b_swap_bytes(self) -> Called<SwapBytes, Self>;
+        fn __b_wrapping_shl(self, _bits: u32) -> Called<WrappingShl, Self>;
+        fn __b_wrapping_shr(self, _bits: u32) -> Called<WrappingShr, Self>;
+        fn __b_rotate_left(self, _bits: u32) -> Called<RotateLeft, Self>;
+        fn __b_rotate_right(self, _bits: u32) -> Called<RotateRight, Self>;
+        fn __b_count_ones(self) -> Called<CountOnes, u32>;
+        fn __b_count_zeros(self) -> Called<CountZeros, u32>;
+        fn __b_leading_zeros(self) -> Called<LeadingZeros, u32>;
+        fn __b_leading_ones(self) -> Called<LeadingOnes, u32>;
+        fn __b_trailing_zeros(self) -> Called<TrailingZeros, u32>;
+        fn __b_trailing_ones(self) -> Called<TrailingOnes, u32>;
+        fn __b_abs_diff(self, _other: Self) -> Called<AbsDiff, Self::Unsigned>;
+        fn __b_pow(self, _exponent: u32) -> Called<Self::Pow, Self>;
+        fn __b_wrapping_pow(self, _exponent: u32) -> Called<Self::WrappingPow, Self>;
     }
 }
 
 /// Methods of signed integers.
 #[allow(missing_docs)]
 pub trait SignedBuiltins: IntegerBuiltins {
-    fn __b_is_positive(self) -> Called<IsPositive, bool> {
-        unreachable!()
-    }
-    fn __b_is_negative(self) -> Called<IsNegative, bool> {
-        unreachable!()
-    }
-    fn __b_wrapping_abs(self) -> Called<WrappingAbs, Self> {
-        unreachable!()
-    }
-    fn __b_unsigned_abs(self) -> Called<UnsignedAbs, Self::Unsigned> {
-        unreachable!()
+    signatures! {
+        fn __b_is_positive(self) -> Called<IsPositive, bool>;
+        fn __b_is_negative(self) -> Called<IsNegative, bool>;
+        fn __b_wrapping_abs(self) -> Called<WrappingAbs, Self>;
+        fn __b_unsigned_abs(self) -> Called<UnsignedAbs, Self::Unsigned>;
     }
 }
 
@@ -184,41 +134,19 @@ pub trait DivisionBuiltins: Sized {
 /// Methods of floats that are exact.
 #[allow(missing_docs)]
 pub trait FloatKindBuiltins: Sized {
-    fn __b_ceil(self) -> Called<Ceil, Self> {
-        unreachable!()
-    }
-    fn __b_trunc(self) -> Called<Trunc, Self> {
-        unreachable!()
-    }
-    fn __b_round(self) -> Called<Round, Self> {
-        unreachable!()
-    }
-    fn __b_fract(self) -> Called<Fract, Self> {
-        unreachable!()
-    }
-    fn __b_recip(self) -> Called<Recip, Self> {
-        unreachable!()
-    }
-    fn __b_to_degrees(self) -> Called<ToDegrees, Self> {
-        unreachable!()
-    }
-    fn __b_to_radians(self) -> Called<ToRadians, Self> {
-        unreachable!()
-    }
-    fn __b_is_nan(self) -> Called<IsNan, bool> {
-        unreachable!()
-    }
-    fn __b_is_finite(self) -> Called<IsFinite, bool> {
-        unreachable!()
-    }
-    fn __b_is_infinite(self) -> Called<IsInfinite, bool> {
-        unreachable!()
-    }
-    fn __b_is_sign_negative(self) -> Called<IsSignNegative, bool> {
-        unreachable!()
-    }
-    fn __b_is_sign_positive(self) -> Called<IsSignPositive, bool> {
-        unreachable!()
+    signatures! {
+        fn __b_ceil(self) -> Called<Ceil, Self>;
+        fn __b_trunc(self) -> Called<Trunc, Self>;
+        fn __b_round(self) -> Called<Round, Self>;
+        fn __b_fract(self) -> Called<Fract, Self>;
+        fn __b_recip(self) -> Called<Recip, Self>;
+        fn __b_to_degrees(self) -> Called<ToDegrees, Self>;
+        fn __b_to_radians(self) -> Called<ToRadians, Self>;
+        fn __b_is_nan(self) -> Called<IsNan, bool>;
+        fn __b_is_finite(self) -> Called<IsFinite, bool>;
+        fn __b_is_infinite(self) -> Called<IsInfinite, bool>;
+        fn __b_is_sign_negative(self) -> Called<IsSignNegative, bool>;
+        fn __b_is_sign_positive(self) -> Called<IsSignPositive, bool>;
     }
 }
 
@@ -226,17 +154,11 @@ pub trait FloatKindBuiltins: Sized {
 #[allow(missing_docs)]
 pub trait BytesBuiltins: Sized {
     type Bytes;
-    fn __b_to_le_bytes(self) -> Called<ToLeBytes, Self::Bytes> {
-        unreachable!()
-    }
-    fn __b_to_be_bytes(self) -> Called<ToBeBytes, Self::Bytes> {
-        unreachable!()
-    }
-    fn __b_from_le_bytes(_bytes: Self::Bytes) -> Called<FromLeBytes, Self> {
-        unreachable!()
-    }
-    fn __b_from_be_bytes(_bytes: Self::Bytes) -> Called<FromBeBytes, Self> {
-        unreachable!()
+    signatures! {
+        fn __b_to_le_bytes(self) -> Called<ToLeBytes, Self::Bytes>;
+        fn __b_to_be_bytes(self) -> Called<ToBeBytes, Self::Bytes>;
+        fn __b_from_le_bytes(_bytes: Self::Bytes) -> Called<FromLeBytes, Self>;
+        fn __b_from_be_bytes(_bytes: Self::Bytes) -> Called<FromBeBytes, Self>;
     }
 }
 

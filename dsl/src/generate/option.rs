@@ -1,91 +1,74 @@
 //! The companions of the methods of `Option`, `Result` and `bool`.
 
-use alloc::borrow::ToOwned;
-
-use bessemer_ir::tree;
+use bessemer_ir::tree::{self, CaseMethod, Cases, Desugared, OptionMethod};
 use nalgebra::{SMatrix, Scalar};
 
 use super::builder::{Builder, Callee};
-use super::builtin::markers;
+use super::builtin::{markers, signatures};
 use super::matrices::told;
 use super::slot::{Called, Value};
 use crate::optional;
 
 markers! {
-    IsSome: "is_some";
-    IsNone: "is_none";
-    IsOk: "is_ok";
-    IsErr: "is_err";
-    Unwrap: "unwrap";
-    UnwrapErr: "unwrap_err";
-    UnwrapOr: "unwrap_or";
-    UnwrapOrDefault: "unwrap_or_default";
-    Copied: "copied";
-    Or: "or";
-    And: "and";
-    Take: "take";
-    Replace: "replace";
-    OkOr: "ok_or";
-    Ok: "ok";
-    Err: "err";
-    AsRef: "as_ref";
-    AsMut: "option_as_mut";
-    Xor: "option_xor";
-    Zip: "option_zip";
-    Insert: "option_insert";
-    GetOrInsert: "option_get_or_insert";
-    GetOrInsertWith: "option_get_or_insert_with";
-    Flatten: "option_flatten";
-    Map: "option_map";
-    AndThen: "option_and_then";
-    Filter: "option_filter";
-    OrElse: "option_or_else";
-    UnwrapOrElse: "option_unwrap_or_else";
-    MapOr: "option_map_or";
-    MapOrElse: "option_map_or_else";
-    IsSomeAnd: "option_is_and";
-    IsNoneOr: "option_is_none_or";
-    OkOrElse: "option_ok_or_else";
-    ResultMap: "result_map";
-    ResultMapErr: "result_map_err";
-    ResultAndThen: "result_and_then";
-    ResultOrElse: "result_or_else";
-    ResultUnwrapOrElse: "result_unwrap_or_else";
-    ResultMapOr: "result_map_or";
-    ResultMapOrElse: "result_map_or_else";
-    IsOkAnd: "result_is_and";
-    IsErrAnd: "result_is_err_and";
-    ArrayMap: "array_map";
-    Then: "bool_then";
-    ThenSome: "bool_then_some";
+    IsSome: Option(OptionMethod::IsSome);
+    IsNone: Option(OptionMethod::IsNone);
+    IsOk: Option(OptionMethod::IsOk);
+    IsErr: Option(OptionMethod::IsErr);
+    Unwrap: Option(OptionMethod::Unwrap);
+    UnwrapErr: Option(OptionMethod::UnwrapErr);
+    UnwrapOr: Option(OptionMethod::UnwrapOr);
+    UnwrapOrDefault: Option(OptionMethod::UnwrapOrDefault);
+    Copied: Option(OptionMethod::Copied);
+    Or: Option(OptionMethod::Or);
+    And: Option(OptionMethod::And);
+    Take: Option(OptionMethod::Take);
+    Replace: Option(OptionMethod::Replace);
+    OkOr: Option(OptionMethod::OkOr);
+    Ok: Option(OptionMethod::Ok);
+    Err: Option(OptionMethod::Err);
+    AsRef: Desugared(Desugared::AsRef);
+    AsMut: Option(OptionMethod::AsMut);
+    Xor: Desugared(Desugared::OptionXor);
+    Zip: Desugared(Desugared::OptionZip);
+    Insert: Option(OptionMethod::Insert);
+    GetOrInsert: Option(OptionMethod::GetOrInsert);
+    GetOrInsertWith: Option(OptionMethod::GetOrInsertWith);
+    Flatten: Desugared(Desugared::Case(Cases::Option, CaseMethod::Flatten));
+    Map: Desugared(Desugared::Case(Cases::Option, CaseMethod::Map));
+    AndThen: Desugared(Desugared::Case(Cases::Option, CaseMethod::AndThen));
+    Filter: Desugared(Desugared::Case(Cases::Option, CaseMethod::Filter));
+    OrElse: Desugared(Desugared::Case(Cases::Option, CaseMethod::OrElse));
+    UnwrapOrElse: Desugared(Desugared::Case(Cases::Option, CaseMethod::UnwrapOrElse));
+    MapOr: Desugared(Desugared::Case(Cases::Option, CaseMethod::MapOr));
+    MapOrElse: Desugared(Desugared::Case(Cases::Option, CaseMethod::MapOrElse));
+    IsSomeAnd: Desugared(Desugared::Case(Cases::Option, CaseMethod::IsAnd));
+    IsNoneOr: Desugared(Desugared::Case(Cases::Option, CaseMethod::IsNoneOr));
+    OkOrElse: Desugared(Desugared::Case(Cases::Option, CaseMethod::OkOrElse));
+    ResultMap: Desugared(Desugared::Case(Cases::Result, CaseMethod::Map));
+    ResultMapErr: Desugared(Desugared::Case(Cases::Result, CaseMethod::MapErr));
+    ResultAndThen: Desugared(Desugared::Case(Cases::Result, CaseMethod::AndThen));
+    ResultOrElse: Desugared(Desugared::Case(Cases::Result, CaseMethod::OrElse));
+    ResultUnwrapOrElse: Desugared(Desugared::Case(Cases::Result, CaseMethod::UnwrapOrElse));
+    ResultMapOr: Desugared(Desugared::Case(Cases::Result, CaseMethod::MapOr));
+    ResultMapOrElse: Desugared(Desugared::Case(Cases::Result, CaseMethod::MapOrElse));
+    IsOkAnd: Desugared(Desugared::Case(Cases::Result, CaseMethod::IsAnd));
+    IsErrAnd: Desugared(Desugared::Case(Cases::Result, CaseMethod::IsErrAnd));
+    ArrayMap: Desugared(Desugared::ArrayMap);
+    Then: Desugared(Desugared::BoolThen);
+    ThenSome: Desugared(Desugared::BoolThenSome);
 }
 
 /// Methods of `Option`.
 #[allow(missing_docs)]
 pub trait OptionBuiltins<T>: Sized {
-    fn __b_is_some(&self) -> Called<IsSome, bool> {
-        unreachable!()
-    }
-    fn __b_is_none(&self) -> Called<IsNone, bool> {
-        unreachable!()
-    }
-    fn __b_unwrap(self) -> Called<Unwrap, T> {
-        unreachable!()
-    }
-    fn __b_expect(self, _message: &str) -> Called<Unwrap, T> {
-        unreachable!()
-    }
-    fn __b_unwrap_or(self, _other: T) -> Called<UnwrapOr, T> {
-        unreachable!()
-    }
-    fn __b_unwrap_or_default(self) -> Called<UnwrapOrDefault, T>
-    where
-        T: Default,
-    {
-        unreachable!()
-    }
-    fn __b_or(self, _other: Option<T>) -> Called<Or, Option<T>> {
-        unreachable!()
+    signatures! {
+        fn __b_is_some(&self) -> Called<IsSome, bool>;
+        fn __b_is_none(&self) -> Called<IsNone, bool>;
+        fn __b_unwrap(self) -> Called<Unwrap, T>;
+        fn __b_expect(self, _message: &str) -> Called<Unwrap, T>;
+        fn __b_unwrap_or(self, _other: T) -> Called<UnwrapOr, T>;
+        fn __b_unwrap_or_default(self) -> Called<UnwrapOrDefault, T> where T: Default;
+        fn __b_or(self, _other: Option<T>) -> Called<Or, Option<T>>;
     }
     fn __b_and<U>(self, _other: Option<U>) -> Called<And, Option<U>> {
         unreachable!()
@@ -99,29 +82,20 @@ pub trait OptionBuiltins<T>: Sized {
     fn __b_ok_or<E>(self, _error: E) -> Called<OkOr, Result<T, E>> {
         unreachable!()
     }
-    fn __b_as_ref(&self) -> Called<AsRef, Option<&T>> {
-        unreachable!()
-    }
-    fn __b_as_mut(&mut self) -> Called<AsMut, Option<&mut T>> {
-        unreachable!()
-    }
-    fn __b_xor(self, _other: Option<T>) -> Called<Xor, Option<T>> {
-        unreachable!()
+    signatures! {
+        fn __b_as_ref(&self) -> Called<AsRef, Option<&T>>;
+        fn __b_as_mut(&mut self) -> Called<AsMut, Option<&mut T>>;
+        fn __b_xor(self, _other: Option<T>) -> Called<Xor, Option<T>>;
     }
     fn __b_zip<U>(self, _other: Option<U>) -> Called<Zip, Option<(T, U)>> {
         unreachable!()
     }
-    fn __b_insert(&mut self, _value: T) -> Called<Insert, &mut T> {
-        unreachable!()
-    }
-    fn __b_get_or_insert(&mut self, _value: T) -> Called<GetOrInsert, &mut T> {
-        unreachable!()
-    }
-    fn __b_get_or_insert_with(
-        &mut self,
-        _f: impl FnOnce() -> T,
-    ) -> Called<GetOrInsertWith, &mut T> {
-        unreachable!()
+    signatures! {
+        fn __b_insert(&mut self, _value: T) -> Called<Insert, &mut T>;
+        fn __b_get_or_insert(&mut self, _value: T) -> Called<GetOrInsert, &mut T>;
+        fn __b_get_or_insert_with(
+            &mut self, _f: impl FnOnce() -> T
+        ) -> Called<GetOrInsertWith, &mut T>;
     }
     fn __b_map<U>(self, _f: impl FnOnce(T) -> U) -> Called<Map, Option<U>> {
         unreachable!()
@@ -129,14 +103,10 @@ pub trait OptionBuiltins<T>: Sized {
     fn __b_and_then<U>(self, _f: impl FnOnce(T) -> Option<U>) -> Called<AndThen, Option<U>> {
         unreachable!()
     }
-    fn __b_filter(self, _f: impl FnOnce(&T) -> bool) -> Called<Filter, Option<T>> {
-        unreachable!()
-    }
-    fn __b_or_else(self, _f: impl FnOnce() -> Option<T>) -> Called<OrElse, Option<T>> {
-        unreachable!()
-    }
-    fn __b_unwrap_or_else(self, _f: impl FnOnce() -> T) -> Called<UnwrapOrElse, T> {
-        unreachable!()
+    signatures! {
+        fn __b_filter(self, _f: impl FnOnce(&T) -> bool) -> Called<Filter, Option<T>>;
+        fn __b_or_else(self, _f: impl FnOnce() -> Option<T>) -> Called<OrElse, Option<T>>;
+        fn __b_unwrap_or_else(self, _f: impl FnOnce() -> T) -> Called<UnwrapOrElse, T>;
     }
     fn __b_map_or<U>(self, _other: U, _f: impl FnOnce(T) -> U) -> Called<MapOr, U> {
         unreachable!()
@@ -253,44 +223,19 @@ impl<T: Scalar, const R: usize, const C: usize> MatrixMapBuiltin<T, R, C> for SM
 /// Methods of `Result`.
 #[allow(missing_docs)]
 pub trait ResultBuiltins<T, E>: Sized {
-    fn __b_is_ok(&self) -> Called<IsOk, bool> {
-        unreachable!()
-    }
-    fn __b_is_err(&self) -> Called<IsErr, bool> {
-        unreachable!()
-    }
-    fn __b_unwrap(self) -> Called<Unwrap, T> {
-        unreachable!()
-    }
-    fn __b_expect(self, _message: &str) -> Called<Unwrap, T> {
-        unreachable!()
-    }
-    fn __b_unwrap_err(self) -> Called<UnwrapErr, E> {
-        unreachable!()
-    }
-    fn __b_expect_err(self, _message: &str) -> Called<UnwrapErr, E> {
-        unreachable!()
-    }
-    fn __b_unwrap_or(self, _other: T) -> Called<UnwrapOr, T> {
-        unreachable!()
-    }
-    fn __b_unwrap_or_default(self) -> Called<UnwrapOrDefault, T>
-    where
-        T: Default,
-    {
-        unreachable!()
-    }
-    fn __b_ok(self) -> Called<Ok, Option<T>> {
-        unreachable!()
-    }
-    fn __b_err(self) -> Called<Err, Option<E>> {
-        unreachable!()
-    }
-    fn __b_or(self, _other: Result<T, E>) -> Called<Or, Result<T, E>> {
-        unreachable!()
-    }
-    fn __b_as_ref(&self) -> Called<AsRef, Result<&T, &E>> {
-        unreachable!()
+    signatures! {
+        fn __b_is_ok(&self) -> Called<IsOk, bool>;
+        fn __b_is_err(&self) -> Called<IsErr, bool>;
+        fn __b_unwrap(self) -> Called<Unwrap, T>;
+        fn __b_expect(self, _message: &str) -> Called<Unwrap, T>;
+        fn __b_unwrap_err(self) -> Called<UnwrapErr, E>;
+        fn __b_expect_err(self, _message: &str) -> Called<UnwrapErr, E>;
+        fn __b_unwrap_or(self, _other: T) -> Called<UnwrapOr, T>;
+        fn __b_unwrap_or_default(self) -> Called<UnwrapOrDefault, T> where T: Default;
+        fn __b_ok(self) -> Called<Ok, Option<T>>;
+        fn __b_err(self) -> Called<Err, Option<E>>;
+        fn __b_or(self, _other: Result<T, E>) -> Called<Or, Result<T, E>>;
+        fn __b_as_ref(&self) -> Called<AsRef, Result<&T, &E>>;
     }
     fn __b_map<U>(self, _f: impl FnOnce(T) -> U) -> Called<ResultMap, Result<U, E>> {
         unreachable!()

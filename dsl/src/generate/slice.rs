@@ -1,14 +1,13 @@
 //! The companions of the methods of slices, which arrays and lists have too.
 
-use alloc::borrow::ToOwned;
 use core::array::TryFromSliceError;
 use core::cmp::Ordering;
 
-use bessemer_ir::tree::{self, Ty};
+use bessemer_ir::tree::{self, SliceMethod, Ty};
 use nalgebra::SVector;
 
 use super::builder::{Builder, Callee};
-use super::builtin::markers;
+use super::builtin::{markers, signatures};
 use super::matrices::told;
 use super::numbers::TryFromBuiltin;
 use super::slot::{Called, DslType, Seen, Value};
@@ -16,110 +15,60 @@ use crate::math::Real;
 use crate::{Number, search, slice_edit, sort};
 
 markers! {
-    AsSlice: "as_slice";
-    Len: "slice_len";
-    IsEmpty: "slice_is_empty";
-    First: "slice_first";
-    Last: "slice_last";
-    Get: "slice_get";
-    Swap: "slice_swap";
-    Fill: "slice_fill";
-    CopyFrom: "slice_copy_from";
-    Reverse: "slice_reverse";
-    Contains: "slice_contains";
-    GetMut: "slice_get_mut";
-    GetPart: "slice_get_part";
-    GetFrom: "slice_get_from";
-    FirstMut: "slice_first_mut";
-    LastMut: "slice_last_mut";
-    SplitAt: "slice_split_at";
-    SplitFirst: "slice_split_first";
-    SplitLast: "slice_split_last";
-    ToArray: "slice_to_array";
-    FirstChunk: "slice_first_chunk";
+    AsSlice: Slice(SliceMethod::Whole);
+    Len: Slice(SliceMethod::Len);
+    IsEmpty: Slice(SliceMethod::IsEmpty);
+    First: Slice(SliceMethod::First);
+    Last: Slice(SliceMethod::Last);
+    Get: Slice(SliceMethod::Get);
+    Swap: Slice(SliceMethod::Swap);
+    Fill: Slice(SliceMethod::Fill);
+    CopyFrom: Slice(SliceMethod::CopyFrom);
+    Reverse: Slice(SliceMethod::Reverse);
+    Contains: Slice(SliceMethod::Contains);
+    GetMut: Slice(SliceMethod::GetMut);
+    GetPart: Slice(SliceMethod::GetPart);
+    GetFrom: Slice(SliceMethod::GetFrom);
+    FirstMut: Slice(SliceMethod::FirstMut);
+    LastMut: Slice(SliceMethod::LastMut);
+    SplitAt: Slice(SliceMethod::SplitAt);
+    SplitFirst: Slice(SliceMethod::SplitFirst);
+    SplitLast: Slice(SliceMethod::SplitLast);
+    ToArray: Slice(SliceMethod::ToArray);
+    FirstChunk: Slice(SliceMethod::FirstChunk);
 }
 
 /// Methods of slices.
 #[allow(missing_docs)]
 pub trait SliceBuiltins<T> {
-    fn __b_as_slice(&self) -> Called<AsSlice, &[T]> {
-        unreachable!()
-    }
-    fn __b_as_mut_slice(&mut self) -> Called<AsSlice, &mut [T]> {
-        unreachable!()
-    }
-    fn __b_len(&self) -> Called<Len, usize> {
-        unreachable!()
-    }
-    fn __b_is_empty(&self) -> Called<IsEmpty, bool> {
-        unreachable!()
-    }
-    fn __b_first(&self) -> Called<First, Option<&T>> {
-        unreachable!()
-    }
-    fn __b_last(&self) -> Called<Last, Option<&T>> {
-        unreachable!()
-    }
-    fn __b_get(&self, _index: usize) -> Called<Get, Option<&T>> {
-        unreachable!()
-    }
-    fn __b_swap(&mut self, _one: usize, _other: usize) -> Called<Swap, ()> {
-        unreachable!()
-    }
-    fn __b_fill(&mut self, _element: T) -> Called<Fill, ()> {
-        unreachable!()
-    }
-    fn __b_copy_from_slice(&mut self, _from: &[T]) -> Called<CopyFrom, ()> {
-        unreachable!()
-    }
-    fn __b_reverse(&mut self) -> Called<Reverse, ()> {
-        unreachable!()
-    }
-    fn __b_contains(&self, _element: &T) -> Called<Contains, bool> {
-        unreachable!()
-    }
-    fn __b_get_mut(&mut self, _index: usize) -> Called<GetMut, Option<&mut T>> {
-        unreachable!()
-    }
-    fn __b_slice_get_part(&self, _from: usize, _to: usize) -> Called<GetPart, Option<&[T]>> {
-        unreachable!()
-    }
-    fn __b_slice_get_part_mut(
-        &mut self,
-        _from: usize,
-        _to: usize,
-    ) -> Called<GetPart, Option<&mut [T]>> {
-        unreachable!()
-    }
-    fn __b_slice_get_from(&self, _from: usize) -> Called<GetFrom, Option<&[T]>> {
-        unreachable!()
-    }
-    fn __b_slice_get_from_mut(&mut self, _from: usize) -> Called<GetFrom, Option<&mut [T]>> {
-        unreachable!()
-    }
-    fn __b_first_mut(&mut self) -> Called<FirstMut, Option<&mut T>> {
-        unreachable!()
-    }
-    fn __b_last_mut(&mut self) -> Called<LastMut, Option<&mut T>> {
-        unreachable!()
-    }
-    fn __b_split_at(&self, _at: usize) -> Called<SplitAt, (&[T], &[T])> {
-        unreachable!()
-    }
-    fn __b_split_at_mut(&mut self, _at: usize) -> Called<SplitAt, (&mut [T], &mut [T])> {
-        unreachable!()
-    }
-    fn __b_split_first(&self) -> Called<SplitFirst, Option<(&T, &[T])>> {
-        unreachable!()
-    }
-    fn __b_split_first_mut(&mut self) -> Called<SplitFirst, Option<(&mut T, &mut [T])>> {
-        unreachable!()
-    }
-    fn __b_split_last(&self) -> Called<SplitLast, Option<(&T, &[T])>> {
-        unreachable!()
-    }
-    fn __b_split_last_mut(&mut self) -> Called<SplitLast, Option<(&mut T, &mut [T])>> {
-        unreachable!()
+    signatures! {
+        fn __b_as_slice(&self) -> Called<AsSlice, &[T]>;
+        fn __b_as_mut_slice(&mut self) -> Called<AsSlice, &mut [T]>;
+        fn __b_len(&self) -> Called<Len, usize>;
+        fn __b_is_empty(&self) -> Called<IsEmpty, bool>;
+        fn __b_first(&self) -> Called<First, Option<&T>>;
+        fn __b_last(&self) -> Called<Last, Option<&T>>;
+        fn __b_get(&self, _index: usize) -> Called<Get, Option<&T>>;
+        fn __b_swap(&mut self, _one: usize, _other: usize) -> Called<Swap, ()>;
+        fn __b_fill(&mut self, _element: T) -> Called<Fill, ()>;
+        fn __b_copy_from_slice(&mut self, _from: &[T]) -> Called<CopyFrom, ()>;
+        fn __b_reverse(&mut self) -> Called<Reverse, ()>;
+        fn __b_contains(&self, _element: &T) -> Called<Contains, bool>;
+        fn __b_get_mut(&mut self, _index: usize) -> Called<GetMut, Option<&mut T>>;
+        fn __b_slice_get_part(&self, _from: usize, _to: usize) -> Called<GetPart, Option<&[T]>>;
+        fn __b_slice_get_part_mut(
+            &mut self, _from: usize, _to: usize
+        ) -> Called<GetPart, Option<&mut [T]>>;
+        fn __b_slice_get_from(&self, _from: usize) -> Called<GetFrom, Option<&[T]>>;
+        fn __b_slice_get_from_mut(&mut self, _from: usize) -> Called<GetFrom, Option<&mut [T]>>;
+        fn __b_first_mut(&mut self) -> Called<FirstMut, Option<&mut T>>;
+        fn __b_last_mut(&mut self) -> Called<LastMut, Option<&mut T>>;
+        fn __b_split_at(&self, _at: usize) -> Called<SplitAt, (&[T], &[T])>;
+        fn __b_split_at_mut(&mut self, _at: usize) -> Called<SplitAt, (&mut [T], &mut [T])>;
+        fn __b_split_first(&self) -> Called<SplitFirst, Option<(&T, &[T])>>;
+        fn __b_split_first_mut(&mut self) -> Called<SplitFirst, Option<(&mut T, &mut [T])>>;
+        fn __b_split_last(&self) -> Called<SplitLast, Option<(&T, &[T])>>;
+        fn __b_split_last_mut(&mut self) -> Called<SplitLast, Option<(&mut T, &mut [T])>>;
     }
 }
 

@@ -5,12 +5,11 @@
 
 #![allow(missing_docs)]
 
-use alloc::borrow::ToOwned;
 use alloc::boxed::Box;
 use alloc::format;
 use alloc::vec::Vec;
 
-use bessemer_ir::tree::{self, Ty};
+use bessemer_ir::tree::{self, Parts, SpatialMethod, Ty};
 use bessemer_ir::{Float, Scalar};
 use nalgebra::{
     Const, Isometry3, Matrix4, OPoint, Point3, Quaternion, Rotation, Rotation2, Rotation3, SMatrix,
@@ -18,7 +17,9 @@ use nalgebra::{
 };
 
 use super::builder::{Builder, Callee};
-use super::builtin::{AxisX, AxisY, AxisZ, Identity, New, TrMul, Transpose, Zeros, markers};
+use super::builtin::{
+    AxisX, AxisY, AxisZ, Identity, New, TrMul, Transpose, Zeros, markers, signatures,
+};
 use super::factored::{gives, held_mut, methods};
 use super::matrices::told;
 use super::slot::{Called, DslType, Seen};
@@ -28,14 +29,14 @@ use crate::math::Real;
 use crate::{complex, rotation};
 
 markers! {
-    QuaternionNew: "parts w i j k";
-    QuaternionIdentity: "quaternion_identity";
-    QuaternionCoords: "quaternion_coords";
-    IsometryNew: "parts translation rotation";
-    SameParts: "same_parts";
-    Same: "owned";
-    Times: "times"; Plus: "plus"; Minus: "minus"; Negative: "negative";
-    PlatformAngles: "platform_angles";
+    QuaternionNew: Parts(Parts::Quaternion);
+    QuaternionIdentity: Spatial(SpatialMethod::QuaternionIdentity);
+    QuaternionCoords: Spatial(SpatialMethod::QuaternionCoords);
+    IsometryNew: Parts(Parts::Isometry);
+    SameParts: Spatial(SpatialMethod::SameParts);
+    Same: Owned;
+    Times: Spatial(SpatialMethod::Times); Plus: Spatial(SpatialMethod::Plus); Minus: Spatial(SpatialMethod::Minus); Negative: Spatial(SpatialMethod::Negative);
+    PlatformAngles: Spatial(SpatialMethod::PlatformAngles);
 }
 
 macro_rules! stands {
@@ -154,14 +155,10 @@ impl<T: Real, const N: usize> Unitary for SVector<T, N> {
 
 /// Methods of `Unit`.
 pub trait UnitBuiltins<U: Unitary>: Sized {
-    fn __b_new_unchecked(_value: U) -> Called<U::Wrap, Self> {
-        unreachable!()
-    }
-    fn __b_into_inner(self) -> Called<U::Wrap, U> {
-        unreachable!()
-    }
-    fn __b_as_ref(&self) -> Called<U::Wrap, &U> {
-        unreachable!()
+    signatures! {
+        fn __b_new_unchecked(_value: U) -> Called<U::Wrap, Self>;
+        fn __b_into_inner(self) -> Called<U::Wrap, U>;
+        fn __b_as_ref(&self) -> Called<U::Wrap, &U>;
     }
     fn __b_new_normalize(value: U) -> Called<impl Callee + use<Self, U>, Self>;
 }
@@ -509,7 +506,7 @@ fn kind(ty: &Ty) -> Option<(Kind, Option<Float>)> {
 /// matrices or numbers itself.
 fn meaning<T: Real>(cx: &mut Builder, sign: &str, left: Kind, right: Kind) -> Option<tree::Callee> {
     use Kind::*;
-    let known = |name: &str| Some(tree::Callee::Builtin(name.to_owned()));
+    let known = |it| Some(tree::Callee::Builtin(tree::Builtin::Spatial(it)));
     match (left, sign, right) {
         (Complex, "Neg", _) => one(cx, complex::negative::__call::<T>),
         (Complex, "Add", Complex) => two(cx, complex::sum::__call::<T>),
@@ -552,9 +549,11 @@ fn meaning<T: Real>(cx: &mut Builder, sign: &str, left: Kind, right: Kind) -> Op
         (Translation, "Mul", Isometry) => two(cx, isometry::product_of_translation::__call::<T>),
         (Isometry, "Mul", Point) => two(cx, isometry::transform_point::__call::<T>),
         (Isometry, "Mul", Matrix | UnitVector) => two(cx, isometry::transform_vector::__call::<T>),
-        (Translation, "Mul", Translation | Point) => known("plus"),
-        (Translation, "Div", Translation) => known("minus"),
-        (Rotation | Rotation3 | Matrix, "Div", Rotation | Rotation3) => known("times_transposed"),
+        (Translation, "Mul", Translation | Point) => known(SpatialMethod::Plus),
+        (Translation, "Div", Translation) => known(SpatialMethod::Minus),
+        (Rotation | Rotation3 | Matrix, "Div", Rotation | Rotation3) => {
+            known(SpatialMethod::TimesTransposed)
+        }
         _ => Option::None,
     }
 }

@@ -2,9 +2,7 @@
 
 #![allow(missing_docs)]
 
-use alloc::borrow::ToOwned;
-
-use bessemer_ir::tree;
+use bessemer_ir::tree::{self, MatrixMethod};
 use nalgebra::SVector;
 
 use super::builder::{Builder, Callee};
@@ -13,8 +11,8 @@ use super::slot::Called;
 use crate::element::Element;
 
 macro_rules! swizzles {
-    ($($count:literal { $($method:ident $marker:ident $name:literal;)* })*) => {
-        markers! { $($($marker: $name;)*)* }
+    ($($count:literal { $($method:ident $marker:ident $axes:expr;)* })*) => {
+        markers! { $($($marker: Matrix(MatrixMethod::Swizzle($axes, $count));)*)* }
 
         /// Vectors of a vector's components.
         pub trait SwizzleBuiltins<T: Element>: Sized {$($(
@@ -27,20 +25,20 @@ macro_rules! swizzles {
 
 swizzles! {
     2 {
-        __b_xx Xx "swizzle_xx"; __b_xy Xy "swizzle_xy"; __b_xz Xz "swizzle_xz";
-        __b_yx Yx "swizzle_yx"; __b_yy Yy "swizzle_yy"; __b_yz Yz "swizzle_yz";
-        __b_zx Zx "swizzle_zx"; __b_zy Zy "swizzle_zy"; __b_zz Zz "swizzle_zz";
+        __b_xx Xx [0, 0, 0]; __b_xy Xy [0, 1, 0]; __b_xz Xz [0, 2, 0];
+        __b_yx Yx [1, 0, 0]; __b_yy Yy [1, 1, 0]; __b_yz Yz [1, 2, 0];
+        __b_zx Zx [2, 0, 0]; __b_zy Zy [2, 1, 0]; __b_zz Zz [2, 2, 0];
     }
     3 {
-        __b_xxx Xxx "swizzle_xxx"; __b_xxy Xxy "swizzle_xxy"; __b_xxz Xxz "swizzle_xxz";
-        __b_xyx Xyx "swizzle_xyx"; __b_xyy Xyy "swizzle_xyy"; __b_xyz Xyz "swizzle_xyz";
-        __b_xzx Xzx "swizzle_xzx"; __b_xzy Xzy "swizzle_xzy"; __b_xzz Xzz "swizzle_xzz";
-        __b_yxx Yxx "swizzle_yxx"; __b_yxy Yxy "swizzle_yxy"; __b_yxz Yxz "swizzle_yxz";
-        __b_yyx Yyx "swizzle_yyx"; __b_yyy Yyy "swizzle_yyy"; __b_yyz Yyz "swizzle_yyz";
-        __b_yzx Yzx "swizzle_yzx"; __b_yzy Yzy "swizzle_yzy"; __b_yzz Yzz "swizzle_yzz";
-        __b_zxx Zxx "swizzle_zxx"; __b_zxy Zxy "swizzle_zxy"; __b_zxz Zxz "swizzle_zxz";
-        __b_zyx Zyx "swizzle_zyx"; __b_zyy Zyy "swizzle_zyy"; __b_zyz Zyz "swizzle_zyz";
-        __b_zzx Zzx "swizzle_zzx"; __b_zzy Zzy "swizzle_zzy"; __b_zzz Zzz "swizzle_zzz";
+        __b_xxx Xxx [0, 0, 0]; __b_xxy Xxy [0, 0, 1]; __b_xxz Xxz [0, 0, 2];
+        __b_xyx Xyx [0, 1, 0]; __b_xyy Xyy [0, 1, 1]; __b_xyz Xyz [0, 1, 2];
+        __b_xzx Xzx [0, 2, 0]; __b_xzy Xzy [0, 2, 1]; __b_xzz Xzz [0, 2, 2];
+        __b_yxx Yxx [1, 0, 0]; __b_yxy Yxy [1, 0, 1]; __b_yxz Yxz [1, 0, 2];
+        __b_yyx Yyx [1, 1, 0]; __b_yyy Yyy [1, 1, 1]; __b_yyz Yyz [1, 1, 2];
+        __b_yzx Yzx [1, 2, 0]; __b_yzy Yzy [1, 2, 1]; __b_yzz Yzz [1, 2, 2];
+        __b_zxx Zxx [2, 0, 0]; __b_zxy Zxy [2, 0, 1]; __b_zxz Zxz [2, 0, 2];
+        __b_zyx Zyx [2, 1, 0]; __b_zyy Zyy [2, 1, 1]; __b_zyz Zyz [2, 1, 2];
+        __b_zzx Zzx [2, 2, 0]; __b_zzy Zzy [2, 2, 1]; __b_zzz Zzz [2, 2, 2];
     }
 }
 

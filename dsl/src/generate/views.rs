@@ -2,8 +2,6 @@
 
 #![allow(missing_docs)]
 
-use alloc::borrow::ToOwned;
-
 use bessemer_ir::tree;
 use nalgebra::{SMatrix, SVector};
 
@@ -15,7 +13,7 @@ use crate::element::Element;
 use crate::linear::views;
 
 markers! {
-    Owned: "owned";
+    Owned: Owned;
 }
 
 /// The result of a companion that is a function of the DSL: it names no reference.

@@ -69,7 +69,7 @@ fn shared(ty: Ty) -> Ty {
 fn callees(function: &Function) -> Vec<String> {
     let name = |callee: &Callee| match callee {
         Callee::Function(path) => path.trim_start_matches("witness::").to_owned(),
-        Callee::Builtin(name) => format!("builtin {name}"),
+        Callee::Builtin(builtin) => format!("{builtin:?}"),
     };
     function.callees.iter().map(name).collect()
 }
