@@ -131,6 +131,7 @@ impl Lowering<'_, '_> {
                 let place = Place::local(local, ty.clone(), span);
                 self.node(ExprKind::Load(place), ty, site)
             }
+            tree::ExprKind::Deref(part) if self.is_part(part) => self.part_value(part, site),
             _ if control_with_value(expr) => self.control_value(expr, expected),
             _ => match self.place(expr)? {
                 Some(place) => {

@@ -96,6 +96,24 @@ impl Lowering<'_, '_> {
                 };
                 Subject::Maybe(there, Box::new(lent))
             }
+            (M::SplitFirstChunk(count) | M::SplitLastChunk(count), [array]) => {
+                let array = self.sliced(array)?;
+                let enough = u64::from(count);
+                let count = Expr::usize(enough, span);
+                let there = match array.length.kind {
+                    ExprKind::Literal(length) => Expr::bool(length >= enough, span),
+                    _ => Expr::compare(CompareOp::Ge, array.length.clone(), count.clone()).at(span),
+                };
+                let less = minus(array.length.clone(), count.clone());
+                let parts = match method {
+                    M::SplitFirstChunk(_) => [array.part(zero, count.clone()), array.behind(count)],
+                    _ => {
+                        let chunk = Slice { length: count, ..array.behind(less.clone()) };
+                        [array.part(zero, less), chunk]
+                    }
+                };
+                Subject::Maybe(there, Box::new(Subject::Parts(parts.map(slice).into())))
+            }
             (M::SplitAt, [array, at]) => {
                 let array = self.sliced(array)?;
                 let at = self.value(at, Some(&Type::USIZE))?;
@@ -194,6 +212,24 @@ impl Lowering<'_, '_> {
         Ok(all)
     }
 
+    /// Whether a name is that of a part of so many elements as the program says.
+    pub(super) fn is_part(&mut self, expr: &tree::Expr) -> bool {
+        let tree::ExprKind::Local(name) = &expr.kind else { return false };
+        let found = self.lookup(name, expr.site);
+        matches!(found, Ok(Binding::Slice(part)) if part.length.is_literal())
+    }
+
+    /// `*part`: its elements as an array.
+    pub(super) fn part_value(&mut self, part: &tree::Expr, site: Site) -> Result<Expr> {
+        let part = self.sliced(part)?;
+        let ExprKind::Literal(length) = part.length.kind else {
+            return problem(site, "a slice is no value", "match what `&` refers to");
+        };
+        let Ok(len) = u32::try_from(length) else { return problem(site, LENT, TAKE_APART) };
+        let ty = Type::Array { element: Box::new(part.element.clone()), len };
+        Ok(elements_of(&part, ty, self.span(site)))
+    }
+
     /// The name of a part: the part itself, or a copy where the author takes its value.
     pub(super) fn bind_part(
         &mut self,
@@ -207,19 +243,23 @@ impl Lowering<'_, '_> {
             return Ok(());
         }
         let ty = self.slot(slot, site)?;
-        let (Type::Array { len, .. }, true) = (&ty, part.length.is_literal()) else {
+        let (Type::Array { .. }, true) = (&ty, part.length.is_literal()) else {
             return problem(site, "a slice is no value", "match what `&` refers to");
         };
         let span: Span = self.span(site);
-        let element = |index: u32| {
-            part.at(plus(part.from.clone(), Expr::usize(u64::from(index), span))).load()
-        };
-        let kind = ExprKind::Array((0..*len).map(element).collect());
-        let value = Some(Expr { kind, ty: ty.clone(), span });
+        let value = Some(elements_of(part, ty.clone(), span));
         let local = self.declare(name, ty, Mode::Value, span);
         self.emit(StmtKind::Let { local, value }, span);
         Ok(())
     }
+}
+
+/// A copy of the elements, of which there are as many as the type has.
+fn elements_of(part: &Slice, ty: Type, span: Span) -> Expr {
+    let len = if let Type::Array { len, .. } = ty { len } else { 0 };
+    let element =
+        |index: u32| part.at(plus(part.from.clone(), Expr::usize(u64::from(index), span))).load();
+    Expr { kind: ExprKind::Array((0..len).map(element).collect()), ty, span }
 }
 
 /// The refusal of a reference that is kept.

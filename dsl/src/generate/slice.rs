@@ -100,6 +100,42 @@ pub trait SliceArrays<T> {
     fn __b_first_chunk<const N: usize>(&self) -> Called<FirstChunk, Option<&[T; N]>> {
         unreachable!()
     }
+    #[allow(clippy::type_complexity)]
+    fn __b_split_first_chunk<const N: usize>(
+        &self,
+    ) -> Called<SplitFirstChunk<N>, Option<(&[T; N], &[T])>> {
+        unreachable!()
+    }
+    #[allow(clippy::type_complexity)]
+    fn __b_split_last_chunk<const N: usize>(
+        &self,
+    ) -> Called<SplitLastChunk<N>, Option<(&[T], &[T; N])>> {
+        unreachable!()
+    }
+}
+
+/// The marker of `split_first_chunk`, which says how many elements are the first.
+pub struct SplitFirstChunk<const N: usize>;
+
+/// The marker of `split_last_chunk`, which says how many elements are the last.
+pub struct SplitLastChunk<const N: usize>;
+
+impl<const N: usize> Callee for SplitFirstChunk<N> {
+    fn callee(_: &mut Builder) -> tree::Callee {
+        chunk::<N>(SliceMethod::SplitFirstChunk)
+    }
+}
+
+impl<const N: usize> Callee for SplitLastChunk<N> {
+    fn callee(_: &mut Builder) -> tree::Callee {
+        chunk::<N>(SliceMethod::SplitLastChunk)
+    }
+}
+
+fn chunk<const N: usize>(method: fn(u32) -> SliceMethod) -> tree::Callee {
+    // A size beyond 32 bits is never one of a slice that is there.
+    let count = u32::try_from(N).unwrap_or(u32::MAX);
+    tree::Callee::Builtin(tree::Builtin::Slice(method(count)))
 }
 
 impl<T> SliceArrays<T> for [T] {}

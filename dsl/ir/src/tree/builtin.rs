@@ -116,7 +116,12 @@ builtins! {
         GetPart,
         /// `get(from..)`.
         GetFrom,
-        SplitAt, SplitFirst, SplitLast, Swap, Fill, CopyFrom, Reverse, Contains, ToArray, FirstChunk,
+        SplitAt, SplitFirst, SplitLast,
+        /// The first so many elements as an array, and the others.
+        SplitFirstChunk(u32),
+        /// All but the last so many elements, and these as an array.
+        SplitLastChunk(u32),
+        Swap, Fill, CopyFrom, Reverse, Contains, ToArray, FirstChunk,
     }
 
     /// Methods of `Option` and `Result` without a closure.

@@ -349,7 +349,9 @@ pub(super) fn or_return(local: &mut syn::Local, optional: bool) {
     let lends = match text(&call.method).as_str() {
         "get" | "get_mut" => call.args.len() == 1,
         "first" | "first_mut" | "last" | "last_mut" | "split_first" | "split_first_mut"
-        | "split_last" | "split_last_mut" | "as_mut" => call.args.is_empty(),
+        | "split_last" | "split_last_mut" | "split_first_chunk" | "split_last_chunk" | "as_mut" => {
+            call.args.is_empty()
+        }
         _ => false,
     };
     if !lends || matches!(local.pat, syn::Pat::Type(_)) {

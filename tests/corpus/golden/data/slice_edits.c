@@ -92,3 +92,41 @@ bessemer_status_t slice_edits_field(const list16_u8_t *frame, uint64_t at, optio
         return BESSEMER_STATUS_OK;
     }
 }
+
+void slice_edits_framed(const list12_u8_t *frame, option_pair_u16_bool_t *result)
+{
+    if (min_u64(frame->length, UINT64_C(12)) < UINT64_C(2)) {
+        *result = (option_pair_u16_bool_t){.is_some = false};
+        return;
+    }
+    if (min_u64(frame->length, UINT64_C(12)) - UINT64_C(2) < UINT64_C(2)) {
+        *result = (option_pair_u16_bool_t){.is_some = false};
+        return;
+    }
+    uint16_t sum = 0U;
+    {
+        const uint64_t end = min_u64(frame->length, UINT64_C(12)) - UINT64_C(2) - UINT64_C(2)
+            + UINT64_C(2);
+        for (uint64_t i = UINT64_C(2); i < end; i++) {
+            sum = (uint16_t)((uint32_t)sum + (uint32_t)(uint16_t)frame->items[i]);
+        }
+    }
+    const uint8_t result_bytes[2] = {frame->items[0], frame->items[1]};
+    const uint16_t result_part = (uint16_t)(((uint32_t)result_bytes[0] << 8U) | result_bytes[1]);
+    const uint8_t result_bytes_2[2] = {
+        frame->items[min_u64(frame->length, UINT64_C(12)) - UINT64_C(2) - UINT64_C(2) + UINT64_C(2)],
+        frame->items[min_u64(frame->length, UINT64_C(12)) - UINT64_C(2) - UINT64_C(2) + UINT64_C(2) + UINT64_C(1)]
+    };
+    result->is_some = true;
+    result->value.first = result_part;
+    result->value.second = sum == (uint16_t)(((uint32_t)result_bytes_2[0] << 8U)
+        | result_bytes_2[1]);
+}
+
+void slice_edits_latest(const int16_t samples[5], pair_i16x3_usize_t *result)
+{
+    result->first[0] = samples[2];
+    result->first[1] = samples[3];
+    result->first[2] = samples[4];
+    result->second = UINT64_C(2);
+}

@@ -34,3 +34,24 @@ pub fn field(frame: &List<u8, 16>, at: usize) -> Option<u32> {
     let bytes = frame.get(at..)?;
     bytes.first_chunk::<4>().map(|bytes| u32::from_le_bytes(*bytes))
 }
+
+/// A frame's number, of those in front of it, and whether its last two bytes are the sum of the others.
+#[function]
+pub fn framed(frame: &List<u8, 12>) -> Option<(u16, bool)> {
+    let (number, behind) = frame.split_first_chunk::<2>()?;
+    let (payload, trailer) = behind.split_last_chunk::<2>()?;
+    let mut sum = 0_u16;
+    for byte in payload {
+        sum = sum.wrapping_add(u16::from(*byte));
+    }
+    Some((u16::from_be_bytes(*number), sum == u16::from_be_bytes(*trailer)))
+}
+
+/// The last three of five, and how many stand before them.
+#[function]
+pub fn latest(samples: &[i16; 5]) -> ([i16; 3], usize) {
+    match samples.split_last_chunk::<3>() {
+        Some((before, latest)) => (*latest, before.len()),
+        None => ([0; 3], 0),
+    }
+}
