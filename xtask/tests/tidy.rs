@@ -7,7 +7,7 @@ mod shared;
 use proc_macro2::{TokenStream, TokenTree};
 use serde_json::Value;
 use shared::{File, files, none, root};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// The longest that a Rust file written by hand may be.
@@ -99,13 +99,31 @@ fn what_xtask_needs_is_built_once() {
     none("xtask asks for the features that the tests' build has of a package", &twice);
 }
 
+/// What macros rest on has features of its own for cargo: with those of the tests' build, the tree is built once for both.
+/// What only their tests rest on, `cargo tree` does not tell of.
+#[test]
+fn what_macros_share_is_built_once() {
+    let name = |built: &str| built.split_whitespace().take(2).collect::<Vec<_>>().join(" ");
+    let shared = built(&["--package", "bessemer", "--package", "bessemer-ir", "--edges", "normal"]);
+    let shared: BTreeSet<_> = shared.iter().map(|it| name(it)).collect();
+    let mut ways = BTreeMap::<String, Vec<String>>::new();
+    for way in built(&["--workspace", "--edges", "normal,build,dev"]) {
+        ways.entry(name(&way)).or_default().push(way);
+    }
+    ways.retain(|name, ways| shared.contains(name) && ways.len() > 1);
+    let twice: Vec<_> = ways.into_values().map(|ways| ways.join(" and ")).collect();
+    none("what is shared has one set of features in the tests' build", &twice);
+}
+
 /// Packages with their features, as a build has them.
 fn built(chosen: &[&str]) -> BTreeSet<String> {
     let mut cargo = xtask::project::cargo(&root(), &["tree", "--offline", "--prefix", "none"]);
     let output = cargo.args(["--no-dedupe", "--format", "{p} {f}"]).args(chosen).output();
     let output = output.expect("cargo starts");
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    String::from_utf8_lossy(&output.stdout).lines().map(|line| line.trim().to_owned()).collect()
+    // A star tells that what a package rests on stood there before.
+    let line = |line: &str| line.trim().trim_end_matches("(*)").trim_end().to_owned();
+    String::from_utf8_lossy(&output.stdout).lines().map(line).collect()
 }
 
 /// What is published packs: its dependencies have versions, its licences and what its sources include come with it. Nothing is built.
