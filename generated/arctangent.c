@@ -236,12 +236,12 @@ double arctangent_far_atan2(double y, double x)
     }
     pair_t angle;
     if (width == height) {
-        if (width == 0.0) {
-            angle.high = 0.0;
-            angle.low = 0.0;
-        } else {
+        if (width > 0.0) {
             angle.high = 0.5 * HALF_PI_HIGH;
             angle.low = 0.5 * HALF_PI_LOW;
+        } else {
+            angle.high = 0.0;
+            angle.low = 0.0;
         }
     } else if (height > width * 1.152921504606847e18) {
         angle.high = HALF_PI_HIGH;

@@ -31,8 +31,7 @@ void controller_init(controller_t *self)
 void controller_step(controller_t *self, const parameters_t *parameters, const estimate_t *estimate,
     const target_t *target, const double feed_forward[AIRFRAME_MOST_MOTORS], command_t *command)
 {
-    const bool step = touch_down_step(&self->touch_down, parameters->period, target, estimate);
-    if (step) {
+    if (touch_down_step(&self->touch_down, parameters->period, target, estimate)) {
         command_still(command);
         return;
     }

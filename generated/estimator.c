@@ -206,11 +206,11 @@ static void estimator_listen(estimator_t *self, const sensors_t *sensors, const 
     const measured_t *measured)
 {
     expectation_step(&self->expectation, sensors->period, told);
-    bool felt_condition = false;
+    bool felt = false;
     if (measured->inertial) {
-        felt_condition = stuck_says(&self->accelerometer, measured->force);
+        felt = stuck_says(&self->accelerometer, measured->force);
     }
-    self->felt = felt_condition;
+    self->felt = felt;
     if (self->felt) {
         expectation_felt(&self->expectation, measured->force);
         self->force[0] = measured->force[0];
@@ -409,15 +409,12 @@ static void estimator_do_without(estimator_t *self, const sensors_t *sensors,
     orientation_t orientation;
     orientation_of(self->attitude.angles, &orientation);
     if (heard) {
-        const bool see_echo = estimator_see_echo(self, sensors, measured->distance, &orientation);
-        if (!see_echo) {
+        if (!estimator_see_echo(self, sensors, measured->distance, &orientation)) {
             self->outliers = saturating_add_u32(self->outliers, 1U);
         }
     }
     if (seen) {
-        const bool see_flow = estimator_see_flow(self, sensors, measured->flow_velocity,
-            &orientation, work);
-        if (!see_flow) {
+        if (!estimator_see_flow(self, sensors, measured->flow_velocity, &orientation, work)) {
             self->outliers = saturating_add_u32(self->outliers, 1U);
         }
     }

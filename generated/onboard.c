@@ -167,8 +167,7 @@ static alarm_t onboard_watch(onboard_t *self, const settings_t *settings, uint64
     if (self->receiver.orders.stop) {
         crash_predictor_raise(&self->predictor, ALARM_ASKED);
     }
-    const bool step = clock_monitor_step(&self->clock, settings->parameters.period, time);
-    if (!step) {
+    if (!clock_monitor_step(&self->clock, settings->parameters.period, time)) {
         crash_predictor_raise(&self->predictor, ALARM_CLOCK);
     }
     const bool flying = reference_generator_is_flying(&self->reference);

@@ -148,8 +148,7 @@ void receiver_step(receiver_t *self, double period, const space_t *space, const 
         self->tally.old = saturating_add_u32(self->tally.old, 1U);
         return;
     }
-    const bool take = receiver_take(self, space, packet, &work->trajectory);
-    if (!take) {
+    if (!receiver_take(self, space, packet, &work->trajectory)) {
         self->tally.senseless = saturating_add_u32(self->tally.senseless, 1U);
         return;
     }

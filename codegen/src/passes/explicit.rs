@@ -90,7 +90,7 @@ impl Checker<'_> {
             }
             StmtKind::Check { condition, .. } => self.expr(condition, Position::Nested),
             StmtKind::If { condition, then, otherwise } => {
-                self.expr(condition, Position::Nested);
+                self.expr(positions::asked(condition), Position::Decision);
                 self.block(then);
                 self.block(otherwise);
             }

@@ -4,8 +4,8 @@
 //! * **F1** aggregates stand only as whole values, as operands that are places or constants (of products and
 //!   element-wise routines also their transposes), and as trees of constructors or of element-wise routines,
 //!   a column times a row among them; nothing is written where it is still read;
-//! * **F2** calls stand only as whole values or for their effect, unless they give a word, take words
-//!   and shared references, and cannot fault;
+//! * **F2** calls stand only as whole values, for their effect, or as all that an `if` asks or asks the opposite of, unless they
+//!   give a word, take words and shared references, and cannot fault;
 //! * **F3** no operation faults by itself: a [`StmtKind::Check`](bessemer_ir::StmtKind::Check) stands
 //!   before each that could not be proved;
 //! * **F4** the bounds of a loop do not change while it runs, unless its

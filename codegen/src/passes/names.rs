@@ -52,6 +52,8 @@ pub(crate) fn wish(
     };
     match base {
         "" => role,
+        // What decides one thing is named for it alone.
+        base if matches!(purpose, Purpose::Operand) && is_condition(expr) => base.to_string(),
         base if base == role => format!("{base}_value"),
         base => format!("{base}_{role}"),
     }
@@ -98,6 +100,10 @@ fn kind(module: &Module, function: &Function, expr: &Expr) -> String {
         },
         ExprKind::Routine(which, _) => routine(*which).to_string(),
     }
+}
+
+fn is_condition(expr: &Expr) -> bool {
+    matches!(expr.kind, ExprKind::Compare(..) | ExprKind::Logic(..))
 }
 
 fn binary(op: BinaryOp) -> &'static str {

@@ -1,6 +1,6 @@
 //! The grammar of explicit IR: which expressions may stand where.
 
-use bessemer_ir::{Argument, Expr, ExprKind, Function, Mode, Role, Routine};
+use bessemer_ir::{Argument, Expr, ExprKind, Function, Mode, Role, Routine, UnaryOp};
 
 use super::places::{elementwise, outer};
 
@@ -9,6 +9,8 @@ use super::places::{elementwise, outer};
 pub(crate) enum Position {
     /// The whole value of a `let`, an assignment or a `return`.
     Whole,
+    /// What an `if` asks, or asks the opposite of.
+    Decision,
     /// A word within an expression.
     Nested,
     /// A part of a constructor.
@@ -58,16 +60,20 @@ impl Callee {
 
 /// Whether `expr`, itself well made, may stand at `position`.
 pub(crate) fn accepts(callees: &[Callee], position: Position, expr: &Expr) -> bool {
-    use Position::{Elementwise, Factor, Nested, Part, Reference, Repeated, Whole};
+    use Position::{Decision, Elementwise, Factor, Nested, Part, Reference, Repeated, Whole};
     match &expr.kind {
         _ if position == Whole => true,
         ExprKind::Call(callee, _) => {
-            let nests = callees.get(callee.index()).is_some_and(|callee| callee.nests);
-            nests && matches!(position, Nested | Part)
+            let callee = callees.get(callee.index());
+            match position {
+                Decision => callee.is_some_and(|callee| !callee.through_pointer),
+                Nested | Part => callee.is_some_and(|callee| callee.nests),
+                _ => false,
+            }
         }
         ExprKind::Const(_) | ExprKind::Load(_) => true,
         ExprKind::Literal(_) => position != Reference,
-        _ if expr.ty.is_word() => matches!(position, Nested | Part),
+        _ if expr.ty.is_word() => matches!(position, Decision | Nested | Part),
         ExprKind::Struct(_) | ExprKind::Array(_) | ExprKind::Matrix(_) => position == Part,
         ExprKind::Splat(_) => matches!(position, Part | Repeated),
         ExprKind::Routine(Routine::Transpose, _) => matches!(position, Elementwise | Factor),
@@ -75,6 +81,14 @@ pub(crate) fn accepts(callees: &[Callee], position: Position, expr: &Expr) -> bo
             position == Elementwise && (elementwise(*routine) || outer(*routine, operands))
         }
         _ => false,
+    }
+}
+
+/// What a condition asks: itself, or what it is the opposite of.
+pub(crate) fn asked(condition: &Expr) -> &Expr {
+    match &condition.kind {
+        ExprKind::Unary(UnaryOp::Not, x) => x,
+        _ => condition,
     }
 }
 

@@ -1,7 +1,8 @@
 //! Statements that say nothing, gone from explicit IR.
 //!
 //! * A value that is read from a place to be put back there.
-//! * A local of the passes' own that only hands its value on: to the next statement, or to the author's name for it.
+//! * A local of the passes' own that only hands its value on: to the next statement, to the `if` that asks it, or to the author's
+//!   name for it.
 //! * A local of numbers that a loop computes for one other to read: that one computes them.
 //! * A local of equal numbers of which only whole copies are made: each copy is of these numbers.
 //!
@@ -13,7 +14,7 @@ use bessemer_ir::{
 };
 
 use super::places::{disturbs, elementwise, outer};
-use super::positions::Callee;
+use super::positions::{self, Callee, Position};
 use crate::effects::{
     calls, is_own, lent, mentions, moves, reads, same_place, writes, writes_local,
 };
@@ -53,6 +54,7 @@ impl VisitMut for Tidy<'_> {
             let less = self.put_back(&mut block.0, at)
                 || self.put_back_later(&mut block.0, at)
                 || self.handed_on(&mut block.0, at)
+                || self.asked(&mut block.0, at)
                 || self.renamed(&mut block.0, at)
                 || self.equal(&mut block.0, at)
                 || self.fused(&mut block.0, at);
@@ -133,6 +135,32 @@ impl Tidy<'_> {
             hand_down(stmts, at, first.comments);
         }
         direct
+    }
+
+    /// `let made = f(); if !made { … }`
+    fn asked(&self, stmts: &mut Vec<Stmt>, at: usize) -> bool {
+        let [Stmt { kind: StmtKind::Let { local, value: Some(value) }, .. }, next, ..] =
+            &stmts[at..]
+        else {
+            return false;
+        };
+        let StmtKind::If { condition, .. } = &next.kind else { return false };
+        let decides = self.is_made(*local)
+            && self.is_used_once(*local)
+            && is_load(positions::asked(condition), *local)
+            && positions::accepts(self.callees, Position::Decision, value);
+        if decides {
+            let value = value.clone();
+            let first = stmts.remove(at);
+            if let StmtKind::If { condition, .. } = &mut stmts[at].kind {
+                match &mut condition.kind {
+                    ExprKind::Unary(_, asked) => **asked = value,
+                    _ => *condition = value,
+                }
+            }
+            hand_down(stmts, at, first.comments);
+        }
+        decides
     }
 
     /// `let made = …; …; let name = made;`

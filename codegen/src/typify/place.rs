@@ -95,7 +95,10 @@ impl Lowering<'_, '_> {
             Type::Array { .. } => "elements".into(),
             _ => "selector".into(),
         };
-        let naming = std::mem::take(&mut self.naming);
+        // One that is looked into once has the name of what comes of it.
+        let choice = matches!(role.as_str(), "option" | "outcome");
+        let naming = if choice { self.naming.clone() } else { String::new() };
+        let naming = std::mem::replace(&mut self.naming, naming);
         let held = self.temporary(&role, value);
         self.naming = naming;
         match held.kind {

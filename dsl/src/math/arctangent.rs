@@ -141,10 +141,10 @@ pub fn far_atan2(y: f64, x: f64) -> f64 {
     }
     let angle = if width == height {
         // Both zero, both infinite, or on the diagonal.
-        if width == 0.0 {
-            Pair { high: 0.0, low: 0.0 }
-        } else {
+        if width > 0.0 {
             Pair { high: 0.5 * HALF_PI_HIGH, low: 0.5 * HALF_PI_LOW }
+        } else {
+            Pair { high: 0.0, low: 0.0 }
         }
     } else if height > width * 1.152921504606847e18 {
         // From 2⁶⁰ on, the result no longer changes.

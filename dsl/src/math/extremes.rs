@@ -13,12 +13,12 @@ pub fn power_of_negative(value: f64, y: f64) -> f64 {
     // From 2⁵³ on, every number is even.
     if y.abs() >= 9_007_199_254_740_992.0 {
         value
-    } else if y.floor() != y {
+    } else if y.floor() < y {
         f64::NAN
-    } else if (0.5 * y).floor() == 0.5 * y {
-        value
-    } else {
+    } else if (0.5 * y).floor() < 0.5 * y {
         -value
+    } else {
+        value
     }
 }
 
@@ -39,7 +39,7 @@ pub fn special_power(x: f64, y: f64) -> f64 {
     let value = if (size > 1.0) == (y > 0.0) { f64::INFINITY } else { 0.0 };
     // Of zero and infinity, an uneven power keeps the sign; others are positive, whole or not.
     let half = 0.5 * y;
-    let odd = y.abs() < 9_007_199_254_740_992.0 && y.floor() == y && half.floor() != half;
+    let odd = y.abs() < 9_007_199_254_740_992.0 && y.floor() >= y && half.floor() < half;
     if odd && 1.0_f64.copysign(x) < 0.0 { -value } else { value }
 }
 
