@@ -95,8 +95,8 @@ impl Lowering<'_, '_> {
             Type::Array { .. } => "elements".into(),
             _ => "selector".into(),
         };
-        // One that is looked into once has the name of what comes of it.
-        let choice = matches!(role.as_str(), "option" | "outcome");
+        // One that is looked into once has the name of what comes of it, if the author gave that one.
+        let choice = matches!(role.as_str(), "option" | "outcome") && self.naming != "result";
         let naming = if choice { self.naming.clone() } else { String::new() };
         let naming = std::mem::replace(&mut self.naming, naming);
         let held = self.temporary(&role, value);

@@ -57,9 +57,9 @@ bessemer_status_t chunks_leading_number(const uint8_t text[6], option_u16_t *res
         if (!ascii_is_digit(text[i])) {
             break;
         }
-        option_u16_t option;
-        math_checked_mul_u16(number, 10U, &option);
-        if (!option.is_some) {
+        option_u16_t number_option;
+        math_checked_mul_u16(number, 10U, &number_option);
+        if (!number_option.is_some) {
             result->is_some = false;
             result->value = 0U;
             return BESSEMER_STATUS_OK;
@@ -67,14 +67,15 @@ bessemer_status_t chunks_leading_number(const uint8_t text[6], option_u16_t *res
         if (text[i] < 48U) {
             return BESSEMER_STATUS_OVERFLOW;
         }
-        option_u16_t option_2;
-        math_checked_add_u16(option.value, (uint16_t)(uint8_t)(text[i] - 48U), &option_2);
-        if (!option_2.is_some) {
+        option_u16_t number_option_2;
+        math_checked_add_u16(number_option.value, (uint16_t)(uint8_t)(text[i] - 48U),
+            &number_option_2);
+        if (!number_option_2.is_some) {
             result->is_some = false;
             result->value = 0U;
             return BESSEMER_STATUS_OK;
         }
-        number = option_2.value;
+        number = number_option_2.value;
     }
     result->is_some = true;
     result->value = number;

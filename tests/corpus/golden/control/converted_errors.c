@@ -47,17 +47,17 @@ void converted_errors_payload(const uint8_t frame[3], result_u16_frame_fault_t *
 
 void converted_errors_current(const uint8_t frame[3], float limit, result_f32_drive_fault_t *result)
 {
-    result_u16_frame_fault_t outcome;
-    converted_errors_payload(frame, &outcome);
-    if (!outcome.is_ok) {
+    result_u16_frame_fault_t current_outcome;
+    converted_errors_payload(frame, &current_outcome);
+    if (!current_outcome.is_ok) {
         drive_fault_t result_error;
-        drive_fault_from_frame_fault(&outcome.error, &result_error);
+        drive_fault_from_frame_fault(&current_outcome.error, &result_error);
         result->is_ok = false;
         result->value = 0.0F;
         result->error = result_error;
         return;
     }
-    const float current = (float)outcome.value * 0.01F;
+    const float current = (float)current_outcome.value * 0.01F;
     if (current > limit) {
         static const result_f32_drive_fault_t current_2 = {
             .is_ok = false,

@@ -52,13 +52,13 @@ int32_t leaving_closures_known(const int32_t readings[6], int32_t scale)
     int32_t gathered = 0;
     for (uint32_t i = 0U; i < 6U; i++) {
         option_i32_t result_choice;
-        option_i32_t option;
-        math_checked_mul_i32(readings[i], scale, &option);
-        if (!option.is_some) {
+        option_i32_t x_option;
+        math_checked_mul_i32(readings[i], scale, &x_option);
+        if (!x_option.is_some) {
             result_choice.is_some = false;
             result_choice.value = 0;
         } else {
-            const int32_t x = option.value;
+            const int32_t x = x_option.value;
             if (x % 2 == 0) {
                 result_choice.is_some = false;
                 result_choice.value = 0;

@@ -21,24 +21,24 @@ void question_mark_voltage(uint16_t count, result_f64_failure_t *result)
 
 void question_mark_power(uint16_t volts, uint16_t amperes, result_f64_failure_t *result)
 {
-    result_f64_failure_t outcome;
-    question_mark_voltage(volts, &outcome);
-    if (!outcome.is_ok) {
+    result_f64_failure_t u_outcome;
+    question_mark_voltage(volts, &u_outcome);
+    if (!u_outcome.is_ok) {
         result->is_ok = false;
         result->value = 0.0;
-        result->error = outcome.error;
+        result->error = u_outcome.error;
         return;
     }
-    const double u = outcome.value;
-    result_f64_failure_t outcome_2;
-    question_mark_voltage(amperes, &outcome_2);
-    if (!outcome_2.is_ok) {
+    const double u = u_outcome.value;
+    result_f64_failure_t i_outcome;
+    question_mark_voltage(amperes, &i_outcome);
+    if (!i_outcome.is_ok) {
         result->is_ok = false;
         result->value = 0.0;
-        result->error = outcome_2.error;
+        result->error = i_outcome.error;
         return;
     }
-    const double i = outcome_2.value;
+    const double i = i_outcome.value;
     result->is_ok = true;
     result->value = u * i;
     result->error = FAILURE_OPEN;

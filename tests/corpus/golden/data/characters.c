@@ -93,14 +93,14 @@ bessemer_status_t characters_is_sixteenth(uint8_t byte, bool *result)
 bessemer_status_t characters_digit(uint32_t value, uint8_t *result)
 {
     bessemer_status_t status;
-    option_u32_t option;
-    status = ascii_from_digit(value, 36U, &option);
+    option_u32_t shown_option;
+    status = ascii_from_digit(value, 36U, &shown_option);
     if (status != BESSEMER_STATUS_OK) {
         return status;
     }
     uint32_t shown = 63U;
-    if (option.is_some) {
-        shown = option.value;
+    if (shown_option.is_some) {
+        shown = shown_option.value;
     }
     if (ascii_char_is_lowercase(shown)) {
         uint32_t result_char_to_uppercase;

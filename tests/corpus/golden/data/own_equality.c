@@ -66,17 +66,17 @@ bool own_equality_is_new(const bearing_t *now, const bearing_t *before)
 
 bool own_equality_same_way(lever_t one, lever_t other)
 {
-    bool result_condition_2 = true;
+    bool result_2 = true;
     if (!lever_eq(one, other)) {
         const lever_t result_other = LEVER_NEUTRAL;
-        bool result_condition = false;
+        bool result = false;
         if (lever_eq(one, result_other)) {
             const lever_t result_other_2 = LEVER_BACK;
-            result_condition = !lever_eq(other, result_other_2);
+            result = !lever_eq(other, result_other_2);
         }
-        result_condition_2 = result_condition;
+        result_2 = result;
     }
-    return result_condition_2;
+    return result_2;
 }
 
 bool own_equality_same_heading(const heading_t *one, const heading_t *other)

@@ -61,15 +61,15 @@ void result_methods_volts(const uint8_t frame[4], result_f32_link_error_t *resul
 void result_methods_total(const uint8_t one[4], const uint8_t other[4],
     result_u16_frame_error_t *result)
 {
-    result_u16_frame_error_t outcome;
-    result_methods_value(one, &outcome);
-    if (!outcome.is_ok) {
+    result_u16_frame_error_t one_outcome;
+    result_methods_value(one, &one_outcome);
+    if (!one_outcome.is_ok) {
         result->is_ok = false;
         result->value = 0U;
-        result->error = outcome.error;
+        result->error = one_outcome.error;
         return;
     }
-    const uint16_t one_2 = outcome.value;
+    const uint16_t one_2 = one_outcome.value;
     result_u16_frame_error_t other_2;
     result_methods_value(other, &other_2);
     if (other_2.is_ok) {

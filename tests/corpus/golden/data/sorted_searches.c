@@ -91,13 +91,13 @@ void sorted_searches_place(const uint8_t codes[7], uint8_t code, result_usize_us
 bessemer_status_t sorted_searches_value(const list5_sorted_searches_point_t *points, uint16_t code,
     option_f64_t *result)
 {
-    result_usize_usize_t outcome;
+    result_usize_usize_t at_outcome;
     sorted_searches_binary_search_by_key_in_value(points->items,
-        min_u64(points->length, UINT64_C(5)), code, &outcome);
+        min_u64(points->length, UINT64_C(5)), code, &at_outcome);
     option_usize_t at_choice = {.is_some = false};
-    if (outcome.is_ok) {
+    if (at_outcome.is_ok) {
         at_choice.is_some = true;
-        at_choice.value = outcome.value;
+        at_choice.value = at_outcome.value;
     }
     if (!at_choice.is_some) {
         result->is_some = false;

@@ -111,25 +111,25 @@ bessemer_status_t values_that_borrow_reader_byte(values_that_borrow_reader_t *se
     const uint8_t self_rest[], uint64_t self_rest_length, option_u8_t *result)
 {
     bessemer_status_t status;
-    option_slice_u8_t option;
+    option_slice_u8_t byte_option;
     status = values_that_borrow_reader_take(self, self_rest, self_rest_length, UINT64_C(1),
-        &option);
+        &byte_option);
     if (status != BESSEMER_STATUS_OK) {
         return status;
     }
-    if (!option.is_some) {
+    if (!byte_option.is_some) {
         result->is_some = false;
         result->value = 0U;
         return BESSEMER_STATUS_OK;
     }
-    if (UINT64_C(0) >= option.value.length) {
+    if (UINT64_C(0) >= byte_option.value.length) {
         return BESSEMER_STATUS_INDEX;
     }
-    if (option.value.from >= self_rest_length) {
+    if (byte_option.value.from >= self_rest_length) {
         return BESSEMER_STATUS_INDEX;
     }
     result->is_some = true;
-    result->value = self_rest[option.value.from];
+    result->value = self_rest[byte_option.value.from];
     return BESSEMER_STATUS_OK;
 }
 
@@ -172,69 +172,69 @@ bessemer_status_t values_that_borrow_understood(const uint8_t packet[], uint64_t
     bessemer_status_t status;
     values_that_borrow_reader_t reader;
     values_that_borrow_reader_new(packet, packet_length, &reader);
-    option_u8_t option;
-    status = values_that_borrow_reader_byte(&reader, packet, packet_length, &option);
+    option_u8_t kind_option;
+    status = values_that_borrow_reader_byte(&reader, packet, packet_length, &kind_option);
     if (status != BESSEMER_STATUS_OK) {
         return status;
     }
-    if (!option.is_some) {
+    if (!kind_option.is_some) {
         *result = (option_result_values_that_borrow_packet_u8_t){.is_some = false};
         return BESSEMER_STATUS_OK;
     }
-    const uint8_t kind = option.value;
+    const uint8_t kind = kind_option.value;
     result_values_that_borrow_packet_u8_t result_choice = {0};
     const uint8_t other = kind;
     switch (other) {
     case 1U: {
-        option_u16_t option_2;
-        status = values_that_borrow_reader_word(&reader, packet, packet_length, &option_2);
+        option_u16_t option;
+        status = values_that_borrow_reader_word(&reader, packet, packet_length, &option);
         if (status != BESSEMER_STATUS_OK) {
             return status;
         }
-        if (!option_2.is_some) {
+        if (!option.is_some) {
             *result = (option_result_values_that_borrow_packet_u8_t){.is_some = false};
             return BESSEMER_STATUS_OK;
         }
         result_choice.is_ok = true;
         result_choice.value.tag = VALUES_THAT_BORROW_PACKET_TAG_SET;
-        result_choice.value.as.set = option_2.value;
+        result_choice.value.as.set = option.value;
         result_choice.error = 0U;
         break;
     }
     case 2U: {
-        option_u8_t option_2;
-        status = values_that_borrow_reader_byte(&reader, packet, packet_length, &option_2);
+        option_u8_t address_option;
+        status = values_that_borrow_reader_byte(&reader, packet, packet_length, &address_option);
         if (status != BESSEMER_STATUS_OK) {
             return status;
         }
-        if (!option_2.is_some) {
+        if (!address_option.is_some) {
             *result = (option_result_values_that_borrow_packet_u8_t){.is_some = false};
             return BESSEMER_STATUS_OK;
         }
-        const uint8_t address = option_2.value;
-        option_u8_t option_3;
-        status = values_that_borrow_reader_byte(&reader, packet, packet_length, &option_3);
+        const uint8_t address = address_option.value;
+        option_u8_t count_option;
+        status = values_that_borrow_reader_byte(&reader, packet, packet_length, &count_option);
         if (status != BESSEMER_STATUS_OK) {
             return status;
         }
-        if (!option_3.is_some) {
+        if (!count_option.is_some) {
             *result = (option_result_values_that_borrow_packet_u8_t){.is_some = false};
             return BESSEMER_STATUS_OK;
         }
-        const uint32_t count = (uint32_t)option_3.value;
-        option_slice_u8_t option_4;
-        status = values_that_borrow_reader_take(&reader, packet, packet_length, count, &option_4);
+        const uint32_t count = (uint32_t)count_option.value;
+        option_slice_u8_t option;
+        status = values_that_borrow_reader_take(&reader, packet, packet_length, count, &option);
         if (status != BESSEMER_STATUS_OK) {
             return status;
         }
-        if (!option_4.is_some) {
+        if (!option.is_some) {
             *result = (option_result_values_that_borrow_packet_u8_t){.is_some = false};
             return BESSEMER_STATUS_OK;
         }
         result_choice.is_ok = true;
         result_choice.value.tag = VALUES_THAT_BORROW_PACKET_TAG_LOAD;
         result_choice.value.as.load.address = address;
-        result_choice.value.as.load.bytes = option_4.value;
+        result_choice.value.as.load.bytes = option.value;
         result_choice.error = 0U;
         break;
     }

@@ -135,8 +135,7 @@ bessemer_status_t given_iterators_weighed(const inputs_t *inputs, const inputs_t
 {
     uint32_t sum = 0U;
     for (uint16_t n = 0U; n < (uint16_t)U16_BITS; n++) {
-        const bool contains = inputs_contains(inputs, n);
-        if (contains) {
+        if (inputs_contains(inputs, n)) {
             if (n == 3U) {
                 continue;
             }
@@ -150,13 +149,11 @@ bessemer_status_t given_iterators_weighed(const inputs_t *inputs, const inputs_t
         }
     }
     for (uint16_t n = 0U; n < (uint16_t)U16_BITS; n++) {
-        const bool contains_2 = inputs_contains(inputs, n);
-        if (contains_2) {
+        if (inputs_contains(inputs, n)) {
             bool outer_next = false;
             bool outer_done = false;
             for (uint16_t n_2 = 0U; n_2 < (uint16_t)U16_BITS; n_2++) {
-                const bool contains_3 = inputs_contains(more, n_2);
-                if (contains_3) {
+                if (inputs_contains(more, n_2)) {
                     if (n_2 > n) {
                         outer_next = true;
                         break;
@@ -181,8 +178,7 @@ bessemer_status_t given_iterators_weighed(const inputs_t *inputs, const inputs_t
     }
     uint32_t count = 0U;
     for (uint16_t n = 0U; n < (uint16_t)U16_BITS; n++) {
-        const bool contains_4 = inputs_contains(more, n);
-        if (contains_4) {
+        if (inputs_contains(more, n)) {
             count += 1U;
         }
     }
@@ -192,8 +188,7 @@ bessemer_status_t given_iterators_weighed(const inputs_t *inputs, const inputs_t
     const uint32_t result_left = sum + count;
     uint16_t sum_2 = 0U;
     for (uint16_t n = 0U; n < (uint16_t)U16_BITS; n++) {
-        const bool contains_5 = inputs_contains(inputs, n);
-        if (contains_5) {
+        if (inputs_contains(inputs, n)) {
             if ((int64_t)sum_2 + (int64_t)n > INT64_C(65535)) {
                 return BESSEMER_STATUS_OVERFLOW;
             }

@@ -127,11 +127,11 @@ bool interfaces_of_numbers_u16_step(uint16_t *self, uint8_t by)
 bool interfaces_of_numbers_counted(uint16_t *counter, uint8_t by)
 {
     const bool often = interfaces_of_numbers_u16_step(counter, by);
-    bool result_condition = false;
+    bool result = false;
     if (often) {
-        result_condition = interfaces_of_numbers_u16_step(counter, 1U);
+        result = interfaces_of_numbers_u16_step(counter, 1U);
     }
-    return result_condition;
+    return result;
 }
 
 /* interfaces_of_numbers.h */

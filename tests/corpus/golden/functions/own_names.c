@@ -54,15 +54,15 @@ bool own_names_bank_total_cmp(const own_names_bank_t *self, const own_names_bank
 
 void own_names_use_all(own_names_bank_t *bank, uint8_t index, result_u8_own_names_missing_t *result)
 {
-    result_u8_own_names_missing_t outcome;
-    own_names_bank_get_mut(bank, index, &outcome);
-    if (!outcome.is_ok) {
+    result_u8_own_names_missing_t cell_outcome;
+    own_names_bank_get_mut(bank, index, &cell_outcome);
+    if (!cell_outcome.is_ok) {
         result->is_ok = false;
         result->value = 0U;
-        result->error = outcome.error;
+        result->error = cell_outcome.error;
         return;
     }
-    const uint8_t cell = outcome.value;
+    const uint8_t cell = cell_outcome.value;
     const own_names_bank_t other = *bank;
     const uint8_t sum_swap = own_names_bank_swap(bank, 3U);
     uint8_t sum = (uint8_t)((uint32_t)(uint8_t)((uint32_t)cell + (uint32_t)sum_swap)

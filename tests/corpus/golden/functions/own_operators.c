@@ -142,15 +142,15 @@ void own_operators_made(double re, double im, phasor_t *phasor)
 
 void own_operators_phase_of(uint8_t letter, result_own_operators_phase_unknown_t *result)
 {
-    result_own_operators_phase_unknown_t outcome;
-    own_operators_phase_try_from_u8(letter, &outcome);
-    if (!outcome.is_ok) {
+    result_own_operators_phase_unknown_t phase_outcome;
+    own_operators_phase_try_from_u8(letter, &phase_outcome);
+    if (!phase_outcome.is_ok) {
         result->is_ok = false;
         result->value = OWN_OPERATORS_PHASE_A;
-        result->error = outcome.error;
+        result->error = phase_outcome.error;
         return;
     }
-    const own_operators_phase_t phase = outcome.value;
+    const own_operators_phase_t phase = phase_outcome.value;
     result->is_ok = true;
     result->value = phase;
     result->error.value = 0U;

@@ -54,15 +54,15 @@ void without_fields_commanded(double torque, result_f64_saturated_t *result)
 
 void without_fields_limited(double torque, result_f64_without_fields_trouble_t *result)
 {
-    result_f64_saturated_t outcome;
-    without_fields_commanded(torque, &outcome);
-    if (!outcome.is_ok) {
+    result_f64_saturated_t torque_outcome;
+    without_fields_commanded(torque, &torque_outcome);
+    if (!torque_outcome.is_ok) {
         result->is_ok = false;
         result->value = 0.0;
         result->error = without_fields_trouble_from_saturated();
         return;
     }
-    const double torque_2 = outcome.value;
+    const double torque_2 = torque_outcome.value;
     if (torque_2 < -2.0) {
         result->is_ok = false;
         result->value = 0.0;

@@ -19,13 +19,13 @@ double cholesky_factor_surprise(const double s[9], const double difference[3])
 void cholesky_factor_updated(const double p[4], const double x[2], double weight,
     option_matrix2x2_f64_t *result)
 {
-    option_cholesky_factor_f64_2_t option;
-    cholesky_factored_f64_2(p, &option);
-    if (!option.is_some) {
+    option_cholesky_factor_f64_2_t factor_option;
+    cholesky_factored_f64_2(p, &factor_option);
+    if (!factor_option.is_some) {
         *result = (option_matrix2x2_f64_t){.is_some = false};
         return;
     }
-    cholesky_factor_f64_2_t factor = option.value;
+    cholesky_factor_f64_2_t factor = factor_option.value;
     cholesky_factor_f64_2_rank_one_update(&factor, x, weight);
     cholesky_factor_f64_2_l(&factor, result->value);
     result->is_some = true;

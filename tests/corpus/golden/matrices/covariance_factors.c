@@ -4,13 +4,13 @@
 
 void covariance_factors_variances(const double p[9], option_vector3_f64_t *result)
 {
-    option_udu_f64_3_t option;
-    udu_factored_f64_3(p, &option);
-    if (!option.is_some) {
+    option_udu_f64_3_t factors_option;
+    udu_factored_f64_3(p, &factors_option);
+    if (!factors_option.is_some) {
         *result = (option_vector3_f64_t){.is_some = false};
         return;
     }
-    const udu_f64_3_t *const factors = &option.value;
+    const udu_f64_3_t *const factors = &factors_option.value;
     result->is_some = true;
     result->value[0] = factors->d[0];
     result->value[1] = factors->d[1];

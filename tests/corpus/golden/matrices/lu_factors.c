@@ -6,13 +6,13 @@ void lu_factors_refined(const double a[9], const double b[3], option_vector3_f64
 {
     lu_f64_3_t lu;
     lu_factored_f64_3(a, &lu);
-    option_vector3_f64_t option;
-    lu_f64_3_solve_1(&lu, b, &option);
-    if (!option.is_some) {
+    option_vector3_f64_t x_option;
+    lu_f64_3_solve_1(&lu, b, &x_option);
+    if (!x_option.is_some) {
         *result = (option_vector3_f64_t){.is_some = false};
         return;
     }
-    const double x[3] = {option.value[0], option.value[1], option.value[2]};
+    const double x[3] = {x_option.value[0], x_option.value[1], x_option.value[2]};
     const double residual_product[3] = {
         a[0] * x[0] + a[3] * x[1] + a[3 * 2] * x[2],
         a[1] * x[0] + a[1 + 3] * x[1] + a[1 + 3 * 2] * x[2],
@@ -23,13 +23,17 @@ void lu_factors_refined(const double a[9], const double b[3], option_vector3_f64
         b[1] - residual_product[1],
         b[2] - residual_product[2]
     };
-    option_vector3_f64_t option_2;
-    lu_f64_3_solve_1(&lu, residual, &option_2);
-    if (!option_2.is_some) {
+    option_vector3_f64_t correction_option;
+    lu_f64_3_solve_1(&lu, residual, &correction_option);
+    if (!correction_option.is_some) {
         *result = (option_vector3_f64_t){.is_some = false};
         return;
     }
-    const double correction[3] = {option_2.value[0], option_2.value[1], option_2.value[2]};
+    const double correction[3] = {
+        correction_option.value[0],
+        correction_option.value[1],
+        correction_option.value[2]
+    };
     result->value[0] = x[0] + correction[0];
     result->value[1] = x[1] + correction[1];
     result->value[2] = x[2] + correction[2];

@@ -83,10 +83,10 @@ bessemer_status_t named_views_up_to(double m[16], uint64_t column, const double 
         m[row + 4U * value_column] = part[row];
     }
     option_f64_t first_choice;
-    const option_f64_t option = {.is_some = true, .value = part[0]};
-    if (option.is_some && option.value <= most) {
+    const option_f64_t first_option = {.is_some = true, .value = part[0]};
+    if (first_option.is_some && first_option.value <= most) {
         first_choice.is_some = true;
-        first_choice.value = option.value;
+        first_choice.value = first_option.value;
     } else {
         first_choice.is_some = false;
         first_choice.value = 0.0;

@@ -23,8 +23,7 @@ void systems_of_equations_gain(const double p[36], const double r[36], double wo
     for (uint32_t i = 0U; i < 36U; i++) {
         inverse[i] = p[i] + r[i];
     }
-    const bool inverted = inverse_f64_6(inverse, work_inverse_f64_6_work);
-    if (inverted) {
+    if (inverse_f64_6(inverse, work_inverse_f64_6_work)) {
         product_f64_6x6_6x6(p, inverse, result);
     } else {
         for (uint32_t i = 0U; i < 36U; i++) {

@@ -29,37 +29,37 @@ void turned_part_of_the_way(const double a[3], const double b[3], double share, 
 
 void turned_between(const double a[3], const double b[3], option_pair_vector3_f64_f64_t *result)
 {
-    option_pair_vector3_f64_f64_t option;
-    norms_try_direction_and_norm_f64_3(a, 1e-6, &option);
-    if (!option.is_some) {
+    option_pair_vector3_f64_f64_t value_option;
+    norms_try_direction_and_norm_f64_3(a, 1e-6, &value_option);
+    if (!value_option.is_some) {
         *result = (option_pair_vector3_f64_f64_t){.is_some = false};
         return;
     }
-    option_vector3_f64_t option_2;
-    norms_try_direction_f64_3(b, 1e-6, &option_2);
-    if (!option_2.is_some) {
+    option_vector3_f64_t to_option;
+    norms_try_direction_f64_3(b, 1e-6, &to_option);
+    if (!to_option.is_some) {
         *result = (option_pair_vector3_f64_f64_t){.is_some = false};
         return;
     }
-    const double to[3] = {option_2.value[0], option_2.value[1], option_2.value[2]};
-    option_unit_quaternion_f64_t option_3;
-    rotation_rotation_between_axis_f64(option.value.first, to, &option_3);
-    if (!option_3.is_some) {
+    const double to[3] = {to_option.value[0], to_option.value[1], to_option.value[2]};
+    option_unit_quaternion_f64_t turn_option;
+    rotation_rotation_between_axis_f64(value_option.value.first, to, &turn_option);
+    if (!turn_option.is_some) {
         *result = (option_pair_vector3_f64_f64_t){.is_some = false};
         return;
     }
-    const unit_quaternion_f64_t turn = option_3.value;
-    option_pair_vector3_f64_f64_t option_4;
-    rotation_axis_angle_f64(&turn, &option_4);
-    if (!option_4.is_some) {
+    const unit_quaternion_f64_t turn = turn_option.value;
+    option_pair_vector3_f64_f64_t value_option_2;
+    rotation_axis_angle_f64(&turn, &value_option_2);
+    if (!value_option_2.is_some) {
         *result = (option_pair_vector3_f64_f64_t){.is_some = false};
         return;
     }
-    result->value.first[0] = option_4.value.first[0] * option.value.second;
-    result->value.first[1] = option_4.value.first[1] * option.value.second;
-    result->value.first[2] = option_4.value.first[2] * option.value.second;
+    result->value.first[0] = value_option_2.value.first[0] * value_option.value.second;
+    result->value.first[1] = value_option_2.value.first[1] * value_option.value.second;
+    result->value.first[2] = value_option_2.value.first[2] * value_option.value.second;
     result->is_some = true;
-    result->value.second = option_4.value.second;
+    result->value.second = value_option_2.value.second;
 }
 
 void turned_about(const float axis[3], float angle, unit_quaternion_f32_t *unit_quaternion)

@@ -6,14 +6,14 @@ static const non_zero_u32_t NON_ZERO_U32_MIN = {.value = 1U};
 
 bessemer_status_t not_zero_share(uint32_t counts, uint32_t of, option_u32_t *result)
 {
-    option_non_zero_u32_t option;
-    non_zero_new_u32(of, &option);
-    if (!option.is_some) {
+    option_non_zero_u32_t of_option;
+    non_zero_new_u32(of, &of_option);
+    if (!of_option.is_some) {
         result->is_some = false;
         result->value = 0U;
         return BESSEMER_STATUS_OK;
     }
-    const non_zero_u32_t of_2 = option.value;
+    const non_zero_u32_t of_2 = of_option.value;
     const non_zero_u32_t it = of_2;
     if (counts > 0x28F5C28U) {
         return BESSEMER_STATUS_OVERFLOW;
