@@ -20,6 +20,9 @@ impl Lowering<'_, '_> {
             return self.expanded_into(expansion, target, expr.site);
         }
         match &expr.kind {
+            tree::ExprKind::Apply(name, arguments) if self.stands_here(expr) => {
+                self.apply_into((name, arguments), target, expr.site)
+            }
             tree::ExprKind::If(condition, then, Some(otherwise)) => {
                 let span = self.span(expr.site);
                 if !has_let(condition) {
@@ -235,9 +238,6 @@ impl Lowering<'_, '_> {
             tree::ExprKind::Labelled(label, body) => self.labelled(label, body, None, expr),
             tree::ExprKind::For { .. } | tree::ExprKind::Each { .. } => self.through(expr, false),
             tree::ExprKind::Joined(inner) => self.through(inner, true),
-            tree::ExprKind::Grid { row, column, of, parts, body } => {
-                self.grid_stmt(expr.site, (row, column), of, parts, body)
-            }
             tree::ExprKind::While { label, condition, bound, body } => match condition {
                 Some(condition) => {
                     let bound = bound.as_deref();
@@ -434,7 +434,7 @@ impl Lowering<'_, '_> {
         let naming = std::mem::replace(&mut self.naming, name);
         let span = self.span(site);
         match op {
-            None if control_with_value(value) => {
+            None if control_with_value(value) || self.stands_here(value) => {
                 let mark = self.out.len();
                 let target = self.writable(place)?;
                 let later = self.later(mark);

@@ -118,65 +118,6 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// Two loops, through the columns of a matrix and in each through its rows.
-    pub(super) fn grid_stmt(
-        &mut self,
-        site: Site,
-        (row, column): (&str, &str),
-        of: &tree::Expr,
-        parts: &[tree::Part],
-        body: &tree::Block,
-    ) -> Result<()> {
-        let span = self.span(site);
-        let Type::Matrix { rows, cols, .. } = self.base(of)?.ty else {
-            return problem(site, "this fills a matrix", "use `core::array::from_fn`");
-        };
-        let mut places = Vec::new();
-        for part in parts {
-            let place = self.base(&part.array)?;
-            places.push(self.held_still(place));
-        }
-        let count = |word: u32| Expr::usize(u64::from(word), span);
-        let counter = |name: &str, inner: &mut Self| {
-            let variable = LocalId(inner.locals.len() as u32);
-            let local = Local { name: name.into(), ty: Type::USIZE, mode: Mode::Value, span };
-            inner.locals.push(local);
-            inner.counters.push(variable);
-            variable
-        };
-        let (outer, inner) = (counter(column, self), counter(row, self));
-        let block = self.scoped(|walk| {
-            walk.bind(column, super::lowering::Binding::Local(outer));
-            walk.bind(row, super::lowering::Binding::Local(inner));
-            for (part, place) in parts.iter().zip(&places) {
-                let mut element = place.clone();
-                let at = |id| (Place { root: id, steps: vec![], ty: Type::USIZE, span }).load();
-                element.steps.push(Step::Element(at(inner), at(outer)));
-                if let Type::Matrix { element: scalar, .. } = place.ty {
-                    element.ty = Type::Scalar(scalar);
-                }
-                let mut names = Vec::new();
-                walk.test(&part.pattern, &Subject::Place(element), site, &mut names)?;
-                walk.bind_names(&names)?;
-            }
-            walk.statements(body)
-        })?;
-        self.counters.truncate(self.counters.len() - 2);
-        let through = |variable, to, body| StmtKind::For {
-            variable,
-            from: count(0),
-            to: count(to),
-            inclusive: false,
-            reversed: false,
-            unroll: None,
-            ended: false,
-            body,
-        };
-        let rows = Stmt { kind: through(inner, rows, block), span, comments: Vec::new() };
-        self.emit(through(outer, cols, Block(vec![rows])), span);
-        Ok(())
-    }
-
     /// The sequences of a loop, one after the other.
     fn chained(&mut self, array: &tree::Expr) -> Result<Vec<Slice>> {
         if let tree::ExprKind::Chain(one, other) = &array.kind {

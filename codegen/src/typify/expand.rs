@@ -11,7 +11,7 @@
 use std::collections::HashMap;
 
 use bessemer_ir::tree::{self, ExprKind as Tree, Role, Site, Ty};
-use bessemer_ir::{Expr, Type};
+use bessemer_ir::{Expr, ExprKind, Type};
 
 use super::generator::generates;
 use super::lowering::{Binding, Handed, Lowering, Target};
@@ -49,10 +49,20 @@ impl<'a> Lowering<'a, '_> {
         expected: Option<&Type>,
         site: Site,
     ) -> Result<Expr> {
-        self.expanded(function, arguments, site, |inner| match &function.tree.body.tail {
-            Some(tail) => inner.value(tail, expected),
-            None => Ok(inner.nothing(function.tree.site)),
-        })
+        let before = self.locals.len();
+        let value =
+            self.expanded(function, arguments, site, |inner| match &function.tree.body.tail {
+                Some(tail) => inner.value(tail, expected),
+                None => Ok(inner.nothing(function.tree.site)),
+            })?;
+        // A local of its own, which nothing names from here on.
+        if let ExprKind::Load(place) = &value.kind
+            && place.steps.is_empty()
+            && place.root.index() >= before
+        {
+            self.held.insert(place.root);
+        }
+        Ok(value)
     }
 
     /// Its value, where it goes.

@@ -11,7 +11,7 @@ use bessemer_ir::{
     Argument, Block, Expr, ExprKind, FunctionId, Local, LocalId, Mode, Place, Role, Type,
 };
 
-use super::lowering::{Binding, Capture, Handed, Lowering, UNNAMED};
+use super::lowering::{Binding, Capture, Handed, Lowering, Target, UNNAMED};
 use super::subject::Subject;
 use super::{OUR_FAULT, Result, names, problem};
 use crate::effects;
@@ -213,6 +213,43 @@ impl<'a> Lowering<'a, '_> {
         arguments: &[tree::Expr],
         site: Site,
     ) -> Result<Expr> {
+        let value = self.applied(name, arguments, site, Self::body_value)?;
+        if value.ty == Type::Unit {
+            return Ok(value);
+        }
+        // What it is made of may change before it is used. Where nothing else names it, the closure does.
+        if self.naming != UNNAMED {
+            return Ok(self.temporary("value", value));
+        }
+        self.naming = String::new();
+        let held = self.temporary(name, value);
+        self.naming = UNNAMED.into();
+        Ok(held)
+    }
+
+    /// The same, its value where it goes.
+    pub(super) fn apply_into(
+        &mut self,
+        (name, arguments): (&str, &[tree::Expr]),
+        target: &Target,
+        site: Site,
+    ) -> Result<()> {
+        self.applied(name, arguments, site, |inner, closure| inner.into(&closure.body, target))
+    }
+
+    /// Whether an expression is a call of a closure that stands where its author wrote it.
+    pub(super) fn stands_here(&self, expr: &tree::Expr) -> bool {
+        let tree::ExprKind::Apply(name, _) = &expr.kind else { return false };
+        name != tree::EACH && self.handed.get(name).is_some_and(|it| it.scope.is_some())
+    }
+
+    fn applied<T>(
+        &mut self,
+        name: &str,
+        arguments: &[tree::Expr],
+        site: Site,
+        end: impl FnOnce(&mut Self, &tree::Closure) -> Result<T>,
+    ) -> Result<T> {
         let Some(handed) = self.handed.get(name).cloned() else {
             return problem(
                 site,
@@ -220,8 +257,11 @@ impl<'a> Lowering<'a, '_> {
                 "call it before, and use its value",
             );
         };
+        let closure = &handed.closure;
+        // A closure that was written before what calls it changes nothing there but what it is lent for that.
+        let stays = handed.scope.as_ref().filter(|_| name != tree::EACH).map(|it| it.locals);
         let mut subjects = Vec::new();
-        let parameters = handed.closure.parameters.iter().map(Some).chain(std::iter::repeat(None));
+        let parameters = closure.parameters.iter().map(Some).chain(std::iter::repeat(None));
         for (argument, parameter) in arguments.iter().zip(parameters) {
             let taken = match parameter {
                 Some(tree::Pattern::Name { slot, .. }) => handed.source.slots.get(*slot as usize),
@@ -239,25 +279,22 @@ impl<'a> Lowering<'a, '_> {
                 None => (false, None),
             };
             let mut value = self.value(argument, expected.as_ref())?;
+            if let (Some(_), ExprKind::Load(place)) = (stays, &value.kind)
+                && value.ty != Type::Unit
+            {
+                subjects.push(Subject::Place(place.clone()));
+                continue;
+            }
             if !lent && value.ty != Type::Unit {
                 // In a place of its own: the body may write to what it was computed from.
                 value = self.named_argument(parameter, value);
             }
             subjects.push(self.value_subject(value, argument.site)?);
         }
-        let value = self
-            .in_scope_of(&handed, None, site, |inner| inner.applied(&handed.closure, &subjects))?;
-        if value.ty == Type::Unit {
-            return Ok(value);
-        }
-        // What it is made of may change before it is used. Where nothing else names it, the closure does.
-        if self.naming != UNNAMED {
-            return Ok(self.temporary("value", value));
-        }
-        self.naming = String::new();
-        let held = self.temporary(name, value);
-        self.naming = UNNAMED.into();
-        Ok(held)
+        self.in_scope_of(&handed, None, site, |inner| {
+            inner.bind_arguments(closure, &subjects, stays)?;
+            end(inner, closure)
+        })
     }
 
     /// Lowers what stands in a closure, where names and closures mean what they mean there; `each` is what items are handed to.
@@ -304,18 +341,35 @@ impl<'a> Lowering<'a, '_> {
         held
     }
 
-    fn applied(&mut self, closure: &tree::Closure, subjects: &[Subject]) -> Result<Expr> {
+    /// Binds the parameters of a closure; to the places themselves where they stay what they are. A local of what calls
+    /// the closure, which comes behind those of whoever wrote it, has the name that he gives it.
+    fn bind_arguments(
+        &mut self,
+        closure: &tree::Closure,
+        subjects: &[Subject],
+        stays: Option<usize>,
+    ) -> Result<()> {
         let mut names = Vec::new();
         for (pattern, subject) in closure.parameters.iter().zip(subjects) {
+            let place = match (stays, subject) {
+                (Some(_), Subject::Place(place)) => Some(place.clone()),
+                _ => self.counted(subject),
+            };
             if let (tree::Pattern::Name { name, mutable: false, inner: None, .. }, Some(place)) =
-                (pattern, self.counted(subject))
+                (pattern, place)
             {
+                if place.steps.is_empty() && stays.is_some_and(|own| place.root.index() >= own) {
+                    self.locals[place.root.index()].name.clone_from(name);
+                }
                 self.alias_to(name, place);
                 continue;
             }
             self.test(pattern, subject, closure.body.site, &mut names)?;
         }
-        self.bind_names(&names)?;
+        self.bind_names(&names)
+    }
+
+    fn body_value(&mut self, closure: &tree::Closure) -> Result<Expr> {
         let unit = match closure.body.slot {
             Some(slot) => self.slot(slot, closure.body.site)? == Type::Unit,
             // The body of a loop.

@@ -94,7 +94,8 @@ impl<'a> Lowering<'a, '_> {
     /// The meaning of names and closures here.
     pub(super) fn scope(&self) -> Rc<Scope<'a>> {
         let (names, handed) = (self.scopes.clone(), self.handed.clone());
-        Rc::new(Scope { names, handed, expanding: self.expanding.clone() })
+        let (expanding, locals) = (self.expanding.clone(), self.locals.len());
+        Rc::new(Scope { names, handed, expanding, locals })
     }
 }
 
@@ -156,6 +157,8 @@ pub(super) struct Scope<'a> {
     pub handed: HashMap<String, Handed<'a>>,
     /// The functions around it whose bodies are being lowered.
     pub expanding: Vec<&'a str>,
+    /// How many locals there were.
+    pub locals: usize,
 }
 
 /// The captures of a closure.

@@ -408,19 +408,6 @@ pub enum ExprKind {
         /// The body.
         body: Block,
     },
-    /// `from_fn(|row, column| …)` and the like: through a matrix by columns.
-    Grid {
-        /// The name of the row.
-        row: String,
-        /// The name of the column.
-        column: String,
-        /// The matrix that is filled.
-        of: Box<Expr>,
-        /// Matrices of the same shape that are gone through beside it.
-        parts: Vec<Part>,
-        /// The body.
-        body: Block,
-    },
     /// The result that a loop gathers: `values.iter().sum()`, `values.map(…)` and the like.
     Fold {
         /// The name of what is gathered.

@@ -10,6 +10,7 @@ pub mod checked;
 pub mod comparison;
 pub mod complex;
 mod converted;
+pub mod each_element;
 pub mod elementary;
 pub mod factored;
 pub mod generic;
@@ -69,6 +70,7 @@ pub mod prelude {
         TotalCompareBuiltins as _,
     };
     pub use super::complex::{ComplexBuiltins as _, ComplexMethods as _};
+    pub use super::each_element::EachElement as _;
     pub use super::elementary::ElementaryBuiltins as _;
     pub use super::factored::{
         CholeskyMethods as _, LuBuiltins as _, LuMethods as _, QrBuiltins as _, QrMethods as _,

@@ -10,6 +10,7 @@
 //! Absent: allocation.
 
 pub mod blas;
+pub mod each_element;
 pub mod elementwise;
 pub mod factored;
 pub mod kernels;

@@ -208,11 +208,6 @@ macro_rules! visitor {
                     $cuts(visitor, cuts);
                     visitor.block(body);
                 }
-                ExprKind::Grid { of, parts, body, .. } => {
-                    visitor.expr(of);
-                    $parts(visitor, parts);
-                    visitor.block(body);
-                }
                 ExprKind::Fold { start, each, .. } => {
                     if let Start::Value(value) | Start::Tried(value) = start {
                         visitor.expr(value);

@@ -20,7 +20,7 @@ use crate::owned::{associated, of_libm, of_nalgebra, of_turns};
 
 impl Lowering<'_> {
     pub(super) fn call(&mut self, it: &mut syn::ExprCall) -> ExprKind {
-        if let Some(kind) = self.array_from_fn(it).or_else(|| self.matrix_from_fn(it)) {
+        if let Some(kind) = self.array_from_fn(it) {
             return kind;
         }
         if matches!(&*it.func, syn::Expr::Path(it) if it.path.is_ident(EACH)) {
@@ -82,7 +82,7 @@ impl Lowering<'_> {
         if let Some(lines) = self.chained_lines(it) {
             *it = lines;
         }
-        if let Some(kind) = self.chain(it).or_else(|| self.each_element(it)) {
+        if let Some(kind) = self.chain(it) {
             return kind;
         }
         self.functions_as_closures(it);

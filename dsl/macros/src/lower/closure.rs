@@ -15,14 +15,18 @@ use super::syntax::{is_handed, names};
 use super::walk::{Closure, Lowering};
 use super::{pattern, refuse};
 
-/// Methods whose last argument takes a value and could be a function, and how many they have.
-const TAKES_VALUE: [(&str, usize); 6] = [
-    ("map", 1),
-    ("map_err", 1),
-    ("and_then", 1),
-    ("map_or", 2),
-    ("is_some_and", 1),
-    ("is_ok_and", 1),
+/// Methods whose last argument could be a function: how many arguments they have, and how many it takes.
+const TAKES_FUNCTION: [(&str, usize, usize); 10] = [
+    ("map", 1, 1),
+    ("map_err", 1, 1),
+    ("and_then", 1, 1),
+    ("map_or", 2, 1),
+    ("is_some_and", 1, 1),
+    ("is_ok_and", 1, 1),
+    ("zip_map", 2, 2),
+    ("map_with_location", 1, 3),
+    ("fold", 2, 2),
+    ("zip_fold", 3, 3),
 ];
 
 /// The label of a body that is left early.
@@ -175,14 +179,16 @@ impl Lowering<'_> {
     /// `reading.map(f64::from)` as `reading.map(|value| f64::from(value))`.
     pub(super) fn functions_as_closures(&self, it: &mut syn::ExprMethodCall) {
         let method = text(&it.method);
-        let takes =
-            TAKES_VALUE.iter().find(|(name, count)| *name == method && it.args.len() == *count);
-        let Some(syn::Expr::Path(function)) = takes.and_then(|_| it.args.last()) else { return };
+        let mut methods = TAKES_FUNCTION.iter();
+        let takes = methods.find(|(name, count, _)| *name == method && it.args.len() == *count);
+        let Some(&(.., taken)) = takes else { return };
+        let Some(syn::Expr::Path(function)) = it.args.last() else { return };
         if function.path.get_ident().is_some_and(|name| self.is_local(&text(name))) {
             return;
         }
-        let value = syn::Ident::new("value", Span::mixed_site());
-        let closure = quote_spanned! { function.span() => |#value| #function(#value) };
+        let names = ["value", "second", "third"].into_iter().take(taken);
+        let names: Vec<_> = names.map(|it| syn::Ident::new(it, Span::mixed_site())).collect();
+        let closure = quote_spanned! { function.span() => |#(#names),*| #function(#(#names),*) };
         if let (Ok(closure), Some(last)) = (syn::parse2(closure), it.args.last_mut()) {
             *last = closure;
         }
@@ -239,19 +245,6 @@ impl Lowering<'_> {
                 tree::Block { stmts: Vec::new(), tail: Some(Box::new(whole)) }
             }
         }
-    }
-
-    /// The statements of a closure without a value; `looks` at its parameters come first in the copy.
-    pub(super) fn closure_effect(
-        &mut self,
-        closure: &mut syn::ExprClosure,
-        looks: Vec<syn::Stmt>,
-    ) -> tree::Expr {
-        self.check_closure(closure);
-        let body = self.statement(&mut closure.body);
-        let copy = &closure.body;
-        *closure.body = syn::Expr::Verbatim(quote! { { #(#looks)* #copy } });
-        body
     }
 
     /// A closure whose body becomes that of a loop.

@@ -28,7 +28,6 @@ mod joined;
 mod lines;
 pub mod macros;
 mod made;
-mod matrix;
 mod named_view;
 mod names;
 mod operator;

@@ -154,7 +154,6 @@ reasons! {
     CLOSURE_MOVE: "a closure that takes a copy of what changes is not in the DSL", "leave `move` out, or copy before to a name without `mut`: `let k = k;`";
     CLOSURE_RETURN: "`return` in a closure is not in the DSL", "let its body end in the value: `if … { a } else { b }`";
     EXPANDED_RETURN: "this would leave the caller of a function that stands where it is called", "let its body end in the value: `if … { a } else { b }`";
-    CLOSURE_PARAMETERS: "this parameter of a closure is not in the DSL", "write a name, or for elements `(i, x)`, `(x, y)`, `&x`";
     CLOSURE_SHADOWED: "a name that the closure uses means something else here", "give the later variable another name";
     STEP_ORDER: "`.step_by(…)` stands behind the range in the DSL", "write `(a..b).step_by(n)`, with `.rev()` after it if need be";
     CHAIN: "this chain of iterators is not in the DSL", "begin with an array, a slice, a vector or a range; `.enumerate .zip .chain .rev .skip .take .step_by`, then `.map .filter .filter_map .flat_map .chain .take_while .skip_while .map_while .scan .flatten .copied`; end with `.collect .sum .product .fold .try_fold .any .all .count .min .max .min_by_key .max_by_key .min_by .max_by .next .nth .last .find .position .rposition`";

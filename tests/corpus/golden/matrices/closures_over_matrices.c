@@ -49,8 +49,7 @@ uint32_t closures_over_matrices_rounded(float a[8])
     }
     uint32_t count = 0U;
     for (uint32_t i = 0U; i < 8U; i++) {
-        const float x = a[i];
-        if (x < 0.0F) {
+        if (a[i] < 0.0F) {
             count += 1U;
         }
     }

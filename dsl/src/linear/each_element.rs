@@ -1,0 +1,121 @@
+//! Functions of the DSL that call a closure for each element of a matrix, by columns as nalgebra goes.
+
+use nalgebra::SMatrix;
+
+use crate::element::Element;
+use crate::function;
+
+/// The values of `f` for the elements of two matrices.
+#[function(expand)]
+pub fn zip_map<
+    T: Element,
+    U: Element,
+    V: Element,
+    F: FnMut(T, U) -> V,
+    const R: usize,
+    const C: usize,
+>(
+    a: &SMatrix<T, R, C>,
+    b: &SMatrix<U, R, C>,
+    mut f: F,
+) -> SMatrix<V, R, C> {
+    let mut mapped = SMatrix::<V, R, C>::from_element(V::ZERO);
+    for ((mapped, x), y) in mapped.iter_mut().zip(a.iter()).zip(b.iter()) {
+        *mapped = f(*x, *y);
+    }
+    mapped
+}
+
+/// The values of `f` for each row, column and element.
+#[function(expand)]
+pub fn map_with_location<
+    T: Element,
+    U: Element,
+    F: FnMut(usize, usize, T) -> U,
+    const R: usize,
+    const C: usize,
+>(
+    a: &SMatrix<T, R, C>,
+    mut f: F,
+) -> SMatrix<U, R, C> {
+    let mut mapped = SMatrix::<U, R, C>::from_element(U::ZERO);
+    for column in 0..C {
+        for row in 0..R {
+            mapped[(row, column)] = f(row, column, a[(row, column)]);
+        }
+    }
+    mapped
+}
+
+/// The values of `f` for each row and column.
+#[function(expand)]
+pub fn from_fn<T: Element, F: FnMut(usize, usize) -> T, const R: usize, const C: usize>(
+    mut f: F,
+) -> SMatrix<T, R, C> {
+    let mut made = SMatrix::<T, R, C>::from_element(T::ZERO);
+    for column in 0..C {
+        for row in 0..R {
+            made[(row, column)] = f(row, column);
+        }
+    }
+    made
+}
+
+/// Does `f` to each element.
+#[function(expand)]
+pub fn apply<T: Element, F: FnMut(&mut T), const R: usize, const C: usize>(
+    a: &mut SMatrix<T, R, C>,
+    mut f: F,
+) {
+    for x in a.iter_mut() {
+        f(x);
+    }
+}
+
+/// Does `f` to each element, with another's beside it.
+#[function(expand)]
+pub fn zip_apply<T: Element, U: Element, F: FnMut(&mut T, U), const R: usize, const C: usize>(
+    a: &mut SMatrix<T, R, C>,
+    b: &SMatrix<U, R, C>,
+    mut f: F,
+) {
+    for (x, y) in a.iter_mut().zip(b.iter()) {
+        f(x, *y);
+    }
+}
+
+/// What `f` gathers of the elements.
+#[function(expand)]
+pub fn fold<T: Element, A, F: FnMut(A, T) -> A, const R: usize, const C: usize>(
+    a: &SMatrix<T, R, C>,
+    start: A,
+    mut f: F,
+) -> A {
+    let mut gathered = start;
+    for x in a.iter() {
+        gathered = f(gathered, *x);
+    }
+    gathered
+}
+
+/// What `f` gathers of the elements of two matrices.
+#[function(expand)]
+pub fn zip_fold<
+    T: Element,
+    U: Element,
+    A,
+    F: FnMut(A, T, U) -> A,
+    const R: usize,
+    const C: usize,
+>(
+    a: &SMatrix<T, R, C>,
+    b: &SMatrix<U, R, C>,
+    start: A,
+    mut f: F,
+) -> A {
+    let mut gathered = start;
+    for (x, y) in a.iter().zip(b.iter()) {
+        gathered = f(gathered, *x, *y);
+    }
+    gathered
+}
