@@ -284,7 +284,7 @@ fn some_if(condition: &Expr, value: &Expr, expr: &Expr) -> Expr {
 }
 
 /// Whether an expression may be left out: a literal, a name, a part of one.
-fn is_plain(expr: &Expr) -> bool {
+pub(super) fn is_plain(expr: &Expr) -> bool {
     match &expr.kind {
         ExprKind::Bool(_) | ExprKind::Int(..) | ExprKind::Float(..) | ExprKind::Bytes(_) => true,
         ExprKind::Local(_) | ExprKind::Path(..) => true,

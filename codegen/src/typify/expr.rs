@@ -100,11 +100,13 @@ impl Lowering<'_, '_> {
             tree::ExprKind::Struct(name, fields, rest) => {
                 self.struct_value(name, fields, rest.as_deref(), expr)
             }
-            tree::ExprKind::Constructor(name, parts) => self.constructed(name, parts, expr),
+            tree::ExprKind::Constructor(name, parts) => {
+                self.constructed(name, parts, expected, expr)
+            }
             tree::ExprKind::Tuple(parts) if !parts.is_empty() => match (expr.slot, expected) {
                 // One that no author wrote is of the type that is wanted.
                 (None, Some(Type::Struct(id))) => self.tuple(*id, parts, expr),
-                _ => self.constructed("", parts, expr),
+                _ => self.constructed("", parts, None, expr),
             },
             tree::ExprKind::Try(label, operand) => {
                 match self.try_value(label.as_deref(), operand, site)? {

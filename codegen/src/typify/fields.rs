@@ -54,8 +54,20 @@ impl Lowering<'_, '_> {
         &mut self,
         name: &str,
         parts: &[tree::Expr],
+        expected: Option<&Type>,
         expr: &tree::Expr,
     ) -> Result<Expr> {
+        // Where no author wrote it, what it is for tells its type.
+        if let (None, Some(Type::Struct(id))) = (expr.slot, expected)
+            && let Some((word, case)) = self.case(*id, name)
+        {
+            let field = |field| self.cx.module.structs[id.index()].fields[field as usize].clone();
+            let payload = match (parts, case.field.map(field)) {
+                ([part], Some(field)) => Some(self.value(part, Some(&field.ty))?),
+                _ => None,
+            };
+            return self.choice(*id, word, payload, expr.site);
+        }
         self.struct_value(name, &numbered(parts), None, expr)
     }
 

@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use bessemer_ir::tree::{self, NO_SLOT, Site, Ty};
+use bessemer_ir::tree::{self, NO_SLOT, Pattern, Site, Ty};
 use bessemer_ir::{
     Block, Expr, ExprKind, Function, Local, LocalId, Mode, Owner, Place, Role, Span, Stmt,
     StmtKind, Type,
@@ -10,6 +10,7 @@ use bessemer_ir::{
 
 use super::lowering::{Binding, Lowering, Target, UNNAMED};
 use super::names::split;
+use super::optional::there;
 use super::regions::{Lenders, Path};
 use super::syntax::{control_with_value, ends_in_loop};
 use super::{Context, Result, names, problem};
@@ -367,11 +368,25 @@ impl Lowering<'_, '_> {
             let mark = self.out.len();
             let site = match stmt {
                 tree::Stmt::Let { name, slot, value, site } => {
-                    self.let_stmt(name, *slot, value.as_ref(), *site)?;
+                    let tried = value.as_ref().and_then(|value| self.tried_lent(value));
+                    match tried {
+                        Some((lent, otherwise)) => {
+                            let (name, slot) = (name.clone(), *slot);
+                            let name = Pattern::Name { name, slot, mutable: false, inner: None };
+                            self.take_apart(&there(name), &lent, Some(&otherwise))?;
+                        }
+                        None => self.let_stmt(name, *slot, value.as_ref(), *site)?,
+                    }
                     *site
                 }
                 tree::Stmt::Apart { pattern, value, otherwise, site } => {
-                    self.take_apart(pattern, value, otherwise.as_ref())?;
+                    match self.tried_lent(value).filter(|_| otherwise.is_none()) {
+                        Some((lent, otherwise)) => {
+                            let pattern = there((**pattern).clone());
+                            self.take_apart(&pattern, &lent, Some(&otherwise))?;
+                        }
+                        None => self.take_apart(pattern, value, otherwise.as_ref())?,
+                    }
                     *site
                 }
                 tree::Stmt::Expr(expr) => {

@@ -1,9 +1,10 @@
 //! Methods of `Option` that return references: `insert`, `get_or_insert`, `as_mut`. Nothing is copied: the reference is
 //! another name for the content.
 
-use bessemer_ir::tree::{self, Builtin, OptionMethod};
+use bessemer_ir::tree::{self, Builtin, ExprKind as Tree, OptionMethod, Ty};
 use bessemer_ir::{Block, Fault, Place, Stmt, StmtKind, StructId, Type};
 
+use super::closure::is_plain;
 use super::lowering::Lowering;
 use super::{OUR_FAULT, Result, order, problem};
 
@@ -45,6 +46,41 @@ impl Lowering<'_, '_> {
             }
             _ => Ok(None),
         }
+    }
+
+    /// `lent?` of an `Option` that refers to something, also behind `.ok_or(error)`: the `Option`, and how the function is
+    /// left without. What is lent is taken apart where it is called.
+    pub(super) fn tried_lent(&self, tried: &tree::Expr) -> Option<(tree::Expr, tree::Block)> {
+        let Tree::Try(label, operand) = &tried.kind else { return None };
+        let ty = |expr: &tree::Expr| self.source.slots.get(expr.slot? as usize);
+        if !ty(tried).is_some_and(refers) {
+            return None;
+        }
+        let plain = |kind| tree::Expr { kind, site: tried.site, slot: None };
+        let Tree::Call(callee, arguments) = &operand.kind else { return None };
+        let callee = self.source.callees.get(*callee as usize);
+        let (lent, case, error) = match (callee, arguments.as_slice(), ty(operand)?) {
+            // Of an `Option` and something else, core makes a `Result` in these two alone.
+            (Some(tree::Callee::Builtin(_)), [lent, error], Ty::Result(..))
+                if matches!(ty(lent), Some(Ty::Option(_))) =>
+            {
+                let error = match &error.kind {
+                    Tree::Closure(closure) => &*closure.body,
+                    _ if is_quiet(error) => error,
+                    _ => return None,
+                };
+                (lent, "Err", Some(error))
+            }
+            (_, _, Ty::Option(_)) => (&**operand, "None", None),
+            _ => return None,
+        };
+        let left = plain(Tree::Constructor(case.into(), error.into_iter().cloned().collect()));
+        let left = match label {
+            Some(label) => Tree::Break(Some(label.clone()), Some(Box::new(left))),
+            None => Tree::Return(Some(Box::new(left))),
+        };
+        let stmts = vec![tree::Stmt::Expr(plain(left))];
+        Some((lent.clone(), tree::Block { stmts, tail: None }))
     }
 
     /// A place that stays the same whatever comes; its indices have been looked at.
@@ -91,9 +127,7 @@ impl Lowering<'_, '_> {
         let Block(put) = self.scoped(|inner| {
             let value = match (value, closure.map(|it| &it.kind)) {
                 (Some(value), _) => value,
-                (None, Some(tree::ExprKind::Closure(it))) => {
-                    inner.value(&it.body, Some(&there.ty))?
-                }
+                (None, Some(Tree::Closure(it))) => inner.value(&it.body, Some(&there.ty))?,
                 _ => return problem(expr.site, "this takes a closure", "write `|| …`"),
             };
             inner.agree(&value.ty, &there.ty, expr.site)?;
@@ -109,5 +143,30 @@ impl Lowering<'_, '_> {
             self.out.extend(put);
         }
         Ok(there)
+    }
+}
+
+/// `Some(pattern)`.
+pub(super) fn there(pattern: tree::Pattern) -> tree::Pattern {
+    tree::Pattern::Constructor("Some".into(), vec![pattern])
+}
+
+/// Whether a value refers to something.
+fn refers(ty: &Ty) -> bool {
+    match ty {
+        Ty::Ref(..) => true,
+        Ty::Tuple(parts) => parts.iter().any(refers),
+        _ => false,
+    }
+}
+
+/// Whether a value may be computed or not: a name, a number, or what is made of them.
+fn is_quiet(expr: &tree::Expr) -> bool {
+    match &expr.kind {
+        Tree::Tuple(parts) | Tree::Array(parts) | Tree::Constructor(_, parts) => {
+            parts.iter().all(is_quiet)
+        }
+        Tree::Struct(_, fields, None) => fields.iter().all(|(_, value)| is_quiet(value)),
+        _ => is_plain(expr),
     }
 }

@@ -219,7 +219,6 @@ pub fn lower(subject: &Subject<'_>, scope: Scope<'_>, refusals: &mut Refusals) -
     let parameters = lower::parameters(signature, refusals);
     lower::as_iterators(&parameters, &mut copy);
     let mut walk = Lowering::new(&signature.ident, subject.is_method(), refusals);
-    walk.optional = lower::gives_option(signature);
     walk.mutable = lower::mutable_names(signature, &copy);
     let mut params = Vec::new();
     for parameter in &parameters {

@@ -10,7 +10,7 @@ use syn::visit::Visit;
 use super::each::writes;
 use super::names::text;
 use super::sort::Leg;
-use super::syntax::{bare, compared, gives_pairs, is_ended, is_made_of_plain, is_plain, names};
+use super::syntax::{bare, compared, gives_pairs, is_ended, is_plain, names};
 use super::walk::Lowering;
 use super::{refuse, sort};
 
@@ -330,48 +330,6 @@ fn root(expr: &syn::Expr) -> Option<&syn::Ident> {
         syn::Expr::Field(it) => root(&it.base),
         syn::Expr::Reference(it) => root(&it.expr),
         syn::Expr::Unary(it) => root(&it.expr),
-        _ => None,
-    }
-}
-
-/// `let part = values.get(a..b)?;` and the like, also with `.ok_or(error)?`: what is lent is taken apart where it is
-/// called. Alone in functions that give an `Option`: elsewhere, what `?` looks at is a `Result` of an author's own
-/// method.
-pub(super) fn or_return(local: &mut syn::Local, optional: bool) {
-    let Some(init) = local.init.as_mut().filter(|init| init.diverge.is_none()) else { return };
-    let syn::Expr::Try(tried) = &*init.expr else { return };
-    let syn::Expr::MethodCall(call) = bare(&tried.expr) else { return };
-    let (call, otherwise): (_, syn::Expr) = match error_of(call) {
-        Some((call, error)) => (call, parse_quote! { { return Err(#error); } }),
-        None if optional => (call, parse_quote! { { return None; } }),
-        None => return,
-    };
-    let lends = match text(&call.method).as_str() {
-        "get" | "get_mut" => call.args.len() == 1,
-        "first" | "first_mut" | "last" | "last_mut" | "split_first" | "split_first_mut"
-        | "split_last" | "split_last_mut" | "split_first_chunk" | "split_last_chunk" | "as_mut" => {
-            call.args.is_empty()
-        }
-        _ => false,
-    };
-    if !lends || matches!(local.pat, syn::Pat::Type(_)) {
-        return;
-    }
-    let (pattern, lent) = (local.pat.clone(), syn::Expr::MethodCall(call.clone()));
-    local.pat = parse_quote! { Some(#pattern) };
-    *init.expr = lent;
-    init.diverge = Some((Default::default(), Box::new(otherwise)));
-}
-
-/// The call before `.ok_or(error)` or `.ok_or_else(|| error)`, and the error.
-fn error_of(it: &syn::ExprMethodCall) -> Option<(&syn::ExprMethodCall, &syn::Expr)> {
-    let error = match (text(&it.method).as_str(), it.args.first()?) {
-        ("ok_or", error) if is_made_of_plain(error) => error,
-        ("ok_or_else", syn::Expr::Closure(closure)) if closure.inputs.is_empty() => &closure.body,
-        _ => return None,
-    };
-    match bare(&it.receiver) {
-        syn::Expr::MethodCall(call) => Some((call, error)),
         _ => None,
     }
 }

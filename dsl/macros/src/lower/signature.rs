@@ -114,13 +114,6 @@ pub fn named_part(ty: &syn::Type) -> Span {
     }
 }
 
-/// Whether a function gives an `Option`, as far as its syntax shows.
-pub fn gives_option(signature: &syn::Signature) -> bool {
-    let syn::ReturnType::Type(_, result) = &signature.output else { return false };
-    let syn::Type::Path(it) = &**result else { return false };
-    it.path.segments.last().is_some_and(|last| last.ident == "Option")
-}
-
 /// Whether a function gives a reference.
 pub fn gives_reference(signature: &syn::Signature) -> bool {
     matches!(&signature.output, syn::ReturnType::Type(_, ty) if matches!(**ty, syn::Type::Reference(_)))

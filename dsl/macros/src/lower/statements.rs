@@ -7,7 +7,7 @@ use super::expr::is_unit_control;
 use super::made::UNIT;
 use super::names::{site, slot_name, text};
 use super::walk::Lowering;
-use super::{pattern, refuse, rewrite, signature};
+use super::{pattern, refuse, signature};
 
 impl Lowering<'_> {
     /// Lowers a block; its locals end with it.
@@ -28,7 +28,6 @@ impl Lowering<'_> {
             }
             match &mut stmt {
                 syn::Stmt::Local(local) => {
-                    rewrite::or_return(local, self.optional);
                     if self.closure_local(local) {
                         stmts.push(stmt);
                         continue;

@@ -42,8 +42,6 @@ pub struct Lowering<'a> {
     pub(super) method: bool,
     /// Whether what is matched is a place, so that `ref` in a pattern names a part of it.
     pub(super) lent: bool,
-    /// Whether the function gives an `Option`.
-    pub optional: bool,
     /// The label of the closure's body that is being lowered, which `return` and `?` leave; none of a function's.
     pub(super) leaves: Option<String>,
     /// The names of the function that are declared `mut`.
@@ -97,7 +95,6 @@ impl<'a> Lowering<'a> {
             name: text(name),
             method,
             lent: false,
-            optional: false,
             leaves: None,
             mutable: Vec::new(),
         }

@@ -111,25 +111,24 @@ bessemer_status_t values_that_borrow_reader_byte(values_that_borrow_reader_t *se
     const uint8_t self_rest[], uint64_t self_rest_length, option_u8_t *result)
 {
     bessemer_status_t status;
-    option_slice_u8_t byte_option;
-    status = values_that_borrow_reader_take(self, self_rest, self_rest_length, UINT64_C(1),
-        &byte_option);
+    option_slice_u8_t byte;
+    status = values_that_borrow_reader_take(self, self_rest, self_rest_length, UINT64_C(1), &byte);
     if (status != BESSEMER_STATUS_OK) {
         return status;
     }
-    if (!byte_option.is_some) {
+    if (!byte.is_some) {
         result->is_some = false;
         result->value = 0U;
         return BESSEMER_STATUS_OK;
     }
-    if (UINT64_C(0) >= byte_option.value.length) {
+    if (UINT64_C(0) >= byte.value.length) {
         return BESSEMER_STATUS_INDEX;
     }
-    if (byte_option.value.from >= self_rest_length) {
+    if (byte.value.from >= self_rest_length) {
         return BESSEMER_STATUS_INDEX;
     }
     result->is_some = true;
-    result->value = self_rest[byte_option.value.from];
+    result->value = self_rest[byte.value.from];
     return BESSEMER_STATUS_OK;
 }
 

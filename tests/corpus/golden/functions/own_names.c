@@ -77,15 +77,16 @@ void own_names_use_all(own_names_bank_t *bank, uint8_t index, result_u8_own_name
 
 void own_names_much(const own_names_bank_t *bank, option_u8_t *result)
 {
-    option_u8_t first;
-    own_names_bank_first_mut(bank, &first);
-    if (!first.is_some) {
+    option_u8_t first_option;
+    own_names_bank_first_mut(bank, &first_option);
+    if (!first_option.is_some) {
         result->is_some = false;
         result->value = 0U;
         return;
     }
+    const uint8_t first = first_option.value;
     result->is_some = true;
-    result->value = (uint8_t)((uint32_t)first.value + 1U);
+    result->value = (uint8_t)((uint32_t)first + 1U);
 }
 
 uint8_t own_names_turn(double x_y[2], const pair_u8_f64_t *turns_by)
