@@ -21,26 +21,29 @@ macro_rules! told {
 }
 
 /// A trait with the companions of methods of a type that is generic over its element and its
-/// dimensions; in brackets the names of these for the trait, then for the type. Each body says which
-/// function of the DSL is called; none is ever run.
+/// dimensions; in brackets the names of these for the trait, then for the type. A method's own sizes
+/// stand in angle brackets, its own types in square ones, with what they are in parentheses. Each body
+/// says which function of the DSL is called; none is ever run.
 macro_rules! companions {
     (
         $(#[$doc:meta])*
         $trait:ident<$($n:ident),*>: $bound:ident $in_trait:tt for $matrix:ty, $in_type:tt {$(
-            fn $name:ident $(<$($k:ident),*>)? ($($parameters:tt)*) -> $result:ty {
+            fn $name:ident $(<$($k:ident),*>)? $([$($g:ident: ($($of:tt)*)),*])?
+                ($($parameters:tt)*) -> $result:ty
+            {
                 $($function:ident)::+($($argument:expr),*)
             }
         )*}
     ) => {
         $(#[$doc])*
         pub trait $trait<T, $(const $n: usize),*>: Sized {$(
-            fn $name $(<$(const $k: usize),*>)? ($($parameters)*)
-                -> told!($in_trait $($(+ $k)*)? => $result);
+            fn $name<$($(const $k: usize,)*)? $($($g: $($of)*),*)?>($($parameters)*)
+                -> told!($in_trait $($(+ $k)*)? $($(+ $g)*)? => $result);
         )*}
 
         impl<T: $bound, $(const $n: usize),*> $trait<T, $($n),*> for $matrix {$(
-            fn $name $(<$(const $k: usize),*>)? ($($parameters)*)
-                -> told!($in_type $($(+ $k)*)? => $result)
+            fn $name<$($(const $k: usize,)*)? $($($g: $($of)*),*)?>($($parameters)*)
+                -> told!($in_type $($(+ $k)*)? $($(+ $g)*)? => $result)
             {
                 $($function)::+::__call($($argument),*)
             }
