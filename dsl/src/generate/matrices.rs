@@ -2,6 +2,8 @@
 
 #![allow(missing_docs)]
 
+use core::borrow::Borrow;
+
 use nalgebra::{SMatrix, SVector};
 
 use super::builder::Callee;
@@ -99,6 +101,14 @@ companions! {
         fn __b_add_scalar(&self, b: T) -> Self { elementwise::add_scalar(self, b) }
         fn __b_add_scalar_mut(&mut self, b: T) -> () { elementwise::add_scalar_mut(self, b) }
         fn __b_neg_mut(&mut self) -> () { elementwise::neg_mut(self) }
+        fn __b_add_assign[B: (Borrow<Self>)](&mut self, other: B) -> () {
+            elementwise::add_assign(self, other.borrow())
+        }
+        fn __b_sub_assign[B: (Borrow<Self>)](&mut self, other: B) -> () {
+            elementwise::sub_assign(self, other.borrow())
+        }
+        fn __b_mul_assign(&mut self, factor: T) -> () { elementwise::scale_mut(self, factor) }
+        fn __b_div_assign(&mut self, divisor: T) -> () { elementwise::unscale_mut(self, divisor) }
         fn __b_scale_mut(&mut self, factor: T) -> () { elementwise::scale_mut(self, factor) }
         fn __b_unscale_mut(&mut self, divisor: T) -> () { elementwise::unscale_mut(self, divisor) }
         fn __b_component_mul_assign(&mut self, b: &Self) -> () {

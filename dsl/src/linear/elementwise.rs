@@ -40,6 +40,24 @@ pub fn neg_mut<T: Real, const R: usize, const C: usize>(a: &mut SMatrix<T, R, C>
     *a = -*a;
 }
 
+/// Adds another matrix.
+#[function(expand)]
+pub fn add_assign<T: Real, const R: usize, const C: usize>(
+    a: &mut SMatrix<T, R, C>,
+    b: &SMatrix<T, R, C>,
+) {
+    *a += b;
+}
+
+/// Subtracts another matrix.
+#[function(expand)]
+pub fn sub_assign<T: Real, const R: usize, const C: usize>(
+    a: &mut SMatrix<T, R, C>,
+    b: &SMatrix<T, R, C>,
+) {
+    *a -= b;
+}
+
 /// Multiplies each element by `factor`.
 #[function]
 pub fn scale_mut<T: Real, const R: usize, const C: usize>(a: &mut SMatrix<T, R, C>, factor: T) {

@@ -13,7 +13,6 @@ use syn::parse_quote;
 use syn::visit::{self, Visit};
 
 use super::expr::is_unit_control;
-use super::names::text;
 use super::view::{may_repeat, set, written};
 use super::walk::Lowering;
 
@@ -38,8 +37,7 @@ impl Lowering<'_> {
         let init = local.init.as_ref().filter(|init| init.diverge.is_none())?;
         let mut value = (*init.expr).clone();
         let (view, kind) = written(&mut value)?;
-        if !may_repeat(&view.receiver) || !view.receiver.to_token_stream().into_iter().all(is_plain)
-        {
+        if !is_named(&view.receiver) {
             return None;
         }
         let names_it = |stmt: &syn::Stmt| any(stmt.to_token_stream(), &name.ident);
@@ -55,8 +53,9 @@ impl Lowering<'_> {
         }
         let mut view = view.clone();
         let mut replaced: Vec<syn::Stmt> = Vec::new();
+        let is_one = matches!(live, [syn::Stmt::Expr(..)]);
         for (at, role) in view.args.iter_mut().zip(["at", "beside"]) {
-            if !matches!(at, syn::Expr::Lit(_)) {
+            if !(matches!(at, syn::Expr::Lit(_)) || is_one && self.never_changes(at)) {
                 let fresh = self.fresh_beside_all(&format!("{}_{role}", name.ident), stmts);
                 replaced.push(parse_quote! { let #fresh = #at; });
                 *at = parse_quote! { #fresh };
@@ -138,30 +137,35 @@ impl Lowering<'_> {
                 )
             }
             syn::Expr::MethodCall(it) => {
-                let mut view = (*it.receiver).clone();
-                written(&mut view)?;
-                let name = self.fresh_beside("part", it);
-                let (method, arguments) = (&it.method, &it.args);
-                if let ("add_assign" | "sub_assign" | "mul_assign" | "div_assign", 1) =
-                    (text(method).as_str(), arguments.len())
-                {
-                    let op: syn::BinOp = match text(method).as_str() {
-                        "add_assign" => parse_quote! { += },
-                        "sub_assign" => parse_quote! { -= },
-                        "mul_assign" => parse_quote! { *= },
-                        _ => parse_quote! { /= },
-                    };
-                    return Some(parse_quote! { { let mut #name = #view; #name #op #arguments; } });
+                let mut receiver = (*it.receiver).clone();
+                let (view, _) = written(&mut receiver)?;
+                let mut named: Option<syn::Stmt> = None;
+                if !is_named(&view.receiver) {
+                    let (matrix, place) = (self.fresh_beside("matrix", it), &view.receiver);
+                    named = Some(parse_quote! { let #matrix = &mut #place; });
+                    *view.receiver = parse_quote! { #matrix };
                 }
-                let (_, gives) = METHODS.iter().find(|(known, _)| method == known)?;
-                let turbofish = &it.turbofish;
-                let call: syn::Expr = parse_quote! { #name.#method #turbofish(#arguments) };
-                Some(match gives {
-                    true => parse_quote! { { let mut #name = #view; #call } },
-                    false => parse_quote! { { let mut #name = #view; #call; } },
+                let name = self.fresh_beside("part", it);
+                let (method, turbofish, arguments) = (&it.method, &it.turbofish, &it.args);
+                Some(parse_quote! {
+                    { #named let mut #name = #receiver; #name.#method #turbofish(#arguments) }
                 })
             }
             _ => None,
+        }
+    }
+
+    /// Whether an index is made of numbers and of names that are not `mut`.
+    fn never_changes(&self, index: &syn::Expr) -> bool {
+        match index {
+            syn::Expr::Lit(_) => true,
+            syn::Expr::Path(it) => !self.mutable.iter().any(|name| it.path.is_ident(name)),
+            syn::Expr::Paren(it) => self.never_changes(&it.expr),
+            syn::Expr::Cast(it) => self.never_changes(&it.expr),
+            syn::Expr::Binary(it) => {
+                may_repeat(index) && self.never_changes(&it.left) && self.never_changes(&it.right)
+            }
+            _ => false,
         }
     }
 
@@ -171,37 +175,6 @@ impl Lowering<'_> {
         self.fresh_in(name, &parse_quote! { { #(#stmts)* } })
     }
 }
-
-/// Methods that change their matrix, and whether they give a value.
-const METHODS: [(&str, bool); 27] = [
-    ("apply", false),
-    ("zip_apply", false),
-    ("axcpy", false),
-    ("cmpy", false),
-    ("cdpy", false),
-    ("gemv", false),
-    ("gemv_tr", false),
-    ("gemm", false),
-    ("gemm_tr", false),
-    ("ger", false),
-    ("syger", false),
-    ("quadform", false),
-    ("quadform_tr", false),
-    ("set_row", false),
-    ("set_column", false),
-    ("set_diagonal", false),
-    ("set_magnitude", false),
-    ("fill_row", false),
-    ("fill_column", false),
-    ("fill_lower_triangle", false),
-    ("fill_upper_triangle", false),
-    ("swap", false),
-    ("swap_rows", false),
-    ("swap_columns", false),
-    ("tr_copy_from", false),
-    ("transpose_mut", false),
-    ("normalize_mut", true),
-];
 
 /// The view whose element a place is, and the place by the view's name.
 fn element(place: &syn::Expr, name: &syn::Ident) -> Option<(syn::Expr, syn::Expr)> {
@@ -222,8 +195,9 @@ fn any(tokens: TokenStream, name: &syn::Ident) -> bool {
 }
 
 /// Whether a receiver is made of names and fields alone: an index may mean another element later.
-fn is_plain(token: TokenTree) -> bool {
-    !matches!(token, TokenTree::Group(_))
+fn is_named(receiver: &syn::Expr) -> bool {
+    let mut tokens = receiver.to_token_stream().into_iter();
+    may_repeat(receiver) && tokens.all(|token| !matches!(token, TokenTree::Group(_)))
 }
 
 fn is_compound(stmt: &syn::Stmt) -> bool {

@@ -24,18 +24,6 @@ pub(super) fn written(expr: &mut syn::Expr) -> Option<(&mut syn::ExprMethodCall,
     }
 }
 
-/// Methods of matrices that change each element, and take no value from the view.
-const CHANGES: [&str; 8] = [
-    "fill",
-    "fill_diagonal",
-    "fill_with_identity",
-    "add_scalar_mut",
-    "neg_mut",
-    "component_mul_assign",
-    "component_div_assign",
-    "axpy",
-];
-
 impl Lowering<'_> {
     /// The expansion of an expression that writes a view.
     pub(super) fn written_view(&self, expr: &syn::Expr) -> Option<syn::Expr> {
@@ -85,24 +73,11 @@ impl Lowering<'_> {
                 call.args.push(value);
                 syn::Expr::MethodCall(call)
             }
-            (method, _) if CHANGES.contains(&method) => {
-                once();
-                let read = read(view, &name);
-                let (change, part) = (format_ident!("{method}"), self.fresh_beside("part", it));
-                let set = set(view, &name, syn::parse_quote! { &#part });
-                names.push(syn::parse_quote! { let mut #part = #read.into_owned(); });
-                names.push(syn::parse_quote! { #part.#change(#arguments); });
-                syn::parse_quote! { { #set; } }
-            }
             _ => return None,
         };
-        Some(match (names.is_empty(), write) {
-            (true, write) => write,
-            (false, syn::Expr::Block(mut it)) => {
-                it.block.stmts.splice(0..0, names);
-                syn::Expr::Block(it)
-            }
-            (false, write) => syn::parse_quote! { { #(#names)* #write; } },
+        Some(match names.is_empty() {
+            true => write,
+            false => syn::parse_quote! { { #(#names)* #write; } },
         })
     }
 }

@@ -170,15 +170,12 @@ void named_views_scaled(double m[6], const double by[2])
         }
     }
     for (uint32_t i = 0U; i < 2U; i++) {
-        const uint32_t row_at = i;
-        const uint32_t row_row = row_at;
-        double row[3] = {m[row_row], m[row_row + 2U], m[row_row + 2U * 2U]};
+        double row[3] = {m[i], m[i + 2U], m[i + 2U * 2U]};
         row[0] *= by[i];
         row[1] *= by[i];
         row[2] *= by[i];
-        const uint32_t value_row = row_at;
         for (uint32_t column = 0U; column < 3U; column++) {
-            m[value_row + 2U * column] = row[column];
+            m[i + 2U * column] = row[column];
         }
     }
 }
@@ -265,31 +262,18 @@ bessemer_status_t filter_grow(filter_t *self, uint64_t from, double limit, uint3
         return self->fault;
     }
     uint32_t count_value = 0U;
-    const uint64_t block_at = from;
-    const uint64_t block_beside = from;
-    const uint64_t block_row = block_at;
-    const uint64_t block_column = block_beside;
-    if (block_row > UINT64_C(0xFFFFFFFFFFFFFFFD)) {
+    if (from > UINT64_C(0xFFFFFFFFFFFFFFFD)) {
         self->fault = BESSEMER_STATUS_OVERFLOW;
         return BESSEMER_STATUS_OVERFLOW;
     }
-    if (block_row + UINT64_C(2) > UINT64_C(4)) {
-        self->fault = BESSEMER_STATUS_INDEX;
-        return BESSEMER_STATUS_INDEX;
-    }
-    if (block_column > UINT64_C(0xFFFFFFFFFFFFFFFD)) {
-        self->fault = BESSEMER_STATUS_OVERFLOW;
-        return BESSEMER_STATUS_OVERFLOW;
-    }
-    if (block_column + UINT64_C(2) > UINT64_C(4)) {
+    if (from + UINT64_C(2) > UINT64_C(4)) {
         self->fault = BESSEMER_STATUS_INDEX;
         return BESSEMER_STATUS_INDEX;
     }
     double block[4] = {
-        self->covariance[block_row + 4U * block_column],
-            self->covariance[block_row + UINT64_C(1) + 4U * block_column],
-        self->covariance[block_row + 4U * (block_column + UINT64_C(1))],
-            self->covariance[block_row + UINT64_C(1) + 4U * (block_column + UINT64_C(1))]
+        self->covariance[from + 4U * from], self->covariance[from + UINT64_C(1) + 4U * from],
+        self->covariance[from + 4U * (from + UINT64_C(1))],
+            self->covariance[from + UINT64_C(1) + 4U * (from + UINT64_C(1))]
     };
     for (uint32_t i = 0U; i < 2U; i++) {
         block[i + 2U * i] += self->noise[i];
@@ -297,27 +281,9 @@ bessemer_status_t filter_grow(filter_t *self, uint64_t from, double limit, uint3
             count_value += 1U;
         }
     }
-    const uint64_t value_row = block_at;
-    const uint64_t value_column = block_beside;
-    if (value_row > UINT64_C(0xFFFFFFFFFFFFFFFD)) {
-        self->fault = BESSEMER_STATUS_OVERFLOW;
-        return BESSEMER_STATUS_OVERFLOW;
-    }
-    if (value_row + UINT64_C(2) > UINT64_C(4)) {
-        self->fault = BESSEMER_STATUS_INDEX;
-        return BESSEMER_STATUS_INDEX;
-    }
-    if (value_column > UINT64_C(0xFFFFFFFFFFFFFFFD)) {
-        self->fault = BESSEMER_STATUS_OVERFLOW;
-        return BESSEMER_STATUS_OVERFLOW;
-    }
-    if (value_column + UINT64_C(2) > UINT64_C(4)) {
-        self->fault = BESSEMER_STATUS_INDEX;
-        return BESSEMER_STATUS_INDEX;
-    }
     for (uint32_t column = 0U; column < 2U; column++) {
         for (uint32_t row = 0U; row < 2U; row++) {
-            self->covariance[value_row + row + 4U * (value_column + column)] = block[row + 2U * column];
+            self->covariance[from + row + 4U * (from + column)] = block[row + 2U * column];
         }
     }
     self->noise[0] += 0.125;

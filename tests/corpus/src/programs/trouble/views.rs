@@ -1,5 +1,7 @@
 //! Views at any place, and written in every way.
 
+use core::ops::{AddAssign, MulAssign, SubAssign};
+
 use bessemer::prelude::*;
 
 #[function]
@@ -50,4 +52,13 @@ pub fn changed(m: &mut Matrix3<f64>, column: usize, by: &Vector3<f64>) {
 pub fn magnitudes_of_parts(m: &Matrix3<f64>) -> [f64; 4] {
     let block = m.fixed_view::<2, 2>(1, 0);
     [m.row(0).abs().sum(), m.column(1).max(), m.row(2).min(), block.abs().sum()]
+}
+
+/// Assignments by name, and a view of a matrix in an array.
+#[function]
+pub fn assigned(m: &mut [Matrix3<f64>; 2], v: &Vector3<f64>, at: usize) {
+    m[at].column_mut(at).add_assign(v);
+    m[1].row_mut(0).mul_assign(v.x);
+    m[0].fixed_rows_mut::<2>(1).neg_mut();
+    m[0].sub_assign(v * v.transpose());
 }
