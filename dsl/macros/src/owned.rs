@@ -110,13 +110,12 @@ pub fn of_path(path: &syn::Path) -> Option<syn::Ident> {
     owned(name).or_else(|| of_turns(&last.next()?.ident, name))
 }
 
-/// What stands in the witness copy for a free function of nalgebra that is an operation of the DSL.
+/// What stands in the witness copy for a free function of nalgebra that the DSL has.
 pub fn of_nalgebra(path: &syn::Path) -> Option<syn::Path> {
-    let is = |known: &[&str]| {
-        path.segments.iter().map(|it| it.ident.to_string()).eq(known.iter().copied())
-    };
-    let last = path.segments.last()?;
-    (is(&["nalgebra", "convert"]) || is(&["na", "convert"]))
+    let [home, last] = path.segments.iter().collect::<Vec<_>>()[..] else { return None };
+    let is = |ident: &syn::Ident, known: &[&str]| known.iter().any(|it| ident == it);
+    let known = ["convert", "distance", "distance_squared"];
+    (is(&home.ident, &["nalgebra", "na"]) && is(&last.ident, &known))
         .then(|| syn::parse_quote!(::bessemer::generate::generic::#last))
 }
 

@@ -8,15 +8,17 @@ use core::marker::PhantomData;
 use bessemer_ir::tree::{self, Ty};
 use bessemer_ir::{Float, Scalar};
 
-use nalgebra::RealField;
+use nalgebra::{Const, OPoint, RealField};
 use num_traits::Float as Number;
 
 use super::builder::{Builder, Callee};
 use super::builtin::{FloatBuiltins, OrderBuiltins};
 use super::elementary::ElementaryBuiltins;
+use super::matrices::told;
 use super::numbers::{FloatKindBuiltins, SignBuiltins};
 use super::slot::{Called, DslType};
-use crate::math::constants;
+use crate::linear::norms;
+use crate::math::{Real, constants};
 
 /// The function behind a companion.
 trait Companion {
@@ -180,3 +182,23 @@ impl convert {
         unreachable!()
     }
 }
+
+macro_rules! between_points {
+    ($($name:ident)*) => {$(
+        /// Stands for nalgebra's function of that name.
+        #[allow(non_camel_case_types)]
+        pub struct $name;
+
+        impl $name {
+            /// What it gives.
+            pub fn __call<T: Real, const N: usize>(
+                p: &OPoint<T, Const<N>>,
+                q: &OPoint<T, Const<N>>,
+            ) -> told!([T, N] => T) {
+                norms::$name::__call(&p.coords, &q.coords)
+            }
+        }
+    )*};
+}
+
+between_points! { distance distance_squared }

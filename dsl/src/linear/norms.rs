@@ -34,6 +34,18 @@ pub fn lp_norm<T: Real, const R: usize, const C: usize>(a: &SMatrix<T, R, C>, p:
     sum.powf(real(1.0 / f64::from(p)))
 }
 
+/// The distance between points, as nalgebra has it: how long the way from one to the other is.
+#[function(expand)]
+pub fn distance<T: Real, const N: usize>(p: &SVector<T, N>, q: &SVector<T, N>) -> T {
+    (q - p).norm()
+}
+
+/// Its square.
+#[function(expand)]
+pub fn distance_squared<T: Real, const N: usize>(p: &SVector<T, N>, q: &SVector<T, N>) -> T {
+    (q - p).norm_squared()
+}
+
 /// The root of the sum of the squared differences, by columns.
 #[function]
 pub fn metric_distance<T: Real, const R: usize, const C: usize>(

@@ -128,11 +128,6 @@ impl Lowering<'_> {
     }
 }
 
-/// Whether a call gives a slice, which is no value.
-pub(super) fn gives_slice(call: &syn::ExprMethodCall) -> bool {
-    call.args.is_empty() && (call.method == "as_slice" || call.method == "as_mut_slice")
-}
-
 /// Whether an expression is a call of a method, or what `?` gives of one: its value may refer to an element.
 pub(super) fn may_refer(expr: &syn::Expr) -> bool {
     match expr {

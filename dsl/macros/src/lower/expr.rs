@@ -82,10 +82,7 @@ impl Lowering<'_> {
                 let seen = value || matches!(kind, ExprKind::Path(..));
                 (kind, seen)
             }
-            syn::Expr::MethodCall(it) => {
-                let seen = value && !call::gives_slice(it);
-                (self.method_call(it), seen)
-            }
+            syn::Expr::MethodCall(it) => (self.method_call(it), value),
             syn::Expr::Field(it) => (self.field(it), false),
             syn::Expr::Index(it) if matches!(&*it.index, syn::Expr::Range(_)) => {
                 (self.slice(it), false)

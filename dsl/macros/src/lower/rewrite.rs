@@ -20,8 +20,7 @@ impl Lowering<'_> {
         let it = match expr {
             syn::Expr::MethodCall(it) => it,
             syn::Expr::Call(it) => {
-                let known = self.exchanged(it).or_else(|| self.extreme_of_two(it));
-                return known.or_else(|| apart(it));
+                return self.exchanged(it).or_else(|| self.extreme_of_two(it));
             }
             syn::Expr::Range(it) => return held(it),
             syn::Expr::ForLoop(it) => return in_two(it),
@@ -418,18 +417,4 @@ fn held(it: &syn::ExprRange) -> Option<syn::Expr> {
     let (start, end) = (it.start.as_ref()?, it.end.as_ref()?);
     let closed = matches!(it.limits, syn::RangeLimits::Closed(_));
     closed.then(|| parse_quote! { ::bessemer::generate::RangeInclusive::new(#start, #end) })
-}
-
-/// `nalgebra::distance(&p, &q)`, or its square: the norm of the difference, as nalgebra has it.
-fn apart(it: &syn::ExprCall) -> Option<syn::Expr> {
-    let syn::Expr::Path(function) = &*it.func else { return None };
-    let mut path = function.path.segments.iter().map(|part| text(&part.ident));
-    let (home, name) = (path.next()?, path.next()?);
-    let squared = name.strip_prefix("distance")?;
-    let [one, other] = it.args.iter().collect::<Vec<_>>()[..] else { return None };
-    if home != "nalgebra" || path.next().is_some() || !is_plain(one) || !is_plain(other) {
-        return None;
-    }
-    let norm = syn::Ident::new(&format!("norm{squared}"), Span::call_site());
-    Some(parse_quote! { ((#other).coords - (#one).coords).#norm() })
 }
