@@ -6,7 +6,7 @@ use bessemer_ir::{
 };
 
 use super::conditions::has_let;
-use super::lowering::{Binding, Leaving, Lowering, Target};
+use super::lowering::{Binding, Leaving, Lowering, RESULT, Target};
 use super::syntax::control_with_value;
 use super::{OUR_FAULT, Result, order, problem};
 
@@ -337,7 +337,7 @@ impl Lowering<'_, '_> {
     fn return_stmt(&mut self, value: Option<&tree::Expr>, site: Site) -> Result<()> {
         match value {
             Some(value) if self.result != Type::Unit => {
-                let naming = std::mem::replace(&mut self.naming, "result".into());
+                let naming = std::mem::replace(&mut self.naming, RESULT.into());
                 self.into(value, &Target::Return)?;
                 self.naming = naming;
             }

@@ -8,7 +8,7 @@ use bessemer_ir::{
     StmtKind, Type,
 };
 
-use super::lowering::{Binding, Lowering, Target, UNNAMED};
+use super::lowering::{Binding, Lowering, RESULT, Target, UNNAMED};
 use super::names::split;
 use super::optional::there;
 use super::regions::{Lenders, Path};
@@ -238,7 +238,7 @@ impl Lowering<'_, '_> {
         if self.result == Type::Unit {
             self.effect(tail)?;
         } else {
-            self.naming = "result".into();
+            self.naming = RESULT.into();
             self.into(tail, &Target::Return)?;
         }
         self.comment(mark, tail.site);

@@ -15,6 +15,8 @@ use super::regions::Lenders;
 
 /// The owner of temporaries where nothing has a name.
 pub(super) const UNNAMED: &str = "value";
+/// The name of what a function gives, where its author named nothing.
+pub(super) const RESULT: &str = "result";
 
 /// The name of a pass for which its author has none.
 pub(super) const PASS: &str = "pass";

@@ -4,7 +4,7 @@ use bessemer_ir::tree::{self, Site};
 use bessemer_ir::{Expr, ExprKind, Int, Place, Scalar, Step, Type};
 
 use super::expr::{Operand, two};
-use super::lowering::{Binding, Lowering};
+use super::lowering::{Binding, Lowering, RESULT, UNNAMED};
 use super::nothing::At;
 use super::{Result, problem};
 
@@ -96,7 +96,9 @@ impl Lowering<'_, '_> {
             _ => "selector".into(),
         };
         // One that is looked into once has the name of what comes of it, if the author gave that one.
-        let choice = matches!(role.as_str(), "option" | "outcome") && self.naming != "result";
+        let shown = |id| self.cx.shown.contains_key(id) && self.cx.cases.contains_key(id);
+        let choice = matches!(&value.ty, Type::Struct(id) if shown(id))
+            && ![UNNAMED, RESULT].contains(&self.naming.as_str());
         let naming = if choice { self.naming.clone() } else { String::new() };
         let naming = std::mem::replace(&mut self.naming, naming);
         let held = self.temporary(&role, value);

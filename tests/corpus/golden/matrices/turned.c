@@ -29,9 +29,9 @@ void turned_part_of_the_way(const double a[3], const double b[3], double share, 
 
 void turned_between(const double a[3], const double b[3], option_pair_vector3_f64_f64_t *result)
 {
-    option_pair_vector3_f64_f64_t value_option;
-    norms_try_direction_and_norm_f64_3(a, 1e-6, &value_option);
-    if (!value_option.is_some) {
+    option_pair_vector3_f64_f64_t option;
+    norms_try_direction_and_norm_f64_3(a, 1e-6, &option);
+    if (!option.is_some) {
         *result = (option_pair_vector3_f64_f64_t){.is_some = false};
         return;
     }
@@ -43,23 +43,23 @@ void turned_between(const double a[3], const double b[3], option_pair_vector3_f6
     }
     const double to[3] = {to_option.value[0], to_option.value[1], to_option.value[2]};
     option_unit_quaternion_f64_t turn_option;
-    rotation_rotation_between_axis_f64(value_option.value.first, to, &turn_option);
+    rotation_rotation_between_axis_f64(option.value.first, to, &turn_option);
     if (!turn_option.is_some) {
         *result = (option_pair_vector3_f64_f64_t){.is_some = false};
         return;
     }
     const unit_quaternion_f64_t turn = turn_option.value;
-    option_pair_vector3_f64_f64_t value_option_2;
-    rotation_axis_angle_f64(&turn, &value_option_2);
-    if (!value_option_2.is_some) {
+    option_pair_vector3_f64_f64_t option_2;
+    rotation_axis_angle_f64(&turn, &option_2);
+    if (!option_2.is_some) {
         *result = (option_pair_vector3_f64_f64_t){.is_some = false};
         return;
     }
-    result->value.first[0] = value_option_2.value.first[0] * value_option.value.second;
-    result->value.first[1] = value_option_2.value.first[1] * value_option.value.second;
-    result->value.first[2] = value_option_2.value.first[2] * value_option.value.second;
+    result->value.first[0] = option_2.value.first[0] * option.value.second;
+    result->value.first[1] = option_2.value.first[1] * option.value.second;
+    result->value.first[2] = option_2.value.first[2] * option.value.second;
     result->is_some = true;
-    result->value.second = value_option_2.value.second;
+    result->value.second = option_2.value.second;
 }
 
 void turned_about(const float axis[3], float angle, unit_quaternion_f32_t *unit_quaternion)
