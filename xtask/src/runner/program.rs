@@ -79,15 +79,11 @@ impl Program {
     }
 
     /// A command that runs it as cargo would.
-    ///
-    /// Tests build one package again and again, changed a little: they take cargo's notes for the next build even
-    /// where the build of the tests themselves goes without (a package of models is built again in a third of the time).
     #[must_use]
     pub fn command(&self, environment: &[(&str, String)]) -> Command {
         let mut command = Command::new(&self.path);
         command
             .current_dir(&self.folder)
-            .env_remove("CARGO_INCREMENTAL")
             .env("CARGO_MANIFEST_DIR", &self.folder)
             .env("CARGO_PKG_NAME", &self.package)
             .env("CARGO_PKG_VERSION", &self.version)
