@@ -4,21 +4,24 @@
 //! there. rustc goes through all that it has asked and not yet answered whenever it meets a type that it does not know in
 //! full, and there are as many slots as a body has values. So a long body is copied in parts, each with its own slots, in
 //! closures of their own: what is open is that of one part, and time grows with the length, not with its square. The names
-//! of a part reach the next in a slot that holds the types of them all.
+//! of a part that stand in what follows reach the next in a slot that holds the types of them all.
 //!
 //! Invariants: a slot is used in the part that has it alone; the types of one part are read before the next begins.
 //!
 //! Must not know: the tree.
 
+use std::collections::HashMap;
+
 use bessemer_ir::tree::Param;
-use proc_macro2::TokenStream;
+use proc_macro2::{TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::visit::{self, Visit};
 
 use crate::lower::{self, Begin, Lowering, Parameter};
 
-/// How many slots end a part: so few that little is open in it, and so many that few parts pass names on.
-const SLOTS: u32 = 128;
+/// How many slots end a part: so few that little is open in it, and so many that there are few parts, each of which costs
+/// rustc some 20 ms. Of 128 to 768, 192 to 512 take the least, within a twentieth of each other.
+const SLOTS: u32 = 256;
 
 /// A body that has been lowered, with its signature.
 pub struct Copy<'a> {
@@ -43,10 +46,14 @@ impl Copy<'_> {
         let mut names: Vec<_> = self.parameters.iter().map(|it| it.ident.clone()).collect();
         let mut begin = Begin::default();
         let mut parts = TokenStream::new();
+        let used = last_uses(&self.body.stmts);
         for (index, &end) in ends.iter().enumerate() {
             let stmts = &self.body.stmts[begin.statements..end.statements];
             let given = names.clone();
             bound(stmts, &mut names);
+            names.retain(|name| {
+                used.get(&name.to_string()).is_some_and(|&last| last >= end.statements)
+            });
             let body = match passed.get(index) {
                 Some(slot) => quote! { { #(#stmts)* __pass(&#slot, (#(#names,)*)) } },
                 None if index == 0 => self.body.to_token_stream(),
@@ -165,6 +172,29 @@ fn ends(begins: &[Begin]) -> Vec<Begin> {
     }
     ends.push(*end);
     ends
+}
+
+/// The last statement in which each word stands: as a name, or in a text, which may be one that is filled with names.
+fn last_uses(stmts: &[syn::Stmt]) -> HashMap<String, usize> {
+    fn note(tokens: TokenStream, at: usize, last: &mut HashMap<String, usize>) {
+        for token in tokens {
+            match token {
+                TokenTree::Group(group) => note(group.stream(), at, last),
+                TokenTree::Ident(name) => _ = last.insert(name.to_string(), at),
+                TokenTree::Literal(text) => {
+                    let text = text.to_string();
+                    let words = text.split(|it: char| !it.is_alphanumeric() && it != '_');
+                    last.extend(words.map(|word| (word.to_owned(), at)));
+                }
+                TokenTree::Punct(_) => {}
+            }
+        }
+    }
+    let mut last = HashMap::new();
+    for (at, stmt) in stmts.iter().enumerate() {
+        note(stmt.to_token_stream(), at, &mut last);
+    }
+    last
 }
 
 /// Adds the names that statements bind to those that were bound before; one that hides another takes its place.
