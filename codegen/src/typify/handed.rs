@@ -282,7 +282,10 @@ impl<'a> Lowering<'a, '_> {
             if let (Some(_), ExprKind::Load(place)) = (stays, &value.kind)
                 && value.ty != Type::Unit
             {
-                subjects.push(Subject::Place(place.clone()));
+                let mut place = place.clone();
+                // Its indices are checked also where the body does not read it.
+                self.fix(&mut place);
+                subjects.push(Subject::Place(place));
                 continue;
             }
             if !lent && value.ty != Type::Unit {
@@ -370,8 +373,12 @@ impl<'a> Lowering<'a, '_> {
     }
 
     fn body_value(&mut self, closure: &tree::Closure) -> Result<Expr> {
-        let unit = match closure.body.slot {
-            Some(slot) => self.slot(slot, closure.body.site)? == Type::Unit,
+        let ty = match closure.body.slot {
+            Some(slot) => Some(self.slot(slot, closure.body.site)?),
+            None => None,
+        };
+        let unit = match &ty {
+            Some(ty) => *ty == Type::Unit,
             // The body of a loop.
             None => matches!(&closure.body.kind, tree::ExprKind::Block(it) if it.tail.is_none()),
         };
@@ -380,7 +387,7 @@ impl<'a> Lowering<'a, '_> {
             let span = self.span(closure.body.site);
             return Ok(Expr { kind: ExprKind::Struct(Vec::new()), ty: Type::Unit, span });
         }
-        self.value(&closure.body, None)
+        self.value(&closure.body, ty.as_ref())
     }
 }
 

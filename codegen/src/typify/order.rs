@@ -55,7 +55,8 @@ impl Lowering<'_, '_> {
             ExprKind::Load(of) => !(of.steps.is_empty() && steady.contains(&of.root)),
             _ => true,
         };
-        let steady: HashSet<LocalId> = self.steady.union(&self.held).copied().collect();
+        let mut steady: HashSet<LocalId> = self.steady.union(&self.held).copied().collect();
+        steady.extend(&self.counters);
         self.keep_indices(place, |index| moves(index, &steady));
         let mut ty = self.locals[place.root.index()].ty.clone();
         for step in place.steps.clone() {

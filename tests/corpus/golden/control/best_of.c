@@ -10,12 +10,10 @@ void best_of_cheapest(const best_of_way_t ways[4], best_of_way_t *way)
         found.is_some = true;
         found.value = ways[i];
         uint16_t result_choice = 0U;
-        uint32_t way_index = 0U;
         uint16_t result_choice_2 = 0U;
         bool result_holds = before.is_some;
         if (result_holds) {
-            way_index = i;
-            result_choice = ways[way_index].cost;
+            result_choice = ways[i].cost;
             result_choice_2 = before.value.cost;
             result_holds = !(result_choice < result_choice_2);
         }
@@ -70,12 +68,10 @@ void best_of_peak(const uint8_t values[5], option_usize_t *result)
         found.value.first = at;
         found.value.second = values[at];
         uint8_t result_choice = 0U;
-        uint32_t value_index = 0U;
         uint8_t result_choice_2 = 0U;
         bool result_holds = before.is_some;
         if (result_holds) {
-            value_index = at;
-            result_choice = values[value_index];
+            result_choice = values[at];
             result_choice_2 = before.value.second;
             result_holds = !(result_choice >= result_choice_2);
         }

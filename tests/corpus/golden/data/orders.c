@@ -156,14 +156,12 @@ void orders_longest(const orders_task_t tasks[4], option_task_t *result)
         result->is_some = true;
         result->value = tasks[i];
         bool result_choice = false;
-        uint32_t b_index = 0U;
         ordering_t result_choice_2 = ORDERING_LESS;
         bool result_holds = before.is_some;
         if (result_holds) {
-            b_index = i;
             result_choice_2 = comparison_then(
-                comparison_total_f32(before.value.effort, tasks[b_index].effort),
-                comparison_compare_u32(before.value.deadline, tasks[b_index].deadline));
+                comparison_total_f32(before.value.effort, tasks[i].effort),
+                comparison_compare_u32(before.value.deadline, tasks[i].deadline));
             result_choice = comparison_is_greater(result_choice_2);
             result_holds = !(!result_choice);
         }

@@ -140,12 +140,9 @@ void sorted_nearest(const double values[5], double guess, option_f64_t *result)
         result->is_some = true;
         result->value = values[i];
         bool result_choice = false;
-        uint32_t b_index = 0U;
         bool result_holds = before.is_some;
         if (result_holds) {
-            b_index = i;
-            result_choice = sort_below_f64(fabs(values[b_index] - guess),
-                fabs(before.value - guess));
+            result_choice = sort_below_f64(fabs(values[i] - guess), fabs(before.value - guess));
             result_holds = !result_choice;
         }
         if (result_holds) {

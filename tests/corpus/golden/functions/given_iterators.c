@@ -89,11 +89,9 @@ void readings_largest(const readings_t *self, option_f64_t *result)
             found.is_some = true;
             found.value = self->values[i];
             bool result_choice = false;
-            uint32_t other_index = 0U;
             bool result_holds = before.is_some;
             if (result_holds) {
-                other_index = i;
-                result_choice = sort_below_f64(self->values[other_index], before.value);
+                result_choice = sort_below_f64(self->values[i], before.value);
                 result_holds = !(!result_choice);
             }
             if (result_holds) {

@@ -33,3 +33,19 @@ impl Table {
 pub fn of_a_table(table: &Table, least: u32) -> (u32, u32) {
     (table.apply(|cell| cell > least), table.fold(least, |sum, cell| sum.wrapping_mul(3) ^ cell))
 }
+
+/// What a closure makes of one element, wherever that is.
+#[function(expand)]
+fn of_one<F: FnMut(u32) -> u32>(values: &[u32; 4], at: usize, mut f: F) -> u32 {
+    f(values[at])
+}
+
+/// An element is looked for also where the closure does not read it, and before the closure does anything.
+#[function]
+pub fn unread(values: &[u32; 4], at: usize, calls: &mut u32) -> u32 {
+    let first = of_one(values, at, |_| {
+        *calls = calls.wrapping_add(1);
+        7
+    });
+    first ^ of_one(values, at / 2, |_value| 9)
+}
