@@ -13,6 +13,9 @@ use crate::linear::each_element;
 companions! {
     /// Methods of matrices that take a closure.
     EachElement<R, C>: Element [Self, T, R, C] for SMatrix<T, R, C>, [T, R, C] {
+        fn __b_map[U: (Element), F: (FnMut(T) -> U)](&self, f: F) -> SMatrix<U, R, C> {
+            each_element::map(self, f)
+        }
         fn __b_zip_map[U: (Element), V: (Element), F: (FnMut(T, U) -> V)](
             &self, other: &SMatrix<U, R, C>, f: F
         ) -> SMatrix<V, R, C> {

@@ -96,8 +96,8 @@ pub mod prelude {
     };
     pub use super::option::{
         ArrayBuiltins as _, BoolBuiltins as _, CopiedBuiltin as _, FlattenBuiltin as _,
-        MatrixMapBuiltin as _, OptionBuiltins as _, ResultBuiltins as _, TransposeBackBuiltin as _,
-        TransposeBuiltin as _, UnzipBuiltin as _,
+        OptionBuiltins as _, ResultBuiltins as _, TransposeBackBuiltin as _, TransposeBuiltin as _,
+        UnzipBuiltin as _,
     };
     pub use super::range::{ClosedBuiltins as _, RangeBuiltins as _};
     pub use super::resized::{PushBuiltin as _, ResizedBuiltins as _};

@@ -1,7 +1,6 @@
 //! The companions of the methods of `Option`, `Result` and `bool`.
 
 use bessemer_ir::tree::{self, CaseMethod, Cases, Desugared, OptionMethod};
-use nalgebra::{SMatrix, Scalar};
 
 use super::builder::{Builder, Callee};
 use super::builtin::{markers, signatures};
@@ -209,16 +208,6 @@ pub trait ArrayBuiltins<T, const N: usize>: Sized {
 }
 
 impl<T, const N: usize> ArrayBuiltins<T, N> for [T; N] {}
-
-/// `map` of a matrix.
-pub trait MatrixMapBuiltin<T, const R: usize, const C: usize>: Sized {
-    #[allow(missing_docs)]
-    fn __b_map<U: Scalar>(&self, _f: impl FnMut(T) -> U) -> Called<ArrayMap, SMatrix<U, R, C>> {
-        unreachable!()
-    }
-}
-
-impl<T: Scalar, const R: usize, const C: usize> MatrixMapBuiltin<T, R, C> for SMatrix<T, R, C> {}
 
 /// Methods of `Result`.
 #[allow(missing_docs)]

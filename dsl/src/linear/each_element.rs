@@ -5,6 +5,19 @@ use nalgebra::SMatrix;
 use crate::element::Element;
 use crate::function;
 
+/// The values of `f` for the elements.
+#[function(expand)]
+pub fn map<T: Element, U: Element, F: FnMut(T) -> U, const R: usize, const C: usize>(
+    elements: &SMatrix<T, R, C>,
+    mut f: F,
+) -> SMatrix<U, R, C> {
+    let mut mapped = SMatrix::<U, R, C>::from_element(U::ZERO);
+    for (mapped, x) in mapped.iter_mut().zip(elements.iter()) {
+        *mapped = f(*x);
+    }
+    mapped
+}
+
 /// The values of `f` for the elements of two matrices.
 #[function(expand)]
 pub fn zip_map<
@@ -15,12 +28,12 @@ pub fn zip_map<
     const R: usize,
     const C: usize,
 >(
-    a: &SMatrix<T, R, C>,
-    b: &SMatrix<U, R, C>,
+    elements: &SMatrix<T, R, C>,
+    others: &SMatrix<U, R, C>,
     mut f: F,
 ) -> SMatrix<V, R, C> {
     let mut mapped = SMatrix::<V, R, C>::from_element(V::ZERO);
-    for ((mapped, x), y) in mapped.iter_mut().zip(a.iter()).zip(b.iter()) {
+    for ((mapped, x), y) in mapped.iter_mut().zip(elements.iter()).zip(others.iter()) {
         *mapped = f(*x, *y);
     }
     mapped
@@ -35,13 +48,13 @@ pub fn map_with_location<
     const R: usize,
     const C: usize,
 >(
-    a: &SMatrix<T, R, C>,
+    elements: &SMatrix<T, R, C>,
     mut f: F,
 ) -> SMatrix<U, R, C> {
     let mut mapped = SMatrix::<U, R, C>::from_element(U::ZERO);
     for column in 0..C {
         for row in 0..R {
-            mapped[(row, column)] = f(row, column, a[(row, column)]);
+            mapped[(row, column)] = f(row, column, elements[(row, column)]);
         }
     }
     mapped
@@ -64,10 +77,10 @@ pub fn from_fn<T: Element, F: FnMut(usize, usize) -> T, const R: usize, const C:
 /// Does `f` to each element.
 #[function(expand)]
 pub fn apply<T: Element, F: FnMut(&mut T), const R: usize, const C: usize>(
-    a: &mut SMatrix<T, R, C>,
+    elements: &mut SMatrix<T, R, C>,
     mut f: F,
 ) {
-    for x in a.iter_mut() {
+    for x in elements.iter_mut() {
         f(x);
     }
 }
@@ -75,11 +88,11 @@ pub fn apply<T: Element, F: FnMut(&mut T), const R: usize, const C: usize>(
 /// Does `f` to each element, with another's beside it.
 #[function(expand)]
 pub fn zip_apply<T: Element, U: Element, F: FnMut(&mut T, U), const R: usize, const C: usize>(
-    a: &mut SMatrix<T, R, C>,
-    b: &SMatrix<U, R, C>,
+    elements: &mut SMatrix<T, R, C>,
+    others: &SMatrix<U, R, C>,
     mut f: F,
 ) {
-    for (x, y) in a.iter_mut().zip(b.iter()) {
+    for (x, y) in elements.iter_mut().zip(others.iter()) {
         f(x, *y);
     }
 }
@@ -87,12 +100,12 @@ pub fn zip_apply<T: Element, U: Element, F: FnMut(&mut T, U), const R: usize, co
 /// What `f` gathers of the elements.
 #[function(expand)]
 pub fn fold<T: Element, A, F: FnMut(A, T) -> A, const R: usize, const C: usize>(
-    a: &SMatrix<T, R, C>,
+    elements: &SMatrix<T, R, C>,
     start: A,
     mut f: F,
 ) -> A {
     let mut gathered = start;
-    for x in a.iter() {
+    for x in elements.iter() {
         gathered = f(gathered, *x);
     }
     gathered
@@ -108,13 +121,13 @@ pub fn zip_fold<
     const R: usize,
     const C: usize,
 >(
-    a: &SMatrix<T, R, C>,
-    b: &SMatrix<U, R, C>,
+    elements: &SMatrix<T, R, C>,
+    others: &SMatrix<U, R, C>,
     start: A,
     mut f: F,
 ) -> A {
     let mut gathered = start;
-    for (x, y) in a.iter().zip(b.iter()) {
+    for (x, y) in elements.iter().zip(others.iter()) {
         gathered = f(gathered, *x, *y);
     }
     gathered

@@ -7,8 +7,7 @@ void eigenvalues_ellipsoid(const double covariance[9], pair_vector3_f64_matrix3x
     eigen_f64_3_t eigen;
     eigen_symmetric_f64_3(covariance, &eigen);
     for (uint32_t i = 0U; i < 3U; i++) {
-        const double x = eigen.eigenvalues[i];
-        result->first[i] = sqrt(x);
+        result->first[i] = sqrt(eigen.eigenvalues[i]);
     }
     (void)memcpy(result->second, eigen.eigenvectors, sizeof(double[9]));
 }

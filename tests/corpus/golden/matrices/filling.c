@@ -5,12 +5,12 @@
 void filling_tidy(double p[9], double least)
 {
     matrix_edit_fill_lower_triangle_with_upper_triangle_f64_3(p);
-    double vector[3];
-    parts_diagonal_f64_3(p, vector);
+    double elements[3];
+    parts_diagonal_f64_3(p, elements);
     double diagonal[3];
     for (uint32_t i = 0U; i < 3U; i++) {
-        if (vector[i] > least) {
-            diagonal[i] = vector[i];
+        if (elements[i] > least) {
+            diagonal[i] = elements[i];
         } else {
             diagonal[i] = least;
         }
