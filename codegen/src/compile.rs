@@ -223,6 +223,9 @@ fn ruled_out(fault: Fault, reason: &str) -> String {
         (Fault::Absent, _) => {
             "say what holds otherwise: `.unwrap_or(0.0)`, `if let Some(x) = …`".to_owned()
         }
+        (Fault::Clamp, _) => {
+            "write `x.max(low).min(high)`, whose bounds may be in any order; or compare before: `if low <= high { x.clamp(low, high) } else { low }`".to_owned()
+        }
         _ => "rule the fault out by a comparison before".to_owned(),
     }
 }
