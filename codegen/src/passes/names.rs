@@ -52,7 +52,7 @@ pub(crate) fn wish(
     };
     match base {
         "" => role,
-        // What decides one thing is named for it alone.
+        // A flag that decides one value alone takes the name of that value.
         base if matches!(purpose, Purpose::Operand) && is_condition(expr) => base.to_string(),
         base if base == role => format!("{base}_value"),
         base => format!("{base}_{role}"),

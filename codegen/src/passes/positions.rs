@@ -9,7 +9,7 @@ use super::places::{elementwise, outer};
 pub(crate) enum Position {
     /// The whole value of a `let`, an assignment or a `return`.
     Whole,
-    /// What an `if` asks, or asks the opposite of.
+    /// The condition of an `if`, or the operand of the `!` that is its condition.
     Decision,
     /// A word within an expression.
     Nested,
@@ -84,7 +84,7 @@ pub(crate) fn accepts(callees: &[Callee], position: Position, expr: &Expr) -> bo
     }
 }
 
-/// What a condition asks: itself, or what it is the opposite of.
+/// The operand of a condition that is a negation; any other condition itself.
 pub(crate) fn asked(condition: &Expr) -> &Expr {
     match &condition.kind {
         ExprKind::Unary(UnaryOp::Not, x) => x,

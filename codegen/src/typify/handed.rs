@@ -217,7 +217,7 @@ impl<'a> Lowering<'a, '_> {
         if value.ty == Type::Unit {
             return Ok(value);
         }
-        // What it is made of may change before it is used. Where nothing else names it, the closure does.
+        // The value is held: its operands may be written before it is used. If it has no name, it takes the closure's.
         if self.naming != UNNAMED {
             return Ok(self.temporary("value", value));
         }
@@ -237,7 +237,7 @@ impl<'a> Lowering<'a, '_> {
         self.applied(name, arguments, site, |inner, closure| inner.into(&closure.body, target))
     }
 
-    /// Whether an expression is a call of a closure that stands where its author wrote it.
+    /// True for a call of a closure that is inlined in the scope in which its author wrote it.
     pub(super) fn stands_here(&self, expr: &tree::Expr) -> bool {
         let tree::ExprKind::Apply(name, _) = &expr.kind else { return false };
         name != tree::EACH && self.handed.get(name).is_some_and(|it| it.scope.is_some())

@@ -212,7 +212,7 @@ impl Lowering<'_, '_> {
         Ok(all)
     }
 
-    /// Whether a name is that of a part of so many elements as the program says.
+    /// True for the name of a slice whose length is a literal.
     pub(super) fn is_part(&mut self, expr: &tree::Expr) -> bool {
         let tree::ExprKind::Local(name) = &expr.kind else { return false };
         let found = self.lookup(name, expr.site);
