@@ -146,13 +146,13 @@ fn compared(
         all &= differing.is_empty();
         let words: usize = differing.iter().map(|it| it.words.len()).sum();
         let _ = write!(text, "  {leg:<27}  {words} words differ");
-        let _ = match differing.first() {
-            None => writeln!(text),
-            Some(first) => {
-                let told = first.told(&cases, outcomes);
-                writeln!(text, ", in {} calls; the first:\n    {told}", differing.len())
-            }
+        let _ = match differing.len() {
+            0 => writeln!(text),
+            calls => writeln!(text, ", in {calls} calls; the first of each entry point:"),
         };
+        for first in differing.chunk_by(|a, b| a.case == b.case).map(|of_one| &of_one[0]) {
+            let _ = writeln!(text, "    {}", first.told(&cases, outcomes));
+        }
     }
     for name in left {
         let _ = writeln!(text, "{name}: not called, since its Rust is not public or takes a slice");
@@ -240,10 +240,7 @@ fn cases(module: &Module, inputs: &Inputs) -> Vec<Case> {
         let (calls, expected, never) = (Vec::new(), Vec::new(), String::new());
         let mut case = Case { id, name, types, leaves, calls, expected, never };
         if native::can_call(function) {
-            let initial = match &parameters[0].ty {
-                Type::Struct(id) => module.structs[id.index()].initial.clone().unwrap_or_default(),
-                _ => Vec::new(),
-            };
+            let initial = initial(module, &parameters[0].ty);
             let mut state = initial.clone();
             let numbers = Numbers::of(module, id);
             interpreter.watch();
@@ -284,6 +281,16 @@ fn cases(module: &Module, inputs: &Inputs) -> Vec<Case> {
         cases.push(case);
     }
     cases
+}
+
+/// The words of a component before its first call: those that its constructor gives, or else zeros, which C gives to what
+/// it keeps for a program's whole life.
+fn initial(module: &Module, component: &Type) -> Vec<u64> {
+    let built = match component {
+        Type::Struct(id) => module.structs[id.index()].initial.clone(),
+        _ => None,
+    };
+    built.unwrap_or_else(|| vec![0; module.leaves(component).len()])
 }
 
 /// The words that come out, and the component's among them.
@@ -496,6 +503,23 @@ fn differing(module: &Module, cases: &[Case], outcomes: &[Vec<Outcome>]) -> Vec<
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_component_without_a_constructor_begins_with_zeros() {
+        let text = include_str!("../../../codegen/tests/c/height.ir");
+        let mut module = bessemer_ir::text::parse(text).expect("it is a module");
+        module.structs.iter_mut().for_each(|of| of.initial = None);
+        for case in cases(&module, &Inputs::Made { seed: 0 }) {
+            let component = &module.functions[case.id.index()].parameters()[0].ty;
+            assert_eq!(
+                initial(&module, component),
+                vec![0; case.calls[0][0].len()],
+                "{}",
+                case.name
+            );
+            assert!(case.expected[CALLS..].iter().any(Result::is_ok), "{}", case.name);
+        }
+    }
 
     #[test]
     fn a_word_that_differs_is_found() {

@@ -12,7 +12,7 @@ use bessemer_ir::{
 };
 
 use super::lowering::Lowering;
-use super::order::is_free;
+use super::order::{has_effect, is_free};
 use super::{Result, problem};
 
 /// Up to so many elements are compared one by one.
@@ -30,8 +30,10 @@ impl Lowering<'_, '_> {
         let own = self.cx.own_equalities.contains_key(&left.ty);
         match (self.is_variant(&left), self.is_variant(&right)) {
             (false, true) if !own => return self.equal_variant(left, right, site),
-            // What stands in the variant is evaluated first: nothing may change it behind that.
-            (true, false) if !own && matches!(right.kind, ExprKind::Load(_)) => {
+            // What stands in the variant is evaluated first: it must not change what is read of the other.
+            (true, false)
+                if !own && matches!(right.kind, ExprKind::Load(_)) && !has_effect(&left) =>
+            {
                 return self.equal_variant(right, left, site);
             }
             _ => {}

@@ -5,7 +5,9 @@ use bessemer_ir::{Block, Expr, Fault, Place, Stmt, StmtKind, StructId, Type};
 
 use super::expr::Operand;
 use super::lowering::Lowering;
+use super::order::is_free;
 use super::{OUR_FAULT, Result, problem};
+use crate::effects;
 
 /// The remedy where a reference into an `Option` would be kept.
 const LENT_BY_OPTION: &str =
@@ -105,6 +107,9 @@ impl Lowering<'_, '_> {
                 let later = self.later(mark);
                 self.settle_place(&mut place, &later);
                 self.out.extend(later);
+                if !is_free(&value) {
+                    self.fix(&mut place);
+                }
                 self.choice(id, 1, Some(value), expr.site)?
             }
         };
@@ -138,15 +143,17 @@ impl Lowering<'_, '_> {
             operands.push(Operand { expr: argument, expected: other, role: "right" });
         }
         let mut values = self.operands(&operands)?.into_iter();
-        let (Some(first), second) = (values.next(), values.next()) else {
+        let (Some(mut first), second) = (values.next(), values.next()) else {
             return problem(site, "this takes an `Option`", OUR_FAULT);
         };
-        let mut second = second;
-        if let (true, Some(value)) = (super::order::has_effect(&first), &mut second) {
-            // The second is written down first.
-            *value = self.temporary("other", value.clone());
+        // The first is read after the second is computed, and must be what it was before.
+        if second.iter().any(|second| effects::reads(&first, &effects::lent(second))) {
+            first = self.temporary("before", first);
         }
-        let place = self.hold(first, site)?;
+        let mut place = self.hold(first, site)?;
+        if second.iter().any(|second| !is_free(second)) {
+            self.fix(&mut place);
+        }
         let Type::Struct(id) = place.ty else {
             return problem(site, "this is not an `Option`", OUR_FAULT);
         };

@@ -93,15 +93,20 @@ impl Lowering<'_, '_> {
     /// Computes now the indices of `place` that are to be kept.
     pub(super) fn keep_indices(&mut self, place: &mut Place, keep: impl Fn(&Expr) -> bool) {
         for step in &mut place.steps {
-            let (first, second) = match step {
-                Step::Field(_) => (None, None),
-                Step::Index(index) | Step::From(index) => (Some(index), None),
-                Step::Element(row, column) => (Some(row), Some(column)),
-            };
-            for index in [first, second].into_iter().flatten() {
-                if keep(index) {
-                    *index = self.temporary("index", index.clone());
-                }
+            self.keep_indices_of(step, &keep);
+        }
+    }
+
+    /// The same of one step.
+    pub(super) fn keep_indices_of(&mut self, step: &mut Step, keep: impl Fn(&Expr) -> bool) {
+        let (first, second) = match step {
+            Step::Field(_) => (None, None),
+            Step::Index(index) | Step::From(index) => (Some(index), None),
+            Step::Element(row, column) => (Some(row), Some(column)),
+        };
+        for index in [first, second].into_iter().flatten() {
+            if keep(index) {
+                *index = self.temporary("index", index.clone());
             }
         }
     }

@@ -7,6 +7,7 @@ use super::expr::{Operand, two};
 use super::lowering::{Binding, Lowering, RESULT, UNNAMED};
 use super::nothing::At;
 use super::{Result, problem};
+use crate::effects;
 
 /// Whether a field is all there is: of a point its `coords`, of a translation its `vector`.
 fn is_whole(base: &Type, name: &str) -> bool {
@@ -75,9 +76,10 @@ impl Lowering<'_, '_> {
         self.hold(value, expr.site)
     }
 
-    /// The place of a value: its own, or a temporary.
+    /// The place of a value: its own, or a temporary. An index that calls is computed here, once.
     pub(super) fn hold(&mut self, value: Expr, site: Site) -> Result<Place> {
-        if let ExprKind::Load(place) = value.kind {
+        if let ExprKind::Load(mut place) = value.kind {
+            self.keep_indices(&mut place, effects::calls);
             return Ok(place);
         }
         let role = match &value.ty {
@@ -179,6 +181,11 @@ impl Lowering<'_, '_> {
                 );
             }
         };
+        let mut step = step;
+        // Whoever gets the place may read it more than once, which must write nothing.
+        if !effects::lent_by_step(&step).is_empty() {
+            self.keep_indices_of(&mut step, |index| !index.is_literal());
+        }
         let later = self.later(mark);
         self.settle_place(&mut base, &later);
         self.out.extend(later);
