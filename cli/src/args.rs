@@ -65,7 +65,7 @@ pub enum Task {
     Explain(Explain),
     /// Make a module of Python of the C, whose arrays are NumPy's
     Py(Python),
-    /// Make a folder of the C for a system that firmware is built in: Zephyr, PX4, Arduino
+    /// Make a folder of the C for a system that firmware is built in: Zephyr, PX4, FreeRTOS, Arduino
     Pack(Pack),
     /// Make a co-simulation unit (FMI 3.0) of an entry point
     Fmu(Fmu),
@@ -259,9 +259,10 @@ pub struct Python {
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
-  cargo bessemer pack zephyr   pack/motor/: a module with Kconfig, CMake and an example of each entry point
-  cargo bessemer pack px4      pack/motor/: a module around each entry point, with its messages of uORB
-  cargo bessemer pack arduino  pack/motor/: a library with a sketch of each entry point
+  cargo bessemer pack zephyr    pack/motor/: a module with Kconfig, CMake and an example of each entry point
+  cargo bessemer pack px4       pack/motor/: a module around each entry point, with its messages of uORB
+  cargo bessemer pack freertos  pack/motor/: the C with its files for CMake and make, and a task for each entry point
+  cargo bessemer pack arduino   pack/motor/: a library with a sketch of each entry point
 
 The folder is whole by itself: copy it to where the system looks for it.")]
 pub struct Pack {
@@ -283,6 +284,9 @@ pub enum System {
     Zephyr,
     /// Modules on work queues, for `src/modules`
     Px4,
+    /// Periodic tasks, in memory of their own
+    #[value(name = "freertos")]
+    FreeRtos,
     /// A library, by `library.properties`
     Arduino,
 }

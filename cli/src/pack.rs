@@ -1,5 +1,5 @@
-//! `cargo bessemer pack`: the C as a module of Zephyr, a module of PX4 or a library of Arduino, each a folder of its own with
-//! an example for each component.
+//! `cargo bessemer pack`: the C as a module of Zephyr, a module of PX4, a library of Arduino or with tasks of FreeRTOS, each a
+//! folder of its own with an example of each entry point.
 //!
 //! Invariants: the folder is whole by itself; the same C gives the same folder. It must not know what the C computes.
 
@@ -10,7 +10,7 @@ use bessemer_codegen::c::interface::Interface;
 use bessemer_codegen::c::names::Passing;
 use bessemer_codegen::compile::Compiled;
 use bessemer_project::firmware::{Call, calls, declared};
-use bessemer_project::{Wanted, compile, parameter_tables};
+use bessemer_project::{Wanted, build_files, compile, parameter_tables};
 
 use crate::args::{Pack, System};
 use crate::error::Error;
@@ -38,6 +38,7 @@ pub fn run(folder: &Path, wanted: &Pack, colour: bool) -> Result<String, Error> 
     files.extend(match wanted.system {
         System::Zephyr => zephyr(&name, &compiled),
         System::Px4 => px4(&name, &compiled),
+        System::FreeRtos => freertos(&compiled),
         System::Arduino => arduino(&name, &compiled),
     });
     for (path, text) in &files {
@@ -87,6 +88,73 @@ fn zephyr(name: &str, compiled: &Compiled) -> Vec<(String, String)> {
         files.push((format!("examples/{}/src/main.c", call.entry.name), text));
     }
     files
+}
+
+/// FreeRTOS has no form for a library of its own: the C gets the files for CMake and make.
+fn freertos(compiled: &Compiled) -> Vec<(String, String)> {
+    let builds = build_files::files(compiled).into_iter();
+    let mut files: Vec<(String, String)> =
+        builds.map(|it| (format!("src/{}", it.name), it.text)).collect();
+    for call in calls(&compiled.interface) {
+        let entry = compiled.entries.iter().find(|it| it.entry == call.entry.name);
+        let text = task(&call, entry.map_or(0, |it| it.stack_bytes));
+        files.push((format!("examples/{}/main.c", call.entry.name), text));
+    }
+    files
+}
+
+/// A program with a task that calls an entry point in each period, in memory that is there from the start.
+fn task(call: &Call, stack_bytes: u64) -> String {
+    let begin: String = call.begin.iter().map(|it| format!("    {it}\n")).collect();
+    format!(
+        "\
+/* An example of the firmware around {rust}, as a task of FreeRTOS: replace what is marked.
+ *
+ * FreeRTOSConfig.h has configSUPPORT_STATIC_ALLOCATION and INCLUDE_vTaskDelayUntil as 1. */
+#include <FreeRTOS.h>
+#include <task.h>
+
+#include \"{header}\"
+
+/* Your control period, and your priority. */
+#define PERIOD pdMS_TO_TICKS(1)
+#define PRIORITY (tskIDLE_PRIORITY + 1U)
+
+/* In words: what the port needs, and the bound of the call itself. */
+#define DEPTH (configMINIMAL_STACK_SIZE + (({stack_bytes}U + sizeof(StackType_t) - 1U) / sizeof(StackType_t)))
+
+{statics}
+static void run(void *unused)
+{{
+    (void)unused;
+#ifdef portTASK_USES_FLOATING_POINT
+    /* This port keeps the floating-point registers of a task only if it asks. */
+    portTASK_USES_FLOATING_POINT();
+#endif
+{begin}
+    TickType_t woken = xTaskGetTickCount();
+    for (;;) {{
+        {{
+{period}        }}
+        vTaskDelayUntil(&woken, PERIOD);
+    }}
+}}
+
+int main(void)
+{{
+    static StackType_t task_stack[DEPTH];
+    static StaticTask_t task_memory;
+    (void)xTaskCreateStatic(run, \"{of}\", DEPTH, NULL, PRIORITY, task_stack, &task_memory);
+    vTaskStartScheduler();
+    return 0;
+}}
+",
+        rust = call.entry.rust,
+        header = call.entry.header,
+        statics = call.statics(),
+        period = call.period("            "),
+        of = call.entry.name,
+    )
 }
 
 fn arduino(name: &str, compiled: &Compiled) -> Vec<(String, String)> {

@@ -111,7 +111,7 @@ fn a_process_on_a_cortex_a9_keeps_its_periods_and_its_bits() {
 }
 
 /// Copies the files of a folder, and of those in it.
-fn copy(from: &Path, to: &Path) {
+pub(super) fn copy(from: &Path, to: &Path) {
     std::fs::create_dir_all(to).expect("a folder");
     for entry in std::fs::read_dir(from).expect("the folder").flatten() {
         let (path, target) = (entry.path(), to.join(entry.file_name()));

@@ -32,6 +32,11 @@ pub(super) fn run(package: &Path) {
     let log =
         "time,speed,gains.proportional,gains.integral,gains.period,target\n0,0,0.1,0.5,0.005,100\n";
     fs::write(package.join("flight.csv"), log).expect("a recording");
+    // As the page of build systems asks for it.
+    let settings = package.join("bessemer.toml");
+    let sound = fs::read_to_string(&settings).expect("the settings");
+    fs::write(&settings, format!("build_files = true\n{sound}")).expect("the settings");
+    performed(package, "gen").unwrap_or_else(|said| panic!("{said}"));
     firmware(package);
     for block in turn::some_of(blocks(), AT_ONCE) {
         for line in &block.lines {
@@ -40,6 +45,8 @@ pub(super) fn run(package: &Path) {
             }
         }
     }
+    fs::write(&settings, sound).expect("the settings");
+    performed(package, "gen").unwrap_or_else(|said| panic!("{said}"));
     let _ = fs::remove_dir_all(package.join("firmware/verify"));
     for path in entries(package).into_iter().filter(|path| !before.contains(path)) {
         let removed =

@@ -142,6 +142,13 @@ pub const TOOLS: &[Tool] = &[
     program(programs::ARM_LINUX_GCC, "compiles the emitted C for a Cortex-A9", Need::Target),
     headers("ARM C library", programs::ARM_LINUX_GCC, Need::Target),
     program(programs::QEMU_ARM, "runs it on an emulated Cortex-A9", Need::Target),
+    Tool {
+        name: "arm-linux-gnueabihf-g++",
+        purpose: "compiles C++ around the emitted C, and Eigen, for a Cortex-A9",
+        need: Need::Target,
+        probe: Probe::Version("arm-linux-gnueabihf-g++"),
+        source: Source::Package("g++-arm-linux-gnueabihf"),
+    },
     program(programs::ARM_BARE_GCC, "compiles firmware around the emitted C", Need::Target),
     headers("newlib", programs::ARM_BARE_GCC, Need::Target),
     program(
@@ -186,6 +193,13 @@ pub const TOOLS: &[Tool] = &[
         probe: Probe::Module("fmpy"),
         source: Source::Python("fmpy==0.3.32"),
     },
+    Tool {
+        name: "pya2l",
+        purpose: "reads what `cargo bessemer a2l` makes",
+        need: Need::Analysis,
+        probe: Probe::Module("pya2l"),
+        source: Source::Python("pya2ldb==1.0.355"),
+    },
     program(programs::AARCH64_GCC, "compiles the emitted C for ARM of 64 bits", Need::Full),
     headers("aarch64 C library", programs::AARCH64_GCC, Need::Full),
     program(programs::QEMU_AARCH64, "runs it", Need::Full),
@@ -219,13 +233,6 @@ pub const TOOLS: &[Tool] = &[
         need: Need::Bench,
         probe: Probe::Version("valgrind"),
         source: Source::Package("valgrind"),
-    },
-    Tool {
-        name: "arm-linux-gnueabihf-g++",
-        purpose: "compiles Eigen for the Cortex-A9",
-        need: Need::Bench,
-        probe: Probe::Version("arm-linux-gnueabihf-g++"),
-        source: Source::Package("g++-arm-linux-gnueabihf"),
     },
     Tool {
         name: "Eigen",

@@ -143,8 +143,8 @@ fn root_installs_with_apt_alone() {
         Some(
             "apt-get update -o DPkg::Lock::Timeout=900 && \
              env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends \
-             -o DPkg::Lock::Timeout=900 gcc-arm-linux-gnueabihf libc6-dev-armhf-cross qemu-user gcc-arm-none-eabi \
-             libnewlib-arm-none-eabi qemu-system-arm make cmake frama-c-base cppcheck"
+             -o DPkg::Lock::Timeout=900 gcc-arm-linux-gnueabihf libc6-dev-armhf-cross qemu-user \
+             g++-arm-linux-gnueabihf gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm make cmake frama-c-base cppcheck"
         )
     );
 }
@@ -159,7 +159,9 @@ fn packages_of_pythons_come_last_and_below_target() {
     let (_, last) = line.split_once("python3-venv && ").expect("apt comes first");
     assert_eq!(
         last,
-        format!("python3 -m venv {own} && {own}/bin/pip install --quiet pymavlink==2.4.50")
+        format!(
+            "python3 -m venv {own} && {own}/bin/pip install --quiet pya2ldb==1.0.355 pymavlink==2.4.50"
+        )
     );
 }
 
@@ -234,6 +236,7 @@ C library                found         test               headers and libraries 
 arm-linux-gnueabihf-gcc  12.2.0        test (not --host)  compiles the emitted C for a Cortex-A9
 ARM C library            found         test (not --host)  headers and libraries for the above
 qemu-arm                 7.2.22        test (not --host)  runs it on an emulated Cortex-A9
+arm-linux-gnueabihf-g++  12.2.0        test (not --host)  compiles C++ around the emitted C, and Eigen, for a Cortex-A9
 arm-none-eabi-gcc        12.2.1        test (not --host)  compiles firmware around the emitted C
 newlib                   found         test (not --host)  headers and libraries for the above
 qemu-system-arm          7.2.22        test (not --host)  runs it on an emulated Zynq, without an operating system
@@ -244,6 +247,7 @@ cppcheck                 2.10          test (not --host)  holds the emitted C ag
 Python's venv            found         test (not --host)  installs the next below `target`
 numpy                    found         test (not --host)  the arrays of what `cargo bessemer py` makes
 FMPy                     found         test (not --host)  steps what `cargo bessemer fmu` makes
+pya2l                    found         test (not --host)  reads what `cargo bessemer a2l` makes
 aarch64-linux-gnu-gcc    12.2.0        test --full        compiles the emitted C for ARM of 64 bits
 aarch64 C library        found         test --full        headers and libraries for the above
 qemu-aarch64             7.2.22        test --full        runs it
@@ -256,7 +260,6 @@ qemu-s390x               7.2.22        test --full        runs it
 chromium                 150.0.1       test --full        shows the page of the ground station
 pymavlink                found         test --full        the other end of MAVLink
 valgrind                 3.19.0        bench              counts instructions on the host
-arm-linux-gnueabihf-g++  12.2.0        bench              compiles Eigen for the Cortex-A9
 Eigen                    found         bench              a peer
 OpenBLAS                 found         bench              a peer
 LAPACK                   found         bench              a peer: the reference
@@ -274,13 +277,14 @@ fn the_conclusion_says_what_can_run_and_what_to_do() {
     assert_eq!(
         conclusion(&Fake::host().rooted()).as_deref(),
         Some(
-            "Missing: arm-linux-gnueabihf-gcc, ARM C library, qemu-arm, arm-none-eabi-gcc, newlib, \
+            "Missing: arm-linux-gnueabihf-gcc, ARM C library, qemu-arm, arm-linux-gnueabihf-g++, \
+             arm-none-eabi-gcc, newlib, \
              qemu-system-arm, make, cmake, frama-c, cppcheck. `cargo xtask test --host` can run.\n\
              To install, run this line, or `cargo xtask test --install`:\n  \
              apt-get update -o DPkg::Lock::Timeout=900 && env DEBIAN_FRONTEND=noninteractive apt-get install -y \
              --no-install-recommends -o DPkg::Lock::Timeout=900 \
-             gcc-arm-linux-gnueabihf libc6-dev-armhf-cross qemu-user gcc-arm-none-eabi \
-             libnewlib-arm-none-eabi qemu-system-arm make cmake frama-c-base cppcheck\n"
+             gcc-arm-linux-gnueabihf libc6-dev-armhf-cross qemu-user \
+             g++-arm-linux-gnueabihf gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm make cmake frama-c-base cppcheck\n"
         )
     );
     assert_eq!(
@@ -318,7 +322,8 @@ fn test_refuses_to_start_and_prints_one_line() {
     let error = outcome.expect_err("tools are missing");
     assert_eq!(
         error.to_string(),
-        "missing: g++, clang, clang's run time, arm-linux-gnueabihf-gcc, ARM C library, qemu-arm, arm-none-eabi-gcc, newlib, \
+        "missing: g++, clang, clang's run time, arm-linux-gnueabihf-gcc, ARM C library, qemu-arm, arm-linux-gnueabihf-g++, \
+             arm-none-eabi-gcc, newlib, \
              qemu-system-arm, make, cmake, frama-c, cppcheck"
     );
     let remedy = error.remedy().expect("there is apt-get");

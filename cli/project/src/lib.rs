@@ -8,7 +8,7 @@
 //!
 //! It must not know how C is made, nor what else the commands do.
 
-mod build_files;
+pub mod build_files;
 mod error;
 pub mod file;
 pub mod firmware;

@@ -1,18 +1,19 @@
 //! `cargo bessemer` as its users meet it: a package begun, simulated, generated, built into a firmware; and what
 //! only a build of models shows to be wrong.
 
+mod built;
 mod verified;
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 
 use bessemer_project::{Wanted, generate};
 use bessemer_tests::golden;
 use bessemer_tests::toolchain;
 use bessemer_tests::workspace::Workspace;
-use cargo_bessemer::args::{A2l, Fmu, New, Pack, Python, Sizes, System};
-use cargo_bessemer::{asap2, fmu, new, pack, python, sizes};
+use cargo_bessemer::args::{A2l, Fmu, New, Python, Sizes};
+use cargo_bessemer::{asap2, fmu, new, python, sizes};
 
 /// What `gen` says in a folder, without colours; none if it was refused.
 fn generated(folder: &Path, check: bool) -> Result<String, String> {
@@ -58,72 +59,18 @@ fn a_new_package_is_simulated_and_generated() {
         assert_eq!(text, STUB, "{}", gcc.name());
     }
 
-    built_by_others(&package);
+    built::by_cmake_and_make(&package);
     super::shown::run(&package);
     verified::verified(&package);
     verified::verified_by_a_recording(&package);
     verified::verified_by_a_test(&package);
     verified::verified_on_a_board(&package);
     sized(&package);
-    packed(&package);
+    built::packed(&package);
     called_from_python(&package);
     simulated_as_a_unit(&package);
     calibrated(&package);
     refusals(&package);
-}
-
-/// The files for CMake and make build the stub, with the table of parameters, and the example, each with the machine's own
-/// compiler.
-fn built_by_others(package: &Path) {
-    let settings = package.join("bessemer.toml");
-    let sound = fs::read_to_string(&settings).expect("the settings");
-    fs::write(
-        &settings,
-        format!("build_files = true\ninterface = true\nparameters = true\n{sound}"),
-    )
-    .expect("the settings");
-    generated(package, false).expect("it is sound");
-    let face = fs::read_to_string(package.join("generated/interface.json")).expect("the interface");
-    assert!(face.contains("\"set_by\": \"gains_defaults\""), "{face}");
-    let table = fs::read_to_string(package.join("generated/bessemer_parameter_table.c"));
-    let row = "{\"integral\", \"V/rad\", 0.0, 20.0, offsetof(gains_t, integral), sizeof(double), 1U, BESSEMER_PARAMETER_DOUBLE}";
-    assert!(table.as_ref().is_ok_and(|it| it.contains(row)), "{table:?}");
-    let folder = package.join("others");
-    fs::create_dir_all(&folder).expect("a folder");
-    let cmake = "cmake_minimum_required(VERSION 3.16)\nproject(firmware C)\nadd_subdirectory(../generated generated)\n\
-        add_executable(stub ../firmware/main.c)\ntarget_link_libraries(stub PRIVATE motor)\n";
-    fs::write(folder.join("CMakeLists.txt"), cmake).expect("a file");
-    let make = "include ../generated/motor.mk\nstub: ../firmware/main.c $(MOTOR_SOURCES)\n\
-        \t$(CC) $(MOTOR_CFLAGS) -o $@ $^ -lm\n";
-    fs::write(folder.join("Makefile"), make).expect("a file");
-    let builds: [(&str, &[&[&str]], &str); 2] = [
-        ("make", &[&["make", "--silent"]], "stub"),
-        (
-            "cmake",
-            &[
-                &["cmake", "-S", ".", "-B", "build"],
-                &["cmake", "--build", "build", "--target", "stub", "motor_example"],
-            ],
-            "build/stub",
-        ),
-    ];
-    for (tool, steps, stub) in builds {
-        if !toolchain::is_asked_for(tool) {
-            println!("left out: {tool} is not installed");
-            continue;
-        }
-        for step in steps {
-            let mut command = Command::new(step[0]);
-            toolchain::run(command.args(&step[1..]).current_dir(&folder))
-                .unwrap_or_else(|said| panic!("{said}"));
-        }
-        let output = Command::new(folder.join(stub)).output().expect("it runs");
-        assert_eq!(String::from_utf8_lossy(&output.stdout), STUB, "{tool}");
-    }
-    fs::remove_dir_all(&folder).expect("the folder");
-    fs::write(&settings, sound).expect("the settings");
-    generated(package, false).expect("it is sound");
-    assert!(!package.join("generated/CMakeLists.txt").exists());
 }
 
 /// What the stub of a firmware prints: 0.05 · 100 V, and 2 · 100 · 1 ms more each period.
@@ -156,84 +103,6 @@ fn sized(package: &Path) {
     let (entry, all) = (figures("motor_step"), figures("all of the C"));
     assert!(entry[0] > 50 && entry[0] < all[0], "{text}");
     assert_eq!((entry[1], entry[2], entry[4]), (0, 0, 8), "{text}");
-}
-
-/// As a part of Zephyr, PX4 and Arduino, compiled against stand-ins for these.
-fn packed(package: &Path) {
-    if !toolchain::is_asked_for("g++") {
-        println!("left out: g++ is not installed");
-        return;
-    }
-    let stubs = bessemer_tests::root().join("tests/stubs");
-    let into = |system, name: &str| {
-        let output = package.join(name);
-        let wanted = Pack { package: Default::default(), system, output };
-        pack::run(package, &wanted, false).unwrap_or_else(|error| panic!("{error}"));
-        let again = pack::run(package, &wanted, false).expect_err("it is there");
-        assert!(again.to_string().ends_with("is there already"), "{again}");
-        wanted.output.join("motor")
-    };
-    let built = |program: &str, folder: &Path, stubs: PathBuf, arguments: &[&str]| {
-        let mut command = Command::new(program);
-        command.args(["-Wall", "-Wextra", "-Werror", "-Isrc"]).arg("-I").arg(stubs);
-        toolchain::run(command.args(arguments).current_dir(folder))
-            .unwrap_or_else(|said| panic!("{said}"));
-    };
-
-    let zephyr = into(System::Zephyr, "zephyr");
-    let example = "examples/motor_step/src/main.c";
-    built("gcc", &zephyr, stubs.join("zephyr"), &["-std=c99", "-fsyntax-only", example]);
-    let module = fs::read_to_string(zephyr.join("zephyr/module.yml")).expect("the module");
-    assert!(module.contains("name: motor\nbuild:\n  cmake: .\n"), "{module}");
-
-    // One pass of the sketch, as a program, beside the tables of parameters.
-    let settings = package.join("bessemer.toml");
-    let sound = fs::read_to_string(&settings).expect("the settings");
-    fs::write(&settings, format!("parameters = true\n{sound}")).expect("the settings");
-    let arduino = into(System::Arduino, "arduino");
-    fs::write(&settings, sound).expect("the settings");
-    let (sketch, main) = ("examples/motor_step/motor_step.ino", stubs.join("arduino/main.cpp"));
-    for source in ["src/motor.c", "src/bessemer_parameter_table.c"] {
-        built("gcc", &arduino, stubs.clone(), &["-std=c99", "-ffp-contract=off", "-c", source]);
-    }
-    let main = main.display().to_string();
-    let words = [
-        &main,
-        "-include",
-        "Arduino.h",
-        "-x",
-        "c++",
-        sketch,
-        "-x",
-        "none",
-        "motor.o",
-        "-o",
-        "sketch",
-    ];
-    built("g++", &arduino, stubs.join("arduino"), &words);
-    toolchain::run(&mut Command::new(arduino.join("sketch")))
-        .unwrap_or_else(|said| panic!("{said}"));
-
-    let px4 = into(System::Px4, "px4");
-    for (message, topic) in
-        [("MotorStepInput", "motor_step_input"), ("MotorStepOutput", "motor_step_output")]
-    {
-        let text = fs::read_to_string(px4.join(format!("msg/{message}.msg"))).expect("a message");
-        let fields = text.lines().filter_map(|line| line.split('#').next()?.trim().split_once(' '));
-        let fields: String = fields
-            .map(|(ty, name)| {
-                format!("{} {name};", ty.replace("float64", "double").replace("uint64", "uint64_t"))
-            })
-            .collect();
-        fs::create_dir_all(px4.join("src/uORB/topics")).expect("a folder");
-        let header =
-            format!("#pragma once\n#include <stdint.h>\nstruct {topic}_s {{ {fields} }};\n");
-        fs::write(px4.join(format!("src/uORB/topics/{topic}.h")), header).expect("a header");
-    }
-    built("g++", &px4, stubs.join("px4"), &["-std=c++14", "-fsyntax-only", "MotorStepModule.cpp"]);
-    for folder in ["zephyr", "arduino", "px4"] {
-        fs::remove_dir_all(package.join(folder)).expect("the folder");
-    }
 }
 
 /// Python with a package that a test needs, if the test takes part in this run.

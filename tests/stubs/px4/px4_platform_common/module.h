@@ -1,6 +1,7 @@
 // A stand-in for PX4's header of this name: as much of its interface as an emitted module needs, so that it compiles in a test.
 #pragma once
 
+#undef __EXPORT // newlib has one of its own
 #define __EXPORT __attribute__((visibility("default")))
 #define PRINT_MODULE_USAGE_NAME(name, category) (void)(name), (void)(category)
 #define PRINT_MODULE_USAGE_COMMAND(command) (void)(command)
