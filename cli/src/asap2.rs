@@ -8,6 +8,7 @@ use std::path::Path;
 
 use bessemer_codegen::c::interface::{Bytes, Enum, Interface, Leaf, Struct};
 use bessemer_project::{Wanted, compile};
+use object::read::elf::SectionHeader as _;
 use object::{Object as _, ObjectSymbol as _};
 
 use crate::args::A2l;
@@ -59,8 +60,13 @@ fn variable<'f>(
         .find(|it| it.name() == Ok(name))
         .ok_or_else(|| wrong(format!("the firmware has no variable `{name}`"), Vec::new()))?;
     let bytes: fn(Bytes) -> u64 = match symbol.size() {
+        // Fields may lie elsewhere although the whole is as large.
+        size if size == ty.size.short_enums
+            && (size != ty.size.int_enums || has_short_enums(elf)) =>
+        {
+            |it| it.short_enums
+        }
         size if size == ty.size.int_enums => |it| it.int_enums,
-        size if size == ty.size.short_enums => |it| it.short_enums,
         size => {
             let (one, other) = (ty.size.int_enums, ty.size.short_enums);
             let why = format!("`{name}` has {size} bytes, and a `{}` {one} or {other}", ty.name);
@@ -70,11 +76,46 @@ fn variable<'f>(
     Ok(Variable { name, ty, address: symbol.address(), bytes })
 }
 
+/// Whether the firmware says that its enums are as short as their values allow: the attribute `Tag_ABI_enum_size` of ARM's ABI.
+fn has_short_enums(elf: &object::File<'_>) -> bool {
+    /// Of ARM's ABI: enums of the smallest size.
+    const ENUM_SIZE: (u64, u64) = (26, 1);
+    let object::File::Elf32(elf) = elf else { return false };
+    let attribute = || -> object::Result<bool> {
+        let table = elf.elf_section_table();
+        let endian = elf.endian();
+        for section in
+            table.iter().filter(|it| it.sh_type(endian) == object::elf::SHT_ARM_ATTRIBUTES)
+        {
+            let mut vendors = section.attributes(endian, elf.data())?.subsections()?;
+            while let Some(vendor) = vendors.next()? {
+                let mut parts = vendor.subsubsections();
+                while let Some(part) = parts.next()? {
+                    let mut reader = part.attributes();
+                    while let Some(tag) = reader.read_tag()? {
+                        match tag {
+                            // Tag_CPU_raw_name, Tag_CPU_name, Tag_compatibility, and odd ones above it: texts.
+                            4 | 5 => _ = reader.read_string()?,
+                            32 => _ = (reader.read_integer()?, reader.read_string()?),
+                            33.. if tag % 2 == 1 => _ = reader.read_string()?,
+                            _ if (tag, reader.read_integer()?) == ENUM_SIZE => return Ok(true),
+                            _ => {}
+                        }
+                    }
+                }
+            }
+        }
+        Ok(false)
+    };
+    attribute().unwrap_or(false)
+}
+
 fn text(package: &str, face: &Interface, variables: &[Variable], little: bool) -> String {
     let name = package.replace('-', "_");
     let order = if little { "MSB_LAST" } else { "MSB_FIRST" };
     let mut text = format!(
-        "ASAP2_VERSION 1 71\n/begin PROJECT {name} \"\"\n  /begin MODULE {name} \"\"\n    /begin MOD_COMMON \"\"\n      \
+        // The mark tells readers that it is UTF-8.
+        "\u{feff}ASAP2_VERSION 1 71\n/begin PROJECT {name} \"\"\n  /begin MODULE {name} \"\"\n    /begin MOD_COMMON \"\"\n      \
          BYTE_ORDER {order}\n    /end MOD_COMMON\n"
     );
     // A flag is a byte.

@@ -2,6 +2,8 @@
 //! only a build of models shows to be wrong.
 
 mod built;
+mod described;
+mod observer;
 mod verified;
 
 use std::fs;
@@ -12,8 +14,8 @@ use bessemer_project::{Wanted, generate};
 use bessemer_tests::golden;
 use bessemer_tests::toolchain;
 use bessemer_tests::workspace::Workspace;
-use cargo_bessemer::args::{A2l, Fmu, New, Python, Sizes};
-use cargo_bessemer::{asap2, fmu, new, python, sizes};
+use cargo_bessemer::args::{Fmu, New, Python, Sizes};
+use cargo_bessemer::{fmu, new, python, sizes};
 
 /// What `gen` says in a folder, without colours; none if it was refused.
 fn generated(folder: &Path, check: bool) -> Result<String, String> {
@@ -69,7 +71,7 @@ fn a_new_package_is_simulated_and_generated() {
     built::packed(&package);
     called_from_python(&package);
     simulated_as_a_unit(&package);
-    calibrated(&package);
+    described::run(&package);
     refusals(&package);
 }
 
@@ -211,57 +213,6 @@ for n in range(100):
 unit.terminate()
 unit.freeInstance()
 ";
-
-/// In ASAP2, with the addresses of a linked program; what is said wrongly of it is told.
-fn calibrated(package: &Path) {
-    let (source, elf) = (package.join("calibrated.c"), package.join("calibrated"));
-    let text = "#include \"motor.h\"\nmotor_t controller;\ngains_t gains;\nint main(void)\n{\n    motor_init(&controller);\n    return 0;\n}\n";
-    fs::write(&source, text).expect("a file");
-    let generated = package.join("generated");
-    let include = format!("-I{}", generated.display());
-    toolchain::GCC
-        .link(&[source.clone(), generated.join("motor.c")], &elf, &[&include])
-        .unwrap_or_else(|said| panic!("{said}"));
-    let told = |variables: &[&str]| {
-        let variables = variables.iter().map(|&it| it.to_owned()).collect();
-        let wanted = A2l { package: Default::default(), elf: elf.clone(), variables };
-        asap2::run(package, &wanted, false).map_err(|error| error.to_string())
-    };
-    let text =
-        told(&["controller=motor_t", "gains=gains_t"]).unwrap_or_else(|said| panic!("{said}"));
-    let symbols = Command::new("nm").arg(&elf).output().expect("nm");
-    let symbols = String::from_utf8_lossy(&symbols.stdout).into_owned();
-    let address = |name: &str| {
-        let line = symbols.lines().find(|line| line.ends_with(&format!(" {name}")));
-        let word = line.and_then(|line| line.split_whitespace().next());
-        u64::from_str_radix(word.unwrap_or_else(|| panic!("{symbols}")), 16).expect("an address")
-    };
-    let measured = format!(
-        "/begin MEASUREMENT controller.integral \"Integral of the error of speed, rad.\" FLOAT64_IEEE UNIT_0 0 0 {:?} {:?} \
-         ECU_ADDRESS {:#X} /end MEASUREMENT",
-        f64::MIN,
-        f64::MAX,
-        address("controller")
-    );
-    assert!(text.contains(&measured), "{text}");
-    let set = format!(
-        "/begin CHARACTERISTIC gains.integral \"Volts for each rad of its integral.\" VALUE {:#X} AS_FLOAT64_IEEE 0 UNIT_2 0.0 20.0 \
-         /end CHARACTERISTIC",
-        address("gains") + 8
-    );
-    assert!(text.contains(&set), "{text}");
-    assert!(text.contains("COMPU_METHOD UNIT_2 \"\" IDENTICAL \"%.17\" \"V/rad\""), "{text}");
-    assert_eq!(text.matches("/begin").count(), text.matches("/end").count());
-    for (variable, said) in [
-        ("controller", "it has no type"),
-        ("controller=pump_t", "the C has no struct `pump_t`"),
-        ("pump=motor_t", "the firmware has no variable `pump`"),
-        ("gains=motor_t", "`gains` has 24 bytes, and a `motor_t` 8 or 8"),
-    ] {
-        assert_eq!(told(&[variable]), Err(format!("`{variable}`: {said}")));
-    }
-    fs::remove_file(&source).and_then(|()| fs::remove_file(&elf)).expect("the program");
-}
 
 /// What is wrong, and what is said of it; then all is as it was.
 fn refusals(package: &Path) {

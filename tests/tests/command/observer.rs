@@ -1,0 +1,93 @@
+//! An observer whose state, parameters and arguments are arrays of several kinds. It is compiled twice: here, where it is the
+//! simulation, and as a file of the package under test, whose C is described to other tools and called from Python.
+
+use bessemer::prelude::*;
+
+/// How it observes.
+#[data]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Mode {
+    /// Not at all.
+    #[default]
+    Off,
+    /// As it is "tuned".
+    Tuned,
+}
+
+/// What it is told. With short enums `period` lies elsewhere, though all of it is as large.
+#[data]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tuning {
+    /// Of each axis.
+    #[unit("N·m/A")]
+    #[range(-1.5..=2.5)]
+    pub slopes: [f32; 3],
+    /// Of both bodies.
+    pub inertia: SMatrix<f64, 2, 3>,
+    /// Anything.
+    pub offset: i64,
+    /// How.
+    pub mode: Mode,
+    /// Between "two" steps.
+    #[unit("µs")]
+    #[range(1..=5000)]
+    pub period: u16,
+}
+
+impl Default for Tuning {
+    fn default() -> Self {
+        Tuning {
+            slopes: [0.1, -0.2, 2.5],
+            mode: Mode::Tuned,
+            period: 5000,
+            inertia: SMatrix::<f64, 2, 3>::new(0.1, 0.2, 0.3, 0.4, 0.5, 0.6),
+            offset: -3,
+        }
+    }
+}
+
+/// What it knows.
+#[component]
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Observer {
+    /// How it observed last.
+    pub mode: Mode,
+    /// Of the last weight.
+    pub sign: i8,
+    /// Where it is.
+    #[unit("m")]
+    pub place: Vector3<f64>,
+    /// What it has learnt.
+    pub gains: SMatrix<f64, 3, 2>,
+    /// How often it was called.
+    pub calls: u8,
+    /// What it was told last.
+    pub told: [Tuning; 2],
+}
+
+#[component]
+impl Observer {
+    /// One step; the 256th is one too many.
+    #[entry]
+    pub fn step(
+        &mut self,
+        tuning: &Tuning,
+        measured: &SMatrix<f64, 2, 3>,
+        drift: &mut Vector3<f64>,
+        weights: &[f32; 3],
+        least: u16,
+    ) -> SMatrix<f64, 3, 2> {
+        self.calls += 1;
+        self.mode = tuning.mode;
+        self.sign = if weights[1] < tuning.slopes[0] { -1 } else { 1 };
+        self.gains = self.gains * 0.5 + (measured + tuning.inertia).transpose();
+        let weights =
+            Vector3::new(f64::from(weights[0]), f64::from(weights[1]), f64::from(weights[2]));
+        let moved = self.gains * Vector2::new(weights.x, weights.y);
+        let period = f64::from(tuning.period.max(least)) * 1e-6;
+        self.place += moved * period + *drift;
+        *drift = self.place * weights.z;
+        self.told = [*tuning, self.told[0]];
+        self.gains
+    }
+}
