@@ -13,10 +13,10 @@ use std::path::Path;
 
 use bessemer_codegen::c::interface::{Entry, Interface, Struct, Value};
 use bessemer_codegen::c::names::Passing;
-use bessemer_codegen::compile::Compiled;
+use bessemer_codegen::compile::{Compiled, Options};
 use bessemer_legs::process;
 use bessemer_legs::toolchain::{CLANG, GCC};
-use bessemer_project::{Wanted, compile};
+use bessemer_project::{Wanted, build_files, compile};
 
 use crate::args::Fmu;
 use crate::error::Error;
@@ -55,7 +55,7 @@ struct Variable<'f> {
 /// Errors of the models or the system; an entry point that a unit cannot have; that there is no compiler.
 pub fn run(folder: &Path, wanted: &Fmu, colour: bool) -> Result<String, Error> {
     let asked = Wanted { package: wanted.package.name(), colour, ..Wanted::default() };
-    let (_, compiled) = compile(folder, asked)?;
+    let (project, compiled) = compile(folder, asked)?;
     let face = &compiled.interface;
     let entry = chosen(face, wanted.entry.as_deref())?;
     let period = wanted.period;
@@ -64,7 +64,9 @@ pub fn run(folder: &Path, wanted: &Fmu, colour: bool) -> Result<String, Error> {
     }
     let name = entry.name.clone();
     let compilers = [GCC, CLANG];
-    let compiler = compilers.iter().find(|it| it.is_there()).ok_or(Error::NoCompiler)?;
+    let compiler = compilers.into_iter().find(|it| it.is_there()).ok_or(Error::NoCompiler)?;
+    let options = &project.settings.options;
+    let compiler = compiler.of(options.standard);
     let failed_c = |said: String| Error::Compiler { name: compiler.name(), said };
     let variables = variables(face, entry)?;
     // The token that an importer compares is a checksum of the C, so that no unit takes another's state or parameters.
@@ -94,7 +96,7 @@ pub fn run(folder: &Path, wanted: &Fmu, colour: bool) -> Result<String, Error> {
             "modelDescription.xml".to_owned(),
             description(&compiled, entry, &variables, (&token, period)).into_bytes(),
         ),
-        ("sources/buildDescription.xml".to_owned(), build(&name, &c).into_bytes()),
+        ("sources/buildDescription.xml".to_owned(), build(&name, options, &c).into_bytes()),
         ("sources/fmi3_unit.c".to_owned(), glue.into_bytes()),
         (binary, std::fs::read(&library).map_err(failed)?),
     ];
@@ -395,13 +397,19 @@ fn description(
     text + &structure + "  </ModelStructure>\n</fmiModelDescription>\n"
 }
 
-fn build(name: &str, sources: &[&str]) -> String {
+fn build(name: &str, options: &Options, sources: &[&str]) -> String {
     let files: String =
         sources.iter().map(|it| format!("      <SourceFile name=\"{it}\"/>\n")).collect();
+    let (language, flags) = (options.standard.iso(), build_files::flags(options));
+    // Where headers have a folder of their own, they are named from that of the sources on.
+    let include = match options.headers.is_empty() {
+        true => "",
+        false => "      <IncludeDirectory name=\".\"/>\n",
+    };
     format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<fmiBuildDescription fmiVersion=\"3.0\">\n  \
          <BuildConfiguration modelIdentifier=\"{name}\">\n    \
-         <SourceFileSet language=\"C99\" compilerOptions=\"-ffp-contract=off\">\n{files}    </SourceFileSet>\n  \
+         <SourceFileSet language=\"{language}\" compilerOptions=\"{flags}\">\n{files}{include}    </SourceFileSet>\n  \
          </BuildConfiguration>\n</fmiBuildDescription>\n"
     )
 }

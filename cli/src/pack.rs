@@ -9,14 +9,12 @@ use std::path::Path;
 use bessemer_codegen::c::interface::Interface;
 use bessemer_codegen::c::names::Passing;
 use bessemer_codegen::compile::Compiled;
+use bessemer_project::build_files::flags;
 use bessemer_project::firmware::{Call, calls, declared};
 use bessemer_project::{Wanted, build_files, compile, parameter_tables};
 
 use crate::args::{Pack, System};
 use crate::error::Error;
-
-/// Flags that the C needs for the bits of the Rust.
-const FLAGS: &str = "-std=c99 -ffp-contract=off";
 
 /// Writes the folder; where it is.
 ///
@@ -35,9 +33,10 @@ pub fn run(folder: &Path, wanted: &Pack, colour: bool) -> Result<String, Error> 
         compiled.files.iter().filter(|it| it.name.ends_with(".c") || it.name.ends_with(".h"));
     let mut files: Vec<(String, String)> =
         sources.map(|it| (format!("src/{}", it.name), it.text.clone())).collect();
+    let flags = flags(&project.settings.options);
     files.extend(match wanted.system {
-        System::Zephyr => zephyr(&name, &compiled),
-        System::Px4 => px4(&name, &compiled),
+        System::Zephyr => zephyr(&name, &compiled, &flags),
+        System::Px4 => px4(&name, &compiled, &flags),
         System::FreeRtos => freertos(&compiled),
         System::Arduino => arduino(&name, &compiled),
     });
@@ -57,7 +56,7 @@ fn head(name: &str, compiled: &Compiled, said: &str, comment: &str) -> String {
     )
 }
 
-fn zephyr(name: &str, compiled: &Compiled) -> Vec<(String, String)> {
+fn zephyr(name: &str, compiled: &Compiled, flags: &str) -> Vec<(String, String)> {
     let upper = name.to_uppercase();
     let c = compiled.files.iter().filter(|it| it.name.ends_with(".c"));
     let sources: String = c.map(|it| format!("    src/{}\n", it.name)).collect();
@@ -78,7 +77,7 @@ fn zephyr(name: &str, compiled: &Compiled) -> Vec<(String, String)> {
             format!(
                 "{top}if(CONFIG_{upper})\n  zephyr_library_named({name})\n  zephyr_include_directories(src)\n  \
                  zephyr_library_sources(\n{sources}  )\n  # The bits of the Rust.\n  \
-                 zephyr_library_compile_options({FLAGS})\nendif()\n"
+                 zephyr_library_compile_options({flags})\nendif()\n"
             ),
         ),
     ];
@@ -222,7 +221,7 @@ fn camel(name: &str) -> String {
     words.map(|it| it[..1].to_uppercase() + &it[1..]).collect()
 }
 
-fn px4(name: &str, compiled: &Compiled) -> Vec<(String, String)> {
+fn px4(name: &str, compiled: &Compiled, flags: &str) -> Vec<(String, String)> {
     let c = compiled.files.iter().filter(|it| it.name.ends_with(".c"));
     let sources: String = c.map(|it| format!("\t\tsrc/{}\n", it.name)).collect();
     let (upper, top) = (name.to_uppercase(), head(name, compiled, "The C of", "#"));
@@ -234,7 +233,7 @@ fn px4(name: &str, compiled: &Compiled) -> Vec<(String, String)> {
     )];
     let mut cmake = format!(
         "{top}px4_add_library({name}_c\n{sources})\ntarget_include_directories({name}_c PUBLIC src)\n\
-         # The bits of the Rust.\ntarget_compile_options({name}_c PRIVATE {FLAGS})\n"
+         # The bits of the Rust.\ntarget_compile_options({name}_c PRIVATE {flags})\n"
     );
     for call in calls(&compiled.interface) {
         let of = &call.entry.name;

@@ -25,7 +25,8 @@ pub fn run(folder: &Path, wanted: &Python, colour: bool) -> Result<String, Error
     let (project, compiled) = compile(folder, asked)?;
     let name = compiled.module.name.replace('-', "_");
     let compilers = [GCC, CLANG];
-    let compiler = compilers.iter().find(|it| it.is_there()).ok_or(Error::NoCompiler)?;
+    let compiler = compilers.into_iter().find(|it| it.is_there()).ok_or(Error::NoCompiler)?;
+    let compiler = compiler.of(project.settings.options.standard);
     let module = wanted.output.join(&name);
     let failed = |source| Error::File { path: module.clone(), source };
     std::fs::create_dir_all(&module).map_err(failed)?;

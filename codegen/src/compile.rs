@@ -14,7 +14,7 @@ use crate::kernels::replace::Replacement;
 use crate::source::Sources;
 use crate::{kernels, passes, typify, validate};
 
-pub use crate::c::{Layout, Math, Options};
+pub use crate::c::{Layout, Math, Options, Standard};
 pub use crate::typify::Typed;
 
 /// A package as IR and as C.

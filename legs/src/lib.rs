@@ -88,6 +88,7 @@ pub fn compiled_with(package: &str, options: &compile::Options) -> Compiled {
     if let Some(folder) = std::env::var_os("BESSEMER_SHOW") {
         for file in &compiled.files {
             let path = std::path::Path::new(&folder).join(&file.name);
+            let _ = path.parent().map(std::fs::create_dir_all);
             std::fs::write(path, &file.text).expect("a folder to show the C in");
         }
     }

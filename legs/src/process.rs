@@ -55,6 +55,7 @@ fn lay_out_files(files: &[CFile]) -> Result<Folder, Error> {
     let mut sources = Vec::new();
     for file in files {
         let path = folder.path().join(&file.name);
+        std::fs::create_dir_all(path.parent().unwrap_or(folder.path()))?;
         std::fs::write(&path, &file.text)?;
         if file.name.ends_with(".c") {
             sources.push(path);
@@ -250,7 +251,7 @@ fn needed<'f>(files: &'f [CFile], main: &str) -> BTreeSet<&'f str> {
     let mut texts: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
     for file in files {
         if let Some((stem, "c" | "h")) = file.name.rsplit_once('.') {
-            texts.entry(stem).or_default().push(&file.text);
+            texts.entry(last(stem)).or_default().push(&file.text);
         }
     }
     let mut needed = BTreeSet::new();
@@ -258,7 +259,7 @@ fn needed<'f>(files: &'f [CFile], main: &str) -> BTreeSet<&'f str> {
     while let Some(text) = open.pop() {
         let headers = text.lines().filter_map(|line| line.strip_prefix("#include \""));
         for header in headers.filter_map(|rest| rest.strip_suffix(".h\"")) {
-            if let Some((stem, texts)) = texts.get_key_value(header)
+            if let Some((stem, texts)) = texts.get_key_value(last(header))
                 && needed.insert(*stem)
             {
                 open.extend(texts);
@@ -266,6 +267,11 @@ fn needed<'f>(files: &'f [CFile], main: &str) -> BTreeSet<&'f str> {
         }
     }
     needed
+}
+
+/// A file's name without the folder of headers that it may be in.
+fn last(path: &str) -> &str {
+    path.rsplit('/').next().unwrap_or(path)
 }
 
 /// No entry's place: the program hands over what it wrote.

@@ -4,12 +4,15 @@
 //! is there is used, so that a plain `cargo test` passes with one C compiler.
 
 use std::collections::BTreeMap;
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{LazyLock, Mutex};
 
 use crate::objects;
+
+use bessemer_codegen::c::Standard;
 
 pub use bessemer_codegen::c::FLAGS;
 pub use bessemer_tools::Missing;
@@ -224,6 +227,15 @@ impl Toolchain {
         asked_for(|| self.is_there())
     }
 
+    /// The same for C of a standard: that of 1999 is among [`FLAGS`].
+    #[must_use]
+    pub fn of(self, standard: Standard) -> Toolchain {
+        match standard {
+            Standard::C99 => self,
+            other => Toolchain { more: other.flags(), ..self },
+        }
+    }
+
     /// As a test names it: `gcc -O2`.
     pub fn name(&self) -> String {
         let more: String = self.more.iter().map(|flag| format!(" {flag}")).collect();
@@ -252,6 +264,8 @@ impl Toolchain {
     fn linking(&self, sources: &[PathBuf], program: &Path, flags: &[&str]) -> Command {
         let mut command = self.command();
         command.args(flags).args(sources).arg("-o").arg(program).arg("-lm");
+        // Headers may lie in a folder of their own below.
+        command.args(sources.iter().take(1).filter_map(|it| it.parent()).flat_map(include));
         command
     }
 
@@ -339,6 +353,7 @@ impl Toolchain {
         if stored.as_ref().is_some_and(|stored| objects::fetch(stored, &object)) {
             return Ok((object, String::new()));
         }
+        command.args(source.parent().into_iter().flat_map(include));
         let said = said(command.arg("-c").arg(source).arg("-o").arg(&object))?;
         if said.is_empty()
             && let Some(stored) = stored
@@ -397,6 +412,11 @@ impl Toolchain {
         }
         Ok(all)
     }
+}
+
+/// The flags by which a source finds what is named from this folder on.
+fn include(folder: &Path) -> [&OsStr; 2] {
+    [OsStr::new("-I"), folder.as_os_str()]
 }
 
 /// Bytes of programs.

@@ -3,6 +3,7 @@
 //! The interface is written by hand, with each type of number and what no table may have: no model has all of it.
 
 use bessemer_codegen::c::interface::{Bytes, Field, Interface, Struct, Value};
+use bessemer_codegen::compile::Options;
 use bessemer_ir::Range;
 use bessemer_project::{interface, parameters};
 use bessemer_tests::toolchain;
@@ -175,7 +176,8 @@ held.len 1: 0 0 -77
 #[test]
 fn a_table_is_listed_read_and_set() {
     let folder = tempfile::tempdir().expect("a folder");
-    let files = parameters::files(&face(), "acme", "MIT");
+    let files =
+        parameters::files(&face(), &Options { status: "acme".into(), ..Options::default() }, "MIT");
     let mut sources = vec![folder.path().join("main.c")];
     std::fs::write(&sources[0], MAIN).expect("a file");
     std::fs::write(folder.path().join("tuned.h"), HEADER).expect("a file");

@@ -6,12 +6,18 @@
 //! It must not know what the C computes.
 
 use bessemer_codegen::c::CFile;
-use bessemer_codegen::compile::Compiled;
+use bessemer_codegen::compile::{Compiled, Options};
 
 use crate::firmware;
 
+/// The flags that the sources need: the standard; no fused multiplications; threads, where kernels have them.
+pub fn flags(options: &Options) -> String {
+    let threads = if options.threads > 1 { " -pthread" } else { "" };
+    format!("{} -ffp-contract=off{threads}", options.standard.flag())
+}
+
 /// The files for the C of a package.
-pub fn files(compiled: &Compiled) -> Vec<CFile> {
+pub fn files(compiled: &Compiled, options: &Options) -> Vec<CFile> {
     let (name, license) = (compiled.module.name.replace('-', "_"), &compiled.license);
     let names = compiled.files.iter().map(|it| it.name.as_str());
     let sources: Vec<&str> = names.filter(|it| it.ends_with(".c")).collect();
@@ -19,18 +25,25 @@ pub fn files(compiled: &Compiled) -> Vec<CFile> {
     let examples = firmware::examples(&compiled.interface, license);
     let stems: Vec<&str> = examples.iter().map(|(stem, _)| stem.as_str()).collect();
     let builds = [
-        file("CMakeLists.txt".to_owned(), cmake(&name, license, &sources, &stems)),
-        file(format!("{name}.mk"), make(&name, license, &sources)),
+        file("CMakeLists.txt".to_owned(), cmake(&name, license, options, (&sources, &stems))),
+        file(format!("{name}.mk"), make(&name, license, options, &sources)),
     ];
     builds.into_iter().chain(examples.into_iter().map(|(_, file)| file)).collect()
 }
 
-fn cmake(name: &str, license: &str, sources: &[&str], examples: &[&str]) -> String {
+fn cmake(
+    name: &str,
+    license: &str,
+    options: &Options,
+    (sources, examples): (&[&str], &[&str]),
+) -> String {
+    let (standard, flags) = (options.standard.flag(), flags(options));
+    let threads = if options.threads > 1 { " -pthread" } else { "" };
     let sources: String = sources.iter().map(|it| format!("\n    {it}")).collect();
     let example = |stem: &&str| {
         format!(
             "add_executable({stem}_example EXCLUDE_FROM_ALL {stem}_example_main.c)\n\
-             target_compile_options({stem}_example PRIVATE -std=c99)\n\
+             target_compile_options({stem}_example PRIVATE {standard})\n\
              target_link_libraries({stem}_example PRIVATE {name})\n"
         )
     };
@@ -64,8 +77,8 @@ target_include_directories({name} PUBLIC
     \"$<INSTALL_INTERFACE:${{CMAKE_INSTALL_INCLUDEDIR}}/{name}>\")
 # The bits of the Rust: no fused multiplications, no fast mathematics. What is one instruction, such as fabs, is no call, whatever
 # flags of the firmware stand before.
-target_compile_options({name} PRIVATE -std=c99 -ffp-contract=off -fbuiltin)
-target_link_libraries({name} PUBLIC m)
+target_compile_options({name} PRIVATE {flags} -fbuiltin)
+target_link_libraries({name} PUBLIC m{threads})
 
 # A firmware that takes the folder in says itself what it installs.
 if(CMAKE_SOURCE_DIR STREQUAL CMAKE_CURRENT_SOURCE_DIR)
@@ -78,7 +91,8 @@ endif()
     )
 }
 
-fn make(name: &str, license: &str, sources: &[&str]) -> String {
+fn make(name: &str, license: &str, options: &Options, sources: &[&str]) -> String {
+    let flags = flags(options);
     let upper = name.to_ascii_uppercase();
     let sources = sources.join(" \\\n    ");
     format!(
@@ -95,7 +109,7 @@ fn make(name: &str, license: &str, sources: &[&str]) -> String {
 {upper}_SOURCES := $(addprefix $({upper}_FOLDER), \\\n    {sources})
 # The bits of the Rust: no fused multiplications, no fast mathematics. What is one instruction, such as fabs, is no call, whatever
 # flags of the firmware stand before.
-{upper}_CFLAGS := -std=c99 -ffp-contract=off -fbuiltin -I$({upper}_FOLDER)
+{upper}_CFLAGS := {flags} -fbuiltin -I$({upper}_FOLDER)
 "
     )
 }

@@ -99,16 +99,17 @@ impl Reader<'_> {
             }
             (Kind::Flag(set), DeValue::Boolean(flag)) => set(&mut self.settings, *flag),
             (Kind::Flag(_), _) => self.unfit(key, at, "true or false"),
-            (Kind::Number(set), found) => {
+            (Kind::Number(largest, set), found) => {
                 let number = found
                     .as_integer()
-                    .and_then(|it| u32::from_str_radix(it.as_str(), it.radix()).ok());
+                    .and_then(|it| u32::from_str_radix(it.as_str(), it.radix()).ok())
+                    .filter(|it| it <= largest);
                 match number {
                     Some(most) => {
                         let (line, column) = self.place(at);
                         set(&mut self.settings, Limit { most, line, column });
                     }
-                    None => self.unfit(key, at, "a whole number from 0 to 4294967295"),
+                    None => self.unfit(key, at, &format!("a whole number from 0 to {largest}")),
                 }
             }
             (Kind::Replacements, found) => self.replacements(found, at),
@@ -196,6 +197,8 @@ fn nearest<'k>(written: &str, known: impl Iterator<Item = &'k str>) -> Option<&'
     /// From 0 to 1: below it, a guess would mislead.
     const NEAR: f64 = 0.8;
     let last = |name: &str| name.rsplit('.').next().unwrap_or_default().to_owned();
+    // A limit is a most by itself: `limits.stack_bytes`, where others write `max_stack`.
+    let written = &*written.replacen("max_", "", 1);
     let likeness = |name: &str| {
         let whole = strsim::jaro_winkler(written, name);
         whole.max(strsim::jaro_winkler(&last(written), &last(name)) - 0.05)
@@ -208,7 +211,8 @@ fn nearest<'k>(written: &str, known: impl Iterator<Item = &'k str>) -> Option<&'
 #[cfg(test)]
 mod tests {
     use super::*;
-    use bessemer_codegen::compile::Layout;
+    use bessemer_codegen::compile::{Layout, Math, Standard};
+    use bessemer_codegen::kernels::{Mode, Tuning};
 
     #[test]
     fn what_is_there_is_set() {
@@ -224,6 +228,55 @@ mod tests {
         assert_eq!(read(NAME, "").expect("empty"), Settings::default());
     }
 
+    /// A field that is added to the options has to be named here, and so to get its key.
+    #[test]
+    fn every_option_has_a_key() {
+        let text = "prefix = \"acme_\"\nheaders = \"acme\"\nstatus = \"motor\"\nhook = \"stop\"\nc_standard = \"gnu11\"\n\
+            math = \"target\"\nlayout = \"array\"\nself_test = true\nkeep_checks = true\n\
+            [kernels]\nmode = \"plain\"\ncode_bytes = 9\nthreads = 2\n\
+            [[replacements]]\nroutine = \"product\"\nlibrary = \"CBLAS\"\ninclude = \"<cblas.h>\"\nbody = [\"x();\"]\n";
+        let set = read(NAME, text).expect("it is sound").options;
+        let Options {
+            prefix,
+            headers,
+            status,
+            hook,
+            // It is `license`, or the package's own.
+            license: _,
+            standard,
+            replacements,
+            kernels: Tuning { code_bytes, mode },
+            threads,
+            math,
+            layout,
+            self_test,
+            keep_checks,
+        } = set;
+        assert_eq!(
+            (prefix.as_str(), headers.as_str(), status.as_str()),
+            ("acme_", "acme", "motor")
+        );
+        assert_eq!(
+            (hook.as_deref(), standard, replacements.len()),
+            (Some("stop"), Standard::Gnu11, 1)
+        );
+        assert_eq!((code_bytes, mode, threads), (9, Mode::Plain, 2));
+        assert_eq!(
+            (math, layout, self_test, keep_checks),
+            (Math::Target, Layout::Array, true, true)
+        );
+    }
+
+    #[test]
+    fn each_standard_is_the_one_of_its_word() {
+        for (word, flag) in
+            [("c99", "-std=c99"), ("c17", "-std=c17"), ("c23", "-std=c2x"), ("gnu23", "-std=gnu2x")]
+        {
+            let set = read(NAME, &format!("c_standard = {word:?}")).expect("it is sound");
+            assert_eq!(set.options.standard.flag(), flag);
+        }
+    }
+
     /// Text, line and column, what is said, and the remedy.
     #[test]
     fn what_is_wrong_is_told_at_its_place() {
@@ -235,6 +288,21 @@ mod tests {
             ("[kernel]\nmode = \"fast\"", 1, 2, "there is no key `kernel`", ""),
             ("[kernels]\nmodus = \"fast\"", 2, 1, "no key `kernels.modus`", "write `kernels.mode`"),
             ("kernels = 3", 1, 11, "`kernels` is a section", "begin it with `[kernels]`"),
+            ("max_stack = 512", 1, 1, "no key `max_stack`", "write `limits.stack_bytes`"),
+            (
+                "[limits]\nmax_text = 9",
+                2,
+                1,
+                "no key `limits.max_text`",
+                "write `limits.text_bytes`",
+            ),
+            ("max_instructions = 9", 1, 1, "no key", "write `limits.instructions`"),
+            ("headers = \"../acme\"", 1, 11, "`headers` takes a folder below", ""),
+            ("headers = \"acme/\"", 1, 11, "`headers` takes a folder below", ""),
+            ("headers = \"/acme\"", 1, 11, "`headers` takes a folder below", ""),
+            ("c_standard = \"c98\"", 1, 14, "`c_standard` takes \"c99\" or \"c11\"", ""),
+            ("kernels.threads = 65", 1, 19, "a whole number from 0 to 64", ""),
+            ("keep_checks = 1", 1, 15, "`keep_checks` takes true or false", ""),
             ("zzz = 3", 1, 1, "no key `zzz`", "choose from output, license"),
             ("prefix = 3", 1, 10, "`prefix` takes letters", "Stands before"),
             ("prefix = \"3d\"", 1, 10, "`prefix` takes letters", ""),

@@ -130,7 +130,7 @@ fn limited(project: &Project, job: &Job) -> Result<Made, Error> {
     hold(project, figures, job.colour)?;
     made.compiled.files.extend(parameter_tables(project, &made.compiled));
     if project.settings.build_files {
-        let more = build_files::files(&made.compiled);
+        let more = build_files::files(&made.compiled, &project.settings.options);
         made.compiled.files.extend(more);
     }
     if project.settings.interface {
@@ -144,7 +144,7 @@ fn limited(project: &Project, job: &Job) -> Result<Made, Error> {
 /// The files of the tables of parameters, where the settings ask for them.
 pub fn parameter_tables(project: &Project, compiled: &Compiled) -> Vec<CFile> {
     let Settings { options, parameters: wanted, .. } = &project.settings;
-    let files = || parameters::files(&compiled.interface, &options.status, &compiled.license);
+    let files = || parameters::files(&compiled.interface, options, &compiled.license);
     wanted.then(files).unwrap_or_default()
 }
 

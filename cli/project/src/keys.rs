@@ -1,6 +1,6 @@
 //! The keys of `bessemer.toml`: one table, which the reader, the JSON Schema and the page of the documentation follow.
 
-use bessemer_codegen::compile::{Layout, Math};
+use bessemer_codegen::compile::{Layout, Math, Standard};
 use bessemer_codegen::kernels::Mode;
 
 use crate::settings::{Limit, Settings};
@@ -25,8 +25,8 @@ pub enum Kind {
     Choice(&'static [&'static str], fn(&mut Settings, usize)),
     /// `true` or `false`.
     Flag(fn(&mut Settings, bool)),
-    /// A whole number of at most 32 bits.
-    Number(fn(&mut Settings, Limit)),
+    /// A whole number up to this one.
+    Number(u32, fn(&mut Settings, Limit)),
     /// A list of tables, read by the compiler's own reader of replacements.
     Replacements,
 }
@@ -36,6 +36,8 @@ pub enum Kind {
 pub enum Form {
     /// A folder, below that of the file or above it.
     Folder,
+    /// A folder below that of the C.
+    Headers,
     /// The beginning of a name of C.
     Prefix,
     /// A name of C's that nobody has reserved.
@@ -49,6 +51,9 @@ impl Form {
     pub fn expected(self) -> &'static str {
         match self {
             Form::Folder => "a folder of its own, such as \"generated\" or \"../firmware/models\"",
+            Form::Headers => {
+                "a folder below that of the C, of letters, digits and `_`, such as \"acme\" or \"acme/control\""
+            }
             Form::Prefix => {
                 "letters, digits and `_`, with a letter first and no reserved name, such as \"acme_\""
             }
@@ -63,6 +68,7 @@ impl Form {
     pub fn pattern(self) -> &'static str {
         match self {
             Form::Folder => r"^.*[^./].*$",
+            Form::Headers => "^([A-Za-z][A-Za-z0-9_]*(/[A-Za-z][A-Za-z0-9_]*)*)?$",
             Form::Prefix => "^([A-Za-z][A-Za-z0-9_]*)?$",
             Form::Name => "^[A-Za-z][A-Za-z0-9_]*$",
             Form::License => r"^[A-Za-z0-9.+:()\- ]+$",
@@ -72,12 +78,16 @@ impl Form {
     /// Tells whether a text has this form.
     pub fn fits(self, text: &str) -> bool {
         let word = |it: char| it.is_ascii_alphanumeric() || it == '_';
-        let named = text.starts_with(|it: char| it.is_ascii_alphabetic()) && text.chars().all(word);
+        let is_name = |text: &str| {
+            text.starts_with(|it: char| it.is_ascii_alphabetic()) && text.chars().all(word)
+        };
+        let named = is_name(text);
         match self {
             Form::Folder => {
                 text.split('/').any(|part| !matches!(part, "" | "." | ".."))
                     && !text.contains(['\0', '\n'])
             }
+            Form::Headers => text.is_empty() || text.split('/').all(is_name),
             Form::Prefix => text.is_empty() || named,
             Form::Name => named && !bessemer_codegen::c::is_reserved(text),
             Form::License => {
@@ -87,6 +97,9 @@ impl Form {
         }
     }
 }
+
+/// The most threads of a kernel, whose handles lie on the stack.
+const THREADS: u32 = 64;
 
 /// Each key, in the order of the documentation.
 pub const KEYS: &[Key] = &[
@@ -109,6 +122,12 @@ pub const KEYS: &[Key] = &[
         says: "Stands before the name of every type, function and file, and so of every include guard.",
     },
     Key {
+        name: "headers",
+        kind: Kind::Text(Form::Headers, |to, text| to.options.headers = text),
+        default: "\"\": beside the sources",
+        says: "The folder of the headers below that of the C: with \"acme\" each file includes `acme/motor.h`, its guard is `ACME_MOTOR_H`, and the include path stays the folder of the C.",
+    },
+    Key {
         name: "status",
         kind: Kind::Text(Form::Name, |to, text| to.options.status = text),
         default: "the prefix without its last `_`, or `\"bessemer\"`",
@@ -119,6 +138,15 @@ pub const KEYS: &[Key] = &[
         kind: Kind::Text(Form::Name, |to, text| to.options.hook = Some(text)),
         default: "none: functions that can fault return a status",
         says: "A function of the firmware that a fault calls and that does not return; then no function returns a status.",
+    },
+    Key {
+        name: "c_standard",
+        kind: Kind::Choice(
+            &["c99", "c11", "c17", "c23", "gnu99", "gnu11", "gnu17", "gnu23"],
+            |to, which| to.options.standard = Standard::ALL[which],
+        ),
+        default: "\"c99\"",
+        says: "The standard that the sources are compiled by: the flag of the build files, of `pack` and of `verify`. From C11 on the sources refuse an older one and check the sizes of numbers by `_Static_assert`; headers stay C99 and C++.",
     },
     Key {
         name: "layout",
@@ -141,6 +169,12 @@ pub const KEYS: &[Key] = &[
         kind: Kind::Flag(|to, flag| to.options.self_test = flag),
         default: "false",
         says: "Whether `bessemer_self_test()` comes along, which tells on the target whether its arithmetic is as the C needs it.",
+    },
+    Key {
+        name: "keep_checks",
+        kind: Kind::Flag(|to, flag| to.options.keep_checks = flag),
+        default: "false",
+        says: "Whether checks that were proved never to fail stand in the C all the same and end the program where one does: to try the proofs on a host, not for a target.",
     },
     Key {
         name: "build_files",
@@ -170,37 +204,43 @@ pub const KEYS: &[Key] = &[
     },
     Key {
         name: "kernels.code_bytes",
-        kind: Kind::Number(|to, it| to.options.kernels.code_bytes = it.most),
+        kind: Kind::Number(u32::MAX, |to, it| to.options.kernels.code_bytes = it.most),
         default: "8192",
         says: "Bytes of code that one kernel may take, by an estimate.",
     },
     Key {
+        name: "kernels.threads",
+        kind: Kind::Number(THREADS, |to, it| to.options.threads = it.most),
+        default: "0",
+        says: "How many POSIX threads share the work of a large kernel, which the target then needs; up to 1, none. `-DBESSEMER_THREADS=4U` of a build goes before it. The bits are the Rust's for any number; kernels of the mode \"plain\" have none.",
+    },
+    Key {
         name: "limits.stack_bytes",
-        kind: Kind::Number(|to, it| to.limits.stack_bytes = Some(it)),
+        kind: Kind::Number(u32::MAX, |to, it| to.limits.stack_bytes = Some(it)),
         default: "none",
         says: "The most stack that an entry point may need, by the estimate that `gen` prints and as `verify --target` measures it: more is an error.",
     },
     Key {
         name: "limits.state_bytes",
-        kind: Kind::Number(|to, it| to.limits.state_bytes = Some(it)),
+        kind: Kind::Number(u32::MAX, |to, it| to.limits.state_bytes = Some(it)),
         default: "none",
         says: "The most memory that a component's state may need: more is an error.",
     },
     Key {
         name: "limits.checks",
-        kind: Kind::Number(|to, it| to.limits.checks = Some(it)),
+        kind: Kind::Number(u32::MAX, |to, it| to.limits.checks = Some(it)),
         default: "none",
         says: "The most checks for faults that may be left in an entry point: more is an error.",
     },
     Key {
         name: "limits.instructions",
-        kind: Kind::Number(|to, it| to.limits.instructions = Some(it)),
+        kind: Kind::Number(u32::MAX, |to, it| to.limits.instructions = Some(it)),
         default: "none",
         says: "The most instructions that a call of an entry point may take, as `verify --target` counts them: more is an error.",
     },
     Key {
         name: "limits.text_bytes",
-        kind: Kind::Number(|to, it| to.limits.text_bytes = Some(it)),
+        kind: Kind::Number(u32::MAX, |to, it| to.limits.text_bytes = Some(it)),
         default: "none",
         says: "The most bytes of instructions and constants that all the C may have on a processor that `verify --target` names: more is an error.",
     },

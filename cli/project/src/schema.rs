@@ -40,7 +40,7 @@ fn property(key: &Key) -> Value {
         Kind::Text(form, _) => json!({ "type": "string", "pattern": form.pattern() }),
         Kind::Choice(words, _) => json!({ "enum": words }),
         Kind::Flag(_) => json!({ "type": "boolean" }),
-        Kind::Number(_) => json!({ "type": "integer", "minimum": 0, "maximum": u32::MAX }),
+        Kind::Number(most, _) => json!({ "type": "integer", "minimum": 0, "maximum": most }),
         Kind::Replacements => json!({ "type": "array", "items": { "type": "object" } }),
     };
     property["description"] = json!(format!("{} Without it: {}.", key.says, key.default));
@@ -58,7 +58,8 @@ pub fn table() -> String {
                 words.iter().map(|word| format!("`\"{word}\"`")).collect::<Vec<_>>().join(", ")
             }
             Kind::Flag(_) => "`true` or `false`".to_owned(),
-            Kind::Number(_) => "a whole number".to_owned(),
+            Kind::Number(u32::MAX, _) => "a whole number".to_owned(),
+            Kind::Number(most, _) => format!("a whole number up to {most}"),
             Kind::Replacements => "a list of tables, `[[replacements]]`".to_owned(),
         };
         // Writing to a string cannot fail.

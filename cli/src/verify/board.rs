@@ -31,7 +31,9 @@ pub fn write(compiled: &Compiled, options: &Options, folder: &Path) -> Result<St
     let failed = |source| Error::File { path: folder.to_owned(), source };
     std::fs::create_dir_all(folder).map_err(failed)?;
     for (name, text) in &sources {
-        std::fs::write(folder.join(name), text).map_err(failed)?;
+        let path = folder.join(name);
+        std::fs::create_dir_all(path.parent().unwrap_or(folder)).map_err(failed)?;
+        std::fs::write(path, text).map_err(failed)?;
     }
     Ok(format!(
         "{} files in {}\n\nBuild them into firmware with your board's start, the three functions of uart.h and, where memory is short,\n\

@@ -4,7 +4,7 @@
 
 use std::fmt::Write as _;
 
-use bessemer_codegen::compile::{Compiled, Options};
+use bessemer_codegen::compile::{Compiled, Options, Standard};
 use bessemer_legs::toolchain::{self, Sizes, Toolchain};
 use bessemer_legs::{harness, process, watch};
 use bessemer_project::{Figure, Limits};
@@ -59,12 +59,12 @@ pub fn machine(target: Target) -> (&'static str, Toolchain) {
 ///
 /// # Errors
 /// The program that is missing, with the line that installs it.
-pub fn processor(target: Target) -> Result<Processor, Error> {
+pub fn processor(target: Target, standard: Standard) -> Result<Processor, Error> {
     let (name, toolchain) = machine(target);
     // gcc makes the plugin that counts.
     let programs = [toolchain.programs(), toolchain::GCC.programs()].concat();
     bessemer_tools::check(&programs)?;
-    Ok(Processor { name, toolchain })
+    Ok(Processor { name, toolchain: toolchain.of(standard) })
 }
 
 /// Calls each case on the processor.

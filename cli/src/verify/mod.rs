@@ -119,14 +119,15 @@ fn compared(
     if compilers.is_empty() {
         return Err(Error::NoCompiler);
     }
-    let targets = wanted.target.iter().map(|target| emulated::processor(*target));
+    let standard = job.options.standard;
+    let targets = wanted.target.iter().map(|target| emulated::processor(*target, standard));
     let targets = targets.collect::<Result<Vec<_>, _>>()?;
     // First what can be out of reach: a board.
     for port in &wanted.serial {
         let outcomes = board::outcomes(&compiled, &cases, port, wanted.baud)?;
         legs.push((port.display().to_string(), outcomes));
     }
-    for toolchain in compilers {
+    for toolchain in compilers.into_iter().map(|it| it.of(standard)) {
         legs.push((toolchain.name(), of_c(&compiled, &cases, &job.options, &toolchain)?));
     }
     let (mut costs, mut figures) = (String::new(), Vec::new());

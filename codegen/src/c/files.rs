@@ -238,7 +238,7 @@ impl Writer<'_> {
     /// The source, and what it uses of what several share.
     fn source(&self) -> (CFile, Uses) {
         let (module, names) = (self.context.module, self.context.names);
-        let mut uses = Uses { file: format!("{}.h", self.name), ..Uses::default() };
+        let mut uses = Uses { file: self.options.header(&self.name), ..Uses::default() };
         let mut includes = Includes::default();
         let mut definitions = Vec::new();
         let mut prototypes = Vec::new();
@@ -447,8 +447,8 @@ impl Writer<'_> {
     }
 
     fn file(&self, extension: &str, items: &[Item], mut includes: Includes) -> CFile {
-        let name = format!("{}.{extension}", self.name);
-        let header = format!("{}.h", self.name);
+        let header = self.options.header(&self.name);
+        let name = if extension == "h" { header.clone() } else { format!("{}.c", self.name) };
         includes.own.remove(&header);
         let source: Vec<&str> = match self.unit.kernel {
             true => vec!["its kernels"],

@@ -18,7 +18,7 @@ use super::tree::Item;
 
 /// The header's name.
 pub fn name(options: &Options) -> String {
-    format!("{}_helpers.h", identifier(&options.status))
+    options.header(&format!("{}_helpers", identifier(&options.status)))
 }
 
 /// The header of these helpers, if there are any.

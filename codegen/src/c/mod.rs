@@ -52,7 +52,7 @@ pub use file::{CFile, MapLine};
 pub use interface::interface;
 pub use library::Math;
 pub use matrices::Layout;
-pub use options::Options;
+pub use options::{Options, Standard};
 pub use print::comment_text;
 pub use report::{EntryReport, Site, report};
 pub use reserved::is_reserved_globally as is_reserved;

@@ -232,7 +232,7 @@ impl Names {
             self.structs.push(StructNames {
                 ty: given_or(&item.given, format!("{base}_t")),
                 init: set_by(module, id).map(|word| format!("{base}_{word}")),
-                header: format!("{}.h", self.placing.struct_file(id)),
+                header: options.header(self.placing.struct_file(id)),
                 base,
                 fields,
                 fault,
@@ -251,7 +251,7 @@ impl Names {
                     .map(|variant| (variant, format!("{prefix}_{}", screaming(&variant.name))))
                     .map(|(variant, name)| given_or(&variant.given, name))
                     .collect(),
-                header: format!("{}.h", self.placing.enum_file(EnumId(index as u32))),
+                header: options.header(self.placing.enum_file(EnumId(index as u32))),
             });
         }
     }
@@ -312,7 +312,7 @@ impl Names {
                 returned: Returned::Nothing,
                 header: match &function.attributes.external {
                     Some(header) => header.clone(),
-                    None => format!("{}.h", self.placing.function_file(id)),
+                    None => options.header(self.placing.function_file(id)),
                 },
             });
         }

@@ -18,14 +18,15 @@ pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {
         return Vec::new();
     }
     let stem = identifier(&options.status);
-    let header = format!("{stem}_self_test.h");
+    let (header, source) =
+        (options.header(&format!("{stem}_self_test")), format!("{stem}_self_test.c"));
     let mut values = Values::new();
     values.insert("name", &format!("{}_SELF_TEST", stem.to_uppercase()));
     values.insert("stem", &stem);
-    let file = |extension: &str, template: &str, system: &[&str]| {
-        let name = format!("{stem}_self_test.{extension}");
+    let file = |name: &str, template: &str, system: &[&str]| {
+        let is_header = name == header;
         let shell = Shell {
-            file: &name,
+            file: name,
             header: &header,
             summary: "whether the target computes as the C needs it.",
             source: &context.module.name,
@@ -35,15 +36,16 @@ pub fn files(context: Context<'_>, options: &Options) -> Vec<CFile> {
             calls: false,
             refuses: false,
         };
-        let (before, after) = frame(&shell, extension == "h", extension == "h");
+        let (before, after) = frame(&shell, is_header, is_header);
         let body = Tera::one_off(template, &values, false);
         let body = body.expect("the templates render: a test renders them");
-        let gap = if extension == "h" { "\n" } else { "" };
-        CFile { name, text: format!("{before}{}{gap}{after}", body.trim_end()), map: Vec::new() }
+        let gap = if is_header { "\n" } else { "" };
+        let text = format!("{before}{}{gap}{after}", body.trim_end());
+        CFile { name: name.to_owned(), text, map: Vec::new() }
     };
-    let source = ["float.h", "math.h", "stdbool.h", "stdint.h", "string.h"];
+    let system = ["float.h", "math.h", "stdbool.h", "stdint.h", "string.h"];
     vec![
-        file("h", include_str!("../../templates/self_test.h.tera"), &["stdint.h"]),
-        file("c", include_str!("../../templates/self_test.c.tera"), &source),
+        file(&header, include_str!("../../templates/self_test.h.tera"), &["stdint.h"]),
+        file(&source, include_str!("../../templates/self_test.c.tera"), &system),
     ]
 }

@@ -43,9 +43,9 @@ pub fn frame(shell: &Shell<'_>, is_header: bool, links: bool) -> (String, String
     (before.to_owned(), after.to_owned())
 }
 
-/// The text of a file that is a template as a whole.
-pub fn whole(shell: &Shell<'_>, template: &str) -> String {
-    rendered(shell, false, false, template)
+/// The text of a file that is a template as a whole, but for a body.
+pub fn whole(shell: &Shell<'_>, template: &str, body: &str) -> String {
+    rendered(shell, false, false, template).replacen(BODY, body, 1)
 }
 
 fn rendered(shell: &Shell<'_>, is_header: bool, links: bool, template: &str) -> String {
@@ -75,7 +75,7 @@ fn rendered(shell: &Shell<'_>, is_header: bool, links: bool, template: &str) -> 
     tera.render("file", &context).expect("the templates render: a test renders them")
 }
 
-/// `height.h` → `HEIGHT_H`.
+/// `height.h` → `HEIGHT_H`, `acme/height.h` → `ACME_HEIGHT_H`.
 fn guard(file: &str) -> String {
-    file.replace(['.', '-'], "_").to_uppercase()
+    file.replace(['.', '-', '/'], "_").to_uppercase()
 }

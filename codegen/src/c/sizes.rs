@@ -12,7 +12,7 @@ use super::spelling::identifier;
 
 /// The header's name.
 pub fn header(options: &Options) -> String {
-    format!("{}_sizes.h", identifier(&options.status))
+    options.header(&format!("{}_sizes", identifier(&options.status)))
 }
 
 /// Whether a constant stands among them.

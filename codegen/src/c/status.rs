@@ -42,7 +42,7 @@ impl StatusNames {
         StatusNames {
             ty: format!("{stem}_status_t"),
             ok: format!("{prefix}_OK"),
-            header: format!("{stem}_status.h"),
+            header: options.header(&format!("{stem}_status")),
             hook: options.hook.clone(),
             prefix,
         }

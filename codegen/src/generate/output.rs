@@ -106,24 +106,44 @@ pub(super) fn write(
     Ok(changed)
 }
 
+/// The files of the folder and of those folders in it that the manifest speaks of, by their names from the folder on.
 fn read(folder: &Path) -> Result<BTreeMap<String, String>, Error> {
     let mut files = BTreeMap::new();
-    let entries = match fs::read_dir(folder) {
-        Ok(entries) => entries,
+    let failed = |path: &Path| {
+        let path = path.to_owned();
+        move |source| Error::File { path, source }
+    };
+    match fs::metadata(folder) {
+        Ok(found) if found.is_dir() => {}
+        Ok(_) => return Err(Error::NotAFolder { path: folder.to_owned() }),
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(files),
         Err(error) if error.kind() == ErrorKind::NotADirectory => {
             return Err(Error::NotAFolder { path: folder.to_owned() });
         }
-        Err(source) => return Err(Error::File { path: folder.to_owned(), source }),
+        Err(source) => return Err(failed(folder)(source)),
+    }
+    let ours = match fs::read(folder.join(manifest::NAME)) {
+        Ok(bytes) => manifest::files_of(&String::from_utf8_lossy(&bytes)),
+        Err(_) => Vec::new(),
     };
-    for entry in entries {
-        let path = entry.map_err(|source| Error::File { path: folder.to_owned(), source })?.path();
-        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        if path.is_dir() {
-            return Err(Error::Foreign { folder: folder.to_owned(), file: name });
+    let mut open = vec![String::new()];
+    while let Some(within) = open.pop() {
+        let inner = folder.join(&within);
+        for entry in fs::read_dir(&inner).map_err(failed(&inner))? {
+            let path = entry.map_err(failed(&inner))?.path();
+            let last = path.file_name().unwrap_or_default().to_string_lossy();
+            let name = format!("{within}{last}");
+            if !path.is_dir() {
+                let bytes = fs::read(&path).map_err(failed(&path))?;
+                files.insert(name, String::from_utf8_lossy(&bytes).into_owned());
+                continue;
+            }
+            let below = format!("{name}/");
+            if !ours.iter().any(|file| file.starts_with(&below)) {
+                return Err(Error::Foreign { folder: folder.to_owned(), file: name });
+            }
+            open.push(below);
         }
-        let bytes = fs::read(&path).map_err(|source| Error::File { path, source })?;
-        files.insert(name, String::from_utf8_lossy(&bytes).into_owned());
     }
     Ok(files)
 }
@@ -202,6 +222,8 @@ fn replace(
     fs::create_dir(&fresh).map_err(failed(&fresh))?;
     for (name, text) in files {
         let path = fresh.join(name);
+        let within = path.parent().unwrap_or(&fresh);
+        fs::create_dir_all(within).map_err(failed(within))?;
         let kept =
             present.get(name) == Some(text) && fs::hard_link(folder.join(name), &path).is_ok();
         if !kept {
@@ -263,7 +285,7 @@ mod tests {
         // A name that no file can have: the new folder cannot be laid out.
         let bad = BTreeMap::from([
             ("a.c".to_owned(), "new".to_owned()),
-            ("x/y.c".to_owned(), String::new()),
+            ("a.c/b.c".to_owned(), String::new()),
         ]);
         assert!(replace(&folder, &bad, &old).is_err());
         assert_eq!(read(&folder)?, old);

@@ -29,7 +29,9 @@ pub fn folder(name: &str, files: &[CFile]) -> PathBuf {
     let _ = std::fs::remove_dir_all(&folder);
     std::fs::create_dir_all(&folder).expect("the target folder is writable");
     for file in files {
-        std::fs::write(folder.join(&file.name), &file.text).expect("the target folder is writable");
+        let path = folder.join(&file.name);
+        std::fs::create_dir_all(path.parent().unwrap_or(&folder)).expect("it is writable");
+        std::fs::write(path, &file.text).expect("the target folder is writable");
     }
     folder
 }

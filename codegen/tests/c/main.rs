@@ -173,6 +173,7 @@ fn it_gets_on_with_others() {
         let module = example(name);
         packages::link_together(name, &module);
         packages::stand_beside_a_vendors(name, &module);
+        packages::stand_in_a_folder(name, &module);
     }
 }
 

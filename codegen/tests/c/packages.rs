@@ -1,9 +1,10 @@
-//! The C of a package in somebody else's tree: beside another package's, and beside headers of the same names.
+//! The C of a package in somebody else's tree: beside another package's, and beside headers of the same names; with each standard
+//! that a project can decide for.
 
 use std::path::Path;
 use std::process::Command;
 
-use bessemer_codegen::c::{CFile, FLAGS, Options, emit};
+use bessemer_codegen::c::{CFile, FLAGS, Options, Standard, emit};
 use bessemer_ir::Module;
 
 use crate::compilers::{folder, is_there, run};
@@ -42,6 +43,50 @@ pub fn link_together(name: &str, module: &Module) {
         link.args(FLAGS).args(["-r", "-nostdlib", "-o", "all.o"]).args(named(&files, ".c")),
         &folder,
     );
+}
+
+/// With headers in a folder of their own, a vendor's of the same names and guards do no harm, though the compiler finds them
+/// first; each compiler takes the C by the standard that was decided for, and refuses it by an older one.
+#[track_caller]
+pub fn stand_in_a_folder(name: &str, module: &Module) {
+    let plain = emit(module, &Options { self_test: true, ..Options::default() });
+    for standard in Standard::ALL {
+        let options = Options {
+            headers: "acme/control".to_owned(),
+            self_test: true,
+            threads: 2,
+            standard,
+            ..Options::default()
+        };
+        let mut files = emit(module, &options);
+        assert_eq!(files.len(), plain.len());
+        let all = named(&files, ".h");
+        assert!(all.iter().all(|it| it.starts_with("acme/control/")), "{all:?}");
+        let includes = all.into_iter().map(include).collect();
+        files.push(CFile { name: "main.c".to_owned(), text: includes, map: Vec::new() });
+        let folder = folder(&format!("folder-{name}-{}", standard.flag()), &files);
+        let vendors = folder.join("vendor");
+        std::fs::create_dir(&vendors).expect("the target folder is writable");
+        for header in named(&plain, ".h") {
+            let guard = header.replace('.', "_").to_uppercase();
+            let text = format!("#ifndef {guard}\n#define {guard}\n#error a vendor's\n#endif\n");
+            std::fs::write(vendors.join(header), text).expect("the target folder is writable");
+        }
+        for compiler in ["gcc", "clang"].into_iter().filter(|it| is_there(it)) {
+            let command = |flag: &str| {
+                let mut command = Command::new(compiler);
+                command.args(FLAGS).args([flag, "-pthread", "-fsyntax-only", "-Ivendor", "-I."]);
+                command.args(named(&files, ".c")).current_dir(&folder);
+                command
+            };
+            run(&mut command(standard.flag()), &folder);
+            if !matches!(standard, Standard::C99 | Standard::Gnu99) {
+                let older = command("-std=c99").output().expect("it is there");
+                let said = String::from_utf8_lossy(&older.stderr);
+                assert!(said.contains("compile it with"), "{compiler} {standard:?}: {said}");
+            }
+        }
+    }
 }
 
 /// A vendor has headers of the same names and guards: with a prefix, both can be included; without one, those of a folder of

@@ -21,7 +21,7 @@ const SUMMARY: &str = "constants, for the sources beside it alone.";
 
 /// The header's name.
 pub(super) fn header(options: &Options) -> String {
-    format!("{}_constants.h", identifier(&options.status))
+    options.header(&format!("{}_constants", identifier(&options.status)))
 }
 
 impl Writer<'_> {
@@ -30,7 +30,7 @@ impl Writer<'_> {
         let names = self.context.names;
         let own: Vec<ConstId> =
             used.iter().copied().filter(|id| names.shared_constant(*id).is_none()).collect();
-        let file = format!("{}.h", self.name);
+        let file = self.options.header(&self.name);
         let list = by_name(&own, |id| names.constant(&file, id));
         let item = |(name, id)| constant(self.context, self.options, id, name, includes);
         list.into_iter().map(item).collect()
@@ -97,7 +97,12 @@ pub(super) fn shared(
     }
     if !defined.is_empty() {
         of_source.own.insert(target::name(options));
-        files.push(file(&header.replace(".h", ".c"), SUMMARY, &defined, of_source));
+        files.push(file(
+            &format!("{}_constants.c", identifier(&options.status)),
+            SUMMARY,
+            &defined,
+            of_source,
+        ));
     }
     if !sizes.is_empty() {
         let mut includes = Includes::default();
