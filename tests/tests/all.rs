@@ -14,6 +14,7 @@ mod edges;
 mod ends;
 mod examples;
 mod fast_mode;
+mod firmware;
 mod flight;
 mod interface;
 mod kernel_options;
