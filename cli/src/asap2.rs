@@ -28,12 +28,12 @@ struct Variable<'f> {
 /// # Errors
 /// Errors of the models or the system; a variable or a type that is not there, or whose sizes differ.
 pub fn run(folder: &Path, wanted: &A2l, colour: bool) -> Result<String, Error> {
-    let asked = Wanted { package: wanted.package.name(), colour, ..Wanted::default() };
-    let (_, compiled) = compile(folder, asked)?;
     let path = folder.join(&wanted.elf);
     let data = std::fs::read(&path).map_err(|source| Error::File { path: path.clone(), source })?;
     let elf = object::File::parse(&*data)
         .map_err(|why| Error::Elf { path: path.clone(), why: why.to_string() })?;
+    let asked = Wanted { package: wanted.package.name(), colour, ..Wanted::default() };
+    let (_, compiled) = compile(folder, asked)?;
     let face = &compiled.interface;
     let mut variables = Vec::new();
     for said in &wanted.variables {

@@ -55,16 +55,16 @@ struct Variable<'f> {
 /// Errors of the models or the system; an entry point that a unit cannot have; that there is no compiler.
 pub fn run(folder: &Path, wanted: &Fmu, colour: bool) -> Result<String, Error> {
     let asked = Wanted { package: wanted.package.name(), colour, ..Wanted::default() };
-    let (project, compiled) = compile(folder, asked)?;
-    let face = &compiled.interface;
-    let entry = chosen(face, wanted.entry.as_deref())?;
     let period = wanted.period;
     if !(period.is_finite() && period > 0.0) {
         return Err(Error::Period);
     }
-    let name = entry.name.clone();
     let compilers = [GCC, CLANG];
     let compiler = compilers.into_iter().find(|it| it.is_there()).ok_or(Error::NoCompiler)?;
+    let (project, compiled) = compile(folder, asked)?;
+    let face = &compiled.interface;
+    let entry = chosen(face, wanted.entry.as_deref())?;
+    let name = entry.name.clone();
     let options = &project.settings.options;
     let compiler = compiler.of(options.standard);
     let failed_c = |said: String| Error::Compiler { name: compiler.name(), said };

@@ -22,10 +22,10 @@ use crate::error::Error;
 /// Errors of the models or the system, or that there is no compiler.
 pub fn run(folder: &Path, wanted: &Python, colour: bool) -> Result<String, Error> {
     let asked = Wanted { package: wanted.package.name(), colour, ..Wanted::default() };
-    let (project, compiled) = compile(folder, asked)?;
-    let name = compiled.module.name.replace('-', "_");
     let compilers = [GCC, CLANG];
     let compiler = compilers.into_iter().find(|it| it.is_there()).ok_or(Error::NoCompiler)?;
+    let (project, compiled) = compile(folder, asked)?;
+    let name = compiled.module.name.replace('-', "_");
     let compiler = compiler.of(project.settings.options.standard);
     let module = wanted.output.join(&name);
     let failed = |source| Error::File { path: module.clone(), source };

@@ -24,15 +24,16 @@ const SECTIONS: &[&str] = &["-ffunction-sections", "-fdata-sections"];
 /// Errors of the models or the system, or that a compiler is missing.
 pub fn run(folder: &Path, asked: &Asked, colour: bool) -> Result<String, Error> {
     let wanted = Wanted { package: asked.package.name(), colour, ..Wanted::default() };
-    let (project, compiled) = compile(folder, wanted)?;
     let named = asked.target.iter().map(|target| verify::machine(*target));
     let mut targets: Vec<(&str, Toolchain)> = named.collect();
     if targets.is_empty() {
         targets.push(("this machine", GCC));
     }
+    // Before a build of a minute, the compilers that it would be in vain without.
+    targets.iter().try_for_each(|(_, it)| bessemer_tools::check(&[it.compiler]))?;
+    let (project, compiled) = compile(folder, wanted)?;
     let mut text = String::new();
     for (index, (name, toolchain)) in targets.into_iter().enumerate() {
-        bessemer_tools::check(&[toolchain.compiler])?;
         let toolchain = toolchain.of(project.settings.options.standard);
         let failed = |said: String| Error::Compiler { name: toolchain.name(), said };
         let laid = process::lay_out(&compiled).map_err(|error| failed(error.to_string()))?;

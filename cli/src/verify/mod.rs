@@ -101,6 +101,14 @@ fn compared(
 ) -> Result<(String, bool), Error> {
     let project = Project::find(folder, wanted.package.name(), colour)?;
     let mut job = project.job(colour);
+    // Before a build of a minute, the programs that it would be in vain without.
+    let standard = job.options.standard;
+    let compilers = toolchain::host();
+    if compilers.is_empty() && wanted.board.is_none() {
+        return Err(Error::NoCompiler);
+    }
+    let targets = wanted.target.iter().map(|target| emulated::processor(*target, standard));
+    let targets = targets.collect::<Result<Vec<_>, _>>()?;
     // What calls the firmware's own function at a fault does not come back to tell of it.
     let hooked = job.options.hook.take().is_some();
     let compiled = generate::compiled(&job).map_err(bessemer_project::Error::from)?.compiled;
@@ -115,13 +123,6 @@ fn compared(
     if let Some(program) = program {
         legs.push(("Rust".to_owned(), of_rust(&cases, &program.path())?));
     }
-    let compilers = toolchain::host();
-    if compilers.is_empty() {
-        return Err(Error::NoCompiler);
-    }
-    let standard = job.options.standard;
-    let targets = wanted.target.iter().map(|target| emulated::processor(*target, standard));
-    let targets = targets.collect::<Result<Vec<_>, _>>()?;
     // First what can be out of reach: a board.
     for port in &wanted.serial {
         let outcomes = board::outcomes(&compiled, &cases, port, wanted.baud)?;

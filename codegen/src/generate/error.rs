@@ -134,8 +134,11 @@ impl Error {
                 ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem => {
                     "make it writable, or generate into another folder: `output = \"…\"` in bessemer.toml".to_owned()
                 }
-                ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
+                ErrorKind::StorageFull | ErrorKind::QuotaExceeded | ErrorKind::FileTooLarge => {
                     "make room there; what was generated before is untouched".to_owned()
+                }
+                ErrorKind::InvalidFilename => {
+                    "generate into another folder: `output = \"…\"` in bessemer.toml".to_owned()
                 }
                 _ => return None,
             },

@@ -66,11 +66,21 @@ fn diff(name: &str, old: Option<&String>, new: Option<&String>, colour: bool, ou
     }
 }
 
-/// Whether the folder could be replaced by the C of `package`, as far as what is in it tells.
+/// Whether the folder could be replaced by the C of `package`, as far as what is in it tells, and whether there is a place for
+/// its stage.
 pub(super) fn ready(folder: &Path, package: &str) -> Result<(), Error> {
+    let folder = &followed(folder);
     let present = read(folder)?;
     refuse_foreign(folder, &present)?;
-    refuse_other(folder, &present, package)
+    refuse_other(folder, &present, package)?;
+    let above = folder.ancestors().skip(1).find(|it| it.is_dir()).unwrap_or(Path::new("."));
+    let tried = tempfile::Builder::new().prefix(&stages(folder)).tempdir_in(above);
+    tried.map(drop).map_err(|source| Error::File { path: folder.clone(), source })
+}
+
+/// The folder that a link leads to: what is replaced is that, not the link.
+fn followed(folder: &Path) -> PathBuf {
+    folder.canonicalize().unwrap_or_else(|_| folder.to_owned())
 }
 
 /// Makes the folder hold `files` and the manifest; gives the names of those that changed.
@@ -79,6 +89,7 @@ pub(super) fn write(
     files: Files,
     manifest: &Manifest,
 ) -> Result<Vec<String>, Error> {
+    let folder = &followed(folder);
     recover(folder)?;
     let present = read(folder)?;
     refuse_foreign(folder, &present)?;
@@ -116,8 +127,10 @@ fn read(folder: &Path) -> Result<BTreeMap<String, String>, Error> {
     match fs::metadata(folder) {
         Ok(found) if found.is_dir() => {}
         Ok(_) => return Err(Error::NotAFolder { path: folder.to_owned() }),
-        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(files),
-        Err(error) if error.kind() == ErrorKind::NotADirectory => {
+        Err(error) if error.kind() == ErrorKind::NotFound && !folder.is_symlink() => {
+            return Ok(files);
+        }
+        Err(error) if [ErrorKind::NotADirectory, ErrorKind::NotFound].contains(&error.kind()) => {
             return Err(Error::NotAFolder { path: folder.to_owned() });
         }
         Err(source) => return Err(failed(folder)(source)),
