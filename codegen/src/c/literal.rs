@@ -1,6 +1,6 @@
 //! Words as C constants that read back to the same bits.
 
-use bessemer_ir::{Float, Int, Scalar, Type};
+use bessemer_ir::{Const, Float, Int, Scalar, Type};
 
 use super::names::Names;
 use super::tree::Expr;
@@ -52,6 +52,14 @@ pub fn needs_math(ty: &Type, word: u64) -> bool {
         Some(Float::F32) => !f32::from_bits(word as u32).is_finite(),
         None => false,
     }
+}
+
+/// Whether a constant is Rust's `f64::NAN`, `f64::INFINITY` or their like, for which C has words in `math.h`.
+pub fn is_word_of_c(item: &Const) -> bool {
+    let (ty, name) = item.name.split_once('_').unwrap_or_default();
+    let of_rust =
+        ["F64", "F32"].contains(&ty) && ["NAN", "INFINITY", "NEG_INFINITY"].contains(&name);
+    of_rust && item.docs.is_empty() && item.words.iter().any(|word| needs_math(&item.ty, *word))
 }
 
 /// Whether a number is read by its bits, and not by its size.

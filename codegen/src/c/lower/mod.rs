@@ -19,6 +19,7 @@ mod place;
 mod range;
 mod routine;
 mod stmt;
+mod unused;
 mod variants;
 mod widths;
 mod word;
@@ -245,7 +246,7 @@ impl<'a> Lower<'a> {
         }
     }
 
-    /// `(void)name;` for locals whose uses C has no need of: a comparison that the types decide.
+    /// Says of parameters that they are not used, and takes out locals whose uses C has no need of.
     fn quiet(&mut self) {
         let params = self.function.params as usize;
         let mut names = Vec::new();
@@ -263,9 +264,7 @@ impl<'a> Lower<'a> {
                 }
             }
         }
-        if !names.is_empty() {
-            quiet_block(&mut self.out, &names);
-        }
+        unused::quiet(&mut self.out, &names);
     }
 
     fn is_fallible(&self) -> bool {
@@ -406,32 +405,6 @@ impl<'a> Lower<'a> {
     fn helper(&mut self, helper: Helper, arguments: Vec<Expr>) -> Expr {
         self.uses.helpers.insert(helper.normal());
         Expr::call(helper.name(), arguments)
-    }
-}
-
-/// Puts `(void)name;` behind the declarations of these names.
-fn quiet_block(block: &mut Vec<Stmt>, names: &[String]) {
-    let mut index = 0;
-    while index < block.len() {
-        match &mut block[index].kind {
-            StmtKind::Declare(declarator, _) if names.contains(&declarator.name) => {
-                let name = Expr::name(&declarator.name);
-                index += 1;
-                block.insert(index, plain(StmtKind::Expr(Expr::cast("void", name))));
-            }
-            StmtKind::If { then, otherwise, .. } => {
-                quiet_block(then, names);
-                quiet_block(otherwise, names);
-            }
-            StmtKind::Switch { arms, .. } => {
-                arms.iter_mut().for_each(|arm| quiet_block(&mut arm.body, names));
-            }
-            StmtKind::For { body, .. } | StmtKind::While { body, .. } | StmtKind::Block(body) => {
-                quiet_block(body, names)
-            }
-            _ => {}
-        }
-        index += 1;
     }
 }
 

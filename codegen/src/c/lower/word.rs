@@ -32,6 +32,14 @@ impl Lower<'_> {
                     None => literal::word(self.context.names, &expr.ty, *word),
                 }
             }
+            // C has words of its own for a NaN and for infinity.
+            ExprKind::Const(id)
+                if literal::is_word_of_c(&self.context.module.consts[id.index()]) =>
+            {
+                self.uses.math = true;
+                let item = &self.context.module.consts[id.index()];
+                literal::word(self.context.names, &item.ty, item.words[0])
+            }
             ExprKind::Const(id) => {
                 self.uses.consts.insert(*id);
                 Expr::name(self.constant(*id))

@@ -43,8 +43,6 @@ void best_of_nearest(const float values[5], float to, option_usize_t *result)
             best_holds = !best_choice;
         }
         if (best_holds) {
-            const pair_usize_f32_t best = before.value;
-            (void)best;
             found = before;
         }
     }
@@ -76,8 +74,6 @@ void best_of_peak(const uint8_t values[5], option_usize_t *result)
             result_holds = !(result_choice >= result_choice_2);
         }
         if (result_holds) {
-            const pair_usize_u8_t best = before.value;
-            (void)best;
             found = before;
         }
     }

@@ -36,8 +36,6 @@ void numbered_strongest(bin_t bins[4], option_pair_usize_f32_t *result)
             result_holds = !(!result_choice);
         }
         if (result_holds) {
-            const pair_usize_f32_t best = before.value;
-            (void)best;
             *result = before;
         }
     }

@@ -2,9 +2,6 @@
 
 /* tried_folds.c */
 
-static const float F32_INFINITY = INFINITY;
-static const float F32_NEG_INFINITY = -INFINITY;
-
 void tried_folds_total(const uint8_t values[5], option_u8_t *result)
 {
     result->is_some = true;
@@ -69,8 +66,8 @@ void tried_folds_return_letter(result_u16_tried_folds_trouble_t *result)
 void tried_folds_span(const float readings[4], option_pair_f32_f32_t *result)
 {
     result->is_some = true;
-    result->value.first = F32_INFINITY;
-    result->value.second = F32_NEG_INFINITY;
+    result->value.first = INFINITY;
+    result->value.second = -INFINITY;
     for (uint32_t i = 0U; i < 4U; i++) {
         const float least = result->value.first;
         const float greatest = result->value.second;

@@ -166,8 +166,6 @@ void orders_longest(const orders_task_t tasks[4], option_task_t *result)
             result_holds = !(!result_choice);
         }
         if (result_holds) {
-            const orders_task_t best = before.value;
-            (void)best;
             *result = before;
         }
     }

@@ -146,8 +146,6 @@ void sorted_nearest(const double values[5], double guess, option_f64_t *result)
             result_holds = !result_choice;
         }
         if (result_holds) {
-            const double best = before.value;
-            (void)best;
             *result = before;
         }
     }

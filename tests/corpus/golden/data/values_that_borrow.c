@@ -2,8 +2,6 @@
 
 /* store.c */
 
-static const double F64_NEG_INFINITY = -(double)INFINITY;
-
 static void values_that_borrow_store_held(const values_that_borrow_store_t *self,
     slice_f64_t *result);
 
@@ -36,7 +34,7 @@ bessemer_status_t values_that_borrow_store_step(values_that_borrow_store_t *self
         self->values[self->count] = value;
         self->count += UINT64_C(1);
     }
-    double most_value = F64_NEG_INFINITY;
+    double most_value = -(double)INFINITY;
     slice_f64_t slice;
     values_that_borrow_store_held(self, &slice);
     if (slice.from > UINT64_MAX - slice.length) {

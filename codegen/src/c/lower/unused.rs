@@ -1,0 +1,135 @@
+//! Locals that nothing in the C reads: a comparison that the types decide, a part that only checks needed.
+//!
+//! `(void)name;` stands behind the declaration of such a one. What does no more than copy a place that is read elsewhere
+//! goes, and with it the only mention; what has another value stays, for it may call.
+
+use crate::c::tree::{Expr, Init, Step, Stmt, StmtKind, plain};
+
+/// Puts `(void)name;` behind the declarations of these names, and takes out the copies that nothing reads.
+pub(super) fn quiet(body: &mut Vec<Stmt>, names: &[String]) {
+    if !names.is_empty() {
+        say(body, names);
+    }
+    while drop_copy(body, &body.clone()) {}
+}
+
+fn say(body: &mut Vec<Stmt>, names: &[String]) {
+    let mut index = 0;
+    while index < body.len() {
+        if let StmtKind::Declare(declarator, _) = &body[index].kind
+            && names.contains(&declarator.name)
+        {
+            let name = Expr::name(&declarator.name);
+            index += 1;
+            body.insert(index, plain(StmtKind::Expr(Expr::cast("void", name))));
+        }
+        inner_mut(&mut body[index].kind).into_iter().for_each(|block| say(block, names));
+        index += 1;
+    }
+}
+
+/// Takes out the declaration and its `(void)` of one copy that nothing in its block reads, and whose place is read elsewhere
+/// in `body`; whether there was one.
+fn drop_copy(block: &mut Vec<Stmt>, body: &[Stmt]) -> bool {
+    let unread = |at: &usize| {
+        let [
+            Stmt { kind: StmtKind::Declare(declarator, Some(Init::Value(value))), .. },
+            next,
+            rest @ ..,
+        ] = &block[*at..]
+        else {
+            return false;
+        };
+        let said = StmtKind::Expr(Expr::cast("void", Expr::name(&declarator.name)));
+        let elsewhere = |place| mentions(body, place) > 1;
+        next.kind == said
+            && mentions(rest, &declarator.name) == 0
+            && root(value).is_some_and(elsewhere)
+    };
+    if let Some(at) = (0..block.len()).find(unread) {
+        block.drain(at..at + 2);
+        return true;
+    }
+    block.iter_mut().flat_map(|stmt| inner_mut(&mut stmt.kind)).any(|block| drop_copy(block, body))
+}
+
+/// The variable of which an expression is a part, if it is no more than that.
+fn root(place: &Expr) -> Option<&str> {
+    match place {
+        Expr::Name(name) => Some(name),
+        Expr::Member(of, _) | Expr::Arrow(of, _) => root(of),
+        _ => None,
+    }
+}
+
+/// The blocks in a statement.
+fn inner(kind: &StmtKind) -> Vec<&Vec<Stmt>> {
+    match kind {
+        StmtKind::If { then, otherwise, .. } => vec![then, otherwise],
+        StmtKind::Switch { arms, .. } => arms.iter().map(|arm| &arm.body).collect(),
+        StmtKind::For { body, .. } | StmtKind::While { body, .. } | StmtKind::Block(body) => {
+            vec![body]
+        }
+        _ => Vec::new(),
+    }
+}
+
+fn inner_mut(kind: &mut StmtKind) -> Vec<&mut Vec<Stmt>> {
+    match kind {
+        StmtKind::If { then, otherwise, .. } => vec![then, otherwise],
+        StmtKind::Switch { arms, .. } => arms.iter_mut().map(|arm| &mut arm.body).collect(),
+        StmtKind::For { body, .. } | StmtKind::While { body, .. } | StmtKind::Block(body) => {
+            vec![body]
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// How often the variable is named, its declaration left aside.
+fn mentions(body: &[Stmt], name: &str) -> usize {
+    body.iter().map(|stmt| of_statement(&stmt.kind, name)).sum()
+}
+
+fn of_statement(kind: &StmtKind, name: &str) -> usize {
+    let of = |expr: &Expr| of_expression(expr, name);
+    let own = match kind {
+        StmtKind::Declare(_, Some(init)) => of_init(init, name),
+        StmtKind::Expr(value) | StmtKind::Return(Some(value)) => of(value),
+        StmtKind::Assign(place, _, value) => of(place) + of(value),
+        StmtKind::Build(place, _, init) => of(place) + of_init(init, name),
+        StmtKind::If { condition, .. } | StmtKind::While { condition, .. } => of(condition),
+        StmtKind::Switch { scrutinee, .. } => of(scrutinee),
+        StmtKind::For { init: (_, first), condition, step, .. } => {
+            let step = match step {
+                Some(Step::Expr(value)) => of(value),
+                Some(Step::Assign(place, value)) => of(place) + of(value),
+                None => 0,
+            };
+            of(first) + of(condition) + step
+        }
+        _ => 0,
+    };
+    own + inner(kind).into_iter().map(|block| mentions(block, name)).sum::<usize>()
+}
+
+fn of_init(init: &Init, name: &str) -> usize {
+    match init {
+        Init::Value(value) => of_expression(value, name),
+        Init::List { items, .. } => items.iter().map(|(_, item)| of_init(item, name)).sum(),
+    }
+}
+
+fn of_expression(expr: &Expr, name: &str) -> usize {
+    let of = |expr: &Expr| of_expression(expr, name);
+    match expr {
+        Expr::Name(it) => usize::from(it == name),
+        Expr::Unary(_, of_it)
+        | Expr::Cast(_, of_it)
+        | Expr::Member(of_it, _)
+        | Expr::Arrow(of_it, _)
+        | Expr::Postfix(of_it, _) => of(of_it),
+        Expr::Binary(_, left, right) | Expr::Index(left, right) => of(left) + of(right),
+        Expr::Conditional(condition, left, right) => of(condition) + of(left) + of(right),
+        Expr::Call(_, arguments) => arguments.iter().map(of).sum(),
+    }
+}
