@@ -1,4 +1,4 @@
-#define DOWN (4U / LANES)
+#define VECTORS (4U / LANES)
 
 typedef $real lanes_t __attribute__((vector_size($bytes * LANES), aligned($bytes), may_alias));
 
@@ -6,21 +6,21 @@ typedef $real lanes_t __attribute__((vector_size($bytes * LANES), aligned($bytes
    by that. */
 static void take($real *tile, const $real *rows, const $real *columns, uint32_t known, const $real *top)
 {
-    lanes_t sums[4][DOWN];
+    lanes_t sums[4][VECTORS];
 #pragma GCC unroll 4
     for (uint32_t column = 0U; column < 4U; column++) {
 #pragma GCC unroll 2
-        for (uint32_t down = 0U; down < DOWN; down++) {
-            sums[column][down] = *(const lanes_t *)&tile[$n * column + LANES * down];
+        for (uint32_t vector = 0U; vector < VECTORS; vector++) {
+            sums[column][vector] = *(const lanes_t *)&tile[$n * column + LANES * vector];
         }
     }
     for (; known > 0U; known--) {
 #pragma GCC unroll 2
-        for (uint32_t down = 0U; down < DOWN; down++) {
-            const lanes_t four = *(const lanes_t *)&rows[LANES * down];
+        for (uint32_t vector = 0U; vector < VECTORS; vector++) {
+            const lanes_t four = *(const lanes_t *)&rows[LANES * vector];
 #pragma GCC unroll 4
             for (uint32_t column = 0U; column < 4U; column++) {
-                sums[column][down] -= four * columns[column];
+                sums[column][vector] -= four * columns[column];
             }
         }
         rows += $n;
@@ -32,21 +32,21 @@ static void take($real *tile, const $real *rows, const $real *columns, uint32_t 
 #pragma GCC unroll 4
             for (uint32_t k = 0U; k < column; k++) {
 #pragma GCC unroll 2
-                for (uint32_t down = 0U; down < DOWN; down++) {
-                    sums[column][down] -= sums[k][down] * top[column + $n * k];
+                for (uint32_t vector = 0U; vector < VECTORS; vector++) {
+                    sums[column][vector] -= sums[k][vector] * top[column + $n * k];
                 }
             }
 #pragma GCC unroll 2
-            for (uint32_t down = 0U; down < DOWN; down++) {
-                sums[column][down] /= top[column + $n * column];
+            for (uint32_t vector = 0U; vector < VECTORS; vector++) {
+                sums[column][vector] /= top[column + $n * column];
             }
         }
     }
 #pragma GCC unroll 4
     for (uint32_t column = 0U; column < 4U; column++) {
 #pragma GCC unroll 2
-        for (uint32_t down = 0U; down < DOWN; down++) {
-            *(lanes_t *)&tile[$n * column + LANES * down] = sums[column][down];
+        for (uint32_t vector = 0U; vector < VECTORS; vector++) {
+            *(lanes_t *)&tile[$n * column + LANES * vector] = sums[column][vector];
         }
     }
 }

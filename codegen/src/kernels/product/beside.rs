@@ -23,7 +23,7 @@ const LEFT: &str = "columns_beside(a, &b[$inner * $whole], &result[$rows * $whol
 /// The terms that are left, whose numbers fill no vector.
 const REST: &str = "\
 #pragma GCC unroll 4
-    for (uint32_t k = $inner - $inner % TOGETHER; k < $inner; k++) {
+    for (uint32_t k = $inner - $inner % NUMBERS_AT_ONCE; k < $inner; k++) {
 #pragma GCC unroll 4
         for (uint32_t column = 0U; column < beside; column++) {
             const $real number = b[k + $inner * column];
@@ -35,11 +35,11 @@ const REST: &str = "\
 
 /// A product goes to its sum; of `f64`, gcc copies less if the product has a register of its own.
 const PRODUCTS: [&str; 2] = [
-    "            lanes_t product = rows[down] * number;
+    "            lanes_t product = rows[vector] * number;
             IN_ITS_REGISTER(product);
-            sums[column][down] += product;
+            sums[column][vector] += product;
 ",
-    "            sums[column][down] += rows[down] * number;
+    "            sums[column][vector] += rows[vector] * number;
 ",
 ];
 

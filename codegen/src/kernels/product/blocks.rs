@@ -16,7 +16,7 @@ const LAST_NUMBER: &str = include_str!("last_number.c");
 const TERMS: &str = "\
 #pragma GCC unroll 32
     for (uint32_t k = 1U; k < $inner; k++) {
-        add_term(a, b, k, sums, across, down);
+        add_term(a, b, k, sums, columns, vectors);
     }
 ";
 
@@ -25,24 +25,24 @@ const TURNS: &str = "    \
     for (uint32_t k = FIRST_TERMS; k < $inner; k += TERMS) {
 #pragma GCC unroll 32
         for (uint32_t next = 0U; next < TERMS; next++) {
-            add_term(a, b, k + next, sums, across, down);
+            add_term(a, b, k + next, sums, columns, vectors);
         }
     }
 ";
 const FIRST_TERMS: &str = "\
 #pragma GCC unroll 32
     for (uint32_t k = 1U; k < FIRST_TERMS; k++) {
-        add_term(a, b, k, sums, across, down);
+        add_term(a, b, k, sums, columns, vectors);
     }
 ";
 
 /// The blocks where a band has all rows.
-const ONE_BAND: &str = "band(a, b, result, ACROSS, DOWN$share);\n";
+const ONE_BAND: &str = "band(a, b, result, COLUMNS, VECTORS$share);\n";
 
 /// The last row, where it goes by numbers.
 const GIVE_LAST_ROW: &str = "\
 for (uint32_t column = $begin_alone; column < $columns; column += $apart_alone) {
-    const uint32_t first = (column + ALONE <= $columns) ? column : $columns - ALONE;
+    const uint32_t first = (column + LAST_ROW_COLUMNS <= $columns) ? column : $columns - LAST_ROW_COLUMNS;
     last_row(&a[$bottom], &b[$at_first], &result[$rows - 1U + $rows * first]);
 }
 ";
@@ -50,12 +50,12 @@ const GIVE_LAST_NUMBER: &str = "result[$rows - 1U] = last_number(&a[$bottom], b)
 
 /// The columns that are left beside the blocks of a band.
 const LEFT: &str = "    \
-    const uint32_t left = $columns % across;
+    const uint32_t left = $columns % columns;
     const uint32_t whole = $columns - left;
 ";
 const BESIDE: &str = "    \
     if ($if_left) {
-        block(a, &b[$at_whole], &result[$rows * whole], left, down);
+        block(a, &b[$at_whole], &result[$rows * whole], left, vectors);
     }
 ";
 
@@ -114,7 +114,7 @@ impl Blocks {
     /// What says that a target goes by blocks.
     pub fn condition(&self) -> &'static str {
         // A column goes by nothing else.
-        if self.is_column() { "LANES" } else { "ACROSS" }
+        if self.is_column() { "LANES" } else { "COLUMNS" }
     }
 
     /// What a target defines.
@@ -123,15 +123,15 @@ impl Blocks {
         let column = self.is_column();
         let mut text = String::new();
         if !column {
-            text += &format!("#define ACROSS {}U\n", first.across);
+            text += &format!("#define COLUMNS {}U\n", first.across);
         }
         if let Some(Band { down, across }) = last {
-            text += &format!("#define LAST_DOWN {down}U\n");
+            text += &format!("#define LAST_VECTORS {down}U\n");
             text +=
-                &if column { String::new() } else { format!("#define LAST_ACROSS {across}U\n") };
+                &if column { String::new() } else { format!("#define LAST_COLUMNS {across}U\n") };
         }
         if let Some(alone) = alone {
-            text += &format!("#define ALONE {alone}U\n");
+            text += &format!("#define LAST_ROW_COLUMNS {alone}U\n");
         }
         if column {
             return text;
@@ -153,7 +153,7 @@ impl Blocks {
         };
         let alone = |text: &str| match self.alone {
             true => format!(
-                "\n#if defined(ALONE)\n{}#endif\n",
+                "\n#if defined(LAST_ROW_COLUMNS)\n{}#endif\n",
                 text.replace("$alone_unrolled", unrolled)
             ),
             false => String::new(),
@@ -176,7 +176,7 @@ impl Blocks {
             }
         };
         text += &alone(LAST_ROW);
-        format!("\n#if defined(ACROSS)\n{text}#endif\n")
+        format!("\n#if defined(COLUMNS)\n{text}#endif\n")
     }
 
     /// What stands in the function.
@@ -187,9 +187,9 @@ impl Blocks {
             false => BLOCKS.replace("$last_alone", alone),
         };
         if self.is_column() {
-            body = body.replace("LAST_ACROSS, ", "").replace("ACROSS, ", "");
+            body = body.replace("LAST_COLUMNS, ", "").replace("COLUMNS, ", "");
         }
-        for (name, used) in [("LAST_DOWN", self.last), ("ALONE", self.alone)] {
+        for (name, used) in [("LAST_VECTORS", self.last), ("LAST_ROW_COLUMNS", self.alone)] {
             if !used {
                 body = without(&body, name);
             }
@@ -205,15 +205,15 @@ impl Blocks {
         let mut text = String::new();
         if self.alone {
             text += &format!(
-                "/* The rows of all bands. */\n#if defined(ALONE)\n#define BANDED {}U\n#else\n\
+                "/* The rows of all bands. */\n#if defined(LAST_ROW_COLUMNS)\n#define BANDED {}U\n#else\n\
                  #define BANDED {rows}\n#endif\n\n",
                 self.sizes.rows - 1
             );
         }
         if self.last {
             text += &format!(
-                "/* Where the last band begins, if it is another. */\n#if defined(LAST_DOWN)\n\
-                 #define END ({banded} - LANES * LAST_DOWN)\n#else\n#define END {banded}\n#endif\n\n"
+                "/* Where the last band begins, if it is another. */\n#if defined(LAST_VECTORS)\n\
+                 #define END ({banded} - LANES * LAST_VECTORS)\n#else\n#define END {banded}\n#endif\n\n"
             );
         }
         let widest = format!("{}U", self.widest);

@@ -203,7 +203,8 @@ fn parts(count: u32, tile: u32) -> Vec<(u32, u32, bool)> {
 fn tile(real: &str, (height, width): (u32, u32), sizes: Sizes, unrolled: bool) -> String {
     let Sizes { rows, inner, left, right, .. } = sizes;
     let mut text = format!(
-        "/* A tile of {height} by {width} elements: the first products, then the others in order. */\n\
+        "/* A tile of {height} by {width} elements: y<row><column> is a sum in a register. The first products, then a term of\n\
+         \x20  each sum for each k, in the order of k. */\n\
          static void tile_{height}x{width}(const {real} *a, const {real} *b, {real} *result)\n{{\n"
     );
     // Writing to a string cannot fail.

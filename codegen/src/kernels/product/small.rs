@@ -159,10 +159,16 @@ fn two_columns(element: Float, sizes: Sizes) -> String {
 }
 
 /// Single numbers: the first products, then the others in order, and the result when no operand is needed any more.
+///
+/// A sum in one expression would be shorter, but compilers then load operands again, as registers run out: products of four
+/// by four took a tenth more instructions on a Cortex-A9, and on a Cortex-M4F, where doubles are in software, a quarter.
 fn plain(element: Float, sizes: Sizes) -> String {
     let Sizes { rows, inner, columns, left, right } = sizes;
     let real = real(element);
-    let mut text = String::new();
+    let mut text = String::from(
+        "/* y<row><column> starts as its first product and takes the others in order: each k gives all sums a term, so\n\
+         \x20  that an element that is loaded is used at once. Stored when nothing is read any more. */\n",
+    );
     for k in 0..inner {
         for row in 0..rows {
             let _ = writeln!(text, "const {real} a{row}{k} = a[{}];", left.0 * row + left.1 * k);

@@ -1,7 +1,7 @@
         number = $spread;
 #pragma GCC unroll 16
-        for (uint32_t down = 0U; down < DOWN; down++) {
-            sums[down] += *(const lanes_t *)&a[$rows * (k + $next) + OFFSET(down)] * number;
-            IN_ITS_REGISTER(sums[down]);
+        for (uint32_t vector = 0U; vector < VECTORS; vector++) {
+            sums[vector] += *(const lanes_t *)&a[$rows * (k + $next) + OFFSET(vector)] * number;
+            IN_ITS_REGISTER(sums[vector]);
         }
 $last_term

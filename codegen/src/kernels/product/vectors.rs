@@ -51,14 +51,35 @@ const COMMON: &str = include_str!("common.c");
 /// The rows of a band, for what goes through them.
 const HEIGHT: &str = "\
 /* The rows of a band. */
-#define HEIGHT ((LANES * DOWN < $rows) ? LANES * DOWN : $rows)
+#define HEIGHT ((LANES * VECTORS < $rows) ? LANES * VECTORS : $rows)
 ";
 
 /// What the words mean by which targets say how they go about it.
-const WORDS: [(&str, &str); 3] = [
-    ("LANES", "/* Vectors of LANES numbers, DOWN of them below one another for the rows of a sum."),
-    ("HELD", "\n   HELD: registers have room for all of a."),
-    ("TOGETHER", "\n   TOGETHER: so many numbers of b are loaded at once."),
+const WORDS: [(&str, &str); 9] = [
+    (
+        "LANES",
+        "/* LANES: numbers in a vector.\n   VECTORS: vectors below one another, which hold the rows of a column.",
+    ),
+    (
+        "A_IN_REGISTERS",
+        "\n   A_IN_REGISTERS: there are registers for all of a, which is loaded once.",
+    ),
+    ("NUMBERS_AT_ONCE", "\n   NUMBERS_AT_ONCE: numbers of b that one load brings."),
+    (
+        "COLUMNS",
+        "\n   COLUMNS: columns of the result side by side, whose sums are in registers together.",
+    ),
+    ("LAST_VECTORS", "\n   LAST_VECTORS: VECTORS, for the rows that are left."),
+    ("LAST_COLUMNS", "\n   LAST_COLUMNS: COLUMNS, for them."),
+    (
+        "LAST_ROW_COLUMNS",
+        "\n   LAST_ROW_COLUMNS: columns at a time of a last row that fills no vector.",
+    ),
+    ("TERMS", "\n   TERMS: terms of the sums in a turn of the loop over them."),
+    (
+        "FIRST_TERMS",
+        "\n   FIRST_TERMS: so many, with the first products, come before the first turn.",
+    ),
 ];
 
 const GATHER: &str = include_str!("gather.c");
@@ -150,7 +171,7 @@ pub(super) fn source(
     let mut word = "if";
     let uses = |wanted: fn(Form) -> bool| plans.iter().any(|(_, plan)| wanted(plan.form));
     if uses(|form| form == Form::Held) {
-        body += &format!("#{word} defined(HELD)\n{HELD}");
+        body += &format!("#{word} defined(A_IN_REGISTERS)\n{HELD}");
         word = "elif";
     }
     let beside = plans.iter().find_map(|(_, plan)| match plan.form {
@@ -163,8 +184,8 @@ pub(super) fn source(
             (1, true) => (column(element, sizes.inner, last), WHOLE_COLUMNS.to_owned()),
             _ => beside::source(element, sizes, beside),
         };
-        before += &format!("\n#if defined(TOGETHER)\n{functions}#endif\n");
-        body += &format!("#{word} defined(TOGETHER)\n{calls}");
+        before += &format!("\n#if defined(NUMBERS_AT_ONCE)\n{functions}#endif\n");
+        body += &format!("#{word} defined(NUMBERS_AT_ONCE)\n{calls}");
         word = "elif";
     }
     if uses(|form| matches!(form, Form::Blocks(_))) {
@@ -206,12 +227,12 @@ fn branch(target: &Target, element: Float, plan: Plan, mode: Mode, blocks: &Bloc
             &format!("{FUSED}{TIMES}#define PLUS(sum, rows, number) ((lanes_t){plus})\n#endif\n");
     }
     let form = match form {
-        Form::Held => "#define HELD\n".to_owned(),
-        Form::Columns(_) => format!("#define TOGETHER {lanes}U\n"),
+        Form::Held => "#define A_IN_REGISTERS\n".to_owned(),
+        Form::Columns(_) => format!("#define NUMBERS_AT_ONCE {lanes}U\n"),
         Form::Blocks(bands) => blocks.defines(&bands),
     };
     format!(
-        "if {}\n{text}#define LANES {lanes}U\n#define DOWN {down}U\n{form}",
+        "if {}\n{text}#define LANES {lanes}U\n#define VECTORS {down}U\n{form}",
         vectors_if(&condition),
     )
 }
@@ -295,11 +316,14 @@ fn values(element: Float, sizes: Sizes, shares: bool) -> Vec<(&'static str, Stri
         ("in_turn", in_turn.to_owned()),
         ("apart", format!("{}U", sizes.left.0)),
         ("bytes", bytes(element).to_string()),
-        ("begin", if shares { "from * across" } else { "0U" }.to_owned()),
-        ("apart_columns", if shares { "apart * across" } else { "across" }.to_owned()),
+        ("begin", if shares { "from * columns" } else { "0U" }.to_owned()),
+        ("apart_columns", if shares { "apart * columns" } else { "columns" }.to_owned()),
         ("if_left", if shares { "(left > 0U) && (from == 0U)" } else { "left > 0U" }.to_owned()),
-        ("begin_alone", if shares { "from * ALONE" } else { "0U" }.to_owned()),
-        ("apart_alone", if shares { "apart * ALONE" } else { "ALONE" }.to_owned()),
+        ("begin_alone", if shares { "from * LAST_ROW_COLUMNS" } else { "0U" }.to_owned()),
+        (
+            "apart_alone",
+            if shares { "apart * LAST_ROW_COLUMNS" } else { "LAST_ROW_COLUMNS" }.to_owned(),
+        ),
         (
             "shared",
             if shares { ", const uint32_t from, const uint32_t apart" } else { "" }.to_owned(),
